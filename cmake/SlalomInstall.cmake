@@ -1,0 +1,1 @@
+# Installed headers and the CMake package for plug-ins built out of tree.

@@ -1,0 +1,113 @@
+#include <slalom/core/error.h>
+#include <slalom/core/options.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+
+namespace slalom {
+
+bool Range::contains(double value) const {
+  return (low_open ? value > low : value >= low) && value <= high;
+}
+
+std::string Range::text() const {
+  const bool bounded_below = low > -std::numeric_limits<double>::infinity();
+  const bool bounded_above = high < std::numeric_limits<double>::infinity();
+  if (bounded_below && bounded_above)
+    return std::string("in ") + (low_open ? "(" : "[") + format_number(low) + ", " +
+           format_number(high) + "]";
+  if (bounded_below) return (low_open ? "> " : ">= ") + format_number(low);
+  if (bounded_above) return "<= " + format_number(high);
+  return "any";
+}
+
+void OptionReader::option(const std::string& key, double& value, const std::string&,
+                          const std::string&, Range range) {
+  known_.push_back(key);
+  const auto text = ini_.get(section_, key);
+  if (!text) return;
+  double number = 0;
+  if (!parse_number(*text, number) || !range.contains(number))
+    throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid",
+                      "a number " + range.text());
+  value = number;
+}
+
+void OptionReader::option(const std::string& key, int& value, const std::string&,
+                          const std::string&, Range range) {
+  known_.push_back(key);
+  const auto text = ini_.get(section_, key);
+  if (!text) return;
+  long long number = 0;
+  if (!parse_integer(*text, number) || !range.contains(static_cast<double>(number)) ||
+      number > std::numeric_limits<int>::max() || number < std::numeric_limits<int>::min())
+    throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid",
+                      "a whole number " + range.text());
+  value = static_cast<int>(number);
+}
+
+void OptionReader::option(const std::string& key, bool& value, const std::string&) {
+  known_.push_back(key);
+  const auto text = ini_.get(section_, key);
+  if (!text) return;
+  if (*text == "true" || *text == "yes" || *text == "on" || *text == "1") {
+    value = true;
+  } else if (*text == "false" || *text == "no" || *text == "off" || *text == "0") {
+    value = false;
+  } else {
+    throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid", "true or false");
+  }
+}
+
+void OptionReader::option(const std::string& key, std::string& value, const std::string&,
+                          const std::vector<std::string>& choices) {
+  known_.push_back(key);
+  const auto text = ini_.get(section_, key);
+  if (!text) return;
+  if (!choices.empty() && std::find(choices.begin(), choices.end(), *text) == choices.end())
+    throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid",
+                      "one of " + join(choices, ", "));
+  value = *text;
+}
+
+void OptionReader::reject_unknown_keys() const {
+  for (const std::string& key : ini_.keys(section_)) {
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    const std::string nearest = nearest_name(key, known_);
+    throw usage_error(ini_.where(section_, key), "unknown key",
+                      nearest.empty() ? "one of " + join(known_, ", ") : "'" + nearest + "'");
+  }
+}
+
+void OptionLister::option(const std::string& key, double& value, const std::string& unit,
+                          const std::string& help, Range range) {
+  lines_.push_back({key, format_number(value), unit, range.text(), help});
+}
+
+void OptionLister::option(const std::string& key, int& value, const std::string& unit,
+                          const std::string& help, Range range) {
+  lines_.push_back({key, std::to_string(value), unit, range.text(), help});
+}
+
+void OptionLister::option(const std::string& key, bool& value, const std::string& help) {
+  lines_.push_back({key, value ? "true" : "false", "-", "true or false", help});
+}
+
+void OptionLister::option(const std::string& key, std::string& value, const std::string& help,
+                          const std::vector<std::string>& choices) {
+  lines_.push_back({key, value.empty() ? "(none)" : value, "-",
+                    choices.empty() ? "text" : join(choices, " | "), help});
+}
+
+std::string OptionLister::text() const {
+  std::string text;
+  for (const Line& line : lines_) {
+    std::string row = "  " + line.key + " = " + line.default_value;
+    if (line.unit != "-") row += " " + line.unit;
+    row.resize(std::max<std::size_t>(row.size() + 1, 34), ' ');
+    text += row + line.help + " (" + line.range + ")\n";
+  }
+  return text;
+}
+
+}  // namespace slalom

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <slalom/scenario/scenario.h>
+
+#include <string>
+
+namespace slalom {
+
+/// A single scenario as YAML for people. Grids are rows of '.' (free) and '#' (occupied), top row first.
+std::string scenario_to_yaml(const Scenario& scenario);
+
+/// Reads it back; throws Error (File): file, line, what was expected.
+Scenario scenario_from_yaml(const std::string& text, const std::string& where);
+Scenario load_scenario_yaml(const std::string& path);
+
+}  // namespace slalom

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <slalom/core/value.h>
+#include <slalom/references/reference.h>
+#include <slalom/robot/robot_model.h>
+#include <slalom/scenario/world.h>
+#include <slalom/trajectory/trajectory.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// What a metric may look at. The trajectory may come from anywhere; the simulator is not known here.
+struct MetricContext {
+  const World& world;
+  const RobotModel& robot;
+  const Trajectory& trajectory;
+  Outcome outcome;
+  const References& references;
+  double max_time = 60;        ///< s, T_max
+  double goal_tolerance = 0.2; ///< m
+  /// Clearance of the footprint at each sample (m), from the scenario's geometry: d(p_i) - radius.
+  std::vector<double> clearances;
+};
+
+/// Fills `clearances`.
+MetricContext make_metric_context(const World& world, const RobotModel& robot,
+                                  const Trajectory& trajectory, Outcome outcome,
+                                  const References& references, double max_time,
+                                  double goal_tolerance);
+
+/// One number about a run (Strategy); the paper's trajectory descriptor.
+class Metric {
+ public:
+  virtual ~Metric() = default;
+  virtual QuantityInfo info() const = 0;
+  virtual Value compute(const MetricContext& context) const = 0;
+};
+
+/// All metrics, in the order of definitions.md: the one list to add a line to.
+const std::vector<std::shared_ptr<const Metric>>& all_metrics();
+
+/// The metric with this id; throws Error (Usage) naming the nearest id.
+const Metric& metric(const std::string& id);
+
+}  // namespace slalom

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <slalom/scenario/occupancy.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace slalom {
+
+/// Exact Euclidean distance to the occupied closed squares of an Occupancy (and to the wall around it).
+class DistanceField {
+ public:
+  explicit DistanceField(const Occupancy& occupancy);
+
+  /// d at the centre of a cell (m): distance to the nearest occupied closed square; 0 if occupied.
+  double at_center(int cx, int cy) const { return at_center_[index(cx, cy)]; }
+  /// All of them, row-major (m).
+  const std::vector<float>& centers() const { return at_center_; }
+
+  /// d(q) (m) at any point; 0 on or in an occupied square and outside the workspace.
+  double clearance(const mrpt::math::TPoint2D& q) const;
+
+  /// Distance (m) from the segment a-b to the nearest occupied square, if it is below `limit`,
+  /// otherwise `limit`.
+  double segment_clearance(const mrpt::math::TPoint2D& a, const mrpt::math::TPoint2D& b,
+                           double limit) const;
+
+  /// A quick lower bound of clearance(q) (m), from the centre of the cell q lies in.
+  double clearance_lower_bound(const mrpt::math::TPoint2D& q) const;
+
+ private:
+  std::size_t index(int cx, int cy) const {
+    return static_cast<std::size_t>(cy) * static_cast<std::size_t>(size_x_) +
+           static_cast<std::size_t>(cx);
+  }
+  int size_x_, size_y_;
+  double resolution_;
+  mrpt::math::TPoint2D origin_;
+  std::vector<float> at_center_;
+  /// Per cell: how many cells to the left (right) the nearest occupied cell of its row is; 0 if itself.
+  std::vector<std::int32_t> to_left_, to_right_;
+};
+
+}  // namespace slalom

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <slalom/scenario/geometry.h>
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <mrpt/maps/CSimplePointsMap.h>
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace slalom {
+
+using GridMapPtr = std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>;
+using PointMapPtr = std::shared_ptr<const mrpt::maps::CSimplePointsMap>;
+
+enum class Representation { Continuous, Grid, Points };
+
+std::string to_string(Representation representation);          ///< continuous, grid, points
+Representation representation_from_string(const std::string& text);  ///< throws Error (Usage)
+
+/// One obstacle avoidance problem: a workspace, its obstacles, a start pose and a goal position.
+/// Immutable; its identity is the hash of its content (geometry, start, goal), not its name.
+///
+/// Grids are binarised when the scenario is made: a cell with occupancy probability above 0.5
+/// is occupied, below is free; unknown cells (0.5 exactly, as MRPT keeps them) are occupied
+/// unless the importer made them free. Resolution in m; cell (0,0) has its lower left corner at
+/// (x_min, y_min) of the bounds.
+class Scenario {
+ public:
+  /// Throw Error (File) naming `name` when bounds are empty or not finite, start or goal lie
+  /// outside them, or a primitive is degenerate (radius <= 0, polygon not simple).
+  static Scenario continuous(std::string name, Bounds bounds, Primitives obstacles,
+                             mrpt::math::TPose2D start, mrpt::math::TPoint2D goal);
+  static Scenario grid(std::string name, const mrpt::maps::COccupancyGridMap2D& map,
+                       mrpt::math::TPose2D start, mrpt::math::TPoint2D goal);
+  static Scenario points(std::string name, Bounds bounds, const mrpt::maps::CSimplePointsMap& map,
+                         mrpt::math::TPose2D start, mrpt::math::TPoint2D goal);
+
+  Representation representation() const;
+  const std::string& name() const { return name_; }
+  const Bounds& bounds() const { return bounds_; }
+  const mrpt::math::TPose2D& start() const { return start_; }
+  const mrpt::math::TPoint2D& goal() const { return goal_; }
+  const std::string& hash() const { return hash_; }  ///< 32 hexadecimal digits
+
+  const Primitives& primitives() const;  ///< requires Continuous
+  const GridMapPtr& grid_map() const;    ///< requires Grid; cells are exactly free or occupied
+  const PointMapPtr& point_map() const;  ///< requires Points
+
+  Scenario renamed(std::string name) const;
+  Scenario with_task(mrpt::math::TPose2D start, mrpt::math::TPoint2D goal) const;
+
+ private:
+  using Obstacles = std::variant<Primitives, GridMapPtr, PointMapPtr>;
+  Scenario(std::string name, Bounds bounds, Obstacles obstacles, mrpt::math::TPose2D start,
+           mrpt::math::TPoint2D goal);
+
+  std::string name_;
+  Bounds bounds_;
+  Obstacles obstacles_;
+  mrpt::math::TPose2D start_;
+  mrpt::math::TPoint2D goal_;
+  std::string hash_;
+};
+
+}  // namespace slalom
