@@ -1,0 +1,58 @@
+#pragma once
+
+#include <slalom/core/ini_file.h>
+#include <slalom/core/options.h>
+#include <slalom/robot/robot_model.h>
+#include <slalom/simulation/simulate.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// Section [campaign].
+struct CampaignSection {
+  std::string name = "campaign";
+  int seed = 1;
+  int repetitions = 1;
+  std::string methods;  ///< names, comma separated
+
+  void visit(OptionVisitor& v);
+};
+
+/// Section [metrics].
+struct MetricsSection {
+  std::string enabled = "all";      ///< metric ids, comma separated, or all
+  std::string descriptors = "all";  ///< descriptor ids, comma separated, or all
+
+  void visit(OptionVisitor& v);
+};
+
+/// Section [limits].
+struct LimitsSection {
+  double run_wall_time = 60;  ///< s of wall-clock time for one run
+
+  void visit(OptionVisitor& v);
+};
+
+/// Everything of a campaign's .ini that is not about where scenarios come from or how tables look.
+struct CampaignOptions {
+  std::string name;
+  std::uint64_t seed = 1;
+  int repetitions = 1;
+  std::vector<std::string> methods;      ///< in the order of the .ini
+  std::vector<std::string> metrics;      ///< ids
+  std::vector<std::string> descriptors;  ///< ids
+  RobotModel robot;
+  SensorModel sensor;
+  SimulationOptions simulation;
+  LimitsSection limits;
+  double reference_gap = 0.01;
+};
+
+/// Reads [campaign], [robot], [sensor], [simulation], [metrics] and [limits] and checks them against each
+/// other. Throws Error (Usage). reference_gap is left for the reader of [reference].
+CampaignOptions read_campaign_options(const IniFile& ini);
+
+}  // namespace slalom
