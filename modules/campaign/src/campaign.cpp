@@ -44,8 +44,8 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
   PoolOptions pool;
   pool.workers = execution.workers;
   pool.fresh_process = true;
-  const bool complete = run_in_workers(campaign.scenarios.size(), pool, task, receive,
-                                       execution.interrupted);
+  const bool complete =
+      run_in_workers(campaign.scenarios.size(), pool, task, receive, execution.interrupted);
   execution.progress.finish();
   return complete;
 }
@@ -66,10 +66,10 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
   RunExecutor executor(campaign, references);  // each worker has its own copy from the fork on
   const WorkerTask task = [&](std::size_t i) {
     const References& known = references[plan[i].scenario];
-    return to_wire(known.shortest ? executor.execute(plan[i])
-                                  : findings_without_trajectory(campaign, plan[i],
-                                                                Outcome::UnsolvableScenario,
-                                                                known.shortest_reason));
+    return to_wire(known.shortest
+                       ? executor.execute(plan[i])
+                       : findings_without_trajectory(campaign, plan[i], Outcome::UnsolvableScenario,
+                                                     known.shortest_reason));
   };
   const auto receive = [&](std::size_t i, TaskResult&& result) {
     const RunFindings findings = findings_of(campaign, plan[i], result);
@@ -103,8 +103,8 @@ void check_methods(const Campaign& campaign) {
   const std::vector<std::string>& names = campaign.options.methods;
   const WorkerTask task = [&](std::size_t i) -> std::string {
     try {
-      campaign.methods.create(names[i], {campaign.ini, "method." + names[i],
-                                         campaign.options.robot, campaign.options.sensor});
+      campaign.methods.create(names[i], {campaign.ini, "method." + names[i], campaign.options.robot,
+                                         campaign.options.sensor});
       return "";
     } catch (const std::exception& e) {
       return e.what();

@@ -24,9 +24,9 @@ std::vector<std::string> read_ids(const IniFile& ini, const std::string& key,
   for (const std::string& id : ids) {
     if (std::find(known.begin(), known.end(), id) != known.end()) continue;
     const std::string nearest = nearest_name(id, known);
-    throw usage_error(ini.where("metrics", key), "unknown id '" + id + "'",
-                      nearest.empty() ? "all, or some of " + join(known, ", ")
-                                      : "'" + nearest + "'");
+    throw usage_error(
+        ini.where("metrics", key), "unknown id '" + id + "'",
+        nearest.empty() ? "all, or some of " + join(known, ", ") : "'" + nearest + "'");
   }
   return ids;
 }

@@ -34,8 +34,8 @@ RunFindings RunExecutor::execute(const RunSpec& spec) {
   const auto begin = std::chrono::steady_clock::now();
   const CampaignOptions& options = campaign_.options;
   const World& place = world(spec.scenario);
-  const SimulationResult result = simulate(place, options.robot, options.sensor,
-                                           options.simulation, spec.seed, method(spec.method));
+  const SimulationResult result = simulate(place, options.robot, options.sensor, options.simulation,
+                                           spec.seed, method(spec.method));
   RunFindings findings;
   findings.record = blank_record(campaign_, spec);
   evaluate(place, references_[spec.scenario], result, findings);
@@ -57,8 +57,8 @@ const World& RunExecutor::world(std::size_t scenario) {
 Method& RunExecutor::method(const std::string& name) {
   std::unique_ptr<Method>& method = methods_[name];
   if (!method) {
-    method = campaign_.methods.create(name, {campaign_.ini, "method." + name,
-                                             campaign_.options.robot, campaign_.options.sensor});
+    method = campaign_.methods.create(
+        name, {campaign_.ini, "method." + name, campaign_.options.robot, campaign_.options.sensor});
   }
   return *method;
 }
@@ -86,8 +86,7 @@ RunFindings findings_without_trajectory(const Campaign& campaign, const RunSpec&
   findings.record = blank_record(campaign, spec);
   findings.record.outcome = to_string(outcome);
   findings.record.outcome_detail = detail;
-  const bool methods_fault =
-      outcome == Outcome::MethodCrash || outcome == Outcome::MethodDeadline;
+  const bool methods_fault = outcome == Outcome::MethodCrash || outcome == Outcome::MethodDeadline;
   for (const std::string& id : campaign.options.metrics) {
     const bool counts_failures = id == "success" || id == "spl";
     const Value value = methods_fault && counts_failures

@@ -24,8 +24,8 @@ std::vector<RunSpec> make_plan(const Campaign& campaign);
 /// A record with everything known before the run.
 RunRecord blank_record(const Campaign& campaign, const RunSpec& spec);
 
-/// Executes runs one after another in a worker process; keeps the methods and the last scenario's tables
-/// between runs.
+/// Executes runs one after another in a worker process; keeps the methods and the last scenario's
+/// tables between runs.
 class RunExecutor {
  public:
   RunExecutor(const Campaign& campaign, const std::vector<References>& references)
@@ -46,8 +46,8 @@ class RunExecutor {
   std::size_t world_scenario_ = 0;
 };
 
-/// The record of a run that left no trajectory (crash, deadline, unsolvable scenario): metrics that count
-/// failures count it, all others are NA because of the outcome.
+/// The record of a run that left no trajectory (crash, deadline, unsolvable scenario): metrics that
+/// count failures count it, all others are NA because of the outcome.
 RunFindings findings_without_trajectory(const Campaign& campaign, const RunSpec& spec,
                                         Outcome outcome, const std::string& detail);
 

@@ -9,8 +9,8 @@ ScenarioFindings survey_scenario(const Campaign& campaign, const Scenario& scena
   const World world(scenario, options.simulation.resolution);
   ScenarioFindings findings;
   findings.record = {scenario.hash(), scenario.name(), {}};
-  const PlanningProblem problem{world, options.robot.radius,
-                                {scenario.start().x, scenario.start().y}, scenario.goal()};
+  const PlanningProblem problem{
+      world, options.robot.radius, {scenario.start().x, scenario.start().y}, scenario.goal()};
   findings.references =
       compute_references(problem, campaign.planner, options.reference_gap,
                          derive_seed(options.seed, "reference/" + scenario.hash()));

@@ -88,8 +88,7 @@ References references_from(const Json& json) {
 Json to_json(const Trajectory& trajectory) {
   Json json = Json::array();
   for (const Sample& s : trajectory.samples)
-    for (double number :
-         {s.t, s.pose.x, s.pose.y, s.pose.phi, s.v, s.w, s.command_v, s.command_w})
+    for (double number : {s.t, s.pose.x, s.pose.y, s.pose.phi, s.v, s.w, s.command_v, s.command_w})
       json.push_back(number);
   return json;
 }

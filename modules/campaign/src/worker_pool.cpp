@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <vector>
-
 #include <poll.h>
+#include <vector>
 
 namespace slalom {
 namespace {

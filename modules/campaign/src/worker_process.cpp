@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
-
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -84,7 +83,8 @@ void WorkerProcess::start(const WorkerTask& task) {
   if (pid < 0) {
     close(ends[0]);
     close(ends[1]);
-    throw job_error("workers", std::string("no process can be made (") + std::strerror(errno) + ")");
+    throw job_error("workers",
+                    std::string("no process can be made (") + std::strerror(errno) + ")");
   }
   if (pid == 0) {
     close(ends[0]);

@@ -5,12 +5,12 @@
 #include <chrono>
 #include <optional>
 #include <string>
-
 #include <sys/types.h>
 
 namespace slalom {
 
-/// One forked worker and the socket to it. The parent sends an index, the worker answers with its payload.
+/// One forked worker and the socket to it. The parent sends an index, the worker answers with its
+/// payload.
 class WorkerProcess {
  public:
   using Clock = std::chrono::steady_clock;

@@ -1,14 +1,17 @@
 #include <slalom/core/hash.h>
 
-#include <xxhash.h>
-
 #include <cstring>
+#include <xxhash.h>
 
 namespace slalom {
 
-Hasher::Hasher() : state_(XXH3_createState()) { XXH3_128bits_reset(state_); }
+Hasher::Hasher() : state_(XXH3_createState()) {
+  XXH3_128bits_reset(state_);
+}
 
-Hasher::~Hasher() { XXH3_freeState(state_); }
+Hasher::~Hasher() {
+  XXH3_freeState(state_);
+}
 
 Hasher& Hasher::add_bytes(const void* data, std::size_t size) {
   XXH3_128bits_update(state_, data, size);

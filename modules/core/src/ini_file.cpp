@@ -14,8 +14,7 @@ namespace {
 
 std::string strip_comment(const std::string& line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
-    const bool starts_comment =
-        line[i] == '#' || line[i] == ';' || line.compare(i, 2, "//") == 0;
+    const bool starts_comment = line[i] == '#' || line[i] == ';' || line.compare(i, 2, "//") == 0;
     const bool after_blank = i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t';
     if (starts_comment && after_blank) return line.substr(0, i);
   }
@@ -110,7 +109,9 @@ void IniFile::override_key(const std::string& assignment) {
       trim(assignment.substr(equals + 1)));
 }
 
-std::vector<std::string> IniFile::sections() const { return section_order_; }
+std::vector<std::string> IniFile::sections() const {
+  return section_order_;
+}
 
 std::vector<std::string> IniFile::keys(const std::string& section) const {
   std::vector<std::string> keys;

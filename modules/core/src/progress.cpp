@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdio>
-
 #include <unistd.h>
 
 namespace slalom {
@@ -69,7 +68,9 @@ class BarProgress : public Progress {
 
 }  // namespace
 
-std::unique_ptr<Progress> make_silent_progress() { return std::make_unique<SilentProgress>(); }
+std::unique_ptr<Progress> make_silent_progress() {
+  return std::make_unique<SilentProgress>();
+}
 
 std::unique_ptr<Progress> make_terminal_progress(bool quiet) {
   if (quiet) return make_silent_progress();

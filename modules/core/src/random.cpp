@@ -3,11 +3,11 @@
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
-#include <xxhash.h>
 
 #include <array>
 #include <cstring>
 #include <vector>
+#include <xxhash.h>
 
 namespace slalom {
 

@@ -1,9 +1,9 @@
 #include <slalom/core/text.h>
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace slalom {
 
@@ -35,7 +35,9 @@ std::string join(const std::vector<std::string>& parts, const std::string& separ
   return text;
 }
 
-std::string format_number(double number) { return fmt::format("{}", number == 0 ? 0.0 : number); }
+std::string format_number(double number) {
+  return fmt::format("{}", number == 0 ? 0.0 : number);
+}
 
 std::string format_fixed(double number, int digits) {
   return fmt::format("{:.{}f}", number, digits);

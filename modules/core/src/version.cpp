@@ -4,7 +4,9 @@
 
 namespace slalom {
 
-std::string version() { return SLALOM_VERSION; }
+std::string version() {
+  return SLALOM_VERSION;
+}
 
 std::string compiler_version() {
 #if defined(__clang__)

@@ -19,8 +19,8 @@ namespace slalom {
 /// The plan: every method drives every scenario `repetitions` times.
 struct Campaign {
   CampaignOptions options;
-  std::vector<Scenario> scenarios;      ///< distinct contents
-  const IniFile& ini;                   ///< for the methods' own sections
+  std::vector<Scenario> scenarios;  ///< distinct contents
+  const IniFile& ini;               ///< for the methods' own sections
   const MethodRegistry& methods;
   const ReferencePlanner* planner = nullptr;  ///< null: the exact search alone
 };
@@ -43,23 +43,24 @@ struct Execution {
 };
 
 struct CampaignSummary {
-  bool complete = false;                    ///< false when interrupted
+  bool complete = false;  ///< false when interrupted
   std::size_t runs = 0;
   std::map<std::string, std::size_t> outcomes;  ///< runs by outcome
   std::size_t infrastructure_errors() const;
 };
 
-/// The seed of a run: the same for all methods, so that they meet the same noise, and independent of which
-/// other scenarios, methods or repetitions there are.
+/// The seed of a run: the same for all methods, so that they meet the same noise, and independent
+/// of which other scenarios, methods or repetitions there are.
 std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario_hash,
                        int repetition);
 
-/// Builds every method once in a process of its own, so that a wrong option, class or library is reported
-/// before anything runs. Throws Error (Usage) with the method's section.
+/// Builds every method once in a process of its own, so that a wrong option, class or library is
+/// reported before anything runs. Throws Error (Usage) with the method's section.
 void check_methods(const Campaign& campaign);
 
-/// Describes every scenario and finds its references (each in a fresh process), then runs every method on
-/// it in worker processes. The same campaign gives the same records with any number of workers.
+/// Describes every scenario and finds its references (each in a fresh process), then runs every
+/// method on it in worker processes. The same campaign gives the same records with any number of
+/// workers.
 CampaignSummary run_campaign(const Campaign& campaign, CampaignSink& sink,
                              const Execution& execution);
 

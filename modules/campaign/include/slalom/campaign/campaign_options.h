@@ -51,8 +51,8 @@ struct CampaignOptions {
   double reference_gap = 0.01;
 };
 
-/// Reads [campaign], [robot], [sensor], [simulation], [metrics] and [limits] and checks them against each
-/// other. Throws Error (Usage). reference_gap is left for the reader of [reference].
+/// Reads [campaign], [robot], [sensor], [simulation], [metrics] and [limits] and checks them
+/// against each other. Throws Error (Usage). reference_gap is left for the reader of [reference].
 CampaignOptions read_campaign_options(const IniFile& ini);
 
 }  // namespace slalom

@@ -28,7 +28,8 @@ class Error : public std::runtime_error {
 };
 
 /// Builds "WHERE: WHAT; expected EXPECTED" (the last part left out where empty).
-Error job_error(const std::string& where, const std::string& what, const std::string& expected = "");
+Error job_error(const std::string& where, const std::string& what,
+                const std::string& expected = "");
 Error usage_error(const std::string& where, const std::string& what,
                   const std::string& expected = "");
 Error file_error(const std::string& where, const std::string& what,

@@ -16,7 +16,9 @@ struct Range {
 
   static Range any() { return {}; }
   static Range positive() { return {0.0, std::numeric_limits<double>::infinity(), true}; }
-  static Range at_least(double low) { return {low, std::numeric_limits<double>::infinity(), false}; }
+  static Range at_least(double low) {
+    return {low, std::numeric_limits<double>::infinity(), false};
+  }
   static Range between(double low, double high) { return {low, high, false}; }
   bool contains(double value) const;
   std::string text() const;  ///< e.g. "> 0", "in [0, 1]"
@@ -26,7 +28,8 @@ struct Range {
 ///
 ///     struct SensorOptions {
 ///       int rays = 181;
-///       void visit(OptionVisitor& v) { v.option("rays", rays, "-", "rays of one scan", Range::at_least(2)); }
+///       void visit(OptionVisitor& v) { v.option("rays", rays, "-", "rays of one scan",
+///       Range::at_least(2)); }
 ///     };
 ///
 /// and the same description reads it from an .ini, rejects unknown keys and prints the help table.

@@ -19,8 +19,8 @@ class Progress {
 /// Says nothing.
 std::unique_ptr<Progress> make_silent_progress();
 
-/// A bar on standard error when it is a terminal and `quiet` is false; otherwise one line per stage,
-/// or nothing when quiet.
+/// A bar on standard error when it is a terminal and `quiet` is false; otherwise one line per
+/// stage, or nothing when quiet.
 std::unique_ptr<Progress> make_terminal_progress(bool quiet);
 
 }  // namespace slalom

@@ -13,7 +13,7 @@ class Value {
   static Value na(std::string reason);
 
   bool is_na() const { return !number_.has_value(); }
-  double number() const;                     ///< requires !is_na()
+  double number() const;                                 ///< requires !is_na()
   const std::string& reason() const { return reason_; }  ///< empty unless NA
   std::optional<double> standard_error() const { return standard_error_; }
 
@@ -33,7 +33,7 @@ std::string to_string(Direction direction);
 /// What a computed quantity (a scenario descriptor or a metric) is: its formula never changes under
 /// one (id, version).
 struct QuantityInfo {
-  std::string id;    ///< as in tables and files, e.g. "clearness"
+  std::string id;  ///< as in tables and files, e.g. "clearness"
   int version = 1;
   std::string name;  ///< for people, e.g. "Clearness"
   std::string unit;  ///< "-" where it has none

@@ -1,0 +1,48 @@
+#include <slalom/core/random.h>
+#include <slalom/core/text.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+TEST(Text, SplitTrimsPartsAndKeepsEmptyOnes) {
+  EXPECT_EQ(split(" a, b ,,c", ','), (std::vector<std::string>{"a", "b", "", "c"}));
+  EXPECT_TRUE(split("  ", ',').empty());
+}
+
+TEST(Text, JoinIsTheReverseOfSplit) {
+  EXPECT_EQ(join({"a", "b"}, ", "), "a, b");
+  EXPECT_EQ(join({}, ", "), "");
+}
+
+TEST(Text, FormattedNumbersReadBackExactly) {
+  RandomEngine engine(3);
+  for (int i = 0; i < 1000; ++i) {
+    const double number = normal(engine, 0, 1) * std::pow(10, uniform_int(engine, -12, 12));
+    double back = 0;
+    ASSERT_TRUE(parse_number(format_number(number), back));
+    EXPECT_EQ(back, number);
+  }
+  EXPECT_EQ(format_number(0.1), "0.1");
+  EXPECT_EQ(format_number(-0.0), format_number(0.0));
+  EXPECT_EQ(format_fixed(1.005, 2), "1.00");
+}
+
+TEST(Text, OnlyWholeFiniteNumbersAreParsed) {
+  double number = 0;
+  EXPECT_TRUE(parse_number(" +1.5 ", number));
+  EXPECT_EQ(number, 1.5);
+  for (const char* bad : {"", "x", "1.5x", "1,5", "inf", "nan", "0x10", "--1"})
+    EXPECT_FALSE(parse_number(bad, number)) << bad;
+  long long integer = 0;
+  EXPECT_TRUE(parse_integer("-12", integer));
+  EXPECT_EQ(integer, -12);
+  EXPECT_FALSE(parse_integer("1.0", integer));
+  EXPECT_FALSE(parse_integer("99999999999999999999", integer));
+}
+
+}  // namespace
+}  // namespace slalom
