@@ -142,6 +142,15 @@ void IniFile::set(const std::string& section, const std::string& key, const std:
   entries_[section].push_back({key, value, place});
 }
 
+void IniFile::remove(const std::string& section, const std::string& key) {
+  const auto found = entries_.find(section);
+  if (found == entries_.end()) return;
+  std::vector<Entry>& entries = found->second;
+  entries.erase(std::remove_if(entries.begin(), entries.end(),
+                               [&](const Entry& entry) { return entry.key == key; }),
+                entries.end());
+}
+
 std::string IniFile::where(const std::string& section, const std::string& key) const {
   const Entry* entry = find(section, key);
   return entry == nullptr ? name_ + ": [" + section + "] " + key : entry->where;

@@ -74,6 +74,14 @@ TEST(IniFile, OverridesReplaceOrAddAKey) {
             std::string::npos);
 }
 
+TEST(IniFile, ARemovedKeyIsGone) {
+  IniFile ini = IniFile::from_text("[a]\nx = 1\ny = 2\n");
+  ini.remove("a", "x");
+  ini.remove("b", "x");
+  EXPECT_FALSE(ini.get("a", "x").has_value());
+  EXPECT_EQ(ini.keys("a"), (std::vector<std::string>{"y"}));
+}
+
 TEST(IniFile, CanonicalTextDoesNotDependOnOrderAndReadsBack) {
   const IniFile a = IniFile::from_text("[b]\ny=2\nx=1\n[a]\nz=3\n");
   const IniFile b = IniFile::from_text("[a]\nz = 3\n[b]\nx = 1\ny = 2\n");

@@ -23,6 +23,7 @@ class IniFile {
   bool has_section(const std::string& section) const;
   std::optional<std::string> get(const std::string& section, const std::string& key) const;
   void set(const std::string& section, const std::string& key, const std::string& value);
+  void remove(const std::string& section, const std::string& key);  ///< nothing if it is not there
 
   /// "FILE:LINE: [section] key", for messages.
   std::string where(const std::string& section, const std::string& key) const;

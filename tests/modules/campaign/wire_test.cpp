@@ -1,0 +1,68 @@
+#include "wire.h"
+
+#include <slalom/core/random.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+RunFindings sample_run() {
+  RunFindings findings;
+  RunRecord& r = findings.record;
+  r.scenario_hash = "abc";
+  r.scenario_name = "a \"name\"\n";
+  r.method = "nd";
+  r.repetition = 3;
+  r.seed = 0xffffffffffffffffULL;
+  r.outcome = "success";
+  r.outcome_detail = "there";
+  r.trajectory_hash = "def";
+  r.metrics["optimality"] = {2, Value::of(0.1 + 0.2)};
+  r.metrics["safety"] = {1, Value::na("outcome: collision")};
+  r.metrics["with_error"] = {1, Value::of(0.5, 1e-300)};
+  findings.timing = {1.25, {{"cycle_time_mean", 0.007}}};
+  RandomEngine engine(5);
+  for (int i = 0; i < 100; ++i) {
+    const auto x = [&] { return normal(engine, 0, 1); };
+    findings.trajectory.samples.push_back({0.1 * i, {x(), x(), x()}, x(), x(), x(), x()});
+  }
+  return findings;
+}
+
+TEST(Wire, ARunComesBackBitByBit) {
+  const RunFindings sent = sample_run();
+  const RunFindings received = run_findings_from_wire(to_wire(sent));
+  EXPECT_EQ(to_wire(received), to_wire(sent));
+  EXPECT_EQ(received.trajectory.hash(), sent.trajectory.hash());
+  EXPECT_EQ(received.record.seed, sent.record.seed);
+  EXPECT_EQ(received.record.metrics.at("optimality").value, Value::of(0.1 + 0.2));
+  EXPECT_EQ(received.record.metrics.at("optimality").version, 2);
+  EXPECT_EQ(received.record.metrics.at("safety").value.reason(), "outcome: collision");
+  EXPECT_EQ(received.record.metrics.at("with_error").value.standard_error(), 1e-300);
+  EXPECT_EQ(received.timing.values, sent.timing.values);
+}
+
+TEST(Wire, AScenarioComesBackWithItsReferences) {
+  ScenarioFindings sent;
+  sent.record = {"hash", "name", {{"density", {1, Value::of(0.25)}}}};
+  sent.references.shortest = ShortestPath{{{0, 0}, {1, 2}}, 2.5, {2.4, 2.5}, "exact", "a note"};
+  sent.references.safest_reason = "start is not free";
+  const ScenarioFindings received = scenario_findings_from_wire(to_wire(sent));
+  EXPECT_EQ(to_wire(received), to_wire(sent));
+  ASSERT_TRUE(received.references.shortest.has_value());
+  EXPECT_EQ(received.references.shortest->path.back().y, 2);
+  EXPECT_EQ(received.references.shortest->certificate.lower_bound, 2.4);
+  EXPECT_FALSE(received.references.safest.has_value());
+  EXPECT_EQ(received.references.safest_reason, "start is not free");
+}
+
+TEST(Wire, DamagedBytesAreRefusedNotBelieved) {
+  const std::string bytes = to_wire(sample_run());
+  for (std::size_t size = 0; size < bytes.size(); size += 97)
+    EXPECT_THROW(run_findings_from_wire(bytes.substr(0, size)), std::exception);
+  EXPECT_THROW(run_findings_from_wire("garbage"), std::exception);
+}
+
+}  // namespace
+}  // namespace slalom
