@@ -58,9 +58,7 @@ int report_wrong_usage(const CLI::App& app, const std::string& name, const std::
     verb = verb->get_subcommands().front();
     command += " " + verb->get_name();
   }
-  fail(name, message, kWrongUsage);
-  std::cerr << "Run '" << command << " --help' for how to use it." << std::endl;
-  return kWrongUsage;
+  return fail(name, message + " (see '" + command + " --help')", kWrongUsage);
 }
 
 /// Parses and works; returns 0, throws otherwise.

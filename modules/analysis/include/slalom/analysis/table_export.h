@@ -1,0 +1,22 @@
+#pragma once
+
+#include <slalom/analysis/cross_table.h>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// Cross tables in long form, one line a cell (RFC 4180 quoting, lines end with LF):
+/// method,row_descriptor,bin_low,bin_high,metric,version,n,available,na,mean,deviation,low,high,
+/// confidence,na_reasons. Fields without a value are empty; numbers read back exactly.
+std::string render_csv(const std::vector<CrossTable>& tables);
+
+/// The same as a JSON array of tables, with the ids of the runs of each row and NA counts by
+/// reason.
+std::string render_json(const std::vector<CrossTable>& tables);
+
+/// A field of a CSV line, quoted where it must be.
+std::string csv_field(const std::string& text);
+
+}  // namespace slalom

@@ -1,0 +1,174 @@
+#include <slalom/analysis/bins.h>
+#include <slalom/core/error.h>
+#include <slalom/core/ini_file.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace slalom {
+namespace {
+
+constexpr long long kMostBins = 1000;
+constexpr const char* kForms = "all, ID:EDGE,EDGE,..., ID:COUNT or ID:equal:COUNT";
+
+Error bad_spec(const std::string& text, const std::string& what) {
+  return usage_error("rows '" + text + "'", what, kForms);
+}
+
+int parse_count(const std::string& spec, const std::string& text) {
+  long long count = 0;
+  if (!parse_integer(text, count) || count < 1 || count > kMostBins) {
+    throw bad_spec(spec, "'" + text + "' is no number of bins between 1 and 1000");
+  }
+  return static_cast<int>(count);
+}
+
+std::vector<double> parse_edges(const std::string& spec, const std::string& text) {
+  std::vector<double> edges;
+  for (const std::string& part : split(text, ',')) {
+    double edge = 0;
+    if (!parse_number(part, edge) || !std::isfinite(edge)) {
+      throw bad_spec(spec, "'" + part + "' is no number");
+    }
+    if (!edges.empty() && edge <= edges.back()) throw bad_spec(spec, "edges do not increase");
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
+void require_known(const std::string& id, const ResultTable& table) {
+  std::set<std::string> known;
+  for (const auto& [hash, scenario] : table.scenarios) {
+    for (const auto& [descriptor, value] : scenario.descriptors) known.insert(descriptor);
+  }
+  if (known.count(id) > 0) return;
+  const std::vector<std::string> names(known.begin(), known.end());
+  const std::string nearest = nearest_name(id, names);
+  throw usage_error("rows", "no descriptor '" + id + "' in these results",
+                    nearest.empty() ? "one of " + join(names, ", ") : "perhaps " + nearest);
+}
+
+/// The values of a descriptor over the scenarios, increasing.
+std::vector<double> sorted_values(const std::string& id, const ResultTable& table) {
+  std::vector<double> values;
+  for (const auto& [hash, scenario] : table.scenarios) {
+    const auto found = scenario.descriptors.find(id);
+    if (found == scenario.descriptors.end() || found->second.value.is_na()) continue;
+    values.push_back(found->second.value.number());
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+/// A multiple of 10^exponent, free of the rounding that a product with 0.1 would bring.
+double decimal(double multiple, int exponent) {
+  const double scale = std::pow(10.0, std::abs(exponent));
+  return exponent < 0 ? multiple / scale : multiple * scale;
+}
+
+/// The power of ten that is a hundredth to a thousandth of the edges' range.
+int rounding_exponent(const std::vector<double>& edges) {
+  const double largest = std::max(std::abs(edges.front()), std::abs(edges.back()));
+  const double range = std::max({edges.back() - edges.front(), 1e-9 * largest, 1e-12});
+  return static_cast<int>(std::floor(std::log10(std::min(range, 1e300)))) - 2;
+}
+
+/// `edges` rounded to three digits of their range, outwards at the ends, equal ones merged.
+std::vector<double> rounded(const std::vector<double>& edges) {
+  const int exponent = rounding_exponent(edges);
+  const double steps = decimal(1, -exponent);
+  double first = std::floor(edges.front() * steps), last = std::ceil(edges.back() * steps);
+  // The products are rounded themselves: make sure that no value is left outside.
+  while (decimal(first, exponent) > edges.front()) --first;
+  while (decimal(last, exponent) < edges.back()) ++last;
+  if (last == first) ++last;
+  std::vector<double> result = {decimal(first, exponent)};
+  for (std::size_t i = 1; i + 1 < edges.size(); ++i) {
+    const double multiple = std::round(edges[i] * steps);
+    const double edge = decimal(multiple, exponent);
+    if (edge > result.back() && multiple < last) result.push_back(edge);
+  }
+  result.push_back(decimal(last, exponent));
+  return result;
+}
+
+std::vector<double> counted_edges(const BinSpec& spec, const std::vector<double>& values) {
+  std::vector<double> edges;
+  const double last = static_cast<double>(values.size() - 1);
+  for (int i = 0; i <= spec.count; ++i) {
+    const double share = static_cast<double>(i) / spec.count;
+    if (spec.kind == BinSpec::Kind::EqualWidth) {
+      edges.push_back(values.front() + share * (values.back() - values.front()));
+    } else {
+      const double place = share * last;
+      const auto below = static_cast<std::size_t>(place);
+      const std::size_t above = std::min(below + 1, values.size() - 1);
+      edges.push_back(values[below] +
+                      (place - static_cast<double>(below)) * (values[above] - values[below]));
+    }
+  }
+  return rounded(std::move(edges));
+}
+
+}  // namespace
+
+BinSpec parse_bin_spec(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ':');
+  if (parts.size() == 1 && parts[0] == "all") return {};
+  if (parts.size() < 2 || parts.size() > 3 || parts[0].empty()) {
+    throw bad_spec(text, "not understood");
+  }
+  BinSpec spec;
+  spec.descriptor = parts[0];
+  if (parts.size() == 3) {
+    if (parts[1] != "equal") throw bad_spec(text, "'" + parts[1] + "' is not 'equal'");
+    spec.kind = BinSpec::Kind::EqualWidth;
+    spec.count = parse_count(text, parts[2]);
+  } else if (parts[1].find(',') == std::string::npos) {
+    spec.kind = BinSpec::Kind::Quantiles;
+    spec.count = parse_count(text, parts[1]);
+  } else {
+    spec.kind = BinSpec::Kind::Edges;
+    spec.edges = parse_edges(text, parts[1]);
+  }
+  return spec;
+}
+
+std::vector<BinSpec> parse_bin_specs(const std::string& text) {
+  std::vector<BinSpec> specs;
+  for (const std::string& part : split(text, ';')) {
+    if (!part.empty()) specs.push_back(parse_bin_spec(part));
+  }
+  if (specs.empty()) throw bad_spec(text, "nothing asked for");
+  return specs;
+}
+
+bool Bin::contains(double value) const {
+  if (low && value < *low) return false;
+  return !high || value < *high || (closed && value == *high);
+}
+
+std::string Bin::label() const {
+  if (!low && !high) return "all";
+  return "[" + format_number(*low) + ", " + format_number(*high) + (closed ? "]" : ")");
+}
+
+std::vector<Bin> make_bins(const BinSpec& spec, const ResultTable& table) {
+  if (spec.kind == BinSpec::Kind::All) return {Bin{}};
+  require_known(spec.descriptor, table);
+  std::vector<double> edges = spec.edges;
+  if (spec.kind != BinSpec::Kind::Edges) {
+    const std::vector<double> values = sorted_values(spec.descriptor, table);
+    if (values.empty()) return {};
+    edges = counted_edges(spec, values);
+  }
+  std::vector<Bin> bins;
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    bins.push_back({edges[i], edges[i + 1], i + 2 == edges.size()});
+  }
+  return bins;
+}
+
+}  // namespace slalom

@@ -1,0 +1,121 @@
+#include "result_fixture.h"
+
+#include <slalom/analysis/bins.h>
+#include <slalom/core/error.h>
+#include <slalom/core/random.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+std::string message_of(const std::string& spec) {
+  try {
+    parse_bin_spec(spec);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit_status(), 2);
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Bins, ReadEveryForm) {
+  EXPECT_EQ(parse_bin_spec("all").kind, BinSpec::Kind::All);
+  const BinSpec edges = parse_bin_spec("density:0, 0.1,0.4");
+  EXPECT_EQ(edges.kind, BinSpec::Kind::Edges);
+  EXPECT_EQ(edges.descriptor, "density");
+  EXPECT_EQ(edges.edges, (std::vector<double>{0, 0.1, 0.4}));
+  EXPECT_EQ(parse_bin_spec("density:4").count, 4);
+  EXPECT_EQ(parse_bin_spec("density:4").kind, BinSpec::Kind::Quantiles);
+  EXPECT_EQ(parse_bin_spec("density:equal:3").kind, BinSpec::Kind::EqualWidth);
+  EXPECT_EQ(parse_bin_specs("density:4; all").size(), 2u);
+}
+
+TEST(Bins, RefuseWhatTheyDoNotUnderstand) {
+  for (const char* spec : {"", "density", ":4", "density:", "density:0", "density:-3", "density:x",
+                           "density:1,x", "density:1,1", "density:2,1", "density:nan,1",
+                           "density:width:3", "density:equal:1:2", "density:9999999"}) {
+    EXPECT_NE(message_of(spec).find("expected all, ID:EDGE"), std::string::npos) << spec;
+  }
+}
+
+TEST(Bins, AreHalfOpenAndTheLastIsClosed) {
+  ResultFixture fixture;
+  fixture.add_scenario(Value::of(0.2));
+  const auto bins = make_bins(parse_bin_spec("density:0,0.1,0.2"), fixture.table);
+  ASSERT_EQ(bins.size(), 2u);
+  EXPECT_EQ(bins[0].label(), "[0, 0.1)");
+  EXPECT_EQ(bins[1].label(), "[0.1, 0.2]");
+  EXPECT_FALSE(bins[0].contains(0.1));
+  EXPECT_TRUE(bins[1].contains(0.1));
+  EXPECT_TRUE(bins[1].contains(0.2));
+  EXPECT_FALSE(bins[1].contains(0.2000001));
+  EXPECT_FALSE(bins[0].contains(-1e-9));
+}
+
+TEST(Bins, NameTheNearestDescriptor) {
+  ResultFixture fixture;
+  fixture.add_scenario(Value::of(0.2));
+  try {
+    make_bins(parse_bin_spec("densty:4"), fixture.table);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit_status(), 2);
+    EXPECT_NE(std::string(error.what()).find("perhaps density"), std::string::npos);
+  }
+}
+
+TEST(Bins, QuantileBinsHoldAboutAsManyScenariosEach) {
+  ResultFixture fixture;
+  RandomEngine engine(4);
+  std::vector<double> values;
+  for (int i = 0; i < 400; ++i) {
+    values.push_back(std::exp(normal(engine, 0, 1)));
+    fixture.table.scenarios[std::to_string(i)].descriptors["density"] = {1,
+                                                                         Value::of(values.back())};
+  }
+  const auto bins = make_bins(parse_bin_spec("density:4"), fixture.table);
+  ASSERT_EQ(bins.size(), 4u);
+  for (const Bin& bin : bins) {
+    const auto inside = std::count_if(values.begin(), values.end(),
+                                      [&](double value) { return bin.contains(value); });
+    EXPECT_NEAR(static_cast<double>(inside), 100, 10);  // rounded edges move a few
+  }
+}
+
+TEST(Bins, CountedBinsHoldEveryValueExactlyOnce) {
+  RandomEngine engine(8);
+  for (int round = 0; round < 300; ++round) {
+    ResultFixture fixture;
+    std::vector<double> values;
+    const double scale = std::pow(10.0, uniform_int(engine, -9, 9));
+    for (int i = 0; i < uniform_int(engine, 1, 12); ++i) {
+      values.push_back(scale * uniform_real(engine, -1, 1));
+      fixture.add_scenario(Value::of(values.back()));
+    }
+    for (const char* spec : {"density:1", "density:4", "density:equal:7"}) {
+      const auto bins = make_bins(parse_bin_spec(spec), fixture.table);
+      for (const double value : values) {
+        EXPECT_EQ(std::count_if(bins.begin(), bins.end(),
+                                [&](const Bin& bin) { return bin.contains(value); }),
+                  1)
+            << spec << " " << value;
+      }
+    }
+  }
+}
+
+TEST(Bins, EqualValuesGiveOneBinAndNoValuesNone) {
+  ResultFixture fixture;
+  fixture.add_scenario(Value::na("unsolvable"));
+  EXPECT_TRUE(make_bins(parse_bin_spec("density:4"), fixture.table).empty());
+  fixture.add_scenario(Value::of(0.5));
+  fixture.add_scenario(Value::of(0.5));
+  EXPECT_EQ(make_bins(parse_bin_spec("density:4"), fixture.table).size(), 1u);
+}
+
+}  // namespace
+}  // namespace slalom

@@ -1,0 +1,50 @@
+#include "result_fixture.h"
+
+#include <slalom/analysis/findings.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+/// `n` scenarios per bin; in the sparse bin all runs succeed, in the dense one `dense_successes`
+/// do.
+CrossTable two_bins(int n, int dense_successes) {
+  ResultFixture fixture;
+  for (int i = 0; i < n; ++i) {
+    ScenarioRecord sparse, dense;
+    const std::string s = "s" + std::to_string(i), d = "d" + std::to_string(i);
+    fixture.table.scenarios[s].descriptors["density"] = {1, Value::of(0.05)};
+    fixture.table.scenarios[d].descriptors["density"] = {1, Value::of(0.35)};
+    fixture.add_run(s, "nd", 0.9);
+    fixture.add_run(d, "nd", i < dense_successes ? 0.9 : -1);
+  }
+  return build_cross_tables(fixture.table, parse_bin_specs("density:0,0.1,0.4"), {"success"},
+                            {})[0];
+}
+
+TEST(Findings, SayHowBinsDifferWhereIntervalsDoNotOverlap) {
+  // 30/30: Wilson low is 30 / (30 + z^2) = 0.886; 6/30: [0.095, 0.373].
+  EXPECT_EQ(finding(two_bins(30, 6), 0),
+            "nd: success 1.00 [0.89, 1.00] at density in [0, 0.1), 0.20 [0.10, 0.37] at density in "
+            "[0.1, 0.4]");
+}
+
+TEST(Findings, ClaimNothingWhereIntervalsOverlap) {
+  EXPECT_EQ(finding(two_bins(30, 28), 0),
+            "nd: success - no difference shown between bins of density");
+}
+
+TEST(Findings, AdmitTooFewRuns) {
+  EXPECT_EQ(finding(two_bins(9, 0), 0), "nd: success - too few runs to compare bins of density");
+}
+
+TEST(Findings, HaveNothingToSayOfASingleRow) {
+  ResultFixture fixture;
+  fixture.add_run(fixture.add_scenario(Value::of(0.1)), "nd", 0.9);
+  const auto table = build_cross_tables(fixture.table, {BinSpec{}}, {"success"}, {})[0];
+  EXPECT_TRUE(findings(table).empty());
+}
+
+}  // namespace
+}  // namespace slalom
