@@ -50,6 +50,11 @@ void add_interval(Cell& cell, const Column& column, const ScenarioGroups& groups
 
 }  // namespace
 
+void require_valid(const AnalysisOptions& options) {
+  if (options.confidence > 0 && options.confidence < 1) return;
+  throw usage_error("confidence", format_number(options.confidence), "a number between 0 and 1");
+}
+
 std::vector<std::string> metric_ids(const ResultTable& table) {
   std::set<std::string> ids;
   for (const RunRecord& run : table.runs) {

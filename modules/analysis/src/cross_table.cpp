@@ -65,6 +65,7 @@ void add_notes(CrossTable& cross) {
 CrossTable build_cross_table(const ResultTable& table, const std::string& method,
                              const BinSpec& spec, const std::vector<Column>& columns,
                              const AnalysisOptions& options) {
+  require_valid(options);
   require_known_method(table, method);
   CrossTable cross;
   cross.method = method;

@@ -37,6 +37,7 @@ MethodSummary summarise(const ResultTable& table, const std::string& method,
 
 SummaryTable build_summary(const ResultTable& table, const std::vector<std::string>& column_ids,
                            const AnalysisOptions& options) {
+  require_valid(options);
   SummaryTable summary;
   summary.columns = resolve_columns(table, column_ids);
   summary.outcomes = occurring_outcomes(table);

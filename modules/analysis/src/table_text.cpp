@@ -95,7 +95,7 @@ std::string render_cross_table_text(const CrossTable& table) {
   }
   text += grid.text(kMaxWidth) + na_lines(table);
   for (const std::string& note : table.notes) text += "Note  " + printable(note) + "\n";
-  for (const std::string& sentence : findings(table)) text += "→ " + printable(sentence) + "\n";
+  for (const Finding& finding : findings(table)) text += "→ " + printable(finding.text) + "\n";
   return text;
 }
 

@@ -85,6 +85,16 @@ TEST(CrossTable, AnUnknownMethodNamesTheNearest) {
   }
 }
 
+TEST(CrossTable, RefusesAConfidenceThatIsNone) {
+  ResultFixture fixture;
+  fixture.add_run(fixture.add_scenario(Value::of(0.1)), "nd", 0.9);
+  for (const double confidence : {0.0, 1.0, -1.0, 95.0}) {
+    AnalysisOptions options;
+    options.confidence = confidence;
+    EXPECT_THROW(build_cross_tables(fixture.table, {BinSpec{}}, {"success"}, options), Error);
+  }
+}
+
 TEST(CrossTable, NoRunsGiveNoTables) {
   ResultFixture fixture;
   EXPECT_TRUE(build_cross_tables(fixture.table, {BinSpec{}}, {"success"}, {}).empty());

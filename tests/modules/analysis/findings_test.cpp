@@ -25,18 +25,19 @@ CrossTable two_bins(int n, int dense_successes) {
 
 TEST(Findings, SayHowBinsDifferWhereIntervalsDoNotOverlap) {
   // 30/30: Wilson low is 30 / (30 + z^2) = 0.886; 6/30: [0.095, 0.373].
-  EXPECT_EQ(finding(two_bins(30, 6), 0),
+  EXPECT_EQ(find_difference(two_bins(30, 6), 0)->text,
             "nd: success 1.00 [0.89, 1.00] at density in [0, 0.1), 0.20 [0.10, 0.37] at density in "
             "[0.1, 0.4]");
 }
 
 TEST(Findings, ClaimNothingWhereIntervalsOverlap) {
-  EXPECT_EQ(finding(two_bins(30, 28), 0),
-            "nd: success - no difference shown between bins of density");
+  EXPECT_EQ(find_difference(two_bins(30, 28), 0)->text,
+            "nd: success: no difference shown between bins of density");
 }
 
 TEST(Findings, AdmitTooFewRuns) {
-  EXPECT_EQ(finding(two_bins(9, 0), 0), "nd: success - too few runs to compare bins of density");
+  EXPECT_EQ(find_difference(two_bins(9, 0), 0)->text,
+            "nd: success: too few runs to compare bins of density");
 }
 
 TEST(Findings, HaveNothingToSayOfASingleRow) {

@@ -17,6 +17,9 @@ struct AnalysisOptions {
   std::uint64_t seed = 1;    ///< of the bootstrap
 };
 
+/// Throws Error (Usage) for a confidence that is none.
+void require_valid(const AnalysisOptions& options);
+
 /// What one column of a table shows.
 struct Column {
   QuantityInfo info;

@@ -14,6 +14,7 @@ struct SceneTrajectory {
   std::string label;
   Path path;
   Outcome outcome = Outcome::Success;
+  std::string color;  ///< of the line, as in CSS; empty: one by its place in the list
 };
 
 /// What a picture of a scenario shows besides its obstacles, start and goal.

@@ -1,0 +1,239 @@
+#include "html_gallery.h"
+#include "html_tables.h"
+#include "html_text.h"
+
+#include <slalom/analysis/findings.h>
+#include <slalom/core/error.h>
+#include <slalom/core/ini_file.h>
+#include <slalom/core/text.h>
+#include <slalom/core/version.h>
+#include <slalom/io/html_report.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace slalom {
+namespace {
+
+/// What every section of a report is made from.
+struct ReportContext {
+  const ResultTable& table;
+  const ReportOptions& options;
+  std::vector<std::string> methods;
+  std::vector<Column> columns;
+  Gallery gallery;
+
+  ScenarioLink link() const {
+    return [this](const std::string& hash) {
+      const auto found = gallery.links.find(hash);
+      return found == gallery.links.end() ? "#scenarios" : found->second;
+    };
+  }
+};
+
+std::string manifest_entry(const Manifest& manifest, const std::string& key) {
+  const auto found = manifest.find(key);
+  return found == manifest.end() ? "" : found->second;
+}
+
+std::string campaign_name(const Manifest& manifest) {
+  const std::string name = manifest_entry(manifest, "campaign");
+  return name.empty() ? "campaign" : name;
+}
+
+std::string fact(const std::string& figure, const std::string& what) {
+  return "<div><b>" + html_escape(figure) + "</b><span>" + html_escape(what) + "</span></div>";
+}
+
+std::string overview(const ReportContext& context) {
+  const ResultTable& table = context.table;
+  std::size_t successes = 0;
+  for (const RunRecord& run : table.runs) successes += run.outcome == "success" ? 1 : 0;
+  const std::string version = manifest_entry(table.manifest, "version.slalom");
+  return "<header><h1>" + html_escape(campaign_name(table.manifest)) +
+         "</h1><p class=\"soft\">Evaluation of obstacle avoidance methods</p>"
+         "<div class=\"facts\">" +
+         fact(std::to_string(context.methods.size()), "methods") +
+         fact(std::to_string(table.scenarios.size()), "scenarios") +
+         fact(std::to_string(table.runs.size()), "runs") +
+         fact(std::to_string(successes), "runs reached the goal") +
+         (version.empty() ? "" : fact(version, "Slalom version")) + "</div></header>\n";
+}
+
+std::string navigation() {
+  return "<nav><div><a href=\"#summary\">Summary</a><a href=\"#findings\">Findings</a>"
+         "<a href=\"#tables\">Cross tables</a><a href=\"#scenarios\">Scenarios</a>"
+         "<a href=\"#repeat\">How to repeat it</a></div></nav>\n";
+}
+
+std::string how_to_read(const ReportContext& context) {
+  const std::string percent = format_number(context.options.analysis.confidence * 100);
+  return "<p class=\"soft\">Each cell: the mean (for success the share of runs) with its " +
+         percent +
+         " % interval, drawn below on the column's scale; then the standard deviation and the "
+         "number "
+         "of runs. NA counts runs without a value, which enter no mean. ↑ more is better, ↓ less "
+         "is "
+         "better; a stronger shade is better within its column.</p>\n";
+}
+
+std::string summary_section(const ReportContext& context) {
+  const SummaryTable summary =
+      build_summary(context.table, context.options.columns, context.options.analysis);
+  return "<h2 id=\"summary\">Summary</h2>\n" + html_summary_table(summary) + how_to_read(context);
+}
+
+/// The differences that a table shows, then the columns where it shows none, on one line.
+std::string findings_of(const CrossTable& table) {
+  std::string shown;
+  std::vector<std::string> same, few;
+  for (const Finding& finding : findings(table)) {
+    if (finding.verdict == Finding::Verdict::Difference) {
+      shown += html_element("p", "finding shown", html_escape(finding.text));
+    } else {
+      (finding.verdict == Finding::Verdict::NoDifference ? same : few).push_back(finding.metric);
+    }
+  }
+  const auto rest = [&](const std::string& what, const std::vector<std::string>& metrics) {
+    if (metrics.empty()) return std::string();
+    return html_element("p", "finding soft",
+                        html_escape(table.method + ": " + what + " " + join(metrics, ", ")));
+  };
+  return shown + rest("no difference shown in", same) + rest("too few runs to compare", few) + "\n";
+}
+
+std::string findings_section(const std::vector<std::vector<CrossTable>>& groups) {
+  std::string html;
+  for (const auto& group : groups) {
+    std::string sentences;
+    for (const CrossTable& table : group) sentences += findings_of(table);
+    if (group.empty() || group.front().rows.size() < 2) continue;
+    html += html_element("h3", "", "By " + html_escape(group.front().descriptor.name)) +
+            html_element("div", "card", sentences);
+  }
+  if (html.empty()) html = "<p>There are no bins to compare.</p>";
+  return "<h2 id=\"findings\">Findings</h2>\n<p class=\"soft\">Two bins are called different only "
+         "where their intervals do not overlap. That none do is no proof that there is no "
+         "difference.</p>\n" +
+         html;
+}
+
+std::string tables_section(const ReportContext& context,
+                           const std::vector<std::vector<CrossTable>>& groups) {
+  std::string html = "<h2 id=\"tables\">Cross tables</h2>\n";
+  for (const auto& group : groups) {
+    if (group.empty()) continue;
+    const QuantityInfo& descriptor = group.front().descriptor;
+    html += "<h3>By " + html_escape(descriptor.name) + " <code>" + html_escape(descriptor.id) +
+            "</code></h3>\n" +
+            html_cross_tables(group, context.table, context.methods, context.link());
+  }
+  return html;
+}
+
+std::string scenarios_section(const ReportContext& context) {
+  std::string html =
+      "<h2 id=\"scenarios\">Scenarios</h2>\n" + gallery_legend(context.methods) + "\n";
+  const auto& pages = context.gallery.pages;
+  if (pages.size() == 1) return html + html_element("div", "gallery", pages.front().html) + "\n";
+  html += "<ul class=\"plain\">";
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    html += "<li><a href=\"" + pages[i].name + "\">Scenarios, page " + std::to_string(i + 1) +
+            " of " + std::to_string(pages.size()) + "</a></li>\n";
+  }
+  return html + "</ul>\n";
+}
+
+std::string repeat_section(const Manifest& manifest) {
+  std::string rows, texts;
+  for (const auto& [key, text] : manifest) {
+    if (text.find('\n') == std::string::npos) {
+      rows += "<tr><th>" + html_escape(key) + "</th><td><code>" + html_escape(text) +
+              "</code></td></tr>\n";
+    } else {
+      texts += "<details open><summary>" + html_escape(key) + "</summary><pre>" +
+               html_escape(text) + "</pre></details>\n";
+    }
+  }
+  return "<h2 id=\"repeat\">How to repeat it</h2>\n<p>Save <code>campaign.ini</code> below and run "
+         "<code>slalom-evaluate campaign.ini -o out</code> with the versions listed: the results "
+         "are "
+         "the same bit by bit, wall-clock figures excepted.</p>\n<div "
+         "class=\"card\"><table><tbody>" +
+         rows + "</tbody></table>" + texts + "</div>\n";
+}
+
+std::string footer() {
+  return "<footer>Written by Slalom " + html_escape(version()) + "</footer>\n";
+}
+
+std::string index_page(const ReportContext& context) {
+  std::vector<std::vector<CrossTable>> groups;
+  for (const BinSpec& spec : context.options.rows) {
+    groups.push_back(build_cross_tables(context.table, {spec}, context.options.columns,
+                                        context.options.analysis));
+  }
+  const std::string body = overview(context) + navigation() + "<main>\n" +
+                           summary_section(context) + findings_section(groups) +
+                           tables_section(context, groups) + scenarios_section(context) +
+                           repeat_section(context.table.manifest) + "</main>\n" + footer();
+  return html_page(campaign_name(context.table.manifest) + " - Slalom report", body);
+}
+
+std::string scenario_page(const ReportContext& context, const Gallery::Page& page) {
+  const std::string name = campaign_name(context.table.manifest);
+  return html_page(name + " - scenarios",
+                   "<header><h1>" + html_escape(name) +
+                       ": scenarios</h1><p><a href=\"index.html\">Back to the report</a></p>"
+                       "</header>\n<main>\n" +
+                       gallery_legend(context.methods) + html_element("div", "gallery", page.html) +
+                       "</main>\n" + footer());
+}
+
+void make_directory(const std::string& directory) {
+  std::error_code problem;
+  std::filesystem::create_directories(directory, problem);
+  if (problem || !std::filesystem::is_directory(directory, problem)) {
+    throw job_error(directory, "cannot be made: " + problem.message(), "a folder to write to");
+  }
+}
+
+/// The campaign as the manifest has it; an empty one where that cannot be read.
+IniFile campaign_ini(const Manifest& manifest) {
+  try {
+    return IniFile::from_text(manifest_entry(manifest, "campaign.ini"), "campaign.ini");
+  } catch (const Error&) {
+    return IniFile::from_text("");
+  }
+}
+
+}  // namespace
+
+ReportOptions report_options(const Manifest& manifest) {
+  const IniFile ini = campaign_ini(manifest);
+  ReportOptions options;
+  options.rows = parse_bin_specs(ini.get("analysis", "rows").value_or("density:4"));
+  options.columns =
+      split(ini.get("analysis", "columns").value_or("success, optimality, safety"), ',');
+  parse_number(ini.get("analysis", "confidence").value_or("0.95"), options.analysis.confidence);
+  parse_number(ini.get("robot", "radius").value_or("0.25"), options.robot_radius);
+  return options;
+}
+
+void write_html_report(const ResultFile& file, const ReportOptions& options,
+                       const std::string& directory) {
+  const ResultTable table = file.read_table();
+  const std::vector<Column> columns = resolve_columns(table, options.columns);
+  const ReportContext context{table, options, method_names(table), columns,
+                              make_gallery(file, table, columns, options.robot_radius)};
+  const std::string index = index_page(context);
+  make_directory(directory);
+  const std::filesystem::path folder(directory);
+  for (const Gallery::Page& page : context.gallery.pages) {
+    if (page.name.empty()) continue;
+    write_file_atomically((folder / page.name).string(), scenario_page(context, page));
+  }
+  write_file_atomically((folder / "index.html").string(), index);
+}
+
+}  // namespace slalom

@@ -1,0 +1,200 @@
+#include "html_tables.h"
+#include "html_text.h"
+
+#include <slalom/analysis/cell_text.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+constexpr std::size_t kMostRunsListed = 500;
+
+/// What the cells of one column have in common.
+struct ColumnScale {
+  Column column;
+  int digits = 2;
+  double low = 0, high = 1;                      ///< of whiskers
+  double least_estimate = 0, most_estimate = 1;  ///< of shades
+
+  /// 0 at the worst estimate of the column, 1 at the best; a rate is on its own scale already.
+  double goodness(double estimate) const {
+    if (column.rate) return estimate;
+    if (most_estimate <= least_estimate) return 0.5;
+    const double share = (estimate - least_estimate) / (most_estimate - least_estimate);
+    return column.info.direction == Direction::Down ? 1 - share : share;
+  }
+};
+
+ColumnScale make_scale(const Column& column, const std::vector<const Cell*>& cells) {
+  ColumnScale scale{column, digits_for(cells, column)};
+  if (column.rate) return scale;
+  bool first = true;
+  for (const Cell* cell : cells) {
+    if (!cell->estimate) continue;
+    const Interval range = cell->interval.value_or(Interval{*cell->estimate, *cell->estimate});
+    scale.low = first ? range.low : std::min(scale.low, range.low);
+    scale.high = first ? range.high : std::max(scale.high, range.high);
+    scale.least_estimate =
+        first ? *cell->estimate : std::min(scale.least_estimate, *cell->estimate);
+    scale.most_estimate = first ? *cell->estimate : std::max(scale.most_estimate, *cell->estimate);
+    first = false;
+  }
+  return scale;
+}
+
+/// The estimate as a dot on its interval, on the column's scale.
+std::string whisker(const Cell& cell, const ColumnScale& scale) {
+  if (!cell.interval || scale.high <= scale.low) return "";
+  const auto place = [&](double value) {
+    return format_fixed(4 + 112 * (value - scale.low) / (scale.high - scale.low), 1);
+  };
+  return "<svg class=\"whisker\" viewBox=\"0 0 120 9\" "
+         "aria-hidden=\"true\"><line class=\"axis\" x1=\"4\" x2=\"116\" y1=\"4.5\" y2=\"4.5\"/>"
+         "<line x1=\"" +
+         place(cell.interval->low) + "\" x2=\"" + place(cell.interval->high) +
+         "\" y1=\"4.5\" y2=\"4.5\"/><circle cx=\"" + place(*cell.estimate) +
+         "\" cy=\"4.5\" r=\"3\"/></svg>";
+}
+
+std::string cell_html(const Cell& cell, const ColumnScale& scale) {
+  const std::string reasons = html_escape(na_text(scale.column, cell.na));
+  const std::string title = reasons.empty() ? "" : " title=\"missing: " + reasons + "\"";
+  const std::string support =
+      html_element("span", "support", html_escape(support_text(cell, scale.column, scale.digits)));
+  if (!cell.estimate) {
+    return "<td class=\"cell na\"" + title + ">–" + support + "</td>";
+  }
+  std::string style;
+  if (scale.column.info.direction != Direction::None) {
+    style = " style=\"--g:" + format_fixed(scale.goodness(*cell.estimate), 2) + "\"";
+  }
+  return "<td class=\"cell\"" + style + title + ">" +
+         html_element("span", "big", estimate_text(cell, scale.digits)) +
+         html_element("span", "interval", interval_text(cell, scale.digits)) +
+         whisker(cell, scale) + support + "</td>";
+}
+
+std::string header_cell(const Column& column) {
+  const QuantityInfo& info = column.info;
+  std::string text = html_escape(info.name) + " " + direction_arrow(info.direction);
+  if (info.unit != "-") text += " [" + html_escape(info.unit) + "]";
+  text += "<br><code>" + html_escape(info.id) + "</code>";
+  return html_element("th", "", column.wall_clock ? text + "<br>wall clock" : text);
+}
+
+std::string header_row(const std::vector<std::string>& first, const std::vector<Column>& columns) {
+  std::string cells;
+  for (const std::string& name : first) cells += html_element("th", "", html_escape(name));
+  for (const Column& column : columns) cells += header_cell(column);
+  return "<thead><tr>" + cells + "</tr></thead>\n";
+}
+
+std::string outcome_cell(const MethodSummary& method, const std::vector<std::string>& outcomes) {
+  std::string bar, chips;
+  for (const std::string& outcome : outcomes) {
+    const auto found = method.outcomes.find(outcome);
+    if (found == method.outcomes.end()) continue;
+    const std::string n = std::to_string(found->second);
+    bar += "<i class=\"" + outcome_class(outcome) + "\" style=\"flex:" + n + "\" title=\"" +
+           html_escape(outcome) + " " + n + "\"></i>";
+    chips += outcome_chip(outcome, found->second);
+  }
+  return "<td>" + html_element("div", "bar", bar) + chips + "</td>";
+}
+
+std::string runs_list(const CrossRow& row, const ResultTable& results, const ScenarioLink& link) {
+  std::string items;
+  const std::size_t shown = std::min(row.runs.size(), kMostRunsListed);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const RunRecord& run = results.runs[row.runs[i]];
+    items += "<li><a href=\"" + html_escape(link(run.scenario_hash)) + "\">" +
+             html_escape(run.scenario_name) + " #" + std::to_string(run.repetition) + "</a> " +
+             outcome_chip(run.outcome) + "</li>\n";
+  }
+  if (shown < row.runs.size()) {
+    items += "<li>and " + std::to_string(row.runs.size() - shown) +
+             " more, listed by <code>slalom-analyze table --json</code></li>";
+  }
+  return "<details class=\"runs\"><summary>" + std::to_string(row.runs.size()) +
+         (row.runs.size() == 1 ? " run" : " runs") + "</summary><ul class=\"plain\">" + items +
+         "</ul></details>";
+}
+
+std::string na_html(const CrossTable& table) {
+  std::string lines;
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    const std::string reasons = na_text(table.columns[column], na_of_column(table, column));
+    if (!reasons.empty()) lines += (lines.empty() ? "" : " · ") + html_escape(reasons);
+  }
+  std::string html;
+  if (!lines.empty()) html += html_element("p", "support", "Not available: " + lines);
+  for (const std::string& note : table.notes)
+    html += html_element("p", "support", html_escape(note));
+  return html;
+}
+
+std::string cross_table_html(const CrossTable& table, const std::vector<ColumnScale>& scales,
+                             const std::string& heading, const ResultTable& results,
+                             const ScenarioLink& link) {
+  std::string rows;
+  for (const CrossRow& row : table.rows) {
+    std::string cells =
+        "<th>" + html_escape(row.bin.label()) + runs_list(row, results, link) + "</th>";
+    for (std::size_t column = 0; column < scales.size(); ++column) {
+      cells += cell_html(row.cells[column], scales[column]);
+    }
+    rows += "<tr>" + cells + "</tr>\n";
+  }
+  const std::string unit = table.descriptor.unit == "-" ? "" : " [" + table.descriptor.unit + "]";
+  return "<div class=\"card\"><h4>" + heading + "</h4><table>" +
+         header_row({table.descriptor.name + unit}, table.columns) + "<tbody>" + rows +
+         "</tbody></table>" + na_html(table) + "</div>\n";
+}
+
+}  // namespace
+
+std::string html_summary_table(const SummaryTable& table) {
+  std::vector<ColumnScale> scales;
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    std::vector<const Cell*> cells;
+    for (const MethodSummary& method : table.methods) cells.push_back(&method.cells[column]);
+    scales.push_back(make_scale(table.columns[column], cells));
+  }
+  std::string rows;
+  for (std::size_t place = 0; place < table.methods.size(); ++place) {
+    const MethodSummary& method = table.methods[place];
+    std::string cells = "<th>" + method_swatch(place) + html_escape(method.method) + "</th><td>" +
+                        std::to_string(method.n) + "</td>" + outcome_cell(method, table.outcomes);
+    for (std::size_t column = 0; column < scales.size(); ++column) {
+      cells += cell_html(method.cells[column], scales[column]);
+    }
+    rows += "<tr>" + cells + "</tr>\n";
+  }
+  return "<div class=\"card\"><table>" + header_row({"Method", "Runs", "Outcomes"}, table.columns) +
+         "<tbody>" + rows + "</tbody></table></div>\n";
+}
+
+std::string html_cross_tables(const std::vector<CrossTable>& tables, const ResultTable& results,
+                              const std::vector<std::string>& methods, const ScenarioLink& link) {
+  if (tables.empty()) return "";
+  std::vector<ColumnScale> scales;
+  for (std::size_t column = 0; column < tables.front().columns.size(); ++column) {
+    std::vector<const Cell*> cells;
+    for (const CrossTable& table : tables) {
+      for (const CrossRow& row : table.rows) cells.push_back(&row.cells[column]);
+    }
+    scales.push_back(make_scale(tables.front().columns[column], cells));
+  }
+  std::string html;
+  for (const CrossTable& table : tables) {
+    const auto place = std::find(methods.begin(), methods.end(), table.method) - methods.begin();
+    const std::string heading =
+        method_swatch(static_cast<std::size_t>(place)) + html_escape(table.method);
+    html += cross_table_html(table, scales, heading, results, link);
+  }
+  return html;
+}
+
+}  // namespace slalom
