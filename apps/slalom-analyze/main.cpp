@@ -1,0 +1,154 @@
+#include "show.h"
+
+#include <slalom/analysis/table_export.h>
+#include <slalom/analysis/table_text.h>
+#include <slalom/app/program.h>
+#include <slalom/core/text.h>
+#include <slalom/io/html_report.h>
+#include <slalom/io/result_file.h>
+
+#include <iostream>
+#include <memory>
+#include <string>
+
+namespace slalom {
+namespace {
+
+/// What all verbs take from the command line.
+struct Arguments {
+  std::string results;  ///< the file
+  std::string rows, columns, method, output, run;
+  double confidence = 0;  ///< 0: as the campaign says
+  bool csv = false, json = false, quiet = false;
+};
+
+CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& help,
+                   Arguments& arguments) {
+  CLI::App* verb = app.add_subcommand(name, help);
+  verb->add_option("results", arguments.results, "A result file (.results)")->required();
+  return verb;
+}
+
+void add_table_options(CLI::App& verb, Arguments& arguments) {
+  verb.add_option(
+      "--rows", arguments.rows,
+      "Bins of a scenario descriptor: all, ID:EDGE,EDGE,..., ID:COUNT (bins with as many "
+      "scenarios each) or ID:equal:COUNT; several separated by ';' (default: as the "
+      "campaign's [analysis] says)");
+  verb.add_option("--columns", arguments.columns,
+                  "Metric ids, comma separated (default: as the campaign's [analysis] says)");
+  verb.add_option("--confidence", arguments.confidence, "Of intervals, e.g. 0.95")
+      ->check(CLI::Range(0.5, 0.9999));
+}
+
+/// The campaign's own wishes, then those of the command line.
+ReportOptions effective_options(const ResultTable& table, const Arguments& arguments) {
+  ReportOptions options = report_options(table.manifest);
+  if (!arguments.rows.empty()) options.rows = parse_bin_specs(arguments.rows);
+  if (!arguments.columns.empty()) options.columns = split(arguments.columns, ',');
+  if (arguments.confidence > 0) options.analysis.confidence = arguments.confidence;
+  return options;
+}
+
+std::string tables_text(const ResultTable& table, const ReportOptions& options,
+                        const std::string& method) {
+  if (method.empty()) {
+    return render_tables_text(table, options.rows, options.columns, options.analysis.confidence);
+  }
+  std::string text;
+  for (const CrossTable& cross :
+       build_cross_tables(table, options.rows, options.columns, options.analysis, method)) {
+    text += (text.empty() ? "" : "\n\n") + render_cross_table_text(cross);
+  }
+  return text;
+}
+
+void print_or_write(const std::string& text, const std::string& output) {
+  if (output.empty() || output == "-") {
+    std::cout << text;
+  } else {
+    write_file_atomically(output, text);
+  }
+}
+
+void table_verb(const Arguments& arguments) {
+  const ResultTable table = ResultFile::open(arguments.results).read_table();
+  const ReportOptions options = effective_options(table, arguments);
+  std::string text;
+  if (arguments.csv || arguments.json) {
+    const auto tables = build_cross_tables(table, options.rows, options.columns, options.analysis,
+                                           arguments.method);
+    text = arguments.csv ? render_csv(tables) : render_json(tables);
+  } else {
+    text = tables_text(table, options, arguments.method);
+  }
+  print_or_write(text, arguments.output);
+}
+
+void report_verb(const Arguments& arguments) {
+  const ResultFile file = ResultFile::open(arguments.results);
+  write_html_report(file, effective_options(file.read_table(), arguments), arguments.output);
+  if (!arguments.quiet) std::cerr << "report: " << arguments.output << "/index.html\n";
+}
+
+void show_verb(const Arguments& arguments) {
+  const ResultTable table = ResultFile::open(arguments.results).read_table();
+  const RunRecord& run = find_run(table, arguments.run);
+  std::cout << (arguments.json ? dump_line(table, run) + "\n" : run_text(table, run));
+}
+
+void dump_verb(const Arguments& arguments) {
+  const ResultTable table = ResultFile::open(arguments.results).read_table();
+  std::string text;
+  for (const RunRecord& run : table.runs) text += dump_line(table, run) + "\n";
+  print_or_write(text, arguments.output);
+}
+
+void define_table(CLI::App& app, Arguments& arguments) {
+  CLI::App* verb = add_verb(app, "table", "Print a summary per method and cross tables", arguments);
+  add_table_options(*verb, arguments);
+  verb->add_option("--method", arguments.method, "Only the cross tables of this method");
+  CLI::Option* csv = verb->add_flag("--csv", arguments.csv, "Cross tables as CSV, one cell a line");
+  verb->add_flag("--json", arguments.json, "Cross tables as JSON, with the ids of their runs")
+      ->excludes(csv);
+  verb->add_option("-o,--output", arguments.output, "File to write instead of standard output");
+  verb->callback([&arguments] { table_verb(arguments); });
+}
+
+void define_report(CLI::App& app, Arguments& arguments) {
+  CLI::App* verb =
+      add_verb(app, "report", "Write an HTML report that opens without a network", arguments);
+  add_table_options(*verb, arguments);
+  verb->add_option("-o,--output", arguments.output, "Folder to write to")->required();
+  verb->add_flag("--quiet", arguments.quiet, "Do not say where the report is");
+  verb->callback([&arguments] { report_verb(arguments); });
+}
+
+void define_show(CLI::App& app, Arguments& arguments) {
+  CLI::App* verb = add_verb(app, "show", "Print everything known of one run", arguments);
+  verb->add_option("--run", arguments.run, "The run: HASH8/METHOD/REPETITION")->required();
+  verb->add_flag("--json", arguments.json, "As the line that dump prints");
+  verb->callback([&arguments] { show_verb(arguments); });
+}
+
+void define_dump(CLI::App& app, Arguments& arguments) {
+  CLI::App* verb =
+      add_verb(app, "dump", "Print every deterministic value, one run a line of JSON", arguments);
+  verb->add_option("-o,--output", arguments.output, "File to write instead of standard output");
+  verb->callback([&arguments] { dump_verb(arguments); });
+}
+
+}  // namespace
+}  // namespace slalom
+
+int main(int argc, char** argv) {
+  using namespace slalom;
+  Arguments arguments;
+  return run_program("slalom-analyze", "Tables and reports from result files", argc, argv,
+                     [&arguments](CLI::App& app) {
+                       define_table(app, arguments);
+                       define_report(app, arguments);
+                       define_show(app, arguments);
+                       define_dump(app, arguments);
+                     });
+}
