@@ -1,1 +1,43 @@
-// to be written
+#include "families.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/ini_file.h>
+#include <slalom/core/text.h>
+#include <slalom/metrics/metric.h>
+
+namespace slalom {
+
+const std::vector<std::shared_ptr<const Metric>>& all_metrics() {
+  static const std::vector<MetricPtr> metrics = {
+      make_success(),        make_optimality(),   make_optimality_area(),
+      make_safety(),         make_safety_area(),  make_spl(),
+      make_path_length(),    make_time_to_goal(), make_min_clearance(),
+      make_mean_clearance(),
+  };
+  return metrics;
+}
+
+const Metric& metric(const std::string& id) {
+  std::vector<std::string> ids;
+  for (const MetricPtr& candidate : all_metrics()) {
+    ids.push_back(candidate->info().id);
+    if (ids.back() == id) return *candidate;
+  }
+  const std::string nearest = nearest_name(id, ids);
+  throw usage_error("metric", "unknown id '" + id + "'",
+                    nearest.empty() ? "one of " + join(ids, ", ") : "'" + nearest + "'");
+}
+
+MetricContext make_metric_context(const World& world, const RobotModel& robot,
+                                  const Trajectory& trajectory, Outcome outcome,
+                                  const References& references, double max_time,
+                                  double goal_tolerance) {
+  MetricContext context{world,      robot,    trajectory,     outcome,
+                        references, max_time, goal_tolerance, {}};
+  context.clearances.reserve(trajectory.samples.size());
+  for (const auto& p : trajectory.path())
+    context.clearances.push_back(world.distance_field().clearance(p) - robot.radius);
+  return context;
+}
+
+}  // namespace slalom

@@ -1,1 +1,52 @@
-// to be written
+#include <slalom/trajectory/path.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+double distance_to_segment(const TPoint2D& p, const TPoint2D& a, const TPoint2D& b) {
+  const TPoint2D ab = b - a;
+  const double squared = ab.x * ab.x + ab.y * ab.y;
+  const double projection = squared > 0 ? ((p.x - a.x) * ab.x + (p.y - a.y) * ab.y) / squared : 0.0;
+  const double t = std::clamp(projection, 0.0, 1.0);
+  return std::hypot(p.x - (a.x + t * ab.x), p.y - (a.y + t * ab.y));
+}
+
+}  // namespace
+
+double length(const Path& path) {
+  double sum = 0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    sum += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+  return sum;
+}
+
+double distance_to_path(const TPoint2D& p, const Path& path) {
+  if (path.empty()) throw std::invalid_argument("distance_to_path: the path is empty");
+  double best = std::hypot(p.x - path[0].x, p.y - path[0].y);
+  for (std::size_t i = 1; i < path.size(); ++i)
+    best = std::min(best, distance_to_segment(p, path[i - 1], path[i]));
+  return best;
+}
+
+Path resample(const Path& path, double spacing) {
+  if (!(spacing > 0)) throw std::invalid_argument("resample: the spacing must be positive");
+  Path result;
+  if (path.empty()) return result;
+  result.push_back(path.front());
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const TPoint2D step = path[i] - path[i - 1];
+    const double pieces = std::max(1.0, std::ceil(std::hypot(step.x, step.y) / spacing));
+    for (double k = 1; k < pieces; ++k) result.push_back(path[i - 1] + step * (k / pieces));
+    result.push_back(path[i]);
+  }
+  return result;
+}
+
+}  // namespace slalom

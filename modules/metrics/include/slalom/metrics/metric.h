@@ -12,15 +12,16 @@
 
 namespace slalom {
 
-/// What a metric may look at. The trajectory may come from anywhere; the simulator is not known here.
+/// What a metric may look at. The trajectory may come from anywhere; the simulator is not known
+/// here.
 struct MetricContext {
   const World& world;
   const RobotModel& robot;
   const Trajectory& trajectory;
   Outcome outcome;
   const References& references;
-  double max_time = 60;        ///< s, T_max
-  double goal_tolerance = 0.2; ///< m
+  double max_time = 60;         ///< s, T_max
+  double goal_tolerance = 0.2;  ///< m
   /// Clearance of the footprint at each sample (m), from the scenario's geometry: d(p_i) - radius.
   std::vector<double> clearances;
 };

@@ -1,0 +1,16 @@
+#include <slalom/app/campaign_arguments.h>
+
+namespace slalom {
+
+void add_campaign_options(CLI::App& app, CampaignArguments& arguments) {
+  app.add_option("-j,--jobs", arguments.jobs, "Worker processes")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--seed", arguments.seed, "Seed instead of [campaign] seed");
+  app.add_option("--set", arguments.overrides, "Override a key of the .ini: SECTION.KEY=VALUE")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_flag("--quiet", arguments.quiet, "No progress and no messages, errors excepted");
+}
+
+}  // namespace slalom

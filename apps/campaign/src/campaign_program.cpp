@@ -1,0 +1,78 @@
+#include "interrupt.h"
+#include "manifest.h"
+#include "result_sink.h"
+
+#include <slalom/app/campaign_program.h>
+#include <slalom/campaign/campaign.h>
+#include <slalom/commands/scenario_sources.h>
+#include <slalom/io/result_file.h>
+#include <slalom/library/library_method.h>
+#include <slalom/map_formats/map_import.h>
+#include <slalom/mrpt_nav/holonomic_method.h>
+#include <slalom/ompl/ompl_planner.h>
+
+namespace slalom {
+namespace {
+
+MethodRegistry all_adapters() {
+  MethodRegistry registry;
+  registry.add("library", make_library_method);
+  registry.add("mrpt_holonomic", make_holonomic_method);
+  return registry;
+}
+
+/// The quantities with these ids, in that order.
+template <typename Find>
+std::vector<QuantityInfo> infos(const std::vector<std::string>& ids, Find find) {
+  std::vector<QuantityInfo> infos;
+  for (const std::string& id : ids) infos.push_back(find(id).info());
+  return infos;
+}
+
+std::string problem_of(const CampaignSummary& summary) {
+  const std::size_t errors = summary.infrastructure_errors();
+  return errors == 0 ? "" : std::to_string(errors) + " runs ended as infrastructure_error";
+}
+
+}  // namespace
+
+IniFile load_campaign_ini(const CampaignArguments& arguments) {
+  IniFile ini = IniFile::load(arguments.config);
+  for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
+  if (arguments.seed) ini.set("campaign", "seed", std::to_string(*arguments.seed));
+  ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor",
+                               "simulation", "reference", "metrics", "limits", "analysis",
+                               "method.*"});
+  return ini;
+}
+
+std::vector<Scenario> campaign_scenarios(const IniFile& ini, const CampaignArguments& arguments) {
+  const CampaignOptions options = read_campaign_options(ini);
+  const auto progress = make_terminal_progress(arguments.quiet);
+  return collect_scenarios(ini, {options.robot.radius, options.simulation.resolution, options.seed},
+                           load_occupancy_grid, *progress);
+}
+
+CampaignReport run_campaign_program(const IniFile& ini, const CampaignArguments& arguments,
+                                    std::vector<Scenario> scenarios,
+                                    const std::string& results_path) {
+  const InterruptGuard guard;
+  const MethodRegistry registry = all_adapters();
+  const auto ompl_options = read_options<OmplOptions>(ini, "reference");
+  const auto planner = make_ompl_planner(ompl_options);
+  Campaign campaign{read_campaign_options(ini), std::move(scenarios), ini, registry, planner.get()};
+  campaign.options.reference_gap = ompl_options.gap;
+  check_methods(campaign);
+
+  ResultFile file = ResultFile::create(results_path, make_manifest(campaign),
+                                       infos(campaign.options.descriptors, descriptor),
+                                       infos(campaign.options.metrics, metric));
+  ResultSink sink(file);
+  const auto progress = make_terminal_progress(arguments.quiet);
+  const CampaignSummary summary =
+      run_campaign(campaign, sink, {arguments.jobs, *progress, InterruptGuard::raised});
+  file.commit();
+  return {summary.complete, problem_of(summary)};
+}
+
+}  // namespace slalom

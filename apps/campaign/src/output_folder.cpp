@@ -1,0 +1,29 @@
+#include <slalom/app/output_folder.h>
+#include <slalom/core/error.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace slalom {
+
+void make_output_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error)
+    throw job_error(path, "the folder cannot be made (" + error.message() + ")",
+                    "a folder that can be written");
+  const std::string probe = path + "/.slalom-write-test";
+  const int file = open(probe.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
+  if (file < 0)
+    throw job_error(path, std::string("files cannot be made there (") + std::strerror(errno) + ")",
+                    "a folder that can be written");
+  close(file);
+  unlink(probe.c_str());
+}
+
+}  // namespace slalom

@@ -1,0 +1,52 @@
+#include <slalom/app/campaign_arguments.h>
+#include <slalom/app/campaign_program.h>
+#include <slalom/app/program.h>
+#include <slalom/core/error.h>
+#include <slalom/io/scenario_list.h>
+
+#include <iostream>
+
+namespace slalom {
+namespace {
+
+struct RunArguments {
+  CampaignArguments campaign;
+  std::string scenarios;
+  std::string output;
+};
+
+/// Runs the methods of a campaign over a scenario list into a result file.
+void run(const RunArguments& arguments) {
+  IniFile ini = load_campaign_ini(arguments.campaign);
+  if (!arguments.scenarios.empty()) {
+    for (const std::string& key : ini.keys("scenarios")) ini.remove("scenarios", key);
+    ini.set("scenarios", "list", arguments.scenarios);
+  }
+  const CampaignReport report =
+      run_campaign_program(ini, arguments.campaign, campaign_scenarios(ini, arguments.campaign),
+                           arguments.output);
+  if (!report.complete) throw Interrupted("the runs so far are kept in " + arguments.output);
+  if (!report.problem.empty()) throw job_error(arguments.output, report.problem);
+  if (!arguments.campaign.quiet) std::cerr << "Results: " << arguments.output << "\n";
+}
+
+void define(CLI::App& app) {
+  static RunArguments arguments;
+  CLI::App* verb = app.add_subcommand("run", "Run methods over scenarios into a result file");
+  verb->add_option("-c,--config", arguments.campaign.config, "The campaign's .ini")->required();
+  verb->add_option("--scenarios", arguments.scenarios,
+                   "A scenario list (.scenarios), instead of what [scenarios] says");
+  verb->add_option("-o,--output", arguments.output, "The result file (.results) to write")
+      ->required();
+  add_campaign_options(*verb, arguments.campaign);
+  verb->callback([] { run(arguments); });
+}
+
+}  // namespace
+}  // namespace slalom
+
+int main(int argc, char** argv) {
+  return slalom::run_program("slalom-simulate",
+                             "Runs avoidance methods over scenarios in simulation.", argc, argv,
+                             slalom::define);
+}

@@ -1,0 +1,23 @@
+#include "common.h"
+
+#include <cmath>
+
+namespace slalom {
+
+std::optional<Value> na_unless_reached(const MetricContext& context) {
+  if (context.outcome == Outcome::Success) return std::nullopt;
+  return Value::na("outcome: " + to_string(context.outcome));
+}
+
+std::optional<Value> na_without_samples(const MetricContext& context) {
+  if (!context.trajectory.samples.empty()) return std::nullopt;
+  return Value::na("no trajectory");
+}
+
+double closed_length(const MetricContext& context) {
+  Path path = context.trajectory.path();
+  path.push_back(context.world.scenario().goal());
+  return length(path);
+}
+
+}  // namespace slalom

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <slalom/robot/robot_model.h>
+#include <slalom/scenario/world.h>
+
+#include <mrpt/obs/CObservation2DRangeScan.h>
+
+#include <vector>
+
+namespace slalom {
+
+/// The robot's range sensor in a world: fills one scan that is reused from cycle to cycle.
+/// Rays go counter-clockwise from -aperture/2; a ray that meets nothing has range max_range and is
+/// not valid.
+class RangeFinder {
+ public:
+  RangeFinder(const World& world, const SensorModel& sensor);
+
+  const mrpt::obs::CObservation2DRangeScan& sense(const mrpt::math::TPose2D& pose,
+                                                  mrpt::Clock::time_point time);
+
+ private:
+  const RayCaster& caster_;
+  ScanGeometry geometry_;
+  std::vector<float> ranges_;
+  std::vector<char> valid_;
+  mrpt::obs::CObservation2DRangeScan scan_;
+};
+
+}  // namespace slalom

@@ -1,0 +1,34 @@
+#include "simulated_clock.h"
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using mrpt::Clock;
+
+/// The latest time any run of this process has seen; starts the same in every process.
+Clock::time_point& latest_time() {
+  static Clock::time_point latest = Clock::fromDouble(1e9);
+  return latest;
+}
+
+/// Whole ticks, so that the difference of two times does not depend on when the run began.
+Clock::duration to_ticks(double seconds) {
+  return Clock::duration(static_cast<Clock::rep>(std::llround(seconds * 1e7)));
+}
+
+}  // namespace
+
+SimulatedClock::SimulatedClock() : start_(latest_time() + to_ticks(2)), now_(start_) {
+  set(0);
+  Clock::setActiveClock(Clock::Simulated);
+}
+
+void SimulatedClock::set(double seconds) {
+  now_ = start_ + to_ticks(seconds);
+  latest_time() = now_;
+  Clock::setSimulatedTime(now_);
+}
+
+}  // namespace slalom

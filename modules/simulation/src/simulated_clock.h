@@ -1,0 +1,20 @@
+#pragma once
+
+#include <mrpt/core/Clock.h>
+
+namespace slalom {
+
+/// The simulated time of one run. mrpt::Clock is process-wide and MRPT's navigators go wrong when
+/// it is set back, so every run of a process begins at least two seconds after the one before it
+/// ended.
+class SimulatedClock {
+ public:
+  SimulatedClock();
+  void set(double seconds);  ///< since the start of the run; must not decrease
+  mrpt::Clock::time_point now() const { return now_; }
+
+ private:
+  mrpt::Clock::time_point start_, now_;
+};
+
+}  // namespace slalom
