@@ -74,7 +74,9 @@ std::string how_to_read(const ReportContext& context) {
          "number "
          "of runs. NA counts runs without a value, which enter no mean. ↑ more is better, ↓ less "
          "is "
-         "better; a stronger shade is better within its column.</p>\n";
+         "better; a stronger shade is better within its column; cells with fewer than 5 values are "
+         "not "
+         "shaded.</p>\n";
 }
 
 std::string summary_section(const ReportContext& context) {

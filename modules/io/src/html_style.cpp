@@ -13,7 +13,7 @@ const char* const kReportStyle = R"css(
 html { scroll-behavior: smooth; scroll-padding-top: 3.5rem; }
 body { margin: 0; background: var(--ground); color: var(--ink);
   font: 15px/1.5 system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; }
-header, main, footer { max-width: 1240px; margin: 0 auto; padding: 0 1.5rem; }
+header, main, footer { max-width: 1280px; margin: 0 auto; padding: 0 1.5rem; }
 header { padding-top: 2.2rem; }
 h1 { font-size: 1.9rem; line-height: 1.2; margin: 0; letter-spacing: -0.01em; }
 h2 { font-size: 1.3rem; margin: 2.6rem 0 0.8rem; }
@@ -23,7 +23,7 @@ a { color: var(--accent); text-decoration: none; } a:hover { text-decoration: un
 p { margin: 0.4rem 0; max-width: 78ch; } .soft { color: var(--soft); }
 nav { position: sticky; top: 0; z-index: 2; background: var(--ground); border-bottom: 1px solid var(--line);
   margin-top: 1rem; }
-nav div { max-width: 1240px; margin: 0 auto; padding: 0.6rem 1.5rem; display: flex; gap: 1.4rem;
+nav div { max-width: 1280px; margin: 0 auto; padding: 0.6rem 1.5rem; display: flex; gap: 1.4rem;
   flex-wrap: wrap; }
 .facts { display: grid; grid-template-columns: repeat(auto-fit, minmax(130px, 1fr)); gap: 0.8rem;
   margin: 1.4rem 0 0; }
@@ -40,16 +40,19 @@ tr:last-child > th, tr:last-child > td { border-bottom: 0; }
 thead th { font-size: 0.82rem; color: var(--soft); font-weight: 600; vertical-align: bottom;
   border-bottom: 2px solid var(--line); }
 tbody th { font-weight: 600; min-width: 8.5rem; }
-td.cell { background: rgb(var(--heat) / calc(var(--g, 0) * 0.42)); min-width: 8.6rem; }
-.big { font-size: 1.08rem; font-weight: 650; } .interval { font-size: 0.85rem; margin-left: 0.35rem; }
+.name { white-space: nowrap; }
+table.even { table-layout: fixed; } table.even thead th { overflow-wrap: anywhere; }
+td.cell { background: rgb(var(--heat) / calc(var(--g, 0) * 0.42)); min-width: 7.4rem; }
+.big { font-size: 1.12rem; font-weight: 650; } .interval { font-size: 0.84rem; white-space: nowrap; display: block; }
 .support { color: var(--soft); font-size: 0.78rem; display: block; }
+.cell .support { white-space: nowrap; }
 .whisker { display: block; width: 100%; max-width: 150px; height: 9px; margin: 0.25rem 0; }
 .whisker line { stroke: currentColor; stroke-width: 1.6; opacity: 0.55; }
 .whisker .axis { stroke-width: 1; opacity: 0.16; } .whisker circle { fill: currentColor; }
 .na { color: var(--soft); }
 .swatch { display: inline-block; width: 0.8em; height: 0.8em; border-radius: 3px; margin-right: 0.45em;
   vertical-align: -0.05em; }
-.bar { display: flex; height: 12px; border-radius: 6px; overflow: hidden; gap: 1px; min-width: 11rem;
+.bar { display: flex; height: 12px; border-radius: 6px; overflow: hidden; gap: 1px; min-width: 9rem;
   margin: 0.35rem 0; }
 .bar i { display: block; }
 .bar .good { background: var(--good); } .bar .hit { background: var(--hit); }
@@ -59,12 +62,13 @@ td.cell { background: rgb(var(--heat) / calc(var(--g, 0) * 0.42)); min-width: 8.
   border-radius: 99px; padding: 0 0.5em; margin: 0 0.25em 0.15em 0; }
 .chip.good { color: var(--good); } .chip.hit { color: var(--hit); } .chip.late { color: var(--late); }
 .chip.fault { color: var(--fault); } .chip.odd { color: var(--odd); }
-.finding { border-left: 3px solid var(--line); padding: 0.1rem 0 0.1rem 0.8rem; margin: 0.45rem 0; }
+.finding { border-left: 3px solid var(--line); padding: 0.1rem 0 0.1rem 0.8rem; margin: 0.45rem 0;
+  max-width: none; }
 .finding.shown { border-color: var(--accent); }
 ul.plain { list-style: none; padding: 0; margin: 0; }
 .legend { display: flex; flex-wrap: wrap; gap: 0.3rem 1.2rem; margin: 0.4rem 0 1rem; align-items: center; }
 .legend svg { vertical-align: middle; margin-right: 0.4em; }
-.gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(290px, 1fr)); gap: 1rem; }
+.gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(320px, 1fr)); gap: 1rem; }
 .gallery figure { margin: 0; background: var(--card); border: 1px solid var(--line); border-radius: 10px;
   padding: 0.9rem; break-inside: avoid; }
 .gallery figure:target { outline: 3px solid var(--accent); }
@@ -72,7 +76,8 @@ ul.plain { list-style: none; padding: 0; margin: 0; }
 .picture svg { width: 100%; height: auto; max-height: 380px; display: block; border-radius: 6px; }
 figcaption { font-size: 0.83rem; margin-top: 0.6rem; }
 figcaption table { font-size: 0.83rem; } figcaption th, figcaption td { padding: 0.16rem 0.3rem; }
-figcaption tbody th { font-weight: 400; min-width: 0; overflow-wrap: anywhere; }
+figcaption tbody th { font-weight: 400; min-width: 0; }
+figcaption .swatch { margin-right: 0.3em; }
 dl.values { display: grid; grid-template-columns: auto auto; justify-content: start; gap: 0 0.8rem;
   margin: 0.5rem 0 0; }
 dl.values dt { color: var(--soft); } dl.values dd { margin: 0; font-variant-numeric: tabular-nums; }

@@ -11,6 +11,11 @@ namespace {
 
 constexpr std::size_t kMostRunsListed = 500;
 
+/// Cells with fewer values get neither shade nor whisker: single runs would set the column's scale.
+bool enough_to_draw(const Cell& cell) {
+  return cell.available >= 5 && cell.interval.has_value();
+}
+
 /// What the cells of one column have in common.
 struct ColumnScale {
   Column column;
@@ -32,13 +37,12 @@ ColumnScale make_scale(const Column& column, const std::vector<const Cell*>& cel
   if (column.rate) return scale;
   bool first = true;
   for (const Cell* cell : cells) {
-    if (!cell->estimate) continue;
-    const Interval range = cell->interval.value_or(Interval{*cell->estimate, *cell->estimate});
-    scale.low = first ? range.low : std::min(scale.low, range.low);
-    scale.high = first ? range.high : std::max(scale.high, range.high);
-    scale.least_estimate =
-        first ? *cell->estimate : std::min(scale.least_estimate, *cell->estimate);
-    scale.most_estimate = first ? *cell->estimate : std::max(scale.most_estimate, *cell->estimate);
+    if (!enough_to_draw(*cell)) continue;
+    const double estimate = *cell->estimate;
+    scale.low = first ? cell->interval->low : std::min(scale.low, cell->interval->low);
+    scale.high = first ? cell->interval->high : std::max(scale.high, cell->interval->high);
+    scale.least_estimate = first ? estimate : std::min(scale.least_estimate, estimate);
+    scale.most_estimate = first ? estimate : std::max(scale.most_estimate, estimate);
     first = false;
   }
   return scale;
@@ -46,11 +50,11 @@ ColumnScale make_scale(const Column& column, const std::vector<const Cell*>& cel
 
 /// The estimate as a dot on its interval, on the column's scale.
 std::string whisker(const Cell& cell, const ColumnScale& scale) {
-  if (!cell.interval || scale.high <= scale.low) return "";
+  if (!enough_to_draw(cell) || scale.high <= scale.low) return "";
   const auto place = [&](double value) {
     return format_fixed(4 + 112 * (value - scale.low) / (scale.high - scale.low), 1);
   };
-  return "<svg class=\"whisker\" viewBox=\"0 0 120 9\" "
+  return "<svg class=\"whisker\" viewBox=\"0 0 120 9\" preserveAspectRatio=\"xMinYMid\" "
          "aria-hidden=\"true\"><line class=\"axis\" x1=\"4\" x2=\"116\" y1=\"4.5\" y2=\"4.5\"/>"
          "<line x1=\"" +
          place(cell.interval->low) + "\" x2=\"" + place(cell.interval->high) +
@@ -67,7 +71,7 @@ std::string cell_html(const Cell& cell, const ColumnScale& scale) {
     return "<td class=\"cell na\"" + title + ">–" + support + "</td>";
   }
   std::string style;
-  if (scale.column.info.direction != Direction::None) {
+  if (scale.column.info.direction != Direction::None && enough_to_draw(cell)) {
     style = " style=\"--g:" + format_fixed(scale.goodness(*cell.estimate), 2) + "\"";
   }
   return "<td class=\"cell\"" + style + title + ">" +
@@ -148,7 +152,8 @@ std::string cross_table_html(const CrossTable& table, const std::vector<ColumnSc
     rows += "<tr>" + cells + "</tr>\n";
   }
   const std::string unit = table.descriptor.unit == "-" ? "" : " [" + table.descriptor.unit + "]";
-  return "<div class=\"card\"><h4>" + heading + "</h4><table>" +
+  return "<div class=\"card\"><h4>" + heading + "</h4><table class=\"even\" style=\"min-width:" +
+         std::to_string(9 + 8 * table.columns.size()) + "rem\">" +
          header_row({table.descriptor.name + unit}, table.columns) + "<tbody>" + rows +
          "</tbody></table>" + na_html(table) + "</div>\n";
 }
@@ -165,8 +170,9 @@ std::string html_summary_table(const SummaryTable& table) {
   std::string rows;
   for (std::size_t place = 0; place < table.methods.size(); ++place) {
     const MethodSummary& method = table.methods[place];
-    std::string cells = "<th>" + method_swatch(place) + html_escape(method.method) + "</th><td>" +
-                        std::to_string(method.n) + "</td>" + outcome_cell(method, table.outcomes);
+    std::string cells = "<th class=\"name\">" + method_swatch(place) + html_escape(method.method) +
+                        "</th><td>" + std::to_string(method.n) + "</td>" +
+                        outcome_cell(method, table.outcomes);
     for (std::size_t column = 0; column < scales.size(); ++column) {
       cells += cell_html(method.cells[column], scales[column]);
     }
