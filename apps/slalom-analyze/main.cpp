@@ -43,7 +43,7 @@ void add_table_options(CLI::App& verb, Arguments& arguments) {
 
 /// The campaign's own wishes, then those of the command line.
 ReportOptions effective_options(const ResultTable& table, const Arguments& arguments) {
-  ReportOptions options = report_options(table.manifest);
+  ReportOptions options = report_options(table);
   if (!arguments.rows.empty()) options.rows = parse_bin_specs(arguments.rows);
   if (!arguments.columns.empty()) options.columns = split(arguments.columns, ',');
   if (arguments.confidence > 0) options.analysis.confidence = arguments.confidence;

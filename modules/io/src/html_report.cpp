@@ -158,10 +158,10 @@ std::string repeat_section(const Manifest& manifest) {
     }
   }
   return "<h2 id=\"repeat\">How to repeat it</h2>\n<p>Save <code>campaign.ini</code> below and run "
-         "<code>slalom-evaluate campaign.ini -o out</code> with the versions listed: the results "
-         "are "
-         "the same bit by bit, wall-clock figures excepted.</p>\n<div "
-         "class=\"card\"><table><tbody>" +
+         "<code>slalom-evaluate campaign.ini -o out</code>, or <code>slalom-simulate run -c "
+         "campaign.ini</code> over the scenario list it was made with, using the versions listed: "
+         "everything but wall-clock figures comes out the same.</p>\n"
+         "<div class=\"card\"><table><tbody>" +
          rows + "</tbody></table>" + texts + "</div>\n";
 }
 
@@ -209,16 +209,34 @@ IniFile campaign_ini(const Manifest& manifest) {
   }
 }
 
+/// By density where it is known of any scenario.
+std::vector<BinSpec> default_rows(const ResultTable& table) {
+  for (const auto& [hash, scenario] : table.scenarios) {
+    if (scenario.descriptors.count("density") > 0) return {parse_bin_spec("density:4")};
+  }
+  return {BinSpec{}};
+}
+
+/// The paper's three metrics, as far as the results have them.
+std::vector<std::string> default_columns(const ResultTable& table) {
+  std::vector<std::string> columns = {"success"};
+  for (const std::string& id : metric_ids(table)) {
+    if (id == "optimality" || id == "safety") columns.push_back(id);
+  }
+  return columns;
+}
+
 }  // namespace
 
-ReportOptions report_options(const Manifest& manifest) {
-  const IniFile ini = campaign_ini(manifest);
+ReportOptions report_options(const ResultTable& table) {
+  const IniFile ini = campaign_ini(table.manifest);
   ReportOptions options;
-  options.rows = parse_bin_specs(ini.get("analysis", "rows").value_or("density:4"));
-  options.columns =
-      split(ini.get("analysis", "columns").value_or("success, optimality, safety"), ',');
-  parse_number(ini.get("analysis", "confidence").value_or("0.95"), options.analysis.confidence);
-  parse_number(ini.get("robot", "radius").value_or("0.25"), options.robot_radius);
+  const auto rows = ini.get("analysis", "rows");
+  options.rows = rows ? parse_bin_specs(*rows) : default_rows(table);
+  const auto columns = ini.get("analysis", "columns");
+  options.columns = columns ? split(*columns, ',') : default_columns(table);
+  parse_number(ini.get("analysis", "confidence").value_or(""), options.analysis.confidence);
+  parse_number(ini.get("robot", "radius").value_or(""), options.robot_radius);
   return options;
 }
 

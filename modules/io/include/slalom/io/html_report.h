@@ -18,8 +18,9 @@ struct ReportOptions {
 };
 
 /// As the sections [analysis] and [robot] of the campaign in the manifest ask; where they say
-/// nothing: density:4 in columns success, optimality, safety with 95 % intervals.
-ReportOptions report_options(const Manifest& manifest);
+/// nothing: density:4 (or all), and success, optimality and safety as far as the results have them,
+/// with 95 % intervals.
+ReportOptions report_options(const ResultTable& table);
 
 /// Writes a report that opens offline: `directory`/index.html with inline styles and pictures and
 /// no scripts; with more than 200 scenarios, or more than 6 MB of pictures, the pictures stand on
