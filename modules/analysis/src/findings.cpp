@@ -1,7 +1,7 @@
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/findings.h>
 
-#include <cmath>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -18,31 +18,14 @@ std::string at_bin(const CrossTable& table, const CrossRow& row, std::size_t col
          " at " + table.descriptor.id + " in " + row.bin.label();
 }
 
-/// The two rows that differ most; null where no intervals are apart.
-struct Contrast {
-  const CrossRow* first = nullptr;
-  const CrossRow* second = nullptr;
-  std::size_t speaking = 0;  ///< rows with enough values
-};
-
-Contrast largest_contrast(const CrossTable& table, std::size_t column) {
-  Contrast contrast;
-  double largest = 0;
-  for (auto a = table.rows.begin(); a != table.rows.end(); ++a) {
-    const Cell& left = a->cells[column];
-    if (!speaks(left)) continue;
-    ++contrast.speaking;
-    for (auto b = a + 1; b != table.rows.end(); ++b) {
-      const Cell& right = b->cells[column];
-      if (!speaks(right) || left.interval->overlaps(*right.interval)) continue;
-      const double difference = std::abs(*left.estimate - *right.estimate);
-      if (difference <= largest) continue;
-      largest = difference;
-      contrast.first = &*a;
-      contrast.second = &*b;
-    }
+/// The lowest and the highest row with enough values; null where there are not two.
+std::pair<const CrossRow*, const CrossRow*> ends(const CrossTable& table, std::size_t column) {
+  std::vector<const CrossRow*> speaking;
+  for (const CrossRow& row : table.rows) {
+    if (speaks(row.cells[column])) speaking.push_back(&row);
   }
-  return contrast;
+  if (speaking.size() < 2) return {nullptr, nullptr};
+  return {speaking.front(), speaking.back()};
 }
 
 }  // namespace
@@ -50,18 +33,18 @@ Contrast largest_contrast(const CrossTable& table, std::size_t column) {
 std::optional<Finding> find_difference(const CrossTable& table, std::size_t column) {
   if (table.rows.size() < 2) return std::nullopt;
   const std::string& metric = table.columns[column].info.id;
-  Finding finding{table.method, table.descriptor.id, metric, Finding::Verdict::TooFewRuns, ""};
-  const Contrast contrast = largest_contrast(table, column);
   const std::string head = table.method + ": " + metric;
-  if (contrast.first != nullptr) {
-    finding.verdict = Finding::Verdict::Difference;
-    finding.text = head + " " + at_bin(table, *contrast.first, column) + ", " +
-                   at_bin(table, *contrast.second, column);
-  } else if (contrast.speaking < 2) {
+  Finding finding{table.method, table.descriptor.id, metric, Finding::Verdict::TooFewRuns, ""};
+  const auto [low, high] = ends(table, column);
+  if (low == nullptr) {
     finding.text = head + ": too few runs to compare bins of " + table.descriptor.id;
-  } else {
+  } else if (low->cells[column].interval->overlaps(*high->cells[column].interval)) {
     finding.verdict = Finding::Verdict::NoDifference;
-    finding.text = head + ": no difference shown between bins of " + table.descriptor.id;
+    finding.text = head + ": no difference shown between " + table.descriptor.id + " in " +
+                   low->bin.label() + " and in " + high->bin.label();
+  } else {
+    finding.verdict = Finding::Verdict::Difference;
+    finding.text = head + " " + at_bin(table, *low, column) + ", " + at_bin(table, *high, column);
   }
   return finding;
 }

@@ -114,9 +114,10 @@ std::string findings_section(const std::vector<std::vector<CrossTable>>& groups)
             html_element("div", "card", sentences);
   }
   if (html.empty()) html = "<p>There are no bins to compare.</p>";
-  return "<h2 id=\"findings\">Findings</h2>\n<p class=\"soft\">Two bins are called different only "
-         "where their intervals do not overlap. That none do is no proof that there is no "
-         "difference.</p>\n" +
+  return "<h2 id=\"findings\">Findings</h2>\n<p class=\"soft\">The lowest and the highest bin with "
+         "10 values or more are "
+         "compared; they are called different only where their intervals do not overlap. That they "
+         "overlap is no proof that there is no difference.</p>\n" +
          html;
 }
 

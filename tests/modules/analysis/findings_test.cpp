@@ -1,6 +1,7 @@
 #include "result_fixture.h"
 
 #include <slalom/analysis/findings.h>
+#include <slalom/core/random.h>
 
 #include <gtest/gtest.h>
 
@@ -32,12 +33,30 @@ TEST(Findings, SayHowBinsDifferWhereIntervalsDoNotOverlap) {
 
 TEST(Findings, ClaimNothingWhereIntervalsOverlap) {
   EXPECT_EQ(find_difference(two_bins(30, 28), 0)->text,
-            "nd: success: no difference shown between bins of density");
+            "nd: success: no difference shown between density in [0, 0.1) and in [0.1, 0.4]");
 }
 
 TEST(Findings, AdmitTooFewRuns) {
   EXPECT_EQ(find_difference(two_bins(9, 0), 0)->text,
             "nd: success: too few runs to compare bins of density");
+}
+
+TEST(Findings, SeldomSeeADifferenceInNoise) {
+  RandomEngine engine(21);
+  int differences = 0;
+  for (int round = 0; round < 1000; ++round) {
+    ResultFixture fixture;
+    for (int i = 0; i < 100; ++i) {
+      const std::string hash = "s" + std::to_string(i);
+      fixture.table.scenarios[hash].descriptors["density"] = {1, Value::of(0.01 * i)};
+      fixture.add_run(hash, "nd", uniform_real(engine, 0, 1) < 0.5 ? 0.9 : -1);
+    }
+    const auto table =
+        build_cross_tables(fixture.table, parse_bin_specs("density:4"), {"success"}, {})[0];
+    differences += find_difference(table, 0)->verdict == Finding::Verdict::Difference ? 1 : 0;
+  }
+  // Expected 0.6 %; with Wilson intervals of 25 runs a little more or less.
+  EXPECT_LE(differences, 15);
 }
 
 TEST(Findings, HaveNothingToSayOfASingleRow) {
