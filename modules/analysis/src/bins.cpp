@@ -47,7 +47,7 @@ void require_known(const std::string& id, const ResultTable& table) {
   const std::vector<std::string> names(known.begin(), known.end());
   const std::string nearest = nearest_name(id, names);
   throw usage_error("rows", "no descriptor '" + id + "' in these results",
-                    nearest.empty() ? "one of " + join(names, ", ") : "perhaps " + nearest);
+                    nearest.empty() ? "one of " + join(names, ", ") : "'" + nearest + "'");
 }
 
 /// The values of a descriptor over the scenarios, increasing.

@@ -34,7 +34,7 @@ QuantityInfo info_of(const ResultTable& table, const std::string& id) {
 Error unknown_column(const std::string& id, std::vector<std::string> candidates) {
   const std::string nearest = nearest_name(id, candidates);
   return usage_error("columns", "no metric '" + id + "' in these results",
-                     nearest.empty() ? "one of " + join(candidates, ", ") : "perhaps " + nearest);
+                     nearest.empty() ? "one of " + join(candidates, ", ") : "'" + nearest + "'");
 }
 
 void add_interval(Cell& cell, const Column& column, const ScenarioGroups& groups,

@@ -67,6 +67,10 @@ std::map<std::string, std::size_t> na_of_column(const CrossTable& table, std::si
   return reasons;
 }
 
+std::string count_text(std::size_t n, const std::string& noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
 std::string direction_arrow(Direction direction) {
   if (direction == Direction::Up) return "↑";
   return direction == Direction::Down ? "↓" : "";

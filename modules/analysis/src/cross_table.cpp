@@ -1,3 +1,4 @@
+#include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/cross_table.h>
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
@@ -13,7 +14,7 @@ void require_known_method(const ResultTable& table, const std::string& method) {
   if (std::find(names.begin(), names.end(), method) != names.end()) return;
   const std::string nearest = nearest_name(method, names);
   throw usage_error("method", "no runs of '" + method + "' in these results",
-                    nearest.empty() ? "one of " + join(names, ", ") : "perhaps " + nearest);
+                    nearest.empty() ? "one of " + join(names, ", ") : "'" + nearest + "'");
 }
 
 QuantityInfo descriptor_info(const ResultTable& table, const BinSpec& spec) {
@@ -49,14 +50,13 @@ void sort_into_row(CrossTable& cross, const ResultTable& table, std::size_t run,
 }
 
 void add_notes(CrossTable& cross) {
-  const auto runs = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " run" : " runs"); };
   if (cross.outside > 0) {
-    cross.notes.push_back(runs(cross.outside) + " left out: " + cross.descriptor.id +
+    cross.notes.push_back(count_text(cross.outside, "run") + " left out: " + cross.descriptor.id +
                           " outside the bins");
   }
   if (cross.undescribed > 0) {
-    cross.notes.push_back(runs(cross.undescribed) + " left out: scenario has no value of " +
-                          cross.descriptor.id);
+    cross.notes.push_back(count_text(cross.undescribed, "run") +
+                          " left out: scenario has no value of " + cross.descriptor.id);
   }
 }
 

@@ -8,7 +8,7 @@
 namespace slalom {
 namespace {
 
-constexpr std::size_t kMaxWidth = 110;
+constexpr std::size_t kMaxWidth = 120;
 
 std::string column_header(const Column& column) {
   std::string text = printable(column.info.id);
@@ -85,8 +85,7 @@ std::string render_cross_table_text(const CrossTable& table) {
   std::string text = printable(table.title) + ", " + confidence_text(table.confidence) + "\n\n";
   TextGrid grid(headers(table.descriptor.id, table.columns));
   for (const CrossRow& row : table.rows) {
-    std::vector<TextGrid::Lines> cells = {
-        {row.bin.label(), std::to_string(row.runs.size()) + " runs"}};
+    std::vector<TextGrid::Lines> cells = {{row.bin.label(), count_text(row.runs.size(), "run")}};
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
       const int digits = column_digits(table, column);
       cells.push_back(cell_lines(row.cells[column], table.columns[column], digits));

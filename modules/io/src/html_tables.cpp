@@ -121,9 +121,8 @@ std::string runs_list(const CrossRow& row, const ResultTable& results, const Sce
     items += "<li>and " + std::to_string(row.runs.size() - shown) +
              " more, listed by <code>slalom-analyze table --json</code></li>";
   }
-  return "<details class=\"runs\"><summary>" + std::to_string(row.runs.size()) +
-         (row.runs.size() == 1 ? " run" : " runs") + "</summary><ul class=\"plain\">" + items +
-         "</ul></details>";
+  return "<details class=\"runs\"><summary>" + count_text(row.runs.size(), "run") +
+         "</summary><ul class=\"plain\">" + items + "</ul></details>";
 }
 
 std::string na_html(const CrossTable& table) {

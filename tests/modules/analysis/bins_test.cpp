@@ -64,7 +64,7 @@ TEST(Bins, NameTheNearestDescriptor) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.exit_status(), 2);
-    EXPECT_NE(std::string(error.what()).find("perhaps density"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("expected 'density'"), std::string::npos);
   }
 }
 

@@ -8,7 +8,7 @@
 
 namespace slalom {
 
-/// Tables for a terminal, at most about 110 columns wide (wider tables continue below), UTF-8,
+/// Tables for a terminal, at most 120 columns wide (wider tables continue below), UTF-8,
 /// ending with a newline. Each cell has two lines: "0.951 [0.940, 0.960]" and "±0.031 n=60 NA=4".
 std::string render_summary_text(const SummaryTable& table);
 
