@@ -1,6 +1,8 @@
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/findings.h>
+#include <slalom/core/text.h>
 
+#include <map>
 #include <utility>
 
 namespace slalom {
@@ -56,6 +58,25 @@ std::vector<Finding> findings(const CrossTable& table) {
     if (auto finding = find_difference(table, column)) all.push_back(std::move(*finding));
   }
   return all;
+}
+
+std::vector<Finding> condensed_findings(const CrossTable& table) {
+  std::vector<Finding> condensed;
+  std::map<Finding::Verdict, std::vector<std::string>> rest;
+  for (Finding& finding : findings(table)) {
+    if (finding.verdict == Finding::Verdict::Difference) {
+      condensed.push_back(std::move(finding));
+    } else {
+      rest[finding.verdict].push_back(finding.metric);
+    }
+  }
+  for (const auto& [verdict, metrics] : rest) {
+    const bool few = verdict == Finding::Verdict::TooFewRuns;
+    const std::string what = few ? ": too few runs to compare " : ": no difference shown in ";
+    condensed.push_back({table.method, table.descriptor.id, join(metrics, ", "), verdict,
+                         table.method + what + join(metrics, ", ") + " by " + table.descriptor.id});
+  }
+  return condensed;
 }
 
 }  // namespace slalom

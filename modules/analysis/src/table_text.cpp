@@ -94,7 +94,8 @@ std::string render_cross_table_text(const CrossTable& table) {
   }
   text += grid.text(kMaxWidth) + na_lines(table);
   for (const std::string& note : table.notes) text += "Note  " + printable(note) + "\n";
-  for (const Finding& finding : findings(table)) text += "→ " + printable(finding.text) + "\n";
+  for (const Finding& finding : condensed_findings(table))
+    text += "→ " + printable(finding.text) + "\n";
   return text;
 }
 

@@ -85,23 +85,13 @@ std::string summary_section(const ReportContext& context) {
   return "<h2 id=\"summary\">Summary</h2>\n" + html_summary_table(summary) + how_to_read(context);
 }
 
-/// The differences that a table shows, then the columns where it shows none, on one line.
 std::string findings_of(const CrossTable& table) {
-  std::string shown;
-  std::vector<std::string> same, few;
-  for (const Finding& finding : findings(table)) {
-    if (finding.verdict == Finding::Verdict::Difference) {
-      shown += html_element("p", "finding shown", html_escape(finding.text));
-    } else {
-      (finding.verdict == Finding::Verdict::NoDifference ? same : few).push_back(finding.metric);
-    }
+  std::string html;
+  for (const Finding& finding : condensed_findings(table)) {
+    const bool shown = finding.verdict == Finding::Verdict::Difference;
+    html += html_element("p", shown ? "finding shown" : "finding soft", html_escape(finding.text));
   }
-  const auto rest = [&](const std::string& what, const std::vector<std::string>& metrics) {
-    if (metrics.empty()) return std::string();
-    return html_element("p", "finding soft",
-                        html_escape(table.method + ": " + what + " " + join(metrics, ", ")));
-  };
-  return shown + rest("no difference shown in", same) + rest("too few runs to compare", few) + "\n";
+  return html + "\n";
 }
 
 std::string findings_section(const std::vector<std::vector<CrossTable>>& groups) {

@@ -41,6 +41,16 @@ TEST(Findings, AdmitTooFewRuns) {
             "nd: success: too few runs to compare bins of density");
 }
 
+TEST(Findings, CondenseWhatShowsNothing) {
+  CrossTable table = two_bins(30, 28);
+  table.columns.push_back(table.columns[0]);
+  for (CrossRow& row : table.rows) row.cells.push_back(row.cells[0]);
+  ASSERT_EQ(findings(table).size(), 2u);
+  ASSERT_EQ(condensed_findings(table).size(), 1u);
+  EXPECT_EQ(condensed_findings(table)[0].text,
+            "nd: no difference shown in success, success by density");
+}
+
 TEST(Findings, SeldomSeeADifferenceInNoise) {
   RandomEngine engine(21);
   int differences = 0;

@@ -30,4 +30,8 @@ std::optional<Finding> find_difference(const CrossTable& table, std::size_t colu
 /// The findings of a table's deterministic columns.
 std::vector<Finding> findings(const CrossTable& table);
 
+/// The same for people: each difference, then one finding for all metrics without one ("nd: no
+/// difference shown in optimality, safety by density") and one for those with too few runs.
+std::vector<Finding> condensed_findings(const CrossTable& table);
+
 }  // namespace slalom
