@@ -1,1 +1,145 @@
-// to be written
+#include "configuration_cells.h"
+#include "taut.h"
+
+#include <slalom/references/any_angle.h>
+#include <slalom/references/exact_shortest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+/// More subcells than this (about 40 bytes each while searching) are not made.
+constexpr std::size_t kMaxSubcells = 24'000'000;
+
+class ExactSearch {
+ public:
+  explicit ExactSearch(const PlanningProblem& problem)
+      : problem_(problem), cells_(problem.world.occupancy()) {}
+
+  bool is_free_at(const TPoint2D& p) const {
+    return is_free(problem_.world, {p}, problem_.robot_radius);
+  }
+
+  bool can_subdivide(int subdivision) const {
+    const auto k = static_cast<std::size_t>(subdivision);
+    return cells_.cells().size() * k * k <= kMaxSubcells;
+  }
+
+  /// Bounds at one subdivision. False when no path exists, which the outer cells prove.
+  bool refine(int subdivision, double& lower, std::optional<Path>& best) const {
+    const ConfigurationCells grid =
+        make_configuration_cells(problem_.world, problem_.robot_radius, subdivision);
+    const auto outer = shortest_any_angle_path(grid.outer, to_cells(problem_.start, grid),
+                                               to_cells(problem_.goal, grid));
+    if (!outer) return false;
+    lower = std::max(lower, length(*outer) * grid.cell_size);
+    if (auto path = free_path(grid); path && (!best || length(*path) < length(*best)))
+      best = std::move(path);
+    return true;
+  }
+
+ private:
+  TPoint2D to_cells(const TPoint2D& p, const ConfigurationCells& grid) const {
+    const double x = (p.x - cells_.origin().x) / grid.cell_size;
+    const double y = (p.y - cells_.origin().y) / grid.cell_size;
+    return {std::clamp(x, 0.0, static_cast<double>(grid.inner.size_x)),
+            std::clamp(y, 0.0, static_cast<double>(grid.inner.size_y))};
+  }
+
+  TPoint2D to_world(const TPoint2D& p, const ConfigurationCells& grid) const {
+    return {cells_.origin().x + p.x * grid.cell_size, cells_.origin().y + p.y * grid.cell_size};
+  }
+
+  std::optional<Path> free_path(const ConfigurationCells& grid) const {
+    const auto start = entrance(problem_.start, grid), goal = entrance(problem_.goal, grid);
+    if (!start || !goal) return std::nullopt;
+    const auto inner = shortest_any_angle_path(grid.inner, *start, *goal);
+    if (!inner) return std::nullopt;
+    Path path = {problem_.start};
+    for (const TPoint2D& p : *inner) path.push_back(to_world(p, grid));
+    path.push_back(problem_.goal);
+    path = pull_taut(problem_.world, without_repeats(path), problem_.robot_radius);
+    if (!is_free(problem_.world, path, problem_.robot_radius)) return std::nullopt;
+    return path;
+  }
+
+  static Path without_repeats(const Path& path) {
+    Path result;
+    for (const TPoint2D& p : path)
+      if (result.empty() || std::hypot(p.x - result.back().x, p.y - result.back().y) > 1e-9)
+        result.push_back(p);
+    if (result.size() == 1) result.push_back(path.back());
+    return result;
+  }
+
+  /// The point (cells) of the inner cells by which the robot enters them from p: p itself, or the
+  /// centre of the nearest inner cell that a free straight line leads to.
+  std::optional<TPoint2D> entrance(const TPoint2D& p, const ConfigurationCells& grid) const {
+    const TPoint2D at = to_cells(p, grid);
+    const int cx = static_cast<int>(at.x), cy = static_cast<int>(at.y);
+    if (!grid.inner.is_blocked(cx, cy)) return at;
+    constexpr int kReach = 6;  // cells
+    std::optional<TPoint2D> best;
+    double best_distance = 0;
+    for (int y = cy - kReach; y <= cy + kReach; ++y)
+      for (int x = cx - kReach; x <= cx + kReach; ++x) {
+        if (grid.inner.is_blocked(x, y)) continue;
+        const TPoint2D center(x + 0.5, y + 0.5);
+        const double distance = std::hypot(center.x - at.x, center.y - at.y);
+        if (best && distance >= best_distance) continue;
+        if (!is_free(problem_.world, {p, to_world(center, grid)}, problem_.robot_radius)) continue;
+        best = center;
+        best_distance = distance;
+      }
+    return best;
+  }
+
+  const PlanningProblem& problem_;
+  const Occupancy& cells_;
+};
+
+/// A path and what is proved about the shortest; a straight path is the shortest whatever the cells
+/// say.
+ShortestPath certified(Path path, double lower, const PlanningProblem& problem) {
+  const double found = length(path);
+  const double straight =
+      std::hypot(problem.goal.x - problem.start.x, problem.goal.y - problem.start.y);
+  ShortestPath result;
+  result.length = found;
+  result.certificate = {std::min(std::max(lower, straight), found), found};
+  result.path = std::move(path);
+  result.planner = "exact";
+  return result;
+}
+
+}  // namespace
+
+std::optional<ShortestPath> exact_shortest_path(const PlanningProblem& problem, double wanted_gap,
+                                                std::string& reason, int max_subdivision) {
+  const ExactSearch search(problem);
+  for (const auto& [p, name] : {std::pair(problem.start, "start"), std::pair(problem.goal, "goal")})
+    if (!search.is_free_at(p)) {
+      reason = std::string(name) + " is closer to an obstacle than the robot's radius";
+      return std::nullopt;
+    }
+  double lower = 0;
+  std::optional<Path> best;
+  for (int k = 1; k <= max_subdivision && (k == 1 || search.can_subdivide(k)); k *= 2) {
+    if (!search.refine(k, lower, best)) {
+      reason = "no path from start to goal is wide enough for the robot";
+      return std::nullopt;
+    }
+    if (best && length(*best) <= (1 + wanted_gap) * lower) break;
+  }
+  if (!best) {
+    reason = "no path could be certified: the way is too narrow to tell at this resolution";
+    return std::nullopt;
+  }
+  return certified(std::move(*best), lower, problem);
+}
+
+}  // namespace slalom

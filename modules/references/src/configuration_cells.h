@@ -1,0 +1,19 @@
+#pragma once
+
+#include <slalom/references/any_angle.h>
+#include <slalom/references/reference.h>
+
+namespace slalom {
+
+/// The robot's free configuration space on cells, each cell of the occupancy split into
+/// subdivision^2: `outer` keeps every cell that may hold a free point (so paths through it bound L*
+/// from below), `inner` only cells all of whose points are free (so paths through it are free).
+struct ConfigurationCells {
+  CellGrid outer, inner;
+  double cell_size = 0;  ///< m
+};
+
+ConfigurationCells make_configuration_cells(const World& world, double robot_radius,
+                                            int subdivision);
+
+}  // namespace slalom

@@ -1,0 +1,76 @@
+#include "reference_worlds.h"
+
+#include <slalom/references/safest_path.h>
+#include <slalom/scenario/widest_path.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+TEST(SafestPath, KeepsToTheMiddleOfACorridor) {
+  // A corridor 20 m by 3 m; start and goal off its middle line.
+  const World world(Scenario::continuous("corridor", {0, 0, 20, 3}, {}, {1, 0.5, 0}, {19, 0.5}),
+                    0.05);
+  std::string reason;
+  const auto safest = safest_path(problem_of(world, 0.25), reason);
+  ASSERT_TRUE(safest.has_value()) << reason;
+  EXPECT_NEAR(safest->bottleneck, 0.5, 1e-9);  // where it starts
+  for (const auto& p : safest->path)
+    if (p.x > 3 && p.x < 17) {
+      EXPECT_NEAR(p.y, 1.5, 0.051);
+    }
+}
+
+TEST(SafestPath, PrefersTheWiderOfTwoOpenings) {
+  // A wall at x = 5 with openings of 1 m at y = 2 (on the straight way) and 2 m at y = 8.
+  Primitives walls;
+  for (const auto& [low, high] : {std::pair(0.0, 1.5), std::pair(2.5, 7.0), std::pair(9.0, 10.0)})
+    walls.polygons.push_back({{{4.9, low}, {5.1, low}, {5.1, high}, {4.9, high}}});
+  const World world(Scenario::continuous("two", {0, 0, 10, 10}, walls, {2, 2, 0}, {8, 2}), 0.05);
+  std::string reason;
+  const auto safest = safest_path(problem_of(world, 0.25), reason);
+  ASSERT_TRUE(safest.has_value()) << reason;
+  const auto crossing =
+      std::find_if(safest->path.begin(), safest->path.end(), [](const auto& p) { return p.x > 5; });
+  ASSERT_NE(crossing, safest->path.end());
+  EXPECT_GT(crossing->y, 7);
+}
+
+TEST(SafestPath, ItsBottleneckIsTheWidestThereIs) {
+  RandomEngine engine(9);
+  int solved = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const World world = random_world(engine, 8, 15);
+    const PlanningProblem problem = problem_of(world, 0.2);
+    const double widest = widest_bottleneck(world, problem.start, problem.goal);
+    std::string reason;
+    const auto safest = safest_path(problem, reason);
+    ASSERT_EQ(safest.has_value(), widest >= 0.2);
+    if (!safest) continue;
+    ++solved;
+    EXPECT_EQ(safest->bottleneck, widest);
+    for (const auto& p : safest->path)
+      EXPECT_GE(world.distance_field().clearance(p), widest - 2e-6);
+    for (std::size_t i = 1; i + 2 < safest->path.size(); ++i)
+      EXPECT_LE(length({safest->path[i], safest->path[i + 1]}), 0.05 * std::sqrt(2.0) + 1e-9);
+    EXPECT_EQ(safest->path.front(), problem.start);
+    EXPECT_EQ(safest->path.back(), problem.goal);
+  }
+  EXPECT_GT(solved, 20);
+}
+
+TEST(SafestPath, IsAsShortAsTheDiagramAllowsInAnEmptyRoom) {
+  // Both ends on the middle line of a square room: the way along it is straight.
+  const World world = empty_world(10, {2, 5.025}, {8, 5.025});
+  std::string reason;
+  const auto safest = safest_path(problem_of(world, 0.25), reason);
+  ASSERT_TRUE(safest.has_value()) << reason;
+  EXPECT_LT(length(safest->path), 6 * 1.1);
+}
+
+}  // namespace
+}  // namespace slalom

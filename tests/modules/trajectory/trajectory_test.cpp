@@ -1,0 +1,50 @@
+#include <slalom/core/error.h>
+#include <slalom/trajectory/trajectory.h>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace slalom {
+namespace {
+
+Trajectory three_samples() {
+  Trajectory trajectory;
+  for (int i = 0; i < 3; ++i)
+    trajectory.samples.push_back({1 + 0.1 * i, {i * 1.0, 2, 0}, 1, 0, 1, 0});
+  return trajectory;
+}
+
+TEST(Trajectory, DurationIsFromTheFirstToTheLastSample) {
+  EXPECT_NEAR(three_samples().duration(), 0.2, 1e-12);
+  EXPECT_EQ(Trajectory().duration(), 0);
+}
+
+TEST(Trajectory, PathHasThePositionsOnly) {
+  Trajectory spinning = three_samples();
+  for (Sample& s : spinning.samples) s.pose.phi = s.t * 100;
+  EXPECT_EQ(length(spinning.path()), 2);
+}
+
+TEST(Trajectory, HashTellsEveryFieldApart) {
+  std::set<std::string> hashes = {three_samples().hash()};
+  for (double Sample::*field :
+       {&Sample::t, &Sample::v, &Sample::w, &Sample::command_v, &Sample::command_w}) {
+    Trajectory changed = three_samples();
+    changed.samples[1].*field += 1e-9;
+    hashes.insert(changed.hash());
+  }
+  EXPECT_EQ(hashes.size(), 6U);
+  EXPECT_EQ(three_samples().hash(), three_samples().hash());
+}
+
+TEST(Outcome, NamesReadBack) {
+  EXPECT_EQ(all_outcomes().size(), 11U);
+  for (const Outcome outcome : all_outcomes())
+    EXPECT_EQ(outcome_from_string(to_string(outcome)), outcome);
+  EXPECT_EQ(to_string(Outcome::MethodInvalidCommand), "method_invalid_command");
+  EXPECT_THROW(outcome_from_string("victory"), Error);
+}
+
+}  // namespace
+}  // namespace slalom
