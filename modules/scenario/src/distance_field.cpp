@@ -1,1 +1,241 @@
-// to be written
+#include <slalom/scenario/distance_field.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+/// Columns that are transformed side by side, so that memory is read in whole cache lines.
+constexpr int kBlock = 16;
+/// Makes a single precision number certainly not larger than what it was rounded from.
+constexpr double kRoundedDown = 1 - 1e-7;
+constexpr double kFarAway = 1e12;  ///< m; no segment is that long
+
+/// Twice the gap between the centre of a cell and the square `steps` cells further on.
+std::int64_t doubled_gap(std::int32_t steps) {
+  return steps == 0 ? 0 : 2 * std::int64_t{steps} - 1;
+}
+
+std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
+  const std::int64_t quotient = a / b;
+  return quotient - (a % b < 0 ? 1 : 0);
+}
+
+/// Lower envelope of parabolas over one column, in doubled cell units. An occupied square that is
+/// not in the row of the centre is nearest with its lower or upper edge: so each horizontal edge
+/// between two rows (at the odd coordinate 2 e - 1, e = 0..rows) is a site whose value is the
+/// smaller of both rows' squared horizontal gaps; centres lie at even coordinates 2 y. (A square's
+/// far edge is never nearer than its near one, so nothing is underestimated.) All numbers are
+/// integers: exact.
+class ColumnEnvelope {
+ public:
+  explicit ColumnEnvelope(int rows) : rows_(rows), sites_(rows + 1), until_(rows + 1) {}
+
+  /// `row_gap2`: the doubled horizontal gaps, squared, of rows 0..rows-1, replaced by the squares
+  /// of the doubled distances.
+  void transform(std::int64_t* row_gap2) {
+    int count = 0;
+    for (int e = 0; e <= rows_; ++e) {
+      const Site site{2 * e - 1, edge_value(row_gap2, e)};
+      while (count > 0 && last_use(sites_[count - 1], site) <= (count > 1 ? until_[count - 2] : -1))
+        --count;
+      if (count > 0) until_[count - 1] = last_use(sites_[count - 1], site);
+      sites_[count++] = site;
+    }
+    for (int y = 0, k = 0; y < rows_; ++y) {
+      while (k + 1 < count && until_[k] < 2 * y) ++k;
+      const std::int64_t away = 2 * y - sites_[k].position;
+      row_gap2[y] = std::min(row_gap2[y], sites_[k].value + away * away);
+    }
+  }
+
+ private:
+  struct Site {
+    std::int64_t position = 0, value = 0;
+  };
+
+  std::int64_t edge_value(const std::int64_t* row_gap2, int e) const {
+    return e == 0 || e == rows_ ? 0 : std::min(row_gap2[e - 1], row_gap2[e]);  // 0: the wall
+  }
+
+  /// The last coordinate at which site a, before b, is not above b.
+  static std::int64_t last_use(const Site& a, const Site& b) {
+    return floor_divide(b.value - a.value + b.position * b.position - a.position * a.position,
+                        2 * (b.position - a.position));
+  }
+
+  int rows_;
+  std::vector<Site> sites_;
+  std::vector<std::int64_t> until_;
+};
+
+double length(double x, double y) {
+  return std::sqrt(x * x + y * y);
+}
+
+/// The part of a segment (in cells) between two heights, as an interval of x.
+struct Span {
+  double low, high;
+};
+
+Span span_between(const TPoint2D& a, const TPoint2D& b, double y_low, double y_high) {
+  const TPoint2D &low = a.y <= b.y ? a : b, &high = a.y <= b.y ? b : a;
+  const double rise = high.y - low.y;
+  const auto x_at = [&](double y) {
+    return low.x + std::clamp((y - low.y) / rise, 0.0, 1.0) * (high.x - low.x);
+  };
+  if (y_low > high.y) return {high.x, high.x};
+  if (y_high < low.y) return {low.x, low.x};
+  const double x0 = rise > 0 ? x_at(y_low) : low.x, x1 = rise > 0 ? x_at(y_high) : high.x;
+  return {std::min(x0, x1), std::max(x0, x1)};
+}
+
+double distance_to_cell(const TPoint2D& p, int cx, int cy) {
+  return length(std::max({0.0, cx - p.x, p.x - (cx + 1)}),
+                std::max({0.0, cy - p.y, p.y - (cy + 1)}));
+}
+
+/// Distance between the segment a-b, which does not meet the cell's inside, and the cell: attained
+/// at an end of the segment or at a corner of the cell.
+double distance_to_cell(const TPoint2D& a, const TPoint2D& b, int cx, int cy) {
+  double nearest = std::min(distance_to_cell(a, cx, cy), distance_to_cell(b, cx, cy));
+  for (int corner = 0; corner < 4; ++corner) {
+    const TPoint2D p(cx + (corner & 1), cy + (corner >> 1));
+    nearest = std::min(nearest, distance_to_segment(p, a, b));
+  }
+  return nearest;
+}
+
+}  // namespace
+
+DistanceField::DistanceField(const Occupancy& occupancy)
+    : size_x_(occupancy.size_x()),
+      size_y_(occupancy.size_y()),
+      resolution_(occupancy.resolution()),
+      origin_(occupancy.origin()),
+      at_center_(occupancy.cells().size()),
+      to_left_(occupancy.cells().size()),
+      to_right_(occupancy.cells().size()) {
+  fill_rows(occupancy);
+  fill_centers();
+}
+
+void DistanceField::fill_rows(const Occupancy& occupancy) {
+  for (int cy = 0; cy < size_y_; ++cy) {
+    std::int32_t steps = 0;  // from the wall beside the row
+    for (int cx = 0; cx < size_x_; ++cx)
+      to_left_[index(cx, cy)] = steps = occupancy.occupied(cx, cy) ? 0 : steps + 1;
+    steps = 0;
+    for (int cx = size_x_ - 1; cx >= 0; --cx)
+      to_right_[index(cx, cy)] = steps = occupancy.occupied(cx, cy) ? 0 : steps + 1;
+  }
+}
+
+void DistanceField::fill_centers() {
+  ColumnEnvelope envelope(size_y_);
+  std::vector<std::int64_t> columns(static_cast<std::size_t>(size_y_) * kBlock);
+  for (int first = 0; first < size_x_; first += kBlock) {
+    const int count = std::min(kBlock, size_x_ - first);
+    const auto entry = [&](int i, int cy) -> std::int64_t& {
+      return columns[static_cast<std::size_t>(i) * static_cast<std::size_t>(size_y_) +
+                     static_cast<std::size_t>(cy)];
+    };
+    for (int cy = 0; cy < size_y_; ++cy)
+      for (int i = 0; i < count; ++i) {
+        const std::size_t at = index(first + i, cy);
+        const std::int64_t gap = doubled_gap(std::min(to_left_[at], to_right_[at]));
+        entry(i, cy) = gap * gap;
+      }
+    for (int i = 0; i < count; ++i) envelope.transform(&entry(i, 0));
+    for (int cy = 0; cy < size_y_; ++cy)
+      for (int i = 0; i < count; ++i)
+        at_center_[index(first + i, cy)] =
+            static_cast<float>(0.5 * resolution_ * std::sqrt(static_cast<double>(entry(i, cy))));
+  }
+}
+
+TPoint2D DistanceField::to_cells(const TPoint2D& q) const {
+  return {(q.x - origin_.x) / resolution_, (q.y - origin_.y) / resolution_};
+}
+
+double DistanceField::wall_gap(const TPoint2D& at) const {
+  const double gap = std::min({at.x, at.y, size_x_ - at.x, size_y_ - at.y});
+  return gap > 0 ? gap : 0;  // also for what is not a number
+}
+
+double DistanceField::clearance(const TPoint2D& q) const {
+  const TPoint2D at = to_cells(q);
+  double nearest = wall_gap(at);
+  if (nearest == 0) return 0;
+  const int cx = static_cast<int>(at.x), cy = static_cast<int>(at.y);
+  const double x = at.x - cx;
+  const auto look = [&](int row, double gap_y) {
+    const std::size_t i = index(cx, row);
+    const double left = to_left_[i] - 1 + x, right = to_right_[i] - x;
+    const double gap_x = std::max(0.0, std::min(left, right));
+    if (gap_x < nearest) nearest = std::min(nearest, length(gap_x, gap_y));
+  };
+  look(cy, 0);
+  for (int row = cy + 1; row < size_y_ && row - at.y < nearest; ++row) look(row, row - at.y);
+  for (int row = cy - 1; row >= 0 && at.y - (row + 1) < nearest; --row) look(row, at.y - (row + 1));
+  return nearest * resolution_;
+}
+
+double DistanceField::clearance_lower_bound(const TPoint2D& q) const {
+  const TPoint2D at = to_cells(q);
+  if (wall_gap(at) == 0) return 0;
+  const int cx = static_cast<int>(at.x), cy = static_cast<int>(at.y);
+  const double to_center = resolution_ * length(at.x - (cx + 0.5), at.y - (cy + 0.5));
+  return std::max(0.0, kRoundedDown * at_center(cx, cy) - to_center);
+}
+
+double DistanceField::segment_clearance(const TPoint2D& a, const TPoint2D& b, double limit) const {
+  const double segment = length(b.x - a.x, b.y - a.y);
+  if (!(limit > 0) || !(segment < kFarAway)) return 0;
+  // Whatever lies within (bound - limit) of a point with that bound is clear enough: walk on from
+  // a.
+  double done = 0;
+  while (done < segment) {
+    const double share = done / segment;
+    const double spare =
+        clearance_lower_bound({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}) - limit;
+    if (spare < resolution_) break;
+    done += spare;
+  }
+  if (segment > 0 && done >= segment) return limit;
+  const double share = segment > 0 ? done / segment : 0;
+  const TPoint2D rest(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y));
+  return std::min(
+      limit, resolution_ * exact_segment_gap(to_cells(rest), to_cells(b), limit / resolution_));
+}
+
+/// In each row the occupied cells beside the segment's part in it (or beside its nearest end, for
+/// rows above and below) are the nearest of that row: moving a cell away along its row moves it
+/// away from the segment, the distance between convex sets being convex.
+double DistanceField::exact_segment_gap(const TPoint2D& a, const TPoint2D& b, double limit) const {
+  double nearest = std::min({limit, wall_gap(a), wall_gap(b)});
+  if (nearest == 0) return 0;
+  const double low = std::min(a.y, b.y), high = std::max(a.y, b.y);
+  const int first = std::max(0, static_cast<int>(std::floor(low - nearest)) - 1);
+  const int last = std::min(size_y_ - 1, static_cast<int>(std::floor(high + nearest)) + 1);
+  for (int row = first; row <= last; ++row) {
+    const double gap_y = std::max({0.0, row - high, low - (row + 1)});
+    if (gap_y >= nearest) continue;
+    const Span span = span_between(a, b, row, row + 1);
+    const int left = static_cast<int>(span.low), right = static_cast<int>(span.high);
+    const std::size_t at_left = index(left, row), at_right = index(right, row);
+    if (to_right_[at_left] <= right - left) {  // a cell above, below or on the segment
+      nearest = gap_y;
+      if (nearest == 0) return 0;
+      continue;
+    }
+    nearest = std::min(nearest, distance_to_cell(a, b, left - to_left_[at_left], row));
+    nearest = std::min(nearest, distance_to_cell(a, b, right + to_right_[at_right], row));
+  }
+  return nearest;
+}
+
+}  // namespace slalom

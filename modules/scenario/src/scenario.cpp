@@ -1,1 +1,213 @@
-// to be written
+#include <slalom/core/error.h>
+#include <slalom/core/hash.h>
+#include <slalom/scenario/scenario.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+#include <utility>
+
+namespace slalom {
+namespace {
+
+using mrpt::maps::COccupancyGridMap2D;
+using mrpt::maps::CSimplePointsMap;
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+
+std::string text(const TPoint2D& p) {
+  std::ostringstream out;
+  out << '(' << p.x << ", " << p.y << ')';
+  return out.str();
+}
+
+bool finite(const TPoint2D& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
+void check_bounds(const std::string& name, const Bounds& b) {
+  const bool good =
+      finite({b.x_min, b.y_min}) && finite({b.x_max, b.y_max}) && b.width() > 0 && b.height() > 0;
+  if (!good)
+    throw file_error(name,
+                     "bounds from " + text({b.x_min, b.y_min}) + " to " + text({b.x_max, b.y_max}),
+                     "a finite rectangle of positive width and height");
+}
+
+void check_place(const std::string& name, const Bounds& b, const char* what, const TPoint2D& p) {
+  // MRPT keeps the limits of its maps in single precision: a place on the border may be off by
+  // that.
+  const double slack = 1e-6 * std::max(b.width(), b.height());
+  const bool good = p.x >= b.x_min - slack && p.x <= b.x_max + slack && p.y >= b.y_min - slack &&
+                    p.y <= b.y_max + slack;
+  if (!good)
+    throw file_error(
+        name, std::string(what) + " at " + text(p),
+        "a place within " + text({b.x_min, b.y_min}) + " to " + text({b.x_max, b.y_max}));
+}
+
+void check_task(const std::string& name, const Bounds& bounds, const TPose2D& start,
+                const TPoint2D& goal) {
+  check_place(name, bounds, "start", TPoint2D(start.x, start.y));
+  check_place(name, bounds, "goal", goal);
+  if (!std::isfinite(start.phi))
+    throw file_error(name, "start heading is not a number", "a finite angle");
+}
+
+void check_primitives(const std::string& name, const Primitives& obstacles) {
+  for (std::size_t i = 0; i < obstacles.discs.size(); ++i) {
+    const Disc& disc = obstacles.discs[i];
+    if (!finite(disc.center) || !std::isfinite(disc.radius) || !(disc.radius > 0))
+      throw file_error(name, "disc " + std::to_string(i) + " is degenerate",
+                       "a finite centre and a radius above 0");
+  }
+  for (std::size_t i = 0; i < obstacles.polygons.size(); ++i) {
+    bool good = true;
+    for (const TPoint2D& vertex : obstacles.polygons[i].vertices) good = good && finite(vertex);
+    if (!good || !is_simple(obstacles.polygons[i]))
+      throw file_error(name, "polygon " + std::to_string(i) + " is degenerate",
+                       "at least 3 finite vertices, positive area and no edges that cross");
+  }
+}
+
+Bounds bounds_of(const COccupancyGridMap2D& map) {
+  const double resolution = map.getResolution();
+  Bounds bounds;
+  bounds.x_min = map.getXMin();
+  bounds.y_min = map.getYMin();
+  bounds.x_max = bounds.x_min + map.getSizeX() * resolution;
+  bounds.y_max = bounds.y_min + map.getSizeY() * resolution;
+  return bounds;
+}
+
+/// A copy of the map whose cells are exactly free (1) or occupied (0).
+GridMapPtr binarised(const COccupancyGridMap2D& map) {
+  auto result = std::make_shared<COccupancyGridMap2D>();
+  result->copyMapContentFrom(map);
+  const auto free = COccupancyGridMap2D::p2l(1.0f), occupied = COccupancyGridMap2D::p2l(0.0f);
+  const auto unknown = COccupancyGridMap2D::p2l(0.5f);
+  for (unsigned cy = 0; cy < result->getSizeY(); ++cy) {
+    auto* row = result->getRow(static_cast<int>(cy));
+    for (unsigned cx = 0; cx < result->getSizeX(); ++cx)
+      row[cx] = row[cx] > unknown ? free : occupied;
+  }
+  return result;
+}
+
+void add_content(Hasher& hasher, const Primitives& obstacles) {
+  hasher.add(static_cast<std::uint64_t>(obstacles.discs.size()));
+  for (const Disc& disc : obstacles.discs)
+    hasher.add(disc.center.x).add(disc.center.y).add(disc.radius);
+  hasher.add(static_cast<std::uint64_t>(obstacles.polygons.size()));
+  for (const Polygon& polygon : obstacles.polygons) {
+    hasher.add(static_cast<std::uint64_t>(polygon.vertices.size()));
+    for (const TPoint2D& vertex : polygon.vertices) hasher.add(vertex.x).add(vertex.y);
+  }
+}
+
+void add_content(Hasher& hasher, const GridMapPtr& map) {
+  hasher.add(static_cast<std::uint64_t>(map->getSizeX()));
+  hasher.add(static_cast<std::uint64_t>(map->getSizeY()));
+  hasher.add(static_cast<double>(map->getResolution()));
+  for (unsigned cy = 0; cy < map->getSizeY(); ++cy)
+    hasher.add_bytes(map->getRow(static_cast<int>(cy)), map->getSizeX());
+}
+
+void add_content(Hasher& hasher, const PointMapPtr& map) {
+  const auto &x = map->getPointsBufferRef_x(), &y = map->getPointsBufferRef_y();
+  hasher.add(static_cast<std::uint64_t>(x.size()));
+  for (std::size_t i = 0; i < x.size(); ++i)
+    hasher.add(static_cast<double>(x[i])).add(static_cast<double>(y[i]));
+}
+
+void check_points(const std::string& name, const CSimplePointsMap& map) {
+  const auto &x = map.getPointsBufferRef_x(), &y = map.getPointsBufferRef_y();
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (!std::isfinite(x[i]) || !std::isfinite(y[i]))
+      throw file_error(name, "point " + std::to_string(i) + " is not finite", "finite coordinates");
+}
+
+}  // namespace
+
+std::string to_string(Representation representation) {
+  switch (representation) {
+    case Representation::Continuous:
+      return "continuous";
+    case Representation::Grid:
+      return "grid";
+    case Representation::Points:
+      return "points";
+  }
+  return "";
+}
+
+Representation representation_from_string(const std::string& text) {
+  for (const auto representation :
+       {Representation::Continuous, Representation::Grid, Representation::Points})
+    if (text == to_string(representation)) return representation;
+  throw usage_error("representation", "'" + text + "' is unknown", "continuous, grid or points");
+}
+
+Scenario::Scenario(std::string name, Bounds bounds, Obstacles obstacles, TPose2D start,
+                   TPoint2D goal)
+    : name_(std::move(name)),
+      bounds_(bounds),
+      obstacles_(std::move(obstacles)),
+      start_(start),
+      goal_(goal) {
+  check_task(name_, bounds_, start_, goal_);
+  Hasher hasher;
+  hasher.add(to_string(representation()));
+  hasher.add(bounds_.x_min).add(bounds_.y_min).add(bounds_.x_max).add(bounds_.y_max);
+  std::visit([&](const auto& content) { add_content(hasher, content); }, obstacles_);
+  hasher.add(start_.x).add(start_.y).add(start_.phi).add(goal_.x).add(goal_.y);
+  hash_ = hasher.hex();
+}
+
+Scenario Scenario::continuous(std::string name, Bounds bounds, Primitives obstacles, TPose2D start,
+                              TPoint2D goal) {
+  check_bounds(name, bounds);
+  check_primitives(name, obstacles);
+  return {std::move(name), bounds, std::move(obstacles), start, goal};
+}
+
+Scenario Scenario::grid(std::string name, const COccupancyGridMap2D& map, TPose2D start,
+                        TPoint2D goal) {
+  const Bounds bounds = bounds_of(map);
+  check_bounds(name, bounds);
+  return {std::move(name), bounds, binarised(map), start, goal};
+}
+
+Scenario Scenario::points(std::string name, Bounds bounds, const CSimplePointsMap& map,
+                          TPose2D start, TPoint2D goal) {
+  check_bounds(name, bounds);
+  check_points(name, map);
+  return {std::move(name), bounds, std::make_shared<const CSimplePointsMap>(map), start, goal};
+}
+
+Representation Scenario::representation() const {
+  return static_cast<Representation>(obstacles_.index());
+}
+
+const Primitives& Scenario::primitives() const {
+  return std::get<Primitives>(obstacles_);
+}
+const GridMapPtr& Scenario::grid_map() const {
+  return std::get<GridMapPtr>(obstacles_);
+}
+const PointMapPtr& Scenario::point_map() const {
+  return std::get<PointMapPtr>(obstacles_);
+}
+
+Scenario Scenario::renamed(std::string name) const {
+  Scenario copy = *this;
+  copy.name_ = std::move(name);
+  return copy;
+}
+
+Scenario Scenario::with_task(TPose2D start, TPoint2D goal) const {
+  return {name_, bounds_, obstacles_, start, goal};
+}
+
+}  // namespace slalom

@@ -7,7 +7,8 @@
 
 namespace slalom {
 
-/// Exact Euclidean distance to the occupied closed squares of an Occupancy (and to the wall around it).
+/// Exact Euclidean distance to the occupied closed squares of an Occupancy (and to the wall around
+/// it).
 class DistanceField {
  public:
   explicit DistanceField(const Occupancy& occupancy);
@@ -33,11 +34,20 @@ class DistanceField {
     return static_cast<std::size_t>(cy) * static_cast<std::size_t>(size_x_) +
            static_cast<std::size_t>(cx);
   }
+  void fill_rows(const Occupancy& occupancy);
+  void fill_centers();
+  mrpt::math::TPoint2D to_cells(const mrpt::math::TPoint2D& q) const;
+  /// Distance (cells) to the wall around the grid; 0 on it and outside.
+  double wall_gap(const mrpt::math::TPoint2D& at) const;
+  double exact_segment_gap(const mrpt::math::TPoint2D& a, const mrpt::math::TPoint2D& b,
+                           double limit) const;
+
   int size_x_, size_y_;
   double resolution_;
   mrpt::math::TPoint2D origin_;
   std::vector<float> at_center_;
-  /// Per cell: how many cells to the left (right) the nearest occupied cell of its row is; 0 if itself.
+  /// Per cell: how many cells to the left (right) the nearest occupied cell of its row is; 0 if
+  /// itself.
   std::vector<std::int32_t> to_left_, to_right_;
 };
 

@@ -46,12 +46,13 @@ double distance_to_segment(const mrpt::math::TPoint2D& p, const mrpt::math::TPoi
                            const mrpt::math::TPoint2D& b);
 double signed_area(const Polygon& polygon);  ///< positive when counter-clockwise
 
-/// Whether the polygon has at least three vertices, positive area and no two edges that cross or touch
-/// (other than neighbours at their common vertex).
+/// Whether the polygon has at least three vertices, positive area and no two edges that cross or
+/// touch (other than neighbours at their common vertex).
 bool is_simple(const Polygon& polygon);
 
-/// Distance along the ray from `origin` in direction `angle` to the first point of an obstacle or of
-/// the border of `bounds` (from inside), at most `max_range`. 0 when the origin lies in an obstacle.
+/// Distance along the ray from `origin` in direction `angle` to the first point of an obstacle or
+/// of the border of `bounds` (from inside), at most `max_range`. 0 when the origin lies in an
+/// obstacle.
 double cast_ray(const Primitives& primitives, const Bounds& bounds,
                 const mrpt::math::TPoint2D& origin, double angle, double max_range);
 

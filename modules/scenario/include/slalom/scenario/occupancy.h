@@ -8,8 +8,8 @@
 namespace slalom {
 
 /// The binary occupancy of a workspace on square cells: the form in which sensing, collision and
-/// search see a scenario. A cell is a closed square; cells outside are occupied (the border is a wall).
-/// Cell (cx, cy) covers [x_min + cx res, x_min + (cx+1) res] x [y_min + cy res, ...].
+/// search see a scenario. A cell is a closed square; cells outside are occupied (the border is a
+/// wall). Cell (cx, cy) covers [x_min + cx res, x_min + (cx+1) res] x [y_min + cy res, ...].
 class Occupancy {
  public:
   Occupancy(int size_x, int size_y, double resolution, mrpt::math::TPoint2D origin);
@@ -20,9 +20,7 @@ class Occupancy {
   const mrpt::math::TPoint2D& origin() const { return origin_; }  ///< lower left corner, m
   Bounds bounds() const;
 
-  bool inside(int cx, int cy) const {
-    return cx >= 0 && cy >= 0 && cx < size_x_ && cy < size_y_;
-  }
+  bool inside(int cx, int cy) const { return cx >= 0 && cy >= 0 && cx < size_x_ && cy < size_y_; }
   bool occupied(int cx, int cy) const { return !inside(cx, cy) || cells_[index(cx, cy)] != 0; }
   void set_occupied(int cx, int cy, bool occupied);  ///< requires inside(cx, cy)
   std::size_t index(int cx, int cy) const {
@@ -50,15 +48,17 @@ class Occupancy {
   std::vector<std::uint8_t> cells_;
 };
 
-/// The occupancy of a scenario. A grid scenario gives its own cells (resolution is ignored); primitives
-/// occupy every cell whose closed square they touch; a point occupies the cell that it lies in.
-/// Throws Error (Usage) when resolution is not positive or more than 400 million cells would result.
+/// The occupancy of a scenario. A grid scenario gives its own cells (resolution is ignored);
+/// primitives occupy every cell whose closed square they touch; a point occupies the cell that it
+/// lies in. Throws Error (Usage) when resolution is not positive or more than 400 million cells
+/// would result.
 Occupancy make_occupancy(const Scenario& scenario, double resolution);
 
-/// `scenario` in another representation (same name, start, goal). Resolution (m) is the cell size of a
-/// grid made from primitives or points, and the spacing of points made from primitives or cells: points
-/// stand on the boundary of obstacles (on cells: at the centres of occupied cells that have a free
-/// 4-neighbour). To Continuous only from Continuous. Throws Error (Usage) otherwise.
+/// `scenario` in another representation (same name, start, goal). Resolution (m) is the cell size
+/// of a grid made from primitives or points, and the spacing of points made from primitives or
+/// cells: points stand on the boundary of obstacles (on cells: at the centres of occupied cells
+/// that have a free 4-neighbour). To Continuous only from Continuous. Throws Error (Usage)
+/// otherwise.
 Scenario convert(const Scenario& scenario, Representation to, double resolution);
 
 }  // namespace slalom

@@ -19,15 +19,20 @@ struct ScanGeometry {
   }
 };
 
-/// Exact ray casting on an Occupancy by free-square jumps: for each cell and quadrant the side of the
-/// largest free square that starts there; a ray crosses such a square in one step. Tables are made once.
-/// The range is the distance to the face (or corner) of the first occupied closed square that the ray
-/// enters, computed from cell indexes, not by adding steps up.
+/// Exact ray casting on an Occupancy by free-square jumps: for each cell and quadrant the side of
+/// the largest free square that starts there; a ray crosses such a square in one step. Tables are
+/// made once. The range is the smallest t >= 0 at which the ray is on or in an occupied closed
+/// square or the wall round the grid: a ray that only touches a corner, or that runs along the
+/// border of an occupied cell, is blocked there. Touching is judged with a tolerance of 1e-9 cells
+/// at corners, so that rays at special angles do not depend on rounding; a ray that passes nearer
+/// than that without touching may go either way. Crossings are computed from cell indexes, not by
+/// adding steps up.
 class RayCaster {
  public:
   explicit RayCaster(const Occupancy& occupancy);
 
-  /// Range (m) of one ray, at most max_range; 0 when the origin lies in an occupied cell or outside.
+  /// Range (m) of one ray, at most max_range; 0 when the origin lies in or on an occupied cell, on
+  /// the border of the workspace or outside, or is not a number.
   double cast(const mrpt::math::TPoint2D& origin, double angle, double max_range) const;
 
   /// A whole scan from `pose` (world frame): `ranges` gets geometry.count ranges (m), each at most
@@ -36,10 +41,33 @@ class RayCaster {
                  float* ranges) const;
 
  private:
+  /// A ray in the frame (cells) that is mirrored so that it goes up and to the right.
+  struct Ray {
+    double x = 0, y = 0;    ///< origin
+    double dx = 0, dy = 0;  ///< direction, not negative
+    const std::uint16_t* squares = nullptr;
+  };
+
+  void fill(const Occupancy& occupancy, unsigned quadrant);
+  Ray make_ray(const mrpt::math::TPoint2D& origin, double cosine, double sine) const;
+  bool starts_free(const Ray& ray) const;
+  double trace(const Ray& ray, double limit) const;  ///< range in cells, at most limit
+  double trace_oblique(const Ray& ray, double limit) const;
+  double trace_parallel(const std::uint16_t* squares, double along, double across,
+                        std::size_t step_along, std::size_t step_across) const;
+  bool touches_corner(const std::uint16_t* squares, int x, int y) const;
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y + 1) * stride_ + static_cast<std::size_t>(x + 1);
+  }
+
   int size_x_, size_y_;
+  std::size_t stride_;
   double resolution_;
   mrpt::math::TPoint2D origin_;
-  std::vector<std::uint16_t> squares_[4];  ///< per quadrant, with a border of occupied cells
+  /// Per quadrant (bit 0: to the left, bit 1: down) the grid mirrored so that rays go up and to the
+  /// right: the side of the free square whose lower left cell this is, 0 where occupied; with a
+  /// border of occupied cells.
+  std::vector<std::uint16_t> squares_[4];
 };
 
 }  // namespace slalom

@@ -17,16 +17,16 @@ using PointMapPtr = std::shared_ptr<const mrpt::maps::CSimplePointsMap>;
 
 enum class Representation { Continuous, Grid, Points };
 
-std::string to_string(Representation representation);          ///< continuous, grid, points
+std::string to_string(Representation representation);                ///< continuous, grid, points
 Representation representation_from_string(const std::string& text);  ///< throws Error (Usage)
 
 /// One obstacle avoidance problem: a workspace, its obstacles, a start pose and a goal position.
 /// Immutable; its identity is the hash of its content (geometry, start, goal), not its name.
 ///
-/// Grids are binarised when the scenario is made: a cell with occupancy probability above 0.5
-/// is occupied, below is free; unknown cells (0.5 exactly, as MRPT keeps them) are occupied
-/// unless the importer made them free. Resolution in m; cell (0,0) has its lower left corner at
-/// (x_min, y_min) of the bounds.
+/// Grids are binarised when the scenario is made. MRPT keeps in a cell the probability that it is
+/// *free* (0 occupied, 1 free): above 0.5 the cell is free, below it is occupied; unknown cells
+/// (0.5 exactly, as MRPT keeps them) are occupied unless the importer made them free. Resolution in
+/// m; cell (0,0) has its lower left corner at (x_min, y_min) of the bounds.
 class Scenario {
  public:
   /// Throw Error (File) naming `name` when bounds are empty or not finite, start or goal lie
@@ -46,7 +46,8 @@ class Scenario {
   const std::string& hash() const { return hash_; }  ///< 32 hexadecimal digits
 
   const Primitives& primitives() const;  ///< requires Continuous
-  const GridMapPtr& grid_map() const;    ///< requires Grid; cells are exactly free or occupied
+  const GridMapPtr& grid_map()
+      const;  ///< requires Grid; cells are p2l(1), free, or p2l(0), occupied
   const PointMapPtr& point_map() const;  ///< requires Points
 
   Scenario renamed(std::string name) const;

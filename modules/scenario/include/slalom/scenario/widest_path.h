@@ -4,9 +4,9 @@
 
 namespace slalom {
 
-/// The largest bottleneck (m) of all paths from start to goal: max over paths of the min over the path
-/// of d. Searched on 8-connected cell centres (diagonal steps only between free side cells), start and
-/// goal counted at their exact positions. 0 when no path exists.
+/// The largest bottleneck (m) of all paths from start to goal: max over paths of the min over the
+/// path of d. Searched on 8-connected cell centres (diagonal steps only between free side cells),
+/// start and goal counted at their exact positions. 0 when no path exists.
 double widest_bottleneck(const World& world, const mrpt::math::TPoint2D& start,
                          const mrpt::math::TPoint2D& goal);
 

@@ -1,0 +1,126 @@
+#include <slalom/core/error.h>
+#include <slalom/scenario/occupancy.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace slalom {
+namespace {
+
+using mrpt::maps::COccupancyGridMap2D;
+using mrpt::maps::CSimplePointsMap;
+using mrpt::math::TPoint2D;
+
+constexpr double kMaxPoints = 100e6;
+
+Scenario to_grid(const Scenario& scenario, double resolution) {
+  const Occupancy cells = make_occupancy(scenario, resolution);
+  const Bounds b = cells.bounds();
+  COccupancyGridMap2D map;
+  map.setSize(static_cast<float>(b.x_min), static_cast<float>(b.x_max), static_cast<float>(b.y_min),
+              static_cast<float>(b.y_max), static_cast<float>(resolution), 1.0f);
+  if (static_cast<int>(map.getSizeX()) != cells.size_x() ||
+      static_cast<int>(map.getSizeY()) != cells.size_y())
+    throw usage_error(scenario.name(),
+                      "cells lie too far from the origin for a map in single precision",
+                      "bounds nearer to the origin or larger cells");
+  for (int cy = 0; cy < cells.size_y(); ++cy)
+    for (int cx = 0; cx < cells.size_x(); ++cx)
+      if (cells.occupied(cx, cy)) map.setCell(cx, cy, 0.0f);
+  return Scenario::grid(scenario.name(), map, scenario.start(), scenario.goal());
+}
+
+/// Collects the points that lie in the workspace.
+class PointCollector {
+ public:
+  explicit PointCollector(const Bounds& bounds) : bounds_(bounds) {}
+
+  void add(const TPoint2D& p) {
+    if (bounds_.contains(p)) map_.insertPoint(static_cast<float>(p.x), static_cast<float>(p.y));
+  }
+  const CSimplePointsMap& map() const { return map_; }
+
+ private:
+  Bounds bounds_;
+  CSimplePointsMap map_;
+};
+
+double pieces(double length, double spacing) {
+  return std::max(1.0, std::ceil(length / spacing * (1 - 1e-9)));
+}
+
+void sample(const Disc& disc, double spacing, PointCollector& points) {
+  const double n = std::max(3.0, pieces(2 * M_PI * disc.radius, spacing));
+  for (double i = 0; i < n; ++i) {
+    const double angle = 2 * M_PI * i / n;
+    points.add({disc.center.x + disc.radius * std::cos(angle),
+                disc.center.y + disc.radius * std::sin(angle)});
+  }
+}
+
+void sample(const Polygon& polygon, double spacing, PointCollector& points) {
+  const auto& v = polygon.vertices;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const TPoint2D &a = v[i], &b = v[(i + 1) % v.size()];
+    const double n = pieces(std::hypot(b.x - a.x, b.y - a.y), spacing);
+    for (double k = 0; k < n; ++k)
+      points.add({a.x + k / n * (b.x - a.x), a.y + k / n * (b.y - a.y)});
+  }
+}
+
+double boundary_length(const Primitives& obstacles) {
+  double length = 0;
+  for (const Disc& disc : obstacles.discs) length += 2 * M_PI * disc.radius;
+  for (const Polygon& polygon : obstacles.polygons) {
+    const auto& v = polygon.vertices;
+    for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++)
+      length += std::hypot(v[i].x - v[j].x, v[i].y - v[j].y);
+  }
+  return length;
+}
+
+void sample_boundaries(const Scenario& scenario, double spacing, PointCollector& points) {
+  const Primitives& obstacles = scenario.primitives();
+  if (!(spacing > 0) || !(boundary_length(obstacles) / spacing <= kMaxPoints)) {
+    std::ostringstream what;
+    what << spacing << " m between the points of '" << scenario.name() << "'";
+    throw usage_error("resolution", what.str(), "a length above 0 m, at most 100 million points");
+  }
+  for (const Disc& disc : obstacles.discs) sample(disc, spacing, points);
+  for (const Polygon& polygon : obstacles.polygons) sample(polygon, spacing, points);
+}
+
+void sample_border_cells(const Occupancy& cells, PointCollector& points) {
+  const auto is_free = [&](int cx, int cy) {
+    return cells.inside(cx, cy) && !cells.occupied(cx, cy);
+  };
+  for (int cy = 0; cy < cells.size_y(); ++cy)
+    for (int cx = 0; cx < cells.size_x(); ++cx)
+      if (cells.occupied(cx, cy) && (is_free(cx - 1, cy) || is_free(cx + 1, cy) ||
+                                     is_free(cx, cy - 1) || is_free(cx, cy + 1)))
+        points.add(cells.cell_center(cx, cy));
+}
+
+Scenario to_points(const Scenario& scenario, double spacing) {
+  PointCollector points(scenario.bounds());
+  if (scenario.representation() == Representation::Continuous)
+    sample_boundaries(scenario, spacing, points);
+  else
+    sample_border_cells(make_occupancy(scenario, spacing), points);
+  return Scenario::points(scenario.name(), scenario.bounds(), points.map(), scenario.start(),
+                          scenario.goal());
+}
+
+}  // namespace
+
+Scenario convert(const Scenario& scenario, Representation to, double resolution) {
+  if (to == scenario.representation()) return scenario;
+  if (to == Representation::Grid) return to_grid(scenario, resolution);
+  if (to == Representation::Points) return to_points(scenario, resolution);
+  throw usage_error(scenario.name(),
+                    "cannot make primitives from " + to_string(scenario.representation()),
+                    "a conversion to grid or points");
+}
+
+}  // namespace slalom
