@@ -1,0 +1,138 @@
+#include <slalom/core/error.h>
+#include <slalom/scenario/occupancy.h>
+#include <slalom/scenario/scenario.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using mrpt::maps::COccupancyGridMap2D;
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+
+const Bounds kBounds{0, 0, 4, 3};
+const Primitives kObstacles{{{{2, 1}, 0.5}}, {{{{1, 2}, {2, 2}, {2, 2.5}}}}};
+
+Scenario sample(const std::string& name = "sample") {
+  return Scenario::continuous(name, kBounds, kObstacles, {0.5, 0.5, 0}, {3.5, 2.5});
+}
+
+COccupancyGridMap2D small_map() {
+  COccupancyGridMap2D map;
+  map.setSize(-1, 0, 2, 2.5F, 0.1F, 1.0F);
+  return map;
+}
+
+TEST(Scenario, IsIdentifiedByItsContentAndNotByItsName) {
+  EXPECT_EQ(sample().hash(), sample("other").hash());
+  EXPECT_EQ(sample().hash().size(), 32U);
+  EXPECT_EQ(sample().renamed("new").hash(), sample().hash());
+  EXPECT_EQ(sample().renamed("new").name(), "new");
+  EXPECT_NE(sample().with_task({0.6, 0.5, 0}, {3.5, 2.5}).hash(), sample().hash());
+  EXPECT_NE(sample().with_task({0.5, 0.5, 0.1}, {3.5, 2.5}).hash(), sample().hash());
+  EXPECT_NE(sample().with_task({0.5, 0.5, 0}, {3.5, 2.4}).hash(), sample().hash());
+  EXPECT_EQ(sample().with_task({0.5, 0.5, 0}, {3.5, 2.5}).hash(), sample().hash());
+}
+
+TEST(Scenario, ChangesItsHashWithEveryNumberOfItsGeometry) {
+  Primitives obstacles = kObstacles;
+  obstacles.discs[0].radius = 0.5000001;
+  EXPECT_NE(Scenario::continuous("", kBounds, obstacles, {0.5, 0.5, 0}, {3.5, 2.5}).hash(),
+            sample().hash());
+  obstacles = kObstacles;
+  obstacles.polygons[0].vertices[1].x = 2.1;
+  EXPECT_NE(Scenario::continuous("", kBounds, obstacles, {0.5, 0.5, 0}, {3.5, 2.5}).hash(),
+            sample().hash());
+  EXPECT_NE(Scenario::continuous("", {0, 0, 4, 3.5}, kObstacles, {0.5, 0.5, 0}, {3.5, 2.5}).hash(),
+            sample().hash());
+}
+
+TEST(Scenario, BinarisesGridsWithUnknownCellsOccupied) {
+  COccupancyGridMap2D map = small_map();
+  map.setCell(1, 0, 0.1F);
+  map.setCell(2, 0, 0.49F);
+  map.setCell(3, 0, 0.5F);
+  map.setCell(4, 0, 0.52F);
+  map.setCell(5, 0, 0.9F);
+  const Scenario scenario = Scenario::grid("grid", map, {-0.5, 2.2, 0}, {-0.1, 2.4});
+  const Occupancy cells = make_occupancy(scenario, 1);
+  const bool expected[] = {false, true, true, true, false, false};
+  for (int cx = 0; cx < 6; ++cx) EXPECT_EQ(cells.occupied(cx, 0), expected[cx]) << cx;
+  EXPECT_EQ(cells.count_occupied(), 3U);
+  EXPECT_EQ(scenario.grid_map()->getRow(0)[1], COccupancyGridMap2D::p2l(0.0F));
+  EXPECT_EQ(scenario.grid_map()->getRow(0)[4], COccupancyGridMap2D::p2l(1.0F));
+}
+
+TEST(Scenario, HashesAGridByWhatIsLeftAfterBinarisation) {
+  COccupancyGridMap2D faint = small_map(), sure = small_map(), other = small_map();
+  faint.setCell(3, 2, 0.4F);
+  sure.setCell(3, 2, 0.0F);
+  other.setCell(2, 3, 0.0F);
+  const TPose2D start{-0.5, 2.2, 0};
+  const TPoint2D goal(-0.1, 2.4);
+  EXPECT_EQ(Scenario::grid("a", faint, start, goal).hash(),
+            Scenario::grid("b", sure, start, goal).hash());
+  EXPECT_NE(Scenario::grid("a", other, start, goal).hash(),
+            Scenario::grid("b", sure, start, goal).hash());
+}
+
+TEST(Scenario, TakesTheBoundsOfAGridFromItsCells) {
+  const Scenario scenario = Scenario::grid("grid", small_map(), {-0.5, 2.2, 0}, {-0.1, 2.4});
+  EXPECT_EQ(scenario.bounds(), make_occupancy(scenario, 1).bounds());
+  EXPECT_EQ(scenario.bounds().x_min, -1);
+  EXPECT_NEAR(scenario.bounds().y_max, 2.5, 1e-6);
+}
+
+TEST(Scenario, KeepsThePointsOfAPointMap) {
+  mrpt::maps::CSimplePointsMap points;
+  points.insertPoint(1, 2);
+  const Scenario scenario = Scenario::points("points", kBounds, points, {0.5, 0.5, 0}, {3, 2});
+  points.insertPoint(2, 2);  // the scenario has a copy of its own
+  EXPECT_EQ(scenario.point_map()->size(), 1U);
+  EXPECT_EQ(scenario.representation(), Representation::Points);
+  EXPECT_NE(Scenario::points("points", kBounds, points, {0.5, 0.5, 0}, {3, 2}).hash(),
+            scenario.hash());
+}
+
+TEST(Scenario, RefusesBadBoundsAndTasks) {
+  const auto make = [](Bounds bounds, TPose2D start, TPoint2D goal) {
+    return Scenario::continuous("bad", bounds, {}, start, goal);
+  };
+  EXPECT_NO_THROW(make(kBounds, {1, 1, 0}, {2, 2}));
+  EXPECT_THROW(make({0, 0, 0, 3}, {0, 1, 0}, {0, 2}), Error);
+  EXPECT_THROW(make({0, 0, 4, HUGE_VAL}, {1, 1, 0}, {2, 2}), Error);
+  EXPECT_THROW(make({0, 0, std::nan(""), 3}, {1, 1, 0}, {2, 2}), Error);
+  EXPECT_THROW(make(kBounds, {5, 1, 0}, {2, 2}), Error);
+  EXPECT_THROW(make(kBounds, {1, 1, 0}, {2, -0.1}), Error);
+  EXPECT_THROW(make(kBounds, {1, std::nan(""), 0}, {2, 2}), Error);
+  EXPECT_THROW(make(kBounds, {1, 1, std::nan("")}, {2, 2}), Error);
+}
+
+TEST(Scenario, RefusesDegeneratePrimitivesByNumber) {
+  const auto message = [](const Primitives& obstacles) -> std::string {
+    try {
+      Scenario::continuous("bad", kBounds, obstacles, {1, 1, 0}, {2, 2});
+    } catch (const Error& error) {
+      EXPECT_EQ(error.culprit(), Culprit::File);
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message({{{{1, 1}, 1}, {{1, 1}, 0}}, {}}).find("disc 1"), std::string::npos);
+  EXPECT_NE(message({{{{std::nan(""), 1}, 1}}, {}}).find("disc 0"), std::string::npos);
+  EXPECT_NE(message({{}, {{{{0, 0}, {2, 2}, {2, 0}, {0, 3}}}}}).find("polygon 0"),
+            std::string::npos);
+  EXPECT_EQ(message(kObstacles), "");
+}
+
+TEST(Scenario, NamesItsRepresentations) {
+  for (const auto r : {Representation::Continuous, Representation::Grid, Representation::Points})
+    EXPECT_EQ(representation_from_string(to_string(r)), r);
+  EXPECT_THROW(representation_from_string("voxels"), Error);
+}
+
+}  // namespace
+}  // namespace slalom
