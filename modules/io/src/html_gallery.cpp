@@ -1,6 +1,5 @@
 #include "html_gallery.h"
 #include "html_text.h"
-#include "path_simplify.h"
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/core/text.h>
@@ -68,17 +67,13 @@ class FigureWriter {
   std::string picture(const ScenarioRecord& record, const std::vector<std::size_t>& runs) const {
     const Scenario scenario = file_.read_scenario(record.hash);
     const References references = file_.read_references(record.hash);
-    const Bounds& bounds = scenario.bounds();
-    const double size = std::max(bounds.x_max - bounds.x_min, bounds.y_max - bounds.y_min);
     SceneOptions options;
     options.max_pixels = kPicturePixels;
     options.robot_radius = robot_radius_;
     options.references = &references;
     for (const std::size_t index : runs) {
       const RunRecord& run = table_.runs[index];
-      const Path path = file_.read_trajectory(run).path();
-      // A quarter of a pixel cannot be seen.
-      options.trajectories.push_back({run.method, simplify(path, 0.25 * size / kPicturePixels),
+      options.trajectories.push_back({run.method, file_.read_trajectory(run).path(),
                                       outcome_from_string(run.outcome),
                                       method_color(place_of(run.method))});
     }
@@ -178,12 +173,21 @@ Gallery make_gallery(const ResultFile& file, const ResultTable& table,
 }
 
 std::string gallery_legend(const std::vector<std::string>& methods) {
+  const auto item = [](const std::string& html) { return html_element("span", "", html); };
   std::string items;
   for (std::size_t place = 0; place < methods.size(); ++place) {
-    items += html_element("span", "",
-                          line_sample("stroke=\"" + method_color(place) + "\" stroke-width=\"3\"") +
-                              html_escape(methods[place]));
+    items += item(line_sample("stroke=\"" + method_color(place) + "\" stroke-width=\"3\"") +
+                  html_escape(methods[place]));
   }
+  // As render_svg() draws them.
+  items += item(line_sample("stroke=\"currentColor\" stroke-width=\"1.5\" "
+                            "stroke-dasharray=\"7 3\"") +
+                "shortest path");
+  items += item(line_sample("stroke=\"currentColor\" stroke-width=\"1.5\" "
+                            "stroke-dasharray=\"2 3\"") +
+                "safest path");
+  items += item("● goal reached") + item("✕ failed there") + item("○ with a dash: start") +
+           item("⊕ goal");
   return html_element("div", "legend", items);
 }
 
