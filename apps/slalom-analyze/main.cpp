@@ -7,6 +7,7 @@
 #include <slalom/io/html_report.h>
 #include <slalom/io/result_file.h>
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -88,7 +89,9 @@ void table_verb(const Arguments& arguments) {
 void report_verb(const Arguments& arguments) {
   const ResultFile file = ResultFile::open(arguments.results);
   write_html_report(file, effective_options(file.read_table(), arguments), arguments.output);
-  if (!arguments.quiet) std::cerr << "report: " << arguments.output << "/index.html\n";
+  if (arguments.quiet) return;
+  const std::filesystem::path index = std::filesystem::path(arguments.output) / "index.html";
+  std::cerr << "report: " << index.string() << "\n";
 }
 
 void show_verb(const Arguments& arguments) {
