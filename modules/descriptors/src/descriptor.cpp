@@ -1,1 +1,40 @@
-// to be written
+#include "descriptors.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/ini_file.h>
+#include <slalom/core/text.h>
+
+namespace slalom {
+
+const std::vector<std::shared_ptr<const Descriptor>>& all_descriptors() {
+  static const std::vector<DescriptorPtr> descriptors = {
+      make_density(),          make_clearness(),    make_confinement(),
+      make_bottleneck_width(), make_detour_ratio(),
+  };
+  return descriptors;
+}
+
+const Descriptor& descriptor(const std::string& id) {
+  std::vector<std::string> ids;
+  for (const DescriptorPtr& candidate : all_descriptors()) {
+    ids.push_back(candidate->info().id);
+    if (ids.back() == id) return *candidate;
+  }
+  const std::string nearest = nearest_name(id, ids);
+  throw usage_error("descriptor", "unknown id '" + id + "'",
+                    nearest.empty() ? "one of " + join(ids, ", ") : "'" + nearest + "'");
+}
+
+std::string resolution_parameter(const World& world) {
+  if (world.scenario().representation() == Representation::Grid) return "";
+  return "resolution=" + format_number(world.requested_resolution());
+}
+
+std::string join_parameters(const std::vector<std::string>& parts) {
+  std::vector<std::string> given;
+  for (const std::string& part : parts)
+    if (!part.empty()) given.push_back(part);
+  return join(given, ";");
+}
+
+}  // namespace slalom

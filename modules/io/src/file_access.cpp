@@ -1,1 +1,53 @@
-// to be written
+#include <slalom/core/error.h>
+#include <slalom/io/result_file.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+namespace slalom {
+namespace {
+
+/// Writes all bytes and makes them last; false with errno set when it cannot.
+bool write_and_sync(int file, const std::string& content) {
+  std::size_t done = 0;
+  while (done < content.size()) {
+    const ssize_t written = write(file, content.data() + done, content.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    done += static_cast<std::size_t>(written);
+  }
+  return fsync(file) == 0;
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream content;
+  if (file) content << file.rdbuf();
+  if (!file || file.bad()) throw file_error(path, "cannot be read");
+  return content.str();
+}
+
+void write_file_atomically(const std::string& path, const std::string& content) {
+  const std::string temporary = path + ".tmp" + std::to_string(getpid());
+  const auto fail = [&](const char* what) {
+    const std::string reason = std::strerror(errno);
+    unlink(temporary.c_str());
+    return job_error(path, std::string(what) + " (" + reason + ")", "a place that can be written");
+  };
+  const int file = open(temporary.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0644);
+  if (file < 0) throw fail("cannot be made");
+  const bool written = write_and_sync(file, content);
+  const int write_errno = errno;
+  close(file);
+  errno = write_errno;
+  if (!written) throw fail("cannot be written");
+  if (rename(temporary.c_str(), path.c_str()) != 0) throw fail("cannot be replaced");
+}
+
+}  // namespace slalom

@@ -1,1 +1,355 @@
-// to be written
+#include "database.h"
+#include "findings_codec.h"
+#include "value_columns.h"
+
+#include <slalom/core/error.h>
+#include <slalom/io/result_file.h>
+#include <slalom/io/scenario_list.h>
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr DatabaseKind kResults = {"a result file (.results)", 0x534c5253 /* "SLRS" */, 1, R"(
+CREATE TABLE manifest (key TEXT PRIMARY KEY, text TEXT NOT NULL);
+CREATE TABLE quantities (position INTEGER PRIMARY KEY, kind TEXT NOT NULL, id TEXT NOT NULL,
+                         version INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL,
+                         direction TEXT NOT NULL, UNIQUE (kind, id));
+CREATE TABLE scenarios (hash TEXT PRIMARY KEY, name TEXT NOT NULL, content BLOB NOT NULL,
+                        refs BLOB NOT NULL);
+CREATE TABLE descriptors (hash TEXT NOT NULL, id TEXT NOT NULL, version INTEGER NOT NULL,
+                          value REAL, standard_error REAL, reason TEXT,
+                          PRIMARY KEY (hash, id)) WITHOUT ROWID;
+CREATE TABLE trajectories (run INTEGER PRIMARY KEY, content BLOB NOT NULL);
+CREATE TABLE run_timings (run INTEGER PRIMARY KEY, wall_seconds REAL NOT NULL, figures TEXT NOT NULL);
+)"};
+
+/// The runs table: one row a run, one column a metric, reasons of NA (and standard errors) beside
+/// them.
+std::string runs_schema(const std::vector<QuantityInfo>& metrics) {
+  std::string sql =
+      "CREATE TABLE runs (run INTEGER PRIMARY KEY, scenario TEXT NOT NULL, scenario_name TEXT NOT "
+      "NULL, method TEXT NOT NULL, repetition INTEGER NOT NULL, seed TEXT NOT NULL, outcome TEXT "
+      "NOT "
+      "NULL, outcome_detail TEXT NOT NULL, trajectory_hash TEXT NOT NULL, reasons TEXT NOT NULL, "
+      "standard_errors TEXT NOT NULL";
+  for (const QuantityInfo& info : metrics) sql += ", \"m_" + info.id + "\" REAL";
+  return sql + ", UNIQUE (scenario, method, repetition))";
+}
+
+constexpr int kFixedColumns = 11;
+
+Direction direction_from_string(const std::string& text) {
+  for (const Direction direction : {Direction::Up, Direction::Down})
+    if (to_string(direction) == text) return direction;
+  return Direction::None;
+}
+
+/// A column of JSON that some hand may have changed.
+std::map<std::string, double> numbers_from_json(const std::string& text, const std::string& path) {
+  const Json json = Json::parse(text, nullptr, false);
+  std::map<std::string, double> numbers;
+  if (!json.is_object()) throw file_error(path, "holds a damaged row", "a JSON object");
+  for (const auto& [key, value] : json.items())
+    if (value.is_number()) numbers[key] = value.get<double>();
+  return numbers;
+}
+
+void check_id(const QuantityInfo& info) {
+  const bool plain =
+      !info.id.empty() &&
+      info.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+  if (!plain)
+    throw usage_error("result file", "'" + info.id + "' cannot name a column", "a-z, 0-9, _");
+}
+
+}  // namespace
+
+struct ResultFile::Impl {
+  std::string path;
+  std::unique_ptr<SQLite::Database> database;
+  std::unique_ptr<SQLite::Transaction> transaction;  ///< open while there is something to commit
+  std::vector<QuantityInfo> descriptors, metrics;
+
+  void begin() {
+    if (!transaction) transaction = std::make_unique<SQLite::Transaction>(*database);
+  }
+
+  void write_manifest(const Manifest& manifest) {
+    for (const auto& [key, text] : manifest) {
+      SQLite::Statement row(*database, "INSERT INTO manifest VALUES (?, ?)");
+      row.bind(1, key);
+      row.bind(2, text);
+      row.exec();
+    }
+  }
+
+  void write_quantities(const std::string& kind, const std::vector<QuantityInfo>& infos) {
+    for (const QuantityInfo& info : infos) {
+      SQLite::Statement row(*database,
+                            "INSERT INTO quantities (kind, id, version, name, unit, direction) "
+                            "VALUES (?, ?, ?, ?, ?, ?)");
+      row.bind(1, kind);
+      row.bind(2, info.id);
+      row.bind(3, info.version);
+      row.bind(4, info.name);
+      row.bind(5, info.unit);
+      row.bind(6, to_string(info.direction));
+      row.exec();
+    }
+  }
+
+  std::vector<QuantityInfo> read_quantities(const std::string& kind) const {
+    std::vector<QuantityInfo> infos;
+    SQLite::Statement rows(*database,
+                           "SELECT id, version, name, unit, direction FROM quantities "
+                           "WHERE kind = ? ORDER BY position");
+    rows.bind(1, kind);
+    while (rows.executeStep()) {
+      infos.push_back({rows.getColumn(0).getString(), rows.getColumn(1).getInt(),
+                       rows.getColumn(2).getString(), rows.getColumn(3).getString(),
+                       direction_from_string(rows.getColumn(4).getString())});
+      check_id(infos.back());
+    }
+    return infos;
+  }
+
+  std::string insert_run_sql() const {
+    std::string sql = "INSERT INTO runs VALUES (NULL";
+    for (std::size_t i = 1; i < kFixedColumns + metrics.size(); ++i) sql += ", ?";
+    return sql + ")";
+  }
+
+  void insert_run(const RunRecord& run) {
+    SQLite::Statement row(*database, insert_run_sql());
+    row.bind(1, run.scenario_hash);
+    row.bind(2, run.scenario_name);
+    row.bind(3, run.method);
+    row.bind(4, run.repetition);
+    row.bind(5, std::to_string(run.seed));
+    row.bind(6, run.outcome);
+    row.bind(7, run.outcome_detail);
+    row.bind(8, run.trajectory_hash);
+    Json reasons = Json::object(), errors = Json::object();
+    for (std::size_t i = 0; i < metrics.size(); ++i) {
+      const auto found = run.metrics.find(metrics[i].id);
+      const Value value =
+          found == run.metrics.end() ? Value::na("not computed") : found->second.value;
+      if (value.is_na()) {
+        reasons[metrics[i].id] = value.reason();
+      } else {
+        row.bind(kFixedColumns + static_cast<int>(i), value.number());
+      }
+      if (value.standard_error()) errors[metrics[i].id] = *value.standard_error();
+    }
+    row.bind(9, reasons.dump(-1, ' ', false, Json::error_handler_t::replace));
+    row.bind(10, errors.dump());
+    row.exec();
+  }
+
+  void insert_blob(const char* sql, std::int64_t run, const std::string& content) {
+    SQLite::Statement row(*database, sql);
+    row.bind(1, run);
+    row.bind(2, content.data(), static_cast<int>(content.size()));
+    row.exec();
+  }
+
+  Manifest read_manifest() const {
+    Manifest manifest;
+    SQLite::Statement rows(*database, "SELECT key, text FROM manifest");
+    while (rows.executeStep())
+      manifest[rows.getColumn(0).getString()] = rows.getColumn(1).getString();
+    return manifest;
+  }
+
+  std::map<std::string, ScenarioRecord> read_scenarios() const {
+    std::map<std::string, ScenarioRecord> scenarios;
+    SQLite::Statement rows(*database, "SELECT hash, name FROM scenarios");
+    while (rows.executeStep()) {
+      const std::string hash = rows.getColumn(0).getString();
+      scenarios[hash] = {hash, rows.getColumn(1).getString(), {}};
+    }
+    SQLite::Statement values(
+        *database, "SELECT hash, id, version, value, standard_error, reason FROM descriptors");
+    while (values.executeStep())
+      scenarios[values.getColumn(0).getString()].descriptors[values.getColumn(1).getString()] = {
+          values.getColumn(2).getInt(), value_from_columns(values, 3)};
+    return scenarios;
+  }
+
+  void read_runs(ResultTable& table) const {
+    SQLite::Statement rows(*database,
+                           "SELECT runs.*, run_timings.wall_seconds, run_timings.figures FROM runs "
+                           "LEFT JOIN run_timings ON runs.run = run_timings.run");
+    while (rows.executeStep()) {
+      table.runs.push_back(run_from(rows));
+      const int timing = kFixedColumns + static_cast<int>(metrics.size());
+      RunTiming figures;
+      if (!rows.getColumn(timing).isNull()) {
+        figures.wall_seconds = rows.getColumn(timing).getDouble();
+        figures.values = numbers_from_json(rows.getColumn(timing + 1).getString(), path);
+      }
+      table.timings.push_back(figures);
+    }
+  }
+
+  RunRecord run_from(SQLite::Statement& row) const {
+    RunRecord run;
+    run.scenario_hash = row.getColumn(1).getString();
+    run.scenario_name = row.getColumn(2).getString();
+    run.method = row.getColumn(3).getString();
+    run.repetition = row.getColumn(4).getInt();
+    run.seed = std::strtoull(row.getColumn(5).getString().c_str(), nullptr, 10);
+    run.outcome = row.getColumn(6).getString();
+    run.outcome_detail = row.getColumn(7).getString();
+    run.trajectory_hash = row.getColumn(8).getString();
+    const Json reasons = Json::parse(row.getColumn(9).getString(), nullptr, false);
+    const auto errors = numbers_from_json(row.getColumn(10).getString(), path);
+    if (!reasons.is_object()) throw file_error(path, "holds a damaged row", "a JSON object");
+    for (std::size_t i = 0; i < metrics.size(); ++i) {
+      const std::string& id = metrics[i].id;
+      const SQLite::Column column = row.getColumn(kFixedColumns + static_cast<int>(i));
+      const auto error = errors.find(id);
+      Value value = column.isNull()         ? Value::na(reasons.value(id, "not computed"))
+                    : error == errors.end() ? Value::of(column.getDouble())
+                                            : Value::of(column.getDouble(), error->second);
+      run.metrics[id] = {metrics[i].version, std::move(value)};
+    }
+    return run;
+  }
+
+  /// One blob by key; throws Error (File) when there is none.
+  std::string read_blob(const std::string& sql, const std::vector<std::string>& keys) const {
+    SQLite::Statement row(*database, sql);
+    for (std::size_t i = 0; i < keys.size(); ++i) row.bind(static_cast<int>(i) + 1, keys[i]);
+    if (!row.executeStep()) throw file_error(path, "has no entry for " + keys.front());
+    return row.getColumn(0).getString();
+  }
+};
+
+ResultFile::ResultFile(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ResultFile::~ResultFile() = default;
+ResultFile::ResultFile(ResultFile&&) noexcept = default;
+ResultFile& ResultFile::operator=(ResultFile&&) noexcept = default;
+
+ResultFile ResultFile::create(const std::string& path, const Manifest& manifest,
+                              const std::vector<QuantityInfo>& descriptors,
+                              const std::vector<QuantityInfo>& metrics) {
+  for (const QuantityInfo& info : metrics) check_id(info);
+  auto impl = std::make_unique<Impl>();
+  impl->path = path;
+  impl->descriptors = descriptors;
+  impl->metrics = metrics;
+  impl->database = create_database(path, kResults);
+  writing(path, [&] {
+    SQLite::Transaction transaction(*impl->database);
+    impl->database->exec(runs_schema(metrics));
+    impl->write_manifest(manifest);
+    impl->write_quantities("descriptor", descriptors);
+    impl->write_quantities("metric", metrics);
+    transaction.commit();
+  });
+  return ResultFile(std::move(impl));
+}
+
+ResultFile ResultFile::open(const std::string& path) {
+  auto impl = std::make_unique<Impl>();
+  impl->path = path;
+  impl->database = open_database(path, kResults);
+  reading(path, [&] {
+    impl->descriptors = impl->read_quantities("descriptor");
+    impl->metrics = impl->read_quantities("metric");
+  });
+  return ResultFile(std::move(impl));
+}
+
+void ResultFile::add_scenario(const ScenarioRecord& record, const Scenario& scenario,
+                              const References& references) {
+  writing(impl_->path, [&] {
+    impl_->begin();
+    const std::string content = serialize(scenario), refs = serialize(references);
+    SQLite::Statement row(*impl_->database, "INSERT INTO scenarios VALUES (?, ?, ?, ?)");
+    row.bind(1, record.hash);
+    row.bind(2, record.name);
+    row.bind(3, content.data(), static_cast<int>(content.size()));
+    row.bind(4, refs.data(), static_cast<int>(refs.size()));
+    row.exec();
+    for (const auto& [id, versioned] : record.descriptors) {
+      SQLite::Statement value(*impl_->database,
+                              "INSERT INTO descriptors VALUES (?, ?, ?, ?, ?, ?)");
+      value.bind(1, record.hash);
+      value.bind(2, id);
+      value.bind(3, versioned.version);
+      bind_value(value, 4, versioned.value);
+      value.exec();
+    }
+  });
+}
+
+void ResultFile::add_run(const RunRecord& run, const RunTiming& timing,
+                         const Trajectory& trajectory) {
+  writing(impl_->path, [&] {
+    impl_->begin();
+    impl_->insert_run(run);
+    const std::int64_t id = impl_->database->getLastInsertRowid();
+    impl_->insert_blob("INSERT INTO trajectories VALUES (?, ?)", id, serialize(trajectory));
+    SQLite::Statement row(*impl_->database, "INSERT INTO run_timings VALUES (?, ?, ?)");
+    row.bind(1, id);
+    row.bind(2, timing.wall_seconds);
+    row.bind(3, Json(timing.values).dump());
+    row.exec();
+  });
+}
+
+void ResultFile::commit() {
+  if (!impl_->transaction) return;
+  writing(impl_->path, [&] { impl_->transaction->commit(); });
+  impl_->transaction.reset();
+}
+
+ResultTable ResultFile::read_table() const {
+  return reading(impl_->path, [&] {
+    ResultTable table;
+    table.manifest = impl_->read_manifest();
+    for (const auto* infos : {&impl_->descriptors, &impl_->metrics})
+      for (const QuantityInfo& info : *infos) table.quantities[info.id] = info;
+    table.scenarios = impl_->read_scenarios();
+    impl_->read_runs(table);
+    sort_runs(table);
+    return table;
+  });
+}
+
+Scenario ResultFile::read_scenario(const std::string& hash) const {
+  return deserialize_scenario(
+      reading(
+          impl_->path,
+          [&] { return impl_->read_blob("SELECT content FROM scenarios WHERE hash = ?", {hash}); }),
+      impl_->path + ": scenario " + hash);
+}
+
+References ResultFile::read_references(const std::string& hash) const {
+  return deserialize_references(
+      reading(
+          impl_->path,
+          [&] { return impl_->read_blob("SELECT refs FROM scenarios WHERE hash = ?", {hash}); }),
+      impl_->path + ": references of " + hash);
+}
+
+Trajectory ResultFile::read_trajectory(const RunRecord& run) const {
+  const std::string sql =
+      "SELECT content FROM trajectories JOIN runs ON runs.run = trajectories.run "
+      "WHERE scenario = ? AND method = ? AND repetition = ?";
+  return deserialize_trajectory(
+      reading(impl_->path,
+              [&] {
+                return impl_->read_blob(
+                    sql, {run.scenario_hash, run.method, std::to_string(run.repetition)});
+              }),
+      impl_->path + ": run " + run_id(run));
+}
+
+}  // namespace slalom

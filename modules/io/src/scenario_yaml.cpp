@@ -1,1 +1,263 @@
-// to be written
+#include <slalom/core/error.h>
+#include <slalom/core/ini_file.h>
+#include <slalom/core/text.h>
+#include <slalom/io/result_file.h>
+#include <slalom/io/scenario_yaml.h>
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+std::string list_of(std::initializer_list<double> numbers) {
+  std::vector<std::string> parts;
+  for (const double number : numbers) parts.push_back(format_number(number));
+  return "[" + join(parts, ", ") + "]";
+}
+
+std::string quoted(const std::string& text) {
+  YAML::Emitter out;
+  out << YAML::DoubleQuoted << text;
+  return out.c_str();
+}
+
+std::string primitives_yaml(const Primitives& primitives) {
+  std::string yaml = "discs:\n";
+  for (const Disc& disc : primitives.discs)
+    yaml += "  - " + list_of({disc.center.x, disc.center.y, disc.radius}) + "\n";
+  if (primitives.discs.empty()) yaml = "discs: []\n";
+  yaml += primitives.polygons.empty() ? "polygons: []\n" : "polygons:\n";
+  for (const Polygon& polygon : primitives.polygons) {
+    std::vector<std::string> vertices;
+    for (const TPoint2D& v : polygon.vertices) vertices.push_back(list_of({v.x, v.y}));
+    yaml += "  - [" + join(vertices, ", ") + "]\n";
+  }
+  return yaml;
+}
+
+std::string grid_yaml(const mrpt::maps::COccupancyGridMap2D& map) {
+  std::string yaml = "resolution: " + format_number(map.getResolution()) + "\ncells:\n";
+  for (int y = static_cast<int>(map.getSizeY()) - 1; y >= 0; --y) {
+    yaml += "  - \"";
+    for (int x = 0; x < static_cast<int>(map.getSizeX()); ++x)
+      yaml += map.getCell(x, y) < 0.5F ? '#' : '.';
+    yaml += "\"\n";
+  }
+  return yaml;
+}
+
+std::string points_yaml(const mrpt::maps::CSimplePointsMap& map) {
+  std::string yaml = map.size() == 0 ? "points: []\n" : "points:\n";
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    float x = 0, y = 0;
+    map.getPoint(i, x, y);
+    yaml += "  - " + list_of({x, y}) + "\n";
+  }
+  return yaml;
+}
+
+/// Reads one document with errors that name the line.
+class Reader {
+ public:
+  Reader(YAML::Node root, std::string where) : root_(std::move(root)), where_(std::move(where)) {}
+
+  Scenario read() const {
+    expect(root_.IsMap(), root_, "is no scenario", "keys and values");
+    const std::string kind = text("representation");
+    const std::vector<std::string> common = {"name", "representation", "bounds", "start", "goal"};
+    if (kind == "continuous") return read_continuous(with(common, {"discs", "polygons"}));
+    if (kind == "grid") return read_grid(with(common, {"resolution", "cells"}));
+    if (kind == "points") return read_points(with(common, {"points"}));
+    throw error(root_["representation"], "'" + kind + "' is unknown", "continuous, grid or points");
+  }
+
+ private:
+  static std::vector<std::string> with(std::vector<std::string> keys,
+                                       const std::vector<std::string>& more) {
+    keys.insert(keys.end(), more.begin(), more.end());
+    return keys;
+  }
+
+  Error error(const YAML::Node& node, const std::string& what, const std::string& expected) const {
+    const int line = node.Mark().line + 1;
+    return file_error(line > 0 ? where_ + ":" + std::to_string(line) : where_, what, expected);
+  }
+
+  void expect(bool condition, const YAML::Node& node, const std::string& what,
+              const std::string& expected) const {
+    if (!condition) throw error(node, what, expected);
+  }
+
+  void reject_unknown_keys(const std::vector<std::string>& known) const {
+    for (const auto& entry : root_) {
+      const auto key = entry.first.as<std::string>();
+      if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+      const std::string nearest = nearest_name(key, known);
+      throw error(entry.first, "unknown key '" + key + "'",
+                  nearest.empty() ? "one of " + join(known, ", ") : "'" + nearest + "'");
+    }
+  }
+
+  YAML::Node required(const std::string& key) const {
+    const YAML::Node node = root_[key];
+    expect(node.IsDefined() && !node.IsNull(), root_, "key '" + key + "' is missing", key);
+    return node;
+  }
+
+  std::string text(const std::string& key) const {
+    const YAML::Node node = required(key);
+    expect(node.IsScalar(), node, "'" + key + "' is not a text", "a text");
+    return node.as<std::string>();
+  }
+
+  double number(const YAML::Node& node) const {
+    double value = 0;
+    expect(node.IsScalar() && parse_number(node.as<std::string>(), value), node,
+           "is not a finite number", "a number");
+    return value;
+  }
+
+  std::vector<double> numbers(const YAML::Node& node, std::size_t count) const {
+    expect(node.IsSequence() && node.size() == count, node, "has not the right form",
+           "[" + std::to_string(count) + " numbers]");
+    std::vector<double> values;
+    for (const auto& item : node) values.push_back(number(item));
+    return values;
+  }
+
+  YAML::Node sequence(const std::string& key) const {
+    const YAML::Node node = required(key);
+    expect(node.IsSequence(), node, "'" + key + "' is not a list", "a list");
+    return node;
+  }
+
+  Bounds bounds() const {
+    const auto b = numbers(required("bounds"), 4);
+    return {b[0], b[1], b[2], b[3]};
+  }
+
+  mrpt::math::TPose2D start() const {
+    const auto s = numbers(required("start"), 3);
+    return {s[0], s[1], s[2]};
+  }
+
+  TPoint2D goal() const {
+    const auto g = numbers(required("goal"), 2);
+    return {g[0], g[1]};
+  }
+
+  Scenario read_continuous(const std::vector<std::string>& keys) const {
+    reject_unknown_keys(keys);
+    Primitives primitives;
+    for (const auto& node : sequence("discs")) {
+      const auto d = numbers(node, 3);
+      primitives.discs.push_back({{d[0], d[1]}, d[2]});
+    }
+    for (const auto& node : sequence("polygons")) {
+      expect(node.IsSequence(), node, "is no polygon", "a list of [x, y]");
+      Polygon polygon;
+      for (const auto& vertex : node) {
+        const auto v = numbers(vertex, 2);
+        polygon.vertices.emplace_back(v[0], v[1]);
+      }
+      primitives.polygons.push_back(std::move(polygon));
+    }
+    return Scenario::continuous(text("name"), bounds(), std::move(primitives), start(), goal());
+  }
+
+  Scenario read_grid(const std::vector<std::string>& keys) const {
+    reject_unknown_keys(keys);
+    const YAML::Node rows = sequence("cells");
+    const double resolution = number(required("resolution"));
+    expect(resolution > 0, required("resolution"), "is not a cell size", "a number > 0");
+    expect(rows.size() > 0 && rows[0].IsScalar() && !rows[0].Scalar().empty(), rows, "has no cells",
+           "rows of '.' and '#'");
+    const auto size_x = rows[0].Scalar().size(), size_y = rows.size();
+    const Bounds b = bounds();
+    const auto fits = [&](double extent, std::size_t cells) {
+      return std::abs(extent - resolution * static_cast<double>(cells)) < 0.01 * resolution;
+    };
+    expect(fits(b.width(), size_x) && fits(b.height(), size_y), rows,
+           "has another size than the bounds", "as many cells as fit the bounds");
+    mrpt::maps::COccupancyGridMap2D map;
+    const double inset = resolution / 16;  // so that rounding to whole cells cannot add one
+    map.setSize(static_cast<float>(b.x_min),
+                static_cast<float>(b.x_min + resolution * static_cast<double>(size_x) - inset),
+                static_cast<float>(b.y_min),
+                static_cast<float>(b.y_min + resolution * static_cast<double>(size_y) - inset),
+                static_cast<float>(resolution), 0.5F);
+    expect(map.getSizeX() == size_x && map.getSizeY() == size_y, rows,
+           "has a size that does not fit the resolution", "bounds of whole cells");
+    fill(map, rows, size_x);
+    return Scenario::grid(text("name"), map, start(), goal());
+  }
+
+  void fill(mrpt::maps::COccupancyGridMap2D& map, const YAML::Node& rows,
+            std::size_t size_x) const {
+    int y = static_cast<int>(rows.size()) - 1;
+    for (const auto& row : rows) {
+      const std::string cells = row.IsScalar() ? row.Scalar() : "";
+      expect(cells.size() == size_x && cells.find_first_not_of(".#") == std::string::npos, row,
+             "is no row of the grid", std::to_string(size_x) + " of '.' and '#'");
+      for (std::size_t x = 0; x < size_x; ++x)
+        map.setCell(static_cast<int>(x), y, cells[x] == '#' ? 0.0F : 1.0F);
+      --y;
+    }
+  }
+
+  Scenario read_points(const std::vector<std::string>& keys) const {
+    reject_unknown_keys(keys);
+    mrpt::maps::CSimplePointsMap map;
+    for (const auto& node : sequence("points")) {
+      const auto p = numbers(node, 2);
+      map.insertPointFast(static_cast<float>(p[0]), static_cast<float>(p[1]), 0);
+    }
+    map.mark_as_modified();
+    return Scenario::points(text("name"), bounds(), map, start(), goal());
+  }
+
+  YAML::Node root_;
+  std::string where_;
+};
+
+}  // namespace
+
+std::string scenario_to_yaml(const Scenario& scenario) {
+  const Bounds& b = scenario.bounds();
+  std::string yaml = "name: " + quoted(scenario.name()) + "\n";
+  yaml += "representation: " + to_string(scenario.representation()) + "\n";
+  yaml += "# metres and radians: [x_min, y_min, x_max, y_max], [x, y, phi], [x, y]\n";
+  yaml += "bounds: " + list_of({b.x_min, b.y_min, b.x_max, b.y_max}) + "\n";
+  yaml +=
+      "start: " + list_of({scenario.start().x, scenario.start().y, scenario.start().phi}) + "\n";
+  yaml += "goal: " + list_of({scenario.goal().x, scenario.goal().y}) + "\n";
+  switch (scenario.representation()) {
+    case Representation::Continuous:
+      return yaml + primitives_yaml(scenario.primitives());
+    case Representation::Grid:
+      return yaml + grid_yaml(*scenario.grid_map());
+    case Representation::Points:
+      return yaml + points_yaml(*scenario.point_map());
+  }
+  return yaml;
+}
+
+Scenario scenario_from_yaml(const std::string& text, const std::string& where) {
+  try {
+    return Reader(YAML::Load(text), where).read();
+  } catch (const YAML::Exception& e) {
+    const std::string line = e.mark.line >= 0 ? ":" + std::to_string(e.mark.line + 1) : "";
+    throw file_error(where + line, "is not YAML (" + e.msg + ")", "a scenario as YAML");
+  }
+}
+
+Scenario load_scenario_yaml(const std::string& path) {
+  return scenario_from_yaml(read_file(path), path);
+}
+
+}  // namespace slalom

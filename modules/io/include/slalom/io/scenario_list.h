@@ -15,7 +15,7 @@ namespace slalom {
 /// Everything read is checked; errors are Error (File) with file and reason.
 class ScenarioList : public DescriptorStore {
  public:
-  /// A new list; an existing file is replaced, by rename, when the list is first committed.
+  /// A new, empty list; an existing file is replaced. Throws Error (Job) when it cannot be made.
   static ScenarioList create(const std::string& path);
   /// An existing list. Throws Error (File) when missing, not a scenario list, or of another version.
   static ScenarioList open(const std::string& path);
@@ -24,7 +24,7 @@ class ScenarioList : public DescriptorStore {
   ScenarioList& operator=(ScenarioList&&) noexcept;
 
   struct Entry {
-    std::string id;    ///< first 12 digits of the content hash; longer where that is not unique
+    std::string id;    ///< first 12 digits of the content hash
     std::string hash;
     std::string name;
     Representation representation;
@@ -39,6 +39,7 @@ class ScenarioList : public DescriptorStore {
   /// Appends; a scenario whose content is already there is left out (returns false).
   bool add(const Scenario& scenario);
   void add_all(const std::vector<Scenario>& scenarios);  ///< in one transaction
+  bool remove(const std::string& hash);                  ///< false when it is not there
   void set_note(const std::string& key, const std::string& text);  ///< origin, generator .ini, seed ...
   std::optional<std::string> note(const std::string& key) const;
 

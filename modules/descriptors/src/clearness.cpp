@@ -1,0 +1,42 @@
+#include "descriptors.h"
+
+#include <slalom/core/text.h>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+/// (1/area F) integral over F of min(d(q), R)/R: the mean over the centres of free cells.
+class Clearness : public Descriptor {
+ public:
+  QuantityInfo info() const override { return {"clearness", 1, "Clearness", "-", Direction::None}; }
+
+  std::string parameters(const DescriptorContext& context) const override {
+    return join_parameters({"sensor_range=" + format_number(context.sensor_range),
+                            resolution_parameter(context.world)});
+  }
+
+  Value compute(const DescriptorContext& context) const override {
+    const std::vector<std::uint8_t>& cells = context.world.occupancy().cells();
+    const std::vector<float>& distances = context.world.distance_field().centers();
+    const double range = context.sensor_range;
+    double sum = 0;
+    std::size_t free_cells = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (cells[i] != 0) continue;
+      sum += std::min(static_cast<double>(distances[i]), range);
+      ++free_cells;
+    }
+    if (free_cells == 0) return Value::na("no free space");
+    return Value::of(sum / (range * static_cast<double>(free_cells)));
+  }
+};
+
+}  // namespace
+
+DescriptorPtr make_clearness() {
+  return std::make_shared<Clearness>();
+}
+
+}  // namespace slalom

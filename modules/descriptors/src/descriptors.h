@@ -1,0 +1,22 @@
+#pragma once
+
+#include <slalom/descriptors/descriptor.h>
+
+namespace slalom {
+
+/// The descriptors, one source file each; all_descriptors() lists them.
+using DescriptorPtr = std::shared_ptr<const Descriptor>;
+
+DescriptorPtr make_density();
+DescriptorPtr make_clearness();
+DescriptorPtr make_confinement();
+DescriptorPtr make_bottleneck_width();
+DescriptorPtr make_detour_ratio();
+
+/// "resolution=0.05" for scenarios that are not grids themselves, "" for grids.
+std::string resolution_parameter(const World& world);
+
+/// "key=value", parts joined by ';', empty ones left out.
+std::string join_parameters(const std::vector<std::string>& parts);
+
+}  // namespace slalom

@@ -1,0 +1,35 @@
+#include "compression.h"
+
+#include <slalom/core/error.h>
+
+#include <memory>
+#include <zstd.h>
+
+namespace slalom {
+
+std::string compress(const std::string& bytes) {
+  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
+                                                                     ZSTD_freeCCtx);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, 3);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
+  std::string result(ZSTD_compressBound(bytes.size()), '\0');
+  const std::size_t size =
+      ZSTD_compress2(context.get(), result.data(), result.size(), bytes.data(), bytes.size());
+  if (ZSTD_isError(size) != 0) throw job_error("compression", ZSTD_getErrorName(size));
+  result.resize(size);
+  return result;
+}
+
+std::string decompress(const std::string& bytes, const std::string& where, std::size_t max_size) {
+  const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > max_size)
+    throw file_error(where, "is damaged (no valid size)", "content that Slalom wrote");
+  std::string result(static_cast<std::size_t>(size), '\0');
+  const std::size_t got = ZSTD_decompress(result.data(), result.size(), bytes.data(), bytes.size());
+  if (ZSTD_isError(got) != 0 || got != size)
+    throw file_error(where, "is damaged (" + std::string(ZSTD_getErrorName(got)) + ")",
+                     "content that Slalom wrote");
+  return result;
+}
+
+}  // namespace slalom

@@ -1,0 +1,108 @@
+#include "byte_stream.h"
+#include "compression.h"
+#include "findings_codec.h"
+
+namespace slalom {
+namespace {
+
+constexpr std::uint8_t kVersion = 1;
+
+void expect_version(ByteReader& in) {
+  if (in.u8() != kVersion) throw in.broken("is of another version");
+}
+
+void write_path(ByteWriter& out, const Path& path) {
+  out.u64(path.size());
+  for (const auto& p : path) out.f64(p.x).f64(p.y);
+}
+
+Path read_path(ByteReader& in) {
+  Path path(in.count(16));
+  for (auto& p : path) {
+    p.x = in.f64();
+    p.y = in.f64();
+  }
+  return path;
+}
+
+ShortestPath read_shortest(ByteReader& in) {
+  ShortestPath shortest;
+  shortest.path = read_path(in);
+  shortest.length = in.f64();
+  shortest.certificate.lower_bound = in.f64();
+  shortest.certificate.upper_bound = in.f64();
+  shortest.planner = in.text();
+  shortest.note = in.text();
+  return shortest;
+}
+
+SafestPath read_safest(ByteReader& in) {
+  SafestPath safest;
+  safest.path = read_path(in);
+  safest.bottleneck = in.f64();
+  return safest;
+}
+
+}  // namespace
+
+std::string serialize(const References& references) {
+  ByteWriter out;
+  out.u8(kVersion).text(references.shortest_reason).text(references.safest_reason);
+  out.u8(references.shortest ? 1 : 0);
+  if (references.shortest) {
+    const ShortestPath& s = *references.shortest;
+    write_path(out, s.path);
+    out.f64(s.length).f64(s.certificate.lower_bound).f64(s.certificate.upper_bound);
+    out.text(s.planner).text(s.note);
+  }
+  out.u8(references.safest ? 1 : 0);
+  if (references.safest) {
+    write_path(out, references.safest->path);
+    out.f64(references.safest->bottleneck);
+  }
+  return compress(out.take());
+}
+
+References deserialize_references(const std::string& bytes, const std::string& where) {
+  const std::string content = decompress(bytes, where);
+  ByteReader in(content, where);
+  expect_version(in);
+  References references;
+  references.shortest_reason = in.text();
+  references.safest_reason = in.text();
+  if (in.u8() != 0) references.shortest = read_shortest(in);
+  if (in.u8() != 0) references.safest = read_safest(in);
+  in.expect_end();
+  return references;
+}
+
+std::string serialize(const Trajectory& trajectory) {
+  ByteWriter out;
+  out.u8(kVersion).u64(trajectory.samples.size());
+  for (const Sample& s : trajectory.samples)
+    out.f64(s.t)
+        .f64(s.pose.x)
+        .f64(s.pose.y)
+        .f64(s.pose.phi)
+        .f64(s.v)
+        .f64(s.w)
+        .f64(s.command_v)
+        .f64(s.command_w);
+  return compress(out.take());
+}
+
+Trajectory deserialize_trajectory(const std::string& bytes, const std::string& where) {
+  const std::string content = decompress(bytes, where);
+  ByteReader in(content, where);
+  expect_version(in);
+  Trajectory trajectory;
+  trajectory.samples.resize(in.count(64));
+  for (Sample& s : trajectory.samples)
+    for (double* field :
+         {&s.t, &s.pose.x, &s.pose.y, &s.pose.phi, &s.v, &s.w, &s.command_v, &s.command_w})
+      *field = in.f64();
+  in.expect_end();
+  return trajectory;
+}
+
+}  // namespace slalom

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <slalom/core/random.h>
+#include <slalom/scenario/occupancy.h>
+
+#include <filesystem>
+#include <string>
+#include <unistd.h>
+
+namespace slalom {
+
+/// A folder of its own for one test, gone afterwards.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "slalom-XXXXXX").string();
+    path_ = mkdtemp(pattern.data());
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+
+ private:
+  std::string path_;
+};
+
+/// A room with discs and polygons by seed.
+inline Scenario sample_scenario(std::uint64_t seed, const std::string& name = "sample") {
+  RandomEngine engine(seed);
+  Primitives obstacles;
+  for (int i = 0; i < 4; ++i)
+    obstacles.discs.push_back(
+        {{uniform_real(engine, 2, 8), uniform_real(engine, 2, 8)}, uniform_real(engine, 0.1, 0.5)});
+  const double x = uniform_real(engine, 3, 6);
+  obstacles.polygons.push_back({{{x, 4}, {x + 1, 4}, {x + 0.3, 4.3}, {x, 5}}});
+  return Scenario::continuous(name, {0, 0, 10, 10}, obstacles, {1, 1, 0.1 + 0.2}, {9, 9});
+}
+
+/// The same in another representation, 0.1 m cells or spacing.
+inline Scenario sample_as(Representation to, std::uint64_t seed = 1) {
+  return convert(sample_scenario(seed), to, 0.1);
+}
+
+}  // namespace slalom

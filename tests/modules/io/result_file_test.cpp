@@ -1,0 +1,144 @@
+#include "io_sample.h"
+
+#include <slalom/core/error.h>
+#include <slalom/io/result_file.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+const std::vector<QuantityInfo> kDescriptors = {{"density", 1, "Density", "-", Direction::None}};
+const std::vector<QuantityInfo> kMetrics = {{"success", 1, "Success", "-", Direction::Up},
+                                            {"optimality", 3, "Optimality", "-", Direction::Up}};
+
+RunRecord run_of(const Scenario& scenario, const std::string& method, int repetition) {
+  RunRecord run;
+  run.scenario_hash = scenario.hash();
+  run.scenario_name = scenario.name();
+  run.method = method;
+  run.repetition = repetition;
+  run.seed = 0xfedcba9876543210ULL;
+  run.outcome = "collision";
+  run.outcome_detail = "contact at \"(1, 2)\"";
+  run.trajectory_hash = Trajectory().hash();
+  run.metrics["success"] = {1, Value::of(0)};
+  run.metrics["optimality"] = {3, Value::na("outcome: collision")};
+  return run;
+}
+
+class ResultFileTest : public testing::Test {
+ protected:
+  ResultFile create(const std::string& name) {
+    return ResultFile::create(folder_ / name, {{"campaign", "test"}, {"seed", "1"}}, kDescriptors,
+                              kMetrics);
+  }
+
+  TemporaryFolder folder_;
+  Scenario scenario_ = sample_scenario(1);
+};
+
+TEST_F(ResultFileTest, EverythingComesBack) {
+  References references;
+  references.shortest = ShortestPath{{{0, 0}, {3, 4}}, 5, {4.9, 5}, "BITstar", "note"};
+  references.safest_reason = "too narrow";
+  Trajectory trajectory;
+  for (int i = 0; i < 10; ++i)
+    trajectory.samples.push_back({0.1 * i, {std::sqrt(i), 2, 3}, 4, 5, 6, 7});
+  RunRecord run = run_of(scenario_, "nd", 2);
+  run.trajectory_hash = trajectory.hash();
+  run.metrics["optimality"].value = Value::of(0.1 + 0.2, 0.01);
+  {
+    ResultFile file = create("a.results");
+    file.add_scenario(
+        {scenario_.hash(), scenario_.name(), {{"density", {1, Value::of(0.1, 1e-3)}}}}, scenario_,
+        references);
+    file.add_run(run, {1.5, {{"cycle_time_mean", 0.25}}}, trajectory);
+    file.commit();
+  }
+  const ResultFile file = ResultFile::open(folder_ / "a.results");
+  const ResultTable table = file.read_table();
+  EXPECT_EQ(table.manifest.at("campaign"), "test");
+  EXPECT_EQ(table.quantities.at("optimality").version, 3);
+  EXPECT_EQ(table.quantities.at("success").direction, Direction::Up);
+  EXPECT_EQ(table.scenarios.at(scenario_.hash()).descriptors.at("density").value,
+            Value::of(0.1, 1e-3));
+  ASSERT_EQ(table.runs.size(), 1U);
+  const RunRecord& back = table.runs[0];
+  EXPECT_EQ(back.seed, run.seed);
+  EXPECT_EQ(back.outcome_detail, run.outcome_detail);
+  EXPECT_EQ(back.metrics.at("optimality").value, Value::of(0.1 + 0.2, 0.01));
+  EXPECT_EQ(back.metrics.at("optimality").version, 3);
+  EXPECT_EQ(table.timings[0].values.at("cycle_time_mean"), 0.25);
+  EXPECT_EQ(file.read_trajectory(back).hash(), trajectory.hash());
+  EXPECT_EQ(file.read_scenario(scenario_.hash()).hash(), scenario_.hash());
+  const References refs = file.read_references(scenario_.hash());
+  ASSERT_TRUE(refs.shortest.has_value());
+  EXPECT_EQ(refs.shortest->certificate.lower_bound, 4.9);
+  EXPECT_EQ(refs.shortest->planner, "BITstar");
+  EXPECT_EQ(refs.safest_reason, "too narrow");
+}
+
+TEST_F(ResultFileTest, RunsAreSortedWhateverTheOrderOfArrival) {
+  {
+    ResultFile file = create("a.results");
+    for (const char* method : {"z", "a"})
+      for (const int repetition : {1, 0})
+        file.add_run(run_of(scenario_, method, repetition), {}, {});
+    file.commit();
+  }
+  const ResultTable table = ResultFile::open(folder_ / "a.results").read_table();
+  ASSERT_EQ(table.runs.size(), 4U);
+  EXPECT_EQ(run_id(table.runs[0]), scenario_.hash().substr(0, 8) + "/a/0");
+  EXPECT_EQ(run_id(table.runs[3]), scenario_.hash().substr(0, 8) + "/z/1");
+}
+
+TEST_F(ResultFileTest, WhatWasNotCommittedIsNotThere) {
+  {
+    ResultFile file = create("a.results");
+    file.add_run(run_of(scenario_, "nd", 0), {}, {});
+    file.commit();
+    file.add_run(run_of(scenario_, "nd", 1), {}, {});
+  }
+  EXPECT_EQ(ResultFile::open(folder_ / "a.results").read_table().runs.size(), 1U);
+}
+
+TEST_F(ResultFileTest, BadFilesAndPlacesAreRefused) {
+  EXPECT_THROW(ResultFile::open(folder_ / "missing"), Error);
+  EXPECT_THROW(create("no/such/folder/a.results"), Error);
+  write_file_atomically(folder_ / "b", std::string(4096, 'x'));
+  EXPECT_THROW(ResultFile::open(folder_ / "b"), Error);
+  const std::vector<QuantityInfo> hostile = {{"x\" REAL); DROP TABLE runs; --", 1, "", "", {}}};
+  EXPECT_THROW(ResultFile::create(folder_ / "c", {}, {}, hostile), Error);
+}
+
+TEST_F(ResultFileTest, DumpIsOneLineOfSortedKeysWithoutWallClock) {
+  ResultTable table;
+  table.manifest["campaign"] = "c";
+  table.scenarios[scenario_.hash()] = {
+      scenario_.hash(), "sample", {{"density", {1, Value::of(0.25)}}}};
+  const std::string line = dump_line(table, run_of(scenario_, "nd", 0));
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  const auto json = nlohmann::json::parse(line);
+  EXPECT_EQ(json.dump(), line) << "keys must be sorted";
+  EXPECT_EQ(json["metrics"]["optimality"]["na"], "outcome: collision");
+  EXPECT_EQ(json["metrics"]["success"]["value"], 0);
+  EXPECT_EQ(json["descriptors"]["density"]["value"], 0.25);
+  EXPECT_EQ(json["scenario"]["hash"], scenario_.hash());
+  EXPECT_EQ(json["seed"], 0xfedcba9876543210ULL);
+}
+
+TEST(Files, AreReplacedWholeOrNotAtAll) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder / "a", "one");
+  write_file_atomically(folder / "a", "two");
+  EXPECT_EQ(read_file(folder / "a"), "two");
+  EXPECT_THROW(write_file_atomically(folder / "no/a", "x"), Error);
+  EXPECT_THROW(read_file(folder / "missing"), Error);
+}
+
+}  // namespace
+}  // namespace slalom

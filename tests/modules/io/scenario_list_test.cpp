@@ -1,0 +1,147 @@
+#include "io_sample.h"
+
+#include <slalom/core/error.h>
+#include <slalom/io/result_file.h>
+#include <slalom/io/scenario_list.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace slalom {
+namespace {
+
+constexpr Representation kAll[] = {Representation::Continuous, Representation::Grid,
+                                   Representation::Points};
+
+int exit_status_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& e) {
+    return e.exit_status();
+  }
+  return 0;
+}
+
+TEST(ScenarioCodec, EveryRepresentationComesBackWithItsHash) {
+  for (const Representation representation : kAll) {
+    const Scenario scenario = sample_as(representation);
+    const Scenario back = deserialize_scenario(serialize(scenario), "test");
+    EXPECT_EQ(back.hash(), scenario.hash()) << to_string(representation);
+    EXPECT_EQ(back.name(), scenario.name());
+    EXPECT_EQ(serialize(back), serialize(scenario));
+  }
+}
+
+TEST(ScenarioCodec, TruncatedOrChangedBytesAreRefused) {
+  for (const Representation representation : kAll) {
+    const std::string bytes = serialize(sample_as(representation));
+    for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 300)
+      EXPECT_EQ(exit_status_of([&] { deserialize_scenario(bytes.substr(0, size), "t"); }), 3);
+    RandomEngine engine(2);
+    for (int trial = 0; trial < 300; ++trial) {
+      std::string changed = bytes;
+      changed[static_cast<std::size_t>(
+          uniform_int(engine, 0, static_cast<int>(bytes.size()) - 1))] ^=
+          static_cast<char>(1 << uniform_int(engine, 0, 7));
+      // A flip may hit a byte that does not matter; then the content must be unharmed.
+      try {
+        EXPECT_EQ(serialize(deserialize_scenario(changed, "t")), bytes);
+      } catch (const Error& e) {
+        EXPECT_EQ(e.exit_status(), 3);
+      }
+    }
+  }
+}
+
+TEST(ScenarioList, KeepsScenariosInOrderAcrossPrograms) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  {
+    ScenarioList list = ScenarioList::create(path);
+    list.add_all({sample_scenario(3, "third"), sample_scenario(1, "first")});
+    EXPECT_TRUE(list.add(sample_as(Representation::Grid)));
+    EXPECT_FALSE(list.add(sample_scenario(3, "same content, other name")));
+    list.set_note("origin", "a test");
+  }
+  const ScenarioList list = ScenarioList::open(path);
+  ASSERT_EQ(list.size(), 3U);
+  const auto entries = list.entries();
+  EXPECT_EQ(entries[0].name, "third");
+  EXPECT_EQ(entries[1].name, "first");
+  EXPECT_EQ(entries[2].representation, Representation::Grid);
+  EXPECT_EQ(entries[0].id, entries[0].hash.substr(0, 12));
+  EXPECT_EQ(list.read(entries[1].hash).hash(), sample_scenario(1).hash());
+  EXPECT_EQ(list.note("origin"), "a test");
+  EXPECT_FALSE(list.note("nothing").has_value());
+}
+
+TEST(ScenarioList, FindsEntriesByIdHashPrefixAndName) {
+  const TemporaryFolder folder;
+  ScenarioList list = ScenarioList::create(folder / "a.scenarios");
+  list.add_all({sample_scenario(1, "one"), sample_scenario(2, "two")});
+  const auto one = list.entries()[0];
+  EXPECT_EQ(list.find_entry(one.id).name, "one");
+  EXPECT_EQ(list.find_entry(one.hash).name, "one");
+  EXPECT_EQ(list.find_entry("two").name, "two");
+  EXPECT_EQ(exit_status_of([&] { list.find_entry("three"); }), 2);
+  EXPECT_EQ(exit_status_of([&] { list.find_entry(""); }), 2);
+}
+
+TEST(ScenarioList, RemovedScenariosAreGone) {
+  const TemporaryFolder folder;
+  ScenarioList list = ScenarioList::create(folder / "a.scenarios");
+  list.add(sample_scenario(1));
+  EXPECT_TRUE(list.remove(sample_scenario(1).hash()));
+  EXPECT_FALSE(list.remove(sample_scenario(1).hash()));
+  EXPECT_EQ(list.size(), 0U);
+}
+
+TEST(ScenarioList, DescriptorValuesSurviveTheProgram) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  {
+    ScenarioList list = ScenarioList::create(path);
+    list.keep("h", "density", 1, "", Value::of(0.1 + 0.2));
+    list.keep("h", "confinement", 1, "sensor_range=8", Value::of(0.5, 0.004));
+    list.keep("h", "detour_ratio", 2, "robot_radius=0.25", Value::na("no path"));
+  }
+  ScenarioList list = ScenarioList::open(path);
+  EXPECT_EQ(list.find("h", "density", 1, ""), Value::of(0.1 + 0.2));
+  EXPECT_EQ(list.find("h", "confinement", 1, "sensor_range=8"), Value::of(0.5, 0.004));
+  EXPECT_EQ(list.find("h", "detour_ratio", 2, "robot_radius=0.25"), Value::na("no path"));
+  EXPECT_FALSE(list.find("h", "density", 2, "").has_value());
+  EXPECT_FALSE(list.find("h", "density", 1, "x").has_value());
+}
+
+TEST(ScenarioList, FilesThatAreNoListsAreRefused) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(exit_status_of([&] { ScenarioList::open(folder / "missing"); }), 3);
+  write_file_atomically(folder / "text",
+                        "hello, I am no database at all, but long enough to be read");
+  EXPECT_EQ(exit_status_of([&] { ScenarioList::open(folder / "text"); }), 3);
+  ResultFile::create(folder / "a.results", {}, {}, {});
+  EXPECT_EQ(exit_status_of([&] { ScenarioList::open(folder / "a.results"); }), 3);
+  EXPECT_EQ(exit_status_of([&] { ScenarioList::create("/nonexistent/a.scenarios"); }), 1);
+}
+
+TEST(ScenarioList, ATruncatedFileIsRefused) {
+  const TemporaryFolder folder;
+  {
+    ScenarioList list = ScenarioList::create(folder / "a.scenarios");
+    for (int i = 0; i < 40; ++i) list.add(sample_scenario(static_cast<std::uint64_t>(i)));
+  }
+  const std::string bytes = read_file(folder / "a.scenarios");
+  for (const std::size_t size : {std::size_t{50}, std::size_t{5000}, bytes.size() / 2}) {
+    write_file_atomically(folder / "b.scenarios", bytes.substr(0, size));
+    EXPECT_EQ(exit_status_of([&] {
+                const ScenarioList list = ScenarioList::open(folder / "b.scenarios");
+                for (const auto& entry : list.entries()) list.read(entry.hash);
+              }),
+              3)
+        << size;
+  }
+}
+
+}  // namespace
+}  // namespace slalom
