@@ -1,1 +1,125 @@
-// to be written
+#include "map_readers.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+/// The keys of a ROS map_server YAML (wiki.ros.org/map_server), checked.
+struct RosMap {
+  std::string image;
+  double resolution = 0;  // m
+  double x = 0, y = 0, yaw = 0;
+  bool negate = false;
+  double occupied_threshold = 0.65, free_threshold = 0.196;
+  std::string mode = "trinary";
+};
+
+class RosMapReader {
+ public:
+  RosMapReader(const YAML::Node& root, const std::string& path) : root_(root), path_(path) {}
+
+  RosMap read() const {
+    RosMap map;
+    if (!root_.IsMap()) throw broken(root_, "is no map", "keys and values");
+    map.image = required("image").as<std::string>();
+    map.resolution = number(required("resolution"));
+    if (!(map.resolution > 0))
+      throw broken(root_["resolution"], "resolution is not positive", "> 0");
+    read_origin(required("origin"), map);
+    if (const YAML::Node node = root_["negate"]) map.negate = number(node) != 0;
+    if (const YAML::Node node = root_["occupied_thresh"]) map.occupied_threshold = number(node);
+    if (const YAML::Node node = root_["free_thresh"]) map.free_threshold = number(node);
+    if (const YAML::Node node = root_["mode"]) map.mode = node.as<std::string>();
+    if (map.mode != "trinary" && map.mode != "scale" && map.mode != "raw")
+      throw broken(root_["mode"], "mode '" + map.mode + "' is unknown", "trinary, scale or raw");
+    if (map.free_threshold > map.occupied_threshold)
+      throw broken(root_, "free_thresh is above occupied_thresh", "free_thresh <= occupied_thresh");
+    return map;
+  }
+
+ private:
+  Error broken(const YAML::Node& node, const std::string& what, const std::string& expected) const {
+    const int line = node.Mark().line + 1;
+    return file_error(line > 0 ? path_ + ":" + std::to_string(line) : path_, what, expected);
+  }
+
+  YAML::Node required(const std::string& key) const {
+    const YAML::Node node = root_[key];
+    if (!node) throw broken(root_, "key '" + key + "' is missing", "a ROS map_server YAML");
+    return node;
+  }
+
+  double number(const YAML::Node& node) const {
+    double value = 0;
+    if (!node.IsScalar() || !parse_number(node.as<std::string>(), value))
+      throw broken(node, "is not a finite number", "a number");
+    return value;
+  }
+
+  void read_origin(const YAML::Node& origin, RosMap& map) const {
+    if (!origin.IsSequence() || origin.size() < 2 || origin.size() > 3)
+      throw broken(origin, "origin has not the right form", "[x, y, yaw]");
+    map.x = number(origin[0]);
+    map.y = number(origin[1]);
+    if (origin.size() == 3) map.yaw = number(origin[2]);
+    if (map.yaw != 0)
+      throw broken(origin, "the origin is turned by " + format_number(map.yaw) + " rad",
+                   "a map with yaw 0: turn its image first");
+  }
+
+  const YAML::Node& root_;
+  const std::string& path_;
+};
+
+/// Probability of being free, as a cell keeps it: 1 free, 0 occupied, 0.5 unknown.
+float free_probability(const RosMap& map, std::uint8_t pixel) {
+  if (map.mode == "raw")  // the value itself is the occupancy in percent; beyond 100 is unknown
+    return pixel > 100 ? 0.5F : 1.0F - static_cast<float>(pixel) / 100.0F;
+  const double occupied = map.negate ? pixel / 255.0 : (255 - pixel) / 255.0;
+  if (occupied > map.occupied_threshold) return 0.0F;
+  if (occupied < map.free_threshold) return 1.0F;
+  if (map.mode == "trinary") return 0.5F;
+  const double share =
+      (occupied - map.free_threshold) / (map.occupied_threshold - map.free_threshold);
+  return static_cast<float>(1 - share);
+}
+
+std::string beside(const std::string& path, const std::string& image) {
+  const std::size_t slash = path.find_last_of('/');
+  if (image.empty() || image[0] == '/' || slash == std::string::npos) return image;
+  return path.substr(0, slash + 1) + image;
+}
+
+RosMap parse(const std::string& path) {
+  try {
+    const YAML::Node root = YAML::Load(read_bytes(path));
+    return RosMapReader(root, path).read();
+  } catch (const YAML::Exception& e) {
+    throw file_error(path, "is not YAML (" + e.msg + ")", "a ROS map_server YAML");
+  }
+}
+
+}  // namespace
+
+mrpt::maps::COccupancyGridMap2D read_ros_map(const std::string& path) {
+  const RosMap ros = parse(path);
+  const GreyImage image = read_grey_image(beside(path, ros.image));
+  auto map = make_grid(image.width, image.height, ros.resolution, ros.x, ros.y);
+  if (map.getSizeX() != static_cast<unsigned>(image.width) ||
+      map.getSizeY() != static_cast<unsigned>(image.height))
+    throw file_error(path, "has an origin too far away for its resolution",
+                     "an origin near the map");
+  std::size_t i = 0;
+  for (int row = 0; row < image.height; ++row)
+    for (int x = 0; x < image.width; ++x, ++i)
+      map.setCell(x, image.height - 1 - row, free_probability(ros, image.pixels[i]));
+  return map;
+}
+
+}  // namespace slalom

@@ -29,20 +29,20 @@ std::vector<std::string> generator_names();
 struct GenerationTask {
   int count = 60;
   std::uint64_t seed = 1;
-  double robot_radius = 0.25;    ///< m
-  double resolution = 0.05;      ///< m, cell size of the model in which they are solved
+  double robot_radius = 0.25;  ///< m
+  double resolution = 0.05;    ///< m, cell size of the model in which they are solved
   int attempts_per_scenario = 200;
-  std::string name_prefix;       ///< names are PREFIX_0000, PREFIX_0001, ...
+  std::string name_prefix;  ///< names are PREFIX_0000, PREFIX_0001, ...
 };
 
-/// `count` distinct scenarios, each with a certified path for the robot. Scenario i depends only on the
-/// generator, the seed and i. Throws Error (Job) saying how many attempts failed and why when one of them
-/// cannot be made solvable within the bound.
+/// `count` distinct scenarios, each with a certified path for the robot. Scenario i depends only on
+/// the generator, the seed and i. Throws Error (Job) saying how many attempts failed and why when
+/// one of them cannot be made solvable within the bound.
 std::vector<Scenario> generate_solvable(const Generator& generator, const GenerationTask& task,
                                         Progress& progress);
 
-/// Draws `count` distinct start and goal poses on a map such that the robot can go from one to the other:
-/// straight distance at least `min_distance` (m). Same bounded attempts and error.
+/// Draws `count` distinct start and goal poses on a map such that the robot can go from one to the
+/// other: straight distance at least `min_distance` (m). Same bounded attempts and error.
 std::vector<Scenario> draw_tasks(const Scenario& map, const GenerationTask& task,
                                  double min_distance);
 

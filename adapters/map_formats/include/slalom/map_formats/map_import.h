@@ -1,0 +1,26 @@
+#pragma once
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <string>
+
+namespace slalom {
+
+/// How map files become occupancy grids.
+struct MapImportOptions {
+  double simplemap_resolution = 0.05;  ///< m, of grids built from simplemaps
+  bool unknown_is_free = false;  ///< otherwise what was never seen stays unknown, that is occupied
+};
+
+/// Reads a map as an occupancy grid, by the end of its name:
+/// - .gridmap, .gridmap.gz: MRPT's COccupancyGridMap2D;
+/// - .simplemap, .simplemap.gz: MRPT's poses with laser scans, from which MRPT builds the grid;
+/// - .yaml, .yml: ROS map_server, image PGM (P5, P2) or what MRPT can load (PNG).
+/// Cells hold the probability of being free; above 0.5 is free, 0.5 is unknown. Throws Error
+/// (File): file, what, what was expected; sizes are checked before memory is taken.
+mrpt::maps::COccupancyGridMap2D load_map(const std::string& path, const MapImportOptions& options);
+
+/// load_map() with the defaults.
+mrpt::maps::COccupancyGridMap2D load_occupancy_grid(const std::string& path);
+
+}  // namespace slalom

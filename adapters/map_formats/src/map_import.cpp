@@ -1,0 +1,53 @@
+#include "map_readers.h"
+
+#include <slalom/core/error.h>
+#include <slalom/map_formats/map_import.h>
+
+namespace slalom {
+namespace {
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+bool ends_with_any(const std::string& text, std::initializer_list<const char*> ends) {
+  for (const char* end : ends)
+    if (ends_with(text, end)) return true;
+  return false;
+}
+
+/// MRPT keeps an unknown cell as exactly this.
+bool is_unknown(const mrpt::maps::COccupancyGridMap2D& map, int x, int y) {
+  using Map = mrpt::maps::COccupancyGridMap2D;
+  return map.getRow(y)[x] == Map::p2l(0.5F);
+}
+
+void set_unknown_free(mrpt::maps::COccupancyGridMap2D& map) {
+  for (int y = 0; y < static_cast<int>(map.getSizeY()); ++y)
+    for (int x = 0; x < static_cast<int>(map.getSizeX()); ++x)
+      if (is_unknown(map, x, y)) map.setCell(x, y, 1.0F);
+}
+
+}  // namespace
+
+mrpt::maps::COccupancyGridMap2D load_map(const std::string& path, const MapImportOptions& options) {
+  mrpt::maps::COccupancyGridMap2D map;
+  if (ends_with_any(path, {".gridmap", ".gridmap.gz"})) {
+    map = read_gridmap(path);
+  } else if (ends_with_any(path, {".simplemap", ".simplemap.gz"})) {
+    map = read_simplemap(path, options.simplemap_resolution);
+  } else if (ends_with_any(path, {".yaml", ".yml"})) {
+    map = read_ros_map(path);
+  } else {
+    throw file_error(path, "is of no known kind of map",
+                     ".gridmap[.gz], .simplemap[.gz] or a ROS map_server .yaml");
+  }
+  if (options.unknown_is_free) set_unknown_free(map);
+  return map;
+}
+
+mrpt::maps::COccupancyGridMap2D load_occupancy_grid(const std::string& path) {
+  return load_map(path, {});
+}
+
+}  // namespace slalom

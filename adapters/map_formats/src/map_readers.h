@@ -1,0 +1,36 @@
+#pragma once
+
+#include <slalom/map_formats/map_import.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// No map that Slalom reads has more cells.
+constexpr std::uint64_t kMaxCells = 400'000'000;
+
+mrpt::maps::COccupancyGridMap2D read_gridmap(const std::string& path);
+mrpt::maps::COccupancyGridMap2D read_simplemap(const std::string& path, double resolution);
+mrpt::maps::COccupancyGridMap2D read_ros_map(const std::string& path);
+
+/// A grey picture, row 0 on top, 0 black to 255 white.
+struct GreyImage {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// PGM (P5 binary or P2 text) by our own reader, other formats by MRPT. Throws Error (File).
+GreyImage read_grey_image(const std::string& path);
+GreyImage parse_pgm(const std::string& bytes, const std::string& path);
+
+/// A grid with its lower left corner at (x_min, y_min) and cells of `resolution` (m), all unknown.
+/// MRPT keeps corners at whole multiples of the resolution: the grid's corner is the nearest such
+/// point.
+mrpt::maps::COccupancyGridMap2D make_grid(int size_x, int size_y, double resolution, double x_min,
+                                          double y_min);
+
+std::string read_bytes(const std::string& path);
+
+}  // namespace slalom
