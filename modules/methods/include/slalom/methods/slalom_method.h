@@ -1,0 +1,104 @@
+/* The function prototype of a compiled avoidance method: plain C, no C++ types across the border.
+ *
+ * A method is a shared library with one exported function, slalom_method_get_api(), which returns
+ * the table below. Everything is in metres, radians and seconds; the robot frame has x ahead and y
+ * left, angles are counter-clockwise. All pointers given to a method belong to the caller and are
+ * valid during the call only.
+ */
+#ifndef SLALOM_METHOD_H
+#define SLALOM_METHOD_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Version of this prototype. A library made for another one is refused. */
+#define SLALOM_METHOD_ABI_VERSION 1u
+
+/* Marks the exported function visible also in libraries built with hidden visibility. */
+#if defined(_WIN32)
+#define SLALOM_METHOD_EXPORT __declspec(dllexport)
+#else
+#define SLALOM_METHOD_EXPORT __attribute__((visibility("default")))
+#endif
+
+/* A key of the method's .ini section with its value as text. */
+typedef struct slalom_setting {
+  const char* key;
+  const char* value;
+} slalom_setting;
+
+/* What the robot and its sensor are like. */
+typedef struct slalom_robot {
+  double radius;      /* m, disc footprint */
+  double max_v;       /* m/s */
+  double max_w;       /* rad/s */
+  double max_accel_v; /* m/s^2 */
+  double max_accel_w; /* rad/s^2 */
+  int forward_only;   /* 1: v must not be negative */
+  int rays;           /* rays of one scan */
+  double aperture;    /* rad, from the first to the last ray, symmetric about the heading */
+  double max_range;   /* m */
+} slalom_robot;
+
+/* One run. */
+typedef struct slalom_task {
+  double start_x, start_y, start_phi; /* odometry frame */
+  double goal_x, goal_y;              /* odometry frame */
+  double goal_tolerance;              /* m */
+  double control_period;              /* s */
+  uint64_t seed;                      /* for methods that draw random numbers */
+} slalom_task;
+
+/* What the method is given in each control cycle. */
+typedef struct slalom_observation {
+  double time;           /* s since the start of the run */
+  double x, y, phi;      /* odometry pose */
+  double v, w;           /* measured speeds, m/s and rad/s */
+  double goal_x, goal_y; /* goal in the robot frame */
+  const float* ranges;   /* `rays` ranges, m, counter-clockwise from -aperture/2 */
+  size_t rays;
+} slalom_observation;
+
+/* What it answers: within the robot's limits, or the run ends as method_invalid_command. */
+typedef struct slalom_command {
+  double v; /* m/s */
+  double w; /* rad/s, counter-clockwise */
+} slalom_command;
+
+/* A key that the method understands, for help and for finding misspelt ones. */
+typedef struct slalom_parameter {
+  const char* key;
+  const char* default_value;
+  const char* unit; /* "-" for none */
+  const char* help;
+} slalom_parameter;
+
+typedef struct slalom_method_api {
+  uint32_t abi_version; /* SLALOM_METHOD_ABI_VERSION */
+  const char* name;
+  const slalom_parameter* parameters;
+  size_t parameter_count;
+
+  /* A new method, or NULL with a message (at most `error_size` bytes with the final zero) in
+   * `error`. */
+  void* (*create)(const slalom_setting* settings, size_t setting_count, const slalom_robot* robot,
+                  char* error, size_t error_size);
+  /* Begins a run; nothing of the run before may show. 0, or an error code that ends the run. */
+  int (*reset)(void* method, const slalom_task* task);
+  /* One control cycle. 0, or an error code that ends the run as method_error. */
+  int (*step)(void* method, const slalom_observation* observation, slalom_command* command);
+  void (*destroy)(void* method);
+} slalom_method_api;
+
+/* The one function that a library exports. */
+SLALOM_METHOD_EXPORT const slalom_method_api* slalom_method_get_api(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,122 @@
+#include "follow_the_gap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace follow_the_gap {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Half the angle under which an enlarged obstacle is seen; a half circle when the robot is within
+/// it.
+double half_angle(double range, double radius) {
+  return range <= radius ? kPi / 2 : std::asin(radius / range);
+}
+
+double nearest_of(const std::vector<double>& ranges) {
+  return *std::min_element(ranges.begin(), ranges.end());
+}
+
+/// Speed from which the robot can stop within `way`, leaving a little.
+double stopping_speed(double way, const Robot& robot) {
+  constexpr double kLeft = 0.05;  // m
+  return std::sqrt(2 * 0.7 * robot.max_accel_v * std::max(0.0, way - kLeft));
+}
+
+Speeds turn_on_the_spot(int side, const Robot& robot) {
+  return {0, side * robot.max_w};
+}
+
+}  // namespace
+
+double ray_angle(std::size_t i, std::size_t count, double aperture) {
+  return count < 2
+             ? 0.0
+             : -0.5 * aperture + aperture * static_cast<double>(i) / static_cast<double>(count - 1);
+}
+
+std::vector<Gap> find_gaps(const std::vector<double>& ranges, double aperture, double radius,
+                           double horizon) {
+  const std::size_t count = ranges.size();
+  std::vector<char> closed(count, 0);
+  const double step = count < 2 ? 1.0 : aperture / static_cast<double>(count - 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (ranges[i] > horizon) continue;
+    const auto reach = static_cast<std::ptrdiff_t>(half_angle(ranges[i], radius) / step);
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    const auto last = std::min(at + reach, static_cast<std::ptrdiff_t>(count) - 1);
+    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(at - reach, 0); k <= last; ++k)
+      closed[static_cast<std::size_t>(k)] = 1;
+  }
+  std::vector<Gap> gaps;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (closed[i] != 0) continue;
+    std::size_t end = i;
+    while (end + 1 < count && closed[end + 1] == 0) ++end;
+    gaps.push_back({ray_angle(i, count, aperture), ray_angle(end, count, aperture)});
+    i = end;
+  }
+  return gaps;
+}
+
+const Gap* choose_gap(const std::vector<Gap>& gaps, double goal_angle, double goal_weight) {
+  const Gap* best = nullptr;
+  double best_value = 0;
+  for (const Gap& gap : gaps) {
+    const double nearest = std::clamp(goal_angle, gap.low, gap.high);
+    const double value = gap.width() - goal_weight * std::abs(goal_angle - nearest) * 2;
+    if (best != nullptr && value <= best_value) continue;
+    best = &gap;
+    best_value = value;
+  }
+  return best;
+}
+
+double final_heading(const Gap& gap, double goal_angle, double nearest, double alpha) {
+  const double center = 0.5 * (gap.low + gap.high);
+  const double weight = alpha / std::max(nearest, 1e-3);
+  const double heading = (weight * center + goal_angle) / (weight + 1);
+  return std::clamp(heading, gap.low, gap.high);
+}
+
+double free_way_ahead(const std::vector<double>& ranges, double aperture, double max_range,
+                      double radius) {
+  double way = max_range;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (ranges[i] >= max_range) continue;
+    const double angle = ray_angle(i, ranges.size(), aperture);
+    const double x = ranges[i] * std::cos(angle), y = ranges[i] * std::sin(angle);
+    if (x <= 0 || std::abs(y) >= radius) continue;
+    way = std::min(way, x - std::sqrt(radius * radius - y * y));
+  }
+  return std::max(0.0, way);
+}
+
+Speeds decide(const std::vector<double>& ranges, double goal_x, double goal_y,
+              const Parameters& parameters, const Robot& robot, int& last_side) {
+  const double goal_angle = std::atan2(goal_y, goal_x);
+  const double goal_distance = std::hypot(goal_x, goal_y);
+  const double enlarged = robot.radius + parameters.margin;
+  const double horizon = std::min(parameters.look_ahead, goal_distance + robot.radius);
+  const std::vector<Gap> gaps = find_gaps(ranges, robot.aperture, enlarged, horizon);
+  const Gap* gap = choose_gap(gaps, goal_angle, parameters.goal_weight);
+  if (gap == nullptr) {
+    if (last_side == 0) last_side = goal_angle >= 0 ? 1 : -1;
+    return turn_on_the_spot(last_side, robot);
+  }
+  last_side = 0;
+  const double nearest = nearest_of(ranges);
+  const double heading = nearest < horizon
+                             ? final_heading(*gap, goal_angle, nearest, parameters.alpha)
+                             : std::clamp(goal_angle, gap->low, gap->high);
+  const double w = std::clamp(parameters.turn_gain * heading, -robot.max_w, robot.max_w);
+  if (std::abs(heading) > parameters.turn_in_place) return {0, w};
+  const double way = free_way_ahead(ranges, robot.aperture, robot.max_range,
+                                    robot.radius + 0.5 * parameters.margin);
+  const double v = std::min({robot.max_v * std::cos(heading), stopping_speed(way, robot),
+                             stopping_speed(goal_distance + 0.3, robot)});
+  return {std::clamp(v, 0.0, robot.max_v), w};
+}
+
+}  // namespace follow_the_gap
