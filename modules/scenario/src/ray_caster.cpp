@@ -1,7 +1,11 @@
+#include "scan_kernel.h"
+
 #include <slalom/scenario/ray_caster.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace slalom {
 namespace {
@@ -9,10 +13,41 @@ namespace {
 /// A ray that passes a corner within this many cells touches it. Far above the rounding of
 /// coordinates on any map that fits in memory, far below anything a sensor can tell.
 constexpr double kTouch = 1e-9;
-/// Direction components below this are the rounding of sine and cosine: the ray is parallel to an
-/// axis.
-constexpr double kParallel = 1e-14;
 constexpr int kLargestSquare = 65535;
+
+/// Vectors of offsets (bytes) have 32 bits.
+constexpr std::size_t kLargestOffset = std::numeric_limits<std::int32_t>::max();
+
+/// The directions of a scan's rays relative to its heading.
+struct Directions {
+  int count = 0;
+  double aperture = 0;
+  std::vector<double> cosine, sine;
+};
+
+/// Those of the geometry asked for last are kept: a sensor's geometry hardly ever changes.
+const Directions& directions_of(const ScanGeometry& geometry) {
+  thread_local Directions kept;
+  if (kept.count == geometry.count && kept.aperture == geometry.aperture) return kept;
+  kept = {geometry.count, geometry.aperture, {}, {}};
+  for (int i = 0; i < geometry.count; ++i) {
+    kept.cosine.push_back(std::cos(geometry.angle(i)));
+    kept.sine.push_back(std::sin(geometry.angle(i)));
+  }
+  return kept;
+}
+
+/// Directions first..first+count-1 turned by a heading; the rest of the chunk repeats the last one.
+void rotate(const Directions& directions, int first, int count, double cosine, double sine,
+            RayChunk& rays) {
+  const double *c = directions.cosine.data() + first, *s = directions.sine.data() + first;
+  for (int i = 0; i < count; ++i) {
+    rays.cosine[i] = cosine * c[i] - sine * s[i];
+    rays.sine[i] = sine * c[i] + cosine * s[i];
+  }
+  std::fill(rays.cosine + count, rays.cosine + RayChunk::kSize, rays.cosine[count - 1]);
+  std::fill(rays.sine + count, rays.sine + RayChunk::kSize, rays.sine[count - 1]);
+}
 
 bool near_integer(double x) {
   return std::abs(x - std::floor(x) - 0.5) > 0.5 - kTouch;
@@ -24,19 +59,21 @@ RayCaster::RayCaster(const Occupancy& occupancy)
     : size_x_(occupancy.size_x()),
       size_y_(occupancy.size_y()),
       stride_(static_cast<std::size_t>(size_x_) + 2),
+      plane_(stride_ * (static_cast<std::size_t>(size_y_) + 2)),
       resolution_(occupancy.resolution()),
-      origin_(occupancy.origin()) {
-  for (unsigned quadrant = 0; quadrant < 4; ++quadrant) fill(occupancy, quadrant);
+      origin_(occupancy.origin()),
+      squares_(4 * plane_ + 1, 0) {  // one more, so that a word can be read at the last cell
+  for (const bool left : {false, true})
+    for (const bool down : {false, true}) fill(occupancy, left, down);
 }
 
-void RayCaster::fill(const Occupancy& occupancy, unsigned quadrant) {
-  auto& squares = squares_[quadrant];
-  squares.assign(stride_ * (static_cast<std::size_t>(size_y_) + 2), 0);
+void RayCaster::fill(const Occupancy& occupancy, bool left, bool down) {
+  std::uint16_t* squares = squares_.data() + plane_of(left, down);
   for (int y = size_y_ - 1; y >= 0; --y) {
-    const int cy = quadrant & 2U ? size_y_ - 1 - y : y;
+    const int cy = down ? size_y_ - 1 - y : y;
     for (int x = size_x_ - 1; x >= 0; --x) {
-      if (occupancy.occupied(quadrant & 1U ? size_x_ - 1 - x : x, cy)) continue;
-      std::uint16_t* here = &squares[index(x, y)];
+      if (occupancy.occupied(left ? size_x_ - 1 - x : x, cy)) continue;
+      std::uint16_t* here = squares + index(x, y);
       const int smallest = std::min({here[1], here[stride_], here[stride_ + 1]});
       *here = static_cast<std::uint16_t>(std::min(smallest + 1, kLargestSquare));
     }
@@ -52,7 +89,7 @@ RayCaster::Ray RayCaster::make_ray(const mrpt::math::TPoint2D& origin, double co
   if (sine < 0) ray.y = size_y_ - ray.y;
   ray.dx = std::abs(cosine) < kParallel ? 0 : std::abs(cosine);
   ray.dy = std::abs(sine) < kParallel ? 0 : std::abs(sine);
-  ray.squares = squares_[(cosine < 0 ? 1U : 0U) + (sine < 0 ? 2U : 0U)].data();
+  ray.squares = squares_.data() + plane_of(cosine < 0, sine < 0);
   return ray;
 }
 
@@ -67,7 +104,6 @@ bool RayCaster::starts_free(const Ray& ray) const {
 }
 
 double RayCaster::trace(const Ray& ray, double limit) const {
-  if (!starts_free(ray)) return 0;
   if (ray.dx == 0) return std::min(limit, trace_parallel(ray.squares, ray.y, ray.x, stride_, 1));
   if (ray.dy == 0) return std::min(limit, trace_parallel(ray.squares, ray.x, ray.y, 1, stride_));
   return trace_oblique(ray, limit);
@@ -114,14 +150,55 @@ bool RayCaster::touches_corner(const std::uint16_t* squares, int x, int y) const
 
 double RayCaster::cast(const mrpt::math::TPoint2D& origin, double angle, double max_range) const {
   const Ray ray = make_ray(origin, std::cos(angle), std::sin(angle));
+  if (!starts_free(ray)) return 0;
   return std::min(max_range, resolution_ * trace(ray, max_range / resolution_));
+}
+
+ScanOrigin RayCaster::scan_origin(const Ray& ray, double limit) const {
+  ScanOrigin origin{};
+  for (const int mirrored : {0, 1}) {
+    origin.x[mirrored] = mirrored ? size_x_ - ray.x : ray.x;
+    origin.y[mirrored] = mirrored ? size_y_ - ray.y : ray.y;
+    const std::size_t column =
+        plane_of(mirrored, false) + index(static_cast<int>(origin.x[mirrored]), -1);
+    const std::size_t row =
+        plane_of(false, mirrored) + index(-1, static_cast<int>(origin.y[mirrored]));
+    origin.column[mirrored] = static_cast<std::int32_t>(column);
+    origin.row[mirrored] = static_cast<std::int32_t>(row);
+  }
+  origin.limit = limit;
+  origin.squares = squares_.data();
+  origin.stride = static_cast<std::int32_t>(stride_);
+  return origin;
 }
 
 void RayCaster::cast_scan(const mrpt::math::TPose2D& pose, const ScanGeometry& geometry,
                           float* ranges) const {
-  const mrpt::math::TPoint2D origin(pose.x, pose.y);
-  for (int i = 0; i < geometry.count; ++i)
-    ranges[i] = static_cast<float>(cast(origin, pose.phi + geometry.angle(i), geometry.max_range));
+  const mrpt::math::TPoint2D place(pose.x, pose.y);
+  const Ray straight = make_ray(place, 1, 0);
+  if (!starts_free(straight) || !std::isfinite(pose.phi)) {
+    std::fill_n(ranges, std::max(0, geometry.count), 0.0F);
+    return;
+  }
+  const ScanOrigin origin = scan_origin(straight, geometry.max_range / resolution_);
+  const Directions& directions = directions_of(geometry);
+  const double cosine = std::cos(pose.phi), sine = std::sin(pose.phi);
+  const bool fits = squares_.size() < kLargestOffset / sizeof(std::uint16_t);
+  RayChunk rays;
+  for (int first = 0; first < geometry.count; first += RayChunk::kSize) {
+    const int count = std::min(geometry.count - first, RayChunk::kSize);
+    rotate(directions, first, count, cosine, sine, rays);
+    if (fits)
+      cast_rays(origin, count, rays);
+    else
+      std::fill_n(rays.range, count, RayChunk::kUncertain);
+    for (int i = 0; i < count; ++i) {
+      double range = rays.range[i];
+      if (range == RayChunk::kUncertain)
+        range = trace(make_ray(place, rays.cosine[i], rays.sine[i]), origin.limit);
+      ranges[first + i] = static_cast<float>(std::min(geometry.max_range, resolution_ * range));
+    }
+  }
 }
 
 }  // namespace slalom

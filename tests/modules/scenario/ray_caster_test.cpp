@@ -3,7 +3,10 @@
 #include <slalom/scenario/ray_caster.h>
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace slalom {
@@ -159,7 +162,7 @@ TEST(RayCaster, SeesTheSameInAMirror) {
 
 TEST(RayCaster, CastsAScanAsItCastsItsRays) {
   RandomEngine random(23);
-  for (int n = 0; n < 2000; ++n) {
+  for (int n = 0; n < 6000; ++n) {
     const Occupancy cells = testing::random_occupancy(random, 60);
     const RayCaster caster(cells);
     ScanGeometry geometry;
@@ -174,6 +177,43 @@ TEST(RayCaster, CastsAScanAsItCastsItsRays) {
       const double range = caster.cast(at, pose.phi + geometry.angle(i), geometry.max_range);
       ASSERT_NEAR(ranges[static_cast<std::size_t>(i)], range, 1e-6) << i;
     }
+  }
+}
+
+/// All scans of some random rooms, with one instruction set.
+std::vector<float> scans_with(std::int64_t target) {
+  hwy::SetSupportedTargetsForTest(target);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  RandomEngine random(24);
+  std::vector<float> all;
+  for (int n = 0; n < 1500; ++n) {
+    const Occupancy cells = testing::random_occupancy(random, 80);
+    const RayCaster caster(cells);
+    const ScanGeometry geometry{uniform_int(random, 1, 400), uniform_real(random, 0.1, 2 * M_PI),
+                                uniform_real(random, 0.5, 9)};
+    TPoint2D at = testing::random_point(random, cells.bounds());
+    double heading = uniform_real(random, -4, 4);
+    if (n % 3 == 0) {  // where many rays pass through corners and along borders
+      at = cells.to_world(0.5 * uniform_int(random, 0, 2 * cells.size_x()),
+                          0.5 * uniform_int(random, 0, 2 * cells.size_y()));
+      heading = M_PI / 4 * uniform_int(random, -4, 4);
+    }
+    all.resize(all.size() + static_cast<std::size_t>(geometry.count));
+    caster.cast_scan({at.x, at.y, heading}, geometry, all.data() + all.size() - geometry.count);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  return all;
+}
+
+TEST(RayCaster, GivesTheSameBitsWithEveryInstructionSet) {
+  const std::int64_t supported = hwy::SupportedTargets();
+  const std::vector<float> expected = scans_with(supported);
+  for (std::int64_t left = supported; left != 0; left &= left - 1) {
+    const std::vector<float> ranges = scans_with(left & -left);
+    ASSERT_EQ(ranges.size(), expected.size());
+    EXPECT_EQ(std::memcmp(ranges.data(), expected.data(), expected.size() * sizeof(float)), 0)
+        << hwy::TargetName(left & -left);
   }
 }
 

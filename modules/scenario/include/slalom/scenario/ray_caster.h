@@ -7,6 +7,8 @@
 
 namespace slalom {
 
+struct ScanOrigin;
+
 /// The rays of one planar scan: `count` angles from -aperture/2 to +aperture/2 (radians, both ends
 /// included, counter-clockwise) about the sensor's heading.
 struct ScanGeometry {
@@ -48,26 +50,31 @@ class RayCaster {
     const std::uint16_t* squares = nullptr;
   };
 
-  void fill(const Occupancy& occupancy, unsigned quadrant);
+  void fill(const Occupancy& occupancy, bool left, bool down);
   Ray make_ray(const mrpt::math::TPoint2D& origin, double cosine, double sine) const;
   bool starts_free(const Ray& ray) const;
-  double trace(const Ray& ray, double limit) const;  ///< range in cells, at most limit
+  /// Range (cells), at most limit, of a ray that starts free.
+  double trace(const Ray& ray, double limit) const;
   double trace_oblique(const Ray& ray, double limit) const;
   double trace_parallel(const std::uint16_t* squares, double along, double across,
                         std::size_t step_along, std::size_t step_across) const;
   bool touches_corner(const std::uint16_t* squares, int x, int y) const;
+  ScanOrigin scan_origin(const Ray& straight, double limit) const;
+  std::size_t plane_of(bool left, bool down) const {
+    return plane_ * ((left ? 1U : 0U) + (down ? 2U : 0U));
+  }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y + 1) * stride_ + static_cast<std::size_t>(x + 1);
   }
 
   int size_x_, size_y_;
-  std::size_t stride_;
+  std::size_t stride_, plane_;
   double resolution_;
   mrpt::math::TPoint2D origin_;
-  /// Per quadrant (bit 0: to the left, bit 1: down) the grid mirrored so that rays go up and to the
-  /// right: the side of the free square whose lower left cell this is, 0 where occupied; with a
-  /// border of occupied cells.
-  std::vector<std::uint16_t> squares_[4];
+  /// Four planes (rays to the right or left, up or down), each the grid mirrored so that rays go up
+  /// and to the right: the side of the free square whose lower left cell this is, 0 where occupied;
+  /// with a border of occupied cells.
+  std::vector<std::uint16_t> squares_;
 };
 
 }  // namespace slalom
