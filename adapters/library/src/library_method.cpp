@@ -89,11 +89,13 @@ class LibraryLoader {
       : context_(context), where_(context.ini.where(context.section, "plugin")) {}
 
   std::unique_ptr<Method> load() {
-    const auto plugin = context_.ini.get(context_.section, "plugin");
-    if (!plugin || plugin->empty())
+    LibraryOptions options;
+    OptionReader reader(context_.ini, context_.section);
+    options.visit(reader);
+    if (options.plugin.empty())
       throw usage_error(context_.ini.where(context_.section), "no library named",
                         "plugin = PATH of a shared library");
-    path_ = resolve_plugin_path(context_.ini, context_.section, *plugin);
+    path_ = resolve_plugin_path(context_.ini, context_.section, options.plugin);
     std::string error;
     std::unique_ptr<SharedLibrary> library = load_shared_library(path_, error);
     if (!library)
@@ -167,6 +169,12 @@ class LibraryLoader {
 };
 
 }  // namespace
+
+void LibraryOptions::visit(OptionVisitor& v) {
+  std::string adapter = "library";
+  v.option("adapter", adapter, "the adapter that this method comes in by", {"library"});
+  v.option("plugin", plugin, "shared library with the prototype of slalom_method.h");
+}
 
 std::unique_ptr<Method> make_library_method(const MethodContext& context) {
   return LibraryLoader(context).load();

@@ -2,9 +2,13 @@
 #include "manifest.h"
 #include "result_sink.h"
 
+#include <slalom/analysis/analysis_section.h>
+#include <slalom/analysis/cross_table.h>
 #include <slalom/app/campaign_program.h>
 #include <slalom/campaign/campaign.h>
 #include <slalom/commands/scenario_sources.h>
+#include <slalom/generation/random_generator.h>
+#include <slalom/io/html_report.h>
 #include <slalom/io/result_file.h>
 #include <slalom/library/library_method.h>
 #include <slalom/map_formats/map_import.h>
@@ -29,12 +33,50 @@ std::vector<QuantityInfo> infos(const std::vector<std::string>& ids, Find find) 
   return infos;
 }
 
+template <typename Options>
+void list_section(std::string& text, const std::string& section) {
+  Options options;
+  OptionLister lister;
+  options.visit(lister);
+  text += (text.empty() ? "[" : "\n[") + section + "]\n" + lister.text();
+}
+
+/// The tables that [analysis] asks for, tried on results without runs: a wrong id is told before
+/// anything runs.
+void check_analysis(const IniFile& ini, const std::vector<QuantityInfo>& descriptors,
+                    const std::vector<QuantityInfo>& metrics) {
+  read_options<AnalysisSection>(ini, "analysis");
+  ResultTable table;
+  table.manifest["campaign.ini"] = ini.canonical_text();
+  for (const auto* infos : {&descriptors, &metrics})
+    for (const QuantityInfo& info : *infos) table.quantities[info.id] = info;
+  const ReportOptions options = report_options(table);
+  build_cross_tables(table, options.rows, options.columns, options.analysis);
+}
+
 std::string problem_of(const CampaignSummary& summary) {
   const std::size_t errors = summary.infrastructure_errors();
   return errors == 0 ? "" : std::to_string(errors) + " runs ended as infrastructure_error";
 }
 
 }  // namespace
+
+std::string campaign_options_help() {
+  std::string text;
+  list_section<CampaignSection>(text, "campaign");
+  list_section<ScenariosSection>(text, "scenarios");
+  list_section<RandomGeneratorOptions>(text, "generator.random");
+  list_section<RobotModel>(text, "robot");
+  list_section<SensorModel>(text, "sensor");
+  list_section<SimulationOptions>(text, "simulation");
+  list_section<OmplOptions>(text, "reference");
+  list_section<MetricsSection>(text, "metrics");
+  list_section<LimitsSection>(text, "limits");
+  list_section<AnalysisSection>(text, "analysis");
+  list_section<HolonomicOptions>(text, "method.NAME");
+  list_section<LibraryOptions>(text, "method.NAME");
+  return text;
+}
 
 IniFile load_campaign_ini(const CampaignArguments& arguments) {
   IniFile ini = IniFile::load(arguments.config);
@@ -62,11 +104,12 @@ CampaignReport run_campaign_program(const IniFile& ini, const CampaignArguments&
   const auto planner = make_ompl_planner(ompl_options);
   Campaign campaign{read_campaign_options(ini), std::move(scenarios), ini, registry, planner.get()};
   campaign.options.reference_gap = ompl_options.gap;
+  const auto descriptors = infos(campaign.options.descriptors, descriptor);
+  const auto metrics = infos(campaign.options.metrics, metric);
+  check_analysis(ini, descriptors, metrics);
   check_methods(campaign);
 
-  ResultFile file = ResultFile::create(results_path, make_manifest(campaign),
-                                       infos(campaign.options.descriptors, descriptor),
-                                       infos(campaign.options.metrics, metric));
+  ResultFile file = ResultFile::create(results_path, make_manifest(campaign), descriptors, metrics);
   ResultSink sink(file);
   const auto progress = make_terminal_progress(arguments.quiet);
   const CampaignSummary summary =

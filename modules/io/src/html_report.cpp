@@ -2,6 +2,7 @@
 #include "html_tables.h"
 #include "html_text.h"
 
+#include <slalom/analysis/analysis_section.h>
 #include <slalom/analysis/findings.h>
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
@@ -222,11 +223,10 @@ std::vector<std::string> default_columns(const ResultTable& table) {
 ReportOptions report_options(const ResultTable& table) {
   const IniFile ini = campaign_ini(table.manifest);
   ReportOptions options;
-  const auto rows = ini.get("analysis", "rows");
-  options.rows = rows ? parse_bin_specs(*rows) : default_rows(table);
-  const auto columns = ini.get("analysis", "columns");
-  options.columns = columns ? split(*columns, ',') : default_columns(table);
-  parse_number(ini.get("analysis", "confidence").value_or(""), options.analysis.confidence);
+  const auto section = read_options<AnalysisSection>(ini, "analysis");
+  options.rows = section.rows.empty() ? default_rows(table) : parse_bin_specs(section.rows);
+  options.columns = section.columns.empty() ? default_columns(table) : split(section.columns, ',');
+  options.analysis.confidence = section.confidence;
   parse_number(ini.get("robot", "radius").value_or(""), options.robot_radius);
   return options;
 }

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <slalom/core/options.h>
 #include <slalom/methods/method.h>
 
 #include <memory>
 #include <string>
 
 namespace slalom {
+
+/// Section [method.NAME] with adapter = library; further keys are the method's own parameters.
+struct LibraryOptions {
+  std::string plugin;  ///< the shared library
+
+  void visit(OptionVisitor& v);
+};
 
 /// A method in a compiled library with the prototype of <slalom/methods/slalom_method.h>. Key
 /// `plugin` of the section names the library; all other keys but `adapter` are the method's own.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <slalom/core/options.h>
+
+#include <string>
+
+namespace slalom {
+
+/// Section [analysis] of a campaign's .ini: which tables are shown.
+struct AnalysisSection {
+  std::string rows;          ///< descriptor bins, separated by ';'; empty: density:4 where it is known
+  std::string columns;       ///< metric ids, comma separated; empty: success, optimality, safety
+  double confidence = 0.95;  ///< of intervals
+
+  void visit(OptionVisitor& v);
+};
+
+}  // namespace slalom
