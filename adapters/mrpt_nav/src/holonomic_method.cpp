@@ -5,7 +5,6 @@
 #include <slalom/mrpt_nav/holonomic_method.h>
 
 #include <mrpt/config/CConfigFile.h>
-#include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/nav/holonomic/CAbstractHolonomicReactiveMethod.h>
 #include <mrpt/nav/holonomic/ClearanceDiagram.h>
 #include <mrpt/nav/registerAllClasses.h>
@@ -78,14 +77,11 @@ class HolonomicMethod : public Method {
   }
 
  private:
+  /// Without an .ini the class's own defaults hold: initialize() insists on some keys.
   void configure() {
-    if (options_.config.empty()) {
-      const mrpt::config::CConfigFileMemory defaults;
-      method_->initialize(defaults);
-    } else {
-      const mrpt::config::CConfigFile file(options_.config);
-      method_->initialize(file);
-    }
+    if (options_.config.empty()) return;
+    const mrpt::config::CConfigFile file(options_.config);
+    method_->initialize(file);
   }
 
   /// Free travel of the enlarged disc in each sector, in parts of the reference distance.
