@@ -5,8 +5,9 @@
 namespace slalom {
 
 std::optional<Value> na_unless_reached(const MetricContext& context) {
-  if (context.outcome == Outcome::Success) return std::nullopt;
-  return Value::na("outcome: " + to_string(context.outcome));
+  if (context.outcome != Outcome::Success)
+    return Value::na("outcome: " + to_string(context.outcome));
+  return na_without_samples(context);
 }
 
 std::optional<Value> na_without_samples(const MetricContext& context) {

@@ -6,7 +6,7 @@
 
 namespace slalom {
 
-/// NA with the outcome as the reason, unless the goal was reached.
+/// NA with the reason, unless the goal was reached by a trajectory that can be measured.
 std::optional<Value> na_unless_reached(const MetricContext& context);
 
 /// NA with the reason when the run left no trajectory to measure.

@@ -19,7 +19,8 @@ class PathLength : public Metric {
   }
 };
 
-/// L* / L, L closed to the goal (closed_length).
+/// L* / L, L closed to the goal (closed_length), L* the length of the path that was found: at most
+/// its certificate's gap above the least possible, so a run may exceed 1 by no more than that.
 class Optimality : public Metric {
  public:
   QuantityInfo info() const override { return {"optimality", 1, "Optimality", "-", Direction::Up}; }
@@ -45,6 +46,7 @@ class Spl : public Metric {
         context.outcome == Outcome::InfrastructureError)
       return Value::na("outcome: " + to_string(context.outcome));
     if (context.outcome != Outcome::Success) return Value::of(0);
+    if (const auto na = na_without_samples(context)) return *na;
     if (!context.references.shortest) return Value::na(context.references.shortest_reason);
     const double best = context.references.shortest->length;
     const double longer = std::max(closed_length(context), best);

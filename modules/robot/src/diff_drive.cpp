@@ -32,7 +32,7 @@ TPose2D move_along_arc(const TPose2D& pose, double v, double w, double dt) {
 }  // namespace
 
 DiffDrive::DiffDrive(const RobotModel& robot) : robot_(robot) {
-  resetStatus();
+  start_at({});
 }
 
 void DiffDrive::start_at(const TPose2D& pose) {

@@ -12,6 +12,8 @@ using mrpt::math::TPose2D;
 
 /// Touching exactly is free, as it is for reference paths; this much (m) absorbs rounding.
 constexpr double kContactTolerance = 1e-9;
+/// Times (s) are sums and multiples of steps; this much absorbs their rounding.
+constexpr double kTimeTolerance = 1e-9;
 
 TPoint2D position(const TPose2D& pose) {
   return {pose.x, pose.y};
@@ -59,8 +61,15 @@ bool Judge::left_workspace(const TPose2D& pose) const {
   return !world_.scenario().bounds().contains(position(pose));
 }
 
+bool Judge::is_in_time(double now) const {
+  return now <= options_.max_time + kTimeTolerance;
+}
+
+bool Judge::is_time_over(double now) const {
+  return now >= options_.max_time - kTimeTolerance;
+}
+
 bool Judge::is_stuck(const Trajectory& trajectory, double now, const TPose2D& pose) const {
-  constexpr double kTimeTolerance = 1e-9;
   const auto& samples = trajectory.samples;
   if (samples.empty() || now - samples.front().t < options_.stuck_time - kTimeTolerance)
     return false;

@@ -18,6 +18,7 @@ const mrpt::obs::CObservation2DRangeScan& RangeFinder::sense(const mrpt::math::T
   caster_.cast_scan(pose, geometry_, ranges_.data());
   for (std::size_t i = 0; i < ranges_.size(); ++i) valid_[i] = ranges_[i] < scan_.maxRange ? 1 : 0;
   scan_.loadFromVectors(ranges_.size(), ranges_.data(), valid_.data());
+  scan_.forget_points();
   scan_.timestamp = time;
   return scan_;
 }

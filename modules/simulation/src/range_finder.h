@@ -20,11 +20,18 @@ class RangeFinder {
                                                   mrpt::Clock::time_point time);
 
  private:
+  /// MRPT keeps the points of a scan (buildAuxPointsMap) when the ranges change; a scan that is
+  /// used again must forget them, or a method sees obstacles where they were when it first asked.
+  class ReusedScan : public mrpt::obs::CObservation2DRangeScan {
+   public:
+    void forget_points() { m_cachedMap.reset(); }
+  };
+
   const RayCaster& caster_;
   ScanGeometry geometry_;
   std::vector<float> ranges_;
   std::vector<char> valid_;
-  mrpt::obs::CObservation2DRangeScan scan_;
+  ReusedScan scan_;
 };
 
 }  // namespace slalom

@@ -2,7 +2,6 @@
 #include "range_finder.h"
 #include "simulated_clock.h"
 
-#include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/methods/registry.h>
 #include <slalom/robot/diff_drive.h>
@@ -10,6 +9,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 
 namespace slalom {
 namespace {
@@ -45,18 +45,11 @@ class Run {
   }
 
   SimulationResult drive(std::uint64_t seed) {
-    if (judge_.touches(pose())) {
-      record();
+    if (judge_.touches(pose()))
       end(Outcome::UnsolvableScenario, "the robot touches an obstacle where it starts");
-      return std::move(result_);
-    }
-    try {
-      reset_method(seed);
-      while (!over_) cycle();
-    } catch (const std::exception& e) {
-      record();
-      end(Outcome::MethodError, e.what());
-    }
+    else
+      call_method([&] { method_.reset(task(seed)); });
+    while (!over_) cycle();
     return std::move(result_);
   }
 
@@ -64,50 +57,53 @@ class Run {
   const TPose2D& pose() const { return vehicle_.getCurrentGTPose(); }
   double cycle_time() const { return cycle_ * options_.control_period; }
 
-  void reset_method(std::uint64_t seed) {
+  Task task(std::uint64_t seed) const {
     Task task;
     task.start = world_.scenario().start();
     task.goal = world_.scenario().goal();
     task.goal_tolerance = options_.goal_tolerance;
     task.control_period = options_.control_period;
     task.seed = seed;
-    method_.reset(task);
+    return task;
+  }
+
+  /// Whatever the method throws ends its run, and only that.
+  template <typename Call>
+  void call_method(Call call) {
+    try {
+      call();
+    } catch (const std::exception& e) {
+      end(Outcome::MethodError, e.what());
+    } catch (...) {
+      end(Outcome::MethodError, "the method threw something that is not a std::exception");
+    }
   }
 
   /// Sense, decide, move: one control period.
   void cycle() {
     time_ = cycle_time();
     if (is_over_before_deciding()) return;
-    const Command command = ask_method();
-    std::string why;
-    if (!is_valid_command(command, robot_, why)) {
-      record();
-      return end(Outcome::MethodInvalidCommand, why + " " + at(pose(), time_));
-    }
-    command_ = command;
+    const Observation observation = observe();
+    call_method([&] { decide(observation); });
+    if (over_) return;
     record();
-    vehicle_.command(command.v, command.w);
+    vehicle_.command(command_.v, command_.w);
     move();
     ++cycle_;
   }
 
   bool is_over_before_deciding() {
-    constexpr double kTimeTolerance = 1e-9;
-    if (judge_.reached_goal(pose())) {
-      record();
+    if (judge_.reached_goal(pose()))
       end(Outcome::Success, "goal reached " + at(pose(), time_));
-    } else if (time_ >= options_.max_time - kTimeTolerance) {
-      record();
+    else if (judge_.is_time_over(time_))
       end(Outcome::Timeout, "goal not reached, " + at(pose(), time_));
-    } else if (judge_.is_stuck(result_.trajectory, time_, pose())) {
-      record();
+    else if (judge_.is_stuck(result_.trajectory, time_, pose()))
       end(Outcome::Stuck,
           "no progress for " + format_number(options_.stuck_time) + " s " + at(pose(), time_));
-    }
     return over_;
   }
 
-  Command ask_method() {
+  Observation observe() {
     clock_.set(time_);
     Observation observation;
     observation.time = time_;
@@ -116,18 +112,29 @@ class Run {
     observation.w = vehicle_.w();
     observation.goal_in_robot = in_robot_frame(observation.odometry, world_.scenario().goal());
     observation.scan = &sensor_.sense(pose(), clock_.now());
+    return observation;
+  }
+
+  void decide(const Observation& observation) {
     const auto begin = std::chrono::steady_clock::now();
     const Command command = method_.step(observation);
     result_.cycle_seconds.push_back(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    return command;
+    std::string why;
+    if (is_valid_command(command, robot_, why))
+      command_ = command;
+    else
+      end(Outcome::MethodInvalidCommand, why + " " + at(pose(), time_));
   }
 
   void move() {
     for (int step = 0; step < steps_per_cycle_ && !over_; ++step) {
+      const double begin = cycle_time() + step * options_.step;
+      if (!judge_.is_in_time(begin + options_.step))
+        return end(Outcome::Timeout, "goal not reached, " + at(pose(), time_));
       const TPose2D before = pose();
       vehicle_.advance(options_.step);
-      judge_step(before, cycle_time() + step * options_.step);
+      judge_step(before, begin);
     }
   }
 
@@ -139,13 +146,10 @@ class Run {
     time_ = begin + share * options_.step;
     if (contact) {
       vehicle_.setCurrentGTPose(now);
-      record();
       end(Outcome::Collision, "contact " + at(now, time_));
     } else if (judge_.left_workspace(now)) {
-      record();
       end(Outcome::LeftWorkspace, "left " + at(now, time_));
     } else if (judge_.reached_goal(now)) {
-      record();
       end(Outcome::Success, "goal reached " + at(now, time_));
     }
   }
@@ -155,7 +159,10 @@ class Run {
         {time_, pose(), vehicle_.v(), vehicle_.w(), command_.v, command_.w});
   }
 
+  /// The last instant is recorded too, unless it is the control cycle's own.
   void end(Outcome outcome, const std::string& detail) {
+    const auto& samples = result_.trajectory.samples;
+    if (samples.empty() || samples.back().t < time_) record();
     result_.outcome = outcome;
     result_.detail = detail;
     over_ = true;
@@ -179,33 +186,11 @@ class Run {
 
 }  // namespace
 
-void SimulationOptions::visit(OptionVisitor& v) {
-  v.option("control_period", control_period, "s", "time between two observations",
-           Range::positive());
-  v.option("step", step, "s", "step of motion and collision tests; divides control_period",
-           Range::positive());
-  v.option("max_time", max_time, "s", "simulated time after which a run is a timeout",
-           Range::positive());
-  v.option("goal_tolerance", goal_tolerance, "m", "distance at which the goal counts as reached",
-           Range::positive());
-  v.option("stuck_time", stuck_time, "s", "time without progress after which a run is stuck",
-           Range::positive());
-  v.option("stuck_distance", stuck_distance, "m", "moving no further than this is no progress",
-           Range::positive());
-  v.option("resolution", resolution, "m", "cell size for scenarios that are not grids",
-           Range::positive());
-}
-
-void SimulationOptions::check(const IniFile& ini, const std::string& section) const {
-  const double ratio = control_period / step;
-  if (ratio < 0.5 || std::abs(ratio - std::round(ratio)) > 1e-6)
-    throw usage_error(
-        ini.where(section, "step"), format_number(step) + " s does not divide the control period",
-        "control_period (" + format_number(control_period) + " s) divided by a whole number");
-}
-
 SimulationResult simulate(const World& world, const RobotModel& robot, const SensorModel& sensor,
                           const SimulationOptions& options, std::uint64_t seed, Method& method) {
+  const double ratio = options.control_period / options.step;
+  if (!(ratio >= 1 - 1e-6 && ratio < 1e9))
+    throw std::invalid_argument("simulate: the step must divide the control period");
   return Run(world, robot, sensor, options, method).drive(seed);
 }
 

@@ -1,0 +1,159 @@
+// Closed-loop control steps per second on one core, in a room of 400 x 400 cells of 0.05 m with
+// random discs: 181 rays over 180 degrees up to 8 m, ten motion steps of 0.01 s per control step.
+// `slalom` is simulate() with everything on: sensing, a light method, motion, collision tests,
+// recording. The peers have sensing and motion only: `mrpt` is laserScanSimulator with a
+// CVehicleSimul_DiffDriven; `motion_and_judging` is simulate() with two rays, to see what the scan
+// costs. Counter `steps` is control steps per second.
+#include <slalom/core/random.h>
+#include <slalom/simulation/simulate.h>
+
+#include <benchmark/benchmark.h>
+#include <mrpt/kinematics/CVehicleSimul_DiffDriven.h>
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <cmath>
+#include <deque>
+
+namespace slalom {
+namespace {
+
+using mrpt::maps::COccupancyGridMap2D;
+using mrpt::math::TPose2D;
+using mrpt::obs::CObservation2DRangeScan;
+
+constexpr double kSize = 20, kResolution = 0.05;  // m
+constexpr int kStarts = 16;
+
+Scenario random_discs() {
+  RandomEngine random(7);
+  Primitives obstacles;
+  for (int i = 0; i < 40; ++i)
+    obstacles.discs.push_back({{uniform_real(random, 0, kSize), uniform_real(random, 0, kSize)},
+                               uniform_real(random, 0.2, 0.8)});
+  const Scenario discs =
+      Scenario::continuous("discs", {0, 0, kSize, kSize}, obstacles, {1, 1, 0}, {0.01, 0.01});
+  return convert(discs, Representation::Grid, kResolution);
+}
+
+/// The room once for each start, with the tables made beforehand.
+const std::deque<World>& rooms() {
+  static const std::deque<World> worlds = [] {
+    std::deque<World> made;
+    const Scenario room = random_discs();
+    const World place(room, kResolution);
+    RandomEngine random(11);
+    while (made.size() < kStarts) {
+      const TPose2D start(uniform_real(random, 0, kSize), uniform_real(random, 0, kSize),
+                          uniform_real(random, -M_PI, M_PI));
+      if (place.distance_field().clearance({start.x, start.y}) < 0.6) continue;
+      made.emplace_back(room.with_task(start, room.goal()), kResolution);
+      made.back().distance_field();
+      made.back().ray_caster();
+    }
+    return made;
+  }();
+  return worlds;
+}
+
+/// Drives on until something is near ahead, then turns on the spot; looks at every tenth ray.
+Command wander(const CObservation2DRangeScan& scan) {
+  const std::size_t count = scan.getScanSize();
+  float nearest = scan.maxRange;
+  for (std::size_t i = count / 6; i < count - count / 6; i += 10)
+    nearest = std::min(nearest, scan.getScanRange(i));
+  return nearest < 0.9F ? Command{0, 1} : Command{0.8, 0.05};
+}
+
+class Wanderer : public Method {
+ public:
+  void reset(const Task&) override {}
+  Command step(const Observation& observation) override { return wander(*observation.scan); }
+};
+
+SimulationOptions wandering_options() {
+  SimulationOptions options;
+  options.goal_tolerance = 1e-6;  // the goal is in a wall: runs end when their time is over
+  options.stuck_time = 1e6;
+  return options;
+}
+
+void count_steps(benchmark::State& state, std::size_t steps) {
+  state.counters["steps"] =
+      benchmark::Counter(static_cast<double>(steps), benchmark::Counter::kIsRate);
+}
+
+void simulate_rays(benchmark::State& state, int rays) {
+  const std::deque<World>& worlds = rooms();
+  const SimulationOptions options = wandering_options();
+  const RobotModel robot;
+  SensorModel sensor;
+  sensor.rays = rays;
+  Wanderer wanderer;
+  std::size_t steps = 0, i = 0;
+  for (auto _ : state) {
+    const SimulationResult result =
+        simulate(worlds[i++ % worlds.size()], robot, sensor, options, 0, wanderer);
+    steps += result.cycle_seconds.size();
+    benchmark::DoNotOptimize(result);
+  }
+  count_steps(state, steps);
+}
+
+void slalom(benchmark::State& state) {
+  simulate_rays(state, 181);
+}
+
+void motion_and_judging(benchmark::State& state) {
+  simulate_rays(state, 2);
+}
+
+/// MRPT's vehicle, moved in steps as long as ours instead of its own 0.5 ms.
+class MrptVehicle : public mrpt::kinematics::CVehicleSimul_DiffDriven {
+ public:
+  explicit MrptVehicle(const TPose2D& start) {
+    m_firmware_control_period = SimulationOptions().step;
+    resetTime();
+    resetStatus();
+    setCurrentGTPose(start);
+    setCurrentOdometricPose(start);
+  }
+};
+
+/// maxRange bounds MRPT's steps, not the distance: divided by the step it sees all of the 8 m.
+CObservation2DRangeScan mrpt_scan() {
+  CObservation2DRangeScan scan;
+  const SensorModel sensor;
+  scan.aperture = static_cast<float>(sensor.aperture());
+  scan.maxRange =
+      static_cast<float>(sensor.max_range / COccupancyGridMap2D::RAYTRACE_STEP_SIZE_IN_CELL_UNITS);
+  return scan;
+}
+
+void mrpt(benchmark::State& state) {
+  const std::deque<World>& worlds = rooms();
+  const SimulationOptions options = wandering_options();
+  const int cycles = static_cast<int>(options.max_time / options.control_period);
+  CObservation2DRangeScan scan = mrpt_scan();
+  std::size_t steps = 0, i = 0;
+  for (auto _ : state) {
+    const Scenario& scenario = worlds[i++ % worlds.size()].scenario();
+    MrptVehicle vehicle(scenario.start());
+    for (int cycle = 0; cycle < cycles; ++cycle) {
+      const mrpt::poses::CPose2D pose(vehicle.getCurrentGTPose());
+      scenario.grid_map()->laserScanSimulator(scan, pose, 0.5F, 181);
+      const Command command = wander(scan);
+      vehicle.movementCommand(command.v, command.w);
+      vehicle.simulateOneTimeStep(options.control_period);
+    }
+    steps += static_cast<std::size_t>(cycles);
+    benchmark::DoNotOptimize(vehicle.getCurrentGTPose());
+  }
+  count_steps(state, steps);
+}
+
+BENCHMARK(slalom)->Unit(benchmark::kMillisecond);
+BENCHMARK(mrpt)->Unit(benchmark::kMillisecond);
+BENCHMARK(motion_and_judging)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace slalom
