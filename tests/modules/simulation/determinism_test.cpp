@@ -1,0 +1,53 @@
+#include "test_runs.h"
+
+#include <gtest/gtest.h>
+
+namespace slalom::testing {
+namespace {
+
+TEST(Simulate, GivesTheSameTrajectoryForTheSameSeed) {
+  RandomEngine random(1);
+  const World world = random_cells(random, 0.01);
+  RandomMethod method{RobotModel()}, another{RobotModel()};
+  const SimulationResult first = run(world, method), second = run(world, another);
+  EXPECT_EQ(first.trajectory.hash(), second.trajectory.hash());
+  EXPECT_EQ(first.outcome, second.outcome);
+  EXPECT_EQ(first.detail, second.detail);
+  EXPECT_NE(run(world, method, {}, {}, 2).trajectory.hash(), first.trajectory.hash());
+}
+
+TEST(Simulate, DoesNotDependOnTheRunsBefore) {
+  RandomEngine random(2);
+  const World world = random_cells(random, 0.01), other = random_cells(random, 0.03);
+  RandomMethod method{RobotModel()};
+  const std::string first = run(world, method).trajectory.hash();
+  for (std::uint64_t seed = 10; seed < 20; ++seed) {
+    run(other, method, {}, {}, seed);
+    EXPECT_EQ(run(world, method).trajectory.hash(), first);
+  }
+}
+
+TEST(Simulate, TellsTheMethodItsTask) {
+  class Curious : public RandomMethod {
+   public:
+    using RandomMethod::RandomMethod;
+    void reset(const Task& task) override {
+      told = task;
+      RandomMethod::reset(task);
+    }
+    Task told;
+  };
+  const World world = room({2, 3, 0.5}, {8, 7});
+  SimulationOptions options;
+  options.goal_tolerance = 0.3;
+  Curious method{RobotModel()};
+  run(world, method, options, {}, 77);
+  EXPECT_EQ(method.told.start, world.scenario().start());
+  EXPECT_EQ(method.told.goal, world.scenario().goal());
+  EXPECT_EQ(method.told.goal_tolerance, 0.3);
+  EXPECT_EQ(method.told.control_period, options.control_period);
+  EXPECT_EQ(method.told.seed, 77U);
+}
+
+}  // namespace
+}  // namespace slalom::testing

@@ -1,0 +1,189 @@
+#include "test_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace slalom::testing {
+namespace {
+
+TEST(Simulate, ReachesAGoalStraightAheadInTheTimeOfATrapezoid) {
+  const World world = room({1, 5, 0}, {8, 5});
+  FunctionMethod forward = constant_method(1, 0);
+  const SimulationResult result = run(world, forward);
+  EXPECT_EQ(result.outcome, Outcome::Success);
+  // 7 m less the tolerance of 0.2 m: 0.5 m in 1 s while it speeds up to 1 m/s, the rest at 1 m/s.
+  EXPECT_NEAR(result.trajectory.duration(), 1 + (7 - 0.2 - 0.5), 0.01 + 1e-9);
+  EXPECT_NEAR(result.trajectory.samples.back().pose.x, 7.8, 0.01 + 1e-9);
+  EXPECT_NEAR(result.trajectory.samples.back().pose.y, 5, 1e-12);
+}
+
+TEST(Simulate, RecordsOneSamplePerControlCycleAndTheLastInstant) {
+  const World world = room({1, 5, 0}, {8, 5});
+  FunctionMethod forward = constant_method(1, 0);
+  const SimulationResult result = run(world, forward);
+  const auto& samples = result.trajectory.samples;
+  ASSERT_EQ(samples.size(), result.cycle_seconds.size() + 1);
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    EXPECT_DOUBLE_EQ(samples[i].t, 0.1 * static_cast<double>(i));
+    EXPECT_EQ(samples[i].command_v, 1);
+  }
+  EXPECT_GT(samples.back().t, samples[samples.size() - 2].t);
+}
+
+TEST(Simulate, KeepsSpeedsAndAccelerationsWithinTheLimits) {
+  const World world = room({5, 5, 0}, {9.9, 9.9});
+  const RobotModel robot;
+  RandomMethod method(robot);
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const auto samples = run(world, method, {}, robot, seed).trajectory.samples;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+      const double dt = samples[i].t - samples[i - 1].t;
+      EXPECT_LE(samples[i].v, robot.max_v);
+      EXPECT_GE(samples[i].v, 0);
+      EXPECT_LE(std::abs(samples[i].w), robot.max_w);
+      // Speeds are those at the end of a motion step, which a contact may cut short.
+      EXPECT_LE(std::abs(samples[i].v - samples[i - 1].v), robot.max_accel_v * (dt + 0.01));
+      EXPECT_LE(std::abs(samples[i].w - samples[i - 1].w), robot.max_accel_w * (dt + 0.01));
+    }
+  }
+}
+
+TEST(Simulate, SucceedsAtOnceWhereTheGoalIsTheStart) {
+  const World world = room({5, 5, 0}, {5.1, 5});
+  FunctionMethod forward = constant_method(1, 0);
+  const SimulationResult result = run(world, forward);
+  EXPECT_EQ(result.outcome, Outcome::Success);
+  EXPECT_EQ(result.trajectory.samples.size(), 1U);
+  EXPECT_TRUE(result.cycle_seconds.empty());
+}
+
+TEST(Simulate, CallsAStartOnAnObstacleUnsolvable) {
+  Primitives obstacles;
+  obstacles.discs.push_back({{1.3, 5}, 0.2});
+  const World world = room({1, 5, 0}, {8, 5}, obstacles);
+  FunctionMethod forward = constant_method(1, 0);
+  const SimulationResult result = run(world, forward);
+  EXPECT_EQ(result.outcome, Outcome::UnsolvableScenario);
+  EXPECT_EQ(result.trajectory.samples.size(), 1U);
+  EXPECT_NE(result.detail, "");
+}
+
+TEST(Simulate, CollidesWithTheBorderAsWithAWall) {
+  const World world = room({5, 5, 0}, {1, 1});
+  FunctionMethod forward = constant_method(1, 0);
+  const SimulationResult result = run(world, forward);
+  EXPECT_EQ(result.outcome, Outcome::Collision);
+  EXPECT_NEAR(result.trajectory.samples.back().pose.x, 10 - 0.25, 1e-8);
+}
+
+TEST(Simulate, TimesOutExactlyAtTheLongestTime) {
+  const World world = room({5, 5, 0}, {1, 1});
+  FunctionMethod circle = constant_method(0.5, 0.5);
+  for (const double max_time : {5.0, 5.03, 4.96}) {
+    SimulationOptions options;
+    options.max_time = max_time;
+    const SimulationResult result = run(world, circle, options);
+    EXPECT_EQ(result.outcome, Outcome::Timeout);
+    EXPECT_NEAR(result.trajectory.duration(), max_time, 1e-9);
+  }
+}
+
+TEST(Simulate, NeverSucceedsAfterTheLongestTime) {
+  const World world = room({1, 5, 0}, {7.95, 5});  // reached after 7.25 s
+  FunctionMethod forward = constant_method(1, 0);
+  SimulationOptions options;
+  options.max_time = 7.22;
+  EXPECT_EQ(run(world, forward, options).outcome, Outcome::Timeout);
+  options.max_time = 7.28;
+  EXPECT_EQ(run(world, forward, options).outcome, Outcome::Success);
+}
+
+TEST(Simulate, CallsStandingAndTurningOnTheSpotStuck) {
+  const World world = room({5, 5, 0}, {1, 1});
+  SimulationOptions options;
+  for (const double w : {0.0, 1.0}) {
+    FunctionMethod method = constant_method(0, w);
+    const SimulationResult result = run(world, method, options);
+    EXPECT_EQ(result.outcome, Outcome::Stuck);
+    EXPECT_NEAR(result.trajectory.duration(), options.stuck_time, 1e-9);
+  }
+}
+
+TEST(Simulate, CallsCreepingStuckButNotSlowProgress) {
+  const World world = room({2, 5, 0}, {1, 1});
+  SimulationOptions options;
+  options.max_time = 20;
+  // 8 s at 0.01 m/s are 0.08 m, less than 0.1 m; at 0.02 m/s they are 0.16 m.
+  FunctionMethod creeping = constant_method(0.01, 0), slow = constant_method(0.02, 0);
+  EXPECT_EQ(run(world, creeping, options).outcome, Outcome::Stuck);
+  EXPECT_EQ(run(world, slow, options).outcome, Outcome::Timeout);
+}
+
+TEST(Simulate, BeginsToCountStuckTimeWhereTheRobotStops) {
+  const World world = room({2, 5, 0}, {1, 1});
+  FunctionMethod method([](const Observation& o) { return Command{o.time < 3.95 ? 0.5 : 0.0, 0}; });
+  const SimulationResult result = run(world, method);
+  EXPECT_EQ(result.outcome, Outcome::Stuck);
+  // It stops at 4.0 + 0.5 s and came within 0.1 m of that place when 0.5^2 / 2 > 0.1, i.e. braking
+  // at v = sqrt(2 * 0.1) = 0.447, 0.053 s after 4 s; samples come every 0.1 s: 4.1 + 8 s.
+  EXPECT_NEAR(result.trajectory.duration(), 12.1, 1e-9);
+}
+
+TEST(Simulate, EndsARunOnAnInvalidCommand) {
+  const World world = room({1, 5, 0}, {8, 5});
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Command bad :
+       {Command{nan, 0}, Command{0, -HUGE_VAL}, Command{1.5, 0}, Command{0, 2}, Command{-0.1, 0}}) {
+    FunctionMethod method([&](const Observation& o) {
+      return o.time < 0.95 ? Command{1, 0} : bad;
+    });
+    const SimulationResult result = run(world, method);
+    EXPECT_EQ(result.outcome, Outcome::MethodInvalidCommand);
+    EXPECT_NEAR(result.trajectory.duration(), 1.0, 1e-12);
+    EXPECT_NE(result.detail.find("after 1.00 s"), std::string::npos) << result.detail;
+    for (const Sample& sample : result.trajectory.samples) EXPECT_EQ(sample.command_v, 1);
+  }
+}
+
+TEST(Simulate, EndsARunOnWhateverTheMethodThrows) {
+  const World world = room({1, 5, 0}, {8, 5});
+  FunctionMethod lost([](const Observation& o) -> Command {
+    if (o.time > 0.45) throw std::runtime_error("lost my way");
+    return {1, 0};
+  });
+  const SimulationResult result = run(world, lost);
+  EXPECT_EQ(result.outcome, Outcome::MethodError);
+  EXPECT_EQ(result.detail, "lost my way");
+  EXPECT_NEAR(result.trajectory.duration(), 0.5, 1e-12);
+  FunctionMethod odd([](const Observation&) -> Command { throw 42; });
+  EXPECT_EQ(run(world, odd).outcome, Outcome::MethodError);
+  EXPECT_NE(run(world, odd).detail, "");
+}
+
+class ThrowsInReset : public Method {
+ public:
+  void reset(const Task&) override { throw MethodError("no memory of this"); }
+  Command step(const Observation&) override { return {}; }
+};
+
+TEST(Simulate, EndsARunWhenTheMethodCannotBeReset) {
+  ThrowsInReset method;
+  const SimulationResult result = run(room({1, 5, 0}, {8, 5}), method);
+  EXPECT_EQ(result.outcome, Outcome::MethodError);
+  EXPECT_EQ(result.detail, "no memory of this");
+  EXPECT_EQ(result.trajectory.samples.size(), 1U);
+}
+
+TEST(Simulate, RefusesAStepThatIsLongerThanTheControlPeriod) {
+  FunctionMethod forward = constant_method(1, 0);
+  SimulationOptions options;
+  options.step = 1;
+  EXPECT_THROW(run(room({1, 5, 0}, {8, 5}), forward, options), std::invalid_argument);
+  options.step = 0;
+  EXPECT_THROW(run(room({1, 5, 0}, {8, 5}), forward, options), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace slalom::testing
