@@ -35,10 +35,7 @@ std::vector<Scenario> from_list(const std::string& path) {
 
 std::vector<Scenario> from_map(const std::string& path, const ScenariosSection& section,
                                const SourceContext& context, const MapLoader& load_map) {
-  const mrpt::maps::COccupancyGridMap2D grid = load_map(path);
-  // Start and goal are placeholders until pairs are drawn.
-  const mrpt::math::TPoint2D corner(grid.getXMin(), grid.getYMin());
-  const Scenario map = Scenario::grid(map_name(path), grid, {corner.x, corner.y, 0}, corner);
+  const Scenario map = map_scenario(path, load_map(path));
   return draw_tasks(map, task_for(context, section.pairs_per_map, map.name()),
                     section.min_distance);
 }
@@ -65,6 +62,11 @@ class DistinctScenarios {
 };
 
 }  // namespace
+
+Scenario map_scenario(const std::string& path, const mrpt::maps::COccupancyGridMap2D& grid) {
+  const mrpt::math::TPoint2D corner(grid.getXMin(), grid.getYMin());
+  return Scenario::grid(map_name(path), grid, {corner.x, corner.y, 0}, corner);
+}
 
 void ScenariosSection::visit(OptionVisitor& v) {
   v.option("list", list, "a scenario list (.scenarios)");

@@ -119,11 +119,14 @@ bool ScenarioList::add(const Scenario& scenario) {
   });
 }
 
-void ScenarioList::add_all(const std::vector<Scenario>& scenarios) {
-  writing(impl_->path, [&] {
+std::vector<std::string> ScenarioList::add_all(const std::vector<Scenario>& scenarios) {
+  return writing(impl_->path, [&] {
+    std::vector<std::string> added;
     SQLite::Transaction transaction(*impl_->database);
-    for (const Scenario& scenario : scenarios) add(scenario);
+    for (const Scenario& scenario : scenarios)
+      if (add(scenario)) added.push_back(scenario.hash());
     transaction.commit();
+    return added;
   });
 }
 

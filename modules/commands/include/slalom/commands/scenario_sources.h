@@ -27,6 +27,10 @@ struct ScenariosSection {
 /// Reads a map file as an occupancy grid; given by the program, because formats are adapters.
 using MapLoader = std::function<mrpt::maps::COccupancyGridMap2D(const std::string& path)>;
 
+/// A map as a scenario named after its file, start and goal still at its corner: for drawing tasks
+/// on it.
+Scenario map_scenario(const std::string& path, const mrpt::maps::COccupancyGridMap2D& grid);
+
 /// For whom scenarios are made, and from which seed.
 struct SourceContext {
   double robot_radius = 0.25;  ///< m

@@ -11,9 +11,10 @@
 
 namespace slalom {
 
-/// A result file (.results): one SQLite file with manifest, quantities, scenarios (content, descriptors,
-/// references), runs (one row each, one column per metric, NA reasons beside), trajectories (compressed).
-/// Wall-clock figures stand in a table of their own. Errors are Error (File).
+/// A result file (.results): one SQLite file with manifest, quantities, scenarios (content,
+/// descriptors, references), runs (one row each, one column per metric, NA reasons beside),
+/// trajectories (compressed). Wall-clock figures stand in a table of their own. Errors are Error
+/// (File).
 class ResultFile {
  public:
   /// A new file at `path` (an existing one is replaced). Metric and descriptor columns follow from
@@ -42,10 +43,12 @@ class ResultFile {
   std::unique_ptr<Impl> impl_;
 };
 
-/// One run as one line of JSON, keys sorted: what `dump` prints. Nothing in it depends on the clock.
+/// One run as one line of JSON, keys sorted: what `dump` prints. Nothing in it depends on the
+/// clock.
 std::string dump_line(const ResultTable& table, const RunRecord& run);
 
-/// Writes `content` to a temporary file beside `path` and renames it; throws Error (Job) when it cannot.
+/// Writes `content` to a temporary file beside `path` and renames it; throws Error (Job) when it
+/// cannot.
 void write_file_atomically(const std::string& path, const std::string& content);
 /// Throws Error (File).
 std::string read_file(const std::string& path);

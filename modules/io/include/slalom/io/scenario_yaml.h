@@ -6,7 +6,8 @@
 
 namespace slalom {
 
-/// A single scenario as YAML for people. Grids are rows of '.' (free) and '#' (occupied), top row first.
+/// A single scenario as YAML for people. Grids are rows of '.' (free) and '#' (occupied), top row
+/// first.
 std::string scenario_to_yaml(const Scenario& scenario);
 
 /// Reads it back; throws Error (File): file, line, what was expected.

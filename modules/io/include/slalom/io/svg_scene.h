@@ -19,13 +19,14 @@ struct SceneTrajectory {
 
 /// What a picture of a scenario shows besides its obstacles, start and goal.
 struct SceneOptions {
-  int max_pixels = 480;         ///< longer side
-  double robot_radius = 0.25;   ///< m, drawn at start and goal
+  int max_pixels = 480;        ///< longer side
+  double robot_radius = 0.25;  ///< m, drawn at start and goal
   const References* references = nullptr;
   std::vector<SceneTrajectory> trajectories;
 };
 
-/// A scenario to scale as one self-contained <svg> element. Grids become merged rectangles (runs of cells).
+/// A scenario to scale as one self-contained <svg> element. Grids become merged rectangles (runs of
+/// cells).
 std::string render_svg(const Scenario& scenario, const SceneOptions& options);
 
 }  // namespace slalom

@@ -1,0 +1,80 @@
+#include "verbs.h"
+
+#include <slalom/commands/describe_scenario.h>
+#include <slalom/core/text.h>
+#include <slalom/io/scenario_list.h>
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+
+namespace slalom {
+namespace {
+
+struct DescribeArguments {
+  ListArguments list;
+  std::string descriptors;
+};
+
+using Values = std::vector<std::pair<QuantityInfo, Value>>;
+
+void print_json(const ScenarioList::Entry& entry, const Values& values) {
+  nlohmann::ordered_json json = {{"id", entry.id}, {"name", entry.name}};
+  for (const auto& [info, value] : values) {
+    if (value.is_na()) {
+      json[info.id] = nullptr;
+      json["na"][info.id] = value.reason();
+    } else {
+      json[info.id] = value.number();
+    }
+    if (value.standard_error()) json["standard_error"][info.id] = *value.standard_error();
+  }
+  std::cout << json.dump() << "\n";
+}
+
+void print_text(const ScenarioList::Entry& entry, const Values& values) {
+  std::cout << entry.id << "  " << entry.name << "\n";
+  for (const auto& [info, value] : values) {
+    std::cout << "  " << info.id << " = ";
+    if (value.is_na()) {
+      std::cout << "NA (" << value.reason() << ")";
+    } else {
+      std::cout << format_fixed(value.number(), 4);
+      if (value.standard_error()) std::cout << " +- " << format_fixed(*value.standard_error(), 4);
+      if (info.unit != "-") std::cout << " " << info.unit;
+    }
+    std::cout << "\n";
+  }
+}
+
+void run(const DescribeArguments& arguments) {
+  ScenarioList list = ScenarioList::open(arguments.list.list);
+  DescribeOptions options;
+  options.ids = split(arguments.descriptors, ',');
+  for (const std::string& id : options.ids) descriptor(id);  // a wrong one is told at once
+  options.robot_radius = arguments.list.robot_radius;
+  options.sensor_range = arguments.list.sensor_range;
+  options.resolution = arguments.list.resolution;
+  for (const auto& entry : list.entries()) {
+    const Values values = describe_scenario(list.read(entry.hash), options, list);
+    arguments.list.json ? print_json(entry, values) : print_text(entry, values);
+  }
+}
+
+}  // namespace
+
+void add_describe_verb(CLI::App& app) {
+  static DescribeArguments arguments;
+  CLI::App* verb = add_list_verb(
+      app, "describe", "Print descriptors; what is missing is computed and kept in the list",
+      arguments.list);
+  verb->add_option("--descriptors", arguments.descriptors, "Ids, comma separated (default: all)");
+  add_robot_options(*verb, arguments.list);
+  verb->add_option("--sensor-range", arguments.list.sensor_range, "Range R of the sensor, m")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_flag("--json", arguments.list.json, "One JSON object per scenario");
+  verb->callback([] { run(arguments); });
+}
+
+}  // namespace slalom

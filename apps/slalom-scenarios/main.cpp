@@ -1,0 +1,34 @@
+#include "verbs.h"
+
+#include <slalom/app/program.h>
+
+namespace slalom {
+
+CLI::App* add_list_verb(CLI::App& app, const std::string& name, const std::string& help,
+                        ListArguments& arguments) {
+  CLI::App* verb = app.add_subcommand(name, help);
+  verb->add_option("list", arguments.list, "A scenario list (.scenarios)")->required();
+  return verb;
+}
+
+void add_robot_options(CLI::App& verb, ListArguments& arguments) {
+  verb.add_option("--robot-radius", arguments.robot_radius, "Radius of the robot, m")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb.add_option("--resolution", arguments.resolution,
+                  "Cell size for scenarios that are not grids, m")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+}  // namespace slalom
+
+int main(int argc, char** argv) {
+  return slalom::run_program("slalom-scenarios", "Makes, imports, describes and shows scenarios.",
+                             argc, argv, [](CLI::App& app) {
+                               slalom::add_make_verbs(app);
+                               slalom::add_describe_verb(app);
+                               slalom::add_show_verbs(app);
+                               slalom::add_reference_verb(app);
+                             });
+}

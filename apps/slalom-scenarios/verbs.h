@@ -1,0 +1,28 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// One function per group of verbs: adds them with their options and what they do to the program.
+void add_make_verbs(CLI::App& app);      ///< generate, import
+void add_show_verbs(CLI::App& app);      ///< list, show, render, export
+void add_describe_verb(CLI::App& app);   ///< describe
+void add_reference_verb(CLI::App& app);  ///< reference
+
+/// What verbs that look at one list have in common.
+struct ListArguments {
+  std::string list;
+  std::string id;  ///< empty for all
+  bool json = false;
+  double robot_radius = 0.25, resolution = 0.05, sensor_range = 8;
+};
+
+CLI::App* add_list_verb(CLI::App& app, const std::string& name, const std::string& help,
+                        ListArguments& arguments);
+void add_robot_options(CLI::App& verb, ListArguments& arguments);
+
+}  // namespace slalom
