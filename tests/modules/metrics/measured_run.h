@@ -1,0 +1,49 @@
+#pragma once
+
+#include <slalom/metrics/metric.h>
+
+#include <cmath>
+#include <string>
+
+namespace slalom::testing {
+
+/// A run with known answers: an empty room of 28 m x 10 m, goal (8, 5), robot of 0.25 m. Far from
+/// the walls on the left and right the clearance at (x, y) is min(y, 10 - y).
+struct MeasuredRun {
+  World world{Scenario::continuous("room", {-10, 0, 18, 10}, {}, {2, 5, 0}, {8, 5}), 0.05};
+  RobotModel robot;
+  Trajectory trajectory;
+  Outcome outcome = Outcome::Success;
+  References references;
+
+  /// Samples at these points, one each 0.1 s.
+  explicit MeasuredRun(const Path& points) {
+    for (const auto& p : points) {
+      Sample sample;
+      sample.t = 0.1 * static_cast<double>(trajectory.samples.size());
+      sample.pose = {p.x, p.y, 0};
+      trajectory.samples.push_back(sample);
+    }
+    set_shortest({{2, 5}, {8, 5}});
+    set_safest({{2, 5}, {8, 5}});
+  }
+
+  void set_shortest(const Path& path) {
+    const double l = length(path);
+    references.shortest = ShortestPath{path, l, {l, l}, "exact", ""};
+  }
+  void set_safest(const Path& path) { references.safest = SafestPath{path, 0}; }
+
+  Value value(const std::string& id) const {
+    return metric(id).compute(
+        make_metric_context(world, robot, trajectory, outcome, references, 60, 0.2));
+  }
+  /// A number; NaN when it is NA.
+  double number(const std::string& id) const {
+    const Value v = value(id);
+    return v.is_na() ? std::nan("") : v.number();
+  }
+  std::string reason(const std::string& id) const { return value(id).reason(); }
+};
+
+}  // namespace slalom::testing

@@ -1,0 +1,78 @@
+#include "measured_run.h"
+
+#include <gtest/gtest.h>
+
+namespace slalom::testing {
+namespace {
+
+TEST(PathLength, OfAStraightLineWithASpinningHeadingIsItsLength) {
+  Path points;
+  for (int i = 0; i <= 600; ++i) points.emplace_back(2 + 0.01 * i, 5);
+  MeasuredRun run(points);
+  for (std::size_t i = 0; i < run.trajectory.samples.size(); ++i)
+    run.trajectory.samples[i].pose.phi = std::remainder(0.7 * static_cast<double>(i), 2 * M_PI);
+  EXPECT_NEAR(run.number("path_length"), 6, 1e-12);
+}
+
+TEST(PathLength, OfARobotThatNeverMovesIsZero) {
+  MeasuredRun run({{2, 5}, {2, 5}, {2, 5}});
+  run.outcome = Outcome::Stuck;
+  EXPECT_EQ(run.number("path_length"), 0);
+}
+
+TEST(Optimality, IsOneOnTheShortestPath) {
+  EXPECT_DOUBLE_EQ(MeasuredRun({{2, 5}, {5, 5}, {8, 5}}).number("optimality"), 1);
+}
+
+TEST(Optimality, CountsTheLastStretchToTheGoal) {
+  // The run ends 0.2 m before the goal: 5.8 m driven, 6 m closed.
+  const MeasuredRun run({{2, 5}, {7.8, 5}});
+  EXPECT_DOUBLE_EQ(run.number("path_length"), 5.8);
+  EXPECT_DOUBLE_EQ(run.number("optimality"), 1);
+  EXPECT_DOUBLE_EQ(run.number("spl"), 1);
+}
+
+TEST(Optimality, IsTheShareOfTheShortestLength) {
+  // Two sides of sqrt(3^2 + 1^2) m instead of 6 m.
+  const MeasuredRun run({{2, 5}, {5, 6}, {8, 5}});
+  EXPECT_NEAR(run.number("optimality"), 6 / (2 * std::sqrt(10)), 1e-12);
+  EXPECT_NEAR(run.number("spl"), 6 / (2 * std::sqrt(10)), 1e-12);
+}
+
+TEST(Spl, IsNeverAboveOneEvenWhereTheReferenceIsNotTheShortest) {
+  MeasuredRun run({{2, 5}, {8, 5}});
+  run.set_shortest({{2, 5}, {5, 5.1}, {8, 5}});
+  EXPECT_GT(run.number("optimality"), 1);
+  EXPECT_EQ(run.number("spl"), 1);
+}
+
+TEST(Spl, IsZeroOnFailureAndMissingWhereTheMethodIsNotToBlame) {
+  MeasuredRun run({{2, 5}, {3, 5}});
+  for (const Outcome outcome : all_outcomes()) {
+    run.outcome = outcome;
+    if (outcome == Outcome::UnsolvableScenario || outcome == Outcome::InfrastructureError) {
+      EXPECT_EQ(run.reason("spl"), "outcome: " + to_string(outcome));
+    } else if (outcome != Outcome::Success) {
+      EXPECT_EQ(run.number("spl"), 0) << to_string(outcome);
+    }
+  }
+}
+
+TEST(OptimalityArea, IsTheAreaBetweenBothPathsPerLength) {
+  // On a roof of height 1 m over 6 m the distance grows linearly to 1 m and falls again: its mean
+  // is 0.5 m, over 2 sqrt(10) m driven; divided by 6 m.
+  EXPECT_NEAR(MeasuredRun({{2, 5}, {5, 6}, {8, 5}}).number("optimality_area"), std::sqrt(10) / 6,
+              1e-3);
+  // The goal's tolerance does not matter on the path itself.
+  EXPECT_NEAR(MeasuredRun({{2, 5}, {7.8, 5}}).number("optimality_area"), 0, 1e-12);
+}
+
+TEST(OptimalityArea, MeasuresTheDistanceToTheEndBeyondIt) {
+  // Back from 2 to 1 m, on to 9 m and back to 8 m: of the 10 m driven four lie up to 1 m beyond
+  // the ends, 0.5 m on average, the others on the path.
+  EXPECT_NEAR(MeasuredRun({{2, 5}, {1, 5}, {9, 5}, {8, 5}}).number("optimality_area"), 2.0 / 6,
+              1e-9);
+}
+
+}  // namespace
+}  // namespace slalom::testing
