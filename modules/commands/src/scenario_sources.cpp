@@ -9,11 +9,12 @@
 namespace slalom {
 namespace {
 
-/// The name of a map: its file name without folders and extensions.
+/// The name of a map: its file name without folders, ".gz" and the extension.
 std::string map_name(const std::string& path) {
   const std::size_t slash = path.find_last_of('/');
-  const std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
-  return file.substr(0, file.find('.'));
+  std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
+  if (file.size() > 3 && file.compare(file.size() - 3, 3, ".gz") == 0) file.resize(file.size() - 3);
+  return file.substr(0, file.rfind('.'));
 }
 
 GenerationTask task_for(const SourceContext& context, int count, const std::string& name) {
