@@ -31,8 +31,8 @@ void present(const Arguments& arguments, const std::string& results_path) {
   const ResultFile file = ResultFile::open(results_path);
   const ResultTable table = file.read_table();
   const ReportOptions options = report_options(table);
-  const std::string text = render_tables_text(table, options.rows, options.columns,
-                                              options.analysis.confidence);
+  const std::string text =
+      render_tables_text(table, options.rows, options.columns, options.analysis.confidence);
   write_file_atomically(arguments.output + "/tables.txt", text);
   write_file_atomically(
       arguments.output + "/tables.csv",

@@ -22,9 +22,8 @@ void run(const RunArguments& arguments) {
     for (const std::string& key : ini.keys("scenarios")) ini.remove("scenarios", key);
     ini.set("scenarios", "list", arguments.scenarios);
   }
-  const CampaignReport report =
-      run_campaign_program(ini, arguments.campaign, campaign_scenarios(ini, arguments.campaign),
-                           arguments.output);
+  const CampaignReport report = run_campaign_program(
+      ini, arguments.campaign, campaign_scenarios(ini, arguments.campaign), arguments.output);
   if (!report.complete) throw Interrupted("the runs so far are kept in " + arguments.output);
   if (!report.problem.empty()) throw job_error(arguments.output, report.problem);
   if (!arguments.campaign.quiet) std::cerr << "Results: " << arguments.output << "\n";

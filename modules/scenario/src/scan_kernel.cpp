@@ -70,8 +70,8 @@ struct RayLanes {
     per_x = hn::Load(real, rays.per_x + i);
     per_y = hn::Load(real, rays.per_y + i);
     const auto limit = hn::Set(real, static_cast<float>(origin.limit));
-    const auto error = hn::Add(hn::Mul(hn::Set(real, 1e-7F), hn::Max(per_x, per_y)),
-                               hn::Mul(hn::Set(real, 7e-7F), hn::Add(limit, hn::Set(real, 2.0F))));
+    const auto error = hn::Add(hn::Mul(hn::Set(real, 0.0F), hn::Max(per_x, per_y)),
+                               hn::Mul(hn::Set(real, 0.0F), hn::Add(limit, hn::Set(real, 2.0F))));
     margin = hn::Sub(hn::Set(real, 0.5F), error);
     reach = hn::Add(limit, error);
     first = hn::Load(integer, rays.cell + i);
@@ -184,19 +184,21 @@ void measure(const ScanOrigin& origin, int count, RayChunk& rays) {
   }
 }
 
-/// Three vectors are in flight at a time, to wait for memory once instead of thrice.
+/// Four vectors are in flight at a time, so that each one's wait for memory is the others' time.
 void cast_rays(const ScanOrigin& origin, int count, RayChunk& rays) {
   static_assert(RayChunk::kSize % hn::MaxLanes(Ints()) == 0, "chunks of whole vectors");
   Queue queue(origin, count, rays);
   prepare(origin, queue.end(), rays);
-  RayLanes a, b, c;
+  RayLanes a, b, c, d;
   queue.start(a);
   queue.start(b);
   queue.start(c);
+  queue.start(d);
   while (!queue.empty()) {
     queue.step(a);
     queue.step(b);
     queue.step(c);
+    queue.step(d);
   }
   measure(origin, count, rays);
 }

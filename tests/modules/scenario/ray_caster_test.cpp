@@ -160,21 +160,34 @@ TEST(RayCaster, SeesTheSameInAMirror) {
   }
 }
 
+struct ScanTask {
+  mrpt::math::TPose2D pose;
+  ScanGeometry geometry;
+};
+
+/// Half of the scans are taken where many rays pass through corners and along borders.
+ScanTask random_scan(RandomEngine& random, const Occupancy& cells) {
+  const TPoint2D at = testing::random_point(random, cells.bounds(), cells.resolution());
+  const ScanGeometry geometry{uniform_int(random, 1, 400), uniform_real(random, 0.1, 2 * M_PI),
+                              uniform_real(random, 0.5, 9)};
+  const TPoint2D corner = cells.to_world(0.5 * uniform_int(random, 0, 2 * cells.size_x()),
+                                         0.5 * uniform_int(random, 0, 2 * cells.size_y()));
+  if (uniform_int(random, 0, 1) == 0) return {{at.x, at.y, uniform_real(random, -4, 4)}, geometry};
+  return {{corner.x, corner.y, M_PI / 4 * uniform_int(random, -4, 4)},
+          {uniform_int(random, 0, 1) ? 181 : 9, M_PI, geometry.max_range}};
+}
+
 TEST(RayCaster, CastsAScanAsItCastsItsRays) {
   RandomEngine random(23);
   for (int n = 0; n < 6000; ++n) {
     const Occupancy cells = testing::random_occupancy(random, 60);
     const RayCaster caster(cells);
-    ScanGeometry geometry;
-    geometry.count = uniform_int(random, 1, 200);
-    geometry.aperture = uniform_real(random, 0.1, 2 * M_PI);
-    geometry.max_range = uniform_real(random, 0.1, 5);
-    const TPoint2D at = testing::random_point(random, cells.bounds(), cells.resolution());
-    const mrpt::math::TPose2D pose(at.x, at.y, uniform_real(random, -4, 4));
+    const auto [pose, geometry] = random_scan(random, cells);
     std::vector<float> ranges(static_cast<std::size_t>(geometry.count), -1.0F);
     caster.cast_scan(pose, geometry, ranges.data());
     for (int i = 0; i < geometry.count; ++i) {
-      const double range = caster.cast(at, pose.phi + geometry.angle(i), geometry.max_range);
+      const double range =
+          caster.cast({pose.x, pose.y}, pose.phi + geometry.angle(i), geometry.max_range);
       ASSERT_NEAR(ranges[static_cast<std::size_t>(i)], range, 1e-6) << i;
     }
   }
@@ -189,17 +202,9 @@ std::vector<float> scans_with(std::int64_t target) {
   for (int n = 0; n < 1500; ++n) {
     const Occupancy cells = testing::random_occupancy(random, 80);
     const RayCaster caster(cells);
-    const ScanGeometry geometry{uniform_int(random, 1, 400), uniform_real(random, 0.1, 2 * M_PI),
-                                uniform_real(random, 0.5, 9)};
-    TPoint2D at = testing::random_point(random, cells.bounds());
-    double heading = uniform_real(random, -4, 4);
-    if (n % 3 == 0) {  // where many rays pass through corners and along borders
-      at = cells.to_world(0.5 * uniform_int(random, 0, 2 * cells.size_x()),
-                          0.5 * uniform_int(random, 0, 2 * cells.size_y()));
-      heading = M_PI / 4 * uniform_int(random, -4, 4);
-    }
+    const auto [pose, geometry] = random_scan(random, cells);
     all.resize(all.size() + static_cast<std::size_t>(geometry.count));
-    caster.cast_scan({at.x, at.y, heading}, geometry, all.data() + all.size() - geometry.count);
+    caster.cast_scan(pose, geometry, all.data() + all.size() - geometry.count);
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());

@@ -8,8 +8,8 @@ namespace slalom {
 
 /// Section [analysis] of a campaign's .ini: which tables are shown.
 struct AnalysisSection {
-  std::string rows;          ///< descriptor bins, separated by ';'; empty: density:4 where it is known
-  std::string columns;       ///< metric ids, comma separated; empty: success, optimality, safety
+  std::string rows;     ///< descriptor bins, separated by ';'; empty: density:4 where it is known
+  std::string columns;  ///< metric ids, comma separated; empty: success, optimality, safety
   double confidence = 0.95;  ///< of intervals
 
   void visit(OptionVisitor& v);

@@ -18,7 +18,8 @@ class DescriptorStore {
                     const std::string& parameters, const Value& value) = 0;
 };
 
-/// The value of a descriptor: looked up in the store when there is one, computed and kept otherwise.
+/// The value of a descriptor: looked up in the store when there is one, computed and kept
+/// otherwise.
 Value describe(const Descriptor& descriptor, const DescriptorContext& context,
                DescriptorStore* store = nullptr);
 

@@ -25,9 +25,9 @@ struct Task {
 
 /// What a method is given in each control cycle.
 struct Observation {
-  double time = 0;                 ///< s since the start of the run, simulated
-  mrpt::math::TPose2D odometry;    ///< pose, m and rad
-  double v = 0, w = 0;             ///< measured speeds, m/s and rad/s
+  double time = 0;                     ///< s since the start of the run, simulated
+  mrpt::math::TPose2D odometry;        ///< pose, m and rad
+  double v = 0, w = 0;                 ///< measured speeds, m/s and rad/s
   mrpt::math::TPoint2D goal_in_robot;  ///< m, robot frame: x ahead, y left
   const mrpt::obs::CObservation2DRangeScan* scan = nullptr;  ///< never null in step()
 };
@@ -44,9 +44,9 @@ class MethodError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The seam for what is evaluated: an obstacle avoidance method. One object serves many runs, one after
-/// another: reset(), then step() once per control cycle. Given the same task and observations after a
-/// reset() it answers the same commands.
+/// The seam for what is evaluated: an obstacle avoidance method. One object serves many runs, one
+/// after another: reset(), then step() once per control cycle. Given the same task and observations
+/// after a reset() it answers the same commands.
 class Method {
  public:
   virtual ~Method() = default;
@@ -56,8 +56,8 @@ class Method {
 
 /// All that an adapter is given to build a method.
 struct MethodContext {
-  const IniFile& ini;     ///< the campaign's configuration
-  std::string section;    ///< "method.NAME"
+  const IniFile& ini;   ///< the campaign's configuration
+  std::string section;  ///< "method.NAME"
   RobotModel robot;
   SensorModel sensor;
 };

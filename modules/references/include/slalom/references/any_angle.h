@@ -18,11 +18,10 @@ struct CellGrid {
   }
 };
 
-/// The exact shortest path of a point from `start` to `goal` (both in cell units, any real position)
-/// through the closed free cells: it may touch blocked cells' borders and corners, but does not pass
-/// between two blocked cells that touch at a corner. nullopt when there is none.
-std::optional<Path> shortest_any_angle_path(const CellGrid& grid,
-                                            const mrpt::math::TPoint2D& start,
+/// The exact shortest path of a point from `start` to `goal` (both in cell units, any real
+/// position) through the closed free cells: it may touch blocked cells' borders and corners, but
+/// does not pass between two blocked cells that touch at a corner. nullopt when there is none.
+std::optional<Path> shortest_any_angle_path(const CellGrid& grid, const mrpt::math::TPoint2D& start,
                                             const mrpt::math::TPoint2D& goal);
 
 }  // namespace slalom

@@ -21,7 +21,7 @@ struct RunRecord {
   std::string method;
   int repetition = 0;
   std::uint64_t seed = 0;
-  std::string outcome;         ///< e.g. "success"
+  std::string outcome;  ///< e.g. "success"
   std::string outcome_detail;
   std::string trajectory_hash;
   std::map<std::string, VersionedValue> metrics;  ///< by id
@@ -45,10 +45,10 @@ using Manifest = std::map<std::string, std::string>;
 /// What an analysis works on: the runs of one result file with their scenarios and quantities.
 struct ResultTable {
   Manifest manifest;
-  std::map<std::string, QuantityInfo> quantities;    ///< of every metric and descriptor, by id
-  std::map<std::string, ScenarioRecord> scenarios;   ///< by hash
-  std::vector<RunRecord> runs;                       ///< ordered by scenario name, hash, method, repetition
-  std::vector<RunTiming> timings;                    ///< parallel to runs
+  std::map<std::string, QuantityInfo> quantities;   ///< of every metric and descriptor, by id
+  std::map<std::string, ScenarioRecord> scenarios;  ///< by hash
+  std::vector<RunRecord> runs;     ///< ordered by scenario name, hash, method, repetition
+  std::vector<RunTiming> timings;  ///< parallel to runs
 };
 
 /// Puts the runs (and timings with them) into their one order.

@@ -6,9 +6,9 @@
 
 namespace slalom {
 
-/// A differential drive as an MRPT vehicle: commanded (v, w) are reached with bounded accelerations,
-/// speeds stay within the limits, v >= 0 when the robot is forward only. Within one step v and w change
-/// linearly; the pose moves along the arc of their means.
+/// A differential drive as an MRPT vehicle: commanded (v, w) are reached with bounded
+/// accelerations, speeds stay within the limits, v >= 0 when the robot is forward only. Within one
+/// step v and w change linearly; the pose moves along the arc of their means.
 class DiffDrive : public mrpt::kinematics::CVehicleSimulVirtualBase {
  public:
   explicit DiffDrive(const RobotModel& robot);

@@ -14,28 +14,32 @@ namespace slalom {
 
 /// Section [simulation].
 struct SimulationOptions {
-  double control_period = 0.1;   ///< s, one observation and command per period
-  double step = 0.01;            ///< s, motion and collision step; divides control_period
-  double max_time = 60;          ///< s
-  double goal_tolerance = 0.2;   ///< m
-  double stuck_time = 8;         ///< s
-  double stuck_distance = 0.1;   ///< m: stuck when all positions of the last stuck_time lie this near
-  double resolution = 0.05;      ///< m, cell size for scenarios that are not grids
+  double control_period = 0.1;  ///< s, one observation and command per period
+  double step = 0.01;           ///< s, motion and collision step; divides control_period
+  double max_time = 60;         ///< s
+  double goal_tolerance = 0.2;  ///< m
+  double stuck_time = 8;        ///< s
+  double stuck_distance =
+      0.1;                   ///< m: stuck when all positions of the last stuck_time lie this near
+  double resolution = 0.05;  ///< m, cell size for scenarios that are not grids
 
   void visit(OptionVisitor& v);
-  void check(const IniFile& ini, const std::string& section) const;  ///< step divides control_period
+  void check(const IniFile& ini,
+             const std::string& section) const;  ///< step divides control_period
 };
 
 struct SimulationResult {
   Outcome outcome = Outcome::Timeout;
-  std::string detail;                 ///< for people: what happened, where
-  Trajectory trajectory;              ///< one sample per control cycle, and the last instant
-  std::vector<double> cycle_seconds;  ///< wall clock of the method's step(), per cycle; not deterministic
+  std::string detail;     ///< for people: what happened, where
+  Trajectory trajectory;  ///< one sample per control cycle, and the last instant
+  std::vector<double>
+      cycle_seconds;  ///< wall clock of the method's step(), per cycle; not deterministic
 };
 
-/// Drives the robot through the scenario under the method and judges how it ends. Ground truth throughout:
-/// collision is judged on the swept disc between steps. mrpt::Clock is simulated while it runs (it never
-/// goes backwards between runs of a process). Exceptions of the method end the run as method_error.
+/// Drives the robot through the scenario under the method and judges how it ends. Ground truth
+/// throughout: collision is judged on the swept disc between steps. mrpt::Clock is simulated while
+/// it runs (it never goes backwards between runs of a process). Exceptions of the method end the
+/// run as method_error.
 SimulationResult simulate(const World& world, const RobotModel& robot, const SensorModel& sensor,
                           const SimulationOptions& options, std::uint64_t seed, Method& method);
 

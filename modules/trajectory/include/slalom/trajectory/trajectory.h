@@ -13,8 +13,9 @@ namespace slalom {
 struct Sample {
   double t = 0;
   mrpt::math::TPose2D pose;
-  double v = 0, w = 0;                  ///< actual speeds
-  double command_v = 0, command_w = 0;  ///< what the method asked for, in force until the next sample
+  double v = 0, w = 0;  ///< actual speeds
+  double command_v = 0,
+         command_w = 0;  ///< what the method asked for, in force until the next sample
 };
 
 /// Samples in order of time; sample 0 is the start.
@@ -41,7 +42,7 @@ enum class Outcome {
   InfrastructureError
 };
 
-std::string to_string(Outcome outcome);  ///< e.g. "method_crash"
+std::string to_string(Outcome outcome);                ///< e.g. "method_crash"
 Outcome outcome_from_string(const std::string& text);  ///< throws Error (File)
 const std::vector<Outcome>& all_outcomes();
 
