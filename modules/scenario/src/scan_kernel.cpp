@@ -70,8 +70,8 @@ struct RayLanes {
     per_x = hn::Load(real, rays.per_x + i);
     per_y = hn::Load(real, rays.per_y + i);
     const auto limit = hn::Set(real, static_cast<float>(origin.limit));
-    const auto error = hn::Add(hn::Mul(hn::Set(real, 0.0F), hn::Max(per_x, per_y)),
-                               hn::Mul(hn::Set(real, 0.0F), hn::Add(limit, hn::Set(real, 2.0F))));
+    const auto error = hn::Add(hn::Mul(hn::Set(real, 1e-7F), hn::Max(per_x, per_y)),
+                               hn::Mul(hn::Set(real, 7e-7F), hn::Add(limit, hn::Set(real, 2.0F))));
     margin = hn::Sub(hn::Set(real, 0.5F), error);
     reach = hn::Add(limit, error);
     first = hn::Load(integer, rays.cell + i);
