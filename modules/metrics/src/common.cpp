@@ -1,6 +1,5 @@
 #include "common.h"
-
-#include <cmath>
+#include "path_distance.h"
 
 namespace slalom {
 
@@ -13,6 +12,11 @@ std::optional<Value> na_unless_reached(const MetricContext& context) {
 std::optional<Value> na_without_samples(const MetricContext& context) {
   if (!context.trajectory.samples.empty()) return std::nullopt;
   return Value::na("no trajectory");
+}
+
+double area_between(const Path& driven, const Path& reference) {
+  PathDistance distance(reference);
+  return integrate_along(driven, [&](const mrpt::math::TPoint2D& p) { return distance(p); });
 }
 
 double closed_length(const MetricContext& context) {

@@ -2,6 +2,7 @@
 
 #include <slalom/metrics/metric.h>
 
+#include <cmath>
 #include <optional>
 
 namespace slalom {
@@ -17,14 +18,22 @@ std::optional<Value> na_without_samples(const MetricContext& context);
 /// path.
 double closed_length(const MetricContext& context);
 
+/// Integral along the path driven of the distance to `reference` (m^2), which is not empty.
+double area_between(const Path& driven, const Path& reference);
+
 /// Integral of f along the path, by length: trapezoids on points at most 0.02 m apart.
 template <typename Function>
 double integrate_along(const Path& path, Function f) {
   constexpr double kSpacing = 0.02;  // m, well under a cell
   const Path points = resample(path, kSpacing);
-  double sum = 0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    sum += 0.5 * (f(points[i - 1]) + f(points[i])) * length({points[i - 1], points[i]});
+  if (points.empty()) return 0;
+  double sum = 0, before = f(points[0]);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double here = f(points[i]);
+    sum += 0.5 * (before + here) *
+           std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
+    before = here;
+  }
   return sum;
 }
 

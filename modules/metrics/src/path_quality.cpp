@@ -66,10 +66,7 @@ class OptimalityArea : public Metric {
     if (!context.references.shortest) return Value::na(context.references.shortest_reason);
     const ShortestPath& best = *context.references.shortest;
     if (best.length <= 0) return Value::na("the start is the goal");
-    const double area = integrate_along(
-        context.trajectory.path(),
-        [&](const mrpt::math::TPoint2D& p) { return distance_to_path(p, best.path); });
-    return Value::of(area / best.length);
+    return Value::of(area_between(context.trajectory.path(), best.path) / best.length);
   }
 };
 

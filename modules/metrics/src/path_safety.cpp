@@ -40,10 +40,7 @@ class SafetyArea : public Metric {
     if (!context.references.safest) return Value::na(context.references.safest_reason);
     const Path& best = context.references.safest->path;
     if (length(best) <= 0) return Value::na("the safest path has no length");
-    const double area =
-        integrate_along(context.trajectory.path(),
-                        [&](const mrpt::math::TPoint2D& p) { return distance_to_path(p, best); });
-    return Value::of(area / length(best));
+    return Value::of(area_between(context.trajectory.path(), best) / length(best));
   }
 };
 

@@ -1,5 +1,7 @@
 #include "measured_run.h"
 
+#include <slalom/core/random.h>
+
 #include <gtest/gtest.h>
 
 namespace slalom::testing {
@@ -72,6 +74,37 @@ TEST(OptimalityArea, MeasuresTheDistanceToTheEndBeyondIt) {
   // the ends, 0.5 m on average, the others on the path.
   EXPECT_NEAR(MeasuredRun({{2, 5}, {1, 5}, {9, 5}, {8, 5}}).number("optimality_area"), 2.0 / 6,
               1e-9);
+}
+
+/// The same integral, from the distances to all pieces of the path.
+double plain_area(const Path& driven, const Path& reference) {
+  const Path points = resample(driven, 0.02);
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    sum += 0.5 * length({points[i - 1], points[i]}) *
+           (distance_to_path(points[i - 1], reference) + distance_to_path(points[i], reference));
+  return sum;
+}
+
+TEST(OptimalityArea, AgreesWithBruteForceOnPathsOfManyPieces) {
+  RandomEngine random(6);
+  const auto random_path = [&](int pieces) {
+    Path path;
+    for (int i = 0; i <= pieces; ++i)
+      path.emplace_back(uniform_real(random, 1, 9), uniform_real(random, 1, 9));
+    return path;
+  };
+  for (int i = 0; i < 30; ++i) {
+    const Path driven = random_path(uniform_int(random, 1, 8));
+    const Path best =
+        resample(random_path(uniform_int(random, 1, 12)), uniform_real(random, 0.05, 1));
+    MeasuredRun run(driven);
+    run.set_shortest(best);
+    run.set_safest(best);
+    const double expected = plain_area(driven, best) / length(best);
+    EXPECT_NEAR(run.number("optimality_area"), expected, 1e-12 * (1 + expected));
+    EXPECT_NEAR(run.number("safety_area"), expected, 1e-12 * (1 + expected));
+  }
 }
 
 }  // namespace

@@ -1,0 +1,68 @@
+#include "path_distance.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+constexpr std::size_t kPiecesPerBlock = 16;
+
+/// Rounding never makes a box seem further away than what is in it.
+constexpr double kRounding = 1e-12;
+
+double squared_distance_to_box(const TPoint2D& p, const Bounds& box) {
+  const double dx = std::max({0.0, box.x_min - p.x, p.x - box.x_max});
+  const double dy = std::max({0.0, box.y_min - p.y, p.y - box.y_max});
+  return dx * dx + dy * dy;
+}
+
+Bounds box_of(const Path& path, std::size_t first, std::size_t last) {
+  Bounds box{path[first].x, path[first].y, path[first].x, path[first].y};
+  for (std::size_t i = first + 1; i <= last; ++i) {
+    box.x_min = std::min(box.x_min, path[i].x);
+    box.y_min = std::min(box.y_min, path[i].y);
+    box.x_max = std::max(box.x_max, path[i].x);
+    box.y_max = std::max(box.y_max, path[i].y);
+  }
+  return box;
+}
+
+}  // namespace
+
+PathDistance::PathDistance(const Path& path) : path_(path) {
+  if (path.empty()) throw std::invalid_argument("PathDistance: the path is empty");
+  std::size_t first = 0;
+  do {
+    const std::size_t last = std::min(first + kPiecesPerBlock, path.size() - 1);
+    blocks_.push_back({first, last, box_of(path, first, last)});
+    first = last;
+  } while (first + 1 < path.size());
+}
+
+double PathDistance::operator()(const TPoint2D& p) {
+  const std::size_t start = nearest_;
+  double best = distance_to_block(p, blocks_[start]);
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (i == start) continue;
+    if (squared_distance_to_box(p, blocks_[i].box) * (1 - kRounding) >= best * best) continue;
+    const double distance = distance_to_block(p, blocks_[i]);
+    if (distance >= best) continue;
+    best = distance;
+    nearest_ = i;
+  }
+  return best;
+}
+
+double PathDistance::distance_to_block(const TPoint2D& p, const Block& block) const {
+  if (block.first == block.last)
+    return distance_to_segment(p, path_[block.first], path_[block.last]);
+  double best = distance_to_segment(p, path_[block.first], path_[block.first + 1]);
+  for (std::size_t i = block.first + 1; i < block.last; ++i)
+    best = std::min(best, distance_to_segment(p, path_[i], path_[i + 1]));
+  return best;
+}
+
+}  // namespace slalom
