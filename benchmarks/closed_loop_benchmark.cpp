@@ -1,9 +1,10 @@
 // Closed-loop control steps per second on one core, in a room of 400 x 400 cells of 0.05 m with
 // random discs: 181 rays over 180 degrees up to 8 m, ten motion steps of 0.01 s per control step.
 // `slalom` is simulate() with everything on: sensing, a light method, motion, collision tests,
-// recording. The peers have sensing and motion only: `mrpt` is laserScanSimulator with a
-// CVehicleSimul_DiffDriven; `motion_and_judging` is simulate() with two rays, to see what the scan
-// costs. Counter `steps` is control steps per second.
+// recording. `mrpt` is its peer, laserScanSimulator with a CVehicleSimul_DiffDriven and the same
+// method: sensing and motion only. `motion_and_judging` is simulate() with two rays, what is left
+// without the scan; nearly blind, it soon collides, so the cost of starting a run weighs more.
+// Counter `steps` is control steps per second.
 #include <slalom/core/random.h>
 #include <slalom/simulation/simulate.h>
 
