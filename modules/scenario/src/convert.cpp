@@ -1,4 +1,5 @@
 #include <slalom/core/error.h>
+#include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/occupancy.h>
 
 #include <algorithm>
@@ -8,35 +9,14 @@
 namespace slalom {
 namespace {
 
-using mrpt::maps::COccupancyGridMap2D;
 using mrpt::maps::CSimplePointsMap;
 using mrpt::math::TPoint2D;
 
 constexpr double kMaxPoints = 100e6;
 
-/// A free map of exactly these cells. setSize() alone would move the origin to a multiple of the
-/// resolution, and count the cells after that.
-class PlacedGridMap : public COccupancyGridMap2D {
- public:
-  explicit PlacedGridMap(const Occupancy& cells) {
-    const double resolution = cells.resolution();
-    setSize(0, static_cast<float>(cells.size_x() * resolution), 0,
-            static_cast<float>(cells.size_y() * resolution), static_cast<float>(resolution), 1.0f);
-    const Bounds bounds = cells.bounds();
-    m_xMin = static_cast<float>(bounds.x_min);
-    m_xMax = static_cast<float>(bounds.x_max);
-    m_yMin = static_cast<float>(bounds.y_min);
-    m_yMax = static_cast<float>(bounds.y_max);
-  }
-};
-
 Scenario to_grid(const Scenario& scenario, double resolution) {
   const Occupancy cells = make_occupancy(scenario, resolution);
-  PlacedGridMap map(cells);
-  if (static_cast<int>(map.getSizeX()) != cells.size_x() ||
-      static_cast<int>(map.getSizeY()) != cells.size_y())
-    throw usage_error(scenario.name(), "too many cells in a row for a map in single precision",
-                      "larger cells");
+  auto map = make_grid_map(cells.size_x(), cells.size_y(), resolution, cells.origin());
   for (int cy = 0; cy < cells.size_y(); ++cy)
     for (int cx = 0; cx < cells.size_x(); ++cx)
       if (cells.occupied(cx, cy)) map.setCell(cx, cy, 0.0f);

@@ -1,5 +1,6 @@
 #include "random_worlds.h"
 
+#include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/widest_path.h>
 
 #include <gtest/gtest.h>
@@ -12,10 +13,7 @@ namespace {
 using mrpt::math::TPoint2D;
 
 World grid_world(const Occupancy& cells) {
-  mrpt::maps::COccupancyGridMap2D map;
-  const Bounds b = cells.bounds();
-  map.setSize(static_cast<float>(b.x_min), static_cast<float>(b.x_max), static_cast<float>(b.y_min),
-              static_cast<float>(b.y_max), static_cast<float>(cells.resolution()), 1.0F);
+  auto map = make_grid_map(cells.size_x(), cells.size_y(), cells.resolution(), cells.origin());
   for (int cy = 0; cy < cells.size_y(); ++cy)
     for (int cx = 0; cx < cells.size_x(); ++cx)
       if (cells.occupied(cx, cy)) map.setCell(cx, cy, 0.0F);

@@ -1,0 +1,50 @@
+#include <slalom/core/error.h>
+#include <slalom/scenario/grid_map.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace slalom {
+namespace {
+
+using mrpt::maps::COccupancyGridMap2D;
+using mrpt::math::TPoint2D;
+
+constexpr double kMaxCells = 400e6;
+
+/// The members that setSize() sets, set directly.
+class PlacedGridMap : public COccupancyGridMap2D {
+ public:
+  PlacedGridMap(int size_x, int size_y, double resolution, const TPoint2D& origin) {
+    m_size_x = static_cast<std::uint32_t>(size_x);
+    m_size_y = static_cast<std::uint32_t>(size_y);
+    m_resolution = static_cast<float>(resolution);
+    m_xMin = static_cast<float>(origin.x);
+    m_yMin = static_cast<float>(origin.y);
+    m_xMax = static_cast<float>(origin.x + size_x * resolution);
+    m_yMax = static_cast<float>(origin.y + size_y * resolution);
+    m_map.assign(static_cast<std::size_t>(size_x) * m_size_y, p2l(1.0f));
+    m_is_empty = false;
+  }
+};
+
+}  // namespace
+
+COccupancyGridMap2D make_grid_map(int size_x, int size_y, double resolution,
+                                  const TPoint2D& origin) {
+  const bool good =
+      size_x > 0 && size_y > 0 && static_cast<double>(size_x) * size_y <= kMaxCells &&
+      static_cast<float>(resolution) > 0 && std::isfinite(static_cast<float>(resolution)) &&
+      std::isfinite(static_cast<float>(origin.x)) && std::isfinite(static_cast<float>(origin.y));
+  if (!good) {
+    std::ostringstream what;
+    what << size_x << " x " << size_y << " cells of " << resolution << " m at (" << origin.x << ", "
+         << origin.y << ')';
+    throw usage_error("grid", what.str(), "1 to 400 million cells of finite size and place");
+  }
+  COccupancyGridMap2D map;
+  map.copyMapContentFrom(PlacedGridMap(size_x, size_y, resolution, origin));
+  return map;
+}
+
+}  // namespace slalom
