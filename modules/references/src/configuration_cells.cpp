@@ -1,63 +1,108 @@
 #include "configuration_cells.h"
+#include "contact.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace slalom {
 namespace {
 
-CellGrid empty_grid(int size_x, int size_y) {
-  return {size_x, size_y,
-          std::vector<std::uint8_t>(static_cast<std::size_t>(size_x) *
-                                    static_cast<std::size_t>(size_y))};
+/// Subcells [first, last) of a row that are occupied.
+struct Run {
+  int first = 0, last = 0;
+};
+
+/// The subcells that one occupied subcell blocks, by rows: how far to both sides of it, for the
+/// rows 0, 1, 2, ... above and below. -1 where none.
+using Stencil = std::vector<int>;
+
+/// Blocks (dx, dy) when the distance of the offset (max(|dx| - slack, 0), max(|dy| - slack, 0)) is
+/// below `radius` (all in subcells).
+Stencil make_stencil(double radius, int slack) {
+  Stencil reach;
+  for (int dy = 0;; ++dy) {
+    const double across = std::max(dy - slack, 0);
+    if (across >= radius) return reach;
+    int dx = static_cast<int>(std::sqrt(radius * radius - across * across));
+    while (std::hypot(dx, across) >= radius) --dx;  // strictly below
+    reach.push_back(dx + slack);
+  }
 }
 
-/// Distance to the occupied squares at the centre of a subcell, exact where it matters: near the
-/// radius.
-class SubcellDistance {
+/// The occupied runs of each row of subcells, what lies beside the grid included.
+class OccupiedRows {
  public:
-  SubcellDistance(const World& world, int subdivision, double near, double margin)
-      : cells_(world.occupancy()),
-        field_(world.distance_field()),
-        subdivision_(subdivision),
-        near_(near),
-        // d changes by at most the distance between two points; a subcell's centre lies this near
-        // its cell's.
-        certain_(margin + cells_.resolution() * std::sqrt(0.5)) {}
+  OccupiedRows(const Occupancy& cells, int subdivision)
+      : subdivision_(subdivision), rows_(static_cast<std::size_t>(cells.size_y())) {
+    const int width = cells.size_x() * subdivision;
+    outside_ = {{-1, width + 1}};
+    for (int cy = 0; cy < cells.size_y(); ++cy) {
+      std::vector<Run>& runs = rows_[static_cast<std::size_t>(cy)];
+      runs.push_back({-1, 0});
+      for (int cx = 0; cx < cells.size_x(); ++cx) {
+        if (!cells.occupied(cx, cy)) continue;
+        if (runs.back().last < cx * subdivision) runs.push_back({cx * subdivision, 0});
+        runs.back().last = (cx + 1) * subdivision;
+      }
+      if (runs.back().last < width) runs.push_back({width, 0});
+      runs.back().last = width + 1;
+    }
+  }
 
-  double operator()(int sx, int sy) const {
-    const int cx = sx / subdivision_, cy = sy / subdivision_;
-    const double at_center = field_.at_center(cx, cy);
-    if (subdivision_ == 1 || std::abs(at_center - near_) > 2 * certain_) return at_center;
-    return field_.clearance(cells_.to_world((sx + 0.5) / subdivision_, (sy + 0.5) / subdivision_));
+  const std::vector<Run>& at(int sy) const {
+    const bool inside = sy >= 0 && sy < static_cast<int>(rows_.size()) * subdivision_;
+    return inside ? rows_[static_cast<std::size_t>(sy / subdivision_)] : outside_;
   }
 
  private:
-  const Occupancy& cells_;
-  const DistanceField& field_;
   int subdivision_;
-  double near_, certain_;
+  std::vector<std::vector<Run>> rows_;
+  std::vector<Run> outside_;
 };
+
+/// Blocks what the stencil reaches from any occupied subcell. Runs are widened and counted at their
+/// ends, so the work grows with obstacles' edges, not with their area.
+CellGrid dilate(const OccupiedRows& occupied, int size_x, int size_y, const Stencil& stencil) {
+  CellGrid grid{size_x, size_y, {}};
+  grid.blocked.resize(static_cast<std::size_t>(size_x) * static_cast<std::size_t>(size_y));
+  const int reach = static_cast<int>(stencil.size()) - 1;
+  std::vector<int> change(static_cast<std::size_t>(size_x) + 1);
+  for (int sy = 0; sy < size_y; ++sy) {
+    std::fill(change.begin(), change.end(), 0);
+    for (int dy = -reach; dy <= reach; ++dy) {
+      const int side = stencil[static_cast<std::size_t>(std::abs(dy))];
+      for (const Run& run : occupied.at(sy + dy)) {
+        ++change[static_cast<std::size_t>(std::clamp(run.first - side, 0, size_x))];
+        --change[static_cast<std::size_t>(std::clamp(run.last + side, 0, size_x))];
+      }
+    }
+    std::uint8_t* row = grid.blocked.data() + static_cast<std::size_t>(sy) * size_x;
+    int depth = 0;
+    for (int sx = 0; sx < size_x; ++sx) {
+      depth += change[static_cast<std::size_t>(sx)];
+      row[sx] = depth > 0 ? 1 : 0;
+    }
+  }
+  return grid;
+}
 
 }  // namespace
 
-ConfigurationCells make_configuration_cells(const World& world, double robot_radius,
+ConfigurationCells make_configuration_cells(const Occupancy& occupancy, double robot_radius,
                                             int subdivision) {
-  const Occupancy& cells = world.occupancy();
   ConfigurationCells result;
-  result.cell_size = cells.resolution() / subdivision;
-  result.outer = empty_grid(cells.size_x() * subdivision, cells.size_y() * subdivision);
-  result.inner = result.outer;
-  // No point of a subcell is farther from its centre than this, so d differs by no more. The rest
-  // absorbs the rounding of distances kept as floats.
-  const double margin = result.cell_size * std::sqrt(0.5) + 1e-5 * cells.resolution();
-  const SubcellDistance distance(world, subdivision, robot_radius, margin);
-  std::size_t i = 0;
-  for (int sy = 0; sy < result.outer.size_y; ++sy)
-    for (int sx = 0; sx < result.outer.size_x; ++sx, ++i) {
-      const double d = distance(sx, sy);
-      result.outer.blocked[i] = d + margin < robot_radius ? 1 : 0;
-      result.inner.blocked[i] = d - margin < robot_radius ? 1 : 0;
-    }
+  result.cell_size = occupancy.resolution() / subdivision;
+  const double radius = robot_radius / result.cell_size;
+  const double tolerated = std::max(radius - kContactTolerance / result.cell_size, 1e-12);
+  // No point of a closed square is farther from another at offset (dx, dy) than |(dx, dy)|, and
+  // some point is that far. What the judge of collisions tolerates must stay within the bound.
+  const Stencil outer = make_stencil(tolerated, 0);
+  // No point is nearer than the gap between both squares, and some point is that near.
+  const Stencil inner = make_stencil(radius, 1);
+  const int size_x = occupancy.size_x() * subdivision, size_y = occupancy.size_y() * subdivision;
+  const OccupiedRows occupied(occupancy, subdivision);
+  result.outer = dilate(occupied, size_x, size_y, outer);
+  result.inner = dilate(occupied, size_x, size_y, inner);
   return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <slalom/references/any_angle.h>
-#include <slalom/references/reference.h>
+#include <slalom/scenario/occupancy.h>
 
 namespace slalom {
 
@@ -13,7 +13,7 @@ struct ConfigurationCells {
   double cell_size = 0;  ///< m
 };
 
-ConfigurationCells make_configuration_cells(const World& world, double robot_radius,
+ConfigurationCells make_configuration_cells(const Occupancy& occupancy, double robot_radius,
                                             int subdivision);
 
 }  // namespace slalom

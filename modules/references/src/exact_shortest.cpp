@@ -32,7 +32,7 @@ class ExactSearch {
   /// Bounds at one subdivision. False when no path exists, which the outer cells prove.
   bool refine(int subdivision, double& lower, std::optional<Path>& best) const {
     const ConfigurationCells grid =
-        make_configuration_cells(problem_.world, problem_.robot_radius, subdivision);
+        make_configuration_cells(cells_, problem_.robot_radius, subdivision);
     const auto outer = shortest_any_angle_path(grid.outer, to_cells(problem_.start, grid),
                                                to_cells(problem_.goal, grid));
     if (!outer) return false;

@@ -1,3 +1,5 @@
+#include "contact.h"
+
 #include <slalom/references/exact_shortest.h>
 #include <slalom/references/reference.h>
 #include <slalom/references/safest_path.h>
@@ -9,8 +11,6 @@
 
 namespace slalom {
 namespace {
-
-constexpr double kContactTolerance = 1e-9;  // m, as in the judge of collisions
 
 /// Uses the planner's path where it keeps its promise; says so where it does not.
 void consult(const ReferencePlanner& planner, const PlanningProblem& problem, double gap,
