@@ -1,0 +1,109 @@
+#include "diagram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+
+namespace slalom {
+namespace {
+
+/// Length (cells) of the shortest 8-connected way in the open.
+double octile(const Cell& a, const Cell& b) {
+  const double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
+  return std::max(dx, dy) + (kDiagonal - 1) * std::min(dx, dy);
+}
+
+}  // namespace
+
+Diagram::Diagram(const World& world, double bottleneck, const Cell (&ends)[2])
+    : cells_(world.occupancy()),
+      field_(world.distance_field()),
+      stride_(static_cast<std::size_t>(cells_.size_x()) + 2),
+      kinds_(stride_ * (static_cast<std::size_t>(cells_.size_y()) + 2), Kind::Occupied) {
+  for (int y = 0; y < cells_.size_y(); ++y)
+    for (int x = 0; x < cells_.size_x(); ++x) {
+      if (cells_.occupied(x, y)) continue;
+      const bool wide = field_.at_center(x, y) >= bottleneck;
+      kinds_[index(x, y)] = !wide ? Kind::Narrow : is_ridge(x, y) ? Kind::Ridge : Kind::Wide;
+    }
+  for (const Cell& end : ends)
+    if (Kind& kind = kinds_[index(end.x, end.y)]; kind == Kind::Narrow) kind = Kind::Wide;
+}
+
+double Diagram::d(int x, int y) const {
+  return cells_.inside(x, y) ? field_.at_center(x, y) : 0.0;
+}
+
+/// On the diagram the nearest obstacles lie on different sides, so the slope of d falls below 1: it
+/// is the cosine of half the angle between the directions to them. 0.8 leaves out angles under 74
+/// degrees, such as between the cells of one rough wall.
+bool Diagram::is_ridge(int x, int y) const {
+  constexpr double kMaxSlope = 0.8;
+  const double rise_x = d(x + 1, y) - d(x - 1, y), rise_y = d(x, y + 1) - d(x, y - 1);
+  const double most = kMaxSlope * 2 * cells_.resolution();
+  return rise_x * rise_x + rise_y * rise_y < most * most;
+}
+
+std::vector<Cell> Diagram::ascend(const Cell& from) const {
+  std::vector<Cell> path = {from};
+  while (!contains(path.back())) {
+    const Cell at = path.back();
+    double best_slope = 0;
+    Cell best = at;
+    for (const Step& step : kSteps) {
+      if (!may_step(at, step)) continue;
+      const double slope = (d(at.x + step.dx, at.y + step.dy) - d(at.x, at.y)) / step.length;
+      if (slope <= best_slope) continue;
+      best_slope = slope;
+      best = {at.x + step.dx, at.y + step.dy};
+    }
+    if (best == at) break;
+    path.push_back(best);
+  }
+  return path;
+}
+
+std::vector<Cell> Diagram::shortest(const Cell& from, const Cell& to) const {
+  constexpr std::int8_t kNotReached = -1;
+  std::vector<double> cost(kinds_.size(), std::numeric_limits<double>::infinity());
+  std::vector<std::int8_t> came_by(kinds_.size(), kNotReached);
+  struct Entry {
+    double estimate, so_far;
+    Cell at;
+    bool operator>(const Entry& other) const {  // equal estimates: what is nearer to the end first
+      if (estimate != other.estimate) return estimate > other.estimate;
+      if (so_far != other.so_far) return so_far < other.so_far;
+      return at.y != other.at.y ? at.y > other.at.y : at.x > other.at.x;
+    }
+  };
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  cost[index(from.x, from.y)] = 0;
+  queue.push({octile(from, to), 0, from});
+  while (!queue.empty() && !(queue.top().at == to)) {
+    const Entry entry = queue.top();
+    queue.pop();
+    if (entry.so_far > cost[index(entry.at.x, entry.at.y)]) continue;
+    for (std::size_t s = 0; s < std::size(kSteps); ++s) {
+      if (!may_step(entry.at, kSteps[s])) continue;
+      const Cell next{entry.at.x + kSteps[s].dx, entry.at.y + kSteps[s].dy};
+      const double total = entry.so_far + (contains(next) ? 1 : kOffDiagram) * kSteps[s].length;
+      const std::size_t n = index(next.x, next.y);
+      if (total >= cost[n]) continue;
+      cost[n] = total;
+      came_by[n] = static_cast<std::int8_t>(s);
+      queue.push({total + octile(next, to), total, next});
+    }
+  }
+  if (queue.empty()) return {};
+  std::vector<Cell> path = {to};
+  while (!(path.back() == from)) {
+    const Step& step = kSteps[came_by[index(path.back().x, path.back().y)]];
+    path.push_back({path.back().x - step.dx, path.back().y - step.dy});
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+}  // namespace slalom

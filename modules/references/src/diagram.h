@@ -1,0 +1,69 @@
+#pragma once
+
+#include <slalom/scenario/world.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace slalom {
+
+struct Cell {
+  int x = 0, y = 0;
+  bool operator==(const Cell& other) const { return x == other.x && y == other.y; }
+};
+
+/// One of the eight ways from a cell to the next.
+struct Step {
+  int dx, dy;
+  double length;  ///< cells
+};
+
+constexpr double kDiagonal = 1.4142135623730951;
+constexpr Step kSteps[] = {{1, 0, 1},          {-1, 0, 1},         {0, 1, 1},
+                           {0, -1, 1},         {1, 1, kDiagonal},  {1, -1, kDiagonal},
+                           {-1, 1, kDiagonal}, {-1, -1, kDiagonal}};
+
+/// The cells of an occupancy that a path of a given bottleneck may use, and which of them lie on
+/// the generalised Voronoi diagram: the ridge of the distance field.
+class Diagram {
+ public:
+  /// Cells are wide enough when d at their centre is at least `bottleneck` (m); `ends` always are,
+  /// as start and goal count at their exact positions.
+  Diagram(const World& world, double bottleneck, const Cell (&ends)[2]);
+
+  /// From a wide cell to a wide cell, and not round an occupied corner.
+  bool may_step(const Cell& from, const Step& step) const {
+    const int x = from.x + step.dx, y = from.y + step.dy;
+    return kind(x, y) >= Kind::Wide && kind(from.x, y) != Kind::Occupied &&
+           kind(x, from.y) != Kind::Occupied;
+  }
+  bool contains(const Cell& c) const { return kind(c.x, c.y) == Kind::Ridge; }
+
+  /// The way of steepest ascent of d from a cell to the diagram, both ends included. It ends early
+  /// at a summit.
+  std::vector<Cell> ascend(const Cell& from) const;
+
+  /// The shortest way among wide cells, where lengths off the diagram count kOffDiagram times: so
+  /// it leaves the diagram only to bridge gaps that the cells leave in it, or a detour along it of
+  /// that many times their length. Empty when there is none.
+  std::vector<Cell> shortest(const Cell& from, const Cell& to) const;
+  static constexpr double kOffDiagram = 10;
+
+ private:
+  enum class Kind : std::uint8_t { Occupied, Narrow, Wide, Ridge };
+
+  Kind kind(int x, int y) const { return kinds_[index(x, y)]; }
+  /// With a border of occupied cells round the grid.
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y + 1) * stride_ + static_cast<std::size_t>(x + 1);
+  }
+  double d(int x, int y) const;
+  bool is_ridge(int x, int y) const;
+
+  const Occupancy& cells_;
+  const DistanceField& field_;
+  std::size_t stride_;
+  std::vector<Kind> kinds_;
+};
+
+}  // namespace slalom
