@@ -25,12 +25,6 @@ struct GreyImage {
 GreyImage read_grey_image(const std::string& path);
 GreyImage parse_pgm(const std::string& bytes, const std::string& path);
 
-/// A grid with its lower left corner at (x_min, y_min) and cells of `resolution` (m), all unknown.
-/// MRPT keeps corners at whole multiples of the resolution: the grid's corner is the nearest such
-/// point.
-mrpt::maps::COccupancyGridMap2D make_grid(int size_x, int size_y, double resolution, double x_min,
-                                          double y_min);
-
 std::string read_bytes(const std::string& path);
 
 }  // namespace slalom

@@ -58,14 +58,4 @@ COccupancyGridMap2D read_simplemap(const std::string& path, double resolution) {
   return map;
 }
 
-COccupancyGridMap2D make_grid(int size_x, int size_y, double resolution, double x_min,
-                              double y_min) {
-  COccupancyGridMap2D map;
-  const double inset = resolution / 16;  // so that rounding to whole cells cannot add one
-  map.setSize(static_cast<float>(x_min), static_cast<float>(x_min + size_x * resolution - inset),
-              static_cast<float>(y_min), static_cast<float>(y_min + size_y * resolution - inset),
-              static_cast<float>(resolution), 0.5F);
-  return map;
-}
-
 }  // namespace slalom

@@ -2,6 +2,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/scenario/grid_map.h>
 
 #include <yaml-cpp/yaml.h>
 
@@ -110,11 +111,7 @@ RosMap parse(const std::string& path) {
 mrpt::maps::COccupancyGridMap2D read_ros_map(const std::string& path) {
   const RosMap ros = parse(path);
   const GreyImage image = read_grey_image(beside(path, ros.image));
-  auto map = make_grid(image.width, image.height, ros.resolution, ros.x, ros.y);
-  if (map.getSizeX() != static_cast<unsigned>(image.width) ||
-      map.getSizeY() != static_cast<unsigned>(image.height))
-    throw file_error(path, "has an origin too far away for its resolution",
-                     "an origin near the map");
+  auto map = make_grid_map(image.width, image.height, ros.resolution, {ros.x, ros.y});
   std::size_t i = 0;
   for (int row = 0; row < image.height; ++row)
     for (int x = 0; x < image.width; ++x, ++i)

@@ -2,6 +2,7 @@
 #include "compression.h"
 
 #include <slalom/io/scenario_list.h>
+#include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/occupancy.h>
 
 #include <cmath>
@@ -83,16 +84,8 @@ mrpt::maps::COccupancyGridMap2D read_grid(ByteReader& in) {
       !std::isfinite(x_min) || !std::isfinite(y_min) || !std::isfinite(resolution))
     throw in.broken("has a grid of impossible size");
   const char* bytes = in.take((size_x * size_y + 7) / 8);
-  mrpt::maps::COccupancyGridMap2D map;
-  const double half =
-      0.5 * resolution;  // MRPT rounds sizes to whole cells: aim at the last one's centre
-  map.setSize(static_cast<float>(x_min),
-              static_cast<float>(x_min + resolution * static_cast<double>(size_x) - half / 8),
-              static_cast<float>(y_min),
-              static_cast<float>(y_min + resolution * static_cast<double>(size_y) - half / 8),
-              static_cast<float>(resolution), 0.5F);
-  if (map.getSizeX() != size_x || map.getSizeY() != size_y)
-    throw in.broken("has a grid that MRPT cannot lay out");
+  auto map =
+      make_grid_map(static_cast<int>(size_x), static_cast<int>(size_y), resolution, {x_min, y_min});
   for (std::uint64_t i = 0; i < size_x * size_y; ++i) {
     const bool occupied = ((static_cast<unsigned char>(bytes[i / 8]) >> (i % 8)) & 1U) != 0;
     map.setCell(static_cast<int>(i % size_x), static_cast<int>(i / size_x), occupied ? 0.0F : 1.0F);

@@ -3,6 +3,7 @@
 #include <slalom/core/text.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_yaml.h>
+#include <slalom/scenario/grid_map.h>
 
 #include <yaml-cpp/yaml.h>
 
@@ -184,15 +185,8 @@ class Reader {
     };
     expect(fits(b.width(), size_x) && fits(b.height(), size_y), rows,
            "has another size than the bounds", "as many cells as fit the bounds");
-    mrpt::maps::COccupancyGridMap2D map;
-    const double inset = resolution / 16;  // so that rounding to whole cells cannot add one
-    map.setSize(static_cast<float>(b.x_min),
-                static_cast<float>(b.x_min + resolution * static_cast<double>(size_x) - inset),
-                static_cast<float>(b.y_min),
-                static_cast<float>(b.y_min + resolution * static_cast<double>(size_y) - inset),
-                static_cast<float>(resolution), 0.5F);
-    expect(map.getSizeX() == size_x && map.getSizeY() == size_y, rows,
-           "has a size that does not fit the resolution", "bounds of whole cells");
+    auto map = make_grid_map(static_cast<int>(size_x), static_cast<int>(size_y), resolution,
+                             {b.x_min, b.y_min});
     fill(map, rows, size_x);
     return Scenario::grid(text("name"), map, start(), goal());
   }

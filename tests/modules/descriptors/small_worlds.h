@@ -1,0 +1,52 @@
+#pragma once
+
+#include <slalom/core/random.h>
+#include <slalom/descriptors/descriptor.h>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// A world of 1 m cells drawn by hand, top row first: '#' occupied, 'S' start, 'G' goal, '.' free.
+inline World drawn_world(const std::vector<std::string>& rows) {
+  const int size_x = static_cast<int>(rows[0].size()), size_y = static_cast<int>(rows.size());
+  mrpt::maps::COccupancyGridMap2D map(0, static_cast<float>(size_x), 0, static_cast<float>(size_y),
+                                      1.0F);
+  mrpt::math::TPose2D start(0.5, 0.5, 0);
+  mrpt::math::TPoint2D goal(size_x - 0.5, size_y - 0.5);
+  for (int row = 0; row < size_y; ++row)
+    for (int x = 0; x < size_x; ++x) {
+      const char c = rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(x)];
+      const int y = size_y - 1 - row;
+      map.setCell(x, y, c == '#' ? 0.0F : 1.0F);
+      if (c == 'S') start = {x + 0.5, y + 0.5, 0};
+      if (c == 'G') goal = {x + 0.5, y + 0.5};
+    }
+  return {Scenario::grid("drawn", map, start, goal), 1.0};
+}
+
+inline DescriptorContext context_of(const World& world, double robot_radius = 0.25,
+                                    double sensor_range = 8) {
+  return {world, robot_radius, sensor_range, [] { return Value::na("not asked for here"); }};
+}
+
+/// The value of a descriptor; NaN with a test failure would hide the reason, so NA throws.
+inline double value_of(const std::string& id, const DescriptorContext& context) {
+  return descriptor(id).compute(context).number();
+}
+
+/// A room of 10 m with random discs, everything moved by `shift`.
+inline Scenario random_room(std::uint64_t seed, int discs,
+                            const mrpt::math::TPoint2D& shift = {0, 0}) {
+  RandomEngine engine(seed);
+  Primitives obstacles;
+  for (int i = 0; i < discs; ++i) {
+    const double x = uniform_real(engine, 1.5, 8.5), y = uniform_real(engine, 1.5, 8.5);
+    obstacles.discs.push_back({{x + shift.x, y + shift.y}, uniform_real(engine, 0.2, 0.6)});
+  }
+  return Scenario::continuous("room", {shift.x, shift.y, 10 + shift.x, 10 + shift.y}, obstacles,
+                              {0.6 + shift.x, 0.6 + shift.y, 0}, {9.4 + shift.x, 9.4 + shift.y});
+}
+
+}  // namespace slalom

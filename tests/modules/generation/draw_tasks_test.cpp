@@ -1,0 +1,66 @@
+#include <slalom/core/error.h>
+#include <slalom/generation/generator.h>
+#include <slalom/references/exact_shortest.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace slalom {
+namespace {
+
+/// Two rooms of 10 m x 10 m, joined by a door of 1 m when there is one.
+Scenario two_rooms(bool door) {
+  mrpt::maps::COccupancyGridMap2D map(0, 20, 0, 10, 0.1F);
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 200; ++x) {
+      const bool wall = x == 100 && !(door && y >= 45 && y < 55);
+      map.setCell(x, y, wall ? 0.0F : 1.0F);
+    }
+  return Scenario::grid("rooms", map, {0.05, 0.05, 0}, {0.05, 0.05});
+}
+
+GenerationTask pairs(int count) {
+  GenerationTask task;
+  task.count = count;
+  task.seed = 3;
+  task.name_prefix = "rooms";
+  return task;
+}
+
+TEST(DrawTasks, PairsAreSolvableDistinctAndFarEnoughApart) {
+  const auto scenarios = draw_tasks(two_rooms(true), pairs(10), 6);
+  std::set<std::string> hashes;
+  for (const Scenario& s : scenarios) {
+    hashes.insert(s.hash());
+    EXPECT_GE(std::hypot(s.goal().x - s.start().x, s.goal().y - s.start().y), 6);
+    const World world(s, 0.1);
+    std::string reason;
+    EXPECT_TRUE(exact_shortest_path({world, 0.25, {s.start().x, s.start().y}, s.goal()}, 1, reason)
+                    .has_value())
+        << reason;
+  }
+  EXPECT_EQ(hashes.size(), 10U);
+}
+
+TEST(DrawTasks, NeverJoinsRoomsWithoutADoor) {
+  for (const Scenario& s : draw_tasks(two_rooms(false), pairs(20), 3))
+    EXPECT_EQ(s.start().x < 10, s.goal().x < 10);
+}
+
+TEST(DrawTasks, SaysWhyThereAreNone) {
+  GenerationTask task = pairs(1);
+  task.attempts_per_scenario = 3;
+  try {
+    draw_tasks(two_rooms(true), task, 100);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.exit_status(), 1);
+    EXPECT_NE(std::string(e.what()).find("no two joined free places that far apart were drawn"),
+              std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace slalom
