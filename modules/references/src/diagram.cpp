@@ -10,14 +10,14 @@ namespace slalom {
 namespace {
 
 /// Length (cells) of the shortest 8-connected way in the open.
-double octile(const Cell& a, const Cell& b) {
+double octile(const GridCell& a, const GridCell& b) {
   const double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
   return std::max(dx, dy) + (kDiagonal - 1) * std::min(dx, dy);
 }
 
 }  // namespace
 
-Diagram::Diagram(const World& world, double bottleneck, const Cell (&ends)[2])
+Diagram::Diagram(const World& world, double bottleneck, const GridCell (&ends)[2])
     : cells_(world.occupancy()),
       field_(world.distance_field()),
       stride_(static_cast<std::size_t>(cells_.size_x()) + 2),
@@ -28,7 +28,7 @@ Diagram::Diagram(const World& world, double bottleneck, const Cell (&ends)[2])
       const bool wide = field_.at_center(x, y) >= bottleneck;
       kinds_[index(x, y)] = !wide ? Kind::Narrow : is_ridge(x, y) ? Kind::Ridge : Kind::Wide;
     }
-  for (const Cell& end : ends)
+  for (const GridCell& end : ends)
     if (Kind& kind = kinds_[index(end.x, end.y)]; kind == Kind::Narrow) kind = Kind::Wide;
 }
 
@@ -46,12 +46,12 @@ bool Diagram::is_ridge(int x, int y) const {
   return rise_x * rise_x + rise_y * rise_y < most * most;
 }
 
-std::vector<Cell> Diagram::ascend(const Cell& from) const {
-  std::vector<Cell> path = {from};
+std::vector<GridCell> Diagram::ascend(const GridCell& from) const {
+  std::vector<GridCell> path = {from};
   while (!contains(path.back())) {
-    const Cell at = path.back();
+    const GridCell at = path.back();
     double best_slope = 0;
-    Cell best = at;
+    GridCell best = at;
     for (const Step& step : kSteps) {
       if (!may_step(at, step)) continue;
       const double slope = (d(at.x + step.dx, at.y + step.dy) - d(at.x, at.y)) / step.length;
@@ -65,13 +65,13 @@ std::vector<Cell> Diagram::ascend(const Cell& from) const {
   return path;
 }
 
-std::vector<Cell> Diagram::shortest(const Cell& from, const Cell& to) const {
+std::vector<GridCell> Diagram::shortest(const GridCell& from, const GridCell& to) const {
   constexpr std::int8_t kNotReached = -1;
   std::vector<double> cost(kinds_.size(), std::numeric_limits<double>::infinity());
   std::vector<std::int8_t> came_by(kinds_.size(), kNotReached);
   struct Entry {
     double estimate, so_far;
-    Cell at;
+    GridCell at;
     bool operator>(const Entry& other) const {  // equal estimates: what is nearer to the end first
       if (estimate != other.estimate) return estimate > other.estimate;
       if (so_far != other.so_far) return so_far < other.so_far;
@@ -87,7 +87,7 @@ std::vector<Cell> Diagram::shortest(const Cell& from, const Cell& to) const {
     if (entry.so_far > cost[index(entry.at.x, entry.at.y)]) continue;
     for (std::size_t s = 0; s < std::size(kSteps); ++s) {
       if (!may_step(entry.at, kSteps[s])) continue;
-      const Cell next{entry.at.x + kSteps[s].dx, entry.at.y + kSteps[s].dy};
+      const GridCell next{entry.at.x + kSteps[s].dx, entry.at.y + kSteps[s].dy};
       const double total = entry.so_far + (contains(next) ? 1 : kOffDiagram) * kSteps[s].length;
       const std::size_t n = index(next.x, next.y);
       if (total >= cost[n]) continue;
@@ -97,7 +97,7 @@ std::vector<Cell> Diagram::shortest(const Cell& from, const Cell& to) const {
     }
   }
   if (queue.empty()) return {};
-  std::vector<Cell> path = {to};
+  std::vector<GridCell> path = {to};
   while (!(path.back() == from)) {
     const Step& step = kSteps[came_by[index(path.back().x, path.back().y)]];
     path.push_back({path.back().x - step.dx, path.back().y - step.dy});

@@ -7,9 +7,10 @@
 
 namespace slalom {
 
-struct Cell {
+/// A cell of an occupancy; not the Cell of a table, with which programs link this room.
+struct GridCell {
   int x = 0, y = 0;
-  bool operator==(const Cell& other) const { return x == other.x && y == other.y; }
+  bool operator==(const GridCell& other) const { return x == other.x && y == other.y; }
 };
 
 /// One of the eight ways from a cell to the next.
@@ -29,24 +30,24 @@ class Diagram {
  public:
   /// Cells are wide enough when d at their centre is at least `bottleneck` (m); `ends` always are,
   /// as start and goal count at their exact positions.
-  Diagram(const World& world, double bottleneck, const Cell (&ends)[2]);
+  Diagram(const World& world, double bottleneck, const GridCell (&ends)[2]);
 
   /// From a wide cell to a wide cell, and not round an occupied corner.
-  bool may_step(const Cell& from, const Step& step) const {
+  bool may_step(const GridCell& from, const Step& step) const {
     const int x = from.x + step.dx, y = from.y + step.dy;
     return kind(x, y) >= Kind::Wide && kind(from.x, y) != Kind::Occupied &&
            kind(x, from.y) != Kind::Occupied;
   }
-  bool contains(const Cell& c) const { return kind(c.x, c.y) == Kind::Ridge; }
+  bool contains(const GridCell& c) const { return kind(c.x, c.y) == Kind::Ridge; }
 
   /// The way of steepest ascent of d from a cell to the diagram, both ends included. It ends early
   /// at a summit.
-  std::vector<Cell> ascend(const Cell& from) const;
+  std::vector<GridCell> ascend(const GridCell& from) const;
 
   /// The shortest way among wide cells, where lengths off the diagram count kOffDiagram times: so
   /// it leaves the diagram only to bridge gaps that the cells leave in it, or a detour along it of
   /// that many times their length. Empty when there is none.
-  std::vector<Cell> shortest(const Cell& from, const Cell& to) const;
+  std::vector<GridCell> shortest(const GridCell& from, const GridCell& to) const;
   static constexpr double kOffDiagram = 10;
 
  private:

@@ -12,18 +12,18 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-Cell cell_of(const Occupancy& cells, const TPoint2D& p) {
+GridCell cell_of(const Occupancy& cells, const TPoint2D& p) {
   const TPoint2D at = cells.to_cells(p);
   return {std::clamp(static_cast<int>(at.x), 0, cells.size_x() - 1),
           std::clamp(static_cast<int>(at.y), 0, cells.size_y() - 1)};
 }
 
 /// Ascents from start and goal may run over the same cells: each cell is passed once.
-std::vector<Cell> without_loops(const std::vector<Cell>& path, const Occupancy& cells) {
+std::vector<GridCell> without_loops(const std::vector<GridCell>& path, const Occupancy& cells) {
   constexpr int kNotSeen = -1;
   std::vector<int> seen_at(cells.cells().size(), kNotSeen);
-  std::vector<Cell> result;
-  for (const Cell& c : path) {
+  std::vector<GridCell> result;
+  for (const GridCell& c : path) {
     const int seen = seen_at[cells.index(c.x, c.y)];
     if (seen == kNotSeen) {
       seen_at[cells.index(c.x, c.y)] = static_cast<int>(result.size());
@@ -39,19 +39,19 @@ std::vector<Cell> without_loops(const std::vector<Cell>& path, const Occupancy& 
 }
 
 /// Cells from start's to goal's: up to the diagram, along it, and down again.
-std::vector<Cell> safest_cells(const PlanningProblem& problem, double bottleneck) {
+std::vector<GridCell> safest_cells(const PlanningProblem& problem, double bottleneck) {
   const Occupancy& cells = problem.world.occupancy();
-  const Cell ends[2] = {cell_of(cells, problem.start), cell_of(cells, problem.goal)};
+  const GridCell ends[2] = {cell_of(cells, problem.start), cell_of(cells, problem.goal)};
   const Diagram diagram(problem.world, bottleneck, ends);
-  std::vector<Cell> path = diagram.ascend(ends[0]);
-  const std::vector<Cell> down = diagram.ascend(ends[1]);
-  const std::vector<Cell> along = diagram.shortest(path.back(), down.back());
+  std::vector<GridCell> path = diagram.ascend(ends[0]);
+  const std::vector<GridCell> down = diagram.ascend(ends[1]);
+  const std::vector<GridCell> along = diagram.shortest(path.back(), down.back());
   path.insert(path.end(), along.begin(), along.end());
   path.insert(path.end(), down.rbegin(), down.rend());
   return without_loops(path, cells);
 }
 
-Path through(const std::vector<Cell>& cells, const PlanningProblem& problem) {
+Path through(const std::vector<GridCell>& cells, const PlanningProblem& problem) {
   Path path = {problem.start};
   for (std::size_t i = 1; i + 1 < cells.size(); ++i)
     path.push_back(problem.world.occupancy().cell_center(cells[i].x, cells[i].y));
