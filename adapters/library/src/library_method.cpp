@@ -27,6 +27,13 @@ slalom_robot to_c(const RobotModel& robot, const SensorModel& sensor) {
   return result;
 }
 
+/// What could have been meant by a key that a method does not know.
+std::string expected_instead(const std::string& key, const std::vector<std::string>& known) {
+  if (known.empty()) return "no key but adapter and plugin";
+  const std::string nearest = nearest_name(key, known);
+  return nearest.empty() ? "one of " + join(known, ", ") : "'" + nearest + "'";
+}
+
 /// A method behind the C table; the library stays loaded as long as the method lives.
 class LibraryMethod : public Method {
  public:
@@ -139,10 +146,9 @@ class LibraryLoader {
     for (const std::string& key : context_.ini.keys(context_.section)) {
       if (key == "adapter" || key == "plugin") continue;
       if (std::find(known.begin(), known.end(), key) == known.end()) {
-        const std::string nearest = nearest_name(key, known);
         throw usage_error(context_.ini.where(context_.section, key),
                           std::string(api.name) + " has no such parameter",
-                          nearest.empty() ? "one of " + join(known, ", ") : "'" + nearest + "'");
+                          expected_instead(key, known));
       }
       settings.emplace_back(key, *context_.ini.get(context_.section, key));
     }

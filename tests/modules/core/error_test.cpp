@@ -11,6 +11,11 @@ TEST(Error, SaysWhereWhatAndWhatWasExpectedInOneLine) {
   EXPECT_STREQ(job_error("", "disk full").what(), "disk full");
 }
 
+TEST(Error, StaysOneLineWhateverOthersSay) {
+  EXPECT_STREQ(usage_error("a.ini", "refuses: too\nwide\r", "less").what(),
+               "a.ini: refuses: too wide ; expected less");
+}
+
 TEST(Error, CulpritDecidesTheExitStatus) {
   EXPECT_EQ(job_error("x", "y").exit_status(), 1);
   EXPECT_EQ(usage_error("x", "y").exit_status(), 2);
