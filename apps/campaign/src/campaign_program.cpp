@@ -3,17 +3,22 @@
 #include "result_sink.h"
 
 #include <slalom/analysis/analysis_section.h>
-#include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/bins.h>
 #include <slalom/app/campaign_program.h>
 #include <slalom/campaign/campaign.h>
 #include <slalom/commands/scenario_sources.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/generation/random_generator.h>
 #include <slalom/io/html_report.h>
 #include <slalom/io/result_file.h>
 #include <slalom/library/library_method.h>
 #include <slalom/map_formats/map_import.h>
+#include <slalom/metrics/cycle_time.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
 #include <slalom/ompl/ompl_planner.h>
+
+#include <algorithm>
 
 namespace slalom {
 namespace {
@@ -41,17 +46,28 @@ void list_section(std::string& text, const std::string& section) {
   text += (text.empty() ? "[" : "\n[") + section + "]\n" + lister.text();
 }
 
-/// The tables that [analysis] asks for, tried on results without runs: a wrong id is told before
-/// anything runs.
-void check_analysis(const IniFile& ini, const std::vector<QuantityInfo>& descriptors,
-                    const std::vector<QuantityInfo>& metrics) {
-  read_options<AnalysisSection>(ini, "analysis");
-  ResultTable table;
-  table.manifest["campaign.ini"] = ini.canonical_text();
-  for (const auto* infos : {&descriptors, &metrics})
-    for (const QuantityInfo& info : *infos) table.quantities[info.id] = info;
-  const ReportOptions options = report_options(table);
-  build_cross_tables(table, options.rows, options.columns, options.analysis);
+void require_one_of(const std::string& id, const std::vector<std::string>& known,
+                    const std::string& where) {
+  if (std::find(known.begin(), known.end(), id) != known.end()) return;
+  const std::string nearest = nearest_name(id, known);
+  throw usage_error(where, "'" + id + "' is not computed by this campaign",
+                    nearest.empty() ? "one of " + join(known, ", ") : "'" + nearest + "'");
+}
+
+/// What [analysis] asks for must be computed: a wrong id is told before anything runs.
+void check_analysis(const IniFile& ini, const CampaignOptions& options) {
+  const auto section = read_options<AnalysisSection>(ini, "analysis");
+  std::vector<std::string> columns = options.metrics;
+  // Success follows from the outcome where it is not among the metrics.
+  if (std::find(columns.begin(), columns.end(), "success") == columns.end())
+    columns.emplace_back("success");
+  for (const auto& [id, value] : cycle_time_statistics({0.0})) columns.push_back(id);
+  for (const std::string& id : split(section.columns, ','))
+    require_one_of(id, columns, ini.where("analysis", "columns"));
+  if (section.rows.empty()) return;
+  for (const BinSpec& spec : parse_bin_specs(section.rows))
+    if (spec.kind != BinSpec::Kind::All)
+      require_one_of(spec.descriptor, options.descriptors, ini.where("analysis", "rows"));
 }
 
 std::string problem_of(const CampaignSummary& summary) {
@@ -90,6 +106,7 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
 
 std::vector<Scenario> campaign_scenarios(const IniFile& ini, const CampaignArguments& arguments) {
   const CampaignOptions options = read_campaign_options(ini);
+  check_analysis(ini, options);
   const auto progress = make_terminal_progress(arguments.quiet);
   return collect_scenarios(ini, {options.robot.radius, options.simulation.resolution, options.seed},
                            load_occupancy_grid, *progress);
@@ -106,7 +123,6 @@ CampaignReport run_campaign_program(const IniFile& ini, const CampaignArguments&
   campaign.options.reference_gap = ompl_options.gap;
   const auto descriptors = infos(campaign.options.descriptors, descriptor);
   const auto metrics = infos(campaign.options.metrics, metric);
-  check_analysis(ini, descriptors, metrics);
   check_methods(campaign);
 
   ResultFile file = ResultFile::create(results_path, make_manifest(campaign), descriptors, metrics);
