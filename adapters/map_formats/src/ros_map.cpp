@@ -28,15 +28,15 @@ class RosMapReader {
   RosMap read() const {
     RosMap map;
     if (!root_.IsMap()) throw broken(root_, "is no map", "keys and values");
-    map.image = required("image").as<std::string>();
-    map.resolution = number(required("resolution"));
-    if (!(map.resolution > 0))
-      throw broken(root_["resolution"], "resolution is not positive", "> 0");
+    map.image = text("image", required("image"));
+    read_resolution(required("resolution"), map);
     read_origin(required("origin"), map);
-    if (const YAML::Node node = root_["negate"]) map.negate = number(node) != 0;
-    if (const YAML::Node node = root_["occupied_thresh"]) map.occupied_threshold = number(node);
-    if (const YAML::Node node = root_["free_thresh"]) map.free_threshold = number(node);
-    if (const YAML::Node node = root_["mode"]) map.mode = node.as<std::string>();
+    if (const YAML::Node node = root_["negate"]) map.negate = number("negate", node) != 0;
+    if (const YAML::Node node = root_["occupied_thresh"])
+      map.occupied_threshold = number("occupied_thresh", node);
+    if (const YAML::Node node = root_["free_thresh"])
+      map.free_threshold = number("free_thresh", node);
+    if (const YAML::Node node = root_["mode"]) map.mode = text("mode", node);
     if (map.mode != "trinary" && map.mode != "scale" && map.mode != "raw")
       throw broken(root_["mode"], "mode '" + map.mode + "' is unknown", "trinary, scale or raw");
     if (map.free_threshold > map.occupied_threshold)
@@ -56,19 +56,34 @@ class RosMapReader {
     return node;
   }
 
-  double number(const YAML::Node& node) const {
+  std::string text(const std::string& key, const YAML::Node& node) const {
+    if (!node.IsScalar()) throw broken(node, key + " is of the wrong kind", "a text");
+    return node.Scalar();
+  }
+
+  double number(const std::string& key, const YAML::Node& node) const {
     double value = 0;
-    if (!node.IsScalar() || !parse_number(node.as<std::string>(), value))
-      throw broken(node, "is not a finite number", "a number");
+    if (!node.IsScalar() || !parse_number(node.Scalar(), value))
+      throw broken(node, key + " is not a finite number", "a number");
     return value;
+  }
+
+  /// MRPT keeps lengths in single precision: what is beyond it is no cell either.
+  void read_resolution(const YAML::Node& node, RosMap& map) const {
+    map.resolution = number("resolution", node);
+    const auto kept = static_cast<float>(map.resolution);
+    if (!(kept > 0) || !std::isfinite(kept))
+      throw broken(node, "resolution " + node.Scalar() + " is no size of a cell", "metres, > 0");
   }
 
   void read_origin(const YAML::Node& origin, RosMap& map) const {
     if (!origin.IsSequence() || origin.size() < 2 || origin.size() > 3)
       throw broken(origin, "origin has not the right form", "[x, y, yaw]");
-    map.x = number(origin[0]);
-    map.y = number(origin[1]);
-    if (origin.size() == 3) map.yaw = number(origin[2]);
+    map.x = number("origin", origin[0]);
+    map.y = number("origin", origin[1]);
+    if (origin.size() == 3) map.yaw = number("origin", origin[2]);
+    if (!std::isfinite(static_cast<float>(map.x)) || !std::isfinite(static_cast<float>(map.y)))
+      throw broken(origin, "origin is too far away", "[x, y, yaw] in metres");
     if (map.yaw != 0)
       throw broken(origin, "the origin is turned by " + format_number(map.yaw) + " rad",
                    "a map with yaw 0: turn its image first");
@@ -98,11 +113,13 @@ std::string beside(const std::string& path, const std::string& image) {
 }
 
 RosMap parse(const std::string& path) {
+  const std::string bytes = read_bytes(path);
   try {
-    const YAML::Node root = YAML::Load(read_bytes(path));
+    const YAML::Node root = YAML::Load(bytes);
     return RosMapReader(root, path).read();
   } catch (const YAML::Exception& e) {
-    throw file_error(path, "is not YAML (" + e.msg + ")", "a ROS map_server YAML");
+    throw file_error(path + ":" + std::to_string(e.mark.line + 1), "is not YAML (" + e.msg + ")",
+                     "a ROS map_server YAML");
   }
 }
 
