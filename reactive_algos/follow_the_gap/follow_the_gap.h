@@ -13,7 +13,7 @@ struct Parameters {
   double margin = 0.1;      ///< m added to the robot's radius when obstacles are enlarged
   double look_ahead = 2.5;  ///< m: obstacles farther away close no gap
   double goal_weight =
-      0.6;  ///< a gap counts as wide as it is, less this times its angle from the goal
+      0.6;  ///< a gap counts as wide as it is, less twice this times its angle from the goal
   double turn_gain = 2.0;      ///< 1/s: w = turn_gain * angle to steer to
   double turn_in_place = 1.0;  ///< rad: beyond this angle the robot turns without driving
 };
@@ -42,7 +42,8 @@ double ray_angle(std::size_t i, std::size_t count, double aperture);
 std::vector<Gap> find_gaps(const std::vector<double>& ranges, double aperture, double radius,
                            double horizon);
 
-/// The gap to take: widest, less goal_weight times its angle from the goal; null if there is none.
+/// The gap to take: widest, less 2 goal_weight times its angle from the goal; null if there is
+/// none.
 const Gap* choose_gap(const std::vector<Gap>& gaps, double goal_angle, double goal_weight);
 
 /// Eq. (8): the mean of gap centre and goal angle, the gap weighing alpha / nearest obstacle; kept

@@ -35,7 +35,7 @@ constexpr slalom_parameter kParameters[] = {
     {"alpha", "1.0", "m", "weight of the gap against the goal, Eq. (8)"},
     {"margin", "0.1", "m", "added to the robot's radius when obstacles are enlarged"},
     {"look_ahead", "2.5", "m", "obstacles farther away close no gap"},
-    {"goal_weight", "0.6", "-", "a gap's worth falls by this for each radian from the goal"},
+    {"goal_weight", "0.6", "-", "a gap's worth falls by twice this for each radian from the goal"},
     {"turn_gain", "2.0", "1/s", "turning speed for each radian to steer to"},
     {"turn_in_place", "1.0", "rad", "beyond this angle the robot turns without driving"},
 };
