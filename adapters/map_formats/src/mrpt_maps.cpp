@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
+#include <optional>
 
 namespace slalom {
 namespace {
@@ -49,27 +51,52 @@ void read_archive(const std::string& path, const std::string& expected, Read rea
   }
 }
 
-/// MRPT takes memory for whatever number of cells a file announces (counted in 32 bits), so the
-/// head of the file is looked at first: the length of the class name and the name, version and bits
-/// of a cell (one byte each), size x and size y. Other kinds of files are left to MRPT to refuse.
-void expect_possible_sizes(const std::string& path, const std::string& expected) {
+/// What the head of a file says about a grid's cells.
+struct GridHead {
+  std::uint32_t size_x, size_y;
+  float x_min, x_max, y_min, y_max, resolution;  // m
+};
+
+/// MRPT takes memory for whatever number of cells a file announces (counted in 32 bits), and again
+/// for those that extent and resolution make, so the head of the file is looked at first: the
+/// length of the class name and the name, version and bits of a cell (one byte each), then a
+/// GridHead. nullopt for other kinds of files, which are left to MRPT to refuse.
+std::optional<GridHead> read_grid_head(const std::string& path, const std::string& expected) {
   mrpt::io::CFileGZInputStream file;
   open_packed(file, path, expected);
-  std::array<unsigned char, 256> head{};
-  const std::size_t got = file.Read(head.data(), head.size());
-  const std::size_t name_size = head[0] & 0x7fU, sizes_at = name_size + 3;
-  if (got > head.size() || got < sizes_at + 8) return;
-  const std::string name(head.begin() + 1, head.begin() + 1 + static_cast<int>(name_size));
-  if (name != "COccupancyGridMap2D" && name != "mrpt::maps::COccupancyGridMap2D") return;
-  const auto number_at = [&head](std::size_t at) {
-    return head[at] | head[at + 1] << 8U | head[at + 2] << 16U |
-           static_cast<std::uint64_t>(head[at + 3]) << 24U;
-  };
-  const std::uint64_t size_x = number_at(sizes_at), size_y = number_at(sizes_at + 4);
+  std::array<char, 256> bytes{};
+  const std::size_t got = file.Read(bytes.data(), bytes.size());
+  const std::size_t name_size = static_cast<unsigned char>(bytes[0]) & 0x7fU, at = name_size + 3;
+  if (got > bytes.size() || got < at + sizeof(GridHead)) return std::nullopt;
+  const std::string name(&bytes[1], name_size);
+  if (name != "COccupancyGridMap2D" && name != "mrpt::maps::COccupancyGridMap2D")
+    return std::nullopt;
+  GridHead head;
+  std::memcpy(&head, &bytes[at],
+              sizeof head);  // MRPT writes, and these machines are, little-endian
+  return head;
+}
+
+bool fills(float low, float high, float resolution, std::uint32_t size) {
+  const double cells = (static_cast<double>(high) - low) / resolution;
+  return std::abs(cells - size) <= 1 + 1e-4 * size;
+}
+
+void expect_possible_head(const GridHead& head, const std::string& path) {
+  const std::uint64_t size_x = head.size_x, size_y = head.size_y;
   if (size_x == 0 || size_y == 0 || size_x > kMaxCells / size_y)
     throw file_error(
         path, "announces " + std::to_string(size_x) + " x " + std::to_string(size_y) + " cells",
         "1 to " + std::to_string(kMaxCells) + " cells");
+  const bool possible = head.resolution > 0 && std::isfinite(head.resolution) &&
+                        fills(head.x_min, head.x_max, head.resolution, head.size_x) &&
+                        fills(head.y_min, head.y_max, head.resolution, head.size_y);
+  if (!possible)
+    throw file_error(path,
+                     "has cells of " + std::to_string(head.resolution) + " m, " +
+                         std::to_string(size_x) + " x " + std::to_string(size_y) +
+                         " of which do not fill its extent",
+                     "a grid that fits together");
 }
 
 /// MRPT lets a grid grow to wherever a pose is, and does not survive one that is too large.
@@ -98,8 +125,7 @@ void expect_possible_poses(const mrpt::maps::CSimpleMap& map, double resolution,
 }
 
 void expect_cells(const COccupancyGridMap2D& map, const std::string& path) {
-  if (map.getSizeX() == 0 || map.getSizeY() == 0 || !(map.getResolution() > 0) ||
-      !std::isfinite(map.getResolution()))
+  if (map.getSizeX() == 0 || map.getSizeY() == 0 || !(map.getResolution() > 0))
     throw file_error(path, "holds an empty map", "a map with cells");
 }
 
@@ -107,7 +133,7 @@ void expect_cells(const COccupancyGridMap2D& map, const std::string& path) {
 
 COccupancyGridMap2D read_gridmap(const std::string& path) {
   const std::string expected = "an MRPT occupancy grid (.gridmap, .gridmap.gz)";
-  expect_possible_sizes(path, expected);
+  if (const auto head = read_grid_head(path, expected)) expect_possible_head(*head, path);
   COccupancyGridMap2D map;
   read_archive(path, expected, [&map](auto& archive) { archive >> map; });
   expect_cells(map, path);

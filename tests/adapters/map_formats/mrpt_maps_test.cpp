@@ -167,15 +167,22 @@ TEST(ReadGridmap, RefusesHugeAndEmptyAnnouncedSizesBeforeItTakesMemory) {
   }
 }
 
-TEST(ReadGridmap, RefusesAResolutionThatIsNone) {
+TEST(ReadGridmap, RefusesAnExtentThatItsCellsDoNotFill) {
   const MapFolder folder;
   const std::string plain = bytes_of_file(plain_grid(folder));
-  for (const float resolution : {0.0F, -0.5F, NAN, INFINITY}) {
+  const std::size_t x_max_at = sizes_at(plain) + 12, resolution_at = sizes_at(plain) + 24;
+  const auto refusal_with = [&](std::size_t at, float number) {
     std::string changed = plain;
-    std::memcpy(&changed[sizes_at(changed) + 24], &resolution, 4);
-    const std::string path = folder.write("changed.gridmap", changed);
-    EXPECT_EQ(refusal(path).rfind(path + ": ", 0), 0U) << resolution << ' ' << refusal(path);
-  }
+    std::memcpy(&changed[at], &number, 4);
+    return refusal(folder.write("changed.gridmap", changed));
+  };
+  ASSERT_EQ(refusal_with(resolution_at, 0.5F), "(no error)");
+  for (const float resolution : {0.0F, -0.5F, NAN, INFINITY, 1e-9F, 0.25F})
+    EXPECT_TRUE(has(refusal_with(resolution_at, resolution),
+                    " m, 7 x 5 of which do not fill its extent; expected a grid that fits"))
+        << resolution;
+  for (const float x_max : {-1.0F, 1e9F, NAN, INFINITY, 4.0F})
+    EXPECT_TRUE(has(refusal_with(x_max_at, x_max), "of which do not fill its extent")) << x_max;
 }
 
 bool is_beside_occupied(const COccupancyGridMap2D& map, float x, float y) {
