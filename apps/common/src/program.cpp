@@ -96,7 +96,7 @@ int run_program(const std::string& name, const std::string& description, int arg
   } catch (const std::bad_alloc&) {
     return fail(name, "not enough memory", kJobFailed);
   } catch (const std::exception& error) {
-    return fail(name, error.what(), kJobFailed);
+    return fail(name, reason_of(error), kJobFailed);
   }
 }
 

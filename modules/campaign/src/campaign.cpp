@@ -107,7 +107,7 @@ void check_methods(const Campaign& campaign) {
                                          campaign.options.sensor});
       return "";
     } catch (const std::exception& e) {
-      return e.what();
+      return reason_of(e);
     }
   };
   const auto receive = [&](std::size_t i, TaskResult&& result) {

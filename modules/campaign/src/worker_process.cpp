@@ -60,7 +60,7 @@ void send_answer(int socket, char kind, const std::string& payload) {
     try {
       send_answer(socket, kDone, task(index));
     } catch (const std::exception& e) {
-      send_answer(socket, kThrew, e.what());
+      send_answer(socket, kThrew, reason_of(e));
     }
   }
   _exit(0);

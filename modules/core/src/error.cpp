@@ -19,7 +19,23 @@ Error make(Culprit culprit, const std::string& where, const std::string& what,
   return {culprit, in_one_line(message)};
 }
 
+/// The rest of the line that begins with `label`, trimmed; empty where there is none.
+std::string labelled_line(const std::string& text, const std::string& label) {
+  const std::size_t found = text.find("\n" + label);
+  if (found == std::string::npos) return "";
+  const std::size_t begin = text.find_first_not_of(' ', found + 1 + label.size());
+  const std::size_t end = text.find('\n', found + 1);
+  return begin < end ? text.substr(begin, end - begin) : "";
+}
+
 }  // namespace
+
+std::string reason_of(const std::exception& error) {
+  const std::string text = error.what();
+  if (text.rfind("==== MRPT exception ====", 0) != 0) return in_one_line(text);
+  const std::string message = labelled_line(text, "Message:");
+  return message.empty() ? labelled_line(text, "Location:") : message;
+}
 
 int Error::exit_status() const {
   switch (culprit_) {

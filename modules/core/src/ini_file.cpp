@@ -26,8 +26,7 @@ std::string expand(const std::string& text, const std::string& name) {
   try {
     return mrpt::config::config_parser(text);
   } catch (const std::exception& e) {
-    const std::string what = e.what();
-    throw usage_error(name, "cannot expand definitions (" + what.substr(0, what.find('\n')) + ")",
+    throw usage_error(name, "cannot expand definitions (" + reason_of(e) + ")",
                       "@define NAME VALUE and ${NAME}");
   }
 }

@@ -2,6 +2,7 @@
 #include "range_finder.h"
 #include "simulated_clock.h"
 
+#include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/methods/registry.h>
 #include <slalom/robot/diff_drive.h>
@@ -73,7 +74,7 @@ class Run {
     try {
       call();
     } catch (const std::exception& e) {
-      end(Outcome::MethodError, e.what());
+      end(Outcome::MethodError, reason_of(e));
     } catch (...) {
       end(Outcome::MethodError, "the method threw something that is not a std::exception");
     }

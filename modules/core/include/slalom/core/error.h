@@ -35,4 +35,8 @@ Error usage_error(const std::string& where, const std::string& what,
 Error file_error(const std::string& where, const std::string& what,
                  const std::string& expected = "");
 
+/// What an exception of any origin says, as one line. MRPT's exceptions tell their call stack with
+/// memory addresses, which differ from run to run: of those only the reason is kept.
+std::string reason_of(const std::exception& error);
+
 }  // namespace slalom

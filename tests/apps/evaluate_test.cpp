@@ -1,0 +1,115 @@
+#include "program_run.h"
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+class Evaluate : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("small.ini", kSmallCampaign);
+  }
+};
+
+TEST_F(Evaluate, WritesScenariosResultsTablesAndAReportThatNeedsNoNetwork) {
+  const Ended ended = run("slalom-evaluate small.ini -o out -j 2");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("Report: out/report/index.html"), std::string::npos);
+  EXPECT_NE(ended.out.find(read("out/tables.txt")), std::string::npos);
+  EXPECT_NE(read("out/tables.csv").find("success"), std::string::npos);
+  const std::string report = read("out/report/index.html");
+  EXPECT_NE(report.find("<svg"), std::string::npos);
+  for (const char* foreign : {"src=\"http", "href=\"http", "@import", "url(http"})
+    EXPECT_EQ(report.find(foreign), std::string::npos) << foreign;
+  EXPECT_EQ(ended.err.find('\r'), std::string::npos) << "no progress bar without a terminal";
+}
+
+TEST_F(Evaluate, TheSameSeedGivesTheSameBytesWithOneWorkerAndWithTwo) {
+  ASSERT_EQ(run("slalom-evaluate small.ini -o one -j 1 --quiet").status, 0);
+  ASSERT_EQ(run("slalom-evaluate small.ini -o two -j 2 --quiet").status, 0);
+  const std::string one = run("slalom-analyze dump one/runs.results").out;
+  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 8);
+  EXPECT_EQ(one, run("slalom-analyze dump two/runs.results").out);
+  EXPECT_EQ(read("one/tables.csv"), read("two/tables.csv"));
+}
+
+TEST_F(Evaluate, AnotherSeedGivesOtherScenarios) {
+  ASSERT_EQ(run("slalom-evaluate small.ini -o one --quiet --set campaign.methods=gap").status, 0);
+  ASSERT_EQ(
+      run("slalom-evaluate small.ini -o two --quiet --set campaign.methods=gap --seed 6").status,
+      0);
+  EXPECT_NE(run("slalom-scenarios list one/campaign.scenarios").out,
+            run("slalom-scenarios list two/campaign.scenarios").out);
+}
+
+TEST_F(Evaluate, AddingAMethodChangesNoOtherMethodsValues) {
+  ASSERT_EQ(run("slalom-evaluate small.ini -o both --quiet").status, 0);
+  ASSERT_EQ(run("slalom-evaluate small.ini -o alone --quiet --set campaign.methods=gap").status, 0);
+  std::istringstream both(run("slalom-analyze dump both/runs.results").out);
+  std::istringstream alone(run("slalom-analyze dump alone/runs.results").out);
+  std::string line, expected;
+  while (std::getline(both, line))
+    if (nlohmann::json::parse(line)["method"] == "gap") expected += line + "\n";
+  EXPECT_EQ(expected, alone.str());
+}
+
+TEST_F(Evaluate, HelpVersionAndOptionsArePrinted) {
+  EXPECT_NE(run("slalom-evaluate --help").out.find("--jobs"), std::string::npos);
+  EXPECT_EQ(run("slalom-evaluate --version").status, 0);
+  const std::string options = run("slalom-evaluate --options").out;
+  for (const char* key : {"[robot]", "max_accel_v", "[sensor]", "aperture_deg", "stuck_distance"})
+    EXPECT_NE(options.find(key), std::string::npos) << key;
+}
+
+TEST_F(Evaluate, RefusesWhatItDoesNotKnowAndNamesTheNearest) {
+  const std::string base = "slalom-evaluate small.ini -o out ";
+  expect_refusal(base + "--set robot.raduis=1", 2,
+                 {"--set robot.raduis", "unknown key", "'radius'"});
+  expect_refusal(base + "--set simulatoin.step=1", 2, {"simulatoin", "simulation"});
+  expect_refusal(base + "--set robot.radius=wide", 2, {"radius", "wide", "number"});
+  expect_refusal(base + "--set robot.radius=-1", 2, {"radius", "-1", "> 0"});
+  expect_refusal(base + "--set method.nd.class=CHolonomicNDD", 2,
+                 {"class", "CHolonomicNDD", "CHolonomicND"});
+  expect_refusal(base + "--set method.gap.plugin=missing.so", 2, {"plugin", "missing.so"});
+  expect_refusal(base + "--set method.gap.adapter=libary", 2, {"adapter", "libary", "library"});
+  expect_refusal(base + "--set campaign.methods=nd,ghost", 2, {"ghost", "method.ghost"});
+  expect_refusal(base + "--set metrics.enabled=succes", 2, {"succes", "success"});
+  expect_refusal(base + "--set analysis.rows=densty:4", 2, {"densty", "density"});
+  expect_refusal(base + "--colour", 2, {"--colour", "--help"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/runs.results"));
+}
+
+TEST_F(Evaluate, RefusesALibraryThatIsNoMethod) {
+  const std::string base = "slalom-evaluate small.ini -o out --set method.gap.plugin=";
+  write("text.so", "this is no library");
+  expect_refusal(base + "text.so", 2, {"text.so"});
+  write("empty.c", "int nothing;\n");
+  ASSERT_EQ(run("cc -shared -fPIC empty.c -o empty.so").status, 0);
+  expect_refusal(base + "empty.so", 2, {"empty.so", "slalom_method_get_api"});
+}
+
+TEST_F(Evaluate, RefusesFilesThatAreMissingOrCorrupt) {
+  expect_refusal("slalom-evaluate none.ini -o out", 3, {"none.ini"});
+  const std::string base = "slalom-evaluate small.ini -o out --set scenarios.generator= ";
+  expect_refusal(base + "--set scenarios.maps=none.gridmap.gz", 3, {"none.gridmap.gz"});
+  write("broken.gridmap.gz", "this is no map");
+  expect_refusal(base + "--set scenarios.maps=broken.gridmap.gz", 3, {"broken.gridmap.gz"});
+  write("broken.scenarios", "this is no list");
+  expect_refusal(base + "--set scenarios.list=broken.scenarios", 3, {"broken.scenarios"});
+}
+
+TEST_F(Evaluate, RefusesAnOutputFolderThatCannotBeWritten) {
+  write("file", "in the way");
+  expect_refusal("slalom-evaluate small.ini -o file/out", 1, {"file/out", "cannot be made"});
+}
+
+TEST_F(Evaluate, SaysWhenNoScenarioCanBeSolved) {
+  // A robot of 2.9 m radius cannot move on a floor of 6 m x 6 m.
+  expect_refusal("slalom-evaluate small.ini -o out --set robot.radius=2.9", 1,
+                 {"attempts", "robot"});
+}
+
+}  // namespace
+}  // namespace slalom

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+
+namespace slalom {
+
+/// How a program ended and what it said.
+struct Ended {
+  int status = -1;
+  std::string out, err;
+};
+
+inline std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// A folder of its own for each test, in which it runs programs; gone afterwards.
+class ProgramTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = testing::TempDir() + "slalom_apps_XXXXXX";
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// "slalom-... arguments", as a shell takes it, in the test's folder.
+  Ended run(const std::string& command) const {
+    const std::string shell = "cd '" + folder_.string() + "' && PATH=\"" SLALOM_BIN ":$PATH\" " +
+                              command + " >.out 2>.err </dev/null";
+    const int status = std::system(shell.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            read_text(folder_ / ".out"), read_text(folder_ / ".err")};
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  std::string read(const std::string& name) const { return read_text(folder_ / name); }
+
+  /// That `command` ends with `status` and one line that has all these words.
+  void expect_refusal(const std::string& command, int status,
+                      const std::vector<std::string>& words) const {
+    const Ended ended = run(command);
+    EXPECT_EQ(ended.status, status) << command << "\n" << ended.err;
+    const std::string last = last_line(ended.err);
+    for (const std::string& word : words)
+      EXPECT_NE(last.find(word), std::string::npos) << "no '" << word << "' in: " << last;
+    EXPECT_EQ(ended.err.find("terminate called"), std::string::npos) << ended.err;
+  }
+
+  /// Without the counts that progress reports write before it.
+  static std::string last_line(std::string text) {
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    const std::size_t end = text.rfind('\n');
+    return end == std::string::npos ? text : text.substr(end + 1);
+  }
+
+  std::filesystem::path folder_;
+};
+
+/// A campaign of two methods over a few small generated places, done in a second or two.
+inline const char* const kSmallCampaign = R"([campaign]
+name    = small
+seed    = 5
+methods = nd, gap
+[scenarios]
+generator = random
+count     = 4
+[generator.random]
+width        = 6
+height       = 6
+min_distance = 3
+max_obstacles = 10
+max_size     = 0.4
+[method.nd]
+adapter = mrpt_holonomic
+class   = CHolonomicND
+[method.gap]
+adapter = library
+plugin  = libslalom_follow_the_gap.so
+[analysis]
+rows = density:0,0.05,1
+)";
+
+}  // namespace slalom

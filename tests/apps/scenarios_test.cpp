@@ -1,0 +1,117 @@
+#include "program_run.h"
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+class Scenarios : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("generate.ini",
+          "[scenarios]\ngenerator = random\n[generator.random]\nwidth = 6\nheight = 6\n"
+          "min_distance = 3\nmax_obstacles = 8\n");
+  }
+  /// A room of 3 m x 2 m at 0.5 m a cell as a ROS map, walled all round, split by a wall if asked.
+  void write_room(bool split) const {
+    std::string pixels;
+    for (int row = 0; row < 4; ++row)
+      for (int column = 0; column < 6; ++column)
+        pixels += split && column == 3 ? '\0' : static_cast<char>(254);
+    write("room.pgm", "P5\n6 4\n255\n" + pixels);
+    write("room.yaml",
+          "image: room.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\nnegate: 0\n"
+          "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  }
+};
+
+TEST_F(Scenarios, GeneratesTheSameListFromTheSameSeed) {
+  const std::string generate = "slalom-scenarios generate -c generate.ini -n 5 --quiet --seed ";
+  ASSERT_EQ(run(generate + "7 -o a.scenarios").status, 0);
+  ASSERT_EQ(run(generate + "7 -o b.scenarios").status, 0);
+  ASSERT_EQ(run(generate + "8 -o c.scenarios").status, 0);
+  const std::string a = run("slalom-scenarios list a.scenarios").out;
+  EXPECT_EQ(std::count(a.begin(), a.end(), '\n'), 5);
+  EXPECT_EQ(a, run("slalom-scenarios list b.scenarios").out);
+  EXPECT_NE(a, run("slalom-scenarios list c.scenarios").out);
+}
+
+TEST_F(Scenarios, DescribesAndKeepsWhatItComputed) {
+  ASSERT_EQ(run("slalom-scenarios generate -c generate.ini -n 2 --quiet -o a.scenarios").status, 0);
+  const Ended first = run("slalom-scenarios describe a.scenarios --json");
+  ASSERT_EQ(first.status, 0) << first.err;
+  std::istringstream lines(first.out);
+  std::string line;
+  while (std::getline(lines, line)) {
+    const auto json = nlohmann::json::parse(line);
+    EXPECT_GE(json["detour_ratio"].get<double>(), 1);
+    EXPECT_GE(json["density"].get<double>(), 0);
+    EXPECT_LE(json["confinement"].get<double>(), 1);
+  }
+  EXPECT_EQ(first.out, run("slalom-scenarios describe a.scenarios --json").out);
+}
+
+TEST_F(Scenarios, ImportsARosMapAtItsPlace) {
+  write_room(false);
+  ASSERT_EQ(run("slalom-scenarios import room.yaml -o room.scenarios --start=-0.5,3,0 --goal 1.5,3")
+                .status,
+            0);
+  const std::string text = run("slalom-scenarios show room.scenarios --id room").out;
+  EXPECT_NE(text.find("6 x 4 cells of 0.5 m"), std::string::npos) << text;
+  EXPECT_NE(text.find("x -1 to 2 m, y 2 to 4 m"), std::string::npos) << text;
+}
+
+TEST_F(Scenarios, RefusesAPairThatTheRobotCannotJoin) {
+  write_room(true);
+  expect_refusal(
+      "slalom-scenarios import room.yaml -o room.scenarios --start=-0.5,3,0 --goal 1.5,3", 1,
+      {"room", "unsolvable"});
+  expect_refusal("slalom-scenarios import room.yaml -o room.scenarios", 2,
+                 {"start and goal", "--pairs"});
+  expect_refusal("slalom-scenarios import room.yaml -o room.scenarios --start 1 --goal 1,2", 2,
+                 {"--start 1", "x,y,phi"});
+}
+
+TEST_F(Scenarios, ReferencesComeWithACertificate) {
+  write_room(false);
+  ASSERT_EQ(run("slalom-scenarios import room.yaml -o room.scenarios --start=-0.5,3,0 --goal 1.5,3")
+                .status,
+            0);
+  const auto json =
+      nlohmann::json::parse(run("slalom-scenarios reference room.scenarios --json").out);
+  // Nothing stands in the way: 2 m straight.
+  EXPECT_NEAR(json["shortest_length"].get<double>(), 2, 1e-9);
+  EXPECT_LE(json["lower_bound"].get<double>(), 2 + 1e-9);
+}
+
+TEST_F(Scenarios, DrawsAndExportsAndReadsBack) {
+  ASSERT_EQ(run("slalom-scenarios generate -c generate.ini -n 1 --quiet -o a.scenarios").status, 0);
+  const std::string id = run("slalom-scenarios list a.scenarios").out.substr(0, 8);
+  ASSERT_EQ(run("slalom-scenarios render a.scenarios --id " + id + " -o a.png").status, 0);
+  EXPECT_EQ(read("a.png").substr(1, 3), "PNG");
+  ASSERT_EQ(run("slalom-scenarios render a.scenarios --id " + id + " -o a.svg").status, 0);
+  EXPECT_EQ(read("a.svg").substr(0, 4), "<svg");
+  ASSERT_EQ(
+      run("slalom-scenarios export a.scenarios --id " + id + " --format yaml -o a.scenario.yaml")
+          .status,
+      0);
+  ASSERT_EQ(run("slalom-scenarios import a.scenario.yaml -o b.scenarios --quiet").status, 0);
+  EXPECT_EQ(run("slalom-scenarios list b.scenarios").out,
+            run("slalom-scenarios list a.scenarios").out);
+  expect_refusal("slalom-scenarios render a.scenarios --id " + id + " -o a.bmp", 2,
+                 {"a.bmp", ".png or .svg"});
+  expect_refusal("slalom-scenarios show a.scenarios --id nobody", 2, {"nobody"});
+}
+
+TEST_F(Scenarios, DataSetsOfMrptAreImported) {
+  const Ended ended =
+      run("slalom-scenarios import /usr/share/mrpt/datasets/localization_demo.simplemap.gz "
+          "-o demo.scenarios --pairs 2 --seed 3");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const std::string list = run("slalom-scenarios list demo.scenarios").out;
+  EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 2);
+}
+
+}  // namespace
+}  // namespace slalom
