@@ -45,6 +45,20 @@ CAbstractHolonomicReactiveMethod::Ptr create_by_name(const std::string& name) {
   return CAbstractHolonomicReactiveMethod::Factory(qualified ? name : "mrpt::nav::" + name);
 }
 
+/// Tries the class's own .ini, so that a missing file or key is told before any run.
+void check_config(const MethodContext& context, const HolonomicOptions& options) {
+  if (options.config.empty()) return;
+  const std::string where = context.ini.where(context.section, "config");
+  if (!mrpt::system::fileExists(options.config))
+    throw usage_error(where, "'" + options.config + "' cannot be read", "an MRPT .ini");
+  try {
+    create_by_name(options.class_name)->initialize(mrpt::config::CConfigFile(options.config));
+  } catch (const std::exception& e) {
+    throw usage_error(where, options.class_name + " refuses it (" + reason_of(e) + ")",
+                      "an MRPT .ini with the class's own section");
+  }
+}
+
 /// One MRPT holonomic method in the place of the robot's navigator.
 class HolonomicMethod : public Method {
  public:
@@ -169,9 +183,7 @@ std::unique_ptr<Method> make_holonomic_method(const MethodContext& context) {
                       "no holonomic method class '" + options.class_name + "'",
                       "one of " + join(classes, ", "));
   }
-  if (!options.config.empty() && !mrpt::system::fileExists(options.config))
-    throw usage_error(context.ini.where(context.section, "config"),
-                      "'" + options.config + "' cannot be read", "an MRPT .ini");
+  check_config(context, options);
   return std::make_unique<HolonomicMethod>(std::move(options), context);
 }
 

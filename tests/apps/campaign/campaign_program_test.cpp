@@ -66,6 +66,22 @@ TEST_F(CampaignProgram, TakesWallClockFiguresAsColumns) {
   EXPECT_EQ(campaign_scenarios(load_campaign_ini(asked), asked).size(), 1U);
 }
 
+TEST_F(CampaignProgram, RefusesAnMrptConfigurationWithoutTheClassBeforeAnyRun) {
+  const std::string nd_ini = folder_ + "/nd.ini", path = folder_ + "/runs.results";
+  write_file_atomically(nd_ini, "[Other]\nkey = 1\n");
+  const auto wrong = arguments({"method.nd.config=" + nd_ini});
+  const IniFile ini = load_campaign_ini(wrong);
+  try {
+    run_campaign_program(ini, wrong, campaign_scenarios(ini, wrong), path);
+    FAIL() << "taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exit_status(), 2);
+    EXPECT_EQ(std::string(error.what()).find("--set method.nd.config: CHolonomicND refuses it ("),
+              0U);
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 // A program links all rooms: their names must not get in each other's way.
 TEST_F(CampaignProgram, FindsReferencesAndRunsMethodsWithAllRoomsLinked) {
   const auto plain = arguments();
