@@ -1,0 +1,115 @@
+#include "sectors.h"
+
+#include <slalom/core/random.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// The way found by going: small steps, halved where the disc would come nearer than its radius to
+/// a point, or deeper into one that it touches from the start.
+double way_by_going(const std::vector<mrpt::math::TPoint2D>& points, double direction,
+                    double radius, double limit) {
+  const auto is_blocked = [&](double way) {
+    for (const auto& p : points) {
+      const double gap =
+          std::hypot(p.x - way * std::cos(direction), p.y - way * std::sin(direction));
+      const bool nearing = p.x * std::cos(direction) + p.y * std::sin(direction) > way;
+      if (gap < radius && (nearing || gap < std::hypot(p.x, p.y))) return true;
+    }
+    return false;
+  };
+  constexpr double kStep = 1e-3;
+  for (double way = kStep; way <= limit + kStep; way += kStep) {
+    if (!is_blocked(way)) continue;
+    double low = way - kStep, high = way;
+    for (int i = 0; i < 30; ++i) {
+      const double middle = 0.5 * (low + high);
+      (is_blocked(middle) ? high : low) = middle;
+    }
+    return std::min(low, limit);
+  }
+  return limit;
+}
+
+std::vector<mrpt::math::TPoint2D> random_points(RandomEngine& random, int count, double nearest) {
+  std::vector<mrpt::math::TPoint2D> points;
+  while (static_cast<int>(points.size()) < count) {
+    const mrpt::math::TPoint2D p{uniform_real(random, -3, 3), uniform_real(random, -3, 3)};
+    if (std::hypot(p.x, p.y) > nearest) points.push_back(p);
+  }
+  return points;
+}
+
+TEST(FreeTravel, IsWhatADiscFindsByGoing) {
+  RandomEngine random(7);
+  for (int round = 0; round < 60; ++round) {
+    const auto points = random_points(random, 1 + round % 12, 0.35);
+    const double direction = uniform_real(random, -kPi, kPi);
+    const double radius = uniform_real(random, 0.05, 0.35);
+    EXPECT_NEAR(free_travel(points, direction, radius, 2.5),
+                way_by_going(points, direction, radius, 2.5), 1e-3)
+        << round;
+  }
+}
+
+TEST(FreeTravel, StopsOneRadiusBeforeAPointAheadAndIgnoresOneBehind) {
+  EXPECT_DOUBLE_EQ(free_travel({{2, 0}}, 0, 0.5, 8), 1.5);
+  EXPECT_DOUBLE_EQ(free_travel({{2, 0}}, kPi, 0.5, 8), 8);
+  // 0.3 aside of radius 0.5: contact where the point is sqrt(0.25 - 0.09) = 0.4 ahead.
+  EXPECT_NEAR(free_travel({{2, 0.3}}, 0, 0.5, 8), 1.6, 1e-12);
+  EXPECT_DOUBLE_EQ(free_travel({{2, 0.5}}, 0, 0.5, 8), 8);
+  EXPECT_DOUBLE_EQ(free_travel({}, 1, 0.5, 8), 8);
+}
+
+TEST(FreeTravel, MayLeaveAPointThatItTouchesButNotGoDeeper) {
+  EXPECT_DOUBLE_EQ(free_travel({{0.3, 0}}, 0, 0.5, 8), 0);
+  EXPECT_DOUBLE_EQ(free_travel({{0.3, 0}}, 0.9 * kPi, 0.5, 8), 8);
+}
+
+TEST(SectorDirection, PartsTheCircleEvenlyFromBehindCounterClockwise) {
+  EXPECT_NEAR(sector_direction(0, 4), -0.75 * kPi, 1e-12);
+  EXPECT_NEAR(sector_direction(3, 4), 0.75 * kPi, 1e-12);
+  EXPECT_NEAR(sector_direction(60, 121), 0, 1e-12);  // an odd number looks straight ahead
+  for (std::size_t k = 1; k < 121; ++k)
+    EXPECT_NEAR(sector_direction(k, 121) - sector_direction(k - 1, 121), 2 * kPi / 121, 1e-12);
+}
+
+TEST(ObstaclePoints, AreTheEndsOfTheRaysThatMetSomething) {
+  mrpt::obs::CObservation2DRangeScan scan;
+  scan.aperture = static_cast<float>(kPi);
+  scan.resizeScan(5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    scan.setScanRange(i, static_cast<float>(i + 1));
+    scan.setScanRangeValidity(i, i != 1);
+  }
+  const auto points = obstacle_points(scan);
+  // Rays at -90, -45 (met nothing), 0, 45 and 90 degrees.
+  ASSERT_EQ(points.size(), 4U);
+  EXPECT_NEAR(points[0].x, 0, 1e-6);
+  EXPECT_NEAR(points[0].y, -1, 1e-6);
+  EXPECT_NEAR(points[1].x, 3, 1e-6);
+  EXPECT_NEAR(points[2].x, 4 * std::sqrt(0.5), 1e-6);
+  EXPECT_NEAR(points[2].y, 4 * std::sqrt(0.5), 1e-6);
+  EXPECT_NEAR(points[3].y, 5, 1e-6);
+}
+
+TEST(ObstaclePoints, OfOneRayLieAhead) {
+  mrpt::obs::CObservation2DRangeScan scan;
+  scan.aperture = 2;
+  scan.resizeScan(1);
+  scan.setScanRange(0, 3);
+  scan.setScanRangeValidity(0, true);
+  const auto points = obstacle_points(scan);
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_DOUBLE_EQ(points[0].x, 3);
+  EXPECT_DOUBLE_EQ(points[0].y, 0);
+}
+
+}  // namespace
+}  // namespace slalom
