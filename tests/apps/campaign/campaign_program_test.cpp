@@ -1,3 +1,4 @@
+#include <slalom/analysis/cell.h>
 #include <slalom/app/campaign_program.h>
 #include <slalom/core/error.h>
 #include <slalom/io/result_file.h>
@@ -7,6 +8,7 @@
 #include <filesystem>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 namespace slalom {
 namespace {
@@ -82,8 +84,12 @@ TEST_F(CampaignProgram, RefusesAnMrptConfigurationWithoutTheClassBeforeAnyRun) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-// A program links all rooms: their names must not get in each other's way.
+// Programs link all rooms. Two rooms that gave one name to two types would share the code of their
+// vectors, and this file's, with the cells of tables, would come first.
 TEST_F(CampaignProgram, FindsReferencesAndRunsMethodsWithAllRoomsLinked) {
+  std::vector<Cell> cells_of_a_table;
+  for (std::size_t n = 0; n < 3; ++n) cells_of_a_table.push_back(Cell{n, n, {}, {}, {}, {}, {}});
+  ASSERT_EQ(cells_of_a_table.back().n, 2U);
   const auto plain = arguments();
   const IniFile ini = load_campaign_ini(plain);
   auto scenarios = campaign_scenarios(ini, plain);
