@@ -189,8 +189,10 @@ std::unique_ptr<ReferencePlanner> make_ompl_planner(const OmplOptions& options) 
   return std::make_unique<OmplPlanner>(options);
 }
 
+/// From its parts: OMPL_VERSION is an empty text in Debian's package.
 std::string ompl_version() {
-  return OMPL_VERSION;
+  return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
+         std::to_string(OMPL_PATCH_VERSION);
 }
 
 }  // namespace slalom
