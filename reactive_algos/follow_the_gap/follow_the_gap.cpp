@@ -98,7 +98,8 @@ Speeds decide(const std::vector<double>& ranges, double goal_x, double goal_y,
   const double goal_angle = std::atan2(goal_y, goal_x);
   const double goal_distance = std::hypot(goal_x, goal_y);
   const double enlarged = robot.radius + parameters.margin;
-  const double horizon = std::min(parameters.look_ahead, goal_distance + robot.radius);
+  const double seen = 0.999 * robot.max_range;  // a ray that meets nothing ends at max_range
+  const double horizon = std::min({parameters.look_ahead, goal_distance + robot.radius, seen});
   const std::vector<Gap> gaps = find_gaps(ranges, robot.aperture, enlarged, horizon);
   const Gap* gap = choose_gap(gaps, goal_angle, parameters.goal_weight);
   if (gap == nullptr) {

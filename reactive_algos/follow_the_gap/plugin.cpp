@@ -2,6 +2,7 @@
 
 #include <slalom/methods/slalom_method.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -44,7 +45,7 @@ constexpr slalom_parameter kParameters[] = {
 bool apply(const slalom_setting& setting, Parameters& parameters) {
   char* end = nullptr;
   const double value = std::strtod(setting.value, &end);
-  if (end == setting.value || *end != '\0' || !(value >= 0)) return false;
+  if (end == setting.value || *end != '\0' || !(value >= 0) || std::isinf(value)) return false;
   for (const Setting& known : kSettings)
     if (std::strcmp(known.key, setting.key) == 0) parameters.*known.field = value;
   return true;
