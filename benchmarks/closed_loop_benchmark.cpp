@@ -85,15 +85,13 @@ void count_steps(benchmark::State& state, std::size_t steps) {
 
 void simulate_rays(benchmark::State& state, int rays) {
   const std::deque<World>& worlds = rooms();
-  const SimulationOptions options = wandering_options();
-  const RobotModel robot;
-  SensorModel sensor;
-  sensor.rays = rays;
+  RunSetup setup;
+  setup.simulation = wandering_options();
+  setup.sensor.rays = rays;
   Wanderer wanderer;
   std::size_t steps = 0, i = 0;
   for (auto _ : state) {
-    const SimulationResult result =
-        simulate(worlds[i++ % worlds.size()], robot, sensor, options, 0, wanderer);
+    const SimulationResult result = simulate(worlds[i++ % worlds.size()], setup, 0, wanderer);
     steps += result.cycle_seconds.size();
     benchmark::DoNotOptimize(result);
   }

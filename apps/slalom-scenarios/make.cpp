@@ -37,9 +37,11 @@ void keep(const std::string& path, std::vector<Scenario> scenarios, const std::s
 void generate(const GenerateArguments& arguments) {
   IniFile ini = IniFile::load(arguments.config);
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
-  ini.reject_unknown_sections({"scenarios", "generator.*", "robot", "simulation"});
+  ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor",
+                               "odometry", "simulation", "reference", "metrics", "limits", "record",
+                               "analysis", "method.*"});
   if (arguments.count > 0) ini.set("scenarios", "count", std::to_string(arguments.count));
-  const auto robot = read_options<RobotModel>(ini, "robot");
+  const RobotModel robot = read_robot_model(ini);
   const auto simulation = read_options<SimulationOptions>(ini, "simulation");
   const auto progress = make_terminal_progress(arguments.quiet);
   keep(arguments.output,

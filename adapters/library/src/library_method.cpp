@@ -13,8 +13,19 @@ namespace {
 
 constexpr char kSymbol[] = "slalom_method_get_api";
 
-slalom_robot to_c(const RobotModel& robot, const SensorModel& sensor) {
+/// The robot in C; its footprint's numbers stay in `corners`.
+slalom_robot to_c(const RobotModel& robot, const SensorModel& sensor,
+                  std::vector<double>& corners) {
+  corners.clear();
+  const Footprint footprint = robot.shape();
+  for (const auto& corner : footprint.corners()) {
+    corners.push_back(corner.x);
+    corners.push_back(corner.y);
+  }
   slalom_robot result = {};
+  result.holonomic = robot.holonomic() ? 1 : 0;
+  result.footprint = corners.empty() ? nullptr : corners.data();
+  result.footprint_points = corners.size() / 2;
   result.radius = robot.radius;
   result.max_v = robot.max_v;
   result.max_w = robot.max_w;
@@ -66,6 +77,7 @@ class LibraryMethod : public Method {
     o.y = observation.odometry.y;
     o.phi = observation.odometry.phi;
     o.v = observation.v;
+    o.vy = observation.vy;
     o.w = observation.w;
     o.goal_x = observation.goal_in_robot.x;
     o.goal_y = observation.goal_in_robot.y;
@@ -73,7 +85,7 @@ class LibraryMethod : public Method {
     o.rays = ranges_.size();
     slalom_command command = {};
     expect_success("step", api_.step(method_, &o, &command));
-    return {command.v, command.w};
+    return {command.v, command.w, command.vy};
   }
 
  private:
@@ -159,7 +171,8 @@ class LibraryLoader {
     const auto own = own_settings(api);
     std::vector<slalom_setting> settings;
     for (const auto& [key, value] : own) settings.push_back({key.c_str(), value.c_str()});
-    const slalom_robot robot = to_c(context_.robot, context_.sensor);
+    std::vector<double> corners;
+    const slalom_robot robot = to_c(context_.robot, context_.sensor, corners);
     char error[512] = "";
     void* method = api.create(settings.data(), settings.size(), &robot, error, sizeof error);
     error[sizeof error - 1] = '\0';

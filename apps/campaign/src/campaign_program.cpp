@@ -84,6 +84,7 @@ std::string campaign_options_help() {
   list_section<RandomGeneratorOptions>(text, "generator.random");
   list_section<RobotModel>(text, "robot");
   list_section<SensorModel>(text, "sensor");
+  list_section<OdometryModel>(text, "odometry");
   list_section<SimulationOptions>(text, "simulation");
   list_section<OmplOptions>(text, "reference");
   list_section<MetricsSection>(text, "metrics");
@@ -99,8 +100,8 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
   if (arguments.seed) ini.set("campaign", "seed", std::to_string(*arguments.seed));
   ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor",
-                               "simulation", "reference", "metrics", "limits", "analysis",
-                               "method.*"});
+                               "odometry", "simulation", "reference", "metrics", "limits",
+                               "analysis", "method.*"});
   return ini;
 }
 
@@ -108,8 +109,9 @@ std::vector<Scenario> campaign_scenarios(const IniFile& ini, const CampaignArgum
   const CampaignOptions options = read_campaign_options(ini);
   check_analysis(ini, options);
   const auto progress = make_terminal_progress(arguments.quiet);
-  return collect_scenarios(ini, {options.robot.radius, options.simulation.resolution, options.seed},
-                           load_occupancy_grid, *progress);
+  return collect_scenarios(
+      ini, {options.setup.robot.radius, options.setup.simulation.resolution, options.seed},
+      load_occupancy_grid, *progress);
 }
 
 CampaignReport run_campaign_program(const IniFile& ini, const CampaignArguments& arguments,

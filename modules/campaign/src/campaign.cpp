@@ -103,8 +103,9 @@ void check_methods(const Campaign& campaign) {
   const std::vector<std::string>& names = campaign.options.methods;
   const WorkerTask task = [&](std::size_t i) -> std::string {
     try {
-      campaign.methods.create(names[i], {campaign.ini, "method." + names[i], campaign.options.robot,
-                                         campaign.options.sensor});
+      campaign.methods.create(names[i],
+                              {campaign.ini, "method." + names[i], campaign.options.setup.robot,
+                               campaign.options.setup.sensor});
       return "";
     } catch (const std::exception& e) {
       return reason_of(e);

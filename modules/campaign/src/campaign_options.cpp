@@ -63,8 +63,13 @@ void MetricsSection::visit(OptionVisitor& v) {
 }
 
 void LimitsSection::visit(OptionVisitor& v) {
+  deadline.visit(v);
   v.option("run_wall_time", run_wall_time, "s", "wall-clock time after which a run is ended",
            Range::positive());
+  v.option("run_cpu_time", run_cpu_time, "s", "processor time after which a run is ended; 0: any",
+           Range::at_least(0));
+  v.option("memory_mb", memory_mb, "MiB", "memory that a worker may take for methods; 0: any",
+           Range::at_least(0));
 }
 
 CampaignOptions read_campaign_options(const IniFile& ini) {
@@ -78,11 +83,13 @@ CampaignOptions read_campaign_options(const IniFile& ini) {
   options.metrics = read_ids(ini, "enabled", metrics.enabled, ids_of(all_metrics()));
   options.descriptors =
       read_ids(ini, "descriptors", metrics.descriptors, ids_of(all_descriptors()));
-  options.robot = read_options<RobotModel>(ini, "robot");
-  options.sensor = read_options<SensorModel>(ini, "sensor");
-  options.simulation = read_options<SimulationOptions>(ini, "simulation");
-  options.simulation.check(ini, "simulation");
   options.limits = read_options<LimitsSection>(ini, "limits");
+  options.setup.robot = read_robot_model(ini);
+  options.setup.sensor = read_options<SensorModel>(ini, "sensor");
+  options.setup.odometry = read_options<OdometryModel>(ini, "odometry");
+  options.setup.simulation = read_options<SimulationOptions>(ini, "simulation");
+  options.setup.simulation.check(ini, "simulation");
+  options.setup.deadline = options.limits.deadline;
   return options;
 }
 

@@ -34,8 +34,7 @@ RunFindings RunExecutor::execute(const RunSpec& spec) {
   const auto begin = std::chrono::steady_clock::now();
   const CampaignOptions& options = campaign_.options;
   const World& place = world(spec.scenario);
-  const SimulationResult result = simulate(place, options.robot, options.sensor, options.simulation,
-                                           spec.seed, method(spec.method));
+  const SimulationResult result = simulate(place, options.setup, spec.seed, method(spec.method));
   RunFindings findings;
   findings.record = blank_record(campaign_, spec);
   evaluate(place, references_[spec.scenario], result, findings);
@@ -48,7 +47,7 @@ RunFindings RunExecutor::execute(const RunSpec& spec) {
 const World& RunExecutor::world(std::size_t scenario) {
   if (!world_ || world_scenario_ != scenario) {
     world_ = std::make_unique<World>(campaign_.scenarios[scenario],
-                                     campaign_.options.simulation.resolution);
+                                     campaign_.options.setup.simulation.resolution);
     world_scenario_ = scenario;
   }
   return *world_;
@@ -58,7 +57,8 @@ Method& RunExecutor::method(const std::string& name) {
   std::unique_ptr<Method>& method = methods_[name];
   if (!method) {
     method = campaign_.methods.create(
-        name, {campaign_.ini, "method." + name, campaign_.options.robot, campaign_.options.sensor});
+        name, {campaign_.ini, "method." + name, campaign_.options.setup.robot,
+               campaign_.options.setup.sensor});
   }
   return *method;
 }
@@ -71,9 +71,9 @@ void RunExecutor::evaluate(const World& world, const References& references,
   record.outcome_detail = result.detail;
   record.trajectory_hash = result.trajectory.hash();
   findings.trajectory = result.trajectory;
-  const MetricContext context =
-      make_metric_context(world, options.robot, result.trajectory, result.outcome, references,
-                          options.simulation.max_time, options.simulation.goal_tolerance);
+  const MetricContext context = make_metric_context(
+      world, options.setup.robot, result.trajectory, result.outcome, references,
+      options.setup.simulation.max_time, options.setup.simulation.goal_tolerance);
   for (const std::string& id : options.metrics) {
     const Metric& wanted = metric(id);
     record.metrics[id] = {wanted.info().version, wanted.compute(context)};

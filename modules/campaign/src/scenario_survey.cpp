@@ -6,11 +6,14 @@ namespace slalom {
 
 ScenarioFindings survey_scenario(const Campaign& campaign, const Scenario& scenario) {
   const CampaignOptions& options = campaign.options;
-  const World world(scenario, options.simulation.resolution);
+  const World world(scenario, options.setup.simulation.resolution);
   ScenarioFindings findings;
   findings.record = {scenario.hash(), scenario.name(), {}};
+  // Of a polygon the inscribed disc: wherever the polygon fits, so does the disc, so that no run
+  // can be shorter than the reference.
+  const double radius = options.setup.robot.shape().inscribed_radius();
   const PlanningProblem problem{
-      world, options.robot.radius, {scenario.start().x, scenario.start().y}, scenario.goal()};
+      world, radius, {scenario.start().x, scenario.start().y}, scenario.goal()};
   findings.references =
       compute_references(problem, campaign.planner, options.reference_gap,
                          derive_seed(options.seed, "reference/" + scenario.hash()));
@@ -19,8 +22,7 @@ ScenarioFindings survey_scenario(const Campaign& campaign, const Scenario& scena
     return references.shortest ? Value::of(references.shortest->length)
                                : Value::na(references.shortest_reason);
   };
-  const DescriptorContext context{world, options.robot.radius, options.sensor.max_range,
-                                  shortest_length};
+  const DescriptorContext context{world, radius, options.setup.sensor.max_range, shortest_length};
   for (const std::string& id : options.descriptors) {
     const Descriptor& wanted = descriptor(id);
     findings.record.descriptors[id] = {wanted.info().version, wanted.compute(context)};

@@ -88,19 +88,18 @@ References references_from(const Json& json) {
 Json to_json(const Trajectory& trajectory) {
   Json json = Json::array();
   for (const Sample& s : trajectory.samples)
-    for (double number : {s.t, s.pose.x, s.pose.y, s.pose.phi, s.v, s.w, s.command_v, s.command_w})
-      json.push_back(number);
+    for (const double number : s.numbers()) json.push_back(number);
   return json;
 }
 
 Trajectory trajectory_from(const Json& json) {
-  constexpr std::size_t kNumbers = 8;
   Trajectory trajectory;
-  trajectory.samples.resize(json.size() / kNumbers);
+  trajectory.samples.resize(json.size() / Sample::kNumbers);
+  std::array<double, Sample::kNumbers> numbers{};
   for (std::size_t i = 0; i < trajectory.samples.size(); ++i) {
-    const auto number = [&](std::size_t k) { return json.at(kNumbers * i + k).get<double>(); };
-    trajectory.samples[i] = {
-        number(0), {number(1), number(2), number(3)}, number(4), number(5), number(6), number(7)};
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      numbers[k] = json.at(Sample::kNumbers * i + k).get<double>();
+    trajectory.samples[i] = Sample::from_numbers(numbers);
   }
   return trajectory;
 }

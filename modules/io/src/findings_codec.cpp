@@ -5,7 +5,7 @@
 namespace slalom {
 namespace {
 
-constexpr std::uint8_t kVersion = 1;
+constexpr std::uint8_t kVersion = 2;
 
 void expect_version(ByteReader& in) {
   if (in.u8() != kVersion) throw in.broken("is of another version");
@@ -80,14 +80,7 @@ std::string serialize(const Trajectory& trajectory) {
   ByteWriter out;
   out.u8(kVersion).u64(trajectory.samples.size());
   for (const Sample& s : trajectory.samples)
-    out.f64(s.t)
-        .f64(s.pose.x)
-        .f64(s.pose.y)
-        .f64(s.pose.phi)
-        .f64(s.v)
-        .f64(s.w)
-        .f64(s.command_v)
-        .f64(s.command_w);
+    for (const double number : s.numbers()) out.f64(number);
   return compress(out.take());
 }
 
@@ -96,11 +89,12 @@ Trajectory deserialize_trajectory(const std::string& bytes, const std::string& w
   ByteReader in(content, where);
   expect_version(in);
   Trajectory trajectory;
-  trajectory.samples.resize(in.count(64));
-  for (Sample& s : trajectory.samples)
-    for (double* field :
-         {&s.t, &s.pose.x, &s.pose.y, &s.pose.phi, &s.v, &s.w, &s.command_v, &s.command_w})
-      *field = in.f64();
+  trajectory.samples.resize(in.count(sizeof(double) * Sample::kNumbers));
+  for (Sample& s : trajectory.samples) {
+    std::array<double, Sample::kNumbers> numbers{};
+    for (double& number : numbers) number = in.f64();
+    s = Sample::from_numbers(numbers);
+  }
   in.expect_end();
   return trajectory;
 }

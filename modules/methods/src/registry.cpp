@@ -49,12 +49,16 @@ std::unique_ptr<Method> MethodRegistry::create(const std::string& name,
 
 bool is_valid_command(const Command& command, const RobotModel& robot, std::string& why) {
   const double low_v = robot.forward_only ? 0.0 : -robot.max_v;
-  if (!std::isfinite(command.v) || !std::isfinite(command.w)) {
-    why = "v or w is not a finite number";
+  if (!std::isfinite(command.v) || !std::isfinite(command.w) || !std::isfinite(command.vy)) {
+    why = "v, w or vy is not a finite number";
   } else if (!is_within(command.v, low_v, robot.max_v)) {
     why = out_of_limits("v", command.v, low_v, robot.max_v);
   } else if (!is_within(command.w, -robot.max_w, robot.max_w)) {
     why = out_of_limits("w", command.w, -robot.max_w, robot.max_w);
+  } else if (!robot.holonomic() && command.vy != 0) {
+    why = "vy = " + format_number(command.vy) + " of a differential drive is not 0";
+  } else if (!is_within(std::hypot(command.v, command.vy), 0, robot.max_v)) {
+    why = out_of_limits("speed", std::hypot(command.v, command.vy), 0, robot.max_v);
   } else {
     return true;
   }

@@ -28,15 +28,23 @@ const Metric& metric(const std::string& id) {
                     nearest.empty() ? "one of " + join(ids, ", ") : "'" + nearest + "'");
 }
 
+double footprint_clearance(const World& world, const Footprint& footprint,
+                           const mrpt::math::TPose2D& pose) {
+  const DistanceField& field = world.distance_field();
+  return footprint.is_disc() ? field.clearance({pose.x, pose.y}) - footprint.enclosing_radius()
+                             : field.outline_clearance(footprint.corners_at(pose));
+}
+
 MetricContext make_metric_context(const World& world, const RobotModel& robot,
                                   const Trajectory& trajectory, Outcome outcome,
                                   const References& references, double max_time,
                                   double goal_tolerance) {
   MetricContext context{world,      robot,    trajectory,     outcome,
                         references, max_time, goal_tolerance, {}};
+  const Footprint footprint = robot.shape();
   context.clearances.reserve(trajectory.samples.size());
-  for (const auto& p : trajectory.path())
-    context.clearances.push_back(world.distance_field().clearance(p) - robot.radius);
+  for (const Sample& sample : trajectory.samples)
+    context.clearances.push_back(footprint_clearance(world, footprint, sample.pose));
   return context;
 }
 

@@ -184,6 +184,13 @@ double DistanceField::clearance(const TPoint2D& q) const {
   return nearest * resolution_;
 }
 
+double DistanceField::outline_clearance(const std::vector<TPoint2D>& corners) const {
+  double nearest = clearance(corners.front());
+  for (std::size_t i = 0; i < corners.size() && nearest > 0; ++i)
+    nearest = segment_clearance(corners[i], corners[(i + 1) % corners.size()], nearest);
+  return nearest;
+}
+
 double DistanceField::clearance_lower_bound(const TPoint2D& q) const {
   const TPoint2D at = to_cells(q);
   if (wall_gap(at) == 0) return 0;

@@ -1,7 +1,5 @@
 #include "judge.h"
 
-#include <mrpt/math/wrap2pi.h>
-
 #include <cmath>
 
 namespace slalom {
@@ -10,8 +8,6 @@ namespace {
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
-/// Touching exactly is free, as it is for reference paths; this much (m) absorbs rounding.
-constexpr double kContactTolerance = 1e-9;
 /// Times (s) are sums and multiples of steps; this much absorbs their rounding.
 constexpr double kTimeTolerance = 1e-9;
 
@@ -24,34 +20,6 @@ double distance(const TPoint2D& a, const TPoint2D& b) {
 }
 
 }  // namespace
-
-bool Judge::touches(const TPose2D& pose) const {
-  return is_blocked(position(pose), position(pose));
-}
-
-bool Judge::is_blocked(const TPoint2D& a, const TPoint2D& b) const {
-  return world_.distance_field().segment_clearance(a, b, radius_) < radius_ - kContactTolerance;
-}
-
-bool Judge::meets_obstacle(const TPose2D& from, TPose2D& to, double& share) {
-  const TPoint2D a = position(from), b = position(to);
-  free_travel_ -= distance(a, b);
-  if (free_travel_ > 0) return false;
-  if (!is_blocked(a, b)) {
-    free_travel_ = world_.distance_field().clearance(b) - radius_;
-    return false;
-  }
-  double low = 0, high = 1;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    (is_blocked(a, a + (b - a) * middle) ? high : low) = middle;
-  }
-  share = high;
-  const TPoint2D contact = a + (b - a) * high;
-  const double turned = mrpt::math::wrapToPi(to.phi - from.phi);
-  to = {contact.x, contact.y, mrpt::math::wrapToPi(from.phi + high * turned)};
-  return true;
-}
 
 bool Judge::reached_goal(const TPose2D& pose) const {
   return distance(position(pose), world_.scenario().goal()) <= options_.goal_tolerance;

@@ -1,9 +1,16 @@
 #include "range_finder.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace slalom {
 
-RangeFinder::RangeFinder(const World& world, const SensorModel& sensor)
-    : caster_(world.ray_caster()), geometry_{sensor.rays, sensor.aperture(), sensor.max_range} {
+RangeFinder::RangeFinder(const World& world, const SensorModel& sensor, std::uint64_t seed)
+    : caster_(world.ray_caster()),
+      sensor_(sensor),
+      geometry_{sensor.rays, sensor.aperture(), sensor.max_range},
+      noise_(derive_seed(seed, "sensor/noise")),
+      dropout_(derive_seed(seed, "sensor/dropout")) {
   const auto count = static_cast<std::size_t>(sensor.rays);
   ranges_.resize(count);
   valid_.resize(count);
@@ -16,11 +23,35 @@ RangeFinder::RangeFinder(const World& world, const SensorModel& sensor)
 const mrpt::obs::CObservation2DRangeScan& RangeFinder::sense(const mrpt::math::TPose2D& pose,
                                                              mrpt::Clock::time_point time) {
   caster_.cast_scan(pose, geometry_, ranges_.data());
+  if (sensor_.noise_sigma > 0) add_noise();
+  if (sensor_.dropout_ratio > 0) drop_rays();
+  if (sensor_.quantum > 0) round_ranges();
   for (std::size_t i = 0; i < ranges_.size(); ++i) valid_[i] = ranges_[i] < scan_.maxRange ? 1 : 0;
   scan_.loadFromVectors(ranges_.size(), ranges_.data(), valid_.data());
   scan_.forget_points();
   scan_.timestamp = time;
   return scan_;
+}
+
+void RangeFinder::add_noise() {
+  for (float& range : ranges_) {
+    const double error = normal(noise_, 0, sensor_.noise_sigma);
+    if (range >= scan_.maxRange) continue;  // met nothing: nothing to measure
+    range = std::clamp(static_cast<float>(range + error), 0.0F, scan_.maxRange);
+  }
+}
+
+void RangeFinder::drop_rays() {
+  for (float& range : ranges_)
+    if (uniform_real(dropout_, 0, 1) < sensor_.dropout_ratio) range = scan_.maxRange;
+}
+
+void RangeFinder::round_ranges() {
+  for (float& range : ranges_) {
+    if (range >= scan_.maxRange) continue;
+    const double whole = std::round(range / sensor_.quantum) * sensor_.quantum;
+    range = std::min(static_cast<float>(whole), scan_.maxRange);
+  }
 }
 
 }  // namespace slalom

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <slalom/core/random.h>
 #include <slalom/robot/robot_model.h>
 #include <slalom/scenario/world.h>
 
@@ -11,10 +12,11 @@ namespace slalom {
 
 /// The robot's range sensor in a world: fills one scan that is reused from cycle to cycle.
 /// Rays go counter-clockwise from -aperture/2; a ray that meets nothing has range max_range and is
-/// not valid.
+/// not valid. Noise and dropouts draw for every ray, met or not, each from a stream of its own: one
+/// option does not change the numbers of another.
 class RangeFinder {
  public:
-  RangeFinder(const World& world, const SensorModel& sensor);
+  RangeFinder(const World& world, const SensorModel& sensor, std::uint64_t seed);
 
   const mrpt::obs::CObservation2DRangeScan& sense(const mrpt::math::TPose2D& pose,
                                                   mrpt::Clock::time_point time);
@@ -27,8 +29,14 @@ class RangeFinder {
     void forget_points() { m_cachedMap.reset(); }
   };
 
+  void add_noise();
+  void drop_rays();
+  void round_ranges();
+
   const RayCaster& caster_;
+  SensorModel sensor_;
   ScanGeometry geometry_;
+  RandomEngine noise_, dropout_;
   std::vector<float> ranges_;
   std::vector<char> valid_;
   ReusedScan scan_;

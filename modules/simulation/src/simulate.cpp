@@ -1,13 +1,17 @@
 #include "judge.h"
+#include "odometry.h"
+#include "pose_history.h"
 #include "range_finder.h"
 #include "simulated_clock.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/methods/registry.h>
-#include <slalom/robot/diff_drive.h>
+#include <slalom/robot/vehicle.h>
+#include <slalom/simulation/run_observer.h>
 #include <slalom/simulation/simulate.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -32,39 +36,51 @@ TPoint2D in_robot_frame(const TPose2D& pose, const TPoint2D& point) {
 /// One run, from the start pose to its outcome.
 class Run {
  public:
-  Run(const World& world, const RobotModel& robot, const SensorModel& sensor,
-      const SimulationOptions& options, Method& method)
+  Run(const World& world, const RunSetup& setup, std::uint64_t seed, Method& method,
+      RunObserver* observer)
       : world_(world),
-        robot_(robot),
-        options_(options),
+        setup_(setup),
+        options_(setup.simulation),
+        seed_(seed),
         method_(method),
-        sensor_(world, sensor),
-        judge_(world, robot, options),
-        vehicle_(robot),
-        steps_per_cycle_(static_cast<int>(std::llround(options.control_period / options.step))) {
-    vehicle_.start_at(world.scenario().start());
+        observer_(observer),
+        sensor_(world, setup.sensor, seed),
+        judge_(world, setup.robot, options_),
+        vehicle_(make_vehicle(setup.robot)),
+        odometry_(setup.odometry, seed, world.scenario().start()),
+        history_(setup.sensor.latency),
+        steps_per_cycle_(static_cast<int>(std::llround(options_.control_period / options_.step))) {
+    vehicle_->start_at(world.scenario().start());
+    history_.add(0, pose());
   }
 
-  SimulationResult drive(std::uint64_t seed) {
+  SimulationResult drive() {
     if (judge_.touches(pose()))
       end(Outcome::UnsolvableScenario, "the robot touches an obstacle where it starts");
     else
-      call_method([&] { method_.reset(task(seed)); });
+      begin();
     while (!over_) cycle();
+    if (observer_ != nullptr) observer_->on_end(result_);
     return std::move(result_);
   }
 
  private:
-  const TPose2D& pose() const { return vehicle_.getCurrentGTPose(); }
+  const TPose2D& pose() const { return vehicle_->getCurrentGTPose(); }
   double cycle_time() const { return cycle_ * options_.control_period; }
 
-  Task task(std::uint64_t seed) const {
+  void begin() {
+    const Task given = task();
+    call_method([&] { method_.reset(given); });
+    if (observer_ != nullptr) observer_->on_start(given);
+  }
+
+  Task task() const {
     Task task;
     task.start = world_.scenario().start();
     task.goal = world_.scenario().goal();
     task.goal_tolerance = options_.goal_tolerance;
     task.control_period = options_.control_period;
-    task.seed = seed;
+    task.seed = derive_seed(seed_, "method");
     return task;
   }
 
@@ -88,7 +104,8 @@ class Run {
     call_method([&] { decide(observation); });
     if (over_) return;
     record();
-    vehicle_.command(command_.v, command_.w);
+    if (observer_ != nullptr) observer_->on_cycle(observation, command_, pose());
+    vehicle_->command(command_.v, command_.w, command_.vy);
     move();
     ++cycle_;
   }
@@ -108,24 +125,38 @@ class Run {
     clock_.set(time_);
     Observation observation;
     observation.time = time_;
-    observation.odometry = vehicle_.getCurrentOdometricPose();
-    observation.v = vehicle_.v();
-    observation.w = vehicle_.w();
+    observation.odometry = odometry_.pose();
+    observation.v = vehicle_->v();
+    observation.w = vehicle_->w();
+    observation.vy = vehicle_->vy();
     observation.goal_in_robot = in_robot_frame(observation.odometry, world_.scenario().goal());
-    observation.scan = &sensor_.sense(pose(), clock_.now());
+    const double sensed = std::max(0.0, time_ - setup_.sensor.latency);
+    observation.scan = &sensor_.sense(history_.at(sensed), clock_.at(sensed));
     return observation;
   }
 
   void decide(const Observation& observation) {
     const auto begin = std::chrono::steady_clock::now();
     const Command command = method_.step(observation);
-    result_.cycle_seconds.push_back(
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    result_.cycle_seconds.push_back(taken.count());
     std::string why;
-    if (is_valid_command(command, robot_, why))
-      command_ = command;
-    else
+    if (!is_valid_command(command, setup_.robot, why))
       end(Outcome::MethodInvalidCommand, why + " " + at(pose(), time_));
+    else if (setup_.deadline.cycle_deadline > 0 && taken.count() > setup_.deadline.cycle_deadline)
+      be_late();
+    else
+      command_ = command;
+  }
+
+  /// The answer came after its deadline and is not used.
+  void be_late() {
+    if (setup_.deadline.deadline_policy == "fail")
+      end(Outcome::MethodDeadline, "no answer within " +
+                                       format_number(setup_.deadline.cycle_deadline) +
+                                       " s of a cycle, " + at(pose(), time_));
+    else if (setup_.deadline.deadline_policy == "stop")
+      command_ = {};
   }
 
   void move() {
@@ -134,7 +165,7 @@ class Run {
       if (!judge_.is_in_time(begin + options_.step))
         return end(Outcome::Timeout, "goal not reached, " + at(pose(), time_));
       const TPose2D before = pose();
-      vehicle_.advance(options_.step);
+      vehicle_->advance(options_.step);
       judge_step(before, begin);
     }
   }
@@ -145,8 +176,10 @@ class Run {
     double share = 1;
     const bool contact = judge_.meets_obstacle(before, now, share);
     time_ = begin + share * options_.step;
+    odometry_.move(before, now);
+    history_.add(time_, now);
     if (contact) {
-      vehicle_.setCurrentGTPose(now);
+      vehicle_->setCurrentGTPose(now);
       end(Outcome::Collision, "contact " + at(now, time_));
     } else if (judge_.left_workspace(now)) {
       end(Outcome::LeftWorkspace, "left " + at(now, time_));
@@ -156,8 +189,8 @@ class Run {
   }
 
   void record() {
-    result_.trajectory.samples.push_back(
-        {time_, pose(), vehicle_.v(), vehicle_.w(), command_.v, command_.w});
+    result_.trajectory.samples.push_back({time_, pose(), vehicle_->v(), vehicle_->w(), command_.v,
+                                          command_.w, vehicle_->vy(), command_.vy});
   }
 
   /// The last instant is recorded too, unless it is the control cycle's own.
@@ -170,13 +203,17 @@ class Run {
   }
 
   const World& world_;
-  const RobotModel& robot_;
+  const RunSetup& setup_;
   const SimulationOptions& options_;
+  std::uint64_t seed_;
   Method& method_;
+  RunObserver* observer_;
   SimulatedClock clock_;
   RangeFinder sensor_;
   Judge judge_;
-  DiffDrive vehicle_;
+  std::unique_ptr<Vehicle> vehicle_;
+  Odometry odometry_;
+  PoseHistory history_;
   int steps_per_cycle_;
   int cycle_ = 0;
   double time_ = 0;
@@ -187,12 +224,12 @@ class Run {
 
 }  // namespace
 
-SimulationResult simulate(const World& world, const RobotModel& robot, const SensorModel& sensor,
-                          const SimulationOptions& options, std::uint64_t seed, Method& method) {
-  const double ratio = options.control_period / options.step;
+SimulationResult simulate(const World& world, const RunSetup& setup, std::uint64_t seed,
+                          Method& method, RunObserver* observer) {
+  const double ratio = setup.simulation.control_period / setup.simulation.step;
   if (!(ratio >= 1 - 1e-6 && ratio < 1e9))
     throw std::invalid_argument("simulate: the step must divide the control period");
-  return Run(world, robot, sensor, options, method).drive(seed);
+  return Run(world, setup, seed, method, observer).drive();
 }
 
 }  // namespace slalom

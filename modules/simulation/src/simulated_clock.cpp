@@ -25,8 +25,12 @@ SimulatedClock::SimulatedClock() : start_(latest_time() + to_ticks(2)), now_(sta
   Clock::setActiveClock(Clock::Simulated);
 }
 
+Clock::time_point SimulatedClock::at(double seconds) const {
+  return start_ + to_ticks(seconds);
+}
+
 void SimulatedClock::set(double seconds) {
-  now_ = start_ + to_ticks(seconds);
+  now_ = at(seconds);
   latest_time() = now_;
   Clock::setSimulatedTime(now_);
 }

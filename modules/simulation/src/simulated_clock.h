@@ -12,6 +12,7 @@ class SimulatedClock {
   SimulatedClock();
   void set(double seconds);  ///< since the start of the run; must not decrease
   mrpt::Clock::time_point now() const { return now_; }
+  mrpt::Clock::time_point at(double seconds) const;  ///< since the start of the run
 
  private:
   mrpt::Clock::time_point start_, now_;

@@ -23,6 +23,15 @@ void SimulationOptions::visit(OptionVisitor& v) {
            Range::positive());
 }
 
+void DeadlineOptions::visit(OptionVisitor& v) {
+  v.option("cycle_deadline", cycle_deadline, "s",
+           "wall-clock time a method may take for a cycle; 0: any", Range::at_least(0));
+  v.option("deadline_policy", deadline_policy,
+           "what a late answer does: the last command is held, "
+           "the robot stops, or the run fails",
+           {"hold", "stop", "fail"});
+}
+
 void SimulationOptions::check(const IniFile& ini, const std::string& section) const {
   constexpr double kMostSteps = 1e5;
   constexpr double kMostCycles = 1e7;  // a sample is kept of each

@@ -28,6 +28,14 @@ constexpr std::array<OutcomeName, 11> kOutcomes = {{
 
 }  // namespace
 
+std::array<double, Sample::kNumbers> Sample::numbers() const {
+  return {t, pose.x, pose.y, pose.phi, v, w, command_v, command_w, vy, command_vy};
+}
+
+Sample Sample::from_numbers(const std::array<double, kNumbers>& n) {
+  return {n[0], {n[1], n[2], n[3]}, n[4], n[5], n[6], n[7], n[8], n[9]};
+}
+
 double Trajectory::duration() const {
   return samples.size() < 2 ? 0.0 : samples.back().t - samples.front().t;
 }
@@ -42,9 +50,7 @@ Path Trajectory::path() const {
 std::string Trajectory::hash() const {
   Hasher hasher;
   for (const Sample& s : samples)
-    for (const double number :
-         {s.t, s.pose.x, s.pose.y, s.pose.phi, s.v, s.w, s.command_v, s.command_w})
-      hasher.add(number);
+    for (const double number : s.numbers()) hasher.add(number);
   return hasher.hex();
 }
 

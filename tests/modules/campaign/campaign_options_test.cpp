@@ -21,9 +21,9 @@ std::string message_for(const std::string& text) {
 TEST(CampaignOptions, DefaultsAreThePapersRobot) {
   const CampaignOptions options = read_campaign_options(IniFile::from_text(kMinimal));
   EXPECT_EQ(options.methods, (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(options.sensor.rays, 181);
-  EXPECT_EQ(options.sensor.aperture_deg, 180);
-  EXPECT_TRUE(options.robot.forward_only);
+  EXPECT_EQ(options.setup.sensor.rays, 181);
+  EXPECT_EQ(options.setup.sensor.aperture_deg, 180);
+  EXPECT_TRUE(options.setup.robot.forward_only);
   EXPECT_FALSE(options.metrics.empty());
   EXPECT_FALSE(options.descriptors.empty());
 }

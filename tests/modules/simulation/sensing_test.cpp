@@ -48,7 +48,7 @@ TEST(Sensing, AgreesWithTheRayCasterAtTheRobotsPose) {
   });
   SimulationOptions options;
   options.max_time = 3;
-  simulate(world, {}, sensor, options, 1, method);
+  simulate(world, {{}, sensor, {}, options, {}}, 1, method);
 }
 
 TEST(Sensing, PlacesTheGoalInTheRobotsFrame) {

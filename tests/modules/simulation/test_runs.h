@@ -58,7 +58,7 @@ inline World room(const mrpt::math::TPose2D& start, const mrpt::math::TPoint2D& 
 inline SimulationResult run(const World& world, Method& method,
                             const SimulationOptions& options = {}, const RobotModel& robot = {},
                             std::uint64_t seed = 1) {
-  return simulate(world, robot, {}, options, seed, method);
+  return simulate(world, {robot, {}, {}, options, {}}, seed, method);
 }
 
 /// A grid of which about `share` of the cells is occupied, free round the start in its middle.

@@ -31,7 +31,10 @@ struct MetricsSection {
 
 /// Section [limits].
 struct LimitsSection {
+  DeadlineOptions deadline;
   double run_wall_time = 60;  ///< s of wall-clock time for one run
+  double run_cpu_time = 0;    ///< s of processor time for one run; 0: any
+  double memory_mb = 2048;    ///< MiB that a worker may take beyond what it starts with; 0: any
 
   void visit(OptionVisitor& v);
 };
@@ -44,15 +47,14 @@ struct CampaignOptions {
   std::vector<std::string> methods;      ///< in the order of the .ini
   std::vector<std::string> metrics;      ///< ids
   std::vector<std::string> descriptors;  ///< ids
-  RobotModel robot;
-  SensorModel sensor;
-  SimulationOptions simulation;
+  RunSetup setup;
   LimitsSection limits;
   double reference_gap = 0.01;
 };
 
-/// Reads [campaign], [robot], [sensor], [simulation], [metrics] and [limits] and checks them
-/// against each other. Throws Error (Usage). reference_gap is left for the reader of [reference].
+/// Reads [campaign], [robot], [sensor], [odometry], [simulation], [metrics] and [limits] and checks
+/// them against each other. Throws Error (Usage). reference_gap is left for the reader of
+/// [reference].
 CampaignOptions read_campaign_options(const IniFile& ini);
 
 }  // namespace slalom

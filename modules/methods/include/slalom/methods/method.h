@@ -27,15 +27,17 @@ struct Task {
 struct Observation {
   double time = 0;                     ///< s since the start of the run, simulated
   mrpt::math::TPose2D odometry;        ///< pose, m and rad
-  double v = 0, w = 0;                 ///< measured speeds, m/s and rad/s
+  double v = 0, w = 0;                 ///< measured speeds ahead and of turning, m/s and rad/s
+  double vy = 0;                       ///< measured speed to the left, m/s; 0 for a diff_drive
   mrpt::math::TPoint2D goal_in_robot;  ///< m, robot frame: x ahead, y left
   const mrpt::obs::CObservation2DRangeScan* scan = nullptr;  ///< never null in step()
 };
 
 /// What a method answers.
 struct Command {
-  double v = 0;  ///< m/s
-  double w = 0;  ///< rad/s, counter-clockwise
+  double v = 0;   ///< m/s, ahead
+  double w = 0;   ///< rad/s, counter-clockwise
+  double vy = 0;  ///< m/s, to the left; a diff_drive takes 0 only
 };
 
 /// A method cannot go on; ends its run as method_error with this text.

@@ -33,15 +33,18 @@ typedef struct slalom_setting {
 
 /* What the robot and its sensor are like. */
 typedef struct slalom_robot {
-  double radius;      /* m, disc footprint */
-  double max_v;       /* m/s */
-  double max_w;       /* rad/s */
-  double max_accel_v; /* m/s^2 */
-  double max_accel_w; /* rad/s^2 */
-  int forward_only;   /* 1: v must not be negative */
-  int rays;           /* rays of one scan */
-  double aperture;    /* rad, from the first to the last ray, symmetric about the heading */
-  double max_range;   /* m */
+  double radius;           /* m, of the smallest disc about the centre that holds the footprint */
+  double max_v;            /* m/s */
+  double max_w;            /* rad/s */
+  double max_accel_v;      /* m/s^2 */
+  double max_accel_w;      /* rad/s^2 */
+  int forward_only;        /* 1: v must not be negative */
+  int rays;                /* rays of one scan */
+  double aperture;         /* rad, from the first to the last ray, symmetric about the heading */
+  double max_range;        /* m */
+  int holonomic;           /* 1: vy may be commanded; 0: differential drive, vy must be 0 */
+  const double* footprint; /* x0, y0, x1, y1, ... of a convex polygon, m, counter-clockwise */
+  size_t footprint_points; /* 0: the footprint is the disc */
 } slalom_robot;
 
 /* One run. */
@@ -57,7 +60,7 @@ typedef struct slalom_task {
 typedef struct slalom_observation {
   double time;           /* s since the start of the run */
   double x, y, phi;      /* odometry pose */
-  double v, w;           /* measured speeds, m/s and rad/s */
+  double v, vy, w;       /* measured speeds ahead and to the left, m/s; of turning, rad/s */
   double goal_x, goal_y; /* goal in the robot frame */
   const float* ranges;   /* `rays` ranges, m, counter-clockwise from -aperture/2 */
   size_t rays;
@@ -65,8 +68,9 @@ typedef struct slalom_observation {
 
 /* What it answers: within the robot's limits, or the run ends as method_invalid_command. */
 typedef struct slalom_command {
-  double v; /* m/s */
-  double w; /* rad/s, counter-clockwise */
+  double v;  /* m/s, ahead */
+  double w;  /* rad/s, counter-clockwise */
+  double vy; /* m/s, to the left; 0 but for a holonomic robot */
 } slalom_command;
 
 /* A key that the method understands, for help and for finding misspelt ones. */

@@ -22,9 +22,14 @@ struct MetricContext {
   const References& references;
   double max_time = 60;         ///< s, T_max
   double goal_tolerance = 0.2;  ///< m
-  /// Clearance of the footprint at each sample (m), from the scenario's geometry: d(p_i) - radius.
+  /// Clearance of the footprint at each sample (m), from the scenario's geometry.
   std::vector<double> clearances;
 };
+
+/// Clearance (m) of the footprint at a pose: of a disc d(p) - radius, of a polygon the distance
+/// from its outline.
+double footprint_clearance(const World& world, const Footprint& footprint,
+                           const mrpt::math::TPose2D& pose);
 
 /// Fills `clearances`.
 MetricContext make_metric_context(const World& world, const RobotModel& robot,

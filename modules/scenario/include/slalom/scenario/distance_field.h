@@ -26,6 +26,10 @@ class DistanceField {
   double segment_clearance(const mrpt::math::TPoint2D& a, const mrpt::math::TPoint2D& b,
                            double limit) const;
 
+  /// Distance (m) from the outline of a convex polygon to the nearest occupied square. Obstacles
+  /// that lie wholly inside the polygon do not count.
+  double outline_clearance(const std::vector<mrpt::math::TPoint2D>& corners) const;
+
   /// A quick lower bound of clearance(q) (m), from the centre of the cell q lies in.
   double clearance_lower_bound(const mrpt::math::TPoint2D& q) const;
 

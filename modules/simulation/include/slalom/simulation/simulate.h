@@ -28,6 +28,25 @@ struct SimulationOptions {
              const std::string& section) const;  ///< step divides control_period
 };
 
+/// What happens when a method takes longer for a cycle than it may (wall clock, so results are no
+/// longer repeatable where it happens). Part of section [limits].
+struct DeadlineOptions {
+  double cycle_deadline = 0;             ///< s; 0: none
+  std::string deadline_policy = "fail";  ///< hold: the last command stays; stop: the robot brakes;
+                                         ///< fail: the run ends as method_deadline
+
+  void visit(OptionVisitor& v);
+};
+
+/// All that a run is simulated with, but for the place and the method.
+struct RunSetup {
+  RobotModel robot;
+  SensorModel sensor;
+  OdometryModel odometry;
+  SimulationOptions simulation;
+  DeadlineOptions deadline;
+};
+
 struct SimulationResult {
   Outcome outcome = Outcome::Timeout;
   std::string detail;     ///< for people: what happened, where
@@ -36,11 +55,13 @@ struct SimulationResult {
       cycle_seconds;  ///< wall clock of the method's step(), per cycle; not deterministic
 };
 
+class RunObserver;
+
 /// Drives the robot through the scenario under the method and judges how it ends. Ground truth
-/// throughout: collision is judged on the swept disc between steps. mrpt::Clock is simulated while
-/// it runs (it never goes backwards between runs of a process). Exceptions of the method end the
-/// run as method_error.
-SimulationResult simulate(const World& world, const RobotModel& robot, const SensorModel& sensor,
-                          const SimulationOptions& options, std::uint64_t seed, Method& method);
+/// throughout: collision is judged on the swept footprint between steps. mrpt::Clock is simulated
+/// while it runs (it never goes backwards between runs of a process). Exceptions of the method end
+/// the run as method_error. Noise comes from streams under `seed`, one for each kind.
+SimulationResult simulate(const World& world, const RunSetup& setup, std::uint64_t seed,
+                          Method& method, RunObserver* observer = nullptr);
 
 }  // namespace slalom

@@ -4,6 +4,7 @@
 
 #include <mrpt/math/TPose2D.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,15 @@ namespace slalom {
 struct Sample {
   double t = 0;
   mrpt::math::TPose2D pose;
-  double v = 0, w = 0;  ///< actual speeds
+  double v = 0, w = 0;  ///< actual speeds, ahead and of turning
   double command_v = 0,
-         command_w = 0;  ///< what the method asked for, in force until the next sample
+         command_w = 0;           ///< what the method asked for, in force until the next sample
+  double vy = 0, command_vy = 0;  ///< the same to the left; 0 for a differential drive
+
+  /// The fields in the order of their declaration, for whoever writes, reads or hashes them all.
+  static constexpr std::size_t kNumbers = 10;
+  std::array<double, kNumbers> numbers() const;
+  static Sample from_numbers(const std::array<double, kNumbers>& numbers);
 };
 
 /// Samples in order of time; sample 0 is the start.

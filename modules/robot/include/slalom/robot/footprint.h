@@ -1,0 +1,34 @@
+#pragma once
+
+#include <mrpt/math/TPoint2D.h>
+#include <mrpt/math/TPose2D.h>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// The outline of a robot in its own frame (m, x ahead, y left): a disc about the centre, or a
+/// convex polygon that holds the centre.
+class Footprint {
+ public:
+  static Footprint disc(double radius);
+
+  /// "x,y; x,y; ...", three or more corners of a convex polygon in either order, the centre (0, 0)
+  /// strictly inside. Throws std::invalid_argument with what was expected.
+  static Footprint parse(const std::string& text);
+
+  bool is_disc() const { return corners_.empty(); }
+  double inscribed_radius() const { return inscribed_; }  ///< m, about the centre
+  double enclosing_radius() const { return enclosing_; }  ///< m, about the centre
+  /// Counter-clockwise, robot frame; empty for a disc.
+  const std::vector<mrpt::math::TPoint2D>& corners() const { return corners_; }
+  /// The corners in the world frame when the robot stands at `pose`.
+  std::vector<mrpt::math::TPoint2D> corners_at(const mrpt::math::TPose2D& pose) const;
+
+ private:
+  std::vector<mrpt::math::TPoint2D> corners_;
+  double inscribed_ = 0, enclosing_ = 0;
+};
+
+}  // namespace slalom

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <algorithm>
+
+namespace slalom {
+
+/// `from` moved towards `to` by at most `step`.
+inline double approach(double from, double to, double step) {
+  return from + std::clamp(to - from, -step, step);
+}
+
+}  // namespace slalom

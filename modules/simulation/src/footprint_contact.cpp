@@ -1,0 +1,151 @@
+#include "footprint_contact.h"
+
+#include <mrpt/math/wrap2pi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+
+TPoint2D position(const TPose2D& pose) {
+  return {pose.x, pose.y};
+}
+
+double distance(const TPose2D& a, const TPose2D& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// The pose a share of the way from `from` to `to`.
+TPose2D between(const TPose2D& from, const TPose2D& to, double share) {
+  const double turn = mrpt::math::wrapToPi(to.phi - from.phi);
+  return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y),
+          mrpt::math::wrapToPi(from.phi + share * turn)};
+}
+
+class DiscContact : public FootprintContact {
+ public:
+  DiscContact(const World& world, double radius) : world_(world), radius_(radius) {}
+
+  bool touches(const TPose2D& pose) const override {
+    return is_blocked(position(pose), position(pose));
+  }
+
+  bool meets_obstacle(const TPose2D& from, TPose2D& to, double& share) override {
+    const TPoint2D a = position(from), b = position(to);
+    free_travel_ -= distance(from, to);
+    if (free_travel_ > 0) return false;
+    if (!is_blocked(a, b)) {
+      free_travel_ = world_.distance_field().clearance(b) - radius_;
+      return false;
+    }
+    double low = 0, high = 1;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (low + high);
+      (is_blocked(a, a + (b - a) * middle) ? high : low) = middle;
+    }
+    share = high;
+    to = between(from, to, high);
+    return true;
+  }
+
+ private:
+  /// Touching exactly is free, as it is for reference paths; this much (m) absorbs rounding.
+  static constexpr double kContactTolerance = 1e-9;
+
+  bool is_blocked(const TPoint2D& a, const TPoint2D& b) const {
+    return world_.distance_field().segment_clearance(a, b, radius_) < radius_ - kContactTolerance;
+  }
+
+  const World& world_;
+  double radius_;
+  /// The robot may move this far (m) before it can touch anything: spares exact tests in open
+  /// space.
+  double free_travel_ = 0;
+};
+
+/// A convex polygon, swept by conservative advancement: no point of it moves farther than the robot
+/// does plus the turn times the enclosing radius, so it may safely move as far as it is clear.
+class PolygonContact : public FootprintContact {
+ public:
+  PolygonContact(const World& world, const Footprint& footprint)
+      : world_(world), footprint_(footprint) {}
+
+  bool touches(const TPose2D& pose) const override {
+    return clearance(pose) < kContact || holds_obstacle(pose);
+  }
+
+  bool meets_obstacle(const TPose2D& from, TPose2D& to, double& share) override {
+    const double turn = std::abs(mrpt::math::wrapToPi(to.phi - from.phi));
+    const double motion = distance(from, to) + footprint_.enclosing_radius() * turn;
+    if (motion < free_travel_) {
+      free_travel_ -= motion;
+      return false;
+    }
+    for (double at = 0; at < 1;) {
+      const TPose2D pose = between(from, to, at);
+      free_travel_ = clearance(pose);
+      if (free_travel_ < kContact) {
+        share = at;
+        to = pose;
+        return true;
+      }
+      const double left = (1 - at) * motion;
+      if (left <= free_travel_) {
+        free_travel_ -= left;
+        return false;
+      }
+      at += free_travel_ / motion;
+    }
+    return false;
+  }
+
+ private:
+  /// Nearer than this (m) is contact: it bounds the number of advances along a wall.
+  static constexpr double kContact = 1e-4;
+
+  double clearance(const TPose2D& pose) const {
+    return world_.distance_field().outline_clearance(footprint_.corners_at(pose));
+  }
+
+  /// Whether an occupied cell lies inside the polygon without touching its outline.
+  bool holds_obstacle(const TPose2D& pose) const {
+    const Occupancy& cells = world_.occupancy();
+    const TPoint2D centre = cells.to_cells(position(pose));
+    const int reach =
+        static_cast<int>(std::ceil(footprint_.enclosing_radius() / cells.resolution()));
+    const int cx = static_cast<int>(std::floor(centre.x)),
+              cy = static_cast<int>(std::floor(centre.y));
+    const std::vector<TPoint2D> corners = footprint_.corners_at(pose);
+    for (int y = cy - reach; y <= cy + reach; ++y)
+      for (int x = cx - reach; x <= cx + reach; ++x)
+        if (cells.occupied(x, y) && contains(corners, cells.cell_center(x, y))) return true;
+    return false;
+  }
+
+  static bool contains(const std::vector<TPoint2D>& corners, const TPoint2D& p) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const TPoint2D edge = corners[(i + 1) % corners.size()] - corners[i], to = p - corners[i];
+      if (edge.x * to.y - edge.y * to.x < 0) return false;
+    }
+    return true;
+  }
+
+  const World& world_;
+  Footprint footprint_;
+  double free_travel_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FootprintContact> make_footprint_contact(const World& world,
+                                                         const Footprint& footprint) {
+  if (footprint.is_disc())
+    return std::make_unique<DiscContact>(world, footprint.enclosing_radius());
+  return std::make_unique<PolygonContact>(world, footprint);
+}
+
+}  // namespace slalom
