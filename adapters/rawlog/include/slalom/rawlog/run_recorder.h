@@ -1,0 +1,40 @@
+#pragma once
+
+#include <slalom/core/ini_file.h>
+#include <slalom/results/run_record.h>
+#include <slalom/scenario/scenario.h>
+#include <slalom/simulation/run_observer.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace slalom {
+
+/// All that is needed to execute one run again and to compute its metrics.
+struct RunManifest {
+  std::string campaign_ini;  ///< effective text, IniFile::canonical_text()
+  std::string scenario_name, scenario_hash;
+  std::string scenario_yaml;  ///< content, scenario_to_yaml()
+  std::string method;         ///< NAME of section [method.NAME]
+  int repetition = 0;
+  std::uint64_t seed = 0;  ///< of the run
+  Manifest more;           ///< further lines for people, e.g. versions; keys are a-z, 0-9, . and _
+};
+
+/// Fills it; `more` gets the versions of Slalom, MRPT and the compiler.
+RunManifest make_run_manifest(const IniFile& ini, const Scenario& scenario,
+                              const std::string& method, int repetition, std::uint64_t seed);
+
+/// Which runs leave a file.
+enum class RecordedRuns { All, Failures };
+
+/// Observes one run and writes it, when it is over, as a standard MRPT rawlog at `path` (to a
+/// temporary file that is renamed; gzip compressed). With RecordedRuns::Failures a run that ends as
+/// success leaves no file. The same run gives the same bytes, whichever process runs it. on_end()
+/// throws Error (Job) when the file cannot be written.
+std::unique_ptr<RunObserver> make_rawlog_recorder(const std::string& path,
+                                                  const RunManifest& manifest,
+                                                  RecordedRuns which = RecordedRuns::All);
+
+}  // namespace slalom

@@ -1,0 +1,170 @@
+#include "gzip.h"
+#include "manifest_text.h"
+#include "rawlog_format.h"
+
+#include <slalom/core/text.h>
+#include <slalom/core/version.h>
+#include <slalom/io/result_file.h>
+#include <slalom/io/scenario_yaml.h>
+#include <slalom/rawlog/run_recorder.h>
+
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/obs/CObservationComment.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using mrpt::Clock;
+using mrpt::math::TPose2D;
+using mrpt::obs::CObservationComment;
+using mrpt::obs::CObservationOdometry;
+using mrpt::obs::CObservationRobotPose;
+
+/// Without CPose2D's constructor, which changes the last bits of an angle.
+mrpt::poses::CPose2D exact_pose(const TPose2D& pose) {
+  mrpt::poses::CPose2D exact;
+  exact.x(pose.x);
+  exact.y(pose.y);
+  exact.phi(pose.phi);
+  return exact;
+}
+
+Manifest lines_of(const RunManifest& run) {
+  Manifest lines = run.more;
+  lines[keys::kFormat] = kFormatVersion;
+  lines[keys::kCampaignIni] = run.campaign_ini;
+  lines[keys::kScenarioName] = run.scenario_name;
+  lines[keys::kScenarioHash] = run.scenario_hash;
+  lines[keys::kScenarioYaml] = run.scenario_yaml;
+  lines[keys::kMethod] = run.method;
+  lines[keys::kRepetition] = std::to_string(run.repetition);
+  lines[keys::kSeed] = std::to_string(run.seed);
+  return lines;
+}
+
+void add_task(Manifest& lines, const Task& task) {
+  lines[keys::kStart] = format_numbers({task.start.x, task.start.y, task.start.phi});
+  lines[keys::kGoal] = format_numbers({task.goal.x, task.goal.y});
+  lines[keys::kGoalTolerance] = format_number(task.goal_tolerance);
+  lines[keys::kControlPeriod] = format_number(task.control_period);
+  lines[keys::kTaskSeed] = std::to_string(task.seed);
+}
+
+std::string result_text(const SimulationResult& result) {
+  Manifest lines;
+  lines[keys::kOutcome] = to_string(result.outcome);
+  lines[keys::kDetail] = result.detail;
+  lines[keys::kTrajectoryHash] = result.trajectory.hash();
+  std::string samples;
+  for (const Sample& sample : result.trajectory.samples) {
+    const auto numbers = sample.numbers();
+    samples += format_numbers({numbers.begin(), numbers.end()}) + "\n";
+  }
+  lines[keys::kTrajectory] = samples;
+  return manifest_to_text(lines);
+}
+
+class RawlogRecorder : public RunObserver {
+ public:
+  RawlogRecorder(std::string path, const RunManifest& manifest, RecordedRuns which)
+      : path_(std::move(path)), manifest_(lines_of(manifest)), which_(which) {}
+
+  void on_start(const Task& task) override {
+    started_ = Clock::now();
+    add_task(manifest_, task);
+    write_comment(kManifestLabel, manifest_to_text(manifest_), 0);
+    has_manifest_ = true;
+  }
+
+  void on_cycle(const Observation& observation, const Command& command,
+                const TPose2D& pose) override {
+    auto scan = *observation.scan;
+    scan.timestamp = logged_start() + (scan.timestamp - started_);
+    write(scan);
+    write_odometry(kOdometryLabel, observation.time, observation.odometry,
+                   {observation.v, observation.vy, observation.w});
+    write_true_pose(observation.time, pose);
+    write_odometry(kCommandLabel, observation.time, observation.odometry,
+                   {command.v, command.vy, command.w});
+  }
+
+  void on_end(const SimulationResult& result) override {
+    if (which_ == RecordedRuns::Failures && result.outcome == Outcome::Success) return;
+    if (!has_manifest_) write_comment(kManifestLabel, manifest_to_text(manifest_), 0);
+    const auto& samples = result.trajectory.samples;
+    if (!samples.empty()) write_true_pose(samples.back().t, samples.back().pose);
+    write_comment(kResultLabel, result_text(result), samples.empty() ? 0 : samples.back().t);
+    write_file_atomically(path_, file_.finish());
+  }
+
+ private:
+  void write_comment(const char* label, const std::string& text, double time) {
+    CObservationComment comment;
+    comment.sensorLabel = label;
+    comment.timestamp = logged_time(time);
+    comment.text = text;
+    write(comment);
+  }
+
+  void write_odometry(const char* label, double time, const TPose2D& pose,
+                      const mrpt::math::TTwist2D& velocity) {
+    CObservationOdometry odometry;
+    odometry.sensorLabel = label;
+    odometry.timestamp = logged_time(time);
+    odometry.odometry = exact_pose(pose);
+    odometry.hasVelocities = true;
+    odometry.velocityLocal = velocity;
+    write(odometry);
+  }
+
+  void write_true_pose(double time, const TPose2D& pose) {
+    CObservationRobotPose truth;
+    truth.sensorLabel = kTruthLabel;
+    truth.timestamp = logged_time(time);
+    truth.pose.mean = mrpt::poses::CPose3D(mrpt::poses::CPose2D(pose));
+    write(truth);
+  }
+
+  void write(const mrpt::serialization::CSerializable& object) {
+    mrpt::io::CMemoryStream bytes;
+    mrpt::serialization::archiveFrom(bytes).WriteObject(&object);
+    file_.write(bytes.getRawBufferData(), bytes.getTotalBytesCount());
+  }
+
+  std::string path_;
+  Manifest manifest_;
+  RecordedRuns which_;
+  bool has_manifest_ = false;
+  Clock::time_point started_;  ///< depends on the runs before this one in its process
+  GzipWriter file_;
+};
+
+}  // namespace
+
+RunManifest make_run_manifest(const IniFile& ini, const Scenario& scenario,
+                              const std::string& method, int repetition, std::uint64_t seed) {
+  RunManifest manifest;
+  manifest.campaign_ini = ini.canonical_text();
+  manifest.scenario_name = scenario.name();
+  manifest.scenario_hash = scenario.hash();
+  manifest.scenario_yaml = scenario_to_yaml(scenario);
+  manifest.method = method;
+  manifest.repetition = repetition;
+  manifest.seed = seed;
+  manifest.more = {{"version.slalom", version()},
+                   {"version.mrpt", mrpt_version()},
+                   {"version.compiler", compiler_version()}};
+  return manifest;
+}
+
+std::unique_ptr<RunObserver> make_rawlog_recorder(const std::string& path,
+                                                  const RunManifest& manifest, RecordedRuns which) {
+  return std::make_unique<RawlogRecorder>(path, manifest, which);
+}
+
+}  // namespace slalom
