@@ -81,7 +81,9 @@ void run(const ReferenceArguments& arguments) {
   pool.fresh_process = true;
   run_in_workers(
       entries.size(), pool,
-      [&](std::size_t i) { return compute(arguments, entries[i], scenarios[i]).dump(); },
+      [&](std::size_t i, TaskNotes&) {
+        return compute(arguments, entries[i], scenarios[i]).dump();
+      },
       [&](std::size_t i, TaskResult&& result) {
         if (result.status != TaskResult::Status::Done)
           throw job_error(entries[i].name, "no references: " + result.detail);

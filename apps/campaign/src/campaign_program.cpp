@@ -89,6 +89,7 @@ std::string campaign_options_help() {
   list_section<OmplOptions>(text, "reference");
   list_section<MetricsSection>(text, "metrics");
   list_section<LimitsSection>(text, "limits");
+  list_section<RecordSection>(text, "record");
   list_section<AnalysisSection>(text, "analysis");
   list_section<HolonomicOptions>(text, "method.NAME");
   list_section<LibraryOptions>(text, "method.NAME");
@@ -101,7 +102,7 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
   if (arguments.seed) ini.set("campaign", "seed", std::to_string(*arguments.seed));
   ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor",
                                "odometry", "simulation", "reference", "metrics", "limits",
-                               "analysis", "method.*"});
+                               "record", "analysis", "method.*"});
   return ini;
 }
 

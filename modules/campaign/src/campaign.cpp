@@ -1,3 +1,4 @@
+#include "command_journal.h"
 #include "run_executor.h"
 #include "scenario_survey.h"
 #include "wire.h"
@@ -27,7 +28,7 @@ auto read_payload(const TaskResult& result, Read read)
 /// First stretch: what every place is like and the best that is possible there.
 bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execution& execution,
                       std::vector<References>& references) {
-  const WorkerTask task = [&](std::size_t i) {
+  const WorkerTask task = [&](std::size_t i, TaskNotes&) {
     return to_wire(survey_scenario(campaign, campaign.scenarios[i]));
   };
   const auto receive = [&](std::size_t i, TaskResult&& result) {
@@ -50,13 +51,37 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
   return complete;
 }
 
-RunFindings findings_of(const Campaign& campaign, const RunSpec& spec, const TaskResult& result) {
+/// What a task that did not come to its end says about the method.
+Outcome outcome_of(const TaskResult& result) {
+  using Status = TaskResult::Status;
+  if (result.status == Status::TimedOut) return Outcome::MethodDeadline;
+  // The simulator catches what methods throw: what comes through is a fault of ours.
+  if (result.status == Status::Threw) return Outcome::InfrastructureError;
+  return Outcome::MethodCrash;
+}
+
+RunFindings findings_of(const Campaign& campaign, const RunSpec& spec, const TaskResult& result,
+                        RunExecutor& executor) {
   if (auto findings = read_payload(result, run_findings_from_wire)) return std::move(*findings);
-  if (result.status == TaskResult::Status::TimedOut)
-    return findings_without_trajectory(campaign, spec, Outcome::MethodDeadline, result.detail);
-  const std::string detail =
-      result.status == TaskResult::Status::Done ? "its worker's answer was damaged" : result.detail;
-  return findings_without_trajectory(campaign, spec, Outcome::MethodCrash, detail);
+  const Outcome outcome = outcome_of(result);
+  if (outcome == Outcome::InfrastructureError)
+    return findings_without_run(campaign, spec, outcome, result.detail);
+  const bool damaged = result.status == TaskResult::Status::Done;
+  return executor.reconstruct(spec, result.notes, outcome,
+                              damaged ? "its worker's answer was damaged" : result.detail);
+}
+
+PoolOptions pool_for_methods(const CampaignOptions& options, int workers) {
+  const LimitsSection& limits = options.limits;
+  PoolOptions pool;
+  pool.workers = workers;
+  pool.task_wall_time = limits.run_wall_time;
+  pool.task_cpu_time = limits.run_cpu_time;
+  pool.memory_mb = limits.memory_mb;
+  pool.keep_errors = limits.method_errors;
+  pool.notes_size = CommandJournal::size_for(options.setup.simulation);
+  if (limits.deadline.deadline_policy == "fail") pool.silence = limits.deadline.cycle_deadline;
+  return pool;
 }
 
 /// Second stretch: every method in every place.
@@ -64,25 +89,24 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
                  const std::vector<References>& references, CampaignSummary& summary) {
   const std::vector<RunSpec> plan = make_plan(campaign);
   RunExecutor executor(campaign, references);  // each worker has its own copy from the fork on
-  const WorkerTask task = [&](std::size_t i) {
+  const WorkerTask task = [&](std::size_t i, TaskNotes& notes) {
     const References& known = references[plan[i].scenario];
     return to_wire(known.shortest
-                       ? executor.execute(plan[i])
-                       : findings_without_trajectory(campaign, plan[i], Outcome::UnsolvableScenario,
-                                                     known.shortest_reason));
+                       ? executor.execute(plan[i], notes)
+                       : findings_without_run(campaign, plan[i], Outcome::UnsolvableScenario,
+                                              known.shortest_reason));
   };
   const auto receive = [&](std::size_t i, TaskResult&& result) {
-    const RunFindings findings = findings_of(campaign, plan[i], result);
+    const RunFindings findings = findings_of(campaign, plan[i], result, executor);
     sink.add_run(findings.record, findings.timing, findings.trajectory);
     ++summary.runs;
     ++summary.outcomes[findings.record.outcome];
     execution.progress.advance(i + 1);
   };
   execution.progress.start("Running methods", plan.size());
-  PoolOptions pool;
-  pool.workers = execution.workers;
-  pool.task_wall_time = campaign.options.limits.run_wall_time;
-  const bool complete = run_in_workers(plan.size(), pool, task, receive, execution.interrupted);
+  const bool complete =
+      run_in_workers(plan.size(), pool_for_methods(campaign.options, execution.workers), task,
+                     receive, execution.interrupted);
   execution.progress.finish();
   return complete;
 }
@@ -101,7 +125,7 @@ std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario_
 
 void check_methods(const Campaign& campaign) {
   const std::vector<std::string>& names = campaign.options.methods;
-  const WorkerTask task = [&](std::size_t i) -> std::string {
+  const WorkerTask task = [&](std::size_t i, TaskNotes&) -> std::string {
     try {
       campaign.methods.create(names[i],
                               {campaign.ini, "method." + names[i], campaign.options.setup.robot,
@@ -118,9 +142,8 @@ void check_methods(const Campaign& campaign) {
     throw usage_error(campaign.ini.where("method." + names[i]),
                       "the method could not be built: " + result.detail);
   };
-  PoolOptions pool;
+  PoolOptions pool = pool_for_methods(campaign.options, 1);
   pool.fresh_process = true;
-  pool.task_wall_time = campaign.options.limits.run_wall_time;
   run_in_workers(names.size(), pool, task, receive, nullptr);
 }
 

@@ -70,6 +70,15 @@ void LimitsSection::visit(OptionVisitor& v) {
            Range::at_least(0));
   v.option("memory_mb", memory_mb, "MiB", "memory that a worker may take for methods; 0: any",
            Range::at_least(0));
+  v.option("method_errors", method_errors, "what methods write to standard error is shown");
+}
+
+void RecordSection::visit(OptionVisitor& v) {
+  v.option("rawlog", rawlog, "runs to record as MRPT rawlogs", {"none", "failures", "all"});
+}
+
+bool RecordSection::wants(Outcome outcome) const {
+  return rawlog == "all" || (rawlog == "failures" && outcome != Outcome::Success);
 }
 
 CampaignOptions read_campaign_options(const IniFile& ini) {
@@ -84,6 +93,7 @@ CampaignOptions read_campaign_options(const IniFile& ini) {
   options.descriptors =
       read_ids(ini, "descriptors", metrics.descriptors, ids_of(all_descriptors()));
   options.limits = read_options<LimitsSection>(ini, "limits");
+  options.record = read_options<RecordSection>(ini, "record");
   options.setup.robot = read_robot_model(ini);
   options.setup.sensor = read_options<SensorModel>(ini, "sensor");
   options.setup.odometry = read_options<OdometryModel>(ini, "odometry");

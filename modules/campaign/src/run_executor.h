@@ -10,14 +10,6 @@
 
 namespace slalom {
 
-/// One run of the plan.
-struct RunSpec {
-  std::size_t scenario = 0;  ///< index into Campaign::scenarios
-  std::string method;
-  int repetition = 0;
-  std::uint64_t seed = 0;
-};
-
 /// All runs in the order of the plan: by scenario, then method, then repetition.
 std::vector<RunSpec> make_plan(const Campaign& campaign);
 
@@ -31,13 +23,23 @@ class RunExecutor {
   RunExecutor(const Campaign& campaign, const std::vector<References>& references)
       : campaign_(campaign), references_(references) {}
 
-  RunFindings execute(const RunSpec& spec);
+  /// Drives a run under its method; notes every command, and that the worker must be replaced when
+  /// the method failed.
+  RunFindings execute(const RunSpec& spec, TaskNotes& notes);
+
+  /// The findings of a run whose process died: driven again, without the method, under the commands
+  /// that it had noted.
+  RunFindings reconstruct(const RunSpec& spec, const std::string& notes, Outcome outcome,
+                          const std::string& detail);
 
  private:
   const World& world(std::size_t scenario);
   Method& method(const std::string& name);
-  void evaluate(const World& world, const References& references, const SimulationResult& result,
-                RunFindings& findings) const;
+  SimulationResult drive(const RunSpec& spec, RunObserver& observer);
+  SimulationResult drive_again(const RunSpec& spec, const std::string& notes, Outcome outcome,
+                               const std::string& detail, RunObserver* observer);
+  void record(const RunSpec& spec, const std::string& notes, const SimulationResult& result);
+  RunFindings evaluate(const RunSpec& spec, const SimulationResult& result);
 
   const Campaign& campaign_;
   const std::vector<References>& references_;
@@ -46,9 +48,9 @@ class RunExecutor {
   std::size_t world_scenario_ = 0;
 };
 
-/// The record of a run that left no trajectory (crash, deadline, unsolvable scenario): metrics that
-/// count failures count it, all others are NA because of the outcome.
-RunFindings findings_without_trajectory(const Campaign& campaign, const RunSpec& spec,
-                                        Outcome outcome, const std::string& detail);
+/// The record of a run that never began (unsolvable scenario, a fault of ours): all metrics are NA
+/// because of the outcome.
+RunFindings findings_without_run(const Campaign& campaign, const RunSpec& spec, Outcome outcome,
+                                 const std::string& detail);
 
 }  // namespace slalom

@@ -43,7 +43,8 @@ class Pool {
   Pool(std::size_t count, const PoolOptions& options, const WorkerTask& task, InOrder& results)
       : count_(count), options_(options), task_(task), results_(results) {
     const std::size_t workers = std::min<std::size_t>(std::max(1, options.workers), count);
-    for (std::size_t i = 0; i < workers; ++i) workers_.push_back(std::make_unique<WorkerProcess>());
+    for (std::size_t i = 0; i < workers; ++i)
+      workers_.push_back(std::make_unique<WorkerProcess>(options));
   }
 
   bool run(const std::function<bool()>& interrupted) {
@@ -78,17 +79,8 @@ class Pool {
     for (auto& worker : workers_) {
       if (!worker->busy()) continue;
       const std::size_t index = worker->task();
-      if (auto result = worker->receive()) {
-        finish(index, std::move(*result));
-      } else if (overdue(*worker)) {
-        finish(index, worker->time_out(options_.task_wall_time));
-      }
+      if (auto result = worker->receive()) finish(index, std::move(*result));
     }
-  }
-
-  bool overdue(const WorkerProcess& worker) const {
-    const std::chrono::duration<double> elapsed = WorkerProcess::Clock::now() - worker.started();
-    return options_.task_wall_time > 0 && elapsed.count() > options_.task_wall_time;
   }
 
   void finish(std::size_t index, TaskResult&& result) {

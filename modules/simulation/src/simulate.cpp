@@ -90,7 +90,7 @@ class Run {
     try {
       call();
     } catch (const std::exception& e) {
-      end(Outcome::MethodError, reason_of(e));
+      end(Outcome::MethodError, reason_of(e) + ", " + at(pose(), time_));
     } catch (...) {
       end(Outcome::MethodError, "the method threw something that is not a std::exception");
     }

@@ -5,7 +5,13 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <set>
 #include <stdexcept>
+#include <unistd.h>
 
 namespace slalom {
 namespace {
@@ -19,20 +25,43 @@ class TestMethod : public Method {
   void reset(const Task& task) override { misbehaves_ = task.goal.y > 5; }
 
   Command step(const Observation& observation) override {
-    if (misbehaves_ && observation.time > 0.5) misbehave();
+    if (misbehaves_ && observation.time > 1.5) {
+      if (kind_ == "nan" || kind_ == "infinite" || kind_ == "too_fast") return answer_badly();
+      misbehave();
+    }
     const double bearing = std::atan2(observation.goal_in_robot.y, observation.goal_in_robot.x);
     const double w = std::max(-robot_.max_w, std::min(robot_.max_w, 2 * bearing));
     return {std::abs(bearing) < 0.3 ? robot_.max_v : 0.0, w};
   }
 
  private:
+  Command answer_badly() const {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    if (kind_ == "nan") return {nan, 0};
+    if (kind_ == "infinite") return {0, std::numeric_limits<double>::infinity()};
+    return {1.01 * robot_.max_v, 0};  // "too_fast"
+  }
+
   void misbehave() const {
-    if (kind_ == "crash") std::raise(SIGSEGV);
+    if (kind_ == "crash") {
+      std::signal(SIGSEGV, SIG_DFL);  // sanitizers would catch it and exit
+      std::raise(SIGSEGV);
+    }
+    if (kind_ == "abort") std::abort();
+    if (kind_ == "throw_number") throw 42;
+    if (kind_ == "greedy") hoard();
+    if (kind_ == "chatty") std::cout << std::string(100000, '#') << std::endl;
+    if (kind_ == "slow") usleep(45000);
     if (kind_ == "exit") std::exit(0);
     if (kind_ == "throw") throw std::runtime_error("lost my way");
     volatile bool forever = kind_ == "hang";
     while (forever) {
     }
+  }
+
+  static void hoard() {
+    std::vector<std::unique_ptr<std::string>> hoard;
+    while (true) hoard.push_back(std::make_unique<std::string>(10 << 20, 'x'));
   }
 
   std::string kind_;
@@ -70,23 +99,28 @@ class CampaignTest : public testing::Test {
     });
   }
 
-  IniFile ini_for(const std::vector<std::string>& kinds) const {
+  IniFile ini_for(const std::vector<std::string>& kinds,
+                  const std::string& limits = "run_wall_time = 1") const {
     std::string methods, sections;
     for (const std::string& kind : kinds) {
       methods += (methods.empty() ? "" : ",") + kind;
       sections += "[method." + kind + "]\nadapter = test\nkind = " + kind + "\n";
     }
-    return IniFile::from_text("[campaign]\nrepetitions = 2\nmethods = " + methods +
-                              "\n[limits]\nrun_wall_time = 1\n" + sections);
+    return IniFile::from_text("[campaign]\nrepetitions = 2\nmethods = " + methods + "\n[limits]\n" +
+                              limits + "\n" + sections);
   }
 
   RecordingSink run(const std::vector<std::string>& kinds, int workers) {
-    const IniFile ini = ini_for(kinds);
-    const Campaign campaign{read_campaign_options(ini),
-                            {free_field("low", 3), free_field("high", 7)},
-                            ini,
-                            registry_,
-                            nullptr};
+    return run(ini_for(kinds), workers);
+  }
+
+  RecordingSink run(const IniFile& ini, int workers) {
+    Campaign campaign{read_campaign_options(ini),
+                      {free_field("low", 3), free_field("high", 7)},
+                      ini,
+                      registry_,
+                      nullptr};
+    campaign.recorder = recorder_;
     const auto progress = make_silent_progress();
     RecordingSink sink;
     const CampaignSummary summary = run_campaign(campaign, sink, {workers, *progress, nullptr});
@@ -96,7 +130,16 @@ class CampaignTest : public testing::Test {
   }
 
   MethodRegistry registry_;
+  std::function<std::unique_ptr<RunObserver>(const RunSpec&)> recorder_;
 };
+
+/// The outcomes of a method's runs in the place where it misbehaves.
+std::set<std::string> outcomes_of(const RecordingSink& sink, const std::string& method) {
+  std::set<std::string> outcomes;
+  for (const RunRecord& r : sink.runs)
+    if (r.method == method && r.scenario_name == "high") outcomes.insert(r.outcome);
+  return outcomes;
+}
 
 TEST_F(CampaignTest, EveryMethodMeetsEveryScenarioInTheOrderOfThePlan) {
   const RecordingSink sink = run({"good", "other"}, 2);
@@ -121,19 +164,125 @@ TEST_F(CampaignTest, MethodsMeetTheSameSeedsInTheSamePlace) {
 }
 
 TEST_F(CampaignTest, WhateverAMethodDoesEndsOnlyItsRun) {
-  const RecordingSink sink = run({"crash", "exit", "throw", "hang", "good"}, 2);
-  ASSERT_EQ(sink.runs.size(), 20U);
   const std::map<std::string, std::string> expected = {{"crash", "method_crash"},
+                                                       {"abort", "method_crash"},
                                                        {"exit", "method_crash"},
                                                        {"throw", "method_error"},
+                                                       {"throw_number", "method_error"},
                                                        {"hang", "method_deadline"},
+                                                       {"nan", "method_invalid_command"},
+                                                       {"infinite", "method_invalid_command"},
+                                                       {"too_fast", "method_invalid_command"},
+                                                       {"chatty", "success"},
                                                        {"good", "success"}};
+  std::vector<std::string> kinds;
+  for (const auto& [kind, outcome] : expected) kinds.push_back(kind);
+  testing::internal::CaptureStdout();
+  const RecordingSink sink = run(kinds, 2);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  ASSERT_EQ(sink.runs.size(), 4 * expected.size());
   for (const RunRecord& r : sink.runs) {
     EXPECT_EQ(r.outcome, r.scenario_name == "low" ? "success" : expected.at(r.method)) << r.method;
     if (r.outcome == "success") continue;
     EXPECT_EQ(r.metrics.at("success").value, Value::of(0));
     EXPECT_TRUE(r.metrics.at("optimality").value.is_na());
     EXPECT_FALSE(r.outcome_detail.empty());
+  }
+}
+
+TEST_F(CampaignTest, ARunThatDiedIsKnownUpToItsDeath) {
+  const RecordingSink sink = run({"crash", "hang", "nan", "throw"}, 2);
+  std::map<std::string, std::set<std::string>> hashes;
+  for (const RunRecord& r : sink.runs) {
+    if (r.scenario_name == "low") continue;
+    EXPECT_GT(r.metrics.at("path_length").value.number(), 0.05) << r.method;
+    hashes[r.method].insert(r.trajectory_hash);
+  }
+  // They all fail in the same cycle of the same drive: only in how they fail do they differ.
+  EXPECT_EQ(hashes["crash"].size(), 1U);
+  for (const char* method : {"hang", "nan"}) EXPECT_EQ(hashes[method], hashes["crash"]) << method;
+  EXPECT_EQ(hashes["throw"], hashes["crash"]);
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+TEST_F(CampaignTest, AMethodThatTakesAllMemoryEndsOnlyItsRun) {
+  const RecordingSink sink = run(ini_for({"greedy", "good"}, "memory_mb = 300"), 2);
+  EXPECT_EQ(outcomes_of(sink, "greedy"), std::set<std::string>{"method_error"});
+  EXPECT_EQ(outcomes_of(sink, "good"), std::set<std::string>{"success"});
+}
+#endif
+
+TEST_F(CampaignTest, AMissedCycleDeadlineIsWhatThePolicySays) {
+  const std::string limits =
+      "run_wall_time = 30\n[simulation]\nstuck_time = 2\n[limits]\ncycle_deadline = 0.03\n"
+      "deadline_policy = ";
+  const auto outcomes = [&](const std::string& method, const std::string& policy) {
+    return outcomes_of(run(ini_for({method, "good"}, limits + policy), 2), method);
+  };
+  using Outcomes = std::set<std::string>;
+  EXPECT_EQ(outcomes("slow", "fail"), Outcomes{"method_deadline"});
+  EXPECT_EQ(outcomes("hang", "fail"), Outcomes{"method_deadline"}) << "long before its wall time";
+  // Every answer from 1.5 s on is late. Stopped, the robot makes no progress. With the last good
+  // command held it keeps its curve until it meets a wall.
+  EXPECT_EQ(outcomes("slow", "stop"), Outcomes{"stuck"});
+  EXPECT_EQ(outcomes("slow", "hold"), Outcomes{"collision"});
+}
+
+/// Writes how a run was seen to end into a file, since it runs in a worker.
+class EndWriter : public RunObserver {
+ public:
+  explicit EndWriter(std::string path) : path_(std::move(path)) {}
+  void on_start(const Task&) override {}
+  void on_cycle(const Observation&, const Command&, const mrpt::math::TPose2D&) override {
+    ++cycles_;
+  }
+  void on_end(const SimulationResult& result) override {
+    std::ofstream(path_) << to_string(result.outcome) << ' ' << result.trajectory.hash() << ' '
+                         << cycles_;
+  }
+
+ private:
+  std::string path_;
+  int cycles_ = 0;
+};
+
+TEST_F(CampaignTest, RecordsTheRunsThatAreAskedForAsTheyWere) {
+  const std::string folder = testing::TempDir() + "slalom_recorded_" + std::to_string(getpid());
+  std::filesystem::create_directories(folder);
+  const auto path = [&folder](std::size_t scenario, const std::string& method, int repetition) {
+    return folder + "/" + std::to_string(scenario) + method + std::to_string(repetition);
+  };
+  recorder_ = [&path](const RunSpec& spec) {
+    return std::make_unique<EndWriter>(path(spec.scenario, spec.method, spec.repetition));
+  };
+  const RecordingSink sink =
+      run(ini_for({"crash", "nan", "good"}, "run_wall_time = 5\n[record]\nrawlog = failures"), 2);
+  for (const RunRecord& r : sink.runs) {
+    std::ifstream file(path(r.scenario_name == "high" ? 1 : 0, r.method, r.repetition));
+    EXPECT_EQ(file.is_open(), r.outcome != "success") << r.method << r.scenario_name;
+    if (!file.is_open()) continue;
+    std::string outcome, hash;
+    int cycles = 0;
+    file >> outcome >> hash >> cycles;
+    EXPECT_EQ(outcome, r.outcome);
+    EXPECT_EQ(hash, r.trajectory_hash);
+    EXPECT_EQ(cycles, 16) << "cycles at 0, 0.1, ... 1.5 s were answered well";
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST_F(CampaignTest, AMethodThatCannotBeBuiltInAWorkerFailsItsRuns) {
+  int built = 0;
+  registry_.add("once", [&built](const MethodContext& context) -> std::unique_ptr<Method> {
+    if (++built > 0) throw usage_error(context.section, "is gone", "a thing");
+    return nullptr;
+  });
+  const IniFile ini =
+      IniFile::from_text("[campaign]\nmethods = gone\n[method.gone]\nadapter = once\n");
+  const RecordingSink sink = run(ini, 1);
+  for (const RunRecord& r : sink.runs) {
+    EXPECT_EQ(r.outcome, "method_error");
+    EXPECT_NE(r.outcome_detail.find("method.gone: is gone"), std::string::npos);
   }
 }
 

@@ -8,13 +8,23 @@
 #include <slalom/references/reference.h>
 #include <slalom/results/run_record.h>
 #include <slalom/scenario/scenario.h>
+#include <slalom/simulation/run_observer.h>
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace slalom {
+
+/// One run of the plan.
+struct RunSpec {
+  std::size_t scenario = 0;  ///< index into Campaign::scenarios
+  std::string method;
+  int repetition = 0;
+  std::uint64_t seed = 0;
+};
 
 /// The plan: every method drives every scenario `repetitions` times.
 struct Campaign {
@@ -23,6 +33,9 @@ struct Campaign {
   const IniFile& ini;               ///< for the methods' own sections
   const MethodRegistry& methods;
   const ReferencePlanner* planner = nullptr;  ///< null: the exact search alone
+  /// Makes the observer that records a run; null: nothing is recorded. Called in worker processes,
+  /// and for runs that killed theirs in the caller's.
+  std::function<std::unique_ptr<RunObserver>(const RunSpec&)> recorder = nullptr;
 };
 
 /// Takes what a campaign finds, in the order of the plan (scenario, method, repetition).

@@ -32,11 +32,20 @@ struct MetricsSection {
 /// Section [limits].
 struct LimitsSection {
   DeadlineOptions deadline;
-  double run_wall_time = 60;  ///< s of wall-clock time for one run
-  double run_cpu_time = 0;    ///< s of processor time for one run; 0: any
-  double memory_mb = 2048;    ///< MiB that a worker may take beyond what it starts with; 0: any
+  double run_wall_time = 60;   ///< s of wall-clock time for one run
+  double run_cpu_time = 0;     ///< s of processor time for one run; 0: any
+  double memory_mb = 2048;     ///< MiB that a worker may take beyond what it starts with; 0: any
+  bool method_errors = false;  ///< what methods write to standard error is shown
 
   void visit(OptionVisitor& v);
+};
+
+/// Section [record].
+struct RecordSection {
+  std::string rawlog = "none";  ///< none, failures or all runs
+
+  void visit(OptionVisitor& v);
+  bool wants(Outcome outcome) const;
 };
 
 /// Everything of a campaign's .ini that is not about where scenarios come from or how tables look.
@@ -49,6 +58,7 @@ struct CampaignOptions {
   std::vector<std::string> descriptors;  ///< ids
   RunSetup setup;
   LimitsSection limits;
+  RecordSection record;
   double reference_gap = 0.01;
 };
 

@@ -1,0 +1,53 @@
+#include "worker_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace slalom {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kAddressSanitizer = true;
+#else
+constexpr bool kAddressSanitizer = false;
+#endif
+
+/// Bytes of address space in use.
+std::size_t address_space() {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// Only the soft limit: it can be raised again for the next task.
+void set_soft_limit(__rlimit_resource_t resource, rlim_t value) {
+  rlimit limit{};
+  getrlimit(resource, &limit);
+  limit.rlim_cur = limit.rlim_max == RLIM_INFINITY ? value : std::min(value, limit.rlim_max);
+  setrlimit(resource, &limit);
+}
+
+}  // namespace
+
+void limit_memory(std::size_t bytes) {
+  if (bytes > 0 && !kAddressSanitizer) set_soft_limit(RLIMIT_AS, address_space() + bytes);
+}
+
+void limit_cpu_time(double seconds) {
+  if (seconds > 0)
+    set_soft_limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(cpu_seconds() + seconds)));
+}
+
+}  // namespace slalom
