@@ -82,6 +82,17 @@ TEST(IsValidCommand, SaysWhichSpeedIsWrong) {
   EXPECT_TRUE(is_valid_command({-0.5, 0}, robot, why));
 }
 
+TEST(IsValidCommand, TakesSidewaysSpeedFromHolonomicRobotsOnly) {
+  RobotModel robot;
+  std::string why;
+  EXPECT_FALSE(is_valid_command({0, 0, 0.1}, robot, why));
+  EXPECT_EQ(why, "vy = 0.1 of a differential drive is not 0");
+  robot.kinematics = "holonomic";
+  EXPECT_TRUE(is_valid_command({0.6, 0, -0.8}, robot, why));
+  EXPECT_FALSE(is_valid_command({0.7, 0, 0.8}, robot, why));
+  EXPECT_NE(why.find("speed = 1.063"), std::string::npos) << why;
+}
+
 TEST(IsValidCommand, RefusesWhatIsNoNumber) {
   std::string why;
   for (const double bad :

@@ -51,5 +51,27 @@ TEST(RobotModel, RefusesWhatCannotBe) {
             std::string::npos);
 }
 
+TEST(RobotModel, APolygonsRadiusIsThatOfTheDiscThatEnclosesIt) {
+  const RobotModel robot = read_robot_model(
+      IniFile::from_text("[robot]\nfootprint = 0.3,0.4; -0.3,0.4; -0.3,-0.4; 0.3,-0.4\n"));
+  EXPECT_DOUBLE_EQ(robot.radius, 0.5);
+  EXPECT_DOUBLE_EQ(robot.shape().inscribed_radius(), 0.3);
+}
+
+TEST(RobotModel, AFootprintIsToldWhatItLacks) {
+  const auto message = [](const std::string& lines) {
+    try {
+      read_robot_model(IniFile::from_text("[robot]\n" + lines, "a.ini"));
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message("footprint = 1,0; 0,1\n"),
+            "a.ini:2: [robot] footprint: '1,0; 0,1' is no footprint; expected 3 to 64 corners");
+  EXPECT_EQ(message("radius = 0.3\nfootprint = 1,0; 0,1; -1,-1\n"),
+            "a.ini:3: [robot] footprint: stands beside a radius; expected radius or footprint");
+}
+
 }  // namespace
 }  // namespace slalom

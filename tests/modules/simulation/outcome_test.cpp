@@ -155,7 +155,7 @@ TEST(Simulate, EndsARunOnWhateverTheMethodThrows) {
   });
   const SimulationResult result = run(world, lost);
   EXPECT_EQ(result.outcome, Outcome::MethodError);
-  EXPECT_EQ(result.detail, "lost my way");
+  EXPECT_EQ(result.detail, "lost my way, at (1.13, 5.00) m after 0.50 s");
   EXPECT_NEAR(result.trajectory.duration(), 0.5, 1e-12);
   FunctionMethod odd([](const Observation&) -> Command { throw 42; });
   EXPECT_EQ(run(world, odd).outcome, Outcome::MethodError);
@@ -172,7 +172,7 @@ TEST(Simulate, EndsARunWhenTheMethodCannotBeReset) {
   ThrowsInReset method;
   const SimulationResult result = run(room({1, 5, 0}, {8, 5}), method);
   EXPECT_EQ(result.outcome, Outcome::MethodError);
-  EXPECT_EQ(result.detail, "no memory of this");
+  EXPECT_EQ(result.detail, "no memory of this, at (1.00, 5.00) m after 0.00 s");
   EXPECT_EQ(result.trajectory.samples.size(), 1U);
 }
 

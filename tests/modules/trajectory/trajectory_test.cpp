@@ -28,14 +28,20 @@ TEST(Trajectory, PathHasThePositionsOnly) {
 
 TEST(Trajectory, HashTellsEveryFieldApart) {
   std::set<std::string> hashes = {three_samples().hash()};
-  for (double Sample::*field :
-       {&Sample::t, &Sample::v, &Sample::w, &Sample::command_v, &Sample::command_w}) {
+  for (double Sample::*field : {&Sample::t, &Sample::v, &Sample::w, &Sample::vy, &Sample::command_v,
+                                &Sample::command_w, &Sample::command_vy}) {
     Trajectory changed = three_samples();
     changed.samples[1].*field += 1e-9;
     hashes.insert(changed.hash());
   }
-  EXPECT_EQ(hashes.size(), 6U);
+  EXPECT_EQ(hashes.size(), 8U);
   EXPECT_EQ(three_samples().hash(), three_samples().hash());
+}
+
+TEST(Sample, ReadsBackFromItsNumbers) {
+  std::array<double, Sample::kNumbers> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = 1.5 * static_cast<double>(i + 1);
+  EXPECT_EQ(Sample::from_numbers(numbers).numbers(), numbers);
 }
 
 TEST(Outcome, NamesReadBack) {
