@@ -1,3 +1,4 @@
+#include "plugin_module.h"
 #include "sectors.h"
 
 #include <slalom/core/error.h>
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <dlfcn.h>
 
 namespace slalom {
 namespace {
@@ -32,12 +32,10 @@ std::vector<std::string> known_classes() {
 }
 
 void load_plugin(const MethodContext& context, const std::string& path) {
-  if (path.empty() || dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL) != nullptr) return;
-  const char* why = dlerror();
-  throw usage_error(
-      context.ini.where(context.section, "plugin"),
-      "cannot be loaded (" + std::string(why == nullptr ? "unknown reason" : why) + ")",
-      "an MRPT plug-in module");
+  std::string error;
+  if (path.empty() || load_plugin_module(path, error) != nullptr) return;
+  throw usage_error(context.ini.where(context.section, "plugin"),
+                    "cannot be loaded (" + error + ")", "an MRPT plug-in module");
 }
 
 CAbstractHolonomicReactiveMethod::Ptr create_by_name(const std::string& name) {

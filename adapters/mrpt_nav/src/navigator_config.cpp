@@ -1,0 +1,127 @@
+#include "navigator_config.h"
+
+#include <slalom/core/text.h>
+
+#include <mrpt/config/config_parser.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace slalom {
+namespace {
+
+using mrpt::config::CConfigFileBase;
+using mrpt::math::TPoint2D;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr int kDiscCorners = 16;
+
+struct Outline {
+  std::string xs, ys;  ///< numbers with blanks between
+};
+
+Outline as_text(const std::vector<TPoint2D>& corners) {
+  Outline outline;
+  for (const TPoint2D& corner : corners) {
+    outline.xs += format_number(corner.x) + " ";
+    outline.ys += format_number(corner.y) + " ";
+  }
+  return outline;
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// PTG0_v_max_mps and the like, of every trajectory generator that has such a limit.
+void write_generator_limits(CConfigFileBase& config, const std::string& section,
+                            const RobotModel& robot) {
+  std::vector<std::string> keys;
+  config.getAllKeys(section, keys);
+  for (const std::string& key : keys) {
+    if (key.rfind("PTG", 0) != 0) continue;
+    if (ends_with(key, "_v_max_mps")) config.write(section, key, robot.max_v);
+    if (ends_with(key, "_w_max_dps")) config.write(section, key, robot.max_w * 180 / kPi);
+  }
+}
+
+void write_levels(CConfigFileBase& config, const std::string& section, const Outline& outline,
+                  double radius) {
+  const int levels = config.read_int(section, "HEIGHT_LEVELS", 0);
+  for (int level = 1; level <= levels; ++level) {
+    const std::string prefix = "LEVEL" + std::to_string(level) + "_";
+    config.write(section, prefix + "VECTORX", outline.xs);
+    config.write(section, prefix + "VECTORY", outline.ys);
+    config.write(section, prefix + "RADIUS", radius);
+  }
+}
+
+void write_plain(CConfigFileBase& config, const RobotModel& robot) {
+  const std::string section = "slalom_robot";
+  config.write(section, "kinematics", robot.kinematics);
+  config.write(section, "radius", robot.radius);
+  config.write(section, "footprint", robot.footprint);
+  config.write(section, "max_v", robot.max_v);
+  config.write(section, "max_w", robot.max_w);
+  config.write(section, "max_accel_v", robot.max_accel_v);
+  config.write(section, "max_accel_w", robot.max_accel_w);
+  config.write(section, "forward_only", robot.forward_only);
+}
+
+/// Where the lines through (a, b) and (b, c), each moved outwards by `margin`, meet.
+TPoint2D moved_corner(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c, double margin) {
+  const auto normal = [](const TPoint2D& from, const TPoint2D& to) {
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    return TPoint2D((to.y - from.y) / length, (from.x - to.x) / length);
+  };
+  const TPoint2D n = normal(a, b), m = normal(b, c);
+  const double scale = margin / (1 + n.x * m.x + n.y * m.y);
+  return {b.x + scale * (n.x + m.x), b.y + scale * (n.y + m.y)};
+}
+
+}  // namespace
+
+mrpt::config::CConfigFileMemory read_navigator_config(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw std::runtime_error("'" + path + "' cannot be read");
+  return {mrpt::config::config_parser(text)};
+}
+
+std::vector<TPoint2D> enlarged_outline(const Footprint& shape, double margin) {
+  std::vector<TPoint2D> outline;
+  if (shape.is_disc()) {
+    const double reach = (shape.enclosing_radius() + margin) / std::cos(kPi / kDiscCorners);
+    for (int i = 0; i < kDiscCorners; ++i) {
+      const double angle = (2 * i + 1) * kPi / kDiscCorners;
+      outline.emplace_back(reach * std::cos(angle), reach * std::sin(angle));
+    }
+    return outline;
+  }
+  const std::vector<TPoint2D>& corners = shape.corners();
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i)
+    outline.push_back(
+        moved_corner(corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n], margin));
+  return outline;
+}
+
+void write_robot(CConfigFileBase& config, const RobotModel& robot, double margin) {
+  const Footprint shape = robot.shape();
+  const Outline outline = as_text(enlarged_outline(shape, margin));
+  const double radius = shape.enclosing_radius() + margin;
+  config.write("CAbstractPTGBasedReactive", "robotMax_V_mps", robot.max_v);
+  config.write("CAbstractPTGBasedReactive", "robotMax_W_degps", robot.max_w * 180 / kPi);
+  const std::string flat = "CReactiveNavigationSystem", tall = "CReactiveNavigationSystem3D";
+  config.write(flat, "RobotModel_shape2D_xs", outline.xs);
+  config.write(flat, "RobotModel_shape2D_ys", outline.ys);
+  config.write(flat, "RobotModel_circular_shape_radius", radius);
+  write_levels(config, tall, outline, radius);
+  write_generator_limits(config, flat, robot);
+  write_generator_limits(config, tall, robot);
+  write_plain(config, robot);
+}
+
+}  // namespace slalom
