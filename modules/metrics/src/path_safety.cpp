@@ -4,11 +4,12 @@
 namespace slalom {
 namespace {
 
+/// Of the disc inscribed in the footprint: a path has no heading.
 double mean_footprint_clearance(const MetricContext& context, const Path& path) {
   const DistanceField& field = context.world.distance_field();
   const double integral =
       integrate_along(path, [&](const mrpt::math::TPoint2D& p) { return field.clearance(p); });
-  return integral / length(path) - context.robot.radius;
+  return integral / length(path) - context.robot.shape().inscribed_radius();
 }
 
 /// (mean clearance along the trajectory, by length) / (the same along P_V), of the footprint.

@@ -33,5 +33,14 @@ TEST(MeanClearance, OfARobotThatNeverMovesIsNotAvailable) {
   EXPECT_NEAR(run.number("min_clearance"), 5 - 0.25, 1e-9);
 }
 
+TEST(MinClearance, OfAPolygonDependsOnItsHeading) {
+  // 0.8 m long, 0.4 m wide, 1 m above the lower wall: along it 0.8 m are left, across it 0.6 m.
+  MeasuredRun run({{2, 1}, {3, 1}});
+  run.robot.footprint = "0.4,0.2; -0.4,0.2; -0.4,-0.2; 0.4,-0.2";
+  EXPECT_NEAR(run.number("min_clearance"), 0.8, 1e-9);
+  for (Sample& sample : run.trajectory.samples) sample.pose.phi = M_PI / 2;
+  EXPECT_NEAR(run.number("min_clearance"), 0.6, 1e-9);
+}
+
 }  // namespace
 }  // namespace slalom::testing

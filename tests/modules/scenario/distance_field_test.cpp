@@ -119,5 +119,21 @@ TEST(DistanceField, FindsTheClearanceOfSegments) {
   }
 }
 
+TEST(DistanceField, FindsTheClearanceOfOutlines) {
+  RandomEngine random(13);
+  for (int n = 0; n < 300; ++n) {
+    const Occupancy cells = testing::random_occupancy(random, 14);
+    const DistanceField field(cells);
+    std::vector<TPoint2D> corners;
+    for (int i = 0; i < 4; ++i) corners.push_back(testing::random_point(random, cells.bounds()));
+    double expected = 1e9;
+    for (int i = 0; i < 4; ++i)
+      expected = std::min(
+          expected, cells.resolution() * nearest_to_segment(cells, cells.to_cells(corners[i]),
+                                                            cells.to_cells(corners[(i + 1) % 4])));
+    ASSERT_NEAR(field.outline_clearance(corners), expected, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace slalom
