@@ -10,14 +10,12 @@ namespace slalom {
 /// Version of what stands in the comments of a run's rawlog.
 constexpr const char* kFormatVersion = "1";
 
-/// Labels of the observations.
-constexpr const char* kManifestLabel = "slalom_manifest";
-constexpr const char* kResultLabel = "slalom_result";
+/// Labels of the observations. (Of comments MRPT keeps none.)
 constexpr const char* kOdometryLabel = "odometry";
 constexpr const char* kTruthLabel = "ground_truth";
 constexpr const char* kCommandLabel = "command";
 
-/// Keys of both comments.
+/// Keys of both comments: the manifest before the cycles, the result behind them.
 namespace keys {
 constexpr const char* kFormat = "slalom_run";
 constexpr const char* kCampaignIni = "campaign.ini";

@@ -77,7 +77,7 @@ class RawlogRecorder : public RunObserver {
   void on_start(const Task& task) override {
     started_ = Clock::now();
     add_task(manifest_, task);
-    write_comment(kManifestLabel, manifest_to_text(manifest_), 0);
+    write_comment(manifest_to_text(manifest_), 0);
     has_manifest_ = true;
   }
 
@@ -95,17 +95,16 @@ class RawlogRecorder : public RunObserver {
 
   void on_end(const SimulationResult& result) override {
     if (which_ == RecordedRuns::Failures && result.outcome == Outcome::Success) return;
-    if (!has_manifest_) write_comment(kManifestLabel, manifest_to_text(manifest_), 0);
+    if (!has_manifest_) write_comment(manifest_to_text(manifest_), 0);
     const auto& samples = result.trajectory.samples;
     if (!samples.empty()) write_true_pose(samples.back().t, samples.back().pose);
-    write_comment(kResultLabel, result_text(result), samples.empty() ? 0 : samples.back().t);
+    write_comment(result_text(result), samples.empty() ? 0 : samples.back().t);
     write_file_atomically(path_, file_.finish());
   }
 
  private:
-  void write_comment(const char* label, const std::string& text, double time) {
+  void write_comment(const std::string& text, double time) {
     CObservationComment comment;
-    comment.sensorLabel = label;
     comment.timestamp = logged_time(time);
     comment.text = text;
     write(comment);
