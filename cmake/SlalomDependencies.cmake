@@ -24,3 +24,11 @@ find_package(fmt REQUIRED)
 add_library(slalom_ompl_library INTERFACE)
 target_include_directories(slalom_ompl_library SYSTEM INTERFACE ${OMPL_INCLUDE_DIRS})
 target_link_libraries(slalom_ompl_library INTERFACE ${OMPL_LIBRARIES})
+
+# LCM's pkg-config file asks for GLib's headers, which nothing here needs.
+find_path(SLALOM_LCM_INCLUDE_DIR lcm/lcm-cpp.hpp REQUIRED)
+find_library(SLALOM_LCM_LIBRARY lcm REQUIRED)
+find_program(SLALOM_LCM_GEN lcm-gen REQUIRED)
+add_library(slalom_lcm_library INTERFACE)
+target_include_directories(slalom_lcm_library SYSTEM INTERFACE ${SLALOM_LCM_INCLUDE_DIR})
+target_link_libraries(slalom_lcm_library INTERFACE ${SLALOM_LCM_LIBRARY})

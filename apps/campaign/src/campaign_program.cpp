@@ -12,6 +12,7 @@
 #include <slalom/generation/random_generator.h>
 #include <slalom/io/html_report.h>
 #include <slalom/io/result_file.h>
+#include <slalom/lcm/lcm_method.h>
 #include <slalom/library/library_method.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/metrics/cycle_time.h>
@@ -26,6 +27,7 @@ namespace {
 
 MethodRegistry all_adapters() {
   MethodRegistry registry;
+  registry.add("lcm", make_lcm_method);
   registry.add("library", make_library_method);
   registry.add("mrpt_holonomic", make_holonomic_method);
   registry.add("mrpt_navigator", make_navigator_method);
@@ -96,6 +98,7 @@ std::string campaign_options_help() {
   list_section<HolonomicOptions>(text, "method.NAME");
   list_section<NavigatorOptions>(text, "method.NAME");
   list_section<LibraryOptions>(text, "method.NAME");
+  list_section<LcmOptions>(text, "method.NAME");
   return text;
 }
 

@@ -60,6 +60,7 @@ class Run {
     else
       begin();
     while (!over_) cycle();
+    if (begun_) tell_method();
     if (observer_ != nullptr) observer_->on_end(result_);
     return std::move(result_);
   }
@@ -70,8 +71,18 @@ class Run {
 
   void begin() {
     const Task given = task();
+    begun_ = true;
     call_method([&] { method_.reset(given); });
     if (observer_ != nullptr) observer_->on_start(given);
+  }
+
+  /// What it makes of that changes nothing any more.
+  void tell_method() {
+    try {
+      method_.finish(to_string(result_.outcome));
+    } catch (...) {
+      return;
+    }
   }
 
   Task task() const {
@@ -89,6 +100,8 @@ class Run {
   void call_method(Call call) {
     try {
       call();
+    } catch (const MethodTimeout& e) {
+      end(Outcome::MethodDeadline, reason_of(e) + ", " + at(pose(), time_));
     } catch (const std::exception& e) {
       end(Outcome::MethodError, reason_of(e) + ", " + at(pose(), time_));
     } catch (...) {
@@ -218,7 +231,7 @@ class Run {
   int cycle_ = 0;
   double time_ = 0;
   Command command_;
-  bool over_ = false;
+  bool begun_ = false, over_ = false;
   SimulationResult result_;
 };
 

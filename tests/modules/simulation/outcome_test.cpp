@@ -176,6 +176,43 @@ TEST(Simulate, EndsARunWhenTheMethodCannotBeReset) {
   EXPECT_EQ(result.trajectory.samples.size(), 1U);
 }
 
+TEST(Simulate, EndsARunAsMethodDeadlineWhenTheMethodSaysItWaitedInVain) {
+  FunctionMethod waits([](const Observation& o) -> Command {
+    if (o.time > 0.45) throw MethodTimeout("nobody answers");
+    return {1, 0};
+  });
+  const SimulationResult result = run(room({1, 5, 0}, {8, 5}), waits);
+  EXPECT_EQ(result.outcome, Outcome::MethodDeadline);
+  EXPECT_EQ(result.detail.rfind("nobody answers, at (", 0), 0U) << result.detail;
+  EXPECT_NEAR(result.trajectory.duration(), 0.5, 1e-12);
+}
+
+/// Keeps what it is told of the end, and has something against it.
+class Listener : public FunctionMethod {
+ public:
+  using FunctionMethod::FunctionMethod;
+  void finish(const std::string& outcome) override {
+    ends.push_back(outcome);
+    throw MethodError("I do not agree");
+  }
+  std::vector<std::string> ends;
+};
+
+TEST(Simulate, TellsTheMethodOnceHowTheRunEnded) {
+  Listener drives([](const Observation&) { return Command{1, 0}; });
+  EXPECT_EQ(run(room({1, 5, 0}, {8, 5}), drives).outcome, Outcome::Success);
+  Listener fails([](const Observation&) -> Command { throw MethodError("no"); });
+  EXPECT_EQ(run(room({1, 5, 0}, {8, 5}), fails).outcome, Outcome::MethodError);
+  EXPECT_EQ(drives.ends, std::vector<std::string>{"success"});
+  EXPECT_EQ(fails.ends, std::vector<std::string>{"method_error"});
+  Primitives obstacles;
+  obstacles.discs.push_back({{1, 5}, 0.5});
+  Listener never_asked([](const Observation&) { return Command{}; });
+  EXPECT_EQ(run(room({1, 5, 0}, {8, 5}, obstacles), never_asked).outcome,
+            Outcome::UnsolvableScenario);
+  EXPECT_TRUE(never_asked.ends.empty());
+}
+
 TEST(Simulate, RefusesAStepThatIsLongerThanTheControlPeriod) {
   FunctionMethod forward = constant_method(1, 0);
   SimulationOptions options;

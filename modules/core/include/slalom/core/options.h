@@ -59,6 +59,9 @@ class OptionReader : public OptionVisitor {
   void option(const std::string& key, std::string& value, const std::string& help,
               const std::vector<std::string>& choices = {}) override;
 
+  /// The keys that option() calls named.
+  const std::vector<std::string>& known_keys() const { return known_; }
+
   /// Throws Error (Usage) for a key of the section that no option() call named, with the nearest.
   void reject_unknown_keys() const;
 

@@ -46,6 +46,12 @@ class MethodError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A method did not answer in time; ends its run as method_deadline with this text.
+class MethodTimeout : public MethodError {
+ public:
+  using MethodError::MethodError;
+};
+
 /// The seam for what is evaluated: an obstacle avoidance method. One object serves many runs, one
 /// after another: reset(), then step() once per control cycle. Given the same task and observations
 /// after a reset() it answers the same commands.
@@ -54,6 +60,8 @@ class Method {
   virtual ~Method() = default;
   virtual void reset(const Task& task) = 0;
   virtual Command step(const Observation& observation) = 0;
+  /// The run is over; how, as in results ("success", "collision", ...). Only for information.
+  virtual void finish(const std::string& /*outcome*/) {}
 };
 
 /// All that an adapter is given to build a method.

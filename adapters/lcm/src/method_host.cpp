@@ -1,0 +1,119 @@
+#include <slalom/core/error.h>
+#include <slalom/lcm/method_host.h>
+
+#include <lcm/lcm-cpp.hpp>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+constexpr int kPatience = 100;  // ms between two looks at whether to stop
+
+/// A host on LCM channels.
+class Server {
+ public:
+  Server(MethodHost& host, const std::string& url, const std::string& channel)
+      : host_(host), channels_(channel), lcm_(url) {
+    const bool good = lcm_.good() &&
+                      lcm_.subscribe(channels_.hello, &Server::receive<hello_t>, this) &&
+                      lcm_.subscribe(channels_.run_start, &Server::receive<run_start_t>, this) &&
+                      lcm_.subscribe(channels_.observation, &Server::receive<observation_t>, this);
+    if (!good) throw job_error(url, "LCM cannot be used with this address");
+  }
+
+  bool handle() { return lcm_.handleTimeout(kPatience) >= 0; }
+
+ private:
+  template <typename Message>
+  void receive(const lcm::ReceiveBuffer* buffer, const std::string&) {
+    static thread_local Message message;  // keeps the memory of a scan
+    if (!decode_message(buffer->data, buffer->data_size, message)) return;
+    try {
+      reply(message);
+    } catch (const std::exception& failure) {
+      error_t error = {};
+      error.id = number_of(message);
+      error.text = reason_of(failure);
+      publish(channels_.error, error);
+    }
+  }
+
+  void reply(const hello_t& hello) { publish(channels_.ready, host_.greet(hello)); }
+  void reply(const run_start_t& message) { publish(channels_.ready, host_.start(message)); }
+  void reply(const observation_t& message) {
+    if (const auto command = host_.answer(message)) publish(channels_.command, *command);
+  }
+
+  static std::int64_t number_of(const hello_t& hello) { return hello.id; }
+  template <typename Message>
+  static std::int64_t number_of(const Message& message) {
+    return message.run_id;
+  }
+
+  template <typename Message>
+  void publish(const std::string& channel, const Message& message) {
+    lcm_.publish(channel, &message);
+  }
+
+  MethodHost& host_;
+  LcmChannels channels_;
+  lcm::LCM lcm_;
+};
+
+}  // namespace
+
+MethodHost::MethodHost(std::string name, Factory factory)
+    : name_(std::move(name)), factory_(std::move(factory)) {}
+
+ready_t MethodHost::ready(std::int64_t id) const {
+  ready_t answer = {};
+  answer.protocol_version = kLcmProtocolVersion;
+  answer.id = id;
+  answer.name = name_;
+  return answer;
+}
+
+ready_t MethodHost::greet(const hello_t& hello) {
+  if (hello.protocol_version != kLcmProtocolVersion)
+    throw MethodError("the simulator speaks version " + std::to_string(hello.protocol_version) +
+                      " of the protocol; expected version " + std::to_string(kLcmProtocolVersion));
+  if (method_ && hello.id == hello_id_) return ready(hello.id);
+  method_.reset();
+  sensor_ = sensor_of(hello);
+  method_ = factory_(hello);
+  hello_id_ = hello.id;
+  return ready(hello.id);
+}
+
+ready_t MethodHost::start(const run_start_t& message) {
+  if (!method_) throw MethodError("a run began before a hello");
+  next_sequence_ = -1;
+  method_->reset(task_of(message));
+  run_id_ = message.run_id;
+  next_sequence_ = 0;
+  return ready(message.run_id);
+}
+
+std::optional<command_t> MethodHost::answer(const observation_t& message) {
+  if (message.run_id != run_id_ || message.sequence != next_sequence_) return std::nullopt;
+  ++next_sequence_;
+  mrpt::obs::CObservation2DRangeScan scan;  // a fresh one has no points of the last in store
+  const Command command = method_->step(observation_of(message, sensor_, scan));
+  command_t answer = {};
+  answer.run_id = message.run_id;
+  answer.sequence = message.sequence;
+  answer.v = command.v;
+  answer.w = command.w;
+  answer.vy = command.vy;
+  return answer;
+}
+
+void serve_method(MethodHost& host, const std::string& url, const std::string& channel,
+                  const std::function<bool()>& stop) {
+  Server server(host, url, channel);
+  while (!stop())
+    if (!server.handle() && !stop()) throw job_error(url, "LCM does not work any more");
+}
+
+}  // namespace slalom

@@ -1,0 +1,93 @@
+#include "method_link.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace slalom {
+namespace {
+
+/// As long as the longest wait for one message: LCM counts in milliseconds.
+constexpr std::chrono::milliseconds kSlice(10);
+
+}  // namespace
+
+MethodLink::MethodLink(const std::string& url, const std::string& prefix)
+    : channels_(prefix), lcm_(url) {
+  if (!lcm_.good()) return;
+  using Link = MethodLink;
+  good_ = lcm_.subscribe(channels_.ready, &Link::receive<ready_t, &Link::take_ready>, this) &&
+          lcm_.subscribe(channels_.command, &Link::receive<command_t, &Link::take_command>, this) &&
+          lcm_.subscribe(channels_.error, &Link::receive<error_t, &Link::take_error>, this);
+}
+
+void MethodLink::expect(std::int64_t id) {
+  id_ = id;
+  sent_ = -1;
+  ready_.reset();
+  command_.reset();
+  error_.reset();
+  undecodable_ = 0;
+}
+
+void MethodLink::send(const hello_t& hello) {
+  publish(channels_.hello, hello);
+}
+
+void MethodLink::send(const run_start_t& message) {
+  publish(channels_.run_start, message);
+}
+
+void MethodLink::send(const run_end_t& message) {
+  publish(channels_.run_end, message);
+}
+
+void MethodLink::send(const observation_t& message) {
+  sent_ = message.sequence;
+  publish(channels_.observation, message);
+}
+
+bool MethodLink::wait_until(Clock::time_point until) {
+  const auto left = until - Clock::now();
+  if (left <= Clock::duration::zero()) return handle(0);
+  const auto whole = std::chrono::duration_cast<std::chrono::milliseconds>(left);
+  if (whole.count() > 0) return handle(static_cast<int>(std::min(whole, kSlice).count()));
+  std::this_thread::sleep_for(left);
+  return handle(0);
+}
+
+bool MethodLink::handle(int milliseconds) {
+  return lcm_.handleTimeout(milliseconds) > 0;
+}
+
+template <typename Message>
+void MethodLink::publish(const std::string& channel, const Message& message) {
+  bytes_.resize(static_cast<std::size_t>(message.getEncodedSize()));
+  const int size = message.encode(bytes_.data(), 0, static_cast<int>(bytes_.size()));
+  // What LCM cannot send is not answered, and that ends the run.
+  lcm_.publish(channel, bytes_.data(), static_cast<unsigned>(std::max(size, 0)));
+}
+
+template <typename Message, void (MethodLink::*take)(const Message&)>
+void MethodLink::receive(const lcm::ReceiveBuffer* buffer, const std::string&) {
+  Message message;
+  if (decode_message(buffer->data, buffer->data_size, message))
+    (this->*take)(message);
+  else
+    ++undecodable_;
+}
+
+void MethodLink::take_ready(const ready_t& message) {
+  if (message.id == id_ && !ready_) ready_ = message;
+}
+
+void MethodLink::take_command(const command_t& message) {
+  const std::int64_t last = command_ ? command_->sequence : -1;
+  if (message.run_id == id_ && message.sequence > last && message.sequence <= sent_)
+    command_ = message;
+}
+
+void MethodLink::take_error(const error_t& message) {
+  if (message.id == id_ && !error_) error_ = message;
+}
+
+}  // namespace slalom

@@ -1,0 +1,180 @@
+#include <slalom/core/text.h>
+#include <slalom/lcm/protocol.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace slalom {
+namespace {
+
+constexpr std::size_t kFingerprintSize = 8, kSizeSize = 4;  // bytes
+/// No element of our arrays is smaller on the wire.
+constexpr std::int64_t kSmallestElement = 4;  // bytes
+
+/// The degrees that make exactly these radians: several of the neighbouring numbers may be meant.
+double degrees_of(double radians) {
+  SensorModel sensor;
+  const double about = radians * 180 / M_PI;
+  double candidate = about;
+  for (int i = 0; i < 4; ++i) candidate = std::nextafter(candidate, -HUGE_VAL);
+  for (int i = 0; i < 9; ++i, candidate = std::nextafter(candidate, HUGE_VAL)) {
+    sensor.aperture_deg = candidate;
+    if (sensor.aperture() == radians) return candidate;
+  }
+  return about;
+}
+
+/// "x,y; x,y", each number such that it is read as the same bits.
+std::string footprint_text(const hello_t& hello) {
+  std::string text;
+  for (std::size_t i = 0; i < hello.footprint_x.size(); ++i)
+    text += (i == 0 ? "" : "; ") + format_number(hello.footprint_x[i]) + "," +
+            format_number(hello.footprint_y[i]);
+  return text;
+}
+
+}  // namespace
+
+LcmChannels::LcmChannels(const std::string& prefix)
+    : hello(prefix + "_HELLO"),
+      run_start(prefix + "_RUN_START"),
+      observation(prefix + "_OBSERVATION"),
+      run_end(prefix + "_RUN_END"),
+      ready(prefix + "_READY"),
+      command(prefix + "_COMMAND"),
+      error(prefix + "_ERROR") {}
+
+hello_t make_hello(const std::string& method, const RobotModel& robot, const SensorModel& sensor,
+                   const MethodSettings& settings) {
+  hello_t hello = {};
+  hello.protocol_version = kLcmProtocolVersion;
+  hello.method = method;
+  hello.holonomic = robot.holonomic() ? 1 : 0;
+  hello.forward_only = robot.forward_only ? 1 : 0;
+  hello.radius = robot.radius;
+  const Footprint footprint = robot.shape();
+  for (const auto& corner : footprint.corners()) {
+    hello.footprint_x.push_back(corner.x);
+    hello.footprint_y.push_back(corner.y);
+  }
+  hello.footprint_points = static_cast<std::int32_t>(hello.footprint_x.size());
+  hello.max_v = robot.max_v;
+  hello.max_w = robot.max_w;
+  hello.max_accel_v = robot.max_accel_v;
+  hello.max_accel_w = robot.max_accel_w;
+  hello.rays = sensor.rays;
+  hello.aperture = sensor.aperture();
+  hello.max_range = sensor.max_range;
+  for (const auto& [key, value] : settings) {
+    hello.keys.push_back(key);
+    hello.values.push_back(value);
+  }
+  hello.setting_count = static_cast<std::int32_t>(settings.size());
+  return hello;
+}
+
+run_start_t make_run_start(std::int64_t run_id, const Task& task) {
+  run_start_t message = {};
+  message.run_id = run_id;
+  message.start_x = task.start.x;
+  message.start_y = task.start.y;
+  message.start_phi = task.start.phi;
+  message.goal_x = task.goal.x;
+  message.goal_y = task.goal.y;
+  message.goal_tolerance = task.goal_tolerance;
+  message.control_period = task.control_period;
+  message.seed = static_cast<std::int64_t>(task.seed);
+  return message;
+}
+
+void fill_observation(const Observation& observation, observation_t& message) {
+  const auto& scan = *observation.scan;
+  message.rays = static_cast<std::int32_t>(scan.getScanSize());
+  message.time = observation.time;
+  message.x = observation.odometry.x;
+  message.y = observation.odometry.y;
+  message.phi = observation.odometry.phi;
+  message.v = observation.v;
+  message.vy = observation.vy;
+  message.w = observation.w;
+  message.goal_x = observation.goal_in_robot.x;
+  message.goal_y = observation.goal_in_robot.y;
+  message.ranges.resize(scan.getScanSize());
+  for (std::size_t i = 0; i < message.ranges.size(); ++i) message.ranges[i] = scan.getScanRange(i);
+}
+
+Command command_of(const command_t& message) {
+  return {message.v, message.w, message.vy};
+}
+
+RobotModel robot_of(const hello_t& hello) {
+  RobotModel robot;
+  robot.kinematics = hello.holonomic != 0 ? "holonomic" : "diff_drive";
+  robot.radius = hello.radius;
+  robot.footprint = footprint_text(hello);
+  robot.max_v = hello.max_v;
+  robot.max_w = hello.max_w;
+  robot.max_accel_v = hello.max_accel_v;
+  robot.max_accel_w = hello.max_accel_w;
+  robot.forward_only = hello.forward_only != 0;
+  return robot;
+}
+
+SensorModel sensor_of(const hello_t& hello) {
+  SensorModel sensor;
+  sensor.rays = hello.rays;
+  sensor.aperture_deg = degrees_of(hello.aperture);
+  sensor.max_range = hello.max_range;
+  return sensor;
+}
+
+MethodSettings settings_of(const hello_t& hello) {
+  MethodSettings settings;
+  for (std::size_t i = 0; i < hello.keys.size(); ++i) settings[hello.keys[i]] = hello.values[i];
+  return settings;
+}
+
+Task task_of(const run_start_t& message) {
+  Task task;
+  task.start = {message.start_x, message.start_y, message.start_phi};
+  task.goal = {message.goal_x, message.goal_y};
+  task.goal_tolerance = message.goal_tolerance;
+  task.control_period = message.control_period;
+  task.seed = static_cast<std::uint64_t>(message.seed);
+  return task;
+}
+
+Observation observation_of(const observation_t& message, const SensorModel& sensor,
+                           mrpt::obs::CObservation2DRangeScan& scan) {
+  scan.aperture = static_cast<float>(sensor.aperture());
+  scan.maxRange = static_cast<float>(sensor.max_range);
+  scan.rightToLeft = true;
+  scan.resizeScan(message.ranges.size());
+  for (std::size_t i = 0; i < message.ranges.size(); ++i) {
+    scan.setScanRange(i, message.ranges[i]);
+    scan.setScanRangeValidity(i, message.ranges[i] < scan.maxRange);
+  }
+  Observation observation;
+  observation.time = message.time;
+  observation.odometry = {message.x, message.y, message.phi};
+  observation.v = message.v;
+  observation.vy = message.vy;
+  observation.w = message.w;
+  observation.goal_in_robot = {message.goal_x, message.goal_y};
+  observation.scan = &scan;
+  return observation;
+}
+
+bool sizes_fit(const void* data, std::size_t size, int count) {
+  const auto sizes = static_cast<std::size_t>(count);
+  if (size < kFingerprintSize + kSizeSize * sizes) return false;
+  for (std::size_t i = 0; i < sizes; ++i) {
+    std::int32_t elements = 0;
+    const auto* at = static_cast<const char*>(data) + kFingerprintSize + kSizeSize * i;
+    __int32_t_decode_array(at, 0, kSizeSize, &elements, 1);
+    if (elements < 0 || elements * kSmallestElement > static_cast<std::int64_t>(size)) return false;
+  }
+  return true;
+}
+
+}  // namespace slalom

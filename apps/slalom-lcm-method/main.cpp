@@ -1,0 +1,91 @@
+#include <slalom/app/program.h>
+#include <slalom/core/error.h>
+#include <slalom/lcm/lcm_method.h>
+#include <slalom/lcm/method_host.h>
+#include <slalom/library/library_method.h>
+
+#include <csignal>
+#include <iostream>
+
+namespace slalom {
+namespace {
+
+constexpr char kSection[] = "method.plugin";
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+struct HostArguments {
+  std::string plugin;
+  std::vector<std::string> settings;
+  std::string url = LcmOptions().url;
+  std::string channel = LcmOptions().channel;
+  std::string replay;
+  bool quiet = false;
+};
+
+/// The configuration of the plug-in as a section of an .ini.
+IniFile configuration(const HostArguments& arguments) {
+  IniFile ini = IniFile::from_text("", "slalom-lcm-method");
+  ini.set(kSection, "adapter", "library");
+  ini.set(kSection, "plugin", arguments.plugin);
+  for (const std::string& setting : arguments.settings)
+    ini.override_key(std::string(kSection) + "." + setting);
+  ini.set(kSection, "plugin", resolve_plugin_path(ini, kSection, arguments.plugin));
+  return ini;
+}
+
+/// What the simulator sets counts more than --set.
+MethodHost make_host(const IniFile& ini) {
+  return MethodHost("slalom-lcm-method", [ini](const hello_t& hello) {
+    IniFile own = ini;
+    for (const auto& [key, value] : settings_of(hello)) own.set(kSection, key, value);
+    return make_library_method({own, kSection, robot_of(hello), sensor_of(hello)});
+  });
+}
+
+void serve(const HostArguments& arguments, const IniFile& ini) {
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_requested = 1; });
+  MethodHost host = make_host(ini);
+  if (!arguments.quiet)
+    std::cerr << "Listening on " << arguments.channel << "_HELLO of " << arguments.url << "\n";
+  serve_method(host, arguments.url, arguments.channel, [] { return stop_requested != 0; });
+}
+
+void replay(const HostArguments& arguments, const IniFile& ini) {
+  const LogReplay found = replay_log(arguments.replay, [&ini] { return make_host(ini); });
+  std::cout << found.runs << " runs, " << found.observations << " observations, " << found.commands
+            << " commands, " << found.different << " different\n";
+  if (found.different > 0)
+    throw job_error(arguments.replay, "the method answers otherwise at " + found.first_difference);
+}
+
+void define(CLI::App& app) {
+  static HostArguments arguments;
+  app.add_option("-p,--plugin", arguments.plugin,
+                 "Shared library with the prototype of slalom_method.h")
+      ->required();
+  app.add_option("--set", arguments.settings, "KEY=VALUE, a parameter of the method")
+      ->allow_extra_args(false);
+  app.add_option("--url", arguments.url, "LCM provider and its address")
+      ->envname("SLALOM_LCM_URL")
+      ->capture_default_str();
+  app.add_option("--channel", arguments.channel, "First part of the channels' names")
+      ->envname("SLALOM_LCM_CHANNEL")
+      ->capture_default_str();
+  app.add_option("--replay", arguments.replay,
+                 "Compare with the commands in a log of lcm-logger instead of serving");
+  app.add_flag("--quiet", arguments.quiet, "Say nothing but errors");
+  app.callback([] {
+    const IniFile ini = configuration(arguments);
+    arguments.replay.empty() ? serve(arguments, ini) : replay(arguments, ini);
+  });
+}
+
+}  // namespace
+}  // namespace slalom
+
+int main(int argc, char** argv) {
+  return slalom::run_program("slalom-lcm-method",
+                             "Hosts a compiled method as an external process over LCM.", argc, argv,
+                             slalom::define);
+}

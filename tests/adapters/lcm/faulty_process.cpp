@@ -1,0 +1,125 @@
+// An external method with one fault: faulty_process FAULT. It drives ahead at 0.5 m/s. The fault
+// shows at the fourth observation of runs with the seed 13; other runs are as they should be.
+#include <slalom/lcm/protocol.h>
+
+#include <lcm/lcm-cpp.hpp>
+
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <unistd.h>
+
+namespace slalom {
+namespace {
+
+constexpr double kSpeed = 0.5;  // m/s
+constexpr std::int64_t kFaultySeed = 13, kFaultyCycle = 3;
+
+class Process {
+ public:
+  Process(std::string fault, const std::string& url, const std::string& channel)
+      : fault_(std::move(fault)), channels_(channel), lcm_(url) {
+    lcm_.subscribe(channels_.hello, &Process::greet, this);
+    lcm_.subscribe(channels_.run_start, &Process::start, this);
+    lcm_.subscribe(channels_.observation, &Process::observe, this);
+  }
+
+  void serve() {
+    while (lcm_.handle() == 0) continue;
+  }
+
+ private:
+  void greet(const lcm::ReceiveBuffer*, const std::string&, const hello_t* hello) {
+    if (fault_ == "refuses") return refuse(hello->id);
+    if (fault_ == "ends_at_hello") std::_Exit(3);
+    if (fault_ != "silent_at_hello") ready(hello->id);
+  }
+
+  void start(const lcm::ReceiveBuffer*, const std::string&, const run_start_t* message) {
+    faulty_run_ = message->seed == kFaultySeed;
+    if (faulty_run_ && fault_ == "ends_at_start") std::_Exit(4);
+    ready(message->run_id);
+  }
+
+  void observe(const lcm::ReceiveBuffer*, const std::string&, const observation_t* message) {
+    if (!faulty_run_ || message->sequence != kFaultyCycle)
+      answer(message->run_id, message->sequence, kSpeed);
+    else
+      misbehave(message->run_id, message->sequence);
+  }
+
+  void misbehave(std::int64_t run, std::int64_t sequence) {
+    if (fault_ == "killed") raise(SIGKILL);
+    if (fault_ == "exits") std::_Exit(5);
+    if (fault_ == "hung") hang();
+    if (fault_ == "silent" || fault_ == "garbled_only") send_garbage(fault_ != "silent");
+    if (fault_ == "silent" || fault_ == "garbled_only") return;
+    if (fault_ == "wrong_sequence") return answer(run, sequence + 1, kSpeed);
+    if (fault_ == "wrong_run") return answer(run + 1, sequence, kSpeed);
+    if (fault_ == "error") return refuse(run);
+    if (fault_ == "nan") return answer(run, sequence, std::numeric_limits<double>::quiet_NaN());
+    if (fault_ == "garbled") send_garbage(true);
+    if (fault_ == "late") answer(run, sequence - 1, 0.1);
+    if (fault_ == "slow") usleep(400 * 1000);
+    if (fault_ == "chatty") std::cout << "I drive" << std::endl;
+    answer(run, sequence, kSpeed);
+    if (fault_ == "duplicate") answer(run, sequence, 0.1);
+  }
+
+  [[noreturn]] static void hang() {
+    std::signal(SIGTERM, SIG_IGN);
+    while (true) pause();
+  }
+
+  void ready(std::int64_t id) {
+    ready_t message = {};
+    message.protocol_version = fault_ == "other_version" ? 8 : kLcmProtocolVersion;
+    message.id = id;
+    message.name = "faulty";
+    lcm_.publish(channels_.ready, &message);
+  }
+
+  void refuse(std::int64_t id) {
+    error_t message = {};
+    message.id = id;
+    message.text = "I do not like it here";
+    lcm_.publish(channels_.error, &message);
+  }
+
+  void answer(std::int64_t run, std::int64_t sequence, double v) {
+    command_t message = {};
+    message.run_id = run;
+    message.sequence = sequence;
+    message.v = v;
+    lcm_.publish(channels_.command, &message);
+  }
+
+  /// Noise, nothing at all, a command cut short, and an error text of negative length.
+  void send_garbage(bool really) {
+    if (!really) return;
+    lcm_.publish(channels_.command, "what is this?", 13);
+    lcm_.publish(channels_.command, "", 0);
+    command_t command = {};
+    unsigned char bytes[64];
+    command.encode(bytes, 0, sizeof bytes);
+    lcm_.publish(channels_.command, bytes, static_cast<unsigned>(command.getEncodedSize() - 1));
+    error_t error = {};
+    const int size = error.encode(bytes, 0, sizeof bytes);
+    for (int i = size - 5; i < size - 1; ++i) bytes[i] = 0xFF;
+    lcm_.publish(channels_.error, bytes, static_cast<unsigned>(size));
+  }
+
+  std::string fault_;
+  LcmChannels channels_;
+  lcm::LCM lcm_;
+  bool faulty_run_ = false;
+};
+
+}  // namespace
+}  // namespace slalom
+
+int main(int, char** argv) {
+  slalom::Process(argv[1], std::getenv("SLALOM_LCM_URL"), std::getenv("SLALOM_LCM_CHANNEL"))
+      .serve();
+}
