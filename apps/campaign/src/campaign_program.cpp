@@ -1,5 +1,6 @@
 #include "interrupt.h"
 #include "manifest.h"
+#include "recording.h"
 #include "result_sink.h"
 
 #include <slalom/analysis/analysis_section.h>
@@ -107,14 +108,16 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
   if (arguments.seed) ini.set("campaign", "seed", std::to_string(*arguments.seed));
   ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor",
-                               "odometry", "simulation", "reference", "metrics", "limits",
-                               "record", "analysis", "method.*"});
+                               "odometry", "simulation", "reference", "metrics", "limits", "record",
+                               "analysis", "method.*"});
   return ini;
 }
 
 std::vector<Scenario> campaign_scenarios(const IniFile& ini, const CampaignArguments& arguments) {
   const CampaignOptions options = read_campaign_options(ini);
   check_analysis(ini, options);
+  const MethodRegistry registry = all_adapters();
+  check_methods({options, {}, ini, registry});
   const auto progress = make_terminal_progress(arguments.quiet);
   return collect_scenarios(
       ini, {options.setup.robot.radius, options.setup.simulation.resolution, options.seed},
@@ -132,7 +135,7 @@ CampaignReport run_campaign_program(const IniFile& ini, const CampaignArguments&
   campaign.options.reference_gap = ompl_options.gap;
   const auto descriptors = infos(campaign.options.descriptors, descriptor);
   const auto metrics = infos(campaign.options.metrics, metric);
-  check_methods(campaign);
+  record_rawlogs(campaign, results_path);
 
   ResultFile file = ResultFile::create(results_path, make_manifest(campaign), descriptors, metrics);
   ResultSink sink(file);

@@ -1,0 +1,97 @@
+#include "program_run.h"
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+/// Drives ahead; after two seconds it dies by the signal that its key says.
+const char* const kMortal = R"(
+#include <slalom/methods/slalom_method.h>
+#include <signal.h>
+#include <stdlib.h>
+static int deadly;
+static void* create(const slalom_setting* s, size_t n, const slalom_robot* r, char* e, size_t size) {
+  (void)r, (void)e, (void)size;
+  deadly = n > 0 ? atoi(s[0].value) : 0;
+  return &deadly;
+}
+static int reset(void* m, const slalom_task* t) { (void)m, (void)t; return 0; }
+static int step(void* m, const slalom_observation* o, slalom_command* c) {
+  (void)m;
+  c->v = 0.3;
+  if (o->time > 2 && deadly) { signal(deadly, SIG_DFL); raise(deadly); }
+  return 0;
+}
+static void destroy(void* m) { (void)m; }
+static const slalom_parameter keys[] = {{"signal", "0", "-", "to die by"}};
+static const slalom_method_api api = {SLALOM_METHOD_ABI_VERSION, "mortal", keys, 1,
+                                      create, reset, step, destroy};
+SLALOM_METHOD_EXPORT const slalom_method_api* slalom_method_get_api(void) { return &api; }
+)";
+
+class Recording : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("mortal.c", kMortal);
+    ASSERT_EQ(run("cc -shared -fPIC -I" SLALOM_METHOD_INCLUDE " mortal.c -o mortal.so").status, 0);
+    write("campaign.ini", R"([campaign]
+methods = mortal, gap
+[scenarios]
+generator = random
+count     = 2
+[record]
+rawlog = failures
+[method.mortal]
+adapter = library
+plugin  = mortal.so
+signal  = 11
+[method.gap]
+adapter = library
+plugin  = libslalom_follow_the_gap.so
+)");
+  }
+
+  /// The names of the rawlogs, each followed by its bytes.
+  std::string rawlogs(const std::string& folder) const {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / folder))
+      paths.push_back(entry.path());
+    std::sort(paths.begin(), paths.end());
+    std::string all;
+    for (const auto& path : paths) all += path.filename().string() + "\n" + read_text(path);
+    return all;
+  }
+};
+
+TEST_F(Recording, ACrashIsARowWithARawlogAndTheCampaignGoesOn) {
+  const Ended ended = run("slalom-simulate run -c campaign.ini -o runs.results -j 2");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const std::string dump = run("slalom-analyze dump runs.results").out;
+  EXPECT_EQ(std::count(dump.begin(), dump.end(), '\n'), 4);
+  EXPECT_NE(dump.find("\"outcome\":\"method_crash\""), std::string::npos) << dump;
+  EXPECT_NE(dump.find("killed by signal 11 (Segmentation fault), at ("), std::string::npos) << dump;
+  EXPECT_NE(dump.find("\"outcome\":\"success\""), std::string::npos) << dump;
+  std::istringstream lines(dump);
+  std::string line;
+  while (std::getline(lines, line)) {
+    const auto row = nlohmann::json::parse(line);
+    const std::string name = row["scenario"]["hash"].get<std::string>().substr(0, 8) + "_" +
+                             row["method"].get<std::string>() + "_0.rawlog";
+    EXPECT_EQ(std::filesystem::exists(folder_ / "runs.rawlogs" / name), row["outcome"] != "success")
+        << name << " " << row["outcome"];
+  }
+}
+
+TEST_F(Recording, GivesTheSameBytesWithOneWorkerAndWithTwo) {
+  const std::string command =
+      "slalom-simulate run -c campaign.ini --quiet --set record.rawlog=all ";
+  ASSERT_EQ(run(command + "-o one.results -j 1").status, 0);
+  ASSERT_EQ(run(command + "-o two.results -j 2").status, 0);
+  EXPECT_EQ(rawlogs("one.rawlogs"), rawlogs("two.rawlogs"));
+  EXPECT_EQ(run("slalom-analyze dump one.results").out, run("slalom-analyze dump two.results").out);
+}
+
+}  // namespace
+}  // namespace slalom
