@@ -2,6 +2,7 @@
 #include "run_executor.h"
 #include "scripted_method.h"
 
+#include <slalom/campaign/measure.h>
 #include <slalom/core/error.h>
 #include <slalom/metrics/cycle_time.h>
 
@@ -143,22 +144,15 @@ Method& RunExecutor::method(const std::string& name) {
 }
 
 RunFindings RunExecutor::evaluate(const RunSpec& spec, const SimulationResult& result) {
-  const CampaignOptions& options = campaign_.options;
   RunFindings findings;
   findings.record = blank_record(campaign_, spec);
   RunRecord& record = findings.record;
   record.outcome = to_string(result.outcome);
   record.outcome_detail = result.detail;
   record.trajectory_hash = result.trajectory.hash();
+  record.metrics = measure_run(campaign_.options, world(spec.scenario), references_[spec.scenario],
+                               result.trajectory, result.outcome);
   findings.trajectory = result.trajectory;
-  const MetricContext context = make_metric_context(
-      world(spec.scenario), options.setup.robot, result.trajectory, result.outcome,
-      references_[spec.scenario], options.setup.simulation.max_time,
-      options.setup.simulation.goal_tolerance);
-  for (const std::string& id : options.metrics) {
-    const Metric& wanted = metric(id);
-    record.metrics[id] = {wanted.info().version, wanted.compute(context)};
-  }
   return findings;
 }
 

@@ -1,0 +1,34 @@
+#include <slalom/campaign/measure.h>
+#include <slalom/core/random.h>
+#include <slalom/metrics/metric.h>
+
+namespace slalom {
+
+References find_references(const CampaignOptions& options, const ReferencePlanner* planner,
+                           const World& world) {
+  const Scenario& scenario = world.scenario();
+  // Of a polygon the inscribed disc: wherever the polygon fits, so does the disc, so that no run
+  // can be shorter than the reference.
+  const PlanningProblem problem{world,
+                                options.setup.robot.shape().inscribed_radius(),
+                                {scenario.start().x, scenario.start().y},
+                                scenario.goal()};
+  return compute_references(problem, planner, options.reference_gap,
+                            derive_seed(options.seed, "reference/" + scenario.hash()));
+}
+
+std::map<std::string, VersionedValue> measure_run(const CampaignOptions& options,
+                                                  const World& world, const References& references,
+                                                  const Trajectory& trajectory, Outcome outcome) {
+  const MetricContext context = make_metric_context(world, options.setup.robot, trajectory, outcome,
+                                                    references, options.setup.simulation.max_time,
+                                                    options.setup.simulation.goal_tolerance);
+  std::map<std::string, VersionedValue> values;
+  for (const std::string& id : options.metrics) {
+    const Metric& wanted = metric(id);
+    values[id] = {wanted.info().version, wanted.compute(context)};
+  }
+  return values;
+}
+
+}  // namespace slalom
