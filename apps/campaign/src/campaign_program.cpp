@@ -5,6 +5,7 @@
 
 #include <slalom/analysis/analysis_section.h>
 #include <slalom/analysis/bins.h>
+#include <slalom/app/adapters.h>
 #include <slalom/app/campaign_program.h>
 #include <slalom/campaign/campaign.h>
 #include <slalom/commands/scenario_sources.h>
@@ -25,15 +26,6 @@
 
 namespace slalom {
 namespace {
-
-MethodRegistry all_adapters() {
-  MethodRegistry registry;
-  registry.add("lcm", make_lcm_method);
-  registry.add("library", make_library_method);
-  registry.add("mrpt_holonomic", make_holonomic_method);
-  registry.add("mrpt_navigator", make_navigator_method);
-  return registry;
-}
 
 /// The quantities with these ids, in that order.
 template <typename Find>

@@ -1,0 +1,147 @@
+#include "rawlog_format.h"
+
+#include <slalom/core/error.h>
+#include <slalom/methods/registry.h>
+#include <slalom/rawlog/open_loop.h>
+#include <slalom/scenario/geometry.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+
+constexpr double kStep = 0.01;  // s
+
+/// The robot under one command, seen from where it was when the command came.
+class Drive {
+ public:
+  Drive(const RobotModel& robot, const Velocity& velocity)
+      : robot_(robot), shape_(robot.shape()), vehicle_(make_vehicle(robot)) {
+    vehicle_->start_at({});
+    vehicle_->command(velocity.v, velocity.w, velocity.vy);
+    for (double t = 0; t < time_to_settle(); t += kStep) vehicle_->advance(kStep);
+    begin_ = vehicle_->getCurrentGTPose();
+  }
+
+  /// Whether a point gets into the footprint while `command` holds for `duration`.
+  bool meets(const Command& command, double duration, const std::vector<TPoint2D>& points) {
+    vehicle_->command(command.v, command.w, command.vy);
+    for (double t = 0; t < duration - 0.5 * kStep; t += kStep) {
+      vehicle_->advance(kStep);
+      if (touches(points)) return true;
+    }
+    return false;
+  }
+
+  bool touches(const std::vector<TPoint2D>& points) const {
+    const TPose2D pose = vehicle_->getCurrentGTPose() - begin_;
+    const Polygon outline{shape_.corners_at(pose)};
+    return std::any_of(points.begin(), points.end(), [&](const TPoint2D& p) {
+      return shape_.is_disc() ? std::hypot(p.x - pose.x, p.y - pose.y) < robot_.radius
+                              : contains(outline, p);
+    });
+  }
+
+  /// After which every speed is that of the command, or as near as the drives get.
+  double time_to_settle() const {
+    constexpr double kTimeConstants = 10;
+    return robot_.delay + kTimeConstants * robot_.delay_tau +
+           2 * std::max(robot_.max_v / robot_.max_accel_v, robot_.max_w / robot_.max_accel_w) +
+           kStep;
+  }
+
+ private:
+  RobotModel robot_;
+  Footprint shape_;
+  std::unique_ptr<Vehicle> vehicle_;
+  TPose2D begin_;
+};
+
+Observation observe(const LoggedScan& logged, const OpenLoopSetup& setup) {
+  Observation observation;
+  observation.odometry = logged.odometry.value_or(TPose2D());
+  const auto velocity = logged.velocity.value_or(mrpt::math::TTwist2D());
+  observation.v = velocity.vx;
+  observation.w = velocity.omega;
+  observation.vy = setup.robot.holonomic() ? velocity.vy : 0;
+  observation.goal_in_robot = {setup.goal_ahead, 0};
+  return observation;
+}
+
+Task task_of(const Observation& observation, const OpenLoopSetup& setup) {
+  Task task;
+  task.start = observation.odometry;
+  task.goal = {task.start.x + setup.goal_ahead * std::cos(task.start.phi),
+               task.start.y + setup.goal_ahead * std::sin(task.start.phi)};
+  task.goal_tolerance = setup.goal_tolerance;
+  task.control_period = setup.control_period;
+  return task;
+}
+
+/// What the method answers, or why there is nothing to drive.
+Command ask(Method& method, const Observation& observation, const OpenLoopSetup& setup,
+            std::string& problem) try {
+  method.reset(task_of(observation, setup));
+  const Command command = method.step(observation);
+  is_valid_command(command, setup.robot, problem);
+  return command;
+} catch (const std::exception& error) {
+  problem = reason_of(error);
+  return {};
+}
+
+/// Rays of the campaign's sensor outside the log's field of view; only bearings matter.
+int count_unseen(const mrpt::obs::CObservation2DRangeScan& scan, const SensorModel& sensor) {
+  const double yaw = scan.sensorPose.yaw(), half = 0.5 * scan.aperture + 1e-6;
+  int unseen = 0;
+  for (int i = 0; i < sensor.rays; ++i) {
+    const double angle = sensor.aperture() * (static_cast<double>(i) / (sensor.rays - 1) - 0.5);
+    unseen += std::abs(std::remainder(angle - yaw, 2 * M_PI)) > half ? 1 : 0;
+  }
+  return unseen;
+}
+
+}  // namespace
+
+Forecast foresee_contact(const RobotModel& robot, double control_period, const Velocity& velocity,
+                         const Command& command, const std::vector<TPoint2D>& points) {
+  Forecast forecast;
+  Drive braked(robot, velocity), held(robot, velocity);
+  forecast.at_once = braked.touches(points);
+  if (forecast.at_once) return forecast;
+  forecast.stopping = braked.meets(command, control_period, points) ||
+                      braked.meets({}, braked.time_to_settle(), points);
+  forecast.one_second = held.meets(command, 1.0, points);
+  return forecast;
+}
+
+std::vector<OpenLoopAnswer> replay_open_loop(const std::vector<LoggedScan>& scans,
+                                             const OpenLoopSetup& setup, Method& method) {
+  constexpr double kBetween = 3;  // s: navigators take no two runs in a row for one
+  std::vector<OpenLoopAnswer> answers;
+  mrpt::Clock::setActiveClock(mrpt::Clock::Simulated);
+  for (const LoggedScan& logged : scans) {
+    const auto now = logged_time(kBetween * static_cast<double>(answers.size()));
+    mrpt::Clock::setSimulatedTime(now);
+    auto scan = resample_scan(*logged.scan, setup.sensor);
+    scan.timestamp = now;
+    Observation observation = observe(logged, setup);
+    observation.scan = &scan;
+    OpenLoopAnswer answer;
+    answer.time = logged.time;
+    answer.unseen_rays = count_unseen(*logged.scan, setup.sensor);
+    answer.command = ask(method, observation, setup, answer.problem);
+    if (answer.problem.empty())
+      answer.forecast = foresee_contact(setup.robot, setup.control_period,
+                                        {observation.v, observation.w, observation.vy},
+                                        answer.command, scan_points(*logged.scan));
+    answers.push_back(std::move(answer));
+  }
+  return answers;
+}
+
+}  // namespace slalom

@@ -1,0 +1,56 @@
+#include "recorded_campaign.h"
+#include "verbs.h"
+
+#include <slalom/app/adapters.h>
+#include <slalom/core/error.h>
+#include <slalom/rawlog/re_execution.h>
+
+#include <iostream>
+
+namespace slalom {
+namespace {
+
+struct CheckArguments {
+  std::string log, config, method;
+  std::vector<std::string> overrides;
+};
+
+void require_same_rays(const RecordedRun& run, const SensorModel& sensor, const IniFile& ini) {
+  if (run.cycles.empty()) return;
+  const std::size_t rays = run.cycles.front().scan->getScanSize();
+  if (static_cast<std::size_t>(sensor.rays) != rays)
+    throw usage_error(ini.where("sensor", "rays"),
+                      std::to_string(sensor.rays) + " rays are not those of the recorded scans",
+                      std::to_string(rays));
+}
+
+void check(const CheckArguments& arguments) {
+  const RecordedRun run = read_run(arguments.log);
+  const IniFile ini = campaign_of(run, arguments.log, arguments.config, arguments.overrides);
+  const CampaignOptions options = read_campaign_options(ini);
+  require_same_rays(run, options.setup.sensor, ini);
+  const std::string name = arguments.method.empty() ? run.manifest.method : arguments.method;
+  const auto method = all_adapters().create(
+      name, {ini, "method." + name, options.setup.robot, options.setup.sensor});
+  const auto found = first_difference(run, *method);
+  if (found) throw job_error(arguments.log, *found, "the recorded command");
+  std::cout << arguments.log << ": " << name << " answers the same " << run.cycles.size()
+            << " commands\n";
+}
+
+}  // namespace
+
+void define_check(CLI::App& app) {
+  static CheckArguments arguments;
+  CLI::App* verb = app.add_subcommand(
+      "check", "Execute a recorded run's method again and compare its commands, bit by bit");
+  verb->add_option("log", arguments.log, "The run (.rawlog)")->required();
+  verb->add_option("-c,--config", arguments.config, "A campaign .ini instead of the recorded one");
+  verb->add_option("--method", arguments.method, "Another method of the .ini");
+  verb->add_option("--set", arguments.overrides, "Override a key of the .ini: SECTION.KEY=VALUE")
+      ->take_all()
+      ->allow_extra_args(false);
+  verb->callback([] { check(arguments); });
+}
+
+}  // namespace slalom

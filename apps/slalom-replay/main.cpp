@@ -1,0 +1,22 @@
+#include "verbs.h"
+
+#include <slalom/app/program.h>
+
+namespace slalom {
+namespace {
+
+void define(CLI::App& app) {
+  define_play(app);
+  define_check(app);
+  define_metrics(app);
+  define_openloop(app);
+}
+
+}  // namespace
+}  // namespace slalom
+
+int main(int argc, char** argv) {
+  return slalom::run_program("slalom-replay",
+                             "Replays runs from rawlogs, and methods on rawlogs of real robots.",
+                             argc, argv, slalom::define);
+}

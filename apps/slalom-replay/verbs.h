@@ -1,0 +1,13 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace slalom {
+
+/// Each adds one verb, with its options and what it does, to the program.
+void define_play(CLI::App& app);
+void define_check(CLI::App& app);
+void define_metrics(CLI::App& app);
+void define_openloop(CLI::App& app);
+
+}  // namespace slalom
