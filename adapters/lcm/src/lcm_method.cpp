@@ -66,6 +66,7 @@ class LcmMethod : public Method {
   }
 
   void reset(const Task& task) override {
+    if (process_ && process_->ended()) abandon();  // between two runs: that spoils neither
     // A process that somebody else starts may be another one by now.
     if (!greeted_ || options_.launch.empty()) connect();
     link_.expect(++id_);
@@ -130,7 +131,7 @@ class LcmMethod : public Method {
     const auto until = Clock::now() + seconds(options_.startup_time);
     while (!link_.ready()) {
       link_.send(hello_);
-      const auto again = Clock::now() + 50ms;
+      const auto again = Clock::now() + 10ms;
       while (!link_.ready() && Clock::now() < again)
         if (!link_.wait_until(again)) check_health();
       check_error();

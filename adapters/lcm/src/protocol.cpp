@@ -2,14 +2,9 @@
 #include <slalom/lcm/protocol.h>
 
 #include <cmath>
-#include <cstring>
 
 namespace slalom {
 namespace {
-
-constexpr std::size_t kFingerprintSize = 8, kSizeSize = 4;  // bytes
-/// No element of our arrays is smaller on the wire.
-constexpr std::int64_t kSmallestElement = 4;  // bytes
 
 /// The degrees that make exactly these radians: several of the neighbouring numbers may be meant.
 double degrees_of(double radians) {
@@ -163,18 +158,6 @@ Observation observation_of(const observation_t& message, const SensorModel& sens
   observation.goal_in_robot = {message.goal_x, message.goal_y};
   observation.scan = &scan;
   return observation;
-}
-
-bool sizes_fit(const void* data, std::size_t size, int count) {
-  const auto sizes = static_cast<std::size_t>(count);
-  if (size < kFingerprintSize + kSizeSize * sizes) return false;
-  for (std::size_t i = 0; i < sizes; ++i) {
-    std::int32_t elements = 0;
-    const auto* at = static_cast<const char*>(data) + kFingerprintSize + kSizeSize * i;
-    __int32_t_decode_array(at, 0, kSizeSize, &elements, 1);
-    if (elements < 0 || elements * kSmallestElement > static_cast<std::int64_t>(size)) return false;
-  }
-  return true;
 }
 
 }  // namespace slalom

@@ -3,14 +3,10 @@
 #include <slalom/command_t.hpp>
 #include <slalom/error_t.hpp>
 #include <slalom/hello_t.hpp>
+#include <slalom/lcm/layout.h>
 #include <slalom/methods/method.h>
-#include <slalom/observation_t.hpp>
-#include <slalom/ready_t.hpp>
-#include <slalom/run_end_t.hpp>
-#include <slalom/run_start_t.hpp>
 
 #include <cstdint>
-#include <exception>
 #include <map>
 #include <string>
 
@@ -42,28 +38,5 @@ Task task_of(const run_start_t& message);
 /// The observation but for its scan; `scan` is filled with the ranges and refers to `sensor`.
 Observation observation_of(const observation_t& message, const SensorModel& sensor,
                            mrpt::obs::CObservation2DRangeScan& scan);
-
-/// Whether `count` 32-bit integers after the fingerprint are sizes that `size` bytes can hold.
-/// Generated decoders take memory for them without a look.
-bool sizes_fit(const void* data, std::size_t size, int count);
-
-/// How many sizes of arrays a message begins with.
-template <typename Message>
-constexpr int array_sizes = 0;
-template <>
-inline constexpr int array_sizes<hello_t> = 2;
-template <>
-inline constexpr int array_sizes<observation_t> = 1;
-
-/// Decodes what came from the network; false for what is no such message.
-template <typename Message>
-bool decode_message(const void* data, std::size_t size, Message& message) {
-  if (size > INT32_MAX || !sizes_fit(data, size, array_sizes<Message>)) return false;
-  try {
-    return message.decode(data, 0, static_cast<int>(size)) == static_cast<int>(size);
-  } catch (const std::exception&) {
-    return false;  // negative lengths within
-  }
-}
 
 }  // namespace slalom
