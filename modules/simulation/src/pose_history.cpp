@@ -9,10 +9,14 @@ constexpr double kTimeTolerance = 1e-9;
 }  // namespace
 
 void PoseHistory::add(double time, const mrpt::math::TPose2D& pose) {
+  if (memory_ <= 0) {
+    entries_.assign(1, {time, pose});
+    return;
+  }
   entries_.push_back({time, pose});
   // The second entry serves everything that is asked for: the first is no longer needed.
   while (entries_.size() > 1 && entries_[1].time <= time - memory_ + kTimeTolerance)
-    entries_.pop_front();
+    entries_.erase(entries_.begin());
 }
 
 const mrpt::math::TPose2D& PoseHistory::at(double time) const {

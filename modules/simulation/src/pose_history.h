@@ -2,14 +2,14 @@
 
 #include <mrpt/math/TPose2D.h>
 
-#include <deque>
+#include <vector>
 
 namespace slalom {
 
 /// Where the robot was some time ago, for a sensor whose scans arrive late.
 class PoseHistory {
  public:
-  /// Poses older than `memory` (s) are forgotten.
+  /// Poses older than `memory` (s) are forgotten; with 0 only the last one is kept.
   explicit PoseHistory(double memory) : memory_(memory) {}
 
   void add(double time, const mrpt::math::TPose2D& pose);
@@ -22,7 +22,7 @@ class PoseHistory {
     mrpt::math::TPose2D pose;
   };
   double memory_;
-  std::deque<Entry> entries_;
+  std::vector<Entry> entries_;
 };
 
 }  // namespace slalom

@@ -1,0 +1,38 @@
+#include "program_run.h"
+
+namespace slalom {
+namespace {
+
+class Configs : public ProgramTest {
+ protected:
+  static std::vector<std::filesystem::path> with_prefix(bool generate) {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(SLALOM_CONFIGS))
+      if ((entry.path().filename().string().rfind("generate_", 0) == 0) == generate)
+        paths.push_back(entry.path());
+    return paths;
+  }
+};
+
+TEST_F(Configs, EveryExampleOfACampaignRuns) {
+  for (const auto& path : with_prefix(false)) {
+    const Ended ended = run("slalom-evaluate '" + path.string() +
+                            "' -o out -j 2 --quiet --set scenarios.count=2 --set "
+                            "scenarios.maps= --set campaign.repetitions=1");
+    EXPECT_EQ(ended.status, 0) << path << "\n" << ended.err;
+    const std::string dump = run("slalom-analyze dump out/runs.results").out;
+    EXPECT_NE(dump.find("\"outcome\":\"success\""), std::string::npos) << path;
+    EXPECT_EQ(dump.find("\"method_"), std::string::npos) << path << " has a method that fails";
+  }
+}
+
+TEST_F(Configs, EveryExampleOfGenerationGenerates) {
+  for (const auto& path : with_prefix(true)) {
+    const Ended ended =
+        run("slalom-scenarios generate -c '" + path.string() + "' -n 2 -o a.scenarios --quiet");
+    EXPECT_EQ(ended.status, 0) << path << "\n" << ended.err;
+  }
+}
+
+}  // namespace
+}  // namespace slalom
