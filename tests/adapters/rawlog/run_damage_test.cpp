@@ -9,9 +9,8 @@
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/serialization/CArchive.h>
 
-#include <fstream>
-
 #include <error_text.h>
+#include <fstream>
 
 namespace slalom {
 namespace {

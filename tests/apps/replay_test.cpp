@@ -1,0 +1,169 @@
+#include "program_run.h"
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kDatasets = "/usr/share/mrpt/datasets/";
+
+/// Noise and drift, so that a rawlog has to keep more than the simulator could make anew.
+const char* const kUneven = R"(
+[sensor]
+noise_sigma = 0.01
+latency     = 0.05
+[odometry]
+distance_sigma = 0.02
+turn_sigma     = 0.02
+[record]
+rawlog = all
+)";
+
+/// A campaign whose runs are all recorded.
+class Replay : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("small.ini", std::string(kSmallCampaign) + kUneven);
+    const Ended ended = run("slalom-simulate run -c small.ini -o runs.results --quiet");
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "runs.rawlogs"))
+      logs_.push_back("runs.rawlogs/" + entry.path().filename().string());
+    std::sort(logs_.begin(), logs_.end());
+    ASSERT_EQ(logs_.size(), 8U);  // two methods in four places
+  }
+
+  /// The first run of a method.
+  std::string log_of(const std::string& method) const {
+    for (const std::string& log : logs_)
+      if (log.find("_" + method + "_") != std::string::npos) return log;
+    return "none";
+  }
+
+  std::vector<std::string> logs_;
+};
+
+TEST_F(Replay, RawlogEditOpensARun) {
+  const Ended ended = run("rawlog-edit --info -i " + log_of("nd"));
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  for (const char* label : {"command", "ground_truth", "odometry", "range_finder"})
+    EXPECT_NE(ended.out.find(label), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("Observations format               : Yes"), std::string::npos);
+}
+
+TEST_F(Replay, CheckPassesOnEveryUntouchedRun) {
+  for (const std::string& log : logs_) {
+    const Ended ended = run("slalom-replay check " + log);
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_NE(ended.out.find("answers the same"), std::string::npos) << ended.out;
+  }
+}
+
+TEST_F(Replay, CheckFailsForAnotherMethodOrParameter) {
+  expect_refusal("slalom-replay check " + log_of("nd") + " --method gap", 1,
+                 {log_of("nd"), "cycle ", "was recorded", "is answered"});
+  expect_refusal("slalom-replay check " + log_of("nd") + " --set method.nd.turn_gain=1.7", 1,
+                 {"cycle ", "w = "});
+  write("other.ini", read("small.ini") + "[robot]\nmax_w = 0.05\n");
+  expect_refusal("slalom-replay check " + log_of("nd") + " -c other.ini", 1, {"cycle "});
+  EXPECT_EQ(run("slalom-replay check " + log_of("nd") + " -c small.ini").status, 0);
+}
+
+TEST_F(Replay, CheckRefusesAnotherSensor) {
+  expect_refusal("slalom-replay check " + log_of("nd") + " --set sensor.rays=91", 2,
+                 {"rays", "181"});
+}
+
+TEST_F(Replay, MetricsAreThoseOfTheResultFile) {
+  std::istringstream dump(run("slalom-analyze dump runs.results").out);
+  std::map<std::string, Json> stored;  // by scenario and method
+  for (std::string line; std::getline(dump, line);) {
+    Json json = Json::parse(line);
+    json["descriptors"] = Json::object();  // the rawlog of a run does not compute them
+    stored[json["scenario"]["hash"].get<std::string>() + json["method"].get<std::string>()] = json;
+  }
+  for (const std::string& log : logs_) {
+    const Ended ended = run("slalom-replay metrics --json --results runs.results " + log);
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const Json json = Json::parse(ended.out);
+    EXPECT_EQ(json, stored.at(json["scenario"]["hash"].get<std::string>() +
+                              json["method"].get<std::string>()));
+  }
+}
+
+TEST_F(Replay, MetricsOfAnotherCampaignDiffer) {
+  ASSERT_EQ(run("slalom-simulate run -c small.ini -o other.results --quiet --set robot.max_v=0.7 "
+                "--set record.rawlog=none")
+                .status,
+            0);
+  expect_refusal("slalom-replay metrics --results other.results " + log_of("nd"), 1,
+                 {log_of("nd"), "as stored"});
+}
+
+TEST_F(Replay, PlayWritesAPictureEachSoManyCycles) {
+  const std::string log = log_of("gap");
+  const Ended all = run("slalom-replay play " + log + " --png all");
+  ASSERT_EQ(all.status, 0) << all.err;
+  ASSERT_EQ(run("slalom-replay play " + log + " --png some --every 10 --size 200").status, 0);
+  const auto count = [&](const std::string& folder) {
+    const auto files = std::filesystem::directory_iterator(folder_ / folder);
+    return std::distance(begin(files), end(files));
+  };
+  const std::string check = run("slalom-replay check " + log).out;
+  const std::size_t at = check.find("the same ") + 9;
+  const int cycles = std::stoi(check.substr(at));
+  EXPECT_EQ(count("all"), cycles + 1);              // each cycle and the last instant
+  EXPECT_EQ(count("some"), (cycles + 9) / 10 + 1);  // cycles 0, 10, 20, ... and the last instant
+  EXPECT_EQ(read("all/frame_000000.png").substr(1, 3), "PNG");
+  EXPECT_NE(read("all/frame_000000.png"), read("all/frame_000010.png"));
+}
+
+TEST_F(Replay, OpenLoopRunsOnLogsOfRealRobots) {
+  for (const auto& [name, scans] :
+       {std::pair{"localization_demo.rawlog", 37},
+        std::pair{"2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog", 225}}) {
+    const std::string log = "'" + kDatasets + name + "'";
+    const Ended ended =
+        run("slalom-replay openloop " + log + " --method nd -c small.ini --json --each");
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const Json json = Json::parse(ended.out);
+    EXPECT_EQ(json["scans"], scans);
+    EXPECT_EQ(json["commands"], scans);
+    EXPECT_EQ(json["answers"].size(), static_cast<std::size_t>(scans));
+    // ND looks where it goes.
+    EXPECT_EQ(json["contact"]["stopping"], 0);
+    EXPECT_GT(json["mean_v"].get<double>(), 0.3);
+    // A robot as wide as the corridor meets the walls.
+    const Ended wide = run("slalom-replay openloop " + log +
+                           " --method nd -c small.ini --json --set robot.radius=1.5");
+    const Json contact = Json::parse(wide.out)["contact"];
+    EXPECT_GT(contact["already"].get<int>() + contact["stopping"].get<int>(), 0) << wide.out;
+  }
+}
+
+TEST_F(Replay, RefusesWhatItCannotUse) {
+  expect_refusal("slalom-replay check small.ini", 3, {"small.ini", "object 1"});
+  expect_refusal("slalom-replay metrics nothing.rawlog", 3, {"nothing.rawlog", "cannot be read"});
+  expect_refusal(
+      "slalom-replay openloop " + kDatasets + "RO-SLAM_demo.rawlog --method nd -c small.ini", 3,
+      {"no 2D scan"});
+  expect_refusal("slalom-replay openloop " + log_of("nd") + " --method vfh -c small.ini", 2,
+                 {"method.vfh"});
+  expect_refusal("slalom-replay play " + log_of("nd"), 2, {"--png"});
+  write("cut.rawlog", read(log_of("nd")).substr(0, 5000));
+  expect_refusal("slalom-replay check cut.rawlog", 3, {"cut.rawlog", "cut off"});
+}
+
+TEST_F(Replay, SaysHowItIsUsed) {
+  for (const std::string verb : {"", "play ", "check ", "metrics ", "openloop "}) {
+    const Ended ended = run("slalom-replay " + verb + "--help");
+    EXPECT_EQ(ended.status, 0);
+    EXPECT_NE(ended.out.find("Usage"), std::string::npos);
+  }
+  EXPECT_EQ(run("slalom-replay --version").out.substr(0, 14), "slalom-replay ");
+}
+
+}  // namespace
+}  // namespace slalom
