@@ -28,6 +28,11 @@ std::uint32_t random_number() {
   return std::random_device()();
 }
 
+/// Below 2^53, so that languages whose numbers are all floating point tell the ids apart, too.
+std::int64_t first_id() {
+  return static_cast<std::int64_t>(random_number() >> 4U) << 24U;
+}
+
 /// Several methods of several processes, perhaps of several machines, hear the same group.
 std::string channel_of_its_own(const std::string& prefix) {
   static int count = 0;
@@ -51,7 +56,7 @@ class LcmMethod : public Method {
         environment_({{"SLALOM_LCM_URL", options.url},
                       {"SLALOM_LCM_CHANNEL", channel},
                       {"SLALOM_INI_FOLDER", folder}}),
-        id_(static_cast<std::int64_t>(random_number()) << 24U) {}
+        id_(first_id()) {}
 
   bool good() const { return link_.good(); }
 

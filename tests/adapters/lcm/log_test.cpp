@@ -1,0 +1,157 @@
+#include "error_text.h"
+#include "lcm_fixture.h"
+
+#include <slalom/lcm/method_host.h>
+#include <slalom/library/library_method.h>
+
+#include <chrono>
+#include <csignal>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace slalom {
+namespace {
+
+constexpr char kSection[] = "method.a";
+
+/// follow_the_gap with the settings of a hello, and another one.
+MethodHost gap_host(const std::string& key = "look_ahead", const std::string& value = "1.7") {
+  return MethodHost("gap", [=](const hello_t& hello) {
+    IniFile ini = IniFile::from_text("[method.a]\nadapter = library\nplugin = " FOLLOW_THE_GAP);
+    for (const auto& [k, v] : settings_of(hello)) ini.set(kSection, k, v);
+    ini.set(kSection, key, value);
+    return make_library_method({ini, kSection, robot_of(hello), sensor_of(hello)});
+  });
+}
+
+pid_t start_logger(const std::string& path) {
+  const pid_t pid = fork();
+  if (pid != 0) return pid;
+  const int null_device = open("/dev/null", O_RDWR);
+  for (const int stream : {0, 1, 2}) dup2(null_device, stream);
+  execlp("lcm-logger", "lcm-logger", "--quiet", "--flush-interval=20",
+         ("--lcm-url=" + LcmOptions().url).c_str(), path.c_str(), nullptr);
+  _exit(127);
+}
+
+/// A run while lcm-logger listens, and its log.
+class Log : public LcmTest {
+ protected:
+  void SetUp() override {
+    LcmTest::SetUp();
+    if (IsSkipped()) return;
+    logger_ = start_logger(path_);
+    lcm::LCM probe(LcmOptions().url);
+    for (int i = 0; i < 300 && size() == 0; ++i) {
+      probe.publish("PROBE", "x", 1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    ASSERT_GT(size(), 0U) << "lcm-logger does not log";
+    drive_logged();
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  std::uintmax_t size() const {
+    std::error_code absent;
+    const std::uintmax_t size = std::filesystem::file_size(path_, absent);
+    return absent ? 0 : size;
+  }
+
+  std::string path_ = testing::TempDir() + "slalom_lcm_" + std::to_string(getpid()) + ".log";
+  SimulationResult run_;
+
+ private:
+  void drive_logged() {
+    const auto method =
+        make("launch = exec slalom-lcm-method --plugin " FOLLOW_THE_GAP "\nlook_ahead = 1.7\n");
+    const World place(room().scenario().with_task({1, 2.5, 0}, {3, 4}), 0.05);
+    run_ = simulate(place, {}, 1, *method);
+    std::uintmax_t before = 0;
+    do {  // what is on its way is in the file when that grows no more
+      before = size();
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    } while (before != size());
+    kill(logger_, SIGINT);
+    waitpid(logger_, nullptr, 0);
+  }
+
+  pid_t logger_ = -1;
+};
+
+template <typename Message>
+Message decoded(const lcm::LogEvent& event) {
+  Message message;
+  EXPECT_TRUE(decode_message(event.data, static_cast<std::size_t>(event.datalen), message))
+      << event.channel;
+  return message;
+}
+
+bool is(const lcm::LogEvent& event, const std::string& suffix) {
+  return event.channel.size() > suffix.size() &&
+         event.channel.substr(event.channel.size() - suffix.size()) == suffix;
+}
+
+TEST_F(Log, HoldsAllOfALockstepRunInOrder) {
+  ASSERT_EQ(run_.outcome, Outcome::Success) << run_.detail;
+  const auto& samples = run_.trajectory.samples;
+  std::size_t observations = 0, commands = 0, ends = 0;
+  lcm::LogFile log(path_, "r");
+  ASSERT_TRUE(log.good());
+  while (const lcm::LogEvent* event = log.readNextEvent()) {
+    if (is(*event, "_OBSERVATION")) {
+      const auto message = decoded<observation_t>(*event);
+      EXPECT_EQ(commands, observations) << "an answer is missing";
+      EXPECT_EQ(message.sequence, static_cast<std::int64_t>(observations));
+      ASSERT_LT(observations, samples.size());
+      EXPECT_EQ(message.time, samples[observations].t);
+      EXPECT_EQ(message.ranges.size(), 181U);
+      ++observations;
+    } else if (is(*event, "_COMMAND")) {
+      const auto message = decoded<command_t>(*event);
+      EXPECT_EQ(message.sequence, static_cast<std::int64_t>(commands));
+      ASSERT_LT(commands, observations);
+      EXPECT_EQ(message.v, samples[commands].command_v);
+      EXPECT_EQ(message.w, samples[commands].command_w);
+      ++commands;
+    } else if (is(*event, "_RUN_END")) {
+      EXPECT_EQ(decoded<run_end_t>(*event).outcome, "success");
+      ++ends;
+    }
+  }
+  EXPECT_EQ(observations, run_.cycle_seconds.size());
+  EXPECT_EQ(commands, observations);
+  EXPECT_EQ(ends, 1U);
+}
+
+TEST_F(Log, ReplayedThroughTheSameMethodGivesTheSameCommands) {
+  const LogReplay found = replay_log(path_, [] { return gap_host(); });
+  EXPECT_EQ(found.runs, 1U);
+  EXPECT_EQ(found.observations, run_.cycle_seconds.size());
+  EXPECT_EQ(found.commands, run_.cycle_seconds.size());
+  EXPECT_EQ(found.different, 0U) << found.first_difference;
+}
+
+TEST_F(Log, ReplayedThroughAnotherMethodShowsWhereItDiffers) {
+  const LogReplay found = replay_log(path_, [] { return gap_host("turn_gain", "1"); });
+  EXPECT_GT(found.different, 0U);
+  EXPECT_EQ(found.first_difference.rfind("observation ", 0), 0U) << found.first_difference;
+  EXPECT_NE(found.first_difference.find(" of run 1: ("), std::string::npos);
+}
+
+TEST_F(LcmTest, ALogThatIsNoneIsRefused) {
+  const std::string path = testing::TempDir() + "slalom_no_log_" + std::to_string(getpid());
+  const auto refusal = [&] {
+    return error_text(Culprit::File, [&] { replay_log(path, [] { return gap_host(); }); });
+  };
+  EXPECT_EQ(refusal(), path + ": cannot be read; expected a log of lcm-logger");
+  std::ofstream(path) << "This is text, and more of it than a header has.\n";
+  EXPECT_EQ(refusal(), path + ": has no observations of a run; expected a log of lcm-logger");
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace slalom

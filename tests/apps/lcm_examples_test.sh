@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Runs the example methods of other processes as their authors would: builds the one in C++ against an
+# installed Slalom, makes the messages of the one in Lua, and lets both drive in a campaign:
+# lcm_examples_test.sh SOURCE_FOLDER BUILD_FOLDER
+set -euo pipefail
+source=$1 build=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+check() {
+  "$folder/installed/bin/slalom-evaluate" campaign.ini -o out --quiet --set scenarios.count=4 >/dev/null
+  local runs
+  runs=$("$folder/installed/bin/slalom-analyze" dump out/runs.results)
+  [ "$(grep -c '"outcome":"success"' <<<"$runs")" -ge 3 ] || { echo "$1: too few successes:"; echo "$runs"; exit 1; }
+  ! grep -q '"outcome":"method_' <<<"$runs" || { echo "$1: the method failed:"; echo "$runs"; exit 1; }
+}
+
+cmake --install "$build" --prefix "$folder/installed" >/dev/null
+cp -r "$source/examples/lcm_method_cpp" "$source/examples/lcm_method_lua" "$folder"
+cd "$folder/lcm_method_cpp"
+cmake -S . -B build -DCMAKE_PREFIX_PATH="$folder/installed" >/dev/null
+cmake --build build >/dev/null
+check "C++"
+cd "$folder/lcm_method_lua"
+lcm-gen --lua --lpath types "$folder"/installed/share/slalom/lcm_types/*.lcm
+check "Lua"

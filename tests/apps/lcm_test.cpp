@@ -1,0 +1,70 @@
+#include "private_network.h"
+#include "program_run.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace slalom {
+namespace {
+
+using nlohmann::json;
+
+/// Campaigns with methods in other processes, in a network of their own where permitted.
+class LcmProgramTest : public ProgramTest {
+ protected:
+  static void SetUpTestSuite() {
+    static const bool entered = enter_private_network();
+    (void)entered;
+  }
+
+  /// The small campaign with follow_the_gap in the worker and in a process beside it.
+  void write_campaign() const {
+    std::string text = kSmallCampaign;
+    text.replace(text.find("nd, gap"), 7, "gap, far");
+    write("small.ini", text +
+                           "[method.far]\nadapter = lcm\nlaunch = exec slalom-lcm-method --plugin "
+                           "libslalom_follow_the_gap.so\n");
+  }
+
+  std::string dump(const std::string& jobs) const {
+    const std::string results = "runs" + jobs + ".results";
+    const Ended ended = run("slalom-evaluate small.ini --quiet -o out" + jobs + " -j " + jobs);
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    return run("slalom-analyze dump out" + jobs + "/runs.results").out;
+  }
+};
+
+TEST_F(LcmProgramTest, AMethodOverLcmHasTheSameResultsAsInProcessForAnyNumberOfWorkers) {
+  write_campaign();
+  const std::string one = dump("1");
+  EXPECT_EQ(dump("2"), one);
+  std::istringstream lines(one);
+  std::map<std::string, std::map<std::string, json>> runs;  // by scenario and method
+  for (std::string line; std::getline(lines, line);) {
+    json record = json::parse(line);
+    const std::string method = record.at("method");
+    record.erase("method");
+    runs[record.at("scenario").dump()][method] = record;
+  }
+  EXPECT_EQ(runs.size(), 4U);
+  for (const auto& [scenario, by_method] : runs)
+    EXPECT_EQ(by_method.at("gap"), by_method.at("far")) << scenario;
+}
+
+TEST_F(LcmProgramTest, TheHostRefusesAMissingLibrary) {
+  expect_refusal("slalom-lcm-method --plugin libnone.so", 2, {"no library 'libnone.so'"});
+  expect_refusal("slalom-lcm-method --plugin libslalom_follow_the_gap.so --replay none.log", 3,
+                 {"none.log", "cannot be read", "a log of lcm-logger"});
+}
+
+TEST_F(LcmProgramTest, TheHostTellsItsOptionsAndVersion) {
+  const Ended help = run("slalom-lcm-method --help");
+  EXPECT_EQ(help.status, 0);
+  for (const std::string option : {"--plugin", "--set", "--url", "--channel", "--replay"})
+    EXPECT_NE(help.out.find(option), std::string::npos) << option;
+  EXPECT_EQ(run("slalom-lcm-method --version").out.rfind("slalom-lcm-method ", 0), 0U);
+}
+
+}  // namespace
+}  // namespace slalom
