@@ -14,6 +14,25 @@ std::optional<Value> na_without_samples(const MetricContext& context) {
   return Value::na("no trajectory");
 }
 
+std::optional<Value> na_without_verdict(const MetricContext& context) {
+  if (context.outcome != Outcome::UnsolvableScenario &&
+      context.outcome != Outcome::InfrastructureError)
+    return std::nullopt;
+  return Value::na("outcome: " + to_string(context.outcome));
+}
+
+std::optional<Value> na_without_time(const MetricContext& context) {
+  if (const auto na = na_without_samples(context)) return na;
+  if (context.trajectory.duration() > 0) return std::nullopt;
+  return Value::na("no time passed");
+}
+
+std::optional<Value> na_without_shortest(const MetricContext& context) {
+  if (!context.references.shortest) return Value::na(context.references.shortest_reason);
+  if (context.references.shortest->length > 0) return std::nullopt;
+  return Value::na("the start is the goal");
+}
+
 double area_between(const Path& driven, const Path& reference) {
   PathDistance distance(reference);
   return integrate_along(driven, [&](const mrpt::math::TPoint2D& p) { return distance(p); });

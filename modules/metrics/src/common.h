@@ -13,6 +13,16 @@ std::optional<Value> na_unless_reached(const MetricContext& context);
 /// NA with the reason when the run left no trajectory to measure.
 std::optional<Value> na_without_samples(const MetricContext& context);
 
+/// NA with the outcome as reason where a failure is not the method's: the scenario has no path, or
+/// the machinery failed.
+std::optional<Value> na_without_verdict(const MetricContext& context);
+
+/// NA with the reason unless there are samples over some time.
+std::optional<Value> na_without_time(const MetricContext& context);
+
+/// NA with the reason unless there is a shortest path of some length.
+std::optional<Value> na_without_shortest(const MetricContext& context);
+
 /// Length (m) of the trajectory closed by the straight line from its end to the goal. A run ends
 /// within goal_tolerance of the goal; without the last stretch it would seem shorter than the best
 /// path.

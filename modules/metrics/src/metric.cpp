@@ -9,10 +9,31 @@ namespace slalom {
 
 const std::vector<std::shared_ptr<const Metric>>& all_metrics() {
   static const std::vector<MetricPtr> metrics = {
-      make_success(),        make_optimality(),   make_optimality_area(),
-      make_safety(),         make_safety_area(),  make_spl(),
-      make_path_length(),    make_time_to_goal(), make_min_clearance(),
+      make_success(),
+      make_optimality(),
+      make_optimality_area(),
+      make_safety(),
+      make_safety_area(),
+      make_optisafe(),
+      make_spl(),
+      make_soft_spl(),
+      make_barn_score(),
+      make_path_length(),
+      make_path_excess(),
+      make_time_to_goal(),
+      make_par2_time(),
+      make_time_ratio(),
+      make_min_clearance(),
       make_mean_clearance(),
+      make_risk_time_ratio(),
+      make_inverse_clearance(),
+      make_impact_speed(),
+      make_min_time_to_collision(),
+      make_progress(),
+      make_final_distance(),
+      make_closest_distance(),
+      make_mean_speed(),
+      make_time_stopped(),
   };
   return metrics;
 }
@@ -38,9 +59,9 @@ double footprint_clearance(const World& world, const Footprint& footprint,
 MetricContext make_metric_context(const World& world, const RobotModel& robot,
                                   const Trajectory& trajectory, Outcome outcome,
                                   const References& references, double max_time,
-                                  double goal_tolerance) {
-  MetricContext context{world,      robot,    trajectory,     outcome,
-                        references, max_time, goal_tolerance, {}};
+                                  double goal_tolerance, double safe_distance) {
+  MetricContext context{world,    robot,          trajectory,    outcome, references,
+                        max_time, goal_tolerance, safe_distance, {}};
   const Footprint footprint = robot.shape();
   context.clearances.reserve(trajectory.samples.size());
   for (const Sample& sample : trajectory.samples)

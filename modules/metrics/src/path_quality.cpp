@@ -42,9 +42,7 @@ class Spl : public Metric {
   }
 
   Value compute(const MetricContext& context) const override {
-    if (context.outcome == Outcome::UnsolvableScenario ||
-        context.outcome == Outcome::InfrastructureError)
-      return Value::na("outcome: " + to_string(context.outcome));
+    if (const auto na = na_without_verdict(context)) return *na;
     if (context.outcome != Outcome::Success) return Value::of(0);
     if (const auto na = na_without_samples(context)) return *na;
     if (!context.references.shortest) return Value::na(context.references.shortest_reason);
@@ -70,6 +68,20 @@ class OptimalityArea : public Metric {
   }
 };
 
+/// (L - L*) / L*, L closed to the goal.
+class PathExcess : public Metric {
+ public:
+  QuantityInfo info() const override {
+    return {"path_excess", 1, "Path excess", "-", Direction::Down};
+  }
+
+  Value compute(const MetricContext& context) const override {
+    if (const auto na = na_unless_reached(context)) return *na;
+    if (const auto na = na_without_shortest(context)) return *na;
+    return Value::of(closed_length(context) / context.references.shortest->length - 1);
+  }
+};
+
 }  // namespace
 
 MetricPtr make_path_length() {
@@ -80,6 +92,9 @@ MetricPtr make_optimality() {
 }
 MetricPtr make_spl() {
   return std::make_shared<Spl>();
+}
+MetricPtr make_path_excess() {
+  return std::make_shared<PathExcess>();
 }
 MetricPtr make_optimality_area() {
   return std::make_shared<OptimalityArea>();

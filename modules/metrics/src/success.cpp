@@ -1,3 +1,4 @@
+#include "common.h"
 #include "families.h"
 
 namespace slalom {
@@ -10,9 +11,7 @@ class Success : public Metric {
   QuantityInfo info() const override { return {"success", 1, "Success", "-", Direction::Up}; }
 
   Value compute(const MetricContext& context) const override {
-    if (context.outcome == Outcome::UnsolvableScenario ||
-        context.outcome == Outcome::InfrastructureError)
-      return Value::na("outcome: " + to_string(context.outcome));
+    if (const auto na = na_without_verdict(context)) return *na;
     return Value::of(context.outcome == Outcome::Success ? 1 : 0);
   }
 };

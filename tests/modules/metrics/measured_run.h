@@ -2,6 +2,7 @@
 
 #include <slalom/metrics/metric.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -10,14 +11,16 @@ namespace slalom::testing {
 /// A run with known answers: an empty room of 28 m x 10 m, goal (8, 5), robot of 0.25 m. Far from
 /// the walls on the left and right the clearance at (x, y) is min(y, 10 - y).
 struct MeasuredRun {
-  World world{Scenario::continuous("room", {-10, 0, 18, 10}, {}, {2, 5, 0}, {8, 5}), 0.05};
+  World world;
   RobotModel robot;
   Trajectory trajectory;
   Outcome outcome = Outcome::Success;
   References references;
+  double safe_distance = 0.5;
 
   /// Samples at these points, one each 0.1 s.
-  explicit MeasuredRun(const Path& points) {
+  explicit MeasuredRun(const Path& points, const Primitives& obstacles = {})
+      : world(Scenario::continuous("room", {-10, 0, 18, 10}, obstacles, {2, 5, 0}, {8, 5}), 0.05) {
     for (const auto& p : points) {
       Sample sample;
       sample.t = 0.1 * static_cast<double>(trajectory.samples.size());
@@ -30,13 +33,24 @@ struct MeasuredRun {
 
   void set_shortest(const Path& path) {
     const double l = length(path);
-    references.shortest = ShortestPath{path, l, {l, l}, "exact", ""};
+    references.shortest = ShortestPath{};
+    references.shortest->path = path;
+    references.shortest->length = l;
+    references.shortest->certificate = {l, l};
+    references.shortest->planner = "exact";
   }
-  void set_safest(const Path& path) { references.safest = SafestPath{path, 0}; }
+  void set_safest(const Path& path) {
+    double bottleneck = world.distance_field().clearance(path.front());
+    for (const auto& p : resample(path, 0.01))
+      bottleneck = std::min(bottleneck, world.distance_field().clearance(p));
+    references.safest = SafestPath{};
+    references.safest->path = path;
+    references.safest->bottleneck = bottleneck;
+  }
 
   Value value(const std::string& id) const {
     return metric(id).compute(
-        make_metric_context(world, robot, trajectory, outcome, references, 60, 0.2));
+        make_metric_context(world, robot, trajectory, outcome, references, 60, 0.2, safe_distance));
   }
   /// A number; NaN when it is NA.
   double number(const std::string& id) const {

@@ -9,9 +9,31 @@ namespace slalom::testing {
 namespace {
 
 TEST(Metrics, AreListedOnceInTheOrderOfTheDefinitions) {
-  const std::vector<std::string> expected = {
-      "success", "optimality",  "optimality_area", "safety",        "safety_area",
-      "spl",     "path_length", "time_to_goal",    "min_clearance", "mean_clearance"};
+  const std::vector<std::string> expected = {"success",
+                                             "optimality",
+                                             "optimality_area",
+                                             "safety",
+                                             "safety_area",
+                                             "optisafe",
+                                             "spl",
+                                             "soft_spl",
+                                             "barn_score_v2",
+                                             "path_length",
+                                             "path_excess",
+                                             "time_to_goal",
+                                             "par2_time",
+                                             "time_ratio",
+                                             "min_clearance",
+                                             "mean_clearance",
+                                             "risk_time_ratio",
+                                             "inverse_clearance",
+                                             "impact_speed",
+                                             "min_time_to_collision",
+                                             "progress",
+                                             "final_distance",
+                                             "closest_distance",
+                                             "mean_speed",
+                                             "time_stopped"};
   std::vector<std::string> ids;
   for (const auto& candidate : all_metrics()) {
     const QuantityInfo info = candidate->info();
@@ -38,10 +60,12 @@ TEST(Metrics, NameTheNearestIdToAnUnknownOne) {
 TEST(Metrics, GiveTheOutcomeAsReasonWhereTheGoalWasNotReached) {
   MeasuredRun run({{2, 5}, {3, 5}});
   run.outcome = Outcome::Collision;
-  for (const std::string id :
-       {"optimality", "optimality_area", "safety", "safety_area", "time_to_goal"})
+  for (const std::string id : {"optimality", "optimality_area", "safety", "safety_area", "optisafe",
+                               "path_excess", "time_to_goal", "time_ratio"})
     EXPECT_EQ(run.reason(id), "outcome: collision") << id;
-  for (const std::string id : {"path_length", "min_clearance", "mean_clearance"})
+  for (const std::string id : {"soft_spl", "path_length", "min_clearance", "mean_clearance",
+                               "risk_time_ratio", "inverse_clearance", "impact_speed", "progress",
+                               "final_distance", "closest_distance", "mean_speed", "time_stopped"})
     EXPECT_FALSE(run.value(id).is_na()) << id;
 }
 
@@ -50,7 +74,7 @@ TEST(Metrics, AreNotAvailableWithoutATrajectory) {
   for (const auto& candidate : all_metrics()) {
     const std::string id = candidate->info().id;
     if (id == "success") continue;
-    EXPECT_EQ(run.reason(id), "no trajectory") << id;
+    EXPECT_EQ(run.reason(id), id == "impact_speed" ? "outcome: success" : "no trajectory") << id;
   }
 }
 
@@ -59,9 +83,11 @@ TEST(Metrics, GiveTheReferencesReasonWhereItIsMissing) {
   run.references = {};
   run.references.shortest_reason = "no path";
   run.references.safest_reason = "no diagram";
-  for (const std::string id : {"optimality", "optimality_area", "spl"})
+  for (const std::string id : {"optimality", "optimality_area", "spl", "soft_spl", "barn_score_v2",
+                               "path_excess", "time_ratio", "progress"})
     EXPECT_EQ(run.reason(id), "no path") << id;
-  for (const std::string id : {"safety", "safety_area"})
+  run.set_shortest({{2, 5}, {8, 5}});
+  for (const std::string id : {"safety", "safety_area", "optisafe"})
     EXPECT_EQ(run.reason(id), "no diagram") << id;
 }
 

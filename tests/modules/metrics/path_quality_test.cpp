@@ -41,6 +41,18 @@ TEST(Optimality, IsTheShareOfTheShortestLength) {
   EXPECT_NEAR(run.number("spl"), 6 / (2 * std::sqrt(10)), 1e-12);
 }
 
+TEST(PathExcess, IsWhatWasDrivenBeyondTheShortest) {
+  EXPECT_NEAR(MeasuredRun({{2, 5}, {5, 6}, {8, 5}}).number("path_excess"),
+              2 * std::sqrt(10) / 6 - 1, 1e-12);
+  EXPECT_NEAR(MeasuredRun({{2, 5}, {7.8, 5}}).number("path_excess"), 0, 1e-12);
+}
+
+TEST(PathExcess, WhereTheStartIsTheGoalIsNotAvailable) {
+  MeasuredRun run({{8, 5}, {8, 5.1}});
+  run.set_shortest({{8, 5}});
+  EXPECT_EQ(run.reason("path_excess"), "the start is the goal");
+}
+
 TEST(Spl, IsNeverAboveOneEvenWhereTheReferenceIsNotTheShortest) {
   MeasuredRun run({{2, 5}, {8, 5}});
   run.set_shortest({{2, 5}, {5, 5.1}, {8, 5}});

@@ -12,6 +12,10 @@
 
 namespace slalom {
 
+/// Clearance (m) of the footprint below which a robot is at risk, unless a user says otherwise:
+/// about the width of a small robot.
+constexpr double kSafeDistance = 0.5;
+
 /// What a metric may look at. The trajectory may come from anywhere; the simulator is not known
 /// here.
 struct MetricContext {
@@ -20,8 +24,9 @@ struct MetricContext {
   const Trajectory& trajectory;
   Outcome outcome;
   const References& references;
-  double max_time = 60;         ///< s, T_max
-  double goal_tolerance = 0.2;  ///< m
+  double max_time = 60;                  ///< s, T_max
+  double goal_tolerance = 0.2;           ///< m
+  double safe_distance = kSafeDistance;  ///< m, a clearance below it is a risk
   /// Clearance of the footprint at each sample (m), from the scenario's geometry.
   std::vector<double> clearances;
 };
@@ -35,7 +40,7 @@ double footprint_clearance(const World& world, const Footprint& footprint,
 MetricContext make_metric_context(const World& world, const RobotModel& robot,
                                   const Trajectory& trajectory, Outcome outcome,
                                   const References& references, double max_time,
-                                  double goal_tolerance);
+                                  double goal_tolerance, double safe_distance = kSafeDistance);
 
 /// One number about a run (Strategy); the paper's trajectory descriptor.
 class Metric {
