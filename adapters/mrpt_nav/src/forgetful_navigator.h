@@ -2,13 +2,15 @@
 
 #include <slalom/mrpt_nav/navigator_plugin.h>
 
+#include <mrpt/core/Clock.h>
 #include <mrpt/maps/CPointCloudFilterByDistance.h>
 #include <mrpt/nav/reactive/CAbstractPTGBasedReactive.h>
 
 namespace slalom {
 
-/// One of MRPT's navigators with trajectory generators, which keeps the expensive ones of its
-/// parts between runs and forgets everything else. `config` must outlive it.
+/// One of MRPT's navigators with trajectory generators, which between runs keeps what is expensive
+/// to make (the generators) or has no memory (the motion optimizer, which moreover finds no motion
+/// any more after its clear()), and forgets everything else. `config` must outlive it.
 template <typename Navigator>
 class ForgetfulNavigator : public Navigator, public ReusableNavigator {
  public:
@@ -23,11 +25,8 @@ class ForgetfulNavigator : public Navigator, public ReusableNavigator {
     if (is_blocked_) return false;  // a counter that cannot be set back may have begun
     this->setHolonomicMethod(this->params_abstract_ptg_navigator.holonomic_method, config_);
     forget_old_obstacles();
-    if (this->m_multiobjopt) this->m_multiobjopt->clear();
     this->meanExecutionPeriod = first_period_;
-    this->m_lastExecutionTimestamp = 0;
     this->m_last_vel_cmd.reset();
-    this->m_lastSentVelCmd.reset();
     this->m_infoPerPTG.clear();
     this->m_infoPerPTG_timestamp = INVALID_TIMESTAMP;
     return true;
@@ -36,6 +35,14 @@ class ForgetfulNavigator : public Navigator, public ReusableNavigator {
   bool checkCollisionWithLatestObstacles(const mrpt::math::TPose2D& pose) const override {
     is_blocked_ = Navigator::checkCollisionWithLatestObstacles(pose);
     return is_blocked_;
+  }
+
+ protected:
+  /// The time since the last step, which filters of speed ask for, is 1 s at first in every run,
+  /// not the time since 1970 in the first one.
+  void onStartNewNavigation() override {
+    Navigator::onStartNewNavigation();
+    this->m_lastExecutionTimestamp = mrpt::Clock::nowDouble() - 1;
   }
 
  private:

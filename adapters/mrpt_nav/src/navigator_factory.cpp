@@ -110,9 +110,11 @@ NavigatorPtr NavigatorFactory::make_built_in(mrpt::nav::CRobot2NavInterface& rob
 
 void NavigatorFactory::prepare(mrpt::nav::CAbstractNavigator& navigator) {
   silence(navigator);
-  const PtgCacheFolder cache(options_.ptg_cache, config_.getContent());
-  config_.write("CAbstractPTGBasedReactive", "ptg_cache_files_directory", cache.path());
   navigator.loadConfigFile(config_);
+  const PtgCacheFolder cache(options_.ptg_cache, config_.getContent());
+  // No key of the .ini sets it.
+  if (auto* with_generators = dynamic_cast<mrpt::nav::CAbstractPTGBasedReactive*>(&navigator))
+    with_generators->params_abstract_ptg_navigator.ptg_cache_files_directory = cache.path();
   navigator.initialize();
   navigator.m_navProfiler.disable();
   navigator.enableRethrowNavExceptions(true);

@@ -47,7 +47,7 @@ class NavigatorMethod : public Method {
 
   void reset(const Task& task) override {
     robot_.start_run(task.control_period);
-    if (is_used_ && !forget()) renew();
+    if (!is_used_ || !forget()) renew();
     is_used_ = true;
     if (log_) log_->start_run(task, *with_generators());
     const auto parameters = navigation_to(task);
@@ -75,8 +75,8 @@ class NavigatorMethod : public Method {
   }
 
   void renew() {
-    navigator_.reset();
-    navigator_ = factory_.make(robot_);
+    robot_.restart_timer();
+    if (is_used_) navigator_ = factory_.make(robot_);
     has_failed_ = false;
   }
 

@@ -43,11 +43,15 @@ SimulatedRobot::SimulatedRobot(const RobotModel& robot) : robot_(robot) {
 }
 
 void SimulatedRobot::start_run(double control_period) {
-  // Navigators take the time since their last step, at most 1 s: the same before each run.
-  run_begin_ = std::ceil(now()) + 2;
+  run_begin_ = std::ceil(now()) + kTimerBegin;
   control_period_ = control_period;
   observation_ = {};
   in_force_ = Stop{};
+}
+
+void SimulatedRobot::restart_timer() {
+  run_begin_ = kTimerBegin;
+  timer_zero_ = 0;
 }
 
 void SimulatedRobot::observe(const Observation& observation) {

@@ -15,7 +15,12 @@ class SimulatedRobot : public mrpt::nav::CRobot2NavInterface {
  public:
   explicit SimulatedRobot(const RobotModel& robot);
 
-  void start_run(double control_period);         ///< stands still; knows no observation
+  /// What the navigation timer shows when the first run begins, s.
+  static constexpr double kTimerBegin = 2;
+
+  void start_run(double control_period);  ///< stands still; knows no observation
+  /// For a new navigator: the timer shows kTimerBegin again.
+  void restart_timer();
   void observe(const Observation& observation);  ///< valid until the next one
   /// What the command in force means for the coming control period, within the robot's limits.
   Command command() const;
@@ -54,8 +59,8 @@ class SimulatedRobot : public mrpt::nav::CRobot2NavInterface {
 
   RobotModel robot_;
   double control_period_ = 0;
-  double run_begin_ = 0;   ///< of the navigation timer, whole seconds
-  double timer_zero_ = 0;  ///< see resetNavigationTimer()
+  double run_begin_ = kTimerBegin;  ///< of the navigation timer, whole seconds
+  double timer_zero_ = 0;           ///< see resetNavigationTimer()
   Observation observation_;
   std::variant<Stop, Wheels, Holo> in_force_;
 };

@@ -18,9 +18,14 @@ Clock::duration to_ticks(double seconds) {
   return Clock::duration(static_cast<Clock::rep>(std::llround(seconds * 1e7)));
 }
 
+/// A whole second, so that times as floating-point numbers are rounded alike in each run.
+Clock::time_point next_start() {
+  return Clock::fromDouble(std::ceil(Clock::toDouble(latest_time())) + 2);
+}
+
 }  // namespace
 
-SimulatedClock::SimulatedClock() : start_(latest_time() + to_ticks(2)), now_(start_) {
+SimulatedClock::SimulatedClock() : start_(next_start()), now_(start_) {
   set(0);
   Clock::setActiveClock(Clock::Simulated);
 }
