@@ -32,5 +32,21 @@ MetricPtr make_final_distance();
 MetricPtr make_closest_distance();
 MetricPtr make_mean_speed();
 MetricPtr make_time_stopped();
+MetricPtr make_cumulative_heading_change();
+MetricPtr make_angle_over_length();
+MetricPtr make_bending_energy();
+MetricPtr make_max_curvature();
+MetricPtr make_path_irregularity();
+MetricPtr make_rms_linear_acceleration();
+MetricPtr make_rms_angular_acceleration();
+MetricPtr make_rms_linear_jerk();
+MetricPtr make_rms_angular_jerk();
+MetricPtr make_sparc();
+MetricPtr make_log_dimensionless_jerk();
+MetricPtr make_command_variation_v();
+MetricPtr make_command_variation_w();
+MetricPtr make_oscillation_count();
+MetricPtr make_frechet_to_reference();
+MetricPtr make_hausdorff_to_reference();
 
 }  // namespace slalom

@@ -34,6 +34,22 @@ const std::vector<std::shared_ptr<const Metric>>& all_metrics() {
       make_closest_distance(),
       make_mean_speed(),
       make_time_stopped(),
+      make_cumulative_heading_change(),
+      make_angle_over_length(),
+      make_bending_energy(),
+      make_max_curvature(),
+      make_path_irregularity(),
+      make_rms_linear_acceleration(),
+      make_rms_angular_acceleration(),
+      make_rms_linear_jerk(),
+      make_rms_angular_jerk(),
+      make_sparc(),
+      make_log_dimensionless_jerk(),
+      make_command_variation_v(),
+      make_command_variation_w(),
+      make_oscillation_count(),
+      make_frechet_to_reference(),
+      make_hausdorff_to_reference(),
   };
   return metrics;
 }

@@ -44,24 +44,34 @@ PathDistance::PathDistance(const Path& path) : path_(path) {
 
 double PathDistance::operator()(const TPoint2D& p) {
   const std::size_t start = nearest_;
-  double best = distance_to_block(p, blocks_[start]);
+  double best = distance_to_block(p, blocks_[start], nearest_piece_);
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     if (i == start) continue;
     if (squared_distance_to_box(p, blocks_[i].box) * (1 - kRounding) >= best * best) continue;
-    const double distance = distance_to_block(p, blocks_[i]);
+    std::size_t piece = 0;
+    const double distance = distance_to_block(p, blocks_[i], piece);
     if (distance >= best) continue;
     best = distance;
     nearest_ = i;
+    nearest_piece_ = piece;
   }
   return best;
 }
 
-double PathDistance::distance_to_block(const TPoint2D& p, const Block& block) const {
-  if (block.first == block.last)
-    return distance_to_segment(p, path_[block.first], path_[block.last]);
-  double best = distance_to_segment(p, path_[block.first], path_[block.first + 1]);
-  for (std::size_t i = block.first + 1; i < block.last; ++i)
-    best = std::min(best, distance_to_segment(p, path_[i], path_[i + 1]));
+double PathDistance::distance_to_piece(const TPoint2D& p, std::size_t piece) const {
+  return distance_to_segment(p, path_[piece], path_[std::min(piece + 1, path_.size() - 1)]);
+}
+
+double PathDistance::distance_to_block(const TPoint2D& p, const Block& block,
+                                       std::size_t& piece) const {
+  piece = block.first;
+  double best = distance_to_piece(p, piece);
+  for (std::size_t i = block.first + 1; i < block.last; ++i) {
+    const double distance = distance_to_piece(p, i);
+    if (distance >= best) continue;
+    best = distance;
+    piece = i;
+  }
   return best;
 }
 

@@ -19,17 +19,24 @@ class PathDistance {
   /// other.
   double operator()(const mrpt::math::TPoint2D& p);
 
+  /// The piece of the path (from vertex k to k + 1) that was nearest in the last call.
+  std::size_t nearest_piece() const { return nearest_piece_; }
+  double distance_to_piece(const mrpt::math::TPoint2D& p, std::size_t piece) const;
+
  private:
   struct Block {
     std::size_t first, last;  ///< vertices
     Bounds box;
   };
 
-  double distance_to_block(const mrpt::math::TPoint2D& p, const Block& block) const;
+  /// And the piece of the block that is the nearest.
+  double distance_to_block(const mrpt::math::TPoint2D& p, const Block& block,
+                           std::size_t& piece) const;
 
   const Path& path_;
   std::vector<Block> blocks_;
   std::size_t nearest_ = 0;  ///< block that was nearest to the point before
+  std::size_t nearest_piece_ = 0;
 };
 
 }  // namespace slalom

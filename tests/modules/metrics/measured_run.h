@@ -60,4 +60,16 @@ struct MeasuredRun {
   std::string reason(const std::string& id) const { return value(id).reason(); }
 };
 
+/// A run whose samples are those of a function of time, `hz` a second from 0 s to `seconds`.
+struct SampledRun : MeasuredRun {
+  template <typename SampleAt>
+  SampledRun(double seconds, double hz, SampleAt sample_at) : MeasuredRun(Path{}) {
+    for (int i = 0; i <= std::lround(seconds * hz); ++i) {
+      Sample sample = sample_at(i / hz);
+      sample.t = i / hz;
+      trajectory.samples.push_back(sample);
+    }
+  }
+};
+
 }  // namespace slalom::testing

@@ -33,7 +33,23 @@ TEST(Metrics, AreListedOnceInTheOrderOfTheDefinitions) {
                                              "final_distance",
                                              "closest_distance",
                                              "mean_speed",
-                                             "time_stopped"};
+                                             "time_stopped",
+                                             "cumulative_heading_change",
+                                             "angle_over_length",
+                                             "bending_energy",
+                                             "max_curvature",
+                                             "path_irregularity",
+                                             "rms_linear_acceleration",
+                                             "rms_angular_acceleration",
+                                             "rms_linear_jerk",
+                                             "rms_angular_jerk",
+                                             "sparc",
+                                             "log_dimensionless_jerk",
+                                             "command_variation_v",
+                                             "command_variation_w",
+                                             "oscillation_count",
+                                             "frechet_to_reference",
+                                             "hausdorff_to_reference"};
   std::vector<std::string> ids;
   for (const auto& candidate : all_metrics()) {
     const QuantityInfo info = candidate->info();

@@ -1,0 +1,55 @@
+#include "fourier.h"
+
+#include <cmath>
+#include <complex>
+#include <utility>
+
+namespace slalom {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Puts each element where its index read backwards in bits says.
+void reverse_bits(std::vector<Complex>& data) {
+  for (std::size_t i = 1, j = 0; i < data.size(); ++i) {
+    std::size_t bit = data.size() / 2;
+    for (; (j & bit) != 0; bit /= 2) j ^= bit;
+    j |= bit;
+    if (i < j) std::swap(data[i], data[j]);
+  }
+}
+
+/// Cooley and Tukey's transform in place; the size is a power of two.
+void transform(std::vector<Complex>& data) {
+  reverse_bits(data);
+  std::vector<Complex> roots(data.size() / 2);
+  for (std::size_t k = 0; k < roots.size(); ++k)
+    roots[k] =
+        std::polar(1.0, -2 * M_PI * static_cast<double>(k) / static_cast<double>(data.size()));
+  for (std::size_t half = 1; half < data.size(); half *= 2) {
+    const std::size_t step = roots.size() / half;
+    for (std::size_t begin = 0; begin < data.size(); begin += 2 * half)
+      for (std::size_t k = 0; k < half; ++k) {
+        Complex& low = data[begin + k];
+        Complex& high = data[begin + k + half];
+        const Complex& root = roots[k * step];
+        const Complex turned(high.real() * root.real() - high.imag() * root.imag(),
+                             high.real() * root.imag() + high.imag() * root.real());
+        high = low - turned;
+        low += turned;
+      }
+  }
+}
+
+}  // namespace
+
+std::vector<double> magnitude_spectrum(const std::vector<double>& signal, std::size_t size) {
+  std::vector<Complex> data(size);
+  for (std::size_t i = 0; i < signal.size(); ++i) data[i] = signal[i];
+  transform(data);
+  std::vector<double> magnitudes(size / 2 + 1);
+  for (std::size_t k = 0; k < magnitudes.size(); ++k) magnitudes[k] = std::abs(data[k % size]);
+  return magnitudes;
+}
+
+}  // namespace slalom
