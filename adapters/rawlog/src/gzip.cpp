@@ -2,9 +2,11 @@
 
 #include <slalom/core/error.h>
 
+#include <algorithm>
 #include <array>
 #include <new>
 #include <stdexcept>
+#include <utility>
 #include <zlib.h>
 
 namespace slalom {

@@ -1,3 +1,4 @@
+#include "checked_archive.h"
 #include "gzip.h"
 #include "memory_guard.h"
 #include "rawlog_objects.h"
@@ -5,9 +6,7 @@
 #include <slalom/core/error.h>
 #include <slalom/io/result_file.h>
 
-#include <mrpt/io/CMemoryStream.h>
 #include <mrpt/obs/CRawlog.h>
-#include <mrpt/serialization/CArchive.h>
 
 #include <filesystem>
 #include <new>
@@ -40,20 +39,19 @@ void add(Objects& objects, const CSerializable::Ptr& object) {
 
 Objects read_objects(const std::string& path) {
   const std::string content = content_of(path);
-  mrpt::io::CMemoryStream stream;
-  stream.assignMemoryNotOwn(content.data(), content.size());
-  auto archive = mrpt::serialization::archiveFrom(stream);
+  CheckedArchive archive(content);
   // Objects take more than their bytes in the file; tens of times more only when a count is wrong.
   constexpr std::size_t kShare = 16, kAtLeast = std::size_t(64) << 20;
   const MemoryGuard guard(kAtLeast + kShare * content.size());
   Objects objects;
   const auto where = [&] { return path + ": object " + std::to_string(objects.size() + 1); };
-  while (stream.getPosition() < content.size()) try {
+  while (!archive.at_end()) try {
       add(objects, archive.ReadObject());
     } catch (const std::bad_alloc&) {
       throw file_error(where(), "asks for more memory than a log of this size needs", "a rawlog");
     } catch (const std::exception& error) {
-      throw file_error(where(), "cannot be read (" + reason_of(error) + ")", "a whole rawlog");
+      const std::string reason = archive.refusal().empty() ? reason_of(error) : archive.refusal();
+      throw file_error(where(), "cannot be read (" + reason + ")", "a whole rawlog");
     }
   return objects;
 }

@@ -103,9 +103,38 @@ TEST_F(DamagedRun, AChangedByteIsRefused) {
   }
 }
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kMemoryIsLimited = false;  // its shadow memory cannot be
+#else
+constexpr bool kMemoryIsLimited = true;
+#endif
+
+TEST_F(DamagedRun, AScanThatClaimsBillionsOfRaysTakesNoMemory) {
+  save<mrpt::io::CFileOutputStream>("plain.rawlog");
+  std::string bytes = read_file(path("plain.rawlog"));
+  const std::string rays("\xb5\0\0\0", 4);  // 181
+  bytes.replace(bytes.find(rays, bytes.find("CObservation2DRangeScan")), 4, "\xff\xff\xff\x7f");
+  write("plain.rawlog", bytes);
+  EXPECT_TRUE(has(refusal_of("plain.rawlog"), "more rays than the file has bytes"))
+      << refusal_of("plain.rawlog");
+}
+
+TEST_F(DamagedRun, ATextThatClaimsGigabytesTakesNoMemory) {
+  if (!kMemoryIsLimited) GTEST_SKIP();
+  save<mrpt::io::CFileOutputStream>("plain.rawlog");
+  std::string bytes = read_file(path("plain.rawlog"));
+  const std::string name = "CObservationComment";
+  // Its version, one byte, stands between the name and the length of the text.
+  bytes.replace(bytes.find(name) + name.size() + 1, 4, "\xff\xff\xff\x7f");
+  write("plain.rawlog", bytes);
+  EXPECT_TRUE(has(refusal_of("plain.rawlog"), "asks for more memory"))
+      << refusal_of("plain.rawlog");
+}
+
 /// Uncompressed there is no checksum: whatever is changed, it is refused or read, without a crash
 /// and without taking all memory.
 TEST_F(DamagedRun, ChangedBytesWithoutAChecksumDoNoHarm) {
+  if (!kMemoryIsLimited) GTEST_SKIP();
   save<mrpt::io::CFileOutputStream>("plain.rawlog");
   ASSERT_EQ(refusal_of("plain.rawlog"), "(no error)");
   const std::string whole = read_file(path("plain.rawlog"));

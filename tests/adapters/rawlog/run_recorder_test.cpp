@@ -156,6 +156,19 @@ TEST_F(RunRecorder, AnAnswerThatEndsTheRunKeepsTheCyclesBeforeIt) {
   expect_same_run(read, made);
 }
 
+TEST_F(RunRecorder, TextsOfSeveralLinesComeBackAsTheyWere) {
+  for (const std::string detail :
+       {"two\nlines", " blanks ", "\n", "", "ends\n", "key = value\n  = x"}) {
+    const auto recorder = make_rawlog_recorder(
+        path("run.rawlog"),
+        make_run_manifest(IniFile::from_text(""), testing::some_discs(), "m", 0, 1));
+    SimulationResult result;
+    result.detail = detail;
+    recorder->on_end(result);
+    EXPECT_EQ(read_run(path("run.rawlog")).detail, detail);
+  }
+}
+
 TEST_F(RunRecorder, AFileThatCannotBeWrittenIsTold) {
   auto method = testing::constant_method(0.4, 0);
   const std::string text =
