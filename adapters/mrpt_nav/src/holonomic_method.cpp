@@ -136,13 +136,34 @@ class HolonomicMethod : public Method {
   Command to_command(double direction, double speed,
                      const std::vector<mrpt::math::TPoint2D>& points) const {
     if (!std::isfinite(direction) || !std::isfinite(speed)) return {direction, speed};
+    return robot_.holonomic() ? to_any_side(direction, speed, points)
+                              : ahead(direction, speed, points);
+  }
+
+  /// What can be stopped before the disc would touch something in that direction, m/s.
+  double stoppable_speed(double direction, const std::vector<mrpt::math::TPoint2D>& points) const {
+    const double way = free_travel(points, direction, robot_.radius, options_.reference_distance);
+    return std::sqrt(2 * 0.7 * robot_.max_accel_v * std::max(0.0, way - options_.stop_margin));
+  }
+
+  /// A holonomic robot goes where the class says, and turns there meanwhile or not at all.
+  Command to_any_side(double direction, double speed,
+                      const std::vector<mrpt::math::TPoint2D>& points) const {
+    const double length =
+        std::clamp(std::min(speed, 1.0) * robot_.max_v, 0.0, stoppable_speed(direction, points));
+    const double v = length * std::cos(direction), vy = length * std::sin(direction);
+    const double w = options_.turn == "face" && speed > 0 ? options_.turn_gain * direction : 0;
+    return {robot_.forward_only ? std::max(0.0, v) : v, std::clamp(w, -robot_.max_w, robot_.max_w),
+            vy};
+  }
+
+  /// A differential drive turns and drives ahead.
+  Command ahead(double direction, double speed,
+                const std::vector<mrpt::math::TPoint2D>& points) const {
     const double w = std::clamp(options_.turn_gain * direction, -robot_.max_w, robot_.max_w);
     if (std::abs(direction) > options_.turn_in_place) return {0, speed > 0 ? w : 0};
-    const double way = free_travel(points, 0, robot_.radius, options_.reference_distance);
-    const double stoppable =
-        std::sqrt(2 * 0.7 * robot_.max_accel_v * std::max(0.0, way - options_.stop_margin));
     const double wanted = std::min(1.0, speed) * robot_.max_v * std::cos(direction);
-    return {std::clamp(std::min(wanted, stoppable), 0.0, robot_.max_v), w};
+    return {std::clamp(std::min(wanted, stoppable_speed(0, points)), 0.0, robot_.max_v), w};
   }
 
   HolonomicOptions options_;
@@ -166,7 +187,8 @@ void HolonomicOptions::visit(OptionVisitor& v) {
   v.option("behind", behind, "what stands where the scan does not look", {"free", "blocked"});
   v.option("turn_gain", turn_gain, "1/s", "w = turn_gain * direction", Range::positive());
   v.option("turn_in_place", turn_in_place, "rad",
-           "beyond this direction the robot turns without driving", Range::between(0, kPi));
+           "beyond this direction a diff_drive turns without driving", Range::between(0, kPi));
+  v.option("turn", turn, "whether a holonomic robot turns to where it goes", {"face", "keep"});
   v.option("stop_margin", stop_margin, "m",
            "v stays below what could be stopped this far before contact", Range::at_least(0));
 }

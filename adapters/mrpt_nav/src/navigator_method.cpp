@@ -3,6 +3,7 @@
 #include "simulated_robot.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/mrpt_nav/navigator_method.h>
 
 #include <optional>
@@ -25,11 +26,23 @@ CAbstractNavigator::TNavigationParams navigation_to(const Task& task) {
   return parameters;
 }
 
+/// What went wrong, of a log message of MRPT's that quotes an exception; "" of any other.
+std::string quoted_exception(const std::string& message) {
+  const std::size_t word = message.find("xception:");
+  if (word == std::string::npos) return "";
+  const std::size_t begin = message.find_first_not_of("\n ", word + 9);
+  if (begin == std::string::npos) return trim(message);
+  return reason_of(std::runtime_error(message.substr(begin)));
+}
+
 /// A navigator in the place of the robot's own, one navigation per run.
 class NavigatorMethod : public Method {
  public:
   NavigatorMethod(const MethodContext& context, const NavigatorOptions& options)
-      : robot_(context.robot), factory_(context, options), navigator_(factory_.make(robot_)) {
+      : robot_(context.robot, options.obstacle_height),
+        factory_(context, options),
+        navigator_(factory_.make(robot_)) {
+    listen();
     if (!options.record_navlog.empty())
       log_.emplace(options.record_navlog, method_name(context.section));
   }
@@ -77,7 +90,17 @@ class NavigatorMethod : public Method {
   void renew() {
     robot_.restart_timer();
     if (is_used_) navigator_ = factory_.make(robot_);
+    listen();
     has_failed_ = false;
+  }
+
+  /// MRPT's navigators catch their own exceptions and only log them.
+  void listen() {
+    failure_.clear();
+    navigator_->logRegisterCallback([this](std::string_view message, mrpt::system::VerbosityLevel,
+                                           std::string_view, mrpt::system::TTimeStamp) {
+      if (failure_.empty()) failure_ = quoted_exception(std::string(message));
+    });
   }
 
   void navigate() {
@@ -94,6 +117,10 @@ class NavigatorMethod : public Method {
   /// A navigator that gives up its target stands still, which is for the judge to see. One that
   /// broke down is an error.
   void tell_failure() {
+    if (!failure_.empty()) {
+      has_failed_ = true;
+      throw MethodError(failure_);
+    }
     if (navigator_->getCurrentState() != CAbstractNavigator::NAV_ERROR) return;
     has_failed_ = true;
     const auto& reason = navigator_->getErrorReason();
@@ -105,6 +132,7 @@ class NavigatorMethod : public Method {
   NavigatorFactory factory_;
   NavigatorPtr navigator_;
   std::optional<NavigationLog> log_;
+  std::string failure_;  ///< what the navigator logged of an exception
   bool is_used_ = false;
   bool has_failed_ = false;
 };
@@ -121,6 +149,7 @@ void NavigatorOptions::visit(OptionVisitor& v) {
   v.option("modules", modules, "MRPT plug-in modules to load first, separated by commas");
   v.option("robot", robot, "whose shape and limits the navigator is told", {"campaign", "config"});
   v.option("margin", margin, "m", "by which the campaign's shape is enlarged", Range::at_least(0));
+  v.option("obstacle_height", obstacle_height, "m", "at which the navigator is told obstacles");
   v.option("obstacle_filter", obstacle_filter, "point-cloud filter", {"config", "on", "off"});
   v.option("ptg_cache", ptg_cache, "folder that keeps collision grids; none: a temporary one");
   v.option("record_navlog", record_navlog, "folder for a .reactivenavlog of each run");

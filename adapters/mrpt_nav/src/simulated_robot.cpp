@@ -37,7 +37,8 @@ double exact(double seconds) {
 
 }  // namespace
 
-SimulatedRobot::SimulatedRobot(const RobotModel& robot) : robot_(robot) {
+SimulatedRobot::SimulatedRobot(const RobotModel& robot, double obstacle_height)
+    : robot_(robot), obstacle_height_(obstacle_height) {
   logging_enable_console_output = false;
   setMinLoggingLevel(mrpt::system::LVL_ERROR);
 }
@@ -86,8 +87,9 @@ bool SimulatedRobot::senseObstacles(mrpt::maps::CSimplePointsMap& obstacles,
   // What is not cleared here piles up cycle by cycle.
   obstacles.clear();
   if (observation_.scan == nullptr) return false;
+  const auto height = static_cast<float>(obstacle_height_);
   for (const TPoint2D& point : obstacle_points(*observation_.scan))
-    obstacles.insertPoint(static_cast<float>(point.x), static_cast<float>(point.y), 0);
+    obstacles.insertPoint(static_cast<float>(point.x), static_cast<float>(point.y), height);
   timestamp = observation_.scan->timestamp;
   return true;
 }

@@ -13,7 +13,8 @@ namespace slalom {
 /// exact, so that they do not depend on when a run begins.
 class SimulatedRobot : public mrpt::nav::CRobot2NavInterface {
  public:
-  explicit SimulatedRobot(const RobotModel& robot);
+  /// Obstacles are told at `obstacle_height` (m): navigators may ignore what is too low or high.
+  SimulatedRobot(const RobotModel& robot, double obstacle_height);
 
   /// What the navigation timer shows when the first run begins, s.
   static constexpr double kTimerBegin = 2;
@@ -58,6 +59,7 @@ class SimulatedRobot : public mrpt::nav::CRobot2NavInterface {
   Command holonomic_command(const Holo& holo) const;
 
   RobotModel robot_;
+  double obstacle_height_;
   double control_period_ = 0;
   double run_begin_ = kTimerBegin;  ///< of the navigation timer, whole seconds
   double timer_zero_ = 0;           ///< see resetNavigationTimer()

@@ -1,14 +1,23 @@
 #pragma once
 
+#include <slalom/core/random.h>
 #include <slalom/mrpt_nav/navigator_method.h>
 #include <slalom/simulation/simulate.h>
 
 #include <string>
+#include <vector>
 
 namespace slalom {
 
-inline const char* const kStockConfig =
-    "/usr/share/mrpt/config_files/navigation-ptgs/reactive2d_config.ini";
+/// MRPT's own .ini, as Debian installs it.
+inline std::string stock_config() {
+  return "/usr/share/mrpt/config_files/navigation-ptgs/reactive2d_config.ini";
+}
+
+/// A file of this folder.
+inline std::string test_config(const std::string& name) {
+  return std::string(SLALOM_TEST_FOLDER) + "/" + name;
+}
 
 /// The method of a section [method.nav] with these lines.
 inline std::unique_ptr<Method> load_navigator(const std::string& keys,
@@ -18,11 +27,14 @@ inline std::unique_ptr<Method> load_navigator(const std::string& keys,
   return make_navigator_method({ini, "method.nav", robot, {}});
 }
 
+inline std::unique_ptr<Method> load_navigator_with(const std::string& config,
+                                                   const std::string& keys = "") {
+  return load_navigator("config = " + config + "\n" + keys);
+}
+
 /// A room of 10 m x 10 m.
-inline World navigator_room(const Primitives& obstacles = {},
-                            const mrpt::math::TPose2D& start = {1, 5, 0},
-                            const mrpt::math::TPoint2D& goal = {9, 5}) {
-  return {Scenario::continuous("room", {0, 0, 10, 10}, obstacles, start, goal), 0.05};
+inline World navigator_room(const Primitives& obstacles = {}) {
+  return {Scenario::continuous("room", {0, 0, 10, 10}, obstacles, {1, 5, 0}, {9, 5}), 0.05};
 }
 
 inline World navigator_room_with_discs() {
@@ -31,8 +43,31 @@ inline World navigator_room_with_discs() {
   return navigator_room(obstacles);
 }
 
-inline SimulationResult drive(Method& method, const World& world, const RunSetup& setup = {}) {
+/// Discs anywhere but at the start and the goal.
+inline World random_navigator_room(std::uint64_t seed) {
+  RandomEngine random(seed);
+  Primitives obstacles;
+  for (int i = 0; i < 8; ++i) {
+    const mrpt::math::TPoint2D centre{uniform_real(random, 2, 8), uniform_real(random, 0.5, 9.5)};
+    obstacles.discs.push_back({centre, uniform_real(random, 0.2, 0.5)});
+  }
+  return navigator_room(obstacles);
+}
+
+inline SimulationResult drive_navigator(Method& method, const World& world, double max_time = 60,
+                                        const RobotModel& robot = {}) {
+  RunSetup setup;
+  setup.robot = robot;
+  setup.simulation.max_time = max_time;
   return simulate(world, setup, 1, method);
+}
+
+/// The hashes of `count` short runs in different rooms, one after another.
+inline std::vector<std::string> hashes_of_runs(Method& method, int count, double max_time) {
+  std::vector<std::string> hashes;
+  for (int i = 0; i < count; ++i)
+    hashes.push_back(drive_navigator(method, random_navigator_room(i), max_time).trajectory.hash());
+  return hashes;
 }
 
 }  // namespace slalom

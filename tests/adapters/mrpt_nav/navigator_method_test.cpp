@@ -3,16 +3,28 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace slalom {
 namespace {
 
-std::string stock() {
-  return std::string("config = ") + kStockConfig + "\n";
+namespace fs = std::filesystem;
+
+std::string refusal(const std::string& keys) {
+  return error_text(Culprit::Usage, [&] { load_navigator(keys); });
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  return names;
 }
 
 TEST(NavigatorMethod, StockConfigurationDrivesToTheGoalInAFreeRoom) {
-  const auto method = load_navigator(stock());
-  const SimulationResult result = drive(*method, navigator_room());
+  const auto method = load_navigator_with(stock_config());
+  const SimulationResult result = drive_navigator(*method, navigator_room());
   EXPECT_EQ(result.outcome, Outcome::Success) << result.detail;
   // 7.8 m to the edge of the goal at up to 1 m/s.
   EXPECT_GT(result.trajectory.duration(), 7.8);
@@ -20,9 +32,147 @@ TEST(NavigatorMethod, StockConfigurationDrivesToTheGoalInAFreeRoom) {
 }
 
 TEST(NavigatorMethod, StockConfigurationGetsRoundDiscs) {
-  const auto method = load_navigator(stock());
-  const SimulationResult result = drive(*method, navigator_room_with_discs());
+  const auto method = load_navigator_with(stock_config());
+  const SimulationResult result = drive_navigator(*method, navigator_room_with_discs());
   EXPECT_EQ(result.outcome, Outcome::Success) << result.detail;
+  // A robot of radius 0.25 m cannot pass the disc of 0.5 m at (4, 5.2) on the straight line: it
+  // goes at least 0.55 m below its centre line.
+  double lowest = 5;
+  for (const Sample& sample : result.trajectory.samples) lowest = std::min(lowest, sample.pose.y);
+  double highest = 5;
+  for (const Sample& sample : result.trajectory.samples) highest = std::max(highest, sample.pose.y);
+  EXPECT_TRUE(lowest < 5.2 - 0.75 || highest > 5.2 + 0.75) << lowest << ' ' << highest;
+}
+
+TEST(NavigatorMethod, NavigatorForThreeDimensionsGetsRoundDiscs) {
+  const auto method = load_navigator_with(test_config("small_navigator.ini"),
+                                          "class = mrpt::nav::CReactiveNavigationSystem3D\n");
+  const SimulationResult result = drive_navigator(*method, navigator_room_with_discs());
+  EXPECT_EQ(result.outcome, Outcome::Success) << result.detail;
+}
+
+TEST(NavigatorMethod, HolonomicRobotDrivesSidewaysToTheGoal) {
+  RobotModel robot;
+  robot.kinematics = "holonomic";
+  const auto method =
+      load_navigator("config = " + test_config("holonomic_navigator.ini") + "\n", robot);
+  const World room(Scenario::continuous("room", {0, 0, 10, 10}, {}, {1, 5, 0}, {5, 8}), 0.05);
+  const SimulationResult result = drive_navigator(*method, room, 60, robot);
+  EXPECT_EQ(result.outcome, Outcome::Success) << result.detail;
+  double most_sideways = 0;
+  for (const Sample& sample : result.trajectory.samples)
+    most_sideways = std::max(most_sideways, sample.command_vy);
+  EXPECT_GT(most_sideways, 0.1);
+}
+
+TEST(NavigatorMethod, HolonomicCommandsForADifferentialDriveEndTheRunAsAnError) {
+  const auto method = load_navigator_with(test_config("holonomic_navigator.ini"));
+  const SimulationResult result = drive_navigator(*method, navigator_room());
+  EXPECT_EQ(result.outcome, Outcome::MethodError);
+  EXPECT_EQ(
+      result.detail.rfind("the navigator commands a mrpt::kinematics::CVehicleVelCmd_Holo", 0), 0U)
+      << result.detail;
+}
+
+TEST(NavigatorMethod, ExceptionsThatTheNavigatorHidesEndTheRunWithTheirReason) {
+  const std::string path = testing::TempDir() + "wrong_formula.ini";
+  {
+    std::ifstream in(test_config("small_navigator.ini"));
+    std::ofstream out(path);
+    for (std::string line; std::getline(in, line);)
+      out << (line.rfind("scalar_score_formula", 0) == 0 ? "scalar_score_formula = no_such" : line)
+          << '\n';
+  }
+  const auto method = load_navigator_with(path);
+  for (int run = 0; run < 2; ++run) {
+    const SimulationResult result = drive_navigator(*method, navigator_room());
+    EXPECT_EQ(result.outcome, Outcome::MethodError);
+    EXPECT_NE(result.detail.find("Undefined symbol: 'no_such'"), std::string::npos)
+        << result.detail;
+    EXPECT_EQ(result.detail.find('\n'), std::string::npos) << result.detail;
+  }
+}
+
+TEST(NavigatorMethod, WritesNothingToTheTerminalAndLeavesNoFiles) {
+  const auto here = names_in(fs::current_path());
+  const auto temporary = names_in(fs::temp_directory_path()).size();
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  {
+    const auto method = load_navigator_with(test_config("small_navigator.ini"));
+    drive_navigator(*method, navigator_room_with_discs());
+    drive_navigator(*method, navigator_room_with_discs());
+    // The goal stands in a disc: the navigator complains and gives up.
+    Primitives blocked;
+    blocked.discs = {{{9, 5}, 0.6}};
+    drive_navigator(*method, navigator_room(blocked));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(names_in(fs::current_path()), here);
+  EXPECT_LE(names_in(fs::temp_directory_path()).size(), temporary + 1);  // of other programs
+}
+
+TEST(NavigatorMethod, GivingUpABlockedTargetIsNoErrorOfTheMethod) {
+  Primitives blocked;
+  blocked.discs = {{{9, 5}, 0.6}};
+  const auto method = load_navigator_with(test_config("small_navigator.ini"));
+  const SimulationResult result = drive_navigator(*method, navigator_room(blocked));
+  EXPECT_EQ(result.outcome, Outcome::Stuck) << result.detail;
+}
+
+TEST(NavigatorMethod, CollisionGridsAreKeptInAFolderWhereOneIsNamed) {
+  const std::string folder = testing::TempDir() + "slalom_ptg_cache";
+  fs::remove_all(folder);
+  const std::string config = test_config("small_navigator.ini");
+  const auto first = load_navigator_with(config, "ptg_cache = " + folder + "\n");
+  ASSERT_EQ(names_in(folder).size(), 1U);
+  const auto grids = fs::path(folder) / names_in(folder)[0] / "ReacNavGrid_000.dat.gz";
+  const auto written = fs::last_write_time(grids);
+  const auto second = load_navigator_with(config, "ptg_cache = " + folder + "\n");
+  EXPECT_EQ(fs::last_write_time(grids), written);
+  EXPECT_EQ(hashes_of_runs(*first, 3, 5), hashes_of_runs(*second, 3, 5));
+  // Another content of the .ini does not share them.
+  load_navigator_with(config, "margin = 0.1\nptg_cache = " + folder + "\n");
+  EXPECT_EQ(names_in(folder).size(), 2U);
+}
+
+TEST(NavigatorMethod, TheObstacleFilterCanBeSwitchedOff) {
+  const std::string config = test_config("small_navigator.ini");
+  const auto as_in_file = hashes_of_runs(*load_navigator_with(config), 5, 8);
+  EXPECT_EQ(hashes_of_runs(*load_navigator_with(config, "obstacle_filter = on\n"), 5, 8),
+            as_in_file);
+  EXPECT_NE(hashes_of_runs(*load_navigator_with(config, "obstacle_filter = off\n"), 5, 8),
+            as_in_file);
+}
+
+TEST(NavigatorMethod, RefusesWhatIsNotThereInOneLine) {
+  const std::string small = "config = " + test_config("small_navigator.ini") + "\n";
+  EXPECT_EQ(refusal(""),
+            "campaign.ini: [method.nav] config: no navigator without its configuration; expected "
+            "an MRPT .ini");
+  EXPECT_EQ(refusal("config = /nowhere/nav.ini\n"),
+            "campaign.ini:3: [method.nav] config: '/nowhere/nav.ini' cannot be read; expected an "
+            "MRPT .ini");
+  EXPECT_EQ(refusal(small + "class = CReactive\n"),
+            "campaign.ini:4: [method.nav] class: no navigator class 'CReactive'; expected "
+            "CReactiveNavigationSystem, CReactiveNavigationSystem3D, or a plugin");
+  EXPECT_EQ(refusal("plugin = /nowhere/libnav.so\n")
+                .rfind("campaign.ini:3: [method.nav] plugin: cannot be loaded (/nowhere/", 0),
+            0U);
+  EXPECT_EQ(refusal(small + "modules = /nowhere/libptg.so\n")
+                .rfind("campaign.ini:4: [method.nav] modules: cannot be loaded (/nowhere/", 0),
+            0U);
+  EXPECT_NE(refusal(small + "marign = 1\n").find("'margin'"), std::string::npos);
+}
+
+TEST(NavigatorMethod, RefusesAConfigurationThatIsNotForANavigator) {
+  const std::string path = testing::TempDir() + "not_a_navigator.ini";
+  std::ofstream(path) << "[CHolonomicND]\nfactorWeights = 1 2 3 4\n";
+  const std::string text = refusal("config = " + path + "\n");
+  EXPECT_EQ(text.rfind("campaign.ini:3: [method.nav] config: the navigator refuses it (", 0), 0U)
+      << text;
+  EXPECT_EQ(refusal("config = " + path + "\n").find("0x"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -8,7 +8,8 @@
 namespace slalom {
 
 /// Section [method.NAME] with adapter = mrpt_holonomic: how a scan becomes what MRPT's holonomic
-/// methods see, and how the direction and speed that they answer becomes (v, w).
+/// methods see, and how the direction and speed that they answer becomes (v, w), or (v, vy, w) of a
+/// holonomic robot.
 struct HolonomicOptions {
   std::string class_name = "CHolonomicND";
   std::string plugin;               ///< an MRPT plug-in module to load first
@@ -18,8 +19,9 @@ struct HolonomicOptions {
   double margin = 0.08;             ///< m added to the robot's radius
   std::string behind = "free";      ///< what stands where the scan does not look
   double turn_gain = 2.0;           ///< 1/s: w = turn_gain * direction
-  double turn_in_place = 0.8;       ///< rad: beyond this direction the robot turns without driving
-  double stop_margin = 0.05;  ///< m: v stays below what could be stopped this far before contact
+  double turn_in_place = 0.8;  ///< rad: beyond this direction a diff_drive turns without driving
+  std::string turn = "face";   ///< whether a holonomic robot turns to where it goes: face or keep
+  double stop_margin = 0.05;   ///< m: v stays below what could be stopped this far before contact
 
   void visit(OptionVisitor& v);
 };

@@ -15,6 +15,7 @@ struct NavigatorOptions {
   std::string modules;             ///< MRPT plug-in modules to load first: PTGs, holonomic methods
   std::string robot = "campaign";  ///< whose shape and limits: campaign or config
   double margin = 0.05;            ///< m by which the shape is enlarged that the navigator is told
+  double obstacle_height = 0.1;    ///< m at which the navigator is told obstacles
   std::string obstacle_filter = "config";  ///< point-cloud filter: config, on or off
   std::string ptg_cache;      ///< folder that keeps collision grids; "": a temporary one
   std::string record_navlog;  ///< folder for a .reactivenavlog of each run; "": none

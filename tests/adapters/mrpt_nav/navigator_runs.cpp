@@ -1,0 +1,14 @@
+// navigator_runs CONFIG COUNT MAX_TIME: prints the hashes of runs in a process of their own.
+#include "navigator_drive.h"
+
+#include <cstdlib>
+#include <iostream>
+
+int main(int count, char** arguments) {
+  if (count != 4) return 2;
+  const auto method = slalom::load_navigator_with(arguments[1]);
+  for (const std::string& hash :
+       slalom::hashes_of_runs(*method, std::atoi(arguments[2]), std::atof(arguments[3])))
+    std::cout << hash << '\n';
+  return 0;
+}
