@@ -1,10 +1,12 @@
-# Installs the programs' configurations, the header of compiled methods, and a CMake package, so that a
+# Installs the programs' configurations, the headers of compiled methods and navigators, and a CMake package, so that a
 # method is built out of tree by find_package(slalom) and slalom_add_method().
 include(CMakePackageConfigHelpers)
 set(SLALOM_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/slalom)
 
 install(FILES ${PROJECT_SOURCE_DIR}/modules/methods/include/slalom/methods/slalom_method.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slalom/methods)
+install(FILES ${PROJECT_SOURCE_DIR}/adapters/mrpt_nav/include/slalom/mrpt_nav/navigator_plugin.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slalom/mrpt_nav)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/slalom/configs)
 
 install(TARGETS slalom_method_api EXPORT slalomTargets)
