@@ -17,7 +17,8 @@
 /// navigator, calls loadConfigFile() (with the file of the key `config`, in which the robot's shape
 /// and limits have been written) and initialize(), and for each run navigate() and, once per
 /// control cycle, navigationStep(). Whatever it wants to know or to do goes through `robot`:
-/// time stamps and mrpt::Clock are simulated, so never ask a clock of the machine.
+/// time stamps and mrpt::Clock are simulated, so never ask a clock of the machine. MRPT does so in
+/// m_timlog_delays: where its delays model is used, disable that logger.
 #if defined(_WIN32)
 #define SLALOM_NAVIGATOR_EXPORT extern "C" __declspec(dllexport)
 #else
