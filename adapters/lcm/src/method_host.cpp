@@ -16,9 +16,9 @@ class Server {
   Server(MethodHost& host, const std::string& url, const std::string& channel)
       : host_(host), channels_(channel), lcm_(url) {
     const bool good = lcm_.good() &&
-                      lcm_.subscribe(channels_.hello, &Server::receive<hello_t>, this) &&
-                      lcm_.subscribe(channels_.run_start, &Server::receive<run_start_t>, this) &&
-                      lcm_.subscribe(channels_.observation, &Server::receive<observation_t>, this);
+                      lcm_.subscribeFunction(channels_.hello, receive<hello_t>, this) &&
+                      lcm_.subscribeFunction(channels_.run_start, receive<run_start_t>, this) &&
+                      lcm_.subscribeFunction(channels_.observation, receive<observation_t>, this);
     if (!good) throw job_error(url, "LCM cannot be used with this address");
   }
 
@@ -26,9 +26,13 @@ class Server {
 
  private:
   template <typename Message>
-  void receive(const lcm::ReceiveBuffer* buffer, const std::string&) {
+  static void receive(const lcm::ReceiveBuffer* buffer, const std::string&, Server* server) {
     static thread_local Message message;  // keeps the memory of a scan
-    if (!decode_message(buffer->data, buffer->data_size, message)) return;
+    if (decode_message(buffer->data, buffer->data_size, message)) server->take(message);
+  }
+
+  template <typename Message>
+  void take(const Message& message) {
     try {
       reply(message);
     } catch (const std::exception& failure) {
@@ -98,8 +102,7 @@ ready_t MethodHost::start(const run_start_t& message) {
 std::optional<command_t> MethodHost::answer(const observation_t& message) {
   if (message.run_id != run_id_ || message.sequence != next_sequence_) return std::nullopt;
   ++next_sequence_;
-  mrpt::obs::CObservation2DRangeScan scan;  // a fresh one has no points of the last in store
-  const Command command = method_->step(observation_of(message, sensor_, scan));
+  const Command command = method_->step(observation_of(message, sensor_, scan_));
   command_t answer = {};
   answer.run_id = message.run_id;
   answer.sequence = message.sequence;

@@ -14,10 +14,12 @@ constexpr std::chrono::milliseconds kSlice(10);
 MethodLink::MethodLink(const std::string& url, const std::string& prefix)
     : channels_(prefix), lcm_(url) {
   if (!lcm_.good()) return;
+  // Functions, because GCC 12 makes wrong code of LCM's calls of member functions with -fsanitize.
   using Link = MethodLink;
-  good_ = lcm_.subscribe(channels_.ready, &Link::receive<ready_t, &Link::take_ready>, this) &&
-          lcm_.subscribe(channels_.command, &Link::receive<command_t, &Link::take_command>, this) &&
-          lcm_.subscribe(channels_.error, &Link::receive<error_t, &Link::take_error>, this);
+  good_ =
+      lcm_.subscribeFunction(channels_.ready, receive<ready_t, &Link::take_ready>, this) &&
+      lcm_.subscribeFunction(channels_.command, receive<command_t, &Link::take_command>, this) &&
+      lcm_.subscribeFunction(channels_.error, receive<error_t, &Link::take_error>, this);
 }
 
 void MethodLink::expect(std::int64_t id) {
@@ -68,12 +70,12 @@ void MethodLink::publish(const std::string& channel, const Message& message) {
 }
 
 template <typename Message, void (MethodLink::*take)(const Message&)>
-void MethodLink::receive(const lcm::ReceiveBuffer* buffer, const std::string&) {
+void MethodLink::receive(const lcm::ReceiveBuffer* buffer, const std::string&, MethodLink* link) {
   Message message;
   if (decode_message(buffer->data, buffer->data_size, message))
-    (this->*take)(message);
+    (link->*take)(message);
   else
-    ++undecodable_;
+    ++link->undecodable_;
 }
 
 void MethodLink::take_ready(const ready_t& message) {

@@ -44,7 +44,8 @@ class MethodLink {
   template <typename Message>
   void publish(const std::string& channel, const Message& message);
   template <typename Message, void (MethodLink::*take)(const Message&)>
-  void receive(const lcm::ReceiveBuffer* buffer, const std::string& channel);
+  static void receive(const lcm::ReceiveBuffer* buffer, const std::string& channel,
+                      MethodLink* link);
   void take_ready(const ready_t& message);
   void take_command(const command_t& message);
   void take_error(const error_t& message);

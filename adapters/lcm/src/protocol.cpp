@@ -94,8 +94,9 @@ void fill_observation(const Observation& observation, observation_t& message) {
   message.w = observation.w;
   message.goal_x = observation.goal_in_robot.x;
   message.goal_y = observation.goal_in_robot.y;
-  message.ranges.resize(scan.getScanSize());
-  for (std::size_t i = 0; i < message.ranges.size(); ++i) message.ranges[i] = scan.getScanRange(i);
+  if (scan.getScanSize() == 0) return message.ranges.clear();
+  const float* first = &scan.getScanRange(0);
+  message.ranges.assign(first, first + scan.getScanSize());
 }
 
 Command command_of(const command_t& message) {
@@ -139,16 +140,19 @@ Task task_of(const run_start_t& message) {
   return task;
 }
 
+void ReceivedScan::take(const std::vector<float>& ranges) {
+  valid_.resize(ranges.size());
+  for (std::size_t i = 0; i < ranges.size(); ++i) valid_[i] = ranges[i] < maxRange ? 1 : 0;
+  loadFromVectors(ranges.size(), ranges.data(), valid_.data());
+  m_cachedMap.reset();
+}
+
 Observation observation_of(const observation_t& message, const SensorModel& sensor,
-                           mrpt::obs::CObservation2DRangeScan& scan) {
+                           ReceivedScan& scan) {
   scan.aperture = static_cast<float>(sensor.aperture());
   scan.maxRange = static_cast<float>(sensor.max_range);
   scan.rightToLeft = true;
-  scan.resizeScan(message.ranges.size());
-  for (std::size_t i = 0; i < message.ranges.size(); ++i) {
-    scan.setScanRange(i, message.ranges[i]);
-    scan.setScanRangeValidity(i, message.ranges[i] < scan.maxRange);
-  }
+  scan.take(message.ranges);
   Observation observation;
   observation.time = message.time;
   observation.odometry = {message.x, message.y, message.phi};

@@ -20,9 +20,9 @@ class Process {
  public:
   Process(std::string fault, const std::string& url, const std::string& channel)
       : fault_(std::move(fault)), channels_(channel), lcm_(url) {
-    lcm_.subscribe(channels_.hello, &Process::greet, this);
-    lcm_.subscribe(channels_.run_start, &Process::start, this);
-    lcm_.subscribe(channels_.observation, &Process::observe, this);
+    lcm_.subscribeFunction(channels_.hello, hear<hello_t>, this);
+    lcm_.subscribeFunction(channels_.run_start, hear<run_start_t>, this);
+    lcm_.subscribeFunction(channels_.observation, hear<observation_t>, this);
   }
 
   void serve() {
@@ -30,19 +30,25 @@ class Process {
   }
 
  private:
-  void greet(const lcm::ReceiveBuffer*, const std::string&, const hello_t* hello) {
+  template <typename Message>
+  static void hear(const lcm::ReceiveBuffer*, const std::string&, const Message* message,
+                   Process* process) {
+    process->take(message);
+  }
+
+  void take(const hello_t* hello) {
     if (fault_ == "refuses") return refuse(hello->id);
     if (fault_ == "ends_at_hello") std::_Exit(3);
     if (fault_ != "silent_at_hello") ready(hello->id);
   }
 
-  void start(const lcm::ReceiveBuffer*, const std::string&, const run_start_t* message) {
+  void take(const run_start_t* message) {
     faulty_run_ = message->seed == kFaultySeed;
     if (faulty_run_ && fault_ == "ends_at_start") std::_Exit(4);
     ready(message->run_id);
   }
 
-  void observe(const lcm::ReceiveBuffer*, const std::string&, const observation_t* message) {
+  void take(const observation_t* message) {
     if (!faulty_run_ || message->sequence != kFaultyCycle)
       answer(message->run_id, message->sequence, kSpeed);
     else

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <fstream>
 #include <functional>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -75,6 +76,19 @@ TEST_F(Process, IsReplacedWhenItWasKilledBetweenRuns) {
   kill(pid, SIGKILL);
   ASSERT_TRUE(soon([pid] { return is_dead(pid); }));
   EXPECT_EQ(drive(*method, 1).outcome, Outcome::Success);
+}
+
+TEST_F(Process, MayLiveLongerThanARunMayTake) {
+  rlimit before{};
+  getrlimit(RLIMIT_CPU, &before);
+  const rlimit for_one_run{3600, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_CPU, &for_one_run), 0);
+  const auto method = make("launch = ulimit -t >" + file_ + "; exec " FAULTY_PROCESS " none\n");
+  setrlimit(RLIMIT_CPU, &before);
+  std::string limit;
+  std::ifstream(file_) >> limit;
+  EXPECT_EQ(limit,
+            before.rlim_max == RLIM_INFINITY ? "unlimited" : std::to_string(before.rlim_max));
 }
 
 TEST_F(Process, DiesWithAWorkerThatIsKilled) {

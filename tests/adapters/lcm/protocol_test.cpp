@@ -73,7 +73,8 @@ TEST(Protocol, TellsTasksAndObservationsToTheLastBit) {
   EXPECT_EQ(told.control_period, task.control_period);
   EXPECT_EQ(told.seed, task.seed);
 
-  mrpt::obs::CObservation2DRangeScan scan, seen;
+  mrpt::obs::CObservation2DRangeScan scan;
+  ReceivedScan seen;
   const std::vector<float> ranges = {0.1F, 8.0F, 7.9999F};
   const std::vector<char> valid = {1, 0, 1};
   scan.loadFromVectors(3, ranges.data(), valid.data());

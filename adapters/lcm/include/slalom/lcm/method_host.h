@@ -34,6 +34,7 @@ class MethodHost {
   SensorModel sensor_;
   std::unique_ptr<Method> method_;
   std::int64_t hello_id_ = 0, run_id_ = 0, next_sequence_ = -1;
+  ReceivedScan scan_;
 };
 
 /// Serves a simulator over LCM until `stop` (asked every tenth of a second) says so. Exceptions are

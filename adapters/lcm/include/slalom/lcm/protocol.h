@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace slalom {
 
@@ -35,8 +36,19 @@ RobotModel robot_of(const hello_t& hello);
 SensorModel sensor_of(const hello_t& hello);  ///< aperture() gives the hello's bits again
 MethodSettings settings_of(const hello_t& hello);
 Task task_of(const run_start_t& message);
-/// The observation but for its scan; `scan` is filled with the ranges and refers to `sensor`.
+
+/// A scan for one observation after another.
+class ReceivedScan : public mrpt::obs::CObservation2DRangeScan {
+ public:
+  /// Also forgets the points that MRPT keeps of the ranges before.
+  void take(const std::vector<float>& ranges);
+
+ private:
+  std::vector<char> valid_;
+};
+
+/// The observation; its scan is `scan`, filled with the ranges.
 Observation observation_of(const observation_t& message, const SensorModel& sensor,
-                           mrpt::obs::CObservation2DRangeScan& scan);
+                           ReceivedScan& scan);
 
 }  // namespace slalom
