@@ -24,7 +24,7 @@ RunRecord measure_again(const RecordedRun& run, const std::string& path, const I
   CampaignOptions options = read_campaign_options(ini);
   const auto ompl_options = read_options<OmplOptions>(ini, "reference");
   options.reference_gap = ompl_options.gap;
-  const auto planner = make_ompl_planner(ompl_options);
+  const auto planner = make_ompl_planner(ompl_options, options.setup.robot);
   const World world(scenario_of(run, path), options.setup.simulation.resolution);
   RunRecord record;
   record.scenario_hash = run.manifest.scenario_hash;

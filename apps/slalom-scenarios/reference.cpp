@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <iostream>
+#include <stdexcept>
 
 namespace slalom {
 namespace {
@@ -19,11 +19,18 @@ using Json = nlohmann::ordered_json;
 
 struct ReferenceArguments {
   ListArguments list;
+  RobotModel robot;
   OmplOptions planner;
   std::uint64_t seed = 1;
 };
 
-Json to_json(const ScenarioList::Entry& entry, const References& references, double seconds) {
+Json to_json(const Path& path) {
+  Json json = Json::array();
+  for (const auto& p : path) json.push_back({p.x, p.y});
+  return json;
+}
+
+Json to_json(const ScenarioList::Entry& entry, const References& references) {
   Json json = {{"id", entry.id}, {"name", entry.name}};
   if (references.shortest) {
     const ShortestPath& s = *references.shortest;
@@ -32,27 +39,41 @@ Json to_json(const ScenarioList::Entry& entry, const References& references, dou
     json["upper_bound"] = s.certificate.upper_bound;
     json["gap"] = s.certificate.gap();
     json["planner"] = s.planner;
+    json["exact_length"] = s.exact_length;
+    if (s.planner_length) json["planner_length"] = *s.planner_length;
     if (!s.note.empty()) json["note"] = s.note;
+    json["shortest_path"] = to_json(s.path);
   } else {
     json["shortest_length"] = nullptr;
     json["shortest_reason"] = references.shortest_reason;
   }
   if (references.safest) {
-    json["safest_length"] = length(references.safest->path);
-    json["safest_bottleneck"] = references.safest->bottleneck;
+    const SafestPath& s = *references.safest;
+    json["safest_length"] = length(s.path);
+    json["safest_bottleneck"] = s.bottleneck;
+    json["safest_planner"] = s.planner;
+    if (!s.note.empty()) json["safest_note"] = s.note;
+    json["safest_path"] = to_json(s.path);
   } else {
     json["safest_length"] = nullptr;
     json["safest_reason"] = references.safest_reason;
   }
-  json["time_seconds"] = seconds;
+  const ReferenceTiming& timing = references.timing;
+  json["time_seconds"] = timing.exact + timing.planner + timing.safest;
+  json["exact_seconds"] = timing.exact;
+  json["planner_seconds"] = timing.planner;
+  json["safest_seconds"] = timing.safest;
   return json;
 }
 
+/// For people, without the points of the paths.
 std::string text_of(const Json& json) {
   std::string text;
-  for (const auto& [key, value] : json.items())
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_array()) continue;
     text +=
         "  " + key + " = " + (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
+  }
   return text;
 }
 
@@ -60,18 +81,31 @@ Json compute(const ReferenceArguments& arguments, const ScenarioList::Entry& ent
              const Scenario& scenario) {
   const World world(scenario, arguments.list.resolution);
   const auto& start = scenario.start();
-  const PlanningProblem problem{
-      world, arguments.list.robot_radius, {start.x, start.y}, scenario.goal()};
-  const auto planner = make_ompl_planner(arguments.planner);
-  const auto begin = std::chrono::steady_clock::now();
-  const References references =
-      compute_references(problem, planner.get(), arguments.planner.gap, arguments.seed);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  return to_json(entry, references, took.count());
+  const PlanningProblem problem{world,
+                                arguments.robot.shape().inscribed_radius(),
+                                {start.x, start.y},
+                                scenario.goal(),
+                                start.phi};
+  const auto planner = make_ompl_planner(arguments.planner, arguments.robot);
+  return to_json(entry,
+                 compute_references(problem, planner.get(), arguments.planner.gap, arguments.seed));
+}
+
+/// The robot of the command line, checked.
+RobotModel robot_of(const ReferenceArguments& arguments) {
+  RobotModel robot = arguments.robot;
+  robot.radius = arguments.list.robot_radius;
+  try {
+    robot.radius = robot.shape().enclosing_radius();
+  } catch (const std::invalid_argument& expected) {
+    throw usage_error("--footprint", "'" + robot.footprint + "' is no footprint", expected.what());
+  }
+  return robot;
 }
 
 /// Each scenario in a fresh process: OMPL's random generators are seeded once per process.
-void run(const ReferenceArguments& arguments) {
+void run(ReferenceArguments arguments) {
+  arguments.robot = robot_of(arguments);
   const ScenarioList list = ScenarioList::open(arguments.list.list);
   std::vector<ScenarioList::Entry> entries = list.entries();
   if (!arguments.list.id.empty()) entries = {list.find_entry(arguments.list.id)};
@@ -108,6 +142,19 @@ void add_reference_verb(CLI::App& app) {
       ->check(CLI::IsMember({"exact", "ABITstar", "AITstar", "BITstar", "FMT", "InformedRRTstar",
                              "PRMstar", "RRTstar"}))
       ->capture_default_str();
+  verb->add_option("--objective", arguments.planner.objective,
+                   "Which reference the planner provides: length (shortest) or clearance (safest)")
+      ->check(CLI::IsMember({"length", "clearance"}))
+      ->capture_default_str();
+  verb->add_option("--footprint", arguments.robot.footprint,
+                   "Convex polygon x,y; x,y; ... in m instead of the disc");
+  verb->add_option("--min-turning-radius", arguments.robot.min_turning_radius,
+                   "Of a robot that steers like a car, m: planned with Dubins curves")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  verb->add_flag_callback(
+      "--reverse", [] { arguments.robot.forward_only = false; },
+      "The robot may drive backwards: Reeds-Shepp curves");
   verb->add_option("--gap", arguments.planner.gap, "Relative gap to the lower bound")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -122,8 +122,9 @@ CampaignReport run_campaign_program(const IniFile& ini, const CampaignArguments&
   const InterruptGuard guard;
   const MethodRegistry registry = all_adapters();
   const auto ompl_options = read_options<OmplOptions>(ini, "reference");
-  const auto planner = make_ompl_planner(ompl_options);
-  Campaign campaign{read_campaign_options(ini), std::move(scenarios), ini, registry, planner.get()};
+  const CampaignOptions options = read_campaign_options(ini);
+  const auto planner = make_ompl_planner(ompl_options, options.setup.robot);
+  Campaign campaign{options, std::move(scenarios), ini, registry, planner.get()};
   campaign.options.reference_gap = ompl_options.gap;
   const auto descriptors = infos(campaign.options.descriptors, descriptor);
   const auto metrics = infos(campaign.options.metrics, metric);

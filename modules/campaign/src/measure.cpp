@@ -12,7 +12,8 @@ References find_references(const CampaignOptions& options, const ReferencePlanne
   const PlanningProblem problem{world,
                                 options.setup.robot.shape().inscribed_radius(),
                                 {scenario.start().x, scenario.start().y},
-                                scenario.goal()};
+                                scenario.goal(),
+                                scenario.start().phi};
   return compute_references(problem, planner, options.reference_gap,
                             derive_seed(options.seed, "reference/" + scenario.hash()));
 }

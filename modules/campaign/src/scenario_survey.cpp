@@ -12,7 +12,7 @@ ScenarioFindings survey_scenario(const Campaign& campaign, const Scenario& scena
   findings.references = find_references(options, campaign.planner, world);
   const References& references = findings.references;
   const auto shortest_length = [&references] {
-    return references.shortest ? Value::of(references.shortest->length)
+    return references.shortest ? Value::of(references.shortest->exact_length)
                                : Value::na(references.shortest_reason);
   };
   const DescriptorContext context{world, options.setup.robot.shape().inscribed_radius(),

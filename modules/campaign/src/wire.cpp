@@ -50,8 +50,10 @@ Path path_from(const Json& json) {
 }
 
 Json to_json(const References& references) {
+  const ReferenceTiming& timing = references.timing;
   Json json = {{"shortest_reason", references.shortest_reason},
-               {"safest_reason", references.safest_reason}};
+               {"safest_reason", references.safest_reason},
+               {"timing", {timing.exact, timing.planner, timing.safest}}};
   if (references.shortest) {
     const ShortestPath& s = *references.shortest;
     json["shortest"] = {{"path", to_json(s.path)},
@@ -59,11 +61,17 @@ Json to_json(const References& references) {
                         {"lower", s.certificate.lower_bound},
                         {"upper", s.certificate.upper_bound},
                         {"planner", s.planner},
-                        {"note", s.note}};
+                        {"note", s.note},
+                        {"exact_length", s.exact_length}};
+    if (s.planner_length) json["shortest"]["planner_length"] = *s.planner_length;
   }
-  if (references.safest)
-    json["safest"] = {{"path", to_json(references.safest->path)},
-                      {"bottleneck", references.safest->bottleneck}};
+  if (references.safest) {
+    const SafestPath& s = *references.safest;
+    json["safest"] = {{"path", to_json(s.path)},
+                      {"bottleneck", s.bottleneck},
+                      {"planner", s.planner},
+                      {"note", s.note}};
+  }
   return json;
 }
 
@@ -77,11 +85,20 @@ References references_from(const Json& json) {
                                        s.at("length").get<double>(),
                                        {s.at("lower").get<double>(), s.at("upper").get<double>()},
                                        s.at("planner").get<std::string>(),
-                                       s.at("note").get<std::string>()};
+                                       s.at("note").get<std::string>(),
+                                       s.at("exact_length").get<double>()};
+    if (s.contains("planner_length"))
+      references.shortest->planner_length = s.at("planner_length").get<double>();
   }
-  if (json.contains("safest"))
-    references.safest = SafestPath{path_from(json.at("safest").at("path")),
-                                   json.at("safest").at("bottleneck").get<double>()};
+  if (json.contains("safest")) {
+    const Json& s = json.at("safest");
+    references.safest =
+        SafestPath{path_from(s.at("path")), s.at("bottleneck").get<double>(),
+                   s.at("planner").get<std::string>(), s.at("note").get<std::string>()};
+  }
+  const Json& timing = json.at("timing");
+  references.timing = {timing.at(0).get<double>(), timing.at(1).get<double>(),
+                       timing.at(2).get<double>()};
   return references;
 }
 

@@ -5,7 +5,7 @@
 namespace slalom {
 namespace {
 
-constexpr std::uint8_t kVersion = 2;
+constexpr std::uint8_t kVersion = 3;
 
 void expect_version(ByteReader& in) {
   if (in.u8() != kVersion) throw in.broken("is of another version");
@@ -33,6 +33,8 @@ ShortestPath read_shortest(ByteReader& in) {
   shortest.certificate.upper_bound = in.f64();
   shortest.planner = in.text();
   shortest.note = in.text();
+  shortest.exact_length = in.f64();
+  if (in.u8() != 0) shortest.planner_length = in.f64();
   return shortest;
 }
 
@@ -40,6 +42,8 @@ SafestPath read_safest(ByteReader& in) {
   SafestPath safest;
   safest.path = read_path(in);
   safest.bottleneck = in.f64();
+  safest.planner = in.text();
+  safest.note = in.text();
   return safest;
 }
 
@@ -53,12 +57,15 @@ std::string serialize(const References& references) {
     const ShortestPath& s = *references.shortest;
     write_path(out, s.path);
     out.f64(s.length).f64(s.certificate.lower_bound).f64(s.certificate.upper_bound);
-    out.text(s.planner).text(s.note);
+    out.text(s.planner).text(s.note).f64(s.exact_length);
+    out.u8(s.planner_length ? 1 : 0);
+    if (s.planner_length) out.f64(*s.planner_length);
   }
   out.u8(references.safest ? 1 : 0);
   if (references.safest) {
     write_path(out, references.safest->path);
     out.f64(references.safest->bottleneck);
+    out.text(references.safest->planner).text(references.safest->note);
   }
   return compress(out.take());
 }

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr DatabaseKind kResults = {"a result file (.results)", 0x534c5253 /* "SLRS" */, 1, R"(
+constexpr DatabaseKind kResults = {"a result file (.results)", 0x534c5253 /* "SLRS" */, 2, R"(
 CREATE TABLE manifest (key TEXT PRIMARY KEY, text TEXT NOT NULL);
 CREATE TABLE quantities (position INTEGER PRIMARY KEY, kind TEXT NOT NULL, id TEXT NOT NULL,
                          version INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL,
@@ -24,6 +24,8 @@ CREATE TABLE descriptors (hash TEXT NOT NULL, id TEXT NOT NULL, version INTEGER 
                           value REAL, standard_error REAL, reason TEXT,
                           PRIMARY KEY (hash, id)) WITHOUT ROWID;
 CREATE TABLE trajectories (run INTEGER PRIMARY KEY, content BLOB NOT NULL);
+CREATE TABLE reference_timings (hash TEXT PRIMARY KEY, exact_seconds REAL NOT NULL,
+                                planner_seconds REAL NOT NULL, safest_seconds REAL NOT NULL);
 CREATE TABLE run_timings (run INTEGER PRIMARY KEY, wall_seconds REAL NOT NULL, figures TEXT NOT NULL);
 )"};
 
@@ -150,6 +152,15 @@ struct ResultFile::Impl {
     row.exec();
   }
 
+  void insert_timing(const std::string& hash, const ReferenceTiming& timing) {
+    SQLite::Statement row(*database, "INSERT INTO reference_timings VALUES (?, ?, ?, ?)");
+    row.bind(1, hash);
+    row.bind(2, timing.exact);
+    row.bind(3, timing.planner);
+    row.bind(4, timing.safest);
+    row.exec();
+  }
+
   void insert_blob(const char* sql, std::int64_t run, const std::string& content) {
     SQLite::Statement row(*database, sql);
     row.bind(1, run);
@@ -221,6 +232,14 @@ struct ResultFile::Impl {
     return run;
   }
 
+  ReferenceTiming read_timing(const std::string& hash) const {
+    SQLite::Statement row(*database, "SELECT * FROM reference_timings WHERE hash = ?");
+    row.bind(1, hash);
+    if (!row.executeStep()) return {};
+    return {row.getColumn(1).getDouble(), row.getColumn(2).getDouble(),
+            row.getColumn(3).getDouble()};
+  }
+
   /// One blob by key; throws Error (File) when there is none.
   std::string read_blob(const std::string& sql, const std::vector<std::string>& keys) const {
     SQLite::Statement row(*database, sql);
@@ -277,6 +296,7 @@ void ResultFile::add_scenario(const ScenarioRecord& record, const Scenario& scen
     row.bind(3, content.data(), static_cast<int>(content.size()));
     row.bind(4, refs.data(), static_cast<int>(refs.size()));
     row.exec();
+    impl_->insert_timing(record.hash, references.timing);
     for (const auto& [id, versioned] : record.descriptors) {
       SQLite::Statement value(*impl_->database,
                               "INSERT INTO descriptors VALUES (?, ?, ?, ?, ?, ?)");
@@ -332,11 +352,12 @@ Scenario ResultFile::read_scenario(const std::string& hash) const {
 }
 
 References ResultFile::read_references(const std::string& hash) const {
-  return deserialize_references(
-      reading(
-          impl_->path,
-          [&] { return impl_->read_blob("SELECT refs FROM scenarios WHERE hash = ?", {hash}); }),
-      impl_->path + ": references of " + hash);
+  const std::string content = reading(impl_->path, [&] {
+    return impl_->read_blob("SELECT refs FROM scenarios WHERE hash = ?", {hash});
+  });
+  References references = deserialize_references(content, impl_->path + ": references of " + hash);
+  references.timing = reading(impl_->path, [&] { return impl_->read_timing(hash); });
+  return references;
 }
 
 Trajectory ResultFile::read_trajectory(const RunRecord& run) const {

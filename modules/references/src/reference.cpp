@@ -7,28 +7,71 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace slalom {
 namespace {
 
+/// What is wrong with a planner's path; empty for nothing.
+std::string fault_of(const std::optional<Path>& path, const PlanningProblem& problem) {
+  if (!path) return "found no path";
+  if (!is_free(problem.world, *path, problem.robot_radius)) return "gave a path that is not free";
+  return "";
+}
+
 /// Uses the planner's path where it keeps its promise; says so where it does not.
-void consult(const ReferencePlanner& planner, const PlanningProblem& problem, double gap,
-             std::uint64_t seed, ShortestPath& best) {
-  const std::optional<Path> path = planner.plan(problem, best, seed);
-  if (!path) {
-    best.note = planner.name() + " found no path";
-  } else if (!is_free(problem.world, *path, problem.robot_radius)) {
-    best.note = planner.name() + " gave a path that is not free";
-  } else if (length(*path) > (1 + gap) * best.certificate.lower_bound) {
-    best.note = fmt::format("{} came to {:.4f} m, not within the gap of {}", planner.name(),
-                            length(*path), gap);
-  } else {
-    best.path = *path;
-    best.length = length(*path);
-    best.planner = planner.name();
-    best.certificate.upper_bound = std::min(best.certificate.upper_bound, best.length);
+void use_shortest(const ReferencePlanner& planner, const PlanningProblem& problem,
+                  const std::optional<Path>& path, double gap, ShortestPath& best) {
+  const std::string fault = fault_of(path, problem);
+  if (!fault.empty()) {
+    best.note = planner.name() + " " + fault;
+    return;
   }
+  const double metres = length(*path);
+  best.planner_length = metres;
+  if (metres > (1 + gap) * best.certificate.lower_bound) {
+    best.note =
+        fmt::format("{} came to {:.4f} m, not within the gap of {}", planner.name(), metres, gap);
+    return;
+  }
+  best.path = *path;
+  best.length = metres;
+  best.planner = planner.name();
+  best.certificate.upper_bound = std::min(best.certificate.upper_bound, metres);
+}
+
+void use_safest(const ReferencePlanner& planner, const PlanningProblem& problem,
+                const std::optional<Path>& path, double gap, SafestPath& best) {
+  const std::string fault = fault_of(path, problem);
+  const double width = fault.empty() ? bottleneck_of(problem.world, *path) : 0;
+  if (!fault.empty()) {
+    best.note = planner.name() + " " + fault;
+  } else if (width < (1 - gap) * best.bottleneck) {
+    best.note = fmt::format("{} came to a bottleneck of {:.4f} m, not within the gap of {}",
+                            planner.name(), width, gap);
+  } else {
+    best = {*path, width, planner.name(), ""};
+  }
+}
+
+void consult(const ReferencePlanner& planner, const PlanningProblem& problem, double gap,
+             std::uint64_t seed, References& references) {
+  const bool shortest = planner.objective() == ReferencePlanner::Objective::Length;
+  if (shortest ? !references.shortest : !references.safest) return;
+  const std::optional<Path> path = planner.plan(problem, references, seed);
+  if (shortest)
+    use_shortest(planner, problem, path, gap, *references.shortest);
+  else
+    use_safest(planner, problem, path, gap, *references.safest);
+}
+
+/// Seconds that an action takes.
+template <typename Action>
+double timed(Action action) {
+  const auto begin = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 }  // namespace
@@ -42,13 +85,24 @@ bool is_free(const World& world, const Path& path, double radius) {
   return !path.empty();
 }
 
+double bottleneck_of(const World& world, const Path& path) {
+  const DistanceField& field = world.distance_field();
+  double width = path.empty() ? 0 : field.clearance(path.front());
+  for (std::size_t i = 1; i < path.size(); ++i)
+    width = field.segment_clearance(path[i - 1], path[i], width);
+  return width;
+}
+
 References compute_references(const PlanningProblem& problem, const ReferencePlanner* planner,
                               double gap, std::uint64_t seed) {
   References references;
-  references.shortest = exact_shortest_path(problem, gap, references.shortest_reason);
-  if (references.shortest && planner != nullptr)
-    consult(*planner, problem, gap, seed, *references.shortest);
-  references.safest = safest_path(problem, references.safest_reason);
+  references.timing.exact = timed(
+      [&] { references.shortest = exact_shortest_path(problem, gap, references.shortest_reason); });
+  if (references.shortest) references.shortest->exact_length = references.shortest->length;
+  references.timing.safest =
+      timed([&] { references.safest = safest_path(problem, references.safest_reason); });
+  if (planner != nullptr)
+    references.timing.planner = timed([&] { consult(*planner, problem, gap, seed, references); });
   return references;
 }
 

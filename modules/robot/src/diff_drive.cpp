@@ -36,8 +36,11 @@ Velocity DiffDrive::limited(const Velocity& wanted) const {
 }
 
 Velocity DiffDrive::approached(const Velocity& from, const Velocity& to, double dt) const {
-  return {approach(from.v, to.v, robot().max_accel_v * dt),
-          approach(from.w, to.w, robot().max_accel_w * dt), 0};
+  const double v = approach(from.v, to.v, robot().max_accel_v * dt);
+  const double w = approach(from.w, to.w, robot().max_accel_w * dt);
+  if (!(robot().min_turning_radius > 0)) return {v, w, 0};
+  const double sharpest = std::abs(v) / robot().min_turning_radius;
+  return {v, std::clamp(w, -sharpest, sharpest), 0};
 }
 
 TPose2D DiffDrive::moved(const TPose2D& pose, const Velocity& velocity, double dt) const {

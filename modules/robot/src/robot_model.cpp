@@ -17,6 +17,8 @@ void RobotModel::visit(OptionVisitor& v) {
   v.option("max_accel_w", max_accel_w, "rad/s^2", "largest angular acceleration",
            Range::positive());
   v.option("forward_only", forward_only, "the robot never drives backwards");
+  v.option("min_turning_radius", min_turning_radius, "m",
+           "of a diff_drive, as of a car; 0: it turns on the spot", Range::at_least(0));
   v.option("delay", delay, "s", "from a command to when the drives hear it", Range::at_least(0));
   v.option("delay_tau", delay_tau, "s", "time constant of approaching a command; 0: at once",
            Range::at_least(0));

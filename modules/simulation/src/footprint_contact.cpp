@@ -1,4 +1,4 @@
-#include "footprint_contact.h"
+#include <slalom/simulation/footprint_contact.h>
 
 #include <mrpt/math/wrap2pi.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "footprint_contact.h"
+#include <slalom/simulation/footprint_contact.h>
 
 #include <slalom/scenario/world.h>
 #include <slalom/simulation/simulate.h>

@@ -1,12 +1,15 @@
 #include "error_text.h"
 
 #include <slalom/core/hash.h>
+#include <slalom/core/text.h>
 #include <slalom/ompl/ompl_planner.h>
 #include <slalom/references/exact_shortest.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -34,11 +37,10 @@ PlanningProblem problem_of(const World& world) {
   return {world, kRadius, {start.x, start.y}, world.scenario().goal()};
 }
 
-ShortestPath exact_of(const World& world) {
-  std::string reason;
-  const auto exact = exact_shortest_path(problem_of(world), 0.01, reason);
-  if (!exact) throw std::runtime_error(reason);
-  return *exact;
+References exact_of(const World& world) {
+  const References exact = compute_references(problem_of(world), nullptr, 0.01, 1);
+  if (!exact.shortest) throw std::runtime_error(exact.shortest_reason);
+  return exact;
 }
 
 /// What `action` returns in a child process: OMPL's seed is set once per process.
@@ -69,7 +71,7 @@ std::string path_hash(const Path& path) {
 }
 
 /// Plans in a child; the answer is the path's hash or what is wrong with it.
-std::string checked_plan(const World& world, const ShortestPath& exact, const OmplOptions& options,
+std::string checked_plan(const World& world, const References& exact, const OmplOptions& options,
                          std::uint64_t seed) {
   return in_child([&]() -> std::string {
     const auto planner = make_ompl_planner(options);
@@ -80,8 +82,8 @@ std::string checked_plan(const World& world, const ShortestPath& exact, const Om
     if (!is_free(world, *path, kRadius)) return "not free";
     if (path->front() != problem.start) return "does not begin at the start";
     if (path->back() != problem.goal) return "does not end at the goal";
-    if (metres < exact.certificate.lower_bound) return "shorter than the lower bound";
-    if (metres > 1.5 * exact.certificate.upper_bound) return "no short path";
+    if (metres < exact.shortest->certificate.lower_bound) return "shorter than the lower bound";
+    if (metres > 1.5 * exact.shortest->certificate.upper_bound) return "no short path";
     return path_hash(*path);
   });
 }
@@ -99,7 +101,7 @@ const char* const kPlanners[] = {"ABITstar",        "AITstar", "BITstar", "FMT",
 
 TEST(OmplPlanner, EveryPlannersPathIsFreeAndNotBelowTheLowerBound) {
   const World world = disc_world();
-  const ShortestPath exact = exact_of(world);
+  const References exact = exact_of(world);
   world.distance_field();
   for (const std::string name : kPlanners) {
     const std::string answer = checked_plan(world, exact, options_of(name), 5);
@@ -109,7 +111,7 @@ TEST(OmplPlanner, EveryPlannersPathIsFreeAndNotBelowTheLowerBound) {
 
 TEST(OmplPlanner, TheSameSeedInTwoProcessesGivesTheSamePath) {
   const World world = disc_world();
-  const ShortestPath exact = exact_of(world);
+  const References exact = exact_of(world);
   for (const std::string name : {"InformedRRTstar", "BITstar", "RRTstar"}) {
     const std::string first = checked_plan(world, exact, options_of(name), 11);
     EXPECT_NE(first.find(" points "), std::string::npos) << name << ": " << first;
@@ -120,7 +122,7 @@ TEST(OmplPlanner, TheSameSeedInTwoProcessesGivesTheSamePath) {
 
 TEST(OmplPlanner, StopsWithinTheGapOfTheLowerBound) {
   const World world = disc_world();
-  const ShortestPath exact = exact_of(world);
+  const References exact = exact_of(world);
   OmplOptions options;
   options.gap = 0.05;
   const std::string answer = in_child([&] {
@@ -128,13 +130,13 @@ TEST(OmplPlanner, StopsWithinTheGapOfTheLowerBound) {
     return path ? std::to_string(length(*path)) : "no path";
   });
   const double metres = std::strtod(answer.c_str(), nullptr);
-  EXPECT_GE(metres, exact.certificate.lower_bound) << answer;
-  EXPECT_LE(metres, 1.05 * exact.certificate.lower_bound + 1e-6);
+  EXPECT_GE(metres, exact.shortest->certificate.lower_bound) << answer;
+  EXPECT_LE(metres, 1.05 * exact.shortest->certificate.lower_bound + 1e-6);
 }
 
 TEST(OmplPlanner, ASeedOfAnySizeIsTaken) {
   const World world = disc_world();
-  const ShortestPath exact = exact_of(world);
+  const References exact = exact_of(world);
   for (const std::uint64_t seed : {0ULL, 0xfffffffeULL, ~0ULL}) {
     const std::string first = checked_plan(world, exact, options_of("RRTstar"), seed);
     EXPECT_NE(first.find(" points "), std::string::npos) << seed << ": " << first;
@@ -144,13 +146,108 @@ TEST(OmplPlanner, ASeedOfAnySizeIsTaken) {
 
 TEST(OmplPlanner, GivesNoPathWhereThereIsNone) {
   const World world = parted_world();
-  ShortestPath claimed;
-  claimed.certificate = {8, 9};
+  References claimed;
+  claimed.shortest = ShortestPath{{}, 9, {8, 9}, "exact", ""};
   EXPECT_EQ(in_child([&]() -> std::string {
               const auto planner = make_ompl_planner(options_of("RRTstar"));
               return planner->plan(problem_of(world), claimed, 1) ? "a path" : "no path";
             }),
             "no path");
+}
+
+/// Plans for a robot in a child; the points of the path as text, or what is wrong.
+std::string planned_for(const RobotModel& robot, const World& world, const References& exact,
+                        OmplOptions options) {
+  options.max_pose_iterations = robot.min_turning_radius > 0 ? 300 : 3000;
+  return in_child([&]() -> std::string {
+    PlanningProblem problem = problem_of(world);
+    problem.robot_radius = robot.shape().inscribed_radius();
+    const auto path = make_ompl_planner(options, robot)->plan(problem, exact, 7);
+    if (!path) return "no path";
+    std::string text;
+    for (const auto& p : *path) text += format_number(p.x) + " " + format_number(p.y) + " ";
+    return text;
+  });
+}
+
+Path path_from(const std::string& text) {
+  std::istringstream numbers(text);
+  Path path;
+  for (double x = 0, y = 0; numbers >> x >> y;) path.emplace_back(x, y);
+  return path;
+}
+
+/// Largest turn between neighbouring pieces per length: the curvature of a finely sampled path.
+double sharpest_curvature(const Path& path) {
+  double sharpest = 0;
+  for (std::size_t i = 2; i < path.size(); ++i) {
+    const auto a = path[i - 1] - path[i - 2], b = path[i] - path[i - 1];
+    if (a.norm() < 1e-6 || b.norm() < 1e-6) continue;
+    const double turn = std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+    sharpest = std::max(sharpest, std::abs(turn) / std::max(a.norm(), b.norm()));
+  }
+  return sharpest;
+}
+
+TEST(OmplPlanner, ARobotThatSteersLikeACarGetsAPathItCanDrive) {
+  const World world = disc_world();
+  RobotModel robot;
+  robot.radius = kRadius;
+  robot.min_turning_radius = 0.5;
+  const Path path = path_from(planned_for(robot, world, exact_of(world), options_of("RRTstar")));
+  ASSERT_GT(path.size(), 10U);
+  EXPECT_TRUE(is_free(world, path, kRadius - 1e-3));
+  EXPECT_LE(sharpest_curvature(path), 1 / 0.5 + 0.1) << "never sharper than its turning radius";
+  // It starts along its heading, 0.
+  EXPECT_NEAR(std::atan2(path[1].y - path[0].y, path[1].x - path[0].x), 0, 0.06);
+}
+
+TEST(OmplPlanner, NeitherForwardOnlyNorReversingPathsAreShorterThanTheLowerBound) {
+  const World world = disc_world();
+  RobotModel robot;
+  robot.radius = kRadius;
+  robot.min_turning_radius = 0.8;
+  const References exact = exact_of(world);
+  const double forward = length(path_from(planned_for(robot, world, exact, options_of("RRTstar"))));
+  EXPECT_GE(forward, exact.shortest->certificate.lower_bound - 1e-6);
+  robot.forward_only = false;
+  const Path both = path_from(planned_for(robot, world, exact, options_of("RRTstar")));
+  ASSERT_GT(both.size(), 10U);
+  EXPECT_GE(length(both), exact.shortest->certificate.lower_bound - 1e-6);
+}
+
+TEST(OmplPlanner, APolygonIsPlannedForAsAPolygon) {
+  // A gap of 1 m: the rectangle, 0.4 m wide, fits through lengthwise; the disc about it does not.
+  Primitives walls;
+  walls.polygons.push_back({{{0, 3.8}, {3.49, 3.8}, {3.49, 4.2}, {0, 4.2}}});
+  walls.polygons.push_back({{{4.51, 3.8}, {8, 3.8}, {8, 4.2}, {4.51, 4.2}}});
+  const World world(Scenario::continuous("gap", {0, 0, 8, 8}, walls, {4, 1, 1.57}, {4, 7}), 0.05);
+  RobotModel robot;
+  robot.footprint = "0.6,0.2; -0.6,0.2; -0.6,-0.2; 0.6,-0.2";
+  robot.radius = robot.shape().enclosing_radius();
+  PlanningProblem problem = problem_of(world);
+  problem.robot_radius = robot.shape().inscribed_radius();
+  const References exact = compute_references(problem, nullptr, 0.01, 1);
+  ASSERT_TRUE(exact.shortest.has_value());
+  OmplOptions options = options_of("RRTstar");
+  options.gap = 0.2;
+  const Path path = path_from(planned_for(robot, world, exact, options));
+  ASSERT_GT(path.size(), 2U);
+  EXPECT_GE(length(path), exact.shortest->certificate.lower_bound - 1e-6);
+  EXPECT_TRUE(is_free(world, path, problem.robot_radius));
+}
+
+TEST(OmplPlanner, WithTheClearanceObjectiveItProvidesTheSafestPath) {
+  const World world = disc_world();
+  const References exact = exact_of(world);
+  OmplOptions options = options_of("PRMstar");
+  options.objective = "clearance";
+  options.gap = 0.1;
+  const Path path = path_from(planned_for({}, world, exact, options));
+  ASSERT_GE(path.size(), 2U);
+  EXPECT_LE(bottleneck_of(world, path), exact.safest->bottleneck + 1e-6)
+      << "wider than the widest there is";
+  EXPECT_GE(bottleneck_of(world, path), 0.7 * exact.safest->bottleneck);
 }
 
 TEST(OmplPlanner, KeepsItsNameAndLeavesExactToTheExactSearch) {

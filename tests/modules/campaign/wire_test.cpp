@@ -46,13 +46,18 @@ TEST(Wire, ARunComesBackBitByBit) {
 TEST(Wire, AScenarioComesBackWithItsReferences) {
   ScenarioFindings sent;
   sent.record = {"hash", "name", {{"density", {1, Value::of(0.25)}}}};
-  sent.references.shortest = ShortestPath{{{0, 0}, {1, 2}}, 2.5, {2.4, 2.5}, "exact", "a note"};
+  sent.references.shortest =
+      ShortestPath{{{0, 0}, {1, 2}}, 2.5, {2.4, 2.5}, "exact", "a note", 2.5};
+  sent.references.shortest->planner_length = 2.75;
+  sent.references.timing = {0.1, 0.2, 0.3};
   sent.references.safest_reason = "start is not free";
   const ScenarioFindings received = scenario_findings_from_wire(to_wire(sent));
   EXPECT_EQ(to_wire(received), to_wire(sent));
   ASSERT_TRUE(received.references.shortest.has_value());
   EXPECT_EQ(received.references.shortest->path.back().y, 2);
   EXPECT_EQ(received.references.shortest->certificate.lower_bound, 2.4);
+  EXPECT_EQ(received.references.shortest->planner_length, 2.75);
+  EXPECT_EQ(received.references.timing.planner, 0.2);
   EXPECT_FALSE(received.references.safest.has_value());
   EXPECT_EQ(received.references.safest_reason, "start is not free");
 }

@@ -43,7 +43,8 @@ class ResultFileTest : public testing::Test {
 
 TEST_F(ResultFileTest, EverythingComesBack) {
   References references;
-  references.shortest = ShortestPath{{{0, 0}, {3, 4}}, 5, {4.9, 5}, "BITstar", "note"};
+  references.shortest = ShortestPath{{{0, 0}, {3, 4}}, 5, {4.9, 5}, "BITstar", "note", 5.1, 5.0};
+  references.timing = {0.1, 0.2, 0.3};
   references.safest_reason = "too narrow";
   Trajectory trajectory;
   for (int i = 0; i < 10; ++i)
@@ -79,6 +80,9 @@ TEST_F(ResultFileTest, EverythingComesBack) {
   ASSERT_TRUE(refs.shortest.has_value());
   EXPECT_EQ(refs.shortest->certificate.lower_bound, 4.9);
   EXPECT_EQ(refs.shortest->planner, "BITstar");
+  EXPECT_EQ(refs.shortest->exact_length, 5.1);
+  EXPECT_EQ(refs.shortest->planner_length, 5.0);
+  EXPECT_EQ(refs.timing.safest, 0.3);
   EXPECT_EQ(refs.safest_reason, "too narrow");
 }
 

@@ -10,7 +10,7 @@ class FixedPlanner : public ReferencePlanner {
  public:
   explicit FixedPlanner(std::optional<Path> path) : path_(std::move(path)) {}
   std::string name() const override { return "Fixed"; }
-  std::optional<Path> plan(const PlanningProblem&, const ShortestPath&,
+  std::optional<Path> plan(const PlanningProblem&, const References&,
                            std::uint64_t) const override {
     return path_;
   }
@@ -48,6 +48,37 @@ TEST(References, APlannersPathThatIsNotFreeOrMissingIsNotUsed) {
   EXPECT_EQ(consult(world, Path{{1, 2}, {9, 2}}).shortest->note,
             "Fixed gave a path that is not free");
   EXPECT_EQ(consult(world, std::nullopt).shortest->note, "Fixed found no path");
+}
+
+/// Answers with a fixed path when it is asked for the safest one.
+class FixedSafestPlanner : public FixedPlanner {
+ public:
+  using FixedPlanner::FixedPlanner;
+  Objective objective() const override { return Objective::Clearance; }
+};
+
+TEST(References, APlannerOfSafePathsProvidesTheSafestOne) {
+  const World world = empty_world(10, {1, 5}, {9, 5});
+  const auto safest_of = [&world](const Path& path) {
+    const FixedSafestPlanner planner(path);
+    return *compute_references(problem_of(world, 0.25), &planner, 0.01, 1).safest;
+  };
+  // Start and goal are 1 m from a wall: no path can have a wider bottleneck.
+  const SafestPath good = safest_of({{1, 5}, {9, 5}});
+  EXPECT_EQ(good.planner, "Fixed");
+  EXPECT_NEAR(good.bottleneck, 1, 1e-9);
+  const SafestPath narrow = safest_of({{1, 5}, {5, 0.5}, {9, 5}});
+  EXPECT_EQ(narrow.planner, "exact");
+  EXPECT_EQ(narrow.note, "Fixed came to a bottleneck of 0.5000 m, not within the gap of 0.01");
+}
+
+TEST(References, BothTheExactAndThePlannersLengthAreKept) {
+  const World world = empty_world(10, {1, 5}, {9, 5});
+  const References references = consult(world, Path{{1, 5}, {5, 7}, {9, 5}});
+  EXPECT_EQ(references.shortest->exact_length, 8);
+  ASSERT_TRUE(references.shortest->planner_length.has_value());
+  EXPECT_NEAR(*references.shortest->planner_length, 8.9443, 1e-4);
+  EXPECT_FALSE(consult(world, std::nullopt).shortest->planner_length.has_value());
 }
 
 TEST(References, WithoutAPathBothReasonsAreGiven) {

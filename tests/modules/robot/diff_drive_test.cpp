@@ -125,5 +125,20 @@ TEST(DiffDrive, RefusesCommandsOfOtherVehicles) {
   EXPECT_NO_THROW(vehicle.sendVelCmd(*vehicle.getVelCmdType()));
 }
 
+TEST(DiffDrive, WithATurningRadiusItNeverTurnsSharperNorOnTheSpot) {
+  RobotModel robot;
+  robot.min_turning_radius = 0.5;
+  DiffDrive vehicle(robot);
+  vehicle.command(0, 1.5);
+  drive(vehicle, 1);
+  EXPECT_EQ(vehicle.getCurrentGTPose(), mrpt::math::TPose2D());
+  vehicle.command(0.4, 1.5);
+  for (int step = 0; step < 200; ++step) {
+    vehicle.advance(0.01);
+    EXPECT_LE(std::abs(vehicle.w()), vehicle.v() / 0.5 + 1e-12);
+  }
+  EXPECT_DOUBLE_EQ(vehicle.w(), 0.8);
+}
+
 }  // namespace
 }  // namespace slalom

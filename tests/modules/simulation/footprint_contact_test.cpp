@@ -1,4 +1,4 @@
-#include "footprint_contact.h"
+#include <slalom/simulation/footprint_contact.h>
 #include "test_runs.h"
 
 #include <slalom/simulation/run_observer.h>

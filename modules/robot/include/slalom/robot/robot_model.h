@@ -9,15 +9,16 @@ namespace slalom {
 /// disc with a differential drive that moves forward only. Section [robot].
 struct RobotModel {
   std::string kinematics = "diff_drive";  ///< or holonomic
-  double radius = 0.25;      ///< m, of the disc; with a polygon, of the disc that encloses it
-  std::string footprint;     ///< convex polygon "x,y; x,y; ...", m; empty for the disc
-  double max_v = 1.0;        ///< m/s; holonomic: of the velocity's length
-  double max_w = 1.5;        ///< rad/s
-  double max_accel_v = 1.0;  ///< m/s^2; holonomic: of the velocity's change
-  double max_accel_w = 3.0;  ///< rad/s^2
-  bool forward_only = true;  ///< v >= 0
-  double delay = 0;          ///< s from a command to the moment in which the drives hear it
-  double delay_tau = 0;      ///< s, time constant with which speeds approach a command; 0: at once
+  double radius = 0.25;           ///< m, of the disc; with a polygon, of the disc that encloses it
+  std::string footprint;          ///< convex polygon "x,y; x,y; ...", m; empty for the disc
+  double max_v = 1.0;             ///< m/s; holonomic: of the velocity's length
+  double max_w = 1.5;             ///< rad/s
+  double max_accel_v = 1.0;       ///< m/s^2; holonomic: of the velocity's change
+  double max_accel_w = 3.0;       ///< rad/s^2
+  bool forward_only = true;       ///< v >= 0
+  double min_turning_radius = 0;  ///< m, of a diff_drive: |w| <= |v| / radius; 0: turns on the spot
+  double delay = 0;               ///< s from a command to the moment in which the drives hear it
+  double delay_tau = 0;  ///< s, time constant with which speeds approach a command; 0: at once
 
   void visit(OptionVisitor& v);
   bool holonomic() const { return kinematics == "holonomic"; }
