@@ -6,13 +6,14 @@
 namespace slalom {
 namespace {
 
-/// NA with the reason unless there are commands over some time; logs of other origin may have none.
-std::optional<Value> na_without_commands(const MetricContext& context) {
-  if (const auto na = na_without_time(context)) return na;
-  for (const Sample& sample : context.trajectory.samples)
-    if (!std::isfinite(sample.command_v + sample.command_vy + sample.command_w))
-      return Value::na("no commands are recorded");
-  return std::nullopt;
+/// Sum of the changes from sample to sample. Logs of other origin may have no commands: NaN.
+template <typename Change>
+Value sum_of_changes(const MetricContext& context, Change change) {
+  if (const auto na = na_without_time(context)) return *na;
+  const auto& samples = context.trajectory.samples;
+  double sum = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) sum += change(samples[i - 1], samples[i]);
+  return std::isfinite(sum) ? Value::of(sum) : Value::na("no commands are recorded");
 }
 
 /// Sum of |change of the speed asked for|.
@@ -23,13 +24,9 @@ class CommandVariationV : public Metric {
   }
 
   Value compute(const MetricContext& context) const override {
-    if (const auto na = na_without_commands(context)) return *na;
-    const auto& samples = context.trajectory.samples;
-    double sum = 0;
-    for (std::size_t i = 1; i < samples.size(); ++i)
-      sum += std::hypot(samples[i].command_v - samples[i - 1].command_v,
-                        samples[i].command_vy - samples[i - 1].command_vy);
-    return Value::of(sum);
+    return sum_of_changes(context, [](const Sample& a, const Sample& b) {
+      return std::hypot(b.command_v - a.command_v, b.command_vy - a.command_vy);
+    });
   }
 };
 
@@ -41,12 +38,9 @@ class CommandVariationW : public Metric {
   }
 
   Value compute(const MetricContext& context) const override {
-    if (const auto na = na_without_commands(context)) return *na;
-    const auto& samples = context.trajectory.samples;
-    double sum = 0;
-    for (std::size_t i = 1; i < samples.size(); ++i)
-      sum += std::abs(samples[i].command_w - samples[i - 1].command_w);
-    return Value::of(sum);
+    return sum_of_changes(context, [](const Sample& a, const Sample& b) {
+      return std::abs(b.command_w - a.command_w);
+    });
   }
 };
 

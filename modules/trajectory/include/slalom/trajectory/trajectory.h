@@ -16,7 +16,8 @@ struct Sample {
   mrpt::math::TPose2D pose;
   double v = 0, w = 0;  ///< actual speeds, ahead and of turning
   double command_v = 0,
-         command_w = 0;           ///< what the method asked for, in force until the next sample
+         command_w = 0;           ///< what the method asked for, in force until the next sample;
+                                  ///< NaN where a log does not tell
   double vy = 0, command_vy = 0;  ///< the same to the left; 0 for a differential drive
 
   /// The fields in the order of their declaration, for whoever writes, reads or hashes them all.
