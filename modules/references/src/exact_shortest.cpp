@@ -3,6 +3,7 @@
 
 #include <slalom/references/any_angle.h>
 #include <slalom/references/exact_shortest.h>
+#include <slalom/references/safest_path.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,6 +103,15 @@ class ExactSearch {
   const Occupancy& cells_;
 };
 
+/// Where the way is too narrow for cells that are free as a whole: the middle of the passages,
+/// pulled taut.
+std::optional<Path> path_along_the_middle(const PlanningProblem& problem) {
+  std::string ignored;
+  const std::optional<SafestPath> safest = safest_path(problem, ignored);
+  if (!safest || !is_free(problem.world, safest->path, problem.robot_radius)) return std::nullopt;
+  return pull_taut(problem.world, safest->path, problem.robot_radius);
+}
+
 /// A path and what is proved about the shortest; a straight path is the shortest whatever the cells
 /// say.
 ShortestPath certified(Path path, double lower, const PlanningProblem& problem) {
@@ -135,6 +145,7 @@ std::optional<ShortestPath> exact_shortest_path(const PlanningProblem& problem, 
     }
     if (best && length(*best) <= (1 + wanted_gap) * lower) break;
   }
+  if (!best) best = path_along_the_middle(problem);
   if (!best) {
     reason = "no path could be certified: the way is too narrow to tell at this resolution";
     return std::nullopt;

@@ -139,6 +139,37 @@ TEST(ExactShortest, BoundsHoldAgainstALatticeSearchOnRandomPlaces) {
   EXPECT_GT(solved, 20);
 }
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr int kManyPlaces = 100;
+#else
+constexpr int kManyPlaces = 1000;
+#endif
+
+TEST(ExactShortest, TheLowerBoundIsNeverAboveALatticeSearchOnManyPlaces) {
+  // No multiple of half a cell: no passage is exactly as wide as the robot, which no bound can tell
+  // from one that is too narrow.
+  constexpr double kRadius = 0.16;
+  RandomEngine engine(5);
+  int solved = 0, reached = 0;
+  for (int trial = 0; trial < kManyPlaces; ++trial) {
+    const World world = random_world(engine, 3, uniform_int(engine, 1, 6));
+    std::string reason;
+    const auto best = search(world, kRadius, 0.01, reason);
+    const double lattice = lattice_length(world, kRadius, 8);
+    if (!best) {
+      EXPECT_FALSE(std::isfinite(lattice)) << trial << ": " << reason;
+      continue;
+    }
+    ++solved;
+    EXPECT_TRUE(is_free(world, best->path, kRadius)) << trial;
+    EXPECT_LE(best->certificate.lower_bound, best->length) << trial;
+    EXPECT_LE(best->certificate.lower_bound, lattice + 1e-9) << trial;
+    reached += best->certificate.gap() <= 0.01 ? 1 : 0;
+  }
+  EXPECT_GT(solved, kManyPlaces / 3);
+  EXPECT_GT(reached, 0.95 * solved);
+}
+
 TEST(ExactShortest, TheGapIsReachedOnRandomPlaces) {
   RandomEngine engine(4);
   int solved = 0, reached = 0;
