@@ -12,7 +12,7 @@ namespace slalom {
 /// to make (the generators) or has no memory (the motion optimizer, which moreover finds no motion
 /// any more after its clear()), and forgets everything else. `config` must outlive it.
 template <typename Navigator>
-class ForgetfulNavigator : public Navigator, public ReusableNavigator {
+class ForgetfulNavigator : public ReusableNavigator, public Navigator {
  public:
   ForgetfulNavigator(mrpt::nav::CRobot2NavInterface& robot,
                      const mrpt::config::CConfigFileBase& config)

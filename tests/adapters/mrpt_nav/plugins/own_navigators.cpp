@@ -24,7 +24,7 @@ class Ahead : public mrpt::nav::CAbstractNavigator {
   int navigations_ = 0;
 };
 
-class Forgetting : public Ahead, public slalom::ReusableNavigator {
+class Forgetting : public slalom::ReusableNavigator, public Ahead {
  public:
   using Ahead::Ahead;
   bool forget_last_run() override {
@@ -33,7 +33,7 @@ class Forgetting : public Ahead, public slalom::ReusableNavigator {
   }
 };
 
-class Unforgetting : public Ahead, public slalom::ReusableNavigator {
+class Unforgetting : public slalom::ReusableNavigator, public Ahead {
  public:
   using Ahead::Ahead;
   bool forget_last_run() override { return false; }

@@ -31,7 +31,9 @@ SLALOM_NAVIGATOR_EXPORT mrpt::nav::CAbstractNavigator* slalom_make_navigator_v1(
 namespace slalom {
 
 /// A navigator that also derives from this serves one run after another. One that does not is made
-/// anew for each run, which is always right but slow where initialize() takes long.
+/// anew for each run, which is always right but slow where initialize() takes long. Let it be the
+/// first base: behind MRPT's, of more than 1 MiB, compilers' sanitizers take it for a stray
+/// pointer.
 class __attribute__((visibility("default"))) ReusableNavigator {
  public:
   virtual ~ReusableNavigator() = default;
