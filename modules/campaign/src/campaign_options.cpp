@@ -60,6 +60,8 @@ void CampaignSection::visit(OptionVisitor& v) {
 void MetricsSection::visit(OptionVisitor& v) {
   v.option("enabled", enabled, "metrics to compute: ids, comma separated, or all");
   v.option("descriptors", descriptors, "scenario descriptors: ids, comma separated, or all");
+  v.option("safe_distance", safe_distance, "m", "clearance below which time counts as at risk",
+           Range::positive());
 }
 
 void LimitsSection::visit(OptionVisitor& v) {
@@ -81,24 +83,30 @@ bool RecordSection::wants(Outcome outcome) const {
   return rawlog == "all" || (rawlog == "failures" && outcome != Outcome::Success);
 }
 
-CampaignOptions read_campaign_options(const IniFile& ini) {
-  const auto campaign = read_options<CampaignSection>(ini, "campaign");
+CampaignOptions read_measuring_options(const IniFile& ini) {
   const auto metrics = read_options<MetricsSection>(ini, "metrics");
   CampaignOptions options;
+  options.metrics = read_ids(ini, "enabled", metrics.enabled, ids_of(all_metrics()));
+  options.descriptors =
+      read_ids(ini, "descriptors", metrics.descriptors, ids_of(all_descriptors()));
+  options.safe_distance = metrics.safe_distance;
+  options.setup.robot = read_robot_model(ini);
+  options.setup.simulation = read_options<SimulationOptions>(ini, "simulation");
+  options.setup.simulation.check(ini, "simulation");
+  return options;
+}
+
+CampaignOptions read_campaign_options(const IniFile& ini) {
+  const auto campaign = read_options<CampaignSection>(ini, "campaign");
+  CampaignOptions options = read_measuring_options(ini);
   options.name = campaign.name;
   options.seed = static_cast<std::uint64_t>(campaign.seed);
   options.repetitions = campaign.repetitions;
   options.methods = read_methods(ini, campaign.methods);
-  options.metrics = read_ids(ini, "enabled", metrics.enabled, ids_of(all_metrics()));
-  options.descriptors =
-      read_ids(ini, "descriptors", metrics.descriptors, ids_of(all_descriptors()));
   options.limits = read_options<LimitsSection>(ini, "limits");
   options.record = read_options<RecordSection>(ini, "record");
-  options.setup.robot = read_robot_model(ini);
   options.setup.sensor = read_options<SensorModel>(ini, "sensor");
   options.setup.odometry = read_options<OdometryModel>(ini, "odometry");
-  options.setup.simulation = read_options<SimulationOptions>(ini, "simulation");
-  options.setup.simulation.check(ini, "simulation");
   options.setup.deadline = options.limits.deadline;
   return options;
 }

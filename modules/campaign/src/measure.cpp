@@ -21,9 +21,10 @@ References find_references(const CampaignOptions& options, const ReferencePlanne
 std::map<std::string, VersionedValue> measure_run(const CampaignOptions& options,
                                                   const World& world, const References& references,
                                                   const Trajectory& trajectory, Outcome outcome) {
-  const MetricContext context = make_metric_context(world, options.setup.robot, trajectory, outcome,
-                                                    references, options.setup.simulation.max_time,
-                                                    options.setup.simulation.goal_tolerance);
+  const MetricContext context =
+      make_metric_context(world, options.setup.robot, trajectory, outcome, references,
+                          options.setup.simulation.max_time,
+                          options.setup.simulation.goal_tolerance, options.safe_distance);
   std::map<std::string, VersionedValue> values;
   for (const std::string& id : options.metrics) {
     const Metric& wanted = metric(id);

@@ -35,6 +35,17 @@ TEST(CampaignOptions, MetricsCanBeChosen) {
   EXPECT_EQ(options.descriptors, (std::vector<std::string>{"density"}));
 }
 
+TEST(CampaignOptions, WhatARunIsMeasuredWithNeedsNoMethods) {
+  const CampaignOptions options = read_measuring_options(
+      IniFile::from_text("[robot]\nradius = 0.4\n[metrics]\nsafe_distance = 0.7\n"));
+  EXPECT_EQ(options.setup.robot.radius, 0.4);
+  EXPECT_EQ(options.safe_distance, 0.7);
+  EXPECT_GT(options.metrics.size(), 40U);
+  EXPECT_EQ(read_campaign_options(IniFile::from_text(kMinimal)).safe_distance, 0.5);
+  EXPECT_EQ(message_for(std::string(kMinimal) + "[metrics]\nsafe_distance = 0\n"),
+            "c.ini:6: [metrics] safe_distance: '0' is not valid; expected a number > 0");
+}
+
 TEST(CampaignOptions, WrongNamesAreRefusedWithTheNearest) {
   EXPECT_EQ(message_for(std::string(kMinimal) + "[metrics]\nenabled = sucess\n"),
             "c.ini:6: [metrics] enabled: unknown id 'sucess'; expected 'success'");

@@ -2,6 +2,7 @@
 
 #include <slalom/core/ini_file.h>
 #include <slalom/core/options.h>
+#include <slalom/metrics/metric.h>
 #include <slalom/robot/robot_model.h>
 #include <slalom/simulation/simulate.h>
 
@@ -23,8 +24,9 @@ struct CampaignSection {
 
 /// Section [metrics].
 struct MetricsSection {
-  std::string enabled = "all";      ///< metric ids, comma separated, or all
-  std::string descriptors = "all";  ///< descriptor ids, comma separated, or all
+  std::string enabled = "all";           ///< metric ids, comma separated, or all
+  std::string descriptors = "all";       ///< descriptor ids, comma separated, or all
+  double safe_distance = kSafeDistance;  ///< m, clearance below which time is time at risk
 
   void visit(OptionVisitor& v);
 };
@@ -56,11 +58,16 @@ struct CampaignOptions {
   std::vector<std::string> methods;      ///< in the order of the .ini
   std::vector<std::string> metrics;      ///< ids
   std::vector<std::string> descriptors;  ///< ids
+  double safe_distance = kSafeDistance;  ///< m
   RunSetup setup;
   LimitsSection limits;
   RecordSection record;
   double reference_gap = 0.01;
 };
+
+/// What a run is measured with: the robot, the simulation's limits, every metric or those enabled,
+/// from [robot], [simulation] and [metrics], each with its defaults. Throws Error (Usage).
+CampaignOptions read_measuring_options(const IniFile& ini);
 
 /// Reads [campaign], [robot], [sensor], [odometry], [simulation], [metrics] and [limits] and checks
 /// them against each other. Throws Error (Usage). reference_gap is left for the reader of
