@@ -8,6 +8,10 @@
 int main(int argc, char** argv) {
   if (argc < 2) return 2;
   slalom::enter_private_network();
+  if (!slalom::has_multicast()) {
+    std::fputs("skipped: neither a private network nor one with multicast\n", stderr);
+    return 77;
+  }
   execvp(argv[1], argv + 1);
   std::perror(argv[1]);
   return 127;

@@ -40,4 +40,28 @@ inline bool enter_private_network() {
   return done;
 }
 
+/// Whether a multicast message of this process comes back to it.
+inline bool has_multicast() {
+  const int udp = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_in place = {};
+  place.sin_family = AF_INET;
+  place.sin_addr.s_addr = htonl(INADDR_ANY);
+  socklen_t size = sizeof place;
+  ip_mreq group = {};
+  group.imr_multiaddr.s_addr = htonl(0xEFFF4C43);  // 239.255.76.67, LCM's
+  const timeval patience = {1, 0};
+  const unsigned char near = 0;
+  char received = 0;
+  bool works = bind(udp, reinterpret_cast<sockaddr*>(&place), size) == 0 &&
+               getsockname(udp, reinterpret_cast<sockaddr*>(&place), &size) == 0 &&
+               setsockopt(udp, IPPROTO_IP, IP_ADD_MEMBERSHIP, &group, sizeof group) == 0 &&
+               setsockopt(udp, IPPROTO_IP, IP_MULTICAST_TTL, &near, sizeof near) == 0 &&
+               setsockopt(udp, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience) == 0;
+  place.sin_addr = group.imr_multiaddr;
+  works = works && sendto(udp, "x", 1, 0, reinterpret_cast<sockaddr*>(&place), size) == 1 &&
+          recv(udp, &received, 1, 0) == 1;
+  close(udp);
+  return works;
+}
+
 }  // namespace slalom
