@@ -1,3 +1,4 @@
+#include "metrics.h"
 #include "show.h"
 
 #include <slalom/analysis/table_export.h>
@@ -147,11 +148,13 @@ void define_dump(CLI::App& app, Arguments& arguments) {
 int main(int argc, char** argv) {
   using namespace slalom;
   Arguments arguments;
-  return run_program("slalom-analyze", "Tables and reports from result files", argc, argv,
-                     [&arguments](CLI::App& app) {
+  return run_program("slalom-analyze",
+                     "Tables and reports from result files, and metrics of any robot's logs", argc,
+                     argv, [&arguments](CLI::App& app) {
                        define_table(app, arguments);
                        define_report(app, arguments);
                        define_show(app, arguments);
                        define_dump(app, arguments);
+                       define_metrics(app);
                      });
 }
