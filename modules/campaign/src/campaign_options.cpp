@@ -51,7 +51,7 @@ std::vector<std::string> read_methods(const IniFile& ini, const std::string& tex
 
 void CampaignSection::visit(OptionVisitor& v) {
   v.option("name", name, "name of the campaign, in tables and reports");
-  v.option("seed", seed, "-", "seed from which every random number is derived", Range::at_least(0));
+  v.option("seed", seed, "seed from which every random number is derived");
   v.option("repetitions", repetitions, "-", "runs of each method on each scenario",
            Range::between(1, 1e6));
   v.option("methods", methods, "names of [method.NAME] sections, comma separated");
@@ -100,7 +100,7 @@ CampaignOptions read_campaign_options(const IniFile& ini) {
   const auto campaign = read_options<CampaignSection>(ini, "campaign");
   CampaignOptions options = read_measuring_options(ini);
   options.name = campaign.name;
-  options.seed = static_cast<std::uint64_t>(campaign.seed);
+  options.seed = campaign.seed;
   options.repetitions = campaign.repetitions;
   options.methods = read_methods(ini, campaign.methods);
   options.limits = read_options<LimitsSection>(ini, "limits");

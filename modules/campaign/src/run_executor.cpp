@@ -78,9 +78,16 @@ RunFindings RunExecutor::execute(const RunSpec& spec, TaskNotes& notes) {
   if (is_methods_failure(result.outcome)) notes.retire_worker();
   record(spec, notes.contents(), result);
   RunFindings findings = evaluate(spec, result);
-  findings.timing.values = cycle_time_statistics(result.cycle_seconds);
+  findings.timing.values = cycle_time_statistics(result.cycle_seconds, cycle_limit());
   findings.timing.wall_seconds = taken.count();
   return findings;
+}
+
+/// A method that takes longer than this cannot keep pace: the limit on a cycle, else its period.
+double RunExecutor::cycle_limit() const {
+  const RunSetup& setup = campaign_.options.setup;
+  return setup.deadline.cycle_deadline > 0 ? setup.deadline.cycle_deadline
+                                           : setup.simulation.control_period;
 }
 
 SimulationResult RunExecutor::drive(const RunSpec& spec, RunObserver& observer) {

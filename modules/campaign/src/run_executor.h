@@ -36,6 +36,7 @@ class RunExecutor {
   const World& world(std::size_t scenario);
   Method& method(const std::string& name);
   SimulationResult drive(const RunSpec& spec, RunObserver& observer);
+  double cycle_limit() const;  ///< s
   SimulationResult drive_again(const RunSpec& spec, const std::string& notes, Outcome outcome,
                                const std::string& detail, RunObserver* observer);
   void record(const RunSpec& spec, const std::string& notes, const SimulationResult& result);

@@ -5,6 +5,11 @@
 #include <algorithm>
 
 namespace slalom {
+namespace {
+
+constexpr char kSeedRange[] = "in [0, 9223372036854775807]";
+
+}  // namespace
 
 bool Range::contains(double value) const {
   return (low_open ? value > low : value >= low) && value <= high;
@@ -44,6 +49,17 @@ void OptionReader::option(const std::string& key, int& value, const std::string&
     throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid",
                       "a whole number " + range.text());
   value = static_cast<int>(number);
+}
+
+void OptionReader::option(const std::string& key, std::uint64_t& value, const std::string&) {
+  known_.push_back(key);
+  const auto text = ini_.get(section_, key);
+  if (!text) return;
+  long long number = 0;
+  if (!parse_integer(*text, number) || number < 0)
+    throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid",
+                      std::string("a whole number ") + kSeedRange);
+  value = static_cast<std::uint64_t>(number);
 }
 
 void OptionReader::option(const std::string& key, bool& value, const std::string&) {
@@ -87,6 +103,10 @@ void OptionLister::option(const std::string& key, double& value, const std::stri
 void OptionLister::option(const std::string& key, int& value, const std::string& unit,
                           const std::string& help, Range range) {
   lines_.push_back({key, std::to_string(value), unit, range.text(), help});
+}
+
+void OptionLister::option(const std::string& key, std::uint64_t& value, const std::string& help) {
+  lines_.push_back({key, std::to_string(value), "-", kSeedRange, help});
 }
 
 void OptionLister::option(const std::string& key, bool& value, const std::string& help) {

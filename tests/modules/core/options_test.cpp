@@ -67,5 +67,23 @@ TEST(Options, TheListerShowsDefaultUnitRangeAndHelp) {
   EXPECT_NE(lister.text().find("radius of the robot (> 0)"), std::string::npos);
 }
 
+struct Seeded {
+  std::uint64_t seed = 1;
+  void visit(OptionVisitor& v) { v.option("seed", seed, "a seed"); }
+};
+
+TEST(Options, SeedsHaveSixtyThreeBits) {
+  const auto read = [](const std::string& text) {
+    return read_options<Seeded>(IniFile::from_text("[s]\nseed = " + text + "\n"), "s").seed;
+  };
+  EXPECT_EQ(read("9223372036854775807"), 9223372036854775807U);
+  EXPECT_THROW(read("9223372036854775808"), Error);
+  EXPECT_THROW(read("-1"), Error);
+  EXPECT_THROW(read("1.5"), Error);
+  OptionLister lister;
+  Seeded().visit(lister);
+  EXPECT_NE(lister.text().find("a seed (in [0, 9223372036854775807])"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace slalom

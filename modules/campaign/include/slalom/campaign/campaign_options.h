@@ -15,7 +15,7 @@ namespace slalom {
 /// Section [campaign].
 struct CampaignSection {
   std::string name = "campaign";
-  int seed = 1;
+  std::uint64_t seed = 1;
   int repetitions = 1;
   std::string methods;  ///< names, comma separated
 

@@ -2,6 +2,7 @@
 
 #include <slalom/core/ini_file.h>
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ class OptionVisitor {
                       const std::string& help, Range range = Range::any()) = 0;
   virtual void option(const std::string& key, int& value, const std::string& unit,
                       const std::string& help, Range range = Range::any()) = 0;
+  /// A seed: a whole number from 0 to 2^63 - 1.
+  virtual void option(const std::string& key, std::uint64_t& value, const std::string& help) = 0;
   virtual void option(const std::string& key, bool& value, const std::string& help) = 0;
   virtual void option(const std::string& key, std::string& value, const std::string& help,
                       const std::vector<std::string>& choices = {}) = 0;
@@ -55,6 +58,7 @@ class OptionReader : public OptionVisitor {
               const std::string& help, Range range = Range::any()) override;
   void option(const std::string& key, int& value, const std::string& unit, const std::string& help,
               Range range = Range::any()) override;
+  void option(const std::string& key, std::uint64_t& value, const std::string& help) override;
   void option(const std::string& key, bool& value, const std::string& help) override;
   void option(const std::string& key, std::string& value, const std::string& help,
               const std::vector<std::string>& choices = {}) override;
@@ -78,6 +82,7 @@ class OptionLister : public OptionVisitor {
               const std::string& help, Range range = Range::any()) override;
   void option(const std::string& key, int& value, const std::string& unit, const std::string& help,
               Range range = Range::any()) override;
+  void option(const std::string& key, std::uint64_t& value, const std::string& help) override;
   void option(const std::string& key, bool& value, const std::string& help) override;
   void option(const std::string& key, std::string& value, const std::string& help,
               const std::vector<std::string>& choices = {}) override;
