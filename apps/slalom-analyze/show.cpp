@@ -36,7 +36,8 @@ std::string quantities_text(const ResultTable& table,
 std::string timing_text(const RunTiming& timing) {
   std::string text = line("  wall_time", format_number(timing.wall_seconds) + " s");
   for (const auto& [id, value] : timing.values) {
-    text += line("  " + id, format_number(value) + " ms");
+    const std::string unit = timing_unit(id) == "-" ? "" : " " + timing_unit(id);
+    text += line("  " + id, format_number(value) + unit);
   }
   return text;
 }

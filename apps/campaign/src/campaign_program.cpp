@@ -58,7 +58,7 @@ void check_analysis(const IniFile& ini, const CampaignOptions& options) {
   // Success follows from the outcome where it is not among the metrics.
   if (std::find(columns.begin(), columns.end(), "success") == columns.end())
     columns.emplace_back("success");
-  for (const auto& [id, value] : cycle_time_statistics({0.0})) columns.push_back(id);
+  for (const auto& [id, value] : cycle_time_statistics({0.0}, 1)) columns.push_back(id);
   for (const std::string& id : split(section.columns, ','))
     require_one_of(id, columns, ini.where("analysis", "columns"));
   if (section.rows.empty()) return;

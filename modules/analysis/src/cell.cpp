@@ -80,7 +80,7 @@ std::vector<Column> resolve_columns(const ResultTable& table, const std::vector<
     if (contains(metrics, id) || (table.runs.empty() && table.quantities.count(id) > 0)) {
       columns.push_back({info_of(table, id), id == kSuccess, false});
     } else if (contains(clocks, id)) {
-      columns.push_back({{id, 1, id, "ms", Direction::Down}, false, true});
+      columns.push_back({{id, 1, id, timing_unit(id), Direction::Down}, false, true});
     } else {
       metrics.insert(metrics.end(), clocks.begin(), clocks.end());
       throw unknown_column(id, metrics);

@@ -18,6 +18,13 @@ std::vector<T> reordered(std::vector<T>& values, const std::vector<std::size_t>&
 
 }  // namespace
 
+std::string timing_unit(const std::string& id) {
+  const std::string ratio = "_ratio";
+  const bool is_ratio =
+      id.size() > ratio.size() && id.compare(id.size() - ratio.size(), ratio.size(), ratio) == 0;
+  return is_ratio ? "-" : "ms";
+}
+
 void sort_runs(ResultTable& table) {
   std::vector<std::size_t> order(table.runs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

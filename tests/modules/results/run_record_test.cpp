@@ -80,6 +80,11 @@ TEST(SortRuns, KeepsEverythingThatARunHolds) {
   EXPECT_EQ(run.metrics.at("path_length").value.number(), 4.5);
 }
 
+TEST(TimingUnit, OfARatioIsNone) {
+  EXPECT_EQ(timing_unit("cycle_time_p95"), "ms");
+  EXPECT_EQ(timing_unit("deadline_miss_ratio"), "-");
+}
+
 TEST(SortRuns, GivesARunWithoutTimingAnEmptyOne) {
   ResultTable table;
   table.runs = {run_of("b", "2", "nd", 0), run_of("a", "1", "nd", 0)};

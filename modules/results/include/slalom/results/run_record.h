@@ -30,8 +30,11 @@ struct RunRecord {
 /// Wall-clock figures of a run, kept apart from the rest (s).
 struct RunTiming {
   double wall_seconds = 0;
-  std::map<std::string, double> values;  ///< "cycle_time_mean", ... in ms
+  std::map<std::string, double> values;  ///< "cycle_time_mean", ..., in timing_unit()
 };
+
+/// The unit of a wall-clock figure: "-" of ratios, else "ms".
+std::string timing_unit(const std::string& id);
 
 /// What is known of a scenario.
 struct ScenarioRecord {
