@@ -71,8 +71,8 @@ std::string result_text(const SimulationResult& result) {
 
 class RawlogRecorder : public RunObserver {
  public:
-  RawlogRecorder(std::string path, const RunManifest& manifest, RecordedRuns which)
-      : path_(std::move(path)), manifest_(lines_of(manifest)), which_(which) {}
+  RawlogRecorder(std::string path, const RunManifest& manifest)
+      : path_(std::move(path)), manifest_(lines_of(manifest)) {}
 
   void on_start(const Task& task) override {
     started_ = Clock::now();
@@ -94,7 +94,6 @@ class RawlogRecorder : public RunObserver {
   }
 
   void on_end(const SimulationResult& result) override {
-    if (which_ == RecordedRuns::Failures && result.outcome == Outcome::Success) return;
     if (!has_manifest_) write_comment(manifest_to_text(manifest_), 0);
     const auto& samples = result.trajectory.samples;
     if (!samples.empty()) write_true_pose(samples.back().t, samples.back().pose);
@@ -137,7 +136,6 @@ class RawlogRecorder : public RunObserver {
 
   std::string path_;
   Manifest manifest_;
-  RecordedRuns which_;
   bool has_manifest_ = false;
   Clock::time_point started_;  ///< depends on the runs before this one in its process
   GzipWriter file_;
@@ -162,8 +160,8 @@ RunManifest make_run_manifest(const IniFile& ini, const Scenario& scenario,
 }
 
 std::unique_ptr<RunObserver> make_rawlog_recorder(const std::string& path,
-                                                  const RunManifest& manifest, RecordedRuns which) {
-  return std::make_unique<RawlogRecorder>(path, manifest, which);
+                                                  const RunManifest& manifest) {
+  return std::make_unique<RawlogRecorder>(path, manifest);
 }
 
 }  // namespace slalom

@@ -78,11 +78,11 @@ struct MadeRun {
 };
 
 inline MadeRun make_run(const std::string& path, Method& method, const RunSetup& setup,
-                        std::uint64_t seed = 7, RecordedRuns which = RecordedRuns::All) {
+                        std::uint64_t seed = 7) {
   const World world(some_discs(), setup.simulation.resolution);
   const IniFile ini = IniFile::from_text("[campaign]\nseed = 3\nmethods = m\n[method.m]\nx = 1\n");
   const auto recorder =
-      make_rawlog_recorder(path, make_run_manifest(ini, world.scenario(), "m", 2, seed), which);
+      make_rawlog_recorder(path, make_run_manifest(ini, world.scenario(), "m", 2, seed));
   SeeingObserver seen(*recorder);
   MadeRun made;
   made.result = simulate(world, setup, seed, method, &seen);

@@ -117,20 +117,6 @@ TEST_F(RunRecorder, MrptReadsEveryObjectWithItsTime) {
               made.result.trajectory.samples.back().t, 1e-6);
 }
 
-TEST_F(RunRecorder, OfFailuresOnlyASuccessLeavesNoFile) {
-  const RobotModel robot;
-  testing::FunctionMethod good(
-      [&](const Observation& o) { return testing::head_for(o.goal_in_robot, robot); });
-  RunSetup setup;
-  setup.simulation.goal_tolerance = 6.5;  // reached before the first disc
-  ASSERT_EQ(make_run(path("success.rawlog"), good, setup, 7, RecordedRuns::Failures).result.outcome,
-            Outcome::Success);
-  EXPECT_FALSE(std::filesystem::exists(path("success.rawlog")));
-  ASSERT_EQ(make_run(path("hit.rawlog"), good, {}, 7, RecordedRuns::Failures).result.outcome,
-            Outcome::Collision);
-  EXPECT_EQ(read_run(path("hit.rawlog")).outcome, Outcome::Collision);
-}
-
 TEST_F(RunRecorder, ARunThatCannotBeginHasAResultAndNoCycles) {
   const Scenario blocked = testing::some_discs().with_task({4, 5, 0}, {9, 5});  // in a disc
   const World world(blocked, 0.05);

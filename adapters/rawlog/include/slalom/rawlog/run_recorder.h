@@ -26,15 +26,10 @@ struct RunManifest {
 RunManifest make_run_manifest(const IniFile& ini, const Scenario& scenario,
                               const std::string& method, int repetition, std::uint64_t seed);
 
-/// Which runs leave a file.
-enum class RecordedRuns { All, Failures };
-
 /// Observes one run and writes it, when it is over, as a standard MRPT rawlog at `path` (to a
-/// temporary file that is renamed; gzip compressed). With RecordedRuns::Failures a run that ends as
-/// success leaves no file. The same run gives the same bytes, whichever process runs it. on_end()
-/// throws Error (Job) when the file cannot be written.
+/// temporary file that is renamed; gzip compressed). The same run gives the same bytes, whichever
+/// process runs it. on_end() throws Error (Job) when the file cannot be written.
 std::unique_ptr<RunObserver> make_rawlog_recorder(const std::string& path,
-                                                  const RunManifest& manifest,
-                                                  RecordedRuns which = RecordedRuns::All);
+                                                  const RunManifest& manifest);
 
 }  // namespace slalom
