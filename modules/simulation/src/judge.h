@@ -1,8 +1,7 @@
 #pragma once
 
-#include <slalom/simulation/footprint_contact.h>
-
 #include <slalom/scenario/world.h>
+#include <slalom/simulation/footprint_contact.h>
 #include <slalom/simulation/simulate.h>
 
 #include <mrpt/math/TPose2D.h>

@@ -1,6 +1,6 @@
-#include <slalom/simulation/footprint_contact.h>
 #include "test_runs.h"
 
+#include <slalom/simulation/footprint_contact.h>
 #include <slalom/simulation/run_observer.h>
 
 #include <gtest/gtest.h>
