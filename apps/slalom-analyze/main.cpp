@@ -6,6 +6,7 @@
 #include <slalom/app/program.h>
 #include <slalom/core/text.h>
 #include <slalom/io/html_report.h>
+#include <slalom/io/rawlog_place.h>
 #include <slalom/io/result_file.h>
 
 #include <filesystem>
@@ -98,7 +99,15 @@ void report_verb(const Arguments& arguments) {
 void show_verb(const Arguments& arguments) {
   const ResultTable table = ResultFile::open(arguments.results).read_table();
   const RunRecord& run = find_run(table, arguments.run);
-  std::cout << (arguments.json ? dump_line(table, run) + "\n" : run_text(table, run));
+  if (arguments.json) {
+    std::cout << dump_line(table, run) << "\n";
+    return;
+  }
+  std::cout << run_text(table, run);
+  const std::string rawlog =
+      rawlog_path(arguments.results, run.scenario_hash, run.method, run.repetition);
+  if (std::filesystem::exists(rawlog))
+    std::cout << "rawlog, see slalom-replay\n  " << rawlog << "\n";
 }
 
 void dump_verb(const Arguments& arguments) {

@@ -79,8 +79,13 @@ TEST_F(Recording, ACrashIsARowWithARawlogAndTheCampaignGoesOn) {
     const auto row = nlohmann::json::parse(line);
     const std::string name = row["scenario"]["hash"].get<std::string>().substr(0, 8) + "_" +
                              row["method"].get<std::string>() + "_0.rawlog";
-    EXPECT_EQ(std::filesystem::exists(folder_ / "runs.rawlogs" / name), row["outcome"] != "success")
+    const bool recorded = row["outcome"] != "success";
+    EXPECT_EQ(std::filesystem::exists(folder_ / "runs.rawlogs" / name), recorded)
         << name << " " << row["outcome"];
+    const std::string id = row["scenario"]["hash"].get<std::string>().substr(0, 8) + "/" +
+                           row["method"].get<std::string>() + "/0";
+    const std::string shown = run("slalom-analyze show runs.results --run " + id).out;
+    EXPECT_EQ(shown.find("runs.rawlogs/" + name) != std::string::npos, recorded) << shown;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <ompl/base/Path.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
+#include <ompl/base/spaces/RealVectorBounds.h>
 
 #include <functional>
 #include <memory>
@@ -21,6 +22,9 @@ struct PlanningSpace {
   ompl::base::GoalPtr goal;
   std::function<Path(const ompl::base::PathPtr&)> to_path;
 };
+
+/// The workspace, as OMPL takes it.
+ompl::base::RealVectorBounds planning_bounds(const World& world);
 
 /// R^2 for the disc of problem.robot_radius. States and straight motions are tested exactly in the
 /// model that judges collisions, with no sampling of motions.

@@ -68,23 +68,23 @@ class ExactMotions : public ob::MotionValidator {
   const PlanningProblem& problem_;
 };
 
-std::shared_ptr<ob::RealVectorStateSpace> plane_within(const Bounds& bounds) {
-  auto plane = std::make_shared<ob::RealVectorStateSpace>(2);
+}  // namespace
+
+ob::RealVectorBounds planning_bounds(const World& world) {
+  const Bounds bounds = world.occupancy().bounds();
   ob::RealVectorBounds limits(2);
   limits.setLow(0, bounds.x_min);
   limits.setHigh(0, bounds.x_max);
   limits.setLow(1, bounds.y_min);
   limits.setHigh(1, bounds.y_max);
-  plane->setBounds(limits);
-  return plane;
+  return limits;
 }
 
-}  // namespace
-
 PlanningSpace make_point_space(const PlanningProblem& problem) {
+  auto plane = std::make_shared<ob::RealVectorStateSpace>(2);
+  plane->setBounds(planning_bounds(problem.world));
   PlanningSpace space;
-  space.information =
-      std::make_shared<ob::SpaceInformation>(plane_within(problem.world.occupancy().bounds()));
+  space.information = std::make_shared<ob::SpaceInformation>(plane);
   space.information->setStateValidityChecker(
       std::make_shared<ExactValidity>(space.information, problem));
   space.information->setMotionValidator(std::make_shared<ExactMotions>(space.information, problem));

@@ -120,13 +120,7 @@ ob::GoalPtr goal_in_any_heading(const ob::SpaceInformationPtr& information, cons
 
 PlanningSpace make_pose_space(const PlanningProblem& problem, const RobotModel& robot) {
   const auto poses = poses_of(robot);
-  const Bounds bounds = problem.world.occupancy().bounds();
-  ob::RealVectorBounds limits(2);
-  limits.setLow(0, bounds.x_min);
-  limits.setHigh(0, bounds.x_max);
-  limits.setLow(1, bounds.y_min);
-  limits.setHigh(1, bounds.y_max);
-  poses->setBounds(limits);
+  poses->setBounds(planning_bounds(problem.world));
 
   const double piece = 0.5 * problem.world.occupancy().resolution();
   PlanningSpace space;

@@ -1,23 +1,18 @@
 #include "recording.h"
 
 #include <slalom/app/output_folder.h>
+#include <slalom/io/rawlog_place.h>
 #include <slalom/rawlog/run_recorder.h>
-
-#include <filesystem>
 
 namespace slalom {
 
 void record_rawlogs(Campaign& campaign, const std::string& results_path) {
   if (campaign.options.record.rawlog == "none") return;
-  const std::string folder =
-      std::filesystem::path(results_path).replace_extension(".rawlogs").string();
-  make_output_folder(folder);
-  campaign.recorder = [&campaign, folder](const RunSpec& spec) {
+  make_output_folder(rawlog_folder(results_path));
+  campaign.recorder = [&campaign, results_path](const RunSpec& spec) {
     const Scenario& scenario = campaign.scenarios[spec.scenario];
-    const std::string name = scenario.hash().substr(0, 8) + "_" + spec.method + "_" +
-                             std::to_string(spec.repetition) + ".rawlog";
     return make_rawlog_recorder(
-        folder + "/" + name,
+        rawlog_path(results_path, scenario.hash(), spec.method, spec.repetition),
         make_run_manifest(campaign.ini, scenario, spec.method, spec.repetition, spec.seed));
   };
 }

@@ -8,6 +8,8 @@
 #include <mrpt/img/CImage.h>
 
 #include <cmath>
+#include <cstdio>
+#include <unistd.h>
 
 namespace slalom {
 namespace {
@@ -65,9 +67,12 @@ class Canvas {
     image_.drawCircle(round(at.x), round(at.y), round(radius * frame_.scale()), color, width);
   }
 
+  /// To a temporary file that is renamed: never half a picture.
   void save(const std::string& path) const {
-    if (!image_.saveToFile(path))
-      throw job_error(path, "cannot be written", "a .png file in a folder that can be written");
+    const std::string temporary = path + ".tmp" + std::to_string(getpid()) + ".png";
+    if (image_.saveToFile(temporary) && std::rename(temporary.c_str(), path.c_str()) == 0) return;
+    std::remove(temporary.c_str());
+    throw job_error(path, "cannot be written", "a .png file in a folder that can be written");
   }
 
  private:
