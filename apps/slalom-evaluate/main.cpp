@@ -1,3 +1,4 @@
+#include <slalom/analysis/analysis_section.h>
 #include <slalom/analysis/table_export.h>
 #include <slalom/analysis/table_text.h>
 #include <slalom/app/campaign_arguments.h>
@@ -27,7 +28,7 @@ void keep_scenarios(const std::vector<Scenario>& scenarios, const IniFile& ini,
 }
 
 /// Tables on standard output and as files, the report as a folder.
-void present(const Arguments& arguments, const std::string& results_path) {
+void present(const Arguments& arguments, const std::string& results_path, bool with_report) {
   const ResultFile file = ResultFile::open(results_path);
   const ResultTable table = file.read_table();
   const ReportOptions options = report_options(table);
@@ -37,9 +38,11 @@ void present(const Arguments& arguments, const std::string& results_path) {
   write_file_atomically(
       arguments.output + "/tables.csv",
       render_csv(build_cross_tables(table, options.rows, options.columns, options.analysis)));
+  std::cout << text;
+  if (!with_report) return;
   const std::string report = arguments.output + "/report";
   write_html_report(file, options, report);
-  std::cout << text << "\nReport: " << report << "/index.html\n";
+  std::cout << "\nReport: " << report << "/index.html\n";
 }
 
 void evaluate(const Arguments& arguments) {
@@ -51,7 +54,7 @@ void evaluate(const Arguments& arguments) {
   const CampaignReport report =
       run_campaign_program(ini, arguments.campaign, std::move(scenarios), results);
   if (!report.complete) throw Interrupted("the runs so far are kept in " + results);
-  present(arguments, results);
+  present(arguments, results, read_options<AnalysisSection>(ini, "analysis").report);
   if (!report.problem.empty()) throw job_error(results, report.problem);
 }
 

@@ -55,6 +55,21 @@ TEST_F(Evaluate, AddingAMethodChangesNoOtherMethodsValues) {
   EXPECT_EQ(expected, alone.str());
 }
 
+TEST_F(Evaluate, LeavesOutTrajectoriesAndTheReportWhereNotWanted) {
+  const std::string command = "slalom-evaluate small.ini --quiet ";
+  ASSERT_EQ(run(command + "-o all").status, 0);
+  const Ended ended =
+      run(command + "-o few --set record.trajectories=none --set analysis.report=false");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "few/report"));
+  EXPECT_EQ(ended.out, read("few/tables.txt"));
+  EXPECT_EQ(run("slalom-analyze dump few/runs.results").out,
+            run("slalom-analyze dump all/runs.results").out);
+  EXPECT_LT(std::filesystem::file_size(folder_ / "few/runs.results"),
+            std::filesystem::file_size(folder_ / "all/runs.results"));
+  EXPECT_EQ(run("slalom-analyze report few/runs.results -o report").status, 0);
+}
+
 TEST_F(Evaluate, HelpVersionAndOptionsArePrinted) {
   EXPECT_NE(run("slalom-evaluate --help").out.find("--jobs"), std::string::npos);
   EXPECT_EQ(run("slalom-evaluate --version").status, 0);

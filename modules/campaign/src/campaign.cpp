@@ -97,7 +97,8 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
                                               known.shortest_reason));
   };
   const auto receive = [&](std::size_t i, TaskResult&& result) {
-    const RunFindings findings = findings_of(campaign, plan[i], result, executor);
+    RunFindings findings = findings_of(campaign, plan[i], result, executor);
+    if (campaign.options.record.trajectories == "none") findings.trajectory.samples.clear();
     sink.add_run(findings.record, findings.timing, findings.trajectory);
     ++summary.runs;
     ++summary.outcomes[findings.record.outcome];

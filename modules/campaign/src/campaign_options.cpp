@@ -77,6 +77,8 @@ void LimitsSection::visit(OptionVisitor& v) {
 
 void RecordSection::visit(OptionVisitor& v) {
   v.option("rawlog", rawlog, "runs to record as MRPT rawlogs", {"none", "failures", "all"});
+  v.option("trajectories", trajectories, "runs whose trajectories are kept with the results",
+           {"all", "none"});
 }
 
 bool RecordSection::wants(Outcome outcome) const {

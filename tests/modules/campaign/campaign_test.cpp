@@ -100,7 +100,7 @@ class CampaignTest : public testing::Test {
   }
 
   IniFile ini_for(const std::vector<std::string>& kinds,
-                  const std::string& limits = "run_wall_time = 1") const {
+                  const std::string& limits = "run_wall_time = 2") const {
     std::string methods, sections;
     for (const std::string& kind : kinds) {
       methods += (methods.empty() ? "" : ",") + kind;

@@ -108,10 +108,10 @@ TEST(WorkerPool, WhatATaskNotedSurvivesItsDeath) {
 
 TEST(WorkerPool, ATaskThatFallsSilentIsKilled) {
   PoolOptions options = with_workers(1);
-  options.silence = 0.1;
+  options.silence = 0.5;
   options.task_wall_time = 20;
   const auto results = run_all(3, options, [](std::size_t i, TaskNotes& notes) -> std::string {
-    if (i == 0) usleep(300000);  // never beat: it may take its time
+    if (i == 0) usleep(800000);  // never beat: it may take its time
     for (int beat = 0; i > 0 && beat < 8; ++beat) {
       usleep(i == 2 && beat == 4 ? 5000000 : 30000);
       notes.beat();
@@ -121,7 +121,7 @@ TEST(WorkerPool, ATaskThatFallsSilentIsKilled) {
   EXPECT_EQ(results[0].payload, "fine");
   EXPECT_EQ(results[1].payload, "fine");
   EXPECT_EQ(results[2].status, Status::TimedOut);
-  EXPECT_EQ(results[2].detail, "no answer within 0.1 s of a cycle");
+  EXPECT_EQ(results[2].detail, "no answer within 0.5 s of a cycle");
 }
 
 TEST(WorkerPool, ATaskThatUsesUpItsProcessorTimeIsKilled) {

@@ -11,6 +11,7 @@ struct AnalysisSection {
   std::string rows;     ///< descriptor bins, separated by ';'; empty: density:4 where it is known
   std::string columns;  ///< metric ids, comma separated; empty: success, optimality, safety
   double confidence = 0.95;  ///< of intervals
+  bool report = true;        ///< slalom-evaluate writes the HTML report
 
   void visit(OptionVisitor& v);
 };

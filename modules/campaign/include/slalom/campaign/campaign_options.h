@@ -44,7 +44,8 @@ struct LimitsSection {
 
 /// Section [record].
 struct RecordSection {
-  std::string rawlog = "none";  ///< none, failures or all runs
+  std::string rawlog = "none";       ///< none, failures or all runs
+  std::string trajectories = "all";  ///< none: results without them, for very large campaigns
 
   void visit(OptionVisitor& v);
   bool wants(Outcome outcome) const;
