@@ -11,28 +11,44 @@ namespace {
 struct Family {
   const char* name;
   std::unique_ptr<Generator> (*make)(const IniFile& ini);
+  void (*visit)(OptionVisitor& visitor);
 };
+
+/// Shows the defaults of a family's options to a visitor.
+template <typename Options>
+void visit_defaults(OptionVisitor& visitor) {
+  Options options;
+  options.visit(visitor);
+}
 
 /// All families: the one list to add a line to.
 constexpr Family kFamilies[] = {
-    {"random", make_random_generator},
+    {"random", make_random_generator, visit_defaults<RandomGeneratorOptions>},
 };
+
+const Family& family(const std::string& name, const std::string& where) {
+  for (const Family& candidate : kFamilies)
+    if (name == candidate.name) return candidate;
+  const std::vector<std::string> names = generator_names();
+  const std::string nearest = nearest_name(name, names);
+  throw usage_error(where, "unknown generator '" + name + "'",
+                    nearest.empty() ? "one of " + join(names, ", ") : "'" + nearest + "'");
+}
 
 }  // namespace
 
 std::vector<std::string> generator_names() {
   std::vector<std::string> names;
-  for (const Family& family : kFamilies) names.emplace_back(family.name);
+  for (const Family& listed : kFamilies) names.emplace_back(listed.name);
   return names;
 }
 
 std::unique_ptr<Generator> make_generator(const std::string& name, const IniFile& ini) {
-  for (const Family& family : kFamilies)
-    if (name == family.name) return family.make(ini);
-  const std::vector<std::string> names = generator_names();
-  const std::string nearest = nearest_name(name, names);
-  throw usage_error(ini.name(), "unknown generator '" + name + "'",
-                    nearest.empty() ? "one of " + join(names, ", ") : "'" + nearest + "'");
+  return family(name, ini.name()).make(ini);
+}
+
+void visit_generator_options(const std::string& name, OptionVisitor& visitor) {
+  family(name, "generator").visit(visitor);
 }
 
 }  // namespace slalom

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 namespace slalom {
@@ -73,6 +74,32 @@ TEST(GenerateSolvable, AnImpossibleTaskEndsWithTheReasons) {
         << what;
     EXPECT_NE(what.find("times:"), std::string::npos);
   }
+}
+
+/// Notes the defaults that are numbers.
+class Defaults : public OptionVisitor {
+ public:
+  void option(const std::string& key, double& value, const std::string&, const std::string&,
+              Range) override {
+    numbers[key] = value;
+  }
+  void option(const std::string& key, int& value, const std::string&, const std::string&,
+              Range) override {
+    numbers[key] = value;
+  }
+  void option(const std::string&, std::uint64_t&, const std::string&) override {}
+  void option(const std::string&, bool&, const std::string&) override {}
+  void option(const std::string&, std::string&, const std::string&,
+              const std::vector<std::string>&) override {}
+  std::map<std::string, double> numbers;
+};
+
+TEST(GeneratorOptions, AreShownWithTheirDefaults) {
+  Defaults defaults;
+  visit_generator_options("random", defaults);
+  EXPECT_EQ(defaults.numbers.at("width"), 12);
+  EXPECT_EQ(defaults.numbers.at("max_obstacles"), 40);
+  EXPECT_THROW(visit_generator_options("randum", defaults), Error);
 }
 
 TEST(MakeGenerator, UnknownNamesAndKeysAreRefused) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/core/ini_file.h>
+#include <slalom/core/options.h>
 #include <slalom/core/progress.h>
 #include <slalom/core/random.h>
 #include <slalom/scenario/scenario.h>
@@ -24,6 +25,9 @@ class Generator {
 /// Builds a generator from section "generator.NAME" of an .ini. Throws Error (Usage).
 std::unique_ptr<Generator> make_generator(const std::string& name, const IniFile& ini);
 std::vector<std::string> generator_names();
+
+/// Shows the options of a family, with their defaults and ranges. Throws Error (Usage).
+void visit_generator_options(const std::string& name, OptionVisitor& visitor);
 
 /// For which robot scenarios must be solvable, and how long to try.
 struct GenerationTask {
