@@ -108,8 +108,10 @@ Scenario to_points(const Scenario& scenario, double spacing) {
 
 Scenario convert(const Scenario& scenario, Representation to, double resolution) {
   if (to == scenario.representation()) return scenario;
-  if (to == Representation::Grid) return to_grid(scenario, resolution);
-  if (to == Representation::Points) return to_points(scenario, resolution);
+  const PublishedPathPtr& path = scenario.published_path();
+  if (to == Representation::Grid) return to_grid(scenario, resolution).with_published_path(path);
+  if (to == Representation::Points)
+    return to_points(scenario, resolution).with_published_path(path);
   throw usage_error(scenario.name(),
                     "cannot make primitives from " + to_string(scenario.representation()),
                     "a conversion to grid or points");

@@ -210,4 +210,11 @@ Scenario Scenario::with_task(TPose2D start, TPoint2D goal) const {
   return {name_, bounds_, obstacles_, start, goal};
 }
 
+Scenario Scenario::with_published_path(PublishedPathPtr path) const {
+  if (path) check_published_path(name_, *path);
+  Scenario copy = *this;
+  copy.published_path_ = std::move(path);
+  return copy;
+}
+
 }  // namespace slalom

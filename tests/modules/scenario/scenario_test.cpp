@@ -37,6 +37,40 @@ TEST(Scenario, IsIdentifiedByItsContentAndNotByItsName) {
   EXPECT_EQ(sample().with_task({0.5, 0.5, 0}, {3.5, 2.5}).hash(), sample().hash());
 }
 
+PublishedPathPtr published(std::vector<TPoint2D> points, double cell_size = 0.5) {
+  return std::make_shared<PublishedPath>(PublishedPath{std::move(points), {0, 0, 3, 2}, cell_size});
+}
+
+TEST(Scenario, CarriesAPublishedPathThatIsNoPartOfItsContent) {
+  const Scenario with = sample().with_published_path(published({{1, 1}, {1, 1}, {2, 1}}));
+  EXPECT_EQ(with.hash(), sample().hash());
+  EXPECT_EQ(sample().published_path(), nullptr);
+  ASSERT_NE(with.published_path(), nullptr);
+  EXPECT_EQ(with.published_path()->points.size(), 3U);
+  EXPECT_EQ(with.published_path()->size_x(), 6);  // 3 m of 0.5 m
+  EXPECT_EQ(with.published_path()->size_y(), 4);
+  EXPECT_EQ(with.renamed("other").published_path(), with.published_path());
+  EXPECT_EQ(convert(with, Representation::Grid, 0.1).published_path(), with.published_path());
+  EXPECT_EQ(convert(with, Representation::Points, 0.1).published_path(), with.published_path());
+  EXPECT_EQ(with.with_task({0.6, 0.5, 0}, {3.5, 2.5}).published_path(), nullptr);
+  EXPECT_EQ(with.with_published_path(nullptr).published_path(), nullptr);
+}
+
+TEST(Scenario, RefusesAPublishedPathThatCannotBe) {
+  const double nan = std::nan("");
+  for (const PublishedPathPtr& bad :
+       {published({}), published({{nan, 0}}), published({{1, 1}}, 0), published({{1, 1}}, -0.5),
+        published({{1, 1}}, 0.7), published({{1, 1}}, 1e-6), published({{1, 1}}, nan)})
+    EXPECT_THROW(sample().with_published_path(bad), Error);
+}
+
+TEST(Scenario, TellsPublishedPathsApartByTheirHash) {
+  const auto path = published({{1, 1}, {2, 1}});
+  EXPECT_EQ(path->hash(), published({{1, 1}, {2, 1}})->hash());
+  EXPECT_NE(path->hash(), published({{1, 1}, {2, 1.5}})->hash());
+  EXPECT_NE(path->hash(), published({{1, 1}, {2, 1}}, 0.25)->hash());
+}
+
 TEST(Scenario, ChangesItsHashWithEveryNumberOfItsGeometry) {
   Primitives obstacles = kObstacles;
   obstacles.discs[0].radius = 0.5000001;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/scenario/geometry.h>
+#include <slalom/scenario/published_path.h>
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/maps/CSimplePointsMap.h>
@@ -50,8 +51,14 @@ class Scenario {
       const;  ///< requires Grid; cells are p2l(1), free, or p2l(0), occupied
   const PointMapPtr& point_map() const;  ///< requires Points
 
+  /// The path that was published with this place, or null. No part of the content.
+  const PublishedPathPtr& published_path() const { return published_path_; }
+
   Scenario renamed(std::string name) const;
+  /// Another task in the same place; without the path, which belongs to this one.
   Scenario with_task(mrpt::math::TPose2D start, mrpt::math::TPoint2D goal) const;
+  /// The same with this path, or without one (null). Throws as check_published_path() does.
+  Scenario with_published_path(PublishedPathPtr path) const;
 
  private:
   using Obstacles = std::variant<Primitives, GridMapPtr, PointMapPtr>;
@@ -64,6 +71,7 @@ class Scenario {
   mrpt::math::TPose2D start_;
   mrpt::math::TPoint2D goal_;
   std::string hash_;
+  PublishedPathPtr published_path_;
 };
 
 }  // namespace slalom
