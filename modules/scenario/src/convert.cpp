@@ -1,6 +1,8 @@
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/scenario/contours.h>
+#include <slalom/scenario/convert.h>
 #include <slalom/scenario/grid_map.h>
-#include <slalom/scenario/occupancy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,17 +106,40 @@ Scenario to_points(const Scenario& scenario, double spacing) {
                           scenario.goal());
 }
 
+Scenario to_continuous(const Scenario& scenario, const ConversionOptions& options) {
+  Primitives obstacles;
+  if (scenario.representation() == Representation::Grid) {
+    obstacles.polygons = trace_contours(make_occupancy(scenario, 1), options.tolerance);
+  } else {
+    const double radius = options.point_radius > 0 ? options.point_radius : options.resolution / 2;
+    if (!(radius > 0) || !std::isfinite(radius))
+      throw usage_error("point_radius", "discs of " + format_number(radius) + " m",
+                        "a radius above 0 m");
+    const auto &x = scenario.point_map()->getPointsBufferRef_x(),
+               &y = scenario.point_map()->getPointsBufferRef_y();
+    for (std::size_t i = 0; i < x.size(); ++i)
+      obstacles.discs.push_back({TPoint2D(x[i], y[i]), radius});
+  }
+  return Scenario::continuous(scenario.name(), scenario.bounds(), std::move(obstacles),
+                              scenario.start(), scenario.goal());
+}
+
 }  // namespace
 
-Scenario convert(const Scenario& scenario, Representation to, double resolution) {
+Scenario convert(const Scenario& scenario, Representation to, const ConversionOptions& options) {
   if (to == scenario.representation()) return scenario;
-  const PublishedPathPtr& path = scenario.published_path();
-  if (to == Representation::Grid) return to_grid(scenario, resolution).with_published_path(path);
-  if (to == Representation::Points)
-    return to_points(scenario, resolution).with_published_path(path);
-  throw usage_error(scenario.name(),
-                    "cannot make primitives from " + to_string(scenario.representation()),
-                    "a conversion to grid or points");
+  const auto converted = [&] {
+    if (to == Representation::Grid) return to_grid(scenario, options.resolution);
+    if (to == Representation::Points) return to_points(scenario, options.resolution);
+    return to_continuous(scenario, options);
+  };
+  return converted().with_published_path(scenario.published_path());
+}
+
+Scenario convert(const Scenario& scenario, Representation to, double resolution) {
+  ConversionOptions options;
+  options.resolution = resolution;
+  return convert(scenario, to, options);
 }
 
 }  // namespace slalom

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace slalom {
 namespace {
@@ -41,6 +42,31 @@ bool segments_touch(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c, con
 /// Whether the corner a, b, c turns back onto itself (or an edge has no length).
 bool folds_back(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c) {
   return a == b || (orientation(a, b, c) == 0 && dot(b - a, c - b) < 0);
+}
+
+/// Whether two edges other than neighbours touch. Edges are visited from left to right, and only
+/// those that reach that far are compared.
+bool edges_touch(const std::vector<TPoint2D>& v) {
+  const std::size_t n = v.size();
+  const auto left = [&](std::size_t i) { return std::min(v[i].x, v[(i + 1) % n].x); };
+  const auto right = [&](std::size_t i) { return std::max(v[i].x, v[(i + 1) % n].x); };
+  std::vector<std::size_t> order(n), active;
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return left(a) != left(b) ? left(a) < left(b) : a < b;
+  });
+  for (const std::size_t i : order) {
+    const double x = left(i);
+    active.erase(
+        std::remove_if(active.begin(), active.end(), [&](std::size_t k) { return right(k) < x; }),
+        active.end());
+    for (const std::size_t k : active) {
+      const bool neighbours = (i + 1) % n == k || (k + 1) % n == i;
+      if (!neighbours && segments_touch(v[i], v[(i + 1) % n], v[k], v[(k + 1) % n])) return true;
+    }
+    active.push_back(i);
+  }
+  return false;
 }
 
 constexpr double kMiss = std::numeric_limits<double>::infinity();
@@ -136,15 +162,9 @@ bool is_simple(const Polygon& polygon) {
   const auto& v = polygon.vertices;
   const std::size_t n = v.size();
   if (n < 3 || !(std::abs(signed_area(polygon)) > 0)) return false;
-  for (std::size_t i = 0; i < n; ++i) {
-    const TPoint2D &a = v[i], &b = v[(i + 1) % n];
-    if (folds_back(a, b, v[(i + 2) % n])) return false;
-    for (std::size_t k = i + 2; k < n; ++k) {
-      const bool neighbours = i == 0 && k == n - 1;
-      if (!neighbours && segments_touch(a, b, v[k], v[(k + 1) % n])) return false;
-    }
-  }
-  return true;
+  for (std::size_t i = 0; i < n; ++i)
+    if (folds_back(v[i], v[(i + 1) % n], v[(i + 2) % n])) return false;
+  return !edges_touch(v);
 }
 
 double cast_ray(const Primitives& primitives, const Bounds& bounds, const TPoint2D& origin,

@@ -13,8 +13,9 @@ using mrpt::maps::COccupancyGridMap2D;
 using mrpt::math::TPoint2D;
 
 constexpr double kMaxCells = 400e6;
-/// Lengths in cells that differ by less than this are the same: the rounding of (p - origin) / res.
-constexpr double kRelativeSlack = 1e-9;
+/// Lengths that differ by less than this share are the same: MRPT's single precision makes 0.05 m
+/// 0.05000000075 m, and a place made from such a grid is to have as many cells of 0.05 m again.
+constexpr double kRelativeSlack = 1e-7;
 
 int cells_along(double length, double resolution) {
   return static_cast<int>(std::ceil(length / resolution * (1 - kRelativeSlack)));

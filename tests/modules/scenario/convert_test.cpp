@@ -110,8 +110,6 @@ TEST(Convert, LeavesAScenarioAsItIsInItsOwnRepresentation) {
 TEST(Convert, RefusesWhatCannotBeMade) {
   RandomEngine random(8);
   const Scenario scenario = sample(random);
-  const Scenario grid = convert(scenario, Representation::Grid, 0.1);
-  EXPECT_THROW(convert(grid, Representation::Continuous, 0.1), Error);
   EXPECT_THROW(convert(scenario, Representation::Grid, 0), Error);
   EXPECT_THROW(convert(scenario, Representation::Points, -1), Error);
   EXPECT_THROW(convert(scenario, Representation::Points, 1e-12), Error);

@@ -57,8 +57,8 @@ Occupancy make_occupancy(const Scenario& scenario, double resolution);
 /// `scenario` in another representation (same name, start, goal). Resolution (m) is the cell size
 /// of a grid made from primitives or points, and the spacing of points made from primitives or
 /// cells: points stand on the boundary of obstacles (on cells: at the centres of occupied cells
-/// that have a free 4-neighbour). To Continuous only from Continuous. Throws Error (Usage)
-/// otherwise.
+/// that have a free 4-neighbour). The same as convert() of convert.h, outlines of cells exact and
+/// points as discs of half the resolution. Throws the same.
 Scenario convert(const Scenario& scenario, Representation to, double resolution);
 
 }  // namespace slalom
