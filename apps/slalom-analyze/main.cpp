@@ -1,3 +1,4 @@
+#include "export.h"
 #include "metrics.h"
 #include "show.h"
 
@@ -164,6 +165,7 @@ int main(int argc, char** argv) {
                        define_report(app, arguments);
                        define_show(app, arguments);
                        define_dump(app, arguments);
+                       define_export(app);
                        define_metrics(app);
                      });
 }

@@ -1,0 +1,111 @@
+#include <slalom/core/error.h>
+#include <slalom/spreadsheet/workbook.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <xlsxwriter.h>
+
+namespace slalom {
+namespace {
+
+constexpr std::size_t kMaxRows = 1048576, kMaxColumns = 16384, kMaxText = 32767;
+constexpr std::size_t kMaxSheetName = 31;
+
+/// Cell formats, made once per workbook.
+struct Formats {
+  lxw_format* header;
+  lxw_format* number;
+  lxw_format* count;
+
+  explicit Formats(lxw_workbook* book)
+      : header(workbook_add_format(book)),
+        number(workbook_add_format(book)),
+        count(workbook_add_format(book)) {
+    format_set_bold(header);
+    format_set_bottom(header, LXW_BORDER_THIN);
+    format_set_num_format(number, "0.0000");
+    format_set_num_format(count, "0");
+  }
+};
+
+/// A name that the format takes and that no other sheet has, whatever the case of its letters.
+std::string sheet_name(const std::string& wanted, std::set<std::string>& taken) {
+  std::string base = wanted.empty() ? "table" : wanted;
+  for (char& c : base) {
+    if (std::string("[]:*?/\\'").find(c) != std::string::npos ||
+        static_cast<unsigned char>(c) < ' ')
+      c = '_';
+  }
+  for (int number = 1;; ++number) {
+    const std::string end = number == 1 ? "" : "_" + std::to_string(number);
+    const std::string name = base.substr(0, kMaxSheetName - end.size()) + end;
+    std::string key = name;
+    std::transform(key.begin(), key.end(), key.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    if (taken.insert(key).second) return name;
+  }
+}
+
+void write_field(lxw_worksheet* sheet, lxw_row_t row, lxw_col_t column, const Field& field,
+                 const Formats& formats) {
+  if (const auto* number = std::get_if<double>(&field)) {
+    worksheet_write_number(sheet, row, column, *number, formats.number);
+  } else if (const auto* count = std::get_if<std::int64_t>(&field)) {
+    // A double holds whole numbers exactly only up to 2^53; larger ones, such as seeds, are texts.
+    constexpr std::int64_t kExact = std::int64_t{1} << 53;
+    if (*count >= -kExact && *count <= kExact)
+      worksheet_write_number(sheet, row, column, static_cast<double>(*count), formats.count);
+    else
+      worksheet_write_string(sheet, row, column, std::to_string(*count).c_str(), nullptr);
+  } else if (const auto* text = std::get_if<std::string>(&field)) {
+    worksheet_write_string(sheet, row, column, text->substr(0, kMaxText).c_str(), nullptr);
+  }
+}
+
+void write_sheet(lxw_workbook* book, const DataTable& table, const std::string& name,
+                 const Formats& formats) {
+  lxw_worksheet* sheet = workbook_add_worksheet(book, name.c_str());
+  const auto columns = static_cast<lxw_col_t>(table.columns.size());
+  const auto rows = static_cast<lxw_row_t>(table.rows);
+  for (lxw_col_t column = 0; column < columns; ++column)
+    worksheet_write_string(sheet, 0, column, table.columns[column].c_str(), formats.header);
+  for (lxw_row_t row = 0; row < rows; ++row) {
+    for (lxw_col_t column = 0; column < columns; ++column)
+      write_field(sheet, row + 1, column, table.at(row, column), formats);
+  }
+  if (columns == 0) return;
+  worksheet_freeze_panes(sheet, 1, 0);
+  worksheet_autofilter(sheet, 0, 0, rows, static_cast<lxw_col_t>(columns - 1));
+  worksheet_set_column(sheet, 0, static_cast<lxw_col_t>(columns - 1), 14, nullptr);
+}
+
+void require_room(const DataTable& table) {
+  if (table.rows >= kMaxRows || table.columns.size() > kMaxColumns)
+    throw usage_error("table '" + table.name + "'",
+                      "has " + std::to_string(table.rows) + " rows and " +
+                          std::to_string(table.columns.size()) + " columns, too many for .xlsx",
+                      "at most 1048575 rows and 16384 columns; csv has no limit");
+}
+
+}  // namespace
+
+void write_workbook(const std::vector<DataTable>& tables, const std::string& path) {
+  for (const DataTable& table : tables) require_room(table);
+  const std::string temporary = path + ".tmp";
+  lxw_workbook_options options = {};
+  options.constant_memory = LXW_TRUE;
+  lxw_workbook* book = workbook_new_opt(temporary.c_str(), &options);
+  if (!book) throw job_error(path, "cannot be written: out of memory");
+  const Formats formats(book);
+  std::set<std::string> taken;
+  for (const DataTable& table : tables)
+    write_sheet(book, table, sheet_name(table.name, taken), formats);
+  const lxw_error error = workbook_close(book);
+  if (error == LXW_NO_ERROR && std::rename(temporary.c_str(), path.c_str()) == 0) return;
+  std::remove(temporary.c_str());
+  throw job_error(path, std::string("cannot be written: ") +
+                            (error == LXW_NO_ERROR ? "not renamed" : lxw_strerror(error)));
+}
+
+}  // namespace slalom

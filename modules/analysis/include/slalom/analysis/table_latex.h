@@ -1,0 +1,23 @@
+#pragma once
+
+#include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/summary.h>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// Tables for a paper: `tabular` environments inside `table`, each cell "0.95 [0.94, 0.96]", with
+/// the number of runs, missing values and the confidence in the caption. They need no package but
+/// LaTeX's own; names of methods and metrics are escaped.
+std::string render_latex(const SummaryTable& table);
+std::string render_latex(const CrossTable& table);
+
+/// A document that holds these tables and compiles by itself.
+std::string latex_document(const std::vector<std::string>& tables);
+
+/// `text` with LaTeX's special characters escaped, and what is not ASCII left out.
+std::string latex_text(const std::string& text);
+
+}  // namespace slalom

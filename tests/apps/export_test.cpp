@@ -1,0 +1,74 @@
+#include "program_run.h"
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+/// One campaign for all tests of this file, since they only read it.
+class Export : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    if (results().empty()) {
+      write("small.ini", kSmallCampaign);
+      ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet").status, 0);
+      results() = read("out/runs.results");
+    }
+    write("runs.results", results());
+  }
+  static std::string& results() {
+    static std::string bytes;
+    return bytes;
+  }
+  static bool has_program(const std::string& name) {
+    return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
+  }
+};
+
+TEST_F(Export, CsvIsAFolderWithAFilePerTableAndALinePerRun) {
+  ASSERT_EQ(run("slalom-analyze export runs.results --format csv -o tables").status, 0);
+  const std::string runs = read("tables/runs.csv");
+  EXPECT_EQ(std::count(runs.begin(), runs.end(), '\n'), 1 + 2 * 4);  // two methods, four scenarios
+  for (const char* name : {"scenarios", "timings", "summary", "nd_by_density", "manifest"})
+    EXPECT_FALSE(read(std::string("tables/") + name + ".csv").empty()) << name;
+}
+
+TEST_F(Export, JsonHasTheSameRunsAsDump) {
+  ASSERT_EQ(run("slalom-analyze export runs.results --format json -o tables").status, 0);
+  const auto json = nlohmann::json::parse(read("tables/runs.json"));
+  const std::string dump = run("slalom-analyze dump runs.results").out;
+  EXPECT_EQ(json["rows"].size(),
+            static_cast<std::size_t>(std::count(dump.begin(), dump.end(), '\n')));
+}
+
+TEST_F(Export, LatexCompiles) {
+  ASSERT_EQ(run("slalom-analyze export runs.results --format latex -o tables.tex").status, 0);
+  if (!has_program("pdflatex")) GTEST_SKIP() << "no pdflatex";
+  const Ended ended = run("pdflatex -interaction=nonstopmode -halt-on-error tables.tex");
+  EXPECT_EQ(ended.status, 0) << ended.out;
+  EXPECT_GT(read("tables.pdf").size(), 1000u);
+}
+
+TEST_F(Export, WorkbookHasASheetPerTable) {
+  ASSERT_EQ(run("slalom-analyze export runs.results --format xlsx -o runs.xlsx").status, 0);
+  const Ended ended = run("unzip -p runs.xlsx xl/workbook.xml");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  for (const char* name : {"runs", "scenarios", "timings", "summary", "gap_by_density"})
+    EXPECT_NE(ended.out.find("name=\"" + std::string(name) + "\""), std::string::npos) << ended.out;
+}
+
+TEST_F(Export, PlannerArenaDatabaseHoldsEveryRun) {
+  ASSERT_EQ(run("slalom-analyze export runs.results --format plannerarena -o arena.db").status, 0);
+  EXPECT_EQ(read("arena.db").substr(0, 15), "SQLite format 3");
+}
+
+TEST_F(Export, RefusesWhatItCannotDo) {
+  expect_refusal("slalom-analyze export runs.results --format pdf -o x", 2, {"pdf", "latex"});
+  expect_refusal("slalom-analyze export none.results --format csv -o x", 3, {"none.results"});
+  write("file", "");
+  expect_refusal("slalom-analyze export runs.results --format csv -o file/x", 1, {"file/x"});
+}
+
+}  // namespace
+}  // namespace slalom
