@@ -60,6 +60,19 @@ double median(std::vector<double> values) {
   return quantile(values, 0.5);
 }
 
+double interquartile_mean(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  // Value i stands for the stretch [i, i + 1] of n; what lies in [n / 4, 3 n / 4] counts.
+  const double n = static_cast<double>(values.size());
+  double total = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double place = static_cast<double>(i);
+    const double share = std::min(place + 1, 0.75 * n) - std::max(place, 0.25 * n);
+    if (share > 0) total += share * values[i];
+  }
+  return total / (0.5 * n);
+}
+
 std::optional<double> standard_deviation(const std::vector<double>& values) {
   if (values.size() < 2) return std::nullopt;
   const double m = mean(values);

@@ -29,6 +29,13 @@ TEST(Statistics, MeanDeviationAndMedianOfKnownNumbers) {
   EXPECT_FALSE(standard_deviation({1.0}).has_value());
 }
 
+TEST(Statistics, InterquartileMeanAgreesWithWorkedExamples) {
+  // "Interquartile mean", Wikipedia: of 12 values the middle 6; of 9 the 4.5 in the middle.
+  EXPECT_DOUBLE_EQ(interquartile_mean({5, 8, 4, 38, 8, 6, 9, 7, 7, 3, 1, 6}), 6.5);
+  EXPECT_DOUBLE_EQ(interquartile_mean({1, 3, 5, 7, 9, 11, 13, 15, 17}), 9);
+  EXPECT_DOUBLE_EQ(interquartile_mean({3}), 3);
+}
+
 TEST(Statistics, WilsonIntervalAgreesWithNewcombe1998) {
   // Newcombe, "Two-sided confidence intervals for the single proportion", 1998, table I, method 3.
   const struct {

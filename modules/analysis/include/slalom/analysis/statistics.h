@@ -19,8 +19,10 @@ struct Interval {
 /// Values of runs grouped by scenario: runs of one scenario are not independent of each other.
 using ScenarioGroups = std::vector<std::vector<double>>;
 
-double mean(const std::vector<double>& values);       ///< requires at least one value
-double median(std::vector<double> values);            ///< requires at least one value
+double mean(const std::vector<double>& values);  ///< requires at least one value
+double median(std::vector<double> values);       ///< requires at least one value
+/// Mean of the middle half of the values, those at its edges counted in part; requires one.
+double interquartile_mean(std::vector<double> values);
 double mean_of_groups(const ScenarioGroups& groups);  ///< over all values; requires one
 
 /// Sample standard deviation (n - 1); none with fewer than two values.

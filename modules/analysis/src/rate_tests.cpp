@@ -1,0 +1,59 @@
+#include <slalom/analysis/rate_tests.h>
+
+#include <boost/math/distributions/binomial.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace slalom {
+
+double mcnemar_exact(std::size_t only_a, std::size_t only_b) {
+  const double n = static_cast<double>(only_a + only_b);
+  if (n == 0) return 1;
+  const double fewer = static_cast<double>(std::min(only_a, only_b));
+  return std::min(1.0, 2 * boost::math::cdf(boost::math::binomial(n, 0.5), fewer));
+}
+
+Interval rate_difference_interval(double rate_a, double n_a, double rate_b, double n_b, double phi,
+                                  double confidence) {
+  const Interval a = wilson_interval(rate_a, n_a, confidence);
+  const Interval b = wilson_interval(rate_b, n_b, confidence);
+  const auto distance = [phi](double x, double y) {
+    return std::sqrt(std::max(0.0, x * x - 2 * phi * x * y + y * y));
+  };
+  const double difference = rate_a - rate_b;
+  return {std::max(-1.0, difference - distance(rate_a - a.low, b.high - rate_b)),
+          std::min(1.0, difference + distance(a.high - rate_a, rate_b - b.low))};
+}
+
+Interval paired_rate_interval(const std::vector<double>& a, const std::vector<double>& b,
+                              double confidence) {
+  const double ma = mean(a), mb = mean(b);
+  double aa = 0, bb = 0, ab = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    aa += (a[i] - ma) * (a[i] - ma);
+    bb += (b[i] - mb) * (b[i] - mb);
+    ab += (a[i] - ma) * (b[i] - mb);
+  }
+  const double phi = aa > 0 && bb > 0 ? std::clamp(ab / std::sqrt(aa * bb), -1.0, 1.0) : 0;
+  const double n = static_cast<double>(a.size());
+  return rate_difference_interval(ma, n, mb, n, phi, confidence);
+}
+
+std::vector<double> holm_adjusted(const std::vector<double>& p) {
+  std::vector<std::size_t> order(p.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&p](std::size_t a, std::size_t b) { return p[a] < p[b]; });
+  std::vector<double> adjusted(p.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const double factor = static_cast<double>(p.size() - i);
+    largest = std::max(largest, std::min(1.0, factor * p[order[i]]));
+    adjusted[order[i]] = largest;
+  }
+  return adjusted;
+}
+
+}  // namespace slalom
