@@ -1,6 +1,7 @@
 #include "solvable.h"
 
 #include <cmath>
+#include <set>
 
 namespace slalom {
 namespace {
@@ -73,10 +74,11 @@ std::vector<Scenario> draw_tasks(const Scenario& map, const GenerationTask& task
   constexpr int kDrawsPerAttempt = 1000;
   const World world(map, task.resolution);
   const FreeAreas areas(world, task.robot_radius + kMargin);
-  SolvableSearch search(task);
+  const SolvableSearch search(task);
+  std::set<std::string> hashes;
   std::vector<Scenario> scenarios;
   for (int i = 0; i < task.count; ++i) {
-    const std::string name = search.name_of(i);
+    const std::string name = scenario_name(task.name_prefix, i);
     RandomEngine engine(derive_seed(task.seed, "pair", static_cast<std::uint64_t>(i)));
     const auto draw = [&](int, std::string& reason) -> std::optional<Scenario> {
       reason = "no two joined free places that far apart were drawn";
@@ -91,7 +93,10 @@ std::vector<Scenario> draw_tasks(const Scenario& map, const GenerationTask& task
       }
       return std::nullopt;
     };
-    scenarios.push_back(search.find(name, draw));
+    SolvableWorld found = search.find(name, draw);
+    while (!hashes.insert(found.world->scenario().hash()).second)
+      found = search.find(name, draw, found.attempt + 1);
+    scenarios.push_back(found.world->scenario());
   }
   return scenarios;
 }

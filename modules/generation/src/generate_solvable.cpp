@@ -1,23 +1,23 @@
-#include "solvable.h"
+#include <slalom/generation/generate_mix.h>
+
+#include <set>
 
 namespace slalom {
 
 std::vector<Scenario> generate_solvable(const Generator& generator, const GenerationTask& task,
                                         Progress& progress) {
-  SolvableSearch search(task);
+  // The caller's generator outlives this call, so nobody has to own it.
+  const std::shared_ptr<const Generator> borrowed(&generator, [](const Generator*) {});
+  MixTask mix;
+  mix.each = task;
+  std::set<std::string> hashes;
   std::vector<Scenario> scenarios;
-  progress.start("Generating scenarios", static_cast<std::size_t>(task.count));
-  for (int i = 0; i < task.count; ++i) {
-    const std::string name = search.name_of(i);
-    const std::uint64_t seed =
-        derive_seed(task.seed, "scenario/" + generator.name(), static_cast<std::uint64_t>(i));
-    scenarios.push_back(search.find(name, [&](int attempt, std::string&) {
-      RandomEngine engine(derive_seed(seed, "attempt", static_cast<std::uint64_t>(attempt)));
-      return std::make_optional(generator.generate(name, engine));
-    }));
-    progress.advance(scenarios.size());
-  }
-  progress.finish();
+  generate_mix({{borrowed, 1, task.seed, task.name_prefix}}, mix, progress,
+               [&](GeneratedScenario& generated) {
+                 if (!hashes.insert(generated.scenario.hash()).second) return false;
+                 scenarios.push_back(std::move(generated.scenario));
+                 return true;
+               });
   return scenarios;
 }
 

@@ -1,6 +1,8 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/generation/cellular_automaton.h>
 #include <slalom/generation/generator.h>
+#include <slalom/generation/poisson_forest.h>
 #include <slalom/generation/random_generator.h>
 
 #include <algorithm>
@@ -10,7 +12,7 @@ namespace {
 
 struct Family {
   const char* name;
-  std::unique_ptr<Generator> (*make)(const IniFile& ini);
+  std::unique_ptr<Generator> (*make)(const IniFile& ini, const GeneratorContext& context);
   void (*visit)(OptionVisitor& visitor);
 };
 
@@ -23,6 +25,8 @@ void visit_defaults(OptionVisitor& visitor) {
 
 /// All families: the one list to add a line to.
 constexpr Family kFamilies[] = {
+    {"cellular_automaton", make_cellular_automaton, visit_defaults<CellularAutomatonOptions>},
+    {"poisson_forest", make_poisson_forest, visit_defaults<PoissonForestOptions>},
     {"random", make_random_generator, visit_defaults<RandomGeneratorOptions>},
 };
 
@@ -43,8 +47,9 @@ std::vector<std::string> generator_names() {
   return names;
 }
 
-std::unique_ptr<Generator> make_generator(const std::string& name, const IniFile& ini) {
-  return family(name, ini.name()).make(ini);
+std::unique_ptr<Generator> make_generator(const std::string& name, const IniFile& ini,
+                                          const GeneratorContext& context) {
+  return family(name, ini.name()).make(ini, context);
 }
 
 void visit_generator_options(const std::string& name, OptionVisitor& visitor) {

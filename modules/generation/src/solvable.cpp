@@ -5,16 +5,19 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 namespace slalom {
 
-Scenario SolvableSearch::find(const std::string& name, const Draw& draw) {
+SolvableWorld SolvableSearch::find(const std::string& name, const Draw& draw,
+                                   int first_attempt) const {
   std::map<std::string, int> reasons;
-  for (int attempt = 0; attempt < task_.attempts_per_scenario; ++attempt) {
+  if (first_attempt > 0) reasons["the same content was drawn before"] = first_attempt;
+  for (int attempt = first_attempt; attempt < task_.attempts_per_scenario; ++attempt) {
     std::string reason;
-    const std::optional<Scenario> candidate = draw(attempt, reason);
-    if (candidate && is_certified(*candidate, reason)) {
-      if (hashes_.insert(candidate->hash()).second) return *candidate;
-      reason = "the same content was drawn before";
+    if (std::optional<Scenario> candidate = draw(attempt, reason)) {
+      auto world = std::make_unique<const World>(std::move(*candidate), task_.resolution);
+      if (is_certified(*world, reason)) return {std::move(world), attempt};
     }
     ++reasons[reason];
   }
@@ -27,16 +30,16 @@ Scenario SolvableSearch::find(const std::string& name, const Draw& draw) {
                   "fewer or smaller obstacles, or a smaller robot");
 }
 
-std::string SolvableSearch::name_of(int index) const {
-  return fmt::format("{}_{:04}", task_.name_prefix, index);
-}
-
-bool SolvableSearch::is_certified(const Scenario& candidate, std::string& reason) const {
-  const World world(candidate, task_.resolution);
+bool SolvableSearch::is_certified(const World& world, std::string& reason) const {
   constexpr double kAnyGap = 1;  // that there is a path is enough here
+  const Scenario& candidate = world.scenario();
   const auto& start = candidate.start();
   const PlanningProblem problem{world, task_.robot_radius, {start.x, start.y}, candidate.goal()};
   return exact_shortest_path(problem, kAnyGap, reason).has_value();
+}
+
+std::string scenario_name(const std::string& prefix, int index) {
+  return fmt::format("{}_{:04}", prefix, index);
 }
 
 }  // namespace slalom

@@ -4,15 +4,19 @@
 #include <slalom/scenario/world.h>
 
 #include <functional>
-#include <map>
+#include <memory>
 #include <optional>
-#include <set>
 #include <string>
 
 namespace slalom {
 
-/// Draws candidates until one has a certified path for the robot and was not there before; counts
-/// why others were not taken.
+/// A certified scenario, with what was derived from it on the way.
+struct SolvableWorld {
+  std::unique_ptr<const World> world;
+  int attempt = 0;  ///< with which it was drawn
+};
+
+/// Draws candidates until one has a certified path for the robot; counts why others were not taken.
 class SolvableSearch {
  public:
   explicit SolvableSearch(const GenerationTask& task) : task_(task) {}
@@ -20,17 +24,17 @@ class SolvableSearch {
   /// A candidate for attempt `attempt`, or nullopt with the reason why there is none.
   using Draw = std::function<std::optional<Scenario>(int attempt, std::string& reason)>;
 
-  /// Throws Error (Job) naming the scenario when the attempts are used up.
-  Scenario find(const std::string& name, const Draw& draw);
-
-  /// "PREFIX_0007".
-  std::string name_of(int index) const;
+  /// Begins with `first_attempt`: attempts before it gave contents that were there already. Throws
+  /// Error (Job) naming the scenario when the attempts are used up.
+  SolvableWorld find(const std::string& name, const Draw& draw, int first_attempt = 0) const;
 
  private:
-  bool is_certified(const Scenario& candidate, std::string& reason) const;
+  bool is_certified(const World& world, std::string& reason) const;
 
   const GenerationTask& task_;
-  std::set<std::string> hashes_;
 };
+
+/// "PREFIX_0007".
+std::string scenario_name(const std::string& prefix, int index);
 
 }  // namespace slalom

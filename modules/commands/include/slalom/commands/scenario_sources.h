@@ -3,10 +3,10 @@
 #include <slalom/core/ini_file.h>
 #include <slalom/core/options.h>
 #include <slalom/core/progress.h>
+#include <slalom/generation/generator.h>
 #include <slalom/scenario/scenario.h>
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,9 +23,6 @@ struct ScenariosSection {
 
   void visit(OptionVisitor& v);
 };
-
-/// Reads a map file as an occupancy grid; given by the program, because formats are adapters.
-using MapLoader = std::function<mrpt::maps::COccupancyGridMap2D(const std::string& path)>;
 
 /// A map as a scenario named after its file, start and goal still at its corner: for drawing tasks
 /// on it.

@@ -14,7 +14,8 @@
 
 namespace slalom {
 
-/// Draws candidate scenarios of one family (Strategy). A candidate need not be solvable.
+/// Draws candidate scenarios of one family (Strategy). A candidate need not be solvable. Calls from
+/// several threads at once are safe; each brings an engine of its own.
 class Generator {
  public:
   virtual ~Generator() = default;
@@ -22,8 +23,20 @@ class Generator {
   virtual Scenario generate(const std::string& scenario_name, RandomEngine& engine) const = 0;
 };
 
-/// Builds a generator from section "generator.NAME" of an .ini. Throws Error (Usage).
-std::unique_ptr<Generator> make_generator(const std::string& name, const IniFile& ini);
+/// Reads a map file as an occupancy grid; given by the program, because formats are adapters.
+using MapLoader = std::function<mrpt::maps::COccupancyGridMap2D(const std::string& path)>;
+
+/// What a family is told beside its own options.
+struct GeneratorContext {
+  /// All lengths among a family's options (those in m) are multiplied by this.
+  double length_scale = 1;
+  MapLoader load_map = {};  ///< for families on real maps; without it they are refused
+};
+
+/// Builds a generator from section "generator.NAME" of an .ini. Throws Error (Usage) naming section
+/// and key, or Error (File) for a map that cannot be read.
+std::unique_ptr<Generator> make_generator(const std::string& name, const IniFile& ini,
+                                          const GeneratorContext& context = {});
 std::vector<std::string> generator_names();
 
 /// Shows the options of a family, with their defaults and ranges. Throws Error (Usage).
