@@ -13,6 +13,7 @@ struct DatabaseKind {
   int application_id;
   int version;
   const char* schema;  ///< SQL that makes the tables
+  int oldest = 0;      ///< oldest version that opens and is then brought up to date; 0 for none
 };
 
 /// A new file of that kind; one that is there is replaced. Throws Error (Job) when it cannot be

@@ -1,34 +1,14 @@
-#include "database.h"
-#include "value_columns.h"
+#include "list_schema.h"
+#include "scenario_list_impl.h"
+#include "write_scope.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/io/scenario_list.h>
 
-#include <algorithm>
+#include <stdexcept>
 
 namespace slalom {
-namespace {
-
-constexpr DatabaseKind kScenarioList = {"a scenario list (.scenarios)", 0x534c534c /* "SLSL" */, 1,
-                                        R"(
-CREATE TABLE scenarios (position INTEGER PRIMARY KEY, hash TEXT NOT NULL UNIQUE, name TEXT NOT NULL,
-                        representation TEXT NOT NULL, content BLOB NOT NULL);
-CREATE TABLE descriptors (hash TEXT NOT NULL, id TEXT NOT NULL, version INTEGER NOT NULL,
-                          parameters TEXT NOT NULL, value REAL, standard_error REAL, reason TEXT,
-                          PRIMARY KEY (hash, id, version, parameters)) WITHOUT ROWID;
-CREATE TABLE notes (key TEXT PRIMARY KEY, text TEXT NOT NULL);
-)"};
-
-constexpr std::size_t kIdDigits = 12;
-
-}  // namespace
-
-struct ScenarioList::Impl {
-  std::string path;
-  std::unique_ptr<SQLite::Database> database;
-};
-
 ScenarioList::ScenarioList(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ScenarioList::~ScenarioList() = default;
 ScenarioList::ScenarioList(ScenarioList&&) noexcept = default;
@@ -45,19 +25,17 @@ ScenarioList ScenarioList::open(const std::string& path) {
   auto impl = std::make_unique<Impl>();
   impl->path = path;
   impl->database = open_database(path, kScenarioList);
+  refuse_foreign_schema(*impl->database, path);
+  upgrade_list(*impl->database, path);
   return ScenarioList(std::move(impl));
 }
 
 std::vector<ScenarioList::Entry> ScenarioList::entries() const {
   return reading(impl_->path, [&] {
     std::vector<Entry> entries;
-    SQLite::Statement rows(*impl_->database,
-                           "SELECT hash, name, representation FROM scenarios ORDER BY position");
-    while (rows.executeStep()) {
-      const std::string hash = rows.getColumn(0).getString();
-      entries.push_back({hash.substr(0, kIdDigits), hash, rows.getColumn(1).getString(),
-                         representation_from_string(rows.getColumn(2).getString())});
-    }
+    StatementUse rows = impl_->use(
+        "SELECT hash, name, representation, generator, seed FROM scenarios ORDER BY position");
+    while (rows->executeStep()) entries.push_back(impl_->entry_of(*rows));
     return entries;
   });
 }
@@ -104,37 +82,48 @@ ScenarioList::Entry ScenarioList::find_entry(const std::string& id_or_name) cons
       nearest.empty() ? "an id or a name that `slalom-scenarios list` shows" : "'" + nearest + "'");
 }
 
-bool ScenarioList::add(const Scenario& scenario) {
+bool ScenarioList::add(const Scenario& scenario, const ScenarioOrigin& origin) {
+  for (const std::string& tag : origin.tags) check_tag(tag);
+  const std::string content = serialize(scenario);
   return writing(impl_->path, [&] {
-    SQLite::Statement insert(
-        *impl_->database,
-        "INSERT OR IGNORE INTO scenarios (hash, name, representation, content) "
-        "VALUES (?, ?, ?, ?)");
-    insert.bind(1, scenario.hash());
-    insert.bind(2, scenario.name());
-    insert.bind(3, to_string(scenario.representation()));
-    const std::string content = serialize(scenario);
-    insert.bind(4, content.data(), static_cast<int>(content.size()));
-    return insert.exec() > 0;
+    WriteScope scope(*impl_->database);
+    const bool added =
+        impl_->insert({"", scenario.hash(), scenario.name(), scenario.representation(),
+                       origin.generator, origin.seed, origin.tags},
+                      content);
+    scope.commit();
+    return added;
   });
 }
 
-std::vector<std::string> ScenarioList::add_all(const std::vector<Scenario>& scenarios) {
+std::vector<std::string> ScenarioList::add_all(const std::vector<Scenario>& scenarios,
+                                               const std::vector<ScenarioOrigin>& origins) {
+  if (!origins.empty() && origins.size() != scenarios.size())
+    throw std::invalid_argument("add_all: origins for some scenarios only");
   return writing(impl_->path, [&] {
     std::vector<std::string> added;
-    SQLite::Transaction transaction(*impl_->database);
-    for (const Scenario& scenario : scenarios)
-      if (add(scenario)) added.push_back(scenario.hash());
-    transaction.commit();
+    WriteScope scope(*impl_->database);
+    for (std::size_t i = 0; i < scenarios.size(); ++i)
+      if (add(scenarios[i], origins.empty() ? ScenarioOrigin{} : origins[i]))
+        added.push_back(scenarios[i].hash());
+    scope.commit();
     return added;
   });
 }
 
 bool ScenarioList::remove(const std::string& hash) {
   return writing(impl_->path, [&] {
-    SQLite::Statement row(*impl_->database, "DELETE FROM scenarios WHERE hash = ?");
-    row.bind(1, hash);
-    return row.exec() > 0;
+    WriteScope scope(*impl_->database);
+    bool removed = false;
+    for (const char* sql :
+         {"DELETE FROM tags WHERE hash = ?", "DELETE FROM descriptor_values WHERE hash = ?",
+          "DELETE FROM scenarios WHERE hash = ?"}) {
+      StatementUse row = impl_->use(sql);
+      row->bind(1, hash);
+      removed = row->exec() > 0;
+    }
+    scope.commit();
+    return removed;
   });
 }
 
@@ -153,35 +142,6 @@ std::optional<std::string> ScenarioList::note(const std::string& key) const {
     row.bind(1, key);
     if (!row.executeStep()) return std::nullopt;
     return row.getColumn(0).getString();
-  });
-}
-
-std::optional<Value> ScenarioList::find(const std::string& scenario_hash, const std::string& id,
-                                        int version, const std::string& parameters) {
-  return reading(impl_->path, [&]() -> std::optional<Value> {
-    SQLite::Statement row(*impl_->database,
-                          "SELECT value, standard_error, reason FROM descriptors "
-                          "WHERE hash = ? AND id = ? AND version = ? AND parameters = ?");
-    row.bind(1, scenario_hash);
-    row.bind(2, id);
-    row.bind(3, version);
-    row.bind(4, parameters);
-    if (!row.executeStep()) return std::nullopt;
-    return value_from_columns(row, 0);
-  });
-}
-
-void ScenarioList::keep(const std::string& scenario_hash, const std::string& id, int version,
-                        const std::string& parameters, const Value& value) {
-  writing(impl_->path, [&] {
-    SQLite::Statement row(*impl_->database,
-                          "INSERT OR REPLACE INTO descriptors VALUES (?, ?, ?, ?, ?, ?, ?)");
-    row.bind(1, scenario_hash);
-    row.bind(2, id);
-    row.bind(3, version);
-    row.bind(4, parameters);
-    bind_value(row, 5, value);
-    row.exec();
   });
 }
 

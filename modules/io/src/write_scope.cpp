@@ -1,0 +1,24 @@
+#include "write_scope.h"
+
+#include <sqlite3.h>
+
+namespace slalom {
+
+WriteScope::WriteScope(SQLite::Database& database)
+    : database_(database), outermost_(sqlite3_get_autocommit(database.getHandle()) != 0) {
+  database_.exec(outermost_ ? "BEGIN IMMEDIATE" : "SAVEPOINT inner_scope");
+}
+
+WriteScope::~WriteScope() {
+  if (done_) return;
+  // SQLite may have rolled back by itself, on a full disk for one: then there is nothing to undo.
+  if (sqlite3_get_autocommit(database_.getHandle()) != 0) return;
+  database_.tryExec(outermost_ ? "ROLLBACK" : "ROLLBACK TO inner_scope; RELEASE inner_scope");
+}
+
+void WriteScope::commit() {
+  database_.exec(outermost_ ? "COMMIT" : "RELEASE inner_scope");
+  done_ = true;
+}
+
+}  // namespace slalom
