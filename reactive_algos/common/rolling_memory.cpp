@@ -1,0 +1,85 @@
+#include "common/rolling_memory.h"
+
+#include <algorithm>
+
+namespace reactive {
+
+double ray_angle(std::size_t i, std::size_t count, double aperture) {
+  return count < 2
+             ? 0.0
+             : -0.5 * aperture + aperture * static_cast<double>(i) / static_cast<double>(count - 1);
+}
+
+RollingMemory::RollingMemory(double half_size, double resolution)
+    : half_size_(half_size),
+      resolution_(resolution),
+      cells_(2 * static_cast<std::int64_t>(std::ceil(half_size / resolution)) + 2),
+      index_(static_cast<std::size_t>(cells_ * cells_), -1) {}
+
+void RollingMemory::clear() {
+  std::fill(index_.begin(), index_.end(), -1);
+  points_.clear();
+}
+
+std::int64_t RollingMemory::cell_of(double coordinate) const {
+  const auto cell = static_cast<std::int64_t>(std::floor(coordinate / resolution_));
+  return ((cell % cells_) + cells_) % cells_;
+}
+
+std::size_t RollingMemory::slot_of(const Point& p) const {
+  return static_cast<std::size_t>(cell_of(p.y) * cells_ + cell_of(p.x));
+}
+
+void RollingMemory::insert(const Point& p) {
+  std::int32_t& at = index_[slot_of(p)];
+  if (at >= 0) {
+    points_[static_cast<std::size_t>(at)] = p;
+    return;
+  }
+  at = static_cast<std::int32_t>(points_.size());
+  points_.push_back(p);
+}
+
+void RollingMemory::remove(std::size_t index) {
+  index_[slot_of(points_[index])] = -1;
+  const Point last = points_.back();
+  points_.pop_back();
+  if (index == points_.size()) return;
+  points_[index] = last;
+  index_[slot_of(last)] = static_cast<std::int32_t>(index);
+}
+
+bool RollingMemory::sees_through(const Pose& pose, const Point& p,
+                                 const std::vector<double>& ranges, const Robot& robot) const {
+  constexpr double kBeyond = 0.15;  // m: nearer than this behind a point says nothing
+  const Point local = to_robot(pose, p);
+  const double step = robot.aperture / static_cast<double>(ranges.size() - 1);
+  const double at = (std::atan2(local.y, local.x) + 0.5 * robot.aperture) / step;
+  const double range = std::hypot(local.x, local.y) + kBeyond;
+  // Four rays must agree: points lie at edges, and rays drop out.
+  const double first = std::floor(at) - 1;
+  if (!(first >= 0) || first + 3 >= static_cast<double>(ranges.size())) return false;
+  const auto i = static_cast<std::size_t>(first);
+  for (std::size_t k = i; k < i + 4; ++k)
+    if (ranges[k] <= range) return false;
+  return true;
+}
+
+void RollingMemory::update(const Pose& pose, const std::vector<double>& ranges,
+                           const Robot& robot) {
+  for (std::size_t i = points_.size(); i-- > 0;) {
+    const Point& p = points_[i];
+    const bool outside =
+        std::max(std::abs(p.x - pose.x), std::abs(p.y - pose.y)) > half_size_ - resolution_;
+    if (outside || (ranges.size() > 4 && sees_through(pose, p, ranges, robot))) remove(i);
+  }
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (!(ranges[i] < 0.999 * robot.max_range)) continue;  // met nothing
+    const double angle = ray_angle(i, ranges.size(), robot.aperture);
+    const Point p = to_world(pose, {ranges[i] * std::cos(angle), ranges[i] * std::sin(angle)});
+    if (std::max(std::abs(p.x - pose.x), std::abs(p.y - pose.y)) < half_size_ - resolution_)
+      insert(p);
+  }
+}
+
+}  // namespace reactive

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "common/geometry.h"
+#include "common/robot.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace reactive {
+
+/// Direction of ray i of `count` in the robot's frame.
+double ray_angle(std::size_t i, std::size_t count, double aperture);
+
+/// The obstacle points that a robot has seen about itself: what a forward scan no longer shows.
+/// Points lie in the odometry frame, at most one in each cell of a square window that moves with
+/// the robot; what leaves the window is forgotten, and so is what a later scan looks through.
+class RollingMemory {
+ public:
+  /// half_size: m, from the robot to the border of the window; resolution: m, cell size.
+  RollingMemory(double half_size, double resolution);
+
+  void clear();
+  void update(const Pose& pose, const std::vector<double>& ranges, const Robot& robot);
+  const std::vector<Point>& points() const { return points_; }  ///< odometry frame
+  double half_size() const { return half_size_; }
+
+ private:
+  std::int64_t cell_of(double coordinate) const;
+  std::size_t slot_of(const Point& p) const;
+  void insert(const Point& p);
+  void remove(std::size_t index);
+  bool sees_through(const Pose& pose, const Point& p, const std::vector<double>& ranges,
+                    const Robot& robot) const;
+
+  double half_size_, resolution_;
+  std::int64_t cells_;               ///< along one side of the window
+  std::vector<std::int32_t> index_;  ///< of the point in each cell, -1 for none; wraps around
+  std::vector<Point> points_;
+};
+
+}  // namespace reactive

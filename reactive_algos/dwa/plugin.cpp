@@ -1,0 +1,5 @@
+#include "dwa/dwa.h"
+
+const slalom_method_api* slalom_method_get_api(void) {
+  return reactive::Plugin<dwa::Dwa>::table("dwa");
+}

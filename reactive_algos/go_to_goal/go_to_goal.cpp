@@ -1,0 +1,32 @@
+#include "go_to_goal/go_to_goal.h"
+
+namespace go_to_goal {
+
+using namespace reactive;
+
+const GoToGoal::Settings& GoToGoal::settings() {
+  static constexpr Settings kSettings = {
+      {{"turn_in_place", "1.0", "rad", "beyond this bearing the robot turns without driving"},
+       &Parameters::turn_in_place,
+       0.1,
+       kPi}};
+  return kSettings;
+}
+
+GoToGoal::GoToGoal(const Parameters& parameters, const Robot& robot)
+    : robot_(robot), turn_(parameters.turn_in_place, 0.3 * parameters.turn_in_place) {}
+
+void GoToGoal::reset(const Task& task) {
+  tolerance_ = task.goal_tolerance;
+  turn_.reset();
+}
+
+Speeds GoToGoal::step(const Observation& observation) {
+  const double bearing = std::atan2(observation.goal.y, observation.goal.x);
+  if (turn_.wanted(bearing)) return limited(turn_.speeds(bearing, robot_), robot_);
+  const double way = std::hypot(observation.goal.x, observation.goal.y) + 0.5 * tolerance_;
+  const double v = std::min(robot_.max_v * std::cos(bearing), stopping_speed(way, robot_));
+  return limited({v, turning_speed(bearing, robot_)}, robot_);
+}
+
+}  // namespace go_to_goal

@@ -1,0 +1,5 @@
+#include "go_to_goal/go_to_goal.h"
+
+const slalom_method_api* slalom_method_get_api(void) {
+  return reactive::Plugin<go_to_goal::GoToGoal>::table("go_to_goal");
+}
