@@ -12,7 +12,8 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-constexpr std::uint8_t kVersion = 1;
+/// The second ends with a published path; it is written only where there is one.
+constexpr std::uint8_t kVersion = 1, kVersionWithPath = 2;
 constexpr std::size_t kPointSize = 16;
 
 void write_point(ByteWriter& out, const TPoint2D& p) {
@@ -111,8 +112,22 @@ mrpt::maps::CSimplePointsMap read_point_map(ByteReader& in) {
   return map;
 }
 
-Scenario read_scenario(ByteReader& in) {
-  if (in.u8() != kVersion) throw in.broken("is of another version");
+void write_published_path(ByteWriter& out, const PublishedPath& path) {
+  out.f64(path.field.x_min).f64(path.field.y_min).f64(path.field.x_max).f64(path.field.y_max);
+  out.f64(path.cell_size);
+  write_points(out, path.points);
+}
+
+PublishedPathPtr read_published_path(ByteReader& in) {
+  auto path = std::make_shared<PublishedPath>();
+  Bounds& field = path->field;
+  for (double* limit : {&field.x_min, &field.y_min, &field.x_max, &field.y_max}) *limit = in.f64();
+  path->cell_size = in.f64();
+  path->points = read_points(in);
+  return path;
+}
+
+Scenario read_content(ByteReader& in) {
   const auto representation = static_cast<Representation>(in.u8());
   const std::string name = in.text();
   Bounds bounds;
@@ -132,11 +147,21 @@ Scenario read_scenario(ByteReader& in) {
   throw in.broken("has an unknown representation");
 }
 
+Scenario read_scenario(ByteReader& in) {
+  const std::uint8_t version = in.u8();
+  if (version != kVersion && version != kVersionWithPath) throw in.broken("is of another version");
+  Scenario scenario = read_content(in);
+  if (version == kVersion) return scenario;
+  return scenario.with_published_path(read_published_path(in));
+}
+
 }  // namespace
 
 std::string serialize(const Scenario& scenario) {
   ByteWriter out;
-  out.u8(kVersion).u8(static_cast<std::uint8_t>(scenario.representation())).text(scenario.name());
+  const PublishedPathPtr& path = scenario.published_path();
+  out.u8(path ? kVersionWithPath : kVersion);
+  out.u8(static_cast<std::uint8_t>(scenario.representation())).text(scenario.name());
   const Bounds& b = scenario.bounds();
   out.f64(b.x_min).f64(b.y_min).f64(b.x_max).f64(b.y_max);
   out.f64(scenario.start().x).f64(scenario.start().y).f64(scenario.start().phi);
@@ -152,6 +177,7 @@ std::string serialize(const Scenario& scenario) {
       write_point_map(out, *scenario.point_map());
       break;
   }
+  if (path) write_published_path(out, *path);
   return compress(out.take());
 }
 

@@ -62,22 +62,55 @@ std::string points_yaml(const mrpt::maps::CSimplePointsMap& map) {
   return yaml;
 }
 
+std::string published_path_yaml(const PublishedPathPtr& path) {
+  if (!path) return "";
+  const Bounds& f = path->field;
+  std::string yaml = "published_path:\n";
+  yaml += "  field: " + list_of({f.x_min, f.y_min, f.x_max, f.y_max}) + "\n";
+  yaml += "  cell_size: " + format_number(path->cell_size) + "\n  points:\n";
+  for (const TPoint2D& p : path->points) yaml += "    - " + list_of({p.x, p.y}) + "\n";
+  return yaml;
+}
+
 /// Reads one document with errors that name the line.
 class Reader {
  public:
   Reader(YAML::Node root, std::string where) : root_(std::move(root)), where_(std::move(where)) {}
 
   Scenario read() const {
+    const Scenario scenario = read_content();
+    const YAML::Node path = root_["published_path"];
+    return path.IsDefined() ? scenario.with_published_path(Reader(path, where_).published_path())
+                            : scenario;
+  }
+
+ private:
+  Scenario read_content() const {
     expect(root_.IsMap(), root_, "is no scenario", "keys and values");
     const std::string kind = text("representation");
-    const std::vector<std::string> common = {"name", "representation", "bounds", "start", "goal"};
+    const std::vector<std::string> common = {"name",  "representation", "bounds",
+                                             "start", "goal",           "published_path"};
     if (kind == "continuous") return read_continuous(with(common, {"discs", "polygons"}));
     if (kind == "grid") return read_grid(with(common, {"resolution", "cells"}));
     if (kind == "points") return read_points(with(common, {"points"}));
     throw error(root_["representation"], "'" + kind + "' is unknown", "continuous, grid or points");
   }
 
- private:
+  /// Of a reader whose root is the path.
+  PublishedPathPtr published_path() const {
+    expect(root_.IsMap(), root_, "is no path", "keys and values");
+    reject_unknown_keys({"field", "cell_size", "points"});
+    auto path = std::make_shared<PublishedPath>();
+    const auto field = numbers(required("field"), 4);
+    path->field = {field[0], field[1], field[2], field[3]};
+    path->cell_size = number(required("cell_size"));
+    for (const auto& node : sequence("points")) {
+      const auto p = numbers(node, 2);
+      path->points.emplace_back(p[0], p[1]);
+    }
+    return path;
+  }
+
   static std::vector<std::string> with(std::vector<std::string> keys,
                                        const std::vector<std::string>& more) {
     keys.insert(keys.end(), more.begin(), more.end());
@@ -230,6 +263,7 @@ std::string scenario_to_yaml(const Scenario& scenario) {
   yaml +=
       "start: " + list_of({scenario.start().x, scenario.start().y, scenario.start().phi}) + "\n";
   yaml += "goal: " + list_of({scenario.goal().x, scenario.goal().y}) + "\n";
+  yaml += published_path_yaml(scenario.published_path());
   switch (scenario.representation()) {
     case Representation::Continuous:
       return yaml + primitives_yaml(scenario.primitives());

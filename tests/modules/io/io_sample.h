@@ -42,4 +42,10 @@ inline Scenario sample_as(Representation to, std::uint64_t seed = 1) {
   return convert(sample_scenario(seed), to, 0.1);
 }
 
+/// The same with a path that was published for it.
+inline Scenario sample_with_path(Representation to) {
+  return sample_as(to).with_published_path(std::make_shared<PublishedPath>(
+      PublishedPath{{{1, 1}, {1, 1}, {5.1, 5}, {9, 9}}, {0, 0, 10, 9}, 0.5}));
+}
+
 }  // namespace slalom

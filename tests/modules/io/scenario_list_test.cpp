@@ -33,6 +33,20 @@ TEST(ScenarioCodec, EveryRepresentationComesBackWithItsHash) {
   }
 }
 
+TEST(ScenarioCodec, APublishedPathComesBackAndTruncatedOnesAreRefused) {
+  for (const Representation representation : kAll) {
+    const Scenario scenario = sample_with_path(representation);
+    const std::string bytes = serialize(scenario);
+    const Scenario back = deserialize_scenario(bytes, "test");
+    ASSERT_NE(back.published_path(), nullptr);
+    EXPECT_EQ(*back.published_path(), *scenario.published_path());
+    EXPECT_EQ(back.hash(), sample_as(representation).hash());
+    EXPECT_NE(bytes, serialize(sample_as(representation)));
+    for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 300)
+      EXPECT_EQ(exit_status_of([&] { deserialize_scenario(bytes.substr(0, size), "t"); }), 3);
+  }
+}
+
 TEST(ScenarioCodec, TruncatedOrChangedBytesAreRefused) {
   for (const Representation representation : kAll) {
     const std::string bytes = serialize(sample_as(representation));

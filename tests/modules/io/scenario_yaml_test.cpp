@@ -31,6 +31,25 @@ TEST(ScenarioYaml, EveryRepresentationComesBackWithItsHash) {
   }
 }
 
+TEST(ScenarioYaml, APublishedPathComesBack) {
+  const Scenario scenario = sample_with_path(Representation::Continuous);
+  const Scenario back = scenario_from_yaml(scenario_to_yaml(scenario), "test");
+  ASSERT_NE(back.published_path(), nullptr);
+  EXPECT_EQ(*back.published_path(), *scenario.published_path());
+}
+
+TEST(ScenarioYaml, MistakesInAPublishedPathAreNamedWithTheirLine) {
+  const std::string cells = std::string(kHead) + "resolution: 1\ncells: [\"...\", \"...\"]\n";
+  EXPECT_EQ(message_for(cells + "published_path: 3\n"),
+            "f.yaml:8: is no path; expected keys and values");
+  EXPECT_EQ(message_for(cells + "published_path:\n  feild: [0, 0, 1, 1]\n"),
+            "f.yaml:9: unknown key 'feild'; expected 'field'");
+  EXPECT_EQ(
+      message_for(cells + "published_path:\n  field: [0, 0, 1, 1]\n  cell_size: 1\n  points:\n"
+                          "    - [0, 1]\n    - [0]\n"),
+      "f.yaml:13: has not the right form; expected [2 numbers]");
+}
+
 TEST(ScenarioYaml, GridsAreDrawnTopRowFirst) {
   const Scenario scenario = scenario_from_yaml(
       std::string(kHead) + "resolution: 1\ncells:\n  - \"#..\"\n  - \"..#\"\n", "f.yaml");
