@@ -1,9 +1,15 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/generation/cellular_automaton.h>
+#include <slalom/generation/clutter.h>
+#include <slalom/generation/crop.h>
 #include <slalom/generation/generator.h>
+#include <slalom/generation/maze.h>
+#include <slalom/generation/perlin.h>
 #include <slalom/generation/poisson_forest.h>
 #include <slalom/generation/random_generator.h>
+#include <slalom/generation/rooms.h>
+#include <slalom/generation/traps.h>
 
 #include <algorithm>
 
@@ -26,8 +32,14 @@ void visit_defaults(OptionVisitor& visitor) {
 /// All families: the one list to add a line to.
 constexpr Family kFamilies[] = {
     {"cellular_automaton", make_cellular_automaton, visit_defaults<CellularAutomatonOptions>},
+    {"clutter", make_clutter, visit_defaults<ClutterOptions>},
+    {"crop", make_crop, visit_defaults<CropOptions>},
+    {"maze", make_maze, visit_defaults<MazeOptions>},
+    {"perlin", make_perlin, visit_defaults<PerlinOptions>},
     {"poisson_forest", make_poisson_forest, visit_defaults<PoissonForestOptions>},
     {"random", make_random_generator, visit_defaults<RandomGeneratorOptions>},
+    {"rooms", make_rooms, visit_defaults<RoomsOptions>},
+    {"traps", make_traps, visit_defaults<TrapsOptions>},
 };
 
 const Family& family(const std::string& name, const std::string& where) {
