@@ -60,6 +60,8 @@ void CampaignSection::visit(OptionVisitor& v) {
 void MetricsSection::visit(OptionVisitor& v) {
   v.option("enabled", enabled, "metrics to compute: ids, comma separated, or all");
   v.option("descriptors", descriptors, "scenario descriptors: ids, comma separated, or all");
+  v.option("exact_confinement", exact_confinement,
+           "confinement from every free cell, without sampling; takes seconds a scenario");
   v.option("safe_distance", safe_distance, "m", "clearance below which time counts as at risk",
            Range::positive());
 }
@@ -91,6 +93,7 @@ CampaignOptions read_measuring_options(const IniFile& ini) {
   options.metrics = read_ids(ini, "enabled", metrics.enabled, ids_of(all_metrics()));
   options.descriptors =
       read_ids(ini, "descriptors", metrics.descriptors, ids_of(all_descriptors()));
+  options.exact_confinement = metrics.exact_confinement;
   options.safe_distance = metrics.safe_distance;
   options.setup.robot = read_robot_model(ini);
   options.setup.simulation = read_options<SimulationOptions>(ini, "simulation");

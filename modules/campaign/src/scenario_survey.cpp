@@ -1,8 +1,28 @@
 #include "scenario_survey.h"
 
 #include <slalom/campaign/measure.h>
+#include <slalom/references/exact_shortest.h>
 
 namespace slalom {
+namespace {
+
+/// P* of the exact search, which does not depend on the planner.
+KnownPath exact_path(const CampaignOptions& options, const World& world,
+                     const References& references) {
+  if (!references.shortest) return {{}, 0, references.shortest_reason};
+  const ShortestPath& used = *references.shortest;
+  if (used.planner == "exact") return {used.path, used.length, ""};
+  const Scenario& scenario = world.scenario();
+  std::string reason;
+  const auto exact = exact_shortest_path({world,
+                                          options.setup.robot.shape().inscribed_radius(),
+                                          {scenario.start().x, scenario.start().y},
+                                          scenario.goal()},
+                                         options.reference_gap, reason);
+  return exact ? KnownPath{exact->path, exact->length, ""} : KnownPath{{}, 0, reason};
+}
+
+}  // namespace
 
 ScenarioFindings survey_scenario(const Campaign& campaign, const Scenario& scenario) {
   const CampaignOptions& options = campaign.options;
@@ -11,12 +31,10 @@ ScenarioFindings survey_scenario(const Campaign& campaign, const Scenario& scena
   findings.record = {scenario.hash(), scenario.name(), {}};
   findings.references = find_references(options, campaign.planner, world);
   const References& references = findings.references;
-  const auto shortest_length = [&references] {
-    return references.shortest ? Value::of(references.shortest->exact_length)
-                               : Value::na(references.shortest_reason);
-  };
-  const DescriptorContext context{world, options.setup.robot.shape().inscribed_radius(),
-                                  options.setup.sensor.max_range, shortest_length};
+  const DescriptorContext context{
+      world, options.setup.robot.shape(), options.setup.sensor.max_range,
+      search_once([&] { return exact_path(options, world, references); }),
+      options.exact_confinement};
   for (const std::string& id : options.descriptors) {
     const Descriptor& wanted = descriptor(id);
     findings.record.descriptors[id] = {wanted.info().version, wanted.compute(context)};

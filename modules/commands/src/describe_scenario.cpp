@@ -1,34 +1,45 @@
 #include <slalom/commands/describe_scenario.h>
 #include <slalom/references/exact_shortest.h>
 
+#include <chrono>
+
 namespace slalom {
 namespace {
 
-/// Length of the exact shortest path, searched only when a descriptor asks.
-Value shortest_length(const World& world, double robot_radius) {
+KnownPath shortest_path(const World& world, double robot_radius) {
   constexpr double kGap = 0.01;
   const auto& start = world.scenario().start();
   std::string reason;
   const auto shortest = exact_shortest_path(
       {world, robot_radius, {start.x, start.y}, world.scenario().goal()}, kGap, reason);
-  return shortest ? Value::of(shortest->length) : Value::na(reason);
+  return shortest ? KnownPath{shortest->path, shortest->length, ""} : KnownPath{{}, 0, reason};
+}
+
+DescribedValue describe_timed(const Descriptor& descriptor, const DescriptorContext& context,
+                              DescriptorStore& store) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Value value = describe(descriptor, context, &store);
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
+  return {descriptor.info(), value, descriptor.parameters(context), taken.count()};
 }
 
 }  // namespace
 
-std::vector<std::pair<QuantityInfo, Value>> describe_scenario(const Scenario& scenario,
-                                                              const DescribeOptions& options,
-                                                              DescriptorStore& store) {
+std::vector<DescribedValue> describe_scenario(const Scenario& scenario,
+                                              const DescribeOptions& options,
+                                              DescriptorStore& store) {
   const World world(scenario, options.resolution);
+  const double radius = options.robot.inscribed_radius();
   const DescriptorContext context{
-      world, options.robot_radius, options.sensor_range,
-      [&world, &options] { return shortest_length(world, options.robot_radius); }};
-  std::vector<std::pair<QuantityInfo, Value>> values;
+      world, options.robot, options.sensor_range,
+      search_once([&world, radius] { return shortest_path(world, radius); }),
+      options.exact_confinement, options.barn_visibility};
+  std::vector<DescribedValue> values;
   if (options.ids.empty())
     for (const auto& wanted : all_descriptors())
-      values.emplace_back(wanted->info(), describe(*wanted, context, &store));
+      values.push_back(describe_timed(*wanted, context, store));
   for (const std::string& id : options.ids)
-    values.emplace_back(descriptor(id).info(), describe(descriptor(id), context, &store));
+    values.push_back(describe_timed(descriptor(id), context, store));
   return values;
 }
 

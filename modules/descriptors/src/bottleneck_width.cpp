@@ -1,6 +1,5 @@
 #include "descriptors.h"
 
-#include <slalom/core/text.h>
 #include <slalom/scenario/widest_path.h>
 
 namespace slalom {
@@ -15,15 +14,14 @@ class BottleneckWidth : public Descriptor {
   }
 
   std::string parameters(const DescriptorContext& context) const override {
-    return join_parameters({"robot_radius=" + format_number(context.robot_radius),
-                            resolution_parameter(context.world)});
+    return join_parameters({robot_parameter(context), resolution_parameter(context.world)});
   }
 
   Value compute(const DescriptorContext& context) const override {
     const auto& start = context.world.scenario().start();
     const double widest =
         widest_bottleneck(context.world, {start.x, start.y}, context.world.scenario().goal());
-    if (widest < context.robot_radius) return Value::na("unsolvable: narrower than the robot");
+    if (widest < context.robot_radius()) return Value::na("unsolvable: narrower than the robot");
     return Value::of(2 * widest);
   }
 };

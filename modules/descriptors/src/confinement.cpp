@@ -1,3 +1,4 @@
+#include "confined_share.h"
 #include "descriptors.h"
 
 #include <slalom/core/text.h>
@@ -7,14 +8,12 @@
 namespace slalom {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// (1/area F) integral over F of the share of directions in which a ray meets O within R.
 ///
 /// Places come from the additive recurrence with the plastic number (Roberts' R2 sequence), those
-/// in F are kept; each is looked around from in kDirections rays, turned from place to place by the
-/// golden ratio. More places are added until the standard error of their mean is at most
-/// kWantedError.
+/// in F are kept; each is looked around from, its rays turned from place to place by the golden
+/// ratio. More places are added until the standard error of their mean is at most
+/// kWantedError. On request the exact arcs at the centres of all free cells are summed up instead.
 class Confinement : public Descriptor {
  public:
   QuantityInfo info() const override {
@@ -23,12 +22,20 @@ class Confinement : public Descriptor {
 
   std::string parameters(const DescriptorContext& context) const override {
     return join_parameters({"sensor_range=" + format_number(context.sensor_range),
-                            resolution_parameter(context.world)});
+                            resolution_parameter(context.world),
+                            context.exact_confinement ? "confinement=exact" : ""});
   }
 
   Value compute(const DescriptorContext& context) const override {
     const Occupancy& cells = context.world.occupancy();
     if (cells.count_occupied() == cells.cells().size()) return Value::na("no free space");
+    if (context.exact_confinement)
+      return Value::of(slalom::exact_confinement(cells, context.sensor_range));
+    return sample(context, cells);
+  }
+
+ private:
+  Value sample(const DescriptorContext& context, const Occupancy& cells) const {
     Mean mean;
     for (int i = 1;
          i <= kMostPlaces && !(mean.count() >= kLeastPlaces && mean.error() <= kWantedError); ++i) {
@@ -36,22 +43,18 @@ class Confinement : public Descriptor {
                                                         fraction(0.5 + i * kR2Y) * cells.size_y());
       const mrpt::math::TPoint2D at = cells.to_cells(place);
       if (cells.occupied(static_cast<int>(at.x), static_cast<int>(at.y))) continue;
-      mean.add(confined_share(context, place, fraction(i * kGoldenRatio)));
+      mean.add(
+          confined_share(context.world, place, context.sensor_range, fraction(i * kGoldenRatio)));
     }
     if (mean.count() == 0) return Value::na("no free place among " + std::to_string(kMostPlaces));
     return Value::of(mean.value(), mean.error());
   }
 
- private:
-  static constexpr int kDirections = 64;
   static constexpr int kLeastPlaces = 200;
   static constexpr int kMostPlaces = 200000;
   static constexpr double kWantedError = 0.005;
   static constexpr double kR2X = 0.7548776662466927;  // 1/p and 1/p^2, p the plastic number
   static constexpr double kR2Y = 0.5698402909980532;
-  static constexpr double kGoldenRatio = 0.6180339887498949;
-
-  static double fraction(double x) { return x - std::floor(x); }
 
   /// Mean and its standard error as if the places were independent, which for this even sample is
   /// on the safe side.
@@ -73,20 +76,6 @@ class Confinement : public Descriptor {
     int count_ = 0;
     double mean_ = 0, squares_ = 0;
   };
-
-  static double confined_share(const DescriptorContext& context, const mrpt::math::TPoint2D& place,
-                               double turn) {
-    const double step = 2 * kPi / kDirections;
-    ScanGeometry circle;
-    circle.count = kDirections;
-    circle.aperture = 2 * kPi - step;
-    circle.max_range = context.sensor_range;
-    float ranges[kDirections];
-    context.world.ray_caster().cast_scan({place.x, place.y, turn * step}, circle, ranges);
-    int met = 0;
-    for (const float range : ranges) met += range < static_cast<float>(circle.max_range) ? 1 : 0;
-    return static_cast<double>(met) / kDirections;
-  }
 };
 
 }  // namespace

@@ -4,6 +4,9 @@
 #include <slalom/core/ini_file.h>
 #include <slalom/core/text.h>
 
+#include <optional>
+#include <utility>
+
 namespace slalom {
 
 const std::vector<std::shared_ptr<const Descriptor>>& all_descriptors() {
@@ -23,6 +26,22 @@ const Descriptor& descriptor(const std::string& id) {
   const std::string nearest = nearest_name(id, ids);
   throw usage_error("descriptor", "unknown id '" + id + "'",
                     nearest.empty() ? "one of " + join(ids, ", ") : "'" + nearest + "'");
+}
+
+PathSource search_once(std::function<KnownPath()> search) {
+  auto found = std::make_shared<std::optional<KnownPath>>();
+  return [found, search = std::move(search)]() -> const KnownPath& {
+    if (!*found) *found = search();
+    return **found;
+  };
+}
+
+std::string robot_parameter(const DescriptorContext& context) {
+  if (context.robot.is_disc()) return "robot_radius=" + format_number(context.robot_radius());
+  std::vector<std::string> corners;
+  for (const mrpt::math::TPoint2D& p : context.robot.corners())
+    corners.push_back(format_number(p.x) + "," + format_number(p.y));
+  return "footprint=" + join(corners, " ");
 }
 
 std::string resolution_parameter(const World& world) {

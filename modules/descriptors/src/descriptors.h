@@ -13,6 +13,9 @@ DescriptorPtr make_confinement();
 DescriptorPtr make_bottleneck_width();
 DescriptorPtr make_detour_ratio();
 
+/// "robot_radius=0.25" of a disc, "footprint=x,y x,y ..." (corners counter-clockwise) of a polygon.
+std::string robot_parameter(const DescriptorContext& context);
+
 /// "resolution=0.05" for scenarios that are not grids themselves, "" for grids.
 std::string resolution_parameter(const World& world);
 

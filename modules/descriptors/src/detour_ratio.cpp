@@ -1,7 +1,5 @@
 #include "descriptors.h"
 
-#include <slalom/core/text.h>
-
 #include <cmath>
 
 namespace slalom {
@@ -15,8 +13,7 @@ class DetourRatio : public Descriptor {
   }
 
   std::string parameters(const DescriptorContext& context) const override {
-    return join_parameters({"robot_radius=" + format_number(context.robot_radius),
-                            resolution_parameter(context.world)});
+    return join_parameters({robot_parameter(context), resolution_parameter(context.world)});
   }
 
   Value compute(const DescriptorContext& context) const override {
@@ -24,8 +21,9 @@ class DetourRatio : public Descriptor {
     const double straight =
         std::hypot(scenario.goal().x - scenario.start().x, scenario.goal().y - scenario.start().y);
     if (straight <= 0) return Value::na("the start is the goal");
-    const Value shortest = context.shortest_length();
-    return shortest.is_na() ? shortest : Value::of(shortest.number() / straight);
+    const KnownPath& shortest = context.shortest();
+    if (shortest.path.empty()) return Value::na(shortest.reason);
+    return Value::of(shortest.length / straight);
   }
 };
 

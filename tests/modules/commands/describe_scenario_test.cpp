@@ -12,7 +12,7 @@ TEST(DescribeScenario, ComputesAllAndKeepsThemInTheList) {
   const TemporaryFolder folder;
   const Scenario scenario = sample_scenario(1);
   const std::string path = folder / "a.scenarios";
-  std::vector<std::pair<QuantityInfo, Value>> first;
+  std::vector<DescribedValue> first;
   {
     ScenarioList list = ScenarioList::create(path);
     first = describe_scenario(scenario, {}, list);
@@ -21,7 +21,7 @@ TEST(DescribeScenario, ComputesAllAndKeepsThemInTheList) {
   ScenarioList list = ScenarioList::open(path);
   for (const auto& d : all_descriptors()) {
     const World world(scenario, 0.05);
-    const DescriptorContext context{world, 0.25, 8, nullptr};
+    const DescriptorContext context{world, Footprint::disc(0.25), 8, nullptr};
     EXPECT_TRUE(list.find(scenario.hash(), d->info().id, d->info().version, d->parameters(context))
                     .has_value())
         << d->info().id;
@@ -34,8 +34,8 @@ TEST(DescribeScenario, DetourRatioUsesTheShortestPath) {
   options.ids = {"detour_ratio"};
   const auto values = describe_scenario(sample_scenario(1), options, store);
   ASSERT_EQ(values.size(), 1U);
-  EXPECT_GE(values[0].second.number(), 1);
-  EXPECT_LT(values[0].second.number(), 1.5);
+  EXPECT_GE(values[0].value.number(), 1);
+  EXPECT_LT(values[0].value.number(), 1.5);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ class Counting : public Descriptor {
  public:
   QuantityInfo info() const override { return {"counting", 1, "Counting", "-", Direction::None}; }
   std::string parameters(const DescriptorContext& context) const override {
-    return "robot_radius=" + std::to_string(context.robot_radius);
+    return "robot_radius=" + std::to_string(context.robot_radius());
   }
   Value compute(const DescriptorContext&) const override { return Value::of(++computed); }
   mutable int computed = 0;

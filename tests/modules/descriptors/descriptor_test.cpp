@@ -60,6 +60,46 @@ TEST(Confinement, OfAnEmptyRoomIsAsIntegrated) {
   EXPECT_NEAR(value.number(), expected, 0.015);  // three standard errors
 }
 
+Value exact_confinement_of(const World& world, double range) {
+  DescriptorContext context = context_of(world, 0.25, range);
+  context.exact_confinement = true;
+  return descriptor("confinement").compute(context);
+}
+
+TEST(Confinement, ExactlyCountsTheArcsThatWallsFill) {
+  // 1 m seen from 0.5 m away, a wall fills 2 acos(0.5 / 1) = 120 degrees. 12 cells have one wall, 4
+  // have two: from 120 to 330 degrees, 210 in all. The 9 within are 1.5 m from any wall.
+  const World world = drawn_world({".....", ".....", "S...G", ".....", "....."});
+  EXPECT_NEAR(exact_confinement_of(world, 1).number(), (12 * 120 + 4 * 210) / (25 * 360.0), 1e-12);
+  EXPECT_FALSE(exact_confinement_of(world, 1).standard_error().has_value());
+}
+
+TEST(Confinement, ExactlyCountsWhatLiesWithinTheRangeOnly) {
+  // Cells beside the block: 120 degrees of wall, and 90 of the block's face from corner to corner.
+  // Cells in a corner: 210 degrees of walls; of the block what is nearer than 1 m: of each face, at
+  // 0.5 m, the directions from asin(0.5) = 30 to 45 degrees, together 30 degrees.
+  const World world = drawn_world({"...", "S#G", "..."});
+  EXPECT_NEAR(exact_confinement_of(world, 1).number(),
+              (4 * (120 + 90) + 4 * (210 + 30)) / (8 * 360.0), 1e-12);
+}
+
+TEST(Confinement, ASampleComesNearTheExactMean) {
+  const World world(random_room(4, 15), 0.1);
+  for (const double range : {1.0, 3.0}) {
+    const Value sampled = descriptor("confinement").compute(context_of(world, 0.25, range));
+    EXPECT_NEAR(sampled.number(), exact_confinement_of(world, range).number(),
+                4 * *sampled.standard_error());
+  }
+}
+
+TEST(Confinement, KeepsExactAndSampledValuesApart) {
+  const World world = drawn_world({"S.G"});
+  DescriptorContext context = context_of(world, 0.25, 2);
+  EXPECT_EQ(descriptor("confinement").parameters(context), "sensor_range=2");
+  context.exact_confinement = true;
+  EXPECT_EQ(descriptor("confinement").parameters(context), "sensor_range=2;confinement=exact");
+}
+
 TEST(BottleneckWidth, IsTwiceTheWidestBottleneck) {
   // The opening in the middle wall is one cell, 1 m; the straight row leads through it.
   const World world = drawn_world({"..#..", "..#..", "S...G", "..#..", "..#.."});
@@ -77,11 +117,10 @@ TEST(BottleneckWidth, IsNotAvailableWhereTheRobotDoesNotFit) {
 
 TEST(DetourRatio, IsTheShortestLengthOverTheStraightDistance) {
   const World world = drawn_world({".....", ".....", "S...G", ".....", "....."});
-  DescriptorContext context = context_of(world);
-  context.shortest_length = [] { return Value::of(6); };  // the ends are 4 m apart
-  EXPECT_DOUBLE_EQ(value_of("detour_ratio", context), 1.5);
-  context.shortest_length = [] { return Value::na("no path"); };
-  EXPECT_EQ(descriptor("detour_ratio").compute(context).reason(), "no path");
+  // One metre up, four along, one down; the ends are 4 m apart.
+  const Path path = {{0.5, 2.5}, {0.5, 3.5}, {4.5, 3.5}, {4.5, 2.5}};
+  EXPECT_DOUBLE_EQ(value_of("detour_ratio", context_with_path(world, path)), 1.5);
+  EXPECT_EQ(descriptor("detour_ratio").compute(context_of(world)).reason(), "not asked for here");
 }
 
 TEST(Descriptors, AWorldWithoutFreeSpaceHasNoMeans) {

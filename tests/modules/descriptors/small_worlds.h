@@ -28,7 +28,18 @@ inline World drawn_world(const std::vector<std::string>& rows) {
 
 inline DescriptorContext context_of(const World& world, double robot_radius = 0.25,
                                     double sensor_range = 8) {
-  return {world, robot_radius, sensor_range, [] { return Value::na("not asked for here"); }};
+  return {world, Footprint::disc(robot_radius), sensor_range, search_once([] {
+            return KnownPath{{}, 0, "not asked for here"};
+          })};
+}
+
+/// The same with P* given by its corners.
+inline DescriptorContext context_with_path(const World& world, Path path,
+                                           double robot_radius = 0.25, double sensor_range = 8) {
+  DescriptorContext context = context_of(world, robot_radius, sensor_range);
+  const double metres = length(path);
+  context.shortest = search_once([path, metres] { return KnownPath{path, metres, ""}; });
+  return context;
 }
 
 /// The value of a descriptor; NaN with a test failure would hide the reason, so NA throws.

@@ -26,6 +26,7 @@ struct CampaignSection {
 struct MetricsSection {
   std::string enabled = "all";           ///< metric ids, comma separated, or all
   std::string descriptors = "all";       ///< descriptor ids, comma separated, or all
+  bool exact_confinement = false;        ///< confinement from every free cell, not sampled
   double safe_distance = kSafeDistance;  ///< m, clearance below which time is time at risk
 
   void visit(OptionVisitor& v);
@@ -59,6 +60,7 @@ struct CampaignOptions {
   std::vector<std::string> methods;      ///< in the order of the .ini
   std::vector<std::string> metrics;      ///< ids
   std::vector<std::string> descriptors;  ///< ids
+  bool exact_confinement = false;
   double safe_distance = kSafeDistance;  ///< m
   RunSetup setup;
   LimitsSection limits;

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "descriptors.h"
+
+#include <mrpt/math/TPoint2D.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// What BARN's difficulty metrics look at (Perille et al., "Benchmarking Metric Ground Navigation",
+/// 2020): a grid of square cells in which obstacles are dilated by 5 x 5 cells, and the points of a
+/// path. Rows go along x, columns along y; cells outside are no obstacles.
+///
+/// Along a published path these are its cells and its points. Otherwise the cells are of 0.15 m
+/// from the lower left corner of the workspace, and the points stand on P* at equal steps of at
+/// most a cell. A cell has an obstacle where one comes within half a cell of its centre, or where a
+/// point of a point map lies.
+class BarnField {
+ public:
+  /// What is needed to look along the path of a context; throws nothing. Without a path, `reason`
+  /// says why.
+  explicit BarnField(const DescriptorContext& context);
+
+  const std::string& reason() const { return reason_; }  ///< empty where there is a path
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+  bool inside(int row, int column) const {
+    return row >= 0 && row < rows_ && column >= 0 && column < columns_;
+  }
+  /// Requires inside(row, column).
+  bool blocked(int row, int column) const {
+    return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(column)] != 0;
+  }
+
+  /// The mean of a value over the points of the path. Points without one are left out; NA with
+  /// `nowhere` where no point has one, or with reason().
+  using CellValue = std::function<std::optional<double>(int row, int column)>;
+  Value mean(const CellValue& value, const std::string& nowhere) const;
+
+ private:
+  void set_up(const PublishedPath& published);
+  void set_up(const World& world, const KnownPath& shortest);
+  void mark(const World& world);
+  void dilate();
+
+  std::string reason_;
+  mrpt::math::TPoint2D corner_;
+  double cell_size_ = 0;
+  int rows_ = 0, columns_ = 0;
+  std::vector<std::uint8_t> cells_;
+  std::vector<mrpt::math::TPoint2D> points_;
+};
+
+/// The path that BARN's metrics are averaged over: the published one, or P* (m).
+const std::vector<mrpt::math::TPoint2D>& barn_path(const DescriptorContext& context);
+
+/// "path=published HASH", or what P* depends on.
+std::string barn_parameters(const DescriptorContext& context);
+
+}  // namespace slalom
