@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace slalom {
 namespace {
 
 constexpr long long kMostBins = 1000;
-constexpr const char* kForms = "all, ID:EDGE,EDGE,..., ID:COUNT or ID:equal:COUNT";
+constexpr const char* kForms = "all, ID:EDGE,EDGE,..., ID:COUNT, ID:qCOUNT or ID:@INDEX";
 
 Error bad_spec(const std::string& text, const std::string& what) {
   return usage_error("rows '" + text + "'", what, kForms);
@@ -38,25 +37,20 @@ std::vector<double> parse_edges(const std::string& spec, const std::string& text
   return edges;
 }
 
-void require_known(const std::string& id, const ResultTable& table) {
-  std::set<std::string> known;
-  for (const auto& [hash, scenario] : table.scenarios) {
-    for (const auto& [descriptor, value] : scenario.descriptors) known.insert(descriptor);
-  }
-  if (known.count(id) > 0) return;
-  const std::vector<std::string> names(known.begin(), known.end());
+Error unknown_rows(const std::string& id, const RunColumns& table) {
+  std::vector<std::string> names;
+  for (const ValueColumn& column : table.descriptors) names.push_back(column.info().id);
+  for (const ValueColumn& column : table.metrics) names.push_back(column.info().id);
   const std::string nearest = nearest_name(id, names);
-  throw usage_error("rows", "no descriptor '" + id + "' in these results",
-                    nearest.empty() ? "one of " + join(names, ", ") : "'" + nearest + "'");
+  return usage_error("rows", "no descriptor '" + id + "' in these results",
+                     nearest.empty() ? "one of " + join(names, ", ") : "'" + nearest + "'");
 }
 
-/// The values of a descriptor over the scenarios, increasing.
-std::vector<double> sorted_values(const std::string& id, const ResultTable& table) {
+std::vector<double> sorted_values(const ValueColumn& column) {
   std::vector<double> values;
-  for (const auto& [hash, scenario] : table.scenarios) {
-    const auto found = scenario.descriptors.find(id);
-    if (found == scenario.descriptors.end() || found->second.value.is_na()) continue;
-    values.push_back(found->second.value.number());
+  values.reserve(column.size());
+  for (std::size_t row = 0; row < column.size(); ++row) {
+    if (!column.is_na(row)) values.push_back(column.number(row));
   }
   std::sort(values.begin(), values.end());
   return values;
@@ -117,21 +111,24 @@ std::vector<double> counted_edges(const BinSpec& spec, const std::vector<double>
 BinSpec parse_bin_spec(const std::string& text) {
   const std::vector<std::string> parts = split(text, ':');
   if (parts.size() == 1 && parts[0] == "all") return {};
-  if (parts.size() < 2 || parts.size() > 3 || parts[0].empty()) {
+  if (parts.size() != 2 || parts[0].empty() || parts[1].empty()) {
     throw bad_spec(text, "not understood");
   }
   BinSpec spec;
   spec.descriptor = parts[0];
-  if (parts.size() == 3) {
-    if (parts[1] != "equal") throw bad_spec(text, "'" + parts[1] + "' is not 'equal'");
-    spec.kind = BinSpec::Kind::EqualWidth;
-    spec.count = parse_count(text, parts[2]);
-  } else if (parts[1].find(',') == std::string::npos) {
-    spec.kind = BinSpec::Kind::Quantiles;
-    spec.count = parse_count(text, parts[1]);
-  } else {
+  if (parts[1].front() == '@') {
+    spec.kind = BinSpec::Kind::Index;
+    spec.index = parts[1].substr(1);
+    if (spec.index.empty()) throw bad_spec(text, "names no index");
+  } else if (parts[1].find(',') != std::string::npos) {
     spec.kind = BinSpec::Kind::Edges;
     spec.edges = parse_edges(text, parts[1]);
+  } else if (parts[1].front() == 'q') {
+    spec.kind = BinSpec::Kind::Quantiles;
+    spec.count = parse_count(text, parts[1].substr(1));
+  } else {
+    spec.kind = BinSpec::Kind::EqualWidth;
+    spec.count = parse_count(text, parts[1]);
   }
   return spec;
 }
@@ -155,20 +152,36 @@ std::string Bin::label() const {
   return "[" + format_number(*low) + ", " + format_number(*high) + (closed ? "]" : ")");
 }
 
-std::vector<Bin> make_bins(const BinSpec& spec, const ResultTable& table) {
+RunValues::RunValues(const RunColumns& table, const std::string& id)
+    : values_(find_descriptor(table, id)), scenario_(&table.scenario) {
+  if (values_ != nullptr) return;
+  values_ = find_metric(table, id);
+  scenario_ = nullptr;
+  if (values_ == nullptr) throw unknown_rows(id, table);
+}
+
+std::vector<Bin> make_bins(const BinSpec& spec, const RunColumns& table) {
   if (spec.kind == BinSpec::Kind::All) return {Bin{}};
-  require_known(spec.descriptor, table);
+  const RunValues values(table, spec.descriptor);
   std::vector<double> edges = spec.edges;
+  if (spec.kind == BinSpec::Kind::Index) {
+    throw usage_error("rows '" + spec.descriptor + ":@" + spec.index + "'",
+                      "the index is not known here", "a scenario list that has it");
+  }
   if (spec.kind != BinSpec::Kind::Edges) {
-    const std::vector<double> values = sorted_values(spec.descriptor, table);
-    if (values.empty()) return {};
-    edges = counted_edges(spec, values);
+    const std::vector<double> sorted = sorted_values(values.column());
+    if (sorted.empty()) return {};
+    edges = counted_edges(spec, sorted);
   }
   std::vector<Bin> bins;
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     bins.push_back({edges[i], edges[i + 1], i + 2 == edges.size()});
   }
   return bins;
+}
+
+std::vector<Bin> make_bins(const BinSpec& spec, const ResultTable& table) {
+  return make_bins(spec, to_columns(table));
 }
 
 }  // namespace slalom

@@ -4,6 +4,7 @@
 #include <slalom/core/text.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 namespace slalom {
@@ -37,15 +38,88 @@ Error unknown_column(const std::string& id, std::vector<std::string> candidates)
                      nearest.empty() ? "one of " + join(candidates, ", ") : "'" + nearest + "'");
 }
 
-void add_interval(Cell& cell, const Column& column, const ScenarioGroups& groups,
+void add_interval(Cell& cell, const ValueColumn& values, const GroupSums& groups,
                   const AnalysisOptions& options, const std::string& label) {
-  if (column.rate) {
+  if (values.rate) {
     cell.interval =
         wilson_interval(*cell.estimate, effective_sample_size(groups), options.confidence);
     return;
   }
   RandomEngine engine(derive_seed(options.seed, label));
   cell.interval = mean_interval(groups, options.confidence, engine);
+  if (cell.interval) cell.interval = within(range_of(values.info().id), *cell.interval);
+}
+
+/// The values of some runs, and their sums by scenario.
+struct Gathered {
+  std::vector<double> numbers;
+  GroupSums groups;
+};
+
+/// Runs come by scenario as a rule, so that equal neighbours make a group; otherwise groups are
+/// merged by scenario.
+Gathered gather(Cell& cell, const RunColumns& table, const std::vector<std::size_t>& runs,
+                const ValueColumn& values) {
+  Gathered gathered;
+  gathered.numbers.reserve(runs.size());
+  std::vector<std::uint32_t> scenarios;
+  GroupSums& groups = gathered.groups;
+  for (const std::size_t run : runs) {
+    if (values.is_na(run)) {
+      ++cell.na[values.reason(run)];
+      continue;
+    }
+    const double number = values.number(run);
+    gathered.numbers.push_back(number);
+    if (scenarios.empty() || scenarios.back() != table.scenario[run]) {
+      scenarios.push_back(table.scenario[run]);
+      groups.sums.push_back(0);
+      groups.sizes.push_back(0);
+    }
+    groups.sums.back() += number;
+    groups.sizes.back() += 1;
+  }
+  if (std::adjacent_find(scenarios.begin(), scenarios.end(), std::greater_equal<>()) ==
+      scenarios.end()) {
+    return gathered;
+  }
+  std::map<std::uint32_t, std::pair<double, double>> merged;
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    merged[scenarios[i]].first += groups.sums[i];
+    merged[scenarios[i]].second += groups.sizes[i];
+  }
+  groups = {};
+  for (const auto& [scenario, group] : merged) {
+    groups.sums.push_back(group.first);
+    groups.sizes.push_back(group.second);
+  }
+  return gathered;
+}
+
+std::size_t count_failures(const RunColumns& table, const std::vector<std::size_t>& runs) {
+  std::vector<bool> failure;
+  for (const std::string& outcome : table.outcomes) failure.push_back(is_failure(outcome));
+  std::size_t failures = 0;
+  for (const std::size_t run : runs) failures += failure[table.outcome[run]] ? 1 : 0;
+  return failures;
+}
+
+/// Columns with these ids, of those that there are.
+std::vector<Column> choose_columns(const std::vector<Column>& there,
+                                   const std::vector<std::string>& ids) {
+  std::vector<Column> columns;
+  for (const std::string& id : ids) {
+    const auto found = std::find_if(there.begin(), there.end(),
+                                    [&id](const Column& column) { return column.info.id == id; });
+    if (found == there.end()) {
+      std::vector<std::string> names;
+      for (const Column& column : there) names.push_back(column.info.id);
+      throw unknown_column(id, names);
+    }
+    columns.push_back(*found);
+  }
+  if (columns.empty()) throw usage_error("columns", "none asked for", "metric ids");
+  return columns;
 }
 
 }  // namespace
@@ -73,21 +147,26 @@ std::vector<std::string> wall_clock_ids(const ResultTable& table) {
 
 std::vector<Column> resolve_columns(const ResultTable& table, const std::vector<std::string>& ids) {
   std::vector<std::string> metrics = metric_ids(table);
-  if (!contains(metrics, kSuccess)) metrics.push_back(kSuccess);
-  const std::vector<std::string> clocks = wall_clock_ids(table);
-  std::vector<Column> columns;
-  for (const std::string& id : ids) {
-    if (contains(metrics, id) || (table.runs.empty() && table.quantities.count(id) > 0)) {
-      columns.push_back({info_of(table, id), id == kSuccess, false});
-    } else if (contains(clocks, id)) {
-      columns.push_back({{id, 1, id, timing_unit(id), Direction::Down}, false, true});
-    } else {
-      metrics.insert(metrics.end(), clocks.begin(), clocks.end());
-      throw unknown_column(id, metrics);
-    }
+  if (table.runs.empty()) {
+    for (const auto& [id, info] : table.quantities) metrics.push_back(id);
   }
-  if (columns.empty()) throw usage_error("columns", "none asked for", "metric ids");
-  return columns;
+  if (!contains(metrics, kSuccess)) metrics.push_back(kSuccess);
+  std::vector<Column> there;
+  for (const std::string& id : metrics) {
+    there.push_back({info_of(table, id), id == kSuccess, false});
+  }
+  for (const std::string& id : wall_clock_ids(table)) {
+    there.push_back({{id, 1, id, timing_unit(id), Direction::Down}, false, true});
+  }
+  return choose_columns(there, ids);
+}
+
+std::vector<Column> resolve_columns(const RunColumns& table, const std::vector<std::string>& ids) {
+  std::vector<Column> there;
+  for (const ValueColumn& column : table.metrics) {
+    there.push_back({column.info(), column.rate, column.wall_clock});
+  }
+  return choose_columns(there, ids);
 }
 
 Value column_value(const ResultTable& table, std::size_t run, const Column& column) {
@@ -109,29 +188,21 @@ Value column_value(const ResultTable& table, std::size_t run, const Column& colu
   return found->second.value;
 }
 
-Cell make_cell(const ResultTable& table, const std::vector<std::size_t>& runs, const Column& column,
-               const AnalysisOptions& options, const std::string& label) {
+Cell make_cell(const RunColumns& table, const std::vector<std::size_t>& runs,
+               const ValueColumn& values, const AnalysisOptions& options,
+               const std::string& label) {
   Cell cell;
   cell.n = runs.size();
-  std::vector<double> values;
-  std::map<std::string, std::vector<double>> by_scenario;
-  for (const std::size_t run : runs) {
-    const Value value = column_value(table, run, column);
-    if (value.is_na()) {
-      ++cell.na[value.reason()];
-      continue;
-    }
-    values.push_back(value.number());
-    by_scenario[table.runs[run].scenario_hash].push_back(value.number());
-  }
-  cell.available = values.size();
-  if (values.empty()) return cell;
-  ScenarioGroups groups;
-  for (auto& [hash, group] : by_scenario) groups.push_back(std::move(group));
-  cell.estimate = mean(values);
-  cell.deviation = standard_deviation(values);
-  cell.median = median(values);
-  add_interval(cell, column, groups, options, label);
+  cell.failures = count_failures(table, runs);
+  Gathered gathered = gather(cell, table, runs, values);
+  cell.available = gathered.numbers.size();
+  if (gathered.numbers.empty()) return cell;
+  cell.estimate = mean(gathered.numbers);
+  cell.deviation = standard_deviation(gathered.numbers);
+  const MiddleValues middle = middle_values(std::move(gathered.numbers));
+  cell.median = middle.median;
+  cell.interquartile_mean = middle.interquartile_mean;
+  add_interval(cell, values, gathered.groups, options, label);
   return cell;
 }
 

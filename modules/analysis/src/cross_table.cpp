@@ -9,44 +9,37 @@
 namespace slalom {
 namespace {
 
-void require_known_method(const ResultTable& table, const std::string& method) {
-  const std::vector<std::string> names = method_names(table);
-  if (std::find(names.begin(), names.end(), method) != names.end()) return;
-  const std::string nearest = nearest_name(method, names);
-  throw usage_error("method", "no runs of '" + method + "' in these results",
-                    nearest.empty() ? "one of " + join(names, ", ") : "'" + nearest + "'");
-}
-
-QuantityInfo descriptor_info(const ResultTable& table, const BinSpec& spec) {
-  if (spec.kind == BinSpec::Kind::All) return {"all", 1, "All scenarios", "-", Direction::None};
-  const auto known = table.quantities.find(spec.descriptor);
-  if (known != table.quantities.end()) return known->second;
-  return {spec.descriptor, 1, spec.descriptor, "-", Direction::None};
-}
-
-Value descriptor_of(const ResultTable& table, const RunRecord& run, const std::string& id) {
-  const auto scenario = table.scenarios.find(run.scenario_hash);
-  if (scenario == table.scenarios.end()) return Value::na("unknown scenario");
-  const auto found = scenario->second.descriptors.find(id);
-  if (found == scenario->second.descriptors.end()) return Value::na("not computed");
-  return found->second.value;
-}
-
-/// Puts a run into the row it belongs to, or counts why it belongs to none.
-void sort_into_row(CrossTable& cross, const ResultTable& table, std::size_t run, bool all) {
-  const Value value =
-      all ? Value::of(0) : descriptor_of(table, table.runs[run], cross.descriptor.id);
-  if (value.is_na()) {
-    ++cross.undescribed;
-    return;
+/// Puts the runs of a method into the rows they belong to, or counts why they belong to none.
+void sort_into_rows(CrossTable& cross, const RunColumns& table, std::uint32_t method,
+                    const RunValues* values) {
+  for (std::size_t run = 0; run < table.size(); ++run) {
+    if (table.method[run] != method) continue;
+    if (values != nullptr && values->is_na(run)) {
+      ++cross.undescribed;
+      continue;
+    }
+    const double value = values != nullptr ? (*values)(run) : 0;
+    const auto row = std::find_if(cross.rows.begin(), cross.rows.end(),
+                                  [value](const CrossRow& r) { return r.bin.contains(value); });
+    if (row == cross.rows.end()) {
+      ++cross.outside;
+    } else {
+      row->runs.push_back(run);
+    }
   }
-  for (CrossRow& row : cross.rows) {
-    if (!row.bin.contains(value.number())) continue;
-    row.runs.push_back(run);
-    row.run_ids.push_back(run_id(table.runs[run]));
-    return;
+}
+
+void fill_row(CrossRow& row, const CrossTable& cross, const RunColumns& table,
+              const AnalysisOptions& options) {
+  if (options.run_ids) {
+    for (const std::size_t run : row.runs) row.run_ids.push_back(run_id(table, run));
   }
-  ++cross.outside;
+  for (const Column& column : cross.columns) {
+    const std::string label =
+        join({cross.method, cross.descriptor.id, row.bin.label(), column.info.id}, "/");
+    row.cells.push_back(
+        make_cell(table, row.runs, *find_metric(table, column.info.id), options, label));
+  }
 }
 
 void add_notes(CrossTable& cross) {
@@ -62,41 +55,48 @@ void add_notes(CrossTable& cross) {
 
 }  // namespace
 
-CrossTable build_cross_table(const ResultTable& table, const std::string& method,
+std::uint32_t place_of_method(const RunColumns& table, const std::string& method) {
+  const auto found = std::find(table.methods.begin(), table.methods.end(), method);
+  if (found != table.methods.end()) {
+    return static_cast<std::uint32_t>(found - table.methods.begin());
+  }
+  const std::string nearest = nearest_name(method, table.methods);
+  throw usage_error("method", "no runs of '" + method + "' in these results",
+                    nearest.empty() ? "one of " + join(table.methods, ", ") : "'" + nearest + "'");
+}
+
+CrossTable build_cross_table(const RunColumns& table, const std::string& method,
                              const BinSpec& spec, const std::vector<Column>& columns,
                              const AnalysisOptions& options) {
   require_valid(options);
-  require_known_method(table, method);
+  const std::uint32_t place = place_of_method(table, method);
   CrossTable cross;
   cross.method = method;
-  cross.descriptor = descriptor_info(table, spec);
-  cross.title = method + " by " + cross.descriptor.id;
   cross.columns = columns;
   cross.confidence = options.confidence;
   for (const Bin& bin : make_bins(spec, table)) cross.rows.push_back({bin, {}, {}, {}});
-  for (std::size_t run = 0; run < table.runs.size(); ++run) {
-    if (table.runs[run].method != method) continue;
-    sort_into_row(cross, table, run, spec.kind == BinSpec::Kind::All);
+  if (spec.kind == BinSpec::Kind::All) {
+    cross.descriptor = {"all", 1, "All scenarios", "-", Direction::None};
+    sort_into_rows(cross, table, place, nullptr);
+  } else {
+    const RunValues values(table, spec.descriptor);
+    cross.descriptor = values.info();
+    sort_into_rows(cross, table, place, &values);
   }
-  for (CrossRow& row : cross.rows) {
-    for (const Column& column : columns) {
-      const std::string label =
-          join({method, cross.descriptor.id, row.bin.label(), column.info.id}, "/");
-      row.cells.push_back(make_cell(table, row.runs, column, options, label));
-    }
-  }
+  cross.title = method + " by " + cross.descriptor.id;
+  for (CrossRow& row : cross.rows) fill_row(row, cross, table, options);
   add_notes(cross);
   return cross;
 }
 
-std::vector<CrossTable> build_cross_tables(const ResultTable& table,
+std::vector<CrossTable> build_cross_tables(const RunColumns& table,
                                            const std::vector<BinSpec>& specs,
                                            const std::vector<std::string>& column_ids,
                                            const AnalysisOptions& options,
                                            const std::string& method) {
   const std::vector<Column> columns = resolve_columns(table, column_ids);
   const std::vector<std::string> methods =
-      method.empty() ? method_names(table) : std::vector<std::string>{method};
+      method.empty() ? table.methods : std::vector<std::string>{method};
   std::vector<CrossTable> tables;
   for (const BinSpec& spec : specs) {
     for (const std::string& name : methods) {
@@ -104,6 +104,14 @@ std::vector<CrossTable> build_cross_tables(const ResultTable& table,
     }
   }
   return tables;
+}
+
+std::vector<CrossTable> build_cross_tables(const ResultTable& table,
+                                           const std::vector<BinSpec>& specs,
+                                           const std::vector<std::string>& column_ids,
+                                           const AnalysisOptions& options,
+                                           const std::string& method) {
+  return build_cross_tables(to_columns(table), specs, column_ids, options, method);
 }
 
 }  // namespace slalom

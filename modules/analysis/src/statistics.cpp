@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace slalom {
@@ -17,23 +18,39 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-std::size_t count(const ScenarioGroups& groups) {
-  std::size_t n = 0;
-  for (const auto& group : groups) n += group.size();
-  return n;
+double count(const GroupSums& groups) {
+  return sum(groups.sizes);
 }
 
 /// Variance of the mean over all values, estimated from the spread between groups.
-double variance_of_mean(const ScenarioGroups& groups) {
+double variance_of_mean(const GroupSums& groups) {
   const double m = mean_of_groups(groups);
   double squares = 0;
-  for (const auto& group : groups) {
-    const double residual = sum(group) - m * static_cast<double>(group.size());
+  for (std::size_t i = 0; i < groups.groups(); ++i) {
+    const double residual = groups.sums[i] - m * groups.sizes[i];
     squares += residual * residual;
   }
-  const double k = static_cast<double>(groups.size()), n = static_cast<double>(count(groups));
+  const double k = static_cast<double>(groups.groups()), n = count(groups);
   return k / (k - 1) * squares / (n * n);
 }
+
+/// Whole numbers in [0, end), two of 32 bits from each draw of the engine: what is left of their
+/// unevenness, end / 2^32, is far below what a bootstrap can show.
+class FastIndex {
+ public:
+  FastIndex(RandomEngine& engine, std::uint64_t end) : engine_(engine), end_(end) {}
+  std::size_t operator()() {
+    if (!full_) bits_ = engine_();
+    full_ = !full_;
+    const std::uint64_t half = full_ ? bits_ >> 32U : bits_ & 0xFFFFFFFFU;
+    return static_cast<std::size_t>(half * end_ >> 32U);
+  }
+
+ private:
+  RandomEngine& engine_;
+  std::uint64_t end_, bits_ = 0;
+  bool full_ = false;  ///< the lower half is still to be used
+};
 
 /// Linear interpolation between the order statistics.
 double quantile(const std::vector<double>& sorted, double share) {
@@ -49,28 +66,46 @@ double mean(const std::vector<double>& values) {
   return sum(values) / static_cast<double>(values.size());
 }
 
-double mean_of_groups(const ScenarioGroups& groups) {
-  double total = 0;
-  for (const auto& group : groups) total += sum(group);
-  return total / static_cast<double>(count(groups));
+GroupSums sums_of(const ScenarioGroups& groups) {
+  GroupSums result;
+  for (const auto& group : groups) {
+    result.sums.push_back(sum(group));
+    result.sizes.push_back(static_cast<double>(group.size()));
+  }
+  return result;
+}
+
+double mean_of_groups(const GroupSums& groups) {
+  return sum(groups.sums) / count(groups);
 }
 
 double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return quantile(values, 0.5);
+  return middle_values(std::move(values)).median;
 }
 
 double interquartile_mean(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
+  return middle_values(std::move(values)).interquartile_mean;
+}
+
+MiddleValues middle_values(std::vector<double> values) {
+  const std::size_t size = values.size(), first = size / 4, last = (3 * size + 3) / 4 - 1;
+  const auto at = [&values](std::size_t place) {
+    return values.begin() + static_cast<std::ptrdiff_t>(place);
+  };
+  // Into places first .. last come those values that stand there when sorted; then the middle.
+  std::nth_element(at(0), at(first), values.end());
+  if (last > first) std::nth_element(at(first + 1), at(last), values.end());
+  if (size / 2 > first) std::nth_element(at(first + 1), at(size / 2), at(last));
+  const double upper = values[size / 2];
+  const bool odd = size % 2 == 1;
+  const double lower = odd ? upper : *std::max_element(at(first), at(size / 2));
   // Value i stands for the stretch [i, i + 1] of n; what lies in [n / 4, 3 n / 4] counts.
-  const double n = static_cast<double>(values.size());
-  double total = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double place = static_cast<double>(i);
-    const double share = std::min(place + 1, 0.75 * n) - std::max(place, 0.25 * n);
-    if (share > 0) total += share * values[i];
-  }
-  return total / (0.5 * n);
+  const double n = static_cast<double>(size);
+  const double first_share = std::min(static_cast<double>(first + 1), 0.75 * n) - 0.25 * n;
+  double total = first_share * values[first];
+  for (std::size_t i = first + 1; i < last; ++i) total += values[i];
+  if (last > first) total += (0.75 * n - static_cast<double>(last)) * values[last];
+  return {(lower + upper) / 2, total / (0.5 * n)};
 }
 
 std::optional<double> standard_deviation(const std::vector<double>& values) {
@@ -89,8 +124,8 @@ Interval wilson_interval(double rate, double n, double confidence) {
   return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
 }
 
-double effective_sample_size(const ScenarioGroups& groups) {
-  const double k = static_cast<double>(groups.size()), n = static_cast<double>(count(groups));
+double effective_sample_size(const GroupSums& groups) {
+  const double k = static_cast<double>(groups.groups()), n = count(groups);
   if (k == n || k < 2) return k;
   const double rate = mean_of_groups(groups);
   const double between = variance_of_mean(groups);
@@ -99,30 +134,27 @@ double effective_sample_size(const ScenarioGroups& groups) {
   return std::clamp(rate * (1 - rate) / between, k, n);
 }
 
-std::optional<Interval> t_interval(const ScenarioGroups& groups, double confidence) {
-  if (groups.size() < 2) return std::nullopt;
-  const boost::math::students_t distribution(static_cast<double>(groups.size() - 1));
+std::optional<Interval> t_interval(const GroupSums& groups, double confidence) {
+  if (groups.groups() < 2) return std::nullopt;
+  const boost::math::students_t distribution(static_cast<double>(groups.groups() - 1));
   const double half = boost::math::quantile(distribution, 0.5 + confidence / 2) *
                       std::sqrt(variance_of_mean(groups));
   const double m = mean_of_groups(groups);
   return Interval{m - half, m + half};
 }
 
-std::optional<Interval> bootstrap_interval(const ScenarioGroups& groups, double confidence,
+std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confidence,
                                            RandomEngine& engine, int resamples) {
-  if (groups.size() < 2) return std::nullopt;
-  std::vector<double> sums, sizes, means;
-  for (const auto& group : groups) {
-    sums.push_back(sum(group));
-    sizes.push_back(static_cast<double>(group.size()));
-  }
-  const int last = static_cast<int>(groups.size()) - 1;
+  if (groups.groups() < 2) return std::nullopt;
+  std::vector<double> means;
+  means.reserve(static_cast<std::size_t>(resamples));
+  FastIndex drawn(engine, groups.groups());
   for (int resample = 0; resample < resamples; ++resample) {
     double total = 0, n = 0;
-    for (int draw = 0; draw <= last; ++draw) {
-      const auto chosen = static_cast<std::size_t>(uniform_int(engine, 0, last));
-      total += sums[chosen];
-      n += sizes[chosen];
+    for (std::size_t draw = 0; draw < groups.groups(); ++draw) {
+      const std::size_t chosen = drawn();
+      total += groups.sums[chosen];
+      n += groups.sizes[chosen];
     }
     means.push_back(total / n);
   }
@@ -130,9 +162,15 @@ std::optional<Interval> bootstrap_interval(const ScenarioGroups& groups, double 
   return Interval{quantile(means, 0.5 - confidence / 2), quantile(means, 0.5 + confidence / 2)};
 }
 
-std::optional<Interval> mean_interval(const ScenarioGroups& groups, double confidence,
+Interval within(const ValueRange& range, Interval interval) {
+  if (range.low) interval.low = std::max(*range.low, interval.low);
+  if (range.high) interval.high = std::min(*range.high, interval.high);
+  return interval;
+}
+
+std::optional<Interval> mean_interval(const GroupSums& groups, double confidence,
                                       RandomEngine& engine) {
-  if (groups.size() < kFewestForBootstrap || groups.size() > kMostForBootstrap) {
+  if (groups.groups() < kFewestForBootstrap || groups.groups() > kMostForBootstrap) {
     return t_interval(groups, confidence);
   }
   return bootstrap_interval(groups, confidence, engine);

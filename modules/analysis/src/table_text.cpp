@@ -101,7 +101,13 @@ std::string render_cross_table_text(const CrossTable& table) {
 
 std::string render_tables_text(const ResultTable& table, const std::vector<BinSpec>& rows,
                                const std::vector<std::string>& columns, double confidence) {
+  return render_tables_text(to_columns(table), rows, columns, confidence);
+}
+
+std::string render_tables_text(const RunColumns& table, const std::vector<BinSpec>& rows,
+                               const std::vector<std::string>& columns, double confidence) {
   AnalysisOptions options;
+  options.run_ids = false;
   options.confidence = confidence;
   std::string text = render_summary_text(build_summary(table, columns, options));
   for (const CrossTable& cross : build_cross_tables(table, rows, columns, options)) {

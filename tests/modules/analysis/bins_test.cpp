@@ -28,16 +28,18 @@ TEST(Bins, ReadEveryForm) {
   EXPECT_EQ(edges.kind, BinSpec::Kind::Edges);
   EXPECT_EQ(edges.descriptor, "density");
   EXPECT_EQ(edges.edges, (std::vector<double>{0, 0.1, 0.4}));
-  EXPECT_EQ(parse_bin_spec("density:4").count, 4);
-  EXPECT_EQ(parse_bin_spec("density:4").kind, BinSpec::Kind::Quantiles);
-  EXPECT_EQ(parse_bin_spec("density:equal:3").kind, BinSpec::Kind::EqualWidth);
-  EXPECT_EQ(parse_bin_specs("density:4; all").size(), 2u);
+  EXPECT_EQ(parse_bin_spec("density:q4").count, 4);
+  EXPECT_EQ(parse_bin_spec("density:q4").kind, BinSpec::Kind::Quantiles);
+  EXPECT_EQ(parse_bin_spec("density:3").kind, BinSpec::Kind::EqualWidth);
+  EXPECT_EQ(parse_bin_spec("density:@by_density").index, "by_density");
+  EXPECT_EQ(parse_bin_specs("density:q4; all").size(), 2u);
 }
 
 TEST(Bins, RefuseWhatTheyDoNotUnderstand) {
-  for (const char* spec : {"", "density", ":4", "density:", "density:0", "density:-3", "density:x",
-                           "density:1,x", "density:1,1", "density:2,1", "density:nan,1",
-                           "density:width:3", "density:equal:1:2", "density:9999999"}) {
+  for (const char* spec :
+       {"", "density", ":4", "density:", "density:0", "density:-3", "density:x", "density:1,x",
+        "density:1,1", "density:2,1", "density:nan,1", "density:q", "density:q0", "density:@",
+        "density:equal:3", "density:9999999"}) {
     EXPECT_NE(message_of(spec).find("expected all, ID:EDGE"), std::string::npos) << spec;
   }
 }
@@ -77,7 +79,7 @@ TEST(Bins, QuantileBinsHoldAboutAsManyScenariosEach) {
     fixture.table.scenarios[std::to_string(i)].descriptors["density"] = {1,
                                                                          Value::of(values.back())};
   }
-  const auto bins = make_bins(parse_bin_spec("density:4"), fixture.table);
+  const auto bins = make_bins(parse_bin_spec("density:q4"), fixture.table);
   ASSERT_EQ(bins.size(), 4u);
   for (const Bin& bin : bins) {
     const auto inside = std::count_if(values.begin(), values.end(),
@@ -96,7 +98,7 @@ TEST(Bins, CountedBinsHoldEveryValueExactlyOnce) {
       values.push_back(scale * uniform_real(engine, -1, 1));
       fixture.add_scenario(Value::of(values.back()));
     }
-    for (const char* spec : {"density:1", "density:4", "density:equal:7"}) {
+    for (const char* spec : {"density:1", "density:q4", "density:7"}) {
       const auto bins = make_bins(parse_bin_spec(spec), fixture.table);
       for (const double value : values) {
         EXPECT_EQ(std::count_if(bins.begin(), bins.end(),
@@ -111,10 +113,10 @@ TEST(Bins, CountedBinsHoldEveryValueExactlyOnce) {
 TEST(Bins, EqualValuesGiveOneBinAndNoValuesNone) {
   ResultFixture fixture;
   fixture.add_scenario(Value::na("unsolvable"));
-  EXPECT_TRUE(make_bins(parse_bin_spec("density:4"), fixture.table).empty());
+  EXPECT_TRUE(make_bins(parse_bin_spec("density:q4"), fixture.table).empty());
   fixture.add_scenario(Value::of(0.5));
   fixture.add_scenario(Value::of(0.5));
-  EXPECT_EQ(make_bins(parse_bin_spec("density:4"), fixture.table).size(), 1u);
+  EXPECT_EQ(make_bins(parse_bin_spec("density:q4"), fixture.table).size(), 1u);
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ class CellTest : public ::testing::Test {
   }
 
   Cell cell(const std::string& id) {
-    const auto columns = resolve_columns(fixture_.table, {id});
-    return make_cell(fixture_.table, {0, 1, 2, 3}, columns[0], {}, id);
+    const RunColumns columns = to_columns(fixture_.table);
+    return make_cell(columns, {0, 1, 2, 3}, *find_metric(columns, id), {}, id);
   }
 
   ResultFixture fixture_;
@@ -63,8 +63,8 @@ TEST_F(CellTest, WallClockFiguresAreMarked) {
 }
 
 TEST_F(CellTest, AnEmptyGroupHasNoEstimate) {
-  const Cell none =
-      make_cell(fixture_.table, {}, resolve_columns(fixture_.table, {"success"})[0], {}, "none");
+  const RunColumns columns = to_columns(fixture_.table);
+  const Cell none = make_cell(columns, {}, *find_metric(columns, "success"), {}, "none");
   EXPECT_EQ(none.n, 0u);
   EXPECT_FALSE(none.estimate || none.interval || none.deviation);
 }

@@ -2,21 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace slalom {
 namespace {
 
-ScenarioGroups singles(const std::vector<double>& values) {
+GroupSums singles(const std::vector<double>& values) {
   ScenarioGroups groups;
   for (const double value : values) groups.push_back({value});
-  return groups;
+  return sums_of(groups);
 }
 
-ScenarioGroups random_singles(RandomEngine& engine, int n) {
-  ScenarioGroups groups;
-  for (int i = 0; i < n; ++i) groups.push_back({normal(engine, 3.0, 2.0)});
-  return groups;
+GroupSums random_singles(RandomEngine& engine, int n) {
+  std::vector<double> values;
+  for (int i = 0; i < n; ++i) values.push_back(normal(engine, 3.0, 2.0));
+  return singles(values);
 }
 
 TEST(Statistics, MeanDeviationAndMedianOfKnownNumbers) {
@@ -64,10 +65,11 @@ TEST(Statistics, EveryRunCountsWhereScenariosWereDrivenOnce) {
 }
 
 TEST(Statistics, IdenticalRepetitionsAddNoSampleSize) {
-  EXPECT_DOUBLE_EQ(effective_sample_size({{1, 1, 1}, {1, 1, 1}}), 2);
+  EXPECT_DOUBLE_EQ(effective_sample_size(sums_of({{1, 1, 1}, {1, 1, 1}})), 2);
   ScenarioGroups repeated;
   for (int i = 0; i < 30; ++i) repeated.push_back(std::vector<double>(5, i % 3 == 0 ? 0 : 1));
-  EXPECT_NEAR(effective_sample_size(repeated), 30, 1.01);  // k / (k - 1) of the variance's estimate
+  EXPECT_NEAR(effective_sample_size(sums_of(repeated)), 30,
+              1.01);  // k / (k - 1) of the variance's estimate
 }
 
 TEST(Statistics, RepetitionsThatVaryLikeIndependentRunsCountFully) {
@@ -78,7 +80,7 @@ TEST(Statistics, RepetitionsThatVaryLikeIndependentRunsCountFully) {
     for (int j = 0; j < 5; ++j) group.push_back(uniform_real(engine, 0, 1) < 0.6 ? 1 : 0);
     groups.push_back(group);
   }
-  EXPECT_GT(effective_sample_size(groups), 0.8 * 2000);
+  EXPECT_GT(effective_sample_size(sums_of(groups)), 0.8 * 2000);
 }
 
 TEST(Statistics, StudentIntervalAgreesWithTheSleepData) {
@@ -90,27 +92,68 @@ TEST(Statistics, StudentIntervalAgreesWithTheSleepData) {
 }
 
 TEST(Statistics, IdenticalRepetitionsDoNotNarrowAnInterval) {
-  const ScenarioGroups once = singles({1, 4, 2, 8, 5, 7});
-  ScenarioGroups thrice;
-  for (const auto& group : once) thrice.push_back(std::vector<double>(3, group[0]));
+  const std::vector<double> values = {1, 4, 2, 8, 5, 7};
+  const GroupSums once = singles(values);
+  ScenarioGroups groups;
+  for (const double value : values) groups.push_back(std::vector<double>(3, value));
+  const GroupSums thrice = sums_of(groups);
   EXPECT_NEAR(t_interval(once, 0.95)->low, t_interval(thrice, 0.95)->low, 1e-12);
   RandomEngine first(9), second(9);
   EXPECT_NEAR(bootstrap_interval(once, 0.95, first)->high,
               bootstrap_interval(thrice, 0.95, second)->high, 1e-12);
 }
 
+TEST(Statistics, MiddleValuesAreThoseOfSortedOnes) {
+  RandomEngine engine(13);
+  for (int n = 1; n < 60; ++n) {
+    std::vector<double> values;
+    for (int i = 0; i < n; ++i) values.push_back(uniform_int(engine, -4, 9));
+    const MiddleValues found = middle_values(values);
+    std::sort(values.begin(), values.end());
+    double total = 0;  // each value four times: then quarters are whole
+    for (int i = n; i < 3 * n; ++i) total += values[static_cast<std::size_t>(i / 4)];
+    EXPECT_NEAR(found.interquartile_mean, total / (2 * n), 1e-12) << n;
+    const auto upper = static_cast<std::size_t>(n / 2),
+               lower = static_cast<std::size_t>((n - 1) / 2);
+    EXPECT_DOUBLE_EQ(found.median, (values[lower] + values[upper]) / 2) << n;
+  }
+}
+
+TEST(Statistics, BootstrapAgreesWithAllResamples) {
+  // Of three groups there are 27 resamples; the shares of the means at most x are known exactly.
+  const std::vector<double> values = {0, 1, 5};
+  std::vector<double> means;
+  for (int code = 0; code < 27; ++code)
+    means.push_back((values[static_cast<std::size_t>(code % 3)] +
+                     values[static_cast<std::size_t>(code / 3 % 3)] +
+                     values[static_cast<std::size_t>(code / 9)]) /
+                    3);
+  std::sort(means.begin(), means.end());
+  RandomEngine engine(17);
+  const auto interval = bootstrap_interval(singles(values), 0.8, engine, 20000);
+  EXPECT_NEAR(interval->low, means[2], 1e-12);    // 3 / 27 of them at most 1 / 3, 1 / 27 below that
+  EXPECT_NEAR(interval->high, means[24], 1e-12);  // 11 / 3
+}
+
+TEST(Statistics, IntervalsStayWithinTheRangeOfTheirQuantity) {
+  const Interval clipped = within({0.0, 1.0}, {-0.3, 1.2});
+  EXPECT_EQ(clipped.low, 0);
+  EXPECT_EQ(clipped.high, 1);
+  EXPECT_EQ(within({}, {-0.3, 1.2}).low, -0.3);
+}
+
 TEST(Statistics, BootstrapIsRepeatableAndNeedsTwoScenarios) {
-  const ScenarioGroups groups = singles({1, 4, 2, 8, 5, 7});
+  const GroupSums groups = singles({1, 4, 2, 8, 5, 7});
   RandomEngine first(1), second(1);
   EXPECT_EQ(bootstrap_interval(groups, 0.95, first)->low,
             bootstrap_interval(groups, 0.95, second)->low);
-  EXPECT_FALSE(bootstrap_interval({{1, 2, 3}}, 0.95, first).has_value());
-  EXPECT_FALSE(t_interval({{1, 2, 3}}, 0.95).has_value());
+  EXPECT_FALSE(bootstrap_interval(sums_of({{1, 2, 3}}), 0.95, first).has_value());
+  EXPECT_FALSE(t_interval(sums_of({{1, 2, 3}}), 0.95).has_value());
 }
 
 TEST(Statistics, BootstrapOfManyScenariosApproachesStudent) {
   RandomEngine engine(3);
-  const ScenarioGroups groups = random_singles(engine, 400);
+  const GroupSums groups = random_singles(engine, 400);
   const Interval student = *t_interval(groups, 0.95);
   const Interval bootstrap = *bootstrap_interval(groups, 0.95, engine, 20000);
   const double width = student.high - student.low;

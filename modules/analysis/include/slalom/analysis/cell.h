@@ -1,7 +1,7 @@
 #pragma once
 
 #include <slalom/analysis/statistics.h>
-#include <slalom/results/run_record.h>
+#include <slalom/results/run_columns.h>
 
 #include <cstdint>
 #include <map>
@@ -15,6 +15,7 @@ namespace slalom {
 struct AnalysisOptions {
   double confidence = 0.95;  ///< of intervals, in (0, 1)
   std::uint64_t seed = 1;    ///< of the bootstrap
+  bool run_ids = true;       ///< rows name their runs; of a million that takes memory and time
 };
 
 /// Throws Error (Usage) for a confidence that is none.
@@ -31,10 +32,12 @@ struct Column {
 struct Cell {
   std::size_t n = 0;                      ///< runs in the group
   std::size_t available = 0;              ///< of them with a value
+  std::size_t failures = 0;               ///< of them with an outcome that is the method's failure
   std::map<std::string, std::size_t> na;  ///< runs without a value, by reason
   std::optional<double> estimate;         ///< mean, or rate
   std::optional<double> deviation;        ///< sample standard deviation
   std::optional<double> median;
+  std::optional<double> interquartile_mean;
   std::optional<Interval> interval;  ///< of the estimate
 };
 
@@ -51,10 +54,15 @@ std::vector<std::string> wall_clock_ids(const ResultTable& table);
 /// version of the formula made it.
 Value column_value(const ResultTable& table, std::size_t run, const Column& column);
 
-/// Summarises `column` over `runs` (indexes into table.runs). `label` names the cell: it selects
-/// the bootstrap's random numbers, so that a cell does not depend on which others are computed.
-Cell make_cell(const ResultTable& table, const std::vector<std::size_t>& runs, const Column& column,
-               const AnalysisOptions& options, const std::string& label);
+std::vector<Column> resolve_columns(const RunColumns& table, const std::vector<std::string>& ids);
+
+/// Summarises `values` over `runs` (places in `table`). `label` names the cell: it selects the
+/// bootstrap's random numbers, so that a cell does not depend on which others are computed.
+Cell make_cell(const RunColumns& table, const std::vector<std::size_t>& runs,
+               const ValueColumn& values, const AnalysisOptions& options, const std::string& label);
+
+/// The bounds of a metric or descriptor by its definition; none where it is not one of Slalom's.
+ValueRange range_of(const std::string& id);
 
 /// The methods of the runs, sorted.
 std::vector<std::string> method_names(const ResultTable& table);

@@ -11,9 +11,9 @@ namespace slalom {
 /// One row of a cross table: the runs of a method in the scenarios of one bin.
 struct CrossRow {
   Bin bin;
-  std::vector<std::size_t> runs;  ///< indexes into the table's runs, in their order
-  std::vector<std::string> run_ids;
-  std::vector<Cell> cells;  ///< one per column
+  std::vector<std::size_t> runs;     ///< indexes into the table's runs, in their order
+  std::vector<std::string> run_ids;  ///< of them, where AnalysisOptions asks for them
+  std::vector<Cell> cells;           ///< one per column
 };
 
 /// What the place was like (rows) crossed with how one method did (columns).
@@ -30,16 +30,24 @@ struct CrossTable {
 };
 
 /// The cross table of one method. Throws Error (Usage) for an unknown method or descriptor.
-CrossTable build_cross_table(const ResultTable& table, const std::string& method,
+CrossTable build_cross_table(const RunColumns& table, const std::string& method,
                              const BinSpec& spec, const std::vector<Column>& columns,
                              const AnalysisOptions& options);
 
 /// One cross table per specification and method (`method` empty: all of them), specifications
 /// outermost. Unknown ids are Error (Usage) with the nearest name.
+std::vector<CrossTable> build_cross_tables(const RunColumns& table,
+                                           const std::vector<BinSpec>& specs,
+                                           const std::vector<std::string>& column_ids,
+                                           const AnalysisOptions& options,
+                                           const std::string& method = "");
 std::vector<CrossTable> build_cross_tables(const ResultTable& table,
                                            const std::vector<BinSpec>& specs,
                                            const std::vector<std::string>& column_ids,
                                            const AnalysisOptions& options,
                                            const std::string& method = "");
+
+/// The place of a method in `table.methods`. Throws Error (Usage) with the nearest name.
+std::uint32_t place_of_method(const RunColumns& table, const std::string& method);
 
 }  // namespace slalom

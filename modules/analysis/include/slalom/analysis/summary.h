@@ -24,6 +24,8 @@ struct SummaryTable {
 };
 
 /// Throws Error (Usage) for an unknown column.
+SummaryTable build_summary(const RunColumns& table, const std::vector<std::string>& column_ids,
+                           const AnalysisOptions& options);
 SummaryTable build_summary(const ResultTable& table, const std::vector<std::string>& column_ids,
                            const AnalysisOptions& options);
 

@@ -17,6 +17,8 @@ std::string render_cross_table_text(const CrossTable& table);
 
 /// Everything that a terminal is shown about results: the summary per method, then the cross tables
 /// of each specification and method. Throws Error (Usage) for unknown ids.
+std::string render_tables_text(const RunColumns& table, const std::vector<BinSpec>& rows,
+                               const std::vector<std::string>& columns, double confidence);
 std::string render_tables_text(const ResultTable& table, const std::vector<BinSpec>& rows,
                                const std::vector<std::string>& columns, double confidence);
 
