@@ -28,12 +28,19 @@ DescribedValue describe_timed(const Descriptor& descriptor, const DescriptorCont
 std::vector<DescribedValue> describe_scenario(const Scenario& scenario,
                                               const DescribeOptions& options,
                                               DescriptorStore& store) {
-  const World world(scenario, options.resolution);
+  return describe_world(World(scenario, options.resolution), options, store);
+}
+
+std::vector<DescribedValue> describe_world(const World& world, const DescribeOptions& options,
+                                           DescriptorStore& store) {
   const double radius = options.robot.inscribed_radius();
   const DescriptorContext context{
-      world, options.robot, options.sensor_range,
+      world,
+      options.robot,
+      options.sensor_range,
       search_once([&world, radius] { return shortest_path(world, radius); }),
-      options.exact_confinement, options.barn_visibility};
+      options.exact_confinement,
+      options.barn_visibility};
   std::vector<DescribedValue> values;
   if (options.ids.empty())
     for (const auto& wanted : all_descriptors())

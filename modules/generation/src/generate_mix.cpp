@@ -13,28 +13,32 @@ namespace {
 /// for memory.
 constexpr int kBatch = 128;
 
+/// What is drawn next, and with which attempt that begins.
+struct Draw {
+  ShareSchedule::Turn turn = {};
+  int attempt = 0;
+};
+
 class Mixer {
  public:
   Mixer(const std::vector<GeneratorShare>& mix, const MixTask& task)
       : mix_(mix), task_(task), search_(task.each) {}
 
-  struct Made {
-    GeneratedScenario generated;
-    int attempt;
-  };
-
-  Made make(const ShareSchedule::Turn& turn, int first_attempt = 0) const {
+  /// Notes in `draw` with which attempt it was found.
+  GeneratedScenario make(Draw& draw) const {
+    const ShareSchedule::Turn turn = draw.turn;
     const GeneratorShare& share = mix_[turn.family];
     const std::string name = scenario_name(share.name_prefix, turn.index);
-    const auto draw = [&](int attempt, std::string&) {
+    const auto candidate = [&](int attempt, std::string&) {
       RandomEngine engine(seed_of(turn, attempt));
       return std::make_optional(represented(share.generator->generate(name, engine)));
     };
-    const SolvableWorld found = search_.find(name, draw, first_attempt);
+    const SolvableWorld found = search_.find(name, candidate, draw.attempt);
+    draw.attempt = found.attempt;
     GeneratedScenario generated{found.world->scenario(), share.generator->name(),
                                 seed_of(turn, found.attempt)};
     if (task_.describe) generated.values = task_.describe(*found.world);
-    return {std::move(generated), found.attempt};
+    return generated;
   }
 
  private:
@@ -88,17 +92,31 @@ void generate_mix(const std::vector<GeneratorShare>& mix, const MixTask& task, P
   ShareSchedule schedule(weights_of(mix));
   progress.start("Generating scenarios", static_cast<std::size_t>(task.each.count));
   for (int done = 0; done < task.each.count;) {
-    std::vector<ShareSchedule::Turn> turns(
-        static_cast<std::size_t>(std::min(kBatch, task.each.count - done)));
-    for (ShareSchedule::Turn& turn : turns) turn = schedule.next();
-    auto made =
-        parallel_map(turns.size(), task.jobs, [&](std::size_t i) { return mixer.make(turns[i]); });
-    for (std::size_t i = 0; i < made.size(); ++i) {
-      while (!sink(made[i].generated)) made[i] = mixer.make(turns[i], made[i].attempt + 1);
-      progress.advance(static_cast<std::size_t>(++done));
+    std::vector<Draw> draws(static_cast<std::size_t>(std::min(kBatch, task.each.count - done)));
+    for (Draw& draw : draws) draw = {schedule.next(), 0};
+    while (!draws.empty()) {
+      std::vector<GeneratedScenario> part = parallel_map(
+          draws.size(), task.jobs, [&](std::size_t i) { return mixer.make(draws[i]); });
+      std::vector<Draw> again;
+      for (const std::size_t i : sink(part)) again.push_back({draws[i].turn, draws[i].attempt + 1});
+      done += static_cast<int>(draws.size() - again.size());
+      draws = std::move(again);
+      progress.advance(static_cast<std::size_t>(done));
     }
   }
   progress.finish();
+}
+
+std::vector<std::size_t> DistinctScenarios::add(std::vector<GeneratedScenario>& part) {
+  std::vector<std::size_t> there_before;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (hashes_.insert(part[i].scenario.hash()).second) {
+      scenarios_.push_back(std::move(part[i].scenario));
+    } else {
+      there_before.push_back(i);
+    }
+  }
+  return there_before;
 }
 
 }  // namespace slalom

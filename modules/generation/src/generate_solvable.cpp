@@ -1,7 +1,5 @@
 #include <slalom/generation/generate_mix.h>
 
-#include <set>
-
 namespace slalom {
 
 std::vector<Scenario> generate_solvable(const Generator& generator, const GenerationTask& task,
@@ -10,15 +8,10 @@ std::vector<Scenario> generate_solvable(const Generator& generator, const Genera
   const std::shared_ptr<const Generator> borrowed(&generator, [](const Generator*) {});
   MixTask mix;
   mix.each = task;
-  std::set<std::string> hashes;
-  std::vector<Scenario> scenarios;
+  DistinctScenarios distinct;
   generate_mix({{borrowed, 1, task.seed, task.name_prefix}}, mix, progress,
-               [&](GeneratedScenario& generated) {
-                 if (!hashes.insert(generated.scenario.hash()).second) return false;
-                 scenarios.push_back(std::move(generated.scenario));
-                 return true;
-               });
-  return scenarios;
+               [&](std::vector<GeneratedScenario>& part) { return distinct.add(part); });
+  return distinct.take();
 }
 
 }  // namespace slalom

@@ -35,4 +35,8 @@ std::vector<DescribedValue> describe_scenario(const Scenario& scenario,
                                               const DescribeOptions& options,
                                               DescriptorStore& store);
 
+/// The same of a world that is there already; options.resolution has no effect.
+std::vector<DescribedValue> describe_world(const World& world, const DescribeOptions& options,
+                                           DescriptorStore& store);
+
 }  // namespace slalom

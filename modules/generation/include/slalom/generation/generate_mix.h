@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,9 @@ struct GeneratedValue {
 /// A scenario and where it came from.
 struct GeneratedScenario {
   Scenario scenario;
-  std::string generator;   ///< name of its family, "" when it was not generated
-  std::uint64_t seed = 0;  ///< an engine of this seed draws it again from the same options
+  std::string generator;  ///< name of its family, "" when it was not generated
+  /// An engine of this seed draws it again from the same options.
+  std::optional<std::uint64_t> seed = std::nullopt;
   std::vector<GeneratedValue> values = {};
 };
 
@@ -49,9 +51,10 @@ struct MixTask {
   std::function<std::vector<GeneratedValue>(const World&)> describe = {};
 };
 
-/// Takes scenarios in order; false when this content was there before: another one is drawn in its
-/// place.
-using GenerationSink = std::function<bool(GeneratedScenario& generated)>;
+/// Takes scenarios in order, a part of them at a time. Returns the indexes of those whose content
+/// was there before: others are drawn in their place and given in a part of their own.
+using GenerationSink =
+    std::function<std::vector<std::size_t>(std::vector<GeneratedScenario>& part)>;
 
 /// Draws task.each.count certified scenarios and gives them to the sink in an order that depends on
 /// nothing but the weights: the family that is furthest behind its share comes next. Memory does
@@ -59,6 +62,17 @@ using GenerationSink = std::function<bool(GeneratedScenario& generated)>;
 /// by then.
 void generate_mix(const std::vector<GeneratorShare>& mix, const MixTask& task, Progress& progress,
                   const GenerationSink& sink);
+
+/// Collects what a sink is given, equal contents once.
+class DistinctScenarios {
+ public:
+  std::vector<std::size_t> add(std::vector<GeneratedScenario>& part);
+  std::vector<Scenario> take() { return std::move(scenarios_); }
+
+ private:
+  std::set<std::string> hashes_;
+  std::vector<Scenario> scenarios_;
+};
 
 /// Whose turn it is, by weights: the family that is furthest behind its share, of equals the first.
 class ShareSchedule {
