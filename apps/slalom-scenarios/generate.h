@@ -1,0 +1,9 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace slalom {
+
+void add_generate_verb(CLI::App& app);
+
+}  // namespace slalom
