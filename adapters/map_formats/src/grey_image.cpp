@@ -53,23 +53,6 @@ class PgmTokens {
   std::size_t at_ = 0;
 };
 
-/// What a PNG announces is checked before its pixels are given memory.
-void expect_possible_png(const std::string& bytes, const std::string& path) {
-  constexpr std::size_t kWidthAt = 16, kHeightAt = 20, kHeaderSize = 24;
-  if (bytes.size() < kHeaderSize || bytes.compare(1, 3, "PNG") != 0) return;
-  const auto number_at = [&bytes](std::size_t at) {
-    std::uint64_t number = 0;
-    for (std::size_t i = at; i < at + 4; ++i)
-      number = number << 8U | static_cast<unsigned char>(bytes[i]);
-    return number;
-  };
-  const std::uint64_t width = number_at(kWidthAt), height = number_at(kHeightAt);
-  if (width * height > kMaxCells)
-    throw file_error(
-        path, "is a PNG of " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
-        "at most " + std::to_string(kMaxCells) + " pixels");
-}
-
 /// False as well where MRPT throws what OpenCV throws.
 bool loads(mrpt::img::CImage& image, const std::string& path) {
   try {
@@ -81,7 +64,8 @@ bool loads(mrpt::img::CImage& image, const std::string& path) {
 
 GreyImage read_with_mrpt(const std::string& path) {
   mrpt::img::CImage image;
-  if (!loads(image, path)) throw file_error(path, "is no image that can be read", "PGM or PNG");
+  if (!loads(image, path))
+    throw file_error(path, "is no image that can be read", "PGM, PNG, JPEG or BMP");
   GreyImage result;
   result.width = static_cast<int>(image.getWidth());
   result.height = static_cast<int>(image.getHeight());
@@ -93,9 +77,13 @@ GreyImage read_with_mrpt(const std::string& path) {
 
 }  // namespace
 
-std::string read_bytes(const std::string& path) {
+std::string read_bytes(const std::string& path, std::uint64_t most) {
   std::error_code ignored;
   const bool folder = std::filesystem::is_directory(path, ignored);  // opens, but cannot be read
+  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  if (!ignored && size > most)
+    throw file_error(path, "has " + std::to_string(size) + " bytes",
+                     "at most " + std::to_string(most));
   std::ifstream file(path, std::ios::binary);
   std::stringstream content;
   if (file && !folder) content << file.rdbuf();
@@ -137,7 +125,7 @@ GreyImage read_grey_image(const std::string& path) {
   const std::string bytes = read_bytes(path);
   if (bytes.size() > 1 && bytes[0] == 'P' && (bytes[1] == '5' || bytes[1] == '2'))
     return parse_pgm(bytes, path);
-  expect_possible_png(bytes, path);
+  expect_possible_image(bytes, path);
   return read_with_mrpt(path);
 }
 

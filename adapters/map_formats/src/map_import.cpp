@@ -2,6 +2,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/map_formats/map_import.h>
+#include <slalom/map_formats/moving_ai.h>
 
 namespace slalom {
 namespace {
@@ -38,9 +39,15 @@ mrpt::maps::COccupancyGridMap2D load_map(const std::string& path, const MapImpor
     map = read_simplemap(path, options.simplemap_resolution);
   } else if (ends_with_any(path, {".yaml", ".yml"})) {
     map = read_ros_map(path);
+  } else if (ends_with(path, ".map")) {
+    map = read_moving_ai_map(path, options.cell_size);
+  } else if (ends_with_any(path, {".pgm", ".png", ".jpg", ".jpeg", ".bmp"})) {
+    map = read_image_map(path, options.image);
   } else {
-    throw file_error(path, "is of no known kind of map",
-                     ".gridmap[.gz], .simplemap[.gz] or a ROS map_server .yaml");
+    throw file_error(
+        path, "is of no known kind of map",
+        ".gridmap[.gz], .simplemap[.gz], a ROS map_server .yaml, a MovingAI .map or an "
+        "image (.pgm, .png, .jpg, .bmp)");
   }
   if (options.unknown_is_free) set_unknown_free(map);
   return map;

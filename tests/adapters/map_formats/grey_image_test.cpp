@@ -110,7 +110,7 @@ TEST(ReadGreyImage, RefusesWhatIsNoImage) {
   for (const std::string bytes : {"", "P", "hello"}) {
     const std::string path = folder.write("map.png", bytes);
     EXPECT_EQ(error_text(Culprit::File, [&] { read_grey_image(path); }),
-              path + ": is no image that can be read; expected PGM or PNG");
+              path + ": is no image that can be read; expected PGM, PNG, JPEG or BMP");
   }
 }
 
@@ -120,7 +120,7 @@ TEST(ReadGreyImage, RefusesAPngThatEndsTooEarlyAtAnyByte) {
   for (std::size_t size = 0; size + 12 < whole.size(); ++size) {  // 12: the empty last chunk
     const std::string path = folder.write("cut.png", whole.substr(0, size));
     EXPECT_EQ(error_text(Culprit::File, [&] { read_grey_image(path); }),
-              path + ": is no image that can be read; expected PGM or PNG")
+              path + ": is no image that can be read; expected PGM, PNG, JPEG or BMP")
         << size;
   }
 }

@@ -35,8 +35,8 @@ TEST(LoadMap, RefusesAKindThatItDoesNotKnow) {
     const std::string path = folder.write(name, "x");
     EXPECT_EQ(error_text(Culprit::File, [&] { load_occupancy_grid(path); }),
               path +
-                  ": is of no known kind of map; expected .gridmap[.gz], .simplemap[.gz] or a "
-                  "ROS map_server .yaml");
+                  ": is of no known kind of map; expected .gridmap[.gz], .simplemap[.gz], a ROS "
+                  "map_server .yaml, a MovingAI .map or an image (.pgm, .png, .jpg, .bmp)");
   }
 }
 

@@ -1,0 +1,250 @@
+#include "map_readers.h"
+#include "npy.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/map_formats/barn.h>
+#include <slalom/scenario/grid_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+namespace slalom {
+namespace {
+
+namespace fs = std::filesystem;
+using mrpt::math::TPoint2D;
+
+constexpr int kSide = 30;        // rows and columns of a world
+constexpr double kCell = 0.15;   // m
+constexpr int kLength = 100;     // cells in y of the workspace
+constexpr int kFieldBegin = 34;  // cells in y before column 0 of the grid
+constexpr int kMostWorlds = 1'000'000;
+
+/// x of a row, y of a row of cells (the back wall is in cell 0, column c in cell 34 + c), m.
+double x_of(int row) {
+  return -4.425 + kCell * row;
+}
+double y_of(int cell) {
+  return 0.075 + kCell * cell;
+}
+
+/// "grid_7.npy": 7.
+std::optional<int> world_number(const fs::path& file) {
+  const std::string name = file.filename().string(), begin = "grid_", end = ".npy";
+  if (name.size() <= begin.size() + end.size() || name.rfind(begin, 0) != 0 ||
+      name.compare(name.size() - end.size(), end.size(), end) != 0)
+    return std::nullopt;
+  const std::string digits = name.substr(begin.size(), name.size() - begin.size() - end.size());
+  long long number = 0;
+  if (digits.find_first_not_of("0123456789") != std::string::npos ||
+      !parse_integer(digits, number) || number >= kMostWorlds)
+    return std::nullopt;
+  return static_cast<int>(number);
+}
+
+struct WorldFile {
+  int number;
+  fs::path grid;
+};
+
+/// The grids of a folder in the order of their numbers.
+std::vector<WorldFile> grids_in(const fs::path& folder) {
+  std::error_code error;
+  const fs::path inner = folder / "grid_files";
+  std::vector<WorldFile> files;
+  for (const auto& entry :
+       fs::directory_iterator(fs::is_directory(inner, error) ? inner : folder, error))
+    if (const auto number = world_number(entry.path())) files.push_back({*number, entry.path()});
+  std::sort(files.begin(), files.end(),
+            [](const WorldFile& a, const WorldFile& b) { return a.number < b.number; });
+  return files;
+}
+
+/// One part of a choice of worlds: "7", "0-299" or "0-299/even".
+struct WorldRange {
+  int first = 0, last = 0, step = 1;
+  bool has(int world) const {
+    return world >= first && world <= last && (world - first) % step == 0;
+  }
+};
+
+int whole_number(const std::string& text, const std::string& part) {
+  long long number = 0;
+  if (!parse_integer(text, number) || number < 0 || number >= kMostWorlds)
+    throw usage_error("--worlds " + part.substr(0, 60), "is no choice of worlds",
+                      "parts like 7, 0-299, 0-299/even, 0-299/odd or 0-299/10");
+  return static_cast<int>(number);
+}
+
+WorldRange parse_range(const std::string& part) {
+  const std::size_t slash = part.find('/');
+  const std::string ends = part.substr(0, slash);
+  const std::size_t dash = ends.find('-');
+  WorldRange range;
+  range.first = whole_number(ends.substr(0, dash), part);
+  range.last = dash == std::string::npos ? range.first : whole_number(ends.substr(dash + 1), part);
+  if (slash == std::string::npos) return range;
+  const std::string step = part.substr(slash + 1);
+  const bool even = step == "even", odd = step == "odd";
+  if (!even && !odd) {
+    range.step = std::max(1, whole_number(step, part));
+    return range;
+  }
+  range.step = 2;
+  if (range.first % 2 != (odd ? 1 : 0)) ++range.first;
+  return range;
+}
+
+std::vector<WorldFile> chosen(const std::vector<WorldFile>& files, const std::string& worlds,
+                              const std::string& path) {
+  if (worlds.empty()) return files;
+  std::vector<WorldRange> ranges;
+  for (const std::string& part : split(worlds, ',')) ranges.push_back(parse_range(part));
+  std::vector<WorldFile> wanted;
+  for (const WorldFile& file : files)
+    if (std::any_of(ranges.begin(), ranges.end(),
+                    [&](const WorldRange& range) { return range.has(file.number); }))
+      wanted.push_back(file);
+  if (wanted.empty())
+    throw usage_error("--worlds " + worlds.substr(0, 60), "names no world in " + path,
+                      "worlds from " + std::to_string(files.front().number) + " to " +
+                          std::to_string(files.back().number));
+  return wanted;
+}
+
+NpyTable read_grid(const std::string& path) {
+  NpyTable grid = read_npy(path);
+  if (grid.rows != kSide || grid.columns != kSide)
+    throw file_error(
+        path, "has " + std::to_string(grid.rows) + " x " + std::to_string(grid.columns) + " cells",
+        "a world of BARN, 30 x 30 cells");
+  for (std::size_t i = 0; i < grid.values.size(); ++i)
+    if (grid.values[i] != 0 && grid.values[i] != 1)
+      throw file_error(path,
+                       "has " + std::to_string(grid.values[i]) + " in row " +
+                           std::to_string(i / kSide) + ", column " + std::to_string(i % kSide),
+                       "0 (free) or 1 (an obstacle)");
+  return grid;
+}
+
+/// A file of the same world: beside the grid, or in the folder of its kind beside the grid's.
+std::optional<fs::path> companion(const fs::path& grid, const std::string& folder,
+                                  const std::string& name) {
+  std::error_code error;
+  const fs::path here = grid.parent_path() / name,
+                 there = grid.parent_path() / ".." / folder / name;
+  if (fs::exists(here, error)) return here;
+  if (fs::exists(there, error)) return there;
+  return std::nullopt;
+}
+
+PublishedPathPtr read_path(const std::string& path) {
+  const NpyTable table = read_npy(path);
+  if (table.columns != 2)
+    throw file_error(path, "has " + std::to_string(table.columns) + " numbers a point",
+                     "row and column");
+  auto published = std::make_shared<PublishedPath>();
+  published->field = {-4.5, 5.1, 0, 9.6};
+  published->cell_size = kCell;
+  for (std::size_t i = 0; i < table.rows; ++i) {
+    const auto row = table.at(i, 0), column = table.at(i, 1);
+    if (row < 0 || row >= kSide || column < 0 || column >= kSide)
+      throw file_error(path,
+                       "point " + std::to_string(i) + " is in row " + std::to_string(row) +
+                           ", column " + std::to_string(column),
+                       "rows and columns from 0 to 29");
+    published->points.emplace_back(x_of(static_cast<int>(row)),
+                                   y_of(kFieldBegin + static_cast<int>(column)));
+  }
+  return published;
+}
+
+/// The maps show the field 0.15 m too low: column c is in row 33 + c from below, x is the row.
+void expect_same(const GreyImage& image, const NpyTable& grid, const std::string& path) {
+  constexpr int kBelow = 33, kMiddle = 128;
+  if (image.width != kSide || image.height < kBelow + kSide)
+    throw file_error(
+        path,
+        "has " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels",
+        "a map of BARN, 30 x 66 pixels");
+  for (int row = 0; row < kSide; ++row)
+    for (int column = 0; column < kSide; ++column) {
+      const int line = image.height - 1 - kBelow - column;
+      const bool shown = image.pixels[static_cast<std::size_t>(line * kSide + row)] < kMiddle;
+      const bool is = grid.at(static_cast<std::size_t>(row), static_cast<std::size_t>(column)) == 1;
+      if (shown != is)
+        throw file_error(path,
+                         "contradicts the grid in row " + std::to_string(row) + ", column " +
+                             std::to_string(column),
+                         "the map of the same world");
+    }
+}
+
+/// All cells with a cylinder, counted from the corner of the workspace: the field and the walls
+/// behind (y cell 0) and beside the start (up to the field).
+std::vector<std::pair<int, int>> cylinders(const NpyTable& grid) {
+  std::vector<std::pair<int, int>> cells;
+  for (int x = 0; x < kSide; ++x) cells.emplace_back(x, 0);
+  for (int y = 1; y < kFieldBegin; ++y)
+    for (const int x : {0, kSide - 1}) cells.emplace_back(x, y);
+  for (int column = 0; column < kSide; ++column)
+    for (int row = 0; row < kSide; ++row)
+      if (grid.at(static_cast<std::size_t>(row), static_cast<std::size_t>(column)) == 1)
+        cells.emplace_back(row, kFieldBegin + column);
+  return cells;
+}
+
+Scenario make_world(const std::string& name, const NpyTable& grid, Representation representation) {
+  const mrpt::math::TPose2D start(-2.25, 3, std::acos(-1.0) / 2);
+  const TPoint2D goal(-2.25, 13);
+  if (representation == Representation::Grid) {
+    auto map = make_grid_map(kSide, kLength, kCell, {-4.5, 0});
+    for (const auto& [x, y] : cylinders(grid)) map.setCell(x, y, 0.0F);
+    return Scenario::grid(name, map, start, goal);
+  }
+  Primitives obstacles;
+  for (const auto& [x, y] : cylinders(grid)) obstacles.discs.push_back({{x_of(x), y_of(y)}, 0.075});
+  return Scenario::continuous(name, {-4.5, 0, 0, kLength * kCell}, std::move(obstacles), start,
+                              goal);
+}
+
+Scenario import_world(const WorldFile& file, Representation representation) {
+  const std::string number = std::to_string(file.number);
+  const NpyTable grid = read_grid(file.grid.string());
+  if (const auto map = companion(file.grid, "map_files", "map_pgm_" + number + ".pgm"))
+    expect_same(parse_pgm(read_bytes(map->string()), map->string()), grid, map->string());
+  const Scenario world = make_world("barn_" + number, grid, representation);
+  const auto path = companion(file.grid, "path_files", "path_" + number + ".npy");
+  return path ? world.with_published_path(read_path(path->string())) : world;
+}
+
+}  // namespace
+
+bool is_barn(const std::string& path) {
+  std::error_code error;
+  return fs::is_directory(path, error) ? !grids_in(path).empty() : world_number(path).has_value();
+}
+
+std::vector<Scenario> import_barn(const std::string& path, const BarnOptions& options) {
+  if (options.representation == Representation::Points)
+    throw usage_error(path, "worlds of BARN are not made as points", "continuous or grid");
+  std::error_code error;
+  std::vector<WorldFile> files;
+  if (fs::is_directory(path, error)) {
+    files = grids_in(path);
+  } else if (const auto number = world_number(path)) {
+    files = {{*number, path}};
+  }
+  if (files.empty())
+    throw file_error(path, "holds no worlds of BARN",
+                     "a folder with grid_files, or a grid such as grid_7.npy");
+  std::vector<Scenario> scenarios;
+  for (const WorldFile& file : chosen(files, options.worlds, path))
+    scenarios.push_back(import_world(file, options.representation));
+  return scenarios;
+}
+
+}  // namespace slalom

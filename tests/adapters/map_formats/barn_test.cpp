@@ -1,0 +1,203 @@
+#include "map_files.h"
+#include "npy_files.h"
+
+#include <slalom/map_formats/barn.h>
+#include <slalom/scenario/occupancy.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using Cells = std::vector<std::int64_t>;
+
+/// A world as BARN makes them: rows 0 and 29 are walls; and one obstacle in row 12, column 5.
+Cells small_world() {
+  Cells cells(900, 0);
+  for (std::size_t column = 0; column < 30; ++column) cells[column] = cells[870 + column] = 1;
+  cells[12 * 30 + 5] = 1;
+  return cells;
+}
+
+/// BARN's map of a grid: 30 x 66 pixels, x is the row, column c in line 33 + c from below.
+std::string map_of(const Cells& grid) {
+  std::string pixels(30 * 66, '\xFF');
+  for (std::size_t row = 0; row < 30; ++row)
+    for (std::size_t column = 0; column < 30; ++column)
+      if (grid[row * 30 + column] == 1) pixels[(65 - 33 - column) * 30 + row] = '\0';
+  return "P5\n30  66  255\n" + pixels;
+}
+
+void write_world(const MapFolder& folder, int number) {
+  const std::string n = std::to_string(number);
+  for (const std::string inner : {"grid_files", "path_files", "map_files"})
+    std::filesystem::create_directories(folder.path(inner));
+  folder.write("grid_files/grid_" + n + ".npy", npy(30, 30, small_world()));
+  folder.write("path_files/path_" + n + ".npy", npy(3, 2, {15, 0, 15, 0, 16, 1}));
+  folder.write("map_files/map_pgm_" + n + ".pgm", map_of(small_world()));
+}
+
+std::string refusal(Culprit culprit, const std::string& path, const BarnOptions& options = {}) {
+  return error_text(culprit, [&] { import_barn(path, options); });
+}
+
+TEST(Barn, CylindersStandWhereBarnPutsThem) {
+  const MapFolder folder;
+  write_world(folder, 7);
+  const auto scenarios = import_barn(folder.path("grid_files/grid_7.npy"), {});
+  ASSERT_EQ(scenarios.size(), 1U);
+  const Scenario& world = scenarios[0];
+  EXPECT_EQ(world.name(), "barn_7");
+  EXPECT_EQ(world.bounds(), (Bounds{-4.5, 0, 0, 15}));
+  // 30 behind the start, 33 on each side of it, 2 x 30 in the walls of the field, one obstacle.
+  const auto& discs = world.primitives().discs;
+  ASSERT_EQ(discs.size(), 30U + 2 * 33 + 60 + 1);
+  double x_min = 0, x_max = -9, y_min = 9, y_max = 0;
+  bool obstacle = false, back = false, side = false;
+  const auto near = [](double a, double b) { return std::abs(a - b) < 1e-12; };
+  for (const Disc& disc : discs) {
+    const auto& [x, y] = std::pair(disc.center.x, disc.center.y);
+    EXPECT_EQ(disc.radius, 0.075);
+    x_min = std::min(x_min, x);
+    x_max = std::max(x_max, x);
+    y_min = std::min(y_min, y);
+    y_max = std::max(y_max, y);
+    obstacle = obstacle || (near(x, -4.425 + 0.15 * 12) && near(y, 5.175 + 0.15 * 5));
+    back = back || (near(x, -2.175) && near(y, 0.075));
+    side = side || (near(x, -0.075) && near(y, 5.025));
+  }
+  EXPECT_TRUE(obstacle && back && side);
+  EXPECT_NEAR(x_min, -4.425, 1e-12);
+  EXPECT_NEAR(x_max, -0.075, 1e-12);
+  EXPECT_NEAR(y_min, 0.075, 1e-12);
+  EXPECT_NEAR(y_max, 5.175 + 0.15 * 29, 1e-12);
+}
+
+TEST(Barn, TheTaskIsThatOfTheChallenge) {
+  const MapFolder folder;
+  write_world(folder, 7);
+  const Scenario world = import_barn(folder.path("grid_files/grid_7.npy"), {})[0];
+  EXPECT_EQ(world.start().x, -2.25);
+  EXPECT_EQ(world.start().y, 3);
+  EXPECT_NEAR(std::cos(world.start().phi), 0, 1e-15);
+  EXPECT_GT(std::sin(world.start().phi), 0);
+  EXPECT_EQ(world.goal().x, -2.25);
+  EXPECT_EQ(world.goal().y, 13);
+}
+
+TEST(Barn, ThePublishedPathComesAlongWithItsDoubledPoint) {
+  const MapFolder folder;
+  write_world(folder, 7);
+  const Scenario world = import_barn(folder.path("grid_files/grid_7.npy"), {})[0];
+  const PublishedPathPtr& path = world.published_path();
+  ASSERT_NE(path, nullptr);
+  ASSERT_EQ(path->points.size(), 3U);
+  EXPECT_EQ(path->points[0].x, path->points[1].x);
+  EXPECT_NEAR(path->points[0].x, -4.425 + 0.15 * 15, 1e-12);
+  EXPECT_NEAR(path->points[0].y, 5.175, 1e-12);
+  EXPECT_NEAR(path->points[2].x - path->points[1].x, 0.15, 1e-12);
+  EXPECT_NEAR(path->points[2].y - path->points[1].y, 0.15, 1e-12);
+  EXPECT_EQ(path->size_x(), 30);
+  EXPECT_EQ(path->size_y(), 30);
+}
+
+TEST(Barn, TheGridHasTheSameObstaclesInCells) {
+  const MapFolder folder;
+  write_world(folder, 7);
+  BarnOptions options;
+  options.representation = Representation::Grid;
+  const Scenario world = import_barn(folder.path("grid_files/grid_7.npy"), options)[0];
+  const Occupancy cells = make_occupancy(world, 1);
+  EXPECT_EQ(cells.size_x(), 30);
+  EXPECT_EQ(cells.size_y(), 100);
+  EXPECT_EQ(cells.count_occupied(), 30U + 2 * 33 + 60 + 1);
+  EXPECT_TRUE(cells.occupied(12, 34 + 5));
+  EXPECT_NEAR(cells.cell_center(12, 39).x, -4.425 + 0.15 * 12, 1e-5);
+  EXPECT_NEAR(cells.cell_center(12, 39).y, 5.175 + 0.15 * 5, 1e-5);
+  ASSERT_NE(world.published_path(), nullptr);
+}
+
+TEST(Barn, AFolderGivesItsWorldsInOrderOrTheChosenOnes) {
+  const MapFolder folder;
+  for (const int number : {0, 2, 10, 3, 11}) write_world(folder, number);
+  EXPECT_TRUE(is_barn(folder.path("")));
+  const auto names = [&](const std::string& path, const std::string& worlds) {
+    BarnOptions options;
+    options.worlds = worlds;
+    std::string all;
+    for (const Scenario& world : import_barn(path, options)) all += world.name() + " ";
+    return all;
+  };
+  const std::string whole = folder.path("");
+  EXPECT_EQ(names(whole, ""), "barn_0 barn_2 barn_3 barn_10 barn_11 ");
+  EXPECT_EQ(names(folder.path("grid_files"), ""), "barn_0 barn_2 barn_3 barn_10 barn_11 ");
+  EXPECT_EQ(names(whole, "0-299/even"), "barn_0 barn_2 barn_10 ");
+  EXPECT_EQ(names(whole, "0-299/odd"), "barn_3 barn_11 ");
+  EXPECT_EQ(names(whole, "1-11/5"), "barn_11 ");
+  EXPECT_EQ(names(whole, "3, 0"), "barn_0 barn_3 ");
+  EXPECT_EQ(names(whole, "2-10"), "barn_2 barn_3 barn_10 ");
+}
+
+TEST(Barn, RefusesChoicesThatAreNoneOrNameNothing) {
+  const MapFolder folder;
+  write_world(folder, 4);
+  for (const std::string worlds : {"x", "1-", "-3", "1-2/third", "1e9", "99999999999999999999"}) {
+    BarnOptions options;
+    options.worlds = worlds;
+    EXPECT_TRUE(has(refusal(Culprit::Usage, folder.path(""), options), "is no choice of worlds"))
+        << worlds;
+  }
+  BarnOptions options;
+  options.worlds = "5-9";
+  EXPECT_EQ(refusal(Culprit::Usage, folder.path(""), options),
+            "--worlds 5-9: names no world in " + folder.path("") + "; expected worlds from 4 to 4");
+}
+
+TEST(Barn, TellsGridsFromOtherFiles) {
+  const MapFolder folder;
+  EXPECT_FALSE(is_barn(folder.path("")));
+  EXPECT_TRUE(is_barn("grid_0.npy"));
+  for (const std::string name : {"grid_.npy", "grid_a.npy", "path_1.npy", "grid_1.npz",
+                                 "agrid_1.npy", "grid_99999999999999999999.npy"})
+    EXPECT_FALSE(is_barn(name)) << name;
+  EXPECT_TRUE(has(refusal(Culprit::File, folder.path("")), "holds no worlds of BARN"));
+}
+
+TEST(Barn, RefusesGridsThatAreNoWorlds) {
+  const MapFolder folder;
+  const std::string small = folder.write("grid_1.npy", npy(2, 2, {0, 1, 1, 0}));
+  EXPECT_EQ(refusal(Culprit::File, small),
+            small + ": has 2 x 2 cells; expected a world of BARN, 30 x 30 cells");
+  Cells cells = small_world();
+  cells[31] = 2;
+  const std::string two = folder.write("grid_2.npy", npy(30, 30, cells));
+  EXPECT_EQ(refusal(Culprit::File, two),
+            two + ": has 2 in row 1, column 1; expected 0 (free) or 1 (an obstacle)");
+}
+
+TEST(Barn, RefusesPathsBesideTheField) {
+  const MapFolder folder;
+  const std::string grid = folder.write("grid_1.npy", npy(30, 30, small_world()));
+  const std::string path = folder.write("path_1.npy", npy(2, 2, {1, 0, 30, 1}));
+  EXPECT_EQ(refusal(Culprit::File, grid),
+            path + ": point 1 is in row 30, column 1; expected rows and columns from 0 to 29");
+  folder.write("path_1.npy", npy(1, 3, {1, 0, 3}));
+  EXPECT_TRUE(has(refusal(Culprit::File, grid), "has 3 numbers a point"));
+}
+
+TEST(Barn, RefusesAMapThatContradictsTheGrid) {
+  const MapFolder folder;
+  const std::string grid = folder.write("grid_1.npy", npy(30, 30, small_world()));
+  Cells other = small_world();
+  other[12 * 30 + 6] = 1;
+  const std::string map = folder.write("map_pgm_1.pgm", map_of(other));
+  EXPECT_EQ(refusal(Culprit::File, grid),
+            map + ": contradicts the grid in row 12, column 6; expected the map of the same world");
+  folder.write("map_pgm_1.pgm", "P2 1 1 255 0");
+  EXPECT_TRUE(has(refusal(Culprit::File, grid), "has 1 x 1 pixels"));
+}
+
+}  // namespace
+}  // namespace slalom
