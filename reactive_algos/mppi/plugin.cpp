@@ -1,0 +1,5 @@
+#include "mppi/mppi.h"
+
+const slalom_method_api* slalom_method_get_api(void) {
+  return reactive::Plugin<mppi::Mppi>::table("mppi");
+}

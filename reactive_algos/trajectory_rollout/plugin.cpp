@@ -1,0 +1,5 @@
+#include "trajectory_rollout/trajectory_rollout.h"
+
+const slalom_method_api* slalom_method_get_api(void) {
+  return reactive::Plugin<trajectory_rollout::TrajectoryRollout>::table("trajectory_rollout");
+}
