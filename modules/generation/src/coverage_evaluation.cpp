@@ -1,0 +1,142 @@
+#include "coverage_evaluation.h"
+
+#include <slalom/core/error.h>
+#include <slalom/references/exact_shortest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace slalom {
+namespace {
+
+/// Cells beyond which a path is sought on coarser ones first.
+constexpr std::size_t kManyCells = 250'000;
+
+int cost_of(const std::string& id) {
+  if (id == "density") return 0;
+  if (id == "clearness") return 1;
+  if (id == "confinement") return 2;
+  return 3;
+}
+
+PlanningProblem problem_in(const World& world, double robot_radius) {
+  const auto& start = world.scenario().start();
+  return {world, robot_radius, {start.x, start.y}, world.scenario().goal()};
+}
+
+KnownPath find_path(const World& world, double robot_radius) {
+  constexpr double kGap = 0.01;  // as in the descriptions of lists
+  std::string reason;
+  const auto found = exact_shortest_path(problem_in(world, robot_radius), kGap, reason);
+  return found ? KnownPath{found->path, found->length, ""} : KnownPath{{}, 0, reason};
+}
+
+/// A path on cells k times as large. Those hold all the small ones that are occupied, so it is free
+/// among these too; `is_free` checks it all the same.
+bool has_path_on_coarse_cells(const World& world, double robot_radius) {
+  const double cells = static_cast<double>(world.occupancy().cells().size());
+  const double times = std::ceil(std::sqrt(cells / static_cast<double>(kManyCells)));
+  const World coarse(world.scenario(), world.requested_resolution() * times);
+  std::string reason;
+  const auto found = exact_shortest_path(problem_in(coarse, robot_radius), 1, reason, 1);
+  return found && is_free(world, found->path, robot_radius);
+}
+
+}  // namespace
+
+CandidateEvaluation::CandidateEvaluation(const CoveragePlan& plan, const CoverageTask& task,
+                                         const CoverageBins& bins)
+    : plan_(plan), task_(task), bins_(bins), families_(plan, task.load_map) {
+  const CoverageOptions& o = plan.options;
+  limits_ = {task.robot_radius, task.resolution, o.min_floor,
+             o.max_floor,       o.min_distance,  static_cast<std::size_t>(o.max_obstacles)};
+  for (const CoverageAxis& axis : plan.axes) descriptors_.push_back(&descriptor(axis.id));
+  order_.resize(plan.axes.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+    return cost_of(plan.axes[a].id) < cost_of(plan.axes[b].id);
+  });
+}
+
+std::optional<Elite> CandidateEvaluation::evaluate(const Proposal& proposal,
+                                                   const CoverageArchive& archive) const {
+  RandomEngine engine(proposal.seed);
+  const std::optional<Scenario> scenario = make(proposal, engine);
+  if (!scenario || !keeps_limits(*scenario)) return std::nullopt;
+  const World world(*scenario, task_.resolution);
+  Elite elite;
+  if (!measure(world, proposal, archive, elite) || !is_certified(world)) return std::nullopt;
+  elite.scenario = std::make_shared<const Scenario>(*scenario);
+  elite.seed = proposal.seed;
+  elite.bin = bins_.find(elite.point);
+  elite.sketch = sketch(world);
+  return elite;
+}
+
+std::optional<Scenario> CandidateEvaluation::make(const Proposal& proposal,
+                                                  RandomEngine& engine) const {
+  if (!proposal.parent) {
+    const auto generator = families_.draw(engine);
+    if (!generator) return std::nullopt;
+    return generator->generate("candidate", engine);
+  }
+  std::optional<Scenario> scenario = *proposal.parent;
+  for (const Mutation mutation : proposal.mutations) {
+    scenario = mutate(*scenario, mutation, limits_, engine);
+    if (!scenario) break;
+  }
+  return scenario;
+}
+
+bool CandidateEvaluation::keeps_limits(const Scenario& scenario) const {
+  constexpr double kSlack = 1e-4;  // MRPT keeps the sides of grids in single precision
+  const Bounds& b = scenario.bounds();
+  if (std::min(b.width(), b.height()) < limits_.min_floor - kSlack ||
+      std::max(b.width(), b.height()) > limits_.max_floor + kSlack)
+    return false;
+  const auto& start = scenario.start();
+  if (std::hypot(scenario.goal().x - start.x, scenario.goal().y - start.y) < limits_.min_distance)
+    return false;
+  if (scenario.representation() == Representation::Grid)
+    return scenario.grid_map()->getResolution() <= kCoarsestCell + kSlack;
+  if (scenario.representation() == Representation::Points) return true;
+  return scenario.primitives().discs.size() + scenario.primitives().polygons.size() <=
+         limits_.max_obstacles;
+}
+
+bool CandidateEvaluation::measure(const World& world, const Proposal& proposal,
+                                  const CoverageArchive& archive, Elite& elite) const {
+  const DescriptorContext context{
+      world, Footprint::disc(task_.robot_radius), task_.sensor_range,
+      search_once([&] { return find_path(world, task_.robot_radius); })};
+  elite.values.resize(order_.size());
+  elite.point.resize(order_.size());
+  bool may_fit = true;
+  double distance = 0;
+  for (const std::size_t axis : order_) {
+    const Value value = descriptors_[axis]->compute(context);
+    if (value.is_na()) return false;
+    const QuantityInfo info = descriptors_[axis]->info();
+    elite.values[axis] = {info.id, info.version, descriptors_[axis]->parameters(context), value};
+    elite.point[axis] = value.number();
+    const auto slot = bins_.slot(axis, value.number());
+    may_fit = may_fit && slot && archive.is_open(axis, *slot);
+    distance += bins_.gap(proposal.target, axis, value.number());
+    if (!may_fit && distance >= archive.reach(proposal.target)) return false;
+  }
+  const auto bin = bins_.find(elite.point);
+  return (bin && archive.is_open(*bin)) || distance < archive.reach(proposal.target);
+}
+
+bool CandidateEvaluation::is_certified(const World& world) const {
+  const PlanningProblem problem = problem_in(world, task_.robot_radius);
+  if (is_free(world, {problem.start, problem.goal}, task_.robot_radius)) return true;
+  if (world.occupancy().cells().size() > kManyCells &&
+      world.scenario().representation() == Representation::Continuous)
+    return has_path_on_coarse_cells(world, task_.robot_radius);
+  std::string reason;
+  return exact_shortest_path(problem, 1, reason).has_value();
+}
+
+}  // namespace slalom

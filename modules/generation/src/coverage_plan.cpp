@@ -1,0 +1,191 @@
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
+#include <slalom/generation/coverage.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+constexpr char kSection[] = "coverage";
+constexpr std::size_t kMostAxes = 3;
+constexpr double kMostBins = 1e5;
+
+/// Descriptors whose values lie in [0, 1] by definition.
+constexpr std::array kShares = {
+    "density",         "cspace_density", "clearness",         "confinement",     "confinement_path",
+    "narrow_fraction", "trap_fraction",  "occupancy_entropy", "goal_visibility", "dynamic_density"};
+
+/// A key whose name depends on a descriptor; taken as text and parsed here.
+struct AxisKeys {
+  std::string edges, range;
+};
+
+/// Reads the section: the plain options first, then the keys of each descriptor named in them.
+class PlanReader {
+ public:
+  explicit PlanReader(const IniFile& ini) : ini_(ini), reader_(ini, kSection) {}
+
+  CoverageOptions options() {
+    CoverageOptions options;
+    options.visit(reader_);
+    if (options.min_floor > options.max_floor)
+      throw error("max_floor", "is less than min_floor", "at least " + text(options.min_floor));
+    if (options.min_distance > std::sqrt(2) * options.max_floor)
+      throw error("min_distance", "is longer than the diagonal of the largest floor",
+                  "at most " + text(std::sqrt(2) * options.max_floor) + " m");
+    return options;
+  }
+
+  std::vector<CoverageAxis> axes(const CoverageOptions& options) {
+    const std::vector<std::string> ids = descriptor_ids(options);
+    std::vector<AxisKeys> keys(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      reader_.option("edges." + ids[i], keys[i].edges, "edges of bins, comma separated");
+      reader_.option("range." + ids[i], keys[i].range, "lowest and highest edge of equal bins");
+    }
+    reader_.reject_unknown_keys();
+    const std::vector<int> counts = bin_counts(options, ids.size());
+    std::vector<CoverageAxis> axes;
+    double bins = 1;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      axes.push_back({ids[i], edges_of(ids[i], keys[i], counts[i])});
+      bins *= static_cast<double>(axes.back().size());
+    }
+    if (bins > kMostBins)
+      throw error("bins", "make " + text(bins) + " bins", "at most " + text(kMostBins));
+    return axes;
+  }
+
+ private:
+  Error error(const std::string& key, const std::string& what, const std::string& expected) const {
+    return usage_error(ini_.where(kSection, key), what, expected);
+  }
+  static std::string text(double number) { return format_number(number); }
+
+  std::vector<std::string> descriptor_ids(const CoverageOptions& options) const {
+    const std::vector<std::string> ids = split(options.descriptors, ',');
+    if (options.descriptors.empty() || ids.size() > kMostAxes)
+      throw error("descriptors",
+                  "names " + std::to_string(options.descriptors.empty() ? 0 : ids.size()),
+                  "one to three ids of descriptors");
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (std::find(ids.begin(), ids.begin() + static_cast<long>(i), ids[i]) !=
+          ids.begin() + static_cast<long>(i))
+        throw error("descriptors", "names '" + ids[i] + "' twice", "each once");
+      check_id(ids[i]);
+    }
+    return ids;
+  }
+
+  void check_id(const std::string& id) const {
+    std::vector<std::string> known;
+    for (const auto& candidate : all_descriptors()) known.push_back(candidate->info().id);
+    if (std::find(known.begin(), known.end(), id) != known.end()) return;
+    const std::string nearest = nearest_name(id, known);
+    throw error("descriptors", "unknown id '" + id + "'",
+                nearest.empty() ? "one of " + join(known, ", ") : "'" + nearest + "'");
+  }
+
+  std::vector<int> bin_counts(const CoverageOptions& options, std::size_t axes) const {
+    std::vector<int> counts;
+    for (const std::string& part : split(options.bins, ',')) {
+      long long count = 0;
+      if (!parse_integer(part, count) || count < 1 || count > 10000)
+        throw error("bins", "'" + part + "' is not valid", "whole numbers from 1 to 10000");
+      counts.push_back(static_cast<int>(count));
+    }
+    if (counts.size() == 1) counts.resize(axes, counts[0]);
+    if (counts.size() != axes)
+      throw error("bins", "gives " + std::to_string(counts.size()) + " numbers",
+                  "one, or one for each of " + std::to_string(axes) + " descriptors");
+    return counts;
+  }
+
+  std::vector<double> numbers(const std::string& key, const std::string& list) const {
+    std::vector<double> numbers;
+    for (const std::string& part : split(list, ',')) {
+      double number = 0;
+      if (!parse_number(part, number) || !std::isfinite(number))
+        throw error(key, "'" + part + "' is not valid", "numbers, comma separated");
+      if (!numbers.empty() && number <= numbers.back())
+        throw error(key, "'" + part + "' does not follow " + text(numbers.back()),
+                    "ascending numbers");
+      numbers.push_back(number);
+    }
+    if (numbers.size() < 2) throw error(key, "gives one edge", "two or more");
+    return numbers;
+  }
+
+  std::vector<double> edges_of(const std::string& id, const AxisKeys& keys, int count) const {
+    if (!keys.edges.empty()) {
+      if (!keys.range.empty())
+        throw error("range." + id, "stands beside edges." + id, "one of them");
+      return numbers("edges." + id, keys.edges);
+    }
+    std::vector<double> range = {0, 1};
+    if (!keys.range.empty()) {
+      range = numbers("range." + id, keys.range);
+      if (range.size() != 2) throw error("range." + id, "gives more than two numbers", "two");
+    } else if (std::find(kShares.begin(), kShares.end(), id) == kShares.end()) {
+      throw error("range." + id, "is missing", "the lowest and highest edge, or edges." + id);
+    }
+    std::vector<double> edges;
+    for (int i = 0; i < count; ++i) edges.push_back(range[0] + (range[1] - range[0]) * i / count);
+    edges.push_back(range[1]);
+    return edges;
+  }
+
+  const IniFile& ini_;
+  OptionReader reader_;
+};
+
+}  // namespace
+
+void CoverageOptions::visit(OptionVisitor& v) {
+  v.option("descriptors", descriptors, "descriptors to cover, comma separated; several jointly");
+  v.option("bins", bins, "equal bins of each descriptor, comma separated, or one number for all");
+  v.option("per_bin", per_bin, "-", "scenarios wanted in each bin", Range::between(1, 1e6));
+  v.option("min_difference", min_difference, "-", "between any two scenarios",
+           Range::between(0, 1));
+  v.option("budget_evaluations", budget_evaluations, "-", "candidates looked at in all",
+           Range::between(1, 1e9));
+  v.option("budget_time", budget_time, "s", "of wall clock, 0: no limit; not repeatable if it ends",
+           Range::at_least(0));
+  v.option("patience", patience, "-", "evaluations aimed at a bin since it last got a scenario",
+           Range::between(1, 1e9));
+  v.option("fresh_share", fresh_share, "-", "share of candidates drawn anew", Range::between(0, 1));
+  v.option("min_floor", min_floor, "m", "shortest side of a floor", Range::positive());
+  v.option("max_floor", max_floor, "m", "longest side of a floor", Range{0, 1000, true});
+  v.option("min_distance", min_distance, "m", "straight distance from start to goal",
+           Range::at_least(0));
+  v.option("max_obstacles", max_obstacles, "-", "discs and polygons of a scenario",
+           Range::between(0, 1e6));
+}
+
+CoveragePlan read_coverage_plan(const IniFile& ini, const std::vector<std::string>& families) {
+  PlanReader reader(ini);
+  CoveragePlan plan{reader.options(), {}, families, ini};
+  plan.axes = reader.axes(plan.options);
+  if (families.empty())
+    throw usage_error(ini.where("scenarios", "generator"), "names no family to draw from",
+                      "one or more of " + join(generator_names(), ", "));
+  return plan;
+}
+
+std::string to_string(BinVerdict verdict) {
+  switch (verdict) {
+    case BinVerdict::Full:
+      return "full";
+    case BinVerdict::Starved:
+      return "starved";
+    case BinVerdict::Impossible:
+      break;
+  }
+  return "impossible";
+}
+
+}  // namespace slalom

@@ -1,0 +1,158 @@
+#include "option_draw.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+/// Notes the default of a length named `key`, 0 where there is none.
+class LengthFinder : public OptionVisitor {
+ public:
+  explicit LengthFinder(std::string key) : key_(std::move(key)) {}
+  void option(const std::string& key, double& value, const std::string& unit, const std::string&,
+              Range) override {
+    if (key == key_ && unit == "m") found_ = value;
+  }
+  void option(const std::string&, int&, const std::string&, const std::string&, Range) override {}
+  void option(const std::string&, std::uint64_t&, const std::string&) override {}
+  void option(const std::string&, bool&, const std::string&) override {}
+  void option(const std::string&, std::string&, const std::string&,
+              const std::vector<std::string>&) override {}
+  double found() const { return found_; }
+
+ private:
+  std::string key_;
+  double found_ = 0;
+};
+
+double log_uniform(RandomEngine& engine, double low, double high) {
+  return std::exp(uniform_real(engine, std::log(low), std::log(high)));
+}
+
+/// Writes drawn values for all options that do not stand in the section yet.
+class OptionWriter : public OptionVisitor {
+ public:
+  OptionWriter(IniFile& ini, std::string section, double scale, double spread, RandomEngine& engine)
+      : ini_(ini), section_(std::move(section)), scale_(scale), spread_(spread), engine_(engine) {}
+
+  void option(const std::string& key, double& value, const std::string& unit, const std::string&,
+              Range range) override {
+    if (is_given(key) || key == "resolution") return;
+    double drawn = value * (unit == "m" ? scale_ : 1);
+    const bool is_share = range.low == 0 && range.high == 1;
+    if (is_floor(key)) {
+      drawn *= log_uniform(engine_, 0.8, 1.25);
+    } else if (varies()) {
+      drawn = is_share ? uniform_real(engine_, 0, 1) : drawn * factor();
+    }
+    set(key, format_number(clamped(drawn, range)), drawn);
+  }
+
+  void option(const std::string& key, int& value, const std::string&, const std::string&,
+              Range range) override {
+    if (is_given(key) || !varies()) return;
+    const double drawn = std::round(clamped(value == 0 ? value : value * factor(), range));
+    const double whole = std::clamp(drawn, -1e9, 1e9);
+    set(key, std::to_string(static_cast<long long>(whole)), whole);
+  }
+
+  void option(const std::string&, std::uint64_t&, const std::string&) override {}
+
+  void option(const std::string& key, bool&, const std::string&) override {
+    if (is_given(key) || !varies()) return;
+    ini_.set(section_, key, uniform_int(engine_, 0, 1) == 1 ? "true" : "false");
+  }
+
+  void option(const std::string& key, std::string&, const std::string&,
+              const std::vector<std::string>& choices) override {
+    if (is_given(key) || choices.empty() || !varies()) return;
+    const int last = static_cast<int>(choices.size()) - 1;
+    ini_.set(section_, key, choices[static_cast<std::size_t>(uniform_int(engine_, 0, last))]);
+  }
+
+  /// Puts pairs named min_X and max_X in order.
+  void order_limits() {
+    for (const auto& [key, low] : numbers_) {
+      if (key.compare(0, 4, "min_") != 0) continue;
+      const std::string other = "max_" + key.substr(4);
+      const auto high = numbers_.find(other);
+      if (high == numbers_.end() || low <= high->second) continue;
+      const std::string low_text = *ini_.get(section_, key), high_text = *ini_.get(section_, other);
+      ini_.set(section_, key, high_text);
+      ini_.set(section_, other, low_text);
+    }
+  }
+
+ private:
+  bool is_given(const std::string& key) const { return ini_.get(section_, key).has_value(); }
+  static bool is_floor(const std::string& key) { return key == "width" || key == "height"; }
+  bool varies() { return uniform_real(engine_, 0, 1) < spread_; }
+  double factor() { return log_uniform(engine_, 0.25, 4); }
+  static double clamped(double value, const Range& range) {
+    const double low = range.low_open ? range.low + 1e-3 : range.low;
+    return std::clamp(value, std::min(low, range.high), range.high);
+  }
+  void set(const std::string& key, const std::string& text, double number) {
+    ini_.set(section_, key, text);
+    numbers_[key] = number;
+  }
+
+  IniFile& ini_;
+  std::string section_;
+  double scale_, spread_;
+  RandomEngine& engine_;
+  std::map<std::string, double> numbers_;
+};
+
+/// Only the family's own section: the rest is of no use to it and costs copying.
+IniFile section_of(const IniFile& ini, const std::string& section) {
+  IniFile part = IniFile::from_text("", ini.name());
+  for (const std::string& key : ini.keys(section)) part.set(section, key, *ini.get(section, key));
+  return part;
+}
+
+double draw_scale(const CoverageOptions& limits, const std::string& family, const IniFile& ini,
+                  RandomEngine& engine) {
+  LengthFinder width("width");
+  visit_generator_options(family, width);
+  const std::string section = "generator." + family;
+  if (width.found() <= 0 || ini.get(section, "width") || ini.get(section, "height")) return 1;
+  // Larger floors come by stretching; drawing them with thousands of obstacles would cost too much.
+  const double largest = std::max(limits.min_floor, std::min(limits.max_floor, 40.0));
+  return log_uniform(engine, limits.min_floor, largest) / width.found();
+}
+
+}  // namespace
+
+OptionDraw::OptionDraw(const CoveragePlan& plan, const MapLoader& load_map)
+    : plan_(plan), load_map_(load_map) {
+  // What is wrong with the families as they are configured is told at once.
+  for (const std::string& family : plan_.families)
+    make_generator(family, plan_.ini, {1, load_map_});
+}
+
+std::unique_ptr<Generator> OptionDraw::draw(RandomEngine& engine) const {
+  const int last = static_cast<int>(plan_.families.size()) - 1;
+  const std::string& family =
+      plan_.families[static_cast<std::size_t>(uniform_int(engine, 0, last))];
+  const std::string section = "generator." + family;
+  for (const double spread : {0.7, 0.4, 0.2, 0.0}) {
+    IniFile ini = section_of(plan_.ini, section);
+    OptionWriter writer(ini, section, draw_scale(plan_.options, family, plan_.ini, engine), spread,
+                        engine);
+    visit_generator_options(family, writer);
+    writer.order_limits();
+    try {
+      return make_generator(family, ini, {1, load_map_});
+    } catch (const Error&) {
+      // Options that contradict each other: drawn anew, nearer to the defaults.
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace slalom
