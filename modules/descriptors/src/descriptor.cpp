@@ -11,8 +11,10 @@ namespace slalom {
 
 const std::vector<std::shared_ptr<const Descriptor>>& all_descriptors() {
   static const std::vector<DescriptorPtr> descriptors = {
-      make_density(),          make_clearness(),    make_confinement(),
-      make_bottleneck_width(), make_detour_ratio(),
+      make_density(),          make_clearness(),       make_confinement(),
+      make_bottleneck_width(), make_detour_ratio(),    make_barn_closest_distance(),
+      make_barn_visibility(),  make_barn_dispersion(), make_barn_characteristic_dimension(),
+      make_barn_tortuosity(),
   };
   return descriptors;
 }

@@ -12,6 +12,11 @@ DescriptorPtr make_clearness();
 DescriptorPtr make_confinement();
 DescriptorPtr make_bottleneck_width();
 DescriptorPtr make_detour_ratio();
+DescriptorPtr make_barn_closest_distance();
+DescriptorPtr make_barn_visibility();
+DescriptorPtr make_barn_dispersion();
+DescriptorPtr make_barn_characteristic_dimension();
+DescriptorPtr make_barn_tortuosity();
 
 /// "robot_radius=0.25" of a disc, "footprint=x,y x,y ..." (corners counter-clockwise) of a polygon.
 std::string robot_parameter(const DescriptorContext& context);
