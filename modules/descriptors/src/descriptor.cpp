@@ -11,10 +11,21 @@ namespace slalom {
 
 const std::vector<std::shared_ptr<const Descriptor>>& all_descriptors() {
   static const std::vector<DescriptorPtr> descriptors = {
-      make_density(),          make_clearness(),       make_confinement(),
-      make_bottleneck_width(), make_detour_ratio(),    make_barn_closest_distance(),
-      make_barn_visibility(),  make_barn_dispersion(), make_barn_characteristic_dimension(),
+      make_density(),          make_cspace_density(),
+      make_clearness(),        make_clearness_mean_distance(),
+      make_confinement(),      make_confinement_path(),
+      make_bottleneck_width(), make_narrow_fraction(),
+      make_clearance_mean(),   make_clearance_q05(),
+      make_detour_ratio(),     make_turn_density(),
+      make_trap_fraction(),    make_obstacle_count(),
+      make_clustering(),       make_occupancy_entropy(),
+      make_goal_visibility(),  make_traversability(),
+      make_barn_closest_distance(),
+      make_barn_visibility(),
+      make_barn_dispersion(),
+      make_barn_characteristic_dimension(),
       make_barn_tortuosity(),
+      make_dynamic_density(),
   };
   return descriptors;
 }

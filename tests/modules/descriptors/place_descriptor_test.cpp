@@ -1,0 +1,153 @@
+// Descriptors of the place alone, or with the robot's size, on worlds of 1 m cells.
+#include "small_worlds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+const std::vector<std::string> kEmpty = {".....", ".....", "S...G", ".....", "....."};
+const std::vector<std::string> kBlocks = {".....", ".#.#.", "S...G", ".#...", "....#"};
+
+TEST(CspaceDensity, IsTheShareOfPlacesWhereTheRobotDoesNotFit) {
+  const World empty = drawn_world(kEmpty);
+  EXPECT_DOUBLE_EQ(value_of("cspace_density", context_of(empty, 0.5)), 0) << "touching is free";
+  // Centres beside a wall are 0.5 m from it; 9 others are left.
+  EXPECT_DOUBLE_EQ(value_of("cspace_density", context_of(empty, 0.6)), 1 - 9.0 / 25);
+  // Of those 9 a block in the middle takes itself and its 4 sides; the 4 cells at its corners are
+  // sqrt(0.5) = 0.71 m from it.
+  const World block = drawn_world({".....", ".....", "S.#.G", ".....", "....."});
+  EXPECT_DOUBLE_EQ(value_of("cspace_density", context_of(block, 0.6)), 1 - 4.0 / 25);
+  EXPECT_DOUBLE_EQ(value_of("cspace_density", context_of(block, 0.75)), 1);
+}
+
+TEST(CspaceDensity, OfAPolygonIsTheMeanOverSixteenHeadings) {
+  // 2.4 m x 0.8 m. Turned by a it reaches 1.2 |cos a| + 0.4 |sin a| along x. Along its length at 0
+  // and 90 degrees: 1.2 and 0.4 m, that is 3 and 5 of the distances 0.5, 1.5, 2.5, 1.5, 0.5 m of
+  // centres from the walls, 15 cells. At 22.5 degrees 1.26 and 0.83 m, at 45 degrees 1.13 m: 3 and
+  // 3, 9 cells.
+  const World empty = drawn_world(kEmpty);
+  const DescriptorContext context{empty, Footprint::parse("-1.2,-0.4; 1.2,-0.4; 1.2,0.4; -1.2,0.4"),
+                                  8, context_of(empty).shortest};
+  EXPECT_DOUBLE_EQ(value_of("cspace_density", context), 1 - (4 * 15 + 12 * 9) / (16 * 25.0));
+}
+
+TEST(CspaceDensity, OfAPolygonInACorridorCountsHeadingsAlongIt) {
+  // Ahead and back, at the three cells that are 1.2 m from both ends.
+  const World corridor = drawn_world({"#####", "S...G", "#####"});
+  const DescriptorContext context{corridor,
+                                  Footprint::parse("-1.2,-0.4; 1.2,-0.4; 1.2,0.4; -1.2,0.4"), 8,
+                                  context_of(corridor).shortest};
+  EXPECT_DOUBLE_EQ(value_of("cspace_density", context), 1 - 3 * 2 / (16 * 15.0));
+  EXPECT_EQ(descriptor("cspace_density").parameters(context),
+            "footprint=-1.2,-0.4 1.2,-0.4 1.2,0.4 -1.2,0.4");
+}
+
+TEST(CspaceDensity, APolygonLongerThanTheWorkspaceFitsNowhere) {
+  const World empty = drawn_world(kEmpty);
+  const DescriptorContext context{empty, Footprint::parse("-1e30,-0.1; 1e30,-0.1; 0,0.1"), 8,
+                                  context_of(empty).shortest};
+  EXPECT_DOUBLE_EQ(value_of("cspace_density", context), 1);
+}
+
+TEST(ClearnessMeanDistance, IsTheMeanOverFreeCentres) {
+  // 16 centres 0.5 m from the wall, 8 at 1.5 m, one at 2.5 m.
+  EXPECT_NEAR(value_of("clearness_mean_distance", context_of(drawn_world(kEmpty))),
+              (16 * 0.5 + 8 * 1.5 + 2.5) / 25, 1e-6);
+  // A block in a corner takes its own cell. It is sqrt(0.5) m from the cell at its corner, instead
+  // of 1.5 m, and sqrt(4.5) m from the middle one, instead of 2.5 m.
+  const World block = drawn_world({".....", ".....", "S...G", ".....", "#...."});
+  EXPECT_NEAR(value_of("clearness_mean_distance", context_of(block)),
+              (15 * 0.5 + std::sqrt(0.5) + 7 * 1.5 + std::sqrt(4.5)) / 24, 1e-6);
+}
+
+TEST(ClearanceMean, IsTheMeanWhereTheRobotFits) {
+  EXPECT_NEAR(value_of("clearance_mean", context_of(drawn_world(kEmpty), 0.6)), (8 * 1.5 + 2.5) / 9,
+              1e-6);
+  EXPECT_EQ(descriptor("clearance_mean").compute(context_of(drawn_world(kEmpty), 2.6)).reason(),
+            "the robot stands free nowhere");
+}
+
+TEST(ClearanceQ05, IsTheDistanceThatATwentiethDoesNotExceed) {
+  // Of 3 x 7 centres the middle 5 are 1.5 m from walls, the others 0.5 m. For a robot of 0.6 m the
+  // 5 are all there is.
+  const World hall = drawn_world({".......", "S.....G", "......."});
+  EXPECT_NEAR(value_of("clearance_q05", context_of(hall, 0.6)), 1.5, 1e-6);
+  EXPECT_NEAR(value_of("clearance_q05", context_of(hall, 0.25)), 0.5, 1e-6);
+  EXPECT_EQ(descriptor("clearance_q05").compute(context_of(hall, 1.6)).reason(),
+            "the robot stands free nowhere");
+}
+
+TEST(TrapFraction, IsTheShareOfPlacesFromWhichDescentStops) {
+  // Into the U leads descent from: its inside (2 cells), the two cells beside its mouth, the column
+  // of the start with both corners: 9 of 20 free cells. Above and below the U it gets past.
+  const World trap = drawn_world({".....", "..##.", "S..#G", "..##.", "....."});
+  EXPECT_DOUBLE_EQ(value_of("trap_fraction", context_of(trap)), 9.0 / 20);
+  EXPECT_DOUBLE_EQ(value_of("trap_fraction", context_of(drawn_world(kEmpty))), 0);
+}
+
+TEST(TrapFraction, WhatIsCutOffIsTrapped) {
+  const World halves = drawn_world({"..#..", "..#..", "S.#.G", "..#..", "..#.."});
+  EXPECT_DOUBLE_EQ(value_of("trap_fraction", context_of(halves)), 0.5);
+  EXPECT_EQ(descriptor("trap_fraction").compute(context_of(halves, 0.6)).reason(),
+            "goal is closer to an obstacle than the robot's radius");
+}
+
+TEST(ObstacleCount, CountsComponentsAwayFromTheBorder) {
+  EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(drawn_world(kBlocks))), 3);
+  EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(drawn_world(kEmpty))), 0);
+}
+
+TEST(ObstacleCount, CellsThatShareACornerAreOneComponent) {
+  const World pair = drawn_world({".....", ".#...", "S.#.G", ".....", "....."});
+  EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(pair)), 1);
+  const World chain = drawn_world({"#....", ".#...", "S.#.G", ".....", "....."});
+  EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(chain)), 0) << "it touches the border";
+}
+
+TEST(Clustering, IsVarianceOverMeanInGrains) {
+  // 25 quadrats of one cell, 4 of them occupied: mean 0.16, variance (4 - 25 x 0.16^2) / 24 = 0.14.
+  // The outline has 16 sides, pi / 4 of which is 4 pi: grains of radius 2 x 4 / (4 pi), area 4 /
+  // pi.
+  const double pi = std::acos(-1.0);
+  EXPECT_NEAR(value_of("clustering", context_of(drawn_world(kBlocks))), 0.14 / 0.16 / (4 / pi),
+              1e-12);
+  EXPECT_EQ(descriptor("clustering").compute(context_of(drawn_world(kEmpty))).reason(),
+            "no obstacles");
+}
+
+TEST(OccupancyEntropy, IsTheMeanEntropyOfBlocks) {
+  // Blocks of 2 x 2 cells from the lower left corner, cut off in the last column and row. A block
+  // with 1 of 4 cells occupied has h(1/4) bit; there are three. In the lower right corner 1 of 2:
+  // 1 bit. All others have none.
+  const double quarter = 0.25 * 2 - 0.75 * std::log2(0.75);
+  EXPECT_NEAR(value_of("occupancy_entropy", context_of(drawn_world(kBlocks))),
+              (3 * 4 * quarter + 2 * 1) / 25, 1e-12);
+  EXPECT_DOUBLE_EQ(value_of("occupancy_entropy", context_of(drawn_world(kEmpty))), 0);
+}
+
+TEST(Traversability, IsTheMeanFreeRayInRobotWidths) {
+  // Lattice points are the cells' centres. Rays along a row and its opposite: 5 m together, also
+  // along a column: 10 m a point. A diagonal ray from (x, y) is sqrt 2 times the smaller distance
+  // to the two walls that it goes to. Of all pairs of 0.5 .. 4.5 the smaller ones are 9 times 0.5,
+  // 7 times 1.5, 5 times 2.5, 3 times 3.5, once 4.5: 42.5 m for each of 4 diagonals.
+  const double expected = (25 * 10 + 4 * 42.5 * std::sqrt(2.0)) / (25 * 8);
+  EXPECT_NEAR(value_of("traversability", context_of(drawn_world(kEmpty), 0.5)), expected, 1e-9);
+  EXPECT_NEAR(value_of("traversability", context_of(drawn_world(kEmpty), 0.25)), 2 * expected,
+              1e-9);
+}
+
+TEST(Traversability, IsZeroAtOccupiedPoints) {
+  // Free cells: 0.5 m along the axes, sqrt(0.5) m along diagonals. The block counts as 0.
+  EXPECT_NEAR(value_of("traversability", context_of(drawn_world({"S#G"}), 0.5)),
+              2 * (4 * 0.5 + 4 * std::sqrt(0.5)) / 8 / 3, 1e-9);
+}
+
+TEST(DynamicDensity, IsZeroWhereNothingMoves) {
+  EXPECT_DOUBLE_EQ(value_of("dynamic_density", context_of(drawn_world(kBlocks))), 0);
+}
+
+}  // namespace
+}  // namespace slalom
