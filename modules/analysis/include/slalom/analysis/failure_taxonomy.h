@@ -1,0 +1,38 @@
+#pragma once
+
+#include <slalom/analysis/bins.h>
+#include <slalom/analysis/cell.h>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// How often one outcome came in a group of runs.
+struct OutcomeShare {
+  std::string outcome;
+  std::vector<std::size_t> runs;     ///< places in the results
+  double share = 0;                  ///< of the group's runs
+  std::optional<Interval> interval;  ///< Wilson, with the effective number of runs
+};
+
+/// The runs of one method in one bin.
+struct OutcomeGroup {
+  std::string method;
+  Bin bin;
+  std::size_t n = 0;
+  std::vector<OutcomeShare> outcomes;  ///< in the order of FailureTaxonomy::outcomes
+};
+
+struct FailureTaxonomy {
+  QuantityInfo descriptor;            ///< of the bins; "all" where there is one
+  std::vector<std::string> outcomes;  ///< all that occur: success first, the others by name
+  std::vector<OutcomeGroup> groups;   ///< methods outermost
+  std::size_t left_out = 0;           ///< runs outside all bins, or without a value
+  double confidence = 0.95;
+};
+
+FailureTaxonomy build_failure_taxonomy(const RunColumns& table, const BinSpec& spec,
+                                       const AnalysisOptions& options);
+
+}  // namespace slalom

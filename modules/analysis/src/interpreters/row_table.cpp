@@ -1,0 +1,82 @@
+#include "row_table.h"
+
+#include <slalom/analysis/cross_table.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+Field field_of(const std::optional<double>& number) {
+  return number ? Field{*number} : Field{};
+}
+
+}  // namespace
+
+void RowTable::begin_row() {
+  rows_.emplace_back();
+}
+
+void RowTable::add(const std::string& column, Field field) {
+  const std::size_t place = rows_.back().size();
+  if (place == columns_.size()) columns_.push_back(column);
+  rows_.back().push_back(std::move(field));
+}
+
+void RowTable::add(const std::string& column, const std::optional<double>& number) {
+  add(column, field_of(number));
+}
+
+void RowTable::add(const std::string& column, std::size_t count) {
+  add(column, Field{static_cast<std::int64_t>(count)});
+}
+
+void RowTable::add(const std::string& column, const std::optional<double>& estimate,
+                   const std::optional<Interval>& interval) {
+  add(column, field_of(estimate));
+  add(column + ".low", interval ? Field{interval->low} : Field{});
+  add(column + ".high", interval ? Field{interval->high} : Field{});
+}
+
+void RowTable::add_cell(const std::string& column, const Cell& cell) {
+  add(column, cell.estimate, cell.interval);
+  add(column + ".sd", cell.deviation);
+  add(column + ".median", cell.median);
+  add(column + ".iqm", cell.interquartile_mean);
+  add(column + ".n", cell.n);
+  add(column + ".na", cell.n - cell.available);
+  add(column + ".failures", cell.failures);
+  std::vector<std::string> reasons;
+  for (const auto& [reason, n] : cell.na) reasons.push_back(std::to_string(n) + " " + reason);
+  add(column + ".na_reasons", Field{join(reasons, "; ")});
+  add(column + ".empty", Field{why_empty(cell)});
+}
+
+void RowTable::add_runs(const RunColumns& table, const std::vector<std::size_t>& runs) {
+  std::string ids;
+  for (const std::size_t run : runs) ids += (ids.empty() ? "" : " ") + run_id(table, run);
+  add("runs", Field{ids});
+}
+
+DataTable RowTable::table() const {
+  const auto rows = std::make_shared<std::vector<std::vector<Field>>>(rows_);
+  return {name_, title_, columns_, rows_.size(), [rows](std::size_t row, std::size_t column) {
+            return column < (*rows)[row].size() ? (*rows)[row][column] : Field{};
+          }};
+}
+
+std::string why_empty(const Cell& cell) {
+  if (cell.estimate) return "";
+  if (cell.n == 0) return "no runs";
+  std::vector<std::string> reasons;
+  for (const auto& [reason, n] : cell.na) reasons.push_back(std::to_string(n) + " " + reason);
+  return "no values: " + join(reasons, "; ");
+}
+
+std::vector<std::string> asked_methods(const RunColumns& table, const std::string& method) {
+  if (method.empty()) return table.methods;
+  return {table.methods[place_of_method(table, method)]};
+}
+
+}  // namespace slalom
