@@ -2,6 +2,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/scenario/grid_map.h>
 
 #include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/maps/CSimpleMap.h>
@@ -57,11 +58,19 @@ struct GridHead {
   float x_min, x_max, y_min, y_max, resolution;  // m
 };
 
+/// The head and where the cells begin.
+struct GridFile {
+  GridHead head;
+  std::size_t cells_at;     ///< bytes
+  bool cells_are_readable;  ///< one byte each, in a version whose order is known
+};
+
 /// MRPT takes memory for whatever number of cells a file announces (counted in 32 bits), and again
 /// for those that extent and resolution make, so the head of the file is looked at first: the
 /// length of the class name and the name, version and bits of a cell (one byte each), then a
-/// GridHead. nullopt for other kinds of files, which are left to MRPT to refuse.
-std::optional<GridHead> read_grid_head(const std::string& path, const std::string& expected) {
+/// GridHead, after which come the cells. nullopt for other kinds of files, which are left to MRPT
+/// to refuse.
+std::optional<GridFile> read_grid_head(const std::string& path, const std::string& expected) {
   mrpt::io::CFileGZInputStream file;
   open_packed(file, path, expected);
   std::array<char, 256> bytes{};
@@ -71,10 +80,64 @@ std::optional<GridHead> read_grid_head(const std::string& path, const std::strin
   const std::string name(&bytes[1], name_size);
   if (name != "COccupancyGridMap2D" && name != "mrpt::maps::COccupancyGridMap2D")
     return std::nullopt;
-  GridHead head;
-  std::memcpy(&head, &bytes[at],
-              sizeof head);  // MRPT writes, and these machines are, little-endian
-  return head;
+  GridFile result;
+  std::memcpy(&result.head, &bytes[at],
+              sizeof result.head);  // MRPT writes, and these machines are, little-endian
+  constexpr char kOldestKnownVersion = 3, kBits = 8;
+  result.cells_at = at + sizeof result.head;
+  result.cells_are_readable = bytes[at - 2] >= kOldestKnownVersion && bytes[at - 1] == kBits;
+  return result;
+}
+
+/// The next bytes of a packed file, taken piece by piece: no more memory than there is content.
+std::string read_some(mrpt::io::CFileGZInputStream& file, std::size_t count) {
+  constexpr std::size_t kPiece = std::size_t{1} << 20;
+  std::string all;
+  while (all.size() < count) {
+    const std::size_t before = all.size(), wanted = std::min(kPiece, count - before);
+    all.resize(before + wanted);
+    const std::size_t got = file.Read(&all[before], wanted);
+    if (got == 0 || got > wanted) {
+      all.resize(before);
+      break;
+    }
+    all.resize(before + got);
+  }
+  return all;
+}
+
+/// MRPT moves the corner of a grid that it reads to a multiple of the resolution, and refuses one
+/// that has another size afterwards.
+bool mrpt_keeps_the_corner(const GridHead& head) {
+  const auto is_multiple = [&head](double length) {
+    const double cells = length / head.resolution;
+    return std::abs(cells - std::round(cells)) < 1e-3;
+  };
+  return is_multiple(head.x_min) && is_multiple(head.y_min);
+}
+
+/// The cells of a grid whose corner MRPT would move, as they are in the file.
+COccupancyGridMap2D read_cells(const std::string& path, const std::string& expected,
+                               const GridFile& grid) {
+  mrpt::io::CFileGZInputStream file;
+  open_packed(file, path, expected);
+  read_some(file, grid.cells_at);
+  const GridHead& head = grid.head;
+  const std::size_t count = std::size_t{head.size_x} * head.size_y;
+  const std::string cells = read_some(file, count);
+  if (cells.size() < count)
+    throw file_error(
+        path,
+        "ends after " + std::to_string(cells.size()) + " of " + std::to_string(count) + " cells",
+        expected);
+  constexpr std::size_t kMostOptions = 1U << 16;  // MRPT's options come after the cells
+  if (read_some(file, kMostOptions).empty())
+    throw file_error(path, "ends after its cells", expected);
+  auto map = make_grid_map(static_cast<int>(head.size_x), static_cast<int>(head.size_y),
+                           head.resolution, {head.x_min, head.y_min});
+  for (std::size_t y = 0; y < head.size_y; ++y)
+    std::memcpy(map.getRow(static_cast<int>(y)), &cells[y * head.size_x], head.size_x);
+  return map;
 }
 
 bool fills(float low, float high, float resolution, std::uint32_t size) {
@@ -133,11 +196,16 @@ void expect_cells(const COccupancyGridMap2D& map, const std::string& path) {
 
 COccupancyGridMap2D read_gridmap(const std::string& path) {
   const std::string expected = "an MRPT occupancy grid (.gridmap, .gridmap.gz)";
-  if (const auto head = read_grid_head(path, expected)) expect_possible_head(*head, path);
+  const auto grid = read_grid_head(path, expected);
+  if (grid) expect_possible_head(grid->head, path);
+  if (grid && grid->cells_are_readable && !mrpt_keeps_the_corner(grid->head))
+    return read_cells(path, expected, *grid);
   COccupancyGridMap2D map;
   read_archive(path, expected, [&map](auto& archive) { archive >> map; });
   expect_cells(map, path);
-  return map;
+  const bool same =
+      !grid || (map.getXMin() == grid->head.x_min && map.getYMin() == grid->head.y_min);
+  return same || !grid->cells_are_readable ? map : read_cells(path, expected, *grid);
 }
 
 COccupancyGridMap2D read_simplemap(const std::string& path, double resolution) {

@@ -1,4 +1,5 @@
 #include "map_readers.h"
+#include "turned_grid.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -84,9 +85,6 @@ class RosMapReader {
     if (origin.size() == 3) map.yaw = number("origin", origin[2]);
     if (!std::isfinite(static_cast<float>(map.x)) || !std::isfinite(static_cast<float>(map.y)))
       throw broken(origin, "origin is too far away", "[x, y, yaw] in metres");
-    if (map.yaw != 0)
-      throw broken(origin, "the origin is turned by " + format_number(map.yaw) + " rad",
-                   "a map with yaw 0: turn its image first");
   }
 
   const YAML::Node& root_;
@@ -133,7 +131,7 @@ mrpt::maps::COccupancyGridMap2D read_ros_map(const std::string& path) {
   for (int row = 0; row < image.height; ++row)
     for (int x = 0; x < image.width; ++x, ++i)
       map.setCell(x, image.height - 1 - row, free_probability(ros, image.pixels[i]));
-  return map;
+  return ros.yaw == 0 ? map : turned_grid(map, ros.yaw, path);
 }
 
 }  // namespace slalom

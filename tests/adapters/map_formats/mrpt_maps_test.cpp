@@ -146,6 +146,35 @@ TEST(ReadGridmap, RefusesAFileThatEndsTooEarly) {
   }
 }
 
+/// A grid whose corner is no multiple of its resolution, as another program may place it.
+std::string odd_grid(const MapFolder& folder) {
+  auto map = make_grid_map(7, 5, 0.3, {0.1, -0.95});
+  map.setCell(2, 3, 0.0F);
+  return archived(folder, map, "odd.gridmap.gz");
+}
+
+TEST(ReadGridmap, LeavesACornerWhereItIsThoughMrptWouldMoveIt) {
+  const MapFolder folder;
+  const auto map = load_occupancy_grid(odd_grid(folder));
+  EXPECT_EQ(map.getSizeX(), 7U);
+  EXPECT_EQ(map.getSizeY(), 5U);
+  EXPECT_EQ(map.getXMin(), 0.1F);
+  EXPECT_EQ(map.getYMin(), -0.95F);
+  EXPECT_LT(map.getCell(2, 3), 0.1F);
+  EXPECT_GT(map.getCell(3, 2), 0.9F);
+}
+
+TEST(ReadGridmap, RefusesAnOddGridThatEndsTooEarly) {
+  const MapFolder folder;
+  const std::string plain = unpacked(odd_grid(folder));
+  const auto cut = [&](std::size_t size) {
+    return refusal(folder.write("cut.gridmap", plain.substr(0, size)));
+  };
+  EXPECT_TRUE(has(cut(cells_at(plain) + 34), "ends after 34 of 35 cells; expected an MRPT"));
+  EXPECT_TRUE(has(cut(cells_at(plain) + 35), "ends after its cells; expected an MRPT"))
+      << cut(cells_at(plain) + 35);
+}
+
 TEST(ReadGridmap, RefusesACorruptGzStream) {
   const MapFolder folder;
   std::string packed = bytes_of_file(kRadioMap);

@@ -101,12 +101,6 @@ TEST(RosMap, FindsItsImageBesideItselfOrByAbsolutePath) {
   EXPECT_EQ(read_ros_map(yaml).getSizeX(), 3U);
 }
 
-TEST(RosMap, RefusesATurnedOrigin) {
-  EXPECT_EQ(refusal("image: map.pgm\nresolution: 0.5\norigin: [0, 0, 1.5]\n"),
-            "map.yaml:3: the origin is turned by 1.5 rad; expected a map with yaw 0: turn its "
-            "image first");
-}
-
 TEST(RosMap, NamesTheKeyThatIsMissing) {
   EXPECT_EQ(refusal("resolution: 0.5\norigin: [0, 0, 0]\n"),
             "map.yaml:1: key 'image' is missing; expected a ROS map_server YAML");

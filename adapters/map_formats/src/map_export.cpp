@@ -1,0 +1,66 @@
+#include "map_writers.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/io/png_scene.h>
+#include <slalom/io/result_file.h>
+#include <slalom/io/scenario_yaml.h>
+#include <slalom/io/svg_scene.h>
+
+namespace slalom {
+namespace {
+
+void write_yaml(const Scenario& scenario, const MapExportOptions& /*options*/,
+                const std::string& path) {
+  write_file_atomically(path, scenario_to_yaml(scenario));
+}
+
+void write_svg(const Scenario& scenario, const MapExportOptions& /*options*/,
+               const std::string& path) {
+  write_file_atomically(path, render_svg(scenario, {}));
+}
+
+void write_png(const Scenario& scenario, const MapExportOptions& /*options*/,
+               const std::string& path) {
+  SceneOptions options;
+  options.max_pixels = 800;
+  render_png(scenario, options, path);
+}
+
+bool ends_in(const std::string& text, const std::string& end) {
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+}  // namespace
+
+const std::vector<ExportFormat>& export_formats() {
+  static const std::vector<ExportFormat> formats = {
+      {"yaml", ".yaml", "the scenario as YAML, whole", write_yaml},
+      {"ros", ".yaml", "ROS map_server YAML with a PGM", write_ros_map},
+      {"mrpt", ".gridmap.gz", "MRPT occupancy grid", write_mrpt_map},
+      {"mvsim", ".world.xml", "mvsim world with an occupancy grid", write_mvsim_world},
+      {"svg", ".svg", "picture", write_svg},
+      {"png", ".png", "picture", write_png},
+  };
+  return formats;
+}
+
+void export_scenario(const Scenario& scenario, const std::string& format,
+                     const MapExportOptions& options, const std::string& path) {
+  std::vector<std::string> names;
+  for (const ExportFormat& known : export_formats()) {
+    names.push_back(known.name);
+    if (known.name != format) continue;
+    if (!ends_in(path, known.ending))
+      throw usage_error(path, "is no file of the format " + format, "a name with " + known.ending);
+    known.write(scenario, options, path);
+    return;
+  }
+  throw usage_error("format", "'" + format + "' is unknown", "one of " + join(names, ", "));
+}
+
+std::string without_ending(const std::string& path, const std::string& ending) {
+  return ends_in(path, ending) ? path.substr(0, path.size() - ending.size()) : path;
+}
+
+}  // namespace slalom

@@ -1,0 +1,111 @@
+#include "map_readers.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/map_formats/point_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace slalom {
+namespace {
+
+constexpr std::uint64_t kMaxBytes = 1U << 30;
+constexpr double kFarthest = 1e6;  ///< m: single precision keeps less than a decimetre there
+constexpr char kExpected[] = "x y or x y z, in m";
+
+class PointLines {
+ public:
+  PointLines(const std::string& text, const std::string& where, const PointMapOptions& options)
+      : text_(text), where_(where), options_(options) {}
+
+  mrpt::maps::CSimplePointsMap read() {
+    std::size_t begin = 0;
+    while (begin < text_.size()) {
+      const std::size_t end = std::min(text_.find('\n', begin), text_.size());
+      ++line_;
+      take(text_.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    if (map_.empty()) throw file_error(where_, "holds no points", kExpected);
+    return std::move(map_);
+  }
+
+ private:
+  void take(std::string line) {
+    line.erase(std::min(line.find_first_of("#%"), line.size()));
+    const std::vector<double> values = numbers(line);
+    if (values.empty() || (values.size() == 1 && !begun_)) {  // a count, in front of all points
+      begun_ = begun_ || !values.empty();
+      return;
+    }
+    begun_ = true;
+    if (values.size() < 2) throw broken("has one number");
+    if (std::abs(values[0]) > kFarthest || std::abs(values[1]) > kFarthest)
+      throw broken("is too far away");
+    const bool at_height =
+        values.size() < 3 || (values[2] >= options_.z_min && values[2] <= options_.z_max);
+    if (at_height)
+      map_.insertPoint(static_cast<float>(values[0]), static_cast<float>(values[1]), 0);
+  }
+
+  std::vector<double> numbers(const std::string& line) const {
+    constexpr char kBetween[] = " \t\r,;";
+    std::vector<double> values;
+    std::size_t at = line.find_first_not_of(kBetween);
+    while (at != std::string::npos) {
+      const std::size_t end = std::min(line.find_first_of(kBetween, at), line.size());
+      double value = 0;
+      if (!parse_number(line.substr(at, end - at), value)) throw broken("has no finite number");
+      values.push_back(value);
+      at = line.find_first_not_of(kBetween, end);
+    }
+    return values;
+  }
+
+  Error broken(const std::string& what) const {
+    return file_error(where_ + ":" + std::to_string(line_), what, kExpected);
+  }
+
+  const std::string& text_;
+  const std::string& where_;
+  const PointMapOptions& options_;
+  mrpt::maps::CSimplePointsMap map_;
+  std::size_t line_ = 0;
+  bool begun_ = false;
+};
+
+}  // namespace
+
+bool is_point_map(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  return ending == ".txt" || ending == ".xyz" || ending == ".pts" || ending == ".csv";
+}
+
+mrpt::maps::CSimplePointsMap parse_point_map(const std::string& text, const std::string& where,
+                                             const PointMapOptions& options) {
+  return PointLines(text, where, options).read();
+}
+
+mrpt::maps::CSimplePointsMap read_point_map(const std::string& path,
+                                            const PointMapOptions& options) {
+  return parse_point_map(read_bytes(path, kMaxBytes), path, options);
+}
+
+Scenario point_map_scenario(const std::string& path, const PointMapOptions& options) {
+  if (!(options.margin > 0) || !std::isfinite(options.margin))
+    throw usage_error(path, "a margin of " + format_number(options.margin) + " m", "a length > 0");
+  const auto map = read_point_map(path, options);
+  const auto& x = map.getPointsBufferRef_x();
+  const auto& y = map.getPointsBufferRef_y();
+  const auto [left, right] = std::minmax_element(x.begin(), x.end());
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  const Bounds bounds{*left - options.margin, *low - options.margin, *right + options.margin,
+                      *high + options.margin};
+  const mrpt::math::TPoint2D corner(bounds.x_min, bounds.y_min);
+  return Scenario::points(std::filesystem::path(path).stem().string(), bounds, map,
+                          {corner.x, corner.y, 0}, corner);
+}
+
+}  // namespace slalom

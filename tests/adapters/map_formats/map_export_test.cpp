@@ -1,0 +1,148 @@
+#include "map_files.h"
+#include "map_readers.h"
+
+#include <slalom/core/random.h>
+#include <slalom/io/scenario_yaml.h>
+#include <slalom/map_formats/map_export.h>
+#include <slalom/map_formats/map_task.h>
+#include <slalom/scenario/grid_map.h>
+#include <slalom/scenario/occupancy.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+Scenario random_grid_scenario(RandomEngine& random) {
+  auto map = make_grid_map(uniform_int(random, 1, 30), uniform_int(random, 1, 30),
+                           uniform_real(random, 0.02, 0.7),
+                           {uniform_real(random, -90, 90), uniform_real(random, -90, 90)});
+  for (int y = 0; y < static_cast<int>(map.getSizeY()); ++y)
+    for (int x = 0; x < static_cast<int>(map.getSizeX()); ++x)
+      if (uniform_int(random, 0, 3) == 0) map.setCell(x, y, 0.0F);
+  const auto within = [&random](double low, double high) {
+    return low + uniform_real(random, 0.1, 0.9) * (high - low);
+  };
+  const double x0 = map.getXMin(), x1 = map.getXMax(), y0 = map.getYMin(), y1 = map.getYMax();
+  return Scenario::grid("place \"a: b\" #" + std::to_string(uniform_int(random, 0, 99)), map,
+                        {within(x0, x1), within(y0, y1), uniform_real(random, -4, 4)},
+                        {within(x0, x1), within(y0, y1)});
+}
+
+Scenario imported(const std::string& path) {
+  const auto task = read_map_task(path);
+  if (!task) throw std::runtime_error("no task beside " + path);
+  return Scenario::grid(task->name, load_occupancy_grid(path), task->start, task->goal);
+}
+
+TEST(MapExport, GivesTheSameContentWhenImportedAgain) {
+  RandomEngine random(21);
+  const MapFolder folder;
+  const std::vector<std::pair<std::string, std::string>> maps = {{"ros", "a.yaml"},
+                                                                 {"mrpt", "b.gridmap.gz"}};
+  for (int round = 0; round < 60; ++round) {
+    const Scenario scenario = random_grid_scenario(random);
+    for (const auto& [format, name] : maps) {
+      export_scenario(scenario, format, {}, folder.path(name));
+      const Scenario again = imported(folder.path(name));
+      ASSERT_EQ(again.hash(), scenario.hash()) << format;
+      ASSERT_EQ(again.name(), scenario.name());
+    }
+    export_scenario(scenario, "yaml", {}, folder.path("c.scenario.yaml"));
+    ASSERT_EQ(load_scenario_yaml(folder.path("c.scenario.yaml")).hash(), scenario.hash());
+  }
+}
+
+Scenario disc_scenario() {
+  Primitives obstacles;
+  obstacles.discs.push_back({{2, 1.5}, 0.4});
+  return Scenario::continuous("disc -- & <one>", {0, 0, 4, 3}, obstacles, {0.5, 0.5, M_PI / 2},
+                              {3.5, 2.5});
+}
+
+TEST(MapExport, MakesCellsOfOtherRepresentations) {
+  const MapFolder folder;
+  MapExportOptions options;
+  options.resolution = 0.25;
+  for (const std::string format : {"ros", "mrpt"}) {
+    const std::string path = folder.path(format == "ros" ? "d.yaml" : "d.gridmap.gz");
+    export_scenario(disc_scenario(), format, options, path);
+    EXPECT_EQ(imported(path).hash(), convert(disc_scenario(), Representation::Grid, 0.25).hash());
+  }
+}
+
+TEST(MapExport, BuildsTheWallRoundAnMvsimWorld) {
+  const MapFolder folder;
+  MapExportOptions options;
+  options.resolution = 0.25;
+  export_scenario(disc_scenario(), "mvsim", options, folder.path("d.world.xml"));
+  const std::string xml = bytes_of_file(folder.path("d.world.xml"));
+  EXPECT_TRUE(has(xml, "<element class=\"occupancy_grid\">\n    <file>d.gridmap</file>"));
+  EXPECT_TRUE(has(xml, "Slalom scenario disc - - & <one>")) << "no dashes that end a comment";
+  EXPECT_TRUE(has(xml, "0.5 0.5 90\n")) << "degrees";
+  const auto map = load_occupancy_grid(folder.path("d.gridmap"));
+  const Occupancy cells = make_occupancy(disc_scenario(), 0.25);
+  ASSERT_EQ(map.getSizeX(), 18U);  // 4 m are 16 cells, and a wall on either side
+  ASSERT_EQ(map.getSizeY(), 14U);
+  EXPECT_FLOAT_EQ(map.getXMin(), -0.25F);
+  for (int y = 0; y < 14; ++y)
+    for (int x = 0; x < 18; ++x)
+      EXPECT_EQ(map.getCell(x, y) < 0.5F, cells.occupied(x - 1, y - 1)) << x << ' ' << y;
+}
+
+TEST(MapExport, DrawsPictures) {
+  const MapFolder folder;
+  export_scenario(disc_scenario(), "svg", {}, folder.path("d.svg"));
+  EXPECT_TRUE(has(bytes_of_file(folder.path("d.svg")), "<svg"));
+  export_scenario(disc_scenario(), "png", {}, folder.path("d.png"));
+  const GreyImage image = read_grey_image(folder.path("d.png"));
+  EXPECT_EQ(image.width, 800);
+  EXPECT_EQ(image.height, 600);
+  EXPECT_LT(image.pixels[300U * 800U + 400U], 200) << "the disc in the middle";
+  EXPECT_EQ(image.pixels[20U * 800U + 400U], 255);
+}
+
+TEST(MapExport, LeavesNothingHalfDone) {
+  const MapFolder folder;
+  for (const ExportFormat& format : export_formats()) {
+    const std::string path = folder.path("no/such/folder/x" + format.ending);
+    EXPECT_TRUE(has(
+        error_text(Culprit::Job, [&] { export_scenario(disc_scenario(), format.name, {}, path); }),
+        "no/such/folder/x"))
+        << format.name;
+  }
+  for (const ExportFormat& format : export_formats())
+    export_scenario(disc_scenario(), format.name, {}, folder.path("x" + format.ending));
+  for (const auto& file : std::filesystem::directory_iterator(folder.path("")))
+    EXPECT_FALSE(has(file.path().filename().string(), ".tmp")) << file.path();
+}
+
+TEST(MapExport, RefusesUnknownFormatsAndOtherNames) {
+  EXPECT_EQ(error_text(Culprit::Usage,
+                       [] { export_scenario(disc_scenario(), "stl", {}, "/nowhere/d.stl"); }),
+            "format: 'stl' is unknown; expected one of yaml, ros, mrpt, mvsim, svg, png");
+  EXPECT_EQ(error_text(Culprit::Usage,
+                       [] { export_scenario(disc_scenario(), "ros", {}, "/nowhere/d.pgm"); }),
+            "/nowhere/d.pgm: is no file of the format ros; expected a name with .yaml");
+}
+
+TEST(MapTask, StandsBesideItsMap) {
+  EXPECT_EQ(task_path("a/office.gridmap.gz"), "a/office.task.yaml");
+  EXPECT_EQ(task_path("a/office.yaml"), "a/office.task.yaml");
+  EXPECT_FALSE(read_map_task("/nowhere/office.yaml"));
+}
+
+TEST(MapTask, IsRefusedWhereItIsWrong) {
+  const auto refused = [](const std::string& text) {
+    return error_text(Culprit::File, [&] { parse_map_task(text, "t.yaml"); });
+  };
+  EXPECT_TRUE(has(refused("name: a\nstart: [1, 2]\ngoal: [1, 2]\n"), "t.yaml: 'start' has not"));
+  EXPECT_TRUE(has(refused("name: a\nstart: [1, 2, .nan]\ngoal: [1, 2]\n"), "'start' has not"));
+  EXPECT_TRUE(has(refused("name: a\nstart: [1, 2, 3]\n"), "'goal' has not"));
+  EXPECT_TRUE(has(refused("start: [1, 2, 3]\n"), "t.yaml: is no task"));
+  EXPECT_TRUE(has(refused("- 1\n"), "is no task"));
+  EXPECT_TRUE(has(refused("name: [a\n"), "t.yaml:2: is not YAML"));
+}
+
+}  // namespace
+}  // namespace slalom
