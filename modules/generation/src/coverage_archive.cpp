@@ -49,7 +49,7 @@ double CoverageArchive::reach(std::size_t bin) const {
 }
 
 CoverageArchive::Fate CoverageArchive::offer(const Elite& elite, std::size_t aimed_at) {
-  if (elite.bin && open_[*elite.bin]) {
+  if (elite.is_exact && elite.bin && open_[*elite.bin]) {
     if (!is_new(elite)) return Fate::Known;
     hashes_.insert(elite.scenario->hash());
     members_[*elite.bin].push_back(elite);

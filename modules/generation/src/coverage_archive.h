@@ -15,6 +15,7 @@ struct Elite {
   std::vector<GeneratedValue> values;
   std::vector<double> point;  ///< the values, in descriptor space
   std::optional<std::size_t> bin;
+  bool is_exact = true;  ///< false: values on coarse cells, good enough for a parent only
   ScenarioSketch sketch;
 };
 

@@ -10,8 +10,8 @@
 namespace slalom {
 namespace {
 
-/// Cells beyond which a path is sought on coarser ones first.
-constexpr std::size_t kManyCells = 250'000;
+/// Cells beyond which a scenario is looked at on coarser ones first.
+constexpr double kManyCells = 400'000;
 
 int cost_of(const std::string& id) {
   if (id == "density") return 0;
@@ -30,17 +30,6 @@ KnownPath find_path(const World& world, double robot_radius) {
   std::string reason;
   const auto found = exact_shortest_path(problem_in(world, robot_radius), kGap, reason);
   return found ? KnownPath{found->path, found->length, ""} : KnownPath{{}, 0, reason};
-}
-
-/// A path on cells k times as large. Those hold all the small ones that are occupied, so it is free
-/// among these too; `is_free` checks it all the same.
-bool has_path_on_coarse_cells(const World& world, double robot_radius) {
-  const double cells = static_cast<double>(world.occupancy().cells().size());
-  const double times = std::ceil(std::sqrt(cells / static_cast<double>(kManyCells)));
-  const World coarse(world.scenario(), world.requested_resolution() * times);
-  std::string reason;
-  const auto found = exact_shortest_path(problem_in(coarse, robot_radius), 1, reason, 1);
-  return found && is_free(world, found->path, robot_radius);
 }
 
 }  // namespace
@@ -65,13 +54,36 @@ std::optional<Elite> CandidateEvaluation::evaluate(const Proposal& proposal,
   const std::optional<Scenario> scenario = make(proposal, engine);
   if (!scenario || !keeps_limits(*scenario)) return std::nullopt;
   const World world(*scenario, task_.resolution);
+  if (const double times = coarseness(*scenario); times > 1)
+    return evaluate_large(world, times, proposal, archive);
   Elite elite;
-  if (!measure(world, proposal, archive, elite) || !is_certified(world)) return std::nullopt;
-  elite.scenario = std::make_shared<const Scenario>(*scenario);
-  elite.seed = proposal.seed;
-  elite.bin = bins_.find(elite.point);
+  if (!measure({world, world}, proposal, archive, elite) || !is_certified(world))
+    return std::nullopt;
   elite.sketch = sketch(world);
   return elite;
+}
+
+/// Cells that are a whole number of times as large, on the same corner, hold all the small ones
+/// that are occupied: a path that is free among them is free among the small ones.
+std::optional<Elite> CandidateEvaluation::evaluate_large(const World& world, double times,
+                                                         const Proposal& proposal,
+                                                         const CoverageArchive& archive) const {
+  const World coarse(world.scenario(), task_.resolution * times);
+  Elite elite;
+  if (!measure({world, coarse}, proposal, archive, elite) || !is_certified(coarse))
+    return std::nullopt;
+  elite.is_exact = false;
+  if (!elite.bin || !archive.is_open(*elite.bin)) return elite;
+  if (!measure({world, world}, proposal, archive, elite)) return std::nullopt;
+  elite.is_exact = true;
+  elite.sketch = sketch(world);
+  return elite;
+}
+
+double CandidateEvaluation::coarseness(const Scenario& scenario) const {
+  if (scenario.representation() != Representation::Continuous) return 1;
+  const double cells = scenario.bounds().area() / (task_.resolution * task_.resolution);
+  return std::ceil(std::sqrt(cells / kManyCells));
 }
 
 std::optional<Scenario> CandidateEvaluation::make(const Proposal& proposal,
@@ -105,16 +117,17 @@ bool CandidateEvaluation::keeps_limits(const Scenario& scenario) const {
          limits_.max_obstacles;
 }
 
-bool CandidateEvaluation::measure(const World& world, const Proposal& proposal,
+bool CandidateEvaluation::measure(const Models& models, const Proposal& proposal,
                                   const CoverageArchive& archive, Elite& elite) const {
-  const DescriptorContext context{
-      world, Footprint::disc(task_.robot_radius), task_.sensor_range,
-      search_once([&] { return find_path(world, task_.robot_radius); })};
+  const PathSource path = search_once([&] { return find_path(models.rest, task_.robot_radius); });
   elite.values.resize(order_.size());
   elite.point.resize(order_.size());
   bool may_fit = true;
   double distance = 0;
   for (const std::size_t axis : order_) {
+    const bool is_cheap = cost_of(plan_.axes[axis].id) == 0;
+    const DescriptorContext context{is_cheap ? models.cells : models.rest,
+                                    Footprint::disc(task_.robot_radius), task_.sensor_range, path};
     const Value value = descriptors_[axis]->compute(context);
     if (value.is_na()) return false;
     const QuantityInfo info = descriptors_[axis]->info();
@@ -125,16 +138,15 @@ bool CandidateEvaluation::measure(const World& world, const Proposal& proposal,
     distance += bins_.gap(proposal.target, axis, value.number());
     if (!may_fit && distance >= archive.reach(proposal.target)) return false;
   }
-  const auto bin = bins_.find(elite.point);
-  return (bin && archive.is_open(*bin)) || distance < archive.reach(proposal.target);
+  elite.scenario = std::make_shared<const Scenario>(models.cells.scenario());
+  elite.seed = proposal.seed;
+  elite.bin = bins_.find(elite.point);
+  return (elite.bin && archive.is_open(*elite.bin)) || distance < archive.reach(proposal.target);
 }
 
 bool CandidateEvaluation::is_certified(const World& world) const {
   const PlanningProblem problem = problem_in(world, task_.robot_radius);
   if (is_free(world, {problem.start, problem.goal}, task_.robot_radius)) return true;
-  if (world.occupancy().cells().size() > kManyCells &&
-      world.scenario().representation() == Representation::Continuous)
-    return has_path_on_coarse_cells(world, task_.robot_radius);
   std::string reason;
   return exact_shortest_path(problem, 1, reason).has_value();
 }

@@ -18,7 +18,8 @@ struct Proposal {
 };
 
 /// Makes candidates and measures them: descriptors from the cheapest on, ending as soon as the
-/// candidate is of no use, then the certificate. Safe to use from several threads.
+/// candidate is of no use, then the certificate. Large floors are looked at on coarse cells first;
+/// what is kept as found is always measured on the true ones. Safe to use from several threads.
 class CandidateEvaluation {
  public:
   CandidateEvaluation(const CoveragePlan& plan, const CoverageTask& task, const CoverageBins& bins);
@@ -28,9 +29,19 @@ class CandidateEvaluation {
   std::optional<Elite> evaluate(const Proposal& proposal, const CoverageArchive& archive) const;
 
  private:
+  /// What is to be measured where: `cells` for density, which costs little, `rest` for the others.
+  struct Models {
+    const World& cells;
+    const World& rest;
+  };
+
   std::optional<Scenario> make(const Proposal& proposal, RandomEngine& engine) const;
   bool keeps_limits(const Scenario& scenario) const;
-  bool measure(const World& world, const Proposal& proposal, const CoverageArchive& archive,
+  /// How many times larger the cells are on which a scenario is looked at first.
+  double coarseness(const Scenario& scenario) const;
+  std::optional<Elite> evaluate_large(const World& world, double times, const Proposal& proposal,
+                                      const CoverageArchive& archive) const;
+  bool measure(const Models& models, const Proposal& proposal, const CoverageArchive& archive,
                Elite& elite) const;
   bool is_certified(const World& world) const;
 

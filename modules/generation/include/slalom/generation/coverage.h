@@ -21,7 +21,7 @@ struct CoverageOptions {
   double min_difference = 0.05;     ///< between any two scenarios, see difference()
   int budget_evaluations = 200000;  ///< candidates looked at, in all
   double budget_time = 0;           ///< s of wall clock, 0: no limit
-  int patience = 2000;              ///< evaluations aimed at a bin since it last got a scenario
+  int patience = 1000;              ///< evaluations aimed at a bin since it last got a scenario
   double fresh_share = 0.2;         ///< share of candidates drawn anew from the families
   double min_floor = 4, max_floor = 40;  ///< m, sides of the floor
   double min_distance = 2;               ///< m, straight from start to goal
