@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
                                slalom::add_make_verbs(app);
                                slalom::add_describe_verb(app);
                                slalom::add_show_verbs(app);
+                               slalom::add_convert_verbs(app);
                                slalom::add_reference_verb(app);
                              });
 }

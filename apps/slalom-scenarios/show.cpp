@@ -5,7 +5,6 @@
 #include <slalom/io/png_scene.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
-#include <slalom/io/scenario_yaml.h>
 #include <slalom/io/svg_scene.h>
 #include <slalom/references/reference.h>
 
@@ -18,7 +17,7 @@ namespace {
 
 struct PictureArguments {
   ListArguments list;
-  std::string output, format = "yaml";
+  std::string output;
   int pixels = 800;
   bool bare = false;
 };
@@ -98,12 +97,6 @@ void render(const PictureArguments& arguments) {
   }
 }
 
-void export_scenario(const PictureArguments& arguments) {
-  const Scenario scenario = chosen(arguments.list);
-  write_file_atomically(arguments.output, arguments.format == "yaml" ? scenario_to_yaml(scenario)
-                                                                     : render_svg(scenario, {}));
-}
-
 void add_id(CLI::App& verb, ListArguments& arguments) {
   verb.add_option("--id", arguments.id, "Id, beginning of it, or name")->required();
 }
@@ -112,7 +105,7 @@ void add_id(CLI::App& verb, ListArguments& arguments) {
 
 void add_show_verbs(CLI::App& app) {
   static ListArguments list, one;
-  static PictureArguments picture, exported;
+  static PictureArguments picture;
   CLI::App* verb = add_list_verb(app, "list", "List ids, representations and names", list);
   verb->add_flag("--json", list.json, "One JSON object per scenario");
   verb->callback([] { list_entries(list); });
@@ -130,14 +123,6 @@ void add_show_verbs(CLI::App& app) {
   verb->add_flag("--bare", picture.bare, "Without reference paths");
   add_robot_options(*verb, picture.list);
   verb->callback([] { render(picture); });
-
-  verb = add_list_verb(app, "export", "Write one scenario to a file", exported.list);
-  add_id(*verb, exported.list);
-  verb->add_option("--format", exported.format, "yaml or svg")
-      ->check(CLI::IsMember({"yaml", "svg"}))
-      ->capture_default_str();
-  verb->add_option("-o,--output", exported.output, "The file")->required();
-  verb->callback([] { export_scenario(exported); });
 }
 
 }  // namespace slalom

@@ -9,8 +9,9 @@ namespace slalom {
 
 /// One function per group of verbs: adds them with their options and what they do to the program.
 void add_make_verbs(CLI::App& app);      ///< generate, import
-void add_show_verbs(CLI::App& app);      ///< list, show, render, export
+void add_show_verbs(CLI::App& app);      ///< list, show, render
 void add_describe_verb(CLI::App& app);   ///< describe
+void add_convert_verbs(CLI::App& app);   ///< convert, export
 void add_reference_verb(CLI::App& app);  ///< reference
 
 /// What verbs that look at one list have in common.
