@@ -2,6 +2,8 @@
 
 #include <slalom/core/error.h>
 
+#include <cctype>
+
 namespace slalom {
 namespace {
 
@@ -51,6 +53,34 @@ bool ScenarioList::Impl::add_tag(const std::string& hash, const std::string& tag
   row->bind(1, hash);
   row->bind(2, tag);
   return row->exec() > 0;
+}
+
+bool ScenarioList::Impl::remove(const std::string& hash) {
+  bool removed = false;
+  for (const char* sql :
+       {"DELETE FROM tags WHERE hash = ?", "DELETE FROM descriptor_values WHERE hash = ?",
+        "DELETE FROM scenarios WHERE hash = ?"}) {
+    StatementUse row = use(sql);
+    row->bind(1, hash);
+    removed = row->exec() > 0;
+  }
+  return removed;
+}
+
+std::string ScenarioList::Impl::content(const std::string& hash) {
+  StatementUse row = use("SELECT content FROM scenarios WHERE hash = ?");
+  row->bind(1, hash);
+  if (!row->executeStep()) throw file_error(path, "has no scenario " + hash);
+  return row->getColumn(0).getString();
+}
+
+std::vector<std::string> ScenarioList::Impl::names() {
+  return reading(path, [&] {
+    std::vector<std::string> names;
+    StatementUse rows = use("SELECT name FROM scenarios ORDER BY position");
+    while (rows->executeStep()) names.push_back(rows->getColumn(0).getString());
+    return names;
+  });
 }
 
 void check_tag(const std::string& tag) {

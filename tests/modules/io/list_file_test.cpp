@@ -1,0 +1,178 @@
+#include "error_text.h"
+#include "list_sample.h"
+
+#include <slalom/io/result_file.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace slalom {
+namespace {
+
+std::size_t files_in(const TemporaryFolder& folder) {
+  const std::filesystem::directory_iterator files(folder / "");
+  return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+}
+
+TEST(ListFile, TakesTheOldOnesPlaceOnlyWhenItIsWhole) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  std::vector<SampleRow> rows;
+  sample_list(path, 5, 1, rows);
+  const std::string before = dump_list(path);
+  EXPECT_THROW(ScenarioList::write(path,
+                                   [&](ScenarioList& list) {
+                                     list.add(sample_scenario(1));
+                                     EXPECT_EQ(dump_list(path), before);
+                                     throw std::runtime_error("no more");
+                                   }),
+               std::runtime_error);
+  EXPECT_EQ(dump_list(path), before);
+  EXPECT_EQ(files_in(folder), 1U) << "nothing is left lying about";
+  ScenarioList::write(path, [](ScenarioList& list) { list.add(sample_scenario(1)); });
+  EXPECT_EQ(ScenarioList::open(path).size(), 1U);
+  EXPECT_EQ(files_in(folder), 1U);
+}
+
+TEST(ListFile, AProgramWhoseFileWasReplacedDoesNotWrite) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  std::vector<SampleRow> rows;
+  ScenarioList list = sample_list(path, 5, 1, rows);
+  ScenarioList::create(path);
+  EXPECT_NE(error_text(Culprit::Job, [&] { list.add(sample_scenario(7)); })
+                .find("was replaced by another program; expected that the list is opened again"),
+            std::string::npos);
+  std::filesystem::remove(path);
+  EXPECT_NE(error_text(Culprit::Job, [&] { list.remove(rows[0].hash); }).find("was removed"),
+            std::string::npos);
+}
+
+TEST(ListFile, WhatAnotherProgramWroteIsSeen) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  std::vector<SampleRow> rows;
+  ScenarioList list = sample_list(path, 5, 1, rows);
+  ScenarioList other = ScenarioList::open(path);
+  EXPECT_EQ(other.size(), 5U);
+  list.remove(rows[0].hash);
+  EXPECT_EQ(other.size(), 4U);
+  other.add(sample_scenario(77));
+  EXPECT_EQ(list.entries().back().hash, sample_scenario(77).hash());
+}
+
+TEST(ListFile, IsSavedUnderAnotherName) {
+  const TemporaryFolder folder;
+  std::vector<SampleRow> rows;
+  ScenarioList list = sample_list(folder / "a.scenarios", 20, 1, rows);
+  list.create_index({"x", "density", sample_view().at("density"), {0, 1}});
+  list.save_as(folder / "b.scenarios");
+  EXPECT_EQ(dump_list(folder / "b.scenarios"), dump_list(folder / "a.scenarios"));
+  EXPECT_EQ(ScenarioList::open(folder / "b.scenarios").size(), 20U);
+  EXPECT_NE(
+      error_text(Culprit::Job, [&] { list.save_as("/nonexistent/b"); }).find("/nonexistent/b"),
+      std::string::npos);
+}
+
+TEST(ListFile, CopiesComeWithAllThatIsKnown) {
+  const TemporaryFolder folder;
+  std::vector<SampleRow> rows;
+  ScenarioList list = sample_list(folder / "a.scenarios", 20, 1, rows);
+  ScenarioList copy = ScenarioList::create(folder / "b.scenarios");
+  copy.add(sample_scenario(999));
+  // The numbers of keys differ between lists; the values must be found all the same.
+  copy.keep(sample_scenario(999).hash(), "confinement", 1, "resolution=0.05", Value::of(1));
+  list.for_each({}, [&](const auto& entry) { return copy.copy_from(list, entry); });
+  ASSERT_EQ(copy.size(), 21U);
+  for (const auto& entry : list.entries()) {
+    const auto there = copy.find_entry(entry.hash);
+    EXPECT_EQ(there.tags, entry.tags);
+    EXPECT_EQ(there.generator, entry.generator);
+    EXPECT_EQ(there.seed, entry.seed);
+    for (const auto& [id, keys] : sample_view())
+      EXPECT_EQ(copy.find(entry.hash, keys), list.find(entry.hash, keys));
+    EXPECT_FALSE(copy.copy_from(list, entry)) << "it is there";
+  }
+}
+
+TEST(ListFile, OnlyListsAreRemoved) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder / "text", "not a list, and not to be removed by mistake");
+  EXPECT_NE(error_text(Culprit::File, [&] { ScenarioList::remove_file(folder / "text"); }),
+            "(no error)");
+  ScenarioList::create(folder / "a.scenarios");
+  ScenarioList::remove_file(folder / "a.scenarios");
+  EXPECT_EQ(files_in(folder), 1U);
+}
+
+/// A list as the program wrote it before lists had origins, tags and indexes.
+void write_version_1(const std::string& path, int version = 1) {
+  SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  database.exec("PRAGMA application_id = " + std::to_string(0x534c534c));
+  database.exec("PRAGMA user_version = " + std::to_string(version));
+  database.exec(
+      "CREATE TABLE scenarios (position INTEGER PRIMARY KEY, hash TEXT NOT NULL UNIQUE, name TEXT "
+      "NOT NULL, representation TEXT NOT NULL, content BLOB NOT NULL);"
+      "CREATE TABLE descriptors (hash TEXT NOT NULL, id TEXT NOT NULL, version INTEGER NOT NULL, "
+      "parameters TEXT NOT NULL, value REAL, standard_error REAL, reason TEXT, "
+      "PRIMARY KEY (hash, id, version, parameters)) WITHOUT ROWID;"
+      "CREATE TABLE notes (key TEXT PRIMARY KEY, text TEXT NOT NULL);"
+      "INSERT INTO notes VALUES ('origin', 'long ago')");
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    const Scenario scenario = sample_scenario(i, "old_" + std::to_string(i));
+    SQLite::Statement row(database, "INSERT INTO scenarios VALUES (?, ?, ?, 'continuous', ?)");
+    const std::string content = serialize(scenario);
+    row.bind(1, static_cast<int>(10 - i));
+    row.bind(2, scenario.hash());
+    row.bind(3, scenario.name());
+    row.bind(4, content.data(), static_cast<int>(content.size()));
+    row.exec();
+  }
+  SQLite::Statement value(database,
+                          "INSERT INTO descriptors VALUES (?, 'density', 1, 'p=1', ?, NULL, NULL)");
+  value.bind(1, sample_scenario(2).hash());
+  value.bind(2, 0.1 + 0.2);
+  value.exec();
+}
+
+TEST(ListFile, OfVersion1IsBroughtUpToDate) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  write_version_1(path);
+  for (int time = 0; time < 2; ++time) {
+    ScenarioList list = ScenarioList::open(path);
+    ASSERT_EQ(list.size(), 3U);
+    EXPECT_EQ(list.entries()[0].name, "old_3");
+    EXPECT_EQ(list.read(list.entries()[2].hash).hash(), sample_scenario(1).hash());
+    EXPECT_EQ(list.find(sample_scenario(2).hash(), "density", 1, "p=1"), Value::of(0.1 + 0.2));
+    EXPECT_EQ(list.note("origin"), "long ago");
+  }
+  ScenarioList::open(path).save_as(folder / "b.scenarios");
+  EXPECT_EQ(ScenarioList::open(folder / "b.scenarios").size(), 3U);
+}
+
+TEST(ListFile, OfAnotherVersionIsRefusedByItsNumber) {
+  const TemporaryFolder folder;
+  write_version_1(folder / "new.scenarios", 3);
+  EXPECT_NE(error_text(Culprit::File, [&] { ScenarioList::open(folder / "new.scenarios"); })
+                .find("is of version 3; expected a scenario list (.scenarios) of version 2"),
+            std::string::npos);
+  write_version_1(folder / "none.scenarios", 0);
+  EXPECT_NE(error_text(Culprit::File, [&] { ScenarioList::open(folder / "none.scenarios"); })
+                .find("is of version 0"),
+            std::string::npos);
+}
+
+TEST(ListFile, WithTriggersOrViewsIsRefused) {
+  const TemporaryFolder folder;
+  ScenarioList::create(folder / "a.scenarios");
+  SQLite::Database(folder / "a.scenarios", SQLite::OPEN_READWRITE)
+      .exec("CREATE TRIGGER t AFTER INSERT ON tags BEGIN DELETE FROM scenarios; END");
+  EXPECT_NE(error_text(Culprit::File, [&] { ScenarioList::open(folder / "a.scenarios"); })
+                .find("view or trigger 't'"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace slalom
