@@ -1,3 +1,4 @@
+#include "generate.h"
 #include "verbs.h"
 
 #include <slalom/commands/list_command.h>
@@ -9,8 +10,6 @@
 #include <slalom/io/scenario_yaml.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/references/exact_shortest.h>
-#include <slalom/robot/robot_model.h>
-#include <slalom/simulation/simulate.h>
 
 #include <iostream>
 #include <optional>
@@ -18,36 +17,12 @@
 namespace slalom {
 namespace {
 
-struct GenerateArguments {
-  std::string config, output;
-  std::vector<std::string> overrides;
-  int count = 0;
-  std::uint64_t seed = 1;
-  bool quiet = false;
-};
-
 void keep(const std::string& path, std::vector<Scenario> scenarios, const std::string& origin,
           bool quiet) {
   ScenarioList list = ScenarioList::create(path);
   make_add_scenarios(list, std::move(scenarios))->execute();
   list.set_note("origin", origin);
   if (!quiet) std::cerr << path << ": " << list.size() << " scenarios\n";
-}
-
-void generate(const GenerateArguments& arguments) {
-  IniFile ini = IniFile::load(arguments.config);
-  for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
-  ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor",
-                               "odometry", "simulation", "reference", "metrics", "limits", "record",
-                               "analysis", "method.*"});
-  if (arguments.count > 0) ini.set("scenarios", "count", std::to_string(arguments.count));
-  const RobotModel robot = read_robot_model(ini);
-  const auto simulation = read_options<SimulationOptions>(ini, "simulation");
-  const auto progress = make_terminal_progress(arguments.quiet);
-  keep(arguments.output,
-       collect_scenarios(ini, {robot.radius, simulation.resolution, arguments.seed},
-                         load_occupancy_grid, *progress),
-       "seed " + std::to_string(arguments.seed) + "\n" + ini.canonical_text(), arguments.quiet);
 }
 
 struct ImportArguments {
@@ -124,21 +99,6 @@ void import(const ImportArguments& arguments) {
        arguments.quiet);
 }
 
-void add_generate(CLI::App& app) {
-  static GenerateArguments arguments;
-  CLI::App* verb = app.add_subcommand("generate", "Generate scenarios that the robot can solve");
-  verb->add_option("-c,--config", arguments.config, "An .ini with [scenarios] generator = NAME")
-      ->required();
-  verb->add_option("-n,--count", arguments.count, "How many, instead of [scenarios] count")
-      ->check(CLI::PositiveNumber);
-  verb->add_option("--seed", arguments.seed, "Seed")->capture_default_str();
-  verb->add_option("-o,--output", arguments.output, "The list to write (.scenarios)")->required();
-  verb->add_option("--set", arguments.overrides, "Override a key: SECTION.KEY=VALUE")
-      ->allow_extra_args(false);
-  verb->add_flag("--quiet", arguments.quiet, "No progress and no messages");
-  verb->callback([] { generate(arguments); });
-}
-
 void add_import(CLI::App& app) {
   static ImportArguments arguments;
   CLI::App* verb = app.add_subcommand(
@@ -168,7 +128,7 @@ void add_import(CLI::App& app) {
 }  // namespace
 
 void add_make_verbs(CLI::App& app) {
-  add_generate(app);
+  add_generate_verb(app);
   add_import(app);
 }
 

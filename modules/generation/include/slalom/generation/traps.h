@@ -10,7 +10,7 @@ namespace slalom {
 /// Section [generator.traps]: walls that are open towards the start, on the way to the goal.
 struct TrapsOptions {
   double width = 14, height = 10;             ///< m
-  int min_traps = 1, max_traps = 4;           ///< how many, drawn anew for each scenario
+  int min_traps = 2, max_traps = 5;           ///< how many, drawn anew for each scenario
   double min_depth = 1, max_depth = 2.5;      ///< m, inside, of a U; a dead end is twice as deep
   double min_opening = 1.4, max_opening = 3;  ///< m, inside width of a U
   double dead_end_share = 0.4;                ///< share of traps that are dead ends
