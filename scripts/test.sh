@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-scripts/install_packages.sh
+scripts/install_packages.sh --tests
 scripts/check_format.sh
 scripts/build.sh release
 ctest --preset release -j 2

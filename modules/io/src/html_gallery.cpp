@@ -1,5 +1,6 @@
 #include "html_gallery.h"
 #include "html_text.h"
+#include "run_pages.h"
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/core/text.h>
@@ -84,9 +85,10 @@ class FigureWriter {
     const RunRecord& run = table_.runs[index];
     const std::string detail =
         run.outcome_detail.empty() ? "" : " title=\"" + html_escape(run.outcome_detail) + "\"";
-    std::string cells = "<th>" + method_swatch(place_of(run.method)) + html_escape(run.method) +
+    std::string cells = "<th>" + method_swatch(place_of(run.method)) + "<a href=\"" +
+                        html_escape(run_link(run)) + "\">" + html_escape(run.method) +
                         (run.repetition > 0 ? " #" + std::to_string(run.repetition) : "") +
-                        "</th><td" + detail + ">" + outcome_chip(run.outcome) + "</td>";
+                        "</a></th><td" + detail + ">" + outcome_chip(run.outcome) + "</td>";
     for (const Column& column : columns_) {
       const Value value = column_value(table_, index, column);
       cells += value.is_na()

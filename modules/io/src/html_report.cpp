@@ -1,6 +1,7 @@
 #include "html_gallery.h"
 #include "html_tables.h"
 #include "html_text.h"
+#include "run_pages.h"
 
 #include <slalom/analysis/analysis_section.h>
 #include <slalom/analysis/findings.h>
@@ -23,11 +24,12 @@ struct ReportContext {
   std::vector<std::string> methods;
   std::vector<Column> columns;
   Gallery gallery;
+  std::vector<RunGroup>& groups;  ///< grows with each table's cells
 
-  ScenarioLink link() const {
-    return [this](const std::string& hash) {
-      const auto found = gallery.links.find(hash);
-      return found == gallery.links.end() ? "#scenarios" : found->second;
+  RunsLink link() const {
+    return [this](const std::string& title, const std::vector<std::size_t>& runs) {
+      groups.push_back({title, runs});
+      return "runs.html#cell-" + std::to_string(groups.size() - 1);
     };
   }
 };
@@ -62,7 +64,8 @@ std::string overview(const ReportContext& context) {
 }
 
 std::string navigation() {
-  return "<nav><div><a href=\"#summary\">Summary</a><a href=\"#findings\">Findings</a>"
+  return "<nav><div><a href=\"runs.html\">All runs</a><a href=\"#summary\">Summary</a><a "
+         "href=\"#findings\">Findings</a>"
          "<a href=\"#tables\">Cross tables</a><a href=\"#scenarios\">Scenarios</a>"
          "<a href=\"#repeat\">How to repeat it</a></div></nav>\n";
 }
@@ -83,7 +86,8 @@ std::string how_to_read(const ReportContext& context) {
 std::string summary_section(const ReportContext& context) {
   const SummaryTable summary =
       build_summary(context.table, context.options.columns, context.options.analysis);
-  return "<h2 id=\"summary\">Summary</h2>\n" + html_summary_table(summary) + how_to_read(context);
+  return "<h2 id=\"summary\">Summary</h2>\n" +
+         html_summary_table(summary, context.table, context.link()) + how_to_read(context);
 }
 
 std::string findings_of(const CrossTable& table) {
@@ -204,7 +208,7 @@ IniFile campaign_ini(const Manifest& manifest) {
 /// By density where it is known of any scenario.
 std::vector<BinSpec> default_rows(const ResultTable& table) {
   for (const auto& [hash, scenario] : table.scenarios) {
-    if (scenario.descriptors.count("density") > 0) return {parse_bin_spec("density:4")};
+    if (scenario.descriptors.count("density") > 0) return {parse_bin_spec("density:q4")};
   }
   return {BinSpec{}};
 }
@@ -227,7 +231,9 @@ ReportOptions report_options(const ResultTable& table) {
   options.rows = section.rows.empty() ? default_rows(table) : parse_bin_specs(section.rows);
   options.columns = section.columns.empty() ? default_columns(table) : split(section.columns, ',');
   options.analysis.confidence = section.confidence;
-  parse_number(ini.get("robot", "radius").value_or(""), options.robot_radius);
+  options.robot = read_robot_model(ini);
+  options.sensor = read_options<SensorModel>(ini, "sensor");
+  parse_number(ini.get("simulation", "resolution").value_or(""), options.resolution);
   return options;
 }
 
@@ -235,10 +241,18 @@ void write_html_report(const ResultFile& file, const ReportOptions& options,
                        const std::string& directory) {
   const ResultTable table = file.read_table();
   const std::vector<Column> columns = resolve_columns(table, options.columns);
-  const ReportContext context{table, options, method_names(table), columns,
-                              make_gallery(file, table, columns, options.robot_radius)};
+  std::vector<RunGroup> groups;
+  const ReportContext context{table,
+                              options,
+                              method_names(table),
+                              columns,
+                              make_gallery(file, table, columns, options.robot.radius),
+                              groups};
   const std::string index = index_page(context);
   make_directory(directory);
+  write_run_pages({file, table, columns, groups, context.gallery.links, options.robot,
+                   options.sensor, options.resolution},
+                  directory);
   const std::filesystem::path folder(directory);
   for (const Gallery::Page& page : context.gallery.pages) {
     if (page.name.empty()) continue;

@@ -81,6 +81,22 @@ figcaption .swatch { margin-right: 0.3em; }
 dl.values { display: grid; grid-template-columns: auto auto; justify-content: start; gap: 0 0.8rem;
   margin: 0.5rem 0 0; }
 dl.values dt { color: var(--soft); } dl.values dd { margin: 0; font-variant-numeric: tabular-nums; }
+.run { display: grid; grid-template-columns: minmax(0, 3fr) minmax(260px, 2fr); gap: 1.6rem; }
+@media (max-width: 860px) { .run { grid-template-columns: 1fr; } }
+.run .picture svg { max-height: 70vh; }
+.run h2 { margin: 0 0 0.5rem; font-size: 1.05rem; } .run ul + h2 { margin-top: 1.4rem; }
+.controls { display: flex; flex-wrap: wrap; gap: 0.5rem 1rem; align-items: center; max-width: none; }
+.controls input[type=range] { flex: 1; min-width: 9rem; } .controls input[type=search] { width: 18rem; }
+button, select, input[type=search] { font: inherit; color: inherit; background: var(--card);
+  border: 1px solid var(--line); border-radius: 7px; padding: 0.2rem 0.7rem; }
+button { cursor: pointer; } .sortable button { border: 0; padding: 0; background: none; font-weight: 600; }
+.plot { width: 100%; height: auto; display: block; margin: 0.5rem 0; }
+.plot text { font-size: 11px; fill: var(--soft); } .plot .rule { stroke: var(--line); }
+.plot .cursor { stroke: var(--ink); stroke-width: 1; }
+table.values { font-size: 0.83rem; } table.values th, table.values td { padding: 0.16rem 0.4rem; }
+table.values th { font-weight: 400; font-family: ui-monospace, "DejaVu Sans Mono", monospace; }
+[aria-current] { font-weight: 650; } [role=alert] { color: var(--hit); font-weight: 600; }
+a.big { color: inherit; }
 details summary { cursor: pointer; color: var(--soft); font-size: 0.82rem; font-weight: 400; }
 details.runs ul { max-height: 14rem; overflow: auto; font-size: 0.8rem; font-weight: 400; padding: 0.3rem 0; }
 details.runs li { white-space: nowrap; }

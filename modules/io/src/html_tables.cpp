@@ -1,5 +1,6 @@
 #include "html_tables.h"
 #include "html_text.h"
+#include "run_pages.h"
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/core/text.h>
@@ -9,7 +10,7 @@
 namespace slalom {
 namespace {
 
-constexpr std::size_t kMostRunsListed = 500;
+constexpr std::size_t kMostRunsListed = 20;
 
 /// Cells with fewer values get neither shade nor whisker: single runs would set the column's scale.
 bool enough_to_draw(const Cell& cell) {
@@ -62,7 +63,8 @@ std::string whisker(const Cell& cell, const ColumnScale& scale) {
          "\" cy=\"4.5\" r=\"3\"/></svg>";
 }
 
-std::string cell_html(const Cell& cell, const ColumnScale& scale) {
+/// `runs`: the page that lists the cell's runs.
+std::string cell_html(const Cell& cell, const ColumnScale& scale, const std::string& runs) {
   const std::string reasons = html_escape(na_text(scale.column, cell.na));
   const std::string title = reasons.empty() ? "" : " title=\"missing: " + reasons + "\"";
   const std::string support =
@@ -74,8 +76,8 @@ std::string cell_html(const Cell& cell, const ColumnScale& scale) {
   if (scale.column.info.direction != Direction::None && enough_to_draw(cell)) {
     style = " style=\"--g:" + format_fixed(scale.goodness(*cell.estimate), 2) + "\"";
   }
-  return "<td class=\"cell\"" + style + title + ">" +
-         html_element("span", "big", estimate_text(cell, scale.digits)) +
+  return "<td class=\"cell\"" + style + title + ">" + "<a class=\"big\" href=\"" + runs + "\">" +
+         estimate_text(cell, scale.digits) + "</a>" +
          html_element("span", "interval", interval_text(cell, scale.digits)) +
          whisker(cell, scale) + support + "</td>";
 }
@@ -108,19 +110,18 @@ std::string outcome_cell(const MethodSummary& method, const std::vector<std::str
   return "<td>" + html_element("div", "bar", bar) + chips + "</td>";
 }
 
-std::string runs_list(const CrossRow& row, const ResultTable& results, const ScenarioLink& link) {
+/// A few of the runs, and the way to all of them.
+std::string runs_list(const CrossRow& row, const ResultTable& results, const std::string& all) {
   std::string items;
   const std::size_t shown = std::min(row.runs.size(), kMostRunsListed);
   for (std::size_t i = 0; i < shown; ++i) {
     const RunRecord& run = results.runs[row.runs[i]];
-    items += "<li><a href=\"" + html_escape(link(run.scenario_hash)) + "\">" +
+    items += "<li><a href=\"" + html_escape(run_link(run)) + "\">" +
              html_escape(run.scenario_name) + " #" + std::to_string(run.repetition) + "</a> " +
              outcome_chip(run.outcome) + "</li>\n";
   }
-  if (shown < row.runs.size()) {
-    items += "<li>and " + std::to_string(row.runs.size() - shown) +
-             " more, listed by <code>slalom-analyze table --json</code></li>";
-  }
+  if (shown < row.runs.size())
+    items += "<li><a href=\"" + all + "\">all " + count_text(row.runs.size(), "run") + "</a></li>";
   return "<details class=\"runs\"><summary>" + count_text(row.runs.size(), "run") +
          "</summary><ul class=\"plain\">" + items + "</ul></details>";
 }
@@ -140,13 +141,15 @@ std::string na_html(const CrossTable& table) {
 
 std::string cross_table_html(const CrossTable& table, const std::vector<ColumnScale>& scales,
                              const std::string& heading, const ResultTable& results,
-                             const ScenarioLink& link) {
+                             const RunsLink& link) {
   std::string rows;
   for (const CrossRow& row : table.rows) {
+    const std::string runs =
+        link(table.method + ", " + table.descriptor.id + " in " + row.bin.label(), row.runs);
     std::string cells =
-        "<th>" + html_escape(row.bin.label()) + runs_list(row, results, link) + "</th>";
+        "<th>" + html_escape(row.bin.label()) + runs_list(row, results, runs) + "</th>";
     for (std::size_t column = 0; column < scales.size(); ++column) {
-      cells += cell_html(row.cells[column], scales[column]);
+      cells += cell_html(row.cells[column], scales[column], runs);
     }
     rows += "<tr>" + cells + "</tr>\n";
   }
@@ -157,9 +160,18 @@ std::string cross_table_html(const CrossTable& table, const std::vector<ColumnSc
          "</tbody></table>" + na_html(table) + "</div>\n";
 }
 
+std::vector<std::size_t> runs_of(const ResultTable& results, const std::string& method) {
+  std::vector<std::size_t> runs;
+  for (std::size_t i = 0; i < results.runs.size(); ++i) {
+    if (results.runs[i].method == method) runs.push_back(i);
+  }
+  return runs;
+}
+
 }  // namespace
 
-std::string html_summary_table(const SummaryTable& table) {
+std::string html_summary_table(const SummaryTable& table, const ResultTable& results,
+                               const RunsLink& link) {
   std::vector<ColumnScale> scales;
   for (std::size_t column = 0; column < table.columns.size(); ++column) {
     std::vector<const Cell*> cells;
@@ -169,11 +181,12 @@ std::string html_summary_table(const SummaryTable& table) {
   std::string rows;
   for (std::size_t place = 0; place < table.methods.size(); ++place) {
     const MethodSummary& method = table.methods[place];
+    const std::string runs = link("All runs of " + method.method, runs_of(results, method.method));
     std::string cells = "<th class=\"name\">" + method_swatch(place) + html_escape(method.method) +
                         "</th><td>" + std::to_string(method.n) + "</td>" +
                         outcome_cell(method, table.outcomes);
     for (std::size_t column = 0; column < scales.size(); ++column) {
-      cells += cell_html(method.cells[column], scales[column]);
+      cells += cell_html(method.cells[column], scales[column], runs);
     }
     rows += "<tr>" + cells + "</tr>\n";
   }
@@ -182,7 +195,7 @@ std::string html_summary_table(const SummaryTable& table) {
 }
 
 std::string html_cross_tables(const std::vector<CrossTable>& tables, const ResultTable& results,
-                              const std::vector<std::string>& methods, const ScenarioLink& link) {
+                              const std::vector<std::string>& methods, const RunsLink& link) {
   if (tables.empty()) return "";
   std::vector<ColumnScale> scales;
   for (std::size_t column = 0; column < tables.front().columns.size(); ++column) {

@@ -1,7 +1,11 @@
 #include "html_style.h"
 #include "html_text.h"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <cctype>
+#include <cstring>
 
 namespace slalom {
 
@@ -43,6 +47,16 @@ std::string html_page(const std::string& title, const std::string& body) {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          html_escape(title) + "</title>\n<style>" + kReportStyle + "</style>\n</head>\n<body>\n" +
          body + "</body>\n</html>\n";
+}
+
+std::string url_path(const std::string& path) {
+  std::string url;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = byte < 0x80 && (std::isalnum(byte) || std::strchr("-._~/", c) != nullptr);
+    url += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return url;
 }
 
 std::string method_color(std::size_t place) {

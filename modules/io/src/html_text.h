@@ -19,6 +19,9 @@ std::string html_page(const std::string& title, const std::string& body);
 /// colour-blind).
 std::string method_color(std::size_t place);
 
+/// `path` for a link: every byte but letters, digits and "-._~/" percent-encoded.
+std::string url_path(const std::string& path);
+
 /// A small square of that colour.
 std::string method_swatch(std::size_t place);
 

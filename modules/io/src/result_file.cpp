@@ -254,6 +254,10 @@ ResultFile::~ResultFile() = default;
 ResultFile::ResultFile(ResultFile&&) noexcept = default;
 ResultFile& ResultFile::operator=(ResultFile&&) noexcept = default;
 
+const std::string& ResultFile::path() const {
+  return impl_->path;
+}
+
 ResultFile ResultFile::create(const std::string& path, const Manifest& manifest,
                               const std::vector<QuantityInfo>& descriptors,
                               const std::vector<QuantityInfo>& metrics) {

@@ -99,7 +99,8 @@ TEST_F(HtmlReport, IsOnePageThatNeedsNothingElse) {
   write_html_report(file, report_options(file.read_table()), report_folder());
   const std::string page = read("index.html");
   EXPECT_EQ(count(page, "<figure id="), 12u);
-  EXPECT_EQ(std::distance(fs::directory_iterator(report_folder()), fs::directory_iterator()), 1);
+  // index.html, and what shows runs: run.html, runs.html, their two scripts and data/.
+  EXPECT_EQ(std::distance(fs::directory_iterator(report_folder()), fs::directory_iterator()), 6);
   EXPECT_EQ(count(page, "<script"), 0u);
   EXPECT_EQ(count(page, " src="), 0u);
   EXPECT_EQ(count(page, "<link"), 0u);
@@ -118,7 +119,7 @@ TEST_F(HtmlReport, EscapesNames) {
   EXPECT_GT(count(page, "&lt;campaign&gt; &amp; co"), 0u);
 }
 
-TEST_F(HtmlReport, LeadsFromEveryCellToScenariosThatAreThere) {
+TEST_F(HtmlReport, LeadsToSectionsThatAreThere) {
   const ResultFile file = make_results(5);
   write_html_report(file, report_options(file.read_table()), report_folder());
   const std::string page = read("index.html");
@@ -128,7 +129,9 @@ TEST_F(HtmlReport, LeadsFromEveryCellToScenariosThatAreThere) {
     targets.insert((*it)[1]);
     EXPECT_EQ(count(page, "id=\"" + (*it)[1].str() + "\""), 1u) << (*it)[1];
   }
-  EXPECT_GE(targets.size(), 5u);
+  EXPECT_GE(targets.size(), 5u);  // summary, findings, tables, scenarios, repeat
+  EXPECT_GT(count(page, "href=\"runs.html#cell-"), 0u);
+  EXPECT_GT(count(page, "href=\"run.html#"), 0u);
 }
 
 TEST_F(HtmlReport, SaysWhatIsMissingAndWhatIsNotShown) {
@@ -145,7 +148,8 @@ TEST_F(HtmlReport, PutsManyPicturesOnPagesOfTheirOwn) {
   EXPECT_EQ(count(read("index.html"), "<figure id="), 0u);
   EXPECT_EQ(count(read("scenarios-1.html"), "<figure id="), 200u);
   EXPECT_EQ(count(read("scenarios-2.html"), "<figure id="), 1u);
-  EXPECT_GT(count(read("index.html"), "href=\"scenarios-2.html#s-"), 0u);
+  EXPECT_EQ(count(read("index.html"), "href=\"scenarios-2.html\""), 1u);
+  EXPECT_GT(count(read("scenarios-2.html"), "href=\"run.html#"), 0u);
 }
 
 TEST_F(HtmlReport, IsTheSameEveryTime) {
@@ -183,7 +187,7 @@ TEST_F(HtmlReport, TakesItsTablesFromTheCampaign) {
   EXPECT_EQ(options.rows.size(), 2u);
   EXPECT_EQ(options.columns, std::vector<std::string>{"spl"});
   EXPECT_DOUBLE_EQ(options.analysis.confidence, 0.9);
-  EXPECT_DOUBLE_EQ(options.robot_radius, 0.4);
+  EXPECT_DOUBLE_EQ(options.robot.radius, 0.4);
 }
 
 TEST_F(HtmlReport, ShowsByDefaultWhatTheResultsHave) {

@@ -27,6 +27,8 @@ class ResultFile {
   ResultFile(ResultFile&&) noexcept;
   ResultFile& operator=(ResultFile&&) noexcept;
 
+  const std::string& path() const;
+
   void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
                     const References& references);
   void add_run(const RunRecord& run, const RunTiming& timing, const Trajectory& trajectory);
