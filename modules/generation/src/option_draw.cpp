@@ -36,8 +36,14 @@ double log_uniform(RandomEngine& engine, double low, double high) {
 /// Writes drawn values for all options that do not stand in the section yet.
 class OptionWriter : public OptionVisitor {
  public:
-  OptionWriter(IniFile& ini, std::string section, double scale, double spread, RandomEngine& engine)
-      : ini_(ini), section_(std::move(section)), scale_(scale), spread_(spread), engine_(engine) {}
+  OptionWriter(IniFile& ini, std::string section, const CoverageOptions& limits, double scale,
+               double spread, RandomEngine& engine)
+      : ini_(ini),
+        section_(std::move(section)),
+        limits_(limits),
+        scale_(scale),
+        spread_(spread),
+        engine_(engine) {}
 
   void option(const std::string& key, double& value, const std::string& unit, const std::string&,
               Range range) override {
@@ -45,7 +51,8 @@ class OptionWriter : public OptionVisitor {
     double drawn = value * (unit == "m" ? scale_ : 1);
     const bool is_share = range.low == 0 && range.high == 1;
     if (is_floor(key)) {
-      drawn *= log_uniform(engine_, 0.8, 1.25);
+      drawn =
+          std::clamp(drawn * log_uniform(engine_, 0.8, 1.25), limits_.min_floor, limits_.max_floor);
     } else if (varies()) {
       drawn = is_share ? uniform_real(engine_, 0, 1) : drawn * factor();
     }
@@ -103,6 +110,7 @@ class OptionWriter : public OptionVisitor {
 
   IniFile& ini_;
   std::string section_;
+  const CoverageOptions& limits_;
   double scale_, spread_;
   RandomEngine& engine_;
   std::map<std::string, double> numbers_;
@@ -142,8 +150,8 @@ std::unique_ptr<Generator> OptionDraw::draw(RandomEngine& engine) const {
   const std::string section = "generator." + family;
   for (const double spread : {0.7, 0.4, 0.2, 0.0}) {
     IniFile ini = section_of(plan_.ini, section);
-    OptionWriter writer(ini, section, draw_scale(plan_.options, family, plan_.ini, engine), spread,
-                        engine);
+    const double scale = draw_scale(plan_.options, family, plan_.ini, engine);
+    OptionWriter writer(ini, section, plan_.options, scale, spread, engine);
     visit_generator_options(family, writer);
     writer.order_limits();
     try {
