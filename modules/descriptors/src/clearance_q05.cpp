@@ -21,8 +21,9 @@ class ClearanceQ05 : public Descriptor {
     const std::vector<float>& distances = context.world.distance_field().centers();
     const FreeHeadings space = free_headings(context);
     std::vector<float> sample;
+    sample.reserve(distances.size());
     for (std::size_t i = 0; i < distances.size(); ++i)
-      sample.insert(sample.end(), space.free[i], distances[i]);
+      for (int heading = 0; heading < space.free[i]; ++heading) sample.push_back(distances[i]);
     if (sample.empty()) return Value::na("the robot stands free nowhere");
     const std::size_t rank = (sample.size() + 19) / 20;  // counted from 1
     const auto quantile = sample.begin() + static_cast<std::ptrdiff_t>(rank - 1);

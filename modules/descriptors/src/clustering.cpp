@@ -1,8 +1,8 @@
 #include "descriptors.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <utility>
 
 namespace slalom {
 namespace {
@@ -10,39 +10,60 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kQuadrats = 8;  ///< along each side of W
 
-/// Occupied area (cells) of the quadrats, as if all were of their mean size.
-std::vector<double> areas_of_quadrats(const Occupancy& cells) {
-  const int columns = std::min(kQuadrats, cells.size_x()),
-            rows = std::min(kQuadrats, cells.size_y());
-  std::vector<double> occupied(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)),
-      all = occupied;
-  for (int cy = 0; cy < cells.size_y(); ++cy)
-    for (int cx = 0; cx < cells.size_x(); ++cx) {
-      const auto column = static_cast<std::size_t>(std::int64_t{cx} * columns / cells.size_x());
-      const auto row = static_cast<std::size_t>(std::int64_t{cy} * rows / cells.size_y());
-      const std::size_t quadrat = row * static_cast<std::size_t>(columns) + column;
-      occupied[quadrat] += cells.occupied(cx, cy) ? 1 : 0;
-      all[quadrat] += 1;
-    }
-  const double mean_size =
-      static_cast<double>(cells.cells().size()) / static_cast<double>(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) occupied[i] *= mean_size / all[i];
+std::size_t count_occupied(const std::uint8_t* first, std::ptrdiff_t count) {
+  std::size_t occupied = 0;
+  for (const std::uint8_t* cell = first; cell != first + count; ++cell) occupied += *cell;
   return occupied;
 }
 
-/// Area (cells) of a disc with the same ratio of area to outline. The outline of cells is a
-/// staircase, 4 / pi times as long as the outline of what looks the same in all directions.
-double area_of_grain(const Occupancy& cells) {
-  double area = 0, sides = 0;
-  for (int cy = 0; cy < cells.size_y(); ++cy)
-    for (int cx = 0; cx < cells.size_x(); ++cx) {
-      if (!cells.occupied(cx, cy)) continue;
-      area += 1;
-      for (const auto& [dx, dy] :
-           {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)})
-        sides += cells.inside(cx + dx, cy + dy) && cells.occupied(cx + dx, cy + dy) ? 0 : 1;
+/// Occupied area (cells) of the quadrats, as if all were of their mean size.
+std::vector<double> areas_of_quadrats(const Occupancy& cells) {
+  const int columns = std::min(kQuadrats, cells.size_x());
+  const int rows = std::min(kQuadrats, cells.size_y());
+  const auto border = [](std::int64_t i, int size, int parts) {
+    return static_cast<int>(i * size / parts);
+  };
+  const double mean_size = static_cast<double>(cells.cells().size()) / (columns * rows);
+  std::vector<double> areas;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const int x0 = border(column, cells.size_x(), columns);
+      const int width = border(column + 1, cells.size_x(), columns) - x0;
+      const int y0 = border(row, cells.size_y(), rows), y1 = border(row + 1, cells.size_y(), rows);
+      std::size_t occupied = 0;
+      for (int y = y0; y < y1; ++y)
+        occupied += count_occupied(cells.cells().data() + cells.index(x0, y), width);
+      areas.push_back(static_cast<double>(occupied) * mean_size /
+                      (static_cast<double>(width) * (y1 - y0)));
     }
-  const double radius = 2 * area / (0.25 * kPi * sides);
+  return areas;
+}
+
+/// How often two runs of cells differ.
+std::size_t count_changes(const std::uint8_t* a, const std::uint8_t* b, std::ptrdiff_t count) {
+  std::size_t changes = 0;
+  for (std::ptrdiff_t i = 0; i < count; ++i) changes += a[i] ^ b[i];
+  return changes;
+}
+
+/// Length (cells) of the staircase around what is occupied, along the border of W too.
+std::size_t outline_of(const Occupancy& cells) {
+  const int size_x = cells.size_x(), size_y = cells.size_y();
+  const auto row = [&](int y) { return cells.cells().data() + cells.index(0, y); };
+  std::size_t sides = count_occupied(row(0), size_x) + count_occupied(row(size_y - 1), size_x);
+  for (int y = 0; y < size_y; ++y) {
+    sides += row(y)[0] + std::size_t{row(y)[size_x - 1]};
+    sides += count_changes(row(y), row(y) + 1, size_x - 1);
+    if (y > 0) sides += count_changes(row(y - 1), row(y), size_x);
+  }
+  return sides;
+}
+
+/// Area (cells) of a disc with the same ratio of area to outline. A staircase is 4 / pi times as
+/// long as the outline that it follows, of what looks the same in all directions.
+double area_of_grain(const Occupancy& cells) {
+  const double outline = 0.25 * kPi * static_cast<double>(outline_of(cells));
+  const double radius = 2 * static_cast<double>(cells.count_occupied()) / outline;
   return kPi * radius * radius;
 }
 

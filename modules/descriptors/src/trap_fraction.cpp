@@ -2,6 +2,7 @@
 #include "descriptors.h"
 
 #include <cstdint>
+#include <cstdlib>
 #include <utility>
 
 namespace slalom {
@@ -33,7 +34,7 @@ class Descent {
  private:
   enum class Fate : std::uint8_t { Unknown, Arrives, Stops };
 
-  bool free(int x, int y) const { return cells_.inside(x, y) && free_[cells_.index(x, y)] != 0; }
+  bool free(int x, int y) const { return free_[cells_.index(x, y)] != 0; }
 
   /// Goes down until the fate is known, which then is that of all cells on the way.
   Fate follow(int x, int y) {
@@ -51,23 +52,17 @@ class Descent {
     return fate_[here];
   }
 
-  /// To the lowest free neighbour that is lower; diagonally only between free side cells.
+  /// To the lowest free neighbour that is lower. Diagonal steps need both side cells free: so one
+  /// that comes nearer in one coordinate only is never lower than the step in that coordinate.
   bool step_down(int& x, int& y) const {
-    const std::int64_t right = x - goal_x_, up = y - goal_y_;
-    std::int64_t lowest = 0;
-    int best_x = 0, best_y = 0;
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        const std::int64_t change = dx * (2 * right + dx) + dy * (2 * up + dy);  // of the square
-        if (change >= lowest || !free(x + dx, y + dy)) continue;
-        if (dx != 0 && dy != 0 && !(free(x + dx, y) && free(x, y + dy))) continue;
-        lowest = change;
-        best_x = dx;
-        best_y = dy;
-      }
-    x += best_x;
-    y += best_y;
-    return lowest < 0;
+    const int right = goal_x_ - x, up = goal_y_ - y;
+    const int dx = right > 0 ? 1 : right < 0 ? -1 : 0, dy = up > 0 ? 1 : up < 0 ? -1 : 0;
+    const bool across = dx != 0 && free(x + dx, y), along = dy != 0 && free(x, y + dy);
+    const bool diagonal = across && along && free(x + dx, y + dy);
+    const bool x_first = across && (!along || std::abs(right) >= std::abs(up));
+    if (diagonal || x_first) x += dx;
+    if (diagonal || (along && !x_first)) y += dy;
+    return across || along;
   }
 
   const Occupancy& cells_;

@@ -19,7 +19,13 @@ std::int64_t doubled_gap(std::int32_t steps) {
   return steps == 0 ? 0 : 2 * std::int64_t{steps} - 1;
 }
 
+/// b > 0. Division in floating point is many times faster than of integers, and as exact: while a
+/// is an exact double, a / b is at least 1 / b below the next integer or is one, which is more than
+/// it is rounded by.
 std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
+  constexpr std::int64_t kExact = std::int64_t{1} << 52;
+  if (a >= 0 && a < kExact)
+    return static_cast<std::int64_t>(static_cast<double>(a) / static_cast<double>(b));
   const std::int64_t quotient = a / b;
   return quotient - (a % b < 0 ? 1 : 0);
 }

@@ -70,12 +70,16 @@ RayCaster::RayCaster(const Occupancy& occupancy)
 void RayCaster::fill(const Occupancy& occupancy, bool left, bool down) {
   std::uint16_t* squares = squares_.data() + plane_of(left, down);
   for (int y = size_y_ - 1; y >= 0; --y) {
-    const int cy = down ? size_y_ - 1 - y : y;
-    for (int x = size_x_ - 1; x >= 0; --x) {
-      if (occupancy.occupied(left ? size_x_ - 1 - x : x, cy)) continue;
-      std::uint16_t* here = squares + index(x, y);
-      const int smallest = std::min({here[1], here[stride_], here[stride_ + 1]});
-      *here = static_cast<std::uint16_t>(std::min(smallest + 1, kLargestSquare));
+    const std::uint8_t* cells = occupancy.cells().data() +
+                                occupancy.index(left ? 0 : size_x_ - 1, down ? size_y_ - 1 - y : y);
+    std::uint16_t* here = squares + index(size_x_ - 1, y);
+    int beside = 0, above_beside = 0;  // kept from step to step: reading them back would wait
+    for (int x = size_x_ - 1; x >= 0; --x, --here, cells += left ? 1 : -1) {
+      const int above = here[stride_];
+      const int side = std::min({beside, above, above_beside}) + 1;
+      above_beside = above;
+      beside = *cells != 0 ? 0 : std::min(side, kLargestSquare);
+      *here = static_cast<std::uint16_t>(beside);
     }
   }
 }

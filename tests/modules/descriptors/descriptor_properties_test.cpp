@@ -1,0 +1,186 @@
+// Laws that hold for every place, on places drawn by RapidCheck.
+#include "small_worlds.h"
+
+#include <slalom/scenario/grid_map.h>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace slalom {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Range {
+  double low, high;
+};
+
+/// Every descriptor of this room but the five of BARN's grids, with what it can be.
+const std::map<std::string, Range> kRanges = {{"density", {0, 1}},
+                                              {"cspace_density", {0, 1}},
+                                              {"clearness", {0, 1}},
+                                              {"clearness_mean_distance", {0, kInfinity}},
+                                              {"confinement", {0, 1}},
+                                              {"confinement_path", {0, 1}},
+                                              {"bottleneck_width", {0.5, kInfinity}},
+                                              {"narrow_fraction", {0, 1}},
+                                              {"clearance_mean", {0.25, kInfinity}},
+                                              {"clearance_q05", {0.25, kInfinity}},
+                                              {"detour_ratio", {1 - 1e-9, kInfinity}},
+                                              {"turn_density", {0, kInfinity}},
+                                              {"trap_fraction", {0, 1}},
+                                              {"obstacle_count", {0, kInfinity}},
+                                              {"clustering", {0, kInfinity}},
+                                              {"occupancy_entropy", {0, 1}},
+                                              {"goal_visibility", {0, 1}},
+                                              {"traversability", {0, kInfinity}},
+                                              {"dynamic_density", {0, 0}}};
+
+/// A hand-sized grid: cells of 0.5 m, start and goal in free corners.
+using Cells = std::vector<std::vector<bool>>;
+
+Cells draw_cells() {
+  const int size_x = *rc::gen::inRange(3, 12), size_y = *rc::gen::inRange(3, 12);
+  Cells cells;
+  for (int y = 0; y < size_y; ++y)
+    cells.push_back(*rc::gen::container<std::vector<bool>>(
+        static_cast<std::size_t>(size_x), rc::gen::weightedElement<bool>({{3, false}, {1, true}})));
+  cells.front().front() = cells.back().back() = false;
+  return cells;
+}
+
+World world_of(const Cells& cells, double x = 0, double y = 0) {
+  const int size_x = static_cast<int>(cells[0].size()), size_y = static_cast<int>(cells.size());
+  mrpt::maps::COccupancyGridMap2D map = make_grid_map(size_x, size_y, 0.5, {x, y});
+  for (int cy = 0; cy < size_y; ++cy)
+    for (int cx = 0; cx < size_x; ++cx)
+      map.setCell(cx, cy,
+                  cells[static_cast<std::size_t>(cy)][static_cast<std::size_t>(cx)] ? 0.0F : 1.0F);
+  return {Scenario::grid("drawn", map, {x + 0.25, y + 0.25, 0},
+                         {x + 0.5 * size_x - 0.25, y + 0.5 * size_y - 0.25}),
+          0.5};
+}
+
+/// The straight way, over whatever lies there: descriptors of paths hold for any path.
+DescriptorContext straight_in(const World& world) {
+  const auto& start = world.scenario().start();
+  return context_with_path(world, {{start.x, start.y}, world.scenario().goal()}, 0.25, 2);
+}
+
+RC_GTEST_PROP(DescriptorProperties, ValuesStayInTheirRanges, ()) {
+  const World world = world_of(draw_cells());
+  const DescriptorContext context = straight_in(world);
+  for (const auto& [id, range] : kRanges) {
+    const Value value = descriptor(id).compute(context);
+    if (value.is_na()) continue;
+    RC_LOG() << id << "\n";
+    RC_ASSERT(value.number() >= range.low - 1e-6);
+    RC_ASSERT(value.number() <= range.high + 1e-12);
+  }
+}
+
+RC_GTEST_PROP(DescriptorProperties, OnlyTheseCanBeMissingInAPlaceThatTheRobotFitsIn, ()) {
+  const World world = world_of(draw_cells());
+  const DescriptorContext context = straight_in(world);
+  for (const auto& [id, range] : kRanges) {
+    if (id == "bottleneck_width" || id == "clustering") continue;  // no way, no obstacles
+    RC_ASSERT(!descriptor(id).compute(context).is_na());
+  }
+}
+
+RC_GTEST_PROP(DescriptorProperties, MovingTheScenarioByWholeCellsChangesNothing, ()) {
+  const Cells cells = draw_cells();
+  const World here = world_of(cells);
+  const World there =
+      world_of(cells, 0.5 * *rc::gen::inRange(-40, 40), 0.5 * *rc::gen::inRange(-40, 40));
+  for (const auto& [id, range] : kRanges) {
+    const Value a = descriptor(id).compute(straight_in(here));
+    const Value b = descriptor(id).compute(straight_in(there));
+    RC_ASSERT(a.is_na() == b.is_na());
+    RC_LOG() << id << "\n";
+    // A ray on the border of two cells may go either way in the sampled ones: a few of 64.
+    const double tolerance = id.find("confinement") == 0 ? 0.02 : 1e-6;
+    if (!a.is_na()) RC_ASSERT(std::abs(a.number() - b.number()) <= tolerance);
+  }
+}
+
+RC_GTEST_PROP(DescriptorProperties, AnObstacleMoreNeverMakesAPlaceEmptierOrClearer, ()) {
+  Cells cells = draw_cells();
+  const World before = world_of(cells);
+  std::vector<std::pair<std::size_t, std::size_t>> candidates;
+  for (std::size_t y = 0; y < cells.size(); ++y)
+    for (std::size_t x = 0; x < cells[0].size(); ++x)
+      if (!cells[y][x] && x + y > 0 && x + y + 2 < cells[0].size() + cells.size())
+        candidates.emplace_back(x, y);
+  RC_PRE(!candidates.empty());
+  const auto [x, y] = *rc::gen::elementOf(candidates);
+  cells[y][x] = true;
+  const World after = world_of(cells);
+  const auto change = [&](const std::string& id) {
+    return value_of(id, straight_in(after)) - value_of(id, straight_in(before));
+  };
+  RC_ASSERT(change("density") > 0);
+  RC_ASSERT(change("cspace_density") > 0);
+  RC_ASSERT(change("narrow_fraction") >= 0);
+  RC_ASSERT(change("goal_visibility") <= 0);
+  RC_ASSERT(change("traversability") <= 1e-9);
+  // Of means over F, which shrinks, only the integral cannot grow.
+  const auto integral = [](const World& world, const std::string& id) {
+    return value_of(id, straight_in(world)) * (1 - value_of("density", straight_in(world)));
+  };
+  for (const std::string id : {"clearness", "clearness_mean_distance"})
+    RC_ASSERT(integral(after, id) < integral(before, id));
+  const Value wide = descriptor("bottleneck_width").compute(straight_in(before));
+  const Value narrow = descriptor("bottleneck_width").compute(straight_in(after));
+  if (!narrow.is_na()) RC_ASSERT(wide.number() >= narrow.number());
+}
+
+RC_GTEST_PROP(DescriptorProperties, ALargerRobotHasLessRoom, ()) {
+  const World world = world_of(draw_cells());
+  double taken = 0, clearance = 0;
+  for (const double radius : {0.1, 0.25, 0.5, 0.75}) {
+    const DescriptorContext context = context_of(world, radius, 2);
+    RC_ASSERT(value_of("cspace_density", context) >= taken);
+    taken = value_of("cspace_density", context);
+    const Value quantile = descriptor("clearance_q05").compute(context);
+    const Value mean = descriptor("clearance_mean").compute(context);
+    if (mean.is_na()) break;
+    RC_ASSERT(mean.number() >= clearance - 1e-9);
+    RC_ASSERT(quantile.number() <= mean.number() + 1e-6);
+    clearance = mean.number();
+  }
+}
+
+RC_GTEST_PROP(DescriptorProperties, APolygonHasRoomBetweenItsInscribedAndItsEnclosingDisc, ()) {
+  const World world = world_of(draw_cells());
+  DescriptorContext context = context_of(world);
+  const double length = 0.01 * *rc::gen::inRange(10, 90), width = 0.01 * *rc::gen::inRange(10, 90);
+  const std::string x = std::to_string(length), y = std::to_string(width);
+  context.robot = Footprint::parse("-" + x + ",-" + y + ";" + x + ",-" + y + ";" + x + "," + y +
+                                   ";-" + x + "," + y);
+  const double polygon = value_of("cspace_density", context);
+  RC_ASSERT(polygon >= value_of("cspace_density", context_of(world, std::min(length, width))));
+  RC_ASSERT(polygon <= value_of("cspace_density", context_of(world, std::hypot(length, width))));
+}
+
+RC_GTEST_PROP(DescriptorProperties, ExactConfinementGrowsWithTheRange, ()) {
+  const World world = world_of(draw_cells());
+  double before = 0;
+  for (const double range : {0.3, 0.5, 1.0, 2.0, 10.0}) {
+    DescriptorContext context = context_of(world, 0.25, range);
+    context.exact_confinement = true;
+    const double value = value_of("confinement", context);
+    RC_ASSERT(value >= before - 1e-12);
+    before = value;
+  }
+  RC_ASSERT(std::abs(before - 1) < 1e-12);  // 10 m reach every wall
+}
+
+}  // namespace
+}  // namespace slalom
