@@ -1,7 +1,9 @@
 #include "generate.h"
+#include "generate_coverage.h"
 
 #include <slalom/commands/keep_generated.h>
 #include <slalom/commands/scenario_sources.h>
+#include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/map_formats/map_import.h>
@@ -18,16 +20,20 @@ struct GenerateArguments {
   std::vector<std::string> overrides;
   int count = 0, jobs = 1;
   std::uint64_t seed = 1;
-  bool quiet = false;
+  bool quiet = false, json = false;
 };
 
 IniFile load_ini(const GenerateArguments& arguments) {
   IniFile ini = IniFile::load(arguments.config);
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
-  ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor",
-                               "odometry", "simulation", "reference", "metrics", "limits", "record",
-                               "analysis", "method.*"});
-  if (arguments.count > 0) ini.set("scenarios", "count", std::to_string(arguments.count));
+  ini.reject_unknown_sections({"campaign", "scenarios", "coverage", "generator.*", "robot",
+                               "sensor", "odometry", "simulation", "reference", "metrics", "limits",
+                               "record", "analysis", "method.*"});
+  if (arguments.count > 0) {
+    const bool fills_bins = ini.has_section("coverage");
+    ini.set(fills_bins ? "coverage" : "scenarios", fills_bins ? "per_bin" : "count",
+            std::to_string(arguments.count));
+  }
   return ini;
 }
 
@@ -52,6 +58,13 @@ SourceContext source_context(const GenerateArguments& arguments, const IniFile& 
 
 void generate(const GenerateArguments& arguments) {
   const IniFile ini = load_ini(arguments);
+  if (ini.has_section("coverage")) {
+    if (!arguments.descriptors.empty())
+      throw usage_error("--describe", "does not go with [coverage]", "descriptors in that section");
+    generate_by_coverage(
+        ini, {arguments.output, arguments.seed, arguments.jobs, arguments.quiet, arguments.json});
+    return;
+  }
   const SourceContext context = source_context(arguments, ini);
   const auto progress = make_terminal_progress(arguments.quiet);
   std::size_t size = 0;
@@ -73,7 +86,9 @@ void add_generate_verb(CLI::App& app) {
   verb->add_option("-c,--config", arguments.config,
                    "An .ini with [scenarios] generator = NAME, or several names")
       ->required();
-  verb->add_option("-n,--count", arguments.count, "How many, instead of [scenarios] count")
+  verb->add_option(
+          "-n,--count", arguments.count,
+          "How many, instead of [scenarios] count; in each bin, instead of [coverage] per_bin")
       ->check(CLI::PositiveNumber);
   verb->add_option("--seed", arguments.seed, "Seed")->capture_default_str();
   verb->add_option("-j,--jobs", arguments.jobs, "Threads; the list is the same for any number")
@@ -84,6 +99,7 @@ void add_generate_verb(CLI::App& app) {
   verb->add_option("-o,--output", arguments.output, "The list to write (.scenarios)")->required();
   verb->add_option("--set", arguments.overrides, "Override a key: SECTION.KEY=VALUE")
       ->allow_extra_args(false);
+  verb->add_flag("--json", arguments.json, "The table of [coverage] as one JSON object");
   verb->add_flag("--quiet", arguments.quiet, "No progress and no messages");
   verb->callback([] { generate(arguments); });
 }

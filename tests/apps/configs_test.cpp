@@ -28,8 +28,10 @@ TEST_F(Configs, EveryExampleOfACampaignRuns) {
 
 TEST_F(Configs, EveryExampleOfGenerationGenerates) {
   for (const auto& path : with_prefix(true)) {
+    const bool fills_bins = read_text(path).find("[coverage]") != std::string::npos;
     const Ended ended =
-        run("slalom-scenarios generate -c '" + path.string() + "' -n 2 -o a.scenarios --quiet");
+        run("slalom-scenarios generate -c '" + path.string() + "' -n 2 -o a.scenarios --quiet" +
+            (fills_bins ? " -j 2 --set coverage.budget_evaluations=60" : ""));
     EXPECT_EQ(ended.status, 0) << path << "\n" << ended.err;
   }
 }
