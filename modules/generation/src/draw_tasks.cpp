@@ -1,5 +1,9 @@
 #include "solvable.h"
 
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/references/exact_shortest.h>
+
 #include <cmath>
 #include <set>
 
@@ -65,15 +69,74 @@ class FreeAreas {
   std::vector<std::size_t> open_;
 };
 
+void expect_range(const char* what, double low, double high, double least) {
+  if (low >= least && low <= high) return;
+  throw usage_error(
+      std::string("pairs with a ") + what + " from " + format_number(low) + " to " +
+          format_number(high),
+      "cannot be", "a first number of at least " + format_number(least) + ", not above the second");
+}
+
+/// What of a pair can be told from its places, and what only from the shortest path.
+class TaskFilter {
+ public:
+  TaskFilter(const World& map, const GenerationTask& task, const TaskLimits& limits)
+      : map_(map), task_(task), limits_(limits) {
+    expect_range("distance", limits.min_distance, limits.max_distance, 0);
+    expect_range("path length", limits.min_length, limits.max_length, 0);
+    expect_range("detour ratio", limits.min_detour, limits.max_detour, 1);
+  }
+
+  /// A path is no shorter than the straight line, and no longer than the largest detour.
+  bool may_fit(const TPoint2D& start, const TPoint2D& goal) const {
+    const double straight = std::hypot(goal.x - start.x, goal.y - start.y);
+    return straight >= limits_.min_distance && straight <= limits_.max_distance &&
+           straight <= limits_.max_length && straight * limits_.max_detour >= limits_.min_length;
+  }
+
+  bool fits(const TPoint2D& start, const TPoint2D& goal, std::string& reason) const {
+    const TaskLimits any;
+    const bool any_path =
+        limits_.min_length <= any.min_length && limits_.max_length >= any.max_length &&
+        limits_.min_detour <= any.min_detour && limits_.max_detour >= any.max_detour;
+    if (any_path) return true;
+    constexpr double kGap = 0.01;
+    const auto path = exact_shortest_path({map_, task_.robot_radius, start, goal}, kGap, reason);
+    if (!path) return false;
+    const double detour = path->length / std::hypot(goal.x - start.x, goal.y - start.y);
+    if (path->length < limits_.min_length || path->length > limits_.max_length) {
+      reason = "the path's length is not the wanted one";
+    } else if (detour < limits_.min_detour || detour > limits_.max_detour) {
+      reason = "the path's detour ratio is not the wanted one";
+    } else {
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  const World& map_;
+  const GenerationTask& task_;
+  const TaskLimits& limits_;
+};
+
 }  // namespace
 
 std::vector<Scenario> draw_tasks(const Scenario& map, const GenerationTask& task,
                                  double min_distance) {
+  TaskLimits limits;
+  limits.min_distance = min_distance;
+  return draw_tasks(map, task, limits);
+}
+
+std::vector<Scenario> draw_tasks(const Scenario& map, const GenerationTask& task,
+                                 const TaskLimits& limits) {
   constexpr double kPi = 3.14159265358979323846;
   constexpr double kMargin = 0.05;  // m, so that the robot does not begin by touching
   constexpr int kDrawsPerAttempt = 1000;
   const World world(map, task.resolution);
   const FreeAreas areas(world, task.robot_radius + kMargin);
+  const TaskFilter filter(world, task, limits);
   const SolvableSearch search(task);
   std::set<std::string> hashes;
   std::vector<Scenario> scenarios;
@@ -81,16 +144,15 @@ std::vector<Scenario> draw_tasks(const Scenario& map, const GenerationTask& task
     const std::string name = scenario_name(task.name_prefix, i);
     RandomEngine engine(derive_seed(task.seed, "pair", static_cast<std::uint64_t>(i)));
     const auto draw = [&](int, std::string& reason) -> std::optional<Scenario> {
-      reason = "no two joined free places that far apart were drawn";
       for (int k = 0; k < kDrawsPerAttempt && !areas.empty(); ++k) {
         const std::size_t a = areas.draw(engine), b = areas.draw(engine);
         const TPoint2D start = areas.center(a), goal = areas.center(b);
-        if (!areas.joined(a, b) || a == b ||
-            std::hypot(goal.x - start.x, goal.y - start.y) < min_distance)
-          continue;
+        if (!areas.joined(a, b) || a == b || !filter.may_fit(start, goal)) continue;
+        if (!filter.fits(start, goal, reason)) return std::nullopt;
         const double heading = uniform_real(engine, -kPi, kPi);
         return map.with_task({start.x, start.y, heading}, goal).renamed(name);
       }
+      reason = "no two joined free places that far apart were drawn";
       return std::nullopt;
     };
     SolvableWorld found = search.find(name, draw);

@@ -49,6 +49,87 @@ TEST(DrawTasks, NeverJoinsRoomsWithoutADoor) {
     EXPECT_EQ(s.start().x < 10, s.goal().x < 10);
 }
 
+double straight(const Scenario& s) {
+  return std::hypot(s.goal().x - s.start().x, s.goal().y - s.start().y);
+}
+
+double shortest(const Scenario& s) {
+  const World world(s, 0.1);
+  std::string reason;
+  return exact_shortest_path({world, 0.25, {s.start().x, s.start().y}, s.goal()}, 0.01, reason)
+      ->length;
+}
+
+TEST(DrawTasks, KeepToARangeOfDistances) {
+  TaskLimits limits;
+  limits.min_distance = 3;
+  limits.max_distance = 3.5;
+  for (const Scenario& s : draw_tasks(two_rooms(true), pairs(20), limits)) {
+    EXPECT_GE(straight(s), 3);
+    EXPECT_LE(straight(s), 3.5);
+  }
+}
+
+TEST(DrawTasks, KeepToARangeOfPathLengths) {
+  TaskLimits limits;
+  limits.min_distance = 0;
+  limits.min_length = 8;
+  limits.max_length = 9;
+  for (const Scenario& s : draw_tasks(two_rooms(true), pairs(10), limits)) {
+    EXPECT_GE(shortest(s), 8);
+    EXPECT_LE(shortest(s), 9);
+  }
+}
+
+TEST(DrawTasks, KeepToARangeOfDetours) {
+  TaskLimits limits;  // a quarter longer than straight: only through the door, past the wall
+  limits.min_distance = 1;
+  limits.min_detour = 1.25;
+  limits.max_detour = 3;
+  for (const Scenario& s : draw_tasks(two_rooms(true), pairs(10), limits)) {
+    EXPECT_GE(shortest(s) / straight(s), 1.25);
+    EXPECT_LE(shortest(s) / straight(s), 3);
+    EXPECT_NE(s.start().x < 10, s.goal().x < 10);
+  }
+}
+
+TEST(DrawTasks, SayThatNoPairIsThatDifficult) {
+  TaskLimits limits;  // without a door nothing stands between two places of one room
+  limits.min_detour = 1.5;
+  GenerationTask task = pairs(1);
+  task.attempts_per_scenario = 5;
+  try {
+    draw_tasks(two_rooms(false), task, limits);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.exit_status(), 1);
+    EXPECT_NE(std::string(e.what()).find("5 times: the path's detour ratio is not the wanted one"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
+TEST(DrawTasks, RefuseLimitsThatContradictThemselves) {
+  const auto refuse = [](const TaskLimits& limits) {
+    try {
+      draw_tasks(two_rooms(true), pairs(1), limits);
+    } catch (const Error& e) {
+      return e.exit_status();
+    }
+    return 0;
+  };
+  TaskLimits limits;
+  limits.max_distance = 3;  // the least is 4
+  EXPECT_EQ(refuse(limits), 2);
+  limits = {};
+  limits.min_length = 5;
+  limits.max_length = 4;
+  EXPECT_EQ(refuse(limits), 2);
+  limits = {};
+  limits.min_detour = 0.5;
+  EXPECT_EQ(refuse(limits), 2);
+}
+
 TEST(DrawTasks, SaysWhyThereAreNone) {
   GenerationTask task = pairs(1);
   task.attempts_per_scenario = 3;

@@ -7,6 +7,7 @@
 #include <slalom/scenario/scenario.h>
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -58,8 +59,20 @@ struct GenerationTask {
 std::vector<Scenario> generate_solvable(const Generator& generator, const GenerationTask& task,
                                         Progress& progress);
 
+/// Which pairs of start and goal are wanted on a map; each from the first to the second number.
+struct TaskLimits {
+  double min_distance = 4, max_distance = std::numeric_limits<double>::infinity();  ///< m, straight
+  double min_length = 0, max_length = std::numeric_limits<double>::infinity();      ///< m, of P*
+  double min_detour = 1, max_detour = std::numeric_limits<double>::infinity();  ///< detour ratio
+};
+
 /// Draws `count` distinct start and goal poses on a map such that the robot can go from one to the
-/// other: straight distance at least `min_distance` (m). Same bounded attempts and error.
+/// other, within the limits. The length of P* is that of the exact search, to 1 %. Same bounded
+/// attempts and error; Error (Usage) for limits that contradict themselves.
+std::vector<Scenario> draw_tasks(const Scenario& map, const GenerationTask& task,
+                                 const TaskLimits& limits);
+
+/// The same with a straight distance of at least `min_distance` (m).
 std::vector<Scenario> draw_tasks(const Scenario& map, const GenerationTask& task,
                                  double min_distance);
 
