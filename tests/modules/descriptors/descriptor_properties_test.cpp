@@ -110,6 +110,18 @@ RC_GTEST_PROP(DescriptorProperties, MovingTheScenarioByWholeCellsChangesNothing,
   }
 }
 
+RC_GTEST_PROP(DescriptorProperties, MovingAContinuousScenarioAnywhereChangesNothing, ()) {
+  const auto seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000));
+  const int discs = *rc::gen::inRange(0, 15);
+  const double x = 0.0137 * *rc::gen::inRange(-10000, 10000);
+  const double y = 0.0137 * *rc::gen::inRange(-10000, 10000);
+  const World here(random_room(seed, discs), 0.2);
+  const World there(random_room(seed, discs, {x, y}), 0.2);
+  // The rounding of coordinates may occupy another of the 2500 cells, where a disc just touches it.
+  for (const std::string id : {"density", "cspace_density", "clearness", "occupancy_entropy"})
+    RC_ASSERT(std::abs(value_of(id, context_of(here)) - value_of(id, context_of(there))) < 5e-3);
+}
+
 RC_GTEST_PROP(DescriptorProperties, AnObstacleMoreNeverMakesAPlaceEmptierOrClearer, ()) {
   Cells cells = draw_cells();
   const World before = world_of(cells);
