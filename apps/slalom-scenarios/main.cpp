@@ -29,6 +29,9 @@ int main(int argc, char** argv) {
                                slalom::add_make_verbs(app);
                                slalom::add_describe_verb(app);
                                slalom::add_show_verbs(app);
+                               slalom::add_select_verbs(app);
+                               slalom::add_lists_verbs(app);
+                               slalom::add_index_verbs(app);
                                slalom::add_convert_verbs(app);
                                slalom::add_reference_verb(app);
                              });

@@ -1,4 +1,4 @@
-#include "verbs.h"
+#include "choice.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -7,8 +7,6 @@
 #include <slalom/io/scenario_list.h>
 #include <slalom/io/svg_scene.h>
 #include <slalom/references/reference.h>
-
-#include <nlohmann/json.hpp>
 
 #include <iostream>
 
@@ -24,17 +22,10 @@ struct PictureArguments {
 
 void list_entries(const ListArguments& arguments) {
   const ScenarioList list = ScenarioList::open(arguments.list);
-  for (const auto& entry : list.entries()) {
-    if (arguments.json) {
-      const nlohmann::ordered_json json = {{"id", entry.id},
-                                           {"name", entry.name},
-                                           {"representation", to_string(entry.representation)}};
-      std::cout << json.dump() << "\n";
-    } else {
-      std::cout << entry.id << "  " << to_string(entry.representation) << "  " << entry.name
-                << "\n";
-    }
-  }
+  list.for_each({}, [&](const ScenarioList::Entry& entry) {
+    print_entry(entry, arguments.json);
+    return true;
+  });
 }
 
 Scenario chosen(const ListArguments& arguments) {

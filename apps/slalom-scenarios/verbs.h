@@ -11,6 +11,9 @@ namespace slalom {
 void add_make_verbs(CLI::App& app);      ///< generate, import
 void add_show_verbs(CLI::App& app);      ///< list, show, render
 void add_describe_verb(CLI::App& app);   ///< describe
+void add_select_verbs(CLI::App& app);    ///< select, copy, move, delete
+void add_lists_verbs(CLI::App& app);     ///< create, merge, dedupe, split, tag, rename
+void add_index_verbs(CLI::App& app);     ///< index create, drop, list, show
 void add_convert_verbs(CLI::App& app);   ///< convert, export
 void add_reference_verb(CLI::App& app);  ///< reference
 

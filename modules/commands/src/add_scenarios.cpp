@@ -1,35 +1,17 @@
-#include <slalom/commands/list_command.h>
+#include "recorded_command.h"
 
 namespace slalom {
-namespace {
 
-class AddScenarios : public ListCommand {
- public:
-  AddScenarios(ScenarioList& list, std::vector<Scenario> scenarios)
-      : list_(list), scenarios_(std::move(scenarios)) {}
-
-  std::string title() const override {
-    return "Add " + std::to_string(scenarios_.size()) + " scenarios";
-  }
-
-  void execute() override { added_ = list_.add_all(scenarios_); }
-
-  void undo() override {
-    for (const std::string& hash : added_) list_.remove(hash);
-    added_.clear();
-  }
-
- private:
-  ScenarioList& list_;
-  std::vector<Scenario> scenarios_;
-  std::vector<std::string> added_;  ///< hashes of those that were not there before
-};
-
-}  // namespace
-
-std::unique_ptr<ListCommand> make_add_scenarios(ScenarioList& list,
-                                                std::vector<Scenario> scenarios) {
-  return std::make_unique<AddScenarios>(list, std::move(scenarios));
+ListCommandPtr make_add_scenarios(ScenarioList& list, std::vector<Scenario> scenarios,
+                                  std::vector<ScenarioOrigin> origins) {
+  const std::string title = "Add " + scenarios_text(scenarios.size());
+  const bool none = scenarios.empty();
+  return std::make_unique<RecordedCommand>(
+      std::vector<ScenarioList*>{&list}, title,
+      [&list, scenarios = std::move(scenarios), origins = std::move(origins)] {
+        list.add_all(scenarios, origins);
+      },
+      [none] { return std::string(none ? "there is nothing to add" : ""); });
 }
 
 }  // namespace slalom

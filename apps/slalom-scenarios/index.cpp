@@ -1,0 +1,136 @@
+#include "choice.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+
+namespace slalom {
+namespace {
+
+struct IndexArguments {
+  ListArguments list;
+  std::string name, descriptor, edges;
+  bool quiet = false;
+};
+
+std::vector<double> edges_of(const std::string& text) {
+  std::vector<double> edges;
+  for (const std::string& part : split(text, ',')) {
+    double edge = 0;
+    if (!parse_number(part, edge))
+      throw usage_error("--edges " + text, "'" + part + "' is no number", "such as 0,0.1,0.2");
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
+void create(const IndexArguments& arguments) {
+  descriptor(arguments.descriptor);  // a wrong one is told at once
+  ScenarioList list = ScenarioList::open(arguments.list.list);
+  ListIndex index{arguments.name, arguments.descriptor, {}, edges_of(arguments.edges)};
+  const SelectionVocabulary vocabulary = list.vocabulary(descriptor_ids());
+  for (const auto* names : {&vocabulary.numbers, &vocabulary.texts})
+    for (const std::string& name : *names)
+      if (name == index.name)
+        throw usage_error("--name " + index.name, "is the name of a field", "another name");
+  const DescriptorView view =
+      describe_all(list, arguments.list, {index.descriptor}, arguments.quiet);
+  index.keys = view.at(index.descriptor);
+  make_create_index(list, index)->execute();
+}
+
+void drop(const IndexArguments& arguments) {
+  ScenarioList list = ScenarioList::open(arguments.list.list);
+  make_drop_index(list, arguments.name)->execute();
+}
+
+nlohmann::ordered_json to_json(const ListIndex& index) {
+  nlohmann::ordered_json json = {
+      {"name", index.name}, {"descriptor", index.descriptor}, {"edges", index.edges}};
+  for (const DescriptorKey& key : index.keys) json["parameters"].push_back(key.parameters);
+  return json;
+}
+
+void list_indexes(const IndexArguments& arguments) {
+  for (const ListIndex& index : ScenarioList::open(arguments.list.list).indexes()) {
+    if (arguments.list.json) {
+      std::cout << to_json(index).dump() << "\n";
+      continue;
+    }
+    std::vector<std::string> edges;
+    for (const double edge : index.edges) edges.push_back(format_number(edge));
+    std::cout << index.name << "  " << index.descriptor << "  " << join(edges, ",") << "\n";
+  }
+}
+
+void print_counts(const ListIndex& index, const ListIndexCounts& counts) {
+  std::cout << index.name << ": " << index.descriptor << "\n";
+  for (std::size_t i = 0; i < index.ranges(); ++i)
+    std::cout << "  " << index.name << "[" << i << "]  [" << format_number(index.edges[i]) << ", "
+              << format_number(index.edges[i + 1]) << (i + 1 == index.ranges() ? "]" : ")") << "  "
+              << counts.ranges[i] << "\n";
+  const std::pair<const char*, std::size_t> others[] = {{"below", counts.below},
+                                                        {"above", counts.above},
+                                                        {"NA", counts.na},
+                                                        {"not computed", counts.unknown}};
+  for (const auto& [name, count] : others)
+    if (count > 0) std::cout << "  " << name << "  " << count << "\n";
+}
+
+void show(const IndexArguments& arguments) {
+  const ScenarioList list = ScenarioList::open(arguments.list.list);
+  const ListIndex index = list.index(arguments.name);
+  const ListIndexCounts counts = list.index_counts(arguments.name);
+  if (!arguments.list.json) {
+    print_counts(index, counts);
+    return;
+  }
+  nlohmann::ordered_json json = to_json(index);
+  json["counts"] = counts.ranges;
+  json["below"] = counts.below;
+  json["above"] = counts.above;
+  json["na"] = counts.na;
+  json["unknown"] = counts.unknown;
+  std::cout << json.dump() << "\n";
+}
+
+CLI::App* add_named(CLI::App& group, const std::string& name, const std::string& help,
+                    IndexArguments& arguments) {
+  CLI::App* verb = add_list_verb(group, name, help, arguments.list);
+  verb->add_option("--name", arguments.name, "Name of the index")->required();
+  return verb;
+}
+
+}  // namespace
+
+void add_index_verbs(CLI::App& app) {
+  static IndexArguments created, dropped, listed, shown;
+  CLI::App* group = app.add_subcommand("index", "Indexes of a list by descriptor and ranges");
+  group->require_subcommand(1);
+
+  CLI::App* verb =
+      add_named(*group, "create", "Compute what is missing, and make an index", created);
+  verb->add_option("--descriptor", created.descriptor, "Id of the descriptor")->required();
+  verb->add_option("--edges", created.edges, "Edges of the ranges, comma separated")->required();
+  add_robot_options(*verb, created.list);
+  verb->add_option("--sensor-range", created.list.sensor_range, "Range R of the sensor, m")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_flag("--quiet", created.quiet, "No progress and no messages");
+  verb->callback([] { create(created); });
+
+  add_named(*group, "drop", "Remove an index", dropped)->callback([] { drop(dropped); });
+
+  verb = add_list_verb(*group, "list", "List the indexes", listed.list);
+  verb->add_flag("--json", listed.list.json, "One JSON object per index");
+  verb->callback([] { list_indexes(listed); });
+
+  verb = add_named(*group, "show", "Count the scenarios in each range", shown);
+  verb->add_flag("--json", shown.list.json, "As a JSON object");
+  verb->callback([] { show(shown); });
+}
+
+}  // namespace slalom

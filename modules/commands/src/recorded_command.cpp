@@ -1,0 +1,51 @@
+#include "recorded_command.h"
+
+namespace slalom {
+
+RecordedCommand::RecordedCommand(std::vector<ScenarioList*> lists, std::string title, Act act,
+                                 Obstacle obstacle)
+    : lists_(std::move(lists)),
+      title_(std::move(title)),
+      act_(std::move(act)),
+      obstacle_(std::move(obstacle)),
+      changes_(lists_.size()) {}
+
+void RecordedCommand::execute() {
+  record_from(lists_.size());
+}
+
+/// The list that stands first is innermost, and so lasts first.
+void RecordedCommand::record_from(std::size_t list) {
+  if (list == 0) {
+    act_();
+    return;
+  }
+  changes_[list - 1] = lists_[list - 1]->record([&] { record_from(list - 1); });
+}
+
+void RecordedCommand::undo() {
+  // What was lost comes back before what was gained goes.
+  in_all(0, [&] {
+    for (std::size_t i = lists_.size(); i-- > 0;) lists_[i]->revert(changes_[i]);
+  });
+}
+
+void RecordedCommand::redo() {
+  in_all(0, [&] {
+    for (std::size_t i = 0; i < lists_.size(); ++i) lists_[i]->apply(changes_[i]);
+  });
+}
+
+void RecordedCommand::in_all(std::size_t list, const Act& act) {
+  if (list == lists_.size()) {
+    act();
+    return;
+  }
+  lists_[list]->in_one_step([&] { in_all(list + 1, act); });
+}
+
+std::string scenarios_text(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " scenario" : " scenarios");
+}
+
+}  // namespace slalom

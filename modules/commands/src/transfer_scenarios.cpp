@@ -1,0 +1,113 @@
+#include "recorded_command.h"
+
+#include <slalom/core/error.h>
+
+#include <filesystem>
+
+namespace slalom {
+namespace {
+
+namespace fs = std::filesystem;
+
+RecordedCommand::Obstacle nothing_chosen(std::size_t count) {
+  return [count] { return std::string(count == 0 ? "no scenario is chosen" : ""); };
+}
+
+/// Two lists of one file would wait for each other for ever.
+void expect_different(const ScenarioList& a, const ScenarioList& b) {
+  std::error_code ignored;
+  if (&a == &b || fs::equivalent(a.path(), b.path(), ignored))
+    throw usage_error(b.path(), "is the list that is read from", "another list");
+}
+
+void copy(ScenarioList& source, const ListSelection& selection, ScenarioList& target) {
+  source.for_each(selection, [&](const ScenarioList::Entry& entry) {
+    target.copy_from(source, entry);
+    return true;
+  });
+}
+
+std::string to_text(const ScenarioList& target) {
+  return " to " + fs::path(target.path()).filename().string();
+}
+
+}  // namespace
+
+ListCommandPtr make_delete_scenarios(ScenarioList& list, ListSelection selection) {
+  const std::size_t count = list.count(selection);
+  return std::make_unique<RecordedCommand>(
+      std::vector<ScenarioList*>{&list}, "Delete " + scenarios_text(count),
+      [&list, selection = std::move(selection)] { list.remove(selection); }, nothing_chosen(count));
+}
+
+ListCommandPtr make_copy_scenarios(ScenarioList& source, ListSelection selection,
+                                   ScenarioList& target) {
+  expect_different(source, target);
+  const std::size_t count = source.count(selection);
+  return std::make_unique<RecordedCommand>(
+      std::vector<ScenarioList*>{&target}, "Copy " + scenarios_text(count) + to_text(target),
+      [&source, &target, selection = std::move(selection)] { copy(source, selection, target); },
+      nothing_chosen(count));
+}
+
+ListCommandPtr make_move_scenarios(ScenarioList& source, ListSelection selection,
+                                   ScenarioList& target) {
+  expect_different(source, target);
+  const std::size_t count = source.count(selection);
+  return std::make_unique<RecordedCommand>(
+      std::vector<ScenarioList*>{&target, &source},
+      "Move " + scenarios_text(count) + to_text(target),
+      [&source, &target, selection = std::move(selection)] {
+        copy(source, selection, target);
+        source.remove(selection);
+      },
+      nothing_chosen(count));
+}
+
+ListCommandPtr make_merge_lists(std::vector<ScenarioList*> sources, ScenarioList& target) {
+  for (const ScenarioList* source : sources) expect_different(*source, target);
+  const std::string title = "Merge " + std::to_string(sources.size()) + " lists";
+  return std::make_unique<RecordedCommand>(std::vector<ScenarioList*>{&target}, title,
+                                           [&target, sources = std::move(sources)] {
+                                             for (ScenarioList* source : sources)
+                                               copy(*source, {}, target);
+                                           });
+}
+
+namespace {
+
+/// Makes a file instead of changing one.
+class SelectInto : public ListCommand {
+ public:
+  SelectInto(ScenarioList& source, ListSelection selection, std::string path)
+      : source_(source), selection_(std::move(selection)), path_(std::move(path)) {}
+
+  std::string title() const override {
+    return "Select into " + fs::path(path_).filename().string();
+  }
+  std::string obstacle() const override {
+    return fs::exists(path_) ? "there is a file of that name" : "";
+  }
+  void execute() override {
+    if (!obstacle().empty()) throw usage_error(path_, obstacle(), "another name");
+    ScenarioList::write(path_, [&](ScenarioList& target) {
+      copy(source_, selection_, target);
+      for (const ListIndex& index : source_.indexes()) target.create_index(index);
+    });
+  }
+  void undo() override { ScenarioList::remove_file(path_); }
+  void redo() override { execute(); }
+
+ private:
+  ScenarioList& source_;
+  ListSelection selection_;
+  std::string path_;
+};
+
+}  // namespace
+
+ListCommandPtr make_select_into(ScenarioList& source, ListSelection selection, std::string path) {
+  return std::make_unique<SelectInto>(source, std::move(selection), std::move(path));
+}
+
+}  // namespace slalom
