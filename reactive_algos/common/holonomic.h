@@ -1,0 +1,88 @@
+#pragma once
+
+#include "common/sectors.h"
+#include "common/settings.h"
+
+#include <mrpt/config/CConfigFileBase.h>
+#include <mrpt/core/initializer.h>
+#include <mrpt/nav/holonomic/CAbstractHolonomicReactiveMethod.h>
+#include <mrpt/rtti/CObject.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace reactive {
+
+/// An MRPT holonomic method around an algorithm `A` with `Parameters` (among them
+/// `target_slow_down`), a static `settings()`, and `decide(sectors, target)`. Its .ini section has
+/// the settings' keys; a value that is no number of its range throws std::invalid_argument.
+template <typename A>
+class Holonomic : public mrpt::nav::CAbstractHolonomicReactiveMethod {
+ public:
+  explicit Holonomic(const std::string& section) : CAbstractHolonomicReactiveMethod(section) {}
+
+  void initialize(const mrpt::config::CConfigFileBase& c) override {
+    const std::string section = getConfigFileSectionName();
+    typename A::Parameters parameters;
+    for (const auto& setting : A::settings()) {
+      const std::string text = c.read_string(section, setting.about.key, "");
+      char error[200] = "";
+      if (!text.empty() &&
+          !apply(A::settings(), setting.about.key, text.c_str(), parameters, error, sizeof error))
+        throw std::invalid_argument(error);
+    }
+    algorithm_ = A(parameters);
+  }
+
+  void saveConfigFile(mrpt::config::CConfigFileBase& c) const override {
+    for (const auto& setting : A::settings())
+      c.write(getConfigFileSectionName(), setting.about.key, algorithm_.parameters.*setting.field);
+  }
+
+  double getTargetApproachSlowDownDistance() const override {
+    return algorithm_.parameters.target_slow_down;
+  }
+  void setTargetApproachSlowDownDistance(const double distance) override {
+    algorithm_.parameters.target_slow_down = distance;
+  }
+
+  void navigate(const NavInput& in, NavOutput& out) override {
+    Sectors sectors{in.obstacles, in.maxObstacleDist};
+    if (sectors.ways.empty() || in.targets.empty())
+      throw std::invalid_argument("no obstacle distances or no target");
+    const auto& target = in.targets.back();
+    const Decision decision = algorithm_.decide(sectors, {target.x, target.y});
+    out.desiredDirection = wrapped(decision.direction);
+    out.desiredSpeed = std::clamp(decision.speed, 0.0, 1.0) * in.maxRobotSpeed;
+  }
+
+ protected:
+  A algorithm_;
+};
+
+}  // namespace reactive
+
+/// The class that MRPT makes by its name, slalom::NAME, with the default .ini section.
+#define SLALOM_HOLONOMIC_METHOD(NAME, ALGORITHM, SECTION)                                          \
+  namespace slalom {                                                                               \
+  class NAME : public reactive::Holonomic<ALGORITHM> {                                             \
+    DEFINE_SERIALIZABLE(NAME, slalom)                                                              \
+   public:                                                                                         \
+    NAME() : Holonomic(SECTION) {}                                                                 \
+  };                                                                                               \
+  IMPLEMENTS_SERIALIZABLE(NAME, mrpt::nav::CAbstractHolonomicReactiveMethod, slalom)               \
+  uint8_t NAME::serializeGetVersion() const {                                                      \
+    return 0;                                                                                      \
+  }                                                                                                \
+  void NAME::serializeTo(mrpt::serialization::CArchive& out) const {                               \
+    for (const auto& setting : ALGORITHM::settings()) out << algorithm_.parameters.*setting.field; \
+  }                                                                                                \
+  void NAME::serializeFrom(mrpt::serialization::CArchive& in, uint8_t) {                           \
+    for (const auto& setting : ALGORITHM::settings()) in >> algorithm_.parameters.*setting.field;  \
+  }                                                                                                \
+  }                                                                                                \
+  MRPT_INITIALIZER(register_##NAME) {                                                              \
+    mrpt::rtti::registerClass(CLASS_ID_NAMESPACE(NAME, slalom));                                   \
+  }                                                                                                \
+  static_assert(true)

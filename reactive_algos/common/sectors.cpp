@@ -1,0 +1,56 @@
+#include "common/sectors.h"
+
+#include <algorithm>
+
+namespace reactive {
+
+std::size_t Sectors::sector_of(double direction) const {
+  const double at = std::floor((wrapped(direction) + kPi) / width());
+  return std::min(static_cast<std::size_t>(std::max(0.0, at)), count() - 1);
+}
+
+double Sectors::nearest() const {
+  return *std::min_element(ways.begin(), ways.end());
+}
+
+std::vector<SectorRun> open_runs(const Sectors& sectors, double open) {
+  const std::size_t n = sectors.count();
+  std::size_t closed = 0;
+  while (closed < n && sectors.ways[closed] >= open) ++closed;
+  if (closed == n) return {{0, n}};
+  std::vector<SectorRun> runs;
+  // Once around from a closed sector, so that no run is cut in two.
+  for (std::size_t i = 1; i <= n; ++i) {
+    if (sectors.ways[(closed + i) % n] < open) continue;
+    const bool goes_on = i > 1 && sectors.ways[(closed + i - 1) % n] >= open;
+    if (!goes_on) runs.push_back({(closed + i) % n, 0});
+    ++runs.back().length;
+  }
+  return runs;
+}
+
+double Opening::nearest_to(double direction, double inside) const {
+  if (width >= 2 * kPi - 1e-9) return direction;
+  const double margin = std::min(inside, 0.5 * width);
+  const double from_middle = wrapped(direction - middle());
+  const double most = 0.5 * width - margin;
+  return wrapped(middle() + std::clamp(from_middle, -most, most));
+}
+
+bool Opening::contains(double direction) const {
+  return std::abs(wrapped(direction - middle())) <= 0.5 * width + 1e-9 || width >= 2 * kPi - 1e-9;
+}
+
+Opening opening_of(const Sectors& sectors, const SectorRun& run) {
+  return {wrapped(sectors.direction(run.first) - 0.5 * sectors.width()),
+          static_cast<double>(run.length) * sectors.width()};
+}
+
+double speed_share(double way, double target_distance, double slow_distance,
+                   double target_distance_slow) {
+  const double before_obstacle = way / std::max(1e-6, slow_distance);
+  const double before_target = target_distance / std::max(1e-6, target_distance_slow);
+  return std::clamp(std::min(before_obstacle, before_target), kCreep, 1.0);
+}
+
+}  // namespace reactive

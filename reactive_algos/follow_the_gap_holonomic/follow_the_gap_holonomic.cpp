@@ -1,0 +1,84 @@
+#include "follow_the_gap_holonomic/follow_the_gap_holonomic.h"
+
+#include <algorithm>
+
+namespace follow_the_gap_holonomic {
+
+using namespace reactive;
+
+const FollowTheGap::Settings& FollowTheGap::settings() {
+  static constexpr Settings kSettings = {
+      {{"alpha", "0.3", "length", "weight of the gap against the goal, Eq. (8)"},
+       &Parameters::alpha},
+      {{"look_ahead", "0.6", "length", "obstacles farther away close no gap"},
+       &Parameters::look_ahead,
+       1e-3},
+      {{"goal_weight", "0.6", "-", "a gap counts less by twice this for each radian from the goal"},
+       &Parameters::goal_weight},
+      {{"field_of_view", "3.1416", "rad", "gaps are looked for ahead only"},
+       &Parameters::field_of_view,
+       0.1,
+       2 * kPi},
+      {{"slow_distance", "0.3", "length", "slower when less way than this is ahead"},
+       &Parameters::slow_distance},
+      {{"target_slow_down", "0.15", "length", "slower when the target is nearer"},
+       &Parameters::target_slow_down}};
+  return kSettings;
+}
+
+double gap_centre(const Sectors& sectors, const SectorRun& run) {
+  const std::size_t n = sectors.count();
+  const Opening opening = opening_of(sectors, run);
+  // Midway in space between the obstacles is not midway in angle when one is nearer. In a gap of a
+  // half circle and more there is no such triangle.
+  if (opening.width >= kPi) return opening.middle();
+  const double d1 = sectors.ways[(run.first + n - 1) % n];
+  const double d2 = sectors.ways[(run.first + run.length) % n];
+  const double low = opening.low, high = opening.high();
+  const double x = d1 * std::cos(low) + d2 * std::cos(high);
+  const double y = d1 * std::sin(low) + d2 * std::sin(high);
+  return x * x + y * y < 1e-12 ? opening.middle() : std::atan2(y, x);
+}
+
+double final_direction(double gap_centre, double goal, double nearest, double alpha) {
+  const double weight = alpha / std::max(nearest, 1e-3);
+  return wrapped(goal + weight / (weight + 1) * wrapped(gap_centre - goal));
+}
+
+Decision FollowTheGap::decide(const Sectors& sectors, const Point& target) {
+  const double goal = std::atan2(target.y, target.x);
+  const double left = std::hypot(target.x, target.y);
+  const double open = std::min(parameters.look_ahead, left);
+  SectorRun best;
+  double best_value = -HUGE_VAL;
+  Sectors seen = sectors;
+  double nearest = HUGE_VAL;
+  for (std::size_t k = 0; k < seen.count(); ++k) {
+    const bool ahead = std::abs(seen.direction(k)) <= 0.5 * parameters.field_of_view;
+    if (!ahead) seen.ways[k] = 0;
+    if (ahead) nearest = std::min(nearest, seen.ways[k]);
+  }
+  const auto runs = open_runs(seen, open);
+  for (const SectorRun& run : runs) {
+    const Opening opening = opening_of(sectors, run);
+    const double away = std::abs(wrapped(opening.nearest_to(goal, 0) - goal));
+    const double value = opening.width - 2 * parameters.goal_weight * away;
+    if (value <= best_value) continue;
+    best_value = value;
+    best = run;
+  }
+  if (runs.empty()) {
+    // Turns on, to the side that it began with, until it sees one.
+    if (side_ == 0) side_ = goal >= 0 ? 1 : -1;
+    return {side_ * 0.5 * kPi, kCreep};
+  }
+  side_ = 0;
+  double direction = goal;
+  if (nearest < open)
+    direction = final_direction(gap_centre(sectors, best), goal, nearest, parameters.alpha);
+  direction = opening_of(sectors, best).nearest_to(direction, 0);
+  return {direction, speed_share(sectors.way(direction), left, parameters.slow_distance,
+                                 parameters.target_slow_down)};
+}
+
+}  // namespace follow_the_gap_holonomic

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "common/sectors.h"
+#include "common/settings.h"
+
+/// Follow-the-Gap as an MRPT holonomic method: V. Sezer and M. Gokasan, "A novel obstacle avoidance
+/// algorithm: Follow the Gap Method", Robotics and Autonomous Systems 60 (2012) 1123-1134. Equation
+/// numbers refer to it.
+namespace follow_the_gap_holonomic {
+
+/// Lengths in the unit of the sectors: with the adapter mrpt_holonomic, reference distances.
+struct Parameters {
+  double alpha = 0.3;              ///< weight of the gap against the goal, Eq. (8)
+  double look_ahead = 0.6;         ///< obstacles farther away close no gap
+  double goal_weight = 0.6;        ///< a gap counts as wide as it is, less twice this times its
+                                   ///< angle from the goal; 0: the widest gap, as in the paper
+  double field_of_view = 3.1416;   ///< rad: gaps are looked for ahead only, as a scan sees them
+  double slow_distance = 0.3;      ///< slower when less way than this is ahead
+  double target_slow_down = 0.15;  ///< slower when the target is nearer
+};
+
+/// Direction of the point midway between the obstacles at both ends of a gap, Eq. (7).
+double gap_centre(const reactive::Sectors& sectors, const reactive::SectorRun& run);
+
+/// Eq. (8): the mean of gap centre and goal direction, the gap weighing alpha / nearest obstacle.
+double final_direction(double gap_centre, double goal, double nearest, double alpha);
+
+class FollowTheGap {
+ public:
+  using Parameters = follow_the_gap_holonomic::Parameters;
+  using Settings = reactive::Setting<Parameters>[6];
+  static const Settings& settings();
+
+  FollowTheGap() = default;
+  explicit FollowTheGap(const Parameters& chosen) : parameters(chosen) {}
+  reactive::Decision decide(const reactive::Sectors& sectors, const reactive::Point& target);
+
+  Parameters parameters;
+
+ private:
+  int side_ = 0;  ///< +1 left, -1 right: to where the robot turns while it sees no gap
+};
+
+}  // namespace follow_the_gap_holonomic

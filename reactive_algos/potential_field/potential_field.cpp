@@ -1,0 +1,68 @@
+#include "potential_field/potential_field.h"
+
+#include <algorithm>
+
+namespace potential_field {
+
+using namespace reactive;
+
+const PotentialField::Settings& PotentialField::settings() {
+  static constexpr Settings kSettings = {
+      {{"attraction", "1.0", "-", "force towards the goal"}, &Parameters::attraction},
+      {{"repulsion", "0.004", "length^3", "eta, of the force from an obstacle"},
+       &Parameters::repulsion},
+      {{"influence", "0.25", "length", "rho_0: obstacles farther away exert no force"},
+       &Parameters::influence,
+       1e-3},
+      {{"slow_distance", "0.3", "length", "slower when less way than this is ahead"},
+       &Parameters::slow_distance},
+      {{"target_slow_down", "0.15", "length", "slower when the target is nearer"},
+       &Parameters::target_slow_down}};
+  return kSettings;
+}
+
+Point attraction(const Point& target, double magnitude) {
+  const double far = std::hypot(target.x, target.y);
+  if (far == 0) return {};
+  return {magnitude * target.x / far, magnitude * target.y / far};
+}
+
+double repulsion(double distance, double eta, double influence) {
+  const double rho = std::max(distance, 0.01 * influence);
+  if (rho >= influence) return 0;
+  return eta * (1 / rho - 1 / influence) / (rho * rho);
+}
+
+Point repulsion_of(const Sectors& sectors, const Parameters& parameters) {
+  const std::size_t n = sectors.count();
+  Point sum;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double here = sectors.ways[k];
+    if (here >= parameters.influence) continue;
+    // The nearest point of an obstacle: the way is shorter than on both sides of it.
+    if (here >= sectors.ways[(k + n - 1) % n]) continue;
+    std::size_t beyond = k + 1;
+    while (beyond < k + n && sectors.ways[beyond % n] == here) ++beyond;
+    if (here > sectors.ways[beyond % n]) continue;
+    const double force = repulsion(here, parameters.repulsion, parameters.influence);
+    sum.x -= force * std::cos(sectors.direction(k));
+    sum.y -= force * std::sin(sectors.direction(k));
+  }
+  return sum;
+}
+
+Decision PotentialField::decide(const Sectors& sectors, const Point& target) {
+  const Point towards = attraction(target, parameters.attraction);
+  const Point away = repulsion_of(sectors, parameters);
+  const Point force{towards.x + away.x, towards.y + away.y};
+  const double magnitude = std::hypot(force.x, force.y);
+  const double direction = std::atan2(force.y, force.x);
+  const double left = std::hypot(target.x, target.y);
+  // Where the forces cancel, the robot stands.
+  const double share = std::min(1.0, magnitude / std::max(1e-9, parameters.attraction));
+  if (share < 0.05) return {direction, 0};
+  return {direction, share * speed_share(sectors.way(direction), left, parameters.slow_distance,
+                                         parameters.target_slow_down)};
+}
+
+}  // namespace potential_field

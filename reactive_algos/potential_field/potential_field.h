@@ -1,0 +1,44 @@
+#pragma once
+
+#include "common/sectors.h"
+#include "common/settings.h"
+
+/// Artificial potential field: O. Khatib, "Real-Time Obstacle Avoidance for Manipulators and Mobile
+/// Robots", International Journal of Robotics Research 5(1), 1986, 90-98. The classic lower
+/// baseline.
+namespace potential_field {
+
+/// Lengths in the unit of the sectors: with the adapter mrpt_holonomic, reference distances.
+struct Parameters {
+  double attraction = 1.0;         ///< force towards the goal
+  double repulsion = 0.004;        ///< eta, of the force from an obstacle
+  double influence = 0.25;         ///< rho_0: obstacles farther away exert no force
+  double slow_distance = 0.3;      ///< slower when less way than this is ahead
+  double target_slow_down = 0.15;  ///< slower when the target is nearer
+};
+
+/// The attraction: towards the target, of constant magnitude, as a bounded speed makes it (section
+/// on joint and velocity limits: the robot heads for the goal at the largest speed).
+reactive::Point attraction(const reactive::Point& target, double magnitude);
+
+/// FIRAS: eta (1 / rho - 1 / rho_0) / rho^2, directed away from the obstacle; 0 beyond rho_0.
+double repulsion(double distance, double eta, double influence);
+
+/// Sum of the repulsions of all obstacles, one force each from its nearest point: where the way is
+/// shortest among the sectors that the obstacle takes.
+reactive::Point repulsion_of(const reactive::Sectors& sectors, const Parameters& parameters);
+
+class PotentialField {
+ public:
+  using Parameters = potential_field::Parameters;
+  using Settings = reactive::Setting<Parameters>[5];
+  static const Settings& settings();
+
+  PotentialField() = default;
+  explicit PotentialField(const Parameters& chosen) : parameters(chosen) {}
+  reactive::Decision decide(const reactive::Sectors& sectors, const reactive::Point& target);
+
+  Parameters parameters;
+};
+
+}  // namespace potential_field

@@ -1,0 +1,4 @@
+#include "common/holonomic.h"
+#include "smooth_nd/smooth_nd.h"
+
+SLALOM_HOLONOMIC_METHOD(CHolonomicSmoothND, smooth_nd::SmoothNd, "SMOOTH_ND_CONFIG");

@@ -1,0 +1,94 @@
+#include "vfh_plus/vfh_plus.h"
+
+#include <algorithm>
+
+namespace vfh_plus {
+
+using namespace reactive;
+
+const VfhPlus::Settings& VfhPlus::settings() {
+  static constexpr Settings kSettings = {
+      {{"window", "0.5", "length", "radius of the active window"}, &Parameters::window, 1e-3},
+      {{"threshold_high", "0.75", "-", "tau_high: a sector above is blocked, Eq. (8)"},
+       &Parameters::threshold_high,
+       0,
+       1},
+      {{"threshold_low", "0.6", "-", "tau_low: a sector below is free"},
+       &Parameters::threshold_low,
+       0,
+       1},
+      {{"wide_opening", "0.9", "rad", "s_max: a wider opening is not passed in its middle"},
+       &Parameters::wide_opening,
+       0,
+       2 * kPi},
+      {{"goal_weight", "5", "-", "mu_1, Eq. (15)"}, &Parameters::goal_weight},
+      {{"heading_weight", "2", "-", "mu_2, weight of the present heading"},
+       &Parameters::heading_weight},
+      {{"previous_weight", "2", "-", "mu_3, weight of the previous direction"},
+       &Parameters::previous_weight},
+      {{"slow_distance", "0.3", "length", "slower when less way than this is ahead"},
+       &Parameters::slow_distance},
+      {{"target_slow_down", "0.15", "length", "slower when the target is nearer"},
+       &Parameters::target_slow_down}};
+  return kSettings;
+}
+
+std::vector<double> primary_histogram(const Sectors& sectors, double window,
+                                      double target_distance) {
+  std::vector<double> result;
+  for (const double way : sectors.ways) {
+    // What lies behind the target is no obstacle on the way there.
+    const bool counts = way < window && way < target_distance;
+    result.push_back(counts ? 1 - (way / window) * (way / window) : 0);
+  }
+  return result;
+}
+
+void update_binary(const std::vector<double>& primary, const Parameters& parameters,
+                   std::vector<char>& blocked) {
+  blocked.resize(primary.size(), 0);
+  for (std::size_t k = 0; k < primary.size(); ++k) {
+    if (primary[k] > parameters.threshold_high) blocked[k] = 1;
+    if (primary[k] < parameters.threshold_low) blocked[k] = 0;
+  }
+}
+
+std::vector<double> candidates(const Opening& opening, double target_direction,
+                               double wide_opening) {
+  if (opening.width >= 2 * kPi - 1e-9) return {target_direction};
+  if (opening.width < wide_opening) return {opening.middle()};
+  std::vector<double> result = {wrapped(opening.low + 0.5 * wide_opening),
+                                wrapped(opening.high() - 0.5 * wide_opening)};
+  const double between = std::abs(wrapped(target_direction - opening.middle()));
+  if (between < 0.5 * (opening.width - wide_opening)) result.push_back(target_direction);
+  return result;
+}
+
+double VfhPlus::cost(double candidate, double target_direction) const {
+  return parameters.goal_weight * std::abs(wrapped(candidate - target_direction)) +
+         parameters.heading_weight * std::abs(candidate) +
+         parameters.previous_weight * std::abs(wrapped(candidate - previous_));
+}
+
+Decision VfhPlus::decide(const Sectors& sectors, const Point& target) {
+  const double target_direction = std::atan2(target.y, target.x);
+  const double left = std::hypot(target.x, target.y);
+  update_binary(primary_histogram(sectors, parameters.window, left), parameters, blocked_);
+  Sectors binary{std::vector<double>(sectors.count()), 1};
+  for (std::size_t k = 0; k < sectors.count(); ++k) binary.ways[k] = blocked_[k] != 0 ? 0 : 1;
+  double best = previous_, best_cost = HUGE_VAL;
+  for (const SectorRun& run : open_runs(binary, 0.5))
+    for (const double candidate :
+         candidates(opening_of(sectors, run), target_direction, parameters.wide_opening)) {
+      const double value = cost(candidate, target_direction);
+      if (value >= best_cost) continue;
+      best_cost = value;
+      best = candidate;
+    }
+  if (best_cost == HUGE_VAL) return {previous_, 0};
+  previous_ = best;
+  const double way = std::min(sectors.way(best), sectors.way(0.5 * best));
+  return {best, speed_share(way, left, parameters.slow_distance, parameters.target_slow_down)};
+}
+
+}  // namespace vfh_plus

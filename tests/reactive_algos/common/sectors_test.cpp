@@ -1,0 +1,78 @@
+#include "common/sectors.h"
+#include "common/valleys.h"
+#include "holonomic_scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace reactive {
+namespace {
+
+TEST(Sectors, CountFromBehindOnTheRight) {
+  const Sectors sectors = sectors_with({});
+  EXPECT_NEAR(sectors.direction(0), -178.5 * kDegree, 1e-12);
+  EXPECT_EQ(sectors.sector_of(-178.5 * kDegree), 0U);
+  EXPECT_EQ(sectors.sector_of(0.1 * kDegree), 60U);
+  EXPECT_EQ(sectors.sector_of(kPi), 119U);
+  EXPECT_EQ(sectors.sector_of(3 * kPi + 0.1), 1U);  // beyond pi by 5.7 degrees
+}
+
+TEST(OpenRuns, GoAcrossTheEndOfTheCircle) {
+  // Blocked ahead from -60 to 60 degrees: one run of 240 degrees through behind.
+  const auto runs = open_runs(sectors_with({{-60, 60, 0.1}}), 0.5);
+  ASSERT_EQ(runs.size(), 1U);
+  EXPECT_EQ(runs[0].length, 80U);
+  const Opening opening = opening_of(sectors_with({}), runs[0]);
+  EXPECT_NEAR(opening.low, 60 * kDegree, 1e-9);
+  EXPECT_NEAR(opening.high(), -60 * kDegree, 1e-9);
+  EXPECT_NEAR(std::abs(opening.middle()), kPi, 1e-9);
+}
+
+TEST(OpenRuns, AreAllAroundOrNone) {
+  EXPECT_EQ(open_runs(sectors_with({}), 0.5).at(0).length, kSectors);
+  EXPECT_TRUE(open_runs(sectors_with({{-181, 181, 0.1}}), 0.5).empty());
+}
+
+TEST(Opening, NearestStaysInside) {
+  const Opening opening{10 * kDegree, 60 * kDegree};
+  EXPECT_NEAR(opening.nearest_to(30 * kDegree, 0), 30 * kDegree, 1e-12);
+  EXPECT_NEAR(opening.nearest_to(-90 * kDegree, 0), 10 * kDegree, 1e-12);
+  EXPECT_NEAR(opening.nearest_to(-90 * kDegree, 20 * kDegree), 30 * kDegree, 1e-12);
+  EXPECT_NEAR(opening.nearest_to(-90 * kDegree, 50 * kDegree), 40 * kDegree, 1e-12);
+  EXPECT_TRUE(opening.contains(69 * kDegree));
+  EXPECT_FALSE(opening.contains(71 * kDegree));
+}
+
+TEST(FindValleys, LieBetweenGapsAndRiseIntoThem) {
+  // A near block ahead; the rest is one valley that rises at both ends.
+  const auto valleys = find_valleys(sectors_with({{-30, 30, 0.2}}), 0.2, 0.05);
+  ASSERT_EQ(valleys.size(), 1U);
+  EXPECT_TRUE(valleys[0].rises_low && valleys[0].rises_high);
+  EXPECT_NEAR(valleys[0].span.low, 30 * kDegree, 1e-9);
+  EXPECT_NEAR(valleys[0].span.width, 300 * kDegree, 1e-9);
+}
+
+TEST(FindValleys, AStepIsAValleyThatRisesAtOneEnd) {
+  // At the right 0.2, then 0.6 to the left of it, then free.
+  const auto valleys = find_valleys(sectors_with({{-90, 0, 0.2}, {0, 90, 0.6}}), 0.2, 0.05);
+  ASSERT_EQ(valleys.size(), 2U);
+  for (const Valley& valley : valleys) {
+    if (!valley.span.contains(45 * kDegree)) continue;
+    EXPECT_TRUE(valley.rises_low);
+    EXPECT_FALSE(valley.rises_high);
+  }
+}
+
+TEST(ChooseValley, TakesTheOneNearestToTheTarget) {
+  const Sectors sectors = sectors_with({{-30, 30, 0.2}, {60, 180, 0.2}, {-180, -120, 0.2}});
+  const auto valleys = find_valleys(sectors, 0.2, 0.05);
+  ASSERT_EQ(valleys.size(), 2U);
+  const Choice left = choose_valley(valleys, sectors, target_at(10));
+  EXPECT_TRUE(left.valley->span.contains(45 * kDegree));
+  EXPECT_TRUE(left.low_end);
+  EXPECT_FALSE(left.holds_target);
+  EXPECT_TRUE(choose_valley(valleys, sectors, target_at(-50)).holds_target);
+  EXPECT_EQ(choose_valley({}, sectors, target_at(0)).valley, nullptr);
+}
+
+}  // namespace
+}  // namespace reactive
