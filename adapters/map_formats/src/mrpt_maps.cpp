@@ -106,17 +106,19 @@ std::string read_some(mrpt::io::CFileGZInputStream& file, std::size_t count) {
   return all;
 }
 
-/// MRPT moves the corner of a grid that it reads to a multiple of the resolution, and refuses one
-/// that has another size afterwards.
-bool mrpt_keeps_the_corner(const GridHead& head) {
-  const auto is_multiple = [&head](double length) {
-    const double cells = length / head.resolution;
-    return std::abs(cells - std::round(cells)) < 1e-3;
-  };
-  return is_multiple(head.x_min) && is_multiple(head.y_min);
+/// MRPT's options come after the cells; a packed file that is damaged shows at its end.
+void expect_sound_end(mrpt::io::CFileGZInputStream& file, const std::string& path,
+                      const std::string& expected) {
+  std::array<char, 1U << 16> options{};
+  const std::size_t first = file.Read(options.data(), options.size());
+  if (first == 0) throw file_error(path, "ends after its cells", expected);
+  if (first > options.size() || file.Read(options.data(), options.size()) > options.size())
+    throw file_error(path, "is damaged", expected);
 }
 
-/// The cells of a grid whose corner MRPT would move, as they are in the file.
+/// The cells of a grid as they are in the file. MRPT would move its corner to a multiple of the
+/// resolution, refuse one that has another size afterwards, and take memory for whatever the
+/// options behind the cells announce.
 COccupancyGridMap2D read_cells(const std::string& path, const std::string& expected,
                                const GridFile& grid) {
   mrpt::io::CFileGZInputStream file;
@@ -130,9 +132,7 @@ COccupancyGridMap2D read_cells(const std::string& path, const std::string& expec
         path,
         "ends after " + std::to_string(cells.size()) + " of " + std::to_string(count) + " cells",
         expected);
-  constexpr std::size_t kMostOptions = 1U << 16;  // MRPT's options come after the cells
-  if (read_some(file, kMostOptions).empty())
-    throw file_error(path, "ends after its cells", expected);
+  expect_sound_end(file, path, expected);
   auto map = make_grid_map(static_cast<int>(head.size_x), static_cast<int>(head.size_y),
                            head.resolution, {head.x_min, head.y_min});
   for (std::size_t y = 0; y < head.size_y; ++y)
@@ -196,16 +196,15 @@ void expect_cells(const COccupancyGridMap2D& map, const std::string& path) {
 
 COccupancyGridMap2D read_gridmap(const std::string& path) {
   const std::string expected = "an MRPT occupancy grid (.gridmap, .gridmap.gz)";
-  const auto grid = read_grid_head(path, expected);
-  if (grid) expect_possible_head(grid->head, path);
-  if (grid && grid->cells_are_readable && !mrpt_keeps_the_corner(grid->head))
-    return read_cells(path, expected, *grid);
+  if (const auto grid = read_grid_head(path, expected)) {
+    expect_possible_head(grid->head, path);
+    if (grid->cells_are_readable) return read_cells(path, expected, *grid);
+    throw file_error(path, "is of a version that is not known", expected);
+  }
   COccupancyGridMap2D map;
   read_archive(path, expected, [&map](auto& archive) { archive >> map; });
   expect_cells(map, path);
-  const bool same =
-      !grid || (map.getXMin() == grid->head.x_min && map.getYMin() == grid->head.y_min);
-  return same || !grid->cells_are_readable ? map : read_cells(path, expected, *grid);
+  return map;
 }
 
 COccupancyGridMap2D read_simplemap(const std::string& path, double resolution) {
