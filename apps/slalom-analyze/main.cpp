@@ -1,9 +1,8 @@
 #include "export.h"
+#include "interpret.h"
 #include "metrics.h"
 #include "show.h"
 
-#include <slalom/analysis/table_export.h>
-#include <slalom/analysis/table_text.h>
 #include <slalom/app/program.h>
 #include <slalom/core/text.h>
 #include <slalom/io/html_report.h>
@@ -12,7 +11,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <string>
 
 namespace slalom {
@@ -21,9 +19,9 @@ namespace {
 /// What all verbs take from the command line.
 struct Arguments {
   std::string results;  ///< the file
-  std::string rows, columns, method, output, run;
+  std::string rows, columns, output, run;
   double confidence = 0;  ///< 0: as the campaign says
-  bool csv = false, json = false, quiet = false;
+  bool json = false, quiet = false;
 };
 
 CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& help,
@@ -36,8 +34,8 @@ CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& he
 void add_table_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option(
       "--rows", arguments.rows,
-      "Bins of a scenario descriptor: all, ID:EDGE,EDGE,..., ID:COUNT (bins with as many "
-      "scenarios each) or ID:equal:COUNT; several separated by ';' (default: as the "
+      "Bins of a scenario descriptor: all, ID:EDGE,EDGE,..., ID:COUNT (equal width) "
+      "or ID:qCOUNT (as many scenarios each); several separated by ';' (default: as the "
       "campaign's [analysis] says)");
   verb.add_option("--columns", arguments.columns,
                   "Metric ids, comma separated (default: as the campaign's [analysis] says)");
@@ -54,39 +52,12 @@ ReportOptions effective_options(const ResultTable& table, const Arguments& argum
   return options;
 }
 
-std::string tables_text(const ResultTable& table, const ReportOptions& options,
-                        const std::string& method) {
-  if (method.empty()) {
-    return render_tables_text(table, options.rows, options.columns, options.analysis.confidence);
-  }
-  std::string text;
-  for (const CrossTable& cross :
-       build_cross_tables(table, options.rows, options.columns, options.analysis, method)) {
-    text += (text.empty() ? "" : "\n\n") + render_cross_table_text(cross);
-  }
-  return text;
-}
-
 void print_or_write(const std::string& text, const std::string& output) {
   if (output.empty() || output == "-") {
     std::cout << text;
   } else {
     write_file_atomically(output, text);
   }
-}
-
-void table_verb(const Arguments& arguments) {
-  const ResultTable table = ResultFile::open(arguments.results).read_table();
-  const ReportOptions options = effective_options(table, arguments);
-  std::string text;
-  if (arguments.csv || arguments.json) {
-    const auto tables = build_cross_tables(table, options.rows, options.columns, options.analysis,
-                                           arguments.method);
-    text = arguments.csv ? render_csv(tables) : render_json(tables);
-  } else {
-    text = tables_text(table, options, arguments.method);
-  }
-  print_or_write(text, arguments.output);
 }
 
 void report_verb(const Arguments& arguments) {
@@ -116,17 +87,6 @@ void dump_verb(const Arguments& arguments) {
   std::string text;
   for (const RunRecord& run : table.runs) text += dump_line(table, run) + "\n";
   print_or_write(text, arguments.output);
-}
-
-void define_table(CLI::App& app, Arguments& arguments) {
-  CLI::App* verb = add_verb(app, "table", "Print a summary per method and cross tables", arguments);
-  add_table_options(*verb, arguments);
-  verb->add_option("--method", arguments.method, "Only the cross tables of this method");
-  CLI::Option* csv = verb->add_flag("--csv", arguments.csv, "Cross tables as CSV, one cell a line");
-  verb->add_flag("--json", arguments.json, "Cross tables as JSON, with the ids of their runs")
-      ->excludes(csv);
-  verb->add_option("-o,--output", arguments.output, "File to write instead of standard output");
-  verb->callback([&arguments] { table_verb(arguments); });
 }
 
 void define_report(CLI::App& app, Arguments& arguments) {
@@ -161,7 +121,7 @@ int main(int argc, char** argv) {
   return run_program("slalom-analyze",
                      "Tables and reports from result files, and metrics of any robot's logs", argc,
                      argv, [&arguments](CLI::App& app) {
-                       define_table(app, arguments);
+                       define_interpreters(app);
                        define_report(app, arguments);
                        define_show(app, arguments);
                        define_dump(app, arguments);

@@ -121,7 +121,9 @@ Interval wilson_interval(double rate, double n, double confidence) {
   const double shrink = 1 + z * z / n;
   const double centre = (rate + z * z / (2 * n)) / shrink;
   const double half = z / shrink * std::sqrt(rate * (1 - rate) / n + z * z / (4 * n * n));
-  return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
+  // At the ends the formula is exact, its rounding is not.
+  return {rate == 0 ? 0.0 : std::max(0.0, centre - half),
+          rate == 1 ? 1.0 : std::min(1.0, centre + half)};
 }
 
 double effective_sample_size(const GroupSums& groups) {

@@ -95,6 +95,14 @@ void add_descriptors(RunColumns& columns, const ResultTable& table) {
   }
 }
 
+template <typename T>
+void reorder_values(std::vector<T>& values, const std::vector<std::size_t>& order) {
+  std::vector<T> result;
+  result.reserve(values.size());
+  for (const std::size_t place : order) result.push_back(values[place]);
+  values = std::move(result);
+}
+
 const ValueColumn* find(const std::vector<ValueColumn>& columns, const std::string& id) {
   const auto found = std::find_if(columns.begin(), columns.end(), [&id](const ValueColumn& column) {
     return column.info().id == id;
@@ -129,6 +137,26 @@ void ValueColumn::add_na(const std::string& reason) {
 
 const std::string& ValueColumn::reason(std::size_t row) const {
   return reasons_[payload_of(numbers_[row])];
+}
+
+void ValueColumn::reorder(const std::vector<std::size_t>& order) {
+  reorder_values(numbers_, order);
+}
+
+void reorder_runs(RunColumns& columns, const std::vector<std::size_t>& order) {
+  for (auto* values : {&columns.scenario, &columns.method, &columns.outcome, &columns.repetition}) {
+    reorder_values(*values, order);
+  }
+  for (ValueColumn& column : columns.metrics) column.reorder(order);
+}
+
+void reorder_scenarios(RunColumns& columns, const std::vector<std::size_t>& order) {
+  std::vector<std::uint32_t> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<std::uint32_t>(i);
+  reorder_values(columns.scenario_hashes, order);
+  reorder_values(columns.scenario_names, order);
+  for (ValueColumn& column : columns.descriptors) column.reorder(order);
+  for (std::uint32_t& scenario : columns.scenario) scenario = place[scenario];
 }
 
 std::uint32_t NameIndex::place_of(const std::string& name) {

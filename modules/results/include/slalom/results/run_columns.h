@@ -27,6 +27,9 @@ class ValueColumn {
   double number(std::size_t row) const { return numbers_[row]; }  ///< NaN where NA
   const std::string& reason(std::size_t row) const;               ///< requires is_na(row)
 
+  /// Row i becomes what row order[i] was.
+  void reorder(const std::vector<std::size_t>& order);
+
   /// A share of runs with value 1 ("success"), not a mean.
   bool rate = false;
   /// Measured time: differs from run to run of a campaign.
@@ -75,6 +78,10 @@ class NameIndex {
 
 /// Sorts the methods by name, and what refers to them along.
 void sort_methods(RunColumns& columns);
+
+/// Run (scenario) i becomes what order[i] was; whatever refers to it goes along.
+void reorder_runs(RunColumns& columns, const std::vector<std::size_t>& order);
+void reorder_scenarios(RunColumns& columns, const std::vector<std::size_t>& order);
 
 /// Null where there is none.
 const ValueColumn* find_metric(const RunColumns& columns, const std::string& id);

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace slalom {
+
+/// Adds a verb for each interpreter: `table`, `compare`, `map`, ...
+void define_interpreters(CLI::App& app);
+
+}  // namespace slalom
