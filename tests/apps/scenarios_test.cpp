@@ -37,19 +37,58 @@ TEST_F(Scenarios, GeneratesTheSameListFromTheSameSeed) {
   EXPECT_NE(a, run("slalom-scenarios list c.scenarios").out);
 }
 
+/// What `describe --json` printed, one object per scenario, without the times taken.
+std::vector<nlohmann::json> descriptions_in(const std::string& text) {
+  std::vector<nlohmann::json> descriptions;
+  std::istringstream lines(text);
+  std::string line;
+  while (std::getline(lines, line)) {
+    descriptions.push_back(nlohmann::json::parse(line));
+    for (auto& detail : descriptions.back()["details"]) {
+      EXPECT_GE(detail["time_ms"].get<double>(), 0);
+      detail.erase("time_ms");
+    }
+  }
+  return descriptions;
+}
+
 TEST_F(Scenarios, DescribesAndKeepsWhatItComputed) {
   ASSERT_EQ(run("slalom-scenarios generate -c generate.ini -n 2 --quiet -o a.scenarios").status, 0);
   const Ended first = run("slalom-scenarios describe a.scenarios --json");
   ASSERT_EQ(first.status, 0) << first.err;
-  std::istringstream lines(first.out);
-  std::string line;
-  while (std::getline(lines, line)) {
-    const auto json = nlohmann::json::parse(line);
+  const auto descriptions = descriptions_in(first.out);
+  ASSERT_EQ(descriptions.size(), 2U);
+  for (const auto& json : descriptions) {
     EXPECT_GE(json["detour_ratio"].get<double>(), 1);
     EXPECT_GE(json["density"].get<double>(), 0);
     EXPECT_LE(json["confinement"].get<double>(), 1);
+    const auto& detail = json["details"]["confinement"];
+    EXPECT_EQ(detail["unit"], "-");
+    EXPECT_EQ(detail["version"], 1);
+    EXPECT_EQ(detail["parameters"], "sensor_range=8;resolution=0.05");
+    EXPECT_LE(detail["standard_error"].get<double>(), 0.005);
   }
-  EXPECT_EQ(first.out, run("slalom-scenarios describe a.scenarios --json").out);
+  EXPECT_EQ(descriptions, descriptions_in(run("slalom-scenarios describe a.scenarios --json").out));
+}
+
+TEST_F(Scenarios, DescribesForAFootprintAndExactly) {
+  ASSERT_EQ(run("slalom-scenarios generate -c generate.ini -n 1 --quiet -o a.scenarios").status, 0);
+  const std::string describe =
+      "slalom-scenarios describe a.scenarios --json --resolution 0.1"
+      " --descriptors cspace_density,confinement";
+  const auto disc = descriptions_in(run(describe).out).at(0);
+  const auto box =
+      descriptions_in(
+          run(describe + " --footprint '-0.4,-0.2;0.4,-0.2;0.4,0.2;-0.4,0.2' --exact-confinement")
+              .out)
+          .at(0);
+  EXPECT_EQ(disc["details"]["cspace_density"]["parameters"], "robot_radius=0.25;resolution=0.1");
+  EXPECT_EQ(box["details"]["cspace_density"]["parameters"],
+            "footprint=-0.4,-0.2 0.4,-0.2 0.4,0.2 -0.4,0.2;resolution=0.1");
+  EXPECT_GT(box["cspace_density"], disc["cspace_density"]);
+  EXPECT_FALSE(box["details"]["confinement"].contains("standard_error"));
+  EXPECT_NEAR(box["confinement"].get<double>(), disc["confinement"].get<double>(), 0.03);
+  expect_refusal(describe + " --footprint 0,1", 2, {"--footprint", "3 to 64 corners"});
 }
 
 TEST_F(Scenarios, ImportsARosMapAtItsPlace) {
