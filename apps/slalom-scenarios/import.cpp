@@ -127,8 +127,8 @@ Imported import_problems(const Scenario& map, const ImportArguments& arguments) 
   const double cell_size = map.grid_map()->getResolution();
   const auto problems = choose_problems(read_moving_ai_problems(path), problem_choice(arguments));
   if (problems.empty())
-    throw usage_error("--buckets " + arguments.buckets, "names no problems of " + path,
-                      "buckets that are in the file");
+    throw usage_error("--scen " + path, "has no problems of that difficulty",
+                      "--buckets that are in the file");
   Imported imported;
   std::string reason;
   for (const MovingAiProblem& problem : problems) {
