@@ -50,6 +50,7 @@ TEST_F(Coverage, TheListIsTheSameForAnyNumberOfThreads) {
   const std::string list = run("slalom-scenarios list a.scenarios").out;
   EXPECT_FALSE(list.empty());
   EXPECT_EQ(list, run("slalom-scenarios list b.scenarios").out);
+  EXPECT_TRUE(read("a.scenarios") == read("b.scenarios")) << "byte for byte";
 }
 
 TEST_F(Coverage, TheTableSaysHowEachBinWent) {

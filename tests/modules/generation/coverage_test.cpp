@@ -1,3 +1,5 @@
+#include "scenario_sketch.h"
+
 #include <slalom/core/error.h>
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/generation/coverage.h>
@@ -95,12 +97,17 @@ TEST(Coverage, TheResultIsTheSameForAnyNumberOfThreads) {
   EXPECT_NE(hashes(one), hashes(other));
 }
 
-TEST(Coverage, AllContentsAreDistinct) {
-  const auto result = fill(plan_of(kSmall + "descriptors = density\nbins = 2\nper_bin = 15\n"));
+TEST(Coverage, AllScenariosAreDistinctAndDiffer) {
+  const auto result = fill(plan_of(kSmall + "descriptors = density\nbins = 2\nper_bin = 15\n"
+                                            "min_difference = 0.3\n"));
   std::set<std::string> hashes, names;
+  std::vector<ScenarioSketch> sketches;
   for (const CoveredScenario& covered : result.scenarios) {
     hashes.insert(covered.scenario.hash());
     names.insert(covered.scenario.name());
+    const ScenarioSketch own = sketch(World(covered.scenario, 0.1));
+    for (const ScenarioSketch& other : sketches) EXPECT_GE(difference(own, other), 0.3);
+    sketches.push_back(own);
   }
   EXPECT_EQ(hashes.size(), 30u);
   EXPECT_EQ(names.size(), 30u);
