@@ -11,7 +11,7 @@
 #include <slalom/commands/scenario_sources.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
-#include <slalom/generation/random_generator.h>
+#include <slalom/generation/generator.h>
 #include <slalom/io/html_report.h>
 #include <slalom/io/result_file.h>
 #include <slalom/lcm/lcm_method.h>
@@ -78,7 +78,11 @@ std::string campaign_options_help() {
   std::string text;
   list_section<CampaignSection>(text, "campaign");
   list_section<ScenariosSection>(text, "scenarios");
-  list_section<RandomGeneratorOptions>(text, "generator.random");
+  for (const std::string& family : generator_names()) {
+    OptionLister lister;
+    visit_generator_options(family, lister);
+    text += "\n[generator." + family + "]\n" + lister.text();
+  }
   list_section<RobotModel>(text, "robot");
   list_section<SensorModel>(text, "sensor");
   list_section<OdometryModel>(text, "odometry");

@@ -57,5 +57,62 @@ TEST(ScenarioSources, NoSourceOrAWrongOneIsRefused) {
   EXPECT_EQ(status("[scenarios]\nlist = /nonexistent.scenarios\n"), 3);
 }
 
+TEST(ScenarioSources, SeveralFamiliesShareTheCount) {
+  const auto scenarios = collect(
+      "[scenarios]\ngenerator = random, traps\nweights = 3, 1\ncount = 8\n"
+      "representation = points\nresolution = 0.1\n");
+  ASSERT_EQ(scenarios.size(), 8U);
+  int traps = 0;
+  for (const Scenario& scenario : scenarios) {
+    traps += scenario.name().rfind("traps_000", 0) == 0 ? 1 : 0;
+    EXPECT_EQ(scenario.representation(), Representation::Points);
+  }
+  EXPECT_EQ(traps, 2);
+}
+
+TEST(ScenarioSources, FamiliesScaleWithTheRobot) {
+  const auto progress = make_silent_progress();
+  SourceContext context;
+  context.robot_radius = 0.5;
+  const auto width = [&](const std::string& scaled) {
+    const IniFile ini =
+        IniFile::from_text("[scenarios]\ngenerator = maze\ncount = 1\nscale_by_robot = " + scaled);
+    return collect_scenarios(ini, context, empty_hall, *progress).at(0).bounds().width();
+  };
+  // 8 cells of a passage and a wall; twice as large for a robot of 0.5 m.
+  EXPECT_NEAR(width("false"), 8 * (1.2 + 0.15), 1e-9);
+  EXPECT_NEAR(width("true"), 16 * (1.2 + 0.15), 1e-9);
+}
+
+TEST(ScenarioSources, FamiliesOnMapsUseTheLoader) {
+  const auto scenarios = collect(
+      "[scenarios]\ngenerator = clutter\ncount = 2\n[generator.clutter]\nmap = x.yaml\n"
+      "min_occupied = 0\nwidth = 8\n");
+  ASSERT_EQ(scenarios.size(), 2U);
+  EXPECT_NEAR(scenarios[0].bounds().width(), 8, 1e-5);
+}
+
+TEST(ScenarioSources, WrongMixesAreRefusedWithTheirPlace) {
+  const auto message = [](const std::string& ini) -> std::string {
+    try {
+      collect(ini);
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(message("[scenarios]\ngenerator = random, maze\nweights = 1\n"),
+            "c.ini:3: [scenarios] weights: '1'; expected a number above 0 for each generator");
+  EXPECT_NE(message("[scenarios]\ngenerator = random\nweights = 0\n").find("weights: '0'"),
+            std::string::npos);
+  EXPECT_EQ(message("[scenarios]\ngenerator = maze, maze\n"),
+            "c.ini:2: [scenarios] generator: names maze twice; expected each family once");
+  EXPECT_EQ(message("[scenarios]\ngenerator = maze\n[generator.mase]\n"),
+            "c.ini:3: [generator.mase]: unknown generator 'mase'; expected 'maze'");
+  EXPECT_NE(
+      message("[scenarios]\ngenerator = maze\nrepresentation = mesh\n").find("representation"),
+      std::string::npos);
+}
+
 }  // namespace
 }  // namespace slalom
