@@ -6,6 +6,12 @@
 #include <zstd.h>
 
 namespace slalom {
+namespace {
+
+/// A block of 4 bytes stands for 128 KiB at most: what a frame announces beyond that is no frame's.
+constexpr unsigned long long kMostPerByte = 32768;
+
+}  // namespace
 
 std::string compress(const std::string& bytes) {
   const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
@@ -22,7 +28,8 @@ std::string compress(const std::string& bytes) {
 
 std::string decompress(const std::string& bytes, const std::string& where, std::size_t max_size) {
   const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
-  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > max_size)
+  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > max_size ||
+      size > kMostPerByte * bytes.size())
     throw file_error(where, "is damaged (no valid size)", "content that Slalom wrote");
   std::string result(static_cast<std::size_t>(size), '\0');
   const std::size_t got = ZSTD_decompress(result.data(), result.size(), bytes.data(), bytes.size());

@@ -78,11 +78,12 @@ void write_grid(ByteWriter& out, const mrpt::maps::COccupancyGridMap2D& map) {
 }
 
 mrpt::maps::COccupancyGridMap2D read_grid(ByteReader& in) {
-  constexpr std::uint64_t kMaxSide = 1U << 20;
+  constexpr std::uint64_t kMaxSide = 1U << 20, kMaxCells = 400'000'000;
   const std::uint64_t size_x = in.u64(), size_y = in.u64();
   const double x_min = in.f64(), y_min = in.f64(), resolution = in.f64();
-  if (size_x == 0 || size_y == 0 || size_x > kMaxSide || size_y > kMaxSide || !(resolution > 0) ||
-      !std::isfinite(x_min) || !std::isfinite(y_min) || !std::isfinite(resolution))
+  if (size_x == 0 || size_y == 0 || size_x > kMaxSide || size_y > kMaxSide ||
+      size_x * size_y > kMaxCells || !(resolution > 0) || !std::isfinite(x_min) ||
+      !std::isfinite(y_min) || !std::isfinite(resolution))
     throw in.broken("has a grid of impossible size");
   const char* bytes = in.take((size_x * size_y + 7) / 8);
   auto map =

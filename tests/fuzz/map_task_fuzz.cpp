@@ -1,0 +1,10 @@
+#include "fuzz_target.h"
+
+#include <slalom/map_formats/map_task.h>
+
+/// What stands beside an exported map.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace slalom;
+  fuzz::read_or_refuse([&] { parse_map_task(fuzz::text_of(data, size), "input"); });
+  return 0;
+}

@@ -1,0 +1,9 @@
+#include "fuzz_target.h"
+
+#include <slalom/map_formats/point_map.h>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace slalom;
+  fuzz::read_or_refuse([&] { parse_point_map(fuzz::text_of(data, size), "input", {}); });
+  return 0;
+}
