@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 
 namespace slalom {
 namespace {
@@ -134,10 +136,32 @@ double draw_scale(const CoverageOptions& limits, const std::string& family, cons
   return log_uniform(engine, limits.min_floor, largest) / width.found();
 }
 
+/// Families on maps are made anew with each draw of options: their maps are read once. For several
+/// threads at once.
+MapLoader remembering(const MapLoader& load_map) {
+  using mrpt::maps::COccupancyGridMap2D;
+  struct Memory {
+    std::mutex mutex;
+    std::map<std::string, COccupancyGridMap2D> maps;
+  };
+  if (!load_map) return load_map;
+  return [load_map, memory = std::make_shared<Memory>()](const std::string& path) {
+    const std::lock_guard<std::mutex> lock(memory->mutex);
+    auto kept = memory->maps.find(path);
+    if (kept == memory->maps.end()) {
+      kept = memory->maps.try_emplace(path).first;
+      kept->second.copyMapContentFrom(load_map(path));
+    }
+    COccupancyGridMap2D copy;
+    copy.copyMapContentFrom(kept->second);
+    return copy;
+  };
+}
+
 }  // namespace
 
 OptionDraw::OptionDraw(const CoveragePlan& plan, const MapLoader& load_map)
-    : plan_(plan), load_map_(load_map) {
+    : plan_(plan), load_map_(remembering(load_map)) {
   // What is wrong with the families as they are configured is told at once.
   for (const std::string& family : plan_.families)
     make_generator(family, plan_.ini, {1, load_map_});

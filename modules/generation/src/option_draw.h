@@ -19,7 +19,7 @@ class OptionDraw {
 
  private:
   const CoveragePlan& plan_;
-  const MapLoader& load_map_;
+  MapLoader load_map_;  ///< reads each file once
 };
 
 }  // namespace slalom

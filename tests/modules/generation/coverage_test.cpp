@@ -4,6 +4,7 @@
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/generation/coverage.h>
 #include <slalom/references/exact_shortest.h>
+#include <slalom/scenario/grid_map.h>
 
 #include <gtest/gtest.h>
 
@@ -205,6 +206,24 @@ TEST(Coverage, OptionsOfFamiliesThatAreGivenAreKept) {
     EXPECT_EQ(covered.scenario.bounds(), (Bounds{0, 0, 7, 6}));
     EXPECT_TRUE(covered.scenario.primitives().polygons.empty());
   }
+}
+
+TEST(Coverage, MapsOfFamiliesAreReadOnce) {
+  const auto ini = IniFile::from_text(
+      "[coverage]\ndescriptors = density\nedges.density = 0, 0.5\nper_bin = 6\nfresh_share = 1\n"
+      "[generator.crop]\nmap = hall.map\nwidth = 6\nheight = 6\nmin_distance = 3\n",
+      "c.ini");
+  int reads = 0;
+  CoverageTask task;
+  task.load_map = [&](const std::string&) {
+    ++reads;
+    auto map = make_grid_map(200, 200, 0.1, {0, 0});
+    for (int i = 40; i < 160; i += 20) map.setCell(i, i, 0.0f);
+    return map;
+  };
+  const auto result = cover(read_coverage_plan(ini, {"crop"}), task, *make_silent_progress());
+  EXPECT_EQ(result.scenarios.size(), 6u);
+  EXPECT_EQ(reads, 1);
 }
 
 }  // namespace
