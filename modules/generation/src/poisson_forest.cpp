@@ -129,10 +129,10 @@ std::unique_ptr<Generator> make_poisson_forest(const IniFile& ini,
   section.expect_good(options.trunks);
   section.expect(options.spacing >= 2 * options.trunks.max_size, "spacing",
                  "trunks of max_size would grow into each other", "at least twice max_size");
-  section.expect(
-      options.width / options.spacing * (options.height / options.spacing) <= kMostPoints,
-      "spacing", "is too small for so large a floor",
-      "at most a million squares of that side on the floor");
+  const double squares =
+      (options.width / options.spacing + 1) * (options.height / options.spacing + 1);
+  section.expect(squares <= kMostPoints, "spacing", "is too small for so large a floor",
+                 "at most a million squares of that side on the floor");
   section.expect_room(options.ends, options.width, options.height);
   return std::make_unique<PoissonForest>(options);
 }

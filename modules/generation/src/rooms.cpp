@@ -171,10 +171,10 @@ std::unique_ptr<Generator> make_rooms(const IniFile& ini, const GeneratorContext
   section.expect(options.door_width + 2 * options.wall <= side, "door_width",
                  "does not fit between the walls of a room or corridor",
                  "at most min_room and corridor_width less twice wall");
-  section.expect(
-      options.width / options.min_room * (options.height / options.min_room) <= kMostRooms,
-      "min_room", "is too small for so large a floor",
-      "at most 3000 squares of that side on the floor");
+  const double squares =
+      (options.width / options.min_room + 1) * (options.height / options.min_room + 1);
+  section.expect(squares <= kMostRooms, "min_room", "is too small for so large a floor",
+                 "at most 3000 squares of that side on the floor");
   section.expect_room(options.ends, options.width, options.height);
   return std::make_unique<RoomsGenerator>(options);
 }

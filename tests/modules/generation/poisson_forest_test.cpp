@@ -46,6 +46,9 @@ TEST(PoissonForest, BadOptionsAreRefused) {
             "other; expected at least twice max_size");
   EXPECT_NE(refusal("poisson_forest", "width = 1e6\nheight = 1e6\n").find("too small for so large"),
             std::string::npos);
+  EXPECT_NE(refusal("poisson_forest", "width = 1e12\nheight = 1e-6\nmargin = 0\nmin_distance = 0\n")
+                .find("too small for so large"),
+            std::string::npos);
   EXPECT_NE(refusal("poisson_forest", "spacing = -1\n").find("spacing"), std::string::npos);
 }
 

@@ -86,6 +86,8 @@ TEST(RoomsFamily, BadOptionsAreRefused) {
             "g.ini:2: [generator.rooms] door_width: does not fit between the walls of a room or "
             "corridor; expected at most min_room and corridor_width less twice wall");
   EXPECT_EQ(refusal("rooms", "door_width = 2\ncorridors = 0\n"), "no error");
+  EXPECT_NE(refusal("rooms", "width = 1e12\nheight = 1e-6\nmargin = 0\n").find("min_room"),
+            std::string::npos);
   EXPECT_NE(refusal("rooms", "width = 1e5\nheight = 1e5\n").find("min_room"), std::string::npos);
 }
 
