@@ -11,10 +11,13 @@ namespace slalom {
 
 void keep_scenarios(const std::string& path, std::vector<Scenario> scenarios,
                     const std::vector<std::pair<std::string, std::string>>& notes, bool quiet) {
-  ScenarioList list = ScenarioList::create(path);
-  make_add_scenarios(list, std::move(scenarios))->execute();
-  for (const auto& [key, text] : notes) list.set_note(key, text);
-  if (!quiet) std::cerr << path << ": " << list.size() << " scenarios\n";
+  std::size_t size = 0;
+  ScenarioList::write(path, [&](ScenarioList& list) {
+    make_add_scenarios(list, std::move(scenarios))->execute();
+    for (const auto& [key, text] : notes) list.set_note(key, text);
+    size = list.size();
+  });
+  if (!quiet) std::cerr << path << ": " << size << " scenarios\n";
 }
 
 void add_make_verbs(CLI::App& app) {

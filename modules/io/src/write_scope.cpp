@@ -6,7 +6,9 @@ namespace slalom {
 
 WriteScope::WriteScope(SQLite::Database& database)
     : database_(database), outermost_(sqlite3_get_autocommit(database.getHandle()) != 0) {
-  database_.exec(outermost_ ? "BEGIN IMMEDIATE" : "SAVEPOINT inner_scope");
+  // A file that cannot be written needs no lock: whoever only looks goes on, and writing fails.
+  done_ = outermost_ && sqlite3_db_readonly(database.getHandle(), "main") == 1;
+  if (!done_) database_.exec(outermost_ ? "BEGIN IMMEDIATE" : "SAVEPOINT inner_scope");
 }
 
 WriteScope::~WriteScope() {
@@ -17,6 +19,7 @@ WriteScope::~WriteScope() {
 }
 
 void WriteScope::commit() {
+  if (done_) return;
   database_.exec(outermost_ ? "COMMIT" : "RELEASE inner_scope");
   done_ = true;
 }

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace slalom {
 namespace {
@@ -162,6 +164,30 @@ TEST(ListFile, OfAnotherVersionIsRefusedByItsNumber) {
   EXPECT_NE(error_text(Culprit::File, [&] { ScenarioList::open(folder / "none.scenarios"); })
                 .find("is of version 0"),
             std::string::npos);
+}
+
+TEST(ListFile, ThatCannotBeWrittenCanBeRead) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  std::vector<SampleRow> rows;
+  sample_list(path, 5, 1, rows);
+  std::filesystem::permissions(folder / "", std::filesystem::perms(0555));
+  std::filesystem::permissions(path, std::filesystem::perms(0444));
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (geteuid() == 0 && setuid(kNobody) != 0) _exit(2);  // nothing hinders the superuser
+    std::size_t seen = 0;
+    ScenarioList list = ScenarioList::open(path);
+    list.in_one_step([&] { seen = list.select({}).size(); });
+    const std::string refusal = error_text(Culprit::Job, [&] { list.add(sample_scenario(99)); });
+    _exit(seen == 5 && refusal.find(path + ": cannot be written (") == 0 ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  std::filesystem::permissions(folder / "", std::filesystem::perms(0755));
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
 }
 
 TEST(ListFile, WithTriggersOrViewsIsRefused) {
