@@ -13,6 +13,18 @@ double Sectors::nearest() const {
   return *std::min_element(ways.begin(), ways.end());
 }
 
+Sectors Sectors::ahead(double field_of_view) const {
+  Sectors result = *this;
+  for (std::size_t k = 0; k < count(); ++k)
+    if (std::abs(direction(k)) > 0.5 * field_of_view) result.ways[k] = 0;
+  return result;
+}
+
+Decision SearchTurn::next(double target_direction) {
+  if (side_ == 0) side_ = target_direction >= 0 ? 1 : -1;
+  return {side_ * 0.5 * kPi, kCreep};
+}
+
 std::vector<SectorRun> open_runs(const Sectors& sectors, double open) {
   const std::size_t n = sectors.count();
   std::size_t closed = 0;

@@ -21,6 +21,8 @@ struct Sectors {
   std::size_t sector_of(double direction) const;
   double way(double direction) const { return ways[sector_of(direction)]; }
   double nearest() const;  ///< the shortest way
+  /// Only what lies ahead within `field_of_view`: the rest is closed.
+  Sectors ahead(double field_of_view) const;
 };
 
 /// Sectors of one kind next to each other, from `first` on, all around if count() == all.
@@ -48,6 +50,16 @@ Opening opening_of(const Sectors& sectors, const SectorRun& run);
 /// What a method answers: where to, and how fast (a share of the largest speed).
 struct Decision {
   double direction = 0, speed = 0;
+};
+
+/// To where a robot turns that sees no way out: on to the side that it began with.
+class SearchTurn {
+ public:
+  void end() { side_ = 0; }
+  Decision next(double target_direction);
+
+ private:
+  int side_ = 0;  ///< +1 left, -1 right, 0 none yet
 };
 
 /// Least speed share of a robot that has not stopped.

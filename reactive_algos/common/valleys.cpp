@@ -45,7 +45,7 @@ std::vector<Valley> find_valleys(const Sectors& sectors, double gap, double pass
 }
 
 Choice choose_valley(const std::vector<Valley>& valleys, const Sectors& sectors,
-                     const Point& target) {
+                     const Point& target, double horizon) {
   const double direction = std::atan2(target.y, target.x);
   const double left = std::hypot(target.x, target.y);
   Choice best;
@@ -53,7 +53,8 @@ Choice choose_valley(const std::vector<Valley>& valleys, const Sectors& sectors,
   for (const Valley& valley : valleys) {
     bool low = false;
     double away = end_distance(valley, direction, low);
-    const bool holds = valley.span.contains(direction) && sectors.way(direction) >= 0.95 * left;
+    const bool holds =
+        valley.span.contains(direction) && sectors.way(direction) >= std::min(horizon, 0.95 * left);
     if (holds) away = -1;
     if (away >= nearest) continue;
     nearest = away;

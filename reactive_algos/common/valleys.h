@@ -19,13 +19,14 @@ struct Valley {
 std::vector<Valley> find_valleys(const Sectors& sectors, double gap, double passable);
 
 /// How the free walking area is chosen: the valley with a rising gap nearest to the target, or that
-/// holds the target; null where there is none.
+/// holds the target; null where there is none. What stands beyond `horizon` before the target does
+/// not count yet.
 struct Choice {
   const Valley* valley = nullptr;
   bool holds_target = false;  ///< the way to the target is free within it
   bool low_end = false;       ///< the end that is nearer to the target is the lower one
 };
 Choice choose_valley(const std::vector<Valley>& valleys, const Sectors& sectors,
-                     const Point& target);
+                     const Point& target, double horizon);
 
 }  // namespace reactive

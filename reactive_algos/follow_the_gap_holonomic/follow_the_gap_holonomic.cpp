@@ -51,13 +51,7 @@ Decision FollowTheGap::decide(const Sectors& sectors, const Point& target) {
   const double open = std::min(parameters.look_ahead, left);
   SectorRun best;
   double best_value = -HUGE_VAL;
-  Sectors seen = sectors;
-  double nearest = HUGE_VAL;
-  for (std::size_t k = 0; k < seen.count(); ++k) {
-    const bool ahead = std::abs(seen.direction(k)) <= 0.5 * parameters.field_of_view;
-    if (!ahead) seen.ways[k] = 0;
-    if (ahead) nearest = std::min(nearest, seen.ways[k]);
-  }
+  const Sectors seen = sectors.ahead(parameters.field_of_view);
   const auto runs = open_runs(seen, open);
   for (const SectorRun& run : runs) {
     const Opening opening = opening_of(sectors, run);
@@ -67,12 +61,12 @@ Decision FollowTheGap::decide(const Sectors& sectors, const Point& target) {
     best_value = value;
     best = run;
   }
-  if (runs.empty()) {
-    // Turns on, to the side that it began with, until it sees one.
-    if (side_ == 0) side_ = goal >= 0 ? 1 : -1;
-    return {side_ * 0.5 * kPi, kCreep};
-  }
-  side_ = 0;
+  if (runs.empty()) return search_.next(goal);
+  search_.end();
+  double nearest = HUGE_VAL;
+  for (std::size_t k = 0; k < sectors.count(); ++k)
+    if (std::abs(sectors.direction(k)) <= 0.5 * parameters.field_of_view)
+      nearest = std::min(nearest, sectors.ways[k]);
   double direction = goal;
   if (nearest < open)
     direction = final_direction(gap_centre(sectors, best), goal, nearest, parameters.alpha);

@@ -38,7 +38,7 @@ class FollowTheGap {
   Parameters parameters;
 
  private:
-  int side_ = 0;  ///< +1 left, -1 right: to where the robot turns while it sees no gap
+  reactive::SearchTurn search_;
 };
 
 }  // namespace follow_the_gap_holonomic

@@ -99,12 +99,12 @@ void Mppi::reset(const Task& task) {
 }
 
 double Mppi::way_left(const Pose& pose, const Waypoint& target) const {
-  const Point ahead = to_world(pose, {kHeadingLookAhead, 0});
-  if (!target.reachable || target.is_goal) return distance(ahead, target.position);
+  const Point ahead = to_world(pose, {look_, 0});
+  if (!target.reachable) return distance(ahead, target.position);
   const double left = guide_.cost_to_go().at(ahead);
   return left < CostToGo::kUnreached
              ? left
-             : std::min(kContact, guide_.cost_to_go().at({pose.x, pose.y}) + kHeadingLookAhead);
+             : std::min(kContact, guide_.cost_to_go().at({pose.x, pose.y}) + look_);
 }
 
 /// Cost S of one rollout, Algorithm 2: state costs along it, the control term
@@ -118,7 +118,7 @@ double Mppi::rollout_cost(const Observation& observation, const Waypoint& target
   const double span = std::max(1e-3, robot_.radius + parameters_.comfort - radius);
   Pose pose = observation.pose;
   Speeds now = observation.measured;
-  double cost = 0;
+  double cost = 0, nearest = kContact;
   for (std::size_t t = 0; t < plan_.size(); ++t) {
     const Speeds& mean = plan_[t];
     Speeds wanted = limited({mean.v + noise[t].v, mean.w + noise[t].w}, robot_);
@@ -126,13 +126,15 @@ double Mppi::rollout_cost(const Observation& observation, const Waypoint& target
     const Speeds next = approached(now, wanted, robot_, period);
     pose = moved(pose, {0.5 * (now.v + next.v), 0.5 * (now.w + next.w)}, period);
     now = next;
+    nearest = std::min(nearest, distance({pose.x, pose.y}, target.position));
     const double room = map_.clearance().at({pose.x, pose.y}) - radius;
     if (room < 0) return cost + kContact * (2 - static_cast<double>(t) / plan_.size());
     const double lack = std::max(0.0, 1 - room / span);
     cost += parameters_.obstacle_weight * period * lack * lack;
     cost += gamma * (mean.v * noise[t].v / vv + mean.w * noise[t].w / ww);
   }
-  return cost + parameters_.goal_weight * way_left(pose, target);
+  // At a goal in sight a rollout may end anywhere after it has been there.
+  return cost + parameters_.goal_weight * (target.is_goal ? nearest : way_left(pose, target));
 }
 
 void Mppi::optimise(const Observation& observation, const Waypoint& target, double top_speed) {
@@ -169,6 +171,8 @@ void Mppi::shift() {
 Speeds Mppi::step(const Observation& observation) {
   map_.update(observation);
   const Point goal = to_world(observation.pose, observation.goal);
+  // Near the goal the point ahead must not pass it: the robot would stop that much before.
+  look_ = std::min(kHeadingLookAhead, 0.5 * std::hypot(observation.goal.x, observation.goal.y));
   const Waypoint target = guide_.find(map_, observation.pose, goal, 1.5);
   const Point seen = to_robot(observation.pose, target.position);
   const double bearing = std::atan2(seen.y, seen.x);

@@ -70,6 +70,7 @@ class Mppi {
   reactive::LocalMap map_;
   reactive::Guide guide_;
   reactive::TurnOnTheSpot turn_;
+  double look_ = 0;  ///< m ahead of a trajectory's end from which its way to the goal is measured
   Noise noise_;
   std::vector<reactive::Speeds> plan_;         ///< mean controls, one a step
   std::vector<reactive::Speeds> disturbance_;  ///< K rows of T

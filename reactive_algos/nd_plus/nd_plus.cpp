@@ -18,6 +18,10 @@ const NdPlus::Settings& NdPlus::settings() {
        &Parameters::wide_valley,
        0,
        2 * kPi},
+      {{"field_of_view", "3.1416", "rad", "valleys are looked for ahead only"},
+       &Parameters::field_of_view,
+       0.1,
+       2 * kPi},
       {{"slow_distance", "0.3", "length", "slower when less way than this is ahead"},
        &Parameters::slow_distance},
       {{"target_slow_down", "0.15", "length", "slower when the target is nearer"},
@@ -86,11 +90,16 @@ double NdPlus::centred(const Threats& threats, double direction) const {
 Decision NdPlus::decide(const Sectors& sectors, const Point& target) {
   const double to_target = std::atan2(target.y, target.x);
   const double left = std::hypot(target.x, target.y);
-  const auto valleys = find_valleys(sectors, parameters.gap, parameters.passable);
-  const Choice choice = choose_valley(valleys, sectors, target);
+  const auto valleys =
+      find_valleys(sectors.ahead(parameters.field_of_view), parameters.gap, parameters.passable);
+  // Up to here an obstacle's edge against free space is a gap for certain.
+  const Choice choice =
+      choose_valley(valleys, sectors, target, sectors.limit - 1.25 * parameters.gap);
   double wanted = to_target;
   bool wide = true;
-  if (choice.valley != nullptr && !choice.holds_target) {
+  if (choice.valley == nullptr) return search_.next(to_target);
+  search_.end();
+  if (!choice.holds_target) {
     const Opening& span = choice.valley->span;
     wide = span.width >= parameters.wide_valley;
     const double inside = 0.5 * parameters.wide_valley;
@@ -98,8 +107,8 @@ Decision NdPlus::decide(const Sectors& sectors, const Point& target) {
         wide ? wrapped(choice.low_end ? span.low + inside : span.high() - inside) : span.middle();
   }
   const Threats threats = find_threats(sectors, wanted, parameters.safety_distance);
-  const Situation now = situation(threats, choice.holds_target || choice.valley == nullptr,
-                                  wide ? parameters.wide_valley : 0, parameters.wide_valley);
+  const Situation now = situation(threats, choice.holds_target, wide ? parameters.wide_valley : 0,
+                                  parameters.wide_valley);
   double direction = wanted;
   if (now == Situation::Ls2 || (now == Situation::Lsgr && threats.left && threats.right))
     direction = centred(threats, wanted);

@@ -16,6 +16,7 @@ struct Parameters {
   double gap = 0.2;                ///< a jump of the way by more is a gap
   double passable = 0.15;          ///< sectors whose way is shorter are closed
   double wide_valley = 0.9;        ///< rad, s_max: a wider valley is wide
+  double field_of_view = 3.1416;   ///< rad: valleys are looked for ahead only, as a scan sees them
   double slow_distance = 0.3;      ///< slower when less way than this is ahead
   double target_slow_down = 0.15;  ///< slower when the target is nearer
 };
@@ -38,7 +39,7 @@ Situation situation(const Threats& threats, bool goal_in_region, double width, d
 class NdPlus {
  public:
   using Parameters = nd_plus::Parameters;
-  using Settings = reactive::Setting<Parameters>[6];
+  using Settings = reactive::Setting<Parameters>[7];
   static const Settings& settings();
 
   NdPlus() = default;
@@ -50,6 +51,8 @@ class NdPlus {
  private:
   double away_from(const Threats& threats, double direction) const;
   double centred(const Threats& threats, double direction) const;
+
+  reactive::SearchTurn search_;
 };
 
 }  // namespace nd_plus

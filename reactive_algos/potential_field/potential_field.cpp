@@ -35,18 +35,19 @@ double repulsion(double distance, double eta, double influence) {
 
 Point repulsion_of(const Sectors& sectors, const Parameters& parameters) {
   const std::size_t n = sectors.count();
+  // What is near, seen as open, so that obstacles are runs of sectors.
+  Sectors near = sectors;
+  for (double& way : near.ways) way = way < parameters.influence ? 1 : 0;
   Point sum;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double here = sectors.ways[k];
-    if (here >= parameters.influence) continue;
-    // The nearest point of an obstacle: the way is shorter than on both sides of it.
-    if (here >= sectors.ways[(k + n - 1) % n]) continue;
-    std::size_t beyond = k + 1;
-    while (beyond < k + n && sectors.ways[beyond % n] == here) ++beyond;
-    if (here > sectors.ways[beyond % n]) continue;
-    const double force = repulsion(here, parameters.repulsion, parameters.influence);
-    sum.x -= force * std::cos(sectors.direction(k));
-    sum.y -= force * std::sin(sectors.direction(k));
+  for (const SectorRun& obstacle : open_runs(near, 0.5)) {
+    std::size_t nearest = obstacle.first;
+    for (std::size_t i = 0; i < obstacle.length; ++i)
+      if (sectors.ways[(obstacle.first + i) % n] < sectors.ways[nearest])
+        nearest = (obstacle.first + i) % n;
+    const double force =
+        repulsion(sectors.ways[nearest], parameters.repulsion, parameters.influence);
+    sum.x -= force * std::cos(sectors.direction(nearest));
+    sum.y -= force * std::sin(sectors.direction(nearest));
   }
   return sum;
 }

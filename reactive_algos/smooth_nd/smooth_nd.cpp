@@ -22,6 +22,10 @@ const SmoothNd::Settings& SmoothNd::settings() {
        &Parameters::slow_angle,
        0.1,
        kPi},
+      {{"field_of_view", "3.1416", "rad", "valleys are looked for ahead only"},
+       &Parameters::field_of_view,
+       0.1,
+       2 * kPi},
       {{"slow_distance", "0.3", "length", "slower when less way than this is ahead"},
        &Parameters::slow_distance},
       {{"target_slow_down", "0.15", "length", "slower when the target is nearer"},
@@ -50,13 +54,13 @@ double deflection(const Sectors& sectors, double direction, double safety_distan
 Decision SmoothNd::decide(const Sectors& sectors, const Point& target) {
   const double to_target = std::atan2(target.y, target.x);
   const double left = std::hypot(target.x, target.y);
-  const auto valleys = find_valleys(sectors, parameters.gap, parameters.passable);
-  const Choice choice = choose_valley(valleys, sectors, target);
-  if (choice.valley == nullptr) {
-    // No gap leads out: turn away from what is near, without driving far.
-    const double away = wrapped(to_target + deflection(sectors, to_target, sectors.limit));
-    return {away, kCreep};
-  }
+  const auto valleys =
+      find_valleys(sectors.ahead(parameters.field_of_view), parameters.gap, parameters.passable);
+  // Up to here an obstacle's edge against free space is a gap for certain.
+  const Choice choice =
+      choose_valley(valleys, sectors, target, sectors.limit - 1.25 * parameters.gap);
+  if (choice.valley == nullptr) return search_.next(to_target);
+  search_.end();
   const double inside = 0.5 * parameters.wide_valley;
   const double wanted =
       choice.holds_target ? to_target : choice.valley->span.nearest_to(to_target, inside);

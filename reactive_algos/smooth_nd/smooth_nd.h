@@ -15,6 +15,7 @@ struct Parameters {
   double passable = 0.15;          ///< sectors whose way is shorter are closed
   double wide_valley = 0.9;        ///< rad, s_max: how far from its gap a wide valley is entered
   double slow_angle = 1.57;        ///< rad: the robot stands at this deviation from straight ahead
+  double field_of_view = 3.1416;   ///< rad: valleys are looked for ahead only, as a scan sees them
   double slow_distance = 0.3;      ///< slower when less way than this is ahead
   double target_slow_down = 0.15;  ///< slower when the target is nearer
 };
@@ -30,7 +31,7 @@ double deflection(const reactive::Sectors& sectors, double direction, double saf
 class SmoothNd {
  public:
   using Parameters = smooth_nd::Parameters;
-  using Settings = reactive::Setting<Parameters>[7];
+  using Settings = reactive::Setting<Parameters>[8];
   static const Settings& settings();
 
   SmoothNd() = default;
@@ -38,6 +39,9 @@ class SmoothNd {
   reactive::Decision decide(const reactive::Sectors& sectors, const reactive::Point& target);
 
   Parameters parameters;
+
+ private:
+  reactive::SearchTurn search_;
 };
 
 }  // namespace smooth_nd

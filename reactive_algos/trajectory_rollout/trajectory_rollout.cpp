@@ -85,12 +85,12 @@ double TrajectoryRollout::cost(const Rollout& rollout, const Speeds& wanted,
   const double room = rollout.clearance - robot_.radius;
   const double lack = std::clamp(1 - room / std::max(1e-3, parameters_.comfort), 0.0, 1.0);
   const Point end{rollout.end.x, rollout.end.y};
-  const Point ahead = to_world(rollout.end, {kHeadingLookAhead, 0});
+  const Point ahead = to_world(rollout.end, {look_, 0});
   double left = distance(ahead, target.position);
   if (target.reachable && !target.is_goal) {
     left = guide_.cost_to_go().at(ahead);
     // A point ahead that lies within something says nothing: the end itself, and the price of that.
-    if (left >= CostToGo::kUnreached) left = guide_.cost_to_go().at(end) + kHeadingLookAhead;
+    if (left >= CostToGo::kUnreached) left = guide_.cost_to_go().at(end) + look_;
   }
   const double v = std::max(0.05, wanted.v);
   return parameters_.alpha * lack * lack + parameters_.beta * left +
@@ -131,6 +131,8 @@ Speeds TrajectoryRollout::best(const Observation& observation, const Waypoint& t
 Speeds TrajectoryRollout::step(const Observation& observation) {
   map_.update(observation);
   const Point goal = to_world(observation.pose, observation.goal);
+  // Near the goal the point ahead must not pass it: the robot would stop that much before.
+  look_ = std::min(kHeadingLookAhead, 0.5 * std::hypot(observation.goal.x, observation.goal.y));
   const Waypoint target = guide_.find(map_, observation.pose, goal, parameters_.look_ahead);
   path_.clear();
   if (target.reachable && !target.is_goal)

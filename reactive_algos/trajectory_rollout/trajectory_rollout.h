@@ -62,6 +62,7 @@ class TrajectoryRollout {
   reactive::LocalMap map_;
   reactive::Guide guide_;
   reactive::TurnOnTheSpot turn_;
+  double look_ = 0;  ///< m ahead of a trajectory's end from which its way to the goal is measured
   std::vector<reactive::Point> path_;
 };
 

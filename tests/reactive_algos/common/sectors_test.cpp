@@ -66,12 +66,12 @@ TEST(ChooseValley, TakesTheOneNearestToTheTarget) {
   const Sectors sectors = sectors_with({{-30, 30, 0.2}, {60, 180, 0.2}, {-180, -120, 0.2}});
   const auto valleys = find_valleys(sectors, 0.2, 0.05);
   ASSERT_EQ(valleys.size(), 2U);
-  const Choice left = choose_valley(valleys, sectors, target_at(10));
+  const Choice left = choose_valley(valleys, sectors, target_at(10), 1);
   EXPECT_TRUE(left.valley->span.contains(45 * kDegree));
   EXPECT_TRUE(left.low_end);
   EXPECT_FALSE(left.holds_target);
-  EXPECT_TRUE(choose_valley(valleys, sectors, target_at(-50)).holds_target);
-  EXPECT_EQ(choose_valley({}, sectors, target_at(0)).valley, nullptr);
+  EXPECT_TRUE(choose_valley(valleys, sectors, target_at(-50), 1).holds_target);
+  EXPECT_EQ(choose_valley({}, sectors, target_at(0), 1).valley, nullptr);
 }
 
 }  // namespace

@@ -45,6 +45,13 @@ TEST(SmoothNd, EntersAValleyBesideABlock) {
   EXPECT_NEAR(direction, 30 * kDegree + 0.45, 1e-9);
 }
 
+TEST(SmoothNd, TurnsOnToOneSideWhereNoValleyLeadsOut) {
+  SmoothNd method;
+  const Sectors wall = sectors_with({{-91, 91, 0.1}});
+  EXPECT_NEAR(method.decide(wall, target_at(-10)).direction, -kPi / 2, 1e-9);
+  EXPECT_NEAR(method.decide(wall, target_at(10)).direction, -kPi / 2, 1e-9);
+}
+
 TEST(SmoothNd, CreepsWhereNoValleyLeadsOut) {
   EXPECT_LE(SmoothNd().decide(sectors_with({{-181, 181, 0.03}}), target_at(0)).speed, kCreep);
 }
