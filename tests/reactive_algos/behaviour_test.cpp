@@ -119,5 +119,35 @@ TEST(Behaviour, ADoorIsBlockedForForceFieldsAndPassedByNearnessDiagrams) {
     EXPECT_EQ(outcome(method, world), "success") << method.name;
 }
 
+TEST(ShippedIni, OfEachHolonomicMethodIsAccepted) {
+  for (const Shipped& method : {kVfhPlus, kSmoothNd, kNdPlus, kGap, kField}) {
+    const std::string name = method.name;
+    const std::string config =
+        "config = " SLALOM_REACTIVE_FOLDER "/" + name + "/" + name + ".ini\n";
+    const IniFile ini =
+        IniFile::from_text("[method.a]\n" + std::string(method.keys) + config, "campaign.ini");
+    EXPECT_NO_THROW(make_holonomic_method({ini, "method.a", {}, {}})) << name;
+  }
+}
+
+TEST(ShippedIni, OfEachLibraryIsAcceptedAndHoldsTheDefaults) {
+  const World world = post();
+  for (const Shipped& method : {kGoToGoal, kDwa, kRollout}) {
+    const std::string name = method.name;
+    IniFile ini = IniFile::load(SLALOM_REACTIVE_FOLDER "/" + name + "/" + name + ".ini");
+    const std::string section = "method." + name;
+    ini.set(section, "plugin", SLALOM_PLUGIN_FOLDER "/libslalom_" + name + ".so");
+    const RunSetup setup;
+    const auto with_ini = make_library_method({ini, section, setup.robot, setup.sensor});
+    const IniFile bare =
+        IniFile::from_text("[method.a]\n" + std::string(method.keys), "campaign.ini");
+    const auto without = make_library_method({bare, "method.a", setup.robot, setup.sensor});
+    const auto first = simulate(world, setup, 1, *with_ini).trajectory.samples;
+    const auto second = simulate(world, setup, 1, *without).trajectory.samples;
+    ASSERT_EQ(first.size(), second.size()) << name;
+    EXPECT_EQ(first.back().numbers(), second.back().numbers()) << name;
+  }
+}
+
 }  // namespace
 }  // namespace slalom
