@@ -11,6 +11,7 @@
 #include <slalom/core/text.h>
 #include <slalom/io/result_columns.h>
 #include <slalom/io/result_file.h>
+#include <slalom/io/scenario_list.h>
 
 #include <algorithm>
 #include <iostream>
@@ -23,7 +24,7 @@ namespace {
 struct InterpretArguments {
   std::vector<std::string> files, gates;
   std::string rows, columns, method, baseline, parameter, values, output, gate_on = "estimate";
-  std::string csv_file, up, down;
+  std::string csv_file, up, down, scenarios;
   double confidence = 0, relevant = 0, power = 0.8;
   bool csv = false, json = false, allow_differences = false;
 };
@@ -81,6 +82,25 @@ RunColumns load(const std::string& path, const InterpretArguments& arguments,
   return read_run_columns(path, values_asked_for(arguments, interpreter));
 }
 
+/// Indexes become the edges that the list has under their names.
+std::vector<BinSpec> with_indexes(std::vector<BinSpec> specs, const std::string& list_path) {
+  for (BinSpec& spec : specs) {
+    if (spec.kind != BinSpec::Kind::Index) continue;
+    const std::string where = "rows '" + spec.descriptor + ":@" + spec.index + "'";
+    if (list_path.empty()) {
+      throw usage_error(where, "no scenario list to take the index from", "--scenarios LIST");
+    }
+    const ListIndex index = ScenarioList::open(list_path).index(spec.index);
+    if (index.descriptor != spec.descriptor) {
+      throw usage_error(where, "the index is of " + index.descriptor,
+                        index.descriptor + ":@" + spec.index);
+    }
+    spec.kind = BinSpec::Kind::Edges;
+    spec.edges = index.edges;
+  }
+  return specs;
+}
+
 std::vector<BinSpec> rows_of(const InterpretArguments& arguments, const RunColumns& table,
                              const AnalysisSection& wishes) {
   if (!arguments.rows.empty()) return parse_bin_specs(arguments.rows);
@@ -120,7 +140,7 @@ Question question_of(const InterpretArguments& arguments, const RunColumns& tabl
                      const Interpreter& interpreter) {
   const AnalysisSection wishes = campaign_wishes(table.manifest);
   Question question;
-  question.rows = rows_of(arguments, table, wishes);
+  question.rows = with_indexes(rows_of(arguments, table, wishes), arguments.scenarios);
   question.metrics = metrics_of(arguments, table, wishes, interpreter);
   question.method = arguments.method;
   question.baseline = arguments.baseline;
@@ -199,7 +219,9 @@ void interpret_verb(const InterpretArguments& arguments, const Interpreter& inte
 void add_choice_options(CLI::App& verb, InterpretArguments& a) {
   verb.add_option("--rows", a.rows,
                   "Bins of a scenario descriptor or metric: all, ID:EDGE,EDGE,..., ID:COUNT (equal "
-                  "width) or ID:qCOUNT (as many scenarios each); several separated by ';'");
+                  "width), ID:qCOUNT (as many scenarios each) or ID:@INDEX; several separated by "
+                  "';'");
+  verb.add_option("--scenarios", a.scenarios, "Scenario list that has the indexes of --rows");
   verb.add_option("--columns,--metric", a.columns, "Metric ids, comma separated");
   verb.add_option("--method", a.method, "Only this method");
   verb.add_option("--confidence", a.confidence, "Of intervals, e.g. 0.95; tests take the rest")

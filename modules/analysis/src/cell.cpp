@@ -64,9 +64,13 @@ Gathered gather(Cell& cell, const RunColumns& table, const std::vector<std::size
   gathered.numbers.reserve(runs.size());
   std::vector<std::uint32_t> scenarios;
   GroupSums& groups = gathered.groups;
+  const std::string* reason = nullptr;  // of the last value that was missing
+  std::size_t* missing = nullptr;       // and how often it was
   for (const std::size_t run : runs) {
     if (values.is_na(run)) {
-      ++cell.na[values.reason(run)];
+      if (reason != &values.reason(run)) missing = &cell.na[values.reason(run)];
+      reason = &values.reason(run);
+      ++*missing;
       continue;
     }
     const double number = values.number(run);
@@ -94,14 +98,6 @@ Gathered gather(Cell& cell, const RunColumns& table, const std::vector<std::size
     groups.sizes.push_back(group.second);
   }
   return gathered;
-}
-
-std::size_t count_failures(const RunColumns& table, const std::vector<std::size_t>& runs) {
-  std::vector<bool> failure;
-  for (const std::string& outcome : table.outcomes) failure.push_back(is_failure(outcome));
-  std::size_t failures = 0;
-  for (const std::size_t run : runs) failures += failure[table.outcome[run]] ? 1 : 0;
-  return failures;
 }
 
 /// Columns with these ids, of those that there are.
@@ -188,12 +184,26 @@ Value column_value(const ResultTable& table, std::size_t run, const Column& colu
   return found->second.value;
 }
 
+std::size_t count_failures(const RunColumns& table, const std::vector<std::size_t>& runs) {
+  std::vector<bool> failure;
+  for (const std::string& outcome : table.outcomes) failure.push_back(is_failure(outcome));
+  std::size_t failures = 0;
+  for (const std::size_t run : runs) failures += failure[table.outcome[run]] ? 1 : 0;
+  return failures;
+}
+
 Cell make_cell(const RunColumns& table, const std::vector<std::size_t>& runs,
+               const ValueColumn& values, const AnalysisOptions& options,
+               const std::string& label) {
+  return make_cell(table, runs, count_failures(table, runs), values, options, label);
+}
+
+Cell make_cell(const RunColumns& table, const std::vector<std::size_t>& runs, std::size_t failures,
                const ValueColumn& values, const AnalysisOptions& options,
                const std::string& label) {
   Cell cell;
   cell.n = runs.size();
-  cell.failures = count_failures(table, runs);
+  cell.failures = failures;
   Gathered gathered = gather(cell, table, runs, values);
   cell.available = gathered.numbers.size();
   if (gathered.numbers.empty()) return cell;

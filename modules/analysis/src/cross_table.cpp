@@ -34,11 +34,12 @@ void fill_row(CrossRow& row, const CrossTable& cross, const RunColumns& table,
   if (options.run_ids) {
     for (const std::size_t run : row.runs) row.run_ids.push_back(run_id(table, run));
   }
+  const std::size_t failures = count_failures(table, row.runs);
   for (const Column& column : cross.columns) {
     const std::string label =
         join({cross.method, cross.descriptor.id, row.bin.label(), column.info.id}, "/");
     row.cells.push_back(
-        make_cell(table, row.runs, *find_metric(table, column.info.id), options, label));
+        make_cell(table, row.runs, failures, *find_metric(table, column.info.id), options, label));
   }
 }
 

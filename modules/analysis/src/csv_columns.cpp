@@ -131,7 +131,8 @@ void add_keys(RunColumns& columns, const CsvTable& csv) {
       columns.scenario_names.push_back(names ? (*names)[row] : own);
     }
     columns.method.push_back(method_index.place_of(methods ? (*methods)[row] : "all"));
-    columns.outcome.push_back(outcome_index.place_of(outcomes ? (*outcomes)[row] : ""));
+    columns.outcome.push_back(
+        outcome_index.place_of(outcomes ? (*outcomes)[row] : kUnknownOutcome));
     double repetition = 0;
     if (repetitions) parse_number((*repetitions)[row], repetition);
     columns.repetition.push_back(static_cast<std::uint32_t>(std::clamp(repetition, 0.0, 4e9)));

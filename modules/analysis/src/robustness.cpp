@@ -14,6 +14,7 @@ namespace {
 struct Setting {
   double value = 0;
   const RunColumns* table = nullptr;
+  std::size_t place = 0;  ///< in the sweep
 };
 
 double parameter_of(const RunColumns& table, const std::string& parameter) {
@@ -49,7 +50,8 @@ std::vector<Setting> settings_of(const std::vector<RunColumns>& sweep, const std
   std::vector<Setting> settings;
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     const bool given = !options.values.empty();
-    settings.push_back({given ? options.values[i] : parameter_of(sweep[i], parameter), &sweep[i]});
+    settings.push_back(
+        {given ? options.values[i] : parameter_of(sweep[i], parameter), &sweep[i], i});
     if (!options.allow_differences) require_alike(sweep[0], sweep[i], parameter);
   }
   std::stable_sort(settings.begin(), settings.end(),
@@ -75,6 +77,7 @@ RobustnessPoint point_of(const Setting& setting, const Setting& first, const std
   RobustnessPoint point;
   point.parameter = setting.value;
   point.source = setting.table->source;
+  point.result = setting.place;
   const std::uint32_t place = place_of_method(*setting.table, method);
   for (std::size_t run = 0; run < setting.table->size(); ++run) {
     if (setting.table->method[run] == place) point.runs.push_back(run);

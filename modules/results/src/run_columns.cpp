@@ -25,7 +25,8 @@ std::uint32_t payload_of(double nan) {
 }
 
 bool says_nothing_of_method(const std::string& outcome) {
-  return outcome == "infrastructure_error" || outcome == "unsolvable_scenario";
+  return outcome == "infrastructure_error" || outcome == "unsolvable_scenario" ||
+         outcome == kUnknownOutcome;
 }
 
 QuantityInfo info_of(const ResultTable& table, const std::string& id) {
@@ -234,7 +235,7 @@ std::string run_id(const RunColumns& columns, std::size_t run) {
 }
 
 bool is_failure(const std::string& outcome) {
-  return !outcome.empty() && outcome != "success" && !says_nothing_of_method(outcome);
+  return outcome != "success" && !says_nothing_of_method(outcome);
 }
 
 }  // namespace slalom

@@ -70,7 +70,8 @@ TEST(RunColumns, SuccessFollowsFromTheOutcome) {
   EXPECT_EQ(success.number(1), 0);
   EXPECT_EQ(success.reason(2), "unsolvable_scenario");
   EXPECT_TRUE(is_failure("stuck"));
-  for (const char* outcome : {"success", "unsolvable_scenario", "infrastructure_error", ""})
+  for (const char* outcome :
+       {"success", "unsolvable_scenario", "infrastructure_error", kUnknownOutcome})
     EXPECT_FALSE(is_failure(outcome));
 }
 

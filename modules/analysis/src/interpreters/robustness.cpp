@@ -27,10 +27,7 @@ DataTable curve_table(const RobustnessTable& table, const RobustnessCurve& curve
              change ? change->interval : std::nullopt);
     rows.add("p_holm", change ? std::optional(change->adjusted_p) : std::nullopt);
     rows.add("verdict", Field{change ? to_string(change->verdict) : std::string()});
-    if (!exact) continue;
-    for (const RunColumns& result : results) {
-      if (result.source == point.source) rows.add_runs(result, point.runs);
-    }
+    if (exact) rows.add_runs(results[point.result], point.runs);
   }
   return rows.table();
 }

@@ -61,6 +61,11 @@ std::vector<Column> resolve_columns(const RunColumns& table, const std::vector<s
 Cell make_cell(const RunColumns& table, const std::vector<std::size_t>& runs,
                const ValueColumn& values, const AnalysisOptions& options, const std::string& label);
 
+/// The same where the failures among the runs were counted before, as for many columns.
+Cell make_cell(const RunColumns& table, const std::vector<std::size_t>& runs, std::size_t failures,
+               const ValueColumn& values, const AnalysisOptions& options, const std::string& label);
+std::size_t count_failures(const RunColumns& table, const std::vector<std::size_t>& runs);
+
 /// The bounds of a metric or descriptor by its definition; none where it is not one of Slalom's.
 ValueRange range_of(const std::string& id);
 

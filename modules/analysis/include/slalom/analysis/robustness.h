@@ -11,7 +11,8 @@ namespace slalom {
 struct RobustnessPoint {
   double parameter = 0;
   std::string source;             ///< the result file
-  std::vector<std::size_t> runs;  ///< places in its results
+  std::size_t result = 0;         ///< its place in the sweep
+  std::vector<std::size_t> runs;  ///< places in that result
   Cell cell;
   std::optional<PairedComparison> change;  ///< against the first value, on the same scenarios
 };

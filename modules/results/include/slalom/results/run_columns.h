@@ -10,6 +10,9 @@
 
 namespace slalom {
 
+/// Outcome of a run of which none is known, as in tables from elsewhere.
+constexpr const char* kUnknownOutcome = "not recorded";
+
 /// The values of one quantity, one a row: a number, or the reason why there is none. Takes 8 bytes
 /// a row: a reason is kept as the payload of a NaN.
 class ValueColumn {
@@ -91,7 +94,7 @@ const ValueColumn* find_descriptor(const RunColumns& columns, const std::string&
 std::string run_id(const RunColumns& columns, std::size_t run);
 
 /// Whether an outcome is a failure of the method: neither a success nor one that says nothing of
-/// the method, such as an unsolvable scenario, nor unknown ("").
+/// the method, such as an unsolvable scenario, nor unknown.
 bool is_failure(const std::string& outcome);
 
 }  // namespace slalom
