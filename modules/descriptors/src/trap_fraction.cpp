@@ -1,6 +1,7 @@
 #include "configuration_space.h"
 #include "descriptors.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <utility>
@@ -89,8 +90,9 @@ class TrapFraction : public Descriptor {
       return Value::na("goal is closer to an obstacle than the robot's radius");
     const Occupancy& cells = context.world.occupancy();
     const mrpt::math::TPoint2D at = cells.to_cells(goal);
-    Descent descent(cells, free_headings(context).free, static_cast<int>(at.x),
-                    static_cast<int>(at.y));
+    Descent descent(cells, free_headings(context).free,
+                    std::min(static_cast<int>(at.x), cells.size_x() - 1),
+                    std::min(static_cast<int>(at.y), cells.size_y() - 1));
     return Value::of(descent.trapped());
   }
 };

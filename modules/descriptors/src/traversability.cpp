@@ -9,12 +9,12 @@ namespace {
 constexpr double kSpacing = 1;  ///< m
 constexpr int kRays = 8;
 
-/// As many places as fit, `kSpacing` apart, in the middle of an interval; at least one.
-std::vector<double> lattice_along(double low, double high) {
-  const double count = std::max(1.0, std::floor((high - low) / kSpacing * (1 + 1e-9)));
+/// As many places as fit, `spacing` apart, in the middle of an interval; at least one.
+std::vector<double> lattice_along(double low, double high, double spacing) {
+  const double count = std::max(1.0, std::floor((high - low) / spacing * (1 + 1e-9)));
   std::vector<double> places;
   for (double i = 0; i < count; ++i)
-    places.push_back(0.5 * (low + high) + (i - 0.5 * (count - 1)) * kSpacing);
+    places.push_back(0.5 * (low + high) + (i - 0.5 * (count - 1)) * spacing);
   return places;
 }
 
@@ -32,12 +32,13 @@ class Traversability : public Descriptor {
 
   Value compute(const DescriptorContext& context) const override {
     const Bounds bounds = context.world.occupancy().bounds();
+    const double spacing = std::max(kSpacing, context.world.occupancy().resolution());
     const double longest = std::hypot(bounds.width(), bounds.height());
     const RayCaster& rays = context.world.ray_caster();
     double sum = 0;
     std::size_t places = 0;
-    for (const double y : lattice_along(bounds.y_min, bounds.y_max))
-      for (const double x : lattice_along(bounds.x_min, bounds.x_max)) {
+    for (const double y : lattice_along(bounds.y_min, bounds.y_max, spacing))
+      for (const double x : lattice_along(bounds.x_min, bounds.x_max, spacing)) {
         for (int i = 0; i < kRays; ++i)
           sum += rays.cast({x, y}, 6.283185307179586 * i / kRays, longest) / kRays;
         ++places;

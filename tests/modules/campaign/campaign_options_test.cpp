@@ -33,6 +33,13 @@ TEST(CampaignOptions, MetricsCanBeChosen) {
       std::string(kMinimal) + "[metrics]\nenabled = spl, success\ndescriptors = density\n"));
   EXPECT_EQ(options.metrics, (std::vector<std::string>{"spl", "success"}));
   EXPECT_EQ(options.descriptors, (std::vector<std::string>{"density"}));
+  EXPECT_FALSE(options.exact_confinement);
+}
+
+TEST(CampaignOptions, ConfinementCanBeAskedForExactly) {
+  EXPECT_TRUE(read_campaign_options(IniFile::from_text(std::string(kMinimal) +
+                                                       "[metrics]\nexact_confinement = true\n"))
+                  .exact_confinement);
 }
 
 TEST(CampaignOptions, WhatARunIsMeasuredWithNeedsNoMethods) {

@@ -95,6 +95,11 @@ TEST(TrapFraction, WhatIsCutOffIsTrapped) {
             "goal is closer to an obstacle than the robot's radius");
 }
 
+TEST(TrapFraction, TakesAGoalOnTheBorderForARobotOfNoSize) {
+  const World world(Scenario::continuous("corner", {0, 0, 5, 5}, {}, {1, 1, 0}, {5, 5}), 1);
+  EXPECT_DOUBLE_EQ(value_of("trap_fraction", context_of(world, 1e-12)), 0);
+}
+
 TEST(ObstacleCount, CountsComponentsAwayFromTheBorder) {
   EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(drawn_world(kBlocks))), 3);
   EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(drawn_world(kEmpty))), 0);
@@ -143,6 +148,15 @@ TEST(Traversability, IsZeroAtOccupiedPoints) {
   // Free cells: 0.5 m along the axes, sqrt(0.5) m along diagonals. The block counts as 0.
   EXPECT_NEAR(value_of("traversability", context_of(drawn_world({"S#G"}), 0.5)),
               2 * (4 * 0.5 + 4 * std::sqrt(0.5)) / 8 / 3, 1e-9);
+}
+
+TEST(Traversability, OfHugeCellsTakesOnePointEach) {
+  // 3 x 1 cells of 10^6 m: half a cell along the axes to the wall above and below, the rest as in a
+  // row of 1 m cells: 0.5 + 2.5, 1.5 + 1.5 and 2.5 + 0.5 cells along it.
+  Primitives none;
+  const World world(Scenario::continuous("huge", {0, 0, 3e6, 1e6}, none, {1, 1, 0}, {2, 2}), 1e6);
+  EXPECT_NEAR(value_of("traversability", context_of(world, 0.5)) / 1e6,
+              (3 + 1 + 4 * std::sqrt(0.5)) / 8, 1e-9);
 }
 
 TEST(DynamicDensity, IsZeroWhereNothingMoves) {
