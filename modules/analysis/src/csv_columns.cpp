@@ -135,7 +135,8 @@ void add_keys(RunColumns& columns, const CsvTable& csv) {
         outcome_index.place_of(outcomes ? (*outcomes)[row] : kUnknownOutcome));
     double repetition = 0;
     if (repetitions) parse_number((*repetitions)[row], repetition);
-    columns.repetition.push_back(static_cast<std::uint32_t>(std::clamp(repetition, 0.0, 4e9)));
+    columns.repetition.push_back(
+        static_cast<std::uint32_t>(repetition > 0 ? std::min(repetition, 4e9) : 0.0));
   }
   sort_methods(columns);
 }

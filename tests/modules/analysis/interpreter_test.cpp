@@ -226,9 +226,11 @@ TEST(CsvColumns, KeysSayWhatRowsBelongTo) {
   CsvColumnOptions options;
   options.down = {"time"};
   const RunColumns table = columns_from_csv(
-      "scenario,method,repetition,time,ok\ns1,b,0,5,1\ns1,a,0,6,0\ns2,b,1,7,1\n", "t.csv", options);
+      "scenario,method,repetition,time,ok\ns1,b,nan,5,1\ns1,a,-1,6,0\ns2,b,1,7,1\n", "t.csv",
+      options);
   EXPECT_EQ(table.methods, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(table.scenario_hashes.size(), 2u);
+  EXPECT_EQ(table.repetition, (std::vector<std::uint32_t>{0, 0, 1}));
   EXPECT_EQ(find_metric(table, "time")->info().direction, Direction::Down);
   EXPECT_TRUE(find_metric(table, "ok")->rate);
   EXPECT_FALSE(find_metric(table, "time")->rate);
