@@ -98,6 +98,9 @@ std::string latex_text(const std::string& text) {
       case '>':
         escaped += "$>$";
         break;
+      case '[':  // at the start of a line it would be an argument of the line's end before it
+        escaped += "{[}";
+        break;
       case '|':
         escaped += "$|$";
         break;

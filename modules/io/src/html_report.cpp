@@ -1,4 +1,6 @@
+#include "html_charts.h"
 #include "html_gallery.h"
+#include "html_method_page.h"
 #include "html_tables.h"
 #include "html_text.h"
 #include "run_pages.h"
@@ -21,10 +23,13 @@ namespace {
 struct ReportContext {
   const ResultTable& table;
   const ReportOptions& options;
+  RunColumns runs;  ///< the same as `table`
   std::vector<std::string> methods;
   std::vector<Column> columns;
   Gallery gallery;
   std::vector<RunGroup>& groups;  ///< grows with each table's cells
+
+  ChartContext charts() const { return {runs, table, options, link()}; }
 
   RunsLink link() const {
     return [this](const std::string& title, const std::vector<std::size_t>& runs) {
@@ -63,11 +68,17 @@ std::string overview(const ReportContext& context) {
          (version.empty() ? "" : fact(version, "Slalom version")) + "</div></header>\n";
 }
 
-std::string navigation() {
-  return "<nav><div><a href=\"runs.html\">All runs</a><a href=\"#summary\">Summary</a><a "
-         "href=\"#findings\">Findings</a>"
-         "<a href=\"#tables\">Cross tables</a><a href=\"#scenarios\">Scenarios</a>"
-         "<a href=\"#repeat\">How to repeat it</a></div></nav>\n";
+/// Links to the sections that this report has.
+std::string navigation(const std::string& sections) {
+  const std::string start = "<h2 id=\"";
+  std::string links;
+  for (auto at = sections.find(start); at != std::string::npos; at = sections.find(start, at + 1)) {
+    const auto id = at + start.size(), quote = sections.find('"', id);
+    const auto end = sections.find("</h2>", id);
+    links += "<a href=\"#" + sections.substr(id, quote - id) + "\">" +
+             sections.substr(quote + 2, end - quote - 2) + "</a>";
+  }
+  return "<nav><div>" + links + "<a href=\"runs.html\">All runs</a></div></nav>\n";
 }
 
 std::string how_to_read(const ReportContext& context) {
@@ -165,17 +176,26 @@ std::string footer() {
   return "<footer>Written by Slalom " + html_escape(version()) + "</footer>\n";
 }
 
-std::string index_page(const ReportContext& context) {
+/// Findings, charts and comparisons, each where the results allow it.
+std::string charts(const ReportContext& context, const std::vector<PairedComparison>& comparisons) {
+  const ChartContext chart = context.charts();
+  return comparison_section(comparisons) + completion_section(chart) + ranking_section(chart) +
+         map_section(chart);
+}
+
+std::string index_page(const ReportContext& context,
+                       const std::vector<PairedComparison>& comparisons) {
   std::vector<std::vector<CrossTable>> groups;
   for (const BinSpec& spec : context.options.rows) {
     groups.push_back(build_cross_tables(context.table, {spec}, context.options.columns,
                                         context.options.analysis));
   }
-  const std::string body = overview(context) + navigation() + "<main>\n" +
-                           summary_section(context) + findings_section(groups) +
-                           tables_section(context, groups) + scenarios_section(context) +
-                           repeat_section(context.table.manifest) + "</main>\n" + footer();
-  return html_page(campaign_name(context.table.manifest) + " - Slalom report", body);
+  const std::string sections = summary_section(context) + findings_section(groups) +
+                               tables_section(context, groups) + charts(context, comparisons) +
+                               scenarios_section(context) + repeat_section(context.table.manifest);
+  return html_page(
+      campaign_name(context.table.manifest) + " - Slalom report",
+      overview(context) + navigation(sections) + "<main>\n" + sections + "</main>\n" + footer());
 }
 
 std::string scenario_page(const ReportContext& context, const Gallery::Page& page) {
@@ -193,6 +213,16 @@ void make_directory(const std::string& directory) {
   std::filesystem::create_directories(directory, problem);
   if (problem || !std::filesystem::is_directory(directory, problem)) {
     throw job_error(directory, "cannot be made: " + problem.message(), "a folder to write to");
+  }
+}
+
+void write_method_pages(const ReportContext& context,
+                        const std::vector<PairedComparison>& comparisons,
+                        const std::filesystem::path& folder) {
+  for (std::size_t place = 0; place < context.methods.size(); ++place) {
+    write_file_atomically((folder / method_page_name(place)).string(),
+                          method_page(context.charts(), comparisons, context.methods[place],
+                                      campaign_name(context.table.manifest)));
   }
 }
 
@@ -244,12 +274,15 @@ void write_html_report(const ResultFile& file, const ReportOptions& options,
   std::vector<RunGroup> groups;
   const ReportContext context{table,
                               options,
+                              to_columns(table),
                               method_names(table),
                               columns,
                               make_gallery(file, table, columns, options.robot.radius),
                               groups};
-  const std::string index = index_page(context);
+  const std::vector<PairedComparison> comparisons = compare_all(context.charts());
+  const std::string index = index_page(context, comparisons);
   make_directory(directory);
+  write_method_pages(context, comparisons, directory);
   write_run_pages({file, table, columns, groups, context.gallery.links, options.robot,
                    options.sensor, options.resolution},
                   directory);

@@ -91,6 +91,9 @@ button, select, input[type=search] { font: inherit; color: inherit; background: 
   border: 1px solid var(--line); border-radius: 7px; padding: 0.2rem 0.7rem; }
 button { cursor: pointer; } .sortable button { border: 0; padding: 0; background: none; font-weight: 600; }
 .plot { width: 100%; height: auto; display: block; margin: 0.5rem 0; }
+.chart { width: 100%; max-width: 820px; height: auto; display: block; }
+.chart text { font-size: 12px; fill: var(--soft); } .chart .rule { stroke: var(--line); }
+.chart .axis { stroke: var(--soft); } .chart .bar { stroke: var(--ink); stroke-width: 4; stroke-linecap: round; }
 .plot text { font-size: 11px; fill: var(--soft); } .plot .rule { stroke: var(--line); }
 .plot .cursor { stroke: var(--ink); stroke-width: 1; }
 table.values { font-size: 0.83rem; } table.values th, table.values td { padding: 0.16rem 0.4rem; }

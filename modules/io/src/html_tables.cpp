@@ -1,3 +1,4 @@
+#include "html_method_page.h"
 #include "html_tables.h"
 #include "html_text.h"
 #include "run_pages.h"
@@ -160,6 +161,10 @@ std::string cross_table_html(const CrossTable& table, const std::vector<ColumnSc
          "</tbody></table>" + na_html(table) + "</div>\n";
 }
 
+std::size_t place_in(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
 std::vector<std::size_t> runs_of(const ResultTable& results, const std::string& method) {
   std::vector<std::size_t> runs;
   for (std::size_t i = 0; i < results.runs.size(); ++i) {
@@ -178,12 +183,14 @@ std::string html_summary_table(const SummaryTable& table, const ResultTable& res
     for (const MethodSummary& method : table.methods) cells.push_back(&method.cells[column]);
     scales.push_back(make_scale(table.columns[column], cells));
   }
+  const std::vector<std::string> methods = method_names(results);
   std::string rows;
-  for (std::size_t place = 0; place < table.methods.size(); ++place) {
-    const MethodSummary& method = table.methods[place];
+  for (const MethodSummary& method : table.methods) {
+    const std::size_t place = place_in(methods, method.method);
     const std::string runs = link("All runs of " + method.method, runs_of(results, method.method));
-    std::string cells = "<th class=\"name\">" + method_swatch(place) + html_escape(method.method) +
-                        "</th><td>" + std::to_string(method.n) + "</td>" +
+    std::string cells = "<th class=\"name\">" + method_swatch(place) + "<a href=\"" +
+                        method_page_name(place) + "\">" + html_escape(method.method) +
+                        "</a></th><td>" + std::to_string(method.n) + "</td>" +
                         outcome_cell(method, table.outcomes);
     for (std::size_t column = 0; column < scales.size(); ++column) {
       cells += cell_html(method.cells[column], scales[column], runs);
@@ -207,9 +214,8 @@ std::string html_cross_tables(const std::vector<CrossTable>& tables, const Resul
   }
   std::string html;
   for (const CrossTable& table : tables) {
-    const auto place = std::find(methods.begin(), methods.end(), table.method) - methods.begin();
-    const std::string heading =
-        method_swatch(static_cast<std::size_t>(place)) + html_escape(table.method);
+    const std::size_t place = place_in(methods, table.method);
+    const std::string heading = method_swatch(place) + html_escape(table.method);
     html += cross_table_html(table, scales, heading, results, link);
   }
   return html;

@@ -17,6 +17,7 @@ TEST(TableLatex, EscapesEveryCharacterThatLatexTakesForItself) {
   EXPECT_EQ(latex_text("a_b"), "a\\_b");
   EXPECT_EQ(latex_text("50 % & #1 {$}"), "50 \\% \\& \\#1 \\{\\$\\}");
   EXPECT_EQ(latex_text("\\~^"), "\\textbackslash{}\\textasciitilde{}\\textasciicircum{}");
+  EXPECT_EQ(latex_text("[0, 1)"), "{[}0, 1)");
   EXPECT_EQ(latex_text("a\n\xc3\xa9"), "a");
 }
 

@@ -99,8 +99,8 @@ TEST_F(HtmlReport, IsOnePageThatNeedsNothingElse) {
   write_html_report(file, report_options(file.read_table()), report_folder());
   const std::string page = read("index.html");
   EXPECT_EQ(count(page, "<figure id="), 12u);
-  // index.html, and what shows runs: run.html, runs.html, their two scripts and data/.
-  EXPECT_EQ(std::distance(fs::directory_iterator(report_folder()), fs::directory_iterator()), 6);
+  // index.html, a page per method, and what shows runs: run.html, runs.html, two scripts, data/.
+  EXPECT_EQ(std::distance(fs::directory_iterator(report_folder()), fs::directory_iterator()), 8);
   EXPECT_EQ(count(page, "<script"), 0u);
   EXPECT_EQ(count(page, " src="), 0u);
   EXPECT_EQ(count(page, "<link"), 0u);
@@ -150,6 +150,22 @@ TEST_F(HtmlReport, PutsManyPicturesOnPagesOfTheirOwn) {
   EXPECT_EQ(count(read("scenarios-2.html"), "<figure id="), 1u);
   EXPECT_EQ(count(read("index.html"), "href=\"scenarios-2.html\""), 1u);
   EXPECT_GT(count(read("scenarios-2.html"), "href=\"run.html#"), 0u);
+}
+
+TEST_F(HtmlReport, ComparesMethodsAndGivesEachAPageOfItsOwn) {
+  const ResultFile file = make_results(12);
+  write_html_report(file, report_options(file.read_table()), report_folder());
+  const std::string page = read("index.html");
+  // One method always arrives and the other never: 12 of 12 scenarios differ.
+  EXPECT_GT(count(page, "id=\"comparisons\""), 0u);
+  EXPECT_GT(count(page, "class=\"finding shown\""), 0u);
+  EXPECT_EQ(count(page, "href=\"method-1.html\""), 1u);
+  for (const char* name : {"method-1.html", "method-2.html"}) {
+    const std::string method = read(name);
+    EXPECT_EQ(count(method, "How its runs ended"), 1u) << name;
+    EXPECT_GT(count(method, "href=\"runs.html#cell-"), 0u) << name;
+    EXPECT_EQ(count(method, "<script"), 0u) << name;
+  }
 }
 
 TEST_F(HtmlReport, IsTheSameEveryTime) {
