@@ -43,8 +43,8 @@ class TrapLayout {
     const double along = uniform_real(engine_, 0, 1);
     const TPoint2D on_line(ends_.start.x + along * (ends_.goal.x - ends_.start.x),
                            ends_.start.y + along * (ends_.goal.y - ends_.start.y));
-    const TPoint2D anywhere(uniform_real(engine_, 0, options_.width),
-                            uniform_real(engine_, 0, options_.height));
+    const TPoint2D anywhere{uniform_real(engine_, 0, options_.width),
+                            uniform_real(engine_, 0, options_.height)};  // braces: x is drawn first
     trap.center = across ? on_line : anywhere;
     const double turn = options_.max_turn_deg * kPi / 180;
     trap.direction = std::atan2(ends_.start.y - trap.center.y, ends_.start.x - trap.center.x) +
