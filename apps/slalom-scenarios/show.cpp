@@ -1,5 +1,6 @@
 #include "choice.h"
 
+#include <slalom/commands/list_hash.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/png_scene.h>
@@ -20,10 +21,19 @@ struct PictureArguments {
   bool bare = false;
 };
 
-void list_entries(const ListArguments& arguments) {
-  const ScenarioList list = ScenarioList::open(arguments.list);
+struct EntriesArguments {
+  ListArguments list;
+  bool hash = false;
+};
+
+void list_entries(const EntriesArguments& arguments) {
+  const ScenarioList list = ScenarioList::open(arguments.list.list);
+  if (arguments.hash) {
+    std::cout << content_hash(list) << "\n";
+    return;
+  }
   list.for_each({}, [&](const ScenarioList::Entry& entry) {
-    print_entry(entry, arguments.json);
+    print_entry(entry, arguments.list.json);
     return true;
   });
 }
@@ -95,10 +105,13 @@ void add_id(CLI::App& verb, ListArguments& arguments) {
 }  // namespace
 
 void add_show_verbs(CLI::App& app) {
-  static ListArguments list, one;
+  static EntriesArguments list;
+  static ListArguments one;
   static PictureArguments picture;
-  CLI::App* verb = add_list_verb(app, "list", "List ids, representations and names", list);
-  verb->add_flag("--json", list.json, "One JSON object per scenario");
+  CLI::App* verb = add_list_verb(app, "list", "List ids, representations and names", list.list);
+  CLI::Option* json = verb->add_flag("--json", list.list.json, "One JSON object per scenario");
+  verb->add_flag("--hash", list.hash, "Only the hash of all contents, in whatever order they are")
+      ->excludes(json);
   verb->callback([] { list_entries(list); });
 
   verb = add_list_verb(app, "show", "Show one scenario", one);
