@@ -5,6 +5,7 @@
 #include <slalom/app/campaign_program.h>
 #include <slalom/app/output_folder.h>
 #include <slalom/app/program.h>
+#include <slalom/app/sequential_campaign.h>
 #include <slalom/core/error.h>
 #include <slalom/io/html_report.h>
 #include <slalom/io/result_file.h>
@@ -17,6 +18,7 @@ namespace {
 
 struct Arguments {
   CampaignArguments campaign;
+  SequentialArguments sequential;
   std::string output;
 };
 
@@ -45,14 +47,25 @@ void present(const Arguments& arguments, const std::string& results_path, bool w
   std::cout << "\nReport: " << report << "/index.html\n";
 }
 
+/// All scenarios, or as many as it takes.
+CampaignReport run(const Arguments& arguments, const IniFile& ini, std::vector<Scenario> scenarios,
+                   const std::string& results) {
+  if (arguments.sequential.until.empty())
+    return run_campaign_program(ini, arguments.campaign, std::move(scenarios), results);
+  const SequentialReport report =
+      run_until(ini, arguments.campaign, arguments.sequential, std::move(scenarios), results);
+  write_file_atomically(arguments.output + "/until.txt", report.text);
+  std::cout << report.text << "\n";
+  return report.campaign;
+}
+
 void evaluate(const Arguments& arguments) {
   const IniFile ini = load_campaign_ini(arguments.campaign);
   make_output_folder(arguments.output);
   const std::string results = arguments.output + "/runs.results";
   std::vector<Scenario> scenarios = campaign_scenarios(ini, arguments.campaign);
   keep_scenarios(scenarios, ini, arguments.output + "/campaign.scenarios");
-  const CampaignReport report =
-      run_campaign_program(ini, arguments.campaign, std::move(scenarios), results);
+  const CampaignReport report = run(arguments, ini, std::move(scenarios), results);
   if (!report.complete) throw Interrupted("the runs so far are kept in " + results);
   present(arguments, results, read_options<AnalysisSection>(ini, "analysis").report);
   if (!report.problem.empty()) throw job_error(results, report.problem);
@@ -65,6 +78,12 @@ void define(CLI::App& app) {
                  "Folder for campaign.scenarios, runs.results, tables and report/")
       ->required();
   add_campaign_options(app, arguments.campaign);
+  CLI::Option* until = app.add_option("--until", arguments.sequential.until,
+                                      "Add runs only where a result is not precise enough: "
+                                      "\"interval(success) < 0.1 in density:10\"");
+  app.add_option("--max-runs", arguments.sequential.max_runs,
+                 "With --until: no further batch after that many runs")
+      ->needs(until);
   app.add_flag_callback(
       "--options",
       [] {

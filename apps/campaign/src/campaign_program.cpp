@@ -1,7 +1,4 @@
-#include "interrupt.h"
-#include "manifest.h"
-#include "recording.h"
-#include "result_sink.h"
+#include "campaign_recorder.h"
 
 #include <slalom/analysis/analysis_section.h>
 #include <slalom/analysis/bins.h>
@@ -12,8 +9,6 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/generation/generator.h>
-#include <slalom/io/html_report.h>
-#include <slalom/io/result_file.h>
 #include <slalom/lcm/lcm_method.h>
 #include <slalom/library/library_method.h>
 #include <slalom/map_formats/map_import.h>
@@ -26,14 +21,6 @@
 
 namespace slalom {
 namespace {
-
-/// The quantities with these ids, in that order.
-template <typename Find>
-std::vector<QuantityInfo> infos(const std::vector<std::string>& ids, Find find) {
-  std::vector<QuantityInfo> infos;
-  for (const std::string& id : ids) infos.push_back(find(id).info());
-  return infos;
-}
 
 template <typename Options>
 void list_section(std::string& text, const std::string& section) {
@@ -65,11 +52,6 @@ void check_analysis(const IniFile& ini, const CampaignOptions& options) {
   for (const BinSpec& spec : parse_bin_specs(section.rows))
     if (spec.kind != BinSpec::Kind::All)
       require_one_of(spec.descriptor, options.descriptors, ini.where("analysis", "rows"));
-}
-
-std::string problem_of(const CampaignSummary& summary) {
-  const std::size_t errors = summary.infrastructure_errors();
-  return errors == 0 ? "" : std::to_string(errors) + " runs ended as infrastructure_error";
 }
 
 }  // namespace
@@ -115,32 +97,18 @@ std::vector<Scenario> campaign_scenarios(const IniFile& ini, const CampaignArgum
   const MethodRegistry registry = all_adapters();
   check_methods({options, {}, ini, registry});
   const auto progress = make_terminal_progress(arguments.quiet);
-  return collect_scenarios(
-      ini, {options.setup.robot.radius, options.setup.simulation.resolution, options.seed},
-      load_occupancy_grid, *progress);
+  return collect_scenarios(ini,
+                           {options.setup.robot.radius, options.setup.simulation.resolution,
+                            options.seed, arguments.jobs},
+                           load_occupancy_grid, *progress);
 }
 
 CampaignReport run_campaign_program(const IniFile& ini, const CampaignArguments& arguments,
                                     std::vector<Scenario> scenarios,
                                     const std::string& results_path) {
-  const InterruptGuard guard;
-  const MethodRegistry registry = all_adapters();
-  const auto ompl_options = read_options<OmplOptions>(ini, "reference");
-  const CampaignOptions options = read_campaign_options(ini);
-  const auto planner = make_ompl_planner(ompl_options, options.setup.robot);
-  Campaign campaign{options, std::move(scenarios), ini, registry, planner.get()};
-  campaign.options.reference_gap = ompl_options.gap;
-  const auto descriptors = infos(campaign.options.descriptors, descriptor);
-  const auto metrics = infos(campaign.options.metrics, metric);
-  record_rawlogs(campaign, results_path);
-
-  ResultFile file = ResultFile::create(results_path, make_manifest(campaign), descriptors, metrics);
-  ResultSink sink(file);
-  const auto progress = make_terminal_progress(arguments.quiet);
-  const CampaignSummary summary =
-      run_campaign(campaign, sink, {arguments.jobs, *progress, InterruptGuard::raised});
-  file.commit();
-  return {summary.complete, problem_of(summary)};
+  CampaignRecorder recorder(ini, arguments, scenarios, results_path);
+  const bool complete = recorder.run(std::move(scenarios));
+  return {complete, recorder.problem()};
 }
 
 }  // namespace slalom

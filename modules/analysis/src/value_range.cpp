@@ -21,6 +21,7 @@ ValueRange range_of(const std::string& id) {
   if (id == "progress") return {std::nullopt, 1.0};
   if (id == "sparc") return {std::nullopt, 0.0};
   if (is_one_of(id, {"optimality",
+                     "safety",
                      "optimality_area",
                      "safety_area",
                      "path_length",

@@ -17,7 +17,7 @@ struct CampaignArguments {
   std::string config;                  ///< the campaign's .ini
   std::vector<std::string> overrides;  ///< SECTION.KEY=VALUE
   std::optional<std::uint64_t> seed;   ///< instead of [campaign] seed
-  int jobs = 1;
+  int jobs = 1;                        ///< worker processes, and threads that generate scenarios
   bool quiet = false;
 };
 
@@ -33,7 +33,7 @@ struct CampaignReport {
   std::string problem;    ///< one line when something of the job itself failed; "" otherwise
 };
 
-/// The scenarios that the .ini names.
+/// The scenarios that the .ini names; the same for any number of jobs.
 std::vector<Scenario> campaign_scenarios(const IniFile& ini, const CampaignArguments& arguments);
 
 /// Runs the campaign of `ini` over `scenarios` into a result file at `results_path`, with every

@@ -1,0 +1,69 @@
+#include "program_run.h"
+
+namespace slalom {
+namespace {
+
+class Until : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("small.ini", kSmallCampaign);
+  }
+  static std::size_t lines(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  }
+};
+
+TEST_F(Until, StopsAsSoonAsEveryCellIsPreciseEnough) {
+  // At the first look 10 scenarios at 97.5 %: the widest Wilson interval, of 5 in 10, is 0.579.
+  const std::string command = "slalom-evaluate small.ini -o out --quiet --set scenarios.count=40 ";
+  const Ended ended = run(command + "--until 'interval(success) < 0.6'");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("2 of 2 cells reached after 20 runs and 1 looks: precise enough"),
+            std::string::npos)
+      << ended.out;
+  EXPECT_EQ(lines(run("slalom-analyze dump out/runs.results").out), 20u);
+}
+
+TEST_F(Until, SaysWhereThePoolWasTooSmall) {
+  const Ended ended =
+      run("slalom-evaluate small.ini -o out --quiet --until 'interval(success) < 0.05'");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("0 of 2 cells reached after 8 runs"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("no more scenarios"), std::string::npos) << ended.out;
+  EXPECT_NE(read("out/until.txt").find("no more scenarios"), std::string::npos);
+}
+
+TEST_F(Until, IsTheSameWithManyWorkersAndAddsRunsOnlyToOpenBins) {
+  const std::string command =
+      "slalom-evaluate small.ini --quiet --set scenarios.count=60 --until "
+      "'interval(success) < 0.58 in density:3' ";
+  ASSERT_EQ(run(command + "-o one -j 1").status, 0);
+  ASSERT_EQ(run(command + "-o three -j 3").status, 0);
+  const std::string dump = run("slalom-analyze dump one/runs.results").out;
+  EXPECT_EQ(dump, run("slalom-analyze dump three/runs.results").out);
+  EXPECT_LT(lines(dump), 2u * 60u) << "every scenario was run";
+  EXPECT_EQ(read("one/until.txt"), read("three/until.txt"));
+}
+
+TEST_F(Until, GoesNoFurtherThanAllowed) {
+  const Ended ended =
+      run("slalom-evaluate small.ini -o out --quiet --set scenarios.count=40 "
+          "--until 'interval(success) < 0.01' --max-runs 20");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("after 20 runs and 1 looks: as many runs as were allowed"),
+            std::string::npos)
+      << ended.out;
+}
+
+TEST_F(Until, RefusesRulesThatDoNotFit) {
+  const std::string command = "slalom-evaluate small.ini -o out --quiet ";
+  expect_refusal(command + "--until 'success < 0.1'", 2, {"--until", "interval(METRIC)"});
+  expect_refusal(command + "--until 'interval(sucess) < 0.1'", 2, {"sucess", "'success'"});
+  expect_refusal(command + "--until 'interval(success) < 0.1 in densty:3'", 2,
+                 {"densty", "'density'"});
+  expect_refusal(command + "--max-runs 5", 2, {"--until"});
+}
+
+}  // namespace
+}  // namespace slalom
