@@ -1,6 +1,6 @@
 // The page of one run: the place, the way the robot took, a slider through time with the scan at
 // that moment, clearance and speed, and every value that is known. What it shows stands in
-// data/s-HASH8.js, which calls slalomScenario(). Works from a file, without a network.
+// data/s-HASH8.js, which calls slalomScenario(); `metrics` comes from data/metrics.js. Works from a file, without a network.
 "use strict";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -281,7 +281,7 @@ function runKey(run) { return run.method + "/" + run.repetition; }
 function showValues(place, run) {
   const body = element("values");
   body.replaceChildren();
-  place.metrics.forEach((metric, i) => {
+  metrics.forEach((metric, i) => {
     const row = html("tr", undefined, body), value = run.values[i];
     html("th", metric.id, row).title = metric.name;
     if (typeof value === "number") html("td", value + (metric.unit === "-" ? "" : " " + metric.unit), row);

@@ -1,4 +1,5 @@
 #include "html_text.h"
+#include "path_simplify.h"
 #include "run_data.h"
 
 #include <slalom/core/text.h>
@@ -158,7 +159,8 @@ Json place_json(const RunPages& pages, const ScenarioRecord& record, const World
   add_obstacles(world, json);
   const References references = pages.file.read_references(record.hash);
   if (references.shortest) json["shortest"] = points_json(references.shortest->path);
-  if (references.safest) json["safest"] = points_json(references.safest->path);
+  if (references.safest)
+    json["safest"] = points_json(simplify(references.safest->path, pages.resolution));
   return json;
 }
 
@@ -233,26 +235,28 @@ std::string cells_script(const RunPages& pages) {
   return call("slalomCells", cells);
 }
 
-std::string scenario_script(const RunPages& pages, const ScenarioRecord& record,
-                            const std::vector<std::size_t>& runs, const std::string& directory) {
+std::string metrics_script(const RunPages& pages) {
+  return call("slalomMetrics", metrics_json(pages.table, metric_ids(pages.table)));
+}
+
+std::string scenario_script(const RunPages& pages, const RunNames& names,
+                            const ScenarioRecord& record, const std::vector<std::size_t>& runs,
+                            const std::string& directory) {
   const World world(pages.file.read_scenario(record.hash), pages.resolution);
   const Footprint footprint = pages.robot.shape();
-  const std::vector<std::string> metrics = metric_ids(pages.table);
-  const std::vector<std::string> methods = method_names(pages.table);
   Json json = place_json(pages, record, world);
-  json["metrics"] = metrics_json(pages.table, metrics);
   json["runs"] = Json::array();
   Names reasons;
   for (const std::size_t index : runs) {
     const RunRecord& run = pages.table.runs[index];
     Json line = {{"method", run.method},
                  {"repetition", run.repetition},
-                 {"color", method_color(place_in(methods, run.method))},
+                 {"color", method_color(place_in(names.methods, run.method))},
                  {"outcome", run.outcome},
                  {"detail", run.outcome_detail},
                  {"seed", std::to_string(run.seed)},
                  {"rawlog", rawlog_link(pages, run, directory)},
-                 {"values", values_json(run, metrics, reasons)}};
+                 {"values", values_json(run, names.metrics, reasons)}};
     add_track(world, footprint, pages.file.read_trajectory(run), line);
     json["runs"].push_back(std::move(line));
   }

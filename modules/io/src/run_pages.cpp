@@ -32,7 +32,9 @@ interpolated; the rawlog has all of them.</p>
 <h2>Runs in this scenario</h2><ul id="runs" class="plain"></ul>
 <h2>Values</h2><table class="values"><tbody id="values"></tbody></table>
 </div></div></main>
-<script src="run.js"></script>
+<script>let metrics = [];
+function slalomMetrics(data) { metrics = data; }</script>
+<script src="data/metrics.js"></script><script src="run.js"></script>
 )html";
 
 constexpr const char* kRunsBody = R"html(<header><h1 id="title">Runs</h1>
@@ -62,12 +64,14 @@ void write_run_pages(const RunPages& pages, const std::string& directory) {
   std::error_code problem;
   std::filesystem::create_directories(data, problem);
   if (problem) throw job_error(data.string(), "cannot be made: " + problem.message(), "a folder");
+  const RunNames names = {metric_ids(pages.table), method_names(pages.table)};
   for (const auto& [hash, runs] : runs_by_scenario(pages.table)) {
     const auto scenario = pages.table.scenarios.find(hash);
     if (scenario == pages.table.scenarios.end()) continue;
     write_file_atomically((data / ("s-" + hash.substr(0, 8) + ".js")).string(),
-                          scenario_script(pages, scenario->second, runs, directory));
+                          scenario_script(pages, names, scenario->second, runs, directory));
   }
+  write_file_atomically((data / "metrics.js").string(), metrics_script(pages));
   write_file_atomically((data / "runs.js").string(), runs_script(pages));
   write_file_atomically((data / "cells.js").string(), cells_script(pages));
   write_file_atomically((folder / "run.js").string(), kRunScript);

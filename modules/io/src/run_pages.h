@@ -35,7 +35,7 @@ struct RunPages {
 /// (Job) when it cannot write.
 void write_run_pages(const RunPages& pages, const std::string& directory);
 
-constexpr std::size_t kMostSamples = 120;
+constexpr std::size_t kMostSamples = 80;
 
 /// "run.html#HASH8/METHOD/REPETITION", percent-encoded.
 std::string run_link(const RunRecord& run);

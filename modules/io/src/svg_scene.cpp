@@ -43,7 +43,8 @@ class Picture {
   void draw_references() {
     if (options_.references == nullptr) return;
     if (options_.references->safest)
-      svg_ += line(options_.references->safest->path, "reference safest", "#555555",
+      // It follows cells: drawn to about one of them.
+      svg_ += line(simplify(options_.references->safest->path, 0.05), "reference safest", "#555555",
                    "stroke-width=\"1.5\" stroke-dasharray=\"2 3\"", "safest path");
     if (options_.references->shortest)
       svg_ += line(options_.references->shortest->path, "reference shortest", "#111111",

@@ -67,15 +67,16 @@ class RunPagesTest : public testing::Test {
     return numbers;
   }
 
+  const RunNames kNames = {{"path_length"}, {"nd & co"}};
   const QuantityInfo kLength = {"path_length", 1, "Path length", "m", Direction::Down};
   fs::path folder_;
 };
 
 TEST_F(RunPagesTest, KeepTrajectoriesInThousandths) {
   with_pages(room(), 3, [&](const RunPages& pages) {
-    const auto data = argument(
-        scenario_script(pages, pages.table.scenarios.begin()->second, {0}, folder_.string()),
-        "slalomScenario");
+    const auto data = argument(scenario_script(pages, kNames, pages.table.scenarios.begin()->second,
+                                               {0}, folder_.string()),
+                               "slalomScenario");
     const auto& run = data["runs"][0];
     EXPECT_EQ(sums(run["t"]), (std::vector<std::int64_t>{0, 100, 200}));
     EXPECT_EQ(sums(run["x"]), (std::vector<std::int64_t>{1000, 1100, 1200}));
@@ -90,9 +91,9 @@ TEST_F(RunPagesTest, KeepTrajectoriesInThousandths) {
 TEST_F(RunPagesTest, KeepFirstAndLastOfLongTrajectories) {
   const std::size_t n = 10 * kMostSamples;
   with_pages(room(), n, [&](const RunPages& pages) {
-    const auto data = argument(
-        scenario_script(pages, pages.table.scenarios.begin()->second, {0}, folder_.string()),
-        "slalomScenario");
+    const auto data = argument(scenario_script(pages, kNames, pages.table.scenarios.begin()->second,
+                                               {0}, folder_.string()),
+                               "slalomScenario");
     const auto times = sums(data["runs"][0]["t"]);
     ASSERT_EQ(times.size(), kMostSamples);
     EXPECT_EQ(times.front(), 0);
@@ -108,9 +109,9 @@ TEST_F(RunPagesTest, GiveGridsAsRunLengths) {
     map.setCell(x, 1, x == 0 ? 0.0f : 1.0f);
   }
   with_pages(Scenario::grid("grid", map, {0.5, 0.5, 0}, {2.5, 1.5}), 1, [&](const RunPages& pages) {
-    const auto data = argument(
-        scenario_script(pages, pages.table.scenarios.begin()->second, {0}, folder_.string()),
-        "slalomScenario");
+    const auto data = argument(scenario_script(pages, kNames, pages.table.scenarios.begin()->second,
+                                               {0}, folder_.string()),
+                               "slalomScenario");
     EXPECT_EQ(data["grid"]["runs"], (nlohmann::json{1, 3, 2}));
     EXPECT_EQ(data["grid"]["nx"], 3);
   });
@@ -131,7 +132,7 @@ TEST_F(RunPagesTest, LinkARawlogWhereThereIsOne) {
   with_pages(room(), 2, [&](const RunPages& pages) {
     const std::string report = (folder_ / "report").string();
     const ScenarioRecord& scenario = pages.table.scenarios.begin()->second;
-    EXPECT_NE(scenario_script(pages, scenario, {0}, report).find("\"rawlog\":\"\""),
+    EXPECT_NE(scenario_script(pages, kNames, scenario, {0}, report).find("\"rawlog\":\"\""),
               std::string::npos);
   });
 }
@@ -143,7 +144,7 @@ TEST_F(RunPagesTest, StandInOneFolderWithAllTheyLoad) {
     for (const std::string& name :
          {std::string("run.html"), std::string("runs.html"), std::string("run.js"),
           std::string("runs.js"), std::string("data/runs.js"), std::string("data/cells.js"),
-          "data/s-" + id + ".js"})
+          std::string("data/metrics.js"), "data/s-" + id + ".js"})
       EXPECT_TRUE(fs::exists(folder_ / "report" / name)) << name;
     EXPECT_EQ(run_link(pages.table.runs[0]), "run.html#" + id + "/nd%20%26%20co/0");
   });
