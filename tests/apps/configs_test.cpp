@@ -5,17 +5,21 @@ namespace {
 
 class Configs : public ProgramTest {
  protected:
-  static std::vector<std::filesystem::path> with_prefix(bool generate) {
+  /// The .ini files of configs/ and of its folders that generate lists, or those of campaigns.
+  static std::vector<std::filesystem::path> examples(bool generate) {
     std::vector<std::filesystem::path> paths;
-    for (const auto& entry : std::filesystem::directory_iterator(SLALOM_CONFIGS))
-      if ((entry.path().filename().string().rfind("generate_", 0) == 0) == generate)
-        paths.push_back(entry.path());
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(SLALOM_CONFIGS)) {
+      if (entry.path().extension() != ".ini") continue;
+      const bool campaign = read_text(entry.path()).find("[campaign]") != std::string::npos;
+      if (campaign != generate) paths.push_back(entry.path());
+    }
+    std::sort(paths.begin(), paths.end());
     return paths;
   }
 };
 
 TEST_F(Configs, EveryExampleOfACampaignRuns) {
-  for (const auto& path : with_prefix(false)) {
+  for (const auto& path : examples(false)) {
     const Ended ended = run("slalom-evaluate '" + path.string() +
                             "' -o out -j 2 --quiet --set scenarios.count=2 --set "
                             "scenarios.maps= --set campaign.repetitions=1");
@@ -27,7 +31,7 @@ TEST_F(Configs, EveryExampleOfACampaignRuns) {
 }
 
 TEST_F(Configs, EveryExampleOfGenerationGenerates) {
-  for (const auto& path : with_prefix(true)) {
+  for (const auto& path : examples(true)) {
     const bool fills_bins = read_text(path).find("[coverage]") != std::string::npos;
     const Ended ended =
         run("slalom-scenarios generate -c '" + path.string() + "' -n 2 -o a.scenarios --quiet" +

@@ -32,6 +32,12 @@ KnownPath find_path(const World& world, double robot_radius) {
   return found ? KnownPath{found->path, found->length, ""} : KnownPath{{}, 0, reason};
 }
 
+/// A path for a robot of this radius runs over cells that are free as a whole for the real one;
+/// such paths the search never misses.
+double roomy_radius(double robot_radius, double resolution) {
+  return robot_radius + 1.5 * resolution;
+}
+
 }  // namespace
 
 CandidateEvaluation::CandidateEvaluation(const CoveragePlan& plan, const CoverageTask& task,
@@ -57,24 +63,30 @@ std::optional<Elite> CandidateEvaluation::evaluate(const Proposal& proposal,
   if (const double times = coarseness(*scenario); times > 1)
     return evaluate_large(world, times, proposal, archive);
   Elite elite;
-  if (!measure({world, world}, proposal, archive, elite) || !is_certified(world))
+  if (!measure({world, world}, proposal, archive, elite) ||
+      !is_certified(world, task_.robot_radius))
     return std::nullopt;
   elite.sketch = sketch(world);
   return elite;
 }
 
 /// Cells that are a whole number of times as large, on the same corner, hold all the small ones
-/// that are occupied: a path that is free among them is free among the small ones.
+/// that are occupied: a path that is free among them is free among the small ones. Where it has
+/// room to spare, the search among the small ones finds it too; where it has not, that is tried.
 std::optional<Elite> CandidateEvaluation::evaluate_large(const World& world, double times,
                                                          const Proposal& proposal,
                                                          const CoverageArchive& archive) const {
   const World coarse(world.scenario(), task_.resolution * times);
   Elite elite;
-  if (!measure({world, coarse}, proposal, archive, elite) || !is_certified(coarse))
+  if (!measure({world, coarse}, proposal, archive, elite) ||
+      !is_certified(coarse, task_.robot_radius))
     return std::nullopt;
   elite.is_exact = false;
   if (!elite.bin || !archive.is_open(*elite.bin)) return elite;
   if (!measure({world, world}, proposal, archive, elite)) return std::nullopt;
+  if (!is_certified(coarse, roomy_radius(task_.robot_radius, task_.resolution)) &&
+      !is_certified(world, task_.robot_radius))
+    return std::nullopt;
   elite.is_exact = true;
   elite.sketch = sketch(world);
   return elite;
@@ -144,9 +156,10 @@ bool CandidateEvaluation::measure(const Models& models, const Proposal& proposal
   return (elite.bin && archive.is_open(*elite.bin)) || distance < archive.reach(proposal.target);
 }
 
-bool CandidateEvaluation::is_certified(const World& world) const {
-  const PlanningProblem problem = problem_in(world, task_.robot_radius);
-  if (is_free(world, {problem.start, problem.goal}, task_.robot_radius)) return true;
+bool CandidateEvaluation::is_certified(const World& world, double robot_radius) const {
+  const PlanningProblem problem = problem_in(world, robot_radius);
+  const double roomy = roomy_radius(robot_radius, world.occupancy().resolution());
+  if (is_free(world, {problem.start, problem.goal}, roomy)) return true;
   std::string reason;
   return exact_shortest_path(problem, 1, reason).has_value();
 }

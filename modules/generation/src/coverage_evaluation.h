@@ -43,7 +43,7 @@ class CandidateEvaluation {
                                       const CoverageArchive& archive) const;
   bool measure(const Models& models, const Proposal& proposal, const CoverageArchive& archive,
                Elite& elite) const;
-  bool is_certified(const World& world) const;
+  bool is_certified(const World& world, double robot_radius) const;
 
   const CoveragePlan& plan_;
   const CoverageTask& task_;

@@ -1,0 +1,46 @@
+#include "program_run.h"
+
+namespace slalom {
+namespace {
+
+class TestBeds : public ProgramTest {
+ protected:
+  /// The hash that the table in the documentation gives for the set of that name, or "".
+  static std::string documented_hash(const std::string& name) {
+    std::istringstream lines(read_text(SLALOM_DOCS "/testbeds.md"));
+    for (std::string line; std::getline(lines, line);) {
+      if (line.rfind("| `" + name + "`", 0) != 0) continue;
+      const std::size_t end = line.rfind("` |");
+      if (end != std::string::npos && end >= 32) return line.substr(end - 32, 32);
+    }
+    return "";
+  }
+};
+
+TEST_F(TestBeds, SlalomSmallIsWhatTheDocumentationSays) {
+  const Ended made = run("slalom-scenarios generate -c '" SLALOM_CONFIGS
+                         "/testbeds/slalom-small.ini' -o a.scenarios -j 2");
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(last_line(made.err), "a.scenarios: 200 scenarios");
+  EXPECT_NE(made.out.find("50 bins: 50 full"), std::string::npos) << made.out;
+  EXPECT_EQ(run("slalom-scenarios list a.scenarios --hash").out,
+            documented_hash("slalom-small") + "\n");
+  const Ended described =
+      run("slalom-scenarios describe a.scenarios --descriptors detour_ratio --json");
+  EXPECT_EQ(std::count(described.out.begin(), described.out.end(), '\n'), 200);
+  EXPECT_EQ(described.out.find("null"), std::string::npos) << "there is one without a path";
+}
+
+TEST_F(TestBeds, EachHasAHashInTheDocumentation) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(SLALOM_CONFIGS "/testbeds")) {
+    const std::string hash = documented_hash(entry.path().stem());
+    EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos) << hash;
+    EXPECT_EQ(hash.size(), 32U) << entry.path();
+    ++count;
+  }
+  EXPECT_EQ(count, 3U);
+}
+
+}  // namespace
+}  // namespace slalom
