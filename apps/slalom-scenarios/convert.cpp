@@ -43,22 +43,44 @@ bool is_blocked(const Scenario& before, const Scenario& after, const ConvertArgu
   return true;
 }
 
-void convert_list(const ConvertArguments& arguments) {
-  const ScenarioList list = ScenarioList::open(arguments.list.list);
+/// So many are converted before they are written, to keep memory small.
+constexpr std::size_t kPart = 128;
+
+/// Appends what the scenarios of `list` become; they keep their tags.
+void add_converted(const ScenarioList& list, const ConvertArguments& arguments,
+                   ScenarioList& output) {
   const Representation to = representation_from_string(arguments.to);
-  std::vector<Scenario> converted;
-  for (const auto& entry : list.entries()) {
+  std::vector<Scenario> part;
+  std::vector<ScenarioOrigin> origins;
+  const auto write_part = [&] {
+    make_add_scenarios(output, std::move(part), std::move(origins))->execute();
+    part.clear();
+    origins.clear();
+  };
+  list.for_each({}, [&](const ScenarioList::Entry& entry) {
     const Scenario before = list.read(entry.hash);
     Scenario after = convert(before, to, arguments.options);
-    if (!is_blocked(before, after, arguments)) converted.push_back(std::move(after));
-  }
-  ScenarioList output = ScenarioList::create(arguments.output);
-  make_add_scenarios(output, std::move(converted))->execute();
-  output.set_note("origin", "converted to " + arguments.to + " from " + arguments.list.list +
-                                ": resolution " + format_number(arguments.options.resolution) +
-                                " m, tolerance " + format_number(arguments.options.tolerance) +
-                                " m\n" + list.note("origin").value_or(""));
-  if (!arguments.quiet) std::cerr << arguments.output << ": " << output.size() << " scenarios\n";
+    if (is_blocked(before, after, arguments)) return true;
+    part.push_back(std::move(after));
+    origins.push_back({"", std::nullopt, entry.tags});
+    if (part.size() == kPart) write_part();
+    return true;
+  });
+  write_part();
+}
+
+void convert_list(const ConvertArguments& arguments) {
+  const ScenarioList list = ScenarioList::open(arguments.list.list);
+  std::size_t size = 0;
+  ScenarioList::write(arguments.output, [&](ScenarioList& output) {
+    add_converted(list, arguments, output);
+    output.set_note("origin", "converted to " + arguments.to + " from " + arguments.list.list +
+                                  ": resolution " + format_number(arguments.options.resolution) +
+                                  " m, tolerance " + format_number(arguments.options.tolerance) +
+                                  " m\n" + list.note("origin").value_or(""));
+    size = output.size();
+  });
+  if (!arguments.quiet) std::cerr << arguments.output << ": " << size << " scenarios\n";
 }
 
 struct ExportArguments {

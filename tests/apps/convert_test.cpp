@@ -62,10 +62,23 @@ points:
       "slalom-scenarios convert n.scenarios --to continuous --radius 0.2 -o c.scenarios";
   expect_refusal(command, 1, {"near: its goal would be occupied as continuous", "--skip-blocked"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "c.scenarios"));
+  write("c.scenarios", "precious");
+  EXPECT_EQ(run(command).status, 1);
+  EXPECT_EQ(read("c.scenarios"), "precious");
   const Ended ended = run(command + " --skip-blocked");
   EXPECT_EQ(ended.status, 0);
   EXPECT_NE(ended.err.find("near: its goal would be occupied"), std::string::npos);
   EXPECT_NE(ended.err.find("c.scenarios: 1 scenarios"), std::string::npos);
+}
+
+TEST_F(ConvertPrograms, TakesThePlaceOfItsOwnListAndKeepsTags) {
+  ASSERT_EQ(run("slalom-scenarios tag ring.scenarios --add round").status, 0);
+  const Ended ended = run("slalom-scenarios convert ring.scenarios --to points -o ring.scenarios");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const std::string shown = run("slalom-scenarios show ring.scenarios --id ring").out;
+  EXPECT_NE(shown.find("representation  points"), std::string::npos) << shown;
+  EXPECT_EQ(run("slalom-scenarios select ring.scenarios --where 'tag = round'").out,
+            run("slalom-scenarios list ring.scenarios").out);
 }
 
 TEST_F(ConvertPrograms, ImportsWhatItExported) {
