@@ -3,7 +3,8 @@
 namespace slalom {
 
 void add_campaign_options(CLI::App& app, CampaignArguments& arguments) {
-  app.add_option("-j,--jobs", arguments.jobs, "Worker processes")
+  app.add_option("-j,--jobs", arguments.jobs,
+                 "Worker processes, and threads that generate scenarios")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option("--seed", arguments.seed, "Seed instead of [campaign] seed");
