@@ -55,7 +55,7 @@ std::string element(const char* tag, double value) {
 void write_mvsim_world(const Scenario& scenario, const MapExportOptions& options,
                        const std::string& path) {
   const Occupancy cells = make_occupancy(scenario, options.resolution);
-  const std::string grid = without_ending(path, ".world.xml") + ".gridmap";
+  const std::string grid = without_ending(without_ending(path, ".xml"), ".world") + ".gridmap";
   const auto& start = scenario.start();
   const Bounds& b = scenario.bounds();
   std::string xml = "<?xml version=\"1.0\"?>\n<mvsim_world version=\"1.0\">\n";

@@ -7,6 +7,8 @@
 #include <slalom/io/scenario_yaml.h>
 #include <slalom/io/svg_scene.h>
 
+#include <filesystem>
+
 namespace slalom {
 namespace {
 
@@ -38,7 +40,7 @@ const std::vector<ExportFormat>& export_formats() {
       {"yaml", ".yaml", "the scenario as YAML, whole", write_yaml},
       {"ros", ".yaml", "ROS map_server YAML with a PGM", write_ros_map},
       {"mrpt", ".gridmap.gz", "MRPT occupancy grid", write_mrpt_map},
-      {"mvsim", ".world.xml", "mvsim world with an occupancy grid", write_mvsim_world},
+      {"mvsim", ".xml", "mvsim world with an occupancy grid", write_mvsim_world},
       {"svg", ".svg", "picture", write_svg},
       {"png", ".png", "picture", write_png},
   };
@@ -51,9 +53,11 @@ void export_scenario(const Scenario& scenario, const std::string& format,
   for (const ExportFormat& known : export_formats()) {
     names.push_back(known.name);
     if (known.name != format) continue;
-    if (!ends_in(path, known.ending))
+    const bool is_plain = std::filesystem::path(path).extension().empty();
+    const std::string file = is_plain ? path + known.ending : path;
+    if (!ends_in(file, known.ending))
       throw usage_error(path, "is no file of the format " + format, "a name with " + known.ending);
-    known.write(scenario, options, path);
+    known.write(scenario, options, file);
     return;
   }
   throw usage_error("format", "'" + format + "' is unknown", "one of " + join(names, ", "));

@@ -117,6 +117,14 @@ TEST(MapExport, LeavesNothingHalfDone) {
     EXPECT_FALSE(has(file.path().filename().string(), ".tmp")) << file.path();
 }
 
+TEST(MapExport, GivesAPathWithoutExtensionThatOfTheFormat) {
+  const MapFolder folder;
+  for (const ExportFormat& format : export_formats()) {
+    export_scenario(disc_scenario(), format.name, {}, folder.path(format.name));
+    EXPECT_TRUE(std::filesystem::exists(folder.path(format.name + format.ending)));
+  }
+}
+
 TEST(MapExport, RefusesUnknownFormatsAndOtherNames) {
   EXPECT_EQ(error_text(Culprit::Usage,
                        [] { export_scenario(disc_scenario(), "stl", {}, "/nowhere/d.stl"); }),

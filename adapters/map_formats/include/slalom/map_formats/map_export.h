@@ -17,14 +17,15 @@ struct MapExportOptions {
 /// task file beside it (see map_task.h).
 struct ExportFormat {
   std::string name;     ///< as on the command line
-  std::string ending;   ///< that a path of this format must have
+  std::string ending;   ///< of its files
   std::string content;  ///< what is written, for people
   void (*write)(const Scenario& scenario, const MapExportOptions& options, const std::string& path);
 };
 
 const std::vector<ExportFormat>& export_formats();
 
-/// Throws Error (Usage) when there is no such format or the path does not end as its files do.
+/// A path without an extension gets that of the format. Throws Error (Usage) when there is no such
+/// format or the path ends otherwise than its files do.
 void export_scenario(const Scenario& scenario, const std::string& format,
                      const MapExportOptions& options, const std::string& path);
 
