@@ -15,8 +15,14 @@ endif()
 
 find_program(SLALOM_CCACHE ccache)
 if(SLALOM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_C_COMPILER_LAUNCHER ${SLALOM_CCACHE})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${SLALOM_CCACHE})
+  # What ccache's manual asks for where headers are precompiled.
+  set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+      ${SLALOM_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
+endif()
+if(SLALOM_PRECOMPILE_HEADERS AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
 endif()
 
 # Results must not depend on whether the compiler fuses a multiply with an add.
