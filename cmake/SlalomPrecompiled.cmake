@@ -4,6 +4,10 @@
 set(SLALOM_PRECOMPILED_HEADERS
   <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <optional> <set> <string> <variant> <vector>
   <mrpt/maps/COccupancyGridMap2D.h> <mrpt/maps/CSimplePointsMap.h> <mrpt/math/TPoint2D.h> <mrpt/math/TPose2D.h>)
+# Precompiled headers are good only where the same macros are defined: this one comes with Boost in most targets.
+if(SLALOM_PRECOMPILE_HEADERS)
+  add_compile_definitions(BOOST_ALL_NO_LIB)
+endif()
 set(SLALOM_EMPTY_SOURCE ${CMAKE_CURRENT_LIST_DIR}/empty.cpp)
 
 function(slalom_precompile TARGET)
