@@ -5,23 +5,7 @@
 namespace slalom {
 namespace {
 
-/// One campaign for all tests of this file, since they only read it.
-class Analyze : public ProgramTest {
- protected:
-  void SetUp() override {
-    ProgramTest::SetUp();
-    if (results().empty()) {
-      write("small.ini", kSmallCampaign);
-      ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet").status, 0);
-      results() = read("out/runs.results");
-    }
-    write("runs.results", results());
-  }
-  static std::string& results() {
-    static std::string bytes;
-    return bytes;
-  }
-};
+class Analyze : public ResultsTest {};
 
 TEST_F(Analyze, TableCrossesDescriptorBinsWithMetrics) {
   const Ended ended =

@@ -5,22 +5,8 @@
 namespace slalom {
 namespace {
 
-/// One campaign for all tests of this file, since they only read it.
-class Export : public ProgramTest {
+class Export : public ResultsTest {
  protected:
-  void SetUp() override {
-    ProgramTest::SetUp();
-    if (results().empty()) {
-      write("small.ini", kSmallCampaign);
-      ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet").status, 0);
-      results() = read("out/runs.results");
-    }
-    write("runs.results", results());
-  }
-  static std::string& results() {
-    static std::string bytes;
-    return bytes;
-  }
   static bool has_program(const std::string& name) {
     return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
   }

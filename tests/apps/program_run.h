@@ -94,4 +94,23 @@ plugin  = libslalom_follow_the_gap.so
 rows = density:0,0.05,1
 )";
 
+/// A small campaign's result file, "runs.results", in each test's folder. It is made once for all
+/// tests of a file, since they only read it.
+class ResultsTest : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    if (results().empty()) {
+      write("small.ini", kSmallCampaign);
+      ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet").status, 0);
+      results() = read("out/runs.results");
+    }
+    write("runs.results", results());
+  }
+  static std::string& results() {
+    static std::string bytes;
+    return bytes;
+  }
+};
+
 }  // namespace slalom

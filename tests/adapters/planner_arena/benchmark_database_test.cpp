@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <unistd.h>
 
 namespace slalom {
 namespace {
@@ -56,7 +57,8 @@ class BenchmarkDatabase : public testing::Test {
   }
   using Lines = std::vector<std::string>;
 
-  const std::string path_ = testing::TempDir() + "slalom_planner_arena_test.db";
+  const std::string path_ =
+      testing::TempDir() + "slalom_planner_arena_" + std::to_string(getpid()) + ".db";
   ResultTable table_;
   std::unique_ptr<SQLite::Database> database_;
 };

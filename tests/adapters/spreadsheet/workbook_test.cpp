@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <unistd.h>
 
 namespace slalom {
 namespace {
@@ -31,7 +32,8 @@ class Workbook : public testing::Test {
     return text;
   }
 
-  const std::string path_ = testing::TempDir() + "slalom_workbook_test.xlsx";
+  const std::string path_ =
+      testing::TempDir() + "slalom_workbook_" + std::to_string(getpid()) + ".xlsx";
 };
 
 TEST_F(Workbook, KeepsNumbersAsNumbersAndTextsAsTexts) {

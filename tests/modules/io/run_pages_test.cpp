@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <unistd.h>
 
 namespace slalom {
 namespace {
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 class RunPagesTest : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / "slalom_run_pages";
+    folder_ = fs::path(testing::TempDir()) / ("slalom_run_pages_" + std::to_string(getpid()));
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "report");
   }
