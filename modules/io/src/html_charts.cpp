@@ -6,7 +6,6 @@
 #include <slalom/analysis/completion.h>
 #include <slalom/analysis/descriptor_map.h>
 #include <slalom/analysis/performance_profile.h>
-#include <slalom/analysis/validity.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
@@ -19,21 +18,11 @@ constexpr const char* kTime = "time_to_goal";
 constexpr double kMostRatio = 16;  ///< profiles are drawn up to here
 
 std::string color_of(const RunColumns& runs, const std::string& method) {
-  const auto found = std::find(runs.methods.begin(), runs.methods.end(), method);
-  return method_color(static_cast<std::size_t>(found - runs.methods.begin()));
+  return method_color(place_in(runs.methods, method));
 }
 
 std::string card(const std::string& heading, const std::string& content) {
   return html_element("div", "card", html_element("h4", "", heading) + content) + "\n";
-}
-
-/// The columns in which methods can be better or worse.
-std::vector<Column> directed_columns(const ChartContext& context) {
-  std::vector<Column> directed;
-  for (const Column& column : resolve_columns(context.runs, context.options.columns)) {
-    if (column.info.direction != Direction::None && !column.wall_clock) directed.push_back(column);
-  }
-  return directed;
 }
 
 /// `make`, or nothing where these results do not allow what it asks for.
@@ -143,8 +132,8 @@ std::string map_card(const DescriptorMap& map, const ChartContext& context) {
           ? ""
           : html_element("p", "support",
                          count_text(map.left_out, "run") + " outside all bins, or without a value");
-  return card("<i class=\"swatch\" style=\"background:" + color_of(context.runs, map.method) +
-                  "\"></i>" + html_escape(map.method) + ": " + html_escape(map.column.info.id),
+  return card(method_swatch(place_in(context.runs.methods, map.method)) + html_escape(map.method) +
+                  ": " + html_escape(map.column.info.id),
               "<table class=\"even\"><thead><tr>" + header + "</tr></thead><tbody>" + rows +
                   "</tbody></table>" + left_out);
 }
@@ -172,19 +161,6 @@ std::string correlation_cell(const RankCorrelation& correlation) {
 
 }  // namespace
 
-std::vector<PairedComparison> compare_all(const ChartContext& context) {
-  std::vector<std::string> metrics;
-  for (const Column& column : directed_columns(context)) metrics.push_back(column.info.id);
-  if (context.runs.methods.size() < 2 || metrics.empty()) return {};
-  try {
-    ComparisonOptions options;
-    options.analysis = context.options.analysis;
-    return compare_methods(context.runs, metrics, "", options);
-  } catch (const Error&) {
-    return {};  // methods without a scenario in common
-  }
-}
-
 std::string completion_section(const ChartContext& context) {
   if (!find_metric(context.runs, kTime)) return "";
   std::vector<ChartLine> lines;
@@ -209,15 +185,15 @@ std::string completion_section(const ChartContext& context) {
 std::string ranking_section(const ChartContext& context) {
   if (context.runs.methods.size() < 2) return "";
   std::string html;
-  for (const Column& column : directed_columns(context)) {
+  for (const Column& column : directed_columns(context.runs, context.options)) {
     html += where_possible([&] { return rank_card(context, column); });
     if (!column.rate) html += where_possible([&] { return profile_chart(context, column); });
   }
   return html.empty() ? "" : "<h2 id=\"ranks\">Ranks and profiles</h2>\n" + html;
 }
 
-std::string comparison_section(const std::vector<PairedComparison>& comparisons) {
-  const std::string text = sentences(comparisons, "");
+std::string comparison_section(const ChartContext& context) {
+  const std::string text = sentences(context.contents.comparisons, "");
   if (text.empty()) return "";
   return "<h2 id=\"comparisons\">Method against method</h2>\n<p class=\"soft\">On the same "
          "scenarios; p values corrected for the number of comparisons (Holm).</p>\n" +
@@ -241,10 +217,11 @@ std::string map_section(const ChartContext& context, const std::string& method) 
 }
 
 std::string validity_table(const ChartContext& context, const std::string& method) {
+  if (!context.contents.validity) return "";
+  const ValidityTable& table = *context.contents.validity;
   std::vector<std::string> metrics;
-  for (const Column& column : directed_columns(context)) metrics.push_back(column.info.id);
-  if (metrics.empty()) return "";
-  const ValidityTable table = build_validity(context.runs, metrics, context.options.analysis);
+  for (const Column& column : directed_columns(context.runs, context.options))
+    metrics.push_back(column.info.id);
   std::string header = "<th>Descriptor</th>", rows;
   for (const std::string& metric : metrics) header += html_element("th", "", html_escape(metric));
   for (const std::string& descriptor : table.descriptors) {
@@ -263,9 +240,8 @@ std::string validity_table(const ChartContext& context, const std::string& metho
          header + "</tr></thead><tbody>" + rows + "</tbody></table></div>\n";
 }
 
-std::string comparisons_of(const std::vector<PairedComparison>& comparisons,
-                           const std::string& method) {
-  const std::string text = sentences(comparisons, method);
+std::string comparisons_of(const ChartContext& context, const std::string& method) {
+  const std::string text = sentences(context.contents.comparisons, method);
   if (text.empty()) return "";
   return "<h2>Against the others</h2>\n" + html_element("div", "card", text) + "\n";
 }

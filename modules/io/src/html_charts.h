@@ -1,8 +1,8 @@
 #pragma once
 
 #include "html_tables.h"
+#include "report_contents.h"
 
-#include <slalom/analysis/paired_comparison.h>
 #include <slalom/io/html_report.h>
 #include <slalom/results/run_columns.h>
 
@@ -16,6 +16,7 @@ struct ChartContext {
   const RunColumns& runs;
   const ResultTable& table;  ///< the same runs in the same order
   const ReportOptions& options;
+  const ReportContents& contents;
   RunsLink link;
 };
 
@@ -26,11 +27,8 @@ std::string completion_section(const ChartContext& context);
 /// direction, as far as there are two methods to compare.
 std::string ranking_section(const ChartContext& context);
 
-/// Every pair of methods in every column, as one family; none where there is nothing to compare.
-std::vector<PairedComparison> compare_all(const ChartContext& context);
-
-/// These as sentences that claim no more than was shown: what was shown first.
-std::string comparison_section(const std::vector<PairedComparison>& comparisons);
+/// Method against method, in sentences that claim no more than was shown: what was shown first.
+std::string comparison_section(const ChartContext& context);
 
 /// Maps of the success rate (or the first column) over the first two descriptors of the report's
 /// rows, one per method; "" where there is one descriptor only. `method`: only this one.
@@ -39,8 +37,7 @@ std::string map_section(const ChartContext& context, const std::string& method =
 /// How each descriptor of the scenarios goes together with each column, for one method.
 std::string validity_table(const ChartContext& context, const std::string& method);
 
-/// Those of them that are about one method.
-std::string comparisons_of(const std::vector<PairedComparison>& comparisons,
-                           const std::string& method);
+/// The comparisons that are about one method.
+std::string comparisons_of(const ChartContext& context, const std::string& method);
 
 }  // namespace slalom

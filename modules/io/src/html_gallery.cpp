@@ -16,16 +16,6 @@ constexpr std::size_t kMostBytesOnAPage = 6u << 20u;
 constexpr std::size_t kMostValuesBesideOutcomes = 2;
 constexpr int kPicturePixels = 480;
 
-using RunsOfScenarios = std::map<std::string, std::vector<std::size_t>>;
-
-RunsOfScenarios runs_by_scenario(const ResultTable& table) {
-  RunsOfScenarios runs;
-  for (std::size_t i = 0; i < table.runs.size(); ++i) {
-    runs[table.runs[i].scenario_hash].push_back(i);
-  }
-  return runs;
-}
-
 /// The scenarios in the order in which people look for them: by name.
 std::vector<const ScenarioRecord*> scenarios_by_name(const ResultTable& table) {
   std::vector<const ScenarioRecord*> scenarios;
@@ -60,11 +50,6 @@ class FigureWriter {
   std::vector<Column> columns_;
   double robot_radius_;
 
-  std::size_t place_of(const std::string& method) const {
-    const auto found = std::find(methods_.begin(), methods_.end(), method);
-    return static_cast<std::size_t>(found - methods_.begin());
-  }
-
   std::string picture(const ScenarioRecord& record, const std::vector<std::size_t>& runs) const {
     const Scenario scenario = file_.read_scenario(record.hash);
     const References references = file_.read_references(record.hash);
@@ -76,7 +61,7 @@ class FigureWriter {
       const RunRecord& run = table_.runs[index];
       options.trajectories.push_back({run.method, file_.read_trajectory(run).path(),
                                       outcome_from_string(run.outcome),
-                                      method_color(place_of(run.method))});
+                                      method_color(place_in(methods_, run.method))});
     }
     return render_svg(scenario, options);
   }
@@ -85,7 +70,7 @@ class FigureWriter {
     const RunRecord& run = table_.runs[index];
     const std::string detail =
         run.outcome_detail.empty() ? "" : " title=\"" + html_escape(run.outcome_detail) + "\"";
-    std::string cells = "<th>" + method_swatch(place_of(run.method)) + "<a href=\"" +
+    std::string cells = "<th>" + method_swatch(place_in(methods_, run.method)) + "<a href=\"" +
                         html_escape(run_link(run)) + "\">" + html_escape(run.method) +
                         (run.repetition > 0 ? " #" + std::to_string(run.repetition) : "") +
                         "</a></th><td" + detail + ">" + outcome_chip(run.outcome) + "</td>";
@@ -156,7 +141,7 @@ std::string line_sample(const std::string& style) {
 Gallery make_gallery(const ResultFile& file, const ResultTable& table,
                      const std::vector<Column>& columns, double robot_radius) {
   const FigureWriter writer(file, table, columns, robot_radius);
-  const RunsOfScenarios runs = runs_by_scenario(table);
+  const auto runs = runs_by_scenario(table);
   const auto scenarios = scenarios_by_name(table);
   std::vector<std::string> figures;
   for (const ScenarioRecord* scenario : scenarios) {

@@ -2,15 +2,13 @@
 #include "html_text.h"
 
 #include <slalom/analysis/cell_text.h>
-#include <slalom/analysis/failure_taxonomy.h>
 #include <slalom/core/text.h>
 
 namespace slalom {
 namespace {
 
 std::string summary_of(const ChartContext& context, const std::string& method) {
-  SummaryTable summary =
-      build_summary(context.table, context.options.columns, context.options.analysis);
+  SummaryTable summary = context.contents.summary;
   std::vector<MethodSummary> only;
   for (MethodSummary& entry : summary.methods) {
     if (entry.method == method) only.push_back(std::move(entry));
@@ -20,10 +18,8 @@ std::string summary_of(const ChartContext& context, const std::string& method) {
 }
 
 std::string endings_of(const ChartContext& context, const std::string& method) {
-  const FailureTaxonomy taxonomy =
-      build_failure_taxonomy(context.runs, BinSpec{}, context.options.analysis);
   std::string rows;
-  for (const OutcomeGroup& group : taxonomy.groups) {
+  for (const OutcomeGroup& group : context.contents.endings.groups) {
     if (group.method != method) continue;
     for (const OutcomeShare& share : group.outcomes) {
       if (share.runs.empty()) continue;
@@ -43,10 +39,12 @@ std::string endings_of(const ChartContext& context, const std::string& method) {
 
 std::string tables_of(const ChartContext& context, const std::string& method) {
   std::string html = "<h2>Where</h2>\n";
-  for (const BinSpec& spec : context.options.rows)
-    html += html_cross_tables(build_cross_tables(context.runs, {spec}, context.options.columns,
-                                                 context.options.analysis, method),
-                              context.table, context.runs.methods, context.link);
+  for (const std::vector<CrossTable>& group : context.contents.tables) {
+    for (const CrossTable& table : group) {
+      if (table.method == method)
+        html += html_cross_tables({table}, context.table, context.runs.methods, context.link);
+    }
+  }
   return html;
 }
 
@@ -56,14 +54,13 @@ std::string method_page_name(std::size_t place) {
   return "method-" + std::to_string(place + 1) + ".html";
 }
 
-std::string method_page(const ChartContext& context,
-                        const std::vector<PairedComparison>& comparisons, const std::string& method,
+std::string method_page(const ChartContext& context, const std::string& method,
                         const std::string& campaign) {
   return html_page(campaign + ": " + method,
                    "<header><h1>" + html_escape(method) +
                        "</h1><p><a href=\"index.html\">Report of " + html_escape(campaign) +
                        "</a></p></header>\n<main>\n" + summary_of(context, method) +
-                       endings_of(context, method) + comparisons_of(comparisons, method) +
+                       endings_of(context, method) + comparisons_of(context, method) +
                        tables_of(context, method) + map_section(context, method) +
                        validity_table(context, method) + "</main>\n");
 }

@@ -3,7 +3,6 @@
 #include "html_charts.h"
 
 #include <string>
-#include <vector>
 
 namespace slalom {
 
@@ -12,8 +11,7 @@ std::string method_page_name(std::size_t place);
 
 /// Everything about one method: how it did, against the others, where (cross tables, maps), what
 /// makes it hard, and how its runs ended, each number with the way to its runs.
-std::string method_page(const ChartContext& context,
-                        const std::vector<PairedComparison>& comparisons, const std::string& method,
+std::string method_page(const ChartContext& context, const std::string& method,
                         const std::string& campaign);
 
 }  // namespace slalom

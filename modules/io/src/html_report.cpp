@@ -23,13 +23,14 @@ namespace {
 struct ReportContext {
   const ResultTable& table;
   const ReportOptions& options;
-  RunColumns runs;  ///< the same as `table`
+  const RunColumns& runs;  ///< the same as `table`
+  const ReportContents& contents;
   std::vector<std::string> methods;
   std::vector<Column> columns;
   Gallery gallery;
   std::vector<RunGroup>& groups;  ///< grows with each table's cells
 
-  ChartContext charts() const { return {runs, table, options, link()}; }
+  ChartContext charts() const { return {runs, table, options, contents, link()}; }
 
   RunsLink link() const {
     return [this](const std::string& title, const std::vector<std::size_t>& runs) {
@@ -95,10 +96,9 @@ std::string how_to_read(const ReportContext& context) {
 }
 
 std::string summary_section(const ReportContext& context) {
-  const SummaryTable summary =
-      build_summary(context.table, context.options.columns, context.options.analysis);
   return "<h2 id=\"summary\">Summary</h2>\n" +
-         html_summary_table(summary, context.table, context.link()) + how_to_read(context);
+         html_summary_table(context.contents.summary, context.table, context.link()) +
+         how_to_read(context);
 }
 
 std::string findings_of(const CrossTable& table) {
@@ -110,9 +110,9 @@ std::string findings_of(const CrossTable& table) {
   return html + "\n";
 }
 
-std::string findings_section(const std::vector<std::vector<CrossTable>>& groups) {
+std::string findings_section(const ReportContext& context) {
   std::string html;
-  for (const auto& group : groups) {
+  for (const auto& group : context.contents.tables) {
     std::string sentences;
     for (const CrossTable& table : group) sentences += findings_of(table);
     if (group.empty() || group.front().rows.size() < 2) continue;
@@ -127,10 +127,9 @@ std::string findings_section(const std::vector<std::vector<CrossTable>>& groups)
          html;
 }
 
-std::string tables_section(const ReportContext& context,
-                           const std::vector<std::vector<CrossTable>>& groups) {
+std::string tables_section(const ReportContext& context) {
   std::string html = "<h2 id=\"tables\">Cross tables</h2>\n";
-  for (const auto& group : groups) {
+  for (const auto& group : context.contents.tables) {
     if (group.empty()) continue;
     const QuantityInfo& descriptor = group.front().descriptor;
     html += "<h3>By " + html_escape(descriptor.name) + " <code>" + html_escape(descriptor.id) +
@@ -176,22 +175,16 @@ std::string footer() {
   return "<footer>Written by Slalom " + html_escape(version()) + "</footer>\n";
 }
 
-/// Findings, charts and comparisons, each where the results allow it.
-std::string charts(const ReportContext& context, const std::vector<PairedComparison>& comparisons) {
+/// Comparisons and charts, each where the results allow it.
+std::string charts(const ReportContext& context) {
   const ChartContext chart = context.charts();
-  return comparison_section(comparisons) + completion_section(chart) + ranking_section(chart) +
+  return comparison_section(chart) + completion_section(chart) + ranking_section(chart) +
          map_section(chart);
 }
 
-std::string index_page(const ReportContext& context,
-                       const std::vector<PairedComparison>& comparisons) {
-  std::vector<std::vector<CrossTable>> groups;
-  for (const BinSpec& spec : context.options.rows) {
-    groups.push_back(build_cross_tables(context.table, {spec}, context.options.columns,
-                                        context.options.analysis));
-  }
-  const std::string sections = summary_section(context) + findings_section(groups) +
-                               tables_section(context, groups) + charts(context, comparisons) +
+std::string index_page(const ReportContext& context) {
+  const std::string sections = summary_section(context) + findings_section(context) +
+                               tables_section(context) + charts(context) +
                                scenarios_section(context) + repeat_section(context.table.manifest);
   return html_page(
       campaign_name(context.table.manifest) + " - Slalom report",
@@ -216,12 +209,10 @@ void make_directory(const std::string& directory) {
   }
 }
 
-void write_method_pages(const ReportContext& context,
-                        const std::vector<PairedComparison>& comparisons,
-                        const std::filesystem::path& folder) {
+void write_method_pages(const ReportContext& context, const std::filesystem::path& folder) {
   for (std::size_t place = 0; place < context.methods.size(); ++place) {
     write_file_atomically((folder / method_page_name(place)).string(),
-                          method_page(context.charts(), comparisons, context.methods[place],
+                          method_page(context.charts(), context.methods[place],
                                       campaign_name(context.table.manifest)));
   }
 }
@@ -271,18 +262,20 @@ void write_html_report(const ResultFile& file, const ReportOptions& options,
                        const std::string& directory) {
   const ResultTable table = file.read_table();
   const std::vector<Column> columns = resolve_columns(table, options.columns);
+  const RunColumns runs = to_columns(table);
+  const ReportContents contents = make_report_contents(runs, options);
   std::vector<RunGroup> groups;
   const ReportContext context{table,
                               options,
-                              to_columns(table),
+                              runs,
+                              contents,
                               method_names(table),
                               columns,
                               make_gallery(file, table, columns, options.robot.radius),
                               groups};
-  const std::vector<PairedComparison> comparisons = compare_all(context.charts());
-  const std::string index = index_page(context, comparisons);
+  const std::string index = index_page(context);
   make_directory(directory);
-  write_method_pages(context, comparisons, directory);
+  write_method_pages(context, directory);
   write_run_pages({file, table, columns, groups, context.gallery.links, options.robot,
                    options.sensor, options.resolution},
                   directory);

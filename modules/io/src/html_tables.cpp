@@ -161,10 +161,6 @@ std::string cross_table_html(const CrossTable& table, const std::vector<ColumnSc
          "</tbody></table>" + na_html(table) + "</div>\n";
 }
 
-std::size_t place_in(const std::vector<std::string>& names, const std::string& name) {
-  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
 std::vector<std::size_t> runs_of(const ResultTable& results, const std::string& method) {
   std::vector<std::size_t> runs;
   for (std::size_t i = 0; i < results.runs.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstring>
@@ -57,6 +58,10 @@ std::string url_path(const std::string& path) {
     url += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
   }
   return url;
+}
+
+std::size_t place_in(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 std::string method_color(std::size_t place) {

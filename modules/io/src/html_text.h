@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace slalom {
 
@@ -14,6 +15,9 @@ std::string html_element(const std::string& name, const std::string& classes,
 
 /// A whole page with the report's styles.
 std::string html_page(const std::string& title, const std::string& body);
+
+/// Where `name` stands in `names`; their number where it does not.
+std::size_t place_in(const std::vector<std::string>& names, const std::string& name);
 
 /// Colour of the method at `place` in the list of methods (Okabe-Ito, told apart by the
 /// colour-blind).

@@ -198,10 +198,6 @@ Json metrics_json(const ResultTable& table, const std::vector<std::string>& metr
   return json;
 }
 
-std::size_t place_in(const std::vector<std::string>& names, const std::string& name) {
-  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
 }  // namespace
 
 std::string runs_script(const RunPages& pages) {

@@ -46,14 +46,14 @@ constexpr const char* kRunsBody = R"html(<header><h1 id="title">Runs</h1>
 <script src="runs.js"></script><script src="data/runs.js"></script><script src="data/cells.js"></script>
 )html";
 
+}  // namespace
+
 std::map<std::string, std::vector<std::size_t>> runs_by_scenario(const ResultTable& table) {
   std::map<std::string, std::vector<std::size_t>> runs;
   for (std::size_t i = 0; i < table.runs.size(); ++i)
     runs[table.runs[i].scenario_hash].push_back(i);
   return runs;
 }
-
-}  // namespace
 
 std::string run_link(const RunRecord& run) {
   return "run.html#" + url_path(run_id(run));

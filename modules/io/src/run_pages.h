@@ -37,6 +37,9 @@ void write_run_pages(const RunPages& pages, const std::string& directory);
 
 constexpr std::size_t kMostSamples = 80;
 
+/// Places of the runs in the table by the hash of their scenario, in the order of the table.
+std::map<std::string, std::vector<std::size_t>> runs_by_scenario(const ResultTable& table);
+
 /// "run.html#HASH8/METHOD/REPETITION", percent-encoded.
 std::string run_link(const RunRecord& run);
 
