@@ -15,24 +15,14 @@
 namespace slalom {
 namespace {
 
-/// Keeps nothing: the pool is described once.
-class NoStore : public DescriptorStore {
- public:
-  std::optional<Value> find(const std::string&, const std::string&, int,
-                            const std::string&) override {
-    return std::nullopt;
-  }
-  void keep(const std::string&, const std::string&, int, const std::string&,
-            const Value&) override {}
-};
-
 Value describe(const Scenario& scenario, const std::string& id, const CampaignOptions& options) {
   DescribeOptions describe;
   describe.ids = {id};
   describe.robot = options.setup.robot.shape();
   describe.sensor_range = options.setup.sensor.max_range;
   describe.resolution = options.setup.simulation.resolution;
-  NoStore store;
+  describe.exact_confinement = options.exact_confinement;
+  MemoryDescriptorStore store;
   return describe_scenario(scenario, describe, store).front().value;
 }
 
@@ -131,6 +121,12 @@ PrecisionRule checked_rule(const std::string& text, const CampaignOptions& optio
   return rule;
 }
 
+/// What a look at the results needs of them.
+std::vector<std::string> ids_of(const PrecisionRule& rule) {
+  if (rule.rows.kind == BinSpec::Kind::All) return {rule.metric};
+  return {rule.metric, rule.rows.descriptor};
+}
+
 /// Which bins some method is not known well enough in.
 std::vector<bool> open_bins(const std::vector<PrecisionCell>& cells, std::size_t bins) {
   std::vector<bool> open(bins, false);
@@ -173,7 +169,7 @@ SequentialReport run_until(const IniFile& ini, const CampaignArguments& argument
     }
     report.campaign.complete = recorder.run(batch);
     if (!report.campaign.complete) break;
-    const RunColumns results = read_run_columns(results_path);
+    const RunColumns results = read_run_columns(results_path, ids_of(rule));
     runs = results.size();
     cells = precision_cells(results, rule, analysis, ++looks);
     open = open_bins(cells, pool.bins().size());
