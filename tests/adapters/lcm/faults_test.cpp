@@ -50,7 +50,7 @@ TEST_F(Faults, AProcessThatExitsEndsTheRunWithItsStatus) {
 
 TEST_F(Faults, SilenceIsAMissedDeadline) {
   const std::string text =
-      "no answer of the external process to the observation within 0.5 s of wall-clock time";
+      "no answer of the external process to the observation within 1 s of wall-clock time";
   for (const std::string fault : {"hung", "silent", "wrong_sequence", "wrong_run", "slow"})
     EXPECT_EQ(expect_end(fault, Outcome::MethodDeadline), text) << fault;
   EXPECT_EQ(expect_end("garbled_only", Outcome::MethodDeadline),

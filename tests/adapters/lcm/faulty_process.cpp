@@ -67,7 +67,7 @@ class Process {
     if (fault_ == "nan") return answer(run, sequence, std::numeric_limits<double>::quiet_NaN());
     if (fault_ == "garbled") send_garbage(true);
     if (fault_ == "late") answer(run, sequence - 1, 0.1);
-    if (fault_ == "slow") usleep(900 * 1000);
+    if (fault_ == "slow") usleep(1600 * 1000);
     if (fault_ == "chatty") std::cout << "I drive" << std::endl;
     answer(run, sequence, kSpeed);
     if (fault_ == "duplicate") answer(run, sequence, 0.1);

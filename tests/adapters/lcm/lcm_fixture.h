@@ -32,9 +32,9 @@ class LcmTest : public testing::Test {
     return make_lcm_method({ini, "method.a", RobotModel(), SensorModel()});
   }
 
-  /// An external process with that fault, and at most 0.5 s for an answer.
+  /// An external process with that fault, and at most 1 s for an answer.
   static std::unique_ptr<Method> make_faulty(const std::string& fault,
-                                             const std::string& keys = "deadline = 0.5\n") {
+                                             const std::string& keys = "deadline = 1\n") {
     return make("launch = exec " FAULTY_PROCESS " " + fault + "\n" + keys);
   }
 

@@ -51,7 +51,7 @@ class TestMethod : public Method {
     if (kind_ == "throw_number") throw 42;
     if (kind_ == "greedy") hoard();
     if (kind_ == "chatty") std::cout << std::string(100000, '#') << std::endl;
-    if (kind_ == "slow") usleep(45000);
+    if (kind_ == "slow") usleep(150000);
     if (kind_ == "exit") std::exit(0);
     if (kind_ == "throw") throw std::runtime_error("lost my way");
     volatile bool forever = kind_ == "hang";
@@ -214,7 +214,7 @@ TEST_F(CampaignTest, AMethodThatTakesAllMemoryEndsOnlyItsRun) {
 
 TEST_F(CampaignTest, AMissedCycleDeadlineIsWhatThePolicySays) {
   const std::string limits =
-      "run_wall_time = 30\n[simulation]\nstuck_time = 2\n[limits]\ncycle_deadline = 0.03\n"
+      "run_wall_time = 30\n[simulation]\nstuck_time = 2\n[limits]\ncycle_deadline = 0.1\n"
       "deadline_policy = ";
   const auto outcomes = [&](const std::string& method, const std::string& policy) {
     return outcomes_of(run(ini_for({method, "good"}, limits + policy), 2), method);
