@@ -1,0 +1,32 @@
+#include <slalom/gui/palette.h>
+
+#include <array>
+#include <map>
+
+namespace slalom {
+
+nanogui::Color method_line_color(std::size_t index) {
+  static const std::array<nanogui::Color, 10> colors = {{{0x00, 0x72, 0xb2, 0xff},
+                                                         {0xd5, 0x5e, 0x00, 0xff},
+                                                         {0x00, 0x9e, 0x73, 0xff},
+                                                         {0xcc, 0x79, 0xa7, 0xff},
+                                                         {0xe6, 0x9f, 0x00, 0xff},
+                                                         {0x56, 0xb4, 0xe9, 0xff},
+                                                         {0x7a, 0x4b, 0x2a, 0xff},
+                                                         {0x6a, 0x3d, 0x9a, 0xff},
+                                                         {0x9a, 0xb0, 0x1c, 0xff},
+                                                         {0xe3, 0x1a, 0x5c, 0xff}}};
+  return colors[index % colors.size()];
+}
+
+nanogui::Color outcome_color(const std::string& outcome) {
+  static const std::map<std::string, nanogui::Color> colors = {
+      {"success", {0x2e, 0xa0, 0x4f, 0xff}},
+      {"collision", {0xd0, 0x3b, 0x2f, 0xff}},
+      {"timeout", {0xd9, 0x8e, 0x04, 0xff}},
+      {"stuck", {0xb8, 0x6f, 0x00, 0xff}}};
+  const auto found = colors.find(outcome);
+  return found == colors.end() ? nanogui::Color(0x8e, 0x5b, 0xc0, 0xff) : found->second;
+}
+
+}  // namespace slalom
