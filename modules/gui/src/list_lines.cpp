@@ -1,0 +1,37 @@
+#include <slalom/gui/list_lines.h>
+#include <slalom/gui/list_view.h>
+
+#include <algorithm>
+
+namespace slalom {
+
+ListLines::ListLines(std::size_t scenarios, const std::vector<ListGroup>& groups,
+                     const std::set<std::string>& closed_titles) {
+  for (const ListGroup& group : groups) {
+    const bool closed = closed_titles.count(group.title) > 0;
+    groups_.push_back({size_, group.first, group.count, closed});
+    size_ += 1 + (closed ? 0 : group.count);
+  }
+  if (groups.empty()) size_ = scenarios;
+}
+
+ListLines::Line ListLines::at(std::size_t line) const {
+  if (groups_.empty()) return {std::nullopt, line};
+  const auto after = std::upper_bound(groups_.begin(), groups_.end(), line,
+                                      [](std::size_t l, const Group& g) { return l < g.head; });
+  const Group& group = *(after - 1);
+  if (line == group.head) return {static_cast<std::size_t>(after - 1 - groups_.begin()), 0};
+  return {std::nullopt, group.first + (line - group.head - 1)};
+}
+
+std::optional<std::size_t> ListLines::line_of(std::size_t place) const {
+  if (groups_.empty()) return place < size_ ? std::make_optional(place) : std::nullopt;
+  const auto after = std::upper_bound(groups_.begin(), groups_.end(), place,
+                                      [](std::size_t p, const Group& g) { return p < g.first; });
+  if (after == groups_.begin()) return std::nullopt;
+  const Group& group = *(after - 1);
+  if (group.closed || place - group.first >= group.count) return std::nullopt;
+  return group.head + 1 + (place - group.first);
+}
+
+}  // namespace slalom
