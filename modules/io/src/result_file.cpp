@@ -347,6 +347,38 @@ ResultTable ResultFile::read_table() const {
   });
 }
 
+Manifest ResultFile::read_manifest() const {
+  return reading(impl_->path, [&] { return impl_->read_manifest(); });
+}
+
+std::vector<std::string> ResultFile::read_methods() const {
+  return reading(impl_->path, [&] {
+    std::vector<std::string> methods;
+    SQLite::Statement rows(*impl_->database, "SELECT DISTINCT method FROM runs ORDER BY method");
+    while (rows.executeStep()) methods.push_back(rows.getColumn(0).getString());
+    return methods;
+  });
+}
+
+bool ResultFile::has_scenario(const std::string& hash) const {
+  return reading(impl_->path, [&] {
+    SQLite::Statement row(*impl_->database, "SELECT 1 FROM scenarios WHERE hash = ?");
+    row.bind(1, hash);
+    return row.executeStep();
+  });
+}
+
+std::vector<RunRecord> ResultFile::read_runs(const std::string& scenario_hash) const {
+  return reading(impl_->path, [&] {
+    std::vector<RunRecord> runs;
+    SQLite::Statement rows(*impl_->database,
+                           "SELECT * FROM runs WHERE scenario = ? ORDER BY method, repetition");
+    rows.bind(1, scenario_hash);
+    while (rows.executeStep()) runs.push_back(impl_->run_from(rows));
+    return runs;
+  });
+}
+
 Scenario ResultFile::read_scenario(const std::string& hash) const {
   return deserialize_scenario(
       reading(

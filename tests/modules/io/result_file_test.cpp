@@ -86,6 +86,32 @@ TEST_F(ResultFileTest, EverythingComesBack) {
   EXPECT_EQ(refs.safest_reason, "too narrow");
 }
 
+TEST_F(ResultFileTest, OneScenarioIsReadWithoutTheOthers) {
+  const Scenario other = sample_scenario(2, "other");
+  {
+    ResultFile file = create("a.results");
+    for (const Scenario& scenario : {scenario_, other})
+      file.add_scenario({scenario.hash(), scenario.name(), {}}, scenario, {});
+    for (const char* method : {"vfh", "nd"})
+      for (const int repetition : {1, 0}) file.add_run(run_of(other, method, repetition), {}, {});
+    file.add_run(run_of(scenario_, "ptg", 0), {}, {});
+    file.commit();
+  }
+  const ResultFile file = ResultFile::open(folder_ / "a.results");
+  EXPECT_EQ((std::vector<std::string>{"nd", "ptg", "vfh"}), file.read_methods());
+  EXPECT_EQ("test", file.read_manifest().at("campaign"));
+  EXPECT_TRUE(file.has_scenario(other.hash()));
+  EXPECT_FALSE(file.has_scenario("00"));
+  EXPECT_TRUE(file.read_runs("00").empty());
+  std::vector<std::string> ids;
+  for (const RunRecord& run : file.read_runs(other.hash())) {
+    EXPECT_EQ("other", run.scenario_name);
+    EXPECT_EQ("outcome: collision", run.metrics.at("optimality").value.reason());
+    ids.push_back(run.method + std::to_string(run.repetition));
+  }
+  EXPECT_EQ((std::vector<std::string>{"nd0", "nd1", "vfh0", "vfh1"}), ids);
+}
+
 TEST_F(ResultFileTest, RunsAreSortedWhateverTheOrderOfArrival) {
   {
     ResultFile file = create("a.results");

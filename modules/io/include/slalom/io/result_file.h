@@ -35,6 +35,11 @@ class ResultFile {
   void commit();  ///< makes everything added so far survive a kill
 
   ResultTable read_table() const;  ///< sorted
+  Manifest read_manifest() const;
+  std::vector<std::string> read_methods() const;  ///< of all runs, sorted, each once
+  bool has_scenario(const std::string& hash) const;
+  /// Those of one scenario, by method and repetition; quick in a file with very many.
+  std::vector<RunRecord> read_runs(const std::string& scenario_hash) const;
   Scenario read_scenario(const std::string& hash) const;
   References read_references(const std::string& hash) const;
   Trajectory read_trajectory(const RunRecord& run) const;
