@@ -1,0 +1,53 @@
+#include <slalom/gui/drawing.h>
+#include <slalom/gui/palette.h>
+#include <slalom/gui/plot_frame.h>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+constexpr double kLeft = 62, kRight = 16, kTop = 20, kTickRow = 17, kTitleRow = 17;
+constexpr double kTickWide = 84, kTickTall = 26;
+
+}  // namespace
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() || unit == "-" ? name : name + " (" + unit + ")";
+}
+
+PlotFrame PlotFrame::within(const ScreenRect& rect, std::pair<double, double> x_range,
+                            std::pair<double, double> y_range) {
+  const ScreenRect area{rect.left + kLeft, rect.top + kTop,
+                        std::max(rect.width - kLeft - kRight, 1.0),
+                        std::max(rect.height - kTop - kTickRow - kTitleRow, 1.0)};
+  return {area,
+          {x_range.first, x_range.second, area.left, area.left + area.width},
+          {y_range.first, y_range.second, area.top + area.height, area.top}};
+}
+
+void PlotFrame::draw(NVGcontext* ctx, const std::string& x_title,
+                     const std::string& y_title) const {
+  const Palette& colors = palette();
+  const double bottom = area.top + area.height, right = area.left + area.width;
+  draw::fill(ctx, area, colors.window);
+  for (const auto& tick : x.ticks(std::max(1, static_cast<int>(area.width / kTickWide)))) {
+    const double at = x.to_pixel(tick.value);
+    draw::line(ctx, at, area.top, at, bottom, colors.hover);
+    draw::text(ctx, {at - 0.5 * kTickWide, bottom + 1, kTickWide, kTickRow}, tick.label,
+               colors.faint_text, draw::kSmallTextSize, draw::Align::Center);
+  }
+  for (const auto& tick : y.ticks(std::max(1, static_cast<int>(area.height / kTickTall)))) {
+    const double at = y.to_pixel(tick.value);
+    draw::line(ctx, area.left, at, right, at, colors.hover);
+    draw::text(ctx, {area.left - kLeft, at - 8, kLeft - 5, 16}, tick.label, colors.faint_text,
+               draw::kSmallTextSize, draw::Align::Right);
+  }
+  draw::frame(ctx, area, colors.border);
+  draw::text(ctx, {area.left, bottom + kTickRow, area.width, kTitleRow}, x_title, colors.text,
+             draw::kSmallTextSize, draw::Align::Right);
+  draw::text(ctx, {area.left - kLeft + 8, area.top - kTop, 0.5 * area.width, kTop - 2}, y_title,
+             colors.text, draw::kSmallTextSize);
+}
+
+}  // namespace slalom
