@@ -1,5 +1,7 @@
 #include "diagram.h"
 
+#include <slalom/references/voronoi_diagram.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -26,7 +28,9 @@ Diagram::Diagram(const World& world, double bottleneck, const GridCell (&ends)[2
     for (int x = 0; x < cells_.size_x(); ++x) {
       if (cells_.occupied(x, y)) continue;
       const bool wide = field_.at_center(x, y) >= bottleneck;
-      kinds_[index(x, y)] = !wide ? Kind::Narrow : is_ridge(x, y) ? Kind::Ridge : Kind::Wide;
+      kinds_[index(x, y)] = !wide                               ? Kind::Narrow
+                            : is_on_ridge(cells_, field_, x, y) ? Kind::Ridge
+                                                                : Kind::Wide;
     }
   for (const GridCell& end : ends)
     if (Kind& kind = kinds_[index(end.x, end.y)]; kind == Kind::Narrow) kind = Kind::Wide;
@@ -34,16 +38,6 @@ Diagram::Diagram(const World& world, double bottleneck, const GridCell (&ends)[2
 
 double Diagram::d(int x, int y) const {
   return cells_.inside(x, y) ? field_.at_center(x, y) : 0.0;
-}
-
-/// On the diagram the nearest obstacles lie on different sides, so the slope of d falls below 1: it
-/// is the cosine of half the angle between the directions to them. 0.8 leaves out angles under 74
-/// degrees, such as between the cells of one rough wall.
-bool Diagram::is_ridge(int x, int y) const {
-  constexpr double kMaxSlope = 0.8;
-  const double rise_x = d(x + 1, y) - d(x - 1, y), rise_y = d(x, y + 1) - d(x, y - 1);
-  const double most = kMaxSlope * 2 * cells_.resolution();
-  return rise_x * rise_x + rise_y * rise_y < most * most;
 }
 
 std::vector<GridCell> Diagram::ascend(const GridCell& from) const {

@@ -59,7 +59,6 @@ class Diagram {
     return static_cast<std::size_t>(y + 1) * stride_ + static_cast<std::size_t>(x + 1);
   }
   double d(int x, int y) const;
-  bool is_ridge(int x, int y) const;
 
   const Occupancy& cells_;
   const DistanceField& field_;
