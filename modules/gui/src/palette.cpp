@@ -1,5 +1,6 @@
 #include <slalom/gui/palette.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -27,6 +28,17 @@ nanogui::Color outcome_color(const std::string& outcome) {
       {"stuck", {0xb8, 0x6f, 0x00, 0xff}}};
   const auto found = colors.find(outcome);
   return found == colors.end() ? nanogui::Color(0x8e, 0x5b, 0xc0, 0xff) : found->second;
+}
+
+nanogui::Color heat_color(double share) {
+  static const std::array<nanogui::Color, 4> colors = {{{0x3b, 0x52, 0x8b, 0xff},
+                                                        {0x21, 0x91, 0x8c, 0xff},
+                                                        {0x5e, 0xc9, 0x62, 0xff},
+                                                        {0xfd, 0xe7, 0x25, 0xff}}};
+  const double at = std::clamp(share, 0.0, 1.0) * (colors.size() - 1);
+  const std::size_t low = std::min(static_cast<std::size_t>(at), colors.size() - 2);
+  const auto part = static_cast<float>(at - static_cast<double>(low));
+  return nanogui::Color(Eigen::Vector4f(colors[low] * (1 - part) + colors[low + 1] * part));
 }
 
 }  // namespace slalom

@@ -26,6 +26,11 @@ struct Palette {
   nanogui::Color goal = {0xb3, 0x26, 0x1e, 0xff};
   nanogui::Color shortest = {0x00, 0x6d, 0xc1, 0xff};
   nanogui::Color safest = {0x8a, 0x3f, 0xc4, 0xff};
+  nanogui::Color published = {0x9a, 0x5b, 0x00, 0xff};
+  nanogui::Color voronoi = {0xd8, 0x3a, 0x8c, 0xff};
+  nanogui::Color scan = {0xd0, 0x60, 0x00, 0xff};
+  nanogui::Color point_cell = {0x9a, 0xa0, 0xa8, 0xff};  ///< a cell that points occupy
+  nanogui::Color edit = {0xe0, 0x7b, 0x00, 0xff};        ///< what an edit is about to change
 };
 
 inline const Palette& palette() {
@@ -37,5 +42,8 @@ inline const Palette& palette() {
 nanogui::Color method_line_color(std::size_t index);
 /// Of an outcome such as "success" or "collision".
 nanogui::Color outcome_color(const std::string& outcome);
+
+/// Of a share (0 to 1) of the largest value: blue, green, yellow, lighter as it grows.
+nanogui::Color heat_color(double share);
 
 }  // namespace slalom

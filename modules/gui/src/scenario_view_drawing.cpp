@@ -1,0 +1,154 @@
+#include "layers/shapes.h"
+
+#include <slalom/gui/drawing.h>
+#include <slalom/gui/palette.h>
+#include <slalom/gui/scale_bar.h>
+#include <slalom/gui/scenario_view.h>
+
+#include <nanovg.h>
+
+namespace slalom {
+namespace {
+
+ScreenRect inset(const ScreenRect& rect, double by) {
+  return {rect.left + by, rect.top, rect.width - 2 * by, rect.height};
+}
+
+void clip(NVGcontext* ctx, const ScreenRect& rect) {
+  nvgIntersectScissor(ctx, static_cast<float>(rect.left), static_cast<float>(rect.top),
+                      static_cast<float>(rect.width), static_cast<float>(rect.height));
+}
+
+nanogui::Color translucent(nanogui::Color color) { return shapes::faded(color, 0.9F); }
+
+}  // namespace
+
+void ScenarioView::draw(NVGcontext* ctx) {
+  adjust_to_size();
+  nvgSave(ctx);
+  nvgTranslate(ctx, static_cast<float>(position().x()), static_cast<float>(position().y()));
+  clip(ctx, {0, 0, static_cast<double>(width()), static_cast<double>(height())});
+  draw_scene(ctx);
+  if (scene_) draw_legend(ctx);
+  draw_tools(ctx);
+  draw_status(ctx);
+  if (focused()) draw::frame(ctx, layout_.canvas(), palette().accent);
+  nvgRestore(ctx);
+}
+
+void ScenarioView::draw_scene(NVGcontext* ctx) {
+  const ScreenRect& canvas = layout_.canvas();
+  draw::fill(ctx, canvas, palette().outside);
+  if (!scene_)
+    return draw::text(ctx, inset(canvas, 16), message_, palette().text, draw::kTextSize,
+                      draw::Align::Center);
+  nvgSave(ctx);
+  clip(ctx, canvas);
+  const LayerContext context{ctx, *scene_, view_, trajectories_, scan_pose()};
+  for (const auto& layer : layers_)
+    if (layer->on()) layer->draw(context);
+  draw_preview(ctx);
+  draw_pointer(ctx);
+  draw_scale_bar(ctx);
+  nvgRestore(ctx);
+}
+
+void ScenarioView::draw_preview(NVGcontext* ctx) const {
+  const EditPreview preview = editor_.preview(scene_->scenario());
+  const RobotModel& robot = scene_->settings.robot;
+  const nanogui::Color& color = palette().edit;
+  if (preview.start) shapes::robot(ctx, view_, robot.shape(), *preview.start, color);
+  if (preview.goal) shapes::goal(ctx, view_, *preview.goal, robot.radius, color);
+  for (const Disc& disc : preview.obstacles.discs) shapes::circle(ctx, view_, disc, color, 2, 2);
+  for (const Polygon& polygon : preview.obstacles.polygons)
+    shapes::polyline(ctx, view_, polygon.vertices, color, 2, true);
+  shapes::polyline(ctx, view_, preview.open_polygon, color, 2);
+  const auto& stroke = preview.stroke;
+  if (!stroke.points.empty())
+    shapes::polyline(ctx, view_, stroke.points, shapes::faded(color, 0.5F),
+                     static_cast<float>(2 * stroke.radius * view_.pixels_per_metre()));
+  if (pointer_ && (tool() == EditTool::Paint || tool() == EditTool::Erase))
+    shapes::circle(ctx, view_, {*pointer_, editor_.brush()}, color, 1, 2);
+}
+
+void ScenarioView::draw_pointer(NVGcontext* ctx) const {
+  if (!pointer_ || !keyboard_pointer_) return;
+  const Point at = view_.to_screen(*pointer_);
+  constexpr double kArm = 9;
+  for (const auto& [color, width] : {std::pair(palette().floor, 4.0F), std::pair(palette().edit, 2.0F)}) {
+    draw::line(ctx, at.x - kArm, at.y, at.x + kArm, at.y, color, width);
+    draw::line(ctx, at.x, at.y - kArm, at.x, at.y + kArm, color, width);
+  }
+}
+
+void ScenarioView::draw_scale_bar(NVGcontext* ctx) const {
+  const ScreenRect& canvas = layout_.canvas();
+  const ScaleBar bar = ScaleBar::choose(view_.pixels_per_metre(), 140);
+  const ScreenRect box{canvas.left + 8, canvas.top + canvas.height - 42, bar.pixels + 16, 34};
+  draw::fill(ctx, {box.left, box.top, std::max(box.width, 64.0), box.height},
+             translucent(palette().panel), 4);
+  draw::text(ctx, {box.left + 8, box.top + 2, 60, 18}, bar.text(), palette().text,
+             draw::kSmallTextSize);
+  const double left = box.left + 8, right = left + bar.pixels, y = box.top + 27;
+  draw::line(ctx, left, y, right, y, palette().text, 2);
+  draw::line(ctx, left, y - 4, left, y + 4, palette().text, 2);
+  draw::line(ctx, right, y - 4, right, y + 4, palette().text, 2);
+}
+
+void ScenarioView::draw_tools(NVGcontext* ctx) const {
+  draw::fill(ctx, layout_.tools(), palette().panel);
+  for (const ViewLayout::Part& part : layout_.parts()) {
+    if (part.name == "legend" || part.name.rfind("layer ", 0) == 0) continue;
+    std::string title = part.name == "fit" ? "Fit" : part.name == "zoom in" ? "+" : "-";
+    bool chosen = false, usable = scene_ != nullptr;
+    for (const EditToolInfo& info : edit_tools()) {
+      if (part.name != "tool " + info.id) continue;
+      title = info.title;
+      chosen = usable && info.tool == tool();
+      usable = usable && obstacle_to(info.tool, scene_->scenario().representation()).empty();
+    }
+    const bool hover = usable && part.name == hovered_;
+    draw::fill(ctx, part.rect,
+               chosen  ? palette().selected
+               : hover ? palette().hover
+                       : palette().row,
+               4);
+    draw::text(ctx, part.rect, title, usable ? palette().text : palette().disabled_text,
+               draw::kTextSize, draw::Align::Center);
+  }
+}
+
+void ScenarioView::draw_legend(NVGcontext* ctx) const {
+  draw::fill(ctx, layout_.legend(), translucent(palette().panel), 4);
+  const ViewLayout::Part* title = layout_.find("legend");
+  if (hovered_ == "legend") draw::fill(ctx, title->rect, palette().hover, 4);
+  draw::text(ctx, inset(title->rect, 8), legend_open_ ? "Layers (L hides them)" : "Layers (L)",
+             palette().text, draw::kSmallTextSize, draw::Align::Left, true);
+  for (const auto& layer : layers_)
+    if (const ViewLayout::Part* row = layout_.find("layer " + layer->id()))
+      draw_row(ctx, row->rect, *layer);
+}
+
+/// A box in the layer's colour, filled when it is on; its key, title, and what there is to say.
+void ScenarioView::draw_row(NVGcontext* ctx, const ScreenRect& rect, const SceneLayer& layer) const {
+  if (hovered_ == "layer " + layer.id()) draw::fill(ctx, rect, palette().hover);
+  const ScreenRect box{rect.left + 8, rect.top + 5, 12, 12};
+  draw::fill(ctx, box, layer.on() ? layer.color() : palette().panel, 2);
+  draw::frame(ctx, box, palette().text);
+  const bool missing = !layer.missing(*scene_, trajectories_).empty();
+  const std::string note = missing ? "NA" : layer.note(*scene_);
+  const double wide = note.empty() ? 0 : draw::text_width(ctx, note, draw::kSmallTextSize) + 8;
+  draw::text(ctx, {rect.left + 28, rect.top, rect.width - 36 - wide, rect.height}, layer.title(),
+             missing ? palette().faint_text : palette().text, draw::kSmallTextSize);
+  draw::text(ctx, inset(rect, 8), note, palette().faint_text, draw::kSmallTextSize,
+             draw::Align::Right);
+}
+
+void ScenarioView::draw_status(NVGcontext* ctx) const {
+  draw::fill(ctx, layout_.status(), palette().panel);
+  const bool error = !refusal_.empty() || (scene_ && !scene_->problem.empty());
+  draw::text(ctx, inset(layout_.status(), 8), status_text(),
+             error ? palette().error_text : palette().text, draw::kSmallTextSize);
+}
+
+}  // namespace slalom

@@ -1,0 +1,62 @@
+#include <slalom/gui/view_layout.h>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+constexpr double kButtonHeight = 26, kGap = 4, kStatusHeight = 24;
+constexpr double kLegendWidth = 250, kRowHeight = 22, kLegendTitle = 24;
+/// Of a letter at the size of text of buttons, generously, and of the space beside it (pixels).
+constexpr double kLetter = 8, kPadding = 16;
+
+}  // namespace
+
+ViewLayout::ViewLayout(double width, double height, const std::vector<Button>& buttons,
+                       const std::vector<std::string>& layers) {
+  tools_ = {0, 0, width, place_buttons(width, buttons)};
+  status_ = {0, std::max(tools_.height, height - kStatusHeight), width, kStatusHeight};
+  canvas_ = {0, tools_.height, width, std::max(1.0, status_.top - tools_.height)};
+  place_legend(layers);
+}
+
+double ViewLayout::place_buttons(double width, const std::vector<Button>& buttons) {
+  double left = kGap, top = kGap;
+  for (const Button& button : buttons) {
+    const double wide = kLetter * static_cast<double>(button.title.size()) + kPadding;
+    if (left + wide > width && left > kGap) {
+      left = kGap;
+      top += kButtonHeight + kGap;
+    }
+    parts_.push_back({button.name, {left, top, wide, kButtonHeight}});
+    left += wide + kGap;
+  }
+  return top + kButtonHeight + kGap;
+}
+
+void ViewLayout::place_legend(const std::vector<std::string>& layers) {
+  const double width = std::min(kLegendWidth, canvas_.width - 2 * kGap);
+  const double left = canvas_.left + canvas_.width - width - kGap, top = canvas_.top + kGap;
+  parts_.push_back({"legend", {left, top, width, kLegendTitle}});
+  double row = top + kLegendTitle;
+  for (const std::string& layer : layers) {
+    if (row + kRowHeight > canvas_.top + canvas_.height) break;
+    parts_.push_back({"layer " + layer, {left, row, width, kRowHeight}});
+    row += kRowHeight;
+  }
+  legend_ = {left, top, width, row - top};
+}
+
+const ViewLayout::Part* ViewLayout::at(double x, double y) const {
+  const auto found = std::find_if(parts_.begin(), parts_.end(),
+                                  [&](const Part& part) { return part.rect.contains(x, y); });
+  return found == parts_.end() ? nullptr : &*found;
+}
+
+const ViewLayout::Part* ViewLayout::find(const std::string& name) const {
+  const auto found = std::find_if(parts_.begin(), parts_.end(),
+                                  [&](const Part& part) { return part.name == name; });
+  return found == parts_.end() ? nullptr : &*found;
+}
+
+}  // namespace slalom
