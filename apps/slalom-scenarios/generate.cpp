@@ -1,19 +1,18 @@
 #include "generate.h"
-#include "generate_coverage.h"
 
-#include <slalom/commands/keep_generated.h>
-#include <slalom/commands/scenario_sources.h>
+#include <slalom/commands/generate_list.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
-#include <slalom/io/scenario_list.h>
 #include <slalom/map_formats/map_import.h>
-#include <slalom/robot/robot_model.h>
-#include <slalom/simulation/simulate.h>
+
+#include <nlohmann/json.hpp>
 
 #include <iostream>
 
 namespace slalom {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct GenerateArguments {
   std::string config, output, descriptors;
@@ -37,44 +36,46 @@ IniFile load_ini(const GenerateArguments& arguments) {
   return ini;
 }
 
-SourceContext source_context(const GenerateArguments& arguments, const IniFile& ini) {
-  const RobotModel robot = read_robot_model(ini);
-  SourceContext context;
-  context.robot_radius = robot.radius;
-  context.resolution = read_options<SimulationOptions>(ini, "simulation").resolution;
-  context.seed = arguments.seed;
-  context.jobs = arguments.jobs;
-  DescribeOptions described;
-  described.ids = split(arguments.descriptors, ',');
-  for (const std::string& id : described.ids) descriptor(id);  // a wrong one is told at once
-  described.robot = robot.shape();
-  described.sensor_range = read_options<SensorModel>(ini, "sensor").max_range;
-  if (!described.ids.empty())
-    context.describe = [described](const World& world) {
-      return generated_values(world, described);
-    };
-  return context;
+Json to_json(const GeneratedBins& generated) {
+  Json bins = Json::array();
+  for (const BinReport& bin : generated.result.bins) {
+    Json json;
+    for (std::size_t i = 0; i < generated.plan.axes.size(); ++i)
+      json[generated.plan.axes[i].id] = {bin.intervals[i].first, bin.intervals[i].second};
+    json["wanted"] = bin.wanted;
+    json["found"] = bin.found;
+    json["effort"] = bin.effort;
+    json["verdict"] = to_string(bin.verdict);
+    if (!bin.why.empty()) json["why"] = bin.why;
+    bins.push_back(json);
+  }
+  return {{"bins", bins},
+          {"scenarios", generated.result.scenarios.size()},
+          {"evaluations", generated.result.evaluations},
+          {"stopped", generated.result.stopped},
+          {"repeatable", generated.result.repeatable}};
+}
+
+void print_bins(const GeneratedBins& generated, const GenerateArguments& arguments) {
+  if (arguments.json)
+    std::cout << to_json(generated).dump() << "\n";
+  else if (!arguments.quiet)
+    std::cout << render_coverage(generated.plan, generated.result);
 }
 
 void generate(const GenerateArguments& arguments) {
   const IniFile ini = load_ini(arguments);
-  if (ini.has_section("coverage")) {
-    if (!arguments.descriptors.empty())
-      throw usage_error("--describe", "does not go with [coverage]", "descriptors in that section");
-    generate_by_coverage(
-        ini, {arguments.output, arguments.seed, arguments.jobs, arguments.quiet, arguments.json});
-    return;
-  }
-  const SourceContext context = source_context(arguments, ini);
+  if (ini.has_section("coverage") && !arguments.descriptors.empty())
+    throw usage_error("--describe", "does not go with [coverage]", "descriptors in that section");
+  const GenerationOrder order = {arguments.seed, arguments.jobs, split(arguments.descriptors, ',')};
   const auto progress = make_terminal_progress(arguments.quiet);
+  std::optional<GeneratedBins> bins;
   std::size_t size = 0;
   ScenarioList::write(arguments.output, [&](ScenarioList& list) {
-    stream_scenarios(
-        ini, context, load_occupancy_grid, *progress,
-        [&](std::vector<GeneratedScenario>& part) { return keep_generated(list, part); });
-    list.set_note("origin", "seed " + std::to_string(arguments.seed) + "\n" + ini.canonical_text());
+    bins = generate_list(list, ini, order, load_occupancy_grid, *progress);
     size = list.size();
   });
+  if (bins) print_bins(*bins, arguments);
   if (!arguments.quiet) std::cerr << arguments.output << ": " << size << " scenarios\n";
 }
 

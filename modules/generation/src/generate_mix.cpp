@@ -5,6 +5,7 @@
 #include <slalom/scenario/occupancy.h>
 
 #include <algorithm>
+#include <mutex>
 
 namespace slalom {
 namespace {
@@ -17,6 +18,21 @@ constexpr int kBatch = 128;
 struct Draw {
   ShareSchedule::Turn turn = {};
   int attempt = 0;
+};
+
+/// Tells one by one what several threads have made, so that a long part can be watched and ended.
+class PartProgress {
+ public:
+  PartProgress(Progress& progress, int done) : progress_(progress), done_(done) {}
+  void made_one() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    progress_.advance(static_cast<std::size_t>(++done_));
+  }
+
+ private:
+  Progress& progress_;
+  std::mutex mutex_;
+  int done_;
 };
 
 class Mixer {
@@ -95,8 +111,13 @@ void generate_mix(const std::vector<GeneratorShare>& mix, const MixTask& task, P
     std::vector<Draw> draws(static_cast<std::size_t>(std::min(kBatch, task.each.count - done)));
     for (Draw& draw : draws) draw = {schedule.next(), 0};
     while (!draws.empty()) {
-      std::vector<GeneratedScenario> part = parallel_map(
-          draws.size(), task.jobs, [&](std::size_t i) { return mixer.make(draws[i]); });
+      PartProgress part_progress(progress, done);
+      std::vector<GeneratedScenario> part =
+          parallel_map(draws.size(), task.jobs, [&](std::size_t i) {
+            GeneratedScenario made = mixer.make(draws[i]);
+            part_progress.made_one();
+            return made;
+          });
       std::vector<Draw> again;
       for (const std::size_t i : sink(part)) again.push_back({draws[i].turn, draws[i].attempt + 1});
       done += static_cast<int>(draws.size() - again.size());
