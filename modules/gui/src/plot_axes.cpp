@@ -7,7 +7,7 @@
 namespace slalom {
 namespace {
 
-constexpr int kLargestExponent = 300;
+constexpr int kLargestExponent = 307;
 
 /// The least magnitude of a step beside values as large as these, so that steps can be told apart.
 double least_step(double low, double high) {

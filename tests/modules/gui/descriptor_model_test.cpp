@@ -1,0 +1,100 @@
+#include <slalom/gui/descriptor_model.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+using State = DescriptorModel::State;
+
+DescribedValue value_of(const std::string& id, Value value, const std::string& unit = "-") {
+  return {{id, 1, id, unit, Direction::None}, std::move(value), "robot_radius=0.25", 0};
+}
+
+TEST(DescriptorModel, BeginsWithAllDescriptorsUnknown) {
+  const DescriptorModel model;
+  ASSERT_FALSE(model.rows().empty());
+  EXPECT_EQ(model.rows()[0].info.id, "density");
+  EXPECT_EQ(model.rows()[0].state, State::Unknown);
+  EXPECT_EQ(DescriptorModel::value_text(model.rows()[0]), "-");
+  EXPECT_EQ(model.status(), "");
+}
+
+TEST(DescriptorModel, TellsHowFarTheWorkIs) {
+  DescriptorModel model;
+  model.show("a");
+  model.set_computing(0, 0);
+  EXPECT_EQ(model.status(), "computing...");
+  model.set_values("a", {value_of("density", Value::of(0.25))});
+  model.set_computing(3, 22);
+  EXPECT_EQ(model.status(), "computing... 3 of 22");
+  EXPECT_EQ(model.find("density")->state, State::Known);
+  EXPECT_EQ(DescriptorModel::value_text(*model.find("density")), "0.2500");
+  EXPECT_EQ(DescriptorModel::value_text(*model.find("clearness")), "...");
+}
+
+TEST(DescriptorModel, IgnoresValuesOfAnotherScenario) {
+  DescriptorModel model;
+  model.show("b");
+  model.set_values("a", {value_of("density", Value::of(0.25))});
+  model.fail("a", "no such file");
+  EXPECT_EQ(model.find("density")->state, State::Unknown);
+  EXPECT_FALSE(model.failed());
+}
+
+TEST(DescriptorModel, ForgetsTheValuesOfTheScenarioBefore) {
+  DescriptorModel model;
+  model.show("a");
+  model.set_values("a", {value_of("density", Value::of(0.25))});
+  model.choose("clearness");
+  model.show("b");
+  EXPECT_EQ(model.find("density")->state, State::Unknown);
+  EXPECT_EQ(model.chosen_row().info.id, "clearness");
+}
+
+TEST(DescriptorModel, SaysWhyThereIsNoNumber) {
+  DescriptorModel model;
+  model.show("a");
+  model.set_computing(0, 22);
+  model.set_values("a", {value_of("detour_ratio", Value::na("the goal cannot be reached"))});
+  model.fail("a", "list.scenarios: is gone");
+  const auto& na = *model.find("detour_ratio");
+  EXPECT_EQ(DescriptorModel::value_text(na), "NA");
+  EXPECT_EQ(model.reason(na), "the goal cannot be reached");
+  const auto& failed = *model.find("density");
+  EXPECT_EQ(failed.state, State::Failed);
+  EXPECT_EQ(model.reason(failed), "list.scenarios: is gone");
+  EXPECT_EQ(model.status(), "list.scenarios: is gone");
+}
+
+TEST(DescriptorModel, ShowsValuesWithUnitAndError) {
+  DescriptorModel model;
+  model.show("a");
+  model.set_values("a", {value_of("bottleneck_width", Value::of(1.25)),
+                         value_of("confinement", Value::of(0.5, 0.0125)),
+                         value_of("obstacle_count", Value::of(12))});
+  EXPECT_EQ(model.describe(*model.find("bottleneck_width")),
+            "Bottleneck width [bottleneck_width]: 1.2500 m; robot_radius=0.25");
+  EXPECT_EQ(DescriptorModel::value_text(*model.find("confinement")), "0.5000 ± 0.0125");
+  EXPECT_EQ(DescriptorModel::value_text(*model.find("obstacle_count")), "12");
+}
+
+TEST(DescriptorModel, ShowsNumbersOfAnySize) {
+  EXPECT_EQ(descriptor_number(0), "0");
+  EXPECT_EQ(descriptor_number(-2.5), "-2.5000");
+  EXPECT_EQ(descriptor_number(0.00002), "2e-05");
+  EXPECT_EQ(descriptor_number(1e300), "1e+300");
+}
+
+TEST(DescriptorModel, MovesTheChoiceWithinTheRows) {
+  DescriptorModel model;
+  EXPECT_FALSE(model.move_choice(-1));
+  EXPECT_TRUE(model.move_choice(2));
+  EXPECT_EQ(model.chosen(), 2);
+  EXPECT_TRUE(model.move_choice(1000));
+  EXPECT_EQ(model.chosen(), model.rows().size() - 1);
+  EXPECT_FALSE(model.choose("no such descriptor"));
+}
+
+}  // namespace
+}  // namespace slalom
