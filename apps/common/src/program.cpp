@@ -76,13 +76,13 @@ int parse_and_work(CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int run_program(const std::string& name, const std::string& description, int argc, char** argv,
-                const std::function<void(CLI::App&)>& define) {
+                const std::function<void(CLI::App&)>& define, bool needs_arguments) {
   CLI::App app(description, name);
   try {
     app.set_version_flag("--version", name + " " + version(), "Print the version and exit");
     define(app);
     if (!verbs(app).empty()) app.require_subcommand(1);
-    if (argc < 2) {
+    if (argc < 2 && needs_arguments) {
       std::cerr << app.help();
       return kWrongUsage;
     }

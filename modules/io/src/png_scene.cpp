@@ -67,13 +67,7 @@ class Canvas {
     image_.drawCircle(round(at.x), round(at.y), round(radius * frame_.scale()), color, width);
   }
 
-  /// To a temporary file that is renamed: never half a picture.
-  void save(const std::string& path) const {
-    const std::string temporary = path + ".tmp" + std::to_string(getpid()) + ".png";
-    if (image_.saveToFile(temporary) && std::rename(temporary.c_str(), path.c_str()) == 0) return;
-    std::remove(temporary.c_str());
-    throw job_error(path, "cannot be written", "a .png file in a folder that can be written");
-  }
+  void save(const std::string& path) const { write_png(image_, path); }
 
  private:
   static int round(double x) { return static_cast<int>(std::lround(x)); }
@@ -83,6 +77,13 @@ class Canvas {
 };
 
 }  // namespace
+
+void write_png(const CImage& image, const std::string& path) {
+  const std::string temporary = path + ".tmp" + std::to_string(getpid()) + ".png";
+  if (image.saveToFile(temporary) && std::rename(temporary.c_str(), path.c_str()) == 0) return;
+  std::remove(temporary.c_str());
+  throw job_error(path, "cannot be written", "a .png file in a folder that can be written");
+}
 
 void render_png(const Scenario& scenario, const SceneOptions& options, const std::string& path) {
   Canvas canvas(scenario, options.max_pixels);

@@ -19,8 +19,9 @@ class Interrupted : public std::runtime_error {
 /// Adds --help and --version. Returns the exit status: 0 done; 1, 2 or 3 as the Error says, or 1
 /// for any other exception; 2 for a wrong command line; 130 for Interrupted. Messages are one line
 /// on standard error, "PROGRAM: WHERE: WHAT; expected ..."; for a wrong command line it also says
-/// where help is. Without arguments it prints the help on standard error and returns 2.
+/// where help is. Without arguments it prints the help on standard error and returns 2, unless
+/// `needs_arguments` is false.
 int run_program(const std::string& name, const std::string& description, int argc, char** argv,
-                const std::function<void(CLI::App&)>& define);
+                const std::function<void(CLI::App&)>& define, bool needs_arguments = true);
 
 }  // namespace slalom
