@@ -34,6 +34,7 @@ std::string ListDocument::title() const {
 
 void ListDocument::set_filter(const std::string& text) {
   if (text == request_.filter && filter_error_.empty()) return;
+  filter_text_ = text;
   try {
     filter_selection(*list_, text, request_.describe);
   } catch (const Error& e) {

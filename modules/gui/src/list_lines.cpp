@@ -24,14 +24,37 @@ ListLines::Line ListLines::at(std::size_t line) const {
   return {std::nullopt, group.first + (line - group.head - 1)};
 }
 
-std::optional<std::size_t> ListLines::line_of(std::size_t place) const {
-  if (groups_.empty()) return place < size_ ? std::make_optional(place) : std::nullopt;
+std::optional<std::size_t> ListLines::group_of(std::size_t place) const {
   const auto after = std::upper_bound(groups_.begin(), groups_.end(), place,
                                       [](std::size_t p, const Group& g) { return p < g.first; });
   if (after == groups_.begin()) return std::nullopt;
-  const Group& group = *(after - 1);
+  return static_cast<std::size_t>(after - 1 - groups_.begin());
+}
+
+std::optional<std::size_t> ListLines::line_of(std::size_t place) const {
+  if (groups_.empty()) return place < size_ ? std::make_optional(place) : std::nullopt;
+  const auto number = group_of(place);
+  if (!number) return std::nullopt;
+  const Group& group = groups_[*number];
   if (group.closed || place - group.first >= group.count) return std::nullopt;
   return group.head + 1 + (place - group.first);
+}
+
+double ListLines::top_of(std::size_t line, const Heights& heights) const {
+  const auto after = std::lower_bound(groups_.begin(), groups_.end(), line,
+                                      [](const Group& g, std::size_t l) { return g.head < l; });
+  const auto heads = static_cast<std::size_t>(after - groups_.begin());
+  return static_cast<double>(heads) * heights.group +
+         static_cast<double>(line - heads) * heights.scenario;
+}
+
+std::size_t ListLines::line_at(double y, const Heights& heights) const {
+  std::size_t low = 0, high = size_;
+  while (low + 1 < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    (top_of(middle, heights) <= y ? low : high) = middle;
+  }
+  return low;
 }
 
 }  // namespace slalom

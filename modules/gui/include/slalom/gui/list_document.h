@@ -68,6 +68,7 @@ class ListDocument {
   void set_group_by(const std::string& index);
   /// For whom values are kept that filters and sorting speak of.
   void set_describe_options(const DescribeOptions& options);
+  const std::string& filter_text() const { return filter_text_; }  ///< as last set
   const std::string& filter_error() const { return filter_error_; }
   const std::string& notice() const { return notice_; }  ///< what happened to the file, if anything
   bool is_computing() const;                             ///< a view is on its way
@@ -142,7 +143,7 @@ class ListDocument {
   std::shared_ptr<ScenarioList> list_;
   CommandHistory history_;
   ListViewRequest request_;
-  std::string filter_error_, notice_;
+  std::string filter_text_, filter_error_, notice_;
   ListView view_;
   ListLines lines_;
   std::set<std::string> collapsed_;  ///< titles of groups

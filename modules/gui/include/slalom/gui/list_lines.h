@@ -29,6 +29,16 @@ class ListLines {
   std::optional<std::size_t> line_of(std::size_t place) const;
   std::size_t line_of_group(std::size_t group) const { return groups_[group].head; }
   bool is_closed(std::size_t group) const { return groups_[group].closed; }
+  std::optional<std::size_t> group_of(std::size_t place) const;  ///< none without groups
+
+  /// How high lines are drawn (pixels).
+  struct Heights {
+    double scenario, group;
+  };
+  /// Where a line begins below the first one; of size() where the last one ends.
+  double top_of(std::size_t line, const Heights& heights) const;
+  /// The line there, the first or last one beyond; requires size() > 0.
+  std::size_t line_at(double y, const Heights& heights) const;
 
  private:
   struct Group {
