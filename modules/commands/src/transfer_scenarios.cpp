@@ -74,6 +74,18 @@ ListCommandPtr make_merge_lists(std::vector<ScenarioList*> sources, ScenarioList
                                            });
 }
 
+ListCommandPtr make_add_list(std::shared_ptr<ScenarioList> source, ScenarioList& target) {
+  expect_different(*source, target);
+  const std::size_t count = source->size();
+  return std::make_unique<RecordedCommand>(
+      std::vector<ScenarioList*>{&target}, "Add " + scenarios_text(count),
+      [source = std::move(source), &target]() mutable {
+        copy(*source, {}, target);
+        source.reset();
+      },
+      nothing_chosen(count));
+}
+
 namespace {
 
 /// Makes a file instead of changing one.

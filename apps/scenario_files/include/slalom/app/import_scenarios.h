@@ -1,5 +1,6 @@
 #pragma once
 
+#include <slalom/core/options.h>
 #include <slalom/core/progress.h>
 #include <slalom/generation/generator.h>
 #include <slalom/map_formats/barn.h>
@@ -29,6 +30,12 @@ struct ImportRequest {
   bool barn_as_grid = false;
   std::string problems;  ///< MovingAI: the file of pairs, of which `pairs` are taken
   std::string buckets;   ///< MovingAI: difficulties, such as "3" or "0-10"
+
+  // All but the files, by what they are about.
+  void visit_pairs(OptionVisitor& v);
+  void visit_maps(OptionVisitor& v);
+  void visit_data_sets(OptionVisitor& v);
+  void visit(OptionVisitor& v);
 };
 
 struct ImportedScenarios {

@@ -1,0 +1,50 @@
+#include <slalom/core/error.h>
+#include <slalom/gui/made_list.h>
+#include <slalom/io/temporary_list.h>
+
+#include <filesystem>
+
+namespace slalom {
+namespace {
+
+constexpr char kIntoList[] = "this list", kIntoFile[] = "a new list";
+
+}  // namespace
+
+void add_target_fields(FormDescription& form, const ListTarget& target) {
+  FormField into{"target", "Into", FieldKind::Choice, target.into_list ? kIntoList : kIntoFile};
+  if (target.into_list) into.choices.emplace_back(kIntoList);
+  into.choices.emplace_back(kIntoFile);
+  FormField file{"file", "New list", FieldKind::Text, target.file, "", "a file that is not there"};
+  file.wide = true;
+  file.shown_if_key = "target";
+  file.shown_if_value = kIntoFile;
+  form.fields.push_back(into);
+  form.fields.push_back(file);
+}
+
+std::string read_target(const FormValues& values) {
+  if (values.at("target") != kIntoFile) return "";
+  const std::string& file = values.at("file");
+  if (std::filesystem::exists(file))
+    throw usage_error(file, "is there already", "a file that is not there");
+  return file;
+}
+
+MadeList make_list(const std::string& file, const std::function<void(ScenarioList&)>& fill) {
+  MadeList made;
+  const auto fill_and_count = [&](ScenarioList& list) {
+    fill(list);
+    made.size = list.size();
+  };
+  if (file.empty()) {
+    made.aside = make_temporary_list();
+    fill_and_count(*made.aside);
+  } else {
+    ScenarioList::write(file, fill_and_count);
+    made.file = file;
+  }
+  return made;
+}
+
+}  // namespace slalom
