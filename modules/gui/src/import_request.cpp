@@ -35,7 +35,7 @@ FormDescription import_form(const StudioServices& services, const ListTarget& ta
                   FieldKind::Text,
                   join(files, ", "),
                   "",
-                  "maps, BARN worlds or folders, .scenario.yaml; comma separated, or dropped here"};
+                  "maps, BARN worlds or folders, .scenario.yaml; comma separated"};
   paths.wide = true;
   form.fields.push_back(paths);
   add_target_fields(form, target);
