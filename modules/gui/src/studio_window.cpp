@@ -1,4 +1,5 @@
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/gui/form_dialog.h>
 #include <slalom/gui/list_panel.h>
 #include <slalom/gui/menu_bar.h>
@@ -33,10 +34,20 @@ StudioWindow::StudioWindow(SceneSettings scene, const StudioSettings& settings)
   setBackground(palette().window);
   make_elements();
   connect();
+  view_->set_legend_open(settings.legend);
+  show_layers(settings.layers);
 }
 
 StudioWindow::~StudioWindow() {
   studio_.reset();  // workers end before what they report to
+}
+
+/// Names that are no layers any more are passed over.
+void StudioWindow::show_layers(const std::string& names) {
+  const std::vector<std::string> wanted = split(names, ',');
+  for (const auto& layer : view_->layers())
+    view_->set_layer(layer->id(),
+                     std::find(wanted.begin(), wanted.end(), layer->id()) != wanted.end());
 }
 
 void StudioWindow::finish() {

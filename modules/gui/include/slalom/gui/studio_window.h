@@ -65,6 +65,7 @@ class StudioWindow : public mrpt::gui::CDisplayWindowGUI {
  private:
   void make_elements();
   void connect();
+  void show_layers(const std::string& names);
   void show_documents();
   void show_current();
   void show_descriptors();
