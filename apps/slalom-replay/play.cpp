@@ -1,3 +1,4 @@
+#include "play_window.h"
 #include "recorded_campaign.h"
 #include "verbs.h"
 
@@ -16,7 +17,8 @@ using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
 struct PlayArguments {
-  std::string log, folder;
+  std::string log, folder, script;
+  bool window = false;
   int every = 1, pixels = 640;
 };
 
@@ -78,22 +80,32 @@ std::string frame_name(const std::string& folder, std::size_t number) {
   return folder + name;
 }
 
-void play(const PlayArguments& arguments) {
-  const RecordedRun run = read_run(arguments.log);
-  const CampaignOptions options = read_campaign_options(campaign_of(run, arguments.log, "", {}));
-  const Scenario scenario = scenario_of(run, arguments.log);
-  const std::size_t samples = run.trajectory.samples.size();
-  if (samples == 0) throw job_error(arguments.log, "has no instant to show", "a run that began");
+void draw_pictures(const RecordedRun& run, const Scenario& scenario, const RobotModel& robot,
+                   const PlayArguments& arguments) {
   make_output_folder(arguments.folder);
+  const std::size_t samples = run.trajectory.samples.size();
   std::size_t frames = 0;
   const auto every = static_cast<std::size_t>(arguments.every);
   for (std::size_t i = 0; i < samples; ++i)
     if (i % every == 0 || i + 1 == samples)
-      render_png(scenario, scene_at(run, i, options.setup.robot, arguments.pixels),
+      render_png(scenario, scene_at(run, i, robot, arguments.pixels),
                  frame_name(arguments.folder, frames++));
   std::cout << frames << " pictures in " << arguments.folder << ": " << run.manifest.method
             << " in " << scenario.name() << ", " << to_string(run.outcome) << " (" << run.detail
             << ")\n";
+}
+
+void play(const PlayArguments& arguments) {
+  if (arguments.folder.empty() && !arguments.window)
+    throw usage_error("slalom-replay play", "does not say where to show the run",
+                      "--gui or --png DIR");
+  const RecordedRun run = read_run(arguments.log);
+  const CampaignOptions options = read_campaign_options(campaign_of(run, arguments.log, "", {}));
+  const Scenario scenario = scenario_of(run, arguments.log);
+  if (run.trajectory.samples.empty())
+    throw job_error(arguments.log, "has no instant to show", "a run that began");
+  if (!arguments.folder.empty()) draw_pictures(run, scenario, options.setup.robot, arguments);
+  if (arguments.window) show_run(run, scenario, options, arguments.log, arguments.script);
 }
 
 }  // namespace
@@ -101,9 +113,15 @@ void play(const PlayArguments& arguments) {
 void define_play(CLI::App& app) {
   static PlayArguments arguments;
   CLI::App* verb = app.add_subcommand(
-      "play", "Draw a recorded run, picture by picture: place, robot, scan, trail");
+      "play", "Show a recorded run, in a window or as pictures: place, robot, scan, trail");
   verb->add_option("log", arguments.log, "The run (.rawlog)")->required();
-  verb->add_option("--png", arguments.folder, "Folder for frame_000000.png, ...")->required();
+  CLI::Option* window =
+      verb->add_flag("--gui", arguments.window, "Replay it in a window, with slider and plots");
+  verb->add_option(
+          "--script", arguments.script,
+          "Plays what a user does in the window from this file, then ends (docs/studio.md)")
+      ->needs(window);
+  verb->add_option("--png", arguments.folder, "Folder for frame_000000.png, ...");
   verb->add_option("--every", arguments.every, "A picture each so many control cycles")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

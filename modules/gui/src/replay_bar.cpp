@@ -74,6 +74,11 @@ void ReplayBar::seek(double time) {
   if (on_changed) on_changed();
 }
 
+void ReplayBar::play() {
+  clock_.play();
+  if (on_changed) on_changed();
+}
+
 void ReplayBar::seek_to_pixel(double x) {
   const ScreenRect track = slider();
   seek(clock_.duration() * std::clamp((x - track.left) / track.width, 0.0, 1.0));

@@ -128,6 +128,7 @@ void ResultsPanel::performLayout(NVGcontext* ctx) {
     place(*replay_, 0, kTitleHeight + table, wide, kReplayHeight);
     lay_out_plots(0, below, wide, height() - below);
   }
+  laid_out_ = size();
   Widget::performLayout(ctx);
 }
 
@@ -143,6 +144,7 @@ void ResultsPanel::lay_out_plots(int left, int top, int wide, int tall) {
 }
 
 void ResultsPanel::draw(NVGcontext* ctx) {
+  if (size() != laid_out_) performLayout(ctx);
   replay_->tick(glfwGetTime());
   nvgSave(ctx);
   nvgTranslate(ctx, static_cast<float>(mPos.x()), static_cast<float>(mPos.y()));

@@ -20,6 +20,7 @@ class ReplayBar : public Element {
   /// Lets the replay go on to `now` (s, of any steady clock); called for every frame.
   void tick(double now);
   void seek(double time);
+  void play();
 
   std::string text() const override;
   std::optional<ScreenRect> rect_of(const std::string& part) const override;

@@ -48,6 +48,7 @@ class ResultsPanel : public Element {
   ReplayBar* replay_;
   LinePlot* clearance_;
   LinePlot* speed_;
+  nanogui::Vector2i laid_out_ = {0, 0};  ///< the size for which its elements lie as they do
 };
 
 }  // namespace slalom

@@ -1,0 +1,87 @@
+#include "play_window.h"
+
+#include <slalom/gui/display.h>
+#include <slalom/gui/replay_window.h>
+#include <slalom/io/result_file.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace slalom {
+namespace {
+
+/// The metrics of a run that its trajectory alone tells; the others need reference paths.
+std::map<std::string, VersionedValue> simple_metrics(const RecordedRun& run) {
+  const bool arrived = run.outcome == Outcome::Success;
+  const Value time = arrived ? Value::of(run.trajectory.duration())
+                             : Value::na("outcome: " + to_string(run.outcome));
+  return {{"path_length", {1, Value::of(length(run.trajectory.path()))}},
+          {"time_to_goal", {1, time}}};
+}
+
+RunRecord record_of(const RecordedRun& run) {
+  RunRecord record;
+  record.scenario_hash = run.manifest.scenario_hash;
+  record.scenario_name = run.manifest.scenario_name;
+  record.method = run.manifest.method;
+  record.repetition = run.manifest.repetition;
+  record.seed = run.manifest.seed;
+  record.outcome = to_string(run.outcome);
+  record.outcome_detail = run.detail;
+  record.metrics = simple_metrics(run);
+  return record;
+}
+
+/// Where the rays of each cycle's scan end, from where the robot was then.
+std::vector<std::shared_ptr<const Path>> scans_of(const RecordedRun& run) {
+  std::vector<std::shared_ptr<const Path>> scans;
+  const std::size_t count = std::min(run.cycles.size(), run.trajectory.samples.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& scan = *run.cycles[i].scan;
+    const auto& pose = run.trajectory.samples[i].pose;
+    Path ends;
+    for (std::size_t ray = 0; ray < scan.getScanSize(); ++ray) {
+      const double angle = pose.phi + scan.getScanAngle(ray);
+      const double range = static_cast<double>(scan.getScanRange(ray));
+      ends.push_back({pose.x + range * std::cos(angle), pose.y + range * std::sin(angle)});
+    }
+    scans.push_back(std::make_shared<const Path>(std::move(ends)));
+  }
+  return scans;
+}
+
+ReplayContent content_of(const RecordedRun& run, const CampaignOptions& options,
+                         const std::string& log) {
+  ReplayContent content;
+  content.title = "slalom-replay: " + std::filesystem::path(log).filename().string();
+  content.scene.robot = options.setup.robot;
+  content.scene.sensor = options.setup.sensor;
+  content.scene.resolution = options.setup.simulation.resolution;
+  content.scene.gap = options.reference_gap;
+  content.source.path = log;
+  content.source.campaign = options.name;
+  content.source.methods = {run.manifest.method};
+  content.source.robot = options.setup.robot;
+  content.source.resolution = options.setup.simulation.resolution;
+  OverlayRun shown;
+  shown.record = record_of(run);
+  shown.trajectory = std::make_shared<const Trajectory>(run.trajectory);
+  shown.scans = scans_of(run);
+  content.runs.push_back(std::move(shown));
+  return content;
+}
+
+}  // namespace
+
+void show_run(const RecordedRun& run, const Scenario& scenario, const CampaignOptions& options,
+              const std::string& log, const std::string& script) {
+  std::vector<ScriptCommand> commands;
+  if (!script.empty()) commands = parse_studio_script(read_file(script), script);
+  with_display("slalom-replay play --gui",
+               "pictures by 'slalom-replay play " + log + " --png DIR', or xvfb-run -a", [&] {
+                 ReplayWindow window(scenario, content_of(run, options, log));
+                 script.empty() ? window.run() : window.run(commands, script);
+               });
+}
+
+}  // namespace slalom

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <slalom/campaign/campaign_options.h>
+#include <slalom/rawlog/run_reader.h>
+#include <slalom/scenario/scenario.h>
+
+#include <string>
+
+namespace slalom {
+
+/// Replays a recorded run in a window until it is closed; with a script (the name of a file, see
+/// docs/studio.md) until that has been played. Throws Error: Job where no window can be opened.
+void show_run(const RecordedRun& run, const Scenario& scenario, const CampaignOptions& options,
+              const std::string& log, const std::string& script);
+
+}  // namespace slalom
