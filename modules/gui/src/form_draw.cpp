@@ -47,7 +47,7 @@ void FormPanel::draw(NVGcontext* ctx) {
   draw::frame(ctx, all, palette().border);
   draw::text(ctx, {kMargin, 4, all.width - 2 * kMargin, kTitleHeight - 8}, form.title,
              palette().text, 18, draw::Align::Left, true);
-  if (!form.intro.empty())
+  if (!form.intro.empty() && !is_message())
     draw::wrapped_text(ctx, {kMargin, kTitleHeight, all.width - 2 * kMargin, intro_height_},
                        form.intro, palette().faint_text);
   draw_lines(ctx);
@@ -61,6 +61,9 @@ void FormPanel::draw_lines(NVGcontext* ctx) const {
   nvgSave(ctx);
   nvgIntersectScissor(ctx, pixels(seen.left), pixels(seen.top), pixels(seen.width),
                       pixels(seen.height));
+  if (is_message())
+    draw::wrapped_text(ctx, on_panel({kMargin, 0, seen.width - 2 * kMargin, intro_height_}),
+                       model_.description().intro, palette().text);
   for (const FormLine& line : layout_.lines())
     if (line.top + line.height > scroll_ && line.top < scroll_ + seen.height) draw_line(ctx, line);
   nvgRestore(ctx);
@@ -170,17 +173,17 @@ void FormPanel::draw_choices(NVGcontext* ctx, const FormLine& line) const {
 
 void FormPanel::draw_scroll_bar(NVGcontext* ctx) const {
   const ScreenRect seen = content();
-  if (layout_.height() <= seen.height) return;
-  const double length = seen.height * seen.height / layout_.height();
-  const double top = seen.top + scroll_ * seen.height / layout_.height();
+  if (content_height() <= seen.height) return;
+  const double length = seen.height * seen.height / content_height();
+  const double top = seen.top + scroll_ * seen.height / content_height();
   draw::fill(ctx, {seen.width - 9, top, 5, length}, palette().faint_text, 2);
 }
 
 void FormPanel::draw_foot(NVGcontext* ctx) const {
-  const double top = height() - kFootHeight;
+  const double top = height() - foot_height(is_message());
   draw::line(ctx, 1, top + 0.5, width() - 1, top + 0.5, palette().border);
   two_lines(ctx, {kMargin, top + 6, width() - 2 * kMargin, 38}, message_, palette().error_text);
-  draw_button(ctx, cancel_rect(), "Cancel", focus_ == cancel_stop(), false);
+  if (!is_message()) draw_button(ctx, cancel_rect(), "Cancel", focus_ == cancel_stop(), false);
   draw_button(ctx, ok_rect(), model_.description().accept, focus_ == ok_stop(), true);
 }
 

@@ -10,7 +10,12 @@
 namespace slalom::form_frame {
 
 /// Measures of a form's panel, pixels.
-constexpr double kMargin = 16, kTitleHeight = 44, kFootHeight = 96, kButtonWidth = 120;
+constexpr double kMargin = 16, kTitleHeight = 44, kButtonWidth = 120;
+
+/// A form has room for what is wrong above its buttons.
+inline double foot_height(bool is_message) {
+  return is_message ? 56 : 96;
+}
 
 inline double wrapped_height(NVGcontext* ctx, const std::string& text, double width) {
   nvgFontFace(ctx, "sans");

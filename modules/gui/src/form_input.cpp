@@ -28,7 +28,7 @@ bool FormPanel::mouseButtonEvent(const nanogui::Vector2i& p, int button, bool do
 
 std::size_t FormPanel::button_at(const ScreenRect& at) const {
   if (ok_rect().contains(at.left, at.top)) return ok_stop();
-  return cancel_rect().contains(at.left, at.top) ? cancel_stop() : 0;
+  return !is_message() && cancel_rect().contains(at.left, at.top) ? cancel_stop() : 0;
 }
 
 void FormPanel::press(const ScreenRect& at, int modifiers) {
@@ -92,6 +92,10 @@ bool FormPanel::keyboardEvent(int key, int, int action, int modifiers) {
 
 bool FormPanel::move_focus(int key, int modifiers) {
   const double page = content().height - 40;
+  if (is_message() && (key == GLFW_KEY_UP || key == GLFW_KEY_DOWN)) {
+    scroll_to(scroll_ + (key == GLFW_KEY_UP ? -40 : 40));
+    return true;
+  }
   switch (key) {
     case GLFW_KEY_TAB:
       go_on((modifiers & GLFW_MOD_SHIFT) != 0 ? -1 : 1);
@@ -165,7 +169,7 @@ bool FormPanel::type_with_clipboard(int key) {
 bool FormPanel::choose_by_key(int key) {
   if (focus_ >= model_.fields().size()) {
     if (key == GLFW_KEY_SPACE) focus_ == ok_stop() ? accept() : cancel();
-    if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT)
+    if (!is_message() && (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT))
       focus_ = focus_ == ok_stop() ? cancel_stop() : ok_stop();
     return true;
   }

@@ -29,7 +29,7 @@ void FormPanel::fit(NVGcontext* ctx, const nanogui::Vector2i& most) {
       form.intro.empty() ? 0 : wrapped_height(ctx, form.intro, width - 2 * kMargin) + 10;
   setWidth(static_cast<int>(width));
   lay_out();
-  const double wanted = kTitleHeight + intro_height_ + layout_.height() + kFootHeight;
+  const double wanted = kTitleHeight + intro_height_ + layout_.height() + foot_height(is_message());
   // Fields that come and go do not make the dialog jump: it only grows.
   setHeight(std::max(height(), static_cast<int>(std::min<double>(wanted + 1, most.y()))));
   setHeight(std::min(height(), most.y()));
@@ -74,7 +74,7 @@ void FormPanel::cancel() {
 }
 
 std::string FormPanel::text() const {
-  std::string all = model_.description().title + "\n";
+  std::string all = model_.description().title + "\n" + model_.description().intro + "\n";
   for (std::size_t i = 0; i < model_.fields().size(); ++i) {
     if (!model_.is_shown(i)) continue;
     const FormField& field = model_.fields()[i];
@@ -89,7 +89,7 @@ std::string FormPanel::text() const {
 
 std::optional<ScreenRect> FormPanel::rect_of(const std::string& part) const {
   if (part == "ok") return ok_rect();
-  if (part == "cancel") return cancel_rect();
+  if (part == "cancel" && !is_message()) return cancel_rect();
   for (const FormLine& line : layout_.lines()) {
     const FormField& field = model_.fields()[line.field];
     if (part == "field " + field.key && in_sight(line.box)) return on_panel(line.box);
@@ -101,8 +101,9 @@ std::optional<ScreenRect> FormPanel::rect_of(const std::string& part) const {
 }
 
 ScreenRect FormPanel::content() const {
-  const double top = kTitleHeight + intro_height_;
-  return {0, top, static_cast<double>(width()), std::max(0.0, height() - kFootHeight - top)};
+  const double top = kTitleHeight + (is_message() ? 0 : intro_height_);
+  const double bottom = height() - foot_height(is_message());
+  return {0, top, static_cast<double>(width()), std::max(0.0, bottom - top)};
 }
 ScreenRect FormPanel::ok_rect() const {
   return {width() - kMargin - kButtonWidth, height() - 44.0, kButtonWidth, 32};
@@ -130,7 +131,7 @@ std::vector<std::size_t> FormPanel::stops() const {
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < model_.fields().size(); ++i)
     if (model_.is_shown(i) && model_.fields()[i].kind != FieldKind::Heading) all.push_back(i);
-  all.push_back(cancel_stop());
+  if (!is_message()) all.push_back(cancel_stop());
   all.push_back(ok_stop());
   return all;
 }
@@ -159,7 +160,7 @@ void FormPanel::go_on(int steps) {
 }
 
 void FormPanel::scroll_to(double top) {
-  scroll_ = std::clamp(top, 0.0, std::max(0.0, layout_.height() - content().height));
+  scroll_ = std::clamp(top, 0.0, std::max(0.0, content_height() - content().height));
 }
 
 void FormPanel::edited() {

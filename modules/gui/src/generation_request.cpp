@@ -120,6 +120,20 @@ void check(const GenerationRequest& request) {
   }
 }
 
+/// One line for each bin, and why the search ended.
+std::string bins_text(const GeneratedBins& bins) {
+  std::string text = "It ended because " + bins.result.stopped + ".\n";
+  for (const BinReport& bin : bins.result.bins) {
+    for (std::size_t i = 0; i < bins.plan.axes.size(); ++i)
+      text += (i > 0 ? ", " : "") + bins.plan.axes[i].id + " " +
+              format_number(bin.intervals[i].first) + " to " +
+              format_number(bin.intervals[i].second);
+    text += ": " + std::to_string(bin.found) + " of " + std::to_string(bin.wanted) + ", " +
+            to_string(bin.verdict) + (bin.why.empty() ? "" : " (" + bin.why + ")") + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 FormDescription random_generation_form(const GenerationDefaults& defaults) {
@@ -189,7 +203,7 @@ MadeList generate(const GenerationRequest& request, const MapLoader& load_map, P
   std::string report;
   MadeList made = make_list(request.file, [&](ScenarioList& list) {
     const auto bins = generate_list(list, request.ini, request.order, load_map, progress);
-    if (bins) report = render_coverage(bins->plan, bins->result);
+    if (bins) report = bins_text(*bins);
   });
   made.report = std::move(report);
   return made;

@@ -111,7 +111,7 @@ TEST(GenerationRequest, FillsBinsAsideAndTellsHowItWent) {
   const MadeList made = generate(request, {}, *silent);
   ASSERT_NE(made.aside, nullptr);
   ASSERT_GT(made.size, 0U);
-  EXPECT_NE(made.report.find("wanted"), std::string::npos) << made.report;
+  EXPECT_NE(made.report.find("density 0.1 to 0.3: 1 of 1, full"), std::string::npos) << made.report;
 
   ScenarioList list = ScenarioList::create(folder / "a.scenarios");
   const std::string before = dump_list(list.path());

@@ -43,11 +43,12 @@ struct FormField {
   std::string shown_if_key = {}, shown_if_value = {};
 };
 
-/// What a dialog asks for, and what becomes of the answers.
+/// What a dialog asks for, and what becomes of the answers. Without fields it is a message: its
+/// intro, however long, and one button.
 struct FormDescription {
   std::string title;
   std::string accept = "OK";  ///< on the button
-  std::string intro = {};     ///< one or two lines above the fields
+  std::string intro = {};     ///< lines above the fields
   std::vector<FormField> fields = {};
   /// Takes the values of all fields, hidden ones too. What it throws as slalom::Error is shown in
   /// the form, which then stays open.

@@ -14,7 +14,7 @@ namespace slalom {
 /// "ok" and "cancel"; those that are scrolled out of sight have no place.
 ///
 /// Keys: Tab and Shift+Tab, Up and Down go from field to field, Enter accepts, Escape cancels,
-/// Left, Right and Space choose, Page Up and Page Down scroll.
+/// Left, Right and Space choose, Page Up and Page Down (Up and Down in a message) scroll.
 class FormPanel : public Element {
  public:
   /// `close` is called once, after the form was accepted or given up; nothing of the panel is used
@@ -46,6 +46,8 @@ class FormPanel : public Element {
   ScreenRect on_panel(ScreenRect rect) const;  ///< from the layout's place to the panel's
   bool in_sight(const ScreenRect& rect) const;
   bool is_typed(std::size_t field) const;
+  bool is_message() const { return model_.fields().empty(); }
+  double content_height() const { return is_message() ? intro_height_ : layout_.height(); }
   void lay_out();  ///< anew, after fields came or went
 
   std::vector<std::size_t> stops() const;  ///< fields in order, then "cancel" and "ok"
