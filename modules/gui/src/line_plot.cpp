@@ -85,11 +85,12 @@ void LinePlot::draw(NVGcontext* ctx) {
   nvgIntersectScissor(ctx, 0, 0, static_cast<float>(width()), static_cast<float>(height()));
   draw::fill(ctx, *Element::rect_of(""), palette().panel);
   const PlotFrame shown = frame();
-  shown.draw(ctx, x_title_, y_title_);
   if (!x_range_) {
+    draw::fill(ctx, shown.area, palette().window);
     draw::text(ctx, shown.area, "no data", palette().faint_text, draw::kTextSize,
                draw::Align::Center);
   } else {
+    shown.draw(ctx, x_title_, y_title_);
     for (const LineSeries& series : series_) draw_series(ctx, shown, series);
     draw_marker(ctx, shown);
     draw_legend(ctx, shown);

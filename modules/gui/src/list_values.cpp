@@ -35,6 +35,14 @@ std::optional<std::size_t> ListValues::row_of(const std::string& hash) const {
   return found == rows_.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::optional<double> ListValues::number(const std::string& id, const std::string& hash) const {
+  const ListColumn* values = column(id);
+  const auto found = rows_.find(hash);
+  if (values == nullptr || found == rows_.end() || !values->has_number(found->second))
+    return std::nullopt;
+  return values->number(found->second);
+}
+
 const ListColumn* ListValues::column(const std::string& id) const {
   const auto found = columns_.find(id);
   return found == columns_.end() ? nullptr : &found->second;

@@ -12,6 +12,10 @@ constexpr double kTickWide = 84, kTickTall = 26;
 
 }  // namespace
 
+const nanogui::Color& plot_mark_color() {
+  return palette().edit;
+}
+
 std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "-" ? name : name + " (" + unit + ")";
 }
@@ -23,7 +27,8 @@ PlotFrame PlotFrame::within(const ScreenRect& rect, std::pair<double, double> x_
                         std::max(rect.height - kTop - kTickRow - kTitleRow, 1.0)};
   return {area,
           {x_range.first, x_range.second, area.left, area.left + area.width},
-          {y_range.first, y_range.second, area.top + area.height, area.top}};
+          {y_range.first, y_range.second, area.top + area.height, area.top},
+          false};
 }
 
 void PlotFrame::draw(NVGcontext* ctx, const std::string& x_title,
@@ -37,7 +42,9 @@ void PlotFrame::draw(NVGcontext* ctx, const std::string& x_title,
     draw::text(ctx, {at - 0.5 * kTickWide, bottom + 1, kTickWide, kTickRow}, tick.label,
                colors.faint_text, draw::kSmallTextSize, draw::Align::Center);
   }
-  for (const auto& tick : y.ticks(std::max(1, static_cast<int>(area.height / kTickTall)))) {
+  int most_up = std::max(1, static_cast<int>(area.height / kTickTall));
+  if (whole_y && y.high() - y.low() < most_up) most_up = static_cast<int>(y.high() - y.low());
+  for (const auto& tick : y.ticks(most_up)) {
     const double at = y.to_pixel(tick.value);
     draw::line(ctx, area.left, at, right, at, colors.hover);
     draw::text(ctx, {area.left - kLeft, at - 8, kLeft - 5, 16}, tick.label, colors.faint_text,

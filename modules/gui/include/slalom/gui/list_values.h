@@ -43,6 +43,8 @@ class ListValues {
   std::size_t size() const { return hashes_.size(); }
   const std::string& hash(std::size_t row) const { return hashes_[row]; }
   std::optional<std::size_t> row_of(const std::string& hash) const;
+  /// Of one scenario; nullopt where no number is known.
+  std::optional<double> number(const std::string& id, const std::string& hash) const;
   const ListColumn* column(const std::string& id) const;  ///< null when it was not read
 
  private:

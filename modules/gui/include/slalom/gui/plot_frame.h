@@ -12,6 +12,7 @@ namespace slalom {
 struct PlotFrame {
   ScreenRect area;
   PlotAxis x, y;
+  bool whole_y = false;  ///< counts: no ticks between whole numbers
 
   /// Leaves room for ticks and titles within `rect`: the y title stands above the axis, the x title
   /// at the right below it.
@@ -21,6 +22,9 @@ struct PlotFrame {
   /// Ground, grid lines, ticks, titles. `ctx` is in the element's pixels.
   void draw(NVGcontext* ctx, const std::string& x_title, const std::string& y_title) const;
 };
+
+/// Of what is pointed out in a plot: the current scenario, a selection.
+const nanogui::Color& plot_mark_color();
 
 /// "Clearance (m)"; without the unit where there is none ("-").
 std::string with_unit(const std::string& name, const std::string& unit);
