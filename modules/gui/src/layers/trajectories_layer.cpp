@@ -11,8 +11,8 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-/// Driven runs in the colours of their methods, each end marked in the colour of its outcome, and
-/// the robots at the instant of the replay.
+/// Driven runs in the colours of their methods, strong as far as the replay has come, each end
+/// marked in the colour of its outcome, and the robots at the instant of the replay.
 class TrajectoriesLayer : public SceneLayer {
  public:
   TrajectoriesLayer() : SceneLayer("trajectories", "Trajectories", method_line_color(0), true) {}
@@ -29,9 +29,12 @@ class TrajectoriesLayer : public SceneLayer {
 
  private:
   static void draw_line(const LayerContext& c, const OverlayTrajectory& run) {
-    const Path path = run.trajectory->path();
-    shapes::polyline(c.ctx, c.view, path, run.color, 2);
+    Path path = run.trajectory->path();
     const TPoint2D end = c.view.to_screen(path.back());
+    shapes::polyline(c.ctx, c.view, path, run.color, 1.5F);
+    path.resize(run.sample + 1);
+    path.emplace_back(run.pose.x, run.pose.y);
+    shapes::polyline(c.ctx, c.view, path, run.color, 4);
     constexpr float kHalf = 5;
     nvgBeginPath(c.ctx);
     nvgRect(c.ctx, static_cast<float>(end.x) - kHalf, static_cast<float>(end.y) - kHalf, 2 * kHalf,
