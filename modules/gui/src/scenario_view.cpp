@@ -15,12 +15,12 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-std::vector<ViewLayout::Button> buttons() {
+std::vector<ViewLayout::Button> buttons(bool editable) {
   std::vector<ViewLayout::Button> result;
   for (const EditToolInfo& tool : edit_tools())
-    result.push_back({"tool " + tool.id, tool.title});
+    if (editable) result.push_back({"tool " + tool.id, tool.title});
   for (const char* name : {"zoom in", "zoom out", "fit"})
-    result.push_back({name, name == std::string("fit") ? "Fit"
+    result.push_back({name, name == std::string("fit")       ? "Fit"
                             : name == std::string("zoom in") ? "+"
                                                              : "-"});
   return result;
@@ -42,7 +42,8 @@ ViewLayout ScenarioView::make_layout() const {
   std::vector<std::string> names;
   if (legend_open_)
     for (const auto& layer : layers_) names.push_back(layer->id());
-  return {static_cast<double>(width()), static_cast<double>(height()), buttons(), names};
+  return {static_cast<double>(width()), static_cast<double>(height()),
+          buttons(on_edit != nullptr), names};
 }
 
 void ScenarioView::adjust_to_size() {
@@ -59,8 +60,7 @@ ViewTransform ScenarioView::view_on(const ScreenRect& c) const {
 void ScenarioView::set_scene(ScenePtr scene) {
   const bool same_place =
       scene && scene_ && scene->scenario().bounds() == scene_->scenario().bounds();
-  const bool same_scenario =
-      same_place && scene->scenario().hash() == scene_->scenario().hash();
+  const bool same_scenario = same_place && scene->scenario().hash() == scene_->scenario().hash();
   if (!same_scenario) editor_.cancel();
   if (!same_place) {
     pointer_.reset();
@@ -82,7 +82,9 @@ SceneLayer& ScenarioView::layer(const std::string& id) const {
   throw usage_error("layer " + id, "there is no such layer", "one of " + join(ids, ", "));
 }
 
-bool ScenarioView::layer_on(const std::string& id) const { return layer(id).on(); }
+bool ScenarioView::layer_on(const std::string& id) const {
+  return layer(id).on();
+}
 
 void ScenarioView::set_layer(const std::string& id, bool on) {
   layer(id).set_on(on);
@@ -147,8 +149,8 @@ std::string ScenarioView::status_text() const {
     if (scene_ && hovered_ == "layer " + layer->id()) return layer_line(*layer);
   for (const EditToolInfo& info : edit_tools()) {
     if (hovered_ != "tool " + info.id) continue;
-    const std::string why = scene_ ? obstacle_to(info.tool, scene_->scenario().representation())
-                                   : std::string();
+    const std::string why =
+        scene_ ? obstacle_to(info.tool, scene_->scenario().representation()) : std::string();
     return why.empty() ? info.help + std::string(" (key ") + info.key + ")" : why;
   }
   if (scene_ && !scene_->problem.empty()) return scene_->problem;
@@ -170,7 +172,8 @@ std::string ScenarioView::text() const {
   if (!scene_) return message_ + "\n";
   const Scenario& s = scene_->scenario();
   std::string text = "scenario " + s.name() + ", " + to_string(s.representation()) + "\n";
-  text += format("start %.3f %.3f m, %.1f deg\n", s.start().x, s.start().y, s.start().phi / kDegree);
+  text +=
+      format("start %.3f %.3f m, %.1f deg\n", s.start().x, s.start().y, s.start().phi / kDegree);
   text += format("goal %.3f %.3f m\n", s.goal().x, s.goal().y);
   text += format("scale %.4g pixels per m\n", view_.pixels_per_metre());
   text += "tool " + info_of(tool()).id + "\n";
@@ -191,9 +194,12 @@ std::optional<ScreenRect> ScenarioView::rect_of(const std::string& part) const {
   if (!scene_) return std::nullopt;
   Point at;
   const TPose2D& start = scene_->scenario().start();
-  if (part == "start") at = {start.x, start.y};
-  else if (part == "goal") at = scene_->scenario().goal();
-  else if (std::sscanf(part.c_str(), "at %lf %lf", &at.x, &at.y) != 2) return std::nullopt;
+  if (part == "start")
+    at = {start.x, start.y};
+  else if (part == "goal")
+    at = scene_->scenario().goal();
+  else if (std::sscanf(part.c_str(), "at %lf %lf", &at.x, &at.y) != 2)
+    return std::nullopt;
   const Point p = view_on(layout.canvas()).to_screen(at);
   if (!layout.canvas().contains(p.x, p.y)) return std::nullopt;
   return ScreenRect{p.x, p.y, 0, 0};

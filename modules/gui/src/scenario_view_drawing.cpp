@@ -19,7 +19,9 @@ void clip(NVGcontext* ctx, const ScreenRect& rect) {
                       static_cast<float>(rect.width), static_cast<float>(rect.height));
 }
 
-nanogui::Color translucent(nanogui::Color color) { return shapes::faded(color, 0.9F); }
+nanogui::Color translucent(nanogui::Color color) {
+  return shapes::faded(color, 0.9F);
+}
 
 }  // namespace
 
@@ -38,19 +40,37 @@ void ScenarioView::draw(NVGcontext* ctx) {
 
 void ScenarioView::draw_scene(NVGcontext* ctx) {
   const ScreenRect& canvas = layout_.canvas();
-  draw::fill(ctx, canvas, palette().outside);
-  if (!scene_)
+  if (!scene_) {
+    draw::fill(ctx, canvas, palette().outside);
     return draw::text(ctx, inset(canvas, 16), message_, palette().text, draw::kTextSize,
                       draw::Align::Center);
+  }
   nvgSave(ctx);
   clip(ctx, canvas);
   const LayerContext context{ctx, *scene_, view_, trajectories_, scan_pose()};
+  draw_ground(context);
   for (const auto& layer : layers_)
     if (layer->on()) layer->draw(context);
   draw_preview(ctx);
   draw_pointer(ctx);
   draw_scale_bar(ctx);
   nvgRestore(ctx);
+}
+
+/// What is outside, the floor and all cells, below whatever else is drawn in this frame.
+void ScenarioView::draw_ground(const LayerContext& context) {
+  std::vector<CellPicture> pictures;
+  for (const auto& layer : layers_)
+    if (layer->on())
+      if (const auto picture = layer->cells(context)) pictures.push_back(*picture);
+  const Bounds& bounds = scene_->scenario().bounds();
+  const Point low = view_.to_screen({bounds.x_min, bounds.y_min});
+  const Point high = view_.to_screen({bounds.x_max, bounds.y_max});
+  const ScreenRect floor{low.x, high.y, high.x - low.x, low.y - high.y};
+  const nanogui::Vector2i corner = absolutePosition();
+  const FramePlace place{static_cast<double>(corner.x()), static_cast<double>(corner.y()),
+                         static_cast<double>(screen()->height()), screen()->pixelRatio()};
+  tiles_.draw(pictures, palette().floor, palette().outside, floor, layout_.canvas(), view_, place);
 }
 
 void ScenarioView::draw_preview(NVGcontext* ctx) const {
@@ -75,7 +95,8 @@ void ScenarioView::draw_pointer(NVGcontext* ctx) const {
   if (!pointer_ || !keyboard_pointer_) return;
   const Point at = view_.to_screen(*pointer_);
   constexpr double kArm = 9;
-  for (const auto& [color, width] : {std::pair(palette().floor, 4.0F), std::pair(palette().edit, 2.0F)}) {
+  for (const auto& [color, width] :
+       {std::pair(palette().floor, 4.0F), std::pair(palette().edit, 2.0F)}) {
     draw::line(ctx, at.x - kArm, at.y, at.x + kArm, at.y, color, width);
     draw::line(ctx, at.x, at.y - kArm, at.x, at.y + kArm, color, width);
   }
@@ -130,7 +151,8 @@ void ScenarioView::draw_legend(NVGcontext* ctx) const {
 }
 
 /// A box in the layer's colour, filled when it is on; its key, title, and what there is to say.
-void ScenarioView::draw_row(NVGcontext* ctx, const ScreenRect& rect, const SceneLayer& layer) const {
+void ScenarioView::draw_row(NVGcontext* ctx, const ScreenRect& rect,
+                            const SceneLayer& layer) const {
   if (hovered_ == "layer " + layer.id()) draw::fill(ctx, rect, palette().hover);
   const ScreenRect box{rect.left + 8, rect.top + 5, 12, 12};
   draw::fill(ctx, box, layer.on() ? layer.color() : palette().panel, 2);

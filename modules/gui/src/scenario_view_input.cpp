@@ -14,7 +14,9 @@ constexpr double kPanStep = 40;                                 ///< pixels
 constexpr double kPointerStep = 10;                             ///< pixels
 constexpr double kTolerance = 6;                                ///< pixels
 
-constexpr int bit(int button) { return 1 << button; }
+constexpr int bit(int button) {
+  return 1 << button;
+}
 
 }  // namespace
 
@@ -123,8 +125,7 @@ void ScenarioView::end_edit(End end) {
 bool ScenarioView::scrollEvent(const nanogui::Vector2i& p, const nanogui::Vector2f& rel) {
   const Point at = local(p);
   if (!scene_ || !layout_.canvas().contains(at.x, at.y)) return true;
-  const bool shift =
-      screen() != nullptr && (screen()->mouseModifiers() & GLFW_MOD_SHIFT) != 0;
+  const bool shift = screen() != nullptr && (screen()->mouseModifiers() & GLFW_MOD_SHIFT) != 0;
   // Some systems turn the wheel sideways while shift is held.
   const double steps = rel.y() != 0 ? rel.y() : rel.x();
   if (shift) {
@@ -183,7 +184,8 @@ bool ScenarioView::edit_key(int key) {
   switch (key) {
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:
-      if (tool() == EditTool::Polygon && editor_.preview(scene_->scenario()).open_polygon.size() > 3)
+      if (tool() == EditTool::Polygon &&
+          editor_.preview(scene_->scenario()).open_polygon.size() > 3)
         return end_edit([this] { return editor_.finish(scene_->scenario()); }), true;
       [[fallthrough]];
     case GLFW_KEY_SPACE:
@@ -216,7 +218,7 @@ bool ScenarioView::layer_key(int key) {
 
 bool ScenarioView::tool_key(int key) {
   for (const EditToolInfo& info : edit_tools())
-    if (key == info.key) return set_tool(info.tool), true;
+    if (on_edit && key == info.key) return set_tool(info.tool), true;
   return false;
 }
 

@@ -1,7 +1,6 @@
 #include "layers.h"
 
 #include <slalom/gui/palette.h>
-#include <slalom/gui/tile_images.h>
 
 #include <cmath>
 #include <cstdio>
@@ -10,14 +9,14 @@ namespace slalom {
 namespace {
 
 /// Where there is no clearance the obstacles are seen through it.
-ColorScale clearance_scale() {
-  ColorScale scale;
-  for (std::size_t value = 0; value < scale.size(); ++value) {
+ColorScalePtr clearance_scale() {
+  auto scale = std::make_shared<ColorScale>();
+  for (std::size_t value = 0; value < scale->size(); ++value) {
     const nanogui::Color color = heat_color(static_cast<double>(value) / 255);
     for (int c = 0; c < 3; ++c)
-      scale[value][static_cast<std::size_t>(c)] =
+      (*scale)[value][static_cast<std::size_t>(c)] =
           static_cast<std::uint8_t>(std::lround(255 * color[c]));
-    scale[value][3] = value == 0 ? 0 : 255;
+    (*scale)[value][3] = value == 0 ? 0 : 255;
   }
   return scale;
 }
@@ -30,7 +29,7 @@ class DistanceFieldLayer : public SceneLayer {
  public:
   DistanceFieldLayer()
       : SceneLayer("distance_field", "Distance field", heat_color(0.75), false),
-        images_(clearance_scale()) {}
+        colors_(clearance_scale()) {}
 
   std::string missing(const SceneData& scene,
                       const std::vector<OverlayTrajectory>&) const override {
@@ -41,10 +40,13 @@ class DistanceFieldLayer : public SceneLayer {
     std::snprintf(text, sizeof text, "0 to %.2f m", scene.largest_clearance);
     return scene.clearance ? text : "";
   }
-  void draw(const LayerContext& c) override { images_.draw(c.ctx, c.scene.clearance, c.view); }
+  std::optional<CellPicture> cells(const LayerContext& c) override {
+    if (!c.scene.clearance) return std::nullopt;
+    return CellPicture{c.scene.clearance, colors_};
+  }
 
  private:
-  TileImages images_;
+  ColorScalePtr colors_;
 };
 
 nanogui::Color transparent(nanogui::Color color) {
@@ -56,16 +58,19 @@ class VoronoiLayer : public SceneLayer {
  public:
   VoronoiLayer()
       : SceneLayer("voronoi", "Voronoi diagram", palette().voronoi, false),
-        images_(blend_scale(transparent(palette().voronoi), palette().voronoi)) {}
+        colors_(blend_scale(transparent(palette().voronoi), palette().voronoi)) {}
 
   std::string missing(const SceneData& scene,
                       const std::vector<OverlayTrajectory>&) const override {
     return scene.voronoi ? "" : missing_step(scene);
   }
-  void draw(const LayerContext& c) override { images_.draw(c.ctx, c.scene.voronoi, c.view); }
+  std::optional<CellPicture> cells(const LayerContext& c) override {
+    if (!c.scene.voronoi) return std::nullopt;
+    return CellPicture{c.scene.voronoi, colors_};
+  }
 
  private:
-  TileImages images_;
+  ColorScalePtr colors_;
 };
 
 }  // namespace

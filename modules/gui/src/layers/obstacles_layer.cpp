@@ -1,12 +1,9 @@
 #include "layers.h"
 #include "shapes.h"
 
-#include <slalom/gui/drawing.h>
 #include <slalom/gui/palette.h>
-#include <slalom/gui/tile_images.h>
 
 #include <algorithm>
-#include <nanovg.h>
 
 namespace slalom {
 namespace {
@@ -31,72 +28,70 @@ Bounds bounds_of(const Polygon& polygon) {
   return box;
 }
 
-/// The floor and what stands on it: primitives as they are, cells, or points on the cells that
-/// they occupy. Of more shapes than can be drawn in time, the cells that they occupy are shown.
+/// What stands on the floor: primitives as they are, cells, or points on the cells that they
+/// occupy. Of more shapes than can be drawn in time only the cells that they occupy are shown.
 class ObstaclesLayer : public SceneLayer {
  public:
   ObstaclesLayer()
       : SceneLayer("obstacles", "Obstacles", palette().obstacle, true),
-        cells_(blend_scale(palette().floor, palette().obstacle)),
-        cells_of_points_(blend_scale(palette().floor, palette().point_cell)) {}
+        full_(blend_scale(palette().floor, palette().obstacle)),
+        faint_(blend_scale(palette().floor, palette().point_cell)) {}
+
+  std::optional<CellPicture> cells(const LayerContext& c) override {
+    find_seen(c);
+    if (!c.scene.obstacles) return std::nullopt;
+    const Representation kind = c.scene.scenario().representation();
+    if (kind == Representation::Continuous && !too_many_) return std::nullopt;
+    return CellPicture{c.scene.obstacles, kind == Representation::Points ? faint_ : full_};
+  }
 
   void draw(const LayerContext& c) override {
-    switch (c.scene.scenario().representation()) {
-      case Representation::Continuous:
-        return draw_primitives(c);
-      case Representation::Grid:
-        return cells_.draw(c.ctx, c.scene.obstacles, c.view);
-      case Representation::Points:
-        return draw_points(c);
-    }
+    if (too_many_ && c.scene.obstacles) return;
+    for (const Disc* disc : discs_) shapes::fill_disc(c.ctx, c.view, *disc, color(), 1);
+    for (const Polygon* polygon : polygons_)
+      shapes::fill_polygon(c.ctx, c.view, polygon->vertices, color());
+    shapes::dots(c.ctx, c.view, points_, color(), 2);
   }
 
  private:
   static constexpr std::size_t kMostPrimitives = 600, kMostPoints = 3000;
 
-  void draw_primitives(const LayerContext& c) {
-    const Primitives& all = c.scene.scenario().primitives();
+  /// The shapes that are seen, unless they are too many to be drawn.
+  void find_seen(const LayerContext& c) {
+    discs_.clear();
+    polygons_.clear();
+    points_.clear();
+    too_many_ = false;
     const Bounds seen = c.view.visible();
-    const auto is_seen = [&seen](const auto& shape) { return overlap(bounds_of(shape), seen); };
-    const auto count = std::count_if(all.discs.begin(), all.discs.end(), is_seen) +
-                       std::count_if(all.polygons.begin(), all.polygons.end(), is_seen);
-    if (c.scene.obstacles && static_cast<std::size_t>(count) > kMostPrimitives)
-      return cells_.draw(c.ctx, c.scene.obstacles, c.view);
-    draw_floor(c);
-    for (const Disc& disc : all.discs)
-      if (is_seen(disc)) shapes::fill_disc(c.ctx, c.view, disc, color(), 1);
-    for (const Polygon& polygon : all.polygons)
-      if (is_seen(polygon)) shapes::fill_polygon(c.ctx, c.view, polygon.vertices, color());
+    if (c.scene.scenario().representation() == Representation::Continuous)
+      find_primitives(c.scene.scenario().primitives(), seen);
+    if (c.scene.scenario().representation() == Representation::Points)
+      find_points(*c.scene.scenario().point_map(), seen);
   }
 
-  void draw_points(const LayerContext& c) {
-    if (c.scene.obstacles)
-      cells_of_points_.draw(c.ctx, c.scene.obstacles, c.view);
-    else
-      draw_floor(c);
-    const auto& map = *c.scene.scenario().point_map();
+  void find_primitives(const Primitives& all, const Bounds& seen) {
+    for (const Disc& disc : all.discs)
+      if (overlap(bounds_of(disc), seen)) discs_.push_back(&disc);
+    for (const Polygon& polygon : all.polygons)
+      if (overlap(bounds_of(polygon), seen)) polygons_.push_back(&polygon);
+    too_many_ = discs_.size() + polygons_.size() > kMostPrimitives;
+  }
+
+  void find_points(const mrpt::maps::CSimplePointsMap& map, const Bounds& seen) {
     const auto& xs = map.getPointsBufferRef_x();
     const auto& ys = map.getPointsBufferRef_y();
-    const Bounds seen = c.view.visible();
-    std::vector<TPoint2D> points;
-    for (std::size_t i = 0; i < xs.size() && points.size() <= kMostPoints; ++i)
-      if (seen.contains({xs[i], ys[i]})) points.push_back(c.view.to_screen({xs[i], ys[i]}));
-    if (points.size() > kMostPoints && c.scene.obstacles) return;
-    nvgBeginPath(c.ctx);
-    for (const TPoint2D& p : points)
-      nvgRect(c.ctx, static_cast<float>(p.x - 1), static_cast<float>(p.y - 1), 2, 2);
-    nvgFillColor(c.ctx, color());
-    nvgFill(c.ctx);
+    for (std::size_t i = 0; i < xs.size() && !too_many_; ++i) {
+      if (seen.contains({xs[i], ys[i]})) points_.emplace_back(xs[i], ys[i]);
+      too_many_ = points_.size() > kMostPoints;
+    }
   }
 
-  static void draw_floor(const LayerContext& c) {
-    const Bounds& bounds = c.scene.scenario().bounds();
-    const TPoint2D low = c.view.to_screen({bounds.x_min, bounds.y_min});
-    const TPoint2D high = c.view.to_screen({bounds.x_max, bounds.y_max});
-    draw::fill(c.ctx, {low.x, high.y, high.x - low.x, low.y - high.y}, palette().floor);
-  }
-
-  TileImages cells_, cells_of_points_;
+  ColorScalePtr full_, faint_;
+  /// Of the scene that is being drawn.
+  std::vector<const Disc*> discs_;
+  std::vector<const Polygon*> polygons_;
+  std::vector<TPoint2D> points_;
+  bool too_many_ = false;
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <slalom/gui/palette.h>
 
 #include <cmath>
-#include <nanovg.h>
 
 namespace slalom {
 namespace {
@@ -31,30 +30,19 @@ class ScanLayer : public SceneLayer {
     const ScanGeometry geometry = c.scene.scan_geometry();
     ranges_.resize(static_cast<std::size_t>(geometry.count));
     c.scene.ray_caster->cast_scan(pose, geometry, ranges_.data());
-    std::vector<TPoint2D> fan = {{pose.x, pose.y}};
+    std::vector<TPoint2D> fan = {{pose.x, pose.y}}, hits;
     for (int i = 0; i < geometry.count; ++i) {
       const double angle = pose.phi + geometry.angle(i),
                    range = ranges_[static_cast<std::size_t>(i)];
       fan.emplace_back(pose.x + range * std::cos(angle), pose.y + range * std::sin(angle));
+      if (range < geometry.max_range) hits.push_back(fan.back());
     }
     shapes::fill_polygon(c.ctx, c.view, fan, shapes::faded(color(), 0.25F));
-    draw_hits(c, fan, geometry.max_range);
+    shapes::dots(c.ctx, c.view, hits, color(), 3);
     shapes::robot(c.ctx, c.view, c.scene.settings.robot.shape(), pose, color());
   }
 
  private:
-  /// Where rays end on something, as small squares in one path.
-  void draw_hits(const LayerContext& c, const std::vector<TPoint2D>& fan, double max_range) const {
-    nvgBeginPath(c.ctx);
-    for (std::size_t i = 0; i < ranges_.size(); ++i) {
-      if (!(ranges_[i] < static_cast<float>(max_range))) continue;
-      const TPoint2D at = c.view.to_screen(fan[i + 1]);
-      nvgRect(c.ctx, static_cast<float>(at.x - 1.5), static_cast<float>(at.y - 1.5), 3, 3);
-    }
-    nvgFillColor(c.ctx, color());
-    nvgFill(c.ctx);
-  }
-
   std::vector<float> ranges_;
 };
 

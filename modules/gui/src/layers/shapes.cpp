@@ -59,6 +59,19 @@ void fill_polygon(NVGcontext* ctx, const ViewTransform& view, const std::vector<
   nvgFill(ctx);
 }
 
+void dots(NVGcontext* ctx, const ViewTransform& view, const std::vector<TPoint2D>& points,
+          const nanogui::Color& color, float side) {
+  if (points.empty()) return;  // NanoVG would fill the whole window with nothing
+  nvgBeginPath(ctx);
+  for (const TPoint2D& point : points) {
+    const TPoint2D p = view.to_screen(point);
+    nvgRect(ctx, static_cast<float>(p.x) - 0.5F * side, static_cast<float>(p.y) - 0.5F * side, side,
+            side);
+  }
+  nvgFillColor(ctx, color);
+  nvgFill(ctx);
+}
+
 void fill_disc(NVGcontext* ctx, const ViewTransform& view, const Disc& disc,
                const nanogui::Color& color, double least) {
   trace_disc(ctx, view, disc, least);

@@ -15,6 +15,9 @@ void polyline(NVGcontext* ctx, const ViewTransform& view,
               float width, bool closed = false);
 void fill_polygon(NVGcontext* ctx, const ViewTransform& view,
                   const std::vector<mrpt::math::TPoint2D>& vertices, const nanogui::Color& color);
+/// Small squares of so many pixels.
+void dots(NVGcontext* ctx, const ViewTransform& view,
+          const std::vector<mrpt::math::TPoint2D>& points, const nanogui::Color& color, float side);
 /// At least `least` pixels in radius, so that it is found from afar.
 void fill_disc(NVGcontext* ctx, const ViewTransform& view, const Disc& disc,
                const nanogui::Color& color, double least = 0);

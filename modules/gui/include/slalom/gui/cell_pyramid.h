@@ -35,11 +35,12 @@ class CellPyramid {
   int levels() const { return static_cast<int>(levels_.size()); }
   int size_x(int level) const { return levels_[static_cast<std::size_t>(level)].size_x; }
   int size_y(int level) const { return levels_[static_cast<std::size_t>(level)].size_y; }
-  std::uint8_t value(int level, int cx, int cy) const {
+  /// The values of a row of cells from the left.
+  const std::uint8_t* row(int level, int cy) const {
     const Level& at = levels_[static_cast<std::size_t>(level)];
-    return at.values[static_cast<std::size_t>(cy) * static_cast<std::size_t>(at.size_x) +
-                     static_cast<std::size_t>(cx)];
+    return &at.values[static_cast<std::size_t>(cy) * static_cast<std::size_t>(at.size_x)];
   }
+  std::uint8_t value(int level, int cx, int cy) const { return row(level, cy)[cx]; }
 
   /// The finest level of which a cell is at least a pixel wide; the coarsest if there is none.
   int level_for(double pixels_per_metre) const;

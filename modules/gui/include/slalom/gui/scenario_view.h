@@ -24,7 +24,8 @@ class ScenarioView : public Element {
  public:
   explicit ScenarioView(nanogui::Widget* parent);
 
-  /// The user has edited the scenario that is shown. It stays as it is until set_scene().
+  /// The user has edited the scenario that is shown. It stays as it is until set_scene(). Where
+  /// nobody listens there are no tools.
   std::function<void(const SceneEdit&)> on_edit;
   /// Layers were switched or the legend opened or closed.
   std::function<void()> on_layers;
@@ -51,8 +52,8 @@ class ScenarioView : public Element {
 
   const ViewTransform& transform() const { return view_; }
   void fit();
-  void zoom(double factor);          ///< about the middle
-  void pan(double dx, double dy);    ///< pixels
+  void zoom(double factor);        ///< about the middle
+  void pan(double dx, double dy);  ///< pixels
 
   std::string text() const override;
   std::optional<ScreenRect> rect_of(const std::string& part) const override;
@@ -95,6 +96,7 @@ class ScenarioView : public Element {
   std::string layer_line(const SceneLayer& layer) const;
 
   void draw_scene(NVGcontext* ctx);
+  void draw_ground(const LayerContext& context);
   void draw_preview(NVGcontext* ctx) const;
   void draw_pointer(NVGcontext* ctx) const;
   void draw_scale_bar(NVGcontext* ctx) const;
@@ -107,6 +109,7 @@ class ScenarioView : public Element {
   std::string message_ = "No scenario is chosen";
   std::vector<OverlayTrajectory> trajectories_;
   SceneLayers layers_;
+  TileImages tiles_;
   bool legend_open_ = true;
 
   ViewLayout layout_;
@@ -114,7 +117,7 @@ class ScenarioView : public Element {
   bool fitted_ = true;  ///< all is shown, also when the size changes
 
   SceneEditor editor_;
-  std::optional<Point> pointer_;  ///< m
+  std::optional<Point> pointer_;   ///< m
   bool keyboard_pointer_ = false;  ///< it was moved by keys: a cross is drawn there
   std::string hovered_;            ///< part under the mouse
   bool panning_ = false;

@@ -2,6 +2,7 @@
 
 #include <slalom/gui/overlay_trajectory.h>
 #include <slalom/gui/scene.h>
+#include <slalom/gui/tile_images.h>
 
 #include <memory>
 #include <nanogui/nanogui.h>
@@ -40,8 +41,11 @@ class SceneLayer {
   }
   /// What is worth saying about it, with units; empty for nothing.
   virtual std::string note(const SceneData&) const { return ""; }
-  /// In screen coordinates of the view; does nothing when there is nothing to draw.
-  virtual void draw(const LayerContext& context) = 0;
+  /// What it shows as cells, if it does. The view draws those of all layers at once, on the floor
+  /// and below all else.
+  virtual std::optional<CellPicture> cells(const LayerContext&) { return std::nullopt; }
+  /// The rest, in screen coordinates of the view, after cells().
+  virtual void draw(const LayerContext&) {}
 
  private:
   std::string id_, title_;
