@@ -1,6 +1,9 @@
+#include "services.h"
+
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
+#include <slalom/gui/making_actions.h>
 #include <slalom/gui/scenario_view.h>
 #include <slalom/gui/studio_actions.h>
 #include <slalom/io/result_file.h>
@@ -52,10 +55,13 @@ StudioSettings remembered(const std::string& file, std::string& complaint) {
 }
 
 void add_actions(StudioWindow& window) {
+  const auto services = std::make_shared<const StudioServices>(make_services());
   add_file_actions(window);
+  add_exchange_actions(window, services);
   add_quit_action(window);
   add_edit_actions(window);
   add_list_actions(window);
+  add_generate_actions(window, services);
   add_view_actions(window);
   add_help_actions(window);
 }

@@ -145,7 +145,7 @@ void FormPanel::go_to(std::size_t stop) {
   const auto& choices = model_.fields()[stop].choices;
   for (std::size_t i = choices.size(); i-- > 0;)
     if (model_.is_chosen(stop, choices[i])) choice_ = i;
-  if (const FormLine* line = layout_.line_of(stop)) {
+  if (const FormLine* line = context_ == nullptr ? nullptr : layout_.line_of(stop)) {
     if (line->top < scroll_) scroll_to(line->top);
     if (line->top + line->height > scroll_ + content().height)
       scroll_to(line->top + line->height - content().height);

@@ -1,0 +1,152 @@
+#include <slalom/core/error.h>
+#include <slalom/gui/form_panel.h>
+
+#include <gtest/gtest.h>
+
+#include <GLFW/glfw3.h>
+
+namespace slalom {
+namespace {
+
+/// A form without a window: what keys and characters do to it.
+class FormPanelKeys : public testing::Test {
+ protected:
+  void open() {
+    panel_ = new FormPanel(nullptr, form_, [this] { ++closed_; });
+  }
+  void key(int key, int modifiers = 0) {
+    panel_->keyboardEvent(key, 0, GLFW_PRESS, modifiers);
+    panel_->keyboardEvent(key, 0, GLFW_RELEASE, modifiers);
+  }
+  void type(const std::string& text) {
+    for (const char c : text) panel_->keyboardCharacterEvent(static_cast<unsigned char>(c));
+  }
+  void SetUp() override {
+    form_.title = "Order";
+    FormField size{"size", "Size", FieldKind::Choice, "small"};
+    size.choices = {"small", "large"};
+    FormField toppings{"toppings", "Toppings", FieldKind::Choices, "olives"};
+    toppings.choices = {"ham", "olives"};
+    toppings.required = false;
+    form_.fields = {{"head", "What", FieldKind::Heading},
+                    {"name", "Name", FieldKind::Text, "Ada"},
+                    {"count", "Count", FieldKind::Integer, "1"},
+                    size,
+                    toppings,
+                    {"hot", "Hot", FieldKind::Flag}};
+    form_.accepted = [this](const FormValues& values) { accepted_ = values; };
+    open();
+  }
+
+  FormDescription form_;
+  nanogui::ref<FormPanel> panel_;
+  FormValues accepted_;
+  int closed_ = 0;
+};
+
+TEST_F(FormPanelKeys, TypeOverTheFirstFieldAndGoOnWithTab) {
+  type("Bob");
+  key(GLFW_KEY_TAB);
+  type("12");
+  key(GLFW_KEY_BACKSPACE);
+  key(GLFW_KEY_ENTER);
+  EXPECT_EQ(accepted_["name"], "Bob") << "what was there is selected at first";
+  EXPECT_EQ(accepted_["count"], "1");
+  EXPECT_EQ(closed_, 1);
+}
+
+TEST_F(FormPanelKeys, ChooseWithArrowsAndSpace) {
+  key(GLFW_KEY_DOWN);
+  key(GLFW_KEY_DOWN);
+  key(GLFW_KEY_RIGHT);  // large
+  key(GLFW_KEY_DOWN);   // at olives, which is chosen
+  key(GLFW_KEY_SPACE);
+  key(GLFW_KEY_LEFT);
+  key(GLFW_KEY_SPACE);
+  key(GLFW_KEY_DOWN);
+  key(GLFW_KEY_SPACE);
+  key(GLFW_KEY_ENTER);
+  EXPECT_EQ(accepted_["size"], "large");
+  EXPECT_EQ(accepted_["toppings"], "ham");
+  EXPECT_EQ(accepted_["hot"], "true");
+}
+
+TEST_F(FormPanelKeys, GoRoundBackwardsOverTheButtons) {
+  key(GLFW_KEY_TAB, GLFW_MOD_SHIFT);  // OK
+  key(GLFW_KEY_TAB, GLFW_MOD_SHIFT);  // Cancel
+  key(GLFW_KEY_ENTER);
+  EXPECT_TRUE(accepted_.empty());
+  EXPECT_EQ(closed_, 1);
+}
+
+TEST_F(FormPanelKeys, EscapeGivesUp) {
+  key(GLFW_KEY_ESCAPE);
+  EXPECT_TRUE(accepted_.empty());
+  EXPECT_EQ(closed_, 1);
+}
+
+TEST_F(FormPanelKeys, StayWithWhatIsWrong) {
+  panel_->fill_in("count", "few");
+  key(GLFW_KEY_ENTER);
+  EXPECT_EQ(closed_, 0);
+  EXPECT_NE(panel_->text().find("Count: 'few' is not valid"), std::string::npos) << panel_->text();
+  type("3");  // the field that is wrong has the keyboard
+  EXPECT_EQ(panel_->text().find("is not valid"), std::string::npos) << panel_->text();
+  key(GLFW_KEY_ENTER);
+  EXPECT_EQ(accepted_["count"], "3");
+}
+
+TEST_F(FormPanelKeys, ShowWhatTheTakerRefuses) {
+  form_.accepted = [](const FormValues&) { throw usage_error("oven", "is cold", "a hot one"); };
+  open();
+  key(GLFW_KEY_ENTER);
+  EXPECT_EQ(closed_, 0);
+  EXPECT_NE(panel_->text().find("oven: is cold; expected a hot one"), std::string::npos);
+}
+
+TEST_F(FormPanelKeys, CloseAMessage) {
+  form_ = {};
+  form_.title = "Done";
+  form_.intro = "All is well.";
+  open();
+  EXPECT_NE(panel_->text().find("All is well."), std::string::npos);
+  EXPECT_FALSE(panel_->rect_of("cancel").has_value());
+  key(GLFW_KEY_DOWN);
+  key(GLFW_KEY_ENTER);
+  EXPECT_EQ(closed_, 1);
+}
+
+TEST(FormLayout, KeepsLinesApartAndWrapsChoices) {
+  FormDescription form;
+  FormField many{"many", "Many", FieldKind::Choices, "", "", "help"};
+  for (int i = 0; i < 20; ++i) many.choices.push_back("choice " + std::to_string(i));
+  FormField path{"path", "Path", FieldKind::Text, "", "", "help"};
+  path.wide = true;
+  form.fields = {many, {"count", "Count", FieldKind::Integer, "1", "m", "help"}, path};
+  const FormLayout layout(FormModel(form), 900, [](const std::string&, float) { return 80; });
+  ASSERT_EQ(layout.lines().size(), 3U);
+  double bottom = 0;
+  for (const FormLine& line : layout.lines()) {
+    EXPECT_DOUBLE_EQ(line.top, bottom);
+    bottom += line.height;
+    for (const ScreenRect& part : {line.label, line.box, line.unit, line.help}) {
+      if (part.width <= 0) continue;
+      EXPECT_GE(part.top, line.top);
+      EXPECT_LE(part.top + part.height, bottom);
+      EXPECT_LE(part.left + part.width, 900);
+    }
+  }
+  EXPECT_DOUBLE_EQ(layout.height(), bottom);
+  // Each is 100 wide with its margins, and 106 from the next; 700 px hold 6 or 7 beside each other.
+  const auto& choices = layout.lines()[0].choices;
+  ASSERT_EQ(choices.size(), 20U);
+  EXPECT_GT(choices[7].top, choices[0].top);
+  EXPECT_EQ(choices[5].top, choices[0].top);
+  for (std::size_t i = 1; i < choices.size(); ++i)
+    if (choices[i].top == choices[i - 1].top) {
+      EXPECT_GE(choices[i].left, choices[i - 1].left + choices[i - 1].width);
+    }
+}
+
+}  // namespace
+}  // namespace slalom
