@@ -1,5 +1,6 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/gui/scale_bar.h>
 #include <slalom/gui/scenario_view.h>
 
 #include <GLFW/glfw3.h>
@@ -42,18 +43,24 @@ ViewLayout ScenarioView::make_layout() const {
   std::vector<std::string> names;
   if (legend_open_)
     for (const auto& layer : layers_) names.push_back(layer->id());
-  return {static_cast<double>(width()), static_cast<double>(height()),
-          buttons(on_edit != nullptr), names};
+  return {static_cast<double>(width()), static_cast<double>(height()), buttons(on_edit != nullptr),
+          names};
 }
 
 void ScenarioView::adjust_to_size() {
   layout_ = make_layout();
-  view_ = view_on(layout_.canvas());
+  view_ = view_on(layout_);
 }
 
-ViewTransform ScenarioView::view_on(const ScreenRect& c) const {
-  if (fitted_ && scene_)
-    return ViewTransform::fitting(scene_->scenario().bounds(), c.left, c.top, c.width, c.height);
+ViewTransform ScenarioView::view_on(const ViewLayout& layout) const {
+  const ScreenRect& c = layout.canvas();
+  if (fitted_ && scene_) {
+    const ScreenRect open = layout.open_canvas();
+    const ViewTransform fit = ViewTransform::fitting(scene_->scenario().bounds(), open.left,
+                                                     open.top, open.width, open.height);
+    const Point middle(c.left + 0.5 * c.width, c.top + 0.5 * c.height);
+    return {fit.to_world(middle), fit.pixels_per_metre(), c.left, c.top, c.width, c.height};
+  }
   return view_.on(c.left, c.top, c.width, c.height);
 }
 
@@ -108,7 +115,7 @@ void ScenarioView::turn_scan(double angle) {
 
 void ScenarioView::fit() {
   fitted_ = true;
-  view_ = view_on(layout_.canvas());
+  view_ = view_on(layout_);
 }
 
 void ScenarioView::zoom(double factor) {
@@ -176,6 +183,7 @@ std::string ScenarioView::text() const {
       format("start %.3f %.3f m, %.1f deg\n", s.start().x, s.start().y, s.start().phi / kDegree);
   text += format("goal %.3f %.3f m\n", s.goal().x, s.goal().y);
   text += format("scale %.4g pixels per m\n", view_.pixels_per_metre());
+  text += "scale bar " + ScaleBar::choose(view_.pixels_per_metre(), kLongestScaleBar).text() + "\n";
   text += "tool " + info_of(tool()).id + "\n";
   for (const auto& layer : layers_)
     text += "layer " + layer->id() + ": " + layer_line(*layer) + "\n";
@@ -190,6 +198,7 @@ std::optional<ScreenRect> ScenarioView::rect_of(const std::string& part) const {
   const ViewLayout layout = make_layout();  // sizes may have changed since it was drawn last
   if (part == "canvas") return layout.canvas();
   if (part == "status") return layout.status();
+  if (part == "scale bar") return layout.scale_bar();
   if (const ViewLayout::Part* found = layout.find(part)) return found->rect;
   if (!scene_) return std::nullopt;
   Point at;
@@ -200,7 +209,7 @@ std::optional<ScreenRect> ScenarioView::rect_of(const std::string& part) const {
     at = scene_->scenario().goal();
   else if (std::sscanf(part.c_str(), "at %lf %lf", &at.x, &at.y) != 2)
     return std::nullopt;
-  const Point p = view_on(layout.canvas()).to_screen(at);
+  const Point p = view_on(layout).to_screen(at);
   if (!layout.canvas().contains(p.x, p.y)) return std::nullopt;
   return ScreenRect{p.x, p.y, 0, 0};
 }

@@ -5,6 +5,7 @@
 #include <slalom/gui/scale_bar.h>
 #include <slalom/gui/scenario_view.h>
 
+#include <algorithm>
 #include <nanovg.h>
 
 namespace slalom {
@@ -20,7 +21,7 @@ void clip(NVGcontext* ctx, const ScreenRect& rect) {
 }
 
 nanogui::Color translucent(nanogui::Color color) {
-  return shapes::faded(color, 0.9F);
+  return shapes::faded(color, 0.95F);
 }
 
 }  // namespace
@@ -34,6 +35,7 @@ void ScenarioView::draw(NVGcontext* ctx) {
   if (scene_) draw_legend(ctx);
   draw_tools(ctx);
   draw_status(ctx);
+  draw_scale_bar(ctx);
   if (focused()) draw::frame(ctx, layout_.canvas(), palette().accent);
   nvgRestore(ctx);
 }
@@ -53,7 +55,6 @@ void ScenarioView::draw_scene(NVGcontext* ctx) {
     if (layer->on()) layer->draw(context);
   draw_preview(ctx);
   draw_pointer(ctx);
-  draw_scale_bar(ctx);
   nvgRestore(ctx);
 }
 
@@ -103,17 +104,18 @@ void ScenarioView::draw_pointer(NVGcontext* ctx) const {
 }
 
 void ScenarioView::draw_scale_bar(NVGcontext* ctx) const {
-  const ScreenRect& canvas = layout_.canvas();
-  const ScaleBar bar = ScaleBar::choose(view_.pixels_per_metre(), 140);
-  const ScreenRect box{canvas.left + 8, canvas.top + canvas.height - 42, bar.pixels + 16, 34};
-  draw::fill(ctx, {box.left, box.top, std::max(box.width, 64.0), box.height},
-             translucent(palette().panel), 4);
-  draw::text(ctx, {box.left + 8, box.top + 2, 60, 18}, bar.text(), palette().text,
-             draw::kSmallTextSize);
-  const double left = box.left + 8, right = left + bar.pixels, y = box.top + 27;
+  const ScreenRect& place = layout_.scale_bar();
+  draw::fill(ctx, place, palette().panel);
+  if (!scene_) return;
+  const ScaleBar bar =
+      ScaleBar::choose(view_.pixels_per_metre(), std::min(kLongestScaleBar, place.width - 76));
+  const double right = place.left + place.width - 8, left = right - bar.pixels;
+  const double y = place.top + 0.5 * place.height;
+  draw::text(ctx, {place.left, place.top, left - place.left - 8, place.height}, bar.text(),
+             palette().text, draw::kSmallTextSize, draw::Align::Right);
   draw::line(ctx, left, y, right, y, palette().text, 2);
-  draw::line(ctx, left, y - 4, left, y + 4, palette().text, 2);
-  draw::line(ctx, right, y - 4, right, y + 4, palette().text, 2);
+  draw::line(ctx, left, y - 5, left, y + 5, palette().text, 2);
+  draw::line(ctx, right, y - 5, right, y + 5, palette().text, 2);
 }
 
 void ScenarioView::draw_tools(NVGcontext* ctx) const {
@@ -143,24 +145,30 @@ void ScenarioView::draw_legend(NVGcontext* ctx) const {
   draw::fill(ctx, layout_.legend(), translucent(palette().panel), 4);
   const ViewLayout::Part* title = layout_.find("legend");
   if (hovered_ == "legend") draw::fill(ctx, title->rect, palette().hover, 4);
-  draw::text(ctx, inset(title->rect, 8), legend_open_ ? "Layers (L hides them)" : "Layers (L)",
+  draw::text(ctx, inset(title->rect, 8), legend_open_ ? "Layers (L hides this list)" : "Layers (L)",
              palette().text, draw::kSmallTextSize, draw::Align::Left, true);
   for (const auto& layer : layers_)
     if (const ViewLayout::Part* row = layout_.find("layer " + layer->id()))
       draw_row(ctx, row->rect, *layer);
 }
 
-/// A box in the layer's colour, filled when it is on; its key, title, and what there is to say.
+/// A box that is ticked when it is on, its colour, its title and what there is to say.
 void ScenarioView::draw_row(NVGcontext* ctx, const ScreenRect& rect,
                             const SceneLayer& layer) const {
   if (hovered_ == "layer " + layer.id()) draw::fill(ctx, rect, palette().hover);
   const ScreenRect box{rect.left + 8, rect.top + 5, 12, 12};
-  draw::fill(ctx, box, layer.on() ? layer.color() : palette().panel, 2);
   draw::frame(ctx, box, palette().text);
+  if (layer.on()) {  // ticked: colours alone do not tell on from off to everybody
+    draw::line(ctx, box.left + 3, box.top + 6, box.left + 5, box.top + 9, palette().text, 2);
+    draw::line(ctx, box.left + 5, box.top + 9, box.left + 10, box.top + 3, palette().text, 2);
+  }
+  const ScreenRect sample{rect.left + 26, rect.top + 8, 16, 6};
+  draw::fill(ctx, sample, layer.color());
+  draw::frame(ctx, sample, palette().faint_text);
   const bool missing = !layer.missing(*scene_, trajectories_).empty();
   const std::string note = missing ? "NA" : layer.note(*scene_);
   const double wide = note.empty() ? 0 : draw::text_width(ctx, note, draw::kSmallTextSize) + 8;
-  draw::text(ctx, {rect.left + 28, rect.top, rect.width - 36 - wide, rect.height}, layer.title(),
+  draw::text(ctx, {rect.left + 48, rect.top, rect.width - 56 - wide, rect.height}, layer.title(),
              missing ? palette().faint_text : palette().text, draw::kSmallTextSize);
   draw::text(ctx, inset(rect, 8), note, palette().faint_text, draw::kSmallTextSize,
              draw::Align::Right);

@@ -68,7 +68,7 @@ std::vector<std::uint8_t> compose_tile(const std::vector<CellPicture>& pictures,
     std::copy(base.begin(), base.end(), pixel);
   for (const CellPicture& picture : pictures) {
     std::uint8_t* pixel = pixels.data();
-    for (int y = up - 1; y >= 0; --y) {
+    for (int y = 0; y < up; ++y) {
       const std::uint8_t* value =
           picture.pyramid->row(tile.level, tile.y * CellPyramid::kTile + y) +
           tile.x * CellPyramid::kTile;

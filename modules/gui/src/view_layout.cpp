@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kButtonHeight = 26, kGap = 4, kStatusHeight = 24;
 constexpr double kLegendWidth = 250, kRowHeight = 22, kLegendTitle = 24;
+constexpr double kClosedLegendWidth = 92, kScaleBarWidth = 220;
 /// Of a letter at the size of text of buttons, generously, and of the space beside it (pixels).
 constexpr double kLetter = 8, kPadding = 16;
 
@@ -15,7 +16,10 @@ constexpr double kLetter = 8, kPadding = 16;
 ViewLayout::ViewLayout(double width, double height, const std::vector<Button>& buttons,
                        const std::vector<std::string>& layers) {
   tools_ = {0, 0, width, place_buttons(width, buttons)};
-  status_ = {0, std::max(tools_.height, height - kStatusHeight), width, kStatusHeight};
+  const double below = std::max(tools_.height, height - kStatusHeight);
+  const double bar = std::min(kScaleBarWidth, 0.4 * width);
+  status_ = {0, below, width - bar, kStatusHeight};
+  scale_bar_ = {width - bar, below, bar, kStatusHeight};
   canvas_ = {0, tools_.height, width, std::max(1.0, status_.top - tools_.height)};
   place_legend(layers);
 }
@@ -35,7 +39,8 @@ double ViewLayout::place_buttons(double width, const std::vector<Button>& button
 }
 
 void ViewLayout::place_legend(const std::vector<std::string>& layers) {
-  const double width = std::min(kLegendWidth, canvas_.width - 2 * kGap);
+  const double width =
+      std::min(layers.empty() ? kClosedLegendWidth : kLegendWidth, canvas_.width - 2 * kGap);
   const double left = canvas_.left + canvas_.width - width - kGap, top = canvas_.top + kGap;
   parts_.push_back({"legend", {left, top, width, kLegendTitle}});
   double row = top + kLegendTitle;
@@ -45,6 +50,13 @@ void ViewLayout::place_legend(const std::vector<std::string>& layers) {
     row += kRowHeight;
   }
   legend_ = {left, top, width, row - top};
+}
+
+ScreenRect ViewLayout::open_canvas() const {
+  ScreenRect open = canvas_;
+  const bool room = canvas_.width > 2.5 * legend_.width && legend_.height > kLegendTitle;
+  if (room) open.width = legend_.left - canvas_.left;
+  return open;
 }
 
 const ViewLayout::Part* ViewLayout::at(double x, double y) const {

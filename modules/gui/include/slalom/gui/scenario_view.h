@@ -13,7 +13,8 @@
 namespace slalom {
 
 /// The current scenario to scale, in layers, to look at and to edit. Element "view" with the parts
-/// of ViewLayout, "canvas", "status", and places of the world as "at X Y" (m), "start", "goal".
+/// of ViewLayout, "canvas", "status", "scale bar", and places of the world as "at X Y" (m),
+/// "start", "goal".
 ///
 /// Mouse: the wheel zooms, a drag moves the view (with the left button, too, while the tool is to
 /// look); shift and the wheel, or shift and a drag, turn the scan. Keys: arrows move the view, with
@@ -69,11 +70,13 @@ class ScenarioView : public Element {
   bool keyboardEvent(int key, int scancode, int action, int modifiers) override;
 
  private:
+  static constexpr double kLongestScaleBar = 140;  ///< pixels
+
   using Point = mrpt::math::TPoint2D;
 
   SceneLayer& layer(const std::string& id) const;
   ViewLayout make_layout() const;
-  ViewTransform view_on(const ScreenRect& canvas) const;
+  ViewTransform view_on(const ViewLayout& layout) const;
   void adjust_to_size();
   Point local(const nanogui::Vector2i& p) const;
 

@@ -25,9 +25,13 @@ class ViewLayout {
              const std::vector<std::string>& layers);
 
   const ScreenRect& canvas() const { return canvas_; }  ///< of the scenario
-  const ScreenRect& status() const { return status_; }  ///< of the line below it
-  const ScreenRect& tools() const { return tools_; }    ///< behind the buttons
-  const ScreenRect& legend() const { return legend_; }  ///< behind its title and rows
+  /// The part of the canvas in which all of a scenario is fitted: beside the legend, where there is
+  /// room for both.
+  ScreenRect open_canvas() const;
+  const ScreenRect& status() const { return status_; }        ///< of the line of text below it
+  const ScreenRect& scale_bar() const { return scale_bar_; }  ///< at the end of that line
+  const ScreenRect& tools() const { return tools_; }          ///< behind the buttons
+  const ScreenRect& legend() const { return legend_; }        ///< behind its title and rows
   const std::vector<Part>& parts() const { return parts_; }
   /// The button or row there; null for none.
   const Part* at(double x, double y) const;
@@ -37,7 +41,7 @@ class ViewLayout {
   double place_buttons(double width, const std::vector<Button>& buttons);
   void place_legend(const std::vector<std::string>& layers);
 
-  ScreenRect canvas_, status_, tools_, legend_;
+  ScreenRect canvas_, status_, scale_bar_, tools_, legend_;
   std::vector<Part> parts_;
 };
 
