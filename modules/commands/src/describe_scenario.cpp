@@ -27,12 +27,14 @@ DescribedValue describe_timed(const Descriptor& descriptor, const DescriptorCont
 
 std::vector<DescribedValue> describe_scenario(const Scenario& scenario,
                                               const DescribeOptions& options,
-                                              DescriptorStore& store) {
-  return describe_world(World(scenario, options.resolution), options, store);
+                                              DescriptorStore& store,
+                                              const DescribeObserver& observer) {
+  return describe_world(World(scenario, options.resolution), options, store, observer);
 }
 
 std::vector<DescribedValue> describe_world(const World& world, const DescribeOptions& options,
-                                           DescriptorStore& store) {
+                                           DescriptorStore& store,
+                                           const DescribeObserver& observer) {
   const double radius = options.robot.inscribed_radius();
   const DescriptorContext context{
       world,
@@ -42,11 +44,13 @@ std::vector<DescribedValue> describe_world(const World& world, const DescribeOpt
       options.exact_confinement,
       options.barn_visibility};
   std::vector<DescribedValue> values;
+  const auto add = [&](const Descriptor& wanted) {
+    values.push_back(describe_timed(wanted, context, store));
+    if (observer) observer(values.back());
+  };
   if (options.ids.empty())
-    for (const auto& wanted : all_descriptors())
-      values.push_back(describe_timed(*wanted, context, store));
-  for (const std::string& id : options.ids)
-    values.push_back(describe_timed(descriptor(id), context, store));
+    for (const auto& wanted : all_descriptors()) add(*wanted);
+  for (const std::string& id : options.ids) add(descriptor(id));
   return values;
 }
 

@@ -95,7 +95,6 @@ void DescriptorPanel::draw(NVGcontext* ctx) {
   nvgSave(ctx);
   nvgTranslate(ctx, static_cast<float>(mPos.x()), static_cast<float>(mPos.y()));
   nvgIntersectScissor(ctx, 0, 0, static_cast<float>(width()), static_cast<float>(height()));
-  draw::fill(ctx, *Element::rect_of(""), palette().panel);
   draw_tabs(ctx);
   draw_choices(ctx);
   nvgRestore(ctx);
@@ -122,6 +121,8 @@ void DescriptorPanel::draw_tabs(NVGcontext* ctx) const {
 
 void DescriptorPanel::draw_choices(NVGcontext* ctx) const {
   const Palette& colors = palette();
+  if (tab_ != Tab::Values)
+    draw::fill(ctx, {0, kTabs, static_cast<double>(width()), kChoices}, colors.panel);
   for (const std::string& choice : choices()) {
     const ScreenRect rect = choice_rect(choice);
     for (const std::string way : {" previous", " next"})

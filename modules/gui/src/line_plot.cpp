@@ -86,7 +86,7 @@ void LinePlot::draw(NVGcontext* ctx) {
   draw::fill(ctx, *Element::rect_of(""), palette().panel);
   const PlotFrame shown = frame();
   if (!x_range_) {
-    draw::fill(ctx, shown.area, palette().window);
+    draw::frame(ctx, shown.area, palette().border);
     draw::text(ctx, shown.area, "no data", palette().faint_text, draw::kTextSize,
                draw::Align::Center);
   } else {

@@ -3,6 +3,7 @@
 #include <slalom/gui/plot_frame.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace slalom {
 namespace {
@@ -35,7 +36,6 @@ void PlotFrame::draw(NVGcontext* ctx, const std::string& x_title,
                      const std::string& y_title) const {
   const Palette& colors = palette();
   const double bottom = area.top + area.height, right = area.left + area.width;
-  draw::fill(ctx, area, colors.window);
   for (const auto& tick : x.ticks(std::max(1, static_cast<int>(area.width / kTickWide)))) {
     const double at = x.to_pixel(tick.value);
     draw::line(ctx, at, area.top, at, bottom, colors.hover);
@@ -43,7 +43,8 @@ void PlotFrame::draw(NVGcontext* ctx, const std::string& x_title,
                colors.faint_text, draw::kSmallTextSize, draw::Align::Center);
   }
   int most_up = std::max(1, static_cast<int>(area.height / kTickTall));
-  if (whole_y && y.high() - y.low() < most_up) most_up = static_cast<int>(y.high() - y.low());
+  if (whole_y && y.high() - y.low() < most_up)
+    most_up = static_cast<int>(std::ceil(y.high() - y.low()));
   for (const auto& tick : y.ticks(most_up)) {
     const double at = y.to_pixel(tick.value);
     draw::line(ctx, area.left, at, right, at, colors.hover);

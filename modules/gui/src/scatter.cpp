@@ -47,7 +47,7 @@ class DotCounts {
 
 /// The opacity of so many dots above each other.
 std::array<std::uint8_t, 256> opacities(std::size_t points) {
-  const double one = points <= kFewPoints ? 0.85 : points <= 20 * kFewPoints ? 0.5 : 0.25;
+  const double one = points <= kFewPoints ? 0.85 : points <= 20 * kFewPoints ? 0.5 : 0.1;
   std::array<std::uint8_t, 256> all{};
   for (std::size_t n = 0; n < all.size(); ++n)
     all[n] = static_cast<std::uint8_t>(

@@ -73,9 +73,9 @@ ScreenRect ScatterPlot::rect_between(const PlotFrame& frame, const Drag& drag) c
 
 std::string ScatterPlot::summary() const {
   std::string text = std::to_string(scatter_.points().size()) + " scenarios";
+  if (chosen_) text = std::to_string(chosen_count_) + " chosen of " + text;
   if (scatter_.left_out() > 0)
     text += ", " + std::to_string(scatter_.left_out()) + " without both values";
-  if (chosen_) text += "; " + std::to_string(chosen_count_) + " in the rectangle";
   return text;
 }
 
@@ -111,9 +111,9 @@ void ScatterPlot::draw(NVGcontext* ctx) {
     shown.draw(ctx, with_unit(x_info_.name, x_info_.unit), with_unit(y_info_.name, y_info_.unit));
     draw_points(ctx, shown);
     draw_marks(ctx, shown);
-    const double half = 0.5 * shown.area.width;
-    draw::text(ctx, {shown.area.left + half, 1, half, shown.area.top - 2}, summary(),
-               palette().faint_text, draw::kSmallTextSize, draw::Align::Right);
+    const double most = 0.7 * shown.area.width;
+    draw::text(ctx, {shown.area.left + shown.area.width - most, 1, most, shown.area.top - 2},
+               summary(), palette().faint_text, draw::kSmallTextSize, draw::Align::Right);
   }
   nvgRestore(ctx);
 }

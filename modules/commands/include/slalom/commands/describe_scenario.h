@@ -4,6 +4,7 @@
 #include <slalom/descriptors/descriptor_cache.h>
 #include <slalom/scenario/world.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,14 +30,19 @@ struct DescribedValue {
   double time_ms = 0;
 };
 
+/// Is shown each value as soon as it is known. What it throws ends the work.
+using DescribeObserver = std::function<void(const DescribedValue&)>;
+
 /// The values of a scenario's descriptors in the order of the ids: looked up in `store`, what is
 /// missing computed and kept there.
 std::vector<DescribedValue> describe_scenario(const Scenario& scenario,
                                               const DescribeOptions& options,
-                                              DescriptorStore& store);
+                                              DescriptorStore& store,
+                                              const DescribeObserver& observer = {});
 
 /// The same of a world that is there already; options.resolution has no effect.
 std::vector<DescribedValue> describe_world(const World& world, const DescribeOptions& options,
-                                           DescriptorStore& store);
+                                           DescriptorStore& store,
+                                           const DescribeObserver& observer = {});
 
 }  // namespace slalom

@@ -33,6 +33,7 @@ class DescriptorPanel : public Element {
 
   /// Of the list; null while there is none or they are not read.
   void set_list_values(std::shared_ptr<const ListValues> values);
+  const ListValues* list_values() const { return values_.get(); }
   /// What is said where a plot has nothing to show, e.g. "reading values..."
   void set_list_message(const std::string& message);
   /// What is done about the list's values, e.g. "computing 30 of 1000"; empty: nothing, and what is
