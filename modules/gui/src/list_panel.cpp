@@ -158,8 +158,10 @@ bool ListPanel::mouseMotionEvent(const nanogui::Vector2i& p, const nanogui::Vect
   for (const std::string& part : shown_parts())
     if (hovered_.empty() && rect_of(part)->contains(p.x() - mPos.x(), p.y() - mPos.y()))
       hovered_ = part;
-  setTooltip(hovered_.rfind("tab ", 0) == 0 ? documents_[std::stoul(hovered_.substr(4))]->path()
-                                            : "");
+  if (hovered_.rfind("tab ", 0) == 0)
+    setTooltip(documents_[std::stoul(hovered_.substr(4))]->path());
+  else
+    setTooltip(message_rect().contains(p.x() - mPos.x(), p.y() - mPos.y()) ? message() : "");
   return Element::mouseMotionEvent(p, rel, button, modifiers);
 }
 

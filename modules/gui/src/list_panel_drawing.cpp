@@ -10,7 +10,28 @@ namespace {
 
 constexpr double kMargin = 6, kControl = 28, kTabs = 32, kFoot = 26;
 constexpr double kLeastTab = 90, kMostTab = 200, kClose = 22;
-constexpr double kLongestMessage = 80;  // pixels high; what goes beyond is cut off
+constexpr double kLongestMessage = 80;  // pixels high
+constexpr float kMessageSize = draw::kSmallTextSize + 1;
+
+/// `text`, or its beginning with "…" that takes no more lines than there is room for.
+std::string fitting(NVGcontext* ctx, const std::string& text, double width) {
+  nvgFontFace(ctx, "sans");
+  nvgFontSize(ctx, kMessageSize);
+  nvgTextAlign(ctx, NVG_ALIGN_LEFT | NVG_ALIGN_TOP);
+  const auto fits = [&](const std::string& shown) {
+    float bounds[4];
+    nvgTextBoxBounds(ctx, 0, 0, static_cast<float>(width), shown.c_str(), nullptr, bounds);
+    return bounds[3] - bounds[1] <= kLongestMessage;
+  };
+  if (fits(text)) return text;
+  std::size_t good = 0, bad = text.size();
+  while (good + 1 < bad) {
+    const std::size_t middle = (good + bad) / 2;
+    (fits(text.substr(0, middle) + "…") ? good : bad) = middle;
+  }
+  while (good > 0 && (static_cast<unsigned char>(text[good]) & 0xC0U) == 0x80U) --good;
+  return text.substr(0, good) + "…";
+}
 
 double controls_top(double message_height) {
   return kTabs + kMargin + kControl + kMargin + message_height;
@@ -76,6 +97,12 @@ std::vector<std::string> ListPanel::shown_parts() const {
 
 void ListPanel::performLayout(NVGcontext* ctx) {
   Element::performLayout(ctx);
+  if (filter_->theme() == theme() && theme() != nullptr) {
+    // The theme's own colour of what may be typed is too faint to read.
+    nanogui::ref<nanogui::Theme> readable = new nanogui::Theme(*theme());
+    readable->mDisabledTextColor = palette().faint_text;
+    filter_->setTheme(readable);
+  }
   arrange();
 }
 
@@ -101,19 +128,7 @@ void ListPanel::draw(NVGcontext* ctx) {
   draw::fill(ctx, {0, 0, static_cast<double>(width()), kTabs}, colors.window);
   for (std::size_t tab = first_tab_; tab < documents_.size() && tab_rect(tab); ++tab)
     draw_tab(ctx, tab);
-  double message_height = 0;
-  if (!message().empty()) {
-    const bool error = !document()->filter_error().empty();
-    const double top = kTabs + kMargin + kControl + 4;
-    nvgSave(ctx);
-    nvgIntersectScissor(ctx, 0, static_cast<float>(top), static_cast<float>(width()),
-                        static_cast<float>(kLongestMessage));
-    const double tall =
-        draw::wrapped_text(ctx, {kMargin, top, width() - 2 * kMargin, kLongestMessage}, message(),
-                           error ? colors.error_text : colors.faint_text, draw::kSmallTextSize + 1);
-    nvgRestore(ctx);
-    message_height = std::ceil(std::min(tall, kLongestMessage)) + 4;
-  }
+  const double message_height = draw_message(ctx);
   if (message_height != message_height_) {
     message_height_ = message_height;
     arrange();
@@ -127,6 +142,26 @@ void ListPanel::draw(NVGcontext* ctx) {
              draw::kSmallTextSize + 1);
   nvgRestore(ctx);
   Element::draw(ctx);
+}
+
+double ListPanel::draw_message(NVGcontext* ctx) {
+  if (message().empty()) return 0;
+  const double wide = width() - 2 * kMargin;
+  if (message() != message_ || wide != message_width_) {
+    message_ = message();
+    message_width_ = wide;
+    message_shown_ = fitting(ctx, message_, wide);
+  }
+  const bool error = !document()->filter_error().empty();
+  return std::ceil(draw::wrapped_text(ctx, message_rect(), message_shown_,
+                                      error ? palette().error_text : palette().faint_text,
+                                      kMessageSize)) +
+         4;
+}
+
+ScreenRect ListPanel::message_rect() const {
+  return ScreenRect{kMargin, kTabs + kMargin + kControl + 4, width() - 2 * kMargin,
+                    message_height_};
 }
 
 void ListPanel::draw_tab(NVGcontext* ctx, std::size_t tab) const {

@@ -11,13 +11,25 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-/// Cells of places that are not made of cells are half a pixel wide.
 constexpr double kCellsPerPixel = 2;
-constexpr double kDiscRadius = 3.5;  // pixels
+constexpr double kMostCells = 100000;  // along a side
+constexpr double kDiscRadius = 3.5;    // pixels
 
 struct Cells {
   int first, end;
 };
+
+/// Of cells of places that have none (m); no larger than the shorter side.
+double cell_size(const Bounds& bounds, int pixels) {
+  const double longer = std::max(bounds.width(), bounds.height());
+  const double shorter = std::min(bounds.width(), bounds.height());
+  return std::max(std::min(longer / (kCellsPerPixel * pixels), shorter), longer / kMostCells);
+}
+
+/// Along a side; without a last one that reaches out of the place, which counts as occupied.
+int whole_cells(double length, const Occupancy& cells) {
+  return std::max(static_cast<int>(std::floor(length / cells.resolution() * (1 + 1e-6))), 1);
+}
 
 /// The cells that lie in a pixel, one at least.
 Cells cells_in(int pixel, int pixels, int cells) {
@@ -41,10 +53,12 @@ class Picture {
   }
 
   void draw_cells(const Occupancy& cells) {
+    const int across = whole_cells(bounds_.width(), cells),
+              up = whole_cells(bounds_.height(), cells);
     for (int py = 0; py < height_; ++py)
       for (int px = 0; px < width_; ++px) {
-        const double dark = darkness(cells, cells_in(px, width_, cells.size_x()),
-                                     cells_in(height_ - 1 - py, height_, cells.size_y()));
+        const double dark =
+            darkness(cells, cells_in(px, width_, across), cells_in(height_ - 1 - py, height_, up));
         set(left_ + px, top_ + py, palette().floor, 1);
         set(left_ + px, top_ + py, palette().obstacle, dark);
       }
@@ -109,8 +123,7 @@ class Picture {
 Thumbnail make_thumbnail(const Scenario& scenario, int size) {
   const Bounds& bounds = scenario.bounds();
   Picture picture(bounds, size);
-  picture.draw_cells(make_occupancy(
-      scenario, std::max(bounds.width(), bounds.height()) / (kCellsPerPixel * size)));
+  picture.draw_cells(make_occupancy(scenario, cell_size(bounds, size)));
   const auto& start = scenario.start();
   picture.draw_disc(scenario.goal(), palette().goal);
   picture.draw_heading({start.x, start.y}, start.phi, palette().start);

@@ -58,6 +58,8 @@ class ListPanel : public Element {
   std::optional<ScreenRect> tab_rect(std::size_t tab) const;
   bool press(const std::string& part);
   std::vector<std::string> shown_parts() const;
+  double draw_message(NVGcontext* ctx);  ///< returns its height
+  ScreenRect message_rect() const;
   void draw_tab(NVGcontext* ctx, std::size_t tab) const;
   void draw_control(NVGcontext* ctx, const std::string& part, const std::string& text) const;
   void draw_direction(NVGcontext* ctx) const;
@@ -66,7 +68,8 @@ class ListPanel : public Element {
   std::size_t active_ = 0;
   mutable std::size_t first_tab_ = 0;
   std::string hovered_;  ///< part below the mouse
-  double message_height_ = 0;
+  double message_height_ = 0, message_width_ = 0;
+  std::string message_, message_shown_;  ///< whole and as it fits
   std::string filter_shown_;  ///< what the filter of the document was when it was last looked at
   ThumbnailMaker thumbnails_;
   nanogui::TextBox* filter_;
