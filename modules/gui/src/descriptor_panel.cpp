@@ -153,12 +153,14 @@ void DescriptorPanel::update_current() {
   histogram_->set_current(value);
 }
 
+/// What is shown below the tabs tells itself.
 std::string DescriptorPanel::text() const {
   std::string text = model_.status();
-  if (!text.empty()) text += "\n";
-  if (!list_status_.empty()) text += list_status_ + "\n";
-  if (compute_rect()) text += std::to_string(missing()) + " values of the list are missing\n";
-  return text + shown()->text();
+  if (!list_status_.empty()) text += (text.empty() ? "" : "\n") + list_status_;
+  if (compute_rect())
+    text +=
+        (text.empty() ? "" : "\n") + std::to_string(missing()) + " values of the list are missing";
+  return text;
 }
 
 }  // namespace slalom
