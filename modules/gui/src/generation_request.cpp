@@ -165,12 +165,12 @@ FormDescription bins_generation_form(const GenerationDefaults& defaults) {
                  families_field("random, poisson_forest, cellular_automaton",
                                 "from which candidates are drawn, with options that vary"),
                  seed_field()};
+  add_target_fields(form, defaults.target);
   add_edges(form);
   for (FormField& field : coverage_fields()) form.fields.push_back(std::move(field));
   add_robot(form, defaults);
   form.fields.push_back(number_field("sensor_range", "Sensor range", defaults.sensor_range, "m",
                                      "R of clearness and confinement"));
-  add_target_fields(form, defaults.target);
   return form;
 }
 
