@@ -8,7 +8,7 @@
 namespace slalom {
 namespace {
 
-constexpr double kHead = 19, kRow = 18, kFoot = 20;  ///< pixels
+constexpr double kHead = 19, kRow = 17, kFoot = 20;  ///< pixels
 constexpr double kTwoColumns = 760;                  ///< pixels that two columns need
 constexpr float kSize = 14;
 
@@ -104,6 +104,7 @@ void DescriptorTable::draw(NVGcontext* ctx) {
   draw_heads(ctx);
   for (std::size_t row = first_; row < model_.rows().size(); ++row)
     if (const auto rect = row_rect(row)) draw_row(ctx, row, *rect);
+  draw_scroll_mark(ctx);
   draw_foot(ctx);
   nvgRestore(ctx);
 }
@@ -139,6 +140,15 @@ void DescriptorTable::draw_row(NVGcontext* ctx, std::size_t row, const ScreenRec
   const std::string unit = what.info.unit == "-" ? "" : what.info.unit;
   const std::string reason = failed ? "" : model_.reason(what);
   draw::text(ctx, cells.rest, reason.empty() ? unit : reason, faint, draw::kSmallTextSize);
+}
+
+/// Shows that there is more, and where this is.
+void DescriptorTable::draw_scroll_mark(NVGcontext* ctx) const {
+  if (last_first() == 0) return;
+  const double room = height() - kHead - kFoot, all = static_cast<double>(model_.rows().size());
+  const auto shown = static_cast<double>(rows_per_column() * columns());
+  const double top = kHead + room * static_cast<double>(first_) / all;
+  draw::fill(ctx, {width() - 5.0, top, 4, room * shown / all}, palette().border, 2);
 }
 
 void DescriptorTable::draw_foot(NVGcontext* ctx) const {

@@ -40,6 +40,7 @@ class DescriptorTable : public Element {
   std::optional<std::size_t> row_below(const nanogui::Vector2i& p) const;
   void draw_heads(NVGcontext* ctx) const;
   void draw_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) const;
+  void draw_scroll_mark(NVGcontext* ctx) const;
   void draw_foot(NVGcontext* ctx) const;
 };
 
