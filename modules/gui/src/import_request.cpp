@@ -30,12 +30,9 @@ FormDescription import_form(const StudioServices& services, const ListTarget& ta
   form.accept = "Import";
   form.intro =
       "Maps (MRPT, ROS, MovingAI, images) need a start and a goal, or a number of pairs to draw.";
-  FormField paths{"files",
-                  "Files",
-                  FieldKind::Text,
-                  join(files, ", "),
-                  "",
-                  "maps, BARN worlds or folders, .scenario.yaml; comma separated"};
+  FormField paths{
+      "files",           "Files", FieldKind::Text,
+      join(files, ", "), "",      "maps, BARN worlds or folders, .scenario.yaml; comma separated"};
   paths.wide = true;
   form.fields.push_back(paths);
   add_target_fields(form, target);

@@ -45,8 +45,9 @@ struct ImportedScenarios {
   std::vector<std::string> messages;  ///< what was left out, one line each
 };
 
-/// Reads the files in their order; tells how many are done. Throws Error: File for what cannot be read, Usage for a map
-/// without a task and for wrong places, Job for a pair that the robot cannot solve.
+/// Reads the files in their order; tells how many are done. Throws Error: File for what cannot be
+/// read, Usage for a map without a task and for wrong places, Job for a pair that the robot cannot
+/// solve.
 ImportedScenarios import_scenarios(const ImportRequest& request, Progress& progress);
 
 }  // namespace slalom
