@@ -55,13 +55,13 @@ TEST_F(Studio, RemembersHowItWasArranged) {
       "do layer.voronoi\n",
       "--settings deep/studio.ini");
   const std::string settings = read("deep/studio.ini");
-  EXPECT_NE(settings.find("width=1000"), std::string::npos) << settings;
+  EXPECT_NE(settings.find("\nwidth = 1000"), std::string::npos) << settings;
   EXPECT_NE(settings.find("voronoi"), std::string::npos) << settings;
-  const std::size_t at = settings.find("list_width=");
+  const std::size_t at = settings.find("list_width = ");
   ASSERT_NE(at, std::string::npos) << settings;
-  EXPECT_NEAR(std::stoi(settings.substr(at + 11)), 500, 20);
+  EXPECT_NEAR(std::stoi(settings.substr(at + 13)), 500, 20);
   expect_played("click menu Layers\nwait 0.1\nscreenshot a.png\n", "--settings deep/studio.ini");
-  EXPECT_NE(read("deep/studio.ini").find("width=1000"), std::string::npos);
+  EXPECT_NE(read("deep/studio.ini").find("\nwidth = 1000"), std::string::npos);
 }
 
 TEST_F(Studio, OpensAllTheSameWhenItsSettingsCannotBeUsed) {

@@ -92,6 +92,20 @@ void ListDocument::refresh() {
   }
 }
 
+void ListDocument::keep_values(const std::string& hash, const std::vector<GeneratedValue>& values) {
+  try {
+    list_->find_entry(hash);
+    list_->in_one_step([&] {
+      for (const GeneratedValue& value : values)
+        list_->keep(hash, value.id, value.version, value.parameters, value.value);
+    });
+    file_ = file_on_disk();
+    rows_.erase(hash);
+  } catch (const Error&) {
+    // Gone meanwhile, or a file that may not be written: values can be computed again.
+  }
+}
+
 void ListDocument::fail(const std::string& message) {
   // The request cannot be met as the list is now, such as a filter by an index that is gone.
   filter_error_ = message;

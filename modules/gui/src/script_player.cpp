@@ -12,6 +12,7 @@ using Kind = ScriptCommand::Kind;
 using nanogui::Vector2f;
 
 constexpr double kLongestWait = 300;  // s until work has to end
+constexpr double kLongestResize = 2;  // s
 constexpr int kMovesOfDrag = 6;
 constexpr float kFrameReach = 60;  // pixels by which `fps` drags to and fro
 
@@ -86,6 +87,18 @@ void ScriptPlayer::step() {
     fail(error.what());
   }
   if (moves_.empty() && frames_left_ == 0) ++next_;
+}
+
+/// The display takes its time to tell that the window has another size.
+void ScriptPlayer::resize(const ScriptCommand& command) {
+  host_.screen->setSize({command.width, command.height});
+  const double until = glfwGetTime() + kLongestResize;
+  int width = 0, height = 0;
+  do {
+    glfwWaitEventsTimeout(0.01);
+    glfwGetFramebufferSize(host_.screen->glfwWindow(), &width, &height);
+  } while ((width != command.width || height != command.height) && glfwGetTime() < until);
+  host_.screen->resizeCallbackEvent(command.width, command.height);
 }
 
 bool ScriptPlayer::still_waits(const ScriptCommand& command) {

@@ -7,19 +7,34 @@
 
 namespace slalom {
 
-Studio::Studio(SceneSettings settings, std::function<void()> wake)
-    : jobs_(std::move(wake)), scenes_(jobs_, std::move(settings)), results_(jobs_) {
-  scenes_.on_error = [this](const std::string& message) { complain(message); };
-  results_.on_error = [this](const std::string& message) { complain(message); };
+namespace {
+
+std::string describe_key(const std::string& path) {
+  return "describe " + path;
 }
 
-DescribeOptions Studio::describe_options() const {
-  const SceneSettings& settings = scenes_.settings();
+DescribeOptions options_for(const SceneSettings& settings) {
   DescribeOptions options;
   options.robot = settings.robot.shape();
   options.sensor_range = settings.sensor.max_range;
   options.resolution = settings.resolution;
   return options;
+}
+
+}  // namespace
+
+Studio::Studio(SceneSettings settings, std::function<void()> wake)
+    : jobs_(std::move(wake)),
+      scenes_(jobs_, std::move(settings)),
+      results_(jobs_),
+      describe_options_(options_for(scenes_.settings())),
+      descriptors_(jobs_, describe_options_) {
+  descriptors_.on_computed = [this](const std::string& hash,
+                                    const std::vector<GeneratedValue>& values) {
+    for (const auto& document : documents_) document->keep_values(hash, values);
+  };
+  scenes_.on_error = [this](const std::string& message) { complain(message); };
+  results_.on_error = [this](const std::string& message) { complain(message); };
 }
 
 ListDocument* Studio::active() const {
@@ -64,6 +79,12 @@ void Studio::watch(ListDocument& document) {
   document.on_current = [this, which](const std::string&) {
     if (which == active()) current_changed();
   };
+  document.on_view = [this, which] {
+    if (which == active() && on_view) on_view();
+  };
+  document.on_selection = [this, which] {
+    if (which == active() && on_selection) on_selection();
+  };
 }
 
 std::string Studio::current_hash() const {
@@ -81,6 +102,7 @@ void Studio::current_changed() {
   if (hash != shown_hash_) {
     shown_hash_ = hash;
     results_.show(hash);
+    descriptors_.show(active() == nullptr ? "" : active()->path(), hash);
     try {
       if (hash.empty())
         scenes_.clear();
@@ -116,7 +138,7 @@ void Studio::add(std::vector<Scenario> scenarios, std::vector<ScenarioOrigin> or
 void Studio::describe_list() {
   const std::string path = active()->path();
   jobs_.start(
-      "describe " + path, "Compute descriptors of " + active()->title(),
+      describe_key(path), "Compute descriptors of " + active()->title(),
       [this, path, options = describe_options()](Progress& progress) -> Jobs::Delivery {
         ScenarioList list = ScenarioList::open(path);
         make_describe_list(list, options, progress)->execute();
@@ -136,7 +158,8 @@ bool Studio::poll() {
 
 void Studio::look_at_files() {
   for (const auto& document : documents_)
-    if (document->follow_file() && on_message) on_message(document->notice(), true);
+    if (!jobs_.is_pending(describe_key(document->path())) && document->follow_file() && on_message)
+      on_message(document->notice(), true);
 }
 
 void Studio::say(const std::string& message) const {

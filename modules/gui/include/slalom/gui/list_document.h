@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/commands/list_command.h>
+#include <slalom/generation/generate_mix.h>
 #include <slalom/gui/list_lines.h>
 #include <slalom/gui/list_view.h>
 
@@ -73,6 +74,8 @@ class ListDocument {
   const std::string& notice() const { return notice_; }  ///< what happened to the file, if anything
   bool is_computing() const;                             ///< a view is on its way
   void refresh();                                        ///< after the list was changed
+  /// Keeps computed values of one scenario; nothing where the list does not have it.
+  void keep_values(const std::string& hash, const std::vector<GeneratedValue>& values);
   const ListView& view() const { return view_; }
   const ListLines& lines() const { return lines_; }
   void toggle_group(std::size_t group);

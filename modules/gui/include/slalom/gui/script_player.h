@@ -38,6 +38,7 @@ class ScriptPlayer {
 
  private:
   void play(const ScriptCommand& command);
+  void resize(const ScriptCommand& command);
   void click(const ScriptCommand& command);
   void drag(const ScriptCommand& command);
   void begin_frames(const ScriptCommand& command);

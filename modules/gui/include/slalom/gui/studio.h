@@ -1,5 +1,6 @@
 #pragma once
 
+#include <slalom/gui/descriptor_loader.h>
 #include <slalom/gui/jobs.h>
 #include <slalom/gui/list_document.h>
 #include <slalom/gui/results_loader.h>
@@ -22,12 +23,15 @@ class Studio {
 
   std::function<void()> on_documents;  ///< another list is open, closed or before the others
   std::function<void()> on_current;    ///< another scenario, or another content, is looked at
+  std::function<void()> on_view;       ///< the active list shows other scenarios
+  std::function<void()> on_selection;  ///< in the active list
   std::function<void(const std::string& message, bool is_error)> on_message;
 
   Jobs& jobs() { return jobs_; }
   SceneLoader& scenes() { return scenes_; }
   ResultsLoader& results() { return results_; }
-  DescribeOptions describe_options() const;
+  DescriptorLoader& descriptors() { return descriptors_; }
+  const DescribeOptions& describe_options() const { return describe_options_; }
 
   const std::vector<std::unique_ptr<ListDocument>>& documents() const { return documents_; }
   std::size_t active_index() const { return active_; }
@@ -64,6 +68,8 @@ class Studio {
   Jobs jobs_;
   SceneLoader scenes_;
   ResultsLoader results_;
+  DescribeOptions describe_options_;
+  DescriptorLoader descriptors_;
   std::vector<std::unique_ptr<ListDocument>> documents_;
   std::size_t active_ = 0;
   std::string shown_hash_;

@@ -68,7 +68,9 @@ class StudioWindow : public mrpt::gui::CDisplayWindowGUI {
   void show_layers(const std::string& names);
   void show_documents();
   void show_current();
-  void show_descriptors();
+  void connect_descriptors();
+  void show_list_values();
+  void show_progress();
   void arrange();
   void place(nanogui::Widget& widget, int left, int top, int width, int height) const;
   bool menu_key(int key);
@@ -86,7 +88,7 @@ class StudioWindow : public mrpt::gui::CDisplayWindowGUI {
   MenuPopup* popup_ = nullptr;
   MenuBar* menu_ = nullptr;
   ListPanel* list_ = nullptr;
-  Element* descriptors_ = nullptr;
+  DescriptorPanel* descriptors_ = nullptr;
   ScenarioView* view_ = nullptr;
   ResultsPanel* results_ = nullptr;
   StatusBar* status_ = nullptr;
