@@ -20,6 +20,7 @@ DescriptorModel::DescriptorModel() {
 }
 
 void DescriptorModel::show(const std::string& hash) {
+  if (hash == hash_) return;
   hash_ = hash;
   error_.clear();
   done_ = total_ = 0;

@@ -52,6 +52,14 @@ TEST(DescriptorModel, ForgetsTheValuesOfTheScenarioBefore) {
   EXPECT_EQ(model.chosen_row().info.id, "clearness");
 }
 
+TEST(DescriptorModel, KeepsTheValuesOfTheSameScenario) {
+  DescriptorModel model;
+  model.show("a");
+  model.set_values("a", {value_of("density", Value::of(0.25))});
+  model.show("a");
+  EXPECT_EQ(model.find("density")->state, State::Known);
+}
+
 TEST(DescriptorModel, SaysWhyThereIsNoNumber) {
   DescriptorModel model;
   model.show("a");

@@ -26,7 +26,8 @@ class DescriptorModel {
 
   DescriptorModel();  ///< all descriptors, in the order of the documents; no scenario
 
-  /// From now on about this scenario (its hash); empty: about none.
+  /// From now on about this scenario (its hash); empty: about none. Of the same one again, all that
+  /// is known stays.
   void show(const std::string& hash);
   /// The values that are not known yet are on their way: `done` of `total` steps so far.
   void set_computing(std::size_t done, std::size_t total);
