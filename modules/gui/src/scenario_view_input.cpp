@@ -14,10 +14,6 @@ constexpr double kPanStep = 40;                                 ///< pixels
 constexpr double kPointerStep = 10;                             ///< pixels
 constexpr double kTolerance = 6;                                ///< pixels
 
-constexpr int bit(int button) {
-  return 1 << button;
-}
-
 }  // namespace
 
 ScenarioView::Point ScenarioView::local(const nanogui::Vector2i& p) const {
@@ -125,7 +121,10 @@ void ScenarioView::end_edit(End end) {
 bool ScenarioView::scrollEvent(const nanogui::Vector2i& p, const nanogui::Vector2f& rel) {
   const Point at = local(p);
   if (!scene_ || !layout_.canvas().contains(at.x, at.y)) return true;
-  const bool shift = screen() != nullptr && (screen()->mouseModifiers() & GLFW_MOD_SHIFT) != 0;
+  // A turn of the wheel comes without modifiers.
+  GLFWwindow* window = screen()->glfwWindow();
+  const bool shift = glfwGetKey(window, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
+                     glfwGetKey(window, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
   // Some systems turn the wheel sideways while shift is held.
   const double steps = rel.y() != 0 ? rel.y() : rel.x();
   if (shift) {

@@ -33,6 +33,16 @@ TEST(ViewLayout, HasToolsAboveTheCanvasAndALineOfTextBelow) {
   EXPECT_DOUBLE_EQ(layout.status().top + layout.status().height, 500);
 }
 
+TEST(ViewLayout, FitsScenariosBesideTheLegendWhereThereIsRoom) {
+  const ViewLayout wide(800, 500, kButtons, kLayers);
+  EXPECT_FALSE(overlap(wide.open_canvas(), wide.legend()));
+  EXPECT_GT(wide.open_canvas().width, 500);
+  const ViewLayout narrow(400, 500, kButtons, kLayers), closed(800, 500, kButtons, {});
+  EXPECT_DOUBLE_EQ(narrow.open_canvas().width, 400);
+  EXPECT_DOUBLE_EQ(closed.open_canvas().width, 800);
+  EXPECT_FALSE(overlap(wide.scale_bar(), wide.status()));
+}
+
 TEST(ViewLayout, TakesMoreRowsForButtonsWhereItIsNarrow) {
   const ViewLayout wide(800, 500, kButtons, {}), narrow(120, 500, kButtons, {});
   expect_apart_and_inside(narrow, 120, 500);

@@ -1,0 +1,247 @@
+#include "studio_fixture.h"
+
+#include <cstdio>
+
+namespace slalom {
+namespace {
+
+/// A room of 10 m by 6 m with a disc at (5, 5) and a square at (7, 1), start (1, 3), goal (9, 3);
+/// and one of cells, 0.5 m wide, with nothing in it but walls of one cell above and below.
+class StudioView : public StudioTest {
+ protected:
+  void SetUp() override {
+    StudioTest::SetUp();
+    if (IsSkipped()) return;
+    write("room.scenario.yaml", R"(name: room
+representation: continuous
+bounds: [0, 0, 10, 6]
+start: [1, 3, 0]
+goal: [9, 3]
+discs:
+  - [5, 5, 0.5]
+polygons:
+  - [[7, 1], [8, 1], [8, 2], [7, 2]]
+)");
+    write("cells.scenario.yaml", R"(name: cells
+representation: grid
+bounds: [0, 0, 4, 3]
+start: [0.75, 1.25, 0]
+goal: [3.25, 1.25]
+resolution: 0.5
+cells:
+  - "########"
+  - "........"
+  - "........"
+  - "........"
+  - "........"
+  - "########"
+)");
+    ASSERT_EQ(run("slalom-scenarios import room.scenario.yaml -o room.scenarios").status, 0);
+    ASSERT_EQ(run("slalom-scenarios import cells.scenario.yaml -o cells.scenarios").status, 0);
+  }
+
+  /// The scenario of a list as it is on disk now.
+  std::string exported(const std::string& name) const {
+    const Ended ended = run("slalom-scenarios export " + name + ".scenarios --id " + name +
+                            " --format yaml -o now.scenario.yaml");
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    return read("now.scenario.yaml");
+  }
+};
+
+/// The numbers behind `word` in what a view shows.
+std::pair<double, double> numbers_after(const std::string& shown, const std::string& word) {
+  const std::size_t at = shown.find(word);
+  double x = -1, y = -1;
+  if (at != std::string::npos)
+    std::sscanf(shown.c_str() + at + word.size(), " %lf%*[^0-9]%lf", &x, &y);
+  return {x, y};
+}
+
+std::size_t count(const std::string& text, const std::string& word) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+    ++found;
+  return found;
+}
+
+constexpr double kPixel = 0.03;  // m, a little more than one in these windows
+
+TEST_F(StudioView, ShowsAScenarioInLayersThatAreSwitched) {
+  expect_played(
+      "wait idle\n"
+      "expect view contains \"scenario room, continuous\"\n"
+      "expect view contains \"Shortest path: on, 8.00 m\"\n"  // straight from x = 1 to 9
+      "expect view contains \"Voronoi diagram: off\"\n"
+      "click view \"layer voronoi\"\n"
+      "expect view contains \"Voronoi diagram: on\"\n"
+      "click view canvas\n"
+      "key 2\n"
+      "expect view contains \"Distance field: on, 0 to \"\n"
+      "key 3\n"
+      "expect view contains \"Voronoi diagram: off\"\n"
+      "expect view contains \"Published path: off, NA: none was published with this scenario\"\n"
+      "click view legend\n"
+      "key L\n"
+      "click view \"layer ends\"\n"
+      "expect view contains \"Start and goal: off\"\n"
+      "screenshot view.png\n",
+      "room.scenarios --settings s.ini");
+  EXPECT_EQ(read("view.png").substr(1, 3), "PNG");
+}
+
+TEST_F(StudioView, TellsPlaceAndClearanceUnderTheMouse) {
+  const std::string shown = expect_played("wait idle\nmove view \"at 2 2\"\nprint view\n",
+                                          "room.scenarios --settings s.ini");
+  const auto [x, y] = numbers_after(shown, "pointer x");
+  EXPECT_NEAR(x, 2, kPixel) << shown;
+  EXPECT_NEAR(y, 2, kPixel) << shown;
+  EXPECT_NEAR(numbers_after(shown, "clearance").first, 2, kPixel) << shown;  // to two walls
+}
+
+TEST_F(StudioView, ZoomsAndPansWithMouseAndKeys) {
+  const std::string shown = expect_played(
+      "wait idle\nprint view\n"
+      "wheel 3 view \"at 5 3\"\nmove view \"at 5 3\"\nprint view\n"
+      "key minus\nkey minus\nkey minus\n"
+      "drag view \"at 5 3\" to view \"at 6 3\"\n"
+      "key Left\nkey Right\nkey 0\nprint view\n",
+      "room.scenarios --settings s.ini");
+  std::vector<double> scales;
+  for (std::size_t at = shown.find("scale "); at != std::string::npos;
+       at = shown.find("scale ", at + 1))
+    if (shown.compare(at, 10, "scale bar ") != 0) scales.push_back(std::stod(shown.substr(at + 6)));
+  ASSERT_EQ(scales.size(), 3U) << shown;
+  EXPECT_NEAR(scales[1] / scales[0], 1.25 * 1.25 * 1.25, 0.01);
+  EXPECT_DOUBLE_EQ(scales[2], scales[0]);
+}
+
+TEST_F(StudioView, LooksAroundFromThePlaceUnderTheMouse) {
+  expect_played(
+      "wait idle\n"
+      "expect view contains \"Range scan at the mouse: on, 181 rays\"\n"
+      "move view \"at 5 3\"\n"
+      "expect view contains \"scan heading 0 deg\"\n"
+      "click view canvas\n"
+      "key Q\nkey Q\n"
+      "expect view contains \"scan heading 10 deg\"\n"
+      "drag view \"at 5 3\" to view \"at 5 4\" shift\n"
+      "expect view contains \"scan heading 90 deg\"\n"
+      "key W\n"
+      "expect view contains \"scan heading 85 deg\"\n",
+      "room.scenarios --settings s.ini");
+}
+
+TEST_F(StudioView, MovesStartAndGoalAndTakesItBack) {
+  const std::string shown = expect_played(
+      "wait idle\n"
+      "click view \"tool goal\"\n"
+      "click view \"at 8 4\"\n"
+      "wait idle\n"
+      "click view \"tool start\"\n"
+      "drag view \"at 2 3\" to view \"at 2 4\"\n"
+      "wait idle\n"
+      "print view\n"
+      "key Ctrl+Z\n"
+      "wait idle\n"
+      "expect view contains \"start 1.000 3.000 m, 0.0 deg\"\n"
+      "key Ctrl+Z\n"
+      "wait idle\n"
+      "expect view contains \"goal 9.000 3.000\"\n"
+      "key Ctrl+Y\n"
+      "wait idle\n"
+      "expect view lacks \"goal 9.000 3.000\"\n",
+      "room.scenarios --settings s.ini");
+  EXPECT_NEAR(numbers_after(shown, "goal").first, 8, kPixel) << shown;
+  EXPECT_NEAR(numbers_after(shown, "goal").second, 4, kPixel) << shown;
+  EXPECT_NEAR(numbers_after(shown, "start").first, 2, kPixel) << shown;
+  EXPECT_NE(shown.find("90.0 deg"), std::string::npos) << shown;
+}
+
+TEST_F(StudioView, AddsMovesAndDeletesObstacles) {
+  const std::string before = run("slalom-scenarios list room.scenarios --json").out;
+  expect_played(
+      "wait idle\n"
+      "click view \"tool disc\"\n"
+      "drag view \"at 3 1\" to view \"at 3 1.4\"\n"
+      "wait idle\n"
+      "click view \"tool polygon\"\n"
+      "click view \"at 2 4\"\n"
+      "click view \"at 3 4\"\n"
+      "click view \"at 3 5\"\n"
+      "key Enter\n"
+      "wait idle\n"
+      "click view \"tool move\"\n"
+      "drag view \"at 7.5 1.5\" to view \"at 7.5 4.5\"\n"
+      "wait idle\n"
+      "click view \"tool delete\"\n"
+      "click view \"at 5 5\"\n"
+      "wait idle\n",
+      "room.scenarios --settings s.ini");
+  const std::string now = exported("room");
+  EXPECT_EQ(count(now, "discs"), 1U) << now;
+  EXPECT_EQ(now.find("[5, 5, 0.5]"), std::string::npos) << now;
+  EXPECT_EQ(now.find("[7, 1]"), std::string::npos) << now;
+  EXPECT_NE(run("slalom-scenarios list room.scenarios --json").out, before);  // another hash
+  expect_played("wait idle\nexpect view contains \"scenario room\"\n",
+                "room.scenarios --settings s.ini");
+}
+
+TEST_F(StudioView, EditsWithTheKeyboardAlone) {
+  // The pointer begins in the middle and goes 3 x 10 pixels up.
+  const std::string shown = expect_played(
+      "wait idle\n"
+      "click view canvas\n"
+      "key G\n"
+      "expect view contains \"tool goal\"\n"
+      "key Shift+Up\nkey Shift+Up\nkey Shift+Up\n"
+      "print view\n"
+      "key Enter\nkey Enter\n"
+      "wait idle\n"
+      "print view\n"
+      "key Escape\n"
+      "expect view contains \"tool look\"\n",
+      "room.scenarios --settings s.ini");
+  const auto pointer = numbers_after(shown, "pointer x");
+  const auto goal = numbers_after(shown.substr(shown.rfind("\ngoal ")), "goal");
+  EXPECT_NEAR(goal.first, pointer.first, 0.001) << shown;
+  EXPECT_NEAR(goal.second, pointer.second, 0.001) << shown;
+}
+
+TEST_F(StudioView, PaintsAndErasesCells) {
+  expect_played(
+      "wait idle\n"
+      "click view \"tool paint\"\n"
+      "click view \"at 2.25 1.75\"\n"
+      "wait idle\n"
+      "click view \"tool erase\"\n"
+      "drag view \"at 1.25 2.75\" to view \"at 2.25 2.75\"\n"
+      "wait idle\n",
+      "cells.scenarios --settings s.ini");
+  const std::string now = exported("cells");
+  EXPECT_NE(now.find("##...###"), std::string::npos) << now;
+  EXPECT_NE(now.find("....#..."), std::string::npos) << now;
+  expect_played(
+      "wait idle\n"
+      "click view \"tool disc\"\n"
+      "expect view contains \"made of cells\"\n"
+      "expect view contains \"tool look\"\n",
+      "cells.scenarios --settings s.ini");
+}
+
+TEST_F(StudioView, SaysWhyAnEditIsImpossibleAndGoesOn) {
+  expect_played(
+      "wait idle\n"
+      "click view \"tool goal\"\n"
+      "click view \"at 5 5\"\n"  // in the disc
+      "wait idle\n"
+      "expect view contains \"status room: \"\n"
+      "expect view contains \"goal 9.000 3.000\"\n"
+      "click view \"at 8 4\"\n"
+      "wait idle\n"
+      "expect view lacks \"goal 9.000 3.000\"\n",
+      "room.scenarios --settings s.ini");
+}
+
+}  // namespace
+}  // namespace slalom
