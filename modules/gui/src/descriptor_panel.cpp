@@ -12,7 +12,7 @@ constexpr std::size_t kSecond = 2;  ///< of all descriptors: clearness, y at the
 DescriptorPanel::DescriptorPanel(nanogui::Widget* parent)
     : Element(parent, "descriptors"),
       y_(std::min(kSecond, model_.rows().size() - 1)),
-      list_message_("no list is open"),
+      list_message_("no values of a list yet"),
       table_(new DescriptorTable(this, model_)),
       histogram_(new HistogramPlot(this)),
       scatter_(new ScatterPlot(this)) {
