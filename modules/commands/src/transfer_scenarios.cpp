@@ -74,16 +74,47 @@ ListCommandPtr make_merge_lists(std::vector<ScenarioList*> sources, ScenarioList
                                            });
 }
 
-ListCommandPtr make_add_list(std::shared_ptr<ScenarioList> source, ScenarioList& target) {
+ListCommandPtr make_add_list(std::shared_ptr<ScenarioList> source, ScenarioList& target,
+                             Progress& progress) {
   expect_different(*source, target);
   const std::size_t count = source->size();
   return std::make_unique<RecordedCommand>(
       std::vector<ScenarioList*>{&target}, "Add " + scenarios_text(count),
-      [source = std::move(source), &target]() mutable {
-        copy(*source, {}, target);
+      [source = std::move(source), &target, &progress, count]() mutable {
+        progress.start("Adding scenarios", count);
+        std::size_t done = 0;
+        source->for_each({}, [&](const ScenarioList::Entry& entry) {
+          target.copy_from(*source, entry);
+          progress.advance(++done);
+          return true;
+        });
+        progress.finish();
         source.reset();
       },
       nothing_chosen(count));
+}
+
+namespace {
+
+class DoneCommand : public ListCommand {
+ public:
+  DoneCommand(std::shared_ptr<ScenarioList> list, ListCommandPtr command)
+      : list_(std::move(list)), command_(std::move(command)) {}
+
+  std::string title() const override { return command_->title(); }
+  void execute() override {}
+  void undo() override { command_->undo(); }
+  void redo() override { command_->redo(); }
+
+ private:
+  std::shared_ptr<ScenarioList> list_;
+  ListCommandPtr command_;  ///< goes first
+};
+
+}  // namespace
+
+ListCommandPtr make_done(std::shared_ptr<ScenarioList> list, ListCommandPtr command) {
+  return std::make_unique<DoneCommand>(std::move(list), std::move(command));
 }
 
 namespace {

@@ -47,4 +47,19 @@ MadeList make_list(const std::string& file, const std::function<void(ScenarioLis
   return made;
 }
 
+AddedScenarios add_to_list(const std::string& path, const MadeList& made, Progress& progress) {
+  AddedScenarios added;
+  const auto target = std::make_shared<ScenarioList>(ScenarioList::open(path));
+  const auto entries = made.aside->entries();
+  if (!entries.empty()) added.first = entries.front().hash;
+  const std::size_t before = target->size();
+  ListCommandPtr command = make_add_list(made.aside, *target, progress);
+  if (const std::string obstacle = command->obstacle(); !obstacle.empty())
+    throw job_error(path, obstacle);
+  command->execute();
+  added.count = target->size() - before;
+  added.command = make_done(target, std::move(command));
+  return added;
+}
+
 }  // namespace slalom

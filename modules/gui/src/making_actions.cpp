@@ -46,45 +46,48 @@ std::string added_text(std::size_t count, const std::string& where) {
   return std::to_string(count) + (count == 1 ? " scenario" : " scenarios") + " added to " + where;
 }
 
-/// Shows what a worker made: a new list, or more scenarios in the one that was asked for.
-void take_in(StudioWindow& window, const MadeList& made, const std::string& list) {
-  Studio& studio = window.studio();
-  if (made.aside == nullptr) {
-    studio.open_list(made.file);
-  } else {
-    ListDocument* const document = document_at(studio, list);
-    if (document == nullptr) throw job_error(list, "was closed meanwhile", "the list to stay open");
-    const auto entries = made.aside->entries();
-    const std::size_t before = document->list().size();
-    document->run(make_add_list(made.aside, document->list()));
-    if (!entries.empty()) document->set_current(entries.front().hash);
-    window.say(added_text(document->list().size() - before, document->title()));
+/// Shows a list that a worker added to, and lets the user take that back.
+void take_in(StudioWindow& window, AddedScenarios& added, const std::string& list) {
+  ListDocument* const document = document_at(window.studio(), list);
+  if (document != nullptr) {
+    document->run(std::move(added.command));
+    document->set_current(added.first);
   }
-  if (!made.report.empty()) window.show_message("How it went", made.report);
+  window.say(added_text(added.count, list));
 }
 
 using Make = std::function<MadeList(Progress&)>;
 
+/// Makes scenarios and adds them where they are to go, on a worker; what is left to be done on the
+/// window's thread.
+Jobs::Delivery make_and_add(StudioWindow& window, const std::string& list, const Make& make,
+                            Progress& progress) {
+  const MadeList made = make(progress);
+  // Deliveries are copied; the command cannot be.
+  const auto added = std::make_shared<AddedScenarios>();
+  if (made.aside != nullptr) *added = add_to_list(list, made, progress);
+  return [&window, list, added, file = made.file, report = made.report] {
+    try {
+      file.empty() ? take_in(window, *added, list) : window.studio().open_list(file);
+    } catch (const Error& error) {
+      window.show_message("Add scenarios", error.what());
+    }
+    if (!report.empty()) window.show_message("How it went", report);
+  };
+}
+
 void start_making(StudioWindow& window, const std::string& title, Make make) {
   Studio& studio = window.studio();
   const std::string list = studio.active() == nullptr ? "" : studio.active()->path();
-  const auto failed = [&window, title](const std::string& message) {
-    window.say(title + ": " + message, true);
-    window.show_message(title, message);
-  };
   studio.jobs().start(
       "make", title,
-      [&window, list, failed, make = std::move(make)](Progress& progress) -> Jobs::Delivery {
-        const MadeList made = make(progress);
-        return [&window, list, made, failed] {
-          try {
-            take_in(window, made, list);
-          } catch (const Error& error) {
-            failed(error.what());
-          }
-        };
+      [&window, list, make = std::move(make)](Progress& progress) {
+        return make_and_add(window, list, make, progress);
       },
-      failed);
+      [&window, title](const std::string& message) {
+        window.say(title + ": " + message, true);
+        window.show_message(title, message);
+      });
 }
 
 using ReadGeneration = GenerationRequest (*)(const FormValues&);

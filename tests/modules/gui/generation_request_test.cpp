@@ -115,10 +115,16 @@ TEST(GenerationRequest, FillsBinsAsideAndTellsHowItWent) {
 
   ScenarioList list = ScenarioList::create(folder / "a.scenarios");
   const std::string before = dump_list(list.path());
+  EndingProgress ending(1);
+  EXPECT_THROW(add_to_list(list.path(), made, ending), JobCancelled);
+  EXPECT_EQ(dump_list(list.path()), before);
+  AddedScenarios added = add_to_list(list.path(), made, *silent);
+  EXPECT_EQ(added.count, made.size);
   CommandHistory history;
-  history.execute(make_add_list(made.aside, list));
+  history.execute(std::move(added.command));
   EXPECT_EQ(list.size(), made.size);
   const ScenarioList::Entry entry = list.entries().front();
+  EXPECT_EQ(entry.hash, added.first);
   EXPECT_EQ(entry.generator, "coverage");
   EXPECT_EQ(entry.tags.front().substr(0, 4), "bin_");
   EXPECT_TRUE(list.find(entry.hash, "density", 1, "").has_value() ||

@@ -64,9 +64,14 @@ ListCommandPtr make_move_scenarios(ScenarioList& source, ListSelection selection
 ListCommandPtr make_select_into(ScenarioList& source, ListSelection selection, std::string path);
 /// Appends all of the sources; equal contents count once.
 ListCommandPtr make_merge_lists(std::vector<ScenarioList*> sources, ScenarioList& target);
-/// Appends all of a list that was made aside for this, with origins, tags and values. The source is
-/// let go once they are there.
-ListCommandPtr make_add_list(std::shared_ptr<ScenarioList> source, ScenarioList& target);
+/// Appends all of a list that was made aside for this, with origins, tags and values. execute()
+/// tells `progress`, which may throw to leave the target as it is; the source is let go once all
+/// are there.
+ListCommandPtr make_add_list(std::shared_ptr<ScenarioList> source, ScenarioList& target,
+                             Progress& progress);
+/// A command that a worker has executed on `list`, an opening of its own: for the history of who
+/// shows that list. Its execute() does nothing.
+ListCommandPtr make_done(std::shared_ptr<ScenarioList> list, ListCommandPtr command);
 ListCommandPtr make_rename_scenario(ScenarioList& list, std::string hash, std::string name);
 /// Puts an edited scenario in another's place.
 ListCommandPtr make_edit_scenario(ScenarioList& list, std::string hash, Scenario scenario);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <slalom/commands/list_command.h>
 #include <slalom/gui/form.h>
 #include <slalom/io/scenario_list.h>
 
@@ -17,7 +18,7 @@ struct ListTarget {
 
 /// Scenarios that a worker made.
 struct MadeList {
-  std::shared_ptr<ScenarioList> aside;  ///< to be added by make_add_list(); null for a new list
+  std::shared_ptr<ScenarioList> aside;  ///< to be added by add_to_list(); null for a new list
   std::string file;                     ///< of the new list
   std::size_t size = 0;
   std::string report;  ///< lines about how it went; may be empty
@@ -32,5 +33,16 @@ std::string read_target(const FormValues& values);
 /// Fills a new list, or one aside where `file` is empty. The new list stands in its place once it
 /// is whole; when `fill` throws, nothing is left of it.
 MadeList make_list(const std::string& file, const std::function<void(ScenarioList&)>& fill);
+
+/// What a worker added to a list.
+struct AddedScenarios {
+  std::size_t count = 0;
+  std::string first;       ///< hash of the first of them
+  ListCommandPtr command;  ///< to be remembered, so that it can be taken back; see make_done()
+};
+
+/// Appends what was made aside to the list at `path`, on an opening of its own, for any thread.
+/// When `progress` throws, the list stays as it is.
+AddedScenarios add_to_list(const std::string& path, const MadeList& made, Progress& progress);
 
 }  // namespace slalom
