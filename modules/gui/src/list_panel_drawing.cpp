@@ -102,6 +102,7 @@ void ListPanel::performLayout(NVGcontext* ctx) {
     nanogui::ref<nanogui::Theme> readable = new nanogui::Theme(*theme());
     readable->mDisabledTextColor = palette().faint_text;
     filter_->setTheme(readable);
+    filter_->setFontSize(15);  // which setTheme() undid
   }
   arrange();
 }
