@@ -151,6 +151,7 @@ bool ReplayBar::handle_key(int key, int modifiers) {
   const double step = (modifiers & GLFW_MOD_SHIFT) != 0 ? 1 : 0.1;
   switch (key) {
     case GLFW_KEY_SPACE:
+    case GLFW_KEY_P:
       clock_.toggle();
       break;
     case GLFW_KEY_LEFT:

@@ -86,7 +86,7 @@ bool ReplayWindow::keyboardEvent(int key, int scancode, int action, int modifier
     glfwSetWindowShouldClose(glfwWindow(), GLFW_TRUE);
     return true;
   }
-  return results_->keyboardEvent(key, scancode, action, modifiers);
+  return results_->replay().keyboardEvent(key, scancode, action, modifiers);
 }
 
 bool ReplayWindow::open_still() const {

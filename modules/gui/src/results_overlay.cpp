@@ -1,3 +1,4 @@
+#include <slalom/gui/line_series.h>
 #include <slalom/gui/palette.h>
 #include <slalom/gui/results_overlay.h>
 
@@ -155,9 +156,7 @@ std::optional<double> ResultsOverlay::now(std::size_t run,
                                           const std::vector<double>& series) const {
   const OverlayRun& of = runs_[run];
   if (!of.trajectory || clock_.time() > of.trajectory->duration()) return std::nullopt;
-  const std::size_t sample = sample_at(*of.trajectory, clock_.time());
-  if (sample >= series.size()) return std::nullopt;
-  return series[sample];
+  return LineSeries{"", {}, of.times, series}.value_at(clock_.time());
 }
 
 std::optional<double> ResultsOverlay::clearance_now(std::size_t run) const {

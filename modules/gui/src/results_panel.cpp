@@ -38,8 +38,8 @@ ResultsPanel::ResultsPanel(nanogui::Widget* parent)
     : Element(parent, "results"),
       table_(new RunTable(this, overlay_)),
       replay_(new ReplayBar(this, overlay_.clock())),
-      clearance_(new LinePlot(this, "plot clearance", "time (s)", "clearance (m)")),
-      speed_(new LinePlot(this, "plot speed", "time (s)", "speed (m/s)")) {
+      clearance_(new LinePlot(this, "plot_clearance", "time (s)", "clearance (m)")),
+      speed_(new LinePlot(this, "plot_speed", "time (s)", "speed (m/s)")) {
   for (LinePlot* plot : {clearance_, speed_})
     plot->on_seek = [this](double time) { replay_->seek(time); };
   table_->on_changed = [this] { runs_changed(); };
@@ -156,8 +156,8 @@ void ResultsPanel::draw(NVGcontext* ctx) {
 }
 
 bool ResultsPanel::keyboardEvent(int key, int scancode, int action, int modifiers) {
-  // nanogui asks outer elements first. What the table does not use are keys of the replay.
-  if (table_->focused() && table_->keyboardEvent(key, scancode, action, modifiers)) return true;
+  // nanogui asks outer elements first. Where the slider has not the keyboard, the table has.
+  if (!replay_->focused() && table_->keyboardEvent(key, scancode, action, modifiers)) return true;
   return replay_->keyboardEvent(key, scancode, action, modifiers);
 }
 

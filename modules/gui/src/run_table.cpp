@@ -1,62 +1,18 @@
-#include <slalom/gui/drawing.h>
-#include <slalom/gui/palette.h>
 #include <slalom/gui/run_table.h>
 
 #include <algorithm>
 #include <cstdio>
 
 namespace slalom {
-namespace {
-
-constexpr double kRowHeight = 24, kHeaderHeight = 24, kDetailHeight = 40, kMargin = 6;
-constexpr double kBox = 14, kIndent = 14, kScrollBar = 6;
-constexpr float kSize = draw::kSmallTextSize + 1;
-
-std::string shown_value(const Value& value, bool group) {
-  if (group) return "";
-  if (value.is_na()) return "NA";
-  char number[32];
-  std::snprintf(number, sizeof number, "%.2f", value.number());
-  return number;
-}
-
-void draw_box(NVGcontext* ctx, const ScreenRect& box, bool checked) {
-  const Palette& colors = palette();
-  draw::fill(ctx, box, checked ? colors.selected : colors.window, 2);
-  draw::frame(ctx, box, colors.faint_text);
-  if (!checked) return;
-  const double x = box.left, y = box.top;
-  draw::line(ctx, x + 3, y + 7, x + 6, y + 10, colors.text, 2);
-  draw::line(ctx, x + 6, y + 10, x + 11, y + 4, colors.text, 2);
-}
-
-ScreenRect in_middle(const ScreenRect& row, double left, double size) {
-  return {left, row.top + 0.5 * (row.height - size), size, size};
-}
-
-}  // namespace
-
-/// Left edges; a column that has no place has the width 0.
-struct RunTable::Columns {
-  double label = 0, label_width = 0, outcome = 0, outcome_width = 0;
-  double success = 0, success_width = 0, length = 0, time = 0, number_width = 66;
-};
 
 RunTable::RunTable(nanogui::Widget* parent, ResultsOverlay& overlay)
     : Element(parent, "runs"), overlay_(overlay) {}
 
-RunTable::Columns RunTable::columns() const {
-  Columns at;
-  const double right = width() - kMargin - kScrollBar;
-  at.time = right - at.number_width;
-  at.length = at.time - at.number_width;
-  at.success_width = width() >= 430 ? 64 : 0;
-  at.success = at.length - at.success_width;
-  at.label = kMargin + 2 * (kBox + 6);
-  at.outcome_width = std::min(190.0, 0.5 * (at.success - at.label));
-  at.outcome = at.success - at.outcome_width;
-  at.label_width = at.outcome - at.label - 6;
-  return at;
+std::string RunTable::shown_value(const Value& value) {
+  if (value.is_na()) return "NA";
+  char number[32];
+  std::snprintf(number, sizeof number, "%.2f", value.number());
+  return number;
 }
 
 void RunTable::set_message(std::string message) {
@@ -92,6 +48,14 @@ void RunTable::toggle_cursor() {
 
 bool RunTable::any_shown() const {
   return std::any_of(rows_.begin(), rows_.end(), [](const OverlayRow& row) { return row.shown; });
+}
+
+/// The panel around it hands keys on, unless another of its elements has the focus.
+bool RunTable::has_keyboard() const {
+  const auto& beside = parent()->children();
+  return focused() || (parent()->focused() &&
+                       std::none_of(beside.begin(), beside.end(),
+                                    [](const Widget* widget) { return widget->focused(); }));
 }
 
 void RunTable::toggle_all() {
@@ -148,97 +112,11 @@ std::string RunTable::text() const {
     text += row.label + (row.shown ? ": shown, " : ": hidden, ") + row.outcome + ", success " +
             row.success;
     if (!row.group)
-      text += ", length " + shown_value(row.length, false) + " m, time " +
-              shown_value(row.time, false) + " s";
+      text += ", length " + shown_value(row.length) + " m, time " + shown_value(row.time) + " s";
     text += "\n";
   }
   text.pop_back();
   return text;
-}
-
-void RunTable::draw_header(NVGcontext* ctx) const {
-  const Palette& colors = palette();
-  const Columns at = columns();
-  draw::fill(ctx, {0, 0, static_cast<double>(width()), kHeaderHeight}, colors.window);
-  if (!rows_.empty()) draw_box(ctx, box_of_all(), any_shown());
-  const auto title = [&](double left, double wide, const char* name, draw::Align align) {
-    if (wide > 0)
-      draw::text(ctx, {left, 0, wide, kHeaderHeight}, name, colors.faint_text, draw::kSmallTextSize,
-                 align);
-  };
-  title(at.label, at.label_width, "Method, run", draw::Align::Left);
-  title(at.outcome, at.outcome_width, "Outcome", draw::Align::Left);
-  title(at.success, at.success_width, "Success", draw::Align::Left);
-  title(at.length, at.number_width, "Length m", draw::Align::Right);
-  title(at.time, at.number_width, "Time s", draw::Align::Right);
-}
-
-void RunTable::draw_row(NVGcontext* ctx, std::size_t index) const {
-  const Palette& colors = palette();
-  const Columns at = columns();
-  const OverlayRow& row = rows_[index];
-  const ScreenRect rect = row_rect(index);
-  const bool at_cursor = focused() && index == cursor_;
-  draw::fill(ctx, rect,
-             hovered_ == index ? colors.hover
-             : index % 2 == 0  ? colors.panel
-                               : colors.row);
-  if (at_cursor) draw::frame(ctx, rect, colors.accent);
-  draw_box(ctx, in_middle(rect, kMargin, kBox), row.shown);
-  const double indent = row.indented ? kIndent : 0;
-  const ScreenRect swatch = in_middle(rect, kMargin + kBox + 6 + indent, kBox);
-  draw::fill(ctx, swatch, row.color, 2);
-  draw::frame(ctx, swatch, colors.text);
-  const nanogui::Color ink = row.shown ? colors.text : colors.disabled_text;
-  const auto cell = [&](double left, double wide, const std::string& text, draw::Align align) {
-    if (wide > 0) draw::text(ctx, {left, rect.top, wide, rect.height}, text, ink, kSize, align);
-  };
-  cell(at.label + indent, at.label_width - indent, row.label, draw::Align::Left);
-  draw::fill(ctx, in_middle(rect, at.outcome, 10),
-             row.outcome == "mixed" ? colors.faint_text : outcome_color(row.outcome), 5);
-  cell(at.outcome + 16, at.outcome_width - 22, row.outcome, draw::Align::Left);
-  cell(at.success, at.success_width, row.success, draw::Align::Left);
-  cell(at.length, at.number_width, shown_value(row.length, row.group), draw::Align::Right);
-  cell(at.time, at.number_width, shown_value(row.time, row.group), draw::Align::Right);
-}
-
-void RunTable::draw_detail(NVGcontext* ctx) const {
-  const std::size_t row = hovered_.value_or(cursor_);
-  if (row >= rows_.size()) return;
-  const double top = height() - kDetailHeight;
-  draw::line(ctx, 0, top + 0.5, width(), top + 0.5, palette().border);
-  draw::wrapped_text(ctx, {kMargin, top + 3, width() - 2 * kMargin, kDetailHeight - 3},
-                     rows_[row].detail, palette().faint_text, draw::kSmallTextSize);
-}
-
-void RunTable::draw_scroll_bar(NVGcontext* ctx) const {
-  const std::size_t seen = visible_rows();
-  if (rows_.size() <= seen) return;
-  const auto count = static_cast<double>(rows_.size());
-  const double room = static_cast<double>(seen) * kRowHeight, left = width() - kScrollBar;
-  draw::fill(ctx, {left, kHeaderHeight, kScrollBar, room}, palette().window);
-  draw::fill(ctx,
-             {left, kHeaderHeight + room * static_cast<double>(first_) / count, kScrollBar,
-              room * static_cast<double>(seen) / count},
-             palette().faint_text, 3);
-}
-
-void RunTable::draw(NVGcontext* ctx) {
-  nvgSave(ctx);
-  nvgTranslate(ctx, static_cast<float>(mPos.x()), static_cast<float>(mPos.y()));
-  nvgIntersectScissor(ctx, 0, 0, static_cast<float>(width()), static_cast<float>(height()));
-  draw::fill(ctx, *Element::rect_of(""), palette().panel);
-  draw_header(ctx);
-  for (std::size_t row = first_; row < std::min(rows_.size(), first_ + visible_rows()); ++row)
-    draw_row(ctx, row);
-  if (rows_.empty())
-    draw::wrapped_text(ctx,
-                       {kMargin, kHeaderHeight + kMargin, width() - 2 * kMargin,
-                        height() - kHeaderHeight - kMargin},
-                       message_, palette().faint_text);
-  draw_scroll_bar(ctx);
-  draw_detail(ctx);
-  nvgRestore(ctx);
 }
 
 bool RunTable::mouseButtonEvent(const nanogui::Vector2i& p, int button, bool down, int) {

@@ -153,6 +153,19 @@ TEST_F(ResultsOverlayTest, TrajectoriesStandAtTheTimeOfTheReplay) {
   EXPECT_FALSE(overlay.speed_now(2));  // over
 }
 
+TEST_F(ResultsOverlayTest, WhatIsToldOfAnInstantIsWhatThePlotsDraw) {
+  auto trajectory = std::make_shared<Trajectory>(straight_run(1, 2));  // 0.5 s
+  trajectory->samples[1].v = 3;
+  OverlayRun run;
+  run.record = overlay_record(overlay_room(), "nd", 0, "success");
+  run.trajectory = trajectory;
+  fill_series(run, World(overlay_room(), 0.05), std::nullopt);
+  ResultsOverlay overlay;
+  overlay.set_runs({run});
+  overlay.clock().seek(0.125);
+  EXPECT_DOUBLE_EQ(1.5, *overlay.speed_now(0));
+}
+
 TEST_F(ResultsOverlayTest, AMethodKeepsItsColourWhateverElseIsThere) {
   ResultsOverlay overlay = opened();
   overlay.set_runs(read_overlay_runs(overlay.source(), overlay_room("other", 8).hash()));

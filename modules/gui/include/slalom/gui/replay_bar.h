@@ -8,7 +8,7 @@
 namespace slalom {
 
 /// Play and pause, speed, and a slider for the time of a replay. Keys when it has the focus: Space
-/// (play, pause), Left, Right (0.1 s; with Shift 1 s), Home, End, + and - (speed).
+/// or P (play, pause), Left, Right (0.1 s; with Shift 1 s), Home, End, + and - (speed).
 ///
 /// Parts: "play", "slower", "faster", "slider".
 class ReplayBar : public Element {

@@ -53,7 +53,8 @@ class ResultsOverlay {
   std::vector<OverlayTrajectory> trajectories() const;
   /// By the place of the method among all of the file, so that it never changes.
   nanogui::Color color_of(std::size_t run) const;
-  /// Clearance and speed at the time of the clock; none after the run's end.
+  /// Clearance and speed at the time of the clock, between samples as the plots draw them; none
+  /// after the run's end.
   std::optional<double> clearance_now(std::size_t run) const;
   std::optional<double> speed_now(std::size_t run) const;
 

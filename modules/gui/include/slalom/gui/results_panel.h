@@ -12,11 +12,11 @@
 namespace slalom {
 
 /// The results overlay: its runs as a table, the replay with its slider, and clearance and speed
-/// over time. Wide panels have the table at the left, high ones above. Keys: those of ReplayBar,
-/// and those of RunTable while that has the focus.
+/// over time. Wide panels have the table at the left, high ones above. Keys: those of RunTable,
+/// unless the slider has the focus, then those of ReplayBar.
 ///
 /// Parts: those of RunTable and ReplayBar; its elements have the ids "runs", "replay",
-/// "plot clearance" and "plot speed".
+/// "plot_clearance" and "plot_speed".
 class ResultsPanel : public Element {
  public:
   explicit ResultsPanel(nanogui::Widget* parent);

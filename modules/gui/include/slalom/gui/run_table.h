@@ -39,12 +39,20 @@ class RunTable : public Element {
   bool keyboardEvent(int key, int scancode, int action, int modifiers) override;
 
  private:
-  struct Columns;
+  static constexpr double kRowHeight = 24, kHeaderHeight = 24, kDetailHeight = 40, kMargin = 6;
+  static constexpr double kBox = 14, kScrollBar = 6;  ///< pixels
+  /// Left edges; a column that has no place has the width 0.
+  struct Columns {
+    double label = 0, label_width = 0, outcome = 0, outcome_width = 0;
+    double success = 0, success_width = 0, length = 0, time = 0, number_width = 66;
+  };
   Columns columns() const;
+  static std::string shown_value(const Value& value);
   std::size_t visible_rows() const;
   void scroll_to(std::ptrdiff_t first);
   void keep_cursor_visible();
   bool any_shown() const;
+  bool has_keyboard() const;
   ScreenRect box_of_all() const;
   ScreenRect row_rect(std::size_t row) const;  ///< of a visible one
   std::optional<std::size_t> row_at(const nanogui::Vector2i& p) const;

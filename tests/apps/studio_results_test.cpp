@@ -1,0 +1,196 @@
+#include "studio_fixture.h"
+
+namespace slalom {
+namespace {
+
+/// Two methods of MRPT, twice in each of two small places.
+const char* const kCampaign = R"([campaign]
+name        = overlay
+seed        = 5
+repetitions = 2
+methods     = nd, vff
+[scenarios]
+generator = random
+count     = 2
+[generator.random]
+width         = 6
+height        = 6
+min_distance  = 3
+max_obstacles = 6
+max_size      = 0.4
+[method.nd]
+adapter = mrpt_holonomic
+class   = CHolonomicND
+[method.vff]
+adapter = mrpt_holonomic
+class   = CHolonomicVFF
+[record]
+rawlog = all
+)";
+
+/// The results of a campaign, its scenarios and recorded runs in "out".
+class StudioResults : public StudioTest {
+ protected:
+  void SetUp() override {
+    StudioTest::SetUp();
+    if (IsSkipped()) return;
+    write("overlay.ini", kCampaign);
+    ASSERT_EQ(run("slalom-evaluate overlay.ini -o out --quiet").status, 0);
+  }
+
+  std::string expect_overlaid(const std::string& script) const {
+    return expect_played(script, "out/campaign.scenarios --results out/runs.results");
+  }
+
+  /// "time 1.25 of 9.30 s, ..." as the replay says it.
+  static std::pair<double, double> time_of(const std::string& text) {
+    std::pair<double, double> time = {-1, -1};
+    const std::size_t at = text.rfind("time ");
+    if (at != std::string::npos)
+      std::sscanf(text.c_str() + at, "time %lf of %lf s", &time.first, &time.second);
+    return time;
+  }
+
+  std::string a_log() const {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "out/runs.rawlogs"))
+      if (entry.path().string().find("_nd_0") != std::string::npos)
+        return "out/runs.rawlogs/" + entry.path().filename().string();
+    return "none";
+  }
+  Ended replay(const std::string& script) const {
+    write("script.txt", script);
+    return run("DISPLAY=" + display_ +
+               " LIBGL_ALWAYS_SOFTWARE=1 ASAN_OPTIONS=detect_leaks=0 slalom-replay play " +
+               a_log() + " --gui --script script.txt");
+  }
+};
+
+TEST_F(StudioResults, LieOverTheScenarioThatIsShown) {
+  const std::string shown = expect_overlaid(
+      "wait idle\n"
+      "expect results contains \"Results: runs.results, campaign overlay\"\n"
+      "expect runs contains \"nd: shown, \"\n"
+      "expect runs contains \"vff 1: shown, \"\n"
+      "expect view contains \"trajectory nd 0, \"\n"
+      "expect view contains \"trajectory vff 1, \"\n"
+      "print runs\n"
+      "click list \"row 1\"\n"
+      "wait idle\n"
+      "expect view contains \"trajectory nd 0, \"\n"
+      "print runs\n");
+  // Another place, other lengths.
+  const std::size_t second = shown.find("nd: ", shown.find("vff 1: "));
+  ASSERT_NE(second, std::string::npos) << shown;
+  EXPECT_NE(shown.substr(0, second), shown.substr(second));
+}
+
+TEST_F(StudioResults, MethodsAndRunsAreSwitchedByMouseAndKeys) {
+  expect_overlaid(
+      "wait idle\n"
+      "click runs \"row nd\"\n"
+      "expect runs contains \"nd 1: hidden\"\n"
+      "expect view lacks \"trajectory nd\"\n"
+      "expect plot_speed lacks \"nd\"\n"
+      "click runs \"row nd 1\"\n"
+      "expect view contains \"trajectory nd 1\"\n"
+      "expect view lacks \"trajectory nd 0\"\n"
+      "key Up\n"
+      "key Space\n"
+      "expect view contains \"trajectory nd 0\"\n"
+      "key A\n"
+      "expect view lacks \"trajectory \"\n"
+      "expect replay contains \"time 0.00 of 0.00 s\"\n"
+      "click runs all\n"
+      "expect view contains \"trajectory vff 0\"\n");
+}
+
+TEST_F(StudioResults, AreReplayedWithTheSliderAndThePlots) {
+  const std::string slid = expect_overlaid(
+      "wait idle\n"
+      "click replay slider at 0.25 0.5\n"
+      "print replay\n");
+  const auto [quarter, duration] = time_of(slid);
+  EXPECT_GT(duration, 2);
+  EXPECT_NEAR(quarter, duration / 4, duration / 50);
+
+  const std::string plotted = expect_overlaid(
+      "wait idle\n"
+      "click plot_clearance plot\n"
+      "expect plot_speed contains \"marker \"\n"
+      "print replay\n");
+  EXPECT_NEAR(time_of(plotted).first, duration / 2, duration / 25);
+
+  const std::string keyed = expect_overlaid(
+      "wait idle\n"
+      "click replay slider\n"
+      "key Home\n"
+      "key Right\n"
+      "key Shift+Right\n"
+      "print replay\n");
+  EXPECT_DOUBLE_EQ(time_of(keyed).first, 1.1);
+}
+
+TEST_F(StudioResults, PlayByThemselvesUntilTheEnd) {
+  const std::string played = expect_overlaid(
+      "wait idle\n"
+      "click replay slower\n"
+      "expect replay contains \"0.5x\"\n"
+      "click replay play\n"
+      "wait 0.6\n"
+      "expect replay contains playing\n"
+      "click replay play\n"
+      "expect replay contains paused\n"
+      "print replay\n");
+  EXPECT_GT(time_of(played).first, 0.1);
+  const std::string ended = expect_overlaid(
+      "wait idle\n"
+      "click replay slider at 0.98 0.5\n"
+      "key Space\n"
+      "wait 1.5\n"
+      "expect replay contains paused\n"
+      "print replay\n");
+  EXPECT_DOUBLE_EQ(time_of(ended).first, time_of(ended).second);
+}
+
+TEST_F(StudioResults, SayWhyThereAreNone) {
+  make_list(1, "other.scenarios", 99);
+  write("broken.results", "no results");
+  expect_played(
+      "wait idle\n"
+      "expect results contains \"runs.results has no runs in this scenario.\"\n"
+      "key Ctrl+R\n"
+      "type broken.results\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect status contains \"broken.results\"\n"
+      "expect results contains \"runs.results\"\n"
+      "do file.close_results\n"
+      "expect view lacks \"trajectory \"\n",
+      "other.scenarios --results out/runs.results");
+}
+
+TEST_F(StudioResults, ARecordedRunIsReplayedInAWindowOfItsOwn) {
+  const Ended ended = replay(
+      "wait idle\n"
+      "expect replay contains \"time 0.00 of \"\n"
+      "expect view contains \"trajectory nd 0, \"\n"
+      "expect runs contains \"nd: shown, \"\n"
+      "expect plot_clearance contains \"marker 0.000\"\n"
+      "click plot_speed plot\n"
+      "key Right\n"
+      "screenshot run.png\n"
+      "print replay\n");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NEAR(time_of(ended.out).first, time_of(ended.out).second / 2, 1);
+  EXPECT_GT(std::filesystem::file_size(folder_ / "run.png"), 10000U);
+}
+
+TEST_F(StudioResults, AReplayWithoutADisplaySaysWhatToDo) {
+  expect_refusal("env -u DISPLAY -u WAYLAND_DISPLAY slalom-replay play " + a_log() + " --gui", 1,
+                 {"cannot open a window", "--png DIR", "xvfb-run"});
+  expect_refusal("slalom-replay play " + a_log(), 2, {"--gui or --png DIR"});
+  EXPECT_EQ(replay("click lits\n").status, 1);
+}
+
+}  // namespace
+}  // namespace slalom
