@@ -119,8 +119,11 @@ void ListDocument::show(ListView view) {
   lines_ = ListLines(view_.hashes.size(), view_.groups, collapsed_);
   rows_.clear();
   sort_keys_.clear();
-  if (!request_.sort.empty() && request_.sort != "name")
+  sort_unit_ = "-";
+  if (!request_.sort.empty() && request_.sort != "name") {
     sort_keys_ = descriptor_view({request_.sort}, request_.describe).at(request_.sort);
+    sort_unit_ = descriptor(request_.sort).info().unit;
+  }
   anchor_.reset();
   set_marks(marked);
   move_current(old_place);

@@ -11,6 +11,6 @@ constexpr double kRowMargin = 6;
 constexpr int kPictureSize = 46;
 
 /// What a row says of the value that the list is sorted by.
-std::string value_text(const ListRow& row);
+std::string value_text(const ListRow& row, const std::string& unit);
 
 }  // namespace slalom

@@ -102,9 +102,11 @@ std::optional<ScreenRect> ListRows::rect_of(const std::string& part) const {
   return line_rect(*line);
 }
 
-std::string value_text(const ListRow& row) {
+std::string value_text(const ListRow& row, const std::string& unit) {
   if (!row.value) return "not computed";
-  return row.value->is_na() ? "NA" : format_fixed(row.value->number(), 3);
+  if (row.value->is_na()) return "NA";
+  const std::string number = format_fixed(row.value->number(), 3);
+  return unit == "-" ? number : number + " " + unit;
 }
 
 std::string ListRows::row_text(std::size_t place) const {
@@ -114,7 +116,7 @@ std::string ListRows::row_text(std::size_t place) const {
   if (!row->entry.tags.empty()) text += ", tags " + join(row->entry.tags, " ");
   const std::string& sort = document_->request().sort;
   if (!sort.empty() && sort != "name") {
-    text += ", " + sort + " " + value_text(*row);
+    text += ", " + sort + " " + value_text(*row, document_->sort_unit());
     if (row->value && row->value->is_na()) text += " (" + row->value->reason() + ")";
   }
   if (document_->view().hashes[place] == document_->current()) text += ", current";

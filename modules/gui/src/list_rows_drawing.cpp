@@ -93,7 +93,7 @@ void ListRows::draw_row(NVGcontext* ctx, std::size_t line, std::size_t place) {
   double room = right - left;
   const std::string& sort = document_->request().sort;
   if (!sort.empty() && sort != "name") {
-    const std::string value = value_text(*row);
+    const std::string value = value_text(*row, document_->sort_unit());
     const double wide = draw::text_width(ctx, value, draw::kSmallTextSize + 1) + 1;
     draw::text(ctx, {right - wide, rect.top + 29, wide, 20}, value, colors.text,
                draw::kSmallTextSize + 1, draw::Align::Right);

@@ -98,6 +98,9 @@ TEST_F(ListDocuments, ReadRowsWithTheValueTheyAreSortedBy) {
   EXPECT_EQ(document_.row(hash_of(8))->value, Value::na("no reason"));
   EXPECT_FALSE(document_.row(hash_of(9))->value);
   EXPECT_EQ(document_.row(hash_of(99)), nullptr);
+  EXPECT_EQ(document_.sort_unit(), "-");
+  document_.set_sort("bottleneck_width", false);
+  EXPECT_EQ(document_.sort_unit(), "m");
 }
 
 TEST_F(ListDocuments, RemoveAndBringBack) {

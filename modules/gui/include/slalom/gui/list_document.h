@@ -66,6 +66,7 @@ class ListDocument {
   /// What makes no sense is told by filter_error(), and the view stays as it is.
   void set_filter(const std::string& text);
   void set_sort(const std::string& field, bool descending);
+  const std::string& sort_unit() const { return sort_unit_; }  ///< "-" where it has none
   void set_group_by(const std::string& index);
   /// For whom values are kept that filters and sorting speak of.
   void set_describe_options(const DescribeOptions& options);
@@ -157,6 +158,7 @@ class ListDocument {
   std::optional<std::size_t> anchor_;  ///< from where select_to() counts
   std::map<std::string, ListRow> rows_;
   std::vector<DescriptorKey> sort_keys_;
+  std::string sort_unit_ = "-";
 };
 
 }  // namespace slalom
