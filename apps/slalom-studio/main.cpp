@@ -3,8 +3,8 @@
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
+#include <slalom/gui/display.h>
 #include <slalom/gui/making_actions.h>
-#include <slalom/gui/scenario_view.h>
 #include <slalom/gui/studio_actions.h>
 #include <slalom/io/result_file.h>
 
@@ -94,30 +94,6 @@ void show_window(const StudioArguments& arguments) {
   if (!file.empty()) write_studio_settings(window.settings(), file);
 }
 
-/// GLFW and OpenGL tell what is missing only by exceptions of their own.
-void run_studio(const StudioArguments& arguments) {
-  const auto no_window = [](const std::exception& error) {
-    return job_error(
-        "window", "cannot be opened: " + reason_of(error),
-        "a display with OpenGL 3.3; without one: xvfb-run -a slalom-studio --script FILE");
-  };
-  try {
-    nanogui::init();
-  } catch (const std::exception& error) {
-    throw no_window(error);
-  }
-  struct Shutdown {
-    ~Shutdown() { nanogui::shutdown(); }
-  } shutdown;
-  try {
-    show_window(arguments);
-  } catch (const Error&) {
-    throw;
-  } catch (const std::runtime_error& error) {
-    throw no_window(error);
-  }
-}
-
 void define(CLI::App& app) {
   static StudioArguments arguments;
   app.add_option("lists", arguments.lists, "Scenario lists to open (.scenarios)");
@@ -131,7 +107,10 @@ void define(CLI::App& app) {
   app.add_option("--settings", arguments.settings,
                  "Where the window's layout is remembered (.ini; default: "
                  "~/.config/slalom/studio.ini, with --script nowhere)");
-  app.callback([] { run_studio(arguments); });
+  app.callback([] {
+    with_display("window", "xvfb-run -a slalom-studio --script FILE",
+                 [] { show_window(arguments); });
+  });
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace {
 using Kind = ScriptCommand::Kind;
 using nanogui::Vector2f;
 
-constexpr double kLongestWait = 300;  // s until work has to end
-constexpr double kLongestResize = 2;  // s
+constexpr double kLongestWait = 300;                    // s until work has to end
+constexpr double kQuietTime = 0.1, kLongestResize = 5;  // s
 constexpr int kMovesOfDrag = 6;
 constexpr float kFrameReach = 60;  // pixels by which `fps` drags to and fro
 
@@ -89,15 +89,19 @@ void ScriptPlayer::step() {
   if (moves_.empty() && frames_left_ == 0) ++next_;
 }
 
-/// The display takes its time to tell that the window has another size.
+/// The display takes its time to tell that the window has another size, and may tell of an older
+/// one before: the size counts when nothing else was told for a while.
 void ScriptPlayer::resize(const ScriptCommand& command) {
+  GLFWwindow* window = host_.screen->glfwWindow();
   host_.screen->setSize({command.width, command.height});
-  const double until = glfwGetTime() + kLongestResize;
-  int width = 0, height = 0;
-  do {
-    glfwWaitEventsTimeout(0.01);
-    glfwGetFramebufferSize(host_.screen->glfwWindow(), &width, &height);
-  } while ((width != command.width || height != command.height) && glfwGetTime() < until);
+  const double begin = glfwGetTime();
+  double since = begin;
+  while (glfwGetTime() - since < kQuietTime && glfwGetTime() - begin < kLongestResize) {
+    glfwWaitEventsTimeout(0.02);
+    int width = 0, height = 0;
+    glfwGetWindowSize(window, &width, &height);
+    if (width != command.width || height != command.height) since = glfwGetTime();
+  }
   host_.screen->resizeCallbackEvent(command.width, command.height);
 }
 
@@ -118,7 +122,7 @@ bool ScriptPlayer::still_waits(const ScriptCommand& command) {
 void ScriptPlayer::play(const ScriptCommand& command) {
   switch (command.kind) {
     case Kind::Size:
-      host_.screen->setSize({command.width, command.height});
+      resize(command);
       break;
     case Kind::Do:
       host_.run_action(command.text);

@@ -5,11 +5,10 @@
 namespace slalom {
 namespace {
 
-constexpr double kJobWidth = 460, kBarWidth = 120, kCancelWidth = 60;
+constexpr double kJobWidth = 560, kBarWidth = 120, kCancelWidth = 60;
 
 std::string job_text(const JobStatus& job) {
   std::string text = job.title;
-  if (!job.stage.empty() && job.stage != job.title) text += ": " + job.stage;
   if (job.total > 0) text += " " + std::to_string(job.done) + " / " + std::to_string(job.total);
   return text;
 }

@@ -159,7 +159,7 @@ bool Studio::poll() {
 void Studio::look_at_files() {
   for (const auto& document : documents_)
     if (!jobs_.is_pending(describe_key(document->path())) && document->follow_file() && on_message)
-      on_message(document->notice(), true);
+      on_message(document->notice(), false);
 }
 
 void Studio::say(const std::string& message) const {

@@ -1,6 +1,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/gui/descriptor_panel.h>
+#include <slalom/gui/display.h>
 #include <slalom/gui/form_dialog.h>
 #include <slalom/gui/list_panel.h>
 #include <slalom/gui/menu_bar.h>
@@ -10,9 +11,6 @@
 #include <slalom/gui/splitter.h>
 #include <slalom/gui/status_bar.h>
 #include <slalom/gui/studio_window.h>
-#include <slalom/io/png_scene.h>
-
-#include <mrpt/img/CImage.h>
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
@@ -88,6 +86,7 @@ void StudioWindow::connect() {
   studio_->on_current = [this] { show_current(); };
   studio_->on_message = [this](const std::string& message, bool is_error) {
     say(message, is_error);
+    if (is_error) show_message("That did not work", message);
   };
   studio_->scenes().on_scene = [this](const ScenePtr& scene) { view_->set_scene(scene); };
   list_->on_tab = [this](std::size_t tab) { studio_->activate(tab); };
@@ -348,28 +347,7 @@ void StudioWindow::run(ScriptPlayer* script) {
 }
 
 void StudioWindow::save_picture(const std::string& path) {
-  // As drawAll(), but without handing the picture over to the display: it can be read before.
-  const nanogui::Color& color = background();
-  glClearColor(color.r(), color.g(), color.b(), color.w());
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  drawContents();
-  drawWidgets();
-  int width = 0, height = 0;
-  glfwGetFramebufferSize(glfwWindow(), &width, &height);
-  mrpt::img::CImage picture(width, height, mrpt::img::CH_RGB);
-  std::vector<unsigned char> row(static_cast<std::size_t>(width) * 4);
-  glReadBuffer(GL_BACK);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  for (int y = 0; y < height; ++y) {
-    glReadPixels(0, height - 1 - y, width, 1, GL_RGBA, GL_UNSIGNED_BYTE, row.data());
-    for (int x = 0; x < width; ++x) {
-      const unsigned char* from = &row[static_cast<std::size_t>(x) * 4];
-      unsigned char* to = picture(x, y);
-      std::copy_n(from, 3, to);
-      std::swap(to[0], to[2]);  // MRPT keeps blue first
-    }
-  }
-  write_png(picture, path);
+  save_window_picture(*this, path);
 }
 
 StudioSettings StudioWindow::settings() const {

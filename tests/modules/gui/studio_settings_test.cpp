@@ -41,7 +41,7 @@ TEST_F(StudioSettingsTest, SayWhereTheyAreWrong) {
   std::filesystem::create_directories(folder_ + "/deep");
   std::ofstream(path_) << "[window]\nwidth = 12\n";
   EXPECT_EQ(error_text(Culprit::Usage, [&] { read_studio_settings(path_); }),
-            path_ + ":2: [window] width: 12; expected a whole number in [640, 8192]");
+            path_ + ":2: [window] width: '12' is not valid; expected a whole number in [640, 8192]");
 }
 
 }  // namespace
