@@ -40,8 +40,9 @@ TEST_F(StudioSettingsTest, AreTheDefaultsWhereThereIsNoFile) {
 TEST_F(StudioSettingsTest, SayWhereTheyAreWrong) {
   std::filesystem::create_directories(folder_ + "/deep");
   std::ofstream(path_) << "[window]\nwidth = 12\n";
-  EXPECT_EQ(error_text(Culprit::Usage, [&] { read_studio_settings(path_); }),
-            path_ + ":2: [window] width: '12' is not valid; expected a whole number in [640, 8192]");
+  EXPECT_EQ(
+      error_text(Culprit::Usage, [&] { read_studio_settings(path_); }),
+      path_ + ":2: [window] width: '12' is not valid; expected a whole number in [640, 8192]");
 }
 
 }  // namespace
