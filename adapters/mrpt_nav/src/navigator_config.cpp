@@ -1,5 +1,6 @@
 #include "navigator_config.h"
 
+#include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
 #include <mrpt/config/config_parser.h>
@@ -88,6 +89,22 @@ mrpt::config::CConfigFileMemory read_navigator_config(const std::string& path) {
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file) throw std::runtime_error("'" + path + "' cannot be read");
   return {mrpt::config::config_parser(text)};
+}
+
+void override_config(CConfigFileBase& config, const std::string& assignments,
+                     const std::string& where) {
+  for (const std::string& assignment : split(assignments, ';')) {
+    if (assignment.empty()) continue;
+    const std::size_t equal = assignment.find('='), dot = assignment.rfind('.', equal);
+    if (equal == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equal)
+      throw usage_error(where, "'" + assignment + "' sets nothing", "SECTION.KEY=VALUE; ...");
+    const std::string section = trim(assignment.substr(0, dot));
+    if (!config.sectionExists(section))
+      throw usage_error(where, "the navigator's file has no section [" + section + "]",
+                        "a section of that file");
+    config.write(section, trim(assignment.substr(dot + 1, equal - dot - 1)),
+                 trim(assignment.substr(equal + 1)));
+  }
 }
 
 std::vector<TPoint2D> enlarged_outline(const Footprint& shape, double margin) {

@@ -13,6 +13,11 @@ namespace slalom {
 /// The file with its definitions expanded. Throws std::runtime_error when it cannot be read.
 mrpt::config::CConfigFileMemory read_navigator_config(const std::string& path);
 
+/// Writes "SECTION.KEY=VALUE; ..." over what is there. Throws Error (Usage) at `where` for what is
+/// not of that form and for sections that are not there.
+void override_config(mrpt::config::CConfigFileBase& config, const std::string& assignments,
+                     const std::string& where);
+
 /// The outline of the robot enlarged by `margin`, counter-clockwise. A disc becomes a polygon of 16
 /// corners around it, at most 2 % larger.
 std::vector<mrpt::math::TPoint2D> enlarged_outline(const Footprint& shape, double margin);

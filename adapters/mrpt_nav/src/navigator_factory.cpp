@@ -35,7 +35,8 @@ void silence(mrpt::system::COutputLogger& logger) {
 NavigatorFactory::NavigatorFactory(const MethodContext& context, const NavigatorOptions& options)
     : options_(options) {
   const auto where = [&](const char* key) { return context.ini.where(context.section, key); };
-  places_ = {where("class"), where("config"), where("plugin"), where("modules")};
+  places_ = {where("class"), where("config"), where("config_set"), where("plugin"),
+             where("modules")};
   mrpt::nav::registerAllClasses_mrpt_nav();
   if (!options.modules.empty())
     for (const std::string& module : split(options.modules, ','))
@@ -68,6 +69,7 @@ void NavigatorFactory::read_config(const RobotModel& robot) {
   } catch (const std::exception& e) {
     throw usage_error(places_.config, reason_of(e), "an MRPT .ini");
   }
+  override_config(config_, options_.config_set, places_.config_set);
   const std::string section = "CAbstractPTGBasedReactive";
   if (options_.robot == "campaign") write_robot(config_, robot, options_.margin);
   if (options_.obstacle_filter != "config")

@@ -25,7 +25,7 @@ class NavigatorFactory {
  private:
   /// Where the keys stand that messages are about.
   struct Places {
-    std::string class_name, config, plugin, modules;
+    std::string class_name, config, config_set, plugin, modules;
   };
 
   void* load(const std::string& module, const std::string& place, const std::string& what) const;

@@ -150,6 +150,7 @@ void NavigatorOptions::visit(OptionVisitor& v) {
   v.option("robot", robot, "whose shape and limits the navigator is told", {"campaign", "config"});
   v.option("margin", margin, "m", "by which the campaign's shape is enlarged", Range::at_least(0));
   v.option("obstacle_height", obstacle_height, "m", "at which the navigator is told obstacles");
+  v.option("config_set", config_set, "SECTION.KEY=VALUE; ... in place of what the file says");
   v.option("obstacle_filter", obstacle_filter, "point-cloud filter", {"config", "on", "off"});
   v.option("ptg_cache", ptg_cache, "folder that keeps collision grids; none: a temporary one");
   v.option("record_navlog", record_navlog, "folder for a .reactivenavlog of each run");

@@ -94,7 +94,9 @@ void ListDocument::refresh() {
 
 void ListDocument::keep_values(const std::string& hash, const std::vector<GeneratedValue>& values) {
   try {
-    list_->find_entry(hash);
+    ListSelection one;
+    one.hashes = {hash};
+    if (list_->count(one) == 0) return;
     list_->in_one_step([&] {
       for (const GeneratedValue& value : values)
         list_->keep(hash, value.id, value.version, value.parameters, value.value);
@@ -102,7 +104,7 @@ void ListDocument::keep_values(const std::string& hash, const std::vector<Genera
     file_ = file_on_disk();
     rows_.erase(hash);
   } catch (const Error&) {
-    // Gone meanwhile, or a file that may not be written: values can be computed again.
+    // A file that may not be written: values can be computed again.
   }
 }
 

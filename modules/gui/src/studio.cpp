@@ -51,7 +51,6 @@ void Studio::open_list(const std::string& path) {
   watch(*document);
   documents_.push_back(std::move(document));
   activate(documents_.size() - 1);
-  say(active()->title() + ": " + std::to_string(active()->list().size()) + " scenarios");
 }
 
 void Studio::create_list(const std::string& path) {
@@ -72,6 +71,7 @@ void Studio::activate(std::size_t index) {
   active_ = index;
   if (on_documents) on_documents();
   current_changed();
+  say(active()->title() + ": " + std::to_string(active()->list().size()) + " scenarios");
 }
 
 void Studio::watch(ListDocument& document) {

@@ -1,3 +1,4 @@
+#include "error_text.h"
 #include "navigator_config.h"
 #include "navigator_drive.h"
 
@@ -44,6 +45,25 @@ TEST(NavigatorConfig, ReadsDefinitionsAndLinesThatGoOn) {
             std::string::npos);
   EXPECT_THROW(read_navigator_config("/nowhere"), std::runtime_error);
   EXPECT_THROW(read_navigator_config("/"), std::runtime_error);
+}
+
+TEST(NavigatorConfig, PutsWhatIsSetInPlaceOfTheFiles) {
+  auto config = read_navigator_config(stock_config());
+  const std::string section = "CReactiveNavigationSystem";
+  override_config(
+      config, "CAbstractPTGBasedReactive.ref_distance=4; " + section + ".PTG0_refDistance = 3.5;",
+      "a.ini:3");
+  EXPECT_EQ(config.read_double("CAbstractPTGBasedReactive", "ref_distance", 0), 4);
+  EXPECT_EQ(config.read_double(section, "PTG0_refDistance", 0), 3.5);
+  EXPECT_EQ(config.read_double(section, "PTG1_refDistance", 0), 10);
+  const auto refusal = [&](const std::string& text) {
+    return error_text(Culprit::Usage, [&] { override_config(config, text, "a.ini:3"); });
+  };
+  EXPECT_EQ(refusal("ref_distance=4"),
+            "a.ini:3: 'ref_distance=4' sets nothing; expected SECTION.KEY=VALUE; ...");
+  EXPECT_EQ(
+      refusal("Nowhere.a=4"),
+      "a.ini:3: the navigator's file has no section [Nowhere]; expected a section of that file");
 }
 
 TEST(NavigatorConfig, TellsTheRobotsShapeAndLimitsWhereNavigatorsLookForThem) {

@@ -16,6 +16,7 @@ struct NavigatorOptions {
   std::string robot = "campaign";  ///< whose shape and limits: campaign or config
   double margin = 0.05;            ///< m by which the shape is enlarged that the navigator is told
   double obstacle_height = 0.1;    ///< m at which the navigator is told obstacles
+  std::string config_set;          ///< "SECTION.KEY=VALUE; ..." in place of the file's
   std::string obstacle_filter = "config";  ///< point-cloud filter: config, on or off
   std::string ptg_cache;      ///< folder that keeps collision grids; "": a temporary one
   std::string record_navlog;  ///< folder for a .reactivenavlog of each run; "": none
