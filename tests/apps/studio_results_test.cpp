@@ -59,9 +59,7 @@ class StudioResults : public StudioTest {
   }
   Ended replay(const std::string& script) const {
     write("script.txt", script);
-    return run("DISPLAY=" + display_ +
-               " LIBGL_ALWAYS_SOFTWARE=1 ASAN_OPTIONS=detect_leaks=0 slalom-replay play " +
-               a_log() + " --gui --script script.txt");
+    return run(environment() + "slalom-replay play " + a_log() + " --gui --script script.txt");
   }
 };
 

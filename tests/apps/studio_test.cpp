@@ -73,8 +73,7 @@ TEST_F(Studio, OpensAllTheSameWhenItsSettingsCannotBeUsed) {
 TEST_F(Studio, SaysWhatIsWrongWithFilesAndGoesOn) {
   write("broken.scenarios", "no list");
   make_list(2);
-  expect_refusal("DISPLAY=" + display_ + " slalom-studio missing.scenarios", 3,
-                 {"missing.scenarios"});
+  expect_refusal(environment() + "slalom-studio missing.scenarios", 3, {"missing.scenarios"});
   expect_played(
       "key Ctrl+O\n"
       "type broken.scenarios\n"
