@@ -85,7 +85,8 @@ void ScenarioView::moved_to(const Point& at, const Point& by, int buttons) {
   editor_.move(*pointer_);
 }
 
-void ScenarioView::choose_part(const std::string& name) {
+/// By value: what is chosen may lay the parts out anew, and a part's name would go with it.
+void ScenarioView::choose_part(const std::string name) {
   if (name == "legend") set_legend_open(!legend_open_);
   if (name == "zoom in") zoom(kZoomStep);
   if (name == "zoom out") zoom(1 / kZoomStep);

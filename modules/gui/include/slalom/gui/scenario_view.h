@@ -81,7 +81,7 @@ class ScenarioView : public Element {
   Point local(const nanogui::Vector2i& p) const;
 
   void moved_to(const Point& at, const Point& by, int buttons);
-  void choose_part(const std::string& name);
+  void choose_part(std::string name);
   void press();    ///< at the pointer, with mouse or keyboard
   void release();  ///< the same
   template <typename End>
