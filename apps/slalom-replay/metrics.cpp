@@ -26,14 +26,7 @@ RunRecord measure_again(const RecordedRun& run, const std::string& path, const I
   options.reference_gap = ompl_options.gap;
   const auto planner = make_ompl_planner(ompl_options, options.setup.robot);
   const World world(scenario_of(run, path), options.setup.simulation.resolution);
-  RunRecord record;
-  record.scenario_hash = run.manifest.scenario_hash;
-  record.scenario_name = run.manifest.scenario_name;
-  record.method = run.manifest.method;
-  record.repetition = run.manifest.repetition;
-  record.seed = run.manifest.seed;
-  record.outcome = to_string(run.outcome);
-  record.outcome_detail = run.detail;
+  RunRecord record = record_of(run);
   record.trajectory_hash = run.trajectory.hash();
   record.metrics = measure_run(options, world, find_references(options, planner.get(), world),
                                run.trajectory, run.outcome);

@@ -1,4 +1,5 @@
 #include "play_window.h"
+#include "recorded_campaign.h"
 
 #include <slalom/gui/display.h>
 #include <slalom/gui/replay_window.h>
@@ -17,19 +18,6 @@ std::map<std::string, VersionedValue> simple_metrics(const RecordedRun& run) {
                              : Value::na("outcome: " + to_string(run.outcome));
   return {{"path_length", {1, Value::of(length(run.trajectory.path()))}},
           {"time_to_goal", {1, time}}};
-}
-
-RunRecord record_of(const RecordedRun& run) {
-  RunRecord record;
-  record.scenario_hash = run.manifest.scenario_hash;
-  record.scenario_name = run.manifest.scenario_name;
-  record.method = run.manifest.method;
-  record.repetition = run.manifest.repetition;
-  record.seed = run.manifest.seed;
-  record.outcome = to_string(run.outcome);
-  record.outcome_detail = run.detail;
-  record.metrics = simple_metrics(run);
-  return record;
 }
 
 /// Where the rays of each cycle's scan end, from where the robot was then.
@@ -65,6 +53,7 @@ ReplayContent content_of(const RecordedRun& run, const CampaignOptions& options,
   content.source.resolution = options.setup.simulation.resolution;
   OverlayRun shown;
   shown.record = record_of(run);
+  shown.record.metrics = simple_metrics(run);
   shown.trajectory = std::make_shared<const Trajectory>(run.trajectory);
   shown.scans = scans_of(run);
   content.runs.push_back(std::move(shown));

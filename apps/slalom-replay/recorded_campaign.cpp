@@ -27,4 +27,16 @@ Scenario scenario_of(const RecordedRun& run, const std::string& path) {
   return scenario;
 }
 
+RunRecord record_of(const RecordedRun& run) {
+  RunRecord record;
+  record.scenario_hash = run.manifest.scenario_hash;
+  record.scenario_name = run.manifest.scenario_name;
+  record.method = run.manifest.method;
+  record.repetition = run.manifest.repetition;
+  record.seed = run.manifest.seed;
+  record.outcome = to_string(run.outcome);
+  record.outcome_detail = run.detail;
+  return record;
+}
+
 }  // namespace slalom

@@ -3,6 +3,7 @@
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/rawlog/run_reader.h>
+#include <slalom/results/run_record.h>
 #include <slalom/scenario/scenario.h>
 
 #include <string>
@@ -17,5 +18,8 @@ IniFile campaign_of(const RecordedRun& run, const std::string& path, const std::
 
 /// The scenario of a recorded run. Throws Error (File) when it is not the one that was driven.
 Scenario scenario_of(const RecordedRun& run, const std::string& path);
+
+/// Which run it was and how it ended; without what is measured of its trajectory.
+RunRecord record_of(const RecordedRun& run);
 
 }  // namespace slalom

@@ -1,3 +1,5 @@
+#include "utf8.h"
+
 #include <slalom/gui/drawing.h>
 
 namespace slalom::draw {
@@ -12,11 +14,6 @@ void path_of(NVGcontext* ctx, const ScreenRect& rect, float radius) {
   nvgBeginPath(ctx);
   nvgRoundedRect(ctx, static_cast<float>(rect.left), static_cast<float>(rect.top),
                  static_cast<float>(rect.width), static_cast<float>(rect.height), radius);
-}
-
-/// Bytes that only continue a letter of UTF-8.
-bool continues_letter(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
 }  // namespace
@@ -80,14 +77,20 @@ double text_width(NVGcontext* ctx, const std::string& text, float size, bool bol
 
 std::string shortened(NVGcontext* ctx, const std::string& text, double width, float size,
                       bool bold) {
-  if (text_width(ctx, text, size, bold) <= width) return text;
-  std::size_t fits = 0, fails = text.size();
-  while (fits + 1 < fails) {
-    const std::size_t middle = (fits + fails) / 2;
-    (text_width(ctx, text.substr(0, middle) + "…", size, bold) <= width ? fits : fails) = middle;
+  return shortened(
+      text, [&](const std::string& shown) { return text_width(ctx, shown, size, bold) <= width; });
+}
+
+std::string shortened(const std::string& text,
+                      const std::function<bool(const std::string& shown)>& fits) {
+  if (fits(text)) return text;
+  std::size_t good = 0, bad = text.size();
+  while (good + 1 < bad) {
+    const std::size_t middle = (good + bad) / 2;
+    (fits(text.substr(0, middle) + "…") ? good : bad) = middle;
   }
-  while (fits > 0 && continues_letter(text[fits])) --fits;
-  return fits == 0 ? "" : text.substr(0, fits) + "…";
+  while (good > 0 && continues_letter(text[good])) --good;
+  return good == 0 ? "" : text.substr(0, good) + "…";
 }
 
 }  // namespace slalom::draw

@@ -1,13 +1,11 @@
+#include "utf8.h"
+
 #include <slalom/gui/line_editor.h>
 
 #include <algorithm>
 
 namespace slalom {
 namespace {
-
-bool continues_letter(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
 
 std::string without_control(const std::string& text) {
   std::string kept;

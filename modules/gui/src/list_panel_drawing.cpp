@@ -18,19 +18,11 @@ std::string fitting(NVGcontext* ctx, const std::string& text, double width) {
   nvgFontFace(ctx, "sans");
   nvgFontSize(ctx, kMessageSize);
   nvgTextAlign(ctx, NVG_ALIGN_LEFT | NVG_ALIGN_TOP);
-  const auto fits = [&](const std::string& shown) {
+  return draw::shortened(text, [&](const std::string& shown) {
     float bounds[4];
     nvgTextBoxBounds(ctx, 0, 0, static_cast<float>(width), shown.c_str(), nullptr, bounds);
     return bounds[3] - bounds[1] <= kLongestMessage;
-  };
-  if (fits(text)) return text;
-  std::size_t good = 0, bad = text.size();
-  while (good + 1 < bad) {
-    const std::size_t middle = (good + bad) / 2;
-    (fits(text.substr(0, middle) + "…") ? good : bad) = middle;
-  }
-  while (good > 0 && (static_cast<unsigned char>(text[good]) & 0xC0U) == 0x80U) --good;
-  return text.substr(0, good) + "…";
+  });
 }
 
 double controls_top(double message_height) {

@@ -194,7 +194,7 @@ const std::map<std::string, Verb>& verbs() {
        {Kind::Wheel,
         [](ScriptLine& line, ScriptCommand& c) {
           c.number = line.take_number("steps of the wheel, up is positive");
-          take_place_and_manner(line, c);
+          c.place = take_place(line);
         }}},
       {"type", text_verb(Kind::Type, "a text")},
       {"key", {Kind::Key, take_key}},

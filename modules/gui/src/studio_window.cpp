@@ -237,7 +237,6 @@ void StudioWindow::frame() {
   studio_->poll();
   show_progress();
   drawAll();
-  drawn_at_ = now;
 }
 
 void StudioWindow::run(ScriptPlayer* script) {

@@ -65,6 +65,8 @@ TEST(StudioScript, SaysInWhichLineItIsWrong) {
   EXPECT_EQ(refusal("drag view"),
             "a.txt:1: a drag needs a target; expected to ELEMENT [PART] [at X Y]");
   EXPECT_EQ(refusal("do"), "a.txt:1: the line ends early; expected the id of an action");
+  EXPECT_EQ(refusal("wheel 1 view shift"),
+            "a.txt:1: 'shift' is too much; expected the end of the line");
   EXPECT_EQ(refusal("wait idle long"), "a.txt:1: 'long' is too much; expected the end of the line");
   EXPECT_EQ(refusal("key Hyper+A"),
             "a.txt:1: key Hyper+A: 'hyper' is no modifier; expected Ctrl, Shift or Alt");

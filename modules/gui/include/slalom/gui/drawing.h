@@ -2,6 +2,7 @@
 
 #include <slalom/gui/element.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ double text_width(NVGcontext* ctx, const std::string& text, float size = kTextSi
 /// `text`, or its beginning with "…" that fits into `width`.
 std::string shortened(NVGcontext* ctx, const std::string& text, double width,
                       float size = kTextSize, bool bold = false);
+/// The same for any other measure of what fits.
+std::string shortened(const std::string& text,
+                      const std::function<bool(const std::string& shown)>& fits);
 
 }  // namespace draw
 }  // namespace slalom

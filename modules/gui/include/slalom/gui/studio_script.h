@@ -23,7 +23,7 @@ struct ScriptCommand {
     Click,       ///< click ELEMENT [PART] [at X Y] [right] [double] [ctrl] [shift]
     Move,        ///< move ELEMENT [PART] [at X Y]: the mouse only
     Drag,        ///< drag ELEMENT [PART] [at X Y] to ELEMENT [PART] [at X Y] [right] [ctrl] ...
-    Wheel,       ///< wheel STEPS ELEMENT [PART] [at X Y] [ctrl] ...
+    Wheel,       ///< wheel STEPS ELEMENT [PART] [at X Y]
     Type,        ///< type TEXT: into what has the focus
     Key,         ///< key NAME, such as Ctrl+Z
     Drop,        ///< drop FILE...: as dragged in from a file manager

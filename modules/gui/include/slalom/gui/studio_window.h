@@ -82,7 +82,7 @@ class StudioWindow : public mrpt::gui::CDisplayWindowGUI {
   Actions actions_;
   StudioSettings settings_;
   bool results_shown_ = false;
-  double files_looked_at_ = 0, drawn_at_ = 0;  ///< s
+  double files_looked_at_ = 0;  ///< s
 
   // Owned by the composite of elements:
   MenuPopup* popup_ = nullptr;
