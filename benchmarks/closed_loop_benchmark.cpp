@@ -1,10 +1,10 @@
-// Closed-loop control steps per second on one core, in a room of 400 x 400 cells of 0.05 m with
+// Closed-loop control steps per second on one core, in a grid of 400 x 400 cells of 0.05 m with
 // random discs: 181 rays over 180 degrees up to 8 m, ten motion steps of 0.01 s per control step.
-// `slalom` is simulate() with everything on: sensing, a light method, motion, collision tests,
+// `slalom` is simulate() with all features: sensing, a cheap method, motion, collision checking,
 // recording. `mrpt` is its peer, laserScanSimulator with a CVehicleSimul_DiffDriven and the same
-// method: sensing and motion only. `motion_and_judging` is simulate() with two rays, what is left
-// without the scan; nearly blind, it soon collides, so the cost of starting a run weighs more.
-// Counter `steps` is control steps per second.
+// method: sensing and motion only. `without_scan` is simulate() with two rays, the cost apart from
+// the scan; nearly blind, it soon collides, so the cost of starting a run weighs more. Counter
+// `steps` is control steps per second.
 #include <slalom/core/random.h>
 #include <slalom/simulation/simulate.h>
 
@@ -36,18 +36,18 @@ Scenario random_discs() {
   return convert(discs, Representation::Grid, kResolution);
 }
 
-/// The room once for each start, with the tables made beforehand.
-const std::deque<World>& rooms() {
+/// The scenario with different starts, with precomputed tables.
+const std::deque<World>& worlds_by_start() {
   static const std::deque<World> worlds = [] {
     std::deque<World> made;
-    const Scenario room = random_discs();
-    const World place(room, kResolution);
+    const Scenario scenario = random_discs();
+    const World world(scenario, kResolution);
     RandomEngine random(11);
     while (made.size() < kStarts) {
       const TPose2D start(uniform_real(random, 0, kSize), uniform_real(random, 0, kSize),
                           uniform_real(random, -M_PI, M_PI));
-      if (place.distance_field().clearance({start.x, start.y}) < 0.6) continue;
-      made.emplace_back(room.with_task(start, room.goal()), kResolution);
+      if (world.distance_field().clearance({start.x, start.y}) < 0.6) continue;
+      made.emplace_back(scenario.with_start_goal(start, scenario.goal()), kResolution);
       made.back().distance_field();
       made.back().ray_caster();
     }
@@ -56,7 +56,7 @@ const std::deque<World>& rooms() {
   return worlds;
 }
 
-/// Drives on until something is near ahead, then turns on the spot; looks at every tenth ray.
+/// Moves forward until an obstacle is near, then rotates in place; evaluates every tenth ray.
 Command wander(const CObservation2DRangeScan& scan) {
   const std::size_t count = scan.getScanSize();
   float nearest = scan.maxRange;
@@ -67,13 +67,13 @@ Command wander(const CObservation2DRangeScan& scan) {
 
 class Wanderer : public Method {
  public:
-  void reset(const Task&) override {}
+  void reset(const NavigationTask&) override {}
   Command step(const Observation& observation) override { return wander(*observation.scan); }
 };
 
 SimulationOptions wandering_options() {
   SimulationOptions options;
-  options.goal_tolerance = 1e-6;  // the goal is in a wall: runs end when their time is over
+  options.goal_tolerance = 1e-6;  // the goal is in a wall: runs end by timeout
   options.stuck_time = 1e6;
   return options;
 }
@@ -84,7 +84,7 @@ void count_steps(benchmark::State& state, std::size_t steps) {
 }
 
 void simulate_rays(benchmark::State& state, int rays) {
-  const std::deque<World>& worlds = rooms();
+  const std::deque<World>& worlds = worlds_by_start();
   RunSetup setup;
   setup.simulation = wandering_options();
   setup.sensor.rays = rays;
@@ -102,11 +102,11 @@ void slalom(benchmark::State& state) {
   simulate_rays(state, 181);
 }
 
-void motion_and_judging(benchmark::State& state) {
+void without_scan(benchmark::State& state) {
   simulate_rays(state, 2);
 }
 
-/// MRPT's vehicle, moved in steps as long as ours instead of its own 0.5 ms.
+/// MRPT's vehicle, integrated with Slalom's step instead of 0.5 ms.
 class MrptVehicle : public mrpt::kinematics::CVehicleSimul_DiffDriven {
  public:
   explicit MrptVehicle(const TPose2D& start) {
@@ -118,7 +118,7 @@ class MrptVehicle : public mrpt::kinematics::CVehicleSimul_DiffDriven {
   }
 };
 
-/// maxRange bounds MRPT's steps, not the distance: divided by the step it sees all of the 8 m.
+/// maxRange bounds the number of MRPT's steps, not the distance: divided by the step it covers 8 m.
 CObservation2DRangeScan mrpt_scan() {
   CObservation2DRangeScan scan;
   const SensorModel sensor;
@@ -129,7 +129,7 @@ CObservation2DRangeScan mrpt_scan() {
 }
 
 void mrpt(benchmark::State& state) {
-  const std::deque<World>& worlds = rooms();
+  const std::deque<World>& worlds = worlds_by_start();
   const SimulationOptions options = wandering_options();
   const int cycles = static_cast<int>(options.max_time / options.control_period);
   CObservation2DRangeScan scan = mrpt_scan();
@@ -152,7 +152,7 @@ void mrpt(benchmark::State& state) {
 
 BENCHMARK(slalom)->Unit(benchmark::kMillisecond);
 BENCHMARK(mrpt)->Unit(benchmark::kMillisecond);
-BENCHMARK(motion_and_judging)->Unit(benchmark::kMillisecond);
+BENCHMARK(without_scan)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace slalom

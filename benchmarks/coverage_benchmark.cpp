@@ -1,9 +1,9 @@
-/// Fills 10 bins x 20 scenarios over density, clearness and confinement, and a joint 6 x 6 map of
+/// Fills 10 bins x 20 scenarios of density, clearness and confinement, and a joint 6 x 6 map of
 /// density and confinement; prints the tables with wall-clock time, processor time and memory.
 ///
-///     coverage_benchmark [JOBS] [SEED] [MAX_FLOOR] [MARK...]
+///     coverage_benchmark [JOBS] [SEED] [MAX_EXTENT] [DESCRIPTORS...]
 ///
-/// MARK: density, clearness, confinement, density,confinement; all of them when none is named.
+/// DESCRIPTORS: density, clearness, confinement or density,confinement; default: all of them.
 
 #include <slalom/core/text.h>
 #include <slalom/generation/coverage.h>
@@ -31,14 +31,15 @@ Usage usage() {
           static_cast<double>(used.ru_maxrss) / 1024};
 }
 
-void run(const std::string& descriptors, int jobs, std::uint64_t seed, const std::string& floor) {
+void run(const std::string& descriptors, int jobs, std::uint64_t seed,
+         const std::string& max_extent) {
   const std::string bins = descriptors.find(',') == std::string::npos ? "10" : "6";
   const auto ini =
       slalom::IniFile::from_text("[coverage]\ndescriptors = " + descriptors + "\nbins = " + bins +
-                                 "\nper_bin = 20\nmax_floor = " + floor + "\n");
+                                 "\nper_bin = 20\nmax_extent = " + max_extent + "\n");
   const slalom::CoveragePlan plan =
       slalom::read_coverage_plan(ini, {"random", "poisson_forest", "cellular_automaton"});
-  slalom::CoverageTask task;
+  slalom::CoverageSettings task;
   task.seed = seed;
   task.jobs = jobs;
   const auto progress = slalom::make_silent_progress();
@@ -48,7 +49,7 @@ void run(const std::string& descriptors, int jobs, std::uint64_t seed, const std
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   const Usage after = usage();
   std::fputs(slalom::render_coverage(plan, result).c_str(), stdout);
-  std::fputs(fmt::format("{:.1f} s on the clock, {:.1f} s of processor time, {} threads, peak of "
+  std::fputs(fmt::format("{:.1f} s wall-clock time, {:.1f} s processor time, {} threads, peak "
                          "memory so far {:.0f} MB\n\n",
                          wall.count(), after.cpu_seconds - cpu_before, jobs, after.peak_mb)
                  .c_str(),
@@ -61,8 +62,8 @@ void run(const std::string& descriptors, int jobs, std::uint64_t seed, const std
 int main(int argc, char** argv) {
   const int jobs = argc > 1 ? std::atoi(argv[1]) : 2;
   const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
-  const std::string floor = argc > 3 ? argv[3] : "200";
-  std::vector<std::string> marks(argv + std::min(argc, 4), argv + argc);
-  if (marks.empty()) marks = {"density", "clearness", "confinement", "density,confinement"};
-  for (const std::string& mark : marks) run(mark, jobs, seed, floor);
+  const std::string max_extent = argc > 3 ? argv[3] : "200";
+  std::vector<std::string> selected(argv + std::min(argc, 4), argv + argc);
+  if (selected.empty()) selected = {"density", "clearness", "confinement", "density,confinement"};
+  for (const std::string& descriptors : selected) run(descriptors, jobs, seed, max_extent);
 }

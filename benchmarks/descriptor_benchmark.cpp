@@ -1,10 +1,10 @@
-// Time of scenario descriptors in random rooms of 400 x 400 cells of 0.05 m with 25 to 60 discs,
-// from the scenario alone: its cells, distances, ray tables and shortest path are made anew each
-// time. `first_three` is density, clearness and confinement, `all` every descriptor; `rasterise` is
-// what making the cells takes, `distances`, `ray_tables` and `shortest_path` those, `alone/ID` one
-// descriptor when all that it needs is there. Counters: median, 90 % quantile and largest processor
-// time (ms) over the rooms, for each the least of all repetitions, so that other work on the
-// machine counts little.
+// Time of scenario descriptors in random scenarios of 400 x 400 cells of 0.05 m with 25 to 60
+// discs, starting from the scenario: cells, distances, ray tables and shortest path are recomputed
+// each time. `first_three` is density, clearness and confinement, `all` every descriptor;
+// `rasterize`, `distances`, `ray_tables` and `shortest_path` are the times of these steps,
+// `alone/ID` that of one descriptor with precomputed inputs. Counters: median, 90 % quantile and
+// maximum processor time (ms) over the scenarios, for each the minimum of all repetitions, to
+// reduce the influence of other load.
 #include <slalom/core/random.h>
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/references/exact_shortest.h>
@@ -21,7 +21,7 @@ namespace {
 using mrpt::math::TPoint2D;
 
 constexpr double kSize = 20, kResolution = 0.05;  // m
-constexpr std::size_t kRooms = 20;
+constexpr std::size_t kScenarios = 20;
 
 KnownPath path_in(const World& world) {
   const auto& start = world.scenario().start();
@@ -35,7 +35,7 @@ DescriptorContext context_of(const World& world) {
   return {world, Footprint::disc(0.25), 8, search_once([&world] { return path_in(world); })};
 }
 
-Scenario random_room(RandomEngine& random) {
+Scenario random_scenario(RandomEngine& random) {
   Primitives obstacles;
   const TPoint2D start(1, 1), goal(kSize - 1, kSize - 1);
   const int count = uniform_int(random, 25, 60);
@@ -50,18 +50,19 @@ Scenario random_room(RandomEngine& random) {
                               goal);
 }
 
-/// Rooms with a path for the robot.
-const std::vector<Scenario>& rooms() {
-  static const std::vector<Scenario> made = [] {
-    std::vector<Scenario> rooms;
+/// Scenarios with a path for the robot.
+const std::vector<Scenario>& scenarios() {
+  static const std::vector<Scenario> result = [] {
+    std::vector<Scenario> scenarios;
     RandomEngine random(1);
-    while (rooms.size() < kRooms) {
-      Scenario room = random_room(random);
-      if (!path_in(World(room, kResolution)).path.empty()) rooms.push_back(std::move(room));
+    while (scenarios.size() < kScenarios) {
+      Scenario scenario = random_scenario(random);
+      if (!path_in(World(scenario, kResolution)).path.empty())
+        scenarios.push_back(std::move(scenario));
     }
-    return rooms;
+    return scenarios;
   }();
-  return made;
+  return result;
 }
 
 /// Processor time of this thread, ms.
@@ -71,13 +72,13 @@ double processor_time() {
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// Times `act` in a fresh World of every room.
+/// Times `act` in a new World of every scenario.
 template <typename Prepare, typename Act>
-void time_rooms(benchmark::State& state, Prepare prepare, Act act) {
-  std::vector<double> milliseconds(rooms().size(), std::numeric_limits<double>::infinity());
+void time_scenarios(benchmark::State& state, Prepare prepare, Act act) {
+  std::vector<double> milliseconds(scenarios().size(), std::numeric_limits<double>::infinity());
   for (auto _ : state)
-    for (std::size_t i = 0; i < rooms().size(); ++i) {
-      const World world(rooms()[i], kResolution);
+    for (std::size_t i = 0; i < scenarios().size(); ++i) {
+      const World world(scenarios()[i], kResolution);
       const DescriptorContext context = context_of(world);
       prepare(context);
       const double begin = processor_time();
@@ -92,8 +93,8 @@ void time_rooms(benchmark::State& state, Prepare prepare, Act act) {
 
 void nothing(const DescriptorContext&) {}
 
-void rasterise(benchmark::State& state) {
-  time_rooms(state, nothing, [](const DescriptorContext& context) {
+void rasterize(benchmark::State& state) {
+  time_scenarios(state, nothing, [](const DescriptorContext& context) {
     benchmark::DoNotOptimize(context.world.occupancy().cells().data());
   });
 }
@@ -103,13 +104,13 @@ void cells(const DescriptorContext& context) {
 }
 
 void distances(benchmark::State& state) {
-  time_rooms(state, cells, [](const DescriptorContext& context) {
+  time_scenarios(state, cells, [](const DescriptorContext& context) {
     benchmark::DoNotOptimize(context.world.distance_field().centers().data());
   });
 }
 
 void ray_tables(benchmark::State& state) {
-  time_rooms(state, cells, [](const DescriptorContext& context) {
+  time_scenarios(state, cells, [](const DescriptorContext& context) {
     benchmark::DoNotOptimize(context.world.ray_caster().cast({1, 1}, 0, 1));
   });
 }
@@ -118,44 +119,45 @@ void shortest_path(benchmark::State& state) {
   const auto with_distances = [](const DescriptorContext& context) {
     context.world.distance_field();
   };
-  time_rooms(state, with_distances, [](const DescriptorContext& context) {
+  time_scenarios(state, with_distances, [](const DescriptorContext& context) {
     benchmark::DoNotOptimize(context.shortest().length);
   });
 }
 
 void first_three(benchmark::State& state) {
-  time_rooms(state, nothing, [](const DescriptorContext& context) {
+  time_scenarios(state, nothing, [](const DescriptorContext& context) {
     for (const std::string id : {"density", "clearness", "confinement"})
       benchmark::DoNotOptimize(descriptor(id).compute(context));
   });
 }
 
 void all(benchmark::State& state) {
-  time_rooms(state, nothing, [](const DescriptorContext& context) {
-    for (const auto& each : all_descriptors()) benchmark::DoNotOptimize(each->compute(context));
+  time_scenarios(state, nothing, [](const DescriptorContext& context) {
+    for (const auto& each : all_descriptors()) benchmark::DoNotOptimize(each.compute(context));
   });
 }
 
-void alone(benchmark::State& state, const Descriptor& wanted) {
+void alone(benchmark::State& state, const Descriptor& descriptor) {
   const auto prepare = [](const DescriptorContext& context) {
     context.world.distance_field();
     context.world.ray_caster();
     context.shortest();
   };
-  time_rooms(state, prepare, [&](const DescriptorContext& context) {
-    benchmark::DoNotOptimize(wanted.compute(context));
+  time_scenarios(state, prepare, [&](const DescriptorContext& context) {
+    benchmark::DoNotOptimize(descriptor.compute(context));
   });
 }
 
 const bool kRegistered = [] {
   for (const auto& each : all_descriptors())
-    benchmark::RegisterBenchmark(("alone/" + each->info().id).c_str(),
-                                 [&each](benchmark::State& state) { alone(state, *each); })
-        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(("alone/" + each.info.id).c_str(), [&each](
+                                                                        benchmark::State& state) {
+      alone(state, each);
+    })->Unit(benchmark::kMillisecond);
   return true;
 }();
 
-BENCHMARK(rasterise)->Unit(benchmark::kMillisecond);
+BENCHMARK(rasterize)->Unit(benchmark::kMillisecond);
 BENCHMARK(distances)->Unit(benchmark::kMillisecond);
 BENCHMARK(ray_tables)->Unit(benchmark::kMillisecond);
 BENCHMARK(shortest_path)->Unit(benchmark::kMillisecond);

@@ -1,8 +1,7 @@
 // Lock-step control cycles per second over LCM with 181 rays, against bare LCM round trips in the
 // same run: 181 floats one way, two doubles back, in two processes. `lcm_lockstep` is
-// Method::step() with a method that slalom::serve_method() hosts, `bare_lcm` publish() and handle()
-// with nothing about them, `in_process` the same method called directly. For figures worth
-// comparing run it with
+// Method::step() with a method that slalom::serve_method() hosts, `bare_lcm` only publish() and
+// handle(), `in_process` the same method called directly. For comparable figures run it with
 //   --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true
 #include "private_network.h"
 
@@ -20,13 +19,13 @@ namespace slalom {
 namespace {
 
 constexpr int kRays = 181;
-constexpr char kHost[] = "--host";  // argument that makes this program the method's process
+constexpr char kHost[] = "--host";  // argument to run this program as the method's process
 std::string own_path;
 
-/// Looks at every range, as the least that a method does.
+/// Reads every range, the minimum work of a method.
 class Nearest : public Method {
  public:
-  void reset(const Task&) override {}
+  void reset(const NavigationTask&) override {}
   Command step(const Observation& observation) override {
     float nearest = observation.scan->maxRange;
     for (std::size_t i = 0; i < observation.scan->getScanSize(); ++i)
@@ -42,13 +41,13 @@ int host() {
   return 0;
 }
 
-/// A scan and what belongs to it.
-struct Sight {
-  Sight() {
+/// An observation and its scan.
+struct ScanObservation {
+  ScanObservation() {
     scan.maxRange = 8;
     scan.resizeScan(kRays);
     for (int i = 0; i < kRays; ++i)
-      scan.setScanRange(static_cast<std::size_t>(i), 2.0F + 0.01F * i);
+      scan.setScanRange(static_cast<std::size_t>(i), 2.0F + 0.01F * static_cast<float>(i));
     observation.scan = &scan;
   }
   mrpt::obs::CObservation2DRangeScan scan;
@@ -61,19 +60,19 @@ void count_cycles(benchmark::State& state) {
 }
 
 void in_process(benchmark::State& state) {
-  const Sight sight;
+  const ScanObservation input;
   Nearest method;
-  for (auto _ : state) benchmark::DoNotOptimize(method.step(sight.observation));
+  for (auto _ : state) benchmark::DoNotOptimize(method.step(input.observation));
   count_cycles(state);
 }
 
 void lcm_lockstep(benchmark::State& state) {
   const IniFile ini = IniFile::from_text("[method.a]\nadapter = lcm\nlaunch = exec '" + own_path +
                                          "' " + kHost + "\n");
-  const Sight sight;
-  const auto method = make_lcm_method({ini, "method.a", RobotModel(), SensorModel()});
-  method->reset(Task());
-  for (auto _ : state) benchmark::DoNotOptimize(method->step(sight.observation));
+  const ScanObservation input;
+  const auto method = read_lcm_method(ini, "method.a")(RobotModel(), SensorModel());
+  method->reset(NavigationTask());
+  for (auto _ : state) benchmark::DoNotOptimize(method->step(input.observation));
   count_cycles(state);
 }
 
@@ -81,7 +80,7 @@ bool wait(lcm::LCM& lcm, bool blocking) {
   return blocking ? lcm.handle() == 0 : lcm.handleTimeout(100) >= 0;
 }
 
-/// Sends back two doubles for whatever comes.
+/// Responds with two doubles to every message.
 class Echo {
  public:
   [[noreturn]] static void serve(bool blocking) {
@@ -101,8 +100,8 @@ class Echo {
   lcm::LCM& lcm_;
 };
 
-void hear(const lcm::ReceiveBuffer*, const std::string&, int* heard) {
-  ++*heard;
+void count_message(const lcm::ReceiveBuffer*, const std::string&, int* received) {
+  ++*received;
 }
 
 void exchange(benchmark::State& state, bool blocking) {
@@ -110,13 +109,13 @@ void exchange(benchmark::State& state, bool blocking) {
   if (echo == 0) Echo::serve(blocking);
   {
     lcm::LCM lcm(LcmOptions().url);
-    int heard = 0;
-    lcm.subscribeFunction("BARE_BACK", hear, &heard);
+    int received = 0;
+    lcm.subscribeFunction("BARE_BACK", count_message, &received);
     const std::vector<float> ranges(kRays, 2.0F);
     const auto send = [&] {
       lcm.publish("BARE_OUT", ranges.data(), static_cast<unsigned>(ranges.size() * sizeof(float)));
     };
-    while (heard == 0) {  // it is starting
+    while (received == 0) {  // the echo process is starting
       send();
       lcm.handleTimeout(50);
     }

@@ -1,9 +1,8 @@
-// Control cycles per second of MRPT's CReactiveNavigationSystem with its stock configuration, on
-// one core. `simulated` is the whole: simulate() with the navigator as its method (sensing, motion,
-// collision tests, recording). `alone` is the navigator without any of that: the same cycles, whose
-// poses and obstacle points were noted beforehand, given to it through the thinnest interface. The
-// difference is what the simulator and the adapter cost. Counter `cycles` is control cycles per
-// second.
+// Control cycles per second of MRPT's CReactiveNavigationSystem with its default configuration, on
+// one core. `simulated` is simulate() with the navigator as its method (sensing, motion, collision
+// checking, recording). `alone` is the navigator only: the same cycles, with previously recorded
+// poses and obstacle points passed through a minimal interface. The difference is the cost of the
+// simulator and the adapter. Counter `cycles` is control cycles per second.
 #include <slalom/core/random.h>
 #include <slalom/mrpt_nav/navigator_method.h>
 #include <slalom/simulation/run_observer.h>
@@ -26,22 +25,22 @@ namespace {
 using mrpt::math::TPose2D;
 
 const char* const kConfig = "/usr/share/mrpt/config_files/navigation-ptgs/reactive2d_config.ini";
-constexpr int kRooms = 8;
+constexpr int kWorlds = 8;
 
-Scenario room_with_discs(std::uint64_t seed) {
+Scenario scenario_of_discs(std::uint64_t seed) {
   RandomEngine random(seed);
   Primitives obstacles;
   for (int i = 0; i < 8; ++i)
     obstacles.discs.push_back({{uniform_real(random, 2, 8), uniform_real(random, 0.5, 9.5)},
                                uniform_real(random, 0.2, 0.5)});
-  return Scenario::continuous("room", {0, 0, 10, 10}, obstacles, {1, 5, 0}, {9, 5});
+  return Scenario::continuous("world", {0, 0, 10, 10}, obstacles, {1, 5, 0}, {9, 5});
 }
 
-const std::vector<std::unique_ptr<World>>& rooms() {
+const std::vector<std::unique_ptr<World>>& all_worlds() {
   static const std::vector<std::unique_ptr<World>> worlds = [] {
     std::vector<std::unique_ptr<World>> made;
-    for (int i = 0; i < kRooms; ++i) {
-      made.push_back(std::make_unique<World>(room_with_discs(i), 0.05));
+    for (int i = 0; i < kWorlds; ++i) {
+      made.push_back(std::make_unique<World>(scenario_of_discs(i), 0.05));
       made.back()->distance_field();
       made.back()->ray_caster();
     }
@@ -53,7 +52,7 @@ const std::vector<std::unique_ptr<World>>& rooms() {
 std::unique_ptr<Method> navigator_method() {
   const IniFile ini = IniFile::from_text(
       "[method.a]\nadapter = mrpt_navigator\nrobot = config\nconfig = " + std::string(kConfig));
-  return make_navigator_method({ini, "method.a", {}, {}});
+  return read_navigator_method(ini, "method.a")({}, {});
 }
 
 void count(benchmark::State& state, std::size_t cycles) {
@@ -65,10 +64,10 @@ void simulated(benchmark::State& state) {
   const auto method = navigator_method();
   const RunSetup setup;
   std::size_t cycles = 0;
-  simulate(*rooms()[0], setup, 1, *method);
+  simulate(*all_worlds()[0], setup, 1, *method);
   for (auto _ : state)
-    for (const auto& room : rooms())
-      cycles += simulate(*room, setup, 1, *method).cycle_seconds.size();
+    for (const auto& world : all_worlds())
+      cycles += simulate(*world, setup, 1, *method).cycle_seconds.size();
   count(state, cycles);
 }
 
@@ -78,23 +77,23 @@ struct Cycle {
   mrpt::maps::CSimplePointsMap obstacles;
 };
 
-/// Notes what the robot's interface tells the navigator.
-class Notes : public RunObserver {
+/// Records the navigator's inputs from the robot interface.
+class CycleRecorder : public RunObserver {
  public:
   std::vector<Cycle> cycles;
 
-  void on_start(const Task&) override {}
+  void on_start(const NavigationTask&) override {}
   void on_end(const SimulationResult&) override {}
-  void on_cycle(const Observation& seen, const Command&, const TPose2D&) override {
+  void on_cycle(const Observation& observation, const Command&, const TPose2D&) override {
     Cycle cycle;
-    cycle.pose = seen.odometry;
-    cycle.velocity = {seen.v * std::cos(seen.odometry.phi), seen.v * std::sin(seen.odometry.phi),
-                      seen.w};
-    const auto rays = static_cast<double>(seen.scan->getScanSize());
-    for (std::size_t i = 0; i < seen.scan->getScanSize(); ++i) {
-      if (!seen.scan->getScanRangeValidity(i)) continue;
-      const float range = seen.scan->getScanRange(i);
-      const double angle = seen.scan->aperture * (static_cast<double>(i) / (rays - 1) - 0.5);
+    cycle.pose = observation.odometry;
+    cycle.velocity = {observation.v * std::cos(observation.odometry.phi),
+                      observation.v * std::sin(observation.odometry.phi), observation.w};
+    const auto rays = static_cast<double>(observation.scan->getScanSize());
+    for (std::size_t i = 0; i < observation.scan->getScanSize(); ++i) {
+      if (!observation.scan->getScanRangeValidity(i)) continue;
+      const float range = observation.scan->getScanRange(i);
+      const double angle = observation.scan->aperture * (static_cast<double>(i) / (rays - 1) - 0.5);
       cycle.obstacles.insertPoint(range * static_cast<float>(std::cos(angle)),
                                   range * static_cast<float>(std::sin(angle)), 0.1F);
     }
@@ -102,8 +101,8 @@ class Notes : public RunObserver {
   }
 };
 
-/// Tells one noted cycle after another.
-class NotedRobot : public mrpt::nav::CRobot2NavInterface {
+/// Provides the recorded cycles one after another.
+class RecordedRobot : public mrpt::nav::CRobot2NavInterface {
  public:
   const Cycle* cycle = nullptr;
   double time = 0;
@@ -133,25 +132,25 @@ class NotedRobot : public mrpt::nav::CRobot2NavInterface {
 };
 
 /// The cycles of the same runs.
-std::vector<std::vector<Cycle>> noted_runs() {
+std::vector<std::vector<Cycle>> recorded_runs() {
   const auto method = navigator_method();
   std::vector<std::vector<Cycle>> runs;
-  for (const auto& room : rooms()) {
-    Notes notes;
-    simulate(*room, RunSetup(), 1, *method, &notes);
-    runs.push_back(std::move(notes.cycles));
+  for (const auto& world : all_worlds()) {
+    CycleRecorder recorder;
+    simulate(*world, RunSetup(), 1, *method, &recorder);
+    runs.push_back(std::move(recorder.cycles));
   }
   return runs;
 }
 
-/// MRPT's clock and the robot's, a control period further.
-void advance(NotedRobot& robot, double seconds) {
+/// Advances MRPT's clock and the robot's.
+void advance(RecordedRobot& robot, double seconds) {
   robot.time += seconds;
   mrpt::Clock::setSimulatedTime(mrpt::Clock::now() +
                                 mrpt::Clock::duration(std::llround(seconds * 1e7)));
 }
 
-std::size_t navigate(mrpt::nav::CAbstractNavigator& navigator, NotedRobot& robot,
+std::size_t navigate(mrpt::nav::CAbstractNavigator& navigator, RecordedRobot& robot,
                      const std::vector<Cycle>& run) {
   mrpt::nav::CAbstractNavigator::TNavigationParams target;
   target.target.target_coords = {9, 5, 0};
@@ -169,9 +168,9 @@ std::size_t navigate(mrpt::nav::CAbstractNavigator& navigator, NotedRobot& robot
 }
 
 void alone(benchmark::State& state) {
-  const auto runs = noted_runs();
+  const auto runs = recorded_runs();
   mrpt::nav::registerAllClasses_mrpt_nav();
-  NotedRobot robot;
+  RecordedRobot robot;
   robot.time = 1;
   mrpt::nav::CReactiveNavigationSystem navigator(robot, false);
   navigator.logging_enable_console_output = false;

@@ -1,10 +1,10 @@
-// Time to find reference paths in random rooms of 400 x 400 cells of 0.05 m with 25 to 60 discs,
-// for a robot of 0.25 m. `exact` is the shortest path with its certificate, to a gap of 1 %;
-// `safest` the path on the Voronoi diagram; its peer `mrpt_voronoi` is buildVoronoiDiagram() alone,
-// on the same grids. The rest are OMPL's planners, stopped at 1 % and 0.5 % above the certified
-// lower bound, or after a second. Counters: median and largest time over the rooms (ms), and
-// `reached`, the share of rooms in which the gap was reached. The tables of a room are made
-// beforehand.
+// Planning time of reference paths in random scenarios of 400 x 400 cells of 0.05 m with 25 to 60
+// discs, for a robot radius of 0.25 m. `exact` is the shortest path with its certificate, to a gap
+// of 1 %; `safest` the path on the Voronoi diagram; its peer `mrpt_voronoi` is only
+// buildVoronoiDiagram(), on the same grids. The others are OMPL's planners, stopped at 1 % and 0.5
+// % above the certified lower bound, or after a second. Counters: median and maximum time over the
+// scenarios (ms), and `reached`, the fraction of scenarios in which the gap was reached. The tables
+// of a scenario are precomputed.
 #include <slalom/core/random.h>
 #include <slalom/ompl/ompl_planner.h>
 #include <slalom/references/exact_shortest.h>
@@ -23,9 +23,9 @@ namespace {
 using mrpt::math::TPoint2D;
 
 constexpr double kSize = 20, kResolution = 0.05, kRadius = 0.25;  // m
-constexpr std::size_t kRooms = 24;
+constexpr std::size_t kScenarios = 24;
 
-Scenario random_room(RandomEngine& random) {
+Scenario random_scenario(RandomEngine& random) {
   Primitives obstacles;
   const TPoint2D start(1, 1), goal(kSize - 1, kSize - 1);
   const int count = uniform_int(random, 25, 60);
@@ -46,43 +46,43 @@ PlanningProblem problem_of(const World& world) {
   return {world, kRadius, {start.x, start.y}, world.scenario().goal()};
 }
 
-struct Room {
+struct Problem {
   const World& world;
   References exact;
 };
 
-/// Solvable rooms with their tables and exact references.
-const std::vector<Room>& rooms() {
+/// Solvable scenarios with their tables and exact references.
+const std::vector<Problem>& problems() {
   static std::deque<World> worlds;
-  static const std::vector<Room> made = [] {
-    std::vector<Room> rooms;
+  static const std::vector<Problem> result = [] {
+    std::vector<Problem> problems;
     RandomEngine random(1);
-    while (rooms.size() < kRooms) {
-      worlds.emplace_back(random_room(random), kResolution);
+    while (problems.size() < kScenarios) {
+      worlds.emplace_back(random_scenario(random), kResolution);
       References exact = compute_references(problem_of(worlds.back()), nullptr, 0.001, 1);
       if (exact.shortest)
-        rooms.push_back({worlds.back(), std::move(exact)});
+        problems.push_back({worlds.back(), std::move(exact)});
       else
         worlds.pop_back();
     }
-    return rooms;
+    return problems;
   }();
-  return made;
+  return result;
 }
 
-/// Times `solve` in every room; it says whether it reached what it was asked for.
+/// Times `solve` in every scenario; it returns whether the gap was reached.
 template <typename Solve>
-void time_rooms(benchmark::State& state, Solve solve) {
+void time_problems(benchmark::State& state, Solve solve) {
   std::vector<double> milliseconds;
   std::size_t reached = 0;
-  rooms();
+  problems();
   for (auto _ : state)
-    for (const Room& room : rooms()) {
+    for (const Problem& problem : problems()) {
       const auto begin = std::chrono::steady_clock::now();
-      reached += solve(room) ? 1 : 0;
-      const std::chrono::duration<double, std::milli> taken =
+      reached += solve(problem) ? 1 : 0;
+      const std::chrono::duration<double, std::milli> elapsed =
           std::chrono::steady_clock::now() - begin;
-      milliseconds.push_back(taken.count());
+      milliseconds.push_back(elapsed.count());
     }
   std::sort(milliseconds.begin(), milliseconds.end());
   state.counters["median_ms"] = milliseconds[milliseconds.size() / 2];
@@ -92,24 +92,24 @@ void time_rooms(benchmark::State& state, Solve solve) {
 }
 
 void exact(benchmark::State& state) {
-  time_rooms(state, [](const Room& room) {
+  time_problems(state, [](const Problem& problem) {
     std::string reason;
-    const auto path = exact_shortest_path(problem_of(room.world), 0.01, reason);
+    const auto path = exact_shortest_path(problem_of(problem.world), 0.01, reason);
     return path && path->certificate.gap() <= 0.01;
   });
 }
 
 void safest(benchmark::State& state) {
-  time_rooms(state, [](const Room& room) {
+  time_problems(state, [](const Problem& problem) {
     std::string reason;
-    return safest_path(problem_of(room.world), reason).has_value();
+    return safest_path(problem_of(problem.world), reason).has_value();
   });
 }
 
 void mrpt_voronoi(benchmark::State& state) {
-  time_rooms(state, [](const Room& room) {
-    mrpt::maps::COccupancyGridMap2D map = *room.world.scenario().grid_map();
-    // It reads beyond the map at its border: kept inside.
+  time_problems(state, [](const Problem& problem) {
+    mrpt::maps::COccupancyGridMap2D map = *problem.world.scenario().grid_map();
+    // It reads beyond the map at its border: an inset avoids that.
     constexpr int kInset = 4, kCells = static_cast<int>(kSize / kResolution);
     map.buildVoronoiDiagram(0.5F, static_cast<float>(kRadius), kInset, kCells - kInset, kInset,
                             kCells - kInset);
@@ -125,9 +125,9 @@ void ompl(benchmark::State& state, const std::string& name, double gap) {
   options.max_time = 1;
   const auto planner = make_ompl_planner(options);
   std::uint64_t seed = 0;
-  time_rooms(state, [&](const Room& room) {
-    const auto path = planner->plan(problem_of(room.world), room.exact, ++seed);
-    return path && length(*path) <= (1 + gap) * room.exact.shortest->certificate.lower_bound;
+  time_problems(state, [&](const Problem& problem) {
+    const auto path = planner->plan(problem_of(problem.world), problem.exact, ++seed);
+    return path && length(*path) <= (1 + gap) * problem.exact.shortest->certificate.lower_bound;
   });
 }
 

@@ -1,9 +1,9 @@
-// A million runs with forty metrics: cross tables of them in memory, and reading them from a result
-// file (made once in the folder for temporary files), beside SQLite's own GROUP BY over the same
-// file. Counter `peak_MB` is the most memory that the process had so far, so that benchmarks are
-// best run one by one (--benchmark_filter).
+// A million runs with forty metrics: cross tables in memory, and reading from a result file
+// (created once in the folder for temporary files), compared with SQLite's GROUP BY over the same
+// file. Counter `peak_MB` is the peak memory of the process so far: run benchmarks one by one
+// (--benchmark_filter).
 #include <slalom/analysis/cross_table.h>
-#include <slalom/io/result_columns.h>
+#include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -38,16 +38,16 @@ std::string hash_of(int scenario) {
   return std::string(32 - digits.size(), '0') + digits;
 }
 
-/// One in ten runs fails; a third of the metrics is there only for those that succeed.
+/// One in ten runs fails; a third of the metrics is available only for successful runs.
 Value value_of(RandomEngine& engine, int metric, bool success) {
   if (metric == 0) return Value::of(success ? 1 : 0);
   if (!success && metric % 3 == 0) return Value::na("outcome: collision");
   return Value::of(uniform_real(engine, 0, 1));
 }
 
-RunColumns make_columns() {
+ResultTable make_columns() {
   RandomEngine engine(1);
-  RunColumns columns;
+  ResultTable columns;
   columns.outcomes = {"success", "collision"};
   for (int m = 0; m < kMethods; ++m) columns.methods.push_back("method" + std::to_string(m));
   columns.descriptors.emplace_back(kDensity);
@@ -121,9 +121,9 @@ AnalysisOptions without_ids() {
   return options;
 }
 
-/// Ten bins by as many columns as the argument says, for one method and for all ten.
+/// Ten bins by as many columns as the argument, for one method and for all ten.
 void cross_table(benchmark::State& state, const std::string& method) {
-  static const RunColumns columns = make_columns();
+  static const ResultTable columns = make_columns();
   std::vector<std::string> ids = all_ids();
   ids.resize(static_cast<std::size_t>(state.range(0)));
   for (auto _ : state) {
@@ -144,15 +144,15 @@ void of_all_methods(benchmark::State& state) {
 void read_some(benchmark::State& state) {
   const std::string path = file_of_million();
   for (auto _ : state) {
-    benchmark::DoNotOptimize(read_run_columns(
-        path, std::vector<std::string>{"success", "metric_1", "metric_3", "density"}));
+    benchmark::DoNotOptimize(
+        read_results(path, std::vector<std::string>{"success", "metric_1", "metric_3", "density"}));
   }
   count_memory(state);
 }
 
 void read_all(benchmark::State& state) {
   const std::string path = file_of_million();
-  for (auto _ : state) benchmark::DoNotOptimize(read_run_columns(path));
+  for (auto _ : state) benchmark::DoNotOptimize(read_results(path));
   count_memory(state);
 }
 

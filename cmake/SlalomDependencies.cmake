@@ -1,4 +1,5 @@
-# Everything foreign that the project builds on, all from the distribution's packages.
+# Third-party dependencies of the libraries, all from the distribution's packages. Installed: find_package(slalom) with
+# components includes it.
 find_package(mrpt-config REQUIRED)
 find_package(mrpt-math REQUIRED)
 find_package(mrpt-maps REQUIRED)
@@ -6,15 +7,12 @@ find_package(mrpt-obs REQUIRED)
 find_package(mrpt-img REQUIRED)
 find_package(mrpt-kinematics REQUIRED)
 find_package(mrpt-nav REQUIRED)
-find_package(mrpt-gui REQUIRED)
 find_package(Boost REQUIRED)
 find_package(Threads REQUIRED)
-find_package(CLI11 REQUIRED)
 find_package(SQLiteCpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(ompl REQUIRED)
-find_package(OpenGL REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
@@ -23,15 +21,18 @@ pkg_check_modules(xlsxwriter REQUIRED IMPORTED_TARGET xlsxwriter)
 pkg_check_modules(highway REQUIRED IMPORTED_TARGET libhwy)
 find_package(fmt REQUIRED)
 
-# OMPL's package gives variables; a target keeps its include folders out of every other room.
-add_library(slalom_ompl_library INTERFACE)
-target_include_directories(slalom_ompl_library SYSTEM INTERFACE ${OMPL_INCLUDE_DIRS})
-target_link_libraries(slalom_ompl_library INTERFACE ${OMPL_LIBRARIES})
+# OMPL's package defines variables only; a target keeps its include folders out of all other modules.
+if(NOT TARGET OMPL::OMPL)
+  add_library(OMPL::OMPL INTERFACE IMPORTED)
+  target_include_directories(OMPL::OMPL SYSTEM INTERFACE ${OMPL_INCLUDE_DIRS})
+  target_link_libraries(OMPL::OMPL INTERFACE ${OMPL_LIBRARIES})
+endif()
 
-# LCM's pkg-config file asks for GLib's headers, which nothing here needs.
+# LCM's pkg-config file requires GLib's headers, which are not needed here.
 find_path(SLALOM_LCM_INCLUDE_DIR lcm/lcm-cpp.hpp REQUIRED)
 find_library(SLALOM_LCM_LIBRARY lcm REQUIRED)
-find_program(SLALOM_LCM_GEN lcm-gen REQUIRED)
-add_library(slalom_lcm_library INTERFACE)
-target_include_directories(slalom_lcm_library SYSTEM INTERFACE ${SLALOM_LCM_INCLUDE_DIR})
-target_link_libraries(slalom_lcm_library INTERFACE ${SLALOM_LCM_LIBRARY})
+if(NOT TARGET LCM::LCM)
+  add_library(LCM::LCM INTERFACE IMPORTED)
+  target_include_directories(LCM::LCM SYSTEM INTERFACE ${SLALOM_LCM_INCLUDE_DIR})
+  target_link_libraries(LCM::LCM INTERFACE ${SLALOM_LCM_LIBRARY})
+endif()

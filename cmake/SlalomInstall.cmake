@@ -1,17 +1,25 @@
-# Installs the programs' configurations, the headers of compiled methods and navigators, and a CMake package, so that a
-# method is built out of tree by find_package(slalom) and slalom_add_method().
+# Installs the example configurations, the modules and adapters as static libraries with their headers, and a CMake
+# package: find_package(slalom) for methods built out of tree, with components for programs that use the libraries.
 include(CMakePackageConfigHelpers)
 set(SLALOM_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/slalom)
 
-install(FILES ${PROJECT_SOURCE_DIR}/modules/methods/include/slalom/methods/slalom_method.h
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slalom/methods)
-install(FILES ${PROJECT_SOURCE_DIR}/adapters/mrpt_nav/include/slalom/mrpt_nav/navigator_plugin.h
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slalom/mrpt_nav)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/slalom/configs)
 
+# The window is a program, not a library.
+get_property(modules GLOBAL PROPERTY SLALOM_MODULES)
+list(REMOVE_ITEM modules gui)
+foreach(module ${modules})
+  get_target_property(folder slalom_${module} SOURCE_DIR)
+  install(DIRECTORY ${folder}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  set_target_properties(slalom_${module} PROPERTIES EXPORT_NAME ${module})
+  install(TARGETS slalom_${module} EXPORT slalomLibraries ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endforeach()
+install(TARGETS slalom_lcm_types EXPORT slalomLibraries)
+install(EXPORT slalomLibraries NAMESPACE slalom:: DESTINATION ${SLALOM_PACKAGE_DIR})
 install(TARGETS slalom_method_api EXPORT slalomTargets)
 install(EXPORT slalomTargets NAMESPACE slalom:: DESTINATION ${SLALOM_PACKAGE_DIR})
-install(FILES ${PROJECT_SOURCE_DIR}/cmake/SlalomMethod.cmake DESTINATION ${SLALOM_PACKAGE_DIR})
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/SlalomMethod.cmake ${PROJECT_SOURCE_DIR}/cmake/SlalomDependencies.cmake
+        DESTINATION ${SLALOM_PACKAGE_DIR})
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/slalomConfig.cmake.in
   ${PROJECT_BINARY_DIR}/slalomConfig.cmake INSTALL_DESTINATION ${SLALOM_PACKAGE_DIR})

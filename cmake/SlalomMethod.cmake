@@ -1,5 +1,5 @@
 # slalom_add_method(NAME source...): an avoidance method as a shared library with the plain C prototype of
-# <slalom/methods/slalom_method.h>. Everything but the exported function is hidden.
+# <slalom/methods/slalom_method.h>. All symbols except the exported function are hidden.
 function(slalom_add_method NAME)
   add_library(${NAME} MODULE ${ARGN})
   target_link_libraries(${NAME} PRIVATE slalom::method_api)

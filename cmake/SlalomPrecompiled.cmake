@@ -1,10 +1,10 @@
-# Headers of MRPT and the standard library that most sources include, compiled once for all rooms and once for all
-# tests: more than half of the compiler's time otherwise. Sources include what they use all the same: the build works
-# with -DSLALOM_PRECOMPILE_HEADERS=OFF.
+# Headers of MRPT and the standard library that most sources include, compiled once for all modules and once for all
+# tests; they take more than half of the compile time otherwise. Sources still include what they use: the build also
+# works with -DSLALOM_PRECOMPILE_HEADERS=OFF.
 set(SLALOM_PRECOMPILED_HEADERS
   <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <optional> <set> <string> <variant> <vector>
   <mrpt/maps/COccupancyGridMap2D.h> <mrpt/maps/CSimplePointsMap.h> <mrpt/math/TPoint2D.h> <mrpt/math/TPose2D.h>)
-# Precompiled headers are good only where the same macros are defined: this one comes with Boost in most targets.
+# Precompiled headers are valid only for the same macro definitions; most targets get this one from Boost.
 if(SLALOM_PRECOMPILE_HEADERS)
   add_compile_definitions(BOOST_ALL_NO_LIB)
 endif()
@@ -16,8 +16,8 @@ function(slalom_precompile TARGET)
   endforeach()
 endfunction()
 
-# For rooms above this one in the list of rooms: they all know MRPT's maps.
-function(slalom_precompile_for_rooms)
+# For the modules that follow in modules/CMakeLists.txt: all of them depend on MRPT's maps.
+function(slalom_precompile_for_modules)
   if(SLALOM_PRECOMPILE_HEADERS)
     add_library(slalom_precompiled STATIC ${SLALOM_EMPTY_SOURCE})
     target_link_libraries(slalom_precompiled PRIVATE slalom_scenario)
@@ -25,11 +25,15 @@ function(slalom_precompile_for_rooms)
   endif()
 endfunction()
 
-# For tests, whose code is not for shared libraries and is therefore compiled otherwise.
+# Compiling tests takes longer than the computations in them.
+set(SLALOM_TEST_OPTIMIZATION -O1)
+
+# For tests: executables are compiled with other flags than code for shared libraries.
 function(slalom_precompile_for_tests)
   if(SLALOM_PRECOMPILE_HEADERS)
     add_executable(slalom_precompiled_test ${SLALOM_EMPTY_SOURCE})
     target_link_libraries(slalom_precompiled_test PRIVATE slalom_scenario GTest::gtest GTest::gtest_main)
+    target_compile_options(slalom_precompiled_test PRIVATE ${SLALOM_TEST_OPTIMIZATION})
     slalom_precompile(slalom_precompiled_test <gtest/gtest.h> <sstream>)
   endif()
 endfunction()

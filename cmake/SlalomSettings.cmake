@@ -1,4 +1,4 @@
-# Compiler settings that hold for every target of the project.
+# Compiler settings of all targets.
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -15,7 +15,7 @@ endif()
 
 find_program(SLALOM_CCACHE ccache)
 if(SLALOM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # What ccache's manual asks for where headers are precompiled.
+  # Required by ccache for precompiled headers.
   set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
       ${SLALOM_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
@@ -25,8 +25,13 @@ if(SLALOM_PRECOMPILE_HEADERS AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
 endif()
 
+find_program(SLALOM_MOLD mold)
+if(SLALOM_MOLD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12.1)
+  add_link_options(-fuse-ld=mold)
+endif()
+
 # Results must not depend on whether the compiler fuses a multiply with an add.
-add_compile_options(-Wall -Wextra -ffp-contract=off)
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off)
 if(SLALOM_WARNINGS_AS_ERRORS)
   add_compile_options(-Werror)
 endif()

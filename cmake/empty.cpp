@@ -1,1 +1,1 @@
-// What precompiled headers belong to; see SlalomPrecompiled.cmake.
+// The source of the targets that own the precompiled headers; see SlalomPrecompiled.cmake.

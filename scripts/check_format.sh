@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# Fails when a C or C++ file differs from what .clang-format says; --fix rewrites it.
+# Fails if a C or C++ file, in the repository or new, is not formatted according to .clang-format; --fix reformats it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mode=(--dry-run --Werror)
 [ "${1:-}" = "--fix" ] && mode=(-i)
-git ls-files -z '*.h' '*.cpp' '*.c' | xargs -0 clang-format-14 "${mode[@]}"
+git ls-files -z --cached --others --exclude-standard '*.h' '*.cpp' '*.c' |
+  while IFS= read -r -d '' file; do [ ! -f "$file" ] || printf '%s\0' "$file"; done |
+  xargs -0 clang-format-14 "${mode[@]}"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Fuzzes the readers of files: scripts/fuzz.sh [SECONDS for each target] [TARGET...]
-# Needs clang-14 and libclang-rt-14-dev. What is found lies in build/fuzz/found; a crasher that was mended goes into
-# tests/fuzz/corpus/TARGET, where every test run replays it.
+# Fuzzes the file readers: scripts/fuzz.sh [SECONDS per target] [TARGET...]
+# Requires clang-14 and libclang-rt-14-dev. Findings are written to build/fuzz/found; inputs of fixed defects belong in
+# tests/fuzz/corpus/TARGET, which every test run replays.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${1:-60}

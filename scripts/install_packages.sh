@@ -1,34 +1,31 @@
 #!/usr/bin/env bash
-# Installs what is missing of scripts/packages.txt with apt; does nothing when all is there. With --tests also what
-# the distribution has of scripts/packages_test.txt.
+# Installs the missing packages of scripts/packages.txt with apt (with sudo unless root). With --tests also those packages
+# of scripts/packages_test.txt that the distribution provides.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
+source "$here/apt.sh"
 
-packages_of() { grep -v '^#' "$1"; }
-
-is_installed() {
-  local status
-  status=$(dpkg-query -W -f='${Status}' "$1" 2>/dev/null || true)
-  [ "$status" = "install ok installed" ]
-}
-
-missing=() wished=()
+missing=() optional=()
 for package in $(packages_of "$here/packages.txt"); do
   is_installed "$package" || missing+=("$package")
 done
 if [ "${1:-}" = --tests ]; then
   for package in $(packages_of "$here/packages_test.txt"); do
-    is_installed "$package" || wished+=("$package")
+    is_installed "$package" || optional+=("$package")
   done
 fi
-[ ${#missing[@]} -eq 0 ] && [ ${#wished[@]} -eq 0 ] && exit 0
+[ ${#missing[@]} -eq 0 ] && [ ${#optional[@]} -eq 0 ] && exit 0
 
 as_root=()
 [ "$(id -u)" -eq 0 ] || as_root=(sudo)
 export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" apt-get update -qq
-for package in "${wished[@]}"; do
-  apt-cache policy "$package" | grep -q 'Candidate: [^(]' && missing+=("$package")
+for package in "${optional[@]}"; do
+  if is_available "$package"; then
+    missing+=("$package")
+  else
+    echo "Not available here, tests that need it are skipped: $package" >&2
+  fi
 done
 [ ${#missing[@]} -eq 0 ] && exit 0
 echo "Installing: ${missing[*]}" >&2

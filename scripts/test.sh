@@ -1,12 +1,28 @@
 #!/usr/bin/env bash
-# Installs what is missing, checks the format, builds, and runs every test: as release, and the unit
-# tests once more under the address and undefined-behaviour sanitizers.
+# Installs missing packages, checks the format, builds with warnings as errors, and runs all tests: in release mode, and
+# again under the address and undefined-behavior sanitizers; runs clang-tidy on changes. Prints the time of each step.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+steps=() since=$SECONDS
+finish_step() {
+  steps+=("$(printf '%5d s  %s' $((SECONDS - since)) "$1")")
+  since=$SECONDS
+}
+
 scripts/install_packages.sh --tests
+finish_step "install packages"
 scripts/check_format.sh
-scripts/build.sh release
+scripts/build.sh release -DSLALOM_WARNINGS_AS_ERRORS=ON
+finish_step "build, release"
 ctest --preset release -j 2
+scripts/report_skipped.sh build/release
+finish_step "test, release"
+scripts/check_tidy.sh
+finish_step "clang-tidy of what changed"
 scripts/build.sh asan
+finish_step "build, sanitizers"
 ctest --preset asan -j 2 -LE slow
+scripts/report_skipped.sh build/asan
+finish_step "test, sanitizers"
+printf '%s\n' "${steps[@]}"

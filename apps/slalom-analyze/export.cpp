@@ -3,9 +3,10 @@
 #include <slalom/analysis/data_table.h>
 #include <slalom/analysis/table_latex.h>
 #include <slalom/core/error.h>
-#include <slalom/io/html_report.h>
+#include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 #include <slalom/planner_arena/benchmark_database.h>
+#include <slalom/report/report.h>
 #include <slalom/spreadsheet/workbook.h>
 
 #include <filesystem>
@@ -19,62 +20,63 @@ struct ExportArguments {
   bool quiet = false;
 };
 
-/// The results and the tables that the campaign's [analysis] asks for.
-struct Exported {
+/// The results and the tables configured in the campaign's [analysis].
+struct ExportData {
   ResultTable results;
   SummaryTable summary;
-  std::vector<CrossTable> crossed;
+  std::vector<CrossTable> cross_tables;
 
-  /// All as plain tables; `this` must outlive them.
+  /// All data as plain tables, which refer to this object.
   std::vector<DataTable> tables() const {
     std::vector<DataTable> all = {runs_table(results), scenarios_table(results),
                                   timings_table(results), summary_data(summary)};
-    for (const CrossTable& table : crossed) all.push_back(cross_data(table));
+    for (const CrossTable& table : cross_tables) all.push_back(cross_data(table));
     all.push_back(manifest_table(results));
     return all;
   }
 };
 
-/// One file per table in a folder.
-void write_folder(const Exported& exported, const std::string& folder, const char* ending,
+/// Writes one file per table into a folder.
+void write_folder(const ExportData& data, const std::string& folder, const char* ending,
                   std::string (*render)(const DataTable&)) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw job_error(folder, "cannot be made: " + error.message(), "a folder");
-  for (const DataTable& table : exported.tables()) {
+  if (error)
+    throw job_error(folder, "cannot create the folder: " + error.message(), "a writable path");
+  for (const DataTable& table : data.tables()) {
     const auto path = std::filesystem::path(folder) / (table.name + ending);
     write_file_atomically(path.string(), render(table));
   }
 }
 
-void write_csv(const Exported& exported, const std::string& output) {
-  write_folder(exported, output, ".csv", render_csv);
+void write_csv(const ExportData& data, const std::string& output) {
+  write_folder(data, output, ".csv", render_csv);
 }
 
-void write_json(const Exported& exported, const std::string& output) {
-  write_folder(exported, output, ".json", render_json);
+void write_json(const ExportData& data, const std::string& output) {
+  write_folder(data, output, ".json", render_json);
 }
 
-void write_xlsx(const Exported& exported, const std::string& output) {
-  write_workbook(exported.tables(), output);
+void write_xlsx(const ExportData& data, const std::string& output) {
+  write_workbook(data.tables(), output);
 }
 
-void write_latex(const Exported& exported, const std::string& output) {
-  std::vector<std::string> tables = {render_latex(exported.summary)};
-  for (const CrossTable& table : exported.crossed) tables.push_back(render_latex(table));
+void write_latex(const ExportData& data, const std::string& output) {
+  std::vector<std::string> tables = {render_latex(data.summary)};
+  for (const CrossTable& table : data.cross_tables) tables.push_back(render_latex(table));
   write_file_atomically(output, latex_document(tables));
 }
 
-void write_plannerarena(const Exported& exported, const std::string& output) {
-  write_benchmark_database(exported.results, output);
+void write_plannerarena(const ExportData& data, const std::string& output) {
+  write_benchmark_database(data.results, output);
 }
 
 struct Format {
   const char* name;
-  void (*write)(const Exported& exported, const std::string& output);
+  void (*write)(const ExportData& data, const std::string& output);
 };
 
-/// All formats: the one list to add a line to.
+/// All formats; add new ones here.
 constexpr Format kFormats[] = {
     {"csv", write_csv},
     {"json", write_json},
@@ -84,14 +86,14 @@ constexpr Format kFormats[] = {
 };
 
 void run(const ExportArguments& arguments) {
-  Exported exported;
-  exported.results = ResultFile::open(arguments.results).read_table();
-  const ReportOptions options = report_options(exported.results);
-  exported.summary = build_summary(exported.results, options.columns, options.analysis);
-  exported.crossed =
-      build_cross_tables(exported.results, options.rows, options.columns, options.analysis);
+  ExportData data;
+  data.results = read_detailed_results(arguments.results);
+  const ReportOptions options = report_options(data.results);
+  data.summary = build_summary(data.results, options.columns, options.analysis);
+  data.cross_tables =
+      build_cross_tables(data.results, options.rows, options.columns, options.analysis);
   for (const Format& format : kFormats) {
-    if (arguments.format == format.name) format.write(exported, arguments.output);
+    if (arguments.format == format.name) format.write(data, arguments.output);
   }
   if (!arguments.quiet) std::cerr << arguments.output << ": written\n";
 }
@@ -100,7 +102,7 @@ void run(const ExportArguments& arguments) {
 
 void define_export(CLI::App& app) {
   static ExportArguments arguments;
-  CLI::App* verb = app.add_subcommand("export", "Write results for other programs");
+  CLI::App* verb = app.add_subcommand("export", "Export results for other programs");
   verb->add_option("results", arguments.results, "A result file (.results)")->required();
   std::vector<std::string> names;
   for (const Format& format : kFormats) names.emplace_back(format.name);

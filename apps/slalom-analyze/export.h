@@ -4,7 +4,7 @@
 
 namespace slalom {
 
-/// Adds the verb that writes results for other programs.
+/// Adds the verb `export`.
 void define_export(CLI::App& app);
 
 }  // namespace slalom

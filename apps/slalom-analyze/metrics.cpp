@@ -2,23 +2,18 @@
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/app/campaign_program.h>
-#include <slalom/campaign/measure.h>
+#include <slalom/campaign/measure_log.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_yaml.h>
 #include <slalom/io/trajectory_file.h>
 #include <slalom/metrics/metric.h>
 #include <slalom/ompl/ompl_planner.h>
-#include <slalom/simulation/judge_trajectory.h>
-
-#include <nlohmann/json.hpp>
 
 #include <iostream>
 
 namespace slalom {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct MetricsArguments {
   std::string trajectory, scenario, outcome, radius;
@@ -26,15 +21,8 @@ struct MetricsArguments {
   bool json = false;
 };
 
-/// All that is known of a log when it is measured.
-struct MeasuredLog {
-  SimulationResult run;
-  std::map<std::string, VersionedValue> metrics;
-  std::vector<std::string> notes;
-};
-
-/// What the command line says, over the campaign's .ini where there is one.
-IniFile measuring_ini(const MetricsArguments& arguments) {
+/// The campaign's .ini, if given, overridden by the command line.
+IniFile metrics_ini(const MetricsArguments& arguments) {
   CampaignArguments campaign = arguments.campaign;
   if (!arguments.radius.empty()) campaign.overrides.push_back("robot.radius=" + arguments.radius);
   if (!campaign.config.empty()) return load_campaign_ini(campaign);
@@ -45,59 +33,20 @@ IniFile measuring_ini(const MetricsArguments& arguments) {
   return ini;
 }
 
-Outcome named_outcome(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Outcome outcome : all_outcomes()) {
-    if (to_string(outcome) == name) return outcome;
-    names.push_back(to_string(outcome));
-  }
-  throw usage_error("--outcome", "'" + name + "' is unknown", "one of " + join(names, ", "));
+Outcome parse_outcome(const std::string& name) {
+  if (const auto outcome = from_name<Outcome>(name)) return *outcome;
+  throw usage_error("--outcome", "unknown outcome '" + name + "'",
+                    "one of " + join(names_of<Outcome>(), ", "));
 }
 
-/// As the user says, the log whole; otherwise as the judge of simulations would.
-SimulationResult judged(const MetricsArguments& arguments, const CampaignOptions& options,
-                        const World& world, const Trajectory& log) {
-  if (arguments.outcome.empty())
-    return judge_trajectory(world, options.setup.robot, options.setup.simulation, log);
-  SimulationResult run;
-  run.outcome = named_outcome(arguments.outcome);
-  run.detail = "as given";
-  run.trajectory = log;
-  return run;
-}
-
-/// What a user should know about where the log lies in the scenario.
-std::vector<std::string> remarks(const World& world, const CampaignOptions& options,
-                                 const Trajectory& log, const SimulationResult& run) {
-  std::vector<std::string> notes;
-  const auto& start = world.scenario().start();
-  const auto& first = log.samples.front().pose;
-  const double off = length({{start.x, start.y}, {first.x, first.y}});
-  if (off > options.setup.simulation.goal_tolerance)
-    notes.push_back("the log begins " + format_fixed(off, 2) +
-                    " m beside the scenario's start, from which the references lead");
-  const double rest = log.duration() - run.trajectory.duration();
-  if (rest > 0)
-    notes.push_back("the last " + format_fixed(rest, 2) +
-                    " s of the log are left out: " + run.detail);
-  return notes;
-}
-
-MeasuredLog measure(const MetricsArguments& arguments, const CampaignOptions& options,
-                    const IniFile& ini, const World& world) {
+/// The planner and its gap are those of [reference].
+MeasuredLog measure(CampaignOptions options, const IniFile& ini, const World& world,
+                    const Trajectory& log, const std::string& outcome) {
   const auto planning = read_options<OmplOptions>(ini, "reference");
   const auto planner = make_ompl_planner(planning, options.setup.robot);
-  CampaignOptions with_gap = options;
-  with_gap.reference_gap = planning.gap;
-  TrajectoryFile file = load_trajectory_file(arguments.trajectory, options.setup.robot.holonomic());
-  MeasuredLog log;
-  log.run = judged(arguments, options, world, file.trajectory);
-  log.notes = file.notes;
-  for (const std::string& note : remarks(world, options, file.trajectory, log.run))
-    log.notes.push_back(note);
-  log.metrics = measure_run(with_gap, world, find_references(with_gap, planner.get(), world),
-                            log.run.trajectory, log.run.outcome);
-  return log;
+  options.reference_gap = planning.gap;
+  return measure_log(options, planner.get(), world, log,
+                     outcome.empty() ? std::nullopt : std::optional(parse_outcome(outcome)));
 }
 
 std::string text_of(const MeasuredLog& log, const CampaignOptions& options) {
@@ -106,40 +55,24 @@ std::string text_of(const MeasuredLog& log, const CampaignOptions& options) {
   };
   std::string text = line("outcome", to_string(log.run.outcome) + " (" + log.run.detail + ")");
   for (const std::string& id : options.metrics) {
-    const Value& value = log.metrics.at(id).value;
-    const QuantityInfo info = metric(id).info();
-    const std::string unit = info.unit == "-" ? "" : " " + info.unit;
-    text +=
-        line(id + " v" + std::to_string(info.version),
-             value.is_na() ? "NA (" + value.reason() + ")" : format_number(value.number()) + unit);
+    const QuantityInfo& info = metric(id).info;
+    text += line(id + " v" + std::to_string(info.version),
+                 format_value(log.metrics.at(id).value, info.unit));
   }
   return text;
 }
 
-Json to_json(const MeasuredLog& log, const Scenario& scenario) {
-  Json metrics = Json::object();
-  for (const auto& [id, versioned] : log.metrics) {
-    const Value& value = versioned.value;
-    metrics[id] = value.is_na() ? Json{{"na", value.reason()}} : Json{{"value", value.number()}};
-    metrics[id]["version"] = versioned.version;
-  }
-  return {{"scenario", {{"hash", scenario.hash()}, {"name", scenario.name()}}},
-          {"outcome", to_string(log.run.outcome)},
-          {"outcome_detail", log.run.detail},
-          {"trajectory", log.run.trajectory.hash()},
-          {"notes", log.notes},
-          {"metrics", metrics}};
-}
-
 void run(const MetricsArguments& arguments) {
-  const IniFile ini = measuring_ini(arguments);
+  const IniFile ini = metrics_ini(arguments);
   const CampaignOptions options =
       ini.has_section("campaign") ? read_campaign_options(ini) : read_measuring_options(ini);
-  if (!arguments.outcome.empty()) named_outcome(arguments.outcome);
+  if (!arguments.outcome.empty()) parse_outcome(arguments.outcome);
   const World world(load_scenario_yaml(arguments.scenario), options.setup.simulation.resolution);
-  const MeasuredLog log = measure(arguments, options, ini, world);
+  TrajectoryFile file = load_trajectory_file(arguments.trajectory, options.setup.robot.holonomic());
+  MeasuredLog log = measure(options, ini, world, file.trajectory, arguments.outcome);
+  log.notes.insert(log.notes.begin(), file.notes.begin(), file.notes.end());
   if (arguments.json)
-    std::cout << to_json(log, world.scenario()).dump() << "\n";
+    std::cout << render_json(log, world.scenario()) << "\n";
   else
     std::cout << text_of(log, options);
   if (arguments.campaign.quiet || arguments.json) return;
@@ -156,18 +89,19 @@ void define_metrics(CLI::App& app) {
   verb->add_option("--trajectory", arguments.trajectory,
                    "The log: CSV with a header line t,x,y,phi[,v,w,...], or TUM")
       ->required();
-  verb->add_option("--scenario", arguments.scenario, "Where it was driven (YAML)")->required();
+  verb->add_option("--scenario", arguments.scenario, "Scenario of the log (YAML)")->required();
   verb->add_option("-c,--config", arguments.campaign.config,
-                   "A campaign .ini whose robot, rules and reference hold");
+                   "Campaign .ini for the robot, termination conditions and reference");
   verb->add_option("--set", arguments.campaign.overrides,
                    "Override a key of the .ini: SECTION.KEY=VALUE")
       ->take_all()
       ->allow_extra_args(false);
-  verb->add_option("--robot-radius", arguments.radius, "m; short for --set robot.radius=");
+  verb->add_option("--robot-radius", arguments.radius,
+                   "Radius of the robot, m; the same as --set robot.radius=");
   verb->add_option("--outcome", arguments.outcome,
-                   "How the run ended, e.g. success; otherwise judged from the log");
-  verb->add_flag("--json", arguments.json, "One JSON object");
-  verb->add_flag("--quiet", arguments.campaign.quiet, "No remarks on standard error");
+                   "Outcome of the run, e.g. success (default: evaluated from the log)");
+  verb->add_flag("--json", arguments.json, "Print a JSON object");
+  verb->add_flag("--quiet", arguments.campaign.quiet, "No messages");
   verb->callback([] { run(arguments); });
 }
 

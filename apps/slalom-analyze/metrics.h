@@ -4,7 +4,7 @@
 
 namespace slalom {
 
-/// Adds the verb that computes the metrics of a trajectory from any log.
+/// Adds the verb `metrics`.
 void define_metrics(CLI::App& app);
 
 }  // namespace slalom

@@ -2,9 +2,10 @@
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/core/error.h>
-#include <slalom/core/ini_file.h>
 #include <slalom/core/text.h>
+#include <slalom/io/read_results.h>
 
+#include <optional>
 #include <vector>
 
 namespace slalom {
@@ -21,13 +22,13 @@ std::string value_text(const Value& value) {
   return number + " (standard error " + format_number(*value.standard_error()) + ")";
 }
 
-std::string quantities_text(const ResultTable& table,
+std::string quantities_text(const std::vector<QuantityInfo>& infos,
                             const std::map<std::string, VersionedValue>& values) {
+  std::map<std::string, std::string> units;
+  for (const QuantityInfo& info : infos) units[info.id] = info.unit == "-" ? "" : " " + info.unit;
   std::string text;
   for (const auto& [id, value] : values) {
-    const auto info = table.quantities.find(id);
-    const bool has_unit = info != table.quantities.end() && info->second.unit != "-";
-    const std::string unit = has_unit && !value.value.is_na() ? " " + info->second.unit : "";
+    const std::string unit = value.value.is_na() ? "" : units[id];
     text += line("  " + id + " v" + std::to_string(value.version), value_text(value.value) + unit);
   }
   return text;
@@ -42,35 +43,38 @@ std::string timing_text(const RunTiming& timing) {
   return text;
 }
 
-/// "HASH.../METHOD/REPETITION" with at least the eight digits of a run id.
-bool names(const std::string& id, const RunRecord& run) {
+/// Whether `id` is "HASH.../METHOD/REPETITION" of this run, with at least eight digits of the hash.
+bool matches(const std::string& id, const ResultTable& runs, std::size_t run) {
   const std::size_t slash = id.find('/');
   if (slash == std::string::npos || slash < 8) return false;
-  return run.scenario_hash.compare(0, slash, id, 0, slash) == 0 &&
-         id.substr(slash + 1) == run.method + "/" + std::to_string(run.repetition);
+  return runs.scenario_hashes[runs.scenario[run]].compare(0, slash, id, 0, slash) == 0 &&
+         id.substr(slash) == run_id(runs, run).substr(8);
 }
 
 }  // namespace
 
-const RunRecord& find_run(const ResultTable& table, const std::string& id) {
-  const RunRecord* found = nullptr;
+RunRecord find_run(const ResultFile& file, const std::string& id) {
+  const ResultTable runs = read_results(file.path(), std::vector<std::string>{});
+  std::optional<std::size_t> found;
   std::vector<std::string> ids;
-  for (const RunRecord& run : table.runs) {
-    ids.push_back(run_id(run));
-    if (!names(id, run)) continue;
-    if (found != nullptr) {
-      throw usage_error("run '" + id + "'", "names several runs", "more digits of the hash");
-    }
-    found = &run;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    ids.push_back(run_id(runs, run));
+    if (!matches(id, runs, run)) continue;
+    if (found) throw usage_error("run '" + id + "'", "ambiguous", "more digits of the hash");
+    found = run;
   }
-  if (found != nullptr) return *found;
-  const std::string nearest = nearest_name(id, ids);
-  std::string expected = "HASH8/METHOD/REPETITION as dump and reports name runs";
-  if (!nearest.empty()) expected += ", perhaps " + nearest;
-  throw usage_error("run '" + id + "'", "not in these results", expected);
+  if (!found) {
+    const std::string nearest = nearest_name(id, ids);
+    std::string expected = "HASH8/METHOD/REPETITION as in dumps and reports";
+    if (!nearest.empty()) expected += ", perhaps " + nearest;
+    throw usage_error("run '" + id + "'", "no such run in these results", expected);
+  }
+  return *file.read_run(runs.scenario_hashes[runs.scenario[*found]],
+                        runs.methods[runs.method[*found]],
+                        static_cast<int>(runs.repetition[*found]));
 }
 
-std::string run_text(const ResultTable& table, const RunRecord& run) {
+std::string run_text(const ResultFile& file, const RunRecord& run) {
   std::string text = line("run", run_id(run)) +
                      line("scenario", run.scenario_name + " (" + run.scenario_hash + ")") +
                      line("method", run.method) +
@@ -78,16 +82,13 @@ std::string run_text(const ResultTable& table, const RunRecord& run) {
                      line("seed", std::to_string(run.seed)) + line("outcome", run.outcome);
   if (!run.outcome_detail.empty()) text += line("detail", run.outcome_detail);
   text += line("trajectory", run.trajectory_hash);
-  text += "metrics\n" + quantities_text(table, run.metrics);
-  const auto scenario = table.scenarios.find(run.scenario_hash);
-  if (scenario != table.scenarios.end()) {
-    text += "descriptors of the scenario\n" + quantities_text(table, scenario->second.descriptors);
+  text += "metrics\n" + quantities_text(file.metrics(), run.metrics);
+  if (file.has_scenario(run.scenario_hash)) {
+    const ScenarioRecord scenario = file.read_record(run.scenario_hash);
+    text +=
+        "descriptors of the scenario\n" + quantities_text(file.descriptors(), scenario.descriptors);
   }
-  const auto place = static_cast<std::size_t>(&run - table.runs.data());
-  if (place < table.timings.size()) {
-    text += "wall clock (differs from run to run)\n" + timing_text(table.timings[place]);
-  }
-  return text;
+  return text + "wall clock (not reproducible)\n" + timing_text(file.read_timing(run));
 }
 
 }  // namespace slalom

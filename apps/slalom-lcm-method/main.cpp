@@ -34,12 +34,12 @@ IniFile configuration(const HostArguments& arguments) {
   return ini;
 }
 
-/// What the simulator sets counts more than --set.
+/// Settings from the simulator override --set.
 MethodHost make_host(const IniFile& ini) {
   return MethodHost("slalom-lcm-method", [ini](const hello_t& hello) {
     IniFile own = ini;
     for (const auto& [key, value] : settings_of(hello)) own.set(kSection, key, value);
-    return make_library_method({own, kSection, robot_of(hello), sensor_of(hello)});
+    return read_library_method(own, kSection)(robot_of(hello), sensor_of(hello));
   });
 }
 
@@ -47,7 +47,7 @@ void serve(const HostArguments& arguments, const IniFile& ini) {
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_requested = 1; });
   MethodHost host = make_host(ini);
   if (!arguments.quiet)
-    std::cerr << "Listening on " << arguments.channel << "_HELLO of " << arguments.url << "\n";
+    std::cerr << "Listening on " << arguments.channel << "_HELLO at " << arguments.url << "\n";
   serve_method(host, arguments.url, arguments.channel, [] { return stop_requested != 0; });
 }
 
@@ -56,25 +56,26 @@ void replay(const HostArguments& arguments, const IniFile& ini) {
   std::cout << found.runs << " runs, " << found.observations << " observations, " << found.commands
             << " commands, " << found.different << " different\n";
   if (found.different > 0)
-    throw job_error(arguments.replay, "the method answers otherwise at " + found.first_difference);
+    throw job_error(arguments.replay,
+                    "different answer of the method at " + found.first_difference);
 }
 
 void define(CLI::App& app) {
   static HostArguments arguments;
   app.add_option("-p,--plugin", arguments.plugin,
-                 "Shared library with the prototype of slalom_method.h")
+                 "Shared library of the method (see slalom_method.h)")
       ->required();
-  app.add_option("--set", arguments.settings, "KEY=VALUE, a parameter of the method")
+  app.add_option("--set", arguments.settings, "Parameter of the method: KEY=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--url", arguments.url, "LCM provider and its address")
+  app.add_option("--url", arguments.url, "LCM provider URL")
       ->envname("SLALOM_LCM_URL")
       ->capture_default_str();
-  app.add_option("--channel", arguments.channel, "First part of the channels' names")
+  app.add_option("--channel", arguments.channel, "Prefix of the channel names")
       ->envname("SLALOM_LCM_CHANNEL")
       ->capture_default_str();
   app.add_option("--replay", arguments.replay,
-                 "Compare with the commands in a log of lcm-logger instead of serving");
-  app.add_flag("--quiet", arguments.quiet, "Say nothing but errors");
+                 "Replay a log of lcm-logger and compare the commands, instead of serving");
+  app.add_flag("--quiet", arguments.quiet, "No messages except errors");
   app.callback([] {
     const IniFile ini = configuration(arguments);
     arguments.replay.empty() ? serve(arguments, ini) : replay(arguments, ini);

@@ -20,7 +20,7 @@ void require_same_rays(const RecordedRun& run, const SensorModel& sensor, const 
   const std::size_t rays = run.cycles.front().scan->getScanSize();
   if (static_cast<std::size_t>(sensor.rays) != rays)
     throw usage_error(ini.where("sensor", "rays"),
-                      std::to_string(sensor.rays) + " rays are not those of the recorded scans",
+                      std::to_string(sensor.rays) + " rays do not match the recorded scans",
                       std::to_string(rays));
 }
 
@@ -30,11 +30,11 @@ void check(const CheckArguments& arguments) {
   const CampaignOptions options = read_campaign_options(ini);
   require_same_rays(run, options.setup.sensor, ini);
   const std::string name = arguments.method.empty() ? run.manifest.method : arguments.method;
-  const auto method = all_adapters().create(
-      name, {ini, "method." + name, options.setup.robot, options.setup.sensor});
+  const auto method =
+      all_adapters().read(ini, name).make(options.setup.robot, options.setup.sensor);
   const auto found = first_difference(run, *method);
   if (found) throw job_error(arguments.log, *found, "the recorded command");
-  std::cout << arguments.log << ": " << name << " answers the same " << run.cycles.size()
+  std::cout << arguments.log << ": " << name << " reproduces all " << run.cycles.size()
             << " commands\n";
 }
 
@@ -43,10 +43,11 @@ void check(const CheckArguments& arguments) {
 void define_check(CLI::App& app) {
   static CheckArguments arguments;
   CLI::App* verb = app.add_subcommand(
-      "check", "Execute a recorded run's method again and compare its commands, bit by bit");
+      "check", "Re-execute the method of a recorded run and compare its commands bitwise");
   verb->add_option("log", arguments.log, "The run (.rawlog)")->required();
-  verb->add_option("-c,--config", arguments.config, "A campaign .ini instead of the recorded one");
-  verb->add_option("--method", arguments.method, "Another method of the .ini");
+  verb->add_option("-c,--config", arguments.config,
+                   "Campaign .ini to use instead of the recorded one");
+  verb->add_option("--method", arguments.method, "Use another method of the .ini");
   verb->add_option("--set", arguments.overrides, "Override a key of the .ini: SECTION.KEY=VALUE")
       ->take_all()
       ->allow_extra_args(false);

@@ -17,6 +17,6 @@ void define(CLI::App& app) {
 
 int main(int argc, char** argv) {
   return slalom::run_program("slalom-replay",
-                             "Replays runs from rawlogs, and methods on rawlogs of real robots.",
+                             "Replays recorded runs, and runs methods on rawlogs of real robots.",
                              argc, argv, slalom::define);
 }

@@ -4,38 +4,21 @@
 #include <slalom/gui/display.h>
 #include <slalom/gui/replay_window.h>
 #include <slalom/io/result_file.h>
+#include <slalom/rawlog/run_scene.h>
 
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
 
 namespace slalom {
 namespace {
 
-/// The metrics of a run that its trajectory alone tells; the others need reference paths.
-std::map<std::string, VersionedValue> simple_metrics(const RecordedRun& run) {
-  const bool arrived = run.outcome == Outcome::Success;
-  const Value time = arrived ? Value::of(run.trajectory.duration())
+/// The metrics that depend only on the trajectory; the others need reference paths.
+std::map<std::string, VersionedValue> trajectory_metrics(const RecordedRun& run) {
+  const bool success = run.outcome == Outcome::Success;
+  const Value time = success ? Value::of(run.trajectory.duration())
                              : Value::na("outcome: " + to_string(run.outcome));
   return {{"path_length", {1, Value::of(length(run.trajectory.path()))}},
           {"time_to_goal", {1, time}}};
-}
-
-/// Where the rays of each cycle's scan end, from where the robot was then.
-std::vector<std::shared_ptr<const Path>> scans_of(const RecordedRun& run) {
-  std::vector<std::shared_ptr<const Path>> scans;
-  const std::size_t count = std::min(run.cycles.size(), run.trajectory.samples.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto& scan = *run.cycles[i].scan;
-    const auto& pose = run.trajectory.samples[i].pose;
-    Path ends;
-    for (std::size_t ray = 0; ray < scan.getScanSize(); ++ray) {
-      const double angle = pose.phi + scan.getScanAngle(ray);
-      const double range = static_cast<double>(scan.getScanRange(ray));
-      ends.push_back({pose.x + range * std::cos(angle), pose.y + range * std::sin(angle)});
-    }
-    scans.push_back(std::make_shared<const Path>(std::move(ends)));
-  }
-  return scans;
 }
 
 ReplayContent content_of(const RecordedRun& run, const CampaignOptions& options,
@@ -53,9 +36,11 @@ ReplayContent content_of(const RecordedRun& run, const CampaignOptions& options,
   content.source.resolution = options.setup.simulation.resolution;
   OverlayRun shown;
   shown.record = record_of(run);
-  shown.record.metrics = simple_metrics(run);
+  shown.record.metrics = trajectory_metrics(run);
   shown.trajectory = std::make_shared<const Trajectory>(run.trajectory);
-  shown.scans = scans_of(run);
+  const std::size_t scans = std::min(run.cycles.size(), run.trajectory.samples.size());
+  for (std::size_t i = 0; i < scans; ++i)
+    shown.scans.push_back(std::make_shared<const Path>(scan_ends(run, i)));
   content.runs.push_back(std::move(shown));
   return content;
 }
@@ -67,8 +52,8 @@ void show_run(const RecordedRun& run, const Scenario& scenario, const CampaignOp
   std::vector<ScriptCommand> commands;
   if (!script.empty()) commands = parse_studio_script(read_file(script), script);
   with_display("slalom-replay play --gui",
-               "pictures by 'slalom-replay play " + log + " --png DIR', or xvfb-run -a", [&] {
-                 ReplayWindow window(scenario, content_of(run, options, log));
+               "images by 'slalom-replay play " + log + " --png DIR', or xvfb-run -a", [&] {
+                 ReplayWindow window(scenario, content_of(run, options, log), script.empty());
                  script.empty() ? window.run() : window.run(commands, script);
                });
 }

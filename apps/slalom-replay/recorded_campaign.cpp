@@ -22,7 +22,7 @@ IniFile campaign_of(const RecordedRun& run, const std::string& path, const std::
 Scenario scenario_of(const RecordedRun& run, const std::string& path) {
   Scenario scenario = scenario_from_yaml(run.manifest.scenario_yaml, path + ": scenario.yaml");
   if (scenario.hash() != run.manifest.scenario_hash)
-    throw file_error(path, "its scenario is not the one that was driven",
+    throw file_error(path, "the scenario does not match its hash",
                      "a scenario with the hash " + run.manifest.scenario_hash);
   return scenario;
 }

@@ -11,15 +11,15 @@
 
 namespace slalom {
 
-/// The campaign's .ini that stands in a recorded run, or that of `config` where it is not empty,
-/// with overrides SECTION.KEY=VALUE.
+/// The campaign .ini of a recorded run, or of the file `config` if it is not empty, with overrides
+/// SECTION.KEY=VALUE.
 IniFile campaign_of(const RecordedRun& run, const std::string& path, const std::string& config,
                     const std::vector<std::string>& overrides);
 
-/// The scenario of a recorded run. Throws Error (File) when it is not the one that was driven.
+/// The scenario of a recorded run. Throws Error (File) if it does not match the recorded hash.
 Scenario scenario_of(const RecordedRun& run, const std::string& path);
 
-/// Which run it was and how it ended; without what is measured of its trajectory.
+/// Identity and outcome of the run, without metrics.
 RunRecord record_of(const RecordedRun& run);
 
 }  // namespace slalom

@@ -4,7 +4,7 @@
 
 namespace slalom {
 
-/// Each adds one verb, with its options and what it does, to the program.
+/// Each adds one verb with its options and callback to the program.
 void define_play(CLI::App& app);
 void define_check(CLI::App& app);
 void define_metrics(CLI::App& app);

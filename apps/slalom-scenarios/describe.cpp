@@ -1,14 +1,13 @@
 #include "verbs.h"
 
-#include <slalom/commands/describe_scenario.h>
-#include <slalom/core/error.h>
+#include <slalom/campaign/describe_scenario.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_list.h>
 
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <iostream>
-#include <stdexcept>
 
 namespace slalom {
 namespace {
@@ -21,79 +20,90 @@ struct DescribeArguments {
   int barn_visibility = 2021;
 };
 
-using Values = std::vector<DescribedValue>;
+/// The values of a scenario with the wall-clock time of the lookup or computation of each, ms.
+/// Intermediate results that are shared by several descriptors (cells, distances, the shortest
+/// path) count for the first of them.
+struct TimedValues {
+  std::vector<KeyedValue> values;
+  std::vector<double> times;
+};
 
-nlohmann::ordered_json details_of(const DescribedValue& described) {
+TimedValues describe_timed(const Scenario& scenario, const DescribeOptions& options,
+                           DescriptorStore& store) {
+  using Clock = std::chrono::steady_clock;
+  TimedValues timed;
+  Clock::time_point before = Clock::now();
+  timed.values = describe_scenario(scenario, options, store, [&](const KeyedValue&) {
+    const Clock::time_point now = Clock::now();
+    timed.times.push_back(std::chrono::duration<double, std::milli>(now - before).count());
+    before = now;
+  });
+  return timed;
+}
+
+nlohmann::ordered_json details_of(const KeyedValue& described, double time_ms) {
   const Value& value = described.value;
-  nlohmann::ordered_json json = {{"unit", described.info.unit},
-                                 {"version", described.info.version},
-                                 {"parameters", described.parameters},
-                                 {"time_ms", described.time_ms}};
+  nlohmann::ordered_json json = {{"unit", descriptor(described.key.id).info.unit},
+                                 {"version", described.key.version},
+                                 {"parameters", described.key.parameters},
+                                 {"time_ms", time_ms}};
   if (value.standard_error()) json["standard_error"] = *value.standard_error();
   if (value.is_na()) json["na"] = value.reason();
   return json;
 }
 
-void print_json(const ScenarioList::Entry& entry, const Values& values) {
+void print_json(const ScenarioList::Entry& entry, const TimedValues& timed) {
   nlohmann::ordered_json json = {{"id", entry.id}, {"name", entry.name}};
-  for (const DescribedValue& described : values) {
-    const QuantityInfo& info = described.info;
-    const Value& value = described.value;
+  for (const auto& [key, value] : timed.values) {
     if (value.is_na()) {
-      json[info.id] = nullptr;
-      json["na"][info.id] = value.reason();
+      json[key.id] = nullptr;
+      json["na"][key.id] = value.reason();
     } else {
-      json[info.id] = value.number();
+      json[key.id] = value.number();
     }
-    if (value.standard_error()) json["standard_error"][info.id] = *value.standard_error();
+    if (value.standard_error()) json["standard_error"][key.id] = *value.standard_error();
   }
-  for (const DescribedValue& described : values)
-    json["details"][described.info.id] = details_of(described);
+  for (std::size_t i = 0; i < timed.values.size(); ++i)
+    json["details"][timed.values[i].key.id] = details_of(timed.values[i], timed.times[i]);
   std::cout << json.dump() << "\n";
 }
 
-void print_text(const ScenarioList::Entry& entry, const Values& values) {
+void print_text(const ScenarioList::Entry& entry, const std::vector<KeyedValue>& values) {
   std::cout << entry.id << "  " << entry.name << "\n";
-  for (const DescribedValue& described : values) {
-    const QuantityInfo& info = described.info;
-    const Value& value = described.value;
-    std::cout << "  " << info.id << " = ";
+  for (const auto& [key, value] : values) {
+    const std::string& unit = descriptor(key.id).info.unit;
+    std::cout << "  " << key.id << " = ";
     if (value.is_na()) {
       std::cout << "NA (" << value.reason() << ")";
     } else {
       std::cout << format_fixed(value.number(), 4);
       if (value.standard_error()) std::cout << " +- " << format_fixed(*value.standard_error(), 4);
-      if (info.unit != "-") std::cout << " " << info.unit;
+      if (unit != "-") std::cout << " " << unit;
     }
     std::cout << "\n";
   }
 }
 
 Footprint robot_of(const DescribeArguments& arguments) {
-  if (arguments.footprint.empty()) return Footprint::disc(arguments.list.robot_radius);
-  try {
-    return Footprint::parse(arguments.footprint);
-  } catch (const std::invalid_argument& expected) {
-    throw usage_error("--footprint", "'" + arguments.footprint + "' is no footprint",
-                      expected.what());
-  }
+  return arguments.footprint.empty() ? Footprint::disc(arguments.list.robot_radius)
+                                     : Footprint::parse(arguments.footprint, "--footprint");
 }
 
 void run(const DescribeArguments& arguments) {
   ScenarioList list = ScenarioList::open(arguments.list.list);
   DescribeOptions options;
   options.ids = split(arguments.descriptors, ',');
-  for (const std::string& id : options.ids) descriptor(id);  // a wrong one is told at once
+  for (const std::string& id : options.ids) descriptor(id);  // throws for an unknown id
   options.robot = robot_of(arguments);
   options.exact_confinement = arguments.exact_confinement;
   options.barn_visibility = arguments.barn_visibility;
   options.sensor_range = arguments.list.sensor_range;
   options.resolution = arguments.list.resolution;
   list.for_each({}, [&](const ScenarioList::Entry& entry) {
-    Values values;
-    // The values of one scenario reach the disk together: once instead of once each.
-    list.in_one_step([&] { values = describe_scenario(list.read(entry.hash), options, list); });
-    arguments.list.json ? print_json(entry, values) : print_text(entry, values);
+    TimedValues timed;
+    // Writes the values of one scenario in one transaction.
+    list.in_transaction([&] { timed = describe_timed(list.read(entry.hash), options, list); });
+    arguments.list.json ? print_json(entry, timed) : print_text(entry, timed.values);
     return true;
   });
 }
@@ -103,19 +113,20 @@ void run(const DescribeArguments& arguments) {
 void add_describe_verb(CLI::App& app) {
   static DescribeArguments arguments;
   CLI::App* verb = add_list_verb(
-      app, "describe", "Print descriptors; what is missing is computed and kept in the list",
+      app, "describe", "Print descriptors; computes missing values and stores them in the list",
       arguments.list);
-  verb->add_option("--descriptors", arguments.descriptors, "Ids, comma separated (default: all)");
+  verb->add_option("--descriptors", arguments.descriptors,
+                   "Descriptor ids, comma-separated (default: all)");
   add_robot_options(*verb, arguments.list);
   verb->add_option("--footprint", arguments.footprint,
-                   "Convex polygon x,y; x,y; ... in m instead of the disc");
-  verb->add_option("--sensor-range", arguments.list.sensor_range, "Range R of the sensor, m")
+                   "Convex polygon x,y; x,y; ... (m) instead of the disc");
+  verb->add_option("--sensor-range", arguments.list.sensor_range, "Maximum range of the sensor, m")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   verb->add_flag("--exact-confinement", arguments.exact_confinement,
-                 "Confinement from every free cell and without sampling; takes seconds");
+                 "Exact confinement from all free cells instead of sampling; takes seconds");
   verb->add_option("--barn-visibility", arguments.barn_visibility,
-                   "Which published version of barn_visibility")
+                   "Published version of barn_visibility")
       ->check(CLI::IsMember({2021, 2020}))
       ->capture_default_str();
   verb->add_flag("--json", arguments.list.json, "One JSON object per scenario");

@@ -46,7 +46,7 @@ Json to_json(const GeneratedBins& generated) {
     json["found"] = bin.found;
     json["effort"] = bin.effort;
     json["verdict"] = to_string(bin.verdict);
-    if (!bin.why.empty()) json["why"] = bin.why;
+    if (!bin.reason.empty()) json["reason"] = bin.reason;
     bins.push_back(json);
   }
   return {{"bins", bins},
@@ -66,8 +66,10 @@ void print_bins(const GeneratedBins& generated, const GenerateArguments& argumen
 void generate(const GenerateArguments& arguments) {
   const IniFile ini = load_ini(arguments);
   if (ini.has_section("coverage") && !arguments.descriptors.empty())
-    throw usage_error("--describe", "does not go with [coverage]", "descriptors in that section");
-  const GenerationOrder order = {arguments.seed, arguments.jobs, split(arguments.descriptors, ',')};
+    throw usage_error("--describe", "cannot be combined with [coverage]",
+                      "descriptors in that section");
+  const GenerationOptions order = {arguments.seed, arguments.jobs,
+                                   split(arguments.descriptors, ',')};
   const auto progress = make_terminal_progress(arguments.quiet);
   std::optional<GeneratedBins> bins;
   std::size_t size = 0;
@@ -83,24 +85,24 @@ void generate(const GenerateArguments& arguments) {
 
 void add_generate_verb(CLI::App& app) {
   static GenerateArguments arguments;
-  CLI::App* verb = app.add_subcommand("generate", "Generate scenarios that the robot can solve");
+  CLI::App* verb = app.add_subcommand("generate", "Generate solvable scenarios");
   verb->add_option("-c,--config", arguments.config,
-                   "An .ini with [scenarios] generator = NAME, or several names")
+                   "An .ini with [scenarios] generator = NAME[, NAME...]")
       ->required();
-  verb->add_option(
-          "-n,--count", arguments.count,
-          "How many, instead of [scenarios] count; in each bin, instead of [coverage] per_bin")
+  verb->add_option("-n,--count", arguments.count,
+                   "Number of scenarios, overrides [scenarios] count; or per bin, overrides "
+                   "[coverage] per_bin")
       ->check(CLI::PositiveNumber);
   verb->add_option("--seed", arguments.seed, "Seed")->capture_default_str();
-  verb->add_option("-j,--jobs", arguments.jobs, "Threads; the list is the same for any number")
+  verb->add_option("-j,--jobs", arguments.jobs, "Threads; the list does not depend on their number")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   verb->add_option("--describe", arguments.descriptors,
-                   "Descriptors to compute and keep at once, comma separated");
+                   "Descriptors to compute and store, comma-separated");
   verb->add_option("-o,--output", arguments.output, "The list to write (.scenarios)")->required();
-  verb->add_option("--set", arguments.overrides, "Override a key: SECTION.KEY=VALUE")
+  verb->add_option("--set", arguments.overrides, "Override a key of the .ini: SECTION.KEY=VALUE")
       ->allow_extra_args(false);
-  verb->add_flag("--json", arguments.json, "The table of [coverage] as one JSON object");
+  verb->add_flag("--json", arguments.json, "Print the table of [coverage] as a JSON object");
   verb->add_flag("--quiet", arguments.quiet, "No progress and no messages");
   verb->callback([] { generate(arguments); });
 }

@@ -18,34 +18,36 @@ void import(const ImportArguments& arguments) {
   ImportedScenarios imported = import_scenarios(arguments.request, *progress);
   for (const std::string& message : imported.messages)
     if (!arguments.quiet) std::cerr << message << "\n";
-  keep_scenarios(arguments.output, std::move(imported.scenarios), imported.notes, arguments.quiet);
+  write_scenarios(arguments.output, std::move(imported.scenarios), imported.notes, arguments.quiet);
 }
 
 void add_pair_options(CLI::App& verb, ImportRequest& request) {
   verb.add_option("--start", request.start, "Start pose x,y,phi (m, rad)");
   verb.add_option("--goal", request.goal, "Goal x,y (m)");
-  verb.add_option("--pairs", request.pairs, "Draw this many solvable pairs on each map")
+  verb.add_option("--pairs", request.pairs, "Number of solvable pairs to sample on each map")
       ->check(CLI::PositiveNumber);
   verb.add_option("--seed", request.seed, "Seed of the pairs")->capture_default_str();
-  verb.add_option("--robot-radius", request.robot_radius, "For whom, m")
+  verb.add_option("--robot-radius", request.robot_radius, "Radius of the robot, m")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
 }
 
-/// Which pairs are drawn.
-void add_limit_options(CLI::App& verb, TaskLimits& limits) {
-  verb.add_option("--min-distance", limits.min_distance, "Straight from start to goal, m")
+/// Constraints on sampled pairs.
+void add_limit_options(CLI::App& verb, TaskConstraints& limits) {
+  verb.add_option("--min-distance", limits.min_distance, "Straight-line distance, m")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  verb.add_option("--max-distance", limits.max_distance, "Straight from start to goal, m")
+  verb.add_option("--max-distance", limits.max_distance, "Straight-line distance, m")
       ->check(CLI::PositiveNumber);
-  verb.add_option("--min-path", limits.min_length, "Length of the shortest path, m")
+  verb.add_option("--min-path", limits.min_length, "Shortest path length, m")
       ->check(CLI::NonNegativeNumber);
-  verb.add_option("--max-path", limits.max_length, "Length of the shortest path, m")
+  verb.add_option("--max-path", limits.max_length, "Shortest path length, m")
       ->check(CLI::PositiveNumber);
-  verb.add_option("--min-detour", limits.min_detour, "Length of the shortest path / distance")
+  verb.add_option("--min-detour", limits.min_detour,
+                  "Shortest path length / straight-line distance")
       ->check(CLI::PositiveNumber);
-  verb.add_option("--max-detour", limits.max_detour, "Length of the shortest path / distance")
+  verb.add_option("--max-detour", limits.max_detour,
+                  "Shortest path length / straight-line distance")
       ->check(CLI::PositiveNumber);
 }
 
@@ -55,32 +57,34 @@ void add_map_options(CLI::App& verb, ImportRequest& request) {
                   "Cell size of grids built from simplemaps, m")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb.add_flag("--unknown-free", map.unknown_is_free, "What was never seen is free");
-  verb.add_option("--image-resolution", map.image.resolution, "Size of an image's pixels, m")
+  verb.add_flag("--unknown-free", map.unknown_is_free, "Unknown cells are free");
+  verb.add_option("--image-resolution", map.image.resolution, "Pixel size of images, m")
       ->check(CLI::PositiveNumber);
   verb.add_option("--image-threshold", map.image.threshold,
-                  "Grey value below which a pixel is an obstacle")
+                  "Gray value below which a pixel is an obstacle")
       ->check(CLI::Range(1, 255))
       ->capture_default_str();
   PointMapOptions& points = request.points;
-  verb.add_option("--margin", points.margin, "Of workspaces around point maps, m")
+  verb.add_option("--margin", points.margin, "Margin of the workspace around point maps, m")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb.add_option("--z-min", points.z_min, "Lowest points of point maps that count, m");
-  verb.add_option("--z-max", points.z_max, "Highest points of point maps that count, m");
-  verb.add_flag("--image-negate", map.image.negate, "Light pixels are obstacles, not dark ones");
+  verb.add_option("--z-min", points.z_min, "Minimum height of points in point maps, m");
+  verb.add_option("--z-max", points.z_max, "Maximum height of points in point maps, m");
+  verb.add_flag("--image-negate", map.image.negate,
+                "Light pixels are obstacles instead of dark ones");
 }
 
 void add_data_set_options(CLI::App& verb, ImportRequest& request) {
   verb.add_option("--worlds", request.barn.worlds,
-                  "BARN: which worlds of a folder, such as 0-9,20 or 0-299/even (default: all)");
-  verb.add_flag("--barn-grid", request.barn_as_grid, "BARN: cells of 0.15 m instead of cylinders");
-  verb.add_option("--cell-size", request.map.cell_size, "MovingAI: size of the map's cells, m")
+                  "BARN: worlds of a folder, such as 0-9,20 or 0-299/even (default: all)");
+  verb.add_flag("--barn-grid", request.barn_as_grid,
+                "BARN: grid with cells of 0.15 m instead of cylinders");
+  verb.add_option("--cell-size", request.map.cell_size, "MovingAI: cell size of the map, m")
       ->check(CLI::PositiveNumber);
   verb.add_option("--scen", request.problems,
-                  "MovingAI: the pairs of this file; --pairs then says how many of them");
+                  "MovingAI: file of start and goal pairs; --pairs is their number");
   verb.add_option("--buckets", request.buckets,
-                  "MovingAI: only pairs of these difficulties, such as 3 or 0-10");
+                  "MovingAI: difficulties of the pairs, such as 3 or 0-10");
 }
 
 }  // namespace
@@ -90,7 +94,7 @@ void add_import_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "import", "Import maps (MRPT, ROS, MovingAI, images), BARN worlds or .scenario.yaml files");
   verb->add_option("files", arguments.request.files,
-                   "Map files, .scenario.yaml, grids or folders of BARN")
+                   "Map files, .scenario.yaml files, BARN grids or folders")
       ->required();
   verb->add_option("-o,--output", arguments.output, "The list to write (.scenarios)")->required();
   add_pair_options(*verb, arguments.request);

@@ -1,9 +1,8 @@
-#include "choice.h"
+#include "filter.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
-
-#include <nlohmann/json.hpp>
+#include <slalom/io/index_text.h>
 
 #include <iostream>
 
@@ -21,21 +20,19 @@ std::vector<double> edges_of(const std::string& text) {
   for (const std::string& part : split(text, ',')) {
     double edge = 0;
     if (!parse_number(part, edge))
-      throw usage_error("--edges " + text, "'" + part + "' is no number", "such as 0,0.1,0.2");
+      throw usage_error("--edges " + text, "invalid number '" + part + "'", "such as 0,0.1,0.2");
     edges.push_back(edge);
   }
   return edges;
 }
 
 void create(const IndexArguments& arguments) {
-  descriptor(arguments.descriptor);  // a wrong one is told at once
+  descriptor(arguments.descriptor);  // throws for an unknown id
   ScenarioList list = ScenarioList::open(arguments.list.list);
   ListIndex index{arguments.name, arguments.descriptor, {}, edges_of(arguments.edges)};
   const SelectionVocabulary vocabulary = list.vocabulary(descriptor_ids());
-  for (const auto* names : {&vocabulary.numbers, &vocabulary.texts})
-    for (const std::string& name : *names)
-      if (name == index.name)
-        throw usage_error("--name " + index.name, "is the name of a field", "another name");
+  if (contains(vocabulary.numbers, index.name) || contains(vocabulary.texts, index.name))
+    throw usage_error("--name " + index.name, "already the name of a field", "another name");
   const DescriptorView view =
       describe_all(list, arguments.list, {index.descriptor}, arguments.quiet);
   index.keys = view.at(index.descriptor);
@@ -47,17 +44,10 @@ void drop(const IndexArguments& arguments) {
   make_drop_index(list, arguments.name)->execute();
 }
 
-nlohmann::ordered_json to_json(const ListIndex& index) {
-  nlohmann::ordered_json json = {
-      {"name", index.name}, {"descriptor", index.descriptor}, {"edges", index.edges}};
-  for (const DescriptorKey& key : index.keys) json["parameters"].push_back(key.parameters);
-  return json;
-}
-
 void list_indexes(const IndexArguments& arguments) {
   for (const ListIndex& index : ScenarioList::open(arguments.list.list).indexes()) {
     if (arguments.list.json) {
-      std::cout << to_json(index).dump() << "\n";
+      std::cout << render_json(index) << "\n";
       continue;
     }
     std::vector<std::string> edges;
@@ -66,35 +56,12 @@ void list_indexes(const IndexArguments& arguments) {
   }
 }
 
-void print_counts(const ListIndex& index, const ListIndexCounts& counts) {
-  std::cout << index.name << ": " << index.descriptor << "\n";
-  for (std::size_t i = 0; i < index.ranges(); ++i)
-    std::cout << "  " << index.name << "[" << i << "]  [" << format_number(index.edges[i]) << ", "
-              << format_number(index.edges[i + 1]) << (i + 1 == index.ranges() ? "]" : ")") << "  "
-              << counts.ranges[i] << "\n";
-  const std::pair<const char*, std::size_t> others[] = {{"below", counts.below},
-                                                        {"above", counts.above},
-                                                        {"NA", counts.na},
-                                                        {"not computed", counts.unknown}};
-  for (const auto& [name, count] : others)
-    if (count > 0) std::cout << "  " << name << "  " << count << "\n";
-}
-
 void show(const IndexArguments& arguments) {
   const ScenarioList list = ScenarioList::open(arguments.list.list);
   const ListIndex index = list.index(arguments.name);
   const ListIndexCounts counts = list.index_counts(arguments.name);
-  if (!arguments.list.json) {
-    print_counts(index, counts);
-    return;
-  }
-  nlohmann::ordered_json json = to_json(index);
-  json["counts"] = counts.ranges;
-  json["below"] = counts.below;
-  json["above"] = counts.above;
-  json["na"] = counts.na;
-  json["unknown"] = counts.unknown;
-  std::cout << json.dump() << "\n";
+  std::cout << (arguments.list.json ? render_json(index, counts) + "\n"
+                                    : render_text(index, counts));
 }
 
 CLI::App* add_named(CLI::App& group, const std::string& name, const std::string& help,
@@ -108,15 +75,15 @@ CLI::App* add_named(CLI::App& group, const std::string& name, const std::string&
 
 void add_index_verbs(CLI::App& app) {
   static IndexArguments created, dropped, listed, shown;
-  CLI::App* group = app.add_subcommand("index", "Indexes of a list by descriptor and ranges");
+  CLI::App* group = app.add_subcommand("index", "Manage the indexes of a list");
   group->require_subcommand(1);
 
   CLI::App* verb =
-      add_named(*group, "create", "Compute what is missing, and make an index", created);
+      add_named(*group, "create", "Create an index; computes missing descriptors", created);
   verb->add_option("--descriptor", created.descriptor, "Id of the descriptor")->required();
-  verb->add_option("--edges", created.edges, "Edges of the ranges, comma separated")->required();
+  verb->add_option("--edges", created.edges, "Edges of the ranges, comma-separated")->required();
   add_robot_options(*verb, created.list);
-  verb->add_option("--sensor-range", created.list.sensor_range, "Range R of the sensor, m")
+  verb->add_option("--sensor-range", created.list.sensor_range, "Maximum range of the sensor, m")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   verb->add_flag("--quiet", created.quiet, "No progress and no messages");
@@ -129,7 +96,7 @@ void add_index_verbs(CLI::App& app) {
   verb->callback([] { list_indexes(listed); });
 
   verb = add_named(*group, "show", "Count the scenarios in each range", shown);
-  verb->add_flag("--json", shown.list.json, "As a JSON object");
+  verb->add_flag("--json", shown.list.json, "Print a JSON object");
   verb->callback([] { show(shown); });
 }
 

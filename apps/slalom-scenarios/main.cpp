@@ -11,6 +11,15 @@ CLI::App* add_list_verb(CLI::App& app, const std::string& name, const std::strin
   return verb;
 }
 
+void add_scenario_argument(CLI::App& verb, ListArguments& arguments, bool required) {
+  add_argument(
+      verb,
+      {"scenario", "--id",
+       std::string(required ? "A" : "Only this") + " scenario: id, prefix of the id, or name",
+       required},
+      arguments.id);
+}
+
 void add_robot_options(CLI::App& verb, ListArguments& arguments) {
   verb.add_option("--robot-radius", arguments.robot_radius, "Radius of the robot, m")
       ->check(CLI::PositiveNumber)
@@ -24,13 +33,15 @@ void add_robot_options(CLI::App& verb, ListArguments& arguments) {
 }  // namespace slalom
 
 int main(int argc, char** argv) {
-  return slalom::run_program("slalom-scenarios", "Makes, imports, describes and shows scenarios.",
-                             argc, argv, [](CLI::App& app) {
-                               slalom::add_make_verbs(app);
+  return slalom::run_program("slalom-scenarios",
+                             "Generates, imports, describes and manages scenarios.", argc, argv,
+                             [](CLI::App& app) {
+                               slalom::add_creation_verbs(app);
                                slalom::add_describe_verb(app);
                                slalom::add_show_verbs(app);
                                slalom::add_select_verbs(app);
                                slalom::add_lists_verbs(app);
+                               slalom::add_edit_verbs(app);
                                slalom::add_index_verbs(app);
                                slalom::add_convert_verbs(app);
                                slalom::add_reference_verb(app);

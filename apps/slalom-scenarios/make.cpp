@@ -9,8 +9,8 @@
 
 namespace slalom {
 
-void keep_scenarios(const std::string& path, std::vector<Scenario> scenarios,
-                    const std::vector<std::pair<std::string, std::string>>& notes, bool quiet) {
+void write_scenarios(const std::string& path, std::vector<Scenario> scenarios,
+                     const std::vector<std::pair<std::string, std::string>>& notes, bool quiet) {
   std::size_t size = 0;
   ScenarioList::write(path, [&](ScenarioList& list) {
     make_add_scenarios(list, std::move(scenarios))->execute();
@@ -20,7 +20,7 @@ void keep_scenarios(const std::string& path, std::vector<Scenario> scenarios,
   if (!quiet) std::cerr << path << ": " << size << " scenarios\n";
 }
 
-void add_make_verbs(CLI::App& app) {
+void add_creation_verbs(CLI::App& app) {
   add_generate_verb(app);
   add_import_verb(app);
 }

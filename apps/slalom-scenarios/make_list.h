@@ -11,8 +11,8 @@ namespace slalom {
 
 void add_import_verb(CLI::App& app);
 
-/// Writes a new list of these scenarios, with notes (key, text) of where they come from.
-void keep_scenarios(const std::string& path, std::vector<Scenario> scenarios,
-                    const std::vector<std::pair<std::string, std::string>>& notes, bool quiet);
+/// Writes a new list of these scenarios, with notes (key, text) about their origin.
+void write_scenarios(const std::string& path, std::vector<Scenario> scenarios,
+                     const std::vector<std::pair<std::string, std::string>>& notes, bool quiet);
 
 }  // namespace slalom

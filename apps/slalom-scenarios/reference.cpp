@@ -1,21 +1,16 @@
 #include "verbs.h"
 
+#include <slalom/app/program.h>
 #include <slalom/campaign/worker_pool.h>
 #include <slalom/core/error.h>
-#include <slalom/core/text.h>
+#include <slalom/io/reference_text.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/ompl/ompl_planner.h>
-#include <slalom/references/reference.h>
-
-#include <nlohmann/json.hpp>
 
 #include <iostream>
-#include <stdexcept>
 
 namespace slalom {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ReferenceArguments {
   ListArguments list;
@@ -24,61 +19,8 @@ struct ReferenceArguments {
   std::uint64_t seed = 1;
 };
 
-Json to_json(const Path& path) {
-  Json json = Json::array();
-  for (const auto& p : path) json.push_back({p.x, p.y});
-  return json;
-}
-
-Json to_json(const ScenarioList::Entry& entry, const References& references) {
-  Json json = {{"id", entry.id}, {"name", entry.name}};
-  if (references.shortest) {
-    const ShortestPath& s = *references.shortest;
-    json["shortest_length"] = s.length;
-    json["lower_bound"] = s.certificate.lower_bound;
-    json["upper_bound"] = s.certificate.upper_bound;
-    json["gap"] = s.certificate.gap();
-    json["planner"] = s.planner;
-    json["exact_length"] = s.exact_length;
-    if (s.planner_length) json["planner_length"] = *s.planner_length;
-    if (!s.note.empty()) json["note"] = s.note;
-    json["shortest_path"] = to_json(s.path);
-  } else {
-    json["shortest_length"] = nullptr;
-    json["shortest_reason"] = references.shortest_reason;
-  }
-  if (references.safest) {
-    const SafestPath& s = *references.safest;
-    json["safest_length"] = length(s.path);
-    json["safest_bottleneck"] = s.bottleneck;
-    json["safest_planner"] = s.planner;
-    if (!s.note.empty()) json["safest_note"] = s.note;
-    json["safest_path"] = to_json(s.path);
-  } else {
-    json["safest_length"] = nullptr;
-    json["safest_reason"] = references.safest_reason;
-  }
-  const ReferenceTiming& timing = references.timing;
-  json["time_seconds"] = timing.exact + timing.planner + timing.safest;
-  json["exact_seconds"] = timing.exact;
-  json["planner_seconds"] = timing.planner;
-  json["safest_seconds"] = timing.safest;
-  return json;
-}
-
-/// For people, without the points of the paths.
-std::string text_of(const Json& json) {
-  std::string text;
-  for (const auto& [key, value] : json.items()) {
-    if (value.is_array()) continue;
-    text +=
-        "  " + key + " = " + (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
-  }
-  return text;
-}
-
-Json compute(const ReferenceArguments& arguments, const ScenarioList::Entry& entry,
-             const Scenario& scenario) {
+std::string compute(const ReferenceArguments& arguments, const ScenarioList::Entry& entry,
+                    const Scenario& scenario) {
   const World world(scenario, arguments.list.resolution);
   const auto& start = scenario.start();
   const PlanningProblem problem{world,
@@ -87,25 +29,18 @@ Json compute(const ReferenceArguments& arguments, const ScenarioList::Entry& ent
                                 scenario.goal(),
                                 start.phi};
   const auto planner = make_ompl_planner(arguments.planner, arguments.robot);
-  return to_json(entry,
-                 compute_references(problem, planner.get(), arguments.planner.gap, arguments.seed));
+  const References references =
+      compute_references(problem, planner.get(), arguments.planner.gap, arguments.seed);
+  return arguments.list.json ? render_json(references, entry.id, entry.name)
+                             : render_text(references, entry.id, entry.name);
 }
 
-/// The robot of the command line, checked.
-RobotModel robot_of(const ReferenceArguments& arguments) {
-  RobotModel robot = arguments.robot;
-  robot.radius = arguments.list.robot_radius;
-  try {
-    robot.radius = robot.shape().enclosing_radius();
-  } catch (const std::invalid_argument& expected) {
-    throw usage_error("--footprint", "'" + robot.footprint + "' is no footprint", expected.what());
-  }
-  return robot;
-}
-
-/// Each scenario in a fresh process: OMPL's random generators are seeded once per process.
+/// Each scenario in a new process, since OMPL's random generators are seeded once per process.
 void run(ReferenceArguments arguments) {
-  arguments.robot = robot_of(arguments);
+  RobotModel& robot = arguments.robot;
+  robot.radius = robot.footprint.empty()
+                     ? arguments.list.robot_radius
+                     : Footprint::parse(robot.footprint, "--footprint").enclosing_radius();
   const ScenarioList list = ScenarioList::open(arguments.list.list);
   std::vector<ScenarioList::Entry> entries = list.entries();
   if (!arguments.list.id.empty()) entries = {list.find_entry(arguments.list.id)};
@@ -115,14 +50,11 @@ void run(ReferenceArguments arguments) {
   pool.fresh_process = true;
   run_in_workers(
       entries.size(), pool,
-      [&](std::size_t i, TaskNotes&) {
-        return compute(arguments, entries[i], scenarios[i]).dump();
-      },
-      [&](std::size_t i, TaskResult&& result) {
-        if (result.status != TaskResult::Status::Done)
-          throw job_error(entries[i].name, "no references: " + result.detail);
-        std::cout << (arguments.list.json ? result.payload + "\n"
-                                          : text_of(Json::parse(result.payload)) + "\n");
+      [&](std::size_t i, SharedTaskLog&) { return compute(arguments, entries[i], scenarios[i]); },
+      [&](std::size_t i, WorkResult&& result) {
+        if (result.status != WorkResult::Status::Done)
+          throw job_error(entries[i].name, "cannot compute references: " + result.detail);
+        std::cout << result.payload << "\n";
       },
       nullptr);
 }
@@ -131,30 +63,29 @@ void run(ReferenceArguments arguments) {
 
 void add_reference_verb(CLI::App& app) {
   static ReferenceArguments arguments;
-  arguments.planner.planner = "exact";
+  arguments.planner.planner = kExactPlanner;
   CLI::App* verb = add_list_verb(
       app, "reference",
-      "Print the shortest path's length with its certificate, and the safest path", arguments.list);
-  verb->add_option("--id", arguments.list.id, "Only this one: id, beginning of it, or name");
+      "Print the length of the shortest path with its certificate, and the safest path",
+      arguments.list);
+  add_scenario_argument(*verb, arguments.list, false);
   add_robot_options(*verb, arguments.list);
   verb->add_option("--planner", arguments.planner.planner,
-                   "exact, or an OMPL planner that must come within the gap")
-      ->check(CLI::IsMember({"exact", "ABITstar", "AITstar", "BITstar", "FMT", "InformedRRTstar",
-                             "PRMstar", "RRTstar"}))
+                   "exact, or an OMPL planner, which must come within the gap")
+      ->check(CLI::IsMember(planner_names()))
       ->capture_default_str();
-  verb->add_option("--objective", arguments.planner.objective,
-                   "Which reference the planner provides: length (shortest) or clearance (safest)")
-      ->check(CLI::IsMember({"length", "clearance"}))
-      ->capture_default_str();
+  add_choice(*verb, "--objective", arguments.planner.objective,
+             "Reference computed by the planner: length (shortest) or clearance (safest)")
+      ->default_str(to_string(arguments.planner.objective));
   verb->add_option("--footprint", arguments.robot.footprint,
-                   "Convex polygon x,y; x,y; ... in m instead of the disc");
+                   "Convex polygon x,y; x,y; ... (m) instead of the disc");
   verb->add_option("--min-turning-radius", arguments.robot.min_turning_radius,
-                   "Of a robot that steers like a car, m: planned with Dubins curves")
+                   "Minimum turning radius of a car-like robot, m: Dubins curves")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   verb->add_flag_callback(
       "--reverse", [] { arguments.robot.forward_only = false; },
-      "The robot may drive backwards: Reeds-Shepp curves");
+      "Allow reverse motion: Reeds-Shepp curves");
   verb->add_option("--gap", arguments.planner.gap, "Relative gap to the lower bound")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -1,4 +1,4 @@
-#include "choice.h"
+#include "filter.h"
 
 #include <slalom/commands/list_hash.h>
 #include <slalom/core/error.h>
@@ -14,7 +14,7 @@
 namespace slalom {
 namespace {
 
-struct PictureArguments {
+struct RenderArguments {
   ListArguments list;
   std::string output;
   int pixels = 800;
@@ -38,46 +38,35 @@ void list_entries(const EntriesArguments& arguments) {
   });
 }
 
-Scenario chosen(const ListArguments& arguments) {
-  const ScenarioList list = ScenarioList::open(arguments.list);
-  return list.read(list.find_entry(arguments.id).hash);
-}
-
 std::string contents_text(const Scenario& scenario) {
-  switch (scenario.representation()) {
-    case Representation::Continuous:
-      return std::to_string(scenario.primitives().discs.size()) + " discs, " +
-             std::to_string(scenario.primitives().polygons.size()) + " polygons";
-    case Representation::Grid:
-      return std::to_string(scenario.grid_map()->getSizeX()) + " x " +
-             std::to_string(scenario.grid_map()->getSizeY()) + " cells of " +
-             format_number(scenario.grid_map()->getResolution()) + " m";
-    case Representation::Points:
-      return std::to_string(scenario.point_map()->size()) + " points";
+  if (scenario.representation() == Representation::Continuous) {
+    const Primitives& obstacles = scenario.primitives();
+    return std::to_string(obstacles.discs.size()) + " discs, " +
+           std::to_string(obstacles.polygons.size()) + " polygons";
   }
-  return "";
+  if (scenario.representation() == Representation::Points)
+    return std::to_string(scenario.point_map()->size()) + " points";
+  const auto& map = *scenario.grid_map();
+  return std::to_string(map.getSizeX()) + " x " + std::to_string(map.getSizeY()) + " cells of " +
+         format_number(map.getResolution()) + " m";
 }
 
 void show(const ListArguments& arguments) {
-  const Scenario scenario = chosen(arguments);
+  const Scenario scenario = load_scenario(arguments);
   const Bounds& b = scenario.bounds();
+  const auto& start = scenario.start();
+  constexpr auto number = format_number;
   std::cout << "name            " << scenario.name() << "\nhash            " << scenario.hash()
             << "\nrepresentation  " << to_string(scenario.representation()) << " ("
-            << contents_text(scenario) << ")\nbounds          x " << format_number(b.x_min)
-            << " to " << format_number(b.x_max) << " m, y " << format_number(b.y_min) << " to "
-            << format_number(b.y_max) << " m\nstart           " << format_number(scenario.start().x)
-            << " m, " << format_number(scenario.start().y) << " m, "
-            << format_number(scenario.start().phi) << " rad\ngoal            "
-            << format_number(scenario.goal().x) << " m, " << format_number(scenario.goal().y)
-            << " m\n";
+            << contents_text(scenario) << ")\nbounds          x " << number(b.x_min) << " to "
+            << number(b.x_max) << " m, y " << number(b.y_min) << " to " << number(b.y_max)
+            << " m\nstart           " << number(start.x) << " m, " << number(start.y) << " m, "
+            << number(start.phi) << " rad\ngoal            " << number(scenario.goal().x) << " m, "
+            << number(scenario.goal().y) << " m\n";
 }
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-void render(const PictureArguments& arguments) {
-  const Scenario scenario = chosen(arguments.list);
+void render(const RenderArguments& arguments) {
+  const Scenario scenario = load_scenario(arguments.list);
   const World world(scenario, arguments.list.resolution);
   const auto& start = scenario.start();
   References references;
@@ -94,12 +83,8 @@ void render(const PictureArguments& arguments) {
   } else if (ends_with(arguments.output, ".png")) {
     render_png(scenario, options, arguments.output);
   } else {
-    throw usage_error("-o " + arguments.output, "is no kind of picture", ".png or .svg");
+    throw usage_error("-o " + arguments.output, "unknown image format", ".png or .svg");
   }
-}
-
-void add_id(CLI::App& verb, ListArguments& arguments) {
-  verb.add_option("--id", arguments.id, "Id, beginning of it, or name")->required();
 }
 
 }  // namespace
@@ -107,26 +92,27 @@ void add_id(CLI::App& verb, ListArguments& arguments) {
 void add_show_verbs(CLI::App& app) {
   static EntriesArguments list;
   static ListArguments one;
-  static PictureArguments picture;
+  static RenderArguments rendered;
   CLI::App* verb = add_list_verb(app, "list", "List ids, representations and names", list.list);
   CLI::Option* json = verb->add_flag("--json", list.list.json, "One JSON object per scenario");
-  verb->add_flag("--hash", list.hash, "Only the hash of all contents, in whatever order they are")
+  verb->add_flag("--hash", list.hash,
+                 "Print only the hash of all contents, independent of their order")
       ->excludes(json);
   verb->callback([] { list_entries(list); });
 
   verb = add_list_verb(app, "show", "Show one scenario", one);
-  add_id(*verb, one);
+  add_scenario_argument(*verb, one);
   verb->callback([] { show(one); });
 
-  verb = add_list_verb(app, "render", "Draw one scenario with its reference paths", picture.list);
-  add_id(*verb, picture.list);
-  verb->add_option("-o,--output", picture.output, "A .png or .svg file")->required();
-  verb->add_option("--pixels", picture.pixels, "Longer side of the picture")
+  verb = add_list_verb(app, "render", "Draw one scenario with its reference paths", rendered.list);
+  add_scenario_argument(*verb, rendered.list);
+  verb->add_option("-o,--output", rendered.output, "A .png or .svg file")->required();
+  verb->add_option("--pixels", rendered.pixels, "Longer side of the image, pixels")
       ->check(CLI::Range(16, 10000))
       ->capture_default_str();
-  verb->add_flag("--bare", picture.bare, "Without reference paths");
-  add_robot_options(*verb, picture.list);
-  verb->callback([] { render(picture); });
+  verb->add_flag("--bare", rendered.bare, "Without reference paths");
+  add_robot_options(*verb, rendered.list);
+  verb->callback([] { render(rendered); });
 }
 
 }  // namespace slalom

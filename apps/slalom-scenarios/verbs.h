@@ -7,17 +7,18 @@
 
 namespace slalom {
 
-/// One function per group of verbs: adds them with their options and what they do to the program.
-void add_make_verbs(CLI::App& app);      ///< generate, import
+/// One function per group of verbs: adds them with their options and callbacks.
+void add_creation_verbs(CLI::App& app);  ///< generate, import
 void add_show_verbs(CLI::App& app);      ///< list, show, render
 void add_describe_verb(CLI::App& app);   ///< describe
 void add_select_verbs(CLI::App& app);    ///< select, copy, move, delete
-void add_lists_verbs(CLI::App& app);     ///< create, merge, dedupe, split, tag, rename
+void add_lists_verbs(CLI::App& app);     ///< create, merge, dedupe, split
+void add_edit_verbs(CLI::App& app);      ///< tag, rename
 void add_index_verbs(CLI::App& app);     ///< index create, drop, list, show
 void add_convert_verbs(CLI::App& app);   ///< convert, export
 void add_reference_verb(CLI::App& app);  ///< reference
 
-/// What verbs that look at one list have in common.
+/// Common arguments of the verbs that read one list.
 struct ListArguments {
   std::string list;
   std::string id;  ///< empty for all
@@ -27,6 +28,8 @@ struct ListArguments {
 
 CLI::App* add_list_verb(CLI::App& app, const std::string& name, const std::string& help,
                         ListArguments& arguments);
+/// Adds a scenario of the list as a second argument or as --id.
+void add_scenario_argument(CLI::App& verb, ListArguments& arguments, bool required = true);
 void add_robot_options(CLI::App& verb, ListArguments& arguments);
 
 }  // namespace slalom

@@ -22,9 +22,10 @@ void run(const RunArguments& arguments) {
     for (const std::string& key : ini.keys("scenarios")) ini.remove("scenarios", key);
     ini.set("scenarios", "list", arguments.scenarios);
   }
+  const CampaignConfig config = read_campaign(ini);
   const CampaignReport report = run_campaign_program(
-      ini, arguments.campaign, campaign_scenarios(ini, arguments.campaign), arguments.output);
-  if (!report.complete) throw Interrupted("the runs so far are kept in " + arguments.output);
+      config, arguments.campaign, campaign_scenarios(config, arguments.campaign), arguments.output);
+  if (!report.complete) throw Interrupted("finished runs are kept in " + arguments.output);
   if (!report.problem.empty()) throw job_error(arguments.output, report.problem);
   if (!arguments.campaign.quiet) std::cerr << "Results: " << arguments.output << "\n";
 }
@@ -32,9 +33,9 @@ void run(const RunArguments& arguments) {
 void define(CLI::App& app) {
   static RunArguments arguments;
   CLI::App* verb = app.add_subcommand("run", "Run methods over scenarios into a result file");
-  verb->add_option("-c,--config", arguments.campaign.config, "The campaign's .ini")->required();
+  add_argument(*verb, {"config", "-c,--config", "The campaign's .ini"}, arguments.campaign.config);
   verb->add_option("--scenarios", arguments.scenarios,
-                   "A scenario list (.scenarios), instead of what [scenarios] says");
+                   "A scenario list (.scenarios) instead of [scenarios]");
   verb->add_option("-o,--output", arguments.output, "The result file (.results) to write")
       ->required();
   add_campaign_options(*verb, arguments.campaign);

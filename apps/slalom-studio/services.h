@@ -1,10 +1,10 @@
 #pragma once
 
-#include <slalom/gui/studio_services.h>
+#include <slalom/studio/services.h>
 
 namespace slalom {
 
-/// The formats of this program, for the window.
+/// The import and export functions for the window.
 StudioServices make_services();
 
 }  // namespace slalom

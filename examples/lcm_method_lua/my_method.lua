@@ -1,5 +1,5 @@
--- An avoidance method as a process of its own, in Lua (Debian: lua5.2, liblcm-lua, liblcm-bin): turns to
--- the free direction that is nearest to the goal. The messages lie in types/ (see campaign.ini).
+-- An avoidance method as a separate process, in Lua (Debian: lua5.2, liblcm-lua, liblcm-bin): turns to the
+-- free direction closest to the goal. The generated messages are in types/ (see campaign.ini).
 package.path = 'types/?.lua;types/?/init.lua;' .. package.path
 local lcm = require('lcm')
 local slalom = require('slalom')
@@ -16,27 +16,27 @@ local function ready(id)
   lc:publish(channel .. '_READY', answer:encode())
 end
 
-local function refuse(id, why)
+local function refuse(id, reason)
   local answer = slalom.error_t:new()
-  answer.id, answer.text = id, why
+  answer.id, answer.text = id, reason
   lc:publish(channel .. '_ERROR', answer:encode())
 end
 
-local function greet(_, data)
+local function handle_hello(_, data)
   local hello = slalom.hello_t.decode(data)
   if hello.protocol_version ~= PROTOCOL_VERSION then
-    return refuse(hello.id, 'my_method.lua is made for another version of the protocol')
+    return refuse(hello.id, 'my_method.lua requires another protocol version')
   end
   for i, key in ipairs(hello.keys) do
-    if key ~= 'look_ahead' then return refuse(hello.id, 'I only know look_ahead') end
+    if key ~= 'look_ahead' then return refuse(hello.id, 'unknown setting; expected look_ahead') end
     look_ahead = tonumber(hello.values[i])
   end
   robot = hello
   ready(hello.id)
 end
 
--- A method that remembers something forgets it here.
-local function start(_, data)
+-- A method with state must clear it here.
+local function handle_run_start(_, data)
   ready(slalom.run_start_t.decode(data).run_id)
 end
 
@@ -44,8 +44,8 @@ local function clamp(value, low, high) return math.max(low, math.min(high, value
 
 local function angle_of(i) return robot.aperture * ((i - 1) / (robot.rays - 1) - 0.5) end
 
--- How far the robot can go straight in a direction, m.
-local function free_way(ranges, direction)
+-- Free distance of the robot straight in a direction, m.
+local function free_distance(ranges, direction)
   local free = robot.max_range
   for i, range in ipairs(ranges) do
     local angle = angle_of(i) - direction
@@ -56,26 +56,26 @@ local function free_way(ranges, direction)
   return free
 end
 
-local function decide(_, data)
+local function handle_observation(_, data)
   local o = slalom.observation_t.decode(data)
   local goal = math.atan2(o.goal_y, o.goal_x)
-  local wanted = math.min(look_ahead, math.sqrt(o.goal_x ^ 2 + o.goal_y ^ 2))
+  local desired_distance = math.min(look_ahead, math.sqrt(o.goal_x ^ 2 + o.goal_y ^ 2))
   local command = slalom.command_t:new()
   command.run_id, command.sequence = o.run_id, o.sequence
-  command.v, command.w, command.vy = 0, robot.max_w / 2, 0 -- nothing is free: look round
+  command.v, command.w, command.vy = 0, robot.max_w / 2, 0 -- no free direction: rotate
   local best = math.huge
   for i = 1, o.rays, 4 do
     local direction = angle_of(i)
-    if math.abs(direction - goal) < best and free_way(o.ranges, direction) >= wanted then
+    if math.abs(direction - goal) < best and free_distance(o.ranges, direction) >= desired_distance then
       best = math.abs(direction - goal)
       command.w = clamp(2 * direction, -robot.max_w, robot.max_w)
-      command.v = clamp(free_way(o.ranges, 0) - 0.1, 0, robot.max_v) * math.max(0, math.cos(direction))
+      command.v = clamp(free_distance(o.ranges, 0) - 0.1, 0, robot.max_v) * math.max(0, math.cos(direction))
     end
   end
   lc:publish(channel .. '_COMMAND', command:encode())
 end
 
-lc:subscribe(channel .. '_HELLO', greet)
-lc:subscribe(channel .. '_RUN_START', start)
-lc:subscribe(channel .. '_OBSERVATION', decide)
+lc:subscribe(channel .. '_HELLO', handle_hello)
+lc:subscribe(channel .. '_RUN_START', handle_run_start)
+lc:subscribe(channel .. '_OBSERVATION', handle_observation)
 while true do lc:handle() end

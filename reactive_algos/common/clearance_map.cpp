@@ -11,11 +11,11 @@ ClearanceMap::ClearanceMap(double half_size, double resolution, double band)
       cells_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_),
              static_cast<float>(band)) {}
 
-void ClearanceMap::build(const Point& centre, const std::vector<Point>& points) {
-  // Cells keep their places in the frame while the square moves, so that values do not shimmer.
+void ClearanceMap::build(const Point& center, const std::vector<Point>& points) {
+  // Cells are aligned to the frame while the square moves, so that values do not fluctuate.
   const double half = 0.5 * side_;
-  origin_ = {(std::floor(centre.x / resolution_) - half) * resolution_,
-             (std::floor(centre.y / resolution_) - half) * resolution_};
+  origin_ = {(std::floor(center.x / resolution_) - half) * resolution_,
+             (std::floor(center.y / resolution_) - half) * resolution_};
   std::fill(cells_.begin(), cells_.end(), static_cast<float>(band_ * band_));
   for (const Point& p : points) stamp(p);
   for (float& value : cells_) value = std::sqrt(value);

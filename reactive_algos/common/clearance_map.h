@@ -7,14 +7,14 @@
 
 namespace reactive {
 
-/// Distance to the nearest of some points, on a square of cells about a centre: exact at the cells'
-/// centres, bilinear between them, never more than `band`.
+/// Distance to the closest obstacle point, on a square grid around a center: exact at the cell
+/// centers, bilinear between them, at most `band`.
 class ClearanceMap {
  public:
   /// half_size, resolution, band: m.
   ClearanceMap(double half_size, double resolution, double band);
 
-  void build(const Point& centre, const std::vector<Point>& points);
+  void build(const Point& center, const std::vector<Point>& points);
 
   double at(const Point& p) const;  ///< m; `band` outside the square
   int side() const { return side_; }
@@ -25,7 +25,7 @@ class ClearanceMap {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(side_) +
            static_cast<std::size_t>(x);
   }
-  Point centre_of(int x, int y) const {
+  Point center_of(int x, int y) const {
     return {origin_.x + (x + 0.5) * resolution_, origin_.y + (y + 0.5) * resolution_};
   }
   bool cell_at(const Point& p, int& x, int& y) const;  ///< false outside the square

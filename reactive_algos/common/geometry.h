@@ -2,10 +2,8 @@
 
 #include <cmath>
 
-/// What the shipped methods share. Metres, radians, seconds; robot frame: x ahead, y left.
+/// Common code of the included methods. Meters, radians, seconds; robot frame: x forward, y left.
 namespace reactive {
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct Point {
   double x = 0, y = 0;
@@ -15,23 +13,23 @@ struct Pose {
   double x = 0, y = 0, phi = 0;
 };
 
-/// An angle brought into (-pi, pi].
+/// Wraps an angle to (-pi, pi].
 inline double wrapped(double angle) {
-  const double turned = std::remainder(angle, 2 * kPi);
-  return turned <= -kPi ? turned + 2 * kPi : turned;
+  const double turned = std::remainder(angle, 2 * M_PI);
+  return turned <= -M_PI ? turned + 2 * M_PI : turned;
 }
 
 inline double distance(const Point& a, const Point& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-/// A point of the robot's frame in the frame of `pose`.
+/// Transforms a point from the robot frame to the frame of `pose`.
 inline Point to_world(const Pose& pose, const Point& p) {
   const double c = std::cos(pose.phi), s = std::sin(pose.phi);
   return {pose.x + c * p.x - s * p.y, pose.y + s * p.x + c * p.y};
 }
 
-/// A point of the frame of `pose` in the robot's frame.
+/// Transforms a point from the frame of `pose` to the robot frame.
 inline Point to_robot(const Pose& pose, const Point& p) {
   const double c = std::cos(pose.phi), s = std::sin(pose.phi);
   const double dx = p.x - pose.x, dy = p.y - pose.y;

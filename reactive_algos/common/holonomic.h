@@ -14,9 +14,9 @@
 
 namespace reactive {
 
-/// An MRPT holonomic method around an algorithm `A` with `Parameters` (among them
-/// `target_slow_down`), a static `settings()`, and `decide(sectors, target)`. Its .ini section has
-/// the settings' keys; a value that is no number of its range throws std::invalid_argument.
+/// MRPT holonomic method for an algorithm `A` with `Parameters` (including `target_slow_down`), a
+/// static `settings()`, and `decide(sectors, target)`. Its .ini section has the keys of the
+/// settings; an invalid number or one out of range throws std::invalid_argument.
 template <typename A>
 class Holonomic : public mrpt::nav::CAbstractHolonomicReactiveMethod {
  public:
@@ -49,7 +49,7 @@ class Holonomic : public mrpt::nav::CAbstractHolonomicReactiveMethod {
 
   void navigate(const NavInput& in, NavOutput& out) override {
     Sectors sectors{in.obstacles, in.maxObstacleDist};
-    if (sectors.ways.empty() || in.targets.empty())
+    if (sectors.free_distances.empty() || in.targets.empty())
       throw std::invalid_argument("no obstacle distances or no target");
     const auto& target = in.targets.back();
     const Decision decision = algorithm_.decide(sectors, {target.x, target.y});
@@ -63,7 +63,8 @@ class Holonomic : public mrpt::nav::CAbstractHolonomicReactiveMethod {
 
 }  // namespace reactive
 
-/// The class that MRPT makes by its name, slalom::NAME, with the default .ini section.
+// NOLINTBEGIN(bugprone-macro-parentheses): names of classes cannot stand in parentheses
+/// Defines the class slalom::NAME, which MRPT creates by name, with its default .ini section.
 #define SLALOM_HOLONOMIC_METHOD(NAME, ALGORITHM, SECTION)                                          \
   namespace slalom {                                                                               \
   class NAME : public reactive::Holonomic<ALGORITHM> {                                             \
@@ -86,3 +87,4 @@ class Holonomic : public mrpt::nav::CAbstractHolonomicReactiveMethod {
     mrpt::rtti::registerClass(CLASS_ID_NAMESPACE(NAME, slalom));                                   \
   }                                                                                                \
   static_assert(true)
+// NOLINTEND(bugprone-macro-parentheses)

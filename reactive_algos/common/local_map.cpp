@@ -12,19 +12,20 @@ void LocalMap::update(const Observation& observation) {
   clearance_.build({observation.pose.x, observation.pose.y}, memory_.points());
 }
 
-Waypoint Guide::find(const LocalMap& map, const Pose& pose, const Point& goal, double look_ahead) {
-  const Point here{pose.x, pose.y};
+Waypoint LocalPlanner::find(const LocalMap& map, const Pose& pose, const Point& goal,
+                            double look_ahead) {
+  const Point position{pose.x, pose.y};
   const ClearanceMap& clearance = map.clearance();
   PathCosts costs = costs_;
-  const double step = 0.5 * (costs_.clearance - least_clearance_);
-  for (int narrower = 0; narrower < 3; ++narrower) {
-    costs.clearance = costs_.clearance - narrower * step;
-    cost_to_go_.compute(clearance, goal, here, costs);
-    const auto path = cost_to_go_.path(here, look_ahead);
+  const double step = 0.5 * (costs_.clearance - min_clearance_);
+  for (int i = 0; i < 3; ++i) {
+    costs.clearance = costs_.clearance - i * step;
+    cost_to_go_.compute(clearance, goal, position, costs);
+    const auto path = cost_to_go_.path(position, look_ahead);
     if (path.empty()) continue;
-    const Point seen = farthest_visible(clearance, here, path, costs.clearance);
-    const bool arrives = distance(seen, goal) < 2 * clearance.resolution();
-    return {arrives ? goal : seen, arrives, true};
+    const Point visible = farthest_visible(clearance, position, path, costs.clearance);
+    const bool at_goal = distance(visible, goal) < 2 * clearance.resolution();
+    return {at_goal ? goal : visible, at_goal, true};
   }
   return {goal, false, false};
 }

@@ -7,15 +7,14 @@
 
 namespace reactive {
 
-/// How a local map is kept.
+/// Options of a local map.
 struct MapOptions {
   double half_size = 8;      ///< m, from the robot to the map's border
   double resolution = 0.05;  ///< m, cells of memory and map
-  double band = 0.8;         ///< m: distances are known up to here
+  double band = 0.8;         ///< m: maximum distance that is computed
 };
 
-/// What a robot knows about its surroundings: points remembered from its scans in the odometry
-/// frame, and the distances to them.
+/// Local obstacle map: points of past scans in the odometry frame, and the distances to them.
 class LocalMap {
  public:
   LocalMap(const MapOptions& options, const Robot& robot);
@@ -30,27 +29,28 @@ class LocalMap {
   ClearanceMap clearance_;
 };
 
-/// The nearest point to make for on the way to a goal.
+/// Intermediate target on the path to a goal.
 struct Waypoint {
   Point position;         ///< odometry frame
-  bool is_goal = false;   ///< the goal itself, in free sight
-  bool reachable = true;  ///< false: no way there is known; the position is the goal all the same
+  bool is_goal = false;   ///< the goal itself, visible
+  bool reachable = true;  ///< false: no path is known; the position is the goal
 };
 
-/// Ways around what a local map holds.
-class Guide {
+/// Plans paths on a local map.
+class LocalPlanner {
  public:
-  /// Widths that are tried from the widest down, so that a map's small errors close no door.
-  explicit Guide(const PathCosts& costs, double least_clearance)
-      : costs_(costs), least_clearance_(least_clearance) {}
+  /// Clearances from costs.clearance down to `min_clearance` are tried, so that small map errors do
+  /// not close narrow passages.
+  explicit LocalPlanner(const PathCosts& costs, double min_clearance)
+      : costs_(costs), min_clearance_(min_clearance) {}
 
-  /// New ways to `goal` (odometry frame); waypoints lie at most `look_ahead` metres along.
+  /// Plans a path to `goal` (odometry frame); the waypoint is at most `look_ahead` meters along it.
   Waypoint find(const LocalMap& map, const Pose& pose, const Point& goal, double look_ahead);
   const CostToGo& cost_to_go() const { return cost_to_go_; }
 
  private:
   PathCosts costs_;
-  double least_clearance_;
+  double min_clearance_;
   CostToGo cost_to_go_;
 };
 

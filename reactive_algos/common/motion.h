@@ -5,35 +5,37 @@
 
 namespace reactive {
 
-/// The pose after driving with constant speeds for `time` s, along an arc.
-Pose moved(const Pose& pose, const Speeds& speeds, double time);
+/// The pose after `time` s at constant velocities, along an arc.
+Pose integrate(const Pose& pose, const Twist& twist, double time);
 
-/// `from` changed towards `to` as far as the robot's accelerations allow within `time` s.
-Speeds approached(const Speeds& from, const Speeds& to, const Robot& robot, double time);
+/// Changes `from` towards `to`, within the acceleration limits for `time` s.
+Twist apply_acceleration_limits(const Twist& from, const Twist& to, const Robot& robot,
+                                double time);
 
-/// Length (m) of the arc of `speeds` that a disc of `radius` can drive before it touches something,
-/// at most `limit`. Turning on the spot touches nothing.
-double free_arc(const ClearanceMap& map, const Pose& pose, const Speeds& speeds, double radius,
-                double limit);
+/// Length (m) of the arc of `twist` that a disc of `radius` can move before contact, at most
+/// `limit`. Rotation in place is always free.
+double free_arc_length(const ClearanceMap& map, const Pose& pose, const Twist& twist, double radius,
+                       double limit);
 
-/// The radius to keep clear: radius and margin, or what room there is now if that is less: a robot
-/// that came too near must be able to drive on.
-double radius_to_keep(const ClearanceMap& map, const Pose& pose, const Robot& robot, double margin);
+/// The radius to keep clear: robot radius plus margin, or the current clearance if that is less, so
+/// that a robot that is too close to an obstacle can still move.
+double clearance_radius(const ClearanceMap& map, const Pose& pose, const Robot& robot,
+                        double margin);
 
-/// Decides when the way lies so far aside that the robot turns without driving, and to which side;
-/// does not change its mind half way.
-class TurnOnTheSpot {
+/// Decides, with hysteresis, whether the robot must rotate in place towards a bearing, and to which
+/// side.
+class RotateInPlace {
  public:
-  /// begin, end: rad; turning begins beyond `begin` and ends within `end`.
-  TurnOnTheSpot(double begin, double end) : begin_(begin), end_(end) {}
+  /// begin, end: bearings (rad) beyond which the rotation starts and within which it ends.
+  RotateInPlace(double begin, double end) : begin_(begin), end_(end) {}
 
   void reset() { side_ = 0; }
-  bool wanted(double bearing);
-  Speeds speeds(double bearing, const Robot& robot) const;
+  bool update(double bearing);  ///< whether to rotate in place
+  Twist twist(double bearing, const Robot& robot) const;
 
  private:
   double begin_, end_;
-  int side_ = 0;  ///< +1 left, -1 right, 0: driving
+  int side_ = 0;  ///< +1 left, -1 right, 0 no rotation in place
 };
 
 }  // namespace reactive

@@ -11,16 +11,16 @@
 
 namespace reactive {
 
-/// What a method is given in each control cycle.
+/// Input of a method in each control cycle.
 struct Observation {
-  Pose pose;        ///< odometry frame
-  Speeds measured;  ///< speeds now
-  Point goal;       ///< robot frame
+  Pose pose;       ///< odometry frame
+  Twist measured;  ///< current velocities
+  Point goal;      ///< robot frame
   std::vector<double> ranges;
 };
 
-/// What a run is about.
-struct Task {
+/// Goal and parameters of a run.
+struct NavigationTask {
   Point goal;  ///< odometry frame
   double goal_tolerance = 0.2;
   double control_period = 0.1;
@@ -29,16 +29,16 @@ struct Task {
 
 /// The table of the C prototype for a class `M` with a nested `Parameters`, a static
 /// `settings()` (an array of Setting<Parameters>), a constructor from parameters and robot,
-/// `reset(task)` and `step(observation)`. No exception leaves it: they become error codes.
+/// `reset(task)` and `step(observation)`. Exceptions are converted to error codes.
 template <typename M>
 class Plugin {
  public:
   static const slalom_method_api* table(const char* name) {
-    static std::vector<slalom_parameter> described = described_parameters();
+    static std::vector<slalom_parameter> parameters = described_parameters();
     static const slalom_method_api api = {SLALOM_METHOD_ABI_VERSION,
                                           name,
-                                          described.data(),
-                                          described.size(),
+                                          parameters.data(),
+                                          parameters.size(),
                                           create,
                                           reset,
                                           step,
@@ -68,21 +68,21 @@ class Plugin {
   }
 
   static int reset(void* method, const slalom_task* task) {
-    const Task converted = {
+    const NavigationTask converted = {
         {task->goal_x, task->goal_y}, task->goal_tolerance, task->control_period, task->seed};
     return guarded([&] { static_cast<M*>(method)->reset(converted); });
   }
 
-  static int step(void* method, const slalom_observation* seen, slalom_command* command) {
-    if (seen->rays == 0) return 1;
+  static int step(void* method, const slalom_observation* input, slalom_command* command) {
+    if (input->rays == 0) return 1;
     return guarded([&] {
       Observation observation;
-      observation.pose = {seen->x, seen->y, seen->phi};
-      observation.measured = {seen->v, seen->w};
-      observation.goal = {seen->goal_x, seen->goal_y};
-      observation.ranges.assign(seen->ranges, seen->ranges + seen->rays);
-      const Speeds speeds = static_cast<M*>(method)->step(observation);
-      *command = {speeds.v, speeds.w, 0};
+      observation.pose = {input->x, input->y, input->phi};
+      observation.measured = {input->v, input->w};
+      observation.goal = {input->goal_x, input->goal_y};
+      observation.ranges.assign(input->ranges, input->ranges + input->rays);
+      const Twist twist = static_cast<M*>(method)->step(observation);
+      *command = {twist.v, twist.w, 0};
     });
   }
 

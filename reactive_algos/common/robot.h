@@ -7,13 +7,13 @@
 
 namespace reactive {
 
-/// What a method must know of the robot and its sensor. A polygon counts as the disc around it.
+/// Robot and sensor parameters of a method. A polygon is replaced by its enclosing disc.
 struct Robot {
   double radius = 0.25;  ///< m
   double max_v = 1, max_w = 1.5;
   double max_accel_v = 1, max_accel_w = 3;
-  double aperture = 3.141592653589793;  ///< rad, of the scan
-  double max_range = 8;                 ///< m
+  double aperture = M_PI;  ///< rad, of the scan
+  double max_range = 8;    ///< m
 };
 
 inline Robot robot_of(const slalom_robot& robot) {
@@ -21,28 +21,28 @@ inline Robot robot_of(const slalom_robot& robot) {
           robot.max_accel_w, robot.aperture, robot.max_range};
 }
 
-/// Speeds ahead (m/s) and of turning (rad/s).
-struct Speeds {
+/// Linear (m/s) and angular velocity (rad/s).
+struct Twist {
   double v = 0, w = 0;
 };
 
-/// Share of the largest deceleration that plans count on; the rest is for what they did not see.
-constexpr double kBrakingShare = 0.7;
+/// Fraction of the maximum deceleration that is used in plans; the rest is a reserve.
+constexpr double kBrakingFraction = 0.7;
 
-/// The speed from which the robot can stop within `way`, m/s.
-inline double stopping_speed(double way, const Robot& robot) {
-  return std::sqrt(2 * kBrakingShare * robot.max_accel_v * std::max(0.0, way));
+/// The speed from which the robot can stop within `braking_distance`, m/s.
+inline double stopping_speed(double braking_distance, const Robot& robot) {
+  return std::sqrt(2 * kBrakingFraction * robot.max_accel_v * std::max(0.0, braking_distance));
 }
 
-/// The turning speed that can be stopped within `angle`, with its sign.
-inline double turning_speed(double angle, const Robot& robot) {
-  const double w = std::sqrt(2 * kBrakingShare * robot.max_accel_w * std::abs(angle));
+/// The signed angular velocity from which the robot can stop within `angle`.
+inline double stopping_angular_velocity(double angle, const Robot& robot) {
+  const double w = std::sqrt(2 * kBrakingFraction * robot.max_accel_w * std::abs(angle));
   return std::copysign(std::min(w, robot.max_w), angle);
 }
 
-/// The commands nearest to `speeds` that the robot takes; it never drives backwards.
-inline Speeds limited(const Speeds& speeds, const Robot& robot) {
-  return {std::clamp(speeds.v, 0.0, robot.max_v), std::clamp(speeds.w, -robot.max_w, robot.max_w)};
+/// Clamps `twist` to the robot's limits; v is never negative.
+inline Twist clamp_to_limits(const Twist& twist, const Robot& robot) {
+  return {std::clamp(twist.v, 0.0, robot.max_v), std::clamp(twist.w, -robot.max_w, robot.max_w)};
 }
 
 }  // namespace reactive

@@ -51,12 +51,12 @@ void RollingMemory::remove(std::size_t index) {
 
 bool RollingMemory::sees_through(const Pose& pose, const Point& p,
                                  const std::vector<double>& ranges, const Robot& robot) const {
-  constexpr double kBeyond = 0.15;  // m: nearer than this behind a point says nothing
+  constexpr double kBeyond = 0.15;  // m: minimum distance behind a point
   const Point local = to_robot(pose, p);
   const double step = robot.aperture / static_cast<double>(ranges.size() - 1);
   const double at = (std::atan2(local.y, local.x) + 0.5 * robot.aperture) / step;
   const double range = std::hypot(local.x, local.y) + kBeyond;
-  // Four rays must agree: points lie at edges, and rays drop out.
+  // Four adjacent rays must agree, because points lie at edges and rays drop out.
   const double first = std::floor(at) - 1;
   if (!(first >= 0) || first + 3 >= static_cast<double>(ranges.size())) return false;
   const auto i = static_cast<std::size_t>(first);
@@ -74,7 +74,7 @@ void RollingMemory::update(const Pose& pose, const std::vector<double>& ranges,
     if (outside || (ranges.size() > 4 && sees_through(pose, p, ranges, robot))) remove(i);
   }
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    if (!(ranges[i] < 0.999 * robot.max_range)) continue;  // met nothing
+    if (!(ranges[i] < 0.999 * robot.max_range)) continue;  // no obstacle
     const double angle = ray_angle(i, ranges.size(), robot.aperture);
     const Point p = to_world(pose, {ranges[i] * std::cos(angle), ranges[i] * std::sin(angle)});
     if (std::max(std::abs(p.x - pose.x), std::abs(p.y - pose.y)) < half_size_ - resolution_)

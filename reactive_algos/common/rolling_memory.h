@@ -12,9 +12,9 @@ namespace reactive {
 /// Direction of ray i of `count` in the robot's frame.
 double ray_angle(std::size_t i, std::size_t count, double aperture);
 
-/// The obstacle points that a robot has seen about itself: what a forward scan no longer shows.
-/// Points lie in the odometry frame, at most one in each cell of a square window that moves with
-/// the robot; what leaves the window is forgotten, and so is what a later scan looks through.
+/// Obstacle points of past scans around the robot. Points are in the odometry frame, at most one
+/// per cell of a square window that moves with the robot. A point is removed when it leaves the
+/// window or when later scans see through it.
 class RollingMemory {
  public:
   /// half_size: m, from the robot to the border of the window; resolution: m, cell size.

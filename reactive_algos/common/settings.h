@@ -10,7 +10,7 @@
 
 namespace reactive {
 
-/// A parameter of a method: how it is described, where it is kept, what it may be.
+/// A parameter of a method: description, field and range.
 template <typename Parameters>
 struct Setting {
   slalom_parameter about;  ///< key, default, unit, help
@@ -18,8 +18,8 @@ struct Setting {
   double low = 0, high = HUGE_VAL;
 };
 
-/// Takes one setting over. False with a message when the key is unknown or the value is not a
-/// number of its range.
+/// Applies one setting. Returns false and sets `error` if the key is unknown or the value is not a
+/// number within the range.
 template <typename Parameters, std::size_t N>
 bool apply(const Setting<Parameters> (&known)[N], const char* key, const char* text,
            Parameters& parameters, char* error, std::size_t error_size) {
@@ -27,16 +27,17 @@ bool apply(const Setting<Parameters> (&known)[N], const char* key, const char* t
     if (std::strcmp(setting.about.key, key) != 0) continue;
     char* end = nullptr;
     const double value = std::strtod(text, &end);
-    const bool whole = end != text && *end == '\0' && std::isfinite(value);
-    if (whole && value >= setting.low && value <= setting.high) {
+    const bool is_number = end != text && *end == '\0' && std::isfinite(value);
+    if (is_number && value >= setting.low && value <= setting.high) {
       parameters.*setting.field = value;
       return true;
     }
     if (std::isinf(setting.high))
-      std::snprintf(error, error_size, "%s = '%s' is no number >= %g", key, text, setting.low);
+      std::snprintf(error, error_size, "%s = '%s' is invalid; expected a number >= %g", key, text,
+                    setting.low);
     else
-      std::snprintf(error, error_size, "%s = '%s' is no number in [%g, %g]", key, text, setting.low,
-                    setting.high);
+      std::snprintf(error, error_size, "%s = '%s' is invalid; expected a number in [%g, %g]", key,
+                    text, setting.low, setting.high);
     return false;
   }
   std::snprintf(error, error_size, "unknown parameter %s", key);

@@ -5,13 +5,15 @@
 namespace reactive {
 namespace {
 
-/// Whether a gap lies between sector k and the next: a jump of the way, or the end of what is open.
+/// Whether there is a gap between sector k and the next: a discontinuity of the free distance, or a
+/// transition between passable and impassable.
 bool gap_after(const Sectors& sectors, std::size_t k, double gap, double passable) {
-  const double here = sectors.ways[k], next = sectors.ways[(k + 1) % sectors.count()];
+  const double here = sectors.free_distances[k],
+               next = sectors.free_distances[(k + 1) % sectors.count()];
   return std::abs(next - here) > gap || (here < passable) != (next < passable);
 }
 
-/// The direction of the valley's end that the target is nearer to, of those that rise.
+/// Angle between the target and the closest rising end of the valley.
 double end_distance(const Valley& valley, double target, bool& low) {
   const double at_low = valley.rises_low ? std::abs(wrapped(valley.span.low - target)) : HUGE_VAL;
   const double at_high =
@@ -29,15 +31,15 @@ std::vector<Valley> find_valleys(const Sectors& sectors, double gap, double pass
     if (gap_after(sectors, k, gap, passable)) gaps.push_back(k);
   std::vector<Valley> valleys;
   if (gaps.empty()) {
-    if (sectors.nearest() >= passable) valleys.push_back({{-kPi, 2 * kPi}, true, true});
+    if (sectors.min_free_distance() >= passable) valleys.push_back({{-M_PI, 2 * M_PI}, true, true});
     return valleys;
   }
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     const std::size_t before = gaps[i], last = gaps[(i + 1) % gaps.size()];
     const SectorRun run{(before + 1) % n, (last + n - before - 1) % n + 1};
-    if (sectors.ways[run.first] < passable) continue;
-    const bool rises_low = sectors.ways[run.first] > sectors.ways[before];
-    const bool rises_high = sectors.ways[last] > sectors.ways[(last + 1) % n];
+    if (sectors.free_distances[run.first] < passable) continue;
+    const bool rises_low = sectors.free_distances[run.first] > sectors.free_distances[before];
+    const bool rises_high = sectors.free_distances[last] > sectors.free_distances[(last + 1) % n];
     if (rises_low || rises_high)
       valleys.push_back({opening_of(sectors, run), rises_low, rises_high});
   }
@@ -47,18 +49,19 @@ std::vector<Valley> find_valleys(const Sectors& sectors, double gap, double pass
 Choice choose_valley(const std::vector<Valley>& valleys, const Sectors& sectors,
                      const Point& target, double horizon) {
   const double direction = std::atan2(target.y, target.x);
-  const double left = std::hypot(target.x, target.y);
+  const double target_distance = std::hypot(target.x, target.y);
   Choice best;
-  double nearest = HUGE_VAL;
+  double min_angle = HUGE_VAL;
   for (const Valley& valley : valleys) {
     bool low = false;
     double away = end_distance(valley, direction, low);
-    const bool holds =
-        valley.span.contains(direction) && sectors.way(direction) >= std::min(horizon, 0.95 * left);
-    if (holds) away = -1;
-    if (away >= nearest) continue;
-    nearest = away;
-    best = {&valley, holds, low};
+    const bool contains_target =
+        valley.span.contains(direction) &&
+        sectors.free_distance(direction) >= std::min(horizon, 0.95 * target_distance);
+    if (contains_target) away = -1;
+    if (away >= min_angle) continue;
+    min_angle = away;
+    best = {&valley, contains_target, low};
   }
   return best;
 }

@@ -6,25 +6,24 @@
 
 namespace reactive {
 
-/// A valley of a nearness diagram: directions between two gaps (jumps of the way from one sector to
-/// the next), into which at least one of them rises. Ends that rise are where the robot can pass
-/// beside an obstacle.
+/// A valley of a nearness diagram: directions between two gaps (discontinuities of the free
+/// distance between adjacent sectors), at least one of which is rising. At a rising end the robot
+/// can pass an obstacle.
 struct Valley {
   Opening span;
-  bool rises_low = false, rises_high = false;  ///< at its lower, at its upper end
+  bool rises_low = false, rises_high = false;  ///< at its lower and upper end
 };
 
-/// All valleys. Gaps are jumps of more than `gap`, and where ways become shorter than `passable`;
-/// between two gaps either all sectors are passable or none.
+/// Returns all valleys. Gaps are discontinuities of more than `gap` and transitions across
+/// `passable`; between two gaps either all sectors are passable or none.
 std::vector<Valley> find_valleys(const Sectors& sectors, double gap, double passable);
 
-/// How the free walking area is chosen: the valley with a rising gap nearest to the target, or that
-/// holds the target; null where there is none. What stands beyond `horizon` before the target does
-/// not count yet.
+/// The selected free walking area: the valley that contains the target, or the one with the rising
+/// gap closest to the target; null if there is none. Obstacles beyond `horizon` are ignored.
 struct Choice {
   const Valley* valley = nullptr;
-  bool holds_target = false;  ///< the way to the target is free within it
-  bool low_end = false;       ///< the end that is nearer to the target is the lower one
+  bool contains_target = false;  ///< the path to the target within it is free
+  bool low_end = false;          ///< the lower end is the one closer to the target
 };
 Choice choose_valley(const std::vector<Valley>& valleys, const Sectors& sectors,
                      const Point& target, double horizon);

@@ -6,25 +6,22 @@
 namespace follow_the_gap {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
-/// Half the angle under which an enlarged obstacle is seen; a half circle when the robot is within
-/// it.
+/// Half the angular width of an enlarged obstacle; pi/2 if the robot is inside it.
 double half_angle(double range, double radius) {
-  return range <= radius ? kPi / 2 : std::asin(radius / range);
+  return range <= radius ? M_PI / 2 : std::asin(radius / range);
 }
 
 double nearest_of(const std::vector<double>& ranges) {
   return *std::min_element(ranges.begin(), ranges.end());
 }
 
-/// Speed from which the robot can stop within `way`, leaving a little.
-double stopping_speed(double way, const Robot& robot) {
-  constexpr double kLeft = 0.05;  // m
-  return std::sqrt(2 * 0.7 * robot.max_accel_v * std::max(0.0, way - kLeft));
+/// Speed from which the robot can stop within `free_distance`, with a margin.
+double stopping_speed(double free_distance, const Robot& robot) {
+  constexpr double kMargin = 0.05;  // m
+  return std::sqrt(2 * 0.7 * robot.max_accel_v * std::max(0.0, free_distance - kMargin));
 }
 
-Speeds turn_on_the_spot(int side, const Robot& robot) {
+Twist rotate_in_place(int side, const Robot& robot) {
   return {0, side * robot.max_w};
 }
 
@@ -80,31 +77,31 @@ double final_heading(const Gap& gap, double goal_angle, double nearest, double a
   return std::clamp(heading, gap.low, gap.high);
 }
 
-double free_way_ahead(const std::vector<double>& ranges, double aperture, double max_range,
-                      double radius) {
-  double way = max_range;
+double free_distance_ahead(const std::vector<double>& ranges, double aperture, double max_range,
+                           double radius) {
+  double free_distance = max_range;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (ranges[i] >= max_range) continue;
     const double angle = ray_angle(i, ranges.size(), aperture);
     const double x = ranges[i] * std::cos(angle), y = ranges[i] * std::sin(angle);
     if (x <= 0 || std::abs(y) >= radius) continue;
-    way = std::min(way, x - std::sqrt(radius * radius - y * y));
+    free_distance = std::min(free_distance, x - std::sqrt(radius * radius - y * y));
   }
-  return std::max(0.0, way);
+  return std::max(0.0, free_distance);
 }
 
-Speeds decide(const std::vector<double>& ranges, double goal_x, double goal_y,
-              const Parameters& parameters, const Robot& robot, int& last_side) {
+Twist decide(const std::vector<double>& ranges, double goal_x, double goal_y,
+             const Parameters& parameters, const Robot& robot, int& last_side) {
   const double goal_angle = std::atan2(goal_y, goal_x);
   const double goal_distance = std::hypot(goal_x, goal_y);
   const double enlarged = robot.radius + parameters.margin;
-  const double seen = 0.999 * robot.max_range;  // a ray that meets nothing ends at max_range
+  const double seen = 0.999 * robot.max_range;  // a ray without an obstacle has max_range
   const double horizon = std::min({parameters.look_ahead, goal_distance + robot.radius, seen});
   const std::vector<Gap> gaps = find_gaps(ranges, robot.aperture, enlarged, horizon);
   const Gap* gap = choose_gap(gaps, goal_angle, parameters.goal_weight);
   if (gap == nullptr) {
     if (last_side == 0) last_side = goal_angle >= 0 ? 1 : -1;
-    return turn_on_the_spot(last_side, robot);
+    return rotate_in_place(last_side, robot);
   }
   last_side = 0;
   const double nearest = nearest_of(ranges);
@@ -113,9 +110,9 @@ Speeds decide(const std::vector<double>& ranges, double goal_x, double goal_y,
                              : std::clamp(goal_angle, gap->low, gap->high);
   const double w = std::clamp(parameters.turn_gain * heading, -robot.max_w, robot.max_w);
   if (std::abs(heading) > parameters.turn_in_place) return {0, w};
-  const double way = free_way_ahead(ranges, robot.aperture, robot.max_range,
-                                    robot.radius + 0.5 * parameters.margin);
-  const double v = std::min({robot.max_v * std::cos(heading), stopping_speed(way, robot),
+  const double free_distance = free_distance_ahead(ranges, robot.aperture, robot.max_range,
+                                                   robot.radius + 0.5 * parameters.margin);
+  const double v = std::min({robot.max_v * std::cos(heading), stopping_speed(free_distance, robot),
                              stopping_speed(goal_distance + 0.3, robot)});
   return {std::clamp(v, 0.0, robot.max_v), w};
 }

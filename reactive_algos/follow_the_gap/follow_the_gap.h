@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -9,18 +10,17 @@ namespace follow_the_gap {
 
 /// Angles in rad, counter-clockwise from the heading; lengths in m; speeds in m/s and rad/s.
 struct Parameters {
-  double alpha = 1.0;       ///< m: weight of the gap against the goal, Eq. (8)
-  double margin = 0.1;      ///< m added to the robot's radius when obstacles are enlarged
-  double look_ahead = 2.5;  ///< m: obstacles farther away close no gap
-  double goal_weight =
-      0.6;  ///< a gap counts as wide as it is, less twice this times its angle from the goal
-  double turn_gain = 2.0;      ///< 1/s: w = turn_gain * angle to steer to
-  double turn_in_place = 1.0;  ///< rad: beyond this angle the robot turns without driving
+  double alpha = 1.0;          ///< m: weight of the gap against the goal, Eq. (8)
+  double margin = 0.1;         ///< m added to the robot's radius when obstacles are enlarged
+  double look_ahead = 2.5;     ///< m: obstacles beyond this distance do not close gaps
+  double goal_weight = 0.6;    ///< penalty of a gap: twice this per radian from the goal
+  double turn_gain = 2.0;      ///< 1/s: w = turn_gain * heading error
+  double turn_in_place = 1.0;  ///< rad: beyond this heading error the robot rotates in place
 };
 
 struct Robot {
   double radius = 0.25, max_v = 1, max_w = 1.5, max_accel_v = 1;
-  double aperture = 3.141592653589793;
+  double aperture = M_PI;
   double max_range = 8;
 };
 
@@ -30,7 +30,7 @@ struct Gap {
   bool contains(double angle) const { return angle >= low && angle <= high; }
 };
 
-struct Speeds {
+struct Twist {
   double v = 0, w = 0;
 };
 
@@ -38,25 +38,25 @@ struct Speeds {
 double ray_angle(std::size_t i, std::size_t count, double aperture);
 
 /// Gaps between obstacles nearer than `horizon`, each enlarged to a circle of `radius` about its
-/// point (section 3.1: a ray is closed when it passes such a circle), from right to left.
+/// point (section 3.1: a ray is closed if it intersects such a circle), from right to left.
 std::vector<Gap> find_gaps(const std::vector<double>& ranges, double aperture, double radius,
                            double horizon);
 
-/// The gap to take: widest, less 2 goal_weight times its angle from the goal; null if there is
-/// none.
+/// Returns the gap with the largest width minus 2 goal_weight times its angle from the goal, or
+/// null if there is none.
 const Gap* choose_gap(const std::vector<Gap>& gaps, double goal_angle, double goal_weight);
 
-/// Eq. (8): the mean of gap centre and goal angle, the gap weighing alpha / nearest obstacle; kept
-/// in the gap.
+/// Eq. (8): the weighted mean of gap center and goal angle, with weight alpha / nearest obstacle of
+/// the gap, clamped to the gap.
 double final_heading(const Gap& gap, double goal_angle, double nearest, double alpha);
 
-/// How far (m) a robot of `radius` can drive straight ahead before it touches a scan point.
-double free_way_ahead(const std::vector<double>& ranges, double aperture, double max_range,
-                      double radius);
+/// Returns the distance (m) that a robot of `radius` can move straight ahead before contact.
+double free_distance_ahead(const std::vector<double>& ranges, double aperture, double max_range,
+                           double radius);
 
-/// One decision: goal in the robot frame (x ahead, y left). The side of the last turn on the spot
-/// is kept in `last_side` (+1 left, -1 right, 0 none yet), so that it does not change its mind.
-Speeds decide(const std::vector<double>& ranges, double goal_x, double goal_y,
-              const Parameters& parameters, const Robot& robot, int& last_side);
+/// Computes one command; the goal is in the robot frame (x ahead, y left). `last_side` keeps the
+/// side of the rotation in place (+1 left, -1 right, 0 none), to avoid oscillation.
+Twist decide(const std::vector<double>& ranges, double goal_x, double goal_y,
+             const Parameters& parameters, const Robot& robot, int& last_side);
 
 }  // namespace follow_the_gap

@@ -35,13 +35,13 @@ constexpr Setting kSettings[] = {
 constexpr slalom_parameter kParameters[] = {
     {"alpha", "1.0", "m", "weight of the gap against the goal, Eq. (8)"},
     {"margin", "0.1", "m", "added to the robot's radius when obstacles are enlarged"},
-    {"look_ahead", "2.5", "m", "obstacles farther away close no gap"},
-    {"goal_weight", "0.6", "-", "a gap's worth falls by twice this for each radian from the goal"},
-    {"turn_gain", "2.0", "1/s", "turning speed for each radian to steer to"},
-    {"turn_in_place", "1.0", "rad", "beyond this angle the robot turns without driving"},
+    {"look_ahead", "2.5", "m", "obstacles beyond this distance do not close gaps"},
+    {"goal_weight", "0.6", "-", "penalty of a gap: twice this per radian from the goal"},
+    {"turn_gain", "2.0", "1/s", "angular velocity per radian of heading error"},
+    {"turn_in_place", "1.0", "rad", "beyond this heading error the robot rotates in place"},
 };
 
-/// Reads one setting; false when it is not a number >= 0.
+/// Applies one setting. Returns false if it is not a number >= 0.
 bool apply(const slalom_setting& setting, Parameters& parameters) {
   char* end = nullptr;
   const double value = std::strtod(setting.value, &end);
@@ -57,8 +57,8 @@ void* create(const slalom_setting* settings, size_t setting_count, const slalom_
   if (instance == nullptr) return nullptr;
   for (size_t i = 0; i < setting_count; ++i) {
     if (apply(settings[i], instance->parameters)) continue;
-    std::snprintf(error, error_size, "%s = '%s' is no number >= 0", settings[i].key,
-                  settings[i].value);
+    std::snprintf(error, error_size, "%s = '%s' is invalid; expected a number >= 0",
+                  settings[i].key, settings[i].value);
     delete instance;
     return nullptr;
   }
@@ -76,11 +76,11 @@ int step(void* method, const slalom_observation* observation, slalom_command* co
   auto& instance = *static_cast<Instance*>(method);
   if (observation->rays == 0) return 1;
   instance.ranges.assign(observation->ranges, observation->ranges + observation->rays);
-  const auto speeds =
+  const auto twist =
       follow_the_gap::decide(instance.ranges, observation->goal_x, observation->goal_y,
                              instance.parameters, instance.robot, instance.last_side);
-  command->v = speeds.v;
-  command->w = speeds.w;
+  command->v = twist.v;
+  command->w = twist.w;
   return 0;
 }
 

@@ -10,45 +10,46 @@ const FollowTheGap::Settings& FollowTheGap::settings() {
   static constexpr Settings kSettings = {
       {{"alpha", "0.3", "length", "weight of the gap against the goal, Eq. (8)"},
        &Parameters::alpha},
-      {{"look_ahead", "0.6", "length", "obstacles farther away close no gap"},
+      {{"look_ahead", "0.6", "length", "obstacles beyond this distance do not close gaps"},
        &Parameters::look_ahead,
        1e-3},
-      {{"goal_weight", "0.6", "-", "a gap counts less by twice this for each radian from the goal"},
+      {{"goal_weight", "0.6", "-", "penalty of a gap: twice this per radian from the goal"},
        &Parameters::goal_weight},
-      {{"field_of_view", "3.1416", "rad", "gaps are looked for ahead only"},
+      {{"field_of_view", "3.1416", "rad", "gaps outside it are ignored"},
        &Parameters::field_of_view,
        0.1,
-       2 * kPi},
-      {{"slow_distance", "0.3", "length", "slower when less way than this is ahead"},
+       2 * M_PI},
+      {{"slow_distance", "0.3", "length", "below this free distance the robot slows down"},
        &Parameters::slow_distance},
-      {{"target_slow_down", "0.15", "length", "slower when the target is nearer"},
+      {{"target_slow_down", "0.15", "length",
+        "below this distance to the target the robot slows down"},
        &Parameters::target_slow_down}};
   return kSettings;
 }
 
-double gap_centre(const Sectors& sectors, const SectorRun& run) {
+double gap_center(const Sectors& sectors, const SectorRun& run) {
   const std::size_t n = sectors.count();
   const Opening opening = opening_of(sectors, run);
-  // Midway in space between the obstacles is not midway in angle when one is nearer. In a gap of a
-  // half circle and more there is no such triangle.
-  if (opening.width >= kPi) return opening.middle();
-  const double d1 = sectors.ways[(run.first + n - 1) % n];
-  const double d2 = sectors.ways[(run.first + run.length) % n];
+  // The midpoint between the obstacles is not at the middle angle if one is closer. For gaps of pi
+  // or more the triangle does not exist.
+  if (opening.width >= M_PI) return opening.middle();
+  const double d1 = sectors.free_distances[(run.first + n - 1) % n];
+  const double d2 = sectors.free_distances[(run.first + run.length) % n];
   const double low = opening.low, high = opening.high();
   const double x = d1 * std::cos(low) + d2 * std::cos(high);
   const double y = d1 * std::sin(low) + d2 * std::sin(high);
   return x * x + y * y < 1e-12 ? opening.middle() : std::atan2(y, x);
 }
 
-double final_direction(double gap_centre, double goal, double nearest, double alpha) {
+double final_direction(double gap_center, double goal, double nearest, double alpha) {
   const double weight = alpha / std::max(nearest, 1e-3);
-  return wrapped(goal + weight / (weight + 1) * wrapped(gap_centre - goal));
+  return wrapped(goal + weight / (weight + 1) * wrapped(gap_center - goal));
 }
 
 Decision FollowTheGap::decide(const Sectors& sectors, const Point& target) {
   const double goal = std::atan2(target.y, target.x);
-  const double left = std::hypot(target.x, target.y);
-  const double open = std::min(parameters.look_ahead, left);
+  const double target_distance = std::hypot(target.x, target.y);
+  const double open = std::min(parameters.look_ahead, target_distance);
   SectorRun best;
   double best_value = -HUGE_VAL;
   const Sectors seen = sectors.ahead(parameters.field_of_view);
@@ -62,17 +63,17 @@ Decision FollowTheGap::decide(const Sectors& sectors, const Point& target) {
     best = run;
   }
   if (runs.empty()) return search_.next(goal);
-  search_.end();
+  search_.reset();
   double nearest = HUGE_VAL;
   for (std::size_t k = 0; k < sectors.count(); ++k)
     if (std::abs(sectors.direction(k)) <= 0.5 * parameters.field_of_view)
-      nearest = std::min(nearest, sectors.ways[k]);
+      nearest = std::min(nearest, sectors.free_distances[k]);
   double direction = goal;
   if (nearest < open)
-    direction = final_direction(gap_centre(sectors, best), goal, nearest, parameters.alpha);
+    direction = final_direction(gap_center(sectors, best), goal, nearest, parameters.alpha);
   direction = opening_of(sectors, best).nearest_to(direction, 0);
-  return {direction, speed_share(sectors.way(direction), left, parameters.slow_distance,
-                                 parameters.target_slow_down)};
+  return {direction, speed_fraction(sectors.free_distance(direction), target_distance,
+                                    parameters.slow_distance, parameters.target_slow_down)};
 }
 
 }  // namespace follow_the_gap_holonomic

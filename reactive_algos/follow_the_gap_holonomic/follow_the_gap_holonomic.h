@@ -11,19 +11,20 @@ namespace follow_the_gap_holonomic {
 /// Lengths in the unit of the sectors: with the adapter mrpt_holonomic, reference distances.
 struct Parameters {
   double alpha = 0.3;              ///< weight of the gap against the goal, Eq. (8)
-  double look_ahead = 0.6;         ///< obstacles farther away close no gap
-  double goal_weight = 0.6;        ///< a gap counts as wide as it is, less twice this times its
-                                   ///< angle from the goal; 0: the widest gap, as in the paper
-  double field_of_view = 3.1416;   ///< rad: gaps are looked for ahead only, as a scan sees them
-  double slow_distance = 0.3;      ///< slower when less way than this is ahead
-  double target_slow_down = 0.15;  ///< slower when the target is nearer
+  double look_ahead = 0.6;         ///< obstacles beyond this distance do not close gaps
+  double goal_weight = 0.6;        ///< penalty of a gap: twice this per radian from the goal;
+                                   ///< 0: the widest gap, as in the publication
+  double field_of_view = 3.1416;   ///< rad: gaps outside it are ignored
+  double slow_distance = 0.3;      ///< below this free distance the robot slows down
+  double target_slow_down = 0.15;  ///< below this distance to the target the robot slows down
 };
 
-/// Direction of the point midway between the obstacles at both ends of a gap, Eq. (7).
-double gap_centre(const reactive::Sectors& sectors, const reactive::SectorRun& run);
+/// Direction of the midpoint between the obstacles at both ends of a gap, Eq. (7).
+double gap_center(const reactive::Sectors& sectors, const reactive::SectorRun& run);
 
-/// Eq. (8): the mean of gap centre and goal direction, the gap weighing alpha / nearest obstacle.
-double final_direction(double gap_centre, double goal, double nearest, double alpha);
+/// Eq. (8): the weighted mean of gap center and goal direction, with weight alpha / nearest
+/// obstacle of the gap.
+double final_direction(double gap_center, double goal, double nearest, double alpha);
 
 class FollowTheGap {
  public:

@@ -6,27 +6,29 @@ using namespace reactive;
 
 const GoToGoal::Settings& GoToGoal::settings() {
   static constexpr Settings kSettings = {
-      {{"turn_in_place", "1.0", "rad", "beyond this bearing the robot turns without driving"},
+      {{"turn_in_place", "1.0", "rad", "beyond this bearing the robot rotates in place"},
        &Parameters::turn_in_place,
        0.1,
-       kPi}};
+       M_PI}};
   return kSettings;
 }
 
 GoToGoal::GoToGoal(const Parameters& parameters, const Robot& robot)
     : robot_(robot), turn_(parameters.turn_in_place, 0.3 * parameters.turn_in_place) {}
 
-void GoToGoal::reset(const Task& task) {
+void GoToGoal::reset(const NavigationTask& task) {
   tolerance_ = task.goal_tolerance;
   turn_.reset();
 }
 
-Speeds GoToGoal::step(const Observation& observation) {
+Twist GoToGoal::step(const Observation& observation) {
   const double bearing = std::atan2(observation.goal.y, observation.goal.x);
-  if (turn_.wanted(bearing)) return limited(turn_.speeds(bearing, robot_), robot_);
-  const double way = std::hypot(observation.goal.x, observation.goal.y) + 0.5 * tolerance_;
-  const double v = std::min(robot_.max_v * std::cos(bearing), stopping_speed(way, robot_));
-  return limited({v, turning_speed(bearing, robot_)}, robot_);
+  if (turn_.update(bearing)) return clamp_to_limits(turn_.twist(bearing, robot_), robot_);
+  const double braking_distance =
+      std::hypot(observation.goal.x, observation.goal.y) + 0.5 * tolerance_;
+  const double v =
+      std::min(robot_.max_v * std::cos(bearing), stopping_speed(braking_distance, robot_));
+  return clamp_to_limits({v, stopping_angular_velocity(bearing, robot_)}, robot_);
 }
 
 }  // namespace go_to_goal

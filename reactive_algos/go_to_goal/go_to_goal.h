@@ -3,12 +3,12 @@
 #include "common/motion.h"
 #include "common/plugin.h"
 
-/// Straight to the goal, blind: the control in a comparison. What a place costs without avoidance
-/// shows how much of a method's success is the method's.
+/// Moves straight to the goal without avoidance: the control in a comparison. Its results show how
+/// difficult a scenario is without avoidance.
 namespace go_to_goal {
 
 struct Parameters {
-  double turn_in_place = 1.0;  ///< rad: beyond this bearing the robot turns without driving
+  double turn_in_place = 1.0;  ///< rad: beyond this bearing the robot rotates in place
 };
 
 class GoToGoal {
@@ -18,13 +18,13 @@ class GoToGoal {
   static const Settings& settings();
 
   GoToGoal(const Parameters& parameters, const reactive::Robot& robot);
-  void reset(const reactive::Task& task);
-  reactive::Speeds step(const reactive::Observation& observation);
+  void reset(const reactive::NavigationTask& task);
+  reactive::Twist step(const reactive::Observation& observation);
 
  private:
   reactive::Robot robot_;
   double tolerance_ = 0.2;
-  reactive::TurnOnTheSpot turn_;
+  reactive::RotateInPlace turn_;
 };
 
 }  // namespace go_to_goal

@@ -14,32 +14,31 @@ namespace mppi {
 
 /// Lengths in m, times in s.
 struct Parameters {
-  double samples = 400;          ///< K, rollouts a cycle
-  double steps = 24;             ///< T, control periods that a rollout looks ahead
-  double lambda = 0.3;           ///< temperature: how much better than the rest counts
+  double samples = 400;          ///< K, rollouts per cycle
+  double steps = 24;             ///< T, control periods per rollout
+  double lambda = 0.3;           ///< temperature of the weights
   double noise_v = 0.2;          ///< m/s, standard deviation of the noise on v
-  double hold = 4;               ///< control periods for which a noise value lasts
+  double hold = 4;               ///< control periods for which a noise sample is held
   double noise_w = 0.6;          ///< rad/s, standard deviation of the noise on w
-  double control_cost = 0.02;    ///< gamma of the control term, as a share of lambda
-  double margin = 0.04;          ///< added to the robot's radius: nearer is a collision
-  double comfort = 0.3;          ///< clearance of the footprint that costs nothing
-  double obstacle_weight = 1.5;  ///< m of way that a second at the least clearance costs
-  double goal_weight = 4.0;      ///< weight of the way that is left at the end of a rollout
-  double turn_in_place = 1.6;    ///< rad: a way farther aside is turned to without driving
-  double memory = 6;             ///< half the side of the local map
+  double control_cost = 0.02;    ///< gamma of the control term, as a fraction of lambda
+  double margin = 0.04;          ///< added to the robot's radius in collision checks
+  double comfort = 0.3;          ///< clearance of the footprint beyond which there is no cost
+  double obstacle_weight = 1.5;  ///< path length (m) equivalent to one second at minimum clearance
+  double goal_weight = 4.0;      ///< weight of the remaining distance at the end of a rollout
+  double turn_in_place = 1.6;  ///< rad: beyond this bearing of the path the robot rotates in place
+  double memory = 6;           ///< half the side length of the local map
 };
 
-/// Weights of rollouts with these costs, Algorithm 2: exp(-(S - min S) / lambda), divided by their
-/// sum.
+/// Normalized weights of rollouts with these costs, Algorithm 2: exp(-(S - min S) / lambda).
 std::vector<double> importance_weights(const std::vector<double>& costs, double lambda);
 
-/// Normal numbers for steps of two speeds. Each lasts for `hold` steps: single steps would average
-/// out over a rollout, and hundreds of rollouts would not find a turn.
+/// Normally distributed noise of both velocities. Each sample is held for `hold` steps: independent
+/// steps would average out over a rollout, so that no rollout would contain a turn.
 class Noise {
  public:
   void seed(std::uint64_t seed);
   /// `rollouts` rows of `steps`.
-  void draw(std::vector<reactive::Speeds>& out, std::size_t rollouts, std::size_t steps,
+  void draw(std::vector<reactive::Twist>& out, std::size_t rollouts, std::size_t steps,
             std::size_t hold, double sigma_v, double sigma_w);
 
  private:
@@ -53,27 +52,27 @@ class Mppi {
   static const Settings& settings();
 
   Mppi(const Parameters& parameters, const reactive::Robot& robot);
-  void reset(const reactive::Task& task);
-  reactive::Speeds step(const reactive::Observation& observation);
+  void reset(const reactive::NavigationTask& task);
+  reactive::Twist step(const reactive::Observation& observation);
 
  private:
-  void optimise(const reactive::Observation& observation, const reactive::Waypoint& target,
+  void optimize(const reactive::Observation& observation, const reactive::Waypoint& target,
                 double top_speed);
   double rollout_cost(const reactive::Observation& observation, const reactive::Waypoint& target,
-                      double top_speed, double radius, const reactive::Speeds* noise);
-  double way_left(const reactive::Pose& pose, const reactive::Waypoint& target) const;
+                      double top_speed, double radius, const reactive::Twist* noise);
+  double remaining_distance(const reactive::Pose& pose, const reactive::Waypoint& target) const;
   void shift();
 
   Parameters parameters_;
   reactive::Robot robot_;
-  reactive::Task task_;
+  reactive::NavigationTask task_;
   reactive::LocalMap map_;
-  reactive::Guide guide_;
-  reactive::TurnOnTheSpot turn_;
-  double look_ = 0;  ///< m ahead of a trajectory's end from which its way to the goal is measured
+  reactive::LocalPlanner local_planner_;
+  reactive::RotateInPlace turn_;
+  double heading_look_ahead_ = 0;  ///< m ahead of a trajectory's end where its cost is evaluated
   Noise noise_;
-  std::vector<reactive::Speeds> plan_;         ///< mean controls, one a step
-  std::vector<reactive::Speeds> disturbance_;  ///< K rows of T
+  std::vector<reactive::Twist> plan_;         ///< mean controls, one per step
+  std::vector<reactive::Twist> disturbance_;  ///< K rows of T
 };
 
 }  // namespace mppi

@@ -11,44 +11,48 @@ const NdPlus::Settings& NdPlus::settings() {
       {{"safety_distance", "0.12", "length", "D_s of the safety zone"},
        &Parameters::safety_distance,
        1e-3},
-      {{"gap", "0.2", "length", "a jump of the way by more is a gap"}, &Parameters::gap, 1e-3},
-      {{"passable", "0.15", "length", "sectors whose way is shorter are closed"},
+      {{"gap", "0.2", "length",
+        "minimum discontinuity of the free distance threat_direction a gap"},
+       &Parameters::gap,
+       1e-3},
+      {{"passable", "0.15", "length", "sectors with a smaller free distance are closed"},
        &Parameters::passable},
-      {{"wide_valley", "0.9", "rad", "s_max: a wider valley is wide"},
+      {{"wide_valley", "0.9", "rad", "s_max: valleys wider than this are wide"},
        &Parameters::wide_valley,
        0,
-       2 * kPi},
-      {{"field_of_view", "3.1416", "rad", "valleys are looked for ahead only"},
+       2 * M_PI},
+      {{"field_of_view", "3.1416", "rad", "valleys outside it are ignored"},
        &Parameters::field_of_view,
        0.1,
-       2 * kPi},
-      {{"slow_distance", "0.3", "length", "slower when less way than this is ahead"},
+       2 * M_PI},
+      {{"slow_distance", "0.3", "length", "below this free distance the robot slows down"},
        &Parameters::slow_distance},
-      {{"target_slow_down", "0.15", "length", "slower when the target is nearer"},
+      {{"target_slow_down", "0.15", "length",
+        "below this distance to the target the robot slows down"},
        &Parameters::target_slow_down}};
   return kSettings;
 }
 
 Threats find_threats(const Sectors& sectors, double direction, double safety_distance) {
   Threats threats;
-  threats.left_way = threats.right_way = safety_distance;
+  threats.left_distance = threats.right_distance = safety_distance;
   double left_best = safety_distance, right_best = safety_distance;
   for (std::size_t k = 0; k < sectors.count(); ++k) {
-    const double way = sectors.ways[k];
+    const double free_distance = sectors.free_distances[k];
     const double aside = wrapped(sectors.direction(k) - direction);
-    // Of equally near ones that which is nearest to the direction.
-    const double nearer = way - 1e-9 * (kPi - std::abs(aside));
-    if (way >= safety_distance) continue;
+    // Among equal distances, take the one closest to the direction.
+    const double nearer = free_distance - 1e-9 * (M_PI - std::abs(aside));
+    if (free_distance >= safety_distance) continue;
     if (aside > 0 && nearer < left_best) {
       left_best = nearer;
       threats.left = true;
-      threats.left_way = way;
+      threats.left_distance = free_distance;
       threats.left_direction = sectors.direction(k);
     }
     if (aside <= 0 && nearer < right_best) {
       right_best = nearer;
       threats.right = true;
-      threats.right_way = way;
+      threats.right_distance = free_distance;
       threats.right_direction = sectors.direction(k);
     }
   }
@@ -64,24 +68,26 @@ Situation situation(const Threats& threats, bool goal_in_region, double width, d
   return width >= wide_valley ? Situation::Hswr : Situation::Hsnr;
 }
 
-/// LS1 and LSGR: turned away from the one threat, up to straight away from it, the more the deeper
-/// it is in the safety zone.
-double NdPlus::away_from(const Threats& threats, double direction) const {
-  const bool left = threats.left && (!threats.right || threats.left_way < threats.right_way);
-  const double way = left ? threats.left_way : threats.right_way;
-  const double at = left ? threats.left_direction : threats.right_direction;
-  const double depth = std::clamp(1 - way / parameters.safety_distance, 0.0, 1.0);
-  const double angle = wrapped(at - direction);
-  return wrapped(direction - depth * std::copysign(kPi - std::abs(angle), angle));
+/// LS1 and LSGR: turns away from the threat, up to the opposite direction, in proportion to its
+/// depth in the safety zone.
+double NdPlus::turn_away(const Threats& threats, double direction) const {
+  const bool left =
+      threats.left && (!threats.right || threats.left_distance < threats.right_distance);
+  const double free_distance = left ? threats.left_distance : threats.right_distance;
+  const double threat_direction = left ? threats.left_direction : threats.right_direction;
+  const double depth = std::clamp(1 - free_distance / parameters.safety_distance, 0.0, 1.0);
+  const double angle = wrapped(threat_direction - direction);
+  return wrapped(direction - depth * std::copysign(M_PI - std::abs(angle), angle));
 }
 
-/// LS2: between both threats; as the nearer one is nearer, away from it and towards the other.
-double NdPlus::centred(const Threats& threats, double direction) const {
-  const double ds = parameters.safety_distance;
-  const double left = 1 - threats.left_way / ds, right = 1 - threats.right_way / ds;
-  const double away_left = kPi - std::abs(wrapped(threats.left_direction - direction));
-  const double away_right = kPi - std::abs(wrapped(threats.right_direction - direction));
-  // Both push with their depth; what they agree on is the middle.
+/// LS2: balances both threats; turns away from the closer one.
+double NdPlus::balance_threats(const Threats& threats, double direction) const {
+  const double safety_distance = parameters.safety_distance;
+  const double left = 1 - threats.left_distance / safety_distance,
+               right = 1 - threats.right_distance / safety_distance;
+  const double away_left = M_PI - std::abs(wrapped(threats.left_direction - direction));
+  const double away_right = M_PI - std::abs(wrapped(threats.right_direction - direction));
+  // Each threat deflects in proportion to its squared depth; equal threats cancel.
   const double turn =
       (right * right * away_right - left * left * away_left) / std::max(1e-9, left + right);
   return wrapped(direction + turn);
@@ -89,39 +95,40 @@ double NdPlus::centred(const Threats& threats, double direction) const {
 
 Decision NdPlus::decide(const Sectors& sectors, const Point& target) {
   const double to_target = std::atan2(target.y, target.x);
-  const double left = std::hypot(target.x, target.y);
+  const double target_distance = std::hypot(target.x, target.y);
   const auto valleys =
       find_valleys(sectors.ahead(parameters.field_of_view), parameters.gap, parameters.passable);
-  // Up to here an obstacle's edge against free space is a gap for certain.
+  // Up to this distance an obstacle edge against free space is always a gap.
   const Choice choice =
       choose_valley(valleys, sectors, target, sectors.limit - 1.25 * parameters.gap);
-  double wanted = to_target;
+  double desired = to_target;
   bool wide = true;
   if (choice.valley == nullptr) return search_.next(to_target);
-  search_.end();
-  if (!choice.holds_target) {
+  search_.reset();
+  if (!choice.contains_target) {
     const Opening& span = choice.valley->span;
     wide = span.width >= parameters.wide_valley;
-    const double inside = 0.5 * parameters.wide_valley;
-    wanted =
-        wide ? wrapped(choice.low_end ? span.low + inside : span.high() - inside) : span.middle();
+    const double offset = 0.5 * parameters.wide_valley;
+    desired =
+        wide ? wrapped(choice.low_end ? span.low + offset : span.high() - offset) : span.middle();
   }
-  const Threats threats = find_threats(sectors, wanted, parameters.safety_distance);
-  const Situation now = situation(threats, choice.holds_target, wide ? parameters.wide_valley : 0,
-                                  parameters.wide_valley);
-  double direction = wanted;
+  const Threats threats = find_threats(sectors, desired, parameters.safety_distance);
+  const Situation now = situation(threats, choice.contains_target,
+                                  wide ? parameters.wide_valley : 0, parameters.wide_valley);
+  double direction = desired;
   if (now == Situation::Ls2 || (now == Situation::Lsgr && threats.left && threats.right))
-    direction = centred(threats, wanted);
+    direction = balance_threats(threats, desired);
   else if (now == Situation::Ls1 || now == Situation::Lsgr)
-    direction = away_from(threats, wanted);
-  // Low safety: slower, the deeper the nearest obstacle and the more the robot must turn.
-  const double nearest = std::min(threats.left_way, threats.right_way);
+    direction = turn_away(threats, desired);
+  // Low safety: slow down with the depth of the closest threat and the required turn.
+  const double nearest = std::min(threats.left_distance, threats.right_distance);
   const double safety = nearest / parameters.safety_distance;
-  const double turned = std::max(0.0, 1 - std::abs(direction) / (0.5 * kPi));
-  const double free = speed_share(sectors.way(direction), left, parameters.slow_distance,
-                                  parameters.target_slow_down);
+  const double turned = std::max(0.0, 1 - std::abs(direction) / (0.5 * M_PI));
+  const double free = speed_fraction(sectors.free_distance(direction), target_distance,
+                                     parameters.slow_distance, parameters.target_slow_down);
   const bool low = now == Situation::Lsgr || now == Situation::Ls1 || now == Situation::Ls2;
-  return {direction, low ? std::max(kCreep, std::min(free, std::max(0.3, safety) * turned)) : free};
+  return {direction,
+          low ? std::max(kMinSpeedFraction, std::min(free, std::max(0.3, safety) * turned)) : free};
 }
 
 }  // namespace nd_plus

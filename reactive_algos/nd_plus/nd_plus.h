@@ -7,33 +7,33 @@
 /// achieve Reactive Collision Avoidance in Troublesome Scenarios", ICRA 2004, 3855-3862; with
 /// J. Minguez and L. Montano, "Nearness Diagram (ND) Navigation: Collision Avoidance in Troublesome
 /// Scenarios", IEEE Transactions on Robotics and Automation 20(1), 2004, 45-59, for the five
-/// situations that both share. Six situations, each with its own law of motion.
+/// situations that both share. Six situations, each with its own motion law.
 namespace nd_plus {
 
 /// Lengths in the unit of the sectors: with the adapter mrpt_holonomic, reference distances.
 struct Parameters {
   double safety_distance = 0.12;   ///< D_s of the safety zone
-  double gap = 0.2;                ///< a jump of the way by more is a gap
-  double passable = 0.15;          ///< sectors whose way is shorter are closed
-  double wide_valley = 0.9;        ///< rad, s_max: a wider valley is wide
-  double field_of_view = 3.1416;   ///< rad: valleys are looked for ahead only, as a scan sees them
-  double slow_distance = 0.3;      ///< slower when less way than this is ahead
-  double target_slow_down = 0.15;  ///< slower when the target is nearer
+  double gap = 0.2;                ///< minimum discontinuity of the free distance at a gap
+  double passable = 0.15;          ///< sectors with a smaller free distance are closed
+  double wide_valley = 0.9;        ///< rad, s_max: valleys wider than this are wide
+  double field_of_view = 3.1416;   ///< rad: valleys outside it are ignored
+  double slow_distance = 0.3;      ///< below this free distance the robot slows down
+  double target_slow_down = 0.15;  ///< below this distance to the target the robot slows down
 };
 
 /// High safety: goal in region, wide region, narrow region. Low safety: goal in region, obstacles
-/// on one side, on both sides of the way out.
+/// on one side, obstacles on both sides.
 enum class Situation { Hsgr, Hswr, Hsnr, Lsgr, Ls1, Ls2 };
 
 /// The nearest obstacle within the safety zone to the left and to the right of a direction.
 struct Threats {
-  double left_way = 0, left_direction = 0;  ///< meaningful where `left`
-  double right_way = 0, right_direction = 0;
+  double left_distance = 0, left_direction = 0;  ///< valid if `left`
+  double right_distance = 0, right_direction = 0;
   bool left = false, right = false;
 };
 Threats find_threats(const reactive::Sectors& sectors, double direction, double safety_distance);
 
-/// The decision tree: safety, side(s) of the danger, goal, width.
+/// The decision tree: safety, side(s) of the threats, goal in region, width of the region.
 Situation situation(const Threats& threats, bool goal_in_region, double width, double wide_valley);
 
 class NdPlus {
@@ -49,8 +49,8 @@ class NdPlus {
   Parameters parameters;
 
  private:
-  double away_from(const Threats& threats, double direction) const;
-  double centred(const Threats& threats, double direction) const;
+  double turn_away(const Threats& threats, double direction) const;
+  double balance_threats(const Threats& threats, double direction) const;
 
   reactive::SearchTurn search_;
 };

@@ -14,9 +14,10 @@ const PotentialField::Settings& PotentialField::settings() {
       {{"influence", "0.25", "length", "rho_0: obstacles farther away exert no force"},
        &Parameters::influence,
        1e-3},
-      {{"slow_distance", "0.3", "length", "slower when less way than this is ahead"},
+      {{"slow_distance", "0.3", "length", "below this free distance the robot slows down"},
        &Parameters::slow_distance},
-      {{"target_slow_down", "0.15", "length", "slower when the target is nearer"},
+      {{"target_slow_down", "0.15", "length",
+        "below this distance to the target the robot slows down"},
        &Parameters::target_slow_down}};
   return kSettings;
 }
@@ -35,17 +36,18 @@ double repulsion(double distance, double eta, double influence) {
 
 Point repulsion_of(const Sectors& sectors, const Parameters& parameters) {
   const std::size_t n = sectors.count();
-  // What is near, seen as open, so that obstacles are runs of sectors.
+  // Obstacles are runs of near sectors: mark these as open.
   Sectors near = sectors;
-  for (double& way : near.ways) way = way < parameters.influence ? 1 : 0;
+  for (double& free_distance : near.free_distances)
+    free_distance = free_distance < parameters.influence ? 1 : 0;
   Point sum;
   for (const SectorRun& obstacle : open_runs(near, 0.5)) {
     std::size_t nearest = obstacle.first;
     for (std::size_t i = 0; i < obstacle.length; ++i)
-      if (sectors.ways[(obstacle.first + i) % n] < sectors.ways[nearest])
+      if (sectors.free_distances[(obstacle.first + i) % n] < sectors.free_distances[nearest])
         nearest = (obstacle.first + i) % n;
     const double force =
-        repulsion(sectors.ways[nearest], parameters.repulsion, parameters.influence);
+        repulsion(sectors.free_distances[nearest], parameters.repulsion, parameters.influence);
     sum.x -= force * std::cos(sectors.direction(nearest));
     sum.y -= force * std::sin(sectors.direction(nearest));
   }
@@ -58,12 +60,12 @@ Decision PotentialField::decide(const Sectors& sectors, const Point& target) {
   const Point force{towards.x + away.x, towards.y + away.y};
   const double magnitude = std::hypot(force.x, force.y);
   const double direction = std::atan2(force.y, force.x);
-  const double left = std::hypot(target.x, target.y);
-  // Where the forces cancel, the robot stands.
-  const double share = std::min(1.0, magnitude / std::max(1e-9, parameters.attraction));
-  if (share < 0.05) return {direction, 0};
-  return {direction, share * speed_share(sectors.way(direction), left, parameters.slow_distance,
-                                         parameters.target_slow_down)};
+  const double target_distance = std::hypot(target.x, target.y);
+  // The robot stops where the forces cancel.
+  const double speed = std::min(1.0, magnitude / std::max(1e-9, parameters.attraction));
+  if (speed < 0.05) return {direction, 0};
+  return {direction, speed * speed_fraction(sectors.free_distance(direction), target_distance,
+                                            parameters.slow_distance, parameters.target_slow_down)};
 }
 
 }  // namespace potential_field

@@ -13,19 +13,19 @@ struct Parameters {
   double attraction = 1.0;         ///< force towards the goal
   double repulsion = 0.004;        ///< eta, of the force from an obstacle
   double influence = 0.25;         ///< rho_0: obstacles farther away exert no force
-  double slow_distance = 0.3;      ///< slower when less way than this is ahead
-  double target_slow_down = 0.15;  ///< slower when the target is nearer
+  double slow_distance = 0.3;      ///< below this free distance the robot slows down
+  double target_slow_down = 0.15;  ///< below this distance to the target the robot slows down
 };
 
-/// The attraction: towards the target, of constant magnitude, as a bounded speed makes it (section
-/// on joint and velocity limits: the robot heads for the goal at the largest speed).
+/// The attraction: a force of constant magnitude towards the target, as follows from a velocity
+/// limit (section on joint and velocity limits: the robot moves to the goal at maximum speed).
 reactive::Point attraction(const reactive::Point& target, double magnitude);
 
 /// FIRAS: eta (1 / rho - 1 / rho_0) / rho^2, directed away from the obstacle; 0 beyond rho_0.
 double repulsion(double distance, double eta, double influence);
 
-/// Sum of the repulsions of all obstacles, one force each from its nearest point: where the way is
-/// shortest among the sectors that the obstacle takes.
+/// Sum of the repulsions of all obstacles. Each obstacle exerts one force, from its closest point:
+/// the sector with the smallest free distance in its run of sectors.
 reactive::Point repulsion_of(const reactive::Sectors& sectors, const Parameters& parameters);
 
 class PotentialField {

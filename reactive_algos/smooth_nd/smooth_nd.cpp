@@ -8,43 +8,47 @@ using namespace reactive;
 
 const SmoothNd::Settings& SmoothNd::settings() {
   static constexpr Settings kSettings = {
-      {{"safety_distance", "0.15", "length", "D_s: obstacles nearer than that are threats"},
+      {{"safety_distance", "0.15", "length", "D_s: obstacles closer than this are threats"},
        &Parameters::safety_distance,
        1e-3},
-      {{"gap", "0.2", "length", "a jump of the way by more is a gap"}, &Parameters::gap, 1e-3},
-      {{"passable", "0.15", "length", "sectors whose way is shorter are closed"},
+      {{"gap", "0.2", "length", "minimum discontinuity of the free distance at a gap"},
+       &Parameters::gap,
+       1e-3},
+      {{"passable", "0.15", "length", "sectors with a smaller free distance are closed"},
        &Parameters::passable},
-      {{"wide_valley", "0.9", "rad", "s_max: how far from its gap a wide valley is entered"},
+      {{"wide_valley", "0.9", "rad",
+        "s_max: a wide valley is entered at half this angle from its gap"},
        &Parameters::wide_valley,
        0,
-       2 * kPi},
-      {{"slow_angle", "1.57", "rad", "the robot stands at this deviation from straight ahead"},
+       2 * M_PI},
+      {{"slow_angle", "1.57", "rad", "heading deviation at which the speed is minimal"},
        &Parameters::slow_angle,
        0.1,
-       kPi},
-      {{"field_of_view", "3.1416", "rad", "valleys are looked for ahead only"},
+       M_PI},
+      {{"field_of_view", "3.1416", "rad", "valleys outside it are ignored"},
        &Parameters::field_of_view,
        0.1,
-       2 * kPi},
-      {{"slow_distance", "0.3", "length", "slower when less way than this is ahead"},
+       2 * M_PI},
+      {{"slow_distance", "0.3", "length", "below this free distance the robot slows down"},
        &Parameters::slow_distance},
-      {{"target_slow_down", "0.15", "length", "slower when the target is nearer"},
+      {{"target_slow_down", "0.15", "length",
+        "below this distance to the target the robot slows down"},
        &Parameters::target_slow_down}};
   return kSettings;
 }
 
-double threat(double way, double safety_distance) {
-  return std::clamp((safety_distance - way) / safety_distance, 0.0, 1.0);
+double threat(double free_distance, double safety_distance) {
+  return std::clamp((safety_distance - free_distance) / safety_distance, 0.0, 1.0);
 }
 
 double deflection(const Sectors& sectors, double direction, double safety_distance) {
   double sum = 0, weight = 0;
   for (std::size_t k = 0; k < sectors.count(); ++k) {
-    const double s = threat(sectors.ways[k], safety_distance);
+    const double s = threat(sectors.free_distances[k], safety_distance);
     if (s <= 0) continue;
     const double to_obstacle = wrapped(sectors.direction(k) - direction);
-    // As far as straight away from the obstacle: pi less the angle to it, to the other side.
-    const double away = -std::copysign(kPi - std::abs(to_obstacle), to_obstacle);
+    // To the opposite direction: pi minus the angle to the obstacle, to the other side.
+    const double away = -std::copysign(M_PI - std::abs(to_obstacle), to_obstacle);
     sum += s * s * s * away;
     weight += s * s;
   }
@@ -53,23 +57,23 @@ double deflection(const Sectors& sectors, double direction, double safety_distan
 
 Decision SmoothNd::decide(const Sectors& sectors, const Point& target) {
   const double to_target = std::atan2(target.y, target.x);
-  const double left = std::hypot(target.x, target.y);
+  const double target_distance = std::hypot(target.x, target.y);
   const auto valleys =
       find_valleys(sectors.ahead(parameters.field_of_view), parameters.gap, parameters.passable);
-  // Up to here an obstacle's edge against free space is a gap for certain.
+  // Up to this distance an obstacle edge against free space is always a gap.
   const Choice choice =
       choose_valley(valleys, sectors, target, sectors.limit - 1.25 * parameters.gap);
   if (choice.valley == nullptr) return search_.next(to_target);
-  search_.end();
-  const double inside = 0.5 * parameters.wide_valley;
-  const double wanted =
-      choice.holds_target ? to_target : choice.valley->span.nearest_to(to_target, inside);
+  search_.reset();
+  const double offset = 0.5 * parameters.wide_valley;
+  const double desired =
+      choice.contains_target ? to_target : choice.valley->span.nearest_to(to_target, offset);
   const double direction =
-      wrapped(wanted + deflection(sectors, wanted, parameters.safety_distance));
+      wrapped(desired + deflection(sectors, desired, parameters.safety_distance));
   const double ahead = std::max(0.0, 1 - std::abs(direction) / parameters.slow_angle);
-  const double free = speed_share(sectors.way(direction), left, parameters.slow_distance,
-                                  parameters.target_slow_down);
-  return {direction, std::max(kCreep, std::min(free, ahead + kCreep))};
+  const double free = speed_fraction(sectors.free_distance(direction), target_distance,
+                                     parameters.slow_distance, parameters.target_slow_down);
+  return {direction, std::max(kMinSpeedFraction, std::min(free, ahead + kMinSpeedFraction))};
 }
 
 }  // namespace smooth_nd

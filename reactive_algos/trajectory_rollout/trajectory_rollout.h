@@ -6,38 +6,39 @@
 #include <vector>
 
 /// Trajectory rollout: B. Gerkey and K. Konolige, "Planning and control in unstructured terrain",
-/// ICRA Workshop on Path Planning on Costmaps, 2008. Speeds are sampled among all that the robot
-/// can reach within the horizon, simulated under its accelerations, and scored by C = alpha Obs +
-/// beta Gdist + gamma Pdist + delta / v^2, as named in their section III.
+/// ICRA Workshop on Path Planning on Costmaps, 2008. Velocities that the robot can reach
+/// within the horizon are sampled, simulated with its acceleration limits, and scored by C = alpha
+/// Obs + beta Gdist + gamma Pdist + delta / v^2 (section III).
 namespace trajectory_rollout {
 
 /// Lengths in m, times in s.
 struct Parameters {
   double alpha = 1.0;          ///< weight of Obs, the lack of clearance along the trajectory
-  double beta = 1.0;           ///< weight of Gdist, the way from its end to the goal
+  double beta = 1.0;           ///< weight of Gdist, the remaining distance from its end to the goal
   double gamma = 0.4;          ///< weight of Pdist, the distance of its end from the path
   double delta = 0.003;        ///< weight of 1 / v^2
-  double margin = 0.04;        ///< added to the robot's radius: nearer is a collision
-  double comfort = 0.3;        ///< clearance of the footprint that costs nothing
-  double horizon = 1.5;        ///< simulated
-  double v_samples = 8;        ///< speeds
-  double w_samples = 25;       ///< turning speeds
-  double turn_in_place = 1.3;  ///< rad: a way farther aside is turned to without driving
-  double memory = 6;           ///< half the side of the local map
+  double margin = 0.04;        ///< added to the robot's radius in collision checks
+  double comfort = 0.3;        ///< clearance of the footprint beyond which there is no cost
+  double horizon = 1.5;        ///< simulated time
+  double v_samples = 8;        ///< linear velocities
+  double w_samples = 25;       ///< angular velocities
+  double turn_in_place = 1.3;  ///< rad: beyond this bearing of the path the robot rotates in place
+  double memory = 6;           ///< half the side length of the local map
   double look_ahead = 1.5;     ///< length of the path that Pdist is measured from
 };
 
-/// A simulated trajectory: where it ends, and how near it came to something.
+/// Result of a simulated trajectory.
 struct Rollout {
   reactive::Pose end;
-  double clearance = 0;      ///< m, of the robot's centre, smallest
+  double clearance = 0;      ///< minimum clearance of the robot's center, m
   double until_contact = 0;  ///< s
   bool collides = false;
 };
 
-/// Drives from `pose` with `now`, towards `wanted` as the accelerations allow, for `horizon` s.
+/// Simulates the motion from `pose` with velocity `now`, towards `desired` within the acceleration
+/// limits, for `horizon` s.
 Rollout roll_out(const reactive::ClearanceMap& map, const reactive::Pose& pose,
-                 const reactive::Speeds& now, const reactive::Speeds& wanted,
+                 const reactive::Twist& now, const reactive::Twist& desired,
                  const reactive::Robot& robot, double radius, double horizon);
 
 class TrajectoryRollout {
@@ -47,22 +48,22 @@ class TrajectoryRollout {
   static const Settings& settings();
 
   TrajectoryRollout(const Parameters& parameters, const reactive::Robot& robot);
-  void reset(const reactive::Task& task);
-  reactive::Speeds step(const reactive::Observation& observation);
+  void reset(const reactive::NavigationTask& task);
+  reactive::Twist step(const reactive::Observation& observation);
 
  private:
-  reactive::Speeds best(const reactive::Observation& observation, const reactive::Waypoint& target,
-                        double top_speed);
-  double cost(const Rollout& rollout, const reactive::Speeds& wanted,
+  reactive::Twist best(const reactive::Observation& observation, const reactive::Waypoint& target,
+                       double top_speed);
+  double cost(const Rollout& rollout, const reactive::Twist& desired,
               const reactive::Waypoint& target) const;
 
   Parameters parameters_;
   reactive::Robot robot_;
-  reactive::Task task_;
+  reactive::NavigationTask task_;
   reactive::LocalMap map_;
-  reactive::Guide guide_;
-  reactive::TurnOnTheSpot turn_;
-  double look_ = 0;  ///< m ahead of a trajectory's end from which its way to the goal is measured
+  reactive::LocalPlanner local_planner_;
+  reactive::RotateInPlace turn_;
+  double heading_look_ahead_ = 0;  ///< m ahead of a trajectory's end where its cost is evaluated
   std::vector<reactive::Point> path_;
 };
 

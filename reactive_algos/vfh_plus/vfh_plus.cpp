@@ -17,18 +17,19 @@ const VfhPlus::Settings& VfhPlus::settings() {
        &Parameters::threshold_low,
        0,
        1},
-      {{"wide_opening", "0.9", "rad", "s_max: a wider opening is not passed in its middle"},
+      {{"wide_opening", "0.9", "rad", "s_max: openings wider than this are wide"},
        &Parameters::wide_opening,
        0,
-       2 * kPi},
+       2 * M_PI},
       {{"goal_weight", "5", "-", "mu_1, Eq. (15)"}, &Parameters::goal_weight},
-      {{"heading_weight", "2", "-", "mu_2, weight of the present heading"},
+      {{"heading_weight", "2", "-", "mu_2, weight of the current heading"},
        &Parameters::heading_weight},
       {{"previous_weight", "2", "-", "mu_3, weight of the previous direction"},
        &Parameters::previous_weight},
-      {{"slow_distance", "0.3", "length", "slower when less way than this is ahead"},
+      {{"slow_distance", "0.3", "length", "below this free distance the robot slows down"},
        &Parameters::slow_distance},
-      {{"target_slow_down", "0.15", "length", "slower when the target is nearer"},
+      {{"target_slow_down", "0.15", "length",
+        "below this distance to the target the robot slows down"},
        &Parameters::target_slow_down}};
   return kSettings;
 }
@@ -36,10 +37,10 @@ const VfhPlus::Settings& VfhPlus::settings() {
 std::vector<double> primary_histogram(const Sectors& sectors, double window,
                                       double target_distance) {
   std::vector<double> result;
-  for (const double way : sectors.ways) {
-    // What lies behind the target is no obstacle on the way there.
-    const bool counts = way < window && way < target_distance;
-    result.push_back(counts ? 1 - (way / window) * (way / window) : 0);
+  for (const double free_distance : sectors.free_distances) {
+    // Obstacles behind the target are ignored.
+    const bool counts = free_distance < window && free_distance < target_distance;
+    result.push_back(counts ? 1 - (free_distance / window) * (free_distance / window) : 0);
   }
   return result;
 }
@@ -55,7 +56,7 @@ void update_binary(const std::vector<double>& primary, const Parameters& paramet
 
 std::vector<double> candidates(const Opening& opening, double target_direction,
                                double wide_opening) {
-  if (opening.width >= 2 * kPi - 1e-9) return {target_direction};
+  if (opening.width >= 2 * M_PI - 1e-9) return {target_direction};
   if (opening.width < wide_opening) return {opening.middle()};
   std::vector<double> result = {wrapped(opening.low + 0.5 * wide_opening),
                                 wrapped(opening.high() - 0.5 * wide_opening)};
@@ -72,10 +73,12 @@ double VfhPlus::cost(double candidate, double target_direction) const {
 
 Decision VfhPlus::decide(const Sectors& sectors, const Point& target) {
   const double target_direction = std::atan2(target.y, target.x);
-  const double left = std::hypot(target.x, target.y);
-  update_binary(primary_histogram(sectors, parameters.window, left), parameters, blocked_);
+  const double target_distance = std::hypot(target.x, target.y);
+  update_binary(primary_histogram(sectors, parameters.window, target_distance), parameters,
+                blocked_);
   Sectors binary{std::vector<double>(sectors.count()), 1};
-  for (std::size_t k = 0; k < sectors.count(); ++k) binary.ways[k] = blocked_[k] != 0 ? 0 : 1;
+  for (std::size_t k = 0; k < sectors.count(); ++k)
+    binary.free_distances[k] = blocked_[k] != 0 ? 0 : 1;
   double best = previous_, best_cost = HUGE_VAL;
   for (const SectorRun& run : open_runs(binary, 0.5))
     for (const double candidate :
@@ -87,8 +90,10 @@ Decision VfhPlus::decide(const Sectors& sectors, const Point& target) {
     }
   if (best_cost == HUGE_VAL) return {previous_, 0};
   previous_ = best;
-  const double way = std::min(sectors.way(best), sectors.way(0.5 * best));
-  return {best, speed_share(way, left, parameters.slow_distance, parameters.target_slow_down)};
+  const double free_distance =
+      std::min(sectors.free_distance(best), sectors.free_distance(0.5 * best));
+  return {best, speed_fraction(free_distance, target_distance, parameters.slow_distance,
+                               parameters.target_slow_down)};
 }
 
 }  // namespace vfh_plus

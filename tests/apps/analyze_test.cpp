@@ -8,11 +8,11 @@ namespace {
 class Analyze : public ResultsTest {};
 
 TEST_F(Analyze, TableCrossesDescriptorBinsWithMetrics) {
-  const Ended ended =
+  const ProgramResult result =
       run("slalom-analyze table runs.results --rows density:0,0.1,1 --columns success,safety");
-  ASSERT_EQ(ended.status, 0) << ended.err;
+  ASSERT_EQ(result.status, 0) << result.err;
   for (const char* word : {"nd by density", "gap by density", "success", "safety", "[0, 0.1)"})
-    EXPECT_NE(ended.out.find(word), std::string::npos) << word << "\n" << ended.out;
+    EXPECT_NE(result.out.find(word), std::string::npos) << word << "\n" << result.out;
 }
 
 TEST_F(Analyze, TableAsCsvAndJsonHaveTheSameCells) {
@@ -33,24 +33,69 @@ TEST_F(Analyze, ShowPrintsTheRunThatDumpLists) {
   EXPECT_EQ(run("slalom-analyze show runs.results --json --run " + id).out, line + "\n");
   EXPECT_NE(run("slalom-analyze show runs.results --run " + id).out.find("outcome"),
             std::string::npos);
-  expect_refusal("slalom-analyze show runs.results --run 00000000/nd/0", 2, {"00000000"});
+  expect_failure("slalom-analyze show runs.results --run 00000000/nd/0", 2, {"00000000"});
 }
 
-TEST_F(Analyze, ReportIsAFolderThatOpensOffline) {
+TEST_F(Analyze, ReportIsASelfContainedFolder) {
   ASSERT_EQ(run("slalom-analyze report runs.results -o report").status, 0);
-  EXPECT_NE(read("report/index.html").find("<svg"), std::string::npos);
+  EXPECT_NE(read("report/index.html").find("nd by density"), std::string::npos);
+  EXPECT_NE(read("report/data/pictures-1.js").find("<svg"), std::string::npos);
 }
 
-TEST_F(Analyze, ComparesMethodsInEveryForm) {
+TEST_F(Analyze, TheJsonOfAReportHasTheNumbersOfTheTables) {
+  const std::string options = " runs.results --rows density:0,0.1,1 --columns success,safety ";
+  ASSERT_EQ(run("slalom-analyze report" + options + "-o report").status, 0);
+  const auto tables = nlohmann::json::parse(run("slalom-analyze table" + options + "--json").out);
+  const auto report = nlohmann::json::parse(read("report/report.json"));
+  ASSERT_EQ(tables.size(), 2u);
+  for (std::size_t method = 0; method < tables.size(); ++method) {
+    const auto& table = tables[method];
+    const auto& same = report["tables"][0]["methods"][method];
+    EXPECT_EQ(report["methods"][same["method"].get<std::size_t>()]["name"], table["method"]);
+    ASSERT_EQ(same["rows"].size(), table["rows"].size());
+    for (std::size_t row = 0; row < table["rows"].size(); ++row) {
+      for (const char* key : {"bin", "low", "high", "high_included"})
+        EXPECT_EQ(same["rows"][row][key], table["rows"][row][key]);
+      const std::size_t group = same["rows"][row]["runs"];
+      EXPECT_EQ(report["groups"][group]["runs"].size(), table["rows"][row]["runs"].size());
+      for (std::size_t column = 0; column < 2; ++column) {
+        const auto& cell = table["rows"][row]["cells"][column];
+        EXPECT_EQ(report["columns"][column]["id"], cell["metric"]);
+        for (const char* key : {"n", "na", "mean", "deviation", "median", "interval"})
+          EXPECT_EQ(same["rows"][row]["cells"][column][key], cell[key]) << key;
+      }
+    }
+  }
+}
+
+TEST_F(Analyze, ComparesMethodsInEveryFormat) {
   const std::string compare = "slalom-analyze compare runs.results --metric success,spl ";
-  const Ended text = run(compare);
+  const ProgramResult text = run(compare);
   ASSERT_EQ(text.status, 0) << text.err;
   EXPECT_NE(text.out.find("not enough runs to compare nd with gap in success"), std::string::npos)
       << text.out;
   const auto json = nlohmann::json::parse(run(compare + "--json").out);
   EXPECT_EQ(json["tables"][0]["rows"].size(), 2u);
   EXPECT_EQ(run(compare + "--csv").out.rfind("metric,a,b,verdict", 0), 0u);
-  expect_refusal("slalom-analyze compare runs.results --baseline none", 2, {"none", "gap"});
+  expect_failure("slalom-analyze compare runs.results --baseline none", 2, {"none", "gap"});
+}
+
+TEST_F(Analyze, EveryVerbTakesAMethodAndRefusesOneThatIsNotThere) {
+  for (const std::string verb :
+       {"summary", "table", "map --rows 'density:2;clearness:2'", "compare", "ranks", "profile",
+        "completion", "failures", "validity"}) {
+    const std::string command = "slalom-analyze " + verb + " runs.results --method ";
+    expect_failure(command + "nothing_like_it", 2, {"nothing_like_it", "gap, nd"});
+    expect_failure(command + "gapp", 2, {"gapp", "'gap'"});
+    const ProgramResult found = run(command + "nd --csv");
+    ASSERT_EQ(found.status, 0) << verb << "\n" << found.err;
+    EXPECT_NE(found.out.find("nd"), std::string::npos) << verb;
+    if (verb == "compare") continue;  // compares nd with gap
+    for (const char* other : {"\ngap,", "/gap/"})
+      EXPECT_EQ(found.out.find(other), std::string::npos) << verb << "\n" << found.out;
+  }
+  expect_failure("slalom-analyze compare runs.results runs.results --method none", 2,
+                 {"none", "gap, nd"});
 }
 
 TEST_F(Analyze, GatesDecideTheExitStatus) {
@@ -58,46 +103,48 @@ TEST_F(Analyze, GatesDecideTheExitStatus) {
   EXPECT_EQ(run(compare + "--gate 'success >= -0.02'").status, 0);
   EXPECT_EQ(run(compare + "--gate 'success > 0'").status, 1);
   EXPECT_EQ(run(compare + "--gate 'success >= -0.02' --gate-on interval").status, 1);
-  expect_refusal(compare + "--gate 'success'", 2, {"success", "METRIC >= NUMBER"});
+  expect_failure(compare + "--gate 'success'", 2, {"success", "METRIC >= NUMBER"});
 }
 
-TEST_F(Analyze, EveryVerbAnswersOrRefusesInOneLine) {
+TEST_F(Analyze, EveryVerbSucceedsOrFailsWithOneLine) {
   for (const char* verb : {"summary", "failures", "completion", "profile", "ranks --metric spl",
                            "validity", "map --rows 'density:2;clearness:2'"}) {
     const std::string command = std::string("slalom-analyze ") + verb + " runs.results ";
-    const Ended text = run(command);
+    const ProgramResult text = run(command);
     EXPECT_EQ(text.status, 0) << command << text.err;
     EXPECT_FALSE(text.out.empty());
     EXPECT_TRUE(nlohmann::json::accept(run(command + "--json").out)) << command;
     EXPECT_NE(run(command + "--csv").out.find(','), std::string::npos) << command;
   }
-  expect_refusal("slalom-analyze summary runs.results runs.results", 2, {"one result file"});
-  expect_refusal("slalom-analyze map runs.results --rows density:2", 2, {"two descriptors"});
-  expect_refusal("slalom-analyze robustness runs.results runs.results --parameter sensor.rays", 2,
+  expect_failure("slalom-analyze summary runs.results runs.results", 2, {"one result file"});
+  expect_failure("slalom-analyze map runs.results --rows density:2", 2, {"two descriptors"});
+  expect_failure("slalom-analyze table runs.results --rows density", 2,
+                 {"--rows 'density': no bins", "density:0,0.1,0.2", "density:q4"});
+  expect_failure("slalom-analyze robustness runs.results runs.results --parameter sensor.rays", 2,
                  {"sensor.rays", "--values"});
-  expect_refusal("slalom-analyze robustness runs.results runs.results --values 1,1", 2,
+  expect_failure("slalom-analyze robustness runs.results runs.results --values 1,1", 2,
                  {"--parameter"});
 }
 
 TEST_F(Analyze, RobustnessTakesValuesFromTheCommandLine) {
-  const Ended ended = run(
+  const ProgramResult result = run(
       "slalom-analyze robustness runs.results runs.results --parameter noise --values 0,1 --csv");
-  ASSERT_EQ(ended.status, 0) << ended.err;
-  EXPECT_EQ(ended.out.rfind("noise,source,success,", 0), 0u) << ended.out;
-  const std::string header = ended.out.substr(0, ended.out.find('\n'));
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out.rfind("noise,source,success,", 0), 0u) << result.out;
+  const std::string header = result.out.substr(0, result.out.find('\n'));
   EXPECT_EQ(header.find("runs"), header.rfind("runs")) << header;
 }
 
-TEST_F(Analyze, AnyTableOfNumbersWillDo) {
+TEST_F(Analyze, AcceptsAnyCsvTable) {
   write("trials.csv", "width,cost\n1,10\n2,20\n3,30\n4,40\n");
-  const Ended text =
+  const ProgramResult text =
       run("slalom-analyze table --csv trials.csv --rows width:1,2.5,4 --columns cost");
   ASSERT_EQ(text.status, 0) << text.err;
   EXPECT_NE(text.out.find("all by width"), std::string::npos) << text.out;
   EXPECT_EQ(run("slalom-analyze table trials.csv --rows all --columns cost --csv")
                 .out.rfind("method,row_descriptor", 0),
             0u);
-  // Before a result file the option asks for CSV.
+  // With a result file, the option selects CSV output.
   EXPECT_EQ(run("slalom-analyze table --csv runs.results").out.rfind("method,row_descriptor", 0),
             0u);
 }
@@ -111,21 +158,21 @@ TEST_F(Analyze, BinsMayComeFromAnIndexOfTheList) {
             0);
   const std::string table =
       "slalom-analyze table out/runs.results --columns success --csv --rows density:";
-  const Ended indexed = run(table + "@by_density --scenarios out/campaign.scenarios");
+  const ProgramResult indexed = run(table + "@by_density --scenarios out/campaign.scenarios");
   EXPECT_EQ(indexed.status, 0) << indexed.err;
   EXPECT_EQ(indexed.out, run(table + "0,0.05,1").out);
-  expect_refusal(table + "@by_density", 2, {"--scenarios"});
-  expect_refusal(table + "@other --scenarios out/campaign.scenarios", 2, {"other"});
+  expect_failure(table + "@by_density", 2, {"--scenarios"});
+  expect_failure(table + "@other --scenarios out/campaign.scenarios", 2, {"other"});
 }
 
-TEST_F(Analyze, RefusesWhatIsNoResultFile) {
+TEST_F(Analyze, RejectsInvalidResultFiles) {
   write("text.results", "no results");
-  expect_refusal("slalom-analyze table text.results", 3, {"text.results"});
-  expect_refusal("slalom-analyze table none.results", 3, {"none.results"});
+  expect_failure("slalom-analyze table text.results", 3, {"text.results"});
+  expect_failure("slalom-analyze table none.results", 3, {"none.results"});
   write("half.results", results().substr(0, results().size() / 2));
-  expect_refusal("slalom-analyze dump half.results", 3, {"half.results"});
-  expect_refusal("slalom-analyze summary half.results", 3, {"half.results"});
-  expect_refusal("slalom-analyze table runs.results --columns sucess", 2, {"sucess", "success"});
+  expect_failure("slalom-analyze dump half.results", 3, {"half.results"});
+  expect_failure("slalom-analyze summary half.results", 3, {"half.results"});
+  expect_failure("slalom-analyze table runs.results --columns sucess", 2, {"sucess", "success"});
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ cells:
     ASSERT_EQ(run("slalom-scenarios import ring.scenario.yaml -o ring.scenarios").status, 0);
   }
 
-  /// The hash that `show` prints for the scenario of that name.
+  /// The hash that `show` prints for the scenario with this name.
   std::string hash(const std::string& list, const std::string& name = "ring") const {
     const std::string text = run("slalom-scenarios show " + list + " --id " + name).out;
     const std::string key = "hash            ";
@@ -33,7 +33,7 @@ cells:
   }
 };
 
-TEST_F(ConvertPrograms, TurnsAGridIntoPolygonsAndBackWithoutLoss) {
+TEST_F(ConvertPrograms, ConvertsAGridToPolygonsAndBackExactly) {
   ASSERT_EQ(run("slalom-scenarios convert ring.scenarios --to continuous -o p.scenarios").status,
             0);
   const std::string shown = run("slalom-scenarios show p.scenarios --id ring").out;
@@ -42,11 +42,12 @@ TEST_F(ConvertPrograms, TurnsAGridIntoPolygonsAndBackWithoutLoss) {
       run("slalom-scenarios convert p.scenarios --to grid --resolution 0.5 -o g.scenarios").status,
       0);
   EXPECT_EQ(hash("g.scenarios"), hash("ring.scenarios"));
-  const Ended points = run("slalom-scenarios convert p.scenarios --to points -o q.scenarios");
+  const ProgramResult points =
+      run("slalom-scenarios convert p.scenarios --to points -o q.scenarios");
   EXPECT_EQ(points.err, "q.scenarios: 1 scenarios\n");
 }
 
-TEST_F(ConvertPrograms, RefusesToCoverStartOrGoal) {
+TEST_F(ConvertPrograms, RejectsOccupiedStartOrGoal) {
   write("near.scenario.yaml", R"(name: near
 representation: points
 bounds: [0, 0, 4, 3]
@@ -60,21 +61,22 @@ points:
       0);
   const std::string command =
       "slalom-scenarios convert n.scenarios --to continuous --radius 0.2 -o c.scenarios";
-  expect_refusal(command, 1, {"near: its goal would be occupied as continuous", "--skip-blocked"});
+  expect_failure(command, 1, {"near: ", "occupied goal", "continuous", "--skip-blocked"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "c.scenarios"));
   write("c.scenarios", "precious");
   EXPECT_EQ(run(command).status, 1);
   EXPECT_EQ(read("c.scenarios"), "precious");
-  const Ended ended = run(command + " --skip-blocked");
-  EXPECT_EQ(ended.status, 0);
-  EXPECT_NE(ended.err.find("near: its goal would be occupied"), std::string::npos);
-  EXPECT_NE(ended.err.find("c.scenarios: 1 scenarios"), std::string::npos);
+  const ProgramResult result = run(command + " --skip-blocked");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.err.find("near: occupied goal"), std::string::npos);
+  EXPECT_NE(result.err.find("c.scenarios: 1 scenarios"), std::string::npos);
 }
 
-TEST_F(ConvertPrograms, TakesThePlaceOfItsOwnListAndKeepsTags) {
+TEST_F(ConvertPrograms, ReplacesItsInputListAndKeepsTags) {
   ASSERT_EQ(run("slalom-scenarios tag ring.scenarios --add round").status, 0);
-  const Ended ended = run("slalom-scenarios convert ring.scenarios --to points -o ring.scenarios");
-  ASSERT_EQ(ended.status, 0) << ended.err;
+  const ProgramResult result =
+      run("slalom-scenarios convert ring.scenarios --to points -o ring.scenarios");
+  ASSERT_EQ(result.status, 0) << result.err;
   const std::string shown = run("slalom-scenarios show ring.scenarios --id ring").out;
   EXPECT_NE(shown.find("representation  points"), std::string::npos) << shown;
   EXPECT_EQ(run("slalom-scenarios select ring.scenarios --where 'tag = round'").out,
@@ -89,11 +91,11 @@ TEST_F(ConvertPrograms, ImportsWhatItExported) {
         run("slalom-scenarios export ring.scenarios --id ring --format " + format + " -o " + path)
             .status,
         0);
-    const Ended ended = run("slalom-scenarios import " + path + " -o again.scenarios");
-    ASSERT_EQ(ended.status, 0) << ended.err;
+    const ProgramResult result = run("slalom-scenarios import " + path + " -o again.scenarios");
+    ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(hash("again.scenarios"), hash("ring.scenarios")) << format;
   }
-  expect_refusal("slalom-scenarios export ring.scenarios --id ring --format ros -o ring.png", 2,
+  expect_failure("slalom-scenarios export ring.scenarios --id ring --format ros -o ring.png", 2,
                  {"ring.png", "a name with .yaml"});
   ASSERT_EQ(
       run("slalom-scenarios export ring.scenarios --id ring --format mvsim -o r.world.xml").status,
@@ -106,12 +108,12 @@ TEST_F(ConvertPrograms, ImportsAPointMap) {
   const std::string command =
       "slalom-scenarios import posts.xyz --start 2.6,0.6 --goal 2.6,1.5 --margin 0.9 --z-max 1 "
       "--robot-radius 0.2 -o p.scenarios";
-  const Ended ended = run(command);
-  ASSERT_EQ(ended.status, 0) << ended.err;
+  const ProgramResult result = run(command);
+  ASSERT_EQ(result.status, 0) << result.err;
   const std::string shown = run("slalom-scenarios show p.scenarios --id posts").out;
   EXPECT_NE(shown.find("points (2 points)"), std::string::npos) << shown;
   write("posts.xyz", "3 1\n3 nan\n");
-  expect_refusal(command, 3, {"posts.xyz:2", "no finite number"});
+  expect_failure(command, 3, {"posts.xyz:2", "invalid number"});
 }
 
 }  // namespace

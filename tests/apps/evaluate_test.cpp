@@ -13,20 +13,21 @@ class Evaluate : public ProgramTest {
   }
 };
 
-TEST_F(Evaluate, WritesScenariosResultsTablesAndAReportThatNeedsNoNetwork) {
-  const Ended ended = run("slalom-evaluate small.ini -o out -j 2");
-  ASSERT_EQ(ended.status, 0) << ended.err;
-  EXPECT_NE(ended.out.find("Report: out/report/index.html"), std::string::npos);
-  EXPECT_NE(ended.out.find(read("out/tables.txt")), std::string::npos);
+TEST_F(Evaluate, WritesScenariosResultsTablesAndASelfContainedReport) {
+  const ProgramResult result = run("slalom-evaluate small.ini -o out -j 2");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("Report: out/report/index.html"), std::string::npos);
+  EXPECT_NE(result.out.find(read("out/tables.txt")), std::string::npos);
   EXPECT_NE(read("out/tables.csv").find("success"), std::string::npos);
   const std::string report = read("out/report/index.html");
-  EXPECT_NE(report.find("<svg"), std::string::npos);
+  EXPECT_NE(report.find("gap by density"), std::string::npos);
+  EXPECT_NE(read("out/report/data/pictures-1.js").find("<svg"), std::string::npos);
   for (const char* foreign : {"src=\"http", "href=\"http", "@import", "url(http"})
     EXPECT_EQ(report.find(foreign), std::string::npos) << foreign;
-  EXPECT_EQ(ended.err.find('\r'), std::string::npos) << "no progress bar without a terminal";
+  EXPECT_EQ(result.err.find('\r'), std::string::npos) << "no progress bar without a terminal";
 }
 
-TEST_F(Evaluate, TheSameSeedGivesTheSameBytesWithOneWorkerAndWithTwo) {
+TEST_F(Evaluate, TheSameSeedGivesIdenticalResultsForAnyNumberOfWorkers) {
   ASSERT_EQ(run("slalom-evaluate small.ini -o one -j 1 --quiet").status, 0);
   ASSERT_EQ(run("slalom-evaluate small.ini -o two -j 2 --quiet").status, 0);
   const std::string one = run("slalom-analyze dump one/runs.results").out;
@@ -44,7 +45,7 @@ TEST_F(Evaluate, AnotherSeedGivesOtherScenarios) {
             run("slalom-scenarios list two/campaign.scenarios").out);
 }
 
-TEST_F(Evaluate, AddingAMethodChangesNoOtherMethodsValues) {
+TEST_F(Evaluate, AddingAMethodDoesNotChangeOtherMethods) {
   ASSERT_EQ(run("slalom-evaluate small.ini -o both --quiet").status, 0);
   ASSERT_EQ(run("slalom-evaluate small.ini -o alone --quiet --set campaign.methods=gap").status, 0);
   std::istringstream both(run("slalom-analyze dump both/runs.results").out);
@@ -55,14 +56,14 @@ TEST_F(Evaluate, AddingAMethodChangesNoOtherMethodsValues) {
   EXPECT_EQ(expected, alone.str());
 }
 
-TEST_F(Evaluate, LeavesOutTrajectoriesAndTheReportWhereNotWanted) {
+TEST_F(Evaluate, OmitsTrajectoriesAndReportOnRequest) {
   const std::string command = "slalom-evaluate small.ini --quiet ";
   ASSERT_EQ(run(command + "-o all").status, 0);
-  const Ended ended =
+  const ProgramResult result =
       run(command + "-o few --set record.trajectories=none --set analysis.report=false");
-  ASSERT_EQ(ended.status, 0) << ended.err;
+  ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "few/report"));
-  EXPECT_EQ(ended.out, read("few/tables.txt"));
+  EXPECT_EQ(result.out, read("few/tables.txt"));
   EXPECT_EQ(run("slalom-analyze dump few/runs.results").out,
             run("slalom-analyze dump all/runs.results").out);
   EXPECT_LT(std::filesystem::file_size(folder_ / "few/runs.results"),
@@ -78,51 +79,89 @@ TEST_F(Evaluate, HelpVersionAndOptionsArePrinted) {
     EXPECT_NE(options.find(key), std::string::npos) << key;
 }
 
-TEST_F(Evaluate, RefusesWhatItDoesNotKnowAndNamesTheNearest) {
+TEST_F(Evaluate, RejectsUnknownNamesAndSuggestsTheNearest) {
   const std::string base = "slalom-evaluate small.ini -o out ";
-  expect_refusal(base + "--set robot.raduis=1", 2,
+  expect_failure(base + "--set robot.raduis=1", 2,
                  {"--set robot.raduis", "unknown key", "'radius'"});
-  expect_refusal(base + "--set simulatoin.step=1", 2, {"simulatoin", "simulation"});
-  expect_refusal(base + "--set robot.radius=wide", 2, {"radius", "wide", "number"});
-  expect_refusal(base + "--set robot.radius=-1", 2, {"radius", "-1", "> 0"});
-  expect_refusal(base + "--set method.nd.class=CHolonomicNDD", 2,
+  expect_failure(base + "--set simulatoin.step=1", 2, {"simulatoin", "simulation"});
+  expect_failure(base + "--set robot.radius=wide", 2, {"radius", "wide", "number"});
+  expect_failure(base + "--set robot.radius=-1", 2, {"radius", "-1", "> 0"});
+  expect_failure(base + "--set method.nd.class=CHolonomicNDD", 2,
                  {"class", "CHolonomicNDD", "CHolonomicND"});
-  expect_refusal(base + "--set method.gap.plugin=missing.so", 2, {"plugin", "missing.so"});
-  expect_refusal(base + "--set method.gap.adapter=libary", 2, {"adapter", "libary", "library"});
-  expect_refusal(base + "--set campaign.methods=nd,ghost", 2, {"ghost", "method.ghost"});
-  expect_refusal(base + "--set metrics.enabled=succes", 2, {"succes", "success"});
-  expect_refusal(base + "--set analysis.rows=densty:4", 2, {"densty", "density"});
-  expect_refusal(base + "--colour", 2, {"--colour", "--help"});
+  expect_failure(base + "--set method.gap.plugin=missing.so", 2, {"plugin", "missing.so"});
+  expect_failure(base + "--set method.gap.adapter=libary", 2, {"adapter", "libary", "library"});
+  expect_failure(base + "--set campaign.methods=nd,ghost", 2, {"ghost", "method.ghost"});
+  expect_failure(base + "--set metrics.enabled=succes", 2, {"succes", "success"});
+  expect_failure(base + "--set analysis.rows=densty:4", 2, {"densty", "density"});
+  expect_failure(base + "--color", 2, {"--color", "--help"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/runs.results"));
 }
 
-TEST_F(Evaluate, RefusesALibraryThatIsNoMethod) {
+TEST_F(Evaluate, RejectsAnOverrideWhoseValueIsASeparateWord) {
+  expect_failure("slalom-evaluate small.ini --set robot.radius 0.3 -o out", 2,
+                 {"--set robot.radius", "expected robot.radius=0.3"});
+  expect_failure("slalom-evaluate --set robot.delay -1 -o out -c small.ini", 2,
+                 {"expected robot.delay=-1"});
+  for (const char* end : {"", " small.ini", " -o out"})
+    expect_failure(std::string("slalom-evaluate -c small.ini --set robot.radius") + end, 2,
+                   {"--set robot.radius", "expected robot.radius=VALUE"});
+}
+
+TEST_F(Evaluate, RejectsRowsWithoutBinsWithAnExample) {
+  std::string campaign = kSmallCampaign;
+  write("small.ini", campaign.replace(campaign.find(":0,0.05,1"), 9, ""));
+  expect_failure("slalom-evaluate small.ini -o out", 2,
+                 {"small.ini:21: [analysis] rows 'density'", "density:0,0.1,0.2", "density:q4"});
+}
+
+TEST_F(Evaluate, TakesTheConfigurationAsAnArgumentOrAnOption) {
+  const std::string options = " --quiet --set campaign.methods=gap -o out";
+  EXPECT_EQ(run("slalom-evaluate -c small.ini" + options).status, 0);
+  EXPECT_EQ(run("slalom-evaluate small.ini --config small.ini" + options).status, 0);
+  write("other.ini", kSmallCampaign);
+  expect_failure("slalom-evaluate small.ini -c other.ini -o none", 2, {"small.ini", "other.ini"});
+  expect_failure("slalom-evaluate -o none", 2, {"config is required"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
+}
+
+TEST_F(Evaluate, WarnsOnceAboutAnApertureInRadians) {
+  const std::string command =
+      "slalom-evaluate small.ini -o out --set campaign.methods=gap --set sensor.aperture_deg=3.14";
+  const ProgramResult result = run(command);
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err,
+            "warning: --set sensor.aperture_deg: 3.14 degrees looks like radians; expected 179.9 "
+            "for that angle in degrees\n");
+  EXPECT_EQ(run(command + " --quiet").err, "");
+}
+
+TEST_F(Evaluate, RejectsALibraryThatIsNotAMethod) {
   const std::string base = "slalom-evaluate small.ini -o out --set method.gap.plugin=";
-  write("text.so", "this is no library");
-  expect_refusal(base + "text.so", 2, {"text.so"});
+  write("text.so", "not a library");
+  expect_failure(base + "text.so", 2, {"text.so"});
   write("empty.c", "int nothing;\n");
   ASSERT_EQ(run("cc -shared -fPIC empty.c -o empty.so").status, 0);
-  expect_refusal(base + "empty.so", 2, {"empty.so", "slalom_method_get_api"});
+  expect_failure(base + "empty.so", 2, {"empty.so", "slalom_method_get_api"});
 }
 
-TEST_F(Evaluate, RefusesFilesThatAreMissingOrCorrupt) {
-  expect_refusal("slalom-evaluate none.ini -o out", 3, {"none.ini"});
+TEST_F(Evaluate, RejectsMissingAndCorruptFiles) {
+  expect_failure("slalom-evaluate none.ini -o out", 3, {"none.ini"});
   const std::string base = "slalom-evaluate small.ini -o out --set scenarios.generator= ";
-  expect_refusal(base + "--set scenarios.maps=none.gridmap.gz", 3, {"none.gridmap.gz"});
-  write("broken.gridmap.gz", "this is no map");
-  expect_refusal(base + "--set scenarios.maps=broken.gridmap.gz", 3, {"broken.gridmap.gz"});
-  write("broken.scenarios", "this is no list");
-  expect_refusal(base + "--set scenarios.list=broken.scenarios", 3, {"broken.scenarios"});
+  expect_failure(base + "--set scenarios.maps=none.gridmap.gz", 3, {"none.gridmap.gz"});
+  write("broken.gridmap.gz", "not a map");
+  expect_failure(base + "--set scenarios.maps=broken.gridmap.gz", 3, {"broken.gridmap.gz"});
+  write("broken.scenarios", "not a list");
+  expect_failure(base + "--set scenarios.list=broken.scenarios", 3, {"broken.scenarios"});
 }
 
-TEST_F(Evaluate, RefusesAnOutputFolderThatCannotBeWritten) {
+TEST_F(Evaluate, RejectsAnUnwritableOutputFolder) {
   write("file", "in the way");
-  expect_refusal("slalom-evaluate small.ini -o file/out", 1, {"file/out", "cannot be made"});
+  expect_failure("slalom-evaluate small.ini -o file/out", 1, {"file/out", "cannot create"});
 }
 
-TEST_F(Evaluate, SaysWhenNoScenarioCanBeSolved) {
-  // A robot of 2.9 m radius cannot move on a floor of 6 m x 6 m.
-  expect_refusal("slalom-evaluate small.ini -o out --set robot.radius=2.9", 1,
+TEST_F(Evaluate, ReportsThatNoScenarioIsSolvable) {
+  // A robot of 2.9 m radius cannot move in a workspace of 6 m x 6 m.
+  expect_failure("slalom-evaluate small.ini -o out --set robot.radius=2.9", 1,
                  {"attempts", "robot"});
 }
 

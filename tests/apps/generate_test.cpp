@@ -16,7 +16,7 @@ class Generate : public ProgramTest {
   }
 };
 
-TEST_F(Generate, TheListIsTheSameToTheByteForAnyNumberOfThreads) {
+TEST_F(Generate, TheListIsByteIdenticalForAnyNumberOfThreads) {
   const std::string generate =
       "slalom-scenarios generate -c mix.ini -n 140 --quiet --describe density,confinement ";
   ASSERT_EQ(run(generate + "-o a.scenarios").status, 0);
@@ -26,7 +26,7 @@ TEST_F(Generate, TheListIsTheSameToTheByteForAnyNumberOfThreads) {
   EXPECT_TRUE(a == read("b.scenarios"));
 }
 
-TEST_F(Generate, ValuesAreTheSameAsThoseOfDescribe) {
+TEST_F(Generate, ValuesAgreeWithThoseOfDescribe) {
   const std::string generate = "slalom-scenarios generate -c mix.ini -n 4 --quiet ";
   ASSERT_EQ(run(generate + "--describe density,clearness -o a.scenarios").status, 0);
   ASSERT_EQ(run(generate + "-o b.scenarios").status, 0);
@@ -45,16 +45,16 @@ TEST_F(Generate, ValuesAreTheSameAsThoseOfDescribe) {
   EXPECT_EQ(values("a.scenarios"), values("b.scenarios"));
 }
 
-TEST_F(Generate, AListThatCannotBeMadeLeavesTheOldOne) {
+TEST_F(Generate, FailedGenerationKeepsTheOldList) {
   write("a.scenarios", "precious");
-  expect_refusal(
+  expect_failure(
       "slalom-scenarios generate -c mix.ini -n 3 --quiet -o a.scenarios "
       "--set robot.radius=2",
       1, {"_0000", "no solvable scenario"});
   EXPECT_EQ(read("a.scenarios"), "precious");
-  expect_refusal("slalom-scenarios generate -c mix.ini -n 3 -o b.scenarios --describe densty", 2,
+  expect_failure("slalom-scenarios generate -c mix.ini -n 3 -o b.scenarios --describe densty", 2,
                  {"densty", "density"});
-  expect_refusal(
+  expect_failure(
       "slalom-scenarios generate -c mix.ini -n 3 -o b.scenarios "
       "--set generator.maze.passage=-1",
       2, {"generator.maze.passage", "> 0"});

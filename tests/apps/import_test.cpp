@@ -18,10 +18,10 @@ std::size_t lines_of(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-TEST_F(ImportProgram, MovingAiProblemsAreChosenByDifficulty) {
+TEST_F(ImportProgram, MovingAiProblemsAreSelectedByDifficulty) {
   write("m.map", kMap);
   write("m.map.scen", kProblems);
-  const Ended all =
+  const ProgramResult all =
       run("slalom-scenarios import m.map --cell-size 1 --scen m.map.scen -o a.scenarios");
   ASSERT_EQ(all.status, 0) << all.err;
   EXPECT_EQ(lines_of(run("slalom-scenarios list a.scenarios").out), 3U);
@@ -35,45 +35,46 @@ TEST_F(ImportProgram, MovingAiProblemsAreChosenByDifficulty) {
   EXPECT_NE(shown.find("goal            7.5 m, 0.5 m"), std::string::npos) << shown;
 }
 
-TEST_F(ImportProgram, MovingAiProblemsThatTheRobotCannotSolveAreLeftOut) {
+TEST_F(ImportProgram, MovingAiProblemsThatAreUnsolvableAreLeftOut) {
   write("m.map", kMap);
   write("m.map.scen", kProblems);
-  // Cells of 2 m: every one at the border, and so every start, is 1 m from the wall.
+  // Cells of 2 m: all starts are in border cells, 1 m from the wall.
   const std::string import =
       "slalom-scenarios import m.map --cell-size 2 -o a.scenarios --scen m.map.scen";
-  expect_refusal(import + " --robot-radius 1.01", 1,
+  expect_failure(import + " --robot-radius 1.01", 1,
                  {"m.map.scen", "no problem is solvable for a robot of radius 1.01 m"});
   write("inner.scen", std::string(kProblems) + "0\tm.map\t8\t4\t1\t1\t2\t2\t1.41421\n");
-  const Ended ended =
+  const ProgramResult result =
       run("slalom-scenarios import m.map --cell-size 2 -o a.scenarios --scen "
           "inner.scen --robot-radius 1.01");
-  EXPECT_EQ(ended.status, 0);
-  EXPECT_NE(ended.err.find("left out 3 problems"), std::string::npos) << ended.err;
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.err.find("left out 3 problems"), std::string::npos) << result.err;
 }
 
-TEST_F(ImportProgram, MovingAiRefusals) {
+TEST_F(ImportProgram, InvalidMovingAiProblemsAreRejected) {
   write("m.map", kMap);
   write("m.map.scen", kProblems);
   write("blocked.scen", "version 1\n0\tm.map\t8\t4\t4\t0\t2\t0\t2\n");
   write("other.scen", "version 1\n0\tm.map\t9\t4\t0\t0\t2\t0\t2\n");
   const std::string import = "slalom-scenarios import m.map -o a.scenarios --cell-size 1 --scen ";
-  expect_refusal(import + "blocked.scen", 3, {"blocked.scen:2", "occupied cell"});
-  expect_refusal(import + "other.scen", 3, {"other.scen:2", "9 x 4 cells"});
-  expect_refusal(import + "m.map.scen --buckets 7-8", 2, {"no problems of that difficulty"});
-  expect_refusal(import + "m.map.scen --buckets 8-7", 2, {"no range of difficulties"});
-  expect_refusal("slalom-scenarios import m.map --pairs 1 -o a.scenarios", 2, {"--cell-size"});
+  expect_failure(import + "blocked.scen", 3, {"blocked.scen:2", "occupied cell"});
+  expect_failure(import + "other.scen", 3, {"other.scen:2", "9 x 4 cells"});
+  expect_failure(import + "m.map.scen --buckets 7-8", 2, {"no problems of that difficulty"});
+  expect_failure(import + "m.map.scen --buckets 8-7", 2,
+                 {"--buckets 8-7", "range of difficulties"});
+  expect_failure("slalom-scenarios import m.map --pairs 1 -o a.scenarios", 2, {"--cell-size"});
 }
 
-TEST_F(ImportProgram, ImagesBecomeMapsWithPairsOfTheWantedDifficulty) {
-  // 12 x 10 m of 0.5 m: a white floor with a wall across it that has a gap below.
+TEST_F(ImportProgram, ImagesBecomeMapsWithPairsOfTheRequestedDifficulty) {
+  // 12 x 10 m, cells of 0.5 m: a free area with a wall across it that has a gap at the bottom.
   std::string image = "P2 24 20 255\n";
   for (int row = 0; row < 20; ++row)
     for (int x = 0; x < 24; ++x) image += x == 12 && row < 16 ? "0 " : "255 ";
-  write("floor.pgm", image);
-  const Ended ended =
-      run("slalom-scenarios import floor.pgm --image-resolution 0.5 --pairs 3 "
+  write("area.pgm", image);
+  const ProgramResult result =
+      run("slalom-scenarios import area.pgm --image-resolution 0.5 --pairs 3 "
           "--min-distance 2 --max-distance 9 --min-detour 1.2 -o a.scenarios");
-  ASSERT_EQ(ended.status, 0) << ended.err;
+  ASSERT_EQ(result.status, 0) << result.err;
   const std::string values =
       run("slalom-scenarios describe a.scenarios --descriptors detour_ratio").out;
   std::istringstream in(values);
@@ -86,16 +87,16 @@ TEST_F(ImportProgram, ImagesBecomeMapsWithPairsOfTheWantedDifficulty) {
     ++ratios;
   }
   EXPECT_EQ(ratios, 3);
-  expect_refusal("slalom-scenarios import floor.pgm --pairs 1 -o a.scenarios", 2,
-                 {"floor.pgm", "--image-resolution"});
-  expect_refusal(
-      "slalom-scenarios import floor.pgm --image-resolution 0.5 --pairs 1 "
+  expect_failure("slalom-scenarios import area.pgm --pairs 1 -o a.scenarios", 2,
+                 {"area.pgm", "--image-resolution"});
+  expect_failure(
+      "slalom-scenarios import area.pgm --image-resolution 0.5 --pairs 1 "
       "--min-distance 3 --max-distance 2 -o a.scenarios",
       2, {"distance from 3 to 2"});
 }
 
 TEST_F(ImportProgram, BarnWorldsKeepTheirPathAndItsMetrics) {
-  // A world by printf: 30 x 30 numbers, all free but rows 0 and 29, and a path along row 15.
+  // A generated world: 30 x 30 cells, free except rows 0 and 29, with a path along row 15.
   const auto npy = [](int rows, int columns, const std::vector<int>& numbers) {
     std::string head = "{'descr': '<i8', 'fortran_order': False, 'shape': (" +
                        std::to_string(rows) + ", " + std::to_string(columns) + "), }";
@@ -111,8 +112,9 @@ TEST_F(ImportProgram, BarnWorldsKeepTheirPathAndItsMetrics) {
   std::filesystem::create_directories(folder_ / "set/path_files");
   write("set/grid_files/grid_4.npy", npy(30, 30, cells));
   write("set/path_files/path_4.npy", npy(31, 2, path));
-  const Ended ended = run("slalom-scenarios import set --worlds 0-299/even -o barn.scenarios");
-  ASSERT_EQ(ended.status, 0) << ended.err;
+  const ProgramResult result =
+      run("slalom-scenarios import set --worlds 0-299/even -o barn.scenarios");
+  ASSERT_EQ(result.status, 0) << result.err;
   // Dilated, the walls fill rows 0 to 2 and 27 to 29: 12 cells to row 27, in all rows 3 to 26 are
   // free, 23 without row 15; the path is straight.
   const std::string text =
@@ -121,14 +123,14 @@ TEST_F(ImportProgram, BarnWorldsKeepTheirPathAndItsMetrics) {
           .out;
   EXPECT_NE(text.find("barn_closest_distance = 12.0000 cells"), std::string::npos) << text;
   EXPECT_NE(text.find("barn_tortuosity = 1.0000\n"), std::string::npos) << text;
-  // The export to YAML keeps the path as well.
+  // The export to YAML includes the path.
   ASSERT_EQ(run("slalom-scenarios export barn.scenarios --id barn_4 -o w.scenario.yaml").status, 0);
   ASSERT_EQ(run("slalom-scenarios import w.scenario.yaml -o again.scenarios").status, 0);
   EXPECT_EQ(run("slalom-scenarios describe again.scenarios --descriptors "
                 "barn_closest_distance,barn_tortuosity,barn_characteristic_dimension")
                 .out,
             text);
-  expect_refusal("slalom-scenarios import set --worlds 5 -o barn.scenarios", 2,
+  expect_failure("slalom-scenarios import set --worlds 5 -o barn.scenarios", 2,
                  {"--worlds 5", "worlds from 4 to 4"});
 }
 

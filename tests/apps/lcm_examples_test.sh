@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Runs the example methods of other processes as their authors would: builds the one in C++ against an
-# installed Slalom, makes the messages of the one in Lua, and lets both drive in a campaign:
-# lcm_examples_test.sh SOURCE_FOLDER BUILD_FOLDER
+# Builds the C++ example method against an installed Slalom, generates the messages of the Lua example,
+# and runs both in a campaign: lcm_examples_test.sh SOURCE_FOLDER BUILD_FOLDER
 set -euo pipefail
 source=$1 build=$2
 folder=$(mktemp -d)

@@ -8,9 +8,9 @@
 namespace slalom {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
-/// Campaigns with methods in other processes, in a network of their own where permitted.
+/// Campaigns with methods in other processes, in a private network namespace if permitted.
 class LcmProgramTest : public ProgramTest {
  protected:
   static void SetUpTestSuite() {
@@ -25,7 +25,7 @@ class LcmProgramTest : public ProgramTest {
     if (usable_) ProgramTest::TearDown();
   }
 
-  /// The small campaign with follow_the_gap in the worker and in a process beside it.
+  /// The small campaign with follow_the_gap in the worker and in a separate process.
   void write_campaign() const {
     std::string text = kSmallCampaign;
     text.replace(text.find("nd, gap"), 7, "gap, far");
@@ -36,8 +36,9 @@ class LcmProgramTest : public ProgramTest {
 
   std::string dump(const std::string& jobs) const {
     const std::string results = "runs" + jobs + ".results";
-    const Ended ended = run("slalom-evaluate small.ini --quiet -o out" + jobs + " -j " + jobs);
-    EXPECT_EQ(ended.status, 0) << ended.err;
+    const ProgramResult result =
+        run("slalom-evaluate small.ini --quiet -o out" + jobs + " -j " + jobs);
+    EXPECT_EQ(result.status, 0) << result.err;
     return run("slalom-analyze dump out" + jobs + "/runs.results").out;
   }
 
@@ -50,9 +51,9 @@ TEST_F(LcmProgramTest, AMethodOverLcmHasTheSameResultsAsInProcessForAnyNumberOfW
   const std::string one = dump("1");
   EXPECT_EQ(dump("2"), one);
   std::istringstream lines(one);
-  std::map<std::string, std::map<std::string, json>> runs;  // by scenario and method
+  std::map<std::string, std::map<std::string, Json>> runs;  // by scenario and method
   for (std::string line; std::getline(lines, line);) {
-    json record = json::parse(line);
+    Json record = Json::parse(line);
     const std::string method = record.at("method");
     record.erase("method");
     runs[record.at("scenario").dump()][method] = record;
@@ -62,14 +63,14 @@ TEST_F(LcmProgramTest, AMethodOverLcmHasTheSameResultsAsInProcessForAnyNumberOfW
     EXPECT_EQ(by_method.at("gap"), by_method.at("far")) << scenario;
 }
 
-TEST_F(LcmProgramTest, TheHostRefusesAMissingLibrary) {
-  expect_refusal("slalom-lcm-method --plugin libnone.so", 2, {"no library 'libnone.so'"});
-  expect_refusal("slalom-lcm-method --plugin libslalom_follow_the_gap.so --replay none.log", 3,
+TEST_F(LcmProgramTest, TheHostRejectsAMissingLibrary) {
+  expect_failure("slalom-lcm-method --plugin libnone.so", 2, {"library 'libnone.so' not found"});
+  expect_failure("slalom-lcm-method --plugin libslalom_follow_the_gap.so --replay none.log", 3,
                  {"none.log", "cannot be read", "a log of lcm-logger"});
 }
 
-TEST_F(LcmProgramTest, TheHostTellsItsOptionsAndVersion) {
-  const Ended help = run("slalom-lcm-method --help");
+TEST_F(LcmProgramTest, TheHostPrintsHelpAndVersion) {
+  const ProgramResult help = run("slalom-lcm-method --help");
   EXPECT_EQ(help.status, 0);
   for (const std::string option : {"--plugin", "--set", "--url", "--channel", "--replay"})
     EXPECT_NE(help.out.find(option), std::string::npos) << option;

@@ -7,7 +7,7 @@
 namespace slalom {
 namespace {
 
-/// A robot's log in a room of 10 m x 6 m with a column of 1 m in its middle.
+/// A robot's log in a room of 10 m x 6 m with a column of 1 m diameter at its center.
 class MetricsOfALog : public ProgramTest {
  protected:
   void SetUp() override {
@@ -15,11 +15,12 @@ class MetricsOfALog : public ProgramTest {
     write("room.yaml",
           "name: room\nrepresentation: continuous\nbounds: [0, 0, 10, 6]\nstart: [1, 3, 0]\n"
           "goal: [9, 3]\ndiscs:\n  - [5, 3, 0.5]\npolygons: []\n");
-    // Above the column: up to y = 4.5 at x = 5 and down again, at 1 m/s and 0.5 m a sample.
+    // Around the column: up to y = 4.5 at x = 5 and down again, at 1 m/s with samples every 0.5 m.
     std::string csv = "t,x,y,phi\n", tum;
-    const double slope = 1.5 / 4, way = std::hypot(4, 1.5);
-    for (int i = 0; i <= 2 * std::floor(way / 0.5) + 1; ++i) {
-      const double s = 0.5 * i, x = 1 + s * 4 / way, y = 3 + slope * (x < 5 ? x - 1 : 9 - x);
+    const double slope = 1.5 / 4, half_length = std::hypot(4, 1.5);
+    for (int i = 0; i <= 2 * std::floor(half_length / 0.5) + 1; ++i) {
+      const double s = 0.5 * i, x = 1 + s * 4 / half_length,
+                   y = 3 + slope * (x < 5 ? x - 1 : 9 - x);
       const double phi = std::atan(x < 5 ? slope : -slope);
       const std::string at = std::to_string(s) + " " + std::to_string(x) + " " + std::to_string(y);
       std::string comma = at + " " + std::to_string(phi);
@@ -33,29 +34,30 @@ class MetricsOfALog : public ProgramTest {
   }
 
   nlohmann::json metrics(const std::string& options) const {
-    const Ended ended = run("slalom-analyze metrics --scenario room.yaml --json " + options);
-    EXPECT_EQ(ended.status, 0) << ended.err;
-    return nlohmann::json::parse(ended.out);
+    const ProgramResult result =
+        run("slalom-analyze metrics --scenario room.yaml --json " + options);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return nlohmann::json::parse(result.out);
   }
   static double value(const nlohmann::json& json, const std::string& id) {
     return json.at("metrics").at(id).at("value").get<double>();
   }
 };
 
-TEST_F(MetricsOfALog, AreThoseOfWhatWasDrivenUntilTheGoal) {
+TEST_F(MetricsOfALog, AreComputedUpToTheGoal) {
   const auto json = metrics("--trajectory log.csv");
   EXPECT_EQ(json["outcome"], "success");
   EXPECT_EQ(value(json, "success"), 1);
-  // Within 0.2 m of the goal at the end, which is 2 hypot(4, 1.5) m of way.
+  // The path has 2 hypot(4, 1.5) m and ends within 0.2 m of the goal.
   EXPECT_NEAR(value(json, "path_length"), 2 * std::hypot(4, 1.5) - 0.2, 0.03);
   EXPECT_NEAR(value(json, "time_to_goal"), 2 * std::hypot(4, 1.5) - 0.2, 0.03);
   EXPECT_GT(value(json, "optimality"), 0.9);
   EXPECT_LT(value(json, "optimality"), 0.99);
   EXPECT_EQ(json["metrics"]["command_variation_v"]["na"], "no commands are recorded");
-  EXPECT_EQ(json["notes"][0], "v and w derived by differences of the poses");
+  EXPECT_EQ(json["notes"][0], "v and w computed from pose differences");
 }
 
-TEST_F(MetricsOfALog, AreTheSameOfCsvAndTum) {
+TEST_F(MetricsOfALog, AreTheSameForCsvAndTum) {
   const auto csv = metrics("--trajectory log.csv"), tum = metrics("--trajectory log.tum");
   for (const auto& [id, entry] : csv["metrics"].items()) {
     ASSERT_EQ(entry.contains("na"), tum["metrics"][id].contains("na")) << id;
@@ -65,8 +67,8 @@ TEST_F(MetricsOfALog, AreTheSameOfCsvAndTum) {
   }
 }
 
-TEST_F(MetricsOfALog, AreCutAtAContact) {
-  // Half of the column and a radius of 1 m: too near at its corner already.
+TEST_F(MetricsOfALog, AreComputedUpToACollision) {
+  // The radius of 1 m plus that of the column exceed the distance of the path.
   const auto json = metrics("--trajectory log.csv --robot-radius 1");
   EXPECT_EQ(json["outcome"], "collision");
   EXPECT_EQ(value(json, "spl"), 0);
@@ -79,7 +81,7 @@ TEST_F(MetricsOfALog, AreCutAtAContact) {
   EXPECT_GT(value(given, "path_length"), 8);
 }
 
-TEST_F(MetricsOfALog, FollowTheCampaignsRobotAndOptions) {
+TEST_F(MetricsOfALog, UseTheCampaignsRobotAndOptions) {
   write("campaign.ini", std::string(kSmallCampaign) +
                             "[robot]\nmax_v = 2\n[metrics]\nenabled = time_ratio, "
                             "risk_time_ratio\nsafe_distance = 5\n");
@@ -90,26 +92,27 @@ TEST_F(MetricsOfALog, FollowTheCampaignsRobotAndOptions) {
               0.05);
 }
 
-TEST_F(MetricsOfALog, ArePrintedForPeopleWithRemarksBeside) {
-  const Ended ended = run("slalom-analyze metrics --scenario room.yaml --trajectory log.csv");
-  EXPECT_EQ(ended.status, 0);
-  EXPECT_EQ(ended.out.find("outcome                       success (goal reached at"), 0U);
-  EXPECT_NE(ended.out.find("impact_speed v1               NA (outcome: success)"),
+TEST_F(MetricsOfALog, ArePrintedAsTextWithNotes) {
+  const ProgramResult result =
+      run("slalom-analyze metrics --scenario room.yaml --trajectory log.csv");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out.find("outcome                       success (goal reached at"), 0U);
+  EXPECT_NE(result.out.find("impact_speed v1               NA (outcome: success)"),
             std::string::npos);
-  EXPECT_NE(ended.err.find("log.csv: no command_v and command_w"), std::string::npos);
+  EXPECT_NE(result.err.find("log.csv: no command_v and command_w"), std::string::npos);
   EXPECT_EQ(run("slalom-analyze metrics --scenario room.yaml --trajectory log.csv --quiet").err,
             "");
 }
 
-TEST_F(MetricsOfALog, RefuseWhatCannotBeMeasured) {
+TEST_F(MetricsOfALog, RejectInvalidInput) {
   const std::string verb = "slalom-analyze metrics --scenario room.yaml --trajectory ";
   write("bad.csv", "t,x,y,phi\n0,1,3,0\n1,2,three,0\n");
-  expect_refusal(verb + "bad.csv", 3, {"bad.csv:3", "field 3", "a number"});
-  expect_refusal(verb + "none.csv", 3, {"none.csv"});
-  expect_refusal(verb + "log.csv --outcome sucess", 2, {"--outcome", "sucess", "success"});
-  expect_refusal(verb + "log.csv --robot-radius 0", 2, {"robot.radius", "> 0"});
-  expect_refusal(verb + "log.csv --set metrics.safe=1", 2, {"metrics", "safe_distance"});
-  expect_refusal("slalom-analyze metrics --scenario log.csv --trajectory log.csv", 3, {"log.csv"});
+  expect_failure(verb + "bad.csv", 3, {"bad.csv:3", "field 3", "number"});
+  expect_failure(verb + "none.csv", 3, {"none.csv"});
+  expect_failure(verb + "log.csv --outcome sucess", 2, {"--outcome", "sucess", "success"});
+  expect_failure(verb + "log.csv --robot-radius 0", 2, {"robot.radius", "> 0"});
+  expect_failure(verb + "log.csv --set metrics.safe=1", 2, {"metrics", "safe_distance"});
+  expect_failure("slalom-analyze metrics --scenario log.csv --trajectory log.csv", 3, {"log.csv"});
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 
 namespace slalom {
 
-/// How a program ended and what it said.
-struct Ended {
+/// Exit status and output of a program.
+struct ProgramResult {
   int status = -1;
   std::string out, err;
 };
@@ -25,7 +25,7 @@ inline std::string read_text(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// A folder of its own for each test, in which it runs programs; gone afterwards.
+/// Runs programs in a temporary folder, one for each test.
 class ProgramTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -35,8 +35,8 @@ class ProgramTest : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// "slalom-... arguments", as a shell takes it, in the test's folder.
-  Ended run(const std::string& command) const {
+  /// Runs a shell command in the test's folder.
+  ProgramResult run(const std::string& command) const {
     const std::string shell = "cd '" + folder_.string() + "' && PATH=\"" SLALOM_BIN ":$PATH\" " +
                               command + " >.out 2>.err </dev/null";
     const int status = std::system(shell.c_str());
@@ -49,18 +49,19 @@ class ProgramTest : public testing::Test {
   }
   std::string read(const std::string& name) const { return read_text(folder_ / name); }
 
-  /// That `command` ends with `status` and one line that has all these words.
-  void expect_refusal(const std::string& command, int status,
+  /// Expects that `command` exits with `status` and that the last line on standard error contains
+  /// all `words`.
+  void expect_failure(const std::string& command, int status,
                       const std::vector<std::string>& words) const {
-    const Ended ended = run(command);
-    EXPECT_EQ(ended.status, status) << command << "\n" << ended.err;
-    const std::string last = last_line(ended.err);
+    const ProgramResult result = run(command);
+    EXPECT_EQ(result.status, status) << command << "\n" << result.err;
+    const std::string last = last_line(result.err);
     for (const std::string& word : words)
       EXPECT_NE(last.find(word), std::string::npos) << "no '" << word << "' in: " << last;
-    EXPECT_EQ(ended.err.find("terminate called"), std::string::npos) << ended.err;
+    EXPECT_EQ(result.err.find("terminate called"), std::string::npos) << result.err;
   }
 
-  /// Without the counts that progress reports write before it.
+  /// The last line, without preceding progress reports.
   static std::string last_line(std::string text) {
     while (!text.empty() && text.back() == '\n') text.pop_back();
     const std::size_t end = text.rfind('\n');
@@ -70,7 +71,7 @@ class ProgramTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
-/// A campaign of two methods over a few small generated places, done in a second or two.
+/// A campaign of two methods over a few small generated scenarios, which takes a second or two.
 inline const char* const kSmallCampaign = R"([campaign]
 name    = small
 seed    = 5
@@ -94,8 +95,8 @@ plugin  = libslalom_follow_the_gap.so
 rows = density:0,0.05,1
 )";
 
-/// A small campaign's result file, "runs.results", in each test's folder. It is made once for all
-/// tests of a file, since they only read it.
+/// Provides the result file of a small campaign, "runs.results", in each test's folder. It is made
+/// once and copied.
 class ResultsTest : public ProgramTest {
  protected:
   void SetUp() override {

@@ -5,27 +5,27 @@
 namespace slalom {
 namespace {
 
-/// Drives ahead; after two seconds it dies by the signal that its key says.
-const char* const kMortal = R"(
+/// Drives straight ahead; after two seconds it raises the signal given by its parameter.
+const char* const kCrashingMethod = R"(
 #include <slalom/methods/slalom_method.h>
 #include <signal.h>
 #include <stdlib.h>
-static int deadly;
+static int signal_number;
 static void* create(const slalom_setting* s, size_t n, const slalom_robot* r, char* e, size_t size) {
   (void)r, (void)e, (void)size;
-  deadly = n > 0 ? atoi(s[0].value) : 0;
-  return &deadly;
+  signal_number = n > 0 ? atoi(s[0].value) : 0;
+  return &signal_number;
 }
 static int reset(void* m, const slalom_task* t) { (void)m, (void)t; return 0; }
 static int step(void* m, const slalom_observation* o, slalom_command* c) {
   (void)m;
   c->v = 0.3;
-  if (o->time > 2 && deadly) { signal(deadly, SIG_DFL); raise(deadly); }
+  if (o->time > 2 && signal_number) { signal(signal_number, SIG_DFL); raise(signal_number); }
   return 0;
 }
 static void destroy(void* m) { (void)m; }
-static const slalom_parameter keys[] = {{"signal", "0", "-", "to die by"}};
-static const slalom_method_api api = {SLALOM_METHOD_ABI_VERSION, "mortal", keys, 1,
+static const slalom_parameter keys[] = {{"signal", "0", "-", "signal to raise"}};
+static const slalom_method_api api = {SLALOM_METHOD_ABI_VERSION, "crashing", keys, 1,
                                       create, reset, step, destroy};
 SLALOM_METHOD_EXPORT const slalom_method_api* slalom_method_get_api(void) { return &api; }
 )";
@@ -34,18 +34,19 @@ class Recording : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    write("mortal.c", kMortal);
-    ASSERT_EQ(run("cc -shared -fPIC -I" SLALOM_METHOD_INCLUDE " mortal.c -o mortal.so").status, 0);
+    write("crashing.c", kCrashingMethod);
+    ASSERT_EQ(run("cc -shared -fPIC -I" SLALOM_METHOD_INCLUDE " crashing.c -o crashing.so").status,
+              0);
     write("campaign.ini", R"([campaign]
-methods = mortal, gap
+methods = crashing, gap
 [scenarios]
 generator = random
 count     = 2
 [record]
 rawlog = failures
-[method.mortal]
+[method.crashing]
 adapter = library
-plugin  = mortal.so
+plugin  = crashing.so
 signal  = 11
 [method.gap]
 adapter = library
@@ -65,9 +66,9 @@ plugin  = libslalom_follow_the_gap.so
   }
 };
 
-TEST_F(Recording, ACrashIsARowWithARawlogAndTheCampaignGoesOn) {
-  const Ended ended = run("slalom-simulate run -c campaign.ini -o runs.results -j 2");
-  ASSERT_EQ(ended.status, 0) << ended.err;
+TEST_F(Recording, ACrashIsRecordedAndTheCampaignContinues) {
+  const ProgramResult result = run("slalom-simulate run -c campaign.ini -o runs.results -j 2");
+  ASSERT_EQ(result.status, 0) << result.err;
   const std::string dump = run("slalom-analyze dump runs.results").out;
   EXPECT_EQ(std::count(dump.begin(), dump.end(), '\n'), 4);
   EXPECT_NE(dump.find("\"outcome\":\"method_crash\""), std::string::npos) << dump;
@@ -89,7 +90,7 @@ TEST_F(Recording, ACrashIsARowWithARawlogAndTheCampaignGoesOn) {
   }
 }
 
-TEST_F(Recording, GivesTheSameBytesWithOneWorkerAndWithTwo) {
+TEST_F(Recording, IsBitIdenticalForAnyNumberOfWorkers) {
   const std::string command =
       "slalom-simulate run -c campaign.ini --quiet --set record.rawlog=all ";
   ASSERT_EQ(run(command + "-o one.results -j 1").status, 0);

@@ -9,8 +9,8 @@ using Json = nlohmann::json;
 
 const std::string kDatasets = "/usr/share/mrpt/datasets/";
 
-/// Noise and drift, so that a rawlog has to keep more than the simulator could make anew.
-const char* const kUneven = R"(
+/// Noise and drift, so that the recorded data cannot be recomputed without the rawlog.
+const char* const kNoisy = R"(
 [sensor]
 noise_sigma = 0.01
 latency     = 0.05
@@ -26,13 +26,13 @@ class Replay : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    write("small.ini", std::string(kSmallCampaign) + kUneven);
-    const Ended ended = run("slalom-simulate run -c small.ini -o runs.results --quiet");
-    ASSERT_EQ(ended.status, 0) << ended.err;
+    write("small.ini", std::string(kSmallCampaign) + kNoisy);
+    const ProgramResult result = run("slalom-simulate run -c small.ini -o runs.results --quiet");
+    ASSERT_EQ(result.status, 0) << result.err;
     for (const auto& entry : std::filesystem::directory_iterator(folder_ / "runs.rawlogs"))
       logs_.push_back("runs.rawlogs/" + entry.path().filename().string());
     std::sort(logs_.begin(), logs_.end());
-    ASSERT_EQ(logs_.size(), 8U);  // two methods in four places
+    ASSERT_EQ(logs_.size(), 8U);  // two methods in four scenarios
   }
 
   /// The first run of a method.
@@ -46,37 +46,37 @@ class Replay : public ProgramTest {
 };
 
 TEST_F(Replay, RawlogEditOpensARun) {
-  const Ended ended = run("rawlog-edit --info -i " + log_of("nd"));
-  ASSERT_EQ(ended.status, 0) << ended.err;
+  const ProgramResult result = run("rawlog-edit --info -i " + log_of("nd"));
+  ASSERT_EQ(result.status, 0) << result.err;
   for (const char* label : {"command", "ground_truth", "odometry", "range_finder"})
-    EXPECT_NE(ended.out.find(label), std::string::npos) << ended.out;
-  EXPECT_NE(ended.out.find("Observations format               : Yes"), std::string::npos);
+    EXPECT_NE(result.out.find(label), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("Observations format               : Yes"), std::string::npos);
 }
 
-TEST_F(Replay, CheckPassesOnEveryUntouchedRun) {
+TEST_F(Replay, CheckPassesOnUnchangedRuns) {
   for (const std::string& log : logs_) {
-    const Ended ended = run("slalom-replay check " + log);
-    EXPECT_EQ(ended.status, 0) << ended.err;
-    EXPECT_NE(ended.out.find("answers the same"), std::string::npos) << ended.out;
+    const ProgramResult result = run("slalom-replay check " + log);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("reproduces all"), std::string::npos) << result.out;
   }
 }
 
 TEST_F(Replay, CheckFailsForAnotherMethodOrParameter) {
-  expect_refusal("slalom-replay check " + log_of("nd") + " --method gap", 1,
-                 {log_of("nd"), "cycle ", "was recorded", "is answered"});
-  expect_refusal("slalom-replay check " + log_of("nd") + " --set method.nd.turn_gain=1.7", 1,
+  expect_failure("slalom-replay check " + log_of("nd") + " --method gap", 1,
+                 {log_of("nd"), "cycle ", "recorded", "replayed"});
+  expect_failure("slalom-replay check " + log_of("nd") + " --set method.nd.turn_gain=1.7", 1,
                  {"cycle ", "w = "});
   write("other.ini", read("small.ini") + "[robot]\nmax_w = 0.05\n");
-  expect_refusal("slalom-replay check " + log_of("nd") + " -c other.ini", 1, {"cycle "});
+  expect_failure("slalom-replay check " + log_of("nd") + " -c other.ini", 1, {"cycle "});
   EXPECT_EQ(run("slalom-replay check " + log_of("nd") + " -c small.ini").status, 0);
 }
 
-TEST_F(Replay, CheckRefusesAnotherSensor) {
-  expect_refusal("slalom-replay check " + log_of("nd") + " --set sensor.rays=91", 2,
+TEST_F(Replay, CheckRejectsAnotherSensor) {
+  expect_failure("slalom-replay check " + log_of("nd") + " --set sensor.rays=91", 2,
                  {"rays", "181"});
 }
 
-TEST_F(Replay, MetricsAreThoseOfTheResultFile) {
+TEST_F(Replay, MetricsEqualTheResultFile) {
   std::istringstream dump(run("slalom-analyze dump runs.results").out);
   std::map<std::string, Json> stored;  // by scenario and method
   for (std::string line; std::getline(dump, line);) {
@@ -85,9 +85,9 @@ TEST_F(Replay, MetricsAreThoseOfTheResultFile) {
     stored[json["scenario"]["hash"].get<std::string>() + json["method"].get<std::string>()] = json;
   }
   for (const std::string& log : logs_) {
-    const Ended ended = run("slalom-replay metrics --json --results runs.results " + log);
-    ASSERT_EQ(ended.status, 0) << ended.err;
-    const Json json = Json::parse(ended.out);
+    const ProgramResult result = run("slalom-replay metrics --json --results runs.results " + log);
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json json = Json::parse(result.out);
     EXPECT_EQ(json, stored.at(json["scenario"]["hash"].get<std::string>() +
                               json["method"].get<std::string>()));
   }
@@ -98,13 +98,13 @@ TEST_F(Replay, MetricsOfAnotherCampaignDiffer) {
                 "--set record.rawlog=none")
                 .status,
             0);
-  expect_refusal("slalom-replay metrics --results other.results " + log_of("nd"), 1,
-                 {log_of("nd"), "as stored"});
+  expect_failure("slalom-replay metrics --results other.results " + log_of("nd"), 1,
+                 {log_of("nd"), "stored value"});
 }
 
-TEST_F(Replay, PlayWritesAPictureEachSoManyCycles) {
+TEST_F(Replay, PlayWritesImagesAtAnInterval) {
   const std::string log = log_of("gap");
-  const Ended all = run("slalom-replay play " + log + " --png all");
+  const ProgramResult all = run("slalom-replay play " + log + " --png all");
   ASSERT_EQ(all.status, 0) << all.err;
   ASSERT_EQ(run("slalom-replay play " + log + " --png some --every 10 --size 200").status, 0);
   const auto count = [&](const std::string& folder) {
@@ -112,55 +112,55 @@ TEST_F(Replay, PlayWritesAPictureEachSoManyCycles) {
     return std::distance(begin(files), end(files));
   };
   const std::string check = run("slalom-replay check " + log).out;
-  const std::size_t at = check.find("the same ") + 9;
+  const std::size_t at = check.find("reproduces all ") + 15;
   const int cycles = std::stoi(check.substr(at));
-  EXPECT_EQ(count("all"), cycles + 1);              // each cycle and the last instant
-  EXPECT_EQ(count("some"), (cycles + 9) / 10 + 1);  // cycles 0, 10, 20, ... and the last instant
+  EXPECT_EQ(count("all"), cycles + 1);              // each cycle and the last sample
+  EXPECT_EQ(count("some"), (cycles + 9) / 10 + 1);  // cycles 0, 10, 20, ... and the last sample
   EXPECT_EQ(read("all/frame_000000.png").substr(1, 3), "PNG");
   EXPECT_NE(read("all/frame_000000.png"), read("all/frame_000010.png"));
 }
 
-TEST_F(Replay, OpenLoopRunsOnLogsOfRealRobots) {
+TEST_F(Replay, OpenLoopReadsLogsOfRealRobots) {
   for (const auto& [name, scans] :
        {std::pair{"localization_demo.rawlog", 37},
         std::pair{"2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog", 225}}) {
     const std::string log = "'" + kDatasets + name + "'";
-    const Ended ended =
+    const ProgramResult result =
         run("slalom-replay openloop " + log + " --method nd -c small.ini --json --each");
-    ASSERT_EQ(ended.status, 0) << ended.err;
-    const Json json = Json::parse(ended.out);
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json json = Json::parse(result.out);
     EXPECT_EQ(json["scans"], scans);
     EXPECT_EQ(json["commands"], scans);
     EXPECT_EQ(json["answers"].size(), static_cast<std::size_t>(scans));
-    // ND looks where it goes.
+    // ND avoids the obstacles of the scan.
     EXPECT_EQ(json["contact"]["stopping"], 0);
     EXPECT_GT(json["mean_v"].get<double>(), 0.3);
-    // A robot as wide as the corridor meets the walls.
-    const Ended wide = run("slalom-replay openloop " + log +
-                           " --method nd -c small.ini --json --set robot.radius=1.5");
+    // A robot as wide as the corridor touches the walls.
+    const ProgramResult wide = run("slalom-replay openloop " + log +
+                                   " --method nd -c small.ini --json --set robot.radius=1.5");
     const Json contact = Json::parse(wide.out)["contact"];
     EXPECT_GT(contact["already"].get<int>() + contact["stopping"].get<int>(), 0) << wide.out;
   }
 }
 
-TEST_F(Replay, RefusesWhatItCannotUse) {
-  expect_refusal("slalom-replay check small.ini", 3, {"small.ini", "object 1"});
-  expect_refusal("slalom-replay metrics nothing.rawlog", 3, {"nothing.rawlog", "cannot be read"});
-  expect_refusal(
+TEST_F(Replay, RejectsInvalidInput) {
+  expect_failure("slalom-replay check small.ini", 3, {"small.ini", "object 1"});
+  expect_failure("slalom-replay metrics nothing.rawlog", 3, {"nothing.rawlog", "cannot be read"});
+  expect_failure(
       "slalom-replay openloop " + kDatasets + "RO-SLAM_demo.rawlog --method nd -c small.ini", 3,
       {"no 2D scan"});
-  expect_refusal("slalom-replay openloop " + log_of("nd") + " --method vfh -c small.ini", 2,
+  expect_failure("slalom-replay openloop " + log_of("nd") + " --method vfh -c small.ini", 2,
                  {"method.vfh"});
-  expect_refusal("slalom-replay play " + log_of("nd"), 2, {"--png"});
+  expect_failure("slalom-replay play " + log_of("nd"), 2, {"--png"});
   write("cut.rawlog", read(log_of("nd")).substr(0, 5000));
-  expect_refusal("slalom-replay check cut.rawlog", 3, {"cut.rawlog", "cut off"});
+  expect_failure("slalom-replay check cut.rawlog", 3, {"cut.rawlog", "truncated"});
 }
 
-TEST_F(Replay, SaysHowItIsUsed) {
+TEST_F(Replay, PrintsHelp) {
   for (const std::string verb : {"", "play ", "check ", "metrics ", "openloop "}) {
-    const Ended ended = run("slalom-replay " + verb + "--help");
-    EXPECT_EQ(ended.status, 0);
-    EXPECT_NE(ended.out.find("Usage"), std::string::npos);
+    const ProgramResult result = run("slalom-replay " + verb + "--help");
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.out.find("Usage"), std::string::npos);
   }
   EXPECT_EQ(run("slalom-replay --version").out.substr(0, 14), "slalom-replay ");
 }

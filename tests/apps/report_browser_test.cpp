@@ -1,8 +1,8 @@
+#include "browser.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
 
-#include <regex>
 #include <set>
 
 namespace slalom {
@@ -10,64 +10,47 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The report as people open it: as files, in a browser. One campaign for all tests.
+/// Opens the files of a report in a browser.
 class ReportInABrowser : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    if (std::system("command -v chromium >/dev/null 2>&1") != 0) GTEST_SKIP() << "no chromium";
+    if (!has_browser()) GTEST_SKIP() << "needs the package chromium";
     write("small.ini", std::string(kSmallCampaign) + "[record]\nrawlog = all\n");
     ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet").status, 0);
   }
 
-  /// What the page has become when its scripts have run. Fails when one of them complained.
   std::string open(const std::string& page) const {
-    const Ended ended =
-        run("chromium --headless --no-sandbox --disable-gpu --user-data-dir=profile "
-            "--allow-file-access-from-files --enable-logging=stderr --virtual-time-budget=3000 "
-            "--dump-dom 'file://" +
-            (folder_ / "out/report" / page).string() + "'");
-    EXPECT_EQ(ended.status, 0) << ended.err;
-    std::istringstream lines(ended.err);
-    for (std::string line; std::getline(lines, line);)
-      EXPECT_EQ(line.find("CONSOLE"), std::string::npos) << page << ": " << line;
-    return ended.out;
-  }
-
-  static std::vector<std::string> all(const std::string& text, const std::string& pattern) {
-    const std::regex expression(pattern);
-    std::vector<std::string> found;
-    for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i)
-      found.push_back((*i)[1]);
-    return found;
+    return open_in_browser((folder_ / "out/report" / page).string(), folder_);
   }
 
   static std::string ready(const std::string& dom) {
-    const auto found = all(dom, "data-ready=\"([^\"]*)\"");
+    const auto found = all_matches(dom, "data-ready=\"([^\"]*)\"");
     return found.empty() ? "never" : found.front();
   }
 };
 
-TEST_F(ReportInABrowser, ACellLeadsToItsRunsAndARunToItsReplay) {
+TEST_F(ReportInABrowser, ACellLinksToItsRunsAndARunToItsReplay) {
   const std::string index = open("index.html");
-  const auto cells = all(index, "href=\"(runs\\.html#cell-[0-9]+)\"");
+  const auto cells = all_matches(index, "href=\"(runs\\.html#cell-[0-9]+)\"");
   ASSERT_FALSE(cells.empty());
   // The first cells are those of the summary: all 4 runs of the first method by name.
   const std::string runs = open(cells.front());
   EXPECT_EQ(ready(runs), "4");
   EXPECT_NE(runs.find("All runs of gap"), std::string::npos);
-  const auto links = all(runs, "href=\"(run\\.html#[^\"]+)\"");
+  const auto links = all_matches(runs, "href=\"(run\\.html#[^\"]+)\"");
   ASSERT_EQ(links.size(), 4u);
   const std::string page = open(links.front());
   EXPECT_EQ(ready(page), "gap/0");
   EXPECT_NE(page.find("<svg id=\"scene\""), std::string::npos);
-  EXPECT_GT(all(page, "<path[^>]* d=\"(M[^\"]{200,})\"").size(), 2u) << "no track, scan or plot";
-  const auto rawlogs = all(page, "href=\"([^\"]*\\.rawlog)\"");
+  EXPECT_GT(all_matches(page, "<path[^>]* d=\"(M[^\"]{200,})\"").size(), 2u)
+      << "no track, scan or plot";
+  const auto rawlogs = all_matches(page, "href=\"([^\"]*\\.rawlog)\"");
   ASSERT_EQ(rawlogs.size(), 1u);
   EXPECT_TRUE(fs::exists(folder_ / "out/report" / rawlogs.front())) << rawlogs.front();
 }
 
-TEST_F(ReportInABrowser, EveryLinkLeadsSomewhere) {
+TEST_F(ReportInABrowser, EveryLinkHasATarget) {
   std::set<std::string> to_visit = {"index.html", "runs.html"}, visited;
   while (!to_visit.empty()) {
     const std::string page = *to_visit.begin();
@@ -75,24 +58,70 @@ TEST_F(ReportInABrowser, EveryLinkLeadsSomewhere) {
     visited.insert(page);
     const std::string dom = open(page);
     const std::string base = page.substr(0, page.find('#'));
-    for (const std::string& href : all(dom, "href=\"([^\"]*)\"")) {
+    EXPECT_TRUE(base != "method.html" || dom.find("<h2 id=\"outcomes\"") != dom.npos) << page;
+    for (const std::string& href : all_matches(dom, "href=\"([^\"]*)\"")) {
       const std::size_t hash = href.find('#');
       const std::string file = href.substr(0, hash).empty() ? base : href.substr(0, hash);
       EXPECT_TRUE(fs::exists(folder_ / "out/report" / file)) << page << " -> " << href;
-      const bool is_page = fs::path(file).extension() == ".html";
-      if (is_page && visited.count(file) == 0 && file.rfind("run", 0) != 0) to_visit.insert(file);
-      const bool is_section =
-          file == base && hash != std::string::npos && base.rfind("run", 0) != 0;
+      const bool is_page = fs::path(file).extension() == ".html" && file.rfind("run", 0) != 0;
+      const std::string target = file == "method.html" ? href : file;  // a page per method
+      if (is_page && visited.count(target) == 0) to_visit.insert(target);
+      const bool is_section = file == base && hash != std::string::npos &&
+                              base.rfind("run", 0) != 0 && file != "method.html";
       EXPECT_TRUE(!is_section || dom.find("id=\"" + href.substr(hash + 1) + "\"") != dom.npos)
           << page << " -> " << href;
     }
   }
-  EXPECT_GE(visited.size(), 2u);
+  EXPECT_EQ(visited,
+            (std::set<std::string>{"index.html", "method.html#1", "method.html#2", "runs.html"}));
 }
 
-TEST_F(ReportInABrowser, AnAddressThatNamesNoRunSaysSo) {
-  EXPECT_NE(open("run.html#nothing").find("The address names no run"), std::string::npos);
-  EXPECT_NE(open("runs.html#cell-9999").find("no such cell"), std::string::npos);
+TEST_F(ReportInABrowser, ARunLeadsToItsScenario) {
+  const auto runs = all_matches(open("runs.html"), "href=\"(run\\.html#[^\"]+)\"");
+  ASSERT_FALSE(runs.empty());
+  const auto links = all_matches(open(runs.front()), "<a id=\"scenario\" href=\"([^\"]*)\"");
+  ASSERT_EQ(links.size(), 1u);
+  const std::size_t hash = links.front().find('#');
+  ASSERT_EQ(links.front().substr(0, hash), "index.html") << "four pictures are on the first page";
+  EXPECT_NE(open("index.html").find("id=\"" + links.front().substr(hash + 1) + "\""),
+            std::string::npos)
+      << links.front();
+}
+
+TEST_F(ReportInABrowser, PlotsOfARunAreDrawnOnTheScaleThatTheirLabelsName) {
+  const auto runs = all_matches(open("runs.html"), "href=\"(run\\.html#[^\"]+)\"");
+  ASSERT_FALSE(runs.empty());
+  const std::string page = open(runs.front());
+  const std::string hash = runs.front().substr(std::string("run.html#").size(), 8);
+  const std::string script = read("out/report/data/s-" + hash + ".js");
+  const std::size_t start = script.find('(') + 1;
+  const auto data = nlohmann::json::parse(script.substr(start, script.rfind(')') - start));
+  const std::pair<const char*, const char*> plots[] = {{"clearance", "c"}, {"speed", "v"}};
+  for (const auto& [id, track] : plots) {
+    double highest = 0;
+    std::int64_t sum = 0;
+    for (const std::int64_t difference : data["runs"][0][track])
+      highest = std::max(highest, 0.001 * static_cast<double>(sum += difference));
+    const std::size_t from = page.find("<div id=\"" + std::string(id) + "\"");
+    const std::string plot = page.substr(from, page.find("</svg>", from) - from);
+    // The labels of the scale end at its left; a label stands 4 below its line.
+    const auto labels = all_matches(plot, "text-anchor=\"end\">([-0-9.]+)<");
+    const auto lines = all_matches(plot, "y=\"([0-9.]+)\" text-anchor=\"end\">[-0-9.]+<");
+    ASSERT_GE(labels.size(), 2u) << plot;
+    ASSERT_EQ(labels.size(), lines.size());
+    const double low = std::stod(labels.front()), high = std::stod(labels.back());
+    const double y_low = std::stod(lines.front()) - 4, y_high = std::stod(lines.back()) - 4;
+    EXPECT_GE(high, highest) << id;
+    double top = 1e9;
+    for (const std::string& y : all_matches(plot, "[ML][0-9.]+ ([0-9.]+)"))
+      top = std::min(top, std::stod(y));
+    EXPECT_NEAR(top, y_low + (highest - low) / (high - low) * (y_high - y_low), 0.06) << id;
+  }
+}
+
+TEST_F(ReportInABrowser, AnInvalidAddressShowsAnError) {
+  EXPECT_NE(open("run.html#nothing").find("The address contains no run"), std::string::npos);
+  EXPECT_NE(open("runs.html#cell-9999").find("does not contain this cell"), std::string::npos);
 }
 
 }  // namespace

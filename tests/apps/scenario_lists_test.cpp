@@ -23,13 +23,15 @@ class ScenarioLists : public ProgramTest {
           "min_distance = 3\nmax_obstacles = 12\n");
     ASSERT_EQ(slalom("generate -c generate.ini -n 12 --quiet -o a.scenarios").status, 0);
   }
-  Ended slalom(const std::string& arguments) const { return run("slalom-scenarios " + arguments); }
+  ProgramResult slalom(const std::string& arguments) const {
+    return run("slalom-scenarios " + arguments);
+  }
 
   std::vector<std::string> names(const std::string& arguments) const {
     std::vector<std::string> names;
-    const Ended ended = slalom(arguments + " --json");
-    EXPECT_EQ(ended.status, 0) << ended.err;
-    for (const Json& line : lines_of(ended.out)) names.push_back(line["name"]);
+    const ProgramResult result = slalom(arguments + " --json");
+    EXPECT_EQ(result.status, 0) << result.err;
+    for (const Json& line : lines_of(result.out)) names.push_back(line["name"]);
     return names;
   }
 };
@@ -41,18 +43,18 @@ TEST_F(ScenarioLists, SelectAgreesWithDescribe) {
       expected.emplace_back(-line["density"].get<double>(), line["name"]);
   std::sort(expected.begin(), expected.end());
   ASSERT_GE(expected.size(), 3U);
-  const auto chosen =
+  const auto selected =
       names("select a.scenarios --where 'density >= 0.03' --order-by 'density desc'");
-  ASSERT_EQ(chosen.size(), expected.size());
-  for (std::size_t i = 0; i < chosen.size(); ++i) EXPECT_EQ(chosen[i], expected[i].second);
+  ASSERT_EQ(selected.size(), expected.size());
+  for (std::size_t i = 0; i < selected.size(); ++i) EXPECT_EQ(selected[i], expected[i].second);
   ASSERT_EQ(slalom("select a.scenarios --where 'density >= 0.03' --order-by 'density desc' "
                    "--limit 2 --quiet -o b.scenarios")
                 .status,
             0);
-  EXPECT_EQ(names("list b.scenarios"), (std::vector<std::string>{chosen[0], chosen[1]}));
+  EXPECT_EQ(names("list b.scenarios"), (std::vector<std::string>{selected[0], selected[1]}));
 }
 
-TEST_F(ScenarioLists, IndexesAreMadeUsedShownAndDropped) {
+TEST_F(ScenarioLists, IndexesAreCreatedUsedShownAndDropped) {
   const std::string select = "select a.scenarios --where 'density >= 0.02 and density < 0.05'";
   const auto before = names(select);
   EXPECT_NE(slalom(select + " --plan").out.find("SCAN"), std::string::npos);
@@ -66,8 +68,8 @@ TEST_F(ScenarioLists, IndexesAreMadeUsedShownAndDropped) {
   EXPECT_EQ(slalom("index list a.scenarios").out, "by_density  density  0,0.02,0.05,1\n");
   const Json shown = Json::parse(slalom("index show a.scenarios --name by_density --json").out);
   EXPECT_EQ(shown["counts"][1], before.size());
-  expect_refusal("slalom-scenarios index drop a.scenarios --name by_densty", 2,
-                 {"no index 'by_densty'", "'by_density'"});
+  expect_failure("slalom-scenarios index drop a.scenarios --name by_densty", 2,
+                 {"unknown index 'by_densty'", "'by_density'"});
   ASSERT_EQ(slalom("index drop a.scenarios --name by_density").status, 0);
   EXPECT_EQ(slalom("index list a.scenarios").out, "");
 }
@@ -86,12 +88,14 @@ TEST_F(ScenarioLists, CopiesMovesAndDeletes) {
   EXPECT_EQ(names("list c.scenarios").size(), 9U);
   ASSERT_EQ(slalom("delete a.scenarios " + two).status, 0);
   EXPECT_EQ(names("list a.scenarios"), names("list c.scenarios"));
-  expect_refusal("slalom-scenarios delete a.scenarios", 2, {"which scenarios?", "--all"});
+  expect_failure("slalom-scenarios delete a.scenarios", 2,
+                 {"delete a.scenarios", "--where", "--all"});
   ASSERT_EQ(slalom("delete c.scenarios --all").status, 0);
   EXPECT_TRUE(names("list c.scenarios").empty());
   ASSERT_EQ(slalom("delete c.scenarios --file").status, 0);
-  expect_refusal("slalom-scenarios list c.scenarios", 3, {"c.scenarios"});
-  expect_refusal("slalom-scenarios copy a.scenarios -o a.scenarios", 2, {"a.scenarios", "another"});
+  expect_failure("slalom-scenarios list c.scenarios", 3, {"c.scenarios"});
+  expect_failure("slalom-scenarios copy a.scenarios -o a.scenarios", 2,
+                 {"a.scenarios", "different"});
 }
 
 TEST_F(ScenarioLists, TagsAndNamesAreKept) {
@@ -99,28 +103,28 @@ TEST_F(ScenarioLists, TagsAndNamesAreKept) {
   ASSERT_EQ(slalom("tag a.scenarios --ids " + all[2] + " --add narrow,hard").status, 0);
   ASSERT_EQ(slalom("tag a.scenarios --where 'tag = hard' --remove hard").status, 0);
   ASSERT_EQ(slalom("rename a.scenarios --id " + all[2] + " --name doorway").status, 0);
-  const auto chosen = lines_of(slalom("select a.scenarios --where 'tag = narrow' --json").out);
-  ASSERT_EQ(chosen.size(), 1U);
-  EXPECT_EQ(chosen[0]["name"], "doorway");
-  EXPECT_EQ(chosen[0]["tags"], Json::array({"narrow"}));
-  expect_refusal("slalom-scenarios tag a.scenarios --add 'two words'", 2, {"two words", "letters"});
-  expect_refusal("slalom-scenarios tag a.scenarios", 2, {"--add"});
+  const auto selected = lines_of(slalom("select a.scenarios --where 'tag = narrow' --json").out);
+  ASSERT_EQ(selected.size(), 1U);
+  EXPECT_EQ(selected[0]["name"], "doorway");
+  EXPECT_EQ(selected[0]["tags"], Json::array({"narrow"}));
+  expect_failure("slalom-scenarios tag a.scenarios --add 'two words'", 2, {"two words", "letters"});
+  expect_failure("slalom-scenarios tag a.scenarios", 2, {"--add"});
 }
 
 TEST_F(ScenarioLists, AreMergedDeduplicatedAndSplit) {
   ASSERT_EQ(slalom("generate -c generate.ini -n 8 --seed 9 --quiet -o b.scenarios").status, 0);
   ASSERT_EQ(slalom("merge a.scenarios b.scenarios a.scenarios -o m.scenarios").status, 0);
   EXPECT_EQ(names("list m.scenarios").size(), 20U);
-  ASSERT_EQ(slalom("split m.scenarios --share 0.4 --seed 3 --development d.scenarios "
+  ASSERT_EQ(slalom("split m.scenarios --fraction 0.4 --seed 3 --development d.scenarios "
                    "--held-out h.scenarios")
                 .status,
             0);
   const auto held = names("list h.scenarios");
   EXPECT_EQ(names("list d.scenarios").size() + held.size(), 20U);
   EXPECT_GT(held.size(), 0U);
-  // The other way round, each scenario is on the same side.
+  // With the lists merged in reverse order, each scenario is in the same part.
   ASSERT_EQ(slalom("merge b.scenarios a.scenarios -o n.scenarios").status, 0);
-  ASSERT_EQ(slalom("split n.scenarios --share 0.4 --seed 3 --development d.scenarios "
+  ASSERT_EQ(slalom("split n.scenarios --fraction 0.4 --seed 3 --development d.scenarios "
                    "--held-out h.scenarios")
                 .status,
             0);
@@ -130,24 +134,71 @@ TEST_F(ScenarioLists, AreMergedDeduplicatedAndSplit) {
   EXPECT_EQ(again, sorted);
   ASSERT_EQ(slalom("dedupe m.scenarios --by density:10 --quiet -o one.scenarios").status, 0);
   EXPECT_EQ(names("list one.scenarios").size(), 1U) << "no densities differ by 10";
-  expect_refusal("slalom-scenarios dedupe m.scenarios --by density", 2, {"--by density", "NUMBER"});
+  expect_failure("slalom-scenarios dedupe m.scenarios --by density", 2, {"--by density", "NUMBER"});
 }
 
-TEST_F(ScenarioLists, MistakesAreToldWithTheirPlace) {
-  expect_refusal("slalom-scenarios select a.scenarios --where 'densty > 1'", 2,
+TEST_F(ScenarioLists, VerbsTakeAScenarioByNameOrIdAsAnArgumentOrAnOption) {
+  const Json entry = lines_of(slalom("list a.scenarios --json").out)[3];
+  const std::string id = entry["id"], name = entry["name"], shown = "name            " + name;
+  const std::vector<std::string> forms = {name,           id,           id.substr(0, 8),
+                                          "--id " + name, "--id " + id, name + " --id " + name};
+  for (const std::string& form : forms) {
+    EXPECT_EQ(slalom("show a.scenarios " + form).out.substr(0, shown.size()), shown) << form;
+    EXPECT_EQ(slalom("render a.scenarios --bare -o a.svg " + form).status, 0) << form;
+    EXPECT_EQ(slalom("export a.scenarios -o a.yaml " + form).status, 0) << form;
+    const ProgramResult reference = slalom("reference a.scenarios --json " + form);
+    EXPECT_EQ(Json::parse(reference.out)["id"], id) << form << reference.err;
+  }
+  for (const std::string verb :
+       {"show", "render -o a.svg", "export -o a.yaml", "reference", "rename --name other"}) {
+    for (const std::string option : {"", "--id "})
+      expect_failure("slalom-scenarios " + verb + " a.scenarios " + option + "random_003", 2,
+                     {"a.scenarios: unknown scenario 'random_003'", "expected 'random_00"});
+    expect_failure("slalom-scenarios " + verb + " a.scenarios random_0001 --id random_0002", 2,
+                   {"random_0001", "random_0002"});
+    if (verb != "reference")
+      expect_failure("slalom-scenarios " + verb + " a.scenarios", 2, {"scenario is required"});
+  }
+  ASSERT_EQ(slalom("rename a.scenarios " + id + " --name doorway").status, 0);
+  EXPECT_EQ(slalom("show a.scenarios doorway").status, 0);
+}
+
+TEST_F(ScenarioLists, VerbsReportThatNoScenarioMatches) {
+  const auto all = names("list a.scenarios");
+  const std::string none = " a.scenarios --where 'density > 2' ";
+  for (const std::string& command :
+       {"select" + none, "select" + none + "-o b.scenarios", "copy" + none + "-o b.scenarios",
+        "move" + none + "-o b.scenarios", "delete" + none, "tag" + none + "--add hard"}) {
+    const ProgramResult result = slalom(command);
+    EXPECT_EQ(result.status, 0) << command;
+    EXPECT_NE(result.err.find("a.scenarios: no scenario matches density > 2\n"), std::string::npos)
+        << command << "\n"
+        << result.err;
+    EXPECT_EQ(result.out, "") << command;
+    EXPECT_EQ(slalom(command + " --quiet").err, "") << command;
+  }
+  EXPECT_NE(slalom("select" + none + "--ids " + all[0])
+                .err.find("no scenario matches density > 2, ids " + all[0]),
+            std::string::npos);
+  EXPECT_EQ(names("list a.scenarios"), all);
+}
+
+TEST_F(ScenarioLists, ErrorsAreReportedWithTheirPosition) {
+  expect_failure("slalom-scenarios select a.scenarios --where 'densty > 1'", 2,
                  {"selection, character 1", "'density'"});
-  expect_refusal("slalom-scenarios select a.scenarios --order-by 'density up'", 2, {"character 9"});
-  expect_refusal("slalom-scenarios select a.scenarios --ids nobody", 2, {"no scenario 'nobody'"});
-  expect_refusal(
+  expect_failure("slalom-scenarios select a.scenarios --order-by 'density up'", 2, {"character 9"});
+  expect_failure("slalom-scenarios select a.scenarios --ids nobody", 2,
+                 {"unknown scenario 'nobody'"});
+  expect_failure(
       "slalom-scenarios index create a.scenarios --name x --descriptor density --edges 1,0", 2,
-      {"growing edges"});
-  expect_refusal(
+      {"increasing edges"});
+  expect_failure(
       "slalom-scenarios index create a.scenarios --name x --descriptor densty --edges 0,1", 2,
       {"'densty'", "'density'"});
-  expect_refusal(
+  expect_failure(
       "slalom-scenarios index create a.scenarios --name name --descriptor density --edges 0,1", 2,
       {"name of a field"});
-  expect_refusal("slalom-scenarios merge a.scenarios none.scenarios -o m.scenarios", 3,
+  expect_failure("slalom-scenarios merge a.scenarios none.scenarios -o m.scenarios", 3,
                  {"none.scenarios"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "m.scenarios"));
 }

@@ -19,7 +19,7 @@ class StudioDescriptors : public StudioTest {
   }
 };
 
-TEST_F(StudioDescriptors, AreThoseOfTheCommandLine) {
+TEST_F(StudioDescriptors, EqualThoseOfTheCommandLine) {
   make_list(2);
   const nlohmann::json expected = described();
   char density[64];
@@ -31,7 +31,7 @@ TEST_F(StudioDescriptors, AreThoseOfTheCommandLine) {
   EXPECT_EQ(shown.find("..."), std::string::npos) << shown;
 }
 
-TEST_F(StudioDescriptors, AreKeptInTheListOnceTheyWereShown) {
+TEST_F(StudioDescriptors, AreStoredInTheListOnceShown) {
   make_list(3);
   expect_played(
       "wait idle\n"
@@ -47,11 +47,11 @@ TEST_F(StudioDescriptors, AreKeptInTheListOnceTheyWereShown) {
       "wait idle\n"
       "print descriptors\n",
       "a.scenarios");
-  // The first one is shown at the beginning, the second was clicked.
+  // The first one is current initially, the second was clicked.
   EXPECT_NE(again.find("1 not computed"), std::string::npos) << again;
 }
 
-TEST_F(StudioDescriptors, OfTheWholeListAreComputedAndCounted) {
+TEST_F(StudioDescriptors, AreComputedForTheListAndCounted) {
   make_list(4);
   expect_played(
       "wait idle\n"
@@ -75,9 +75,9 @@ TEST_F(StudioDescriptors, ChooseTheHistogramByRowAndByKeys) {
   expect_played(
       "wait idle\n"
       "click descriptors \"row clearness\"\n"
-      "expect descriptors contains \"chosen clearness\"\n"
+      "expect descriptors contains \"selected clearness\"\n"
       "key Down\n"
-      "expect descriptors contains \"chosen clearness_mean_distance\"\n"
+      "expect descriptors contains \"selected clearness_mean_distance\"\n"
       "key Tab\n"
       "wait idle\n"
       "expect descriptors contains \"histogram of Mean distance to obstacles (m)\"\n"
@@ -90,7 +90,7 @@ TEST_F(StudioDescriptors, ChooseTheHistogramByRowAndByKeys) {
       "a.scenarios");
 }
 
-TEST_F(StudioDescriptors, SelectScenariosByARectangleOfTheScatter) {
+TEST_F(StudioDescriptors, SelectScenariosByARectangleInTheScatterPlot) {
   make_list(5);
   expect_played(
       "wait idle\n"
@@ -102,7 +102,7 @@ TEST_F(StudioDescriptors, SelectScenariosByARectangleOfTheScatter) {
       "expect descriptors contains \"5 scenarios\"\n"
       "drag descriptors plot at 0.001 0.005 to descriptors plot at 0.999 0.99\n"
       "wait idle\n"
-      "expect descriptors contains \"5 chosen of 5 scenarios\"\n"
+      "expect descriptors contains \"5 selected of 5 scenarios\"\n"
       "expect list contains \"5 selected\"\n"
       "key Escape\n"
       "click descriptors \"x next\"\n"

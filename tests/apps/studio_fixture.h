@@ -8,13 +8,14 @@
 
 namespace slalom {
 
-/// Slalom Studio as a user sits before it: the real program in a real X server without a screen,
-/// drawn by OpenGL in software, played by scripts. Skipped where there is no Xvfb.
+/// Runs Slalom Studio in a virtual X server with software OpenGL, controlled by scripts. Skipped
+/// without Xvfb.
 class StudioTest : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    if (std::system("command -v Xvfb >/dev/null 2>&1") != 0) GTEST_SKIP() << "no Xvfb";
+    if (std::system("command -v Xvfb >/dev/null 2>&1") != 0)
+      GTEST_SKIP() << "needs the package xvfb";
     start_server();
     ASSERT_FALSE(display_.empty()) << "Xvfb does not start";
   }
@@ -26,55 +27,55 @@ class StudioTest : public ProgramTest {
     ProgramTest::TearDown();
   }
 
-  /// What a window runs in. Leaks are not looked for: OpenGL drivers keep what they have until the
-  /// end. Nor is it told when what `new` gave is given to free(): MRPT's build of nanogui, which
-  /// is of C++14, does so with widgets that programs of C++17 made.
+  /// Environment variables of the program. Leak detection is off, because OpenGL drivers free their
+  /// memory only at exit. The check for free() of memory from `new` is off, because MRPT's build of
+  /// nanogui (C++14) does so with widgets that C++17 programs create.
   std::string environment() const {
     return "DISPLAY=" + display_ +
            " LIBGL_ALWAYS_SOFTWARE=1 ASAN_OPTIONS=detect_leaks=0:alloc_dealloc_mismatch=0 ";
   }
 
   /// `slalom-studio ARGUMENTS --script ...` in the test's folder.
-  Ended play(const std::string& script, const std::string& arguments = "") const {
+  ProgramResult play(const std::string& script, const std::string& arguments = "") const {
     write("script.txt", script);
     return run(environment() + "slalom-studio " + arguments + " --script script.txt");
   }
 
-  /// The same; fails where the script does. What it printed.
+  /// The same; fails if the script does. Returns its standard output.
   std::string expect_played(const std::string& script, const std::string& arguments = "") const {
-    const Ended ended = play(script, arguments);
-    EXPECT_EQ(ended.status, 0) << ended.err << ended.out;
-    return ended.out;
+    const ProgramResult result = play(script, arguments);
+    EXPECT_EQ(result.status, 0) << result.err << result.out;
+    return result.out;
   }
 
-  /// "a.scenarios": so many small generated places, named random_0000 and so on.
+  /// Generates a list of small scenarios, named random_0000 and so on.
   void make_list(int count, const std::string& name = "a.scenarios", int seed = 7) const {
     write("generate.ini", kSmallCampaign);
-    const Ended ended =
+    const ProgramResult result =
         run("slalom-scenarios generate -c generate.ini -n " + std::to_string(count) + " --seed " +
             std::to_string(seed) + " -o " + name + " --quiet");
-    ASSERT_EQ(ended.status, 0) << ended.err;
+    ASSERT_EQ(result.status, 0) << result.err;
   }
 
   std::string display_;  ///< ":7"
 
  private:
   void start_server() {
-    int ends[2];
-    ASSERT_EQ(pipe(ends), 0);
+    int pipe_ends[2];
+    ASSERT_EQ(pipe(pipe_ends), 0);
     server_ = fork();
     if (server_ == 0) {
-      const std::string fd = std::to_string(ends[1]);
-      const int silence = open("/dev/null", O_WRONLY);
-      dup2(silence, STDERR_FILENO);
+      const std::string fd = std::to_string(pipe_ends[1]);
+      const int null_device = open("/dev/null", O_WRONLY);
+      dup2(null_device, STDERR_FILENO);
       execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1920x1080x24", "-nolisten",
              "tcp", static_cast<char*>(nullptr));
       _exit(127);
     }
-    close(ends[1]);
+    close(pipe_ends[1]);
     std::string number;
-    for (char c = 0; read_one(ends[0], c) && c != '\n';) number += c;
-    close(ends[0]);
+    for (char c = 0; read_one(pipe_ends[0], c) && c != '\n';) number += c;
+    close(pipe_ends[0]);
     if (!number.empty()) display_ = ":" + number;
   }
   static bool read_one(int file, char& c) { return ::read(file, &c, 1) == 1; }

@@ -7,12 +7,13 @@ namespace {
 
 class StudioList : public StudioTest {
  protected:
-  /// Names in the order in which `print list` shows them, as numbers: "random_0003" is 3.
+  /// The numbers of the scenario names in the output of `print`: "random_0003" is 3.
   static std::vector<int> rows_in(const std::string& shown) {
     std::vector<int> rows;
-    const std::string word = "random_";
-    for (std::size_t at = shown.find(word); at != std::string::npos; at = shown.find(word, at + 1))
-      rows.push_back(std::stoi(shown.substr(at + word.size(), 4)));
+    const std::string prefix = "random_";
+    for (std::size_t at = shown.find(prefix); at != std::string::npos;
+         at = shown.find(prefix, at + 1))
+      rows.push_back(std::stoi(shown.substr(at + prefix.size(), 4)));
     return rows;
   }
   void make_described_list(int count) const {
@@ -24,9 +25,10 @@ class StudioList : public StudioTest {
   }
 };
 
-TEST_F(StudioList, SortsByADescriptorUpAndDown) {
+TEST_F(StudioList, SortsByADescriptorInBothDirections) {
   make_described_list(8);
   const std::string up = expect_played(
+      "size 1280 1000\n"  // so that all rows are seen
       "wait idle\n"
       "click list sort\n"
       "click choices \"choice density\"\n"
@@ -35,6 +37,7 @@ TEST_F(StudioList, SortsByADescriptorUpAndDown) {
       "print rows\n",
       "a.scenarios");
   const std::string down = expect_played(
+      "size 1280 1000\n"  // so that all rows are seen
       "wait idle\n"
       "click list sort\n"
       "key Down\n"
@@ -47,7 +50,7 @@ TEST_F(StudioList, SortsByADescriptorUpAndDown) {
       "a.scenarios");
   std::vector<int> rows = rows_in(up);
   ASSERT_EQ(rows.size(), 8U) << up;
-  EXPECT_NE(rows, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7})) << "places differ in density";
+  EXPECT_NE(rows, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7})) << "scenarios differ in density";
   std::reverse(rows.begin(), rows.end());
   EXPECT_EQ(rows_in(down), rows);
   // The same order as on the command line.
@@ -59,7 +62,7 @@ TEST_F(StudioList, SortsByADescriptorUpAndDown) {
   EXPECT_EQ(rows_in(names("sorted.scenarios")), rows_in(up));
 }
 
-TEST_F(StudioList, FiltersAndSaysWhatIsWrongWithAFilter) {
+TEST_F(StudioList, FiltersAndReportsInvalidFilters) {
   make_list(12);
   expect_played(
       "size 1280 800\n"
@@ -87,7 +90,74 @@ TEST_F(StudioList, FiltersAndSaysWhatIsWrongWithAFilter) {
       "a.scenarios");
 }
 
-TEST_F(StudioList, SelectsWithTheMouseAndRemovesTagsAndRenames) {
+TEST_F(StudioList, TypesLettersIntoTheFilterThatAreKeysElsewhere) {
+  make_list(5);
+  expect_played(
+      "wait idle\n"
+      "click filter\n"
+      "type \"density > 0.2 and tag = hard\"\n"  // as the empty filter says
+      "expect list contains \"sort: list order, ascending\"\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect filter is \"density > 0.2 and tag = hard\"\n"
+      "expect list contains \"0 of 5 scenarios\"\n",
+      "a.scenarios");
+}
+
+TEST_F(StudioList, GivesTheFilterNeitherTheKeyThatGoesThereNorItsOwnKeysToTheList) {
+  make_list(5);
+  expect_played(
+      "wait idle\n"
+      "click list \"row 1\"\n"
+      "key Delete\n"
+      "wait idle\n"
+      "expect list contains \"0 selected, 4 scenarios\"\n"
+      "key Ctrl+A\n"
+      "key F\n"
+      "type \"name = FGSD \"\n"
+      "key Delete\n"
+      "key Ctrl+Z\n"
+      "key Home\n"
+      "key Delete\n"
+      "expect list contains \"4 selected, 4 scenarios\"\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect filter is \"ame = FGSD \"\n"
+      "expect list contains \"4 selected, 4 scenarios\"\n"
+      "click list \"row 1\"\n"
+      "key S\n"  // the list has its keys again
+      "expect choices contains density\n",
+      "a.scenarios");
+}
+
+TEST_F(StudioList, StaysAtTheEditedScenarioWhenTheEditIsUndone) {
+  make_list(5);
+  // Nothing is computed yet; the scenario that is looked at is computed first, and its row goes up.
+  expect_played(
+      "wait idle\n"
+      "click list sort\n"
+      "click choices \"choice density\"\n"
+      "wait idle\n"
+      "click list \"row 2\"\n"
+      "wait idle\n"
+      "expect view contains \"scenario random_0002\"\n"
+      "click view \"tool start\"\n"
+      "drag view start to view goal\n"
+      "wait idle\n"
+      "expect status is \"Move start\"\n"
+      "key Ctrl+Z\n"
+      "wait idle\n"
+      "expect status is \"Undone: Edit random_0002\"\n"
+      "expect view contains \"scenario random_0002\"\n"
+      "expect rows contains \"row 0: random_0002\"\n"
+      "key Ctrl+Y\n"
+      "wait idle\n"
+      "expect status is \"Redone: Edit random_0002\"\n"
+      "expect view contains \"scenario random_0002\"\n",
+      "a.scenarios");
+}
+
+TEST_F(StudioList, SelectsWithTheMouseAndTagsRenamesAndRemoves) {
   make_list(9);
   expect_played(
       "wait idle\n"
@@ -119,12 +189,12 @@ TEST_F(StudioList, SelectsWithTheMouseAndRemovesTagsAndRenames) {
       "wait idle\n"
       "expect list contains \"1 of 6 scenarios\"\n",
       "a.scenarios");
-  const std::string left = names("a.scenarios");
-  EXPECT_EQ(rows_in(left), (std::vector<int>{0, 1, 3, 5, 6, 8})) << left;
-  EXPECT_EQ(left.find("corridor"), std::string::npos) << left;
+  const std::string remaining = names("a.scenarios");
+  EXPECT_EQ(rows_in(remaining), (std::vector<int>{0, 1, 3, 5, 6, 8})) << remaining;
+  EXPECT_EQ(remaining.find("corridor"), std::string::npos) << remaining;
 }
 
-TEST_F(StudioList, GoesThroughRowsByKeys) {
+TEST_F(StudioList, MovesThroughRowsByKeys) {
   make_list(40);
   expect_played(
       "size 1280 800\n"
@@ -155,10 +225,10 @@ TEST_F(StudioList, GoesThroughRowsByKeys) {
       "a.scenarios");
 }
 
-TEST_F(StudioList, GroupsByAnIndexThatIsMadeAndDropped) {
+TEST_F(StudioList, GroupsByAnIndexThatIsCreatedAndDropped) {
   make_described_list(6);
   expect_played(
-      "size 1280 800\n"
+      "size 1280 1000\n"
       "wait idle\n"
       "key Ctrl+I\n"
       "click dialog \"field edges\"\n"
@@ -207,13 +277,13 @@ TEST_F(StudioList, CopiesAndMovesBetweenListsAndSavesThem) {
       "expect list contains \"2 scenarios\"\n"
       "click list \"tab 1\"\n"
       "wait idle\n"
-      "expect list contains \"tab 1: b.scenarios, open\"\n"
+      "expect list contains \"tab 1: b.scenarios, active\"\n"
       "expect list contains \"5 scenarios\"\n"
       "key Ctrl+Shift+S\n"
       "type c.scenarios\n"
       "key Enter\n"
       "wait idle\n"
-      "expect list contains \"tab 2: c.scenarios, open\"\n"
+      "expect list contains \"tab 2: c.scenarios, active\"\n"
       "click list \"close 0\"\n"
       "expect list lacks a.scenarios\n",
       "a.scenarios b.scenarios");
@@ -221,7 +291,7 @@ TEST_F(StudioList, CopiesAndMovesBetweenListsAndSavesThem) {
   EXPECT_EQ(rows_in(names("c.scenarios")), (std::vector<int>{0, 1, 0, 1, 2}));
 }
 
-TEST_F(StudioList, ScrollsALongListByItsBar) {
+TEST_F(StudioList, ScrollsALongListByItsScrollBar) {
   make_list(1200);
   expect_played(
       "size 1280 800\n"

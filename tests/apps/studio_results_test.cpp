@@ -3,7 +3,7 @@
 namespace slalom {
 namespace {
 
-/// Two methods of MRPT, twice in each of two small places.
+/// Two MRPT methods, two repetitions in two small scenarios.
 const char* const kCampaign = R"([campaign]
 name        = overlay
 seed        = 5
@@ -28,7 +28,7 @@ class   = CHolonomicVFF
 rawlog = all
 )";
 
-/// The results of a campaign, its scenarios and recorded runs in "out".
+/// A campaign in "out": results, scenarios and recorded runs.
 class StudioResults : public StudioTest {
  protected:
   void SetUp() override {
@@ -42,7 +42,7 @@ class StudioResults : public StudioTest {
     return expect_played(script, "out/campaign.scenarios --results out/runs.results");
   }
 
-  /// "time 1.25 of 9.30 s, ..." as the replay says it.
+  /// Parses "time 1.25 of 9.30 s, ..." of the replay.
   static std::pair<double, double> time_of(const std::string& text) {
     std::pair<double, double> time = {-1, -1};
     const std::size_t at = text.rfind("time ");
@@ -57,13 +57,13 @@ class StudioResults : public StudioTest {
         return "out/runs.rawlogs/" + entry.path().filename().string();
     return "none";
   }
-  Ended replay(const std::string& script) const {
+  ProgramResult replay(const std::string& script) const {
     write("script.txt", script);
     return run(environment() + "slalom-replay play " + a_log() + " --gui --script script.txt");
   }
 };
 
-TEST_F(StudioResults, LieOverTheScenarioThatIsShown) {
+TEST_F(StudioResults, AreShownOnTopOfTheCurrentScenario) {
   const std::string shown = expect_overlaid(
       "wait idle\n"
       "expect results contains \"Results: runs.results, campaign overlay\"\n"
@@ -76,13 +76,13 @@ TEST_F(StudioResults, LieOverTheScenarioThatIsShown) {
       "wait idle\n"
       "expect view contains \"trajectory nd 0, \"\n"
       "print runs\n");
-  // Another place, other lengths.
+  // Another scenario, other lengths.
   const std::size_t second = shown.find("nd: ", shown.find("vff 1: "));
   ASSERT_NE(second, std::string::npos) << shown;
   EXPECT_NE(shown.substr(0, second), shown.substr(second));
 }
 
-TEST_F(StudioResults, MethodsAndRunsAreSwitchedByMouseAndKeys) {
+TEST_F(StudioResults, AreShownAndHiddenByMouseAndKeys) {
   expect_overlaid(
       "wait idle\n"
       "click runs \"row nd\"\n"
@@ -102,7 +102,7 @@ TEST_F(StudioResults, MethodsAndRunsAreSwitchedByMouseAndKeys) {
       "expect view contains \"trajectory vff 0\"\n");
 }
 
-TEST_F(StudioResults, AreReplayedWithTheSliderAndThePlots) {
+TEST_F(StudioResults, AreReplayedByTheSliderAndThePlots) {
   const std::string slid = expect_overlaid(
       "wait idle\n"
       "click replay slider at 0.25 0.5\n"
@@ -128,7 +128,7 @@ TEST_F(StudioResults, AreReplayedWithTheSliderAndThePlots) {
   EXPECT_DOUBLE_EQ(time_of(keyed).first, 1.1);
 }
 
-TEST_F(StudioResults, PlayByThemselvesUntilTheEnd) {
+TEST_F(StudioResults, ArePlayedUntilTheEnd) {
   const std::string played = expect_overlaid(
       "wait idle\n"
       "click replay slower\n"
@@ -140,22 +140,42 @@ TEST_F(StudioResults, PlayByThemselvesUntilTheEnd) {
       "expect replay contains paused\n"
       "print replay\n");
   EXPECT_GT(time_of(played).first, 0.1);
-  const std::string ended = expect_overlaid(
+  const std::string result = expect_overlaid(
       "wait idle\n"
       "click replay slider at 0.98 0.5\n"
       "key Space\n"
       "wait 1.5\n"
       "expect replay contains paused\n"
       "print replay\n");
-  EXPECT_DOUBLE_EQ(time_of(ended).first, time_of(ended).second);
+  EXPECT_DOUBLE_EQ(time_of(result).first, time_of(result).second);
 }
 
-TEST_F(StudioResults, SayWhyThereAreNone) {
+TEST_F(StudioResults, LeaveMostOfTheWindowToTheScenario) {
+  const std::vector<std::pair<int, int>> sizes = {{1024, 700}, {1280, 800}, {1920, 1080}};
+  std::string script = "wait idle\n";
+  for (const auto& [width, height] : sizes)
+    script += "size " + std::to_string(width) + " " + std::to_string(height) +
+              "\nwait idle\nexpect descriptors contains density\nexpect runs contains nd\n"
+              "print view\n";
+  const std::string shown =
+      expect_played(script, "out/campaign.scenarios --results out/runs.results");
+  std::size_t at = 0;
+  for (const auto& [width, height] : sizes) {
+    at = shown.find("\nmap ", at + 1);
+    ASSERT_NE(at, std::string::npos) << shown;
+    double map_width = 0, map_height = 0;
+    ASSERT_EQ(std::sscanf(shown.c_str() + at, "\nmap %lf x %lf", &map_width, &map_height), 2);
+    EXPECT_GT(map_height, height / 2) << width << " x " << height;
+    EXPECT_GT(map_width, 0.6 * width) << width << " x " << height;
+  }
+}
+
+TEST_F(StudioResults, ReportWhyThereAreNone) {
   make_list(1, "other.scenarios", 99);
   write("broken.results", "no results");
   expect_played(
       "wait idle\n"
-      "expect results contains \"runs.results has no runs in this scenario.\"\n"
+      "expect results contains \"runs.results contains no runs of this scenario.\"\n"
       "key Ctrl+R\n"
       "type broken.results\n"
       "key Enter\n"
@@ -167,8 +187,8 @@ TEST_F(StudioResults, SayWhyThereAreNone) {
       "other.scenarios --results out/runs.results");
 }
 
-TEST_F(StudioResults, ARecordedRunIsReplayedInAWindowOfItsOwn) {
-  const Ended ended = replay(
+TEST_F(StudioResults, OfARecordedRunAreReplayedInTheirOwnWindow) {
+  const ProgramResult result = replay(
       "wait idle\n"
       "expect replay contains \"time 0.00 of \"\n"
       "expect view contains \"trajectory nd 0, \"\n"
@@ -178,15 +198,15 @@ TEST_F(StudioResults, ARecordedRunIsReplayedInAWindowOfItsOwn) {
       "key Right\n"
       "screenshot run.png\n"
       "print replay\n");
-  ASSERT_EQ(ended.status, 0) << ended.err;
-  EXPECT_NEAR(time_of(ended.out).first, time_of(ended.out).second / 2, 1);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NEAR(time_of(result.out).first, time_of(result.out).second / 2, 1);
   EXPECT_GT(std::filesystem::file_size(folder_ / "run.png"), 10000U);
 }
 
-TEST_F(StudioResults, AReplayWithoutADisplaySaysWhatToDo) {
-  expect_refusal("env -u DISPLAY -u WAYLAND_DISPLAY slalom-replay play " + a_log() + " --gui", 1,
+TEST_F(StudioResults, CannotBeReplayedWithoutADisplay) {
+  expect_failure("env -u DISPLAY -u WAYLAND_DISPLAY slalom-replay play " + a_log() + " --gui", 1,
                  {"cannot open a window", "--png DIR", "xvfb-run"});
-  expect_refusal("slalom-replay play " + a_log(), 2, {"--gui or --png DIR"});
+  expect_failure("slalom-replay play " + a_log(), 2, {"--gui or --png DIR"});
   EXPECT_EQ(replay("click lits\n").status, 1);
 }
 

@@ -5,8 +5,8 @@
 namespace slalom {
 namespace {
 
-/// A room of 10 m by 6 m with a disc at (5, 5) and a square at (7, 1), start (1, 3), goal (9, 3);
-/// and one of cells, 0.5 m wide, with nothing in it but walls of one cell above and below.
+/// A continuous scenario of 10 m x 6 m with a disc at (5, 5), a square at (7, 1), start (1, 3) and
+/// goal (9, 3); and a grid with cells of 0.5 m, empty except for walls at the top and the bottom.
 class StudioView : public StudioTest {
  protected:
   void SetUp() override {
@@ -40,21 +40,21 @@ cells:
     ASSERT_EQ(run("slalom-scenarios import cells.scenario.yaml -o cells.scenarios").status, 0);
   }
 
-  /// The scenario of a list as it is on disk now.
+  /// The current YAML of a scenario of a list.
   std::string exported(const std::string& name) const {
-    const Ended ended = run("slalom-scenarios export " + name + ".scenarios --id " + name +
-                            " --format yaml -o now.scenario.yaml");
-    EXPECT_EQ(ended.status, 0) << ended.err;
+    const ProgramResult result = run("slalom-scenarios export " + name + ".scenarios --id " + name +
+                                     " --format yaml -o now.scenario.yaml");
+    EXPECT_EQ(result.status, 0) << result.err;
     return read("now.scenario.yaml");
   }
 };
 
-/// The numbers behind `word` in what a view shows.
-std::pair<double, double> numbers_after(const std::string& shown, const std::string& word) {
-  const std::size_t at = shown.find(word);
+/// The numbers after `prefix` in the text of a view.
+std::pair<double, double> numbers_after(const std::string& shown, const std::string& prefix) {
+  const std::size_t at = shown.find(prefix);
   double x = -1, y = -1;
   if (at != std::string::npos)
-    std::sscanf(shown.c_str() + at + word.size(), " %lf%*[^0-9]%lf", &x, &y);
+    std::sscanf(shown.c_str() + at + prefix.size(), " %lf%*[^0-9]%lf", &x, &y);
   return {x, y};
 }
 
@@ -65,9 +65,9 @@ std::size_t count(const std::string& text, const std::string& word) {
   return found;
 }
 
-constexpr double kPixel = 0.03;  // m, a little more than one in these windows
+constexpr double kPixel = 0.03;  // m, slightly more than a pixel in these windows
 
-TEST_F(StudioView, ShowsAScenarioInLayersThatAreSwitched) {
+TEST_F(StudioView, ShowsAndHidesLayersOfAScenario) {
   expect_played(
       "wait idle\n"
       "expect view contains \"scenario room, continuous\"\n"
@@ -80,17 +80,17 @@ TEST_F(StudioView, ShowsAScenarioInLayersThatAreSwitched) {
       "expect view contains \"Distance field: on, 0 to \"\n"
       "key 3\n"
       "expect view contains \"Voronoi diagram: off\"\n"
-      "expect view contains \"Published path: off, NA: none was published with this scenario\"\n"
+      "expect view contains \"Published path: off, NA: no path was published with this scenario\"\n"
       "click view legend\n"
       "key L\n"
-      "click view \"layer ends\"\n"
+      "click view \"layer start_goal\"\n"
       "expect view contains \"Start and goal: off\"\n"
       "screenshot view.png\n",
       "room.scenarios --settings s.ini");
   EXPECT_EQ(read("view.png").substr(1, 3), "PNG");
 }
 
-TEST_F(StudioView, TellsPlaceAndClearanceUnderTheMouse) {
+TEST_F(StudioView, ShowsPositionAndClearanceAtTheMouse) {
   const std::string shown = expect_played("wait idle\nmove view \"at 2 2\"\nprint view\n",
                                           "room.scenarios --settings s.ini");
   const auto [x, y] = numbers_after(shown, "pointer x");
@@ -116,7 +116,7 @@ TEST_F(StudioView, ZoomsAndPansWithMouseAndKeys) {
   EXPECT_DOUBLE_EQ(scales[2], scales[0]);
 }
 
-TEST_F(StudioView, LooksAroundFromThePlaceUnderTheMouse) {
+TEST_F(StudioView, ShowsTheRangeScanAtTheMouse) {
   expect_played(
       "wait idle\n"
       "expect view contains \"Range scan at the mouse: on, 181 rays\"\n"
@@ -132,7 +132,7 @@ TEST_F(StudioView, LooksAroundFromThePlaceUnderTheMouse) {
       "room.scenarios --settings s.ini");
 }
 
-TEST_F(StudioView, MovesStartAndGoalAndTakesItBack) {
+TEST_F(StudioView, MovesStartAndGoalUndoably) {
   const std::string shown = expect_played(
       "wait idle\n"
       "click view \"tool goal\"\n"
@@ -187,8 +187,8 @@ TEST_F(StudioView, AddsMovesAndDeletesObstacles) {
                 "room.scenarios --settings s.ini");
 }
 
-TEST_F(StudioView, EditsWithTheKeyboardAlone) {
-  // The pointer begins in the middle and goes 3 x 10 pixels up.
+TEST_F(StudioView, EditsWithTheKeyboardOnly) {
+  // The pointer starts in the center and moves 3 x 10 pixels up.
   const std::string shown = expect_played(
       "wait idle\n"
       "click view canvas\n"
@@ -224,12 +224,12 @@ TEST_F(StudioView, PaintsAndErasesCells) {
   expect_played(
       "wait idle\n"
       "click view \"tool disc\"\n"
-      "expect view contains \"made of cells\"\n"
+      "expect view contains \"consists of cells\"\n"
       "expect view contains \"tool look\"\n",
       "cells.scenarios --settings s.ini");
 }
 
-TEST_F(StudioView, SaysWhyAnEditIsImpossibleAndGoesOn) {
+TEST_F(StudioView, ReportsInvalidEditsAndContinues) {
   expect_played(
       "wait idle\n"
       "click view \"tool goal\"\n"

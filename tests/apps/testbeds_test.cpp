@@ -5,7 +5,7 @@ namespace {
 
 class TestBeds : public ProgramTest {
  protected:
-  /// The hash that the table in the documentation gives for the set of that name, or "".
+  /// The hash of the set with this name in the table of the documentation, or "".
   static std::string documented_hash(const std::string& name) {
     std::istringstream lines(read_text(SLALOM_DOCS "/testbeds.md"));
     for (std::string line; std::getline(lines, line);) {
@@ -17,18 +17,18 @@ class TestBeds : public ProgramTest {
   }
 };
 
-TEST_F(TestBeds, SlalomSmallIsWhatTheDocumentationSays) {
-  const Ended made = run("slalom-scenarios generate -c '" SLALOM_CONFIGS
-                         "/testbeds/slalom-small.ini' -o a.scenarios -j 2");
-  ASSERT_EQ(made.status, 0) << made.err;
-  EXPECT_EQ(last_line(made.err), "a.scenarios: 200 scenarios");
-  EXPECT_NE(made.out.find("50 bins: 50 full"), std::string::npos) << made.out;
+TEST_F(TestBeds, SlalomSmallAgreesWithTheDocumentation) {
+  const ProgramResult generated = run("slalom-scenarios generate -c '" SLALOM_CONFIGS
+                                      "/testbeds/slalom-small.ini' -o a.scenarios -j 2");
+  ASSERT_EQ(generated.status, 0) << generated.err;
+  EXPECT_EQ(last_line(generated.err), "a.scenarios: 200 scenarios");
+  EXPECT_NE(generated.out.find("50 bins: 50 full"), std::string::npos) << generated.out;
   EXPECT_EQ(run("slalom-scenarios list a.scenarios --hash").out,
             documented_hash("slalom-small") + "\n");
-  const Ended described =
+  const ProgramResult described =
       run("slalom-scenarios describe a.scenarios --descriptors detour_ratio --json");
   EXPECT_EQ(std::count(described.out.begin(), described.out.end(), '\n'), 200);
-  EXPECT_EQ(described.out.find("null"), std::string::npos) << "there is one without a path";
+  EXPECT_EQ(described.out.find("null"), std::string::npos) << "a scenario without a path";
 }
 
 TEST_F(TestBeds, EachHasAHashInTheDocumentation) {

@@ -14,23 +14,24 @@ class Until : public ProgramTest {
   }
 };
 
-TEST_F(Until, StopsAsSoonAsEveryCellIsPreciseEnough) {
+TEST_F(Until, StopsWhenEveryCellHasTheRequiredPrecision) {
   // At the first look 10 scenarios at 97.5 %: the widest Wilson interval, of 5 in 10, is 0.579.
   const std::string command = "slalom-evaluate small.ini -o out --quiet --set scenarios.count=40 ";
-  const Ended ended = run(command + "--until 'interval(success) < 0.6'");
-  ASSERT_EQ(ended.status, 0) << ended.err;
-  EXPECT_NE(ended.out.find("2 of 2 cells reached after 20 runs and 1 looks: precise enough"),
-            std::string::npos)
-      << ended.out;
+  const ProgramResult result = run(command + "--until 'interval(success) < 0.6'");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(
+      result.out.find("2 of 2 cells reached after 20 runs and 1 looks: required precision reached"),
+      std::string::npos)
+      << result.out;
   EXPECT_EQ(lines(run("slalom-analyze dump out/runs.results").out), 20u);
 }
 
-TEST_F(Until, SaysWhereThePoolWasTooSmall) {
-  const Ended ended =
+TEST_F(Until, ReportsAnExhaustedPool) {
+  const ProgramResult result =
       run("slalom-evaluate small.ini -o out --quiet --until 'interval(success) < 0.05'");
-  ASSERT_EQ(ended.status, 0) << ended.err;
-  EXPECT_NE(ended.out.find("0 of 2 cells reached after 8 runs"), std::string::npos) << ended.out;
-  EXPECT_NE(ended.out.find("no more scenarios"), std::string::npos) << ended.out;
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("0 of 2 cells reached after 8 runs"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("no more scenarios"), std::string::npos) << result.out;
   EXPECT_NE(read("out/until.txt").find("no more scenarios"), std::string::npos);
 }
 
@@ -46,23 +47,28 @@ TEST_F(Until, IsTheSameWithManyWorkersAndAddsRunsOnlyToOpenBins) {
   EXPECT_EQ(read("one/until.txt"), read("three/until.txt"));
 }
 
-TEST_F(Until, GoesNoFurtherThanAllowed) {
-  const Ended ended =
+TEST_F(Until, StopsAtTheMaximumNumberOfRuns) {
+  const ProgramResult result =
       run("slalom-evaluate small.ini -o out --quiet --set scenarios.count=40 "
           "--until 'interval(success) < 0.01' --max-runs 20");
-  ASSERT_EQ(ended.status, 0) << ended.err;
-  EXPECT_NE(ended.out.find("after 20 runs and 1 looks: as many runs as were allowed"),
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("after 20 runs and 1 looks: maximum number of runs reached"),
             std::string::npos)
-      << ended.out;
+      << result.out;
 }
 
-TEST_F(Until, RefusesRulesThatDoNotFit) {
+TEST_F(Until, RejectsInvalidRules) {
   const std::string command = "slalom-evaluate small.ini -o out --quiet ";
-  expect_refusal(command + "--until 'success < 0.1'", 2, {"--until", "interval(METRIC)"});
-  expect_refusal(command + "--until 'interval(sucess) < 0.1'", 2, {"sucess", "'success'"});
-  expect_refusal(command + "--until 'interval(success) < 0.1 in densty:3'", 2,
+  expect_failure(command + "--until 'success < 0.1'", 2, {"--until", "interval(METRIC)"});
+  expect_failure(command + "--until 'interval(sucess) < 0.1'", 2, {"sucess", "'success'"});
+  expect_failure(command + "--until 'interval(success) < 0.1 in densty:3'", 2,
                  {"densty", "'density'"});
-  expect_refusal(command + "--max-runs 5", 2, {"--until"});
+  expect_failure(command + "--until 'interval(success) < 0.1 in density'", 2,
+                 {"--until 'density'", "density:q4"});
+  expect_failure(command + "--until 'interval(success) < 0.1 in density:@by_density'", 2,
+                 {"--until", "@by_density"});
+  expect_failure(command + "--max-runs 5", 2, {"--until"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out")) << "checked before anything is made";
 }
 
 }  // namespace

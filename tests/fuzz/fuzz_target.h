@@ -10,8 +10,8 @@
 #include <string>
 #include <unistd.h>
 
-/// What each target defines, as libFuzzer wants it. Where there is no libFuzzer all targets are in
-/// one program, each under a name of its own.
+/// The entry point of each target, as required by libFuzzer. Without libFuzzer all targets are in
+/// one program, each under its own name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace slalom::fuzz {
@@ -20,7 +20,7 @@ inline std::string text_of(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// A reader may take its input or refuse it with an Error; anything else ends the program.
+/// A reader may accept its input or refuse it with an Error; anything else ends the program.
 template <typename Read>
 void read_or_refuse(Read read) {
   try {
@@ -29,14 +29,14 @@ void read_or_refuse(Read read) {
   }
 }
 
-/// A law that holds for whatever a reader takes.
-inline void expect(bool holds, const char* law) {
+/// An invariant of all accepted inputs.
+inline void expect(bool holds, const char* invariant) {
   if (holds) return;
-  std::fprintf(stderr, "broken law: %s\n", law);
+  std::fprintf(stderr, "violated invariant: %s\n", invariant);
   std::abort();
 }
 
-/// A file of this process in memory, for readers that want a path.
+/// A file in memory, for readers that need a path.
 class InputFile {
  public:
   InputFile(const std::string& name, const std::string& bytes)

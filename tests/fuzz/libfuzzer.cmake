@@ -1,18 +1,18 @@
-# The readers and what they need, once more, compiled for libFuzzer with sanitizers; the rest of the project is not built.
-set(ROOMS ${PROJECT_SOURCE_DIR}/modules)
+# The readers and their dependencies, compiled for libFuzzer with sanitizers; the rest of the project is not built.
+set(MODULES ${PROJECT_SOURCE_DIR}/modules)
 set(FORMATS ${PROJECT_SOURCE_DIR}/adapters/map_formats/src)
-file(GLOB FUZZED_ROOMS CONFIGURE_DEPENDS
-  ${ROOMS}/core/src/*.cpp ${ROOMS}/scenario/src/*.cpp ${ROOMS}/trajectory/src/*.cpp)
+file(GLOB FUZZED_SOURCES CONFIGURE_DEPENDS
+  ${MODULES}/core/src/*.cpp ${MODULES}/scenario/src/*.cpp ${MODULES}/trajectory/src/*.cpp)
 add_library(slalom_fuzzed STATIC
-  ${FUZZED_ROOMS}
-  ${ROOMS}/io/src/compression.cpp
-  ${ROOMS}/io/src/derived_speeds.cpp
-  ${ROOMS}/io/src/file_access.cpp
-  ${ROOMS}/io/src/findings_codec.cpp
-  ${ROOMS}/io/src/scenario_codec.cpp
-  ${ROOMS}/io/src/scenario_yaml.cpp
-  ${ROOMS}/io/src/trajectory_file.cpp
-  ${FORMATS}/grey_image.cpp
+  ${FUZZED_SOURCES}
+  ${MODULES}/io/src/compression.cpp
+  ${MODULES}/io/src/result/derived_speeds.cpp
+  ${MODULES}/io/src/file_access.cpp
+  ${MODULES}/io/src/scenario/scenario_codec.cpp
+  ${MODULES}/io/src/scenario/scenario_yaml.cpp
+  ${MODULES}/io/src/result/trajectory_file.cpp
+  ${MODULES}/references/src/reference_codec.cpp
+  ${FORMATS}/gray_image.cpp
   ${FORMATS}/image_size.cpp
   ${FORMATS}/map_task.cpp
   ${FORMATS}/moving_ai.cpp
@@ -20,12 +20,12 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/npy.cpp
   ${FORMATS}/point_map.cpp
   ${FORMATS}/ros_map.cpp
-  ${FORMATS}/turned_grid.cpp)
-foreach(room core scenario io map_formats)
-  target_include_directories(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${room},INCLUDE_DIRECTORIES>)
-  target_compile_definitions(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${room},COMPILE_DEFINITIONS>)
+  ${FORMATS}/rotated_grid.cpp)
+foreach(module core scenario io map_formats)
+  target_include_directories(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},INCLUDE_DIRECTORIES>)
+  target_compile_definitions(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},COMPILE_DEFINITIONS>)
 endforeach()
-target_include_directories(slalom_fuzzed PUBLIC ${FORMATS} ${ROOMS}/io/src ${ROOMS}/scenario/src)
+target_include_directories(slalom_fuzzed PUBLIC ${FORMATS} ${MODULES}/io/src ${MODULES}/scenario/src)
 target_compile_options(slalom_fuzzed PUBLIC -fsanitize=fuzzer-no-link,address,undefined
                        -fno-sanitize-recover=undefined -fno-sanitize=vptr -fno-omit-frame-pointer)
 target_link_libraries(slalom_fuzzed PUBLIC mrpt::config mrpt::math mrpt::maps mrpt::obs mrpt::img mrpt::poses

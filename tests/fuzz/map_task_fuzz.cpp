@@ -2,7 +2,7 @@
 
 #include <slalom/map_formats/map_task.h>
 
-/// What stands beside an exported map.
+/// The task file of an exported map.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace slalom;
   fuzz::read_or_refuse([&] { parse_map_task(fuzz::text_of(data, size), "input"); });

@@ -1,7 +1,7 @@
 #include "fuzz_target.h"
 #include "map_readers.h"
 
-/// A map_server YAML beside an image of 3 x 2 pixels, map.pgm.
+/// A map_server YAML with an image of 3 x 2 pixels, map.pgm.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace slalom;
   const fuzz::InputFile image("map.pgm", "P2 3 2 255 254 254 0 254 205 254");

@@ -2,12 +2,12 @@
 
 #include <slalom/io/trajectory_file.h>
 
-/// Logs as CSV or TUM.
+/// Trajectory logs as CSV or TUM.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace slalom;
-  for (const bool sideways : {false, true})
+  for (const bool lateral : {false, true})
     fuzz::read_or_refuse([&] {
-      const auto log = trajectory_from_text(fuzz::text_of(data, size), "input", sideways);
+      const auto log = trajectory_from_text(fuzz::text_of(data, size), "input", lateral);
       fuzz::expect(log.trajectory.samples.size() >= 2, "a trajectory has two samples or more");
     });
   return 0;

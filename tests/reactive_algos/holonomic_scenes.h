@@ -9,25 +9,26 @@
 namespace reactive {
 
 constexpr std::size_t kSectors = 120;  // 3 degrees each
-constexpr double kDegree = kPi / 180;
+constexpr double kDegree = M_PI / 180;
 
-/// A part of the circle, in degrees, in which the way ends early.
+/// An interval of directions, in degrees, with a limited free distance.
 struct Block {
-  double low, high, way;
+  double low, high, free_distance;
 };
 
-/// Free but for the blocks.
+/// Free except for the blocks.
 inline Sectors sectors_with(const std::vector<Block>& blocks) {
   Sectors sectors{std::vector<double>(kSectors, 1.0), 1.0};
   for (std::size_t k = 0; k < kSectors; ++k)
     for (const Block& block : blocks) {
       const double at = sectors.direction(k) / kDegree;
-      if (at > block.low && at < block.high) sectors.ways[k] = std::min(sectors.ways[k], block.way);
+      if (at > block.low && at < block.high)
+        sectors.free_distances[k] = std::min(sectors.free_distances[k], block.free_distance);
     }
   return sectors;
 }
 
-/// A target in a direction in degrees, as far as the sectors show.
+/// A target in a direction in degrees, by default at the limit of the sectors.
 inline Point target_at(double degrees, double distance = 0.98) {
   return {distance * std::cos(degrees * kDegree), distance * std::sin(degrees * kDegree)};
 }

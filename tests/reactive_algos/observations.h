@@ -11,9 +11,9 @@ using follow_the_gap::scan_of;
 using follow_the_gap::Wall;
 using follow_the_gap::wall_with_opening;
 
-/// What a robot at the origin sees of walls, with the goal in its own frame.
-inline Observation seen(const std::vector<Wall>& walls, const Point& goal,
-                        const Speeds& measured = {}) {
+/// The observation of walls from the origin, with the goal in the robot frame.
+inline Observation observe(const std::vector<Wall>& walls, const Point& goal,
+                           const Twist& measured = {}) {
   Observation observation;
   observation.goal = goal;
   observation.measured = measured;
@@ -21,10 +21,10 @@ inline Observation seen(const std::vector<Wall>& walls, const Point& goal,
   return observation;
 }
 
-/// A map of what is seen from the origin.
+/// The local map after one observation from the origin.
 inline LocalMap map_of(const std::vector<Wall>& walls) {
   LocalMap map({6, 0.05, 1.0}, {});
-  map.update(seen(walls, {}));
+  map.update(observe(walls, {}));
   return map;
 }
 

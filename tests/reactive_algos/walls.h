@@ -8,8 +8,6 @@
 
 namespace follow_the_gap {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// A straight wall between two points (m, robot frame: x ahead, y left).
 struct Wall {
   double x1, y1, x2, y2;
@@ -26,17 +24,17 @@ inline double range_to(const Wall& wall, double angle, double max_range) {
   return range > 0 && along >= 0 && along <= 1 ? std::min(range, max_range) : max_range;
 }
 
-/// A scan of 181 rays over 180 degrees, 8 m far.
+/// A scan of 181 rays over 180 degrees, with a range of 8 m.
 inline std::vector<double> scan_of(const std::vector<Wall>& walls) {
   constexpr std::size_t kRays = 181;
   std::vector<double> ranges(kRays, 8.0);
   for (std::size_t i = 0; i < kRays; ++i)
     for (const Wall& wall : walls)
-      ranges[i] = std::min(ranges[i], range_to(wall, ray_angle(i, kRays, kPi), 8.0));
+      ranges[i] = std::min(ranges[i], range_to(wall, ray_angle(i, kRays, M_PI), 8.0));
   return ranges;
 }
 
-/// A wall across the way, `distance` ahead, with an opening between two heights.
+/// A wall across the path, `distance` ahead, with an opening between two y coordinates.
 inline std::vector<Wall> wall_with_opening(double distance, double low, double high) {
   return {{distance, -20, distance, low}, {distance, high, distance, 20}};
 }

@@ -1,4 +1,4 @@
-// in_private_network COMMAND ARGUMENTS...: runs a test in a network of its own (where not
+// in_private_network COMMAND ARGUMENTS...: runs a test in its own network namespace (if not
 // permitted, in that of the machine).
 #include "private_network.h"
 
@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   if (argc < 2) return 2;
   slalom::enter_private_network();
   if (!slalom::has_multicast()) {
-    std::fputs("skipped: neither a private network nor one with multicast\n", stderr);
+    std::fputs("Skipped: neither a private network nor one with multicast\n", stderr);
     return 77;
   }
   execvp(argv[1], argv + 1);

@@ -11,9 +11,9 @@
 
 namespace slalom {
 
-/// Moves this process and those that it starts into a network that has nothing but a loopback with
-/// multicast: tests hear nobody, are heard by nobody and need no interface. To be called before
-/// there are threads. False where the system does not permit it; nothing has changed then.
+/// Moves this process and its children into a network namespace with only a loopback device with
+/// multicast: tests are isolated and need no network interface. To be called before any thread is
+/// started. Returns false if the system does not permit it; nothing has changed then.
 inline bool enter_private_network() {
   if (unshare(CLONE_NEWNET) != 0 && unshare(CLONE_NEWUSER | CLONE_NEWNET) != 0) return false;
   const int control = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
@@ -40,25 +40,25 @@ inline bool enter_private_network() {
   return done;
 }
 
-/// Whether a multicast message of this process comes back to it.
+/// Whether a multicast message of this process is received by it.
 inline bool has_multicast() {
   const int udp = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  sockaddr_in place = {};
-  place.sin_family = AF_INET;
-  place.sin_addr.s_addr = htonl(INADDR_ANY);
-  socklen_t size = sizeof place;
+  sockaddr_in address = {};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_ANY);
+  socklen_t size = sizeof address;
   ip_mreq group = {};
   group.imr_multiaddr.s_addr = htonl(0xEFFF4C43);  // 239.255.76.67, LCM's
-  const timeval patience = {1, 0};
-  const unsigned char near = 0;
+  const timeval timeout = {1, 0};
+  const unsigned char ttl = 0;
   char received = 0;
-  bool works = bind(udp, reinterpret_cast<sockaddr*>(&place), size) == 0 &&
-               getsockname(udp, reinterpret_cast<sockaddr*>(&place), &size) == 0 &&
+  bool works = bind(udp, reinterpret_cast<sockaddr*>(&address), size) == 0 &&
+               getsockname(udp, reinterpret_cast<sockaddr*>(&address), &size) == 0 &&
                setsockopt(udp, IPPROTO_IP, IP_ADD_MEMBERSHIP, &group, sizeof group) == 0 &&
-               setsockopt(udp, IPPROTO_IP, IP_MULTICAST_TTL, &near, sizeof near) == 0 &&
-               setsockopt(udp, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience) == 0;
-  place.sin_addr = group.imr_multiaddr;
-  works = works && sendto(udp, "x", 1, 0, reinterpret_cast<sockaddr*>(&place), size) == 1 &&
+               setsockopt(udp, IPPROTO_IP, IP_MULTICAST_TTL, &ttl, sizeof ttl) == 0 &&
+               setsockopt(udp, SOL_SOCKET, SO_RCVTIMEO, &timeout, sizeof timeout) == 0;
+  address.sin_addr = group.imr_multiaddr;
+  works = works && sendto(udp, "x", 1, 0, reinterpret_cast<sockaddr*>(&address), size) == 1 &&
           recv(udp, &received, 1, 0) == 1;
   close(udp);
   return works;

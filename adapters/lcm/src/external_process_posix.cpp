@@ -1,11 +1,11 @@
 #include "external_process.h"
 
 #include <cerrno>
-#include <climits>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -18,20 +18,19 @@ extern char** environ;
 namespace slalom {
 namespace {
 
-constexpr int kPatience = 300;       // ms from the request to end to the kill
-constexpr int kCannotExecute = 127;  // exit status, as shells have it
+constexpr int kTerminationTimeout = 300;  // ms from SIGTERM to SIGKILL
+constexpr int kCannotExecute = 127;       // exit status, as in shells
 
-std::string own_folder() {
-  char buffer[PATH_MAX];
-  const ssize_t size = readlink("/proc/self/exe", buffer, sizeof buffer);
-  const std::string path(buffer, size > 0 ? static_cast<std::size_t>(size) : 0);
-  return path.substr(0, path.find_last_of('/'));
+std::string program_folder() {
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path().string();
 }
 
-/// "NAME=VALUE" of this process's environment, with those added.
-std::vector<std::string> environment_with(EnvironmentVariables added) {
+/// Returns "NAME=VALUE" of this process's environment and of the added variables, which take
+/// precedence.
+std::vector<std::string> merged_environment(EnvironmentVariables added) {
   const char* path = std::getenv("PATH");
-  added.emplace_back("PATH", own_folder() + (path == nullptr ? "" : ":" + std::string(path)));
+  added.emplace_back("PATH", program_folder() + (path == nullptr ? "" : ":" + std::string(path)));
   std::vector<std::string> all;
   for (const auto& [name, value] : added) all.push_back(name + "=" + value);
   for (char** variable = environ; *variable != nullptr; ++variable) {
@@ -44,7 +43,7 @@ std::vector<std::string> environment_with(EnvironmentVariables added) {
   return all;
 }
 
-/// A worker limits its own time for each run; the process lives for many runs.
+/// A worker limits its own CPU time per run, but this process serves many runs.
 void lift_time_limit() {
   rlimit limit{};
   getrlimit(RLIMIT_CPU, &limit);
@@ -52,11 +51,11 @@ void lift_time_limit() {
   setrlimit(RLIMIT_CPU, &limit);
 }
 
-/// In the new process. Other threads' locks may be held for ever: system calls only.
-[[noreturn]] void become(char* const* arguments, char* const* environment, pid_t parent) {
+/// Runs in the child after fork(). Other threads may have held locks: only system calls are safe.
+[[noreturn]] void exec_child(char* const* arguments, char* const* environment, pid_t parent) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(kCannotExecute);  // it died before we asked to die with it
+  if (getppid() != parent) _exit(kCannotExecute);  // the parent died before prctl()
   for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_DFL);
   lift_time_limit();
   sigset_t none;
@@ -69,8 +68,8 @@ void lift_time_limit() {
   _exit(kCannotExecute);
 }
 
-/// Looks without reaping: the number of the process, and so of its group, stays taken.
-bool look(pid_t pid, siginfo_t& info) {
+/// Checks for the exit without reaping, so that the process (group) id is not reused.
+bool poll_exit(pid_t pid, siginfo_t& info) {
   info = {};
   const int flags = WEXITED | WNOHANG | WNOWAIT;
   return waitid(P_PID, static_cast<id_t>(pid), &info, flags) == 0 && info.si_pid == pid;
@@ -80,7 +79,7 @@ bool look(pid_t pid, siginfo_t& info) {
 
 ExternalProcess::ExternalProcess(const std::string& command_line,
                                  const EnvironmentVariables& added) {
-  std::vector<std::string> variables = environment_with(added);
+  std::vector<std::string> variables = merged_environment(added);
   std::vector<char*> environment;
   for (std::string& variable : variables) environment.push_back(variable.data());
   environment.push_back(nullptr);
@@ -88,22 +87,22 @@ ExternalProcess::ExternalProcess(const std::string& command_line,
   char* const arguments[] = {shell.data(), option.data(), command.data(), nullptr};
   const pid_t parent = getpid();
   pid_ = fork();
-  if (pid_ < 0) throw std::system_error(errno, std::generic_category(), "no process can be made");
-  if (pid_ == 0) become(arguments, environment.data(), parent);
-  setpgid(pid_, pid_);  // whoever is first: both ask
+  if (pid_ < 0) throw std::system_error(errno, std::generic_category(), "cannot create a process");
+  if (pid_ == 0) exec_child(arguments, environment.data(), parent);
+  setpgid(pid_, pid_);  // in parent and child, to avoid a race
 }
 
 ExternalProcess::~ExternalProcess() {
   kill(-pid_, SIGTERM);
   siginfo_t info;
-  for (int i = 0; i < kPatience && !look(pid_, info); ++i) usleep(1000);
+  for (int i = 0; i < kTerminationTimeout && !poll_exit(pid_, info); ++i) usleep(1000);
   kill(-pid_, SIGKILL);
   while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) continue;
 }
 
-std::optional<std::string> ExternalProcess::ended() const {
+std::optional<std::string> ExternalProcess::exit_description() const {
   siginfo_t info;
-  if (!look(pid_, info)) return std::nullopt;
+  if (!poll_exit(pid_, info)) return std::nullopt;
   if (info.si_code == CLD_EXITED) return "exit status " + std::to_string(info.si_status);
   return "signal " + std::to_string(info.si_status) + " (" + strsignal(info.si_status) + ")";
 }

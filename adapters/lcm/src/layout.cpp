@@ -7,12 +7,12 @@ namespace {
 
 constexpr std::size_t kFingerprint = 8, kInteger = 4, kDouble = 8, kFloat = 4;  // bytes
 
-/// Walks over a message field by field and never beyond its end.
-class Walk {
+/// Skips a message field by field, never beyond its end.
+class LayoutCursor {
  public:
-  Walk(const void* data, std::size_t size) : data_(data), left_(size), size_(size) {}
+  LayoutCursor(const void* data, std::size_t size) : data_(data), remaining_(size), size_(size) {}
 
-  bool over(char field) {
+  bool skip_field(char field) {
     switch (field) {
       case 'b':
         return skip(1);
@@ -36,20 +36,20 @@ class Walk {
     }
   }
   bool skip(std::size_t bytes) {
-    if (bytes > left_) return false;
-    left_ -= bytes;
+    if (bytes > remaining_) return false;
+    remaining_ -= bytes;
     return true;
   }
-  bool at_end() const { return left_ == 0; }
+  bool at_end() const { return remaining_ == 0; }
 
  private:
   bool integer(std::int32_t& value) {
-    const auto at = static_cast<int>(size_ - left_);
+    const auto at = static_cast<int>(size_ - remaining_);
     if (!skip(kInteger)) return false;
     __int32_t_decode_array(data_, at, kInteger, &value, 1);
     return true;
   }
-  /// Lengths count the zero at the end.
+  /// Lengths include the terminating zero.
   bool string() {
     std::int32_t length = 0;
     return integer(length) && length >= 1 && skip(static_cast<std::size_t>(length));
@@ -61,7 +61,7 @@ class Walk {
     return true;
   }
   bool array(std::size_t element) {
-    return sizes_.front() <= left_ / element && skip(sizes_.front() * element);
+    return sizes_.front() <= remaining_ / element && skip(sizes_.front() * element);
   }
   bool strings() {
     for (std::size_t i = 0; i < sizes_.back(); ++i)
@@ -70,18 +70,18 @@ class Walk {
   }
 
   const void* data_;
-  std::size_t left_, size_;
+  std::size_t remaining_, size_;
   std::vector<std::size_t> sizes_;
 };
 
 }  // namespace
 
 bool has_layout(const void* data, std::size_t size, const char* layout) {
-  Walk walk(data, size);
-  if (!walk.skip(kFingerprint)) return false;
+  LayoutCursor cursor(data, size);
+  if (!cursor.skip(kFingerprint)) return false;
   for (; *layout != '\0'; ++layout)
-    if (!walk.over(*layout)) return false;
-  return walk.at_end();
+    if (!cursor.skip_field(*layout)) return false;
+  return cursor.at_end();
 }
 
 }  // namespace slalom

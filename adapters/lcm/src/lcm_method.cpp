@@ -14,81 +14,81 @@
 namespace slalom {
 namespace {
 
-using namespace std::chrono_literals;
-using Clock = MethodLink::Clock;
+/// LCM's channel names have at most 63 characters; the rest is for the instance and the message.
+constexpr std::size_t kMaxChannel = 24;
 
-constexpr int kMostAtOnce = 100;  // messages taken without a look at the clock
+constexpr int kMaxBatch = 100;  // messages handled before the clock is checked again
 
-Clock::duration seconds(double count) {
-  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(count));
-}
-
-/// Not a result: only keeps what different simulators say apart.
+/// Does not affect results: only distinguishes the messages of different simulators.
 std::uint32_t random_number() {
   return std::random_device()();
 }
 
-/// Below 2^53, so that languages whose numbers are all floating point tell the ids apart, too.
+/// Below 2^53, so that ids are exact in languages with floating point numbers only.
 std::int64_t first_id() {
   return static_cast<std::int64_t>(random_number() >> 4U) << 24U;
 }
 
-/// Several methods of several processes, perhaps of several machines, hear the same group.
-std::string channel_of_its_own(const std::string& prefix) {
+/// Several methods, processes and machines may share one multicast group.
+std::string unique_channel(const std::string& prefix) {
   static int count = 0;
   std::ostringstream name;
   name << prefix << '_' << getpid() << '_' << ++count << '_' << std::hex << random_number();
   return name.str();
 }
 
-std::string folder_of(const IniFile& ini) {
-  return std::filesystem::absolute(ini.name()).parent_path().string();
+void check_channel(const LcmOptions& options, const OptionLocation& where) {
+  if (options.channel.empty() || options.channel.size() > kMaxChannel)
+    throw usage_error(where("channel"), "invalid channel '" + options.channel + "'",
+                      "1 to " + std::to_string(kMaxChannel) + " characters");
 }
 
-/// A process that is reached over LCM, on the simulator's side.
+/// The simulator's side of an external method.
 class LcmMethod : public Method {
  public:
-  LcmMethod(const LcmOptions& options, hello_t hello, const std::string& channel,
-            const std::string& folder)
+  LcmMethod(const LcmOptions& options, hello_t hello, const std::string& channel, WallClock clock)
       : options_(options),
+        clock_(std::move(clock)),
         hello_(std::move(hello)),
         link_(options.url, channel),
         environment_({{"SLALOM_LCM_URL", options.url},
                       {"SLALOM_LCM_CHANNEL", channel},
-                      {"SLALOM_INI_FOLDER", folder}}),
+                      {"SLALOM_INI_FOLDER", options.folder}}),
         id_(first_id()) {}
 
   bool good() const { return link_.good(); }
 
-  /// Starts the process where that is our business, and tells it what the robot is like.
+  /// Starts the process if it is to be launched, and sends it the robot, the sensor and settings.
   void connect() {
-    greeted_ = false;
+    connected_ = false;
     if (!options_.launch.empty() && !process_)
       process_ = std::make_unique<ExternalProcess>(options_.launch, environment_);
-    greet();
+    handshake();
     check_version();
-    greeted_ = true;
+    connected_ = true;
   }
 
-  void reset(const Task& task) override {
-    if (process_ && process_->ended()) abandon();  // between two runs: that spoils neither
-    // A process that somebody else starts may be another one by now.
-    if (!greeted_ || options_.launch.empty()) connect();
-    link_.expect(++id_);
+  void reset(const NavigationTask& task) override {
+    if (process_ && process_->exit_description())
+      stop_process();  // exited between two runs: no run fails
+    // A process that was started elsewhere may have been replaced.
+    if (!connected_ || options_.launch.empty()) connect();
+    link_.expect_replies_to(++id_);
     link_.send(make_run_start(id_, task));
-    await([this] { return link_.ready().has_value(); }, options_.deadline, "run's start");
+    wait_for([this] { return link_.ready().has_value(); }, options_.deadline, "run start");
     observation_.run_id = id_;
-    observation_.sequence = heard_ = -1;
-    period_ = seconds(task.control_period);
-    next_cycle_ = last_heard_ = Clock::now();
+    observation_.sequence = last_sequence_ = -1;
+    period_ = task.control_period;
+    next_cycle_ = last_command_time_ = clock_();
   }
 
   Command step(const Observation& observation) override {
-    return options_.realtime() ? step_in_real_time(observation) : step_in_lockstep(observation);
+    return options_.mode == LcmMode::Realtime ? step_in_real_time(observation)
+                                              : step_in_lockstep(observation);
   }
 
   void finish(const std::string& outcome) override {
-    if (!greeted_) return;
+    if (!connected_) return;
     run_end_t message = {};
     message.run_id = id_;
     message.outcome = outcome;
@@ -104,137 +104,164 @@ class LcmMethod : public Method {
 
   Command step_in_lockstep(const Observation& observation) {
     send(observation);
-    await([this] { return link_.command() && link_.command()->sequence == observation_.sequence; },
-          options_.deadline, "observation");
+    wait_for(
+        [this] { return link_.command() && link_.command()->sequence == observation_.sequence; },
+        options_.deadline, "observation");
     return command_of(*link_.command());
   }
 
-  /// The command in force at this instant of the wall clock. A late simulator does not hurry.
+  /// Returns the latest command at the end of the period. After a delay no cycle is shortened.
   Command step_in_real_time(const Observation& observation) {
-    do listen(next_cycle_);
-    while (Clock::now() < next_cycle_);
-    next_cycle_ = std::max(next_cycle_ + period_, Clock::now());
+    do receive_until(next_cycle_);
+    while (clock_() < next_cycle_);
+    next_cycle_ = std::max(next_cycle_ + period_, clock_());
     check_health();
-    if (Clock::now() - last_heard_ > seconds(options_.deadline)) give_up("observations");
+    if (clock_() - last_command_time_ > options_.deadline) throw_timeout("observations");
     send(observation);
     return link_.command() ? command_of(*link_.command()) : Command{};
   }
 
-  /// Waits for something and takes what else is there; a flood of messages does not hold it up.
-  void listen(Clock::time_point until) {
-    bool more = link_.wait_until(until);
-    for (int i = 0; i < kMostAtOnce && more; ++i) more = link_.wait_until(Clock::now());
-    const std::int64_t heard = link_.command() ? link_.command()->sequence : -1;
-    if (heard > heard_) last_heard_ = Clock::now();
-    heard_ = heard;
+  /// Waits for a message and handles all pending ones, up to a limit.
+  void receive_until(double until) {
+    bool more = wait_until(until);
+    for (int i = 0; i < kMaxBatch && more; ++i) more = link_.wait(0);
+    const std::int64_t sequence = link_.command() ? link_.command()->sequence : -1;
+    if (sequence > last_sequence_) last_command_time_ = clock_();
+    last_sequence_ = sequence;
   }
 
-  /// Says hello until somebody answers: a process that is starting may not hear the first ones.
-  void greet() {
+  /// Repeats the hello until it is answered: a process that is starting may miss the first ones.
+  void handshake() {
     hello_.id = ++id_;
-    link_.expect(id_);
-    const auto until = Clock::now() + seconds(options_.startup_time);
+    link_.expect_replies_to(id_);
+    const double until = clock_() + options_.startup_time;
     while (!link_.ready()) {
       link_.send(hello_);
-      const auto again = Clock::now() + 10ms;
-      while (!link_.ready() && Clock::now() < again)
-        if (!link_.wait_until(again)) check_health();
+      const double resend = clock_() + 0.01;
+      while (!link_.ready() && clock_() < resend)
+        if (!wait_until(resend)) check_health();
       check_error();
-      if (Clock::now() >= until && !link_.ready()) give_up("hello", options_.startup_time);
+      if (clock_() >= until && !link_.ready()) throw_timeout("hello", options_.startup_time);
     }
   }
+
+  /// Waits for a message, but not longer than one poll, so that the process can be monitored.
+  bool wait_until(double until) { return link_.wait(until - clock_()); }
 
   void check_version() {
     const std::int32_t version = link_.ready()->protocol_version;
     if (version == kLcmProtocolVersion) return;
     process_.reset();
-    throw MethodError("the external process speaks version " + std::to_string(version) +
-                      " of the protocol; expected version " + std::to_string(kLcmProtocolVersion));
+    throw MethodError("the external process uses protocol version " + std::to_string(version) +
+                      "; expected version " + std::to_string(kLcmProtocolVersion));
   }
 
   template <typename Done>
-  void await(Done done, double limit, const std::string& what) {
-    const auto until = Clock::now() + seconds(limit);
+  void wait_for(Done done, double limit, const std::string& what) {
+    const double until = clock_() + limit;
     while (!done()) {
-      const bool came = link_.wait_until(until);
+      const bool received = wait_until(until);
       if (done()) return;
-      if (came)
+      if (received)
         check_error();
       else
         check_health();
-      if (Clock::now() >= until) give_up(what, limit);
+      if (clock_() >= until) throw_timeout(what, limit);
     }
   }
 
   void check_error() const {
-    if (link_.error()) throw MethodError("the external process says: " + link_.error()->text);
+    if (link_.error()) throw MethodError("the external process reported: " + link_.error()->text);
   }
 
-  /// What a process said last tells more than how it ended.
+  /// An error reported by the process takes precedence over its exit status.
   void check_health() {
     check_error();
     if (!process_) return;
-    const auto end = process_->ended();
+    const auto end = process_->exit_description();
     if (!end) return;
-    for (int i = 0; i < kMostAtOnce && link_.wait_until(Clock::now() + 5ms); ++i) continue;
-    abandon();
+    for (int i = 0; i < kMaxBatch && link_.wait(0.005); ++i) continue;
+    stop_process();
     check_error();
     throw MethodError("the external process ended (" + *end + ")");
   }
 
-  [[noreturn]] void give_up(const std::string& what) { give_up(what, options_.deadline); }
+  [[noreturn]] void throw_timeout(const std::string& what) {
+    throw_timeout(what, options_.deadline);
+  }
 
-  [[noreturn]] void give_up(const std::string& what, double limit) {
+  [[noreturn]] void throw_timeout(const std::string& what, double limit) {
     const int undecodable = link_.undecodable();
-    abandon();
+    stop_process();
     throw MethodTimeout(
-        "no answer of the external process to the " + what + " within " + format_number(limit) +
+        "no answer from the external process to the " + what + " within " + format_number(limit) +
         " s of wall-clock time" +
         (undecodable == 0 ? ""
                           : "; messages that cannot be decoded: " + std::to_string(undecodable)));
   }
 
-  /// The next run begins with a new process.
-  void abandon() {
+  /// The next run starts a new process.
+  void stop_process() {
     process_.reset();
-    greeted_ = false;
+    connected_ = false;
   }
 
   LcmOptions options_;
+  WallClock clock_;
   hello_t hello_;
   MethodLink link_;
   EnvironmentVariables environment_;
   std::unique_ptr<ExternalProcess> process_;
   std::int64_t id_;  ///< of the last hello or run
-  bool greeted_ = false;
+  bool connected_ = false;
   observation_t observation_ = {};
-  Clock::duration period_{};
-  Clock::time_point next_cycle_, last_heard_;
-  std::int64_t heard_ = -1;
+  double period_ = 0, next_cycle_ = 0, last_command_time_ = 0;  ///< s
+  std::int64_t last_sequence_ = -1;
 };
 
-}  // namespace
-
-std::unique_ptr<Method> make_lcm_method(const MethodContext& context) {
-  const LcmOptions options = read_lcm_options(context.ini, context.section);
-  const hello_t hello =
-      make_hello(context.section.substr(context.section.find('.') + 1), context.robot,
-                 context.sensor, own_settings(context.ini, context.section));
+std::unique_ptr<Method> make_method(const LcmOptions& options, const hello_t& hello,
+                                    const OptionLocation& where, const WallClock& clock) {
   const bool launches = !options.launch.empty();
   auto method = std::make_unique<LcmMethod>(
-      options, hello, launches ? channel_of_its_own(options.channel) : options.channel,
-      folder_of(context.ini));
+      options, hello, launches ? unique_channel(options.channel) : options.channel, clock);
   if (!method->good())
-    throw usage_error(context.ini.where(context.section, "url"),
-                      "LCM cannot be used with '" + options.url + "'",
-                      "a provider's address and, for udpm, a network interface with multicast");
+    throw usage_error(where("url"), "LCM cannot be used with '" + options.url + "'",
+                      "an LCM provider URL and, for udpm, a network interface with multicast");
   if (!launches) return method;
   try {
     method->connect();
   } catch (const std::runtime_error& failure) {
-    throw usage_error(context.ini.where(context.section, "launch"), failure.what());
+    throw usage_error(where("launch"), failure.what());
   }
   return method;
+}
+
+MethodFactory make_factory(const LcmOptions& options, const OptionLocation& where,
+                           const WallClock& clock) {
+  check_channel(options, where);
+  return [=](const RobotModel& robot, const SensorModel& sensor) {
+    return make_method(options, make_hello(options.name, robot, sensor, options.settings), where,
+                       clock);
+  };
+}
+
+}  // namespace
+
+MethodFactory lcm_method(const LcmOptions& options, const WallClock& clock) {
+  check_options(options, "lcm_method");
+  return make_factory(options, location_of("lcm_method"), clock);
+}
+
+MethodFactory read_lcm_method(const IniFile& ini, const std::string& section,
+                              const WallClock& clock) {
+  LcmOptions options;
+  OptionReader reader(ini, section);
+  options.visit(reader);
+  options.name = section.substr(section.find('.') + 1);
+  options.folder = std::filesystem::absolute(ini.name()).parent_path().string();
+  for (const std::string& key : ini.keys(section)) options.settings[key] = *ini.get(section, key);
+  for (const std::string& key : reader.known_keys()) options.settings.erase(key);
+  return make_factory(options, location_in(ini, section), clock);
 }
 
 }  // namespace slalom

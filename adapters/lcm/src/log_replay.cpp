@@ -1,18 +1,17 @@
 #include <slalom/core/error.h>
+#include <slalom/core/hash.h>
 #include <slalom/core/text.h>
 #include <slalom/lcm/method_host.h>
 
 #include <lcm/lcm-cpp.hpp>
 
-#include <cstring>
 #include <map>
 
 namespace slalom {
 namespace {
 
-bool same_bits(const Command& a, const Command& b) {
-  const double left[] = {a.v, a.w, a.vy}, right[] = {b.v, b.w, b.vy};
-  return std::memcmp(left, right, sizeof left) == 0;
+bool same_command(const Command& a, const Command& b) {
+  return same_bits(a.v, b.v) && same_bits(a.w, b.w) && same_bits(a.vy, b.vy);
 }
 
 std::string text_of(const Command& command) {
@@ -20,11 +19,11 @@ std::string text_of(const Command& command) {
          format_number(command.vy) + ")";
 }
 
-/// The method on one prefix of channels, and what it answered last.
-struct Line {
-  explicit Line(MethodHost made) : host(std::move(made)) {}
+/// The method on one channel prefix, and its last command.
+struct MethodChannel {
+  explicit MethodChannel(MethodHost method_host) : host(std::move(method_host)) {}
   MethodHost host;
-  std::optional<command_t> answer;
+  std::optional<command_t> command;
 };
 
 class Replayer {
@@ -32,18 +31,19 @@ class Replayer {
   explicit Replayer(const std::function<MethodHost()>& make_host) : make_host_(make_host) {}
 
   void play(const lcm::LogEvent& event) {
-    if (const auto prefix = prefix_of(event.channel, LcmChannels("").hello)) {
+    if (const auto hello_prefix = prefix_of(event.channel, LcmChannels("").hello)) {
       hello_t hello;
-      if (decode(event, hello)) line(*prefix).host.greet(hello);
-    } else if (const auto prefix = prefix_of(event.channel, LcmChannels("").run_start)) {
+      if (decode(event, hello)) channel_for(*hello_prefix).host.handle_hello(hello);
+    } else if (const auto run_start_prefix = prefix_of(event.channel, LcmChannels("").run_start)) {
       run_start_t message;
       if (!decode(event, message)) return;
-      line(*prefix).host.start(message);
+      channel_for(*run_start_prefix).host.handle_run_start(message);
       ++result_.runs;
-    } else if (const auto prefix = prefix_of(event.channel, LcmChannels("").observation)) {
-      observe(event, line(*prefix));
-    } else if (const auto prefix = prefix_of(event.channel, LcmChannels("").command)) {
-      compare(event, line(*prefix));
+    } else if (const auto observation_prefix =
+                   prefix_of(event.channel, LcmChannels("").observation)) {
+      observe(event, channel_for(*observation_prefix));
+    } else if (const auto command_prefix = prefix_of(event.channel, LcmChannels("").command)) {
+      compare(event, channel_for(*command_prefix));
     }
   }
 
@@ -52,10 +52,8 @@ class Replayer {
  private:
   static std::optional<std::string> prefix_of(const std::string& channel,
                                               const std::string& suffix) {
-    if (channel.size() < suffix.size()) return std::nullopt;
-    const std::size_t at = channel.size() - suffix.size();
-    if (channel.compare(at, suffix.size(), suffix) != 0) return std::nullopt;
-    return channel.substr(0, at);
+    if (!ends_with(channel, suffix)) return std::nullopt;
+    return channel.substr(0, channel.size() - suffix.size());
   }
 
   template <typename Message>
@@ -64,28 +62,29 @@ class Replayer {
            decode_message(event.data, static_cast<std::size_t>(event.datalen), message);
   }
 
-  Line& line(const std::string& prefix) {
-    const auto known = lines_.find(prefix);
-    if (known != lines_.end()) return known->second;
-    return lines_.emplace(prefix, make_host_()).first->second;
+  MethodChannel& channel_for(const std::string& prefix) {
+    const auto known = channels_.find(prefix);
+    if (known != channels_.end()) return known->second;
+    return channels_.emplace(prefix, make_host_()).first->second;
   }
 
-  void observe(const lcm::LogEvent& event, Line& line) {
+  void observe(const lcm::LogEvent& event, MethodChannel& channel) {
     observation_t message;
     if (!decode(event, message)) return;
     ++result_.observations;
-    line.answer = line.host.answer(message);
+    channel.command = channel.host.handle_observation(message);
   }
 
-  /// Only the first answer to an observation counts, as in the run.
-  void compare(const lcm::LogEvent& event, Line& line) {
+  /// Only the first reply to an observation counts, as in the run.
+  void compare(const lcm::LogEvent& event, MethodChannel& channel) {
     command_t logged;
-    if (!decode(event, logged) || !line.answer) return;
-    if (logged.run_id != line.answer->run_id || logged.sequence != line.answer->sequence) return;
+    if (!decode(event, logged) || !channel.command) return;
+    if (logged.run_id != channel.command->run_id || logged.sequence != channel.command->sequence)
+      return;
     ++result_.commands;
-    const Command was = command_of(logged), is = command_of(*line.answer);
-    line.answer.reset();
-    if (same_bits(was, is)) return;
+    const Command was = command_of(logged), is = command_of(*channel.command);
+    channel.command.reset();
+    if (same_command(was, is)) return;
     if (++result_.different == 1)
       result_.first_difference = "observation " + std::to_string(logged.sequence) + " of run " +
                                  std::to_string(result_.runs) + ": " + text_of(is) +
@@ -93,7 +92,7 @@ class Replayer {
   }
 
   const std::function<MethodHost()>& make_host_;
-  std::map<std::string, Line> lines_;
+  std::map<std::string, MethodChannel> channels_;
   LogReplay result_;
 };
 
@@ -105,7 +104,7 @@ LogReplay replay_log(const std::string& path, const std::function<MethodHost()>&
   Replayer replayer(make_host);
   while (const lcm::LogEvent* event = log.readNextEvent()) replayer.play(*event);
   if (replayer.result().observations == 0)
-    throw file_error(path, "has no observations of a run", "a log of lcm-logger");
+    throw file_error(path, "contains no observations of a run", "a log of lcm-logger");
   return replayer.result();
 }
 

@@ -8,7 +8,7 @@
 namespace slalom {
 namespace {
 
-constexpr int kPatience = 100;  // ms between two looks at whether to stop
+constexpr int kPollPeriod = 100;  // ms between checks whether to stop
 
 /// A host on LCM channels.
 class Server {
@@ -19,39 +19,42 @@ class Server {
                       lcm_.subscribeFunction(channels_.hello, receive<hello_t>, this) &&
                       lcm_.subscribeFunction(channels_.run_start, receive<run_start_t>, this) &&
                       lcm_.subscribeFunction(channels_.observation, receive<observation_t>, this);
-    if (!good) throw job_error(url, "LCM cannot be used with this address");
+    if (!good) throw job_error(url, "LCM cannot be used with this URL");
   }
 
-  bool handle() { return lcm_.handleTimeout(kPatience) >= 0; }
+  bool handle() { return lcm_.handleTimeout(kPollPeriod) >= 0; }
 
  private:
   template <typename Message>
   static void receive(const lcm::ReceiveBuffer* buffer, const std::string&, Server* server) {
-    static thread_local Message message;  // keeps the memory of a scan
-    if (decode_message(buffer->data, buffer->data_size, message)) server->take(message);
+    static thread_local Message message;  // reuses the memory of the ranges
+    if (decode_message(buffer->data, buffer->data_size, message)) server->handle_message(message);
   }
 
   template <typename Message>
-  void take(const Message& message) {
+  void handle_message(const Message& message) {
     try {
       reply(message);
     } catch (const std::exception& failure) {
       error_t error = {};
-      error.id = number_of(message);
+      error.id = id_of(message);
       error.text = reason_of(failure);
       publish(channels_.error, error);
     }
   }
 
-  void reply(const hello_t& hello) { publish(channels_.ready, host_.greet(hello)); }
-  void reply(const run_start_t& message) { publish(channels_.ready, host_.start(message)); }
+  void reply(const hello_t& hello) { publish(channels_.ready, host_.handle_hello(hello)); }
+  void reply(const run_start_t& message) {
+    publish(channels_.ready, host_.handle_run_start(message));
+  }
   void reply(const observation_t& message) {
-    if (const auto command = host_.answer(message)) publish(channels_.command, *command);
+    if (const auto command = host_.handle_observation(message))
+      publish(channels_.command, *command);
   }
 
-  static std::int64_t number_of(const hello_t& hello) { return hello.id; }
+  static std::int64_t id_of(const hello_t& hello) { return hello.id; }
   template <typename Message>
-  static std::int64_t number_of(const Message& message) {
+  static std::int64_t id_of(const Message& message) {
     return message.run_id;
   }
 
@@ -78,10 +81,11 @@ ready_t MethodHost::ready(std::int64_t id) const {
   return answer;
 }
 
-ready_t MethodHost::greet(const hello_t& hello) {
+ready_t MethodHost::handle_hello(const hello_t& hello) {
   if (hello.protocol_version != kLcmProtocolVersion)
-    throw MethodError("the simulator speaks version " + std::to_string(hello.protocol_version) +
-                      " of the protocol; expected version " + std::to_string(kLcmProtocolVersion));
+    throw MethodError("the simulator uses protocol version " +
+                      std::to_string(hello.protocol_version) + "; expected version " +
+                      std::to_string(kLcmProtocolVersion));
   if (method_ && hello.id == hello_id_) return ready(hello.id);
   method_.reset();
   sensor_ = sensor_of(hello);
@@ -90,8 +94,8 @@ ready_t MethodHost::greet(const hello_t& hello) {
   return ready(hello.id);
 }
 
-ready_t MethodHost::start(const run_start_t& message) {
-  if (!method_) throw MethodError("a run began before a hello");
+ready_t MethodHost::handle_run_start(const run_start_t& message) {
+  if (!method_) throw MethodError("run_start_t received before hello_t");
   next_sequence_ = -1;
   method_->reset(task_of(message));
   run_id_ = message.run_id;
@@ -99,7 +103,7 @@ ready_t MethodHost::start(const run_start_t& message) {
   return ready(message.run_id);
 }
 
-std::optional<command_t> MethodHost::answer(const observation_t& message) {
+std::optional<command_t> MethodHost::handle_observation(const observation_t& message) {
   if (message.run_id != run_id_ || message.sequence != next_sequence_) return std::nullopt;
   ++next_sequence_;
   const Command command = method_->step(observation_of(message, sensor_, scan_));
@@ -116,7 +120,7 @@ void serve_method(MethodHost& host, const std::string& url, const std::string& c
                   const std::function<bool()>& stop) {
   Server server(host, url, channel);
   while (!stop())
-    if (!server.handle() && !stop()) throw job_error(url, "LCM does not work any more");
+    if (!server.handle() && !stop()) throw job_error(url, "LCM has stopped working");
 }
 
 }  // namespace slalom

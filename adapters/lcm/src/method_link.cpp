@@ -1,28 +1,27 @@
 #include "method_link.h"
 
 #include <algorithm>
+#include <chrono>
 #include <thread>
 
 namespace slalom {
 namespace {
 
-/// As long as the longest wait for one message: LCM counts in milliseconds.
-constexpr std::chrono::milliseconds kSlice(10);
+constexpr double kMaxPoll = 0.01;  // s, maximum duration of one poll
 
 }  // namespace
 
 MethodLink::MethodLink(const std::string& url, const std::string& prefix)
     : channels_(prefix), lcm_(url) {
   if (!lcm_.good()) return;
-  // Functions, because GCC 12 makes wrong code of LCM's calls of member functions with -fsanitize.
+  // Static functions, because GCC 12 with -fsanitize miscompiles LCM's calls of member functions.
   using Link = MethodLink;
-  good_ =
-      lcm_.subscribeFunction(channels_.ready, receive<ready_t, &Link::take_ready>, this) &&
-      lcm_.subscribeFunction(channels_.command, receive<command_t, &Link::take_command>, this) &&
-      lcm_.subscribeFunction(channels_.error, receive<error_t, &Link::take_error>, this);
+  good_ = lcm_.subscribeFunction(channels_.ready, receive<ready_t, &Link::on_ready>, this) &&
+          lcm_.subscribeFunction(channels_.command, receive<command_t, &Link::on_command>, this) &&
+          lcm_.subscribeFunction(channels_.error, receive<error_t, &Link::on_error>, this);
 }
 
-void MethodLink::expect(std::int64_t id) {
+void MethodLink::expect_replies_to(std::int64_t id) {
   id_ = id;
   sent_ = -1;
   ready_.reset();
@@ -48,12 +47,11 @@ void MethodLink::send(const observation_t& message) {
   publish(channels_.observation, message);
 }
 
-bool MethodLink::wait_until(Clock::time_point until) {
-  const auto left = until - Clock::now();
-  if (left <= Clock::duration::zero()) return handle(0);
-  const auto whole = std::chrono::duration_cast<std::chrono::milliseconds>(left);
-  if (whole.count() > 0) return handle(static_cast<int>(std::min(whole, kSlice).count()));
-  std::this_thread::sleep_for(left);
+bool MethodLink::wait(double seconds) {
+  if (seconds <= 0) return handle(0);
+  const int milliseconds = static_cast<int>(std::min(seconds, kMaxPoll) * 1000);
+  if (milliseconds > 0) return handle(milliseconds);  // the resolution of LCM's timeouts
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
   return handle(0);
 }
 
@@ -65,7 +63,7 @@ template <typename Message>
 void MethodLink::publish(const std::string& channel, const Message& message) {
   bytes_.resize(static_cast<std::size_t>(message.getEncodedSize()));
   const int size = message.encode(bytes_.data(), 0, static_cast<int>(bytes_.size()));
-  // What LCM cannot send is not answered, and that ends the run.
+  // A message that LCM cannot send gets no reply, so the run ends with a timeout.
   lcm_.publish(channel, bytes_.data(), static_cast<unsigned>(std::max(size, 0)));
 }
 
@@ -78,17 +76,17 @@ void MethodLink::receive(const lcm::ReceiveBuffer* buffer, const std::string&, M
     ++link->undecodable_;
 }
 
-void MethodLink::take_ready(const ready_t& message) {
+void MethodLink::on_ready(const ready_t& message) {
   if (message.id == id_ && !ready_) ready_ = message;
 }
 
-void MethodLink::take_command(const command_t& message) {
+void MethodLink::on_command(const command_t& message) {
   const std::int64_t last = command_ ? command_->sequence : -1;
   if (message.run_id == id_ && message.sequence > last && message.sequence <= sent_)
     command_ = message;
 }
 
-void MethodLink::take_error(const error_t& message) {
+void MethodLink::on_error(const error_t& message) {
   if (message.id == id_ && !error_) error_ = message;
 }
 

@@ -4,41 +4,38 @@
 
 #include <lcm/lcm-cpp.hpp>
 
-#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace slalom {
 
-/// The simulator's end of the line to an external method: sends, and keeps what came and belongs to
-/// the present run. Messages that cannot be decoded, of another run, with another sequence number,
-/// or that come twice are dropped.
+/// The simulator's side of the connection to an external method: sends messages and keeps the
+/// replies of the current run. Undecodable messages, messages of other runs, with other sequence
+/// numbers, and duplicates are dropped.
 class MethodLink {
  public:
-  using Clock = std::chrono::steady_clock;
-
   MethodLink(const std::string& url, const std::string& prefix);
 
-  /// Whether LCM could be set up.
+  /// Whether LCM was initialized.
   bool good() const { return good_; }
 
-  /// From now on answers to the hello or run with this number count; nothing has come yet.
-  void expect(std::int64_t id);
+  /// Clears all replies; from now on only replies to this hello id or run id are accepted.
+  void expect_replies_to(std::int64_t id);
   void send(const hello_t& hello);
   void send(const run_start_t& message);
   void send(const run_end_t& message);
-  /// An answer with its sequence number, or a lower one that has not come yet, counts from now on.
+  /// From now on commands up to its sequence number are accepted.
   void send(const observation_t& message);
 
-  /// Waits until something came, at most until then; false when nothing did.
-  bool wait_until(Clock::time_point until);
+  /// Waits for a message, at most `seconds` and at most 10 ms. Returns false if none was received.
+  bool wait(double seconds);
 
   const std::optional<ready_t>& ready() const { return ready_; }
   const std::optional<error_t>& error() const { return error_; }
-  /// The one with the highest sequence number of those that have come.
+  /// The received command with the highest sequence number.
   const std::optional<command_t>& command() const { return command_; }
-  int undecodable() const { return undecodable_; }  ///< messages since expect()
+  int undecodable() const { return undecodable_; }  ///< messages since expect_replies_to()
 
  private:
   template <typename Message>
@@ -46,9 +43,9 @@ class MethodLink {
   template <typename Message, void (MethodLink::*take)(const Message&)>
   static void receive(const lcm::ReceiveBuffer* buffer, const std::string& channel,
                       MethodLink* link);
-  void take_ready(const ready_t& message);
-  void take_command(const command_t& message);
-  void take_error(const error_t& message);
+  void on_ready(const ready_t& message);
+  void on_command(const command_t& message);
+  void on_error(const error_t& message);
   bool handle(int milliseconds);
 
   LcmChannels channels_;

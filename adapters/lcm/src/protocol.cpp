@@ -1,25 +1,27 @@
 #include <slalom/core/text.h>
 #include <slalom/lcm/protocol.h>
 
+#include <mrpt/core/bits_math.h>
+
 #include <cmath>
 
 namespace slalom {
 namespace {
 
-/// The degrees that make exactly these radians: several of the neighbouring numbers may be meant.
+/// Returns degrees that convert to exactly these radians, searching the adjacent doubles.
 double degrees_of(double radians) {
   SensorModel sensor;
-  const double about = radians * 180 / M_PI;
-  double candidate = about;
+  const double approximate = mrpt::RAD2DEG(radians);
+  double candidate = approximate;
   for (int i = 0; i < 4; ++i) candidate = std::nextafter(candidate, -HUGE_VAL);
   for (int i = 0; i < 9; ++i, candidate = std::nextafter(candidate, HUGE_VAL)) {
     sensor.aperture_deg = candidate;
     if (sensor.aperture() == radians) return candidate;
   }
-  return about;
+  return approximate;
 }
 
-/// "x,y; x,y", each number such that it is read as the same bits.
+/// Returns "x,y; x,y"; each number is read back as the same bits.
 std::string footprint_text(const hello_t& hello) {
   std::string text;
   for (std::size_t i = 0; i < hello.footprint_x.size(); ++i)
@@ -68,7 +70,7 @@ hello_t make_hello(const std::string& method, const RobotModel& robot, const Sen
   return hello;
 }
 
-run_start_t make_run_start(std::int64_t run_id, const Task& task) {
+run_start_t make_run_start(std::int64_t run_id, const NavigationTask& task) {
   run_start_t message = {};
   message.run_id = run_id;
   message.start_x = task.start.x;
@@ -105,7 +107,7 @@ Command command_of(const command_t& message) {
 
 RobotModel robot_of(const hello_t& hello) {
   RobotModel robot;
-  robot.kinematics = hello.holonomic != 0 ? "holonomic" : "diff_drive";
+  robot.kinematics = hello.holonomic != 0 ? Kinematics::Holonomic : Kinematics::DiffDrive;
   robot.radius = hello.radius;
   robot.footprint = footprint_text(hello);
   robot.max_v = hello.max_v;
@@ -130,8 +132,8 @@ MethodSettings settings_of(const hello_t& hello) {
   return settings;
 }
 
-Task task_of(const run_start_t& message) {
-  Task task;
+NavigationTask task_of(const run_start_t& message) {
+  NavigationTask task;
   task.start = {message.start_x, message.start_y, message.start_phi};
   task.goal = {message.goal_x, message.goal_y};
   task.goal_tolerance = message.goal_tolerance;
@@ -140,7 +142,7 @@ Task task_of(const run_start_t& message) {
   return task;
 }
 
-void ReceivedScan::take(const std::vector<float>& ranges) {
+void ReceivedScan::set_ranges(const std::vector<float>& ranges) {
   valid_.resize(ranges.size());
   for (std::size_t i = 0; i < ranges.size(); ++i) valid_[i] = ranges[i] < maxRange ? 1 : 0;
   loadFromVectors(ranges.size(), ranges.data(), valid_.data());
@@ -152,7 +154,7 @@ Observation observation_of(const observation_t& message, const SensorModel& sens
   scan.aperture = static_cast<float>(sensor.aperture());
   scan.maxRange = static_cast<float>(sensor.max_range);
   scan.rightToLeft = true;
-  scan.take(message.ranges);
+  scan.set_ranges(message.ranges);
   Observation observation;
   observation.time = message.time;
   observation.odometry = {message.x, message.y, message.phi};

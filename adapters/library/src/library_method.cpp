@@ -5,7 +5,7 @@
 #include <slalom/library/library_method.h>
 #include <slalom/methods/slalom_method.h>
 
-#include <algorithm>
+#include <filesystem>
 #include <vector>
 
 namespace slalom {
@@ -13,7 +13,7 @@ namespace {
 
 constexpr char kSymbol[] = "slalom_method_get_api";
 
-/// The robot in C; its footprint's numbers stay in `corners`.
+/// Converts the robot to C; its footprint points to `corners`.
 slalom_robot to_c(const RobotModel& robot, const SensorModel& sensor,
                   std::vector<double>& corners) {
   corners.clear();
@@ -38,14 +38,7 @@ slalom_robot to_c(const RobotModel& robot, const SensorModel& sensor,
   return result;
 }
 
-/// What could have been meant by a key that a method does not know.
-std::string expected_instead(const std::string& key, const std::vector<std::string>& known) {
-  if (known.empty()) return "no key but adapter and plugin";
-  const std::string nearest = nearest_name(key, known);
-  return nearest.empty() ? "one of " + join(known, ", ") : "'" + nearest + "'";
-}
-
-/// A method behind the C table; the library stays loaded as long as the method lives.
+/// A method called through the C function table; keeps the library loaded.
 class LibraryMethod : public Method {
  public:
   LibraryMethod(std::unique_ptr<SharedLibrary> library, const slalom_method_api& api, void* method)
@@ -54,7 +47,7 @@ class LibraryMethod : public Method {
   LibraryMethod(const LibraryMethod&) = delete;
   LibraryMethod& operator=(const LibraryMethod&) = delete;
 
-  void reset(const Task& task) override {
+  void reset(const NavigationTask& task) override {
     slalom_task t = {};
     t.start_x = task.start.x;
     t.start_y = task.start.y;
@@ -64,7 +57,7 @@ class LibraryMethod : public Method {
     t.goal_tolerance = task.goal_tolerance;
     t.control_period = task.control_period;
     t.seed = task.seed;
-    expect_success("reset", api_.reset(method_, &t));
+    check_result("reset", api_.reset(method_, &t));
   }
 
   Command step(const Observation& observation) override {
@@ -84,12 +77,12 @@ class LibraryMethod : public Method {
     o.ranges = ranges_.data();
     o.rays = ranges_.size();
     slalom_command command = {};
-    expect_success("step", api_.step(method_, &o, &command));
+    check_result("step", api_.step(method_, &o, &command));
     return {command.v, command.w, command.vy};
   }
 
  private:
-  void expect_success(const std::string& call, int code) const {
+  void check_result(const std::string& call, int code) const {
     if (code != 0)
       throw MethodError(std::string(api_.name) + ": " + call + " returned error " +
                         std::to_string(code));
@@ -101,26 +94,23 @@ class LibraryMethod : public Method {
   std::vector<float> ranges_;
 };
 
-/// Loads the library of a section step by step, each with its own explanation when it fails.
+/// Loads the library of a method; each step has its own error message.
 class LibraryLoader {
  public:
-  explicit LibraryLoader(const MethodContext& context)
-      : context_(context), where_(context.ini.where(context.section, "plugin")) {}
+  LibraryLoader(const LibraryOptions& options, const OptionLocation& where)
+      : options_(options), where_(where), where_plugin_(where("plugin")) {}
 
-  std::unique_ptr<Method> load() {
-    LibraryOptions options;
-    OptionReader reader(context_.ini, context_.section);
-    options.visit(reader);
-    if (options.plugin.empty())
-      throw usage_error(context_.ini.where(context_.section), "no library named",
-                        "plugin = PATH of a shared library");
-    path_ = resolve_plugin_path(context_.ini, context_.section, options.plugin);
+  std::unique_ptr<Method> load(const RobotModel& robot, const SensorModel& sensor) {
+    if (options_.plugin.empty())
+      throw usage_error(where_(""), "missing library", "plugin = PATH of a shared library");
+    path_ = resolve_plugin_path(options_.plugin, options_.folder, where_plugin_);
     std::string error;
     std::unique_ptr<SharedLibrary> library = load_shared_library(path_, error);
     if (!library)
-      throw usage_error(where_, path_ + " cannot be loaded (" + error + ")", "a shared library");
+      throw usage_error(where_plugin_, path_ + " cannot be loaded (" + error + ")",
+                        "a shared library");
     const slalom_method_api& api = find_api(*library);
-    void* method = create(api);
+    void* method = create(api, robot, sensor);
     return std::make_unique<LibraryMethod>(std::move(library), api, method);
   }
 
@@ -129,74 +119,91 @@ class LibraryLoader {
     using GetApi = const slalom_method_api* (*)();
     const auto get_api = reinterpret_cast<GetApi>(library.find(kSymbol));
     if (get_api == nullptr)
-      throw usage_error(where_, path_ + " does not export " + kSymbol + "()",
-                        "a library with that function, marked SLALOM_METHOD_EXPORT so that hidden "
-                        "visibility does not hide it");
+      throw usage_error(where_plugin_, path_ + " does not export " + kSymbol + "()",
+                        "a library with that function, marked SLALOM_METHOD_EXPORT against hidden "
+                        "visibility");
     const slalom_method_api* api = get_api();
-    if (api == nullptr) throw usage_error(where_, path_ + " returned no table of functions");
+    if (api == nullptr) throw usage_error(where_plugin_, path_ + " returned a null function table");
     if (api->abi_version != SLALOM_METHOD_ABI_VERSION)
       throw usage_error(
-          where_,
-          path_ + " is made for version " + std::to_string(api->abi_version) +
+          where_plugin_,
+          path_ + " was built for version " + std::to_string(api->abi_version) +
               " of the method prototype",
-          "version " + std::to_string(SLALOM_METHOD_ABI_VERSION) + ": build it again");
-    const bool whole = api->create != nullptr && api->reset != nullptr && api->step != nullptr &&
-                       api->destroy != nullptr && api->name != nullptr &&
-                       (api->parameter_count == 0 || api->parameters != nullptr);
-    if (!whole)
-      throw usage_error(where_, path_ + " leaves entries of its table of functions empty",
+          "version " + std::to_string(SLALOM_METHOD_ABI_VERSION) + " (rebuild the library)");
+    const bool complete = api->create != nullptr && api->reset != nullptr && api->step != nullptr &&
+                          api->destroy != nullptr && api->name != nullptr &&
+                          (api->parameter_count == 0 || api->parameters != nullptr);
+    if (!complete)
+      throw usage_error(where_plugin_, path_ + " has null entries in its function table",
                         "create, reset, step, destroy and name");
     return *api;
   }
 
-  /// The keys of the section that are the method's own, checked against those that it declares.
-  std::vector<std::pair<std::string, std::string>> own_settings(
-      const slalom_method_api& api) const {
+  /// Throws for a parameter that the method does not declare.
+  void check_parameters(const slalom_method_api& api) const {
     std::vector<std::string> known;
     for (std::size_t i = 0; i < api.parameter_count; ++i) known.emplace_back(api.parameters[i].key);
-    std::vector<std::pair<std::string, std::string>> settings;
-    for (const std::string& key : context_.ini.keys(context_.section)) {
-      if (key == "adapter" || key == "plugin") continue;
-      if (std::find(known.begin(), known.end(), key) == known.end()) {
-        throw usage_error(context_.ini.where(context_.section, key),
-                          std::string(api.name) + " has no such parameter",
-                          expected_instead(key, known));
-      }
-      settings.emplace_back(key, *context_.ini.get(context_.section, key));
-    }
-    return settings;
+    for (const auto& [key, value] : options_.parameters)
+      if (!contains(known, key))
+        throw usage_error(
+            where_(key), "unknown parameter of " + std::string(api.name),
+            expected_name(key, known, known.empty() ? "no keys except adapter and plugin" : ""));
   }
 
-  void* create(const slalom_method_api& api) const {
-    const auto own = own_settings(api);
+  void* create(const slalom_method_api& api, const RobotModel& robot_model,
+               const SensorModel& sensor) const {
+    check_parameters(api);
     std::vector<slalom_setting> settings;
-    for (const auto& [key, value] : own) settings.push_back({key.c_str(), value.c_str()});
+    for (const auto& [key, value] : options_.parameters)
+      settings.push_back({key.c_str(), value.c_str()});
     std::vector<double> corners;
-    const slalom_robot robot = to_c(context_.robot, context_.sensor, corners);
+    const slalom_robot robot = to_c(robot_model, sensor, corners);
     char error[512] = "";
     void* method = api.create(settings.data(), settings.size(), &robot, error, sizeof error);
     error[sizeof error - 1] = '\0';
     if (method == nullptr)
-      throw usage_error(
-          context_.ini.where(context_.section),
-          std::string(api.name) + " refuses: " + (error[0] == '\0' ? "no reason given" : error));
+      throw usage_error(where_(""), std::string(api.name) + " cannot be created: " +
+                                        (error[0] == '\0' ? "no reason given" : error));
     return method;
   }
 
-  const MethodContext& context_;
-  std::string where_, path_;
+  const LibraryOptions& options_;
+  const OptionLocation& where_;
+  std::string where_plugin_, path_;
 };
+
+MethodFactory make_factory(const LibraryOptions& options, const OptionLocation& where) {
+  return [options, where](const RobotModel& robot, const SensorModel& sensor) {
+    return LibraryLoader(options, where).load(robot, sensor);
+  };
+}
 
 }  // namespace
 
 void LibraryOptions::visit(OptionVisitor& v) {
   std::string adapter = "library";
-  v.option("adapter", adapter, "the adapter that this method comes in by", {"library"});
+  v.option("adapter", adapter, "adapter of this method", {"library"});
   v.option("plugin", plugin, "shared library with the prototype of slalom_method.h");
 }
 
-std::unique_ptr<Method> make_library_method(const MethodContext& context) {
-  return LibraryLoader(context).load();
+MethodFactory plugin(const LibraryOptions& options) {
+  return make_factory(options, location_of("plugin"));
+}
+
+MethodFactory plugin(const std::string& library,
+                     const std::vector<std::pair<std::string, std::string>>& parameters) {
+  return plugin(LibraryOptions{library, "", parameters});
+}
+
+MethodFactory read_library_method(const IniFile& ini, const std::string& section) {
+  LibraryOptions options;
+  OptionReader reader(ini, section);
+  options.visit(reader);
+  options.folder = std::filesystem::path(ini.name()).parent_path().string();
+  for (const std::string& key : ini.keys(section))
+    if (!contains(reader.known_keys(), key))
+      options.parameters.emplace_back(key, *ini.get(section, key));
+  return make_factory(options, location_in(ini, section));
 }
 
 }  // namespace slalom

@@ -1,8 +1,7 @@
 #include "shared_library.h"
 
 #include <dlfcn.h>
-#include <limits.h>
-#include <unistd.h>
+#include <filesystem>
 
 namespace slalom {
 namespace {
@@ -25,17 +24,14 @@ class PosixLibrary : public SharedLibrary {
 std::unique_ptr<SharedLibrary> load_shared_library(const std::string& path, std::string& error) {
   void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle != nullptr) return std::make_unique<PosixLibrary>(handle);
-  const char* why = dlerror();
-  error = why == nullptr ? "unknown reason" : why;
+  const char* reason = dlerror();
+  error = reason == nullptr ? "unknown reason" : reason;
   return nullptr;
 }
 
 std::string program_folder() {
-  char buffer[PATH_MAX];
-  const ssize_t size = readlink("/proc/self/exe", buffer, sizeof buffer);
-  const std::string path(buffer, size > 0 ? static_cast<std::size_t>(size) : 0);
-  const std::size_t slash = path.find_last_of('/');
-  return slash == std::string::npos ? "." : path.substr(0, slash);
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path().string();
 }
 
 }  // namespace slalom

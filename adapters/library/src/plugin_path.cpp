@@ -10,25 +10,31 @@
 
 namespace slalom {
 
-std::string resolve_plugin_path(const IniFile& ini, const std::string& section,
-                                const std::string& plugin) {
+std::string resolve_plugin_path(const std::string& plugin, const std::string& folder,
+                                const std::string& where) {
   namespace fs = std::filesystem;
-  const fs::path wanted(plugin);
-  std::vector<fs::path> candidates = {wanted};
-  if (wanted.is_relative()) {
+  const fs::path requested(plugin);
+  std::vector<fs::path> candidates = {requested};
+  if (requested.is_relative()) {
     const fs::path program = program_folder();
-    candidates = {fs::path(ini.name()).parent_path() / wanted, wanted,
-                  program / "../lib/slalom" / wanted, program / "../lib" / wanted};
+    candidates = {fs::path(folder) / requested, requested, program / "../lib/slalom" / requested,
+                  program / "../lib" / requested};
   }
-  std::vector<std::string> looked;
+  std::vector<std::string> tried;
   for (const fs::path& candidate : candidates) {
     std::error_code ignored;
-    const fs::path whole = fs::absolute(candidate).lexically_normal();
-    if (fs::is_regular_file(whole, ignored)) return whole.string();
-    looked.push_back(whole.string());
+    const fs::path path = fs::absolute(candidate).lexically_normal();
+    if (fs::is_regular_file(path, ignored)) return path.string();
+    tried.push_back(path.string());
   }
-  throw usage_error(ini.where(section, "plugin"), "no library '" + plugin + "'",
-                    "a file at " + join(looked, " or "));
+  throw usage_error(where, "library '" + plugin + "' not found",
+                    "a file at " + join(tried, " or "));
+}
+
+std::string resolve_plugin_path(const IniFile& ini, const std::string& section,
+                                const std::string& plugin) {
+  return resolve_plugin_path(plugin, std::filesystem::path(ini.name()).parent_path().string(),
+                             ini.where(section, "plugin"));
 }
 
 }  // namespace slalom

@@ -9,13 +9,13 @@ namespace slalom {
 class SharedLibrary {
  public:
   virtual ~SharedLibrary() = default;
-  virtual void* find(const char* symbol) const = 0;  ///< null when it is not exported
+  virtual void* find(const char* symbol) const = 0;  ///< null if not exported
 };
 
-/// Null with `error` when it cannot be loaded.
+/// Returns null and sets `error` if it cannot be loaded.
 std::unique_ptr<SharedLibrary> load_shared_library(const std::string& path, std::string& error);
 
-/// Folder of the running program, or "." where the system does not tell.
+/// Returns the folder of the running program, or "." if unknown.
 std::string program_folder();
 
 }  // namespace slalom

@@ -21,7 +21,7 @@ constexpr int kSide = 30;        // rows and columns of a world
 constexpr double kCell = 0.15;   // m
 constexpr int kLength = 100;     // cells in y of the workspace
 constexpr int kFieldBegin = 34;  // cells in y before column 0 of the grid
-constexpr int kMostWorlds = 1'000'000;
+constexpr int kMaxWorlds = 1'000'000;
 
 /// x of a row, y of a row of cells (the back wall is in cell 0, column c in cell 34 + c), m.
 double x_of(int row) {
@@ -31,16 +31,16 @@ double y_of(int cell) {
   return 0.075 + kCell * cell;
 }
 
-/// "grid_7.npy": 7.
+/// The number of a grid file: 7 for "grid_7.npy".
 std::optional<int> world_number(const fs::path& file) {
   const std::string name = file.filename().string(), begin = "grid_", end = ".npy";
-  if (name.size() <= begin.size() + end.size() || name.rfind(begin, 0) != 0 ||
-      name.compare(name.size() - end.size(), end.size(), end) != 0)
+  if (name.size() <= begin.size() + end.size() || !starts_with(name, begin) ||
+      !ends_with(name, end))
     return std::nullopt;
   const std::string digits = name.substr(begin.size(), name.size() - begin.size() - end.size());
   long long number = 0;
   if (digits.find_first_not_of("0123456789") != std::string::npos ||
-      !parse_integer(digits, number) || number >= kMostWorlds)
+      !parse_integer(digits, number) || number >= kMaxWorlds)
     return std::nullopt;
   return static_cast<int>(number);
 }
@@ -50,7 +50,7 @@ struct WorldFile {
   fs::path grid;
 };
 
-/// The grids of a folder in the order of their numbers.
+/// The grids of a folder, sorted by number.
 std::vector<WorldFile> grids_in(const fs::path& folder) {
   std::error_code error;
   const fs::path inner = folder / "grid_files";
@@ -63,18 +63,18 @@ std::vector<WorldFile> grids_in(const fs::path& folder) {
   return files;
 }
 
-/// One part of a choice of worlds: "7", "0-299" or "0-299/even".
+/// One part of a selection of worlds: "7", "0-299" or "0-299/even".
 struct WorldRange {
   int first = 0, last = 0, step = 1;
-  bool has(int world) const {
+  bool contains(int world) const {
     return world >= first && world <= last && (world - first) % step == 0;
   }
 };
 
-int whole_number(const std::string& text, const std::string& part) {
+int parse_world(const std::string& text, const std::string& part) {
   long long number = 0;
-  if (!parse_integer(text, number) || number < 0 || number >= kMostWorlds)
-    throw usage_error("--worlds " + part.substr(0, 60), "is no choice of worlds",
+  if (!parse_integer(text, number) || number < 0 || number >= kMaxWorlds)
+    throw usage_error("--worlds " + part.substr(0, 60), "invalid selection of worlds",
                       "parts like 7, 0-299, 0-299/even, 0-299/odd or 0-299/10");
   return static_cast<int>(number);
 }
@@ -84,13 +84,13 @@ WorldRange parse_range(const std::string& part) {
   const std::string ends = part.substr(0, slash);
   const std::size_t dash = ends.find('-');
   WorldRange range;
-  range.first = whole_number(ends.substr(0, dash), part);
-  range.last = dash == std::string::npos ? range.first : whole_number(ends.substr(dash + 1), part);
+  range.first = parse_world(ends.substr(0, dash), part);
+  range.last = dash == std::string::npos ? range.first : parse_world(ends.substr(dash + 1), part);
   if (slash == std::string::npos) return range;
   const std::string step = part.substr(slash + 1);
   const bool even = step == "even", odd = step == "odd";
   if (!even && !odd) {
-    range.step = std::max(1, whole_number(step, part));
+    range.step = std::max(1, parse_world(step, part));
     return range;
   }
   range.step = 2;
@@ -98,18 +98,18 @@ WorldRange parse_range(const std::string& part) {
   return range;
 }
 
-std::vector<WorldFile> chosen(const std::vector<WorldFile>& files, const std::string& worlds,
-                              const std::string& path) {
+std::vector<WorldFile> select_worlds(const std::vector<WorldFile>& files, const std::string& worlds,
+                                     const std::string& path) {
   if (worlds.empty()) return files;
   std::vector<WorldRange> ranges;
   for (const std::string& part : split(worlds, ',')) ranges.push_back(parse_range(part));
   std::vector<WorldFile> wanted;
   for (const WorldFile& file : files)
     if (std::any_of(ranges.begin(), ranges.end(),
-                    [&](const WorldRange& range) { return range.has(file.number); }))
+                    [&](const WorldRange& range) { return range.contains(file.number); }))
       wanted.push_back(file);
   if (wanted.empty())
-    throw usage_error("--worlds " + worlds.substr(0, 60), "names no world in " + path,
+    throw usage_error("--worlds " + worlds.substr(0, 60), "selects no world in " + path,
                       "worlds from " + std::to_string(files.front().number) + " to " +
                           std::to_string(files.back().number));
   return wanted;
@@ -120,31 +120,31 @@ NpyTable read_grid(const std::string& path) {
   if (grid.rows != kSide || grid.columns != kSide)
     throw file_error(
         path, "has " + std::to_string(grid.rows) + " x " + std::to_string(grid.columns) + " cells",
-        "a world of BARN, 30 x 30 cells");
+        "a BARN world of 30 x 30 cells");
   for (std::size_t i = 0; i < grid.values.size(); ++i)
     if (grid.values[i] != 0 && grid.values[i] != 1)
       throw file_error(path,
                        "has " + std::to_string(grid.values[i]) + " in row " +
                            std::to_string(i / kSide) + ", column " + std::to_string(i % kSide),
-                       "0 (free) or 1 (an obstacle)");
+                       "0 (free) or 1 (obstacle)");
   return grid;
 }
 
-/// A file of the same world: beside the grid, or in the folder of its kind beside the grid's.
+/// Another file of the same world: next to the grid, or in `folder` next to the grid's folder.
 std::optional<fs::path> companion(const fs::path& grid, const std::string& folder,
                                   const std::string& name) {
   std::error_code error;
-  const fs::path here = grid.parent_path() / name,
-                 there = grid.parent_path() / ".." / folder / name;
-  if (fs::exists(here, error)) return here;
-  if (fs::exists(there, error)) return there;
+  const fs::path same_folder = grid.parent_path() / name,
+                 other_folder = grid.parent_path() / ".." / folder / name;
+  if (fs::exists(same_folder, error)) return same_folder;
+  if (fs::exists(other_folder, error)) return other_folder;
   return std::nullopt;
 }
 
 PublishedPathPtr read_path(const std::string& path) {
   const NpyTable table = read_npy(path);
   if (table.columns != 2)
-    throw file_error(path, "has " + std::to_string(table.columns) + " numbers a point",
+    throw file_error(path, "has " + std::to_string(table.columns) + " numbers per point",
                      "row and column");
   auto published = std::make_shared<PublishedPath>();
   published->field = {-4.5, 5.1, 0, 9.6};
@@ -162,29 +162,34 @@ PublishedPathPtr read_path(const std::string& path) {
   return published;
 }
 
-/// The maps show the field 0.15 m too low: column c is in row 33 + c from below, x is the row.
-void expect_same(const GreyImage& image, const NpyTable& grid, const std::string& path) {
-  constexpr int kBelow = 33, kMiddle = 128;
+/// Checks that a map matches the grid. The maps are shifted by -0.15 m: column c is in pixel row
+/// 33 + c from below, x is the row.
+void check_map(const GrayImage& image, const NpyTable& grid, const std::string& path) {
+  constexpr int kBelow = 33;
+  const int middle = (image.white + 1) / 2;
   if (image.width != kSide || image.height < kBelow + kSide)
     throw file_error(
         path,
         "has " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels",
-        "a map of BARN, 30 x 66 pixels");
+        "a BARN map of 30 x 66 pixels");
   for (int row = 0; row < kSide; ++row)
     for (int column = 0; column < kSide; ++column) {
       const int line = image.height - 1 - kBelow - column;
-      const bool shown = image.pixels[static_cast<std::size_t>(line * kSide + row)] < kMiddle;
-      const bool is = grid.at(static_cast<std::size_t>(row), static_cast<std::size_t>(column)) == 1;
-      if (shown != is)
+      const bool in_map =
+          image.pixels[static_cast<std::size_t>(line) * kSide + static_cast<std::size_t>(row)] <
+          middle;
+      const bool in_grid =
+          grid.at(static_cast<std::size_t>(row), static_cast<std::size_t>(column)) == 1;
+      if (in_map != in_grid)
         throw file_error(path,
-                         "contradicts the grid in row " + std::to_string(row) + ", column " +
+                         "differs from the grid in row " + std::to_string(row) + ", column " +
                              std::to_string(column),
                          "the map of the same world");
     }
 }
 
-/// All cells with a cylinder, counted from the corner of the workspace: the field and the walls
-/// behind (y cell 0) and beside the start (up to the field).
+/// All cells with a cylinder, relative to the corner of the workspace: the field and the walls
+/// behind (y cell 0) and at the sides of the start (up to the field).
 std::vector<std::pair<int, int>> cylinders(const NpyTable& grid) {
   std::vector<std::pair<int, int>> cells;
   for (int x = 0; x < kSide; ++x) cells.emplace_back(x, 0);
@@ -198,7 +203,7 @@ std::vector<std::pair<int, int>> cylinders(const NpyTable& grid) {
 }
 
 Scenario make_world(const std::string& name, const NpyTable& grid, Representation representation) {
-  const mrpt::math::TPose2D start(-2.25, 3, std::acos(-1.0) / 2);
+  const mrpt::math::TPose2D start(-2.25, 3, M_PI / 2);
   const TPoint2D goal(-2.25, 13);
   if (representation == Representation::Grid) {
     auto map = make_grid_map(kSide, kLength, kCell, {-4.5, 0});
@@ -215,7 +220,7 @@ Scenario import_world(const WorldFile& file, Representation representation) {
   const std::string number = std::to_string(file.number);
   const NpyTable grid = read_grid(file.grid.string());
   if (const auto map = companion(file.grid, "map_files", "map_pgm_" + number + ".pgm"))
-    expect_same(parse_pgm(read_bytes(map->string()), map->string()), grid, map->string());
+    check_map(parse_pgm(read_bytes(map->string()), map->string()), grid, map->string());
   const Scenario world = make_world("barn_" + number, grid, representation);
   const auto path = companion(file.grid, "path_files", "path_" + number + ".npy");
   return path ? world.with_published_path(read_path(path->string())) : world;
@@ -230,7 +235,7 @@ bool is_barn(const std::string& path) {
 
 std::vector<Scenario> import_barn(const std::string& path, const BarnOptions& options) {
   if (options.representation == Representation::Points)
-    throw usage_error(path, "worlds of BARN are not made as points", "continuous or grid");
+    throw usage_error(path, "BARN worlds cannot be imported as points", "continuous or grid");
   std::error_code error;
   std::vector<WorldFile> files;
   if (fs::is_directory(path, error)) {
@@ -239,10 +244,10 @@ std::vector<Scenario> import_barn(const std::string& path, const BarnOptions& op
     files = {{*number, path}};
   }
   if (files.empty())
-    throw file_error(path, "holds no worlds of BARN",
+    throw file_error(path, "contains no BARN worlds",
                      "a folder with grid_files, or a grid such as grid_7.npy");
   std::vector<Scenario> scenarios;
-  for (const WorldFile& file : chosen(files, options.worlds, path))
+  for (const WorldFile& file : select_worlds(files, options.worlds, path))
     scenarios.push_back(import_world(file, options.representation));
   return scenarios;
 }

@@ -16,15 +16,14 @@ void write_gridmap(const mrpt::maps::COccupancyGridMap2D& map, const std::string
   const std::string temporary = path + ".tmp" + std::to_string(getpid());
   try {
     mrpt::io::CFileGZOutputStream file;
-    if (!file.open(temporary)) throw std::runtime_error("cannot be made");
+    if (!file.open(temporary)) throw std::runtime_error("cannot be created");
     mrpt::serialization::archiveFrom(file) << map;
     file.close();
     if (std::rename(temporary.c_str(), path.c_str()) != 0)
       throw std::runtime_error("cannot be replaced");
   } catch (const std::exception& e) {
     std::remove(temporary.c_str());
-    throw job_error(path, "cannot be written (" + reason_of(e) + ")",
-                    "a place that can be written");
+    throw job_error(path, "cannot be written (" + reason_of(e) + ")", "a writable path");
   }
 }
 

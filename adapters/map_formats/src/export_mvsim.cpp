@@ -5,7 +5,9 @@
 #include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/occupancy.h>
 
-#include <cmath>
+#include <mrpt/core/bits_math.h>
+
+#include <filesystem>
 
 namespace slalom {
 namespace {
@@ -25,8 +27,8 @@ std::string escaped(const std::string& text) {
   return xml;
 }
 
-/// Within a comment there may be no two dashes.
-std::string in_comment(const std::string& text) {
+/// XML comments must not contain two consecutive dashes.
+std::string comment_text(const std::string& text) {
   std::string safe;
   for (const char c : text) {
     if (c == '-' && !safe.empty() && safe.back() == '-') safe += ' ';
@@ -35,7 +37,7 @@ std::string in_comment(const std::string& text) {
   return safe;
 }
 
-/// The border of the workspace is a wall for Slalom; mvsim has none, so that one is built of cells.
+/// In Slalom the border of the workspace is a wall; mvsim has none, so a border of cells is added.
 mrpt::maps::COccupancyGridMap2D walled_grid(const Occupancy& cells) {
   const double resolution = cells.resolution();
   auto map =
@@ -55,17 +57,18 @@ std::string element(const char* tag, double value) {
 void write_mvsim_world(const Scenario& scenario, const MapExportOptions& options,
                        const std::string& path) {
   const Occupancy cells = make_occupancy(scenario, options.resolution);
-  const std::string grid = without_ending(without_ending(path, ".xml"), ".world") + ".gridmap";
+  const std::string grid =
+      without_extension(without_extension(path, ".xml"), ".world") + ".gridmap";
   const auto& start = scenario.start();
   const Bounds& b = scenario.bounds();
   std::string xml = "<?xml version=\"1.0\"?>\n<mvsim_world version=\"1.0\">\n";
-  xml += "  <!-- Slalom scenario " + in_comment(scenario.name()) + "\n";
+  xml += "  <!-- Slalom scenario " + comment_text(scenario.name()) + "\n";
   xml += "       start, as an init_pose (m, m, degrees): " + format_number(start.x) + " " +
-         format_number(start.y) + " " + format_number(start.phi * 180 / M_PI) + "\n";
+         format_number(start.y) + " " + format_number(mrpt::RAD2DEG(start.phi)) + "\n";
   xml += "       goal (m, m): " + format_number(scenario.goal().x) + " " +
          format_number(scenario.goal().y) + " -->\n";
   xml += "  <element class=\"occupancy_grid\">\n    <file>" +
-         escaped(grid.substr(grid.find_last_of('/') + 1)) + "</file>\n  </element>\n";
+         escaped(std::filesystem::path(grid).filename().string()) + "</file>\n  </element>\n";
   xml += "  <element class=\"horizontal_plane\">\n";
   xml += element("x_min", b.x_min) + element("y_min", b.y_min) + element("x_max", b.x_max) +
          element("y_max", b.y_max) + element("z", 0);

@@ -7,10 +7,12 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <filesystem>
+
 namespace slalom {
 namespace {
 
-/// map_server's own greys.
+/// Gray values of map_server.
 constexpr char kFree = static_cast<char>(254), kOccupied = 0;
 
 std::string pgm_of(const Occupancy& cells) {
@@ -27,9 +29,9 @@ void write_ros_map(const Scenario& scenario, const MapExportOptions& options,
                    const std::string& path) {
   const Scenario grid = convert(scenario, Representation::Grid, options.resolution);
   const Occupancy cells = make_occupancy(grid, options.resolution);
-  const std::string image = without_ending(path, ".yaml") + ".pgm";
+  const std::string image = without_extension(path, ".yaml") + ".pgm";
   YAML::Emitter name;
-  name << YAML::DoubleQuoted << image.substr(image.find_last_of('/') + 1);
+  name << YAML::DoubleQuoted << std::filesystem::path(image).filename().string();
   std::string yaml = std::string("image: ") + name.c_str() + "\n";
   yaml += "mode: trinary\n";
   yaml += "resolution: " + format_number(cells.resolution()) + "\n";

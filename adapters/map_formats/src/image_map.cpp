@@ -11,17 +11,17 @@ namespace slalom {
 mrpt::maps::COccupancyGridMap2D read_image_map(const std::string& path,
                                                const ImageMapOptions& options) {
   if (!(options.resolution > 0) || !std::isfinite(options.resolution))
-    throw usage_error(path, "an image does not say how large its pixels are",
-                      "--image-resolution in m a pixel");
+    throw usage_error(path, "the resolution of the image is unknown",
+                      "--image-resolution in m per pixel");
   if (options.threshold < 1 || options.threshold > 255)
-    throw usage_error(path, "a threshold of " + std::to_string(options.threshold),
-                      "1 to 255, as grey values go");
-  const GreyImage image = read_grey_image(path);
+    throw usage_error(path, "invalid threshold " + std::to_string(options.threshold),
+                      "a gray value from 1 to 255");
+  const GrayImage image = read_gray_image(path);
   auto map = make_grid_map(image.width, image.height, options.resolution, {0, 0});
   std::size_t i = 0;
   for (int row = 0; row < image.height; ++row)
     for (int x = 0; x < image.width; ++x, ++i) {
-      const bool dark = image.pixels[i] < options.threshold;
+      const bool dark = image.pixels[i] * 255 < options.threshold * image.white;
       map.setCell(x, image.height - 1 - row, dark == options.negate ? 1.0F : 0.0F);
     }
   return map;

@@ -12,7 +12,7 @@ struct ImageSize {
   std::uint64_t width, height;
 };
 
-/// Numbers in the head of a file; 0 beyond its end.
+/// A byte of the file; 0 beyond its end.
 std::uint64_t byte_at(const std::string& bytes, std::size_t at) {
   return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0;
 }
@@ -23,7 +23,7 @@ std::uint64_t big_endian(const std::string& bytes, std::size_t at, std::size_t c
   return number;
 }
 
-/// A negative height says that the rows go from above.
+/// The absolute value: a negative height means top-down row order.
 std::uint64_t bmp_side(const std::string& bytes, std::size_t at) {
   std::uint32_t number = 0;
   for (std::size_t i = 4; i > 0; --i)
@@ -45,7 +45,7 @@ std::optional<ImageSize> jpeg_size(const std::string& bytes) {
   return std::nullopt;
 }
 
-std::optional<ImageSize> announced_size(const std::string& bytes) {
+std::optional<ImageSize> declared_size(const std::string& bytes) {
   if (bytes.compare(1, 3, "PNG") == 0)
     return ImageSize{"PNG", big_endian(bytes, 16, 4), big_endian(bytes, 20, 4)};
   if (bytes.compare(0, 2, "BM") == 0)
@@ -56,9 +56,9 @@ std::optional<ImageSize> announced_size(const std::string& bytes) {
 
 }  // namespace
 
-void expect_possible_image(const std::string& bytes, const std::string& path) {
-  if (bytes.size() < 24) return;  // no head of any of them; the decoder refuses it
-  const auto size = announced_size(bytes);
+void check_image_size(const std::string& bytes, const std::string& path) {
+  if (bytes.size() < 24) return;  // too short for any header; rejected by the decoder
+  const auto size = declared_size(bytes);
   if (!size || size->height == 0 || size->width <= kMaxCells / size->height) return;
   throw file_error(path,
                    std::string("is a ") + size->kind + " of " + std::to_string(size->width) +

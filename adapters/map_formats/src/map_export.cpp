@@ -29,20 +29,16 @@ void write_png(const Scenario& scenario, const MapExportOptions& /*options*/,
   render_png(scenario, options, path);
 }
 
-bool ends_in(const std::string& text, const std::string& end) {
-  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 }  // namespace
 
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats = {
-      {"yaml", ".yaml", "the scenario as YAML, whole", write_yaml},
+      {"yaml", ".yaml", "the complete scenario as YAML", write_yaml},
       {"ros", ".yaml", "ROS map_server YAML with a PGM", write_ros_map},
       {"mrpt", ".gridmap.gz", "MRPT occupancy grid", write_mrpt_map},
       {"mvsim", ".xml", "mvsim world with an occupancy grid", write_mvsim_world},
-      {"svg", ".svg", "picture", write_svg},
-      {"png", ".png", "picture", write_png},
+      {"svg", ".svg", "image", write_svg},
+      {"png", ".png", "image", write_png},
   };
   return formats;
 }
@@ -53,18 +49,19 @@ void export_scenario(const Scenario& scenario, const std::string& format,
   for (const ExportFormat& known : export_formats()) {
     names.push_back(known.name);
     if (known.name != format) continue;
-    const bool is_plain = std::filesystem::path(path).extension().empty();
-    const std::string file = is_plain ? path + known.ending : path;
-    if (!ends_in(file, known.ending))
-      throw usage_error(path, "is no file of the format " + format, "a name with " + known.ending);
+    const bool no_extension = std::filesystem::path(path).extension().empty();
+    const std::string file = no_extension ? path + known.ending : path;
+    if (!ends_with(file, known.ending))
+      throw usage_error(path, "wrong extension for the format " + format,
+                        "a name with " + known.ending);
     known.write(scenario, options, file);
     return;
   }
-  throw usage_error("format", "'" + format + "' is unknown", "one of " + join(names, ", "));
+  throw usage_error("format", "unknown format '" + format + "'", "one of " + join(names, ", "));
 }
 
-std::string without_ending(const std::string& path, const std::string& ending) {
-  return ends_in(path, ending) ? path.substr(0, path.size() - ending.size()) : path;
+std::string without_extension(const std::string& path, const std::string& ending) {
+  return ends_with(path, ending) ? path.substr(0, path.size() - ending.size()) : path;
 }
 
 }  // namespace slalom

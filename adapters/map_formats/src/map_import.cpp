@@ -1,15 +1,12 @@
 #include "map_readers.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/map_formats/moving_ai.h>
 
 namespace slalom {
 namespace {
-
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 
 bool ends_with_any(const std::string& text, std::initializer_list<const char*> ends) {
   for (const char* end : ends)
@@ -17,7 +14,7 @@ bool ends_with_any(const std::string& text, std::initializer_list<const char*> e
   return false;
 }
 
-/// MRPT keeps an unknown cell as exactly this.
+/// MRPT stores an unknown cell as exactly this value.
 bool is_unknown(const mrpt::maps::COccupancyGridMap2D& map, int x, int y) {
   using Map = mrpt::maps::COccupancyGridMap2D;
   return map.getRow(y)[x] == Map::p2l(0.5F);
@@ -45,7 +42,7 @@ mrpt::maps::COccupancyGridMap2D load_map(const std::string& path, const MapImpor
     map = read_image_map(path, options.image);
   } else {
     throw file_error(
-        path, "is of no known kind of map",
+        path, "unknown map format",
         ".gridmap[.gz], .simplemap[.gz], a ROS map_server .yaml, a MovingAI .map or an "
         "image (.pgm, .png, .jpg, .bmp)");
   }

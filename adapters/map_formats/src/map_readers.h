@@ -8,7 +8,7 @@
 
 namespace slalom {
 
-/// No map that Slalom reads has more cells.
+/// Maximum number of cells of maps that Slalom reads.
 constexpr std::uint64_t kMaxCells = 400'000'000;
 
 mrpt::maps::COccupancyGridMap2D read_gridmap(const std::string& path);
@@ -17,19 +17,20 @@ mrpt::maps::COccupancyGridMap2D read_ros_map(const std::string& path);
 mrpt::maps::COccupancyGridMap2D read_image_map(const std::string& path,
                                                const ImageMapOptions& options);
 
-/// A grey picture, row 0 on top, 0 black to 255 white.
-struct GreyImage {
+/// A gray-scale image, row 0 on top, pixels from 0 (black) to `white`.
+struct GrayImage {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> pixels;
+  std::vector<std::uint16_t> pixels;
+  std::uint16_t white = 255;  ///< 1 to 65535; beyond 255 of PGM files with two bytes a pixel
 };
 
-/// PGM (P5 binary or P2 text) by our own reader, other formats by MRPT. Throws Error (File).
-GreyImage read_grey_image(const std::string& path);
-/// Throws Error (File) where the head of a PNG, JPEG or BMP announces too many pixels.
-void expect_possible_image(const std::string& bytes, const std::string& path);
-GreyImage parse_pgm(const std::string& bytes, const std::string& path);
+/// Reads PGM (P5 binary or P2 text) by parse_pgm(), other formats by MRPT. Throws Error (File).
+GrayImage read_gray_image(const std::string& path);
+/// Throws Error (File) if the header of a PNG, JPEG or BMP declares too many pixels.
+void check_image_size(const std::string& bytes, const std::string& path);
+GrayImage parse_pgm(const std::string& bytes, const std::string& path);
 
-/// A whole file of at most `most` bytes. Throws Error (File).
-std::string read_bytes(const std::string& path, std::uint64_t most = 4 * kMaxCells);
+/// Reads a file of at most `max_size` bytes. Throws Error (File).
+std::string read_bytes(const std::string& path, std::uint64_t max_size = 4 * kMaxCells);
 
 }  // namespace slalom

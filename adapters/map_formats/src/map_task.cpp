@@ -13,7 +13,7 @@ namespace slalom {
 namespace {
 
 constexpr std::uint64_t kMaxTaskBytes = 1U << 16;
-constexpr char kExpected[] = "name, start: [x, y, phi] and goal: [x, y]";
+constexpr char kTaskKeys[] = "name, start: [x, y, phi] and goal: [x, y]";
 
 std::vector<double> numbers(const YAML::Node& root, const char* key, std::size_t count,
                             const std::string& where) {
@@ -24,7 +24,7 @@ std::vector<double> numbers(const YAML::Node& root, const char* key, std::size_t
     for (const auto& item : node)
       if (item.IsScalar() && parse_number(item.Scalar(), value)) values.push_back(value);
   if (values.size() != count)
-    throw file_error(where, std::string("'") + key + "' has not the right form", kExpected);
+    throw file_error(where, std::string("malformed '") + key + "'", kTaskKeys);
   return values;
 }
 
@@ -32,8 +32,7 @@ std::vector<double> numbers(const YAML::Node& root, const char* key, std::size_t
 
 std::string task_path(const std::string& map_path) {
   for (const std::string ending : {".gridmap.gz", ".gridmap", ".yaml", ".yml"})
-    if (map_path.size() > ending.size() &&
-        map_path.compare(map_path.size() - ending.size(), ending.size(), ending) == 0)
+    if (ends_with(map_path, ending))
       return map_path.substr(0, map_path.size() - ending.size()) + ".task.yaml";
   return map_path + ".task.yaml";
 }
@@ -42,7 +41,7 @@ void write_map_task(const Scenario& scenario, const std::string& map_path) {
   YAML::Emitter name;
   name << YAML::DoubleQuoted << scenario.name();
   const auto& start = scenario.start();
-  std::string text = "# What the map beside it has no place for: metres and radians\n";
+  std::string text = "# Name, start and goal of the map of the same name: meters and radians\n";
   text += std::string("name: ") + name.c_str() + "\n";
   text += "start: [" + format_number(start.x) + ", " + format_number(start.y) + ", " +
           format_number(start.phi) + "]\n";
@@ -55,12 +54,12 @@ MapTask parse_map_task(const std::string& text, const std::string& where) {
   try {
     const YAML::Node root = YAML::Load(text);
     if (!root.IsMap() || !root["name"] || !root["name"].IsScalar())
-      throw file_error(where, "is no task", kExpected);
+      throw file_error(where, "is not a task file", kTaskKeys);
     const auto s = numbers(root, "start", 3, where), g = numbers(root, "goal", 2, where);
     return {root["name"].Scalar(), {s[0], s[1], s[2]}, {g[0], g[1]}};
   } catch (const YAML::Exception& e) {
     throw file_error(where + ":" + std::to_string(e.mark.line + 1), "is not YAML (" + e.msg + ")",
-                     kExpected);
+                     kTaskKeys);
   }
 }
 

@@ -2,19 +2,20 @@
 #include "npy.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 
 #include <cctype>
 
 namespace slalom {
 namespace {
 
-constexpr std::uint64_t kMostNumbers = 1'000'000;
+constexpr std::uint64_t kMaxNumbers = 1'000'000;
 constexpr std::size_t kNumberSize = 8;
 
-/// Takes the head of a .npy apart: what NumPy writes is a Python dictionary of three keys.
-class NpyHead {
+/// Parses the header of a .npy file: a Python dictionary with three keys.
+class NpyHeader {
  public:
-  NpyHead(const std::string& bytes, const std::string& path) : bytes_(bytes), path_(path) {}
+  NpyHeader(const std::string& bytes, const std::string& path) : bytes_(bytes), path_(path) {}
 
   NpyTable read() {
     find_end();
@@ -23,52 +24,52 @@ class NpyHead {
       read_entry();
       accept(',');
     }
-    if (!has_kind_ || !has_order_ || !has_shape_)
-      throw broken("lacks one of descr, fortran_order and shape");
+    if (!has_type_ || !has_order_ || !has_shape_)
+      throw malformed("missing descr, fortran_order or shape");
     return table_;
   }
 
   std::size_t data_at() const { return end_; }
 
-  Error broken(const std::string& what) const {
+  Error malformed(const std::string& what) const {
     return file_error(path_, what + " at byte " + std::to_string(at_),
                       "a NumPy file (.npy) of rows of 64-bit integers");
   }
 
  private:
-  /// Magic, version, length of the head (2 bytes in format 1, 4 in format 2).
+  /// Magic, version, length of the header (2 bytes in format 1, 4 in format 2).
   void find_end() {
     static const std::string kMagic = "\x93NUMPY";
-    if (bytes_.compare(0, kMagic.size(), kMagic) != 0) throw broken("does not begin with NUMPY");
+    if (!starts_with(bytes_, kMagic)) throw malformed("does not start with NUMPY");
     at_ = kMagic.size();
     const unsigned version = byte();
-    if (version != 1 && version != 2) throw broken("is of an unknown version");
+    if (version != 1 && version != 2) throw malformed("unsupported version");
     byte();
     std::uint64_t size = 0;
     for (unsigned i = 0; i < (version == 1 ? 2U : 4U); ++i)
       size |= static_cast<std::uint64_t>(byte()) << (8 * i);
-    if (size > bytes_.size() - at_) throw broken("announces a head longer than the file");
+    if (size > bytes_.size() - at_) throw malformed("declares a header longer than the file");
     end_ = at_ + static_cast<std::size_t>(size);
   }
 
   unsigned byte() {
-    if (at_ >= bytes_.size()) throw broken("ends too early");
+    if (at_ >= bytes_.size()) throw malformed("is truncated");
     return static_cast<unsigned char>(bytes_[at_++]);
   }
 
   void read_entry() {
     const std::string key = text();
     expect(':');
-    if (key == "descr" && !has_kind_) {
-      has_kind_ = text() == "<i8";
-      if (!has_kind_) throw broken("holds numbers of another kind than '<i8'");
+    if (key == "descr" && !has_type_) {
+      has_type_ = text() == "<i8";
+      if (!has_type_) throw malformed("unsupported number type, not '<i8',");
     } else if (key == "fortran_order" && !has_order_) {
       has_order_ = word() == "False";
-      if (!has_order_) throw broken("does not hold its numbers row by row");
+      if (!has_order_) throw malformed("unsupported Fortran order");
     } else if (key == "shape" && !has_shape_) {
       read_shape();
     } else {
-      throw broken("has the key '" + key.substr(0, 20) + "'");
+      throw malformed("unexpected key '" + key.substr(0, 20) + "'");
     }
   }
 
@@ -79,9 +80,9 @@ class NpyHead {
     table_.columns = number();
     accept(',');
     expect(')');
-    if (table_.rows == 0 || table_.columns == 0 || table_.rows > kMostNumbers / table_.columns)
-      throw broken("announces " + std::to_string(table_.rows) + " x " +
-                   std::to_string(table_.columns) + " numbers");
+    if (table_.rows == 0 || table_.columns == 0 || table_.rows > kMaxNumbers / table_.columns)
+      throw malformed("declares " + std::to_string(table_.rows) + " x " +
+                      std::to_string(table_.columns) + " numbers");
     has_shape_ = true;
   }
 
@@ -97,13 +98,13 @@ class NpyHead {
   }
 
   void expect(char c) {
-    if (!accept(c)) throw broken(std::string("has no '") + c + "' in its head");
+    if (!accept(c)) throw malformed(std::string("missing '") + c + "' in the header");
   }
 
   std::string text() {
     expect('\'');
     const std::size_t close = bytes_.find('\'', at_);
-    if (close == std::string::npos || close >= end_) throw broken("has a text without an end");
+    if (close == std::string::npos || close >= end_) throw malformed("unterminated text");
     const std::string found = bytes_.substr(at_, close - at_);
     at_ = close + 1;
     return found;
@@ -123,16 +124,16 @@ class NpyHead {
     const std::size_t begin = at_;
     while (at_ < end_ && std::isdigit(static_cast<unsigned char>(bytes_[at_])) != 0) {
       value = 10 * value + static_cast<std::uint64_t>(bytes_[at_++] - '0');
-      if (value > kMostNumbers) throw broken("announces too many numbers");
+      if (value > kMaxNumbers) throw malformed("declares too many numbers");
     }
-    if (at_ == begin) throw broken("is not two-dimensional");
+    if (at_ == begin) throw malformed("is not two-dimensional");
     return static_cast<std::size_t>(value);
   }
 
   const std::string& bytes_;
   const std::string& path_;
   std::size_t at_ = 0, end_ = 0;
-  bool has_kind_ = false, has_order_ = false, has_shape_ = false;
+  bool has_type_ = false, has_order_ = false, has_shape_ = false;
   NpyTable table_;
 };
 
@@ -146,14 +147,14 @@ std::int64_t number_at(const std::string& bytes, std::size_t at) {
 }  // namespace
 
 NpyTable parse_npy(const std::string& bytes, const std::string& path) {
-  NpyHead head(bytes, path);
-  NpyTable table = head.read();
-  const std::size_t count = table.rows * table.columns, begin = head.data_at();
+  NpyHeader header(bytes, path);
+  NpyTable table = header.read();
+  const std::size_t count = table.rows * table.columns, begin = header.data_at();
   if (bytes.size() - begin != count * kNumberSize)
     throw file_error(path,
-                     "holds " + std::to_string(bytes.size() - begin) + " bytes from byte " +
-                         std::to_string(begin) + " on",
-                     std::to_string(count * kNumberSize) + " of " + std::to_string(table.rows) +
+                     "contains " + std::to_string(bytes.size() - begin) +
+                         " bytes of data after byte " + std::to_string(begin),
+                     std::to_string(count * kNumberSize) + " for " + std::to_string(table.rows) +
                          " x " + std::to_string(table.columns) + " numbers");
   table.values.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -162,8 +163,8 @@ NpyTable parse_npy(const std::string& bytes, const std::string& path) {
 }
 
 NpyTable read_npy(const std::string& path) {
-  constexpr std::uint64_t kLongestFile = kMostNumbers * kNumberSize + (1U << 17U);
-  return parse_npy(read_bytes(path, kLongestFile), path);
+  constexpr std::uint64_t kMaxFileSize = kMaxNumbers * kNumberSize + (1U << 17U);
+  return parse_npy(read_bytes(path, kMaxFileSize), path);
 }
 
 }  // namespace slalom

@@ -7,7 +7,7 @@
 
 namespace slalom {
 
-/// A table of whole numbers, row by row.
+/// A row-major table of integers.
 struct NpyTable {
   std::size_t rows = 0, columns = 0;
   std::vector<std::int64_t> values;
@@ -17,10 +17,10 @@ struct NpyTable {
   }
 };
 
-/// Reads a NumPy file (.npy, formats 1.0 and 2.0) that holds a two-dimensional array of 64-bit
-/// integers, little-endian, in C order. Throws Error (File) with file, byte and reason for anything
-/// else, for more than a million numbers, and where the file's length is not what its head says:
-/// before memory is taken.
+/// Reads a NumPy file (.npy, formats 1.0 and 2.0) with a two-dimensional array of 64-bit integers,
+/// little-endian, in C order. Throws Error (File) with file, byte and reason, before memory is
+/// allocated, for anything else, for more than a million numbers, and if the file's length does not
+/// match its header.
 NpyTable read_npy(const std::string& path);
 NpyTable parse_npy(const std::string& bytes, const std::string& path);
 

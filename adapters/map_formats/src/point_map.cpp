@@ -12,8 +12,8 @@ namespace slalom {
 namespace {
 
 constexpr std::uint64_t kMaxBytes = 1U << 30;
-constexpr double kFarthest = 1e6;  ///< m: single precision keeps less than a decimetre there
-constexpr char kExpected[] = "x y or x y z, in m";
+constexpr double kMaxCoordinate = 1e6;  ///< m: single precision resolves 0.06 m there
+constexpr char kCoordinates[] = "x y or x y z, in m";
 
 class PointLines {
  public:
@@ -25,47 +25,47 @@ class PointLines {
     while (begin < text_.size()) {
       const std::size_t end = std::min(text_.find('\n', begin), text_.size());
       ++line_;
-      take(text_.substr(begin, end - begin));
+      add_line(text_.substr(begin, end - begin));
       begin = end + 1;
     }
-    if (map_.empty()) throw file_error(where_, "holds no points", kExpected);
-    return std::move(map_);
+    if (map_.empty()) throw file_error(where_, "contains no points", kCoordinates);
+    return map_;
   }
 
  private:
-  void take(std::string line) {
+  void add_line(std::string line) {
     line.erase(std::min(line.find_first_of("#%"), line.size()));
     const std::vector<double> values = numbers(line);
-    if (values.empty() || (values.size() == 1 && !begun_)) {  // a count, in front of all points
+    if (values.empty() || (values.size() == 1 && !begun_)) {  // a count before all points
       begun_ = begun_ || !values.empty();
       return;
     }
     begun_ = true;
-    if (values.size() < 2) throw broken("has one number");
-    if (std::abs(values[0]) > kFarthest || std::abs(values[1]) > kFarthest)
-      throw broken("is too far away");
-    const bool at_height =
+    if (values.size() < 2) throw malformed("only one number");
+    if (std::abs(values[0]) > kMaxCoordinate || std::abs(values[1]) > kMaxCoordinate)
+      throw malformed("coordinates out of range");
+    const bool in_height_range =
         values.size() < 3 || (values[2] >= options_.z_min && values[2] <= options_.z_max);
-    if (at_height)
+    if (in_height_range)
       map_.insertPoint(static_cast<float>(values[0]), static_cast<float>(values[1]), 0);
   }
 
   std::vector<double> numbers(const std::string& line) const {
-    constexpr char kBetween[] = " \t\r,;";
+    constexpr char kSeparators[] = " \t\r,;";
     std::vector<double> values;
-    std::size_t at = line.find_first_not_of(kBetween);
+    std::size_t at = line.find_first_not_of(kSeparators);
     while (at != std::string::npos) {
-      const std::size_t end = std::min(line.find_first_of(kBetween, at), line.size());
+      const std::size_t end = std::min(line.find_first_of(kSeparators, at), line.size());
       double value = 0;
-      if (!parse_number(line.substr(at, end - at), value)) throw broken("has no finite number");
+      if (!parse_number(line.substr(at, end - at), value)) throw malformed("invalid number");
       values.push_back(value);
-      at = line.find_first_not_of(kBetween, end);
+      at = line.find_first_not_of(kSeparators, end);
     }
     return values;
   }
 
-  Error broken(const std::string& what) const {
-    return file_error(where_ + ":" + std::to_string(line_), what, kExpected);
+  Error malformed(const std::string& what) const {
+    return file_error(where_ + ":" + std::to_string(line_), what, kCoordinates);
   }
 
   const std::string& text_;
@@ -95,7 +95,8 @@ mrpt::maps::CSimplePointsMap read_point_map(const std::string& path,
 
 Scenario point_map_scenario(const std::string& path, const PointMapOptions& options) {
   if (!(options.margin > 0) || !std::isfinite(options.margin))
-    throw usage_error(path, "a margin of " + format_number(options.margin) + " m", "a length > 0");
+    throw usage_error(path, "invalid margin " + format_number(options.margin) + " m",
+                      "a length > 0");
   const auto map = read_point_map(path, options);
   const auto& x = map.getPointsBufferRef_x();
   const auto& y = map.getPointsBufferRef_y();

@@ -1,6 +1,7 @@
 #include "map_readers.h"
-#include "turned_grid.h"
+#include "rotated_grid.h"
 
+#include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/grid_map.h>
@@ -8,18 +9,24 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace slalom {
 namespace {
 
-/// The keys of a ROS map_server YAML (wiki.ros.org/map_server), checked.
+enum class RosMapMode { Trinary, Scale, Raw };
+constexpr auto enum_names(RosMapMode) {
+  return std::array{"trinary", "scale", "raw"};
+}
+
+/// The validated keys of a ROS map_server YAML (wiki.ros.org/map_server).
 struct RosMap {
   std::string image;
   double resolution = 0;  // m
   double x = 0, y = 0, yaw = 0;
   bool negate = false;
   double occupied_threshold = 0.65, free_threshold = 0.196;
-  std::string mode = "trinary";
+  RosMapMode mode = RosMapMode::Trinary;
 };
 
 class RosMapReader {
@@ -28,86 +35,108 @@ class RosMapReader {
 
   RosMap read() const {
     RosMap map;
-    if (!root_.IsMap()) throw broken(root_, "is no map", "keys and values");
+    if (!root_.IsMap()) throw malformed(root_, "is not a map_server YAML", "keys and values");
     map.image = text("image", required("image"));
     read_resolution(required("resolution"), map);
     read_origin(required("origin"), map);
-    if (const YAML::Node node = root_["negate"]) map.negate = number("negate", node) != 0;
+    if (const YAML::Node node = root_["negate"]) map.negate = flag("negate", node);
     if (const YAML::Node node = root_["occupied_thresh"])
       map.occupied_threshold = number("occupied_thresh", node);
     if (const YAML::Node node = root_["free_thresh"])
       map.free_threshold = number("free_thresh", node);
-    if (const YAML::Node node = root_["mode"]) map.mode = text("mode", node);
-    if (map.mode != "trinary" && map.mode != "scale" && map.mode != "raw")
-      throw broken(root_["mode"], "mode '" + map.mode + "' is unknown", "trinary, scale or raw");
+    if (const YAML::Node node = root_["mode"]) map.mode = mode(node);
     if (map.free_threshold > map.occupied_threshold)
-      throw broken(root_, "free_thresh is above occupied_thresh", "free_thresh <= occupied_thresh");
+      throw malformed(root_, "free_thresh is above occupied_thresh",
+                      "free_thresh <= occupied_thresh");
     return map;
   }
 
  private:
-  Error broken(const YAML::Node& node, const std::string& what, const std::string& expected) const {
+  Error malformed(const YAML::Node& node, const std::string& what,
+                  const std::string& expected) const {
     const int line = node.Mark().line + 1;
     return file_error(line > 0 ? path_ + ":" + std::to_string(line) : path_, what, expected);
   }
 
   YAML::Node required(const std::string& key) const {
     const YAML::Node node = root_[key];
-    if (!node) throw broken(root_, "key '" + key + "' is missing", "a ROS map_server YAML");
+    if (!node) throw malformed(root_, "missing key '" + key + "'", "a ROS map_server YAML");
     return node;
   }
 
   std::string text(const std::string& key, const YAML::Node& node) const {
-    if (!node.IsScalar()) throw broken(node, key + " is of the wrong kind", "a text");
+    if (!node.IsScalar()) throw malformed(node, "invalid " + key, "a text");
     return node.Scalar();
   }
 
   double number(const std::string& key, const YAML::Node& node) const {
     double value = 0;
     if (!node.IsScalar() || !parse_number(node.Scalar(), value))
-      throw broken(node, key + " is not a finite number", "a number");
+      throw malformed(node, "invalid " + key, "a finite number");
     return value;
   }
 
-  /// MRPT keeps lengths in single precision: what is beyond it is no cell either.
+  RosMapMode mode(const YAML::Node& node) const {
+    const std::string name = text("mode", node);
+    if (const auto mode = from_name<RosMapMode>(name)) return *mode;
+    throw malformed(node, "unknown mode '" + name + "'", "trinary, scale or raw");
+  }
+
+  /// As nav2's map_io reads it: an integer (0 is false), else a YAML boolean.
+  bool flag(const std::string& key, const YAML::Node& node) const {
+    int integer = 0;
+    bool value = false;
+    if (YAML::convert<int>::decode(node, integer)) return integer != 0;
+    if (!YAML::convert<bool>::decode(node, value))
+      throw malformed(node, "invalid " + key, "0, 1, true or false");
+    return value;
+  }
+
+  /// MRPT stores lengths in single precision, so the resolution must be valid as float.
   void read_resolution(const YAML::Node& node, RosMap& map) const {
     map.resolution = number("resolution", node);
-    const auto kept = static_cast<float>(map.resolution);
-    if (!(kept > 0) || !std::isfinite(kept))
-      throw broken(node, "resolution " + node.Scalar() + " is no size of a cell", "metres, > 0");
+    const auto value = static_cast<float>(map.resolution);
+    if (!(value > 0) || !std::isfinite(value))
+      throw malformed(node, "invalid resolution " + node.Scalar(), "meters, > 0");
   }
 
   void read_origin(const YAML::Node& origin, RosMap& map) const {
     if (!origin.IsSequence() || origin.size() < 2 || origin.size() > 3)
-      throw broken(origin, "origin has not the right form", "[x, y, yaw]");
+      throw malformed(origin, "malformed origin", "[x, y, yaw]");
     map.x = number("origin", origin[0]);
     map.y = number("origin", origin[1]);
     if (origin.size() == 3) map.yaw = number("origin", origin[2]);
     if (!std::isfinite(static_cast<float>(map.x)) || !std::isfinite(static_cast<float>(map.y)))
-      throw broken(origin, "origin is too far away", "[x, y, yaw] in metres");
+      throw malformed(origin, "origin out of range", "[x, y, yaw] in meters");
   }
 
   const YAML::Node& root_;
   const std::string& path_;
 };
 
-/// Probability of being free, as a cell keeps it: 1 free, 0 occupied, 0.5 unknown.
-float free_probability(const RosMap& map, std::uint8_t pixel) {
-  if (map.mode == "raw")  // the value itself is the occupancy in percent; beyond 100 is unknown
-    return pixel > 100 ? 0.5F : 1.0F - static_cast<float>(pixel) / 100.0F;
-  const double occupied = map.negate ? pixel / 255.0 : (255 - pixel) / 255.0;
+/// The probability of being free: 1 free, 0 occupied, 0.5 unknown. `shade` is 0 for
+/// black, 1 for white; the formulas are those of nav2's map_io.
+float free_probability(const RosMap& map, double shade) {
+  if (map.mode == RosMapMode::Raw) {  // of 255, the occupancy in percent; beyond 100 is unknown
+    const double percent = std::round(shade * 255);
+    return percent > 100 ? 0.5F : 1.0F - static_cast<float>(percent) / 100.0F;
+  }
+  const double occupied = map.negate ? shade : 1 - shade;
   if (occupied > map.occupied_threshold) return 0.0F;
   if (occupied < map.free_threshold) return 1.0F;
-  if (map.mode == "trinary") return 0.5F;
-  const double share =
+  if (map.mode == RosMapMode::Trinary) return 0.5F;
+  const double fraction =
       (occupied - map.free_threshold) / (map.occupied_threshold - map.free_threshold);
-  return static_cast<float>(1 - share);
+  return static_cast<float>(1 - fraction);
 }
 
-std::string beside(const std::string& path, const std::string& image) {
-  const std::size_t slash = path.find_last_of('/');
-  if (image.empty() || image[0] == '/' || slash == std::string::npos) return image;
-  return path.substr(0, slash + 1) + image;
+double shade(const GrayImage& image, std::size_t pixel) {
+  return static_cast<double>(image.pixels[pixel]) / image.white;
+}
+
+std::string image_path(const std::string& path, const std::string& image) {
+  if (image.empty()) return image;
+  return (std::filesystem::path(path).parent_path() / image).string();
 }
 
 RosMap parse(const std::string& path) {
@@ -125,13 +154,13 @@ RosMap parse(const std::string& path) {
 
 mrpt::maps::COccupancyGridMap2D read_ros_map(const std::string& path) {
   const RosMap ros = parse(path);
-  const GreyImage image = read_grey_image(beside(path, ros.image));
+  const GrayImage image = read_gray_image(image_path(path, ros.image));
   auto map = make_grid_map(image.width, image.height, ros.resolution, {ros.x, ros.y});
   std::size_t i = 0;
   for (int row = 0; row < image.height; ++row)
     for (int x = 0; x < image.width; ++x, ++i)
-      map.setCell(x, image.height - 1 - row, free_probability(ros, image.pixels[i]));
-  return ros.yaw == 0 ? map : turned_grid(map, ros.yaw, path);
+      map.setCell(x, image.height - 1 - row, free_probability(ros, shade(image, i)));
+  return ros.yaw == 0 ? map : rotated_grid(map, ros.yaw, path);
 }
 
 }  // namespace slalom

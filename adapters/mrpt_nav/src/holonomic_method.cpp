@@ -20,8 +20,6 @@ namespace {
 
 using mrpt::nav::CAbstractHolonomicReactiveMethod;
 
-constexpr double kPi = 3.14159265358979323846;
-
 std::vector<std::string> known_classes() {
   std::vector<std::string> names;
   for (const auto* id : mrpt::rtti::getAllRegisteredClassesChildrenOf(
@@ -31,11 +29,10 @@ std::vector<std::string> known_classes() {
   return names;
 }
 
-void load_plugin(const MethodContext& context, const std::string& path) {
+void load_plugin(const std::string& path, const OptionLocation& where) {
   std::string error;
   if (path.empty() || load_plugin_module(path, error) != nullptr) return;
-  throw usage_error(context.ini.where(context.section, "plugin"),
-                    "cannot be loaded (" + error + ")", "an MRPT plug-in module");
+  throw usage_error(where("plugin"), "cannot be loaded (" + error + ")", "an MRPT plug-in module");
 }
 
 CAbstractHolonomicReactiveMethod::Ptr create_by_name(const std::string& name) {
@@ -43,32 +40,31 @@ CAbstractHolonomicReactiveMethod::Ptr create_by_name(const std::string& name) {
   return CAbstractHolonomicReactiveMethod::Factory(qualified ? name : "mrpt::nav::" + name);
 }
 
-/// Tries the class's own .ini, so that a missing file or key is told before any run.
-void check_config(const MethodContext& context, const HolonomicOptions& options) {
+/// Loads the .ini of the class once, to report a missing file or key before any run.
+void check_config(const HolonomicOptions& options, const OptionLocation& where) {
   if (options.config.empty()) return;
-  const std::string where = context.ini.where(context.section, "config");
   if (!mrpt::system::fileExists(options.config))
-    throw usage_error(where, "'" + options.config + "' cannot be read", "an MRPT .ini");
+    throw usage_error(where("config"), "'" + options.config + "' cannot be read", "an MRPT .ini");
   try {
     create_by_name(options.class_name)->initialize(mrpt::config::CConfigFile(options.config));
   } catch (const std::exception& e) {
-    throw usage_error(where, options.class_name + " refuses it (" + reason_of(e) + ")",
-                      "an MRPT .ini with the class's own section");
+    throw usage_error(where("config"), options.class_name + " rejects it (" + reason_of(e) + ")",
+                      "an MRPT .ini with the section of the class");
   }
 }
 
-/// One MRPT holonomic method in the place of the robot's navigator.
+/// An MRPT holonomic method that is used as a complete navigator.
 class HolonomicMethod : public Method {
  public:
-  HolonomicMethod(HolonomicOptions options, const MethodContext& context)
-      : options_(std::move(options)), robot_(context.robot), aperture_(context.sensor.aperture()) {}
+  HolonomicMethod(HolonomicOptions options, RobotModel robot, const SensorModel& sensor)
+      : options_(std::move(options)), robot_(std::move(robot)), aperture_(sensor.aperture()) {}
 
-  /// MRPT's methods remember their last choice: a run gets a new one.
-  void reset(const Task&) override {
+  /// MRPT's methods store their last decision, so each run uses a new object.
+  void reset(const NavigationTask&) override {
     method_ = create_by_name(options_.class_name);
-    if (!method_) throw MethodError("class " + options_.class_name + " cannot be made");
+    if (!method_) throw MethodError("class " + options_.class_name + " cannot be created");
     configure();
-    // With slow-down near the target off, CHolonomicVFF always answers speed 0.
+    // Without slow-down near the target CHolonomicVFF always returns speed 0.
     method_->enableApproachTargetSlowDown(true);
   }
 
@@ -89,14 +85,14 @@ class HolonomicMethod : public Method {
   }
 
  private:
-  /// Without an .ini the class's own defaults hold: initialize() insists on some keys.
+  /// Without an .ini the defaults of the class are used: initialize() requires some keys.
   void configure() {
     if (options_.config.empty()) return;
     const mrpt::config::CConfigFile file(options_.config);
     method_->initialize(file);
   }
 
-  /// Free travel of the enlarged disc in each sector, in parts of the reference distance.
+  /// Free distance of the enlarged disc in each sector, as a fraction of the reference distance.
   std::vector<double> sector_distances(const std::vector<mrpt::math::TPoint2D>& points,
                                        double radius) const {
     const auto count = static_cast<std::size_t>(options_.sectors);
@@ -105,22 +101,22 @@ class HolonomicMethod : public Method {
     for (std::size_t k = 0; k < count; ++k) {
       const double direction = sector_direction(k, count);
       const bool unseen = std::abs(direction) > 0.5 * aperture_;
-      const double unseen_way = options_.behind == "free" ? limit : 0.0;
-      const double way = free_travel(points, direction, radius, limit);
-      distances[k] = (unseen ? std::min(way, unseen_way) : way) / limit;
+      const double unseen_distance = options_.behind == SectorState::Free ? limit : 0.0;
+      const double distance = free_distance(points, direction, radius, limit);
+      distances[k] = (unseen ? std::min(distance, unseen_distance) : distance) / limit;
     }
     return distances;
   }
 
-  /// The goal in the same units, brought within what the sectors show.
+  /// The goal in the same units, moved to within the reference distance.
   mrpt::math::TPoint2D target(const mrpt::math::TPoint2D& goal) const {
-    constexpr double kFarthest = 0.98;
+    constexpr double kMaxTarget = 0.98;
     const double distance = std::hypot(goal.x, goal.y) / options_.reference_distance;
-    const double scale = distance > kFarthest ? kFarthest / distance : 1.0;
+    const double scale = distance > kMaxTarget ? kMaxTarget / distance : 1.0;
     return goal * (scale / options_.reference_distance);
   }
 
-  /// Clearance of a sector: the mean free way of it and its neighbours.
+  /// Clearance of a sector: the mean free distance of the sector and its two neighbors.
   static void fill_clearance(const std::vector<double>& obstacles,
                              mrpt::nav::ClearanceDiagram& clearance) {
     const std::size_t count = obstacles.size();
@@ -128,42 +124,44 @@ class HolonomicMethod : public Method {
     for (std::size_t k = 0; k < count; ++k) {
       const double mean =
           (obstacles[(k + count - 1) % count] + obstacles[k] + obstacles[(k + 1) % count]) / 3;
-      auto& way = clearance.get_path_clearance(k);
-      for (const double share : {0.25, 0.5, 0.75, 1.0}) way[share] = std::min(mean, 1.0);
+      auto& path = clearance.get_path_clearance(k);
+      for (const double fraction : {0.25, 0.5, 0.75, 1.0}) path[fraction] = std::min(mean, 1.0);
     }
   }
 
   Command to_command(double direction, double speed,
                      const std::vector<mrpt::math::TPoint2D>& points) const {
     if (!std::isfinite(direction) || !std::isfinite(speed)) return {direction, speed};
-    return robot_.holonomic() ? to_any_side(direction, speed, points)
-                              : ahead(direction, speed, points);
+    return robot_.holonomic() ? holonomic_command(direction, speed, points)
+                              : diff_drive_command(direction, speed, points);
   }
 
-  /// What can be stopped before the disc would touch something in that direction, m/s.
-  double stoppable_speed(double direction, const std::vector<mrpt::math::TPoint2D>& points) const {
-    const double way = free_travel(points, direction, robot_.radius, options_.reference_distance);
-    return std::sqrt(2 * 0.7 * robot_.max_accel_v * std::max(0.0, way - options_.stop_margin));
+  /// Speed from which the disc can stop before contact in that direction, m/s.
+  double stopping_speed(double direction, const std::vector<mrpt::math::TPoint2D>& points) const {
+    const double distance =
+        free_distance(points, direction, robot_.radius, options_.reference_distance);
+    return std::sqrt(2 * 0.7 * robot_.max_accel_v * std::max(0.0, distance - options_.stop_margin));
   }
 
-  /// A holonomic robot goes where the class says, and turns there meanwhile or not at all.
-  Command to_any_side(double direction, double speed,
-                      const std::vector<mrpt::math::TPoint2D>& points) const {
+  /// A holonomic robot moves in the given direction and turns towards it or keeps its heading.
+  Command holonomic_command(double direction, double speed,
+                            const std::vector<mrpt::math::TPoint2D>& points) const {
     const double length =
-        std::clamp(std::min(speed, 1.0) * robot_.max_v, 0.0, stoppable_speed(direction, points));
+        std::clamp(std::min(speed, 1.0) * robot_.max_v, 0.0, stopping_speed(direction, points));
     const double v = length * std::cos(direction), vy = length * std::sin(direction);
-    const double w = options_.turn == "face" && speed > 0 ? options_.turn_gain * direction : 0;
+    const double w =
+        options_.turn == Heading::FaceMotion && speed > 0 ? options_.turn_gain * direction : 0;
     return {robot_.forward_only ? std::max(0.0, v) : v, std::clamp(w, -robot_.max_w, robot_.max_w),
             vy};
   }
 
-  /// A differential drive turns and drives ahead.
-  Command ahead(double direction, double speed,
-                const std::vector<mrpt::math::TPoint2D>& points) const {
+  /// A differential drive robot turns towards the direction and moves forward.
+  Command diff_drive_command(double direction, double speed,
+                             const std::vector<mrpt::math::TPoint2D>& points) const {
     const double w = std::clamp(options_.turn_gain * direction, -robot_.max_w, robot_.max_w);
     if (std::abs(direction) > options_.turn_in_place) return {0, speed > 0 ? w : 0};
     const double wanted = std::min(1.0, speed) * robot_.max_v * std::cos(direction);
-    return {std::clamp(std::min(wanted, stoppable_speed(0, points)), 0.0, robot_.max_v), w};
+    return {std::clamp(std::min(wanted, stopping_speed(0, points)), 0.0, robot_.max_v), w};
   }
 
   HolonomicOptions options_;
@@ -172,39 +170,53 @@ class HolonomicMethod : public Method {
   CAbstractHolonomicReactiveMethod::Ptr method_;
 };
 
+MethodFactory make_factory(const HolonomicOptions& options, const OptionLocation& where) {
+  return [options, where](const RobotModel& robot, const SensorModel& sensor) {
+    mrpt::nav::registerAllClasses_mrpt_nav();
+    load_plugin(options.plugin, where);
+    if (!create_by_name(options.class_name))
+      throw usage_error(where("class"),
+                        "unknown holonomic method class '" + options.class_name + "'",
+                        "one of " + join(known_classes(), ", "));
+    check_config(options, where);
+    return std::make_unique<HolonomicMethod>(options, robot, sensor);
+  };
+}
+
 }  // namespace
 
 void HolonomicOptions::visit(OptionVisitor& v) {
   std::string adapter = "mrpt_holonomic";
-  v.option("adapter", adapter, "the adapter that this method comes in by", {"mrpt_holonomic"});
+  v.option("adapter", adapter, "adapter of this method", {"mrpt_holonomic"});
   v.option("class", class_name, "class derived from CAbstractHolonomicReactiveMethod");
   v.option("plugin", plugin, "MRPT plug-in module to load first");
-  v.option("config", config, "MRPT .ini with the method's own section");
+  v.option("config", config, "MRPT .ini with the section of the class");
   v.option("sectors", sectors, "-", "sectors of the full circle", Range::between(8, 2000));
-  v.option("reference_distance", reference_distance, "m", "what is farther away is free",
+  v.option("reference_distance", reference_distance, "m", "obstacles beyond it are ignored",
            Range::positive());
   v.option("margin", margin, "m", "added to the robot's radius", Range::at_least(0));
-  v.option("behind", behind, "what stands where the scan does not look", {"free", "blocked"});
+  v.option("behind", behind, "sectors outside the scan");
   v.option("turn_gain", turn_gain, "1/s", "w = turn_gain * direction", Range::positive());
   v.option("turn_in_place", turn_in_place, "rad",
-           "beyond this direction a diff_drive turns without driving", Range::between(0, kPi));
-  v.option("turn", turn, "whether a holonomic robot turns to where it goes", {"face", "keep"});
+           "beyond this direction a diff_drive robot rotates in place", Range::between(0, M_PI));
+  v.option("turn", turn, "heading of a holonomic robot: face the direction of motion or keep");
   v.option("stop_margin", stop_margin, "m",
-           "v stays below what could be stopped this far before contact", Range::at_least(0));
+           "v is limited so that the robot can stop this far before contact", Range::at_least(0));
 }
 
-std::unique_ptr<Method> make_holonomic_method(const MethodContext& context) {
-  mrpt::nav::registerAllClasses_mrpt_nav();
-  auto options = read_options<HolonomicOptions>(context.ini, context.section);
-  load_plugin(context, options.plugin);
-  if (!create_by_name(options.class_name)) {
-    const std::vector<std::string> classes = known_classes();
-    throw usage_error(context.ini.where(context.section, "class"),
-                      "no holonomic method class '" + options.class_name + "'",
-                      "one of " + join(classes, ", "));
-  }
-  check_config(context, options);
-  return std::make_unique<HolonomicMethod>(std::move(options), context);
+MethodFactory mrpt_holonomic(const HolonomicOptions& options) {
+  check_options(options, "mrpt_holonomic");
+  return make_factory(options, location_of("mrpt_holonomic"));
+}
+
+MethodFactory mrpt_holonomic(const std::string& class_name) {
+  HolonomicOptions options;
+  options.class_name = class_name;
+  return mrpt_holonomic(options);
+}
+
+MethodFactory read_holonomic_method(const IniFile& ini, const std::string& section) {
+  return make_factory(read_options<HolonomicOptions>(ini, section), location_in(ini, section));
 }
 
 }  // namespace slalom

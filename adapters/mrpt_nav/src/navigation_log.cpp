@@ -1,12 +1,11 @@
 #include "navigation_log.h"
 
+#include <fmt/format.h>
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/serialization/CArchive.h>
 
 #include <filesystem>
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 
 namespace slalom {
@@ -16,13 +15,7 @@ using mrpt::nav::CAbstractPTGBasedReactive;
 using mrpt::nav::CLogFileRecord;
 using mrpt::nav::CParameterizedTrajectoryGenerator;
 
-std::string as_hex(std::uint64_t number) {
-  std::ostringstream text;
-  text << std::hex << std::setfill('0') << std::setw(16) << number;
-  return text.str();
-}
-
-/// A copy by its parameters, without the heavy grids: viewers build those themselves.
+/// Copies the parameters without the large collision grids, which viewers compute themselves.
 CParameterizedTrajectoryGenerator::Ptr parameters_of(const CParameterizedTrajectoryGenerator& ptg) {
   mrpt::io::CMemoryStream buffer;
   auto archive = mrpt::serialization::archiveFrom(buffer);
@@ -31,7 +24,7 @@ CParameterizedTrajectoryGenerator::Ptr parameters_of(const CParameterizedTraject
   return archive.ReadObject<CParameterizedTrajectoryGenerator>();
 }
 
-/// The first record of a file tells the trajectory generators.
+/// The first record of a file contains the trajectory generators.
 void add_generators(CLogFileRecord& record, CAbstractPTGBasedReactive& navigator) {
   const std::size_t count = navigator.getPTG_count();
   if (record.infoPerPTG.size() < count) record.infoPerPTG.resize(count);
@@ -48,8 +41,8 @@ void NavigationLog::prepare() const {
   std::filesystem::create_directories(folder_);
 }
 
-void NavigationLog::start_run(const Task& task, CAbstractPTGBasedReactive& navigator) {
-  path_ = folder_ + "/" + method_ + "_" + as_hex(task.seed) + ".reactivenavlog";
+void NavigationLog::start_run(const NavigationTask& task, CAbstractPTGBasedReactive& navigator) {
+  path_ = fmt::format("{}/{}_{:016x}.reactivenavlog", folder_, method_, task.seed);
   std::filesystem::remove(path_);
   navigator.enableKeepLogRecords(true);
   is_first_ = true;
@@ -58,12 +51,12 @@ void NavigationLog::start_run(const Task& task, CAbstractPTGBasedReactive& navig
 void NavigationLog::add(CAbstractPTGBasedReactive& navigator) {
   CLogFileRecord record;
   navigator.getLastLogRecord(record);
-  const auto begun = record.timestamps.find("tim_start_iteration");
-  if (begun == record.timestamps.end() || begun->second == last_) return;
-  last_ = begun->second;
+  const auto start_time = record.timestamps.find("tim_start_iteration");
+  if (start_time == record.timestamps.end() || start_time->second == last_) return;
+  last_ = start_time->second;
   if (is_first_) add_generators(record, navigator);
   is_first_ = false;
-  // Each record is a compressed block of its own, and blocks in a row are one file.
+  // Each record is a separate gzip member; concatenated members form one file.
   mrpt::io::CFileGZOutputStream file(path_, mrpt::io::OpenMode::APPEND);
   mrpt::serialization::archiveFrom(file) << record;
 }

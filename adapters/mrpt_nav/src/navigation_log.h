@@ -8,16 +8,17 @@
 
 namespace slalom {
 
-/// Writes one .reactivenavlog per run, whole after every step: a worker may be ended at any time.
+/// Writes one .reactivenavlog per run. The file is complete after every step, because a worker may
+/// be killed at any time.
 class NavigationLog {
  public:
-  /// Files FOLDER/METHOD_SEED.reactivenavlog, with the seed that the method is given for the run.
+  /// Writes FOLDER/METHOD_SEED.reactivenavlog, with the method's seed of the run.
   NavigationLog(std::string folder, std::string method);
 
-  /// Makes the folder. Throws std::runtime_error when it cannot.
+  /// Creates the folder. Throws std::runtime_error on failure.
   void prepare() const;
-  void start_run(const Task& task, mrpt::nav::CAbstractPTGBasedReactive& navigator);
-  /// To be called after each step; writes the record that the step left, if it left one.
+  void start_run(const NavigationTask& task, mrpt::nav::CAbstractPTGBasedReactive& navigator);
+  /// To be called after each step; writes the record of the step, if any.
   void add(mrpt::nav::CAbstractPTGBasedReactive& navigator);
 
  private:

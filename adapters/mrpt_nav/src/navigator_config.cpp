@@ -1,9 +1,11 @@
 #include "navigator_config.h"
 
+#include <slalom/core/distance.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
 #include <mrpt/config/config_parser.h>
+#include <mrpt/core/bits_math.h>
 
 #include <cmath>
 #include <fstream>
@@ -16,11 +18,10 @@ namespace {
 using mrpt::config::CConfigFileBase;
 using mrpt::math::TPoint2D;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kDiscCorners = 16;
 
 struct Outline {
-  std::string xs, ys;  ///< numbers with blanks between
+  std::string xs, ys;  ///< numbers separated by spaces
 };
 
 Outline as_text(const std::vector<TPoint2D>& corners) {
@@ -32,19 +33,15 @@ Outline as_text(const std::vector<TPoint2D>& corners) {
   return outline;
 }
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-/// PTG0_v_max_mps and the like, of every trajectory generator that has such a limit.
+/// Writes PTG0_v_max_mps etc. for every trajectory generator that has these keys.
 void write_generator_limits(CConfigFileBase& config, const std::string& section,
                             const RobotModel& robot) {
   std::vector<std::string> keys;
   config.getAllKeys(section, keys);
   for (const std::string& key : keys) {
-    if (key.rfind("PTG", 0) != 0) continue;
+    if (!starts_with(key, "PTG")) continue;
     if (ends_with(key, "_v_max_mps")) config.write(section, key, robot.max_v);
-    if (ends_with(key, "_w_max_dps")) config.write(section, key, robot.max_w * 180 / kPi);
+    if (ends_with(key, "_w_max_dps")) config.write(section, key, mrpt::RAD2DEG(robot.max_w));
   }
 }
 
@@ -59,9 +56,9 @@ void write_levels(CConfigFileBase& config, const std::string& section, const Out
   }
 }
 
-void write_plain(CConfigFileBase& config, const RobotModel& robot) {
+void write_robot_section(CConfigFileBase& config, const RobotModel& robot) {
   const std::string section = "slalom_robot";
-  config.write(section, "kinematics", robot.kinematics);
+  config.write(section, "kinematics", to_string(robot.kinematics));
   config.write(section, "radius", robot.radius);
   config.write(section, "footprint", robot.footprint);
   config.write(section, "max_v", robot.max_v);
@@ -71,10 +68,10 @@ void write_plain(CConfigFileBase& config, const RobotModel& robot) {
   config.write(section, "forward_only", robot.forward_only);
 }
 
-/// Where the lines through (a, b) and (b, c), each moved outwards by `margin`, meet.
-TPoint2D moved_corner(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c, double margin) {
+/// Intersection of the lines through (a, b) and (b, c), each moved outwards by `margin`.
+TPoint2D offset_corner(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c, double margin) {
   const auto normal = [](const TPoint2D& from, const TPoint2D& to) {
-    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const double length = distance_between(to, from);
     return TPoint2D((to.y - from.y) / length, (from.x - to.x) / length);
   };
   const TPoint2D n = normal(a, b), m = normal(b, c);
@@ -97,7 +94,8 @@ void override_config(CConfigFileBase& config, const std::string& assignments,
     if (assignment.empty()) continue;
     const std::size_t equal = assignment.find('='), dot = assignment.rfind('.', equal);
     if (equal == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equal)
-      throw usage_error(where, "'" + assignment + "' sets nothing", "SECTION.KEY=VALUE; ...");
+      throw usage_error(where, "malformed assignment '" + assignment + "'",
+                        "SECTION.KEY=VALUE; ...");
     const std::string section = trim(assignment.substr(0, dot));
     if (!config.sectionExists(section))
       throw usage_error(where, "the navigator's file has no section [" + section + "]",
@@ -110,10 +108,12 @@ void override_config(CConfigFileBase& config, const std::string& assignments,
 std::vector<TPoint2D> enlarged_outline(const Footprint& shape, double margin) {
   std::vector<TPoint2D> outline;
   if (shape.is_disc()) {
-    const double reach = (shape.enclosing_radius() + margin) / std::cos(kPi / kDiscCorners);
+    const double radius_of_corners =
+        (shape.enclosing_radius() + margin) / std::cos(M_PI / kDiscCorners);
     for (int i = 0; i < kDiscCorners; ++i) {
-      const double angle = (2 * i + 1) * kPi / kDiscCorners;
-      outline.emplace_back(reach * std::cos(angle), reach * std::sin(angle));
+      const double angle = (2 * i + 1) * M_PI / kDiscCorners;
+      outline.emplace_back(radius_of_corners * std::cos(angle),
+                           radius_of_corners * std::sin(angle));
     }
     return outline;
   }
@@ -121,7 +121,7 @@ std::vector<TPoint2D> enlarged_outline(const Footprint& shape, double margin) {
   const std::size_t n = corners.size();
   for (std::size_t i = 0; i < n; ++i)
     outline.push_back(
-        moved_corner(corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n], margin));
+        offset_corner(corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n], margin));
   return outline;
 }
 
@@ -130,15 +130,16 @@ void write_robot(CConfigFileBase& config, const RobotModel& robot, double margin
   const Outline outline = as_text(enlarged_outline(shape, margin));
   const double radius = shape.enclosing_radius() + margin;
   config.write("CAbstractPTGBasedReactive", "robotMax_V_mps", robot.max_v);
-  config.write("CAbstractPTGBasedReactive", "robotMax_W_degps", robot.max_w * 180 / kPi);
-  const std::string flat = "CReactiveNavigationSystem", tall = "CReactiveNavigationSystem3D";
-  config.write(flat, "RobotModel_shape2D_xs", outline.xs);
-  config.write(flat, "RobotModel_shape2D_ys", outline.ys);
-  config.write(flat, "RobotModel_circular_shape_radius", radius);
-  write_levels(config, tall, outline, radius);
-  write_generator_limits(config, flat, robot);
-  write_generator_limits(config, tall, robot);
-  write_plain(config, robot);
+  config.write("CAbstractPTGBasedReactive", "robotMax_W_degps", mrpt::RAD2DEG(robot.max_w));
+  const std::string section_2d = "CReactiveNavigationSystem",
+                    section_3d = "CReactiveNavigationSystem3D";
+  config.write(section_2d, "RobotModel_shape2D_xs", outline.xs);
+  config.write(section_2d, "RobotModel_shape2D_ys", outline.ys);
+  config.write(section_2d, "RobotModel_circular_shape_radius", radius);
+  write_levels(config, section_3d, outline, radius);
+  write_generator_limits(config, section_2d, robot);
+  write_generator_limits(config, section_3d, robot);
+  write_robot_section(config, robot);
 }
 
 }  // namespace slalom

@@ -14,19 +14,14 @@ namespace {
 using mrpt::nav::CAbstractNavigator;
 using mrpt::nav::CAbstractPTGBasedReactive;
 
-/// The section's name without "method.".
-std::string method_name(const std::string& section) {
-  return section.substr(section.find('.') + 1);
-}
-
-CAbstractNavigator::TNavigationParams navigation_to(const Task& task) {
+CAbstractNavigator::TNavigationParams navigation_to(const NavigationTask& task) {
   CAbstractNavigator::TNavigationParams parameters;
   parameters.target.target_coords = {task.goal.x, task.goal.y, 0};
   parameters.target.targetAllowedDistance = static_cast<float>(task.goal_tolerance);
   return parameters;
 }
 
-/// What went wrong, of a log message of MRPT's that quotes an exception; "" of any other.
+/// Returns the reason in a log message of MRPT that quotes an exception, "" for other messages.
 std::string quoted_exception(const std::string& message) {
   const std::size_t word = message.find("xception:");
   if (word == std::string::npos) return "";
@@ -35,32 +30,32 @@ std::string quoted_exception(const std::string& message) {
   return reason_of(std::runtime_error(message.substr(begin)));
 }
 
-/// A navigator in the place of the robot's own, one navigation per run.
+/// A navigator as a method; each run is one navigation.
 class NavigatorMethod : public Method {
  public:
-  NavigatorMethod(const MethodContext& context, const NavigatorOptions& options)
-      : robot_(context.robot, options.obstacle_height),
-        factory_(context, options),
+  NavigatorMethod(const RobotModel& robot, const NavigatorOptions& options,
+                  const OptionLocation& where)
+      : robot_(robot, options.obstacle_height),
+        factory_(robot, options, where),
         navigator_(factory_.make(robot_)) {
-    listen();
-    if (!options.record_navlog.empty())
-      log_.emplace(options.record_navlog, method_name(context.section));
+    register_log_callback();
+    if (!options.record_navlog.empty()) log_.emplace(options.record_navlog, options.name);
   }
 
   void prepare_log(const std::string& where) const {
     try {
       if (log_) log_->prepare();
     } catch (const std::exception& e) {
-      throw usage_error(where, reason_of(e), "a folder that can be written");
+      throw usage_error(where, reason_of(e), "a writable folder");
     }
     if (log_ && with_generators() == nullptr)
-      throw usage_error(where, "this navigator keeps no such log",
+      throw usage_error(where, "this navigator writes no such log",
                         "a navigator with trajectory generators");
   }
 
-  void reset(const Task& task) override {
+  void reset(const NavigationTask& task) override {
     robot_.start_run(task.control_period);
-    if (!is_used_ || !forget()) renew();
+    if (!is_used_ || !reset_navigator()) create_navigator();
     is_used_ = true;
     if (log_) log_->start_run(task, *with_generators());
     const auto parameters = navigation_to(task);
@@ -78,24 +73,24 @@ class NavigatorMethod : public Method {
     return dynamic_cast<CAbstractPTGBasedReactive*>(navigator_.get());
   }
 
-  /// Whether the navigator is as new.
-  bool forget() {
+  /// Resets the navigator to its initial state. Returns false if this is not possible.
+  bool reset_navigator() {
     auto* reusable = dynamic_cast<ReusableNavigator*>(navigator_.get());
     if (has_failed_ || reusable == nullptr) return false;
     navigator_->cancel();
-    navigator_->navigationStep();  // it notices that it is idle, and begins anew next time
-    return reusable->forget_last_run();
+    navigator_->navigationStep();  // it becomes idle, so the next navigation starts from scratch
+    return reusable->reset_for_next_run();
   }
 
-  void renew() {
+  void create_navigator() {
     robot_.restart_timer();
     if (is_used_) navigator_ = factory_.make(robot_);
-    listen();
+    register_log_callback();
     has_failed_ = false;
   }
 
-  /// MRPT's navigators catch their own exceptions and only log them.
-  void listen() {
+  /// MRPT's navigators catch their exceptions and only log them.
+  void register_log_callback() {
     failure_.clear();
     navigator_->logRegisterCallback([this](std::string_view message, mrpt::system::VerbosityLevel,
                                            std::string_view, mrpt::system::TTimeStamp) {
@@ -111,12 +106,12 @@ class NavigatorMethod : public Method {
       throw;
     }
     if (log_) log_->add(*with_generators());
-    tell_failure();
+    check_failure();
   }
 
-  /// A navigator that gives up its target stands still, which is for the judge to see. One that
-  /// broke down is an error.
-  void tell_failure() {
+  /// A navigator that gives up its target stops, which is not an error: the run will be stuck.
+  /// Other failures are errors.
+  void check_failure() {
     if (!failure_.empty()) {
       has_failed_ = true;
       throw MethodError(failure_);
@@ -132,35 +127,47 @@ class NavigatorMethod : public Method {
   NavigatorFactory factory_;
   NavigatorPtr navigator_;
   std::optional<NavigationLog> log_;
-  std::string failure_;  ///< what the navigator logged of an exception
+  std::string failure_;  ///< exception text logged by the navigator
   bool is_used_ = false;
   bool has_failed_ = false;
 };
+
+MethodFactory make_factory(const NavigatorOptions& options, const OptionLocation& where) {
+  return [options, where](const RobotModel& robot, const SensorModel&) {
+    auto method = std::make_unique<NavigatorMethod>(robot, options, where);
+    method->prepare_log(where("record_navlog"));
+    return method;
+  };
+}
 
 }  // namespace
 
 void NavigatorOptions::visit(OptionVisitor& v) {
   std::string adapter = "mrpt_navigator";
-  v.option("adapter", adapter, "the adapter that this method comes in by", {"mrpt_navigator"});
+  v.option("adapter", adapter, "adapter of this method", {"mrpt_navigator"});
   v.option("class", class_name,
-           "CReactiveNavigationSystem (default), CReactiveNavigationSystem3D, or for the plug-in");
-  v.option("config", config, "the navigator's own MRPT .ini");
-  v.option("plugin", plugin, "library with a navigator of one's own");
+           "CReactiveNavigationSystem (default), CReactiveNavigationSystem3D, or a plug-in class");
+  v.option("config", config, "MRPT .ini of the navigator");
+  v.option("plugin", plugin, "library with a custom navigator");
   v.option("modules", modules, "MRPT plug-in modules to load first, separated by commas");
-  v.option("robot", robot, "whose shape and limits the navigator is told", {"campaign", "config"});
-  v.option("margin", margin, "m", "by which the campaign's shape is enlarged", Range::at_least(0));
-  v.option("obstacle_height", obstacle_height, "m", "at which the navigator is told obstacles");
-  v.option("config_set", config_set, "SECTION.KEY=VALUE; ... in place of what the file says");
-  v.option("obstacle_filter", obstacle_filter, "point-cloud filter", {"config", "on", "off"});
-  v.option("ptg_cache", ptg_cache, "folder that keeps collision grids; none: a temporary one");
+  v.option("robot", robot, "source of the robot's shape and limits");
+  v.option("margin", margin, "m", "added to the robot's shape", Range::at_least(0));
+  v.option("obstacle_height", obstacle_height, "m", "z coordinate of the obstacle points");
+  v.option("config_set", config_set, "SECTION.KEY=VALUE; ... overrides of the file");
+  v.option("obstacle_filter", obstacle_filter, "point-cloud filter");
+  v.option("ptg_cache", ptg_cache, "folder for collision grids; none: a temporary one");
   v.option("record_navlog", record_navlog, "folder for a .reactivenavlog of each run");
 }
 
-std::unique_ptr<Method> make_navigator_method(const MethodContext& context) {
-  const auto options = read_options<NavigatorOptions>(context.ini, context.section);
-  auto method = std::make_unique<NavigatorMethod>(context, options);
-  method->prepare_log(context.ini.where(context.section, "record_navlog"));
-  return method;
+MethodFactory mrpt_navigator(const NavigatorOptions& options) {
+  check_options(options, "mrpt_navigator");
+  return make_factory(options, location_of("mrpt_navigator"));
+}
+
+MethodFactory read_navigator_method(const IniFile& ini, const std::string& section) {
+  auto options = read_options<NavigatorOptions>(ini, section);
+  options.name = section.substr(section.find('.') + 1);
+  return make_factory(options, location_in(ini, section));
 }
 
 }  // namespace slalom

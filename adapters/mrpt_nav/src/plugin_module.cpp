@@ -7,8 +7,8 @@
 namespace slalom {
 namespace {
 
-/// A name without a folder is looked for beside the running program first, where Slalom's own
-/// modules lie, then where the system looks for libraries.
+/// A name without a folder is first searched relative to the running program, where Slalom's
+/// modules are installed, then in the library path of the system.
 std::string module_file(const std::string& path) {
   namespace fs = std::filesystem;
   if (path.find('/') != std::string::npos) return path;
@@ -27,8 +27,8 @@ std::string module_file(const std::string& path) {
 void* load_plugin_module(const std::string& path, std::string& error) {
   void* handle = dlopen(module_file(path).c_str(), RTLD_NOW | RTLD_GLOBAL);
   if (handle != nullptr) return handle;
-  const char* why = dlerror();
-  error = why == nullptr ? "unknown reason" : why;
+  const char* reason = dlerror();
+  error = reason == nullptr ? "unknown reason" : reason;
   return nullptr;
 }
 

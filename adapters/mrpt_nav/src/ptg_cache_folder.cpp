@@ -19,15 +19,16 @@ namespace fs = std::filesystem;
 std::string make_temporary_folder() {
   std::string path = (fs::temp_directory_path() / "slalom-ptg-XXXXXX").string();
   if (mkdtemp(path.data()) != nullptr) return path;
-  throw std::runtime_error("no temporary folder " + path + " (" + std::strerror(errno) + ")");
+  throw std::runtime_error("cannot create temporary folder " + path + " (" + std::strerror(errno) +
+                           ")");
 }
 
 int lock_file(const std::string& path) {
   const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file >= 0 && flock(file, LOCK_EX) == 0) return file;
-  const std::string why = std::strerror(errno);
+  const std::string reason = std::strerror(errno);
   if (file >= 0) close(file);
-  throw std::runtime_error("'" + path + "' cannot be locked (" + why + ")");
+  throw std::runtime_error("'" + path + "' cannot be locked (" + reason + ")");
 }
 
 }  // namespace

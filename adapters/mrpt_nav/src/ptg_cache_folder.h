@@ -4,12 +4,12 @@
 
 namespace slalom {
 
-/// Where a navigator puts its collision grids while it is initialised. Without a `folder`: a
-/// temporary one of its own that goes with this object. With one: a folder in it for this content
-/// of the .ini only, kept, and locked against other processes as long as this object lives.
+/// The folder for a navigator's collision grids during its initialization. Without `folder`: a
+/// temporary one that is removed with this object. Otherwise: a permanent subfolder for this
+/// content of the .ini, locked against other processes during the lifetime of this object.
 class PtgCacheFolder {
  public:
-  /// Throws std::runtime_error when the folder cannot be made or locked.
+  /// Throws std::runtime_error if the folder cannot be created or locked.
   PtgCacheFolder(const std::string& folder, const std::string& content);
   ~PtgCacheFolder();
   PtgCacheFolder(const PtgCacheFolder&) = delete;

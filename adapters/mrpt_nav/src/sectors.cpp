@@ -4,11 +4,7 @@
 #include <cmath>
 
 namespace slalom {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<mrpt::math::TPoint2D> obstacle_points(const mrpt::obs::CObservation2DRangeScan& scan) {
   const std::size_t count = scan.getScanSize();
@@ -16,29 +12,30 @@ std::vector<mrpt::math::TPoint2D> obstacle_points(const mrpt::obs::CObservation2
   points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     if (!scan.getScanRangeValidity(i)) continue;
-    const double share = count < 2 ? 0.5 : static_cast<double>(i) / static_cast<double>(count - 1);
-    const double angle = scan.aperture * (share - 0.5);
+    const double fraction =
+        count < 2 ? 0.5 : static_cast<double>(i) / static_cast<double>(count - 1);
+    const double angle = scan.aperture * (fraction - 0.5);
     const double range = scan.getScanRange(i);
     points.emplace_back(range * std::cos(angle), range * std::sin(angle));
   }
   return points;
 }
 
-double free_travel(const std::vector<mrpt::math::TPoint2D>& points, double direction, double radius,
-                   double limit) {
+double free_distance(const std::vector<mrpt::math::TPoint2D>& points, double direction,
+                     double radius, double limit) {
   const double ux = std::cos(direction), uy = std::sin(direction);
-  double way = limit;
+  double distance = limit;
   for (const auto& p : points) {
     const double along = p.x * ux + p.y * uy;
-    const double aside = p.x * uy - p.y * ux;
-    if (along <= 0 || std::abs(aside) >= radius) continue;
-    way = std::min(way, along - std::sqrt(radius * radius - aside * aside));
+    const double lateral = p.x * uy - p.y * ux;
+    if (along <= 0 || std::abs(lateral) >= radius) continue;
+    distance = std::min(distance, along - std::sqrt(radius * radius - lateral * lateral));
   }
-  return std::max(0.0, way);
+  return std::max(0.0, distance);
 }
 
 double sector_direction(std::size_t k, std::size_t n) {
-  return kPi * (-1 + 2 * (static_cast<double>(k) + 0.5) / static_cast<double>(n));
+  return M_PI * (-1 + 2 * (static_cast<double>(k) + 0.5) / static_cast<double>(n));
 }
 
 }  // namespace slalom

@@ -25,12 +25,12 @@ TPoint2D rotated(const TPoint2D& p, double angle) {
   return {c * p.x - s * p.y, s * p.x + c * p.y};
 }
 
-/// The share by which a speed must be scaled to be within `limit`.
-double share_within(double speed, double limit) {
+/// Factor that scales a speed to at most `limit`.
+double limit_scale(double speed, double limit) {
   return std::abs(speed) > limit ? limit / std::abs(speed) : 1;
 }
 
-/// Multiples of 2^-20 s: their differences are exact.
+/// Rounds to multiples of 2^-20 s, whose differences are exact.
 double exact(double seconds) {
   return std::round(std::ldexp(seconds, 20)) * std::ldexp(1, -20);
 }
@@ -47,7 +47,7 @@ void SimulatedRobot::start_run(double control_period) {
   run_begin_ = std::ceil(now()) + kTimerBegin;
   control_period_ = control_period;
   observation_ = {};
-  in_force_ = Stop{};
+  active_command_ = Stop{};
 }
 
 void SimulatedRobot::restart_timer() {
@@ -84,7 +84,7 @@ bool SimulatedRobot::getCurrentPoseAndSpeeds(mrpt::math::TPose2D& pose,
 
 bool SimulatedRobot::senseObstacles(mrpt::maps::CSimplePointsMap& obstacles,
                                     mrpt::system::TTimeStamp& timestamp) {
-  // What is not cleared here piles up cycle by cycle.
+  // Without this, points accumulate over the cycles.
   obstacles.clear();
   if (observation_.scan == nullptr) return false;
   const auto height = static_cast<float>(obstacle_height_);
@@ -95,23 +95,23 @@ bool SimulatedRobot::senseObstacles(mrpt::maps::CSimplePointsMap& obstacles,
 }
 
 bool SimulatedRobot::changeSpeeds(const CVehicleVelCmd& command) {
-  if (const auto* wheels = dynamic_cast<const CVehicleVelCmd_DiffDriven*>(&command)) {
-    in_force_ = Wheels{wheels->lin_vel, wheels->ang_vel};
+  if (const auto* diff_drive = dynamic_cast<const CVehicleVelCmd_DiffDriven*>(&command)) {
+    active_command_ = DiffDrive{diff_drive->lin_vel, diff_drive->ang_vel};
     return true;
   }
   const auto* holo = dynamic_cast<const CVehicleVelCmd_Holo*>(&command);
   if (holo == nullptr || !robot_.holonomic())
-    throw MethodError(std::string("the navigator commands a ") +
-                      command.GetRuntimeClass()->className + ", not for a " + robot_.kinematics);
+    throw MethodError(std::string("unsupported command ") + command.GetRuntimeClass()->className +
+                      " for a " + to_string(robot_.kinematics) + " robot");
   const double heading = observation_.odometry.phi + holo->dir_local;
-  in_force_ = Holo{
+  active_command_ = Holo{
       holo->ramp_time, holo->rot_speed, now(), world_velocity(), rotated({holo->vel, 0}, heading),
       heading};
   return true;
 }
 
 bool SimulatedRobot::stop(bool) {
-  in_force_ = Stop{};
+  active_command_ = Stop{};
   return true;
 }
 
@@ -127,33 +127,35 @@ CVehicleVelCmd::Ptr SimulatedRobot::getEmergencyStopCmd() {
 }
 
 Command SimulatedRobot::command() const {
-  if (const auto* wheels = std::get_if<Wheels>(&in_force_)) return wheel_command(*wheels);
-  if (const auto* holo = std::get_if<Holo>(&in_force_)) return holonomic_command(*holo);
+  if (const auto* diff_drive = std::get_if<DiffDrive>(&active_command_))
+    return diff_drive_command(*diff_drive);
+  if (const auto* holo = std::get_if<Holo>(&active_command_)) return holonomic_command(*holo);
   return {};
 }
 
-/// Within the limits, slower on the same arc.
-Command SimulatedRobot::wheel_command(const Wheels& wheels) const {
-  const double share =
-      std::min(share_within(wheels.v, robot_.max_v), share_within(wheels.w, robot_.max_w));
-  const double v = share * wheels.v;
-  return {robot_.forward_only && v < 0 ? 0 : v, share * wheels.w, 0};
+/// Scales the velocities to within the limits, on the same arc.
+Command SimulatedRobot::diff_drive_command(const DiffDrive& diff_drive) const {
+  const double scale =
+      std::min(limit_scale(diff_drive.v, robot_.max_v), limit_scale(diff_drive.w, robot_.max_w));
+  const double v = scale * diff_drive.v;
+  return {robot_.forward_only && v < 0 ? 0 : v, scale * diff_drive.w, 0};
 }
 
-/// As in MRPT's own simulator: within the ramp time the velocity blends from that at the command to
-/// the wanted one, whose direction is fixed in the world; meanwhile the robot turns to face it.
+/// As in MRPT's simulator: during the ramp time the velocity blends from the one at the command to
+/// the commanded one, whose direction is fixed in the world, while the robot turns to face it.
 Command SimulatedRobot::holonomic_command(const Holo& holo) const {
   const double phi = observation_.odometry.phi;
-  const double passed = now() - holo.begin + control_period_;
+  const double elapsed = now() - holo.begin + control_period_;
   const double ramp = holo.ramp_time;
-  const double blend = ramp > 0 ? std::min(1.0, passed / ramp) : 1;
+  const double blend = ramp > 0 ? std::min(1.0, elapsed / ramp) : 1;
   const TPoint2D velocity = rotated(holo.from + (holo.to - holo.from) * blend, -phi);
-  const double share = share_within(std::hypot(velocity.x, velocity.y), robot_.max_v);
-  const double left = mrpt::math::wrapToPi(holo.heading - phi);
+  const double scale = limit_scale(std::hypot(velocity.x, velocity.y), robot_.max_v);
+  const double remaining_angle = mrpt::math::wrapToPi(holo.heading - phi);
   const double turn =
-      std::min({std::abs(holo.turn), robot_.max_w, std::abs(left) / control_period_});
-  const double v = share * velocity.x;
-  return {robot_.forward_only && v < 0 ? 0 : v, std::copysign(turn, left), share * velocity.y};
+      std::min({std::abs(holo.turn), robot_.max_w, std::abs(remaining_angle) / control_period_});
+  const double v = scale * velocity.x;
+  return {robot_.forward_only && v < 0 ? 0 : v, std::copysign(turn, remaining_angle),
+          scale * velocity.y};
 }
 
 }  // namespace slalom

@@ -8,22 +8,22 @@
 
 namespace slalom {
 
-/// The robot as MRPT's navigators see it: observations in, velocity commands out. Its navigation
-/// timer is simulated time and never runs backwards, not even between runs; differences of it are
-/// exact, so that they do not depend on when a run begins.
+/// The robot interface of MRPT's navigators: observations in, velocity commands out. Its navigation
+/// timer shows simulated time and is monotonic, also between runs. Time differences are exact, so
+/// they do not depend on the start time of a run.
 class SimulatedRobot : public mrpt::nav::CRobot2NavInterface {
  public:
-  /// Obstacles are told at `obstacle_height` (m): navigators may ignore what is too low or high.
+  /// Obstacle points have z = `obstacle_height` (m): navigators may ignore low or high points.
   SimulatedRobot(const RobotModel& robot, double obstacle_height);
 
-  /// What the navigation timer shows when the first run begins, s.
+  /// Navigation timer at the start of the first run, s.
   static constexpr double kTimerBegin = 2;
 
-  void start_run(double control_period);  ///< stands still; knows no observation
-  /// For a new navigator: the timer shows kTimerBegin again.
+  void start_run(double control_period);  ///< robot at rest, no observation yet
+  /// For a new navigator: sets the timer to kTimerBegin.
   void restart_timer();
-  void observe(const Observation& observation);  ///< valid until the next one
-  /// What the command in force means for the coming control period, within the robot's limits.
+  void observe(const Observation& observation);  ///< must stay valid until the next call
+  /// Returns the active command for the next control period, within the robot's limits.
   Command command() const;
 
   bool getCurrentPoseAndSpeeds(mrpt::math::TPose2D& pose, mrpt::math::TTwist2D& velocity,
@@ -40,31 +40,31 @@ class SimulatedRobot : public mrpt::nav::CRobot2NavInterface {
   void resetNavigationTimer() override { timer_zero_ = now(); }
 
  private:
-  // Plain numbers: MRPT's commands cannot be copied (their base calls a pure virtual function).
+  // Plain structs: MRPT's commands cannot be copied (their base calls a pure virtual function).
   struct Stop {};
-  struct Wheels {
+  struct DiffDrive {
     double v = 0, w = 0;
   };
-  /// A holonomic command with the state of the robot when it was given (world frame).
+  /// A holonomic command with the state of the robot at that time (world frame).
   struct Holo {
     double ramp_time = 0, turn = 0;  ///< s, rad/s
-    double begin = 0;                ///< s, of now()
+    double begin = 0;                ///< now() at the command, s
     mrpt::math::TPoint2D from, to;   ///< velocity, m/s
-    double heading = 0;              ///< rad, where it turns to
+    double heading = 0;              ///< target heading, rad
   };
 
   double now() const;
   mrpt::math::TPoint2D world_velocity() const;
-  Command wheel_command(const Wheels& wheels) const;
+  Command diff_drive_command(const DiffDrive& diff_drive) const;
   Command holonomic_command(const Holo& holo) const;
 
   RobotModel robot_;
   double obstacle_height_;
   double control_period_ = 0;
-  double run_begin_ = kTimerBegin;  ///< of the navigation timer, whole seconds
+  double run_begin_ = kTimerBegin;  ///< start of the run on the timer, whole seconds
   double timer_zero_ = 0;           ///< see resetNavigationTimer()
   Observation observation_;
-  std::variant<Stop, Wheels, Holo> in_force_;
+  std::variant<Stop, DiffDrive, Holo> active_command_;
 };
 
 }  // namespace slalom

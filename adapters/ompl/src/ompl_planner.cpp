@@ -46,11 +46,11 @@ const std::map<std::string, PlannerMaker>& planners() {
   return makers;
 }
 
-/// The bottleneck of a path is its value, more is better.
+/// For clearance the cost is the bottleneck of a path, which is maximized.
 ob::OptimizationObjectivePtr make_objective(const PlanningSpace& space, const OmplOptions& options,
                                             const References& exact) {
   ob::OptimizationObjectivePtr objective;
-  if (options.objective == "clearance") {
+  if (options.objective == ReferencePlanner::Objective::Clearance) {
     objective = std::make_shared<ob::MaximizeMinClearanceObjective>(space.information);
     objective->setCostThreshold(ob::Cost((1 - options.gap) * exact.safest->bottleneck));
   } else {
@@ -61,13 +61,13 @@ ob::OptimizationObjectivePtr make_objective(const PlanningSpace& space, const Om
   return objective;
 }
 
-/// Stops by a count of how often the planner asks, so that the same seed gives the same path
-/// however fast the machine is; the clock is only a guard.
-ob::PlannerTerminationCondition stop_after(int iterations, double max_time) {
+/// Limits the number of evaluations of the condition, so that the same seed gives the same path on
+/// any machine; the time limit is only a safeguard.
+ob::PlannerTerminationCondition make_termination_condition(int iterations, double max_time) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(max_time);
-  auto asked = std::make_shared<int>(0);
-  return ob::PlannerTerminationCondition([asked, deadline, most = iterations] {
-    return ++*asked > most || std::chrono::steady_clock::now() > deadline;
+  auto evaluations = std::make_shared<int>(0);
+  return ob::PlannerTerminationCondition([evaluations, deadline, iterations] {
+    return ++*evaluations > iterations || std::chrono::steady_clock::now() > deadline;
   });
 }
 
@@ -77,14 +77,12 @@ class OmplPlanner : public ReferencePlanner {
       : options_(std::move(options)), robot_(std::move(robot)) {}
 
   std::string name() const override { return options_.planner; }
-  Objective objective() const override {
-    return options_.objective == "clearance" ? Objective::Clearance : Objective::Length;
-  }
+  Objective objective() const override { return options_.objective; }
 
   std::optional<Path> plan(const PlanningProblem& problem, const References& exact,
                            std::uint64_t seed) const override {
     ompl::msg::noOutputHandler();
-    // OMPL takes 32 bits and treats 0 as "from the clock".
+    // OMPL seeds have 32 bits, and 0 means a seed from the clock.
     ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed % 0xfffffffeU) + 1);
     const PlanningSpace space =
         plans_poses(robot_) ? make_pose_space(problem, robot_) : make_point_space(problem);
@@ -98,9 +96,9 @@ class OmplPlanner : public ReferencePlanner {
     const ob::PlannerPtr planner = planners().at(options_.planner)(space.information);
     planner->setProblemDefinition(definition);
     planner->setup();
-    planner->solve(
-        stop_after(plans_poses(robot_) ? options_.max_pose_iterations : options_.max_iterations,
-                   options_.max_time));
+    planner->solve(make_termination_condition(
+        plans_poses(robot_) ? options_.max_pose_iterations : options_.max_iterations,
+        options_.max_time));
     if (!definition->hasExactSolution()) return std::nullopt;
     return space.to_path(definition->getSolutionPath());
   }
@@ -117,29 +115,30 @@ class OmplPlanner : public ReferencePlanner {
 }  // namespace
 
 void OmplOptions::visit(OptionVisitor& v) {
-  std::vector<std::string> names = {"exact"};
-  for (const auto& [name, maker] : planners()) names.push_back(name);
-  v.option("planner", planner, "who provides the shortest path within the certificate's gap",
-           names);
-  v.option("objective", objective,
-           "which reference the planner provides: the shortest or the safest",
-           {"length", "clearance"});
+  v.option("planner", planner, "planner of the reference path; exact: only the exact search",
+           planner_names());
+  v.option("objective", objective, "reference provided by the planner: shortest or safest path");
   v.option("gap", gap, "-", "relative gap to the certified lower bound", Range::positive());
-  v.option("max_iterations", max_iterations, "-", "iterations after which the planner gives up",
+  v.option("max_iterations", max_iterations, "-", "maximum iterations of the planner",
            Range::at_least(1));
   v.option("max_pose_iterations", max_pose_iterations, "-",
-           "the same among poses: for polygons and robots that steer like cars",
-           Range::at_least(1));
-  v.option("max_time", max_time, "s", "wall-clock guard of the planner", Range::positive());
+           "the same for planning poses: polygons and car-like robots", Range::at_least(1));
+  v.option("max_time", max_time, "s", "wall-clock limit of the planner", Range::positive());
+}
+
+std::vector<std::string> planner_names() {
+  std::vector<std::string> names = {kExactPlanner};
+  for (const auto& [name, maker] : planners()) names.push_back(name);
+  return names;
 }
 
 std::unique_ptr<ReferencePlanner> make_ompl_planner(const OmplOptions& options,
                                                     const RobotModel& robot) {
-  if (options.planner == "exact") return nullptr;
+  if (options.planner == kExactPlanner) return nullptr;
   return std::make_unique<OmplPlanner>(options, robot);
 }
 
-/// From its parts: OMPL_VERSION is an empty text in Debian's package.
+/// Composed of its parts, because OMPL_VERSION is empty in Debian's package.
 std::string ompl_version() {
   return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
          std::to_string(OMPL_PATCH_VERSION);

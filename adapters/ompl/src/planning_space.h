@@ -14,8 +14,8 @@
 
 namespace slalom {
 
-/// Where a planner looks for a path: states, which of them and which motions between them are free,
-/// and how a solution reads as a path of positions.
+/// The search space of a planner: its states with validity checks of states and motions, start,
+/// goal, and the conversion of a solution to a path of positions.
 struct PlanningSpace {
   ompl::base::SpaceInformationPtr information;
   std::function<void(ompl::base::State*)> set_start;
@@ -23,17 +23,17 @@ struct PlanningSpace {
   std::function<Path(const ompl::base::PathPtr&)> to_path;
 };
 
-/// The workspace, as OMPL takes it.
+/// Returns the bounds of the workspace.
 ompl::base::RealVectorBounds planning_bounds(const World& world);
 
-/// R^2 for the disc of problem.robot_radius. States and straight motions are tested exactly in the
-/// model that judges collisions, with no sampling of motions.
+/// R^2 for the disc of problem.robot_radius. States and straight motions are checked exactly, with
+/// the collision model of the simulation, without sampling of motions.
 PlanningSpace make_point_space(const PlanningProblem& problem);
 
-/// Poses (x, y, heading) for a robot whose heading matters: SE(2) for a polygon that turns on the
-/// spot, Dubins curves for one that drives forward only with a smallest turning radius, Reeds-Shepp
-/// curves if it may reverse. The goal may be reached in any of 16 headings. Motions are tested
-/// along chords of at most half a cell by the judge's own test.
+/// Poses (x, y, heading) for a robot whose heading matters: SE(2) for a polygon that can rotate in
+/// place, Dubins curves for a forward-only robot with a minimum turning radius, Reeds-Shepp curves
+/// if it can reverse. The goal has 16 headings. Motions are checked along chords of at most half a
+/// cell, with the collision test of the simulation.
 PlanningSpace make_pose_space(const PlanningProblem& problem, const RobotModel& robot);
 
 }  // namespace slalom

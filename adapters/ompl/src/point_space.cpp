@@ -23,9 +23,9 @@ void set_point(ob::State* state, const TPoint2D& point) {
   values[1] = point.y;
 }
 
-class ExactValidity : public ob::StateValidityChecker {
+class PointValidityChecker : public ob::StateValidityChecker {
  public:
-  ExactValidity(const ob::SpaceInformationPtr& space, const PlanningProblem& problem)
+  PointValidityChecker(const ob::SpaceInformationPtr& space, const PlanningProblem& problem)
       : ob::StateValidityChecker(space), problem_(problem) {
     specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::EXACT;
   }
@@ -40,14 +40,14 @@ class ExactValidity : public ob::StateValidityChecker {
   const PlanningProblem& problem_;
 };
 
-class ExactMotions : public ob::MotionValidator {
+class PointMotionValidator : public ob::MotionValidator {
  public:
-  ExactMotions(const ob::SpaceInformationPtr& space, const PlanningProblem& problem)
+  PointMotionValidator(const ob::SpaceInformationPtr& space, const PlanningProblem& problem)
       : ob::MotionValidator(space), problem_(problem) {}
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
     return is_free(problem_.world, {point_of(a), point_of(b)}, problem_.robot_radius);
   }
-  /// With the last valid state on the way: found by halving.
+  /// Also finds the last valid state, by bisection.
   bool checkMotion(const ob::State* a, const ob::State* b,
                    std::pair<ob::State*, double>& last_valid) const override {
     if (checkMotion(a, b)) return true;
@@ -86,8 +86,9 @@ PlanningSpace make_point_space(const PlanningProblem& problem) {
   PlanningSpace space;
   space.information = std::make_shared<ob::SpaceInformation>(plane);
   space.information->setStateValidityChecker(
-      std::make_shared<ExactValidity>(space.information, problem));
-  space.information->setMotionValidator(std::make_shared<ExactMotions>(space.information, problem));
+      std::make_shared<PointValidityChecker>(space.information, problem));
+  space.information->setMotionValidator(
+      std::make_shared<PointMotionValidator>(space.information, problem));
   space.information->setup();
   space.set_start = [start = problem.start](ob::State* state) { set_point(state, start); };
   auto goal = std::make_shared<ob::GoalState>(space.information);

@@ -34,10 +34,10 @@ void set_pose(ob::State* state, const TPoint2D& point, double heading) {
   pose->setYaw(yaw < M_PI ? yaw : -M_PI);  // OMPL's headings lie in [-pi, pi)
 }
 
-class JudgedValidity : public ob::StateValidityChecker {
+class PoseValidityChecker : public ob::StateValidityChecker {
  public:
-  JudgedValidity(const ob::SpaceInformationPtr& space, const World& world,
-                 const Footprint& footprint)
+  PoseValidityChecker(const ob::SpaceInformationPtr& space, const World& world,
+                      const Footprint& footprint)
       : ob::StateValidityChecker(space),
         world_(world),
         contact_(make_footprint_contact(world, footprint)) {
@@ -57,12 +57,12 @@ class JudgedValidity : public ob::StateValidityChecker {
   std::unique_ptr<FootprintContact> contact_;
 };
 
-/// Motions curve: they are tested from pose to pose along them.
-class JudgedMotions : public ob::MotionValidator {
+/// Checks curved motions along chords between successive poses.
+class PoseMotionValidator : public ob::MotionValidator {
  public:
-  JudgedMotions(const ob::SpaceInformationPtr& space, const World& world,
-                const Footprint& footprint, double piece)
-      : ob::MotionValidator(space), world_(world), footprint_(footprint), piece_(piece) {}
+  PoseMotionValidator(const ob::SpaceInformationPtr& space, const World& world,
+                      const Footprint& footprint, double max_step)
+      : ob::MotionValidator(space), world_(world), footprint_(footprint), max_step_(max_step) {}
 
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
     std::pair<ob::State*, double> unused(nullptr, 0);
@@ -72,15 +72,15 @@ class JudgedMotions : public ob::MotionValidator {
                    std::pair<ob::State*, double>& last_valid) const override {
     const auto contact = make_footprint_contact(world_, footprint_);
     const auto& space = *si_->getStateSpace();
-    const int pieces = std::max(1, static_cast<int>(std::ceil(space.distance(a, b) / piece_)));
+    const int steps = std::max(1, static_cast<int>(std::ceil(space.distance(a, b) / max_step_)));
     ob::ScopedState<> next(si_->getStateSpace());
     TPose2D from = pose_of(a);
-    for (int i = 1; i <= pieces; ++i) {
-      space.interpolate(a, b, static_cast<double>(i) / pieces, next.get());
+    for (int i = 1; i <= steps; ++i) {
+      space.interpolate(a, b, static_cast<double>(i) / steps, next.get());
       TPose2D to = pose_of(next.get());
-      double share = 1;
-      if (contact->meets_obstacle(from, to, share)) {
-        last_valid.second = static_cast<double>(i - 1) / pieces;
+      double fraction = 1;
+      if (contact->find_contact(from, to, fraction)) {
+        last_valid.second = static_cast<double>(i - 1) / steps;
         if (last_valid.first != nullptr)
           space.interpolate(a, b, last_valid.second, last_valid.first);
         return false;
@@ -93,16 +93,16 @@ class JudgedMotions : public ob::MotionValidator {
  private:
   const World& world_;
   Footprint footprint_;
-  double piece_;
+  double max_step_;
 };
 
-std::shared_ptr<ob::SE2StateSpace> poses_of(const RobotModel& robot) {
+std::shared_ptr<ob::SE2StateSpace> make_state_space(const RobotModel& robot) {
   if (robot.min_turning_radius > 0 && robot.forward_only)
     return std::make_shared<ob::DubinsStateSpace>(robot.min_turning_radius);
   if (robot.min_turning_radius > 0)
     return std::make_shared<ob::ReedsSheppStateSpace>(robot.min_turning_radius);
   auto poses = std::make_shared<ob::SE2StateSpace>();
-  poses->setSubspaceWeight(1, 0.01);  // turning on the spot costs next to nothing: length counts
+  poses->setSubspaceWeight(1, 0.01);  // rotation in place is nearly free: length dominates
   return poses;
 }
 
@@ -119,25 +119,25 @@ ob::GoalPtr goal_in_any_heading(const ob::SpaceInformationPtr& information, cons
 }  // namespace
 
 PlanningSpace make_pose_space(const PlanningProblem& problem, const RobotModel& robot) {
-  const auto poses = poses_of(robot);
+  const auto poses = make_state_space(robot);
   poses->setBounds(planning_bounds(problem.world));
 
-  const double piece = 0.5 * problem.world.occupancy().resolution();
+  const double max_step = 0.5 * problem.world.occupancy().resolution();
   PlanningSpace space;
   space.information = std::make_shared<ob::SpaceInformation>(poses);
   space.information->setStateValidityChecker(
-      std::make_shared<JudgedValidity>(space.information, problem.world, robot.shape()));
-  space.information->setMotionValidator(
-      std::make_shared<JudgedMotions>(space.information, problem.world, robot.shape(), piece));
+      std::make_shared<PoseValidityChecker>(space.information, problem.world, robot.shape()));
+  space.information->setMotionValidator(std::make_shared<PoseMotionValidator>(
+      space.information, problem.world, robot.shape(), max_step));
   space.information->setup();
   space.set_start = [start = problem.start, heading = problem.start_heading](ob::State* state) {
     set_pose(state, start, heading);
   };
   space.goal = goal_in_any_heading(space.information, problem.goal);
-  space.to_path = [piece](const ob::PathPtr& solution) {
+  space.to_path = [max_step](const ob::PathPtr& solution) {
     auto curve = *solution->as<ompl::geometric::PathGeometric>();
     curve.interpolate(
-        std::max<unsigned>(2, static_cast<unsigned>(std::ceil(curve.length() / piece))));
+        std::max<unsigned>(2, static_cast<unsigned>(std::ceil(curve.length() / max_step))));
     Path path;
     for (const ob::State* state : curve.getStates()) {
       const TPose2D pose = pose_of(state);

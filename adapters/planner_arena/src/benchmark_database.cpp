@@ -5,7 +5,6 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <cstdio>
-#include <set>
 
 namespace slalom {
 namespace {
@@ -24,15 +23,13 @@ CREATE TABLE progress (runid INTEGER, time REAL, PRIMARY KEY (runid, time),
   FOREIGN KEY (runid) REFERENCES runs(id) ON DELETE CASCADE);
 )";
 
-using Ids = std::map<std::string, std::int64_t>;
-
 std::string quoted(const std::string& identifier) {
   std::string text = "\"";
   for (const char c : identifier) text += c == '"' ? "\"\"" : std::string(1, c);
   return text + "\"";
 }
 
-/// The lines of one section of an .ini, as canonical text has them.
+/// The lines of one section of an .ini in canonical text.
 std::string section_of(const std::string& ini, const std::string& section) {
   std::string lines;
   bool inside = false;
@@ -46,7 +43,7 @@ std::string section_of(const std::string& ini, const std::string& section) {
   return lines;
 }
 
-/// The value of a key of the campaign, as a number; NULL where it says nothing.
+/// The value of a campaign key as a number; NA if it is missing.
 Value ini_number(const std::string& ini, const std::string& section, const std::string& key) {
   for (const std::string& line : split(section_of(ini, section), ';')) {
     const auto equals = line.find('=');
@@ -62,6 +59,13 @@ void bind_value(SQLite::Statement& statement, int index, const Value& value) {
   value.is_na() ? statement.bind(index) : statement.bind(index, value.number());
 }
 
+/// NULL for NA, and if there is no such column.
+void bind_value(SQLite::Statement& statement, int index, const ValueColumn* column,
+                std::size_t row) {
+  const bool missing = column == nullptr || column->is_na(row);
+  missing ? statement.bind(index) : statement.bind(index, column->number(row));
+}
+
 /// Writes the tables of one database.
 class Writer {
  public:
@@ -71,10 +75,10 @@ class Writer {
   void write() {
     SQLite::Transaction transaction(database_);
     database_.exec(kSchema);
-    const Ids outcomes = add_outcomes();
-    const Ids experiments = add_experiments();
-    const Ids planners = add_planners();
-    add_runs(outcomes, experiments, planners);
+    add_outcomes();
+    add_experiments();
+    add_planners();
+    add_runs();
     transaction.commit();
   }
 
@@ -84,117 +88,85 @@ class Writer {
     return found == table_.manifest.end() ? "" : found->second;
   }
 
-  Ids add_outcomes() {
-    Ids ids;
-    for (const RunRecord& run : table_.runs) ids[run.outcome] = 0;
+  /// The value of an outcome is its position in the table.
+  void add_outcomes() {
     SQLite::Statement insert(database_, "INSERT INTO enums VALUES ('status', ?, ?)");
-    std::int64_t next = 0;
-    for (auto& [outcome, id] : ids) {
-      id = next++;
-      insert.bind(1, id);
-      insert.bind(2, outcome);
+    for (std::size_t outcome = 0; outcome < table_.outcomes.size(); ++outcome) {
+      insert.bind(1, static_cast<std::int64_t>(outcome));
+      insert.bind(2, table_.outcomes[outcome]);
       insert.exec();
       insert.reset();
     }
-    return ids;
   }
 
-  std::vector<std::string> descriptor_ids() const {
-    std::set<std::string> ids;
-    for (const auto& scenario : table_.scenarios)
-      for (const auto& descriptor : scenario.second.descriptors) ids.insert(descriptor.first);
-    return {ids.begin(), ids.end()};
-  }
-
-  std::map<std::string, int> run_counts() const {
-    std::map<std::string, int> counts;
-    for (const RunRecord& run : table_.runs) ++counts[run.scenario_hash];
-    return counts;
-  }
-
-  Ids add_experiments() {
-    const std::vector<std::string> descriptors = descriptor_ids();
-    for (const std::string& id : descriptors)
-      database_.exec("ALTER TABLE experiments ADD " + quoted(id) + " REAL");
+  /// The id of an experiment is 1 plus the position of the scenario in the table.
+  void add_experiments() {
     std::string sql = "INSERT INTO experiments VALUES (NULL, ?, 0, ?, ?, ?, ?, '', '', '', ?, ?";
-    for (std::size_t i = 0; i < descriptors.size(); ++i) sql += ", ?";
+    for (const ValueColumn& descriptor : table_.descriptors) {
+      database_.exec("ALTER TABLE experiments ADD " + quoted(descriptor.info().id) + " REAL");
+      sql += ", ?";
+    }
     SQLite::Statement insert(database_, sql + ")");
     const std::string ini = manifest("campaign.ini");
-    const std::map<std::string, int> counts = run_counts();
-    Ids ids;
-    for (const auto& [hash, scenario] : table_.scenarios) {
+    std::vector<int> counts(table_.scenario_hashes.size(), 0);
+    for (const std::uint32_t scenario : table_.scenario) ++counts[scenario];
+    for (std::size_t scenario = 0; scenario < counts.size(); ++scenario) {
       int field = 0;
-      insert.bind(++field, scenario.name);
+      insert.bind(++field, table_.scenario_names[scenario]);
       bind_value(insert, ++field, ini_number(ini, "simulation", "max_time"));
       bind_value(insert, ++field, ini_number(ini, "limits", "memory_mb"));
-      const auto count = counts.find(hash);
-      insert.bind(++field, count == counts.end() ? 0 : count->second);
+      insert.bind(++field, counts[scenario]);
       insert.bind(++field, "Slalom " + manifest("version.slalom"));
       insert.bind(++field, manifest("seed"));
-      insert.bind(++field, "scenario " + hash + "\n" + ini);
-      for (const std::string& id : descriptors) {
-        const auto found = scenario.descriptors.find(id);
-        bind_value(insert, ++field,
-                   found == scenario.descriptors.end() ? Value::na("") : found->second.value);
-      }
+      insert.bind(++field, "scenario " + table_.scenario_hashes[scenario] + "\n" + ini);
+      for (const ValueColumn& descriptor : table_.descriptors)
+        bind_value(insert, ++field, &descriptor, scenario);
       insert.exec();
       insert.reset();
-      ids[hash] = database_.getLastInsertRowid();
     }
-    return ids;
   }
 
-  Ids add_planners() {
-    Ids ids;
-    for (const RunRecord& run : table_.runs) ids[run.method] = 0;
+  /// The id of a planner is 1 plus the position of the method in the table.
+  void add_planners() {
     SQLite::Statement insert(database_, "INSERT INTO plannerConfigs VALUES (NULL, ?, ?)");
-    for (auto& [method, id] : ids) {
+    for (const std::string& method : table_.methods) {
       insert.bind(1, method);
       insert.bind(2, section_of(manifest("campaign.ini"), "method." + method));
       insert.exec();
       insert.reset();
-      id = database_.getLastInsertRowid();
     }
-    return ids;
   }
 
-  std::vector<std::string> metric_ids() const {
-    std::set<std::string> ids;
-    for (const RunRecord& run : table_.runs)
-      for (const auto& metric : run.metrics) ids.insert(metric.first);
-    ids.erase("time");  // columns that every benchmark has
-    ids.erase("solved");
-    ids.erase("status");
-    return {ids.begin(), ids.end()};
+  /// The metrics except those with the names of columns that every benchmark has.
+  std::vector<const ValueColumn*> metrics() const {
+    std::vector<const ValueColumn*> columns;
+    for (const ValueColumn& column : table_.metrics) {
+      const std::string& id = column.info().id;
+      const bool reserved = id == "time" || id == "solved" || id == "status";
+      if (!reserved && !column.wall_clock) columns.push_back(&column);
+    }
+    return columns;
   }
 
-  static Value metric_of(const RunRecord& run, const std::string& id) {
-    const auto found = run.metrics.find(id);
-    return found == run.metrics.end() ? Value::na("not computed") : found->second.value;
-  }
-
-  void add_runs(const Ids& outcomes, const Ids& experiments, const Ids& planners) {
-    const std::vector<std::string> metrics = metric_ids();
+  void add_runs() {
     for (const char* column : {"time REAL", "solved BOOLEAN", "status ENUM"})
       database_.exec(std::string("ALTER TABLE runs ADD ") + column);
     std::string sql = "INSERT INTO runs VALUES (NULL, ?, ?, ?, ?, ?";
-    for (const std::string& id : metrics) {
-      database_.exec("ALTER TABLE runs ADD " + quoted(id) + " REAL");
+    const auto columns = metrics();
+    for (const ValueColumn* column : columns) {
+      database_.exec("ALTER TABLE runs ADD " + quoted(column->info().id) + " REAL");
       sql += ", ?";
     }
     SQLite::Statement insert(database_, sql + ")");
-    for (const RunRecord& run : table_.runs) {
-      const auto experiment = experiments.find(run.scenario_hash);
+    const ValueColumn* time = find_metric(table_, "time_to_goal");
+    for (std::size_t run = 0; run < table_.size(); ++run) {
       int field = 0;
-      if (experiment == experiments.end())
-        insert.bind(++field);
-      else
-        insert.bind(++field, experiment->second);
-      insert.bind(++field, planners.at(run.method));
-      bind_value(insert, ++field, metric_of(run, "time_to_goal"));
-      insert.bind(++field, run.outcome == "success" ? 1 : 0);
-      insert.bind(++field, outcomes.at(run.outcome));
-      for (const std::string& id : metrics) bind_value(insert, ++field, metric_of(run, id));
+      insert.bind(++field, static_cast<std::int64_t>(table_.scenario[run]) + 1);
+      insert.bind(++field, static_cast<std::int64_t>(table_.method[run]) + 1);
+      bind_value(insert, ++field, time, run);
+      bind_value(insert, ++field, success_of(table_.outcomes[table_.outcome[run]]));
+      insert.bind(++field, static_cast<std::int64_t>(table_.outcome[run]));
+      for (const ValueColumn* column : columns) bind_value(insert, ++field, column, run);
       insert.exec();
       insert.reset();
     }
@@ -218,7 +190,7 @@ void write_benchmark_database(const ResultTable& table, const std::string& path)
   }
   if (std::rename(temporary.c_str(), path.c_str()) == 0) return;
   std::remove(temporary.c_str());
-  throw job_error(path, "cannot be written: not renamed");
+  throw job_error(path, "cannot be written: renaming failed");
 }
 
 }  // namespace slalom

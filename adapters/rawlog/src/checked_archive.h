@@ -7,15 +7,15 @@
 
 namespace slalom {
 
-/// Reads MRPT objects from bytes in memory. MRPT takes memory for as many rays as a scan claims to
-/// have before it reads them, and does not survive where there is none: here a scan that claims
-/// more rays than bytes are left is refused by a std::runtime_error first.
+/// Reads MRPT objects from bytes in memory. MRPT allocates memory for the ray count of a scan
+/// before it reads the rays, and crashes if the allocation fails: this class throws
+/// std::runtime_error first if a scan has more rays than bytes are left.
 class CheckedArchive : public mrpt::serialization::CArchive {
  public:
   explicit CheckedArchive(const std::string& bytes) : bytes_(bytes) {}
 
-  /// Why the archive itself refused to go on (MRPT hides that); "" otherwise.
-  const std::string& refusal() const { return refusal_; }
+  /// The error thrown by this class (MRPT hides it); "" if there was none.
+  const std::string& error() const { return error_; }
   bool at_end() const { return position_ >= bytes_.size(); }
   std::string getArchiveDescription() const override { return "bytes of a rawlog"; }
 
@@ -24,17 +24,17 @@ class CheckedArchive : public mrpt::serialization::CArchive {
   std::size_t write(const void* from, std::size_t size) override;
 
  private:
-  /// Where within a scan the reader is: its count of rays is the first number of four bytes, behind
-  /// the name of its pose, by which many ranges are then read.
-  enum class Place { Elsewhere, InScan, BehindPose };
+  /// The position within a scan: the ray count is the first number of four bytes after the class
+  /// name of the pose that is followed by a read of that many ranges.
+  enum class State { Outside, InScan, AfterPose };
 
-  void look_at(const char* data, std::size_t size);
+  void inspect(const char* data, std::size_t size);
 
   const std::string& bytes_;
   std::size_t position_ = 0;
-  Place place_ = Place::Elsewhere;
+  State state_ = State::Outside;
   std::uint32_t last_count_ = 0;
-  std::string refusal_;
+  std::string error_;
 };
 
 }  // namespace slalom

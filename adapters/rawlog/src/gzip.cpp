@@ -12,15 +12,15 @@
 namespace slalom {
 namespace {
 
-constexpr std::size_t kChunk = std::size_t(1) << 16;
-constexpr int kGzip = 15 + 16;  // zlib: largest window, a gzip header
-constexpr int kLevel = 1;       // as MRPT writes its logs
+constexpr std::size_t kChunkSize = std::size_t(1) << 16;
+constexpr int kGzip = 15 + 16;  // zlib: maximum window size, gzip header
+constexpr int kLevel = 1;       // as used by MRPT
 
 bool is_gzip(const std::string& bytes) {
   return bytes.size() >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
 }
 
-/// Ends the stream whatever happens.
+/// RAII wrapper of an inflate stream.
 struct InflateStream {
   z_stream stream{};
   InflateStream() {
@@ -50,7 +50,7 @@ GzipWriter::~GzipWriter() {
 void GzipWriter::write(const void* data, std::size_t size) {
   const auto* bytes = static_cast<const Bytef*>(data);
   while (size > 0) {
-    const std::size_t part = std::min(size, kChunk);
+    const std::size_t part = std::min(size, kChunkSize);
     state_->stream.next_in = const_cast<Bytef*>(bytes);
     state_->stream.avail_in = static_cast<uInt>(part);
     deflate_pending(Z_NO_FLUSH);
@@ -66,7 +66,7 @@ std::string GzipWriter::finish() {
 }
 
 void GzipWriter::deflate_pending(int flush) {
-  std::array<char, kChunk> out{};
+  std::array<char, kChunkSize> out{};
   do {
     state_->stream.next_out = reinterpret_cast<Bytef*>(out.data());
     state_->stream.avail_out = static_cast<uInt>(out.size());
@@ -82,18 +82,18 @@ std::string gunzip(const std::string& bytes, std::size_t limit, const std::strin
   in.stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   std::size_t left = bytes.size();
   std::string content;
-  std::array<char, kChunk> out{};
+  std::array<char, kChunkSize> out{};
   for (int status = Z_OK; status != Z_STREAM_END;) {
     if (in.stream.avail_in == 0) {
-      in.stream.avail_in = static_cast<uInt>(std::min(left, kChunk));
+      in.stream.avail_in = static_cast<uInt>(std::min(left, kChunkSize));
       left -= in.stream.avail_in;
     }
     in.stream.next_out = reinterpret_cast<Bytef*>(out.data());
     in.stream.avail_out = static_cast<uInt>(out.size());
     status = inflate(&in.stream, Z_NO_FLUSH);
-    if (status == Z_BUF_ERROR) throw file_error(where, "is cut off", "a whole rawlog");
+    if (status == Z_BUF_ERROR) throw file_error(where, "is truncated", "a complete rawlog");
     if (status != Z_OK && status != Z_STREAM_END)
-      throw file_error(where, "its compressed data are damaged", "a rawlog");
+      throw file_error(where, "corrupt compressed data", "a rawlog");
     content.append(out.data(), out.size() - in.stream.avail_out);
     if (content.size() > limit)
       throw file_error(where, "is larger than " + std::to_string(limit >> 20) + " MiB uncompressed",

@@ -6,7 +6,7 @@
 
 namespace slalom {
 
-/// Compresses bytes as they come into a .gz file in memory, without the time of day in it.
+/// Compresses a stream of bytes into a .gz file in memory, without a timestamp.
 class GzipWriter {
  public:
   GzipWriter();
@@ -15,7 +15,7 @@ class GzipWriter {
   GzipWriter& operator=(const GzipWriter&) = delete;
 
   void write(const void* data, std::size_t size);
-  std::string finish();  ///< the whole file; nothing may be written afterwards
+  std::string finish();  ///< the complete file; do not write afterwards
 
  private:
   struct State;
@@ -25,8 +25,8 @@ class GzipWriter {
   std::string file_;
 };
 
-/// The content of a .gz file, or `bytes` themselves where they are not compressed. Checks the
-/// checksum and takes no more memory than `limit` bytes. Throws Error (File) naming `where`.
+/// The content of a .gz file, or `bytes` if they are not compressed. Verifies the checksum and
+/// returns at most `limit` bytes. Throws Error (File) with location `where`.
 std::string gunzip(const std::string& bytes, std::size_t limit, const std::string& where);
 
 }  // namespace slalom

@@ -32,25 +32,25 @@ bool is_finite(const TPose2D& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.phi);
 }
 
-/// Goes through a log's objects and keeps what odometry said last.
+/// Processes the objects of a log in order, keeping the latest odometry.
 class LaserLogReader {
  public:
   explicit LaserLogReader(const std::string& label) : label_(label) {}
 
-  void take(const mrpt::serialization::CSerializable::Ptr& object) {
+  void add(const mrpt::serialization::CSerializable::Ptr& object) {
     if (const auto action = std::dynamic_pointer_cast<CActionCollection>(object)) {
-      take_action(*action);
+      add_action(*action);
     } else if (const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(object)) {
-      for (const auto& observation : *frame) take_observation(observation);
+      for (const auto& observation : *frame) add_observation(observation);
     } else if (const auto observation = std::dynamic_pointer_cast<CObservation>(object)) {
-      take_observation(observation);
+      add_observation(observation);
     }
   }
 
   std::vector<LoggedScan> scans() && { return std::move(scans_); }
 
  private:
-  void take_action(const CActionCollection& actions) {
+  void add_action(const CActionCollection& actions) {
     const auto movement = actions.getBestMovementEstimation();
     if (!movement) return;
     const auto increment = movement->rawOdometryIncrementReading.asTPose();
@@ -60,15 +60,15 @@ class LaserLogReader {
     moved_ = true;
   }
 
-  void take_observation(const CObservation::Ptr& observation) {
+  void add_observation(const CObservation::Ptr& observation) {
     if (const auto scan = std::dynamic_pointer_cast<CObservation2DRangeScan>(observation)) {
-      if (label_.empty() || scan->sensorLabel == label_) take_scan(scan);
+      if (label_.empty() || scan->sensorLabel == label_) add_scan(scan);
     } else if (const auto odometry = std::dynamic_pointer_cast<CObservationOdometry>(observation)) {
-      take_odometry(*odometry);
+      add_odometry(*odometry);
     }
   }
 
-  void take_odometry(const CObservationOdometry& odometry) {
+  void add_odometry(const CObservationOdometry& odometry) {
     const TPose2D pose = odometry.odometry.asTPose();
     if (!is_finite(pose)) return;
     if (odometry.hasVelocities)
@@ -78,7 +78,7 @@ class LaserLogReader {
     odometry_ = pose;
   }
 
-  void take_scan(const CObservation2DRangeScan::Ptr& scan) {
+  void add_scan(const CObservation2DRangeScan::Ptr& scan) {
     if (moved_ && has_time(*scan)) differentiate(*odometry_, scan->timestamp);
     moved_ = false;
     LoggedScan logged;
@@ -92,13 +92,13 @@ class LaserLogReader {
     scans_.push_back(std::move(logged));
   }
 
-  /// The mean velocity since the last pose with a time.
+  /// Computes the mean velocity since the last pose with a timestamp.
   void differentiate(const TPose2D& pose, mrpt::Clock::time_point time) {
     if (last_pose_) {
       const double dt = mrpt::Clock::toDouble(time) - mrpt::Clock::toDouble(last_time_);
       const TPose2D step = pose - *last_pose_;
-      constexpr double kShortest = 1e-3, kLongest = 10;  // s; otherwise it says nothing
-      if (dt > kShortest && dt < kLongest)
+      constexpr double kMinPeriod = 1e-3, kMaxPeriod = 10;  // s; ignored outside
+      if (dt > kMinPeriod && dt < kMaxPeriod)
         velocity_ = TTwist2D(step.x / dt, step.y / dt, mrpt::math::wrapToPi(step.phi) / dt);
     }
     last_pose_ = pose;
@@ -118,12 +118,12 @@ class LaserLogReader {
 
 std::vector<LoggedScan> read_laser_log(const std::string& path, const std::string& label) {
   LaserLogReader reader(label);
-  for (const auto& object : read_objects(path)) reader.take(object);
+  for (const auto& object : read_objects(path)) reader.add(object);
   std::vector<LoggedScan> scans = std::move(reader).scans();
   if (scans.empty())
-    throw file_error(path,
-                     label.empty() ? "holds no 2D scan" : "holds no 2D scan of '" + label + "'",
-                     "a rawlog with CObservation2DRangeScan");
+    throw file_error(
+        path, label.empty() ? "contains no 2D scan" : "contains no 2D scan of '" + label + "'",
+        "a rawlog with CObservation2DRangeScan");
   return scans;
 }
 

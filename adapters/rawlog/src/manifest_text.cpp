@@ -10,8 +10,8 @@ namespace {
 
 constexpr const char* kIndent = "  ";
 
-/// Lines as they are; always at least one.
-std::vector<std::string> lines_of(const std::string& text) {
+/// Splits at line breaks; at least one line.
+std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::size_t begin = 0;
   for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
@@ -37,16 +37,16 @@ std::string manifest_to_text(const Manifest& manifest) {
       continue;
     }
     text += "\n";
-    for (const std::string& line : lines_of(value)) text += kIndent + line + "\n";
+    for (const std::string& line : split_lines(value)) text += kIndent + line + "\n";
   }
   return text;
 }
 
 Manifest manifest_from_text(const std::string& text, const std::string& where) {
   Manifest manifest;
-  std::string* block = nullptr;  // the value that indented lines go on with
+  std::string* block = nullptr;  // the value that indented lines continue
   bool first_of_block = false;
-  std::vector<std::string> lines = lines_of(text);
+  std::vector<std::string> lines = split_lines(text);
   if (lines.back().empty()) lines.pop_back();
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string& line = lines[i];
@@ -57,12 +57,11 @@ Manifest manifest_from_text(const std::string& text, const std::string& where) {
     }
     const std::size_t equals = line.find(" =");
     if (equals == std::string::npos || equals == 0)
-      throw file_error(where, "line " + std::to_string(i + 1) + " of a comment is damaged",
+      throw file_error(where, "line " + std::to_string(i + 1) + " of a comment is malformed",
                        "key = value");
     const auto [entry, is_new] =
         manifest.emplace(line.substr(0, equals), trim(line.substr(equals + 2)));
-    if (!is_new)
-      throw file_error(where, "key '" + entry->first + "' stands there twice", "each key once");
+    if (!is_new) throw file_error(where, "duplicate key '" + entry->first + "'", "each key once");
     block = entry->second.empty() ? &entry->second : nullptr;
     first_of_block = true;
   }

@@ -7,13 +7,13 @@ namespace slalom {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool kLimitsHold = false;  // its shadow memory counts as taken
+constexpr bool kLimitsSupported = false;  // its shadow memory counts as used
 #else
-constexpr bool kLimitsHold = true;
+constexpr bool kLimitsSupported = true;
 #endif
 
-/// Bytes of data and stack that the process has taken; 0 where the system does not say.
-std::size_t taken_bytes() {
+/// Bytes of data and stack used by the process; 0 if unknown.
+std::size_t used_bytes() {
   std::ifstream pages("/proc/self/statm");
   std::size_t size = 0, resident = 0, shared = 0, text = 0, library = 0, data = 0;
   pages >> size >> resident >> shared >> text >> library >> data;
@@ -23,16 +23,16 @@ std::size_t taken_bytes() {
 }  // namespace
 
 MemoryGuard::MemoryGuard(std::size_t allowance) {
-  const std::size_t taken = taken_bytes();
-  if (!kLimitsHold || taken == 0 || getrlimit(RLIMIT_DATA, &before_) != 0) return;
-  rlimit limit = before_;
-  if (limit.rlim_cur <= taken + allowance) return;
-  limit.rlim_cur = taken + allowance;
+  const std::size_t used = used_bytes();
+  if (!kLimitsSupported || used == 0 || getrlimit(RLIMIT_DATA, &previous_) != 0) return;
+  rlimit limit = previous_;
+  if (limit.rlim_cur <= used + allowance) return;
+  limit.rlim_cur = used + allowance;
   active_ = setrlimit(RLIMIT_DATA, &limit) == 0;
 }
 
 MemoryGuard::~MemoryGuard() {
-  if (active_) setrlimit(RLIMIT_DATA, &before_);
+  if (active_) setrlimit(RLIMIT_DATA, &previous_);
 }
 
 }  // namespace slalom

@@ -5,9 +5,9 @@
 
 namespace slalom {
 
-/// While it lives the process may take only `allowance` more bytes of memory. MRPT's readers
-/// believe the counts in a file and take memory before they read: with this a wrong count ends as
-/// std::bad_alloc, whatever the machine would give.
+/// Limits the memory of the process during its lifetime to `allowance` more bytes. MRPT's readers
+/// trust the counts in a file and allocate memory before they read: with this guard a wrong count
+/// causes std::bad_alloc, independent of the machine.
 class MemoryGuard {
  public:
   explicit MemoryGuard(std::size_t allowance);
@@ -17,7 +17,7 @@ class MemoryGuard {
 
  private:
   bool active_ = false;
-  rlimit before_{};
+  rlimit previous_{};
 };
 
 }  // namespace slalom

@@ -1,5 +1,6 @@
 #include "rawlog_format.h"
 
+#include <slalom/core/distance.h>
 #include <slalom/core/error.h>
 #include <slalom/methods/registry.h>
 #include <slalom/rawlog/open_loop.h>
@@ -16,38 +17,37 @@ using mrpt::math::TPose2D;
 
 constexpr double kStep = 0.01;  // s
 
-/// The robot under one command, seen from where it was when the command came.
-class Drive {
+/// Simulates the robot, in the frame of its pose at the time of the command.
+class Rollout {
  public:
-  Drive(const RobotModel& robot, const Velocity& velocity)
+  Rollout(const RobotModel& robot, const Velocity& velocity)
       : robot_(robot), shape_(robot.shape()), vehicle_(make_vehicle(robot)) {
     vehicle_->start_at({});
     vehicle_->command(velocity.v, velocity.w, velocity.vy);
-    for (double t = 0; t < time_to_settle(); t += kStep) vehicle_->advance(kStep);
-    begin_ = vehicle_->getCurrentGTPose();
+    for (double t = 0; t < settling_time(); t += kStep) vehicle_->advance(kStep);
+    start_ = vehicle_->getCurrentGTPose();
   }
 
-  /// Whether a point gets into the footprint while `command` holds for `duration`.
-  bool meets(const Command& command, double duration, const std::vector<TPoint2D>& points) {
+  /// Whether a point enters the footprint while `command` is applied for `duration` (s).
+  bool collides(const Command& command, double duration, const std::vector<TPoint2D>& points) {
     vehicle_->command(command.v, command.w, command.vy);
     for (double t = 0; t < duration - 0.5 * kStep; t += kStep) {
       vehicle_->advance(kStep);
-      if (touches(points)) return true;
+      if (in_contact(points)) return true;
     }
     return false;
   }
 
-  bool touches(const std::vector<TPoint2D>& points) const {
-    const TPose2D pose = vehicle_->getCurrentGTPose() - begin_;
+  bool in_contact(const std::vector<TPoint2D>& points) const {
+    const TPose2D pose = vehicle_->getCurrentGTPose() - start_;
     const Polygon outline{shape_.corners_at(pose)};
     return std::any_of(points.begin(), points.end(), [&](const TPoint2D& p) {
-      return shape_.is_disc() ? std::hypot(p.x - pose.x, p.y - pose.y) < robot_.radius
-                              : contains(outline, p);
+      return shape_.is_disc() ? distance_between(p, pose) < robot_.radius : contains(outline, p);
     });
   }
 
-  /// After which every speed is that of the command, or as near as the drives get.
-  double time_to_settle() const {
+  /// Time (s) after which the velocity has converged to the command.
+  double settling_time() const {
     constexpr double kTimeConstants = 10;
     return robot_.delay + kTimeConstants * robot_.delay_tau +
            2 * std::max(robot_.max_v / robot_.max_accel_v, robot_.max_w / robot_.max_accel_w) +
@@ -58,7 +58,7 @@ class Drive {
   RobotModel robot_;
   Footprint shape_;
   std::unique_ptr<Vehicle> vehicle_;
-  TPose2D begin_;
+  TPose2D start_;
 };
 
 Observation observe(const LoggedScan& logged, const OpenLoopSetup& setup) {
@@ -72,8 +72,8 @@ Observation observe(const LoggedScan& logged, const OpenLoopSetup& setup) {
   return observation;
 }
 
-Task task_of(const Observation& observation, const OpenLoopSetup& setup) {
-  Task task;
+NavigationTask task_of(const Observation& observation, const OpenLoopSetup& setup) {
+  NavigationTask task;
   task.start = observation.odometry;
   task.goal = {task.start.x + setup.goal_ahead * std::cos(task.start.phi),
                task.start.y + setup.goal_ahead * std::sin(task.start.phi)};
@@ -82,9 +82,9 @@ Task task_of(const Observation& observation, const OpenLoopSetup& setup) {
   return task;
 }
 
-/// What the method answers, or why there is nothing to drive.
-Command ask(Method& method, const Observation& observation, const OpenLoopSetup& setup,
-            std::string& problem) try {
+/// Returns the method's command; `problem` is set if it is not valid.
+Command query_method(Method& method, const Observation& observation, const OpenLoopSetup& setup,
+                     std::string& problem) try {
   method.reset(task_of(observation, setup));
   const Command command = method.step(observation);
   is_valid_command(command, setup.robot, problem);
@@ -94,38 +94,40 @@ Command ask(Method& method, const Observation& observation, const OpenLoopSetup&
   return {};
 }
 
-/// Rays of the campaign's sensor outside the log's field of view; only bearings matter.
-int count_unseen(const mrpt::obs::CObservation2DRangeScan& scan, const SensorModel& sensor) {
+/// The number of rays of the campaign's sensor outside the scan's field of view.
+int count_uncovered(const mrpt::obs::CObservation2DRangeScan& scan, const SensorModel& sensor) {
   const double yaw = scan.sensorPose.yaw(), half = 0.5 * scan.aperture + 1e-6;
-  int unseen = 0;
+  int uncovered = 0;
   for (int i = 0; i < sensor.rays; ++i) {
     const double angle = sensor.aperture() * (static_cast<double>(i) / (sensor.rays - 1) - 0.5);
-    unseen += std::abs(std::remainder(angle - yaw, 2 * M_PI)) > half ? 1 : 0;
+    uncovered += std::abs(std::remainder(angle - yaw, 2 * M_PI)) > half ? 1 : 0;
   }
-  return unseen;
+  return uncovered;
 }
 
 }  // namespace
 
-Forecast foresee_contact(const RobotModel& robot, double control_period, const Velocity& velocity,
-                         const Command& command, const std::vector<TPoint2D>& points) {
-  Forecast forecast;
-  Drive braked(robot, velocity), held(robot, velocity);
-  forecast.at_once = braked.touches(points);
-  if (forecast.at_once) return forecast;
-  forecast.stopping = braked.meets(command, control_period, points) ||
-                      braked.meets({}, braked.time_to_settle(), points);
-  forecast.one_second = held.meets(command, 1.0, points);
-  return forecast;
+ContactPrediction predict_contact(const RobotModel& robot, double control_period,
+                                  const Velocity& velocity, const Command& command,
+                                  const std::vector<TPoint2D>& points) {
+  ContactPrediction prediction;
+  Rollout braked(robot, velocity), held(robot, velocity);
+  prediction.in_contact = braked.in_contact(points);
+  if (prediction.in_contact) return prediction;
+  prediction.stopping = braked.collides(command, control_period, points) ||
+                        braked.collides({}, braked.settling_time(), points);
+  prediction.one_second = held.collides(command, 1.0, points);
+  return prediction;
 }
 
 std::vector<OpenLoopAnswer> replay_open_loop(const std::vector<LoggedScan>& scans,
                                              const OpenLoopSetup& setup, Method& method) {
-  constexpr double kBetween = 3;  // s: navigators take no two runs in a row for one
+  constexpr double kTaskInterval =
+      3;  // s; large enough for navigators to treat the tasks as separate
   std::vector<OpenLoopAnswer> answers;
   mrpt::Clock::setActiveClock(mrpt::Clock::Simulated);
   for (const LoggedScan& logged : scans) {
-    const auto now = logged_time(kBetween * static_cast<double>(answers.size()));
+    const auto now = logged_time(kTaskInterval * static_cast<double>(answers.size()));
     mrpt::Clock::setSimulatedTime(now);
     auto scan = resample_scan(*logged.scan, setup.sensor);
     scan.timestamp = now;
@@ -133,12 +135,12 @@ std::vector<OpenLoopAnswer> replay_open_loop(const std::vector<LoggedScan>& scan
     observation.scan = &scan;
     OpenLoopAnswer answer;
     answer.time = logged.time;
-    answer.unseen_rays = count_unseen(*logged.scan, setup.sensor);
-    answer.command = ask(method, observation, setup, answer.problem);
+    answer.uncovered_rays = count_uncovered(*logged.scan, setup.sensor);
+    answer.command = query_method(method, observation, setup, answer.problem);
     if (answer.problem.empty())
-      answer.forecast = foresee_contact(setup.robot, setup.control_period,
-                                        {observation.v, observation.w, observation.vy},
-                                        answer.command, scan_points(*logged.scan));
+      answer.prediction = predict_contact(setup.robot, setup.control_period,
+                                          {observation.v, observation.w, observation.vy},
+                                          answer.command, scan_points(*logged.scan));
     answers.push_back(std::move(answer));
   }
   return answers;

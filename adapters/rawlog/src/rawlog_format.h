@@ -7,15 +7,15 @@
 
 namespace slalom {
 
-/// Version of what stands in the comments of a run's rawlog.
+/// Version of the comments in the rawlog of a run.
 constexpr const char* kFormatVersion = "1";
 
-/// Labels of the observations. (Of comments MRPT keeps none.)
+/// Labels of the observations. (MRPT does not store labels of comments.)
 constexpr const char* kOdometryLabel = "odometry";
 constexpr const char* kTruthLabel = "ground_truth";
 constexpr const char* kCommandLabel = "command";
 
-/// Keys of both comments: the manifest before the cycles, the result behind them.
+/// Keys of the two comments: the manifest before the cycles, the result after them.
 namespace keys {
 constexpr const char* kFormat = "slalom_run";
 constexpr const char* kCampaignIni = "campaign.ini";
@@ -36,13 +36,13 @@ constexpr const char* kTrajectoryHash = "trajectory.hash";
 constexpr const char* kTrajectory = "trajectory";
 }  // namespace keys
 
-/// The instant that time 0 of every recorded run has: that of a process's first run.
+/// The timestamp of time 0 of every recorded run.
 mrpt::Clock::time_point logged_start();
-mrpt::Clock::time_point logged_time(double seconds);  ///< since the start of the run
+mrpt::Clock::time_point logged_time(double seconds);  ///< s since the start of the run
 
-std::string format_numbers(const std::vector<double>& numbers);  ///< exact, separated by blanks
+std::string format_numbers(const std::vector<double>& numbers);  ///< exact, blank-separated
 
-/// `count` numbers, or false.
+/// Parses exactly `count` numbers; false on error.
 bool parse_numbers(const std::string& text, std::size_t count, double* numbers);
 
 }  // namespace slalom

@@ -17,14 +17,14 @@ namespace {
 using mrpt::serialization::CSerializable;
 using Objects = std::vector<CSerializable::Ptr>;
 
-constexpr std::size_t kLargest = std::size_t(2) << 30;  ///< bytes of a log, uncompressed
+constexpr std::size_t kMaxLogSize = std::size_t(2) << 30;  ///< of an uncompressed log, bytes
 
 std::string content_of(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) throw file_error(path, "cannot be read");
-  if (std::filesystem::file_size(path, error) > kLargest || error)
+  if (std::filesystem::file_size(path, error) > kMaxLogSize || error)
     throw file_error(path, "is too large", "a rawlog of at most 2 GiB");
-  std::string content = gunzip(read_file(path), kLargest, path);
+  std::string content = gunzip(read_file(path), kMaxLogSize, path);
   if (content.empty()) throw file_error(path, "is empty", "a rawlog");
   return content;
 }
@@ -40,18 +40,19 @@ void add(Objects& objects, const CSerializable::Ptr& object) {
 Objects read_objects(const std::string& path) {
   const std::string content = content_of(path);
   CheckedArchive archive(content);
-  // Objects take more than their bytes in the file; tens of times more only when a count is wrong.
-  constexpr std::size_t kShare = 16, kAtLeast = std::size_t(64) << 20;
-  const MemoryGuard guard(kAtLeast + kShare * content.size());
+  // Objects need more memory than in the file; tens of times more only if a count is corrupt.
+  constexpr std::size_t kFactor = 16, kMinAllowance = std::size_t(64) << 20;
+  const MemoryGuard guard(kMinAllowance + kFactor * content.size());
   Objects objects;
   const auto where = [&] { return path + ": object " + std::to_string(objects.size() + 1); };
   while (!archive.at_end()) try {
       add(objects, archive.ReadObject());
     } catch (const std::bad_alloc&) {
-      throw file_error(where(), "asks for more memory than a log of this size needs", "a rawlog");
+      throw file_error(where(), "requires more memory than expected of a log of this size",
+                       "a rawlog");
     } catch (const std::exception& error) {
-      const std::string reason = archive.refusal().empty() ? reason_of(error) : archive.refusal();
-      throw file_error(where(), "cannot be read (" + reason + ")", "a whole rawlog");
+      const std::string reason = archive.error().empty() ? reason_of(error) : archive.error();
+      throw file_error(where(), "cannot be read (" + reason + ")", "a complete rawlog");
     }
   return objects;
 }

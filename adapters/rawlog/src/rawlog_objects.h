@@ -7,8 +7,8 @@
 
 namespace slalom {
 
-/// The objects of a rawlog in file order, those of a CRawlog object among them. Throws Error (File)
-/// with file and reason when it is missing, damaged or cut off.
+/// The objects of a rawlog in file order, including those within CRawlog objects. Throws Error
+/// (File) with file and reason if it is missing, corrupt or truncated.
 std::vector<mrpt::serialization::CSerializable::Ptr> read_objects(const std::string& path);
 
 }  // namespace slalom

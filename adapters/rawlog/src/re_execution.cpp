@@ -1,30 +1,26 @@
 #include "rawlog_format.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/hash.h>
 #include <slalom/core/text.h>
 #include <slalom/rawlog/re_execution.h>
-
-#include <cstring>
 
 namespace slalom {
 namespace {
 
-bool same_bits(double a, double b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+/// "recorded v = 0.5, replayed v = 0.4", or "".
+std::string difference(const char* name, double recorded, double replayed) {
+  if (same_bits(recorded, replayed)) return "";
+  const std::string label = std::string(name) + " = ";
+  return "recorded " + label + format_numbers({recorded}) + ", replayed " + label +
+         format_numbers({replayed});
 }
 
-/// "v = 0.5 was recorded, 0.4 is answered", or nothing.
-std::string difference(const char* name, double recorded, double answered) {
-  if (same_bits(recorded, answered)) return "";
-  return std::string(name) + " = " + format_numbers({recorded}) + " was recorded, " +
-         format_numbers({answered}) + " is answered";
-}
-
-std::string difference(const Command& recorded, const Command& answered) {
+std::string difference(const Command& recorded, const Command& replayed) {
   std::vector<std::string> parts;
   for (const std::string& part :
-       {difference("v", recorded.v, answered.v), difference("w", recorded.w, answered.w),
-        difference("vy", recorded.vy, answered.vy)})
+       {difference("v", recorded.v, replayed.v), difference("w", recorded.w, replayed.w),
+        difference("vy", recorded.vy, replayed.vy)})
     if (!part.empty()) parts.push_back(part);
   return join(parts, "; ");
 }
@@ -51,7 +47,7 @@ std::optional<std::string> first_difference(const RecordedRun& run, Method& meth
       if (!found.empty()) return where + ": " + found;
     }
   } catch (const std::exception& error) {
-    return where + ": the method fails (" + reason_of(error) + ")";
+    return where + ": the method failed (" + reason_of(error) + ")";
   }
   return std::nullopt;
 }

@@ -1,4 +1,4 @@
-#include "manifest_lines.h"
+#include "manifest_reader.h"
 #include "rawlog_format.h"
 #include "rawlog_objects.h"
 
@@ -24,17 +24,17 @@ using mrpt::obs::CObservationComment;
 using mrpt::obs::CObservationOdometry;
 using mrpt::obs::CObservationRobotPose;
 
-RunManifest run_manifest(const ManifestLines& lines) {
+RunManifest run_manifest(const ManifestReader& lines) {
   RunManifest manifest;
   if (lines.text(keys::kFormat) != kFormatVersion)
-    throw lines.wrong(keys::kFormat, std::string("format version ") + kFormatVersion);
+    throw lines.invalid(keys::kFormat, std::string("format version ") + kFormatVersion);
   manifest.campaign_ini = lines.text(keys::kCampaignIni);
   manifest.scenario_name = lines.text(keys::kScenarioName);
   manifest.scenario_hash = lines.text(keys::kScenarioHash);
   manifest.scenario_yaml = lines.text(keys::kScenarioYaml);
   manifest.method = lines.text(keys::kMethod);
-  manifest.repetition = lines.whole<int>(keys::kRepetition);
-  manifest.seed = lines.whole<std::uint64_t>(keys::kSeed);
+  manifest.repetition = lines.integer<int>(keys::kRepetition);
+  manifest.seed = lines.integer<std::uint64_t>(keys::kSeed);
   manifest.more = lines.without({keys::kFormat, keys::kCampaignIni, keys::kScenarioName,
                                  keys::kScenarioHash, keys::kScenarioYaml, keys::kMethod,
                                  keys::kRepetition, keys::kSeed, keys::kStart, keys::kGoal,
@@ -42,33 +42,33 @@ RunManifest run_manifest(const ManifestLines& lines) {
   return manifest;
 }
 
-Task task_of(const ManifestLines& lines) {
-  Task task;
+NavigationTask task_of(const ManifestReader& lines) {
+  NavigationTask task;
   const auto start = lines.numbers<3>(keys::kStart);
   const auto goal = lines.numbers<2>(keys::kGoal);
   task.start = {start[0], start[1], start[2]};
   task.goal = {goal[0], goal[1]};
   task.goal_tolerance = lines.number(keys::kGoalTolerance);
   task.control_period = lines.number(keys::kControlPeriod);
-  task.seed = lines.whole<std::uint64_t>(keys::kTaskSeed);
+  task.seed = lines.integer<std::uint64_t>(keys::kTaskSeed);
   return task;
 }
 
-Trajectory trajectory_of(const ManifestLines& lines) {
+Trajectory trajectory_of(const ManifestReader& lines) {
   Trajectory trajectory;
   std::istringstream rows(lines.text(keys::kTrajectory));
   for (std::string row; std::getline(rows, row);) {
     std::array<double, Sample::kNumbers> numbers{};
     if (!parse_numbers(row, numbers.size(), numbers.data()))
-      throw lines.wrong(keys::kTrajectory, std::to_string(numbers.size()) + " numbers a line");
+      throw lines.invalid(keys::kTrajectory, std::to_string(numbers.size()) + " numbers per line");
     trajectory.samples.push_back(Sample::from_numbers(numbers));
   }
   if (trajectory.hash() != lines.text(keys::kTrajectoryHash))
-    throw lines.wrong(keys::kTrajectory, "a trajectory with the hash that stands there");
+    throw lines.invalid(keys::kTrajectory, "a trajectory that matches its hash");
   return trajectory;
 }
 
-/// Takes a log's objects one after another, each of the class and with the label that it must have.
+/// Reads the objects of a log in order and checks their class and label.
 class RunLog {
  public:
   explicit RunLog(const std::string& path) : path_(path), objects_(read_objects(path)) {}
@@ -77,33 +77,34 @@ class RunLog {
 
   template <typename Class>
   std::shared_ptr<const Class> next(const char* label) {
-    return take<Class>(next_++, label);
+    return get<Class>(next_++, label);
   }
 
-  ManifestLines first_comment() { return comment(next_++); }
-  ManifestLines last_comment() const { return comment(size() - 1); }
+  ManifestReader first_comment() { return comment(next_++); }
+  ManifestReader last_comment() const { return comment(size() - 1); }
 
-  /// An error at the object that was taken last.
-  Error wrong(const std::string& expected) const { return wrong(next_ - 1, expected); }
+  /// An error at the last object.
+  Error unexpected(const std::string& expected) const { return unexpected(next_ - 1, expected); }
 
  private:
   template <typename Class>
-  std::shared_ptr<const Class> take(std::size_t index, const char* label) const {
+  std::shared_ptr<const Class> get(std::size_t index, const char* label) const {
     auto object =
         index < objects_.size() ? std::dynamic_pointer_cast<const Class>(objects_[index]) : nullptr;
     if (!object || (label != nullptr && object->sensorLabel != label))
-      throw wrong(index, CLASS_ID(Class)->className +
-                             (label == nullptr ? std::string() : std::string(" '") + label + "'"));
+      throw unexpected(index,
+                       CLASS_ID(Class)->className +
+                           (label == nullptr ? std::string() : std::string(" '") + label + "'"));
     return object;
   }
 
-  ManifestLines comment(std::size_t index) const {
-    return {manifest_from_text(take<CObservationComment>(index, nullptr)->text, path_), path_};
+  ManifestReader comment(std::size_t index) const {
+    return {manifest_from_text(get<CObservationComment>(index, nullptr)->text, path_), path_};
   }
 
-  Error wrong(std::size_t index, const std::string& expected) const {
-    return file_error(path_ + ": object " + std::to_string(index + 1),
-                      "is not what a recorded run has there", expected);
+  Error unexpected(std::size_t index, const std::string& expected) const {
+    return file_error(path_ + ": object " + std::to_string(index + 1), "unexpected object",
+                      expected);
   }
 
   std::string path_;
@@ -111,42 +112,37 @@ class RunLog {
   std::size_t next_ = 0;
 };
 
-TPoint2D seen_from(const TPose2D& pose, const TPoint2D& point) {
-  const double c = std::cos(pose.phi), s = std::sin(pose.phi);
-  const double dx = point.x - pose.x, dy = point.y - pose.y;
-  return {c * dx + s * dy, -s * dx + c * dy};
-}
-
-void check_truth(const RunLog& log, const CObservationRobotPose& truth, const Sample& sample) {
-  constexpr double kNear = 1e-6;  // m, rad: MRPT keeps an orientation as a quaternion
+void check_ground_truth(const RunLog& log, const CObservationRobotPose& truth,
+                        const Sample& sample) {
+  constexpr double kTolerance = 1e-6;  // m, rad; MRPT stores the orientation as a quaternion
   const auto& pose = truth.pose.mean;
-  const bool near = std::abs(pose.x() - sample.pose.x) < kNear &&
-                    std::abs(pose.y() - sample.pose.y) < kNear &&
-                    std::abs(mrpt::math::wrapToPi(pose.yaw() - sample.pose.phi)) < kNear;
-  if (!near || truth.timestamp != logged_time(sample.t))
-    throw log.wrong("the pose and time of the trajectory");
+  const bool matches = std::abs(pose.x() - sample.pose.x) < kTolerance &&
+                       std::abs(pose.y() - sample.pose.y) < kTolerance &&
+                       std::abs(mrpt::math::wrapToPi(pose.yaw() - sample.pose.phi)) < kTolerance;
+  if (!matches || truth.timestamp != logged_time(sample.t))
+    throw log.unexpected("the pose and time of the trajectory");
 }
 
 bool is_finite(const CObservationOdometry& odometry) {
   const auto& pose = odometry.odometry;
-  const auto& speed = odometry.velocityLocal;
+  const auto& velocity = odometry.velocityLocal;
   return odometry.hasVelocities && std::isfinite(pose.x()) && std::isfinite(pose.y()) &&
-         std::isfinite(pose.phi()) && std::isfinite(speed.vx) && std::isfinite(speed.vy) &&
-         std::isfinite(speed.omega);
+         std::isfinite(pose.phi()) && std::isfinite(velocity.vx) && std::isfinite(velocity.vy) &&
+         std::isfinite(velocity.omega);
 }
 
 void check_scan(const RunLog& log, const CObservation2DRangeScan& scan, const RecordedRun& run) {
   const std::size_t rays = scan.getScanSize();
   if (rays < 2 || (!run.cycles.empty() && run.cycles.front().scan->getScanSize() != rays))
-    throw log.wrong("a scan with as many rays as all others");
+    throw log.unexpected("a scan with the same number of rays as the others");
   for (std::size_t i = 0; i < rays; ++i)
-    if (!std::isfinite(scan.getScanRange(i))) throw log.wrong("a scan with finite ranges");
+    if (!std::isfinite(scan.getScanRange(i))) throw log.unexpected("a scan with finite ranges");
 }
 
-std::shared_ptr<const CObservationOdometry> next_motion(RunLog& log, const char* label) {
-  auto motion = log.next<CObservationOdometry>(label);
-  if (!is_finite(*motion)) throw log.wrong("finite numbers");
-  return motion;
+std::shared_ptr<const CObservationOdometry> next_odometry(RunLog& log, const char* label) {
+  auto odometry = log.next<CObservationOdometry>(label);
+  if (!is_finite(*odometry)) throw log.unexpected("finite numbers");
+  return odometry;
 }
 
 RecordedCycle next_cycle(RunLog& log, const RecordedRun& run, const TPoint2D& goal) {
@@ -154,39 +150,37 @@ RecordedCycle next_cycle(RunLog& log, const RecordedRun& run, const TPoint2D& go
   RecordedCycle cycle;
   cycle.scan = log.next<CObservation2DRangeScan>(nullptr);
   check_scan(log, *cycle.scan, run);
-  const auto odometry = next_motion(log, kOdometryLabel);
+  const auto odometry = next_odometry(log, kOdometryLabel);
   cycle.stamp = odometry->timestamp;
   const auto& pose = odometry->odometry;
-  const auto& speed = odometry->velocityLocal;
-  const TPose2D believed(pose.x(), pose.y(), pose.phi());
-  cycle.observation = {sample.t,        believed, speed.vx,
-                       speed.omega,     speed.vy, seen_from(believed, goal),
+  const auto& velocity = odometry->velocityLocal;
+  const TPose2D odometry_pose(pose.x(), pose.y(), pose.phi());
+  cycle.observation = {sample.t,        odometry_pose, velocity.vx,
+                       velocity.omega,  velocity.vy,   odometry_pose.inverseComposePoint(goal),
                        cycle.scan.get()};
-  check_truth(log, *log.next<CObservationRobotPose>(kTruthLabel), sample);
-  const auto command = next_motion(log, kCommandLabel)->velocityLocal;
+  check_ground_truth(log, *log.next<CObservationRobotPose>(kTruthLabel), sample);
+  const auto command = next_odometry(log, kCommandLabel)->velocityLocal;
   cycle.command = {command.vx, command.omega, command.vy};
   if (command.vx != sample.command_v || command.omega != sample.command_w ||
       command.vy != sample.command_vy)
-    throw log.wrong("the command of the trajectory");
+    throw log.unexpected("the command of the trajectory");
   return cycle;
 }
 
-Outcome outcome_of(const ManifestLines& lines) {
-  const std::string& text = lines.text(keys::kOutcome);
-  for (const Outcome outcome : all_outcomes())
-    if (to_string(outcome) == text) return outcome;
-  throw lines.wrong(keys::kOutcome, "success, collision, timeout, ...");
+Outcome outcome_of(const ManifestReader& lines) {
+  if (const auto outcome = from_name<Outcome>(lines.text(keys::kOutcome))) return *outcome;
+  throw lines.invalid(keys::kOutcome, "success, collision, timeout, ...");
 }
 
-/// How many cycles a log of so many objects has: four objects each, between the manifest and the
-/// last true pose with the result.
+/// The number of cycles in a log: four objects each, between the manifest and the last ground-truth
+/// pose with the result.
 std::size_t count_cycles(const RunLog& log, const RecordedRun& run, const std::string& path) {
   const std::size_t samples = run.trajectory.samples.size();
   const std::size_t others = samples == 0 ? 2 : 3;
   const std::size_t cycles = log.size() < others ? 0 : (log.size() - others) / 4;
-  const bool whole = log.size() == others + 4 * cycles;
-  if (!whole || cycles > samples || samples > cycles + 1 || (cycles > 0 && !run.task))
-    throw file_error(path, "has parts missing or added", "a run as Slalom recorded it");
+  const bool complete = log.size() == others + 4 * cycles;
+  if (!complete || cycles > samples || samples > cycles + 1 || (cycles > 0 && !run.task))
+    throw file_error(path, "has missing or extra objects", "a run recorded by Slalom");
   return cycles;
 }
 
@@ -195,17 +189,18 @@ std::size_t count_cycles(const RunLog& log, const RecordedRun& run, const std::s
 RecordedRun read_run(const std::string& path) {
   RunLog log(path);
   RecordedRun run;
-  const ManifestLines manifest = log.first_comment();
+  const ManifestReader manifest = log.first_comment();
   run.manifest = run_manifest(manifest);
   if (manifest.has(keys::kStart)) run.task = task_of(manifest);
-  const ManifestLines result = log.last_comment();
+  const ManifestReader result = log.last_comment();
   run.trajectory = trajectory_of(result);
   run.detail = result.text(keys::kDetail);
   run.outcome = outcome_of(result);
   const std::size_t cycles = count_cycles(log, run, path);
   while (run.cycles.size() < cycles) run.cycles.push_back(next_cycle(log, run, run.task->goal));
   if (!run.trajectory.samples.empty())
-    check_truth(log, *log.next<CObservationRobotPose>(kTruthLabel), run.trajectory.samples.back());
+    check_ground_truth(log, *log.next<CObservationRobotPose>(kTruthLabel),
+                       run.trajectory.samples.back());
   return run;
 }
 

@@ -25,7 +25,7 @@ using mrpt::obs::CObservationComment;
 using mrpt::obs::CObservationOdometry;
 using mrpt::obs::CObservationRobotPose;
 
-/// Without CPose2D's constructor, which changes the last bits of an angle.
+/// Avoids CPose2D's constructor, which changes the last bits of an angle.
 mrpt::poses::CPose2D exact_pose(const TPose2D& pose) {
   mrpt::poses::CPose2D exact;
   exact.x(pose.x);
@@ -34,7 +34,7 @@ mrpt::poses::CPose2D exact_pose(const TPose2D& pose) {
   return exact;
 }
 
-Manifest lines_of(const RunManifest& run) {
+Manifest to_entries(const RunManifest& run) {
   Manifest lines = run.more;
   lines[keys::kFormat] = kFormatVersion;
   lines[keys::kCampaignIni] = run.campaign_ini;
@@ -47,7 +47,7 @@ Manifest lines_of(const RunManifest& run) {
   return lines;
 }
 
-void add_task(Manifest& lines, const Task& task) {
+void add_task(Manifest& lines, const NavigationTask& task) {
   lines[keys::kStart] = format_numbers({task.start.x, task.start.y, task.start.phi});
   lines[keys::kGoal] = format_numbers({task.goal.x, task.goal.y});
   lines[keys::kGoalTolerance] = format_number(task.goal_tolerance);
@@ -72,9 +72,9 @@ std::string result_text(const SimulationResult& result) {
 class RawlogRecorder : public RunObserver {
  public:
   RawlogRecorder(std::string path, const RunManifest& manifest)
-      : path_(std::move(path)), manifest_(lines_of(manifest)) {}
+      : path_(std::move(path)), manifest_(to_entries(manifest)) {}
 
-  void on_start(const Task& task) override {
+  void on_start(const NavigationTask& task) override {
     started_ = Clock::now();
     add_task(manifest_, task);
     write_comment(manifest_to_text(manifest_), 0);
@@ -88,7 +88,7 @@ class RawlogRecorder : public RunObserver {
     write(scan);
     write_odometry(kOdometryLabel, observation.time, observation.odometry,
                    {observation.v, observation.vy, observation.w});
-    write_true_pose(observation.time, pose);
+    write_ground_truth(observation.time, pose);
     write_odometry(kCommandLabel, observation.time, observation.odometry,
                    {command.v, command.vy, command.w});
   }
@@ -96,7 +96,7 @@ class RawlogRecorder : public RunObserver {
   void on_end(const SimulationResult& result) override {
     if (!has_manifest_) write_comment(manifest_to_text(manifest_), 0);
     const auto& samples = result.trajectory.samples;
-    if (!samples.empty()) write_true_pose(samples.back().t, samples.back().pose);
+    if (!samples.empty()) write_ground_truth(samples.back().t, samples.back().pose);
     write_comment(result_text(result), samples.empty() ? 0 : samples.back().t);
     write_file_atomically(path_, file_.finish());
   }
@@ -120,7 +120,7 @@ class RawlogRecorder : public RunObserver {
     write(odometry);
   }
 
-  void write_true_pose(double time, const TPose2D& pose) {
+  void write_ground_truth(double time, const TPose2D& pose) {
     CObservationRobotPose truth;
     truth.sensorLabel = kTruthLabel;
     truth.timestamp = logged_time(time);
@@ -137,7 +137,7 @@ class RawlogRecorder : public RunObserver {
   std::string path_;
   Manifest manifest_;
   bool has_manifest_ = false;
-  Clock::time_point started_;  ///< depends on the runs before this one in its process
+  Clock::time_point started_;  ///< depends on previous runs in this process
   GzipWriter file_;
 };
 

@@ -1,3 +1,4 @@
+#include <slalom/core/distance.h>
 #include <slalom/rawlog/open_loop.h>
 
 #include <mrpt/core/bits_math.h>
@@ -12,7 +13,7 @@ namespace {
 using mrpt::math::TPoint2D;
 using mrpt::obs::CObservation2DRangeScan;
 
-/// Ray i of a scan, in the sensor's frame.
+/// Angle of ray i in the sensor frame (rad).
 double ray_angle(const CObservation2DRangeScan& scan, std::size_t i) {
   const double count = static_cast<double>(scan.getScanSize());
   const double angle = count < 2 ? 0 : scan.aperture * (static_cast<double>(i) / (count - 1) - 0.5);
@@ -25,7 +26,7 @@ bool is_hit(const CObservation2DRangeScan& scan, std::size_t i) {
          (scan.maxRange <= 0 || range < scan.maxRange);
 }
 
-TPoint2D on_robot(const CObservation2DRangeScan& scan, double range, double angle) {
+TPoint2D to_robot_frame(const CObservation2DRangeScan& scan, double range, double angle) {
   const auto point =
       scan.sensorPose.asTPose().composePoint({range * std::cos(angle), range * std::sin(angle), 0});
   return {point.x, point.y};
@@ -36,7 +37,7 @@ bool is_planar(const CObservation2DRangeScan& scan) {
   return scan.deltaPitch == 0 && scan.isPlanarScan(tolerance);
 }
 
-/// Fills the rays of the campaign's sensor.
+/// Accumulates points in the rays of the campaign's sensor.
 class Resampler {
  public:
   explicit Resampler(const SensorModel& sensor)
@@ -44,7 +45,7 @@ class Resampler {
         half_aperture_(0.5 * sensor.aperture()),
         ranges_(static_cast<std::size_t>(sensor.rays), static_cast<float>(sensor.max_range)) {}
 
-  /// A point covers all rays within `half_angle` of it, and the nearest.
+  /// Adds a point that covers all rays within `half_angle` of it, at least the closest one.
   void add(const TPoint2D& point, double half_angle) {
     const double range = std::hypot(point.x, point.y);
     const double bearing = std::atan2(point.y, point.x);
@@ -54,8 +55,8 @@ class Resampler {
     const int last =
         static_cast<int>(std::floor((bearing + half + half_aperture_) / spacing_ + 1e-9));
     for (int i = std::max(first, 0); i <= last && i < static_cast<int>(ranges_.size()); ++i) {
-      float& kept = ranges_[static_cast<std::size_t>(i)];
-      kept = std::min(kept, static_cast<float>(range));
+      float& current = ranges_[static_cast<std::size_t>(i)];
+      current = std::min(current, static_cast<float>(range));
     }
   }
 
@@ -72,7 +73,8 @@ std::vector<TPoint2D> scan_points(const CObservation2DRangeScan& scan) {
   std::vector<TPoint2D> points;
   if (!is_planar(scan)) return points;
   for (std::size_t i = 0; i < scan.getScanSize(); ++i)
-    if (is_hit(scan, i)) points.push_back(on_robot(scan, scan.getScanRange(i), ray_angle(scan, i)));
+    if (is_hit(scan, i))
+      points.push_back(to_robot_frame(scan, scan.getScanRange(i), ray_angle(scan, i)));
   return points;
 }
 
@@ -81,22 +83,22 @@ CObservation2DRangeScan resample_scan(const CObservation2DRangeScan& scan,
   Resampler rays(sensor);
   const double rays_of_log = static_cast<double>(scan.getScanSize());
   const double half_spacing = rays_of_log < 2 ? 0 : 0.5 * scan.aperture / (rays_of_log - 1);
-  const TPoint2D eye = on_robot(scan, 0, 0);
+  const TPoint2D sensor_position = to_robot_frame(scan, 0, 0);
   for (const TPoint2D& point : scan_points(scan)) {
-    // Seen from the robot's centre a piece of wall is wider or narrower than from the sensor.
-    const double seen_from_sensor = std::hypot(point.x - eye.x, point.y - eye.y);
-    const double seen_from_robot = std::hypot(point.x, point.y);
-    const double wider = seen_from_robot > 0 ? seen_from_sensor / seen_from_robot : 1;
-    rays.add(point, std::min(half_spacing * wider, 0.5 * mrpt::DEG2RAD(90.0)));
+    // The angle that a point covers is different from the robot's center than from the sensor.
+    const double sensor_distance = distance_between(point, sensor_position);
+    const double robot_distance = std::hypot(point.x, point.y);
+    const double scale = robot_distance > 0 ? sensor_distance / robot_distance : 1;
+    rays.add(point, std::min(half_spacing * scale, 0.5 * mrpt::DEG2RAD(90.0)));
   }
-  CObservation2DRangeScan seen;
-  seen.aperture = static_cast<float>(sensor.aperture());
-  seen.maxRange = static_cast<float>(sensor.max_range);
-  seen.sensorLabel = "range_finder";
+  CObservation2DRangeScan resampled;
+  resampled.aperture = static_cast<float>(sensor.aperture());
+  resampled.maxRange = static_cast<float>(sensor.max_range);
+  resampled.sensorLabel = "range_finder";
   std::vector<char> valid;
-  for (const float range : rays.ranges()) valid.push_back(range < seen.maxRange ? 1 : 0);
-  seen.loadFromVectors(valid.size(), rays.ranges().data(), valid.data());
-  return seen;
+  for (const float range : rays.ranges()) valid.push_back(range < resampled.maxRange ? 1 : 0);
+  resampled.loadFromVectors(valid.size(), rays.ranges().data(), valid.data());
+  return resampled;
 }
 
 }  // namespace slalom

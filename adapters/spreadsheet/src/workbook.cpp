@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMaxRows = 1048576, kMaxColumns = 16384, kMaxText = 32767;
 constexpr std::size_t kMaxSheetName = 31;
 
-/// Cell formats, made once per workbook.
+/// Cell formats, created once per workbook.
 struct Formats {
   lxw_format* header;
   lxw_format* number;
@@ -29,9 +29,9 @@ struct Formats {
   }
 };
 
-/// A name that the format takes and that no other sheet has, whatever the case of its letters.
-std::string sheet_name(const std::string& wanted, std::set<std::string>& taken) {
-  std::string base = wanted.empty() ? "table" : wanted;
+/// A valid sheet name, unique ignoring case.
+std::string sheet_name(const std::string& requested, std::set<std::string>& used) {
+  std::string base = requested.empty() ? "table" : requested;
   for (char& c : base) {
     if (std::string("[]:*?/\\'").find(c) != std::string::npos ||
         static_cast<unsigned char>(c) < ' ')
@@ -43,8 +43,20 @@ std::string sheet_name(const std::string& wanted, std::set<std::string>& taken) 
     std::string key = name;
     std::transform(key.begin(), key.end(), key.begin(),
                    [](unsigned char c) { return std::tolower(c); });
-    if (taken.insert(key).second) return name;
+    if (used.insert(key).second) return name;
   }
+}
+
+/// A double holds whole numbers exactly only up to 2^53; larger ones, such as seeds, are texts.
+template <typename Integer>
+void write_integer(lxw_worksheet* sheet, lxw_row_t row, lxw_col_t column, Integer number,
+                   const Formats& formats) {
+  constexpr double kExact = 9007199254740992;
+  const auto rounded = static_cast<double>(number);
+  if (rounded > -kExact && rounded < kExact)
+    worksheet_write_number(sheet, row, column, rounded, formats.count);
+  else
+    worksheet_write_string(sheet, row, column, std::to_string(number).c_str(), nullptr);
 }
 
 void write_field(lxw_worksheet* sheet, lxw_row_t row, lxw_col_t column, const Field& field,
@@ -52,12 +64,9 @@ void write_field(lxw_worksheet* sheet, lxw_row_t row, lxw_col_t column, const Fi
   if (const auto* number = std::get_if<double>(&field)) {
     worksheet_write_number(sheet, row, column, *number, formats.number);
   } else if (const auto* count = std::get_if<std::int64_t>(&field)) {
-    // A double holds whole numbers exactly only up to 2^53; larger ones, such as seeds, are texts.
-    constexpr std::int64_t kExact = std::int64_t{1} << 53;
-    if (*count >= -kExact && *count <= kExact)
-      worksheet_write_number(sheet, row, column, static_cast<double>(*count), formats.count);
-    else
-      worksheet_write_string(sheet, row, column, std::to_string(*count).c_str(), nullptr);
+    write_integer(sheet, row, column, *count, formats);
+  } else if (const auto* seed = std::get_if<std::uint64_t>(&field)) {
+    write_integer(sheet, row, column, *seed, formats);
   } else if (const auto* text = std::get_if<std::string>(&field)) {
     worksheet_write_string(sheet, row, column, text->substr(0, kMaxText).c_str(), nullptr);
   }
@@ -80,7 +89,7 @@ void write_sheet(lxw_workbook* book, const DataTable& table, const std::string& 
   worksheet_set_column(sheet, 0, static_cast<lxw_col_t>(columns - 1), 14, nullptr);
 }
 
-void require_room(const DataTable& table) {
+void check_size(const DataTable& table) {
   if (table.rows >= kMaxRows || table.columns.size() > kMaxColumns)
     throw usage_error("table '" + table.name + "'",
                       "has " + std::to_string(table.rows) + " rows and " +
@@ -91,21 +100,21 @@ void require_room(const DataTable& table) {
 }  // namespace
 
 void write_workbook(const std::vector<DataTable>& tables, const std::string& path) {
-  for (const DataTable& table : tables) require_room(table);
+  for (const DataTable& table : tables) check_size(table);
   const std::string temporary = path + ".tmp";
   lxw_workbook_options options = {};
   options.constant_memory = LXW_TRUE;
   lxw_workbook* book = workbook_new_opt(temporary.c_str(), &options);
   if (!book) throw job_error(path, "cannot be written: out of memory");
   const Formats formats(book);
-  std::set<std::string> taken;
+  std::set<std::string> used;
   for (const DataTable& table : tables)
-    write_sheet(book, table, sheet_name(table.name, taken), formats);
+    write_sheet(book, table, sheet_name(table.name, used), formats);
   const lxw_error error = workbook_close(book);
   if (error == LXW_NO_ERROR && std::rename(temporary.c_str(), path.c_str()) == 0) return;
   std::remove(temporary.c_str());
   throw job_error(path, std::string("cannot be written: ") +
-                            (error == LXW_NO_ERROR ? "not renamed" : lxw_strerror(error)));
+                            (error == LXW_NO_ERROR ? "renaming failed" : lxw_strerror(error)));
 }
 
 }  // namespace slalom

@@ -8,10 +8,12 @@ namespace slalom {
 
 MethodRegistry all_adapters() {
   MethodRegistry registry;
-  registry.add("lcm", make_lcm_method);
-  registry.add("library", make_library_method);
-  registry.add("mrpt_holonomic", make_holonomic_method);
-  registry.add("mrpt_navigator", make_navigator_method);
+  registry.add("lcm", [](const IniFile& ini, const std::string& section) {
+    return read_lcm_method(ini, section);
+  });
+  registry.add("library", read_library_method);
+  registry.add("mrpt_holonomic", read_holonomic_method);
+  registry.add("mrpt_navigator", read_navigator_method);
   return registry;
 }
 

@@ -4,14 +4,14 @@ namespace slalom {
 
 void add_campaign_options(CLI::App& app, CampaignArguments& arguments) {
   app.add_option("-j,--jobs", arguments.jobs,
-                 "Worker processes, and threads that generate scenarios")
+                 "Worker processes, and threads for scenario generation")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option("--seed", arguments.seed, "Seed instead of [campaign] seed");
   app.add_option("--set", arguments.overrides, "Override a key of the .ini: SECTION.KEY=VALUE")
       ->take_all()
       ->allow_extra_args(false);
-  app.add_flag("--quiet", arguments.quiet, "No progress and no messages, errors excepted");
+  app.add_flag("--quiet", arguments.quiet, "No progress and no messages, except errors");
 }
 
 }  // namespace slalom

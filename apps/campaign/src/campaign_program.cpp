@@ -1,85 +1,58 @@
-#include "campaign_recorder.h"
+#include "interrupt.h"
+#include "manifest.h"
 
-#include <slalom/analysis/analysis_section.h>
 #include <slalom/analysis/bins.h>
 #include <slalom/app/adapters.h>
 #include <slalom/app/campaign_program.h>
-#include <slalom/campaign/campaign.h>
-#include <slalom/commands/scenario_sources.h>
+#include <slalom/app/output_folder.h>
+#include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
-#include <slalom/generation/generator.h>
-#include <slalom/lcm/lcm_method.h>
-#include <slalom/library/library_method.h>
+#include <slalom/io/rawlog_path.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/metrics/cycle_time.h>
-#include <slalom/mrpt_nav/holonomic_method.h>
-#include <slalom/mrpt_nav/navigator_method.h>
-#include <slalom/ompl/ompl_planner.h>
+#include <slalom/rawlog/run_recorder.h>
 
-#include <algorithm>
+#include <iostream>
 
 namespace slalom {
 namespace {
 
-template <typename Options>
-void list_section(std::string& text, const std::string& section) {
-  Options options;
-  OptionLister lister;
-  options.visit(lister);
-  text += (text.empty() ? "[" : "\n[") + section + "]\n" + lister.text();
-}
-
 void require_one_of(const std::string& id, const std::vector<std::string>& known,
                     const std::string& where) {
-  if (std::find(known.begin(), known.end(), id) != known.end()) return;
-  const std::string nearest = nearest_name(id, known);
+  if (contains(known, id)) return;
   throw usage_error(where, "'" + id + "' is not computed by this campaign",
-                    nearest.empty() ? "one of " + join(known, ", ") : "'" + nearest + "'");
+                    expected_name(id, known));
 }
 
-/// What [analysis] asks for must be computed: a wrong id is told before anything runs.
-void check_analysis(const IniFile& ini, const CampaignOptions& options) {
-  const auto section = read_options<AnalysisSection>(ini, "analysis");
+/// Checks the ids of [analysis], so that errors are reported before any run.
+void check_analysis(const IniFile& ini, const AnalysisSection& section,
+                    const CampaignOptions& options) {
   std::vector<std::string> columns = options.metrics;
-  // Success follows from the outcome where it is not among the metrics.
-  if (std::find(columns.begin(), columns.end(), "success") == columns.end())
-    columns.emplace_back("success");
+  // Success is derived from the outcome if it is not among the metrics.
+  if (!contains(columns, "success")) columns.emplace_back("success");
   for (const auto& [id, value] : cycle_time_statistics({0.0}, 1)) columns.push_back(id);
   for (const std::string& id : split(section.columns, ','))
     require_one_of(id, columns, ini.where("analysis", "columns"));
   if (section.rows.empty()) return;
-  for (const BinSpec& spec : parse_bin_specs(section.rows))
+  const std::string where = ini.where("analysis", "rows");
+  for (const BinSpec& spec : parse_bin_specs(section.rows, where))
     if (spec.kind != BinSpec::Kind::All)
-      require_one_of(spec.descriptor, options.descriptors, ini.where("analysis", "rows"));
+      require_one_of(spec.descriptor, options.descriptors, where);
+}
+
+/// Records runs as rawlogs beside the result file: runs.rawlogs/HASH8_METHOD_REPETITION.rawlog for
+/// runs.results.
+std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> rawlog_recorder(
+    const IniFile& ini, const std::string& results_path) {
+  return [ini, results_path](const Scenario& scenario, const RunSpec& spec) {
+    return make_rawlog_recorder(
+        rawlog_path(results_path, scenario.hash(), spec.method, spec.repetition),
+        make_run_manifest(ini, scenario, spec.method, spec.repetition, spec.seed));
+  };
 }
 
 }  // namespace
-
-std::string campaign_options_help() {
-  std::string text;
-  list_section<CampaignSection>(text, "campaign");
-  list_section<ScenariosSection>(text, "scenarios");
-  for (const std::string& family : generator_names()) {
-    OptionLister lister;
-    visit_generator_options(family, lister);
-    text += "\n[generator." + family + "]\n" + lister.text();
-  }
-  list_section<RobotModel>(text, "robot");
-  list_section<SensorModel>(text, "sensor");
-  list_section<OdometryModel>(text, "odometry");
-  list_section<SimulationOptions>(text, "simulation");
-  list_section<OmplOptions>(text, "reference");
-  list_section<MetricsSection>(text, "metrics");
-  list_section<LimitsSection>(text, "limits");
-  list_section<RecordSection>(text, "record");
-  list_section<AnalysisSection>(text, "analysis");
-  list_section<HolonomicOptions>(text, "method.NAME");
-  list_section<NavigatorOptions>(text, "method.NAME");
-  list_section<LibraryOptions>(text, "method.NAME");
-  list_section<LcmOptions>(text, "method.NAME");
-  return text;
-}
 
 IniFile load_campaign_ini(const CampaignArguments& arguments) {
   IniFile ini = IniFile::load(arguments.config);
@@ -88,27 +61,54 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
   ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor",
                                "odometry", "simulation", "reference", "metrics", "limits", "record",
                                "analysis", "method.*"});
+  const std::string warning = sensor_warning(ini);
+  if (!warning.empty() && !arguments.quiet) std::cerr << "warning: " << warning << "\n";
   return ini;
 }
 
-std::vector<Scenario> campaign_scenarios(const IniFile& ini, const CampaignArguments& arguments) {
-  const CampaignOptions options = read_campaign_options(ini);
-  check_analysis(ini, options);
-  const MethodRegistry registry = all_adapters();
-  check_methods({options, {}, ini, registry});
+CampaignConfig read_campaign(const IniFile& ini) {
+  CampaignConfig config{
+      ini, read_campaign_options(ini), read_options<OmplOptions>(ini, "reference"),
+      read_options<AnalysisSection>(ini, "analysis"), read_methods(ini, all_adapters())};
+  config.options.reference_gap = config.reference.gap;
+  check_analysis(ini, config.analysis, config.options);
+  return config;
+}
+
+std::vector<Scenario> campaign_scenarios(const CampaignConfig& config,
+                                         const CampaignArguments& arguments) {
+  const CampaignOptions& options = config.options;
+  check_methods({options, {}, config.methods});
   const auto progress = make_terminal_progress(arguments.quiet);
-  return collect_scenarios(ini,
+  return collect_scenarios(config.ini,
                            {options.setup.robot.radius, options.setup.simulation.resolution,
                             options.seed, arguments.jobs},
                            load_occupancy_grid, *progress);
 }
 
-CampaignReport run_campaign_program(const IniFile& ini, const CampaignArguments& arguments,
+CampaignReport run_campaign_program(const CampaignConfig& config,
+                                    const CampaignArguments& arguments,
                                     std::vector<Scenario> scenarios,
-                                    const std::string& results_path) {
-  CampaignRecorder recorder(ini, arguments, scenarios, results_path);
-  const bool complete = recorder.run(std::move(scenarios));
-  return {complete, recorder.problem()};
+                                    const std::string& results_path,
+                                    const std::optional<StoppingRule>& rule) {
+  Manifest manifest = make_manifest(config, scenarios);
+  if (rule) manifest["until"] = rule->text;
+  const auto planner = make_ompl_planner(config.reference, config.options.setup.robot);
+  Campaign campaign{config.options, {}, config.methods, planner.get()};
+  const bool rawlogs = config.options.record.rawlog != RecordedRuns::None;
+  if (rawlogs) campaign.recorder = rawlog_recorder(config.ini, results_path);
+  CampaignRecorder recorder(std::move(campaign), manifest, results_path);
+  if (rawlogs) make_output_folder(rawlog_folder(results_path));
+  const auto progress = make_terminal_progress(arguments.quiet);
+  const InterruptGuard guard;
+  const Execution execution{arguments.jobs, *progress, InterruptGuard::raised};
+  if (!rule) {
+    const bool complete = recorder.run(std::move(scenarios), execution);
+    return {complete, recorder.problem(), ""};
+  }
+  const SequentialReport report =
+      run_until(recorder, *rule, std::move(scenarios), config.analysis.confidence, execution);
+  return {report.complete, recorder.problem(), report.text};
 }
 
 }  // namespace slalom

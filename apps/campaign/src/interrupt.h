@@ -4,8 +4,8 @@
 
 namespace slalom {
 
-/// While it lives, SIGINT and SIGTERM only raise a flag, so that a campaign can end with its state
-/// kept.
+/// During its lifetime, SIGINT and SIGTERM only set a flag, so that a campaign can stop and keep
+/// its state.
 class InterruptGuard {
  public:
   InterruptGuard();

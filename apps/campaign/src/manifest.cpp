@@ -4,7 +4,6 @@
 #include <slalom/core/version.h>
 #include <slalom/io/result_file.h>
 #include <slalom/library/library_method.h>
-#include <slalom/ompl/ompl_planner.h>
 
 namespace slalom {
 namespace {
@@ -17,23 +16,23 @@ std::string hash_of_scenarios(const std::vector<Scenario>& scenarios) {
 
 }  // namespace
 
-Manifest make_manifest(const Campaign& campaign) {
+Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>& scenarios) {
   Manifest manifest = {
-      {"campaign", campaign.options.name},
-      {"campaign.ini", campaign.ini.canonical_text()},
-      {"seed", std::to_string(campaign.options.seed)},
-      {"scenarios.hash", hash_of_scenarios(campaign.scenarios)},
+      {"campaign", config.options.name},
+      {"campaign.ini", config.ini.canonical_text()},
+      {"seed", std::to_string(config.options.seed)},
+      {"scenarios.hash", hash_of_scenarios(scenarios)},
       {"version.slalom", version()},
       {"version.mrpt", mrpt_version()},
       {"version.ompl", ompl_version()},
       {"version.compiler", compiler_version()},
   };
-  for (const std::string& name : campaign.options.methods) {
-    const std::string section = "method." + name;
-    const auto plugin = campaign.ini.get(section, "plugin");
-    if (!plugin) continue;
+  for (const NamedMethod& method : config.methods) {
+    const std::string section = "method." + method.name;
+    const auto library = config.ini.get(section, "plugin");
+    if (!library) continue;
     manifest[section + ".plugin_hash"] =
-        Hasher().add(read_file(resolve_plugin_path(campaign.ini, section, *plugin))).hex();
+        Hasher().add(read_file(resolve_plugin_path(config.ini, section, *library))).hex();
   }
   return manifest;
 }

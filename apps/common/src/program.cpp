@@ -1,23 +1,25 @@
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
-#include <slalom/core/ini_file.h>
+#include <slalom/core/printable.h>
+#include <slalom/core/text.h>
 #include <slalom/core/version.h>
 
-#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <new>
+#include <system_error>
 #include <vector>
 
 namespace slalom {
 namespace {
 
 constexpr int kJobFailed = 1;
-constexpr int kWrongUsage = 2;
+constexpr int kUsageError = 2;
 constexpr int kInterrupted = 130;
 
-/// Messages are one line, whatever the library that made them thinks.
+/// Makes every message one line that a terminal can show.
 std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
+  text = printable_line(text);
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;
 }
@@ -28,7 +30,7 @@ int fail(const std::string& program, const std::string& message, int status) {
   return status;
 }
 
-/// The names of the verbs, or none for a program without verbs.
+/// The names of the verbs; empty for a program without verbs.
 std::vector<std::string> verbs(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -37,13 +39,12 @@ std::vector<std::string> verbs(const CLI::App& app) {
   return names;
 }
 
-/// "unknown verb ..." when that is what is wrong, otherwise what CLI11 says.
+/// "unknown verb ..." if the first argument is not a verb, otherwise the message of CLI11.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int argc,
                           char** argv) {
   const std::vector<std::string> names = verbs(app);
   const std::string first = argc > 1 ? argv[1] : "";
-  if (names.empty() || first.empty() || first[0] == '-' ||
-      std::find(names.begin(), names.end(), first) != names.end()) {
+  if (names.empty() || first.empty() || first[0] == '-' || contains(names, first)) {
     return error.what();
   }
   const std::string nearest = nearest_name(first, names);
@@ -52,21 +53,41 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int
   return nearest.empty() ? message : message + " (did you mean " + nearest + "?)";
 }
 
-int report_wrong_usage(const CLI::App& app, const std::string& name, const std::string& message) {
+int report_usage_error(const CLI::App& app, const std::string& name, const std::string& message) {
   std::string command = name;
   for (const CLI::App* verb = &app; !verb->get_subcommands().empty();) {
     verb = verb->get_subcommands().front();
     command += " " + verb->get_name();
   }
-  return fail(name, message + " (see '" + command + " --help')", kWrongUsage);
+  return fail(name, message + " (see '" + command + " --help')", kUsageError);
 }
 
-/// Parses and works; returns 0, throws otherwise.
-int parse_and_work(CLI::App& app, int argc, char** argv) {
+/// Throws for "--set SECTION.KEY VALUE", whose last word would be taken for another argument.
+void reject_separate_values(int argc, char** argv) {
+  const std::vector<std::string> words(argv, argv + argc);
+  for (std::size_t i = 1; i + 1 < words.size() && words[i] != "--"; ++i) {
+    const std::string& key = words[i + 1];
+    if (words[i] != "--set" || key[0] == '-' || key.find('=') != std::string::npos ||
+        key.find('.') == std::string::npos)
+      continue;
+    const std::string value = i + 2 < words.size() ? words[i + 2] : "";
+    double number = 0;
+    std::error_code ignored;
+    const bool is_value = !value.empty() && (value[0] != '-' || parse_number(value, number)) &&
+                          !std::filesystem::exists(value, ignored);
+    throw CLI::ParseError(
+        "--set " + key + ": no value; expected " + key + "=" + (is_value ? value : "VALUE"),
+        kUsageError);
+  }
+}
+
+/// Parses the command line and executes the callbacks; returns 0 or throws.
+int parse_and_execute(CLI::App& app, int argc, char** argv) {
   try {
+    reject_separate_values(argc, argv);
     app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    return app.exit(asked);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
   }
   std::cout.flush();
   if (!std::cout) throw job_error("standard output", "cannot be written");
@@ -74,6 +95,22 @@ int parse_and_work(CLI::App& app, int argc, char** argv) {
 }
 
 }  // namespace
+
+void add_argument(CLI::App& app, const Argument& argument, std::string& value) {
+  const auto set = [&value, argument](const std::string& text) {
+    if (!value.empty() && value != text)
+      throw CLI::ValidationError(argument.position,
+                                 "both '" + value + "' and '" + text + "'; expected one");
+    value = text;
+  };
+  app.add_option_function<std::string>(argument.option, set, argument.help);
+  app.add_option_function<std::string>(argument.position, set,
+                                       argument.help + " (or " + argument.option + ")");
+  if (!argument.required) return;
+  app.parse_complete_callback([&value, argument] {
+    if (value.empty()) throw CLI::RequiredError(argument.position);
+  });
+}
 
 int run_program(const std::string& name, const std::string& description, int argc, char** argv,
                 const std::function<void(CLI::App&)>& define, bool needs_arguments) {
@@ -84,17 +121,17 @@ int run_program(const std::string& name, const std::string& description, int arg
     if (!verbs(app).empty()) app.require_subcommand(1);
     if (argc < 2 && needs_arguments) {
       std::cerr << app.help();
-      return kWrongUsage;
+      return kUsageError;
     }
-    return parse_and_work(app, argc, argv);
+    return parse_and_execute(app, argc, argv);
   } catch (const CLI::ParseError& error) {
-    return report_wrong_usage(app, name, usage_message(app, error, argc, argv));
+    return report_usage_error(app, name, usage_message(app, error, argc, argv));
   } catch (const Interrupted& interrupted) {
     return fail(name, std::string("interrupted: ") + interrupted.what(), kInterrupted);
   } catch (const Error& error) {
     return fail(name, error.what(), error.exit_status());
   } catch (const std::bad_alloc&) {
-    return fail(name, "not enough memory", kJobFailed);
+    return fail(name, "out of memory", kJobFailed);
   } catch (const std::exception& error) {
     return fail(name, reason_of(error), kJobFailed);
   }

@@ -19,8 +19,8 @@ bool is_solvable(const Scenario& scenario, double robot_radius, std::string& rea
 namespace {
 
 /// "3" or "3-10".
-ProblemChoice problem_choice(const ImportRequest& request) {
-  ProblemChoice choice;
+ProblemSelection problem_choice(const ImportRequest& request) {
+  ProblemSelection choice;
   choice.count = request.pairs;
   if (request.buckets.empty()) return choice;
   const std::size_t dash = request.buckets.find('-');
@@ -29,20 +29,20 @@ ProblemChoice problem_choice(const ImportRequest& request) {
   long long low = 0, high = 0;
   if (!parse_integer(first, low) || !parse_integer(last, high) || low < 0 || high < low ||
       high > 1'000'000'000)
-    throw usage_error("--buckets " + request.buckets, "is no range of difficulties",
+    throw usage_error("--buckets " + request.buckets, "invalid range of difficulties",
                       "such as 3 or 0-10");
   choice.first_bucket = static_cast<int>(low);
   choice.last_bucket = static_cast<int>(high);
   return choice;
 }
 
-/// The robot looks towards the goal: the file says nothing about it.
+/// The initial heading is towards the goal, since the file does not specify it.
 Scenario problem_scenario(const Scenario& map, const MovingAiProblem& problem, double cell_size,
                           const std::string& where) {
   if (problem.map_width != static_cast<int>(map.grid_map()->getSizeX()) ||
       problem.map_height != static_cast<int>(map.grid_map()->getSizeY()))
     throw file_error(where,
-                     "is of a map of " + std::to_string(problem.map_width) + " x " +
+                     "belongs to a map of " + std::to_string(problem.map_width) + " x " +
                          std::to_string(problem.map_height) + " cells",
                      "the problems of this map");
   const int top = problem.map_height - 1;
@@ -53,7 +53,8 @@ Scenario problem_scenario(const Scenario& map, const MovingAiProblem& problem, d
   };
   const auto start = center(problem.start_x, problem.start_y),
              goal = center(problem.goal_x, problem.goal_y);
-  return map.with_task({start.x, start.y, std::atan2(goal.y - start.y, goal.x - start.x)}, goal)
+  return map
+      .with_start_goal({start.x, start.y, std::atan2(goal.y - start.y, goal.x - start.x)}, goal)
       .renamed(map.name() + "_bucket" + std::to_string(problem.bucket) + "_line" +
                std::to_string(problem.line));
 }
@@ -63,10 +64,9 @@ Scenario problem_scenario(const Scenario& map, const MovingAiProblem& problem, d
 ImportedFile import_problems(const Scenario& map, const ImportRequest& request) {
   const std::string& path = request.problems;
   const double cell_size = map.grid_map()->getResolution();
-  const auto problems = choose_problems(read_moving_ai_problems(path), problem_choice(request));
+  const auto problems = select_problems(read_moving_ai_problems(path), problem_choice(request));
   if (problems.empty())
-    throw usage_error("--scen " + path, "has no problems of that difficulty",
-                      "--buckets that are in the file");
+    throw usage_error("--scen " + path, "no problems of that difficulty", "--buckets of the file");
   ImportedFile imported;
   std::string reason;
   for (const MovingAiProblem& problem : problems) {
@@ -85,7 +85,7 @@ ImportedFile import_problems(const Scenario& map, const ImportRequest& request) 
                     "a smaller --robot-radius or a larger --cell-size");
   if (left_out > 0)
     imported.messages.push_back(path + ": left out " + std::to_string(left_out) +
-                                " problems that the robot cannot solve");
+                                " problems that are unsolvable for the robot");
   return imported;
 }
 

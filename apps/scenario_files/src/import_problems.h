@@ -7,7 +7,7 @@
 
 namespace slalom {
 
-/// What one file gives: scenarios, and what else its source says about them.
+/// The scenarios of one file, with additional information from it.
 struct ImportedFile {
   std::vector<Scenario> scenarios;
   std::string published_lengths = {};
@@ -16,8 +16,8 @@ struct ImportedFile {
 
 bool is_solvable(const Scenario& scenario, double robot_radius, std::string& reason);
 
-/// The pairs of a MovingAI file on its map. Those that the robot cannot solve are left out, with a
-/// message.
+/// The start and goal pairs of a MovingAI file on its map. Pairs that are unsolvable for the robot
+/// are left out, with a message.
 ImportedFile import_problems(const Scenario& map, const ImportRequest& request);
 
 }  // namespace slalom

@@ -5,44 +5,46 @@ namespace slalom {
 void ImportRequest::visit_pairs(OptionVisitor& v) {
   v.option("start", start, "start pose x,y,phi (m, rad) on each map");
   v.option("goal", goal, "goal x,y (m) on each map");
-  v.option("pairs", pairs, "-", "draw this many solvable pairs of start and goal on each map",
+  v.option("pairs", pairs, "-", "number of solvable pairs of start and goal to sample on each map",
            Range::between(0, 1e6));
-  v.option("seed", seed, "of the pairs");
-  v.option("robot_radius", robot_radius, "m", "for whom pairs are solvable", Range::positive());
-  v.option("min_distance", limits.min_distance, "m", "straight from start to goal of drawn pairs",
+  v.option("seed", seed, "seed of the pairs");
+  v.option("robot_radius", robot_radius, "m", "robot radius for which pairs are solvable",
+           Range::positive());
+  v.option("min_distance", limits.min_distance, "m", "straight-line distance of sampled pairs",
            Range::at_least(0));
   v.option("max_distance", limits.max_distance, "m", "empty: no limit", Range::positive());
-  v.option("min_path", limits.min_length, "m", "length of the shortest path of drawn pairs",
+  v.option("min_path", limits.min_length, "m", "shortest path length of sampled pairs",
            Range::at_least(0));
   v.option("max_path", limits.max_length, "m", "empty: no limit", Range::positive());
-  v.option("min_detour", limits.min_detour, "-", "length of the shortest path / distance",
+  v.option("min_detour", limits.min_detour, "-", "shortest path length / straight-line distance",
            Range::positive());
   v.option("max_detour", limits.max_detour, "-", "empty: no limit", Range::positive());
 }
 
 void ImportRequest::visit_maps(OptionVisitor& v) {
-  v.option("unknown_free", map.unknown_is_free, "what was never seen is free");
+  v.option("unknown_free", map.unknown_is_free, "unknown cells are free");
   v.option("simplemap_resolution", map.simplemap_resolution, "m",
            "cell size of grids built from simplemaps", Range::positive());
   v.option("image_resolution", map.image.resolution, "m",
-           "size of an image's pixels; must be given for images", Range::at_least(0));
+           "pixel size of images; required for images", Range::at_least(0));
   v.option("image_threshold", map.image.threshold, "-",
-           "grey value below which a pixel is an obstacle", Range::between(1, 255));
-  v.option("image_negate", map.image.negate, "light pixels are obstacles, not dark ones");
-  v.option("margin", points.margin, "m", "of workspaces around point maps", Range::positive());
-  v.option("z_min", points.z_min, "m", "lowest points of point maps that count; empty: all");
-  v.option("z_max", points.z_max, "m", "highest points of point maps that count; empty: all");
+           "gray value below which a pixel is an obstacle", Range::between(1, 255));
+  v.option("image_negate", map.image.negate, "light pixels are obstacles instead of dark ones");
+  v.option("margin", points.margin, "m", "margin of the workspace around point maps",
+           Range::positive());
+  v.option("z_min", points.z_min, "m", "minimum height of points in point maps; empty: no limit");
+  v.option("z_max", points.z_max, "m", "maximum height of points in point maps; empty: no limit");
 }
 
 void ImportRequest::visit_data_sets(OptionVisitor& v) {
   v.option("worlds", barn.worlds,
-           "BARN: which worlds of a folder, such as 0-9,20 or 0-299/even; empty: all");
-  v.option("barn_grid", barn_as_grid, "BARN: cells of 0.15 m instead of cylinders");
+           "BARN: worlds of a folder, such as 0-9,20 or 0-299/even; empty: all");
+  v.option("barn_grid", barn_as_grid, "BARN: grid with cells of 0.15 m instead of cylinders");
   v.option("cell_size", map.cell_size, "m",
-           "MovingAI: size of the map's cells; must be given for them", Range::at_least(0));
-  v.option("scen", problems, "MovingAI: the pairs of this file; pairs then says how many of them");
+           "MovingAI: cell size of the map; required for MovingAI maps", Range::at_least(0));
+  v.option("scen", problems, "MovingAI: file of start and goal pairs; pairs is their number");
   v.option("buckets", buckets,
-           "MovingAI: only pairs of these difficulties, such as 3 or 0-10; empty: all");
+           "MovingAI: difficulties of the pairs, such as 3 or 0-10; empty: all");
 }
 
 void ImportRequest::visit(OptionVisitor& v) {

@@ -1,6 +1,6 @@
 #include "import_problems.h"
 
-#include <slalom/commands/scenario_sources.h>
+#include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_yaml.h>
@@ -10,47 +10,44 @@ namespace slalom {
 namespace {
 
 std::vector<double> numbers_of(const std::string& option, const std::string& text,
-                               std::size_t least, std::size_t most) {
+                               std::size_t min_count, std::size_t max_count) {
   std::vector<double> numbers;
   for (const std::string& part : split(text, ',')) {
     double number = 0;
-    if (!parse_number(part, number)) numbers.resize(most + 1);
+    if (!parse_number(part, number)) numbers.resize(max_count + 1);
     numbers.push_back(number);
   }
-  if (numbers.size() < least || numbers.size() > most)
-    throw usage_error(option + " " + text, "is not a place",
-                      most == 3 ? "x,y,phi in m and rad" : "x,y in m");
-  numbers.resize(most);
+  if (numbers.size() < min_count || numbers.size() > max_count)
+    throw usage_error(option + " " + text,
+                      "invalid " + std::string(max_count == 3 ? "pose" : "position"),
+                      max_count == 3 ? "x,y,phi in m and rad" : "x,y in m");
+  numbers.resize(max_count);
   return numbers;
 }
 
-void expect_solvable(const Scenario& scenario, double robot_radius) {
+void require_solvable(const Scenario& scenario, double robot_radius) {
   std::string reason;
   if (!is_solvable(scenario, robot_radius, reason))
-    throw job_error(scenario.name(), "the pair of start and goal is unsolvable: " + reason,
-                    "a start and a goal between which the robot fits");
+    throw job_error(scenario.name(), "unsolvable pair of start and goal: " + reason,
+                    "a start and a goal with a collision-free path");
 }
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-std::vector<Scenario> draw_pairs(const Scenario& map, const ImportRequest& request) {
-  GenerationTask task;
+std::vector<Scenario> sample_pairs(const Scenario& map, const ImportRequest& request) {
+  GenerationSettings task;
   task.count = request.pairs;
   task.seed = request.seed;
   task.robot_radius = request.robot_radius;
   task.name_prefix = map.name();
-  return draw_tasks(map, task, request.limits);
+  return sample_tasks(map, task, request.limits);
 }
 
-/// What Slalom exported has its task beside it.
-Scenario with_task_of(const Scenario& map, const std::string& path) {
+/// The map with the start and goal that Slalom exported with it.
+Scenario with_stored_task(const Scenario& map, const std::string& path) {
   const auto task = read_map_task(path);
   if (!task)
-    throw usage_error("import " + path, "a map has no start and goal",
+    throw usage_error("import " + path, "the map has no start and goal",
                       "--start x,y,phi --goal x,y, or --pairs N");
-  return map.with_task(task->start, task->goal).renamed(task->name);
+  return map.with_start_goal(task->start, task->goal).renamed(task->name);
 }
 
 ImportedFile import_map(const std::string& path, const ImportRequest& request) {
@@ -58,12 +55,12 @@ ImportedFile import_map(const std::string& path, const ImportRequest& request) {
   const Scenario map = has_points ? point_map_scenario(path, request.points)
                                   : map_scenario(path, load_map(path, request.map));
   if (!request.problems.empty()) return import_problems(map, request);
-  if (request.pairs > 0) return {draw_pairs(map, request)};
-  if (request.start.empty() || request.goal.empty()) return {{with_task_of(map, path)}};
+  if (request.pairs > 0) return {sample_pairs(map, request)};
+  if (request.start.empty() || request.goal.empty()) return {{with_stored_task(map, path)}};
   const auto s = numbers_of("--start", request.start, 2, 3);
   const auto g = numbers_of("--goal", request.goal, 2, 2);
-  const Scenario scenario = map.with_task({s[0], s[1], s[2]}, {g[0], g[1]});
-  expect_solvable(scenario, request.robot_radius);
+  const Scenario scenario = map.with_start_goal({s[0], s[1], s[2]}, {g[0], g[1]});
+  require_solvable(scenario, request.robot_radius);
   return {{scenario}};
 }
 
@@ -85,11 +82,11 @@ ImportedScenarios import_scenarios(const ImportRequest& request, Progress& progr
   std::string published_lengths;
   progress.start("Importing files", request.files.size());
   for (std::size_t i = 0; i < request.files.size(); ++i) {
-    progress.advance(i);
     ImportedFile imported = import_file(request.files[i], request);
     for (Scenario& scenario : imported.scenarios) all.scenarios.push_back(std::move(scenario));
     for (std::string& message : imported.messages) all.messages.push_back(std::move(message));
     published_lengths += imported.published_lengths;
+    progress.advance(i + 1);
   }
   progress.finish();
   all.notes.emplace_back("origin", "imported: " + join(request.files, " "));

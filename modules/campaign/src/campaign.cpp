@@ -13,11 +13,11 @@
 namespace slalom {
 namespace {
 
-/// The findings in a task's payload; nullopt when they are not whole (the process was corrupted).
+/// The findings in the payload of a work item; nullopt when incomplete (corrupted process).
 template <typename Read>
-auto read_payload(const TaskResult& result, Read read)
+auto read_payload(const WorkResult& result, Read read)
     -> std::optional<decltype(read(result.payload))> {
-  if (result.status != TaskResult::Status::Done) return std::nullopt;
+  if (result.status != WorkResult::Status::Done) return std::nullopt;
   try {
     return read(result.payload);
   } catch (const std::exception&) {
@@ -25,13 +25,13 @@ auto read_payload(const TaskResult& result, Read read)
   }
 }
 
-/// First stretch: what every place is like and the best that is possible there.
+/// First phase: descriptors and reference paths of every scenario.
 bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execution& execution,
                       std::vector<References>& references) {
-  const WorkerTask task = [&](std::size_t i, TaskNotes&) {
+  const WorkItem item = [&](std::size_t i, SharedTaskLog&) {
     return to_wire(survey_scenario(campaign, campaign.scenarios[i]));
   };
-  const auto receive = [&](std::size_t i, TaskResult&& result) {
+  const auto receive = [&](std::size_t i, WorkResult&& result) {
     const Scenario& scenario = campaign.scenarios[i];
     const auto findings = read_payload(result, scenario_findings_from_wire);
     if (!findings)
@@ -45,69 +45,74 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
   PoolOptions pool;
   pool.workers = execution.workers;
   pool.fresh_process = true;
+  pool.in_process = execution.in_process;
   const bool complete =
-      run_in_workers(campaign.scenarios.size(), pool, task, receive, execution.interrupted);
+      run_in_workers(campaign.scenarios.size(), pool, item, receive, execution.interrupted);
   execution.progress.finish();
   return complete;
 }
 
-/// What a task that did not come to its end says about the method.
-Outcome outcome_of(const TaskResult& result) {
-  using Status = TaskResult::Status;
+/// The outcome of a run whose work item did not complete.
+Outcome outcome_of(const WorkResult& result) {
+  using Status = WorkResult::Status;
   if (result.status == Status::TimedOut) return Outcome::MethodDeadline;
-  // The simulator catches what methods throw: what comes through is a fault of ours.
+  // The simulator catches exceptions of methods: any other is an infrastructure error.
   if (result.status == Status::Threw) return Outcome::InfrastructureError;
   return Outcome::MethodCrash;
 }
 
-RunFindings findings_of(const Campaign& campaign, const RunSpec& spec, const TaskResult& result,
+RunFindings findings_of(const Campaign& campaign, const RunSpec& spec, const WorkResult& result,
                         RunExecutor& executor) {
   if (auto findings = read_payload(result, run_findings_from_wire)) return std::move(*findings);
   const Outcome outcome = outcome_of(result);
   if (outcome == Outcome::InfrastructureError)
     return findings_without_run(campaign, spec, outcome, result.detail);
-  const bool damaged = result.status == TaskResult::Status::Done;
-  return executor.reconstruct(spec, result.notes, outcome,
-                              damaged ? "its worker's answer was damaged" : result.detail);
+  const bool damaged = result.status == WorkResult::Status::Done;
+  return executor.reconstruct(spec, result.log, outcome,
+                              damaged ? "the worker's reply was corrupted" : result.detail);
 }
 
-PoolOptions pool_for_methods(const CampaignOptions& options, int workers) {
+PoolOptions pool_for_methods(const CampaignOptions& options, int workers, bool in_process = false) {
   const LimitsSection& limits = options.limits;
   PoolOptions pool;
   pool.workers = workers;
-  pool.task_wall_time = limits.run_wall_time;
-  pool.task_cpu_time = limits.run_cpu_time;
+  pool.in_process = in_process;
+  pool.clock = options.setup.clock;
+  pool.item_wall_time = limits.run_wall_time;
+  pool.item_cpu_time = limits.run_cpu_time;
   pool.memory_mb = limits.memory_mb;
-  pool.keep_errors = limits.method_errors;
-  pool.notes_size = CommandJournal::size_for(options.setup.simulation);
-  if (limits.deadline.deadline_policy == "fail") pool.silence = limits.deadline.cycle_deadline;
+  pool.keep_stderr = limits.method_errors;
+  pool.log_size = CommandJournal::size_for(options.setup.simulation);
+  if (limits.deadline.deadline_policy == DeadlinePolicy::Fail)
+    pool.heartbeat_timeout = limits.deadline.cycle_deadline;
   return pool;
 }
 
-/// Second stretch: every method in every place.
+/// Second phase: every method in every scenario.
 bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& execution,
                  const std::vector<References>& references, CampaignSummary& summary) {
   const std::vector<RunSpec> plan = make_plan(campaign);
-  RunExecutor executor(campaign, references);  // each worker has its own copy from the fork on
-  const WorkerTask task = [&](std::size_t i, TaskNotes& notes) {
+  RunExecutor executor(campaign, references);  // each worker has its own copy after the fork
+  const WorkItem item = [&](std::size_t i, SharedTaskLog& log) {
     const References& known = references[plan[i].scenario];
     return to_wire(known.shortest
-                       ? executor.execute(plan[i], notes)
+                       ? executor.execute(plan[i], log)
                        : findings_without_run(campaign, plan[i], Outcome::UnsolvableScenario,
                                               known.shortest_reason));
   };
-  const auto receive = [&](std::size_t i, TaskResult&& result) {
+  const auto receive = [&](std::size_t i, WorkResult&& result) {
     RunFindings findings = findings_of(campaign, plan[i], result, executor);
-    if (campaign.options.record.trajectories == "none") findings.trajectory.samples.clear();
+    if (campaign.options.record.trajectories == StoredTrajectories::None)
+      findings.trajectory.samples.clear();
     sink.add_run(findings.record, findings.timing, findings.trajectory);
     ++summary.runs;
     ++summary.outcomes[findings.record.outcome];
     execution.progress.advance(i + 1);
   };
   execution.progress.start("Running methods", plan.size());
-  const bool complete =
-      run_in_workers(plan.size(), pool_for_methods(campaign.options, execution.workers), task,
-                     receive, execution.interrupted);
+  const PoolOptions pool =
+      pool_for_methods(campaign.options, execution.workers, execution.in_process);
+  const bool complete = run_in_workers(plan.size(), pool, item, receive, execution.interrupted);
   execution.progress.finish();
   return complete;
 }
@@ -125,27 +130,24 @@ std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario_
 }
 
 void check_methods(const Campaign& campaign) {
-  const std::vector<std::string>& names = campaign.options.methods;
-  const WorkerTask task = [&](std::size_t i, TaskNotes&) -> std::string {
+  const std::vector<NamedMethod>& methods = campaign.methods;
+  const WorkItem item = [&](std::size_t i, SharedTaskLog&) -> std::string {
     try {
-      campaign.methods.create(names[i],
-                              {campaign.ini, "method." + names[i], campaign.options.setup.robot,
-                               campaign.options.setup.sensor});
+      methods[i].make(campaign.options.setup.robot, campaign.options.setup.sensor);
       return "";
     } catch (const std::exception& e) {
       return reason_of(e);
     }
   };
-  const auto receive = [&](std::size_t i, TaskResult&& result) {
-    if (result.status == TaskResult::Status::Done && result.payload.empty()) return;
-    if (result.status == TaskResult::Status::Done)
-      throw Error(Culprit::Usage, result.payload);  // already says where and what was expected
-    throw usage_error(campaign.ini.where("method." + names[i]),
-                      "the method could not be built: " + result.detail);
+  const auto receive = [&](std::size_t i, WorkResult&& result) {
+    if (result.status == WorkResult::Status::Done && result.payload.empty()) return;
+    if (result.status == WorkResult::Status::Done)
+      throw Error(ErrorKind::Usage, result.payload);  // a complete message
+    throw usage_error(methods[i].where, "the method could not be built: " + result.detail);
   };
   PoolOptions pool = pool_for_methods(campaign.options, 1);
   pool.fresh_process = true;
-  run_in_workers(names.size(), pool, task, receive, nullptr);
+  run_in_workers(methods.size(), pool, item, receive, nullptr);
 }
 
 CampaignSummary run_campaign(const Campaign& campaign, CampaignSink& sink,

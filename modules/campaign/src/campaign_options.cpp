@@ -12,87 +12,91 @@ namespace {
 template <typename Quantities>
 std::vector<std::string> ids_of(const Quantities& quantities) {
   std::vector<std::string> ids;
-  for (const auto& quantity : quantities) ids.push_back(quantity->info().id);
+  for (const auto& quantity : quantities) ids.push_back(quantity.info.id);
   return ids;
 }
 
-/// "all" or a list of ids, each of which must be one of `known`.
+/// Parses "all" or a list of ids from `known`.
 std::vector<std::string> read_ids(const IniFile& ini, const std::string& key,
                                   const std::string& text, const std::vector<std::string>& known) {
   if (text == "all") return known;
-  const std::vector<std::string> ids = split(text, ',');
+  std::vector<std::string> ids = split(text, ',');
   for (const std::string& id : ids) {
-    if (std::find(known.begin(), known.end(), id) != known.end()) continue;
-    const std::string nearest = nearest_name(id, known);
-    throw usage_error(
-        ini.where("metrics", key), "unknown id '" + id + "'",
-        nearest.empty() ? "all, or some of " + join(known, ", ") : "'" + nearest + "'");
+    if (contains(known, id)) continue;
+    throw usage_error(ini.where("metrics", key), "unknown id '" + id + "'",
+                      expected_name(id, known, "all, or a list of " + join(known, ", ")));
   }
   return ids;
 }
 
-std::vector<std::string> read_methods(const IniFile& ini, const std::string& text) {
-  const std::vector<std::string> names = split(text, ',');
-  if (names.empty())
-    throw usage_error(ini.where("campaign", "methods"), "names no method",
-                      "names of [method.NAME] sections, comma separated");
-  for (const std::string& name : names) {
-    if (std::count(names.begin(), names.end(), name) > 1)
-      throw usage_error(ini.where("campaign", "methods"), "'" + name + "' stands there twice",
-                        "each method once");
-    if (!ini.has_section("method." + name))
-      throw usage_error(ini.where("campaign", "methods"), "no section for method '" + name + "'",
-                        "[method." + name + "]");
-  }
-  return names;
+template <typename Find>
+std::vector<QuantityInfo> infos_of(const std::vector<std::string>& ids, Find find) {
+  std::vector<QuantityInfo> infos;
+  for (const std::string& id : ids) infos.push_back(find(id).info);
+  return infos;
 }
 
 }  // namespace
 
 void CampaignSection::visit(OptionVisitor& v) {
   v.option("name", name, "name of the campaign, in tables and reports");
-  v.option("seed", seed, "seed from which every random number is derived");
+  v.option("seed", seed, "seed of all random numbers");
   v.option("repetitions", repetitions, "-", "runs of each method on each scenario",
            Range::between(1, 1e6));
-  v.option("methods", methods, "names of [method.NAME] sections, comma separated");
+  v.option("methods", methods, "names of [method.NAME] sections, comma-separated");
 }
 
 void MetricsSection::visit(OptionVisitor& v) {
-  v.option("enabled", enabled, "metrics to compute: ids, comma separated, or all");
-  v.option("descriptors", descriptors, "scenario descriptors: ids, comma separated, or all");
+  v.option("enabled", enabled, "metrics to compute: ids, comma-separated, or all");
+  v.option("descriptors", descriptors, "scenario descriptors: ids, comma-separated, or all");
   v.option("exact_confinement", exact_confinement,
-           "confinement from every free cell, without sampling; takes seconds a scenario");
-  v.option("safe_distance", safe_distance, "m", "clearance below which time counts as at risk",
+           "confinement over all free cells instead of a sample; seconds per scenario");
+  v.option("safe_distance", safe_distance, "m", "time with less clearance counts as risk time",
            Range::positive());
 }
 
 void LimitsSection::visit(OptionVisitor& v) {
   deadline.visit(v);
-  v.option("run_wall_time", run_wall_time, "s", "wall-clock time after which a run is ended",
+  v.option("run_wall_time", run_wall_time, "s", "wall-clock time limit of a run",
            Range::positive());
-  v.option("run_cpu_time", run_cpu_time, "s", "processor time after which a run is ended; 0: any",
+  v.option("run_cpu_time", run_cpu_time, "s", "CPU time limit of a run; 0: unlimited",
            Range::at_least(0));
-  v.option("memory_mb", memory_mb, "MiB", "memory that a worker may take for methods; 0: any",
+  v.option("memory_mb", memory_mb, "MiB", "memory limit of a worker for methods; 0: unlimited",
            Range::at_least(0));
-  v.option("method_errors", method_errors, "what methods write to standard error is shown");
+  v.option("method_errors", method_errors, "show the standard error output of methods");
 }
 
 void RecordSection::visit(OptionVisitor& v) {
-  v.option("rawlog", rawlog, "runs to record as MRPT rawlogs", {"none", "failures", "all"});
-  v.option("trajectories", trajectories, "runs whose trajectories are kept with the results",
-           {"all", "none"});
+  v.option("rawlog", rawlog, "runs to record as MRPT rawlogs");
+  v.option("trajectories", trajectories, "runs whose trajectories are stored in the results");
+}
+
+std::vector<std::string> all_metric_ids() {
+  return ids_of(all_metrics());
+}
+
+std::vector<std::string> all_descriptor_ids() {
+  return ids_of(all_descriptors());
+}
+
+std::vector<QuantityInfo> CampaignOptions::metric_infos() const {
+  return infos_of(metrics, metric);
+}
+
+std::vector<QuantityInfo> CampaignOptions::descriptor_infos() const {
+  return infos_of(descriptors, descriptor);
 }
 
 bool RecordSection::wants(Outcome outcome) const {
-  return rawlog == "all" || (rawlog == "failures" && outcome != Outcome::Success);
+  return rawlog == RecordedRuns::All ||
+         (rawlog == RecordedRuns::Failures && outcome != Outcome::Success);
 }
 
 CampaignOptions read_measuring_options(const IniFile& ini) {
   const auto metrics = read_options<MetricsSection>(ini, "metrics");
   CampaignOptions options;
-  options.metrics = read_ids(ini, "enabled", metrics.enabled, ids_of(all_metrics()));
-  options.descriptors =
-      read_ids(ini, "descriptors", metrics.descriptors, ids_of(all_descriptors()));
+  options.metrics = read_ids(ini, "enabled", metrics.enabled, all_metric_ids());
+  options.descriptors = read_ids(ini, "descriptors", metrics.descriptors, all_descriptor_ids());
   options.exact_confinement = metrics.exact_confinement;
   options.safe_distance = metrics.safe_distance;
   options.setup.robot = read_robot_model(ini);
@@ -107,13 +111,55 @@ CampaignOptions read_campaign_options(const IniFile& ini) {
   options.name = campaign.name;
   options.seed = campaign.seed;
   options.repetitions = campaign.repetitions;
-  options.methods = read_methods(ini, campaign.methods);
   options.limits = read_options<LimitsSection>(ini, "limits");
   options.record = read_options<RecordSection>(ini, "record");
   options.setup.sensor = read_options<SensorModel>(ini, "sensor");
   options.setup.odometry = read_options<OdometryModel>(ini, "odometry");
   options.setup.deadline = options.limits.deadline;
   return options;
+}
+
+std::vector<NamedMethod> read_methods(const IniFile& ini, const MethodRegistry& registry) {
+  const std::string where = ini.where("campaign", "methods");
+  const std::vector<std::string> names =
+      split(read_options<CampaignSection>(ini, "campaign").methods, ',');
+  if (names.empty())
+    throw usage_error(where, "no method given", "names of [method.NAME] sections, comma-separated");
+  std::vector<NamedMethod> methods;
+  for (const std::string& name : names) {
+    if (std::count(names.begin(), names.end(), name) > 1)
+      throw usage_error(where, "duplicate method '" + name + "'", "each method once");
+    if (!ini.has_section("method." + name))
+      throw usage_error(where, "no section for method '" + name + "'", "[method." + name + "]");
+    methods.push_back(registry.read(ini, name));
+  }
+  return methods;
+}
+
+IniFile campaign_ini(const CampaignOptions& options, const std::string& origin) {
+  CampaignSection campaign;
+  campaign.name = options.name;
+  campaign.seed = options.seed;
+  campaign.repetitions = options.repetitions;
+  MetricsSection metrics;
+  metrics.enabled = join(options.metrics, ",");
+  metrics.descriptors = join(options.descriptors, ",");
+  metrics.exact_confinement = options.exact_confinement;
+  metrics.safe_distance = options.safe_distance;
+  LimitsSection limits = options.limits;
+  limits.deadline = options.setup.deadline;
+  IniFile ini;
+  write_options(ini, "campaign", campaign, origin);
+  write_options(ini, "metrics", metrics, origin);
+  write_options(ini, "limits", limits, origin);
+  write_options(ini, "record", options.record, origin);
+  write_options(ini, "robot", options.setup.robot, origin);
+  write_options(ini, "sensor", options.setup.sensor, origin);
+  write_options(ini, "odometry", options.setup.odometry, origin);
+  write_options(ini, "simulation", options.setup.simulation, origin);
+  // A footprint determines the radius.
+  ini.remove("robot", options.setup.robot.footprint.empty() ? "footprint" : "radius");
+  return ini;
 }
 
 }  // namespace slalom

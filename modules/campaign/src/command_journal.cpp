@@ -16,8 +16,8 @@ using Entry = std::array<double, 3>;
 void CommandJournal::on_cycle(const Observation&, const Command& command,
                               const mrpt::math::TPose2D&) {
   const Entry entry = {command.v, command.w, command.vy};
-  notes_.append(entry.data(), sizeof entry);
-  notes_.beat();
+  log_.append(entry.data(), sizeof entry);
+  log_.heartbeat();
 }
 
 std::size_t CommandJournal::size_for(const SimulationOptions& options) {
@@ -25,14 +25,14 @@ std::size_t CommandJournal::size_for(const SimulationOptions& options) {
   return static_cast<std::size_t>(cycles) * sizeof(Entry);
 }
 
-std::vector<Command> CommandJournal::read(const std::string& notes, const RobotModel& robot) {
+std::vector<Command> CommandJournal::read(const std::string& log, const RobotModel& robot) {
   std::vector<Command> commands;
-  for (std::size_t at = 0; at + sizeof(Entry) <= notes.size(); at += sizeof(Entry)) {
+  for (std::size_t at = 0; at + sizeof(Entry) <= log.size(); at += sizeof(Entry)) {
     Entry entry;
-    std::memcpy(entry.data(), notes.data() + at, sizeof entry);
+    std::memcpy(entry.data(), log.data() + at, sizeof entry);
     const Command command{entry[0], entry[1], entry[2]};
-    std::string why;
-    if (!is_valid_command(command, robot, why)) break;
+    std::string reason;
+    if (!is_valid_command(command, robot, reason)) break;
     commands.push_back(command);
   }
   return commands;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <slalom/campaign/task_notes.h>
+#include <slalom/campaign/shared_task_log.h>
 #include <slalom/simulation/run_observer.h>
 
 #include <string>
@@ -8,26 +8,26 @@
 
 namespace slalom {
 
-/// Notes every command of a run where it survives the process. With them the run can be driven
-/// again up to where it broke off, without the method.
+/// Logs every command of a run in memory that outlives the process. With the log, the run can be
+/// replayed without the method, up to the point where it was aborted.
 class CommandJournal : public RunObserver {
  public:
-  explicit CommandJournal(TaskNotes& notes) : notes_(notes) {}
+  explicit CommandJournal(SharedTaskLog& log) : log_(log) {}
 
-  void on_start(const Task&) override { notes_.beat(); }
+  void on_start(const NavigationTask&) override { log_.heartbeat(); }
   void on_cycle(const Observation&, const Command& command,
                 const mrpt::math::TPose2D& pose) override;
   void on_end(const SimulationResult&) override {}
 
-  /// Bytes that the journal of a run needs at most.
+  /// The maximum size of a run's journal in bytes.
   static std::size_t size_for(const SimulationOptions& options);
 
-  /// The commands in a journal; stops at what can be none, since the process that wrote it may have
-  /// been out of its mind.
-  static std::vector<Command> read(const std::string& notes, const RobotModel& robot);
+  /// The commands in a journal, up to the first invalid one: the process that wrote it may have
+  /// been corrupted.
+  static std::vector<Command> read(const std::string& log, const RobotModel& robot);
 
  private:
-  TaskNotes& notes_;
+  SharedTaskLog& log_;
 };
 
 }  // namespace slalom

@@ -7,8 +7,8 @@ namespace slalom {
 References find_references(const CampaignOptions& options, const ReferencePlanner* planner,
                            const World& world) {
   const Scenario& scenario = world.scenario();
-  // Of a polygon the inscribed disc: wherever the polygon fits, so does the disc, so that no run
-  // can be shorter than the reference.
+  // For a polygon, the inscribed disc: it fits wherever the polygon fits, so no run can be shorter
+  // than the reference.
   const PlanningProblem problem{world,
                                 options.setup.robot.shape().inscribed_radius(),
                                 {scenario.start().x, scenario.start().y},
@@ -27,8 +27,8 @@ std::map<std::string, VersionedValue> measure_run(const CampaignOptions& options
                           options.setup.simulation.goal_tolerance, options.safe_distance);
   std::map<std::string, VersionedValue> values;
   for (const std::string& id : options.metrics) {
-    const Metric& wanted = metric(id);
-    values[id] = {wanted.info().version, wanted.compute(context)};
+    const Metric& enabled = metric(id);
+    values[id] = {enabled.info.version, enabled.compute(context)};
   }
   return values;
 }

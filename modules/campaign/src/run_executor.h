@@ -13,33 +13,32 @@ namespace slalom {
 /// All runs in the order of the plan: by scenario, then method, then repetition.
 std::vector<RunSpec> make_plan(const Campaign& campaign);
 
-/// A record with everything known before the run.
-RunRecord blank_record(const Campaign& campaign, const RunSpec& spec);
+/// A record with the fields that are known before the run.
+RunRecord make_run_record(const Campaign& campaign, const RunSpec& spec);
 
-/// Executes runs one after another in a worker process; keeps the methods and the last scenario's
-/// tables between runs.
+/// Executes runs sequentially in a worker process. Methods and the world of the last scenario are
+/// reused between runs.
 class RunExecutor {
  public:
   RunExecutor(const Campaign& campaign, const std::vector<References>& references)
       : campaign_(campaign), references_(references) {}
 
-  /// Drives a run under its method; notes every command, and that the worker must be replaced when
-  /// the method failed.
-  RunFindings execute(const RunSpec& spec, TaskNotes& notes);
+  /// Executes a run. Logs every command, and retires the worker when the method failed.
+  RunFindings execute(const RunSpec& spec, SharedTaskLog& log);
 
-  /// The findings of a run whose process died: driven again, without the method, under the commands
-  /// that it had noted.
-  RunFindings reconstruct(const RunSpec& spec, const std::string& notes, Outcome outcome,
+  /// The findings of a run whose process died, reconstructed by replaying the logged commands
+  /// without the method.
+  RunFindings reconstruct(const RunSpec& spec, const std::string& log, Outcome outcome,
                           const std::string& detail);
 
  private:
   const World& world(std::size_t scenario);
   Method& method(const std::string& name);
-  SimulationResult drive(const RunSpec& spec, RunObserver& observer);
+  SimulationResult simulate_run(const RunSpec& spec, RunObserver& observer);
   double cycle_limit() const;  ///< s
-  SimulationResult drive_again(const RunSpec& spec, const std::string& notes, Outcome outcome,
-                               const std::string& detail, RunObserver* observer);
-  void record(const RunSpec& spec, const std::string& notes, const SimulationResult& result);
+  SimulationResult replay(const RunSpec& spec, const std::string& log, Outcome outcome,
+                          const std::string& detail, RunObserver* observer);
+  void record(const RunSpec& spec, const std::string& log, const SimulationResult& result);
   RunFindings evaluate(const RunSpec& spec, const SimulationResult& result);
 
   const Campaign& campaign_;
@@ -49,8 +48,8 @@ class RunExecutor {
   std::size_t world_scenario_ = 0;
 };
 
-/// The record of a run that never began (unsolvable scenario, a fault of ours): all metrics are NA
-/// because of the outcome.
+/// The record of a run that was not executed (unsolvable scenario, infrastructure error): all
+/// metrics are NA with the outcome as the reason.
 RunFindings findings_without_run(const Campaign& campaign, const RunSpec& spec, Outcome outcome,
                                  const std::string& detail);
 

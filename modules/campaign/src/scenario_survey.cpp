@@ -6,12 +6,12 @@
 namespace slalom {
 namespace {
 
-/// P* of the exact search, which does not depend on the planner.
+/// P* by exact search, independent of the planner.
 KnownPath exact_path(const CampaignOptions& options, const World& world,
                      const References& references) {
   if (!references.shortest) return {{}, 0, references.shortest_reason};
-  const ShortestPath& used = *references.shortest;
-  if (used.planner == "exact") return {used.path, used.length, ""};
+  const ShortestPath& shortest = *references.shortest;
+  if (shortest.planner == kExactPlanner) return {shortest.path, shortest.length, ""};
   const Scenario& scenario = world.scenario();
   std::string reason;
   const auto exact = exact_shortest_path({world,
@@ -36,8 +36,8 @@ ScenarioFindings survey_scenario(const Campaign& campaign, const Scenario& scena
       search_once([&] { return exact_path(options, world, references); }),
       options.exact_confinement};
   for (const std::string& id : options.descriptors) {
-    const Descriptor& wanted = descriptor(id);
-    findings.record.descriptors[id] = {wanted.info().version, wanted.compute(context)};
+    const Descriptor& enabled = descriptor(id);
+    findings.record.descriptors[id] = {enabled.info.version, enabled.compute(context)};
   }
   return findings;
 }

@@ -6,8 +6,8 @@
 
 namespace slalom {
 
-/// Describes a scenario and finds its reference paths, from scratch. Meant for a process of its
-/// own: OMPL's random generators are seeded once per process.
+/// Computes the descriptors and reference paths of a scenario. Call it in a separate process: OMPL
+/// seeds its random number generators once per process.
 ScenarioFindings survey_scenario(const Campaign& campaign, const Scenario& scenario);
 
 }  // namespace slalom

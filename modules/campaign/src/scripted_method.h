@@ -7,13 +7,13 @@
 
 namespace slalom {
 
-/// Answers commands that are known already; then fails with `end`, as the run that it repeats did.
+/// Replays given commands, then throws MethodError with the message `end`.
 class ScriptedMethod : public Method {
  public:
   ScriptedMethod(std::vector<Command> commands, std::string end)
       : commands_(std::move(commands)), end_(std::move(end)) {}
 
-  void reset(const Task&) override { next_ = 0; }
+  void reset(const NavigationTask&) override { next_ = 0; }
   Command step(const Observation&) override {
     if (next_ == commands_.size()) throw MethodError(end_);
     return commands_[next_++];

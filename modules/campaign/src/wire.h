@@ -8,21 +8,21 @@
 
 namespace slalom {
 
-/// What a worker finds out about one scenario.
+/// The results of a worker for one scenario.
 struct ScenarioFindings {
   ScenarioRecord record;
   References references;
 };
 
-/// What a worker finds out about one run.
+/// The results of a worker for one run.
 struct RunFindings {
   RunRecord record;
   RunTiming timing;
   Trajectory trajectory;
 };
 
-/// Findings as bytes between processes of one campaign; doubles are kept exactly.
-/// Reading throws std::exception when the bytes are not what was written.
+/// Serialization of findings between the processes of a campaign; doubles are exact.
+/// Reading throws std::exception for invalid bytes.
 std::string to_wire(const ScenarioFindings& findings);
 std::string to_wire(const RunFindings& findings);
 ScenarioFindings scenario_findings_from_wire(const std::string& bytes);

@@ -15,7 +15,7 @@ constexpr bool kAddressSanitizer = true;
 constexpr bool kAddressSanitizer = false;
 #endif
 
-/// Bytes of address space in use.
+/// The size of the address space in use, in bytes.
 std::size_t address_space() {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -31,7 +31,7 @@ double cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// Only the soft limit: it can be raised again for the next task.
+/// Sets the soft limit only: it can be raised again for the next work item.
 void set_soft_limit(__rlimit_resource_t resource, rlim_t value) {
   rlimit limit{};
   getrlimit(resource, &limit);

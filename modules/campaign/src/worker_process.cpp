@@ -23,7 +23,7 @@ constexpr char kDone = 'D';
 constexpr char kThrew = 'E';
 constexpr char kOutOfMemory = 'M';
 constexpr std::size_t kHeaderSize = 1 + sizeof(std::uint64_t);
-/// More than any run can honestly need; a larger announced size is garbage.
+/// Larger than any valid payload; a larger size means corrupted data.
 constexpr std::uint64_t kMaxPayload = std::uint64_t{1} << 30;
 
 bool send_all(int socket, const char* data, std::size_t size) {
@@ -57,9 +57,9 @@ void discard(int file, int null_device) {
   if (null_device >= 0) dup2(null_device, file);
 }
 
-void answer(int socket, const WorkerTask& task, std::size_t index, TaskNotes& notes) {
+void answer(int socket, const WorkItem& item, std::size_t index, SharedTaskLog& log) {
   try {
-    send_answer(socket, kDone, task(index, notes));
+    send_answer(socket, kDone, item(index, log));
   } catch (const std::bad_alloc&) {
     send_answer(socket, kOutOfMemory, "out of memory");
   } catch (const std::exception& e) {
@@ -67,19 +67,19 @@ void answer(int socket, const WorkerTask& task, std::size_t index, TaskNotes& no
   }
 }
 
-/// The worker's life: it never returns to the code that forked it.
-[[noreturn]] void serve(int socket, const WorkerTask& task, const PoolOptions& options,
-                        TaskNotes& notes) {
+/// The main loop of a worker process.
+[[noreturn]] void serve(int socket, const WorkItem& item, const PoolOptions& options,
+                        SharedTaskLog& log) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  std::signal(SIGINT, SIG_IGN);  // the parent decides what an interrupt means
+  std::signal(SIGINT, SIG_IGN);  // interrupts are handled by the parent
   const int null_device = open("/dev/null", O_WRONLY | O_CLOEXEC);
   discard(STDOUT_FILENO, null_device);
-  if (!options.keep_errors) discard(STDERR_FILENO, null_device);
+  if (!options.keep_stderr) discard(STDERR_FILENO, null_device);
   limit_memory(static_cast<std::size_t>(options.memory_mb * 1024 * 1024));
   std::uint64_t index = 0;
   while (receive_index(socket, index)) {
-    limit_cpu_time(options.task_cpu_time);
-    answer(socket, task, index, notes);
+    limit_cpu_time(options.item_cpu_time);
+    answer(socket, item, index, log);
   }
   _exit(0);
 }
@@ -88,33 +88,30 @@ std::string describe_end(int status) {
   if (WIFSIGNALED(status))
     return "killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
            strsignal(WTERMSIG(status)) + ")";
-  return "ended its process with exit status " + std::to_string(WEXITSTATUS(status));
+  return "process exited with status " + std::to_string(WEXITSTATUS(status));
 }
 
 bool is_out_of_cpu_time(int status) {
   return WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point then) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
-}
-
 }  // namespace
 
-void WorkerProcess::start(const WorkerTask& task) {
+void WorkerProcess::start(const WorkItem& item) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    throw job_error("workers", std::string("no socket can be made (") + std::strerror(errno) + ")");
+    throw job_error("workers",
+                    std::string("cannot create a socket (") + std::strerror(errno) + ")");
   const pid_t pid = fork();
   if (pid < 0) {
     close(ends[0]);
     close(ends[1]);
     throw job_error("workers",
-                    std::string("no process can be made (") + std::strerror(errno) + ")");
+                    std::string("cannot create a process (") + std::strerror(errno) + ")");
   }
   if (pid == 0) {
     close(ends[0]);
-    serve(ends[1], task, options_, notes_);
+    serve(ends[1], item, options_, log_);
   }
   close(ends[1]);
   fcntl(ends[0], F_SETFL, O_NONBLOCK);
@@ -125,23 +122,23 @@ void WorkerProcess::start(const WorkerTask& task) {
 
 void WorkerProcess::assign(std::size_t index) {
   const std::uint64_t wire = index;
-  notes_.clear();
-  beats_ = 0;
-  task_ = index;
-  started_ = last_beat_ = Clock::now();
-  // A worker that is already dead shows at the next receive().
+  log_.clear();
+  heartbeats_ = 0;
+  item_ = index;
+  started_ = last_heartbeat_ = options_.clock();
+  // The death of a worker is detected by the next receive().
   send_all(socket_, reinterpret_cast<const char*>(&wire), sizeof wire);
 }
 
-std::optional<TaskResult> WorkerProcess::receive() {
+std::optional<WorkResult> WorkerProcess::receive() {
   if (auto result = read_answer()) return result;
-  const std::string limit = passed_limit();
+  const std::string limit = exceeded_limit();
   if (limit.empty()) return std::nullopt;
   kill(pid_, SIGKILL);
   return end(Status::TimedOut, limit);
 }
 
-std::optional<TaskResult> WorkerProcess::read_answer() {
+std::optional<WorkResult> WorkerProcess::read_answer() {
   char chunk[65536];
   while (true) {
     const ssize_t got = recv(socket_, chunk, sizeof chunk, 0);
@@ -156,7 +153,7 @@ std::optional<TaskResult> WorkerProcess::read_answer() {
   std::memcpy(&size, buffer_.data() + 1, sizeof size);
   if ((kind != kDone && kind != kThrew && kind != kOutOfMemory) || size > kMaxPayload) {
     kill(pid_, SIGKILL);
-    return end(Status::Crashed, "wrote garbage to its worker's connection");
+    return end(Status::Crashed, "wrote invalid data to the worker's socket");
   }
   if (buffer_.size() < kHeaderSize + size) return std::nullopt;
   std::string payload = buffer_.substr(kHeaderSize, size);
@@ -165,31 +162,35 @@ std::optional<TaskResult> WorkerProcess::read_answer() {
     return end(kind == kThrew ? Status::Threw : Status::OutOfMemory, std::move(payload));
   }
   buffer_.clear();
-  task_.reset();
-  if (notes_.is_retired()) kill_and_reap();
-  return TaskResult{Status::Done, std::move(payload), "", ""};
+  item_.reset();
+  if (log_.is_retired()) kill_and_reap();
+  return WorkResult{Status::Done, std::move(payload), "", ""};
 }
 
-std::string WorkerProcess::passed_limit() {
-  if (notes_.beats() != beats_) {
-    beats_ = notes_.beats();
-    last_beat_ = Clock::now();
+std::string WorkerProcess::exceeded_limit() {
+  // The clock is read first: a heartbeat in between must not count as missing.
+  const double now = options_.clock();
+  const std::uint64_t heartbeats = log_.heartbeats();
+  if (heartbeats != heartbeats_) {
+    heartbeats_ = heartbeats;
+    last_heartbeat_ = now;
   }
-  if (options_.silence > 0 && beats_ > 0 && seconds_since(last_beat_) > options_.silence)
-    return "no answer within " + format_number(options_.silence) + " s of a cycle";
-  if (options_.task_wall_time > 0 && seconds_since(started_) > options_.task_wall_time)
-    return "not done within " + format_number(options_.task_wall_time) + " s of wall-clock time";
+  if (options_.heartbeat_timeout > 0 && heartbeats_ > 0 &&
+      now - last_heartbeat_ > options_.heartbeat_timeout)
+    return "no response within " + format_number(options_.heartbeat_timeout) + " s";
+  if (options_.item_wall_time > 0 && now - started_ > options_.item_wall_time)
+    return "wall-clock time limit of " + format_number(options_.item_wall_time) + " s exceeded";
   return "";
 }
 
-TaskResult WorkerProcess::end(Status status, std::string why) {
-  const int how = reap();
-  if (status == Status::Crashed && is_out_of_cpu_time(how)) {
+WorkResult WorkerProcess::end(Status status, std::string reason) {
+  const int wait_status = reap();
+  if (status == Status::Crashed && is_out_of_cpu_time(wait_status)) {
     status = Status::TimedOut;
-    why = "used up " + format_number(options_.task_cpu_time) + " s of processor time";
+    reason = "CPU time limit of " + format_number(options_.item_cpu_time) + " s exceeded";
   }
-  if (why.empty()) why = describe_end(how);
-  return {status, "", std::move(why), notes_.contents()};
+  if (reason.empty()) reason = describe_end(wait_status);
+  return {status, "", std::move(reason), log_.contents()};
 }
 
 void WorkerProcess::kill_and_reap() {
@@ -201,7 +202,7 @@ void WorkerProcess::kill_and_reap() {
 int WorkerProcess::reap() {
   close(socket_);
   int status = 0;
-  // The process may be dying by itself: its own end tells more than our signal, so look first.
+  // If the process is already terminating, prefer its own exit status to that of our signal.
   pid_t reaped = 0;
   for (int i = 0; i < 20 && reaped == 0; ++i) {
     reaped = waitpid(pid_, &status, WNOHANG);
@@ -213,7 +214,7 @@ int WorkerProcess::reap() {
   }
   pid_ = -1;
   socket_ = -1;
-  task_.reset();
+  item_.reset();
   return status;
 }
 

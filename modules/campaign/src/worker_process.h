@@ -2,55 +2,52 @@
 
 #include <slalom/campaign/worker_pool.h>
 
-#include <chrono>
 #include <optional>
 #include <string>
 #include <sys/types.h>
 
 namespace slalom {
 
-/// One forked worker and the socket to it. The parent sends an index, the worker answers with its
-/// payload.
+/// A forked worker process and the socket to it. The parent sends an index, the worker replies with
+/// the payload.
 class WorkerProcess {
  public:
-  explicit WorkerProcess(const PoolOptions& options)
-      : options_(options), notes_(options.notes_size) {}
+  explicit WorkerProcess(const PoolOptions& options) : options_(options), log_(options.log_size) {}
   ~WorkerProcess() { kill_and_reap(); }
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
   bool alive() const { return pid_ > 0; }
-  bool busy() const { return task_.has_value(); }
-  std::size_t task() const { return *task_; }
+  bool busy() const { return item_.has_value(); }
+  std::size_t item() const { return *item_; }
   int socket() const { return socket_; }
 
-  /// Forks. Throws Error (Job) when the system has no process or socket left.
-  void start(const WorkerTask& task);
+  /// Forks. Throws Error (Job) when no process or socket can be created.
+  void start(const WorkItem& item);
   void assign(std::size_t index);
 
-  /// A result when the task is over: done, its process dead, or out of time and killed.
-  std::optional<TaskResult> receive();
+  /// The result when the work item is done, its process has died, or it was killed at a time limit.
+  std::optional<WorkResult> receive();
 
   void kill_and_reap();
 
  private:
-  using Clock = std::chrono::steady_clock;
-  using Status = TaskResult::Status;
+  using Status = WorkResult::Status;
 
-  std::optional<TaskResult> read_answer();
-  /// Which limit the task has passed, for people; empty for none.
-  std::string passed_limit();
-  /// The result of a task whose process is dead or must die; `why` empty: tell how it ended.
-  TaskResult end(Status status, std::string why);
+  std::optional<WorkResult> read_answer();
+  /// A description of the limit that was exceeded; empty if none.
+  std::string exceeded_limit();
+  /// The result after the process has died or was killed. Empty `reason`: from its exit status.
+  WorkResult end(Status status, std::string reason);
   int reap();  ///< waitpid's status
 
   PoolOptions options_;
-  TaskNotes notes_;
+  SharedTaskLog log_;
   pid_t pid_ = -1;
   int socket_ = -1;
-  std::optional<std::size_t> task_;
-  Clock::time_point started_, last_beat_;
-  std::uint64_t beats_ = 0;
+  std::optional<std::size_t> item_;
+  double started_ = 0, last_heartbeat_ = 0;  ///< s, by the clock of the options
+  std::uint64_t heartbeats_ = 0;
   std::string buffer_;
 };
 

@@ -11,7 +11,7 @@ ListCommandPtr make_add_scenarios(ScenarioList& list, std::vector<Scenario> scen
       [&list, scenarios = std::move(scenarios), origins = std::move(origins)] {
         list.add_all(scenarios, origins);
       },
-      [none] { return std::string(none ? "there is nothing to add" : ""); });
+      [none] { return std::string(none ? "no scenarios to add" : ""); });
 }
 
 }  // namespace slalom

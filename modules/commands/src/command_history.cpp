@@ -8,7 +8,7 @@ void CommandHistory::execute(std::unique_ptr<ListCommand> command) {
   command->execute();
   commands_.resize(done_);
   commands_.push_back(std::move(command));
-  if (commands_.size() > longest_) commands_.pop_front();
+  if (commands_.size() > max_length_) commands_.pop_front();
   done_ = commands_.size();
 }
 

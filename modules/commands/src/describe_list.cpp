@@ -10,7 +10,7 @@
 namespace slalom {
 namespace {
 
-/// A scenario of every kind on which the parameters of descriptors can depend.
+/// One scenario of each kind on which descriptor parameters can depend.
 std::vector<Scenario> scenario_kinds() {
   const Bounds bounds{0, 0, 1, 1};
   mrpt::maps::CSimplePointsMap points;
@@ -25,7 +25,7 @@ std::vector<Scenario> scenario_kinds() {
   return kinds;
 }
 
-/// What differs from scenario to scenario becomes a '*'.
+/// Replaces the parts that differ between scenarios by '*'.
 std::string pattern_of(std::string parameters, const Scenario& kind) {
   if (!kind.published_path()) return parameters;
   const std::string hash = kind.published_path()->hash();
@@ -34,36 +34,28 @@ std::string pattern_of(std::string parameters, const Scenario& kind) {
   return parameters;
 }
 
-/// Reads from a list; what is new is noted, not written.
-class NewValues : public DescriptorStore {
+/// Reads values from a list and buffers new ones until write().
+class BufferedValues : public DescriptorStore {
  public:
-  explicit NewValues(ScenarioList& list) : list_(list) {}
+  explicit BufferedValues(ScenarioList& list) : list_(list) {}
 
-  std::optional<Value> find(const std::string& hash, const std::string& id, int version,
-                            const std::string& parameters) override {
-    return list_.find(hash, id, version, parameters);
+  std::optional<Value> find(const std::string& hash, const ValueKey& key) override {
+    return list_.find(hash, key);
   }
-  void keep(const std::string& hash, const std::string& id, int version,
-            const std::string& parameters, const Value& value) override {
-    values_.push_back({hash, {id, version, parameters}, value});
+  void store_value(const std::string& hash, const KeyedValue& value) override {
+    values_.emplace_back(hash, value);
   }
   ListChange write() {
     const ListChange change = list_.record([&] {
-      for (const auto& [hash, key, value] : values_)
-        list_.keep(hash, key.id, key.version, key.parameters, value);
+      for (const auto& [hash, value] : values_) list_.store_value(hash, value);
     });
     values_.clear();
     return change;
   }
 
  private:
-  struct Kept {
-    std::string hash;
-    DescriptorKey key;
-    Value value;
-  };
   ScenarioList& list_;
-  std::vector<Kept> values_;
+  std::vector<std::pair<std::string, KeyedValue>> values_;  ///< by hash
 };
 
 class DescribeList : public ListCommand {
@@ -75,42 +67,44 @@ class DescribeList : public ListCommand {
 
   std::string title() const override { return "Describe by " + join(options_.ids, ", "); }
 
-  std::string obstacle() const override { return lacking().empty() ? "every value is there" : ""; }
+  std::string disabled_reason() const override {
+    return missing_values().empty() ? "all values are already computed" : "";
+  }
 
   void execute() override {
-    constexpr std::size_t kAtOnce = 64;
+    constexpr std::size_t kBatchSize = 64;
     changes_.clear();
-    const std::vector<std::string> hashes = lacking();
+    const std::vector<std::string> hashes = missing_values();
     if (hashes.empty()) return;
     progress_.start("Describing scenarios", hashes.size());
-    NewValues values(list_);
+    BufferedValues values(list_);
     for (std::size_t i = 0; i < hashes.size(); ++i) {
       describe_scenario(list_.read(hashes[i]), options_, values);
-      if ((i + 1) % kAtOnce == 0 || i + 1 == hashes.size()) changes_.push_back(values.write());
+      if ((i + 1) % kBatchSize == 0 || i + 1 == hashes.size()) changes_.push_back(values.write());
       progress_.advance(i + 1);
     }
     progress_.finish();
-    if (!lacking().empty())
-      throw std::logic_error("values were kept under keys that descriptor_view() does not know");
+    if (!missing_values().empty())
+      throw std::logic_error("values were stored under keys unknown to descriptor_view()");
   }
 
   void undo() override {
-    list_.in_one_step([&] {
+    list_.in_transaction([&] {
       for (std::size_t i = changes_.size(); i-- > 0;) list_.revert(changes_[i]);
     });
   }
 
   void redo() override {
-    list_.in_one_step([&] {
+    list_.in_transaction([&] {
       for (const ListChange& change : changes_) list_.apply(change);
     });
   }
 
  private:
-  std::vector<std::string> lacking() const {
+  std::vector<std::string> missing_values() const {
     std::vector<std::string> all;
     for (const auto& [id, keys] : descriptor_view(options_.ids, options_))
-      for (const std::string& hash : list_.lacking(keys)) all.push_back(hash);
+      for (const std::string& hash : list_.missing_values(keys)) all.push_back(hash);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
@@ -137,12 +131,12 @@ DescriptorView descriptor_view(const std::vector<std::string>& ids,
                                     options.exact_confinement,
                                     options.barn_visibility};
     for (const std::string& id : ids) {
-      const Descriptor& wanted = descriptor(id);
-      const std::string parameters = pattern_of(wanted.parameters(context), kind);
-      std::vector<DescriptorKey>& keys = view[id];
+      ValueKey key = descriptor(id).key(context);
+      key.parameters = pattern_of(key.parameters, kind);
+      std::vector<ValueKey>& keys = view[id];
       if (std::none_of(keys.begin(), keys.end(),
-                       [&](const auto& key) { return key.parameters == parameters; }))
-        keys.push_back({id, wanted.info().version, parameters});
+                       [&](const ValueKey& known) { return known.parameters == key.parameters; }))
+        keys.push_back(key);
     }
   }
   return view;
@@ -150,7 +144,7 @@ DescriptorView descriptor_view(const std::vector<std::string>& ids,
 
 std::vector<std::string> descriptor_ids() {
   std::vector<std::string> ids;
-  for (const auto& one : all_descriptors()) ids.push_back(one->info().id);
+  for (const Descriptor& descriptor : all_descriptors()) ids.push_back(descriptor.info.id);
   return ids;
 }
 

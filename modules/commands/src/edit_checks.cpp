@@ -19,7 +19,7 @@ bool on_primitive(const Primitives& obstacles, const TPoint2D& p) {
          std::any_of(obstacles.polygons.begin(), obstacles.polygons.end(), covers);
 }
 
-/// The nearest column or row of a grid.
+/// The column or row of a grid, clamped to its size.
 int cell_of(double coordinate, double origin, double resolution, std::size_t size) {
   const double cell = std::floor((coordinate - origin) / resolution);
   return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(size) - 1));
@@ -33,13 +33,13 @@ bool on_occupied_cell(const Scenario& scenario, const TPoint2D& p) {
   return map.getCell(cx, cy) < 0.5F;
 }
 
-TPoint2D start_place(const Scenario& scenario) {
+TPoint2D start_position(const Scenario& scenario) {
   return {scenario.start().x, scenario.start().y};
 }
 
 }  // namespace
 
-std::string place_text(const TPoint2D& p) {
+std::string point_text(const TPoint2D& p) {
   return "(" + format_number(p.x) + ", " + format_number(p.y) + ")";
 }
 
@@ -47,20 +47,21 @@ void refuse_edit(const Scenario& scenario, const std::string& what, const std::s
   throw usage_error(scenario.name(), what, expected);
 }
 
-void expect_representation(const Scenario& scenario, Representation wanted,
+void expect_representation(const Scenario& scenario, Representation required,
                            const std::string& what) {
-  if (scenario.representation() != wanted)
-    refuse_edit(scenario,
-                "is " + to_string(scenario.representation()) + ": " + what + " cannot be done",
-                "a " + to_string(wanted) + " scenario, such as `convert` makes");
+  if (scenario.representation() != required)
+    refuse_edit(
+        scenario,
+        what + " is not supported for " + to_string(scenario.representation()) + " scenarios",
+        "a " + to_string(required) + " scenario, see `convert`");
 }
 
 void expect_inside(const Scenario& scenario, const std::string& what, const TPoint2D& p) {
   const Bounds& b = scenario.bounds();
   if (!std::isfinite(p.x) || !std::isfinite(p.y) || !b.contains(p))
-    refuse_edit(scenario, what + " at " + place_text(p) + " is outside the workspace",
-                "a place within " + place_text({b.x_min, b.y_min}) + " to " +
-                    place_text({b.x_max, b.y_max}));
+    refuse_edit(scenario, what + " at " + point_text(p) + " is outside the workspace",
+                "a point within " + point_text({b.x_min, b.y_min}) + " to " +
+                    point_text({b.x_max, b.y_max}));
 }
 
 bool is_covered(const Scenario& scenario, const TPoint2D& p) {
@@ -72,17 +73,17 @@ bool is_covered(const Scenario& scenario, const TPoint2D& p) {
 void expect_free(const Scenario& scenario, const std::string& what, const TPoint2D& p) {
   expect_inside(scenario, what, p);
   if (is_covered(scenario, p))
-    refuse_edit(scenario, what + " at " + place_text(p) + " is on an obstacle", "a free place");
+    refuse_edit(scenario, what + " at " + point_text(p) + " is on an obstacle", "a free point");
 }
 
 void expect_uncovered(const Scenario& before, const Scenario& after) {
-  const std::pair<const char*, TPoint2D> ends[] = {{"start", start_place(after)},
-                                                   {"goal", after.goal()}};
-  for (const auto& [what, p] : ends)
+  const std::pair<const char*, TPoint2D> points[] = {{"start", start_position(after)},
+                                                     {"goal", after.goal()}};
+  for (const auto& [what, p] : points)
     if (is_covered(after, p) && !is_covered(before, p))
       refuse_edit(before,
-                  std::string("an obstacle would cover the ") + what + " at " + place_text(p),
-                  "obstacles beside start and goal");
+                  std::string("an obstacle would cover the ") + what + " at " + point_text(p),
+                  "obstacles that leave start and goal free");
 }
 
 }  // namespace slalom

@@ -24,7 +24,7 @@ bool touches(const Bounds& b, const Disc& disc) {
 bool touches(const Bounds& b, const Polygon& polygon) {
   const auto inside = [&b](const TPoint2D& p) { return b.contains(p); };
   if (std::any_of(polygon.vertices.begin(), polygon.vertices.end(), inside)) return true;
-  // Without a vertex inside, an edge that passes through separates two corners or comes near one.
+  // No vertex inside: the box may be inside the polygon, or an edge may cross the box.
   const Polygon box{
       {{b.x_min, b.y_min}, {b.x_max, b.y_min}, {b.x_max, b.y_max}, {b.x_min, b.y_max}}};
   for (const TPoint2D& corner : box.vertices)
@@ -51,11 +51,11 @@ bool is_finite(const TPoint2D& p) {
 void expect_valid(const Scenario& scenario, const Disc& disc) {
   if (!is_finite(disc.center) || !std::isfinite(disc.radius) || !(disc.radius > 0))
     refuse_edit(scenario, "a disc of radius " + format_number(disc.radius) + " m is degenerate",
-                "a finite centre and a radius above 0");
+                "a finite center and a positive radius");
   if (!touches(scenario.bounds(), disc))
     refuse_edit(scenario,
-                "the obstacle at " + place_text(disc.center) + " is outside the workspace",
-                "an obstacle that touches it");
+                "the obstacle at " + point_text(disc.center) + " is outside the workspace",
+                "an obstacle that touches the workspace");
 }
 
 void expect_valid(const Scenario& scenario, const Polygon& polygon) {
@@ -64,12 +64,12 @@ void expect_valid(const Scenario& scenario, const Polygon& polygon) {
     refuse_edit(
         scenario,
         "a polygon of " + std::to_string(polygon.vertices.size()) + " vertices is degenerate",
-        "at least 3 vertices, positive area and no edges that cross");
+        "at least 3 vertices, positive area and no crossing edges");
   if (!touches(scenario.bounds(), polygon))
     refuse_edit(
         scenario,
-        "the obstacle at " + place_text(polygon.vertices.front()) + " is outside the workspace",
-        "an obstacle that touches it");
+        "the obstacle at " + point_text(polygon.vertices.front()) + " is outside the workspace",
+        "an obstacle that touches the workspace");
 }
 
 Scenario with_primitives(const Scenario& scenario, Primitives obstacles) {
@@ -79,12 +79,12 @@ Scenario with_primitives(const Scenario& scenario, Primitives obstacles) {
   return edited;
 }
 
-/// Numbered by the disc or the polygon that it is.
+/// Rejects an invalid obstacle index.
 void expect_obstacle(const Scenario& scenario, std::size_t index) {
   expect_representation(scenario, Representation::Continuous, "editing obstacles");
   const std::size_t count = obstacle_count(scenario.primitives());
   if (index >= count)
-    refuse_edit(scenario, "there is no obstacle " + std::to_string(index),
+    refuse_edit(scenario, "unknown obstacle " + std::to_string(index),
                 count == 0 ? "a scenario with obstacles" : "0 to " + std::to_string(count - 1));
 }
 
@@ -99,13 +99,13 @@ double distance_to(const Primitives& obstacles, std::size_t index, const TPoint2
 Scenario with_start(const Scenario& scenario, const TPose2D& start) {
   expect_free(scenario, "start", {start.x, start.y});
   if (!std::isfinite(start.phi))
-    refuse_edit(scenario, "the start heading is no number", "an angle");
-  return scenario.with_task(start, scenario.goal());
+    refuse_edit(scenario, "the start heading is not finite", "an angle");
+  return scenario.with_start_goal(start, scenario.goal());
 }
 
 Scenario with_goal(const Scenario& scenario, const TPoint2D& goal) {
   expect_free(scenario, "goal", goal);
-  return scenario.with_task(scenario.start(), goal);
+  return scenario.with_start_goal(scenario.start(), goal);
 }
 
 std::size_t obstacle_count(const Primitives& obstacles) {
@@ -117,13 +117,13 @@ std::optional<std::size_t> obstacle_at(const Scenario& scenario, const TPoint2D&
   if (scenario.representation() != Representation::Continuous) return std::nullopt;
   const Primitives& obstacles = scenario.primitives();
   std::optional<std::size_t> nearest;
-  double least = tolerance;
+  double min_distance = tolerance;
   for (std::size_t i = obstacle_count(obstacles); i-- > 0;) {
     const double d = distance_to(obstacles, i, point);
     if (d <= 0) return i;
-    if (d > least || (nearest && d == least)) continue;
+    if (d > min_distance || (nearest && d == min_distance)) continue;
     nearest = i;
-    least = d;
+    min_distance = d;
   }
   return nearest;
 }

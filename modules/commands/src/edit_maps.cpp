@@ -18,17 +18,17 @@ using mrpt::math::TPoint2D;
 void expect_valid(const Scenario& scenario, const Stroke& stroke) {
   const auto finite = [](const TPoint2D& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
   if (stroke.points.empty() || !std::all_of(stroke.points.begin(), stroke.points.end(), finite))
-    refuse_edit(scenario, "the stroke has no place", "one or more finite points");
+    refuse_edit(scenario, "the stroke has no finite points", "one or more finite points");
   if (!std::isfinite(stroke.radius) || stroke.radius < 0)
-    refuse_edit(scenario, "the brush has no size", "a radius of 0 or more");
+    refuse_edit(scenario, "invalid brush radius", "a radius of 0 or more");
 }
 
-/// Whether the brush passes over a place on its way from a to b.
+/// Whether the brush, moved from a to b, covers p.
 bool is_under(const TPoint2D& p, const TPoint2D& a, const TPoint2D& b, double radius) {
   return distance_to_segment(p, a, b) <= radius;
 }
 
-/// The painted copy of a grid's cells.
+/// Paints cells of a grid map.
 class CellBrush {
  public:
   CellBrush(COccupancyGridMap2D& map, const Bounds& bounds, bool occupied)
@@ -54,7 +54,7 @@ class CellBrush {
   }
 
  private:
-  /// The nearest cell of the grid.
+  /// The cell index, clamped to the grid.
   int clamped(double coordinate, double origin, std::size_t size) const {
     const double cell = std::floor((coordinate - origin) / resolution_);
     return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(size) - 1));
@@ -71,7 +71,7 @@ class CellBrush {
   COccupancyGridMap2D::cellType value_;
 };
 
-/// From each point of the stroke to the next; from a lone one to itself.
+/// Visits the segments between consecutive points; a single point is a segment of length 0.
 template <typename Visit>
 void each_segment(const Stroke& stroke, Visit visit) {
   for (std::size_t i = 0; i < stroke.points.size(); ++i)
@@ -115,15 +115,15 @@ Scenario with_points_removed(const Scenario& scenario, const Stroke& stroke) {
   expect_valid(scenario, stroke);
   const auto &x = scenario.point_map()->getPointsBufferRef_x(),
              &y = scenario.point_map()->getPointsBufferRef_y();
-  CSimplePointsMap rest;
+  CSimplePointsMap remaining;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    bool stays = true;
+    bool keep = true;
     each_segment(stroke, [&](const TPoint2D& a, const TPoint2D& b) {
-      stays = stays && !is_under({x[i], y[i]}, a, b, stroke.radius);
+      keep = keep && !is_under({x[i], y[i]}, a, b, stroke.radius);
     });
-    if (stays) rest.insertPoint(x[i], y[i], 0.0F);
+    if (keep) remaining.insertPoint(x[i], y[i], 0.0F);
   }
-  return with_point_map(scenario, rest);
+  return with_point_map(scenario, remaining);
 }
 
 }  // namespace slalom

@@ -7,9 +7,9 @@ namespace slalom {
 namespace {
 
 ListCommandPtr command(ScenarioList& list, std::string title, RecordedCommand::Act act,
-                       RecordedCommand::Obstacle obstacle = nullptr) {
+                       RecordedCommand::DisabledReason disabled_reason = nullptr) {
   return std::make_unique<RecordedCommand>(std::vector<ScenarioList*>{&list}, std::move(title),
-                                           std::move(act), std::move(obstacle));
+                                           std::move(act), std::move(disabled_reason));
 }
 
 bool has_index(const ScenarioList& list, const std::string& name) {
@@ -18,8 +18,8 @@ bool has_index(const ScenarioList& list, const std::string& name) {
   return false;
 }
 
-/// Why this scenario cannot be touched; empty when it can.
-std::string gone(const ScenarioList& list, const std::string& hash) {
+/// Why this scenario cannot be edited; empty if it can.
+std::string missing_reason(const ScenarioList& list, const std::string& hash) {
   ListSelection one;
   one.hashes = {hash};
   return list.count(one) == 1 ? "" : "the scenario is not in the list";
@@ -31,16 +31,18 @@ ListCommandPtr make_rename_scenario(ScenarioList& list, std::string hash, std::s
   const std::string title = "Rename to " + name;
   return command(
       list, title, [&list, hash, name] { list.rename(hash, name); },
-      [&list, hash, name] { return name.empty() ? "the name is empty" : gone(list, hash); });
+      [&list, hash, name] {
+        return name.empty() ? "the name is empty" : missing_reason(list, hash);
+      });
 }
 
 ListCommandPtr make_edit_scenario(ScenarioList& list, std::string hash, Scenario scenario) {
   return command(
       list, "Edit " + scenario.name(), [&list, hash, scenario] { list.replace(hash, scenario); },
       [&list, hash, next = scenario.hash()] {
-        if (next != hash && gone(list, next).empty())
-          return std::string("the list holds that content already");
-        return gone(list, hash);
+        if (next != hash && missing_reason(list, next).empty())
+          return std::string("the list already contains this scenario");
+        return missing_reason(list, hash);
       });
 }
 
@@ -55,7 +57,7 @@ ListCommandPtr make_tag_scenarios(ScenarioList& list, ListSelection selection,
       [&list, selection = std::move(selection), add = std::move(add), remove = std::move(remove)] {
         list.tag(selection, add, remove);
       },
-      [none] { return std::string(none ? "no scenario or no tag is chosen" : ""); });
+      [none] { return std::string(none ? "no scenarios or no tags selected" : ""); });
 }
 
 ListCommandPtr make_create_index(ScenarioList& list, ListIndex index) {
@@ -64,7 +66,7 @@ ListCommandPtr make_create_index(ScenarioList& list, ListIndex index) {
   return command(
       list, title, [&list, index = std::move(index)] { list.create_index(index); },
       [&list, name] {
-        return std::string(has_index(list, name) ? "there is an index of that name" : "");
+        return std::string(has_index(list, name) ? "an index of this name already exists" : "");
       });
 }
 
@@ -73,7 +75,7 @@ ListCommandPtr make_drop_index(ScenarioList& list, std::string name) {
   return command(
       list, title, [&list, name] { list.drop_index(name); },
       [&list, name] {
-        return std::string(has_index(list, name) ? "" : "there is no index of that name");
+        return std::string(has_index(list, name) ? "" : "no index of this name exists");
       });
 }
 

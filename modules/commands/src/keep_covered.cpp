@@ -12,12 +12,12 @@ std::string tag_of(const BinReport& bin) {
 }  // namespace
 
 void keep_covered(ScenarioList& list, const CoveragePlan& plan, const CoverageResult& result) {
-  list.in_one_step([&] {
+  list.in_transaction([&] {
     for (const CoveredScenario& covered : result.scenarios) {
       const std::string tag = tag_of(result.bins[covered.bin]);
       list.add(covered.scenario, {"coverage", covered.seed, {tag}});
-      for (const GeneratedValue& value : covered.values)
-        list.keep(covered.scenario.hash(), value.id, value.version, value.parameters, value.value);
+      for (const KeyedValue& value : covered.values)
+        list.store_value(covered.scenario.hash(), value);
     }
     list.set_note("coverage", render_coverage(plan, result));
   });

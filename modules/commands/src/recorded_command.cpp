@@ -3,18 +3,18 @@
 namespace slalom {
 
 RecordedCommand::RecordedCommand(std::vector<ScenarioList*> lists, std::string title, Act act,
-                                 Obstacle obstacle)
+                                 DisabledReason disabled_reason)
     : lists_(std::move(lists)),
       title_(std::move(title)),
       act_(std::move(act)),
-      obstacle_(std::move(obstacle)),
+      disabled_reason_(std::move(disabled_reason)),
       changes_(lists_.size()) {}
 
 void RecordedCommand::execute() {
   record_from(lists_.size());
 }
 
-/// The list that stands first is innermost, and so lasts first.
+/// The first list is innermost, so it is committed first.
 void RecordedCommand::record_from(std::size_t list) {
   if (list == 0) {
     act_();
@@ -24,7 +24,7 @@ void RecordedCommand::record_from(std::size_t list) {
 }
 
 void RecordedCommand::undo() {
-  // What was lost comes back before what was gained goes.
+  // Restore removed scenarios before removing added ones.
   in_all(0, [&] {
     for (std::size_t i = lists_.size(); i-- > 0;) lists_[i]->revert(changes_[i]);
   });
@@ -41,7 +41,7 @@ void RecordedCommand::in_all(std::size_t list, const Act& act) {
     act();
     return;
   }
-  lists_[list]->in_one_step([&] { in_all(list + 1, act); });
+  lists_[list]->in_transaction([&] { in_all(list + 1, act); });
 }
 
 std::string scenarios_text(std::size_t count) {

@@ -6,19 +6,21 @@
 
 namespace slalom {
 
-/// A command that is an edit of some lists. What the edit changes is noted, and taken back from
-/// that.
+/// A command that edits lists. The changes are recorded, and undo and redo apply the recorded
+/// changes.
 class RecordedCommand : public ListCommand {
  public:
   using Act = std::function<void()>;
-  using Obstacle = std::function<std::string()>;
+  using DisabledReason = std::function<std::string()>;
 
-  /// `lists` in the order in which they are made to last: those that gain before those that lose.
+  /// `lists` in commit order: lists that gain scenarios before lists that lose them.
   RecordedCommand(std::vector<ScenarioList*> lists, std::string title, Act act,
-                  Obstacle obstacle = nullptr);
+                  DisabledReason disabled_reason = nullptr);
 
   std::string title() const override { return title_; }
-  std::string obstacle() const override { return obstacle_ ? obstacle_() : ""; }
+  std::string disabled_reason() const override {
+    return disabled_reason_ ? disabled_reason_() : "";
+  }
   void execute() override;
   void undo() override;
   void redo() override;
@@ -30,7 +32,7 @@ class RecordedCommand : public ListCommand {
   std::vector<ScenarioList*> lists_;
   std::string title_;
   Act act_;
-  Obstacle obstacle_;
+  DisabledReason disabled_reason_;
   std::vector<ListChange> changes_;
 };
 

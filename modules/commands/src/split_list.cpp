@@ -9,14 +9,15 @@
 namespace slalom {
 
 bool is_held_out(const std::string& hash, const SplitOptions& options) {
-  const std::uint64_t drawn = derive_seed(options.seed, "held out " + hash);
-  return std::ldexp(static_cast<double>(drawn >> 11U), -53) < options.held_out;
+  const std::uint64_t random = derive_seed(options.seed, "held out " + hash);
+  return std::ldexp(static_cast<double>(random >> 11U), -53) < options.held_out;
 }
 
 ListCommandPtr make_split(ScenarioList& source, SplitOptions options, ScenarioList& development,
                           ScenarioList& held_out) {
   if (!(options.held_out >= 0 && options.held_out <= 1))
-    throw usage_error("held-out share", format_number(options.held_out) + " is none", "0 to 1");
+    throw usage_error("held-out fraction", "invalid value " + format_number(options.held_out),
+                      "0 to 1");
   return std::make_unique<RecordedCommand>(
       std::vector<ScenarioList*>{&development, &held_out}, "Split " + scenarios_text(source.size()),
       [&source, options, &development, &held_out] {

@@ -9,15 +9,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-RecordedCommand::Obstacle nothing_chosen(std::size_t count) {
-  return [count] { return std::string(count == 0 ? "no scenario is chosen" : ""); };
+RecordedCommand::DisabledReason empty_selection(std::size_t count) {
+  return [count] { return std::string(count == 0 ? "no scenarios selected" : ""); };
 }
 
-/// Two lists of one file would wait for each other for ever.
+/// Two lists of the same file would deadlock.
 void expect_different(const ScenarioList& a, const ScenarioList& b) {
   std::error_code ignored;
   if (&a == &b || fs::equivalent(a.path(), b.path(), ignored))
-    throw usage_error(b.path(), "is the list that is read from", "another list");
+    throw usage_error(b.path(), "source and target are the same list", "a different list");
 }
 
 void copy(ScenarioList& source, const ListSelection& selection, ScenarioList& target) {
@@ -37,7 +37,8 @@ ListCommandPtr make_delete_scenarios(ScenarioList& list, ListSelection selection
   const std::size_t count = list.count(selection);
   return std::make_unique<RecordedCommand>(
       std::vector<ScenarioList*>{&list}, "Delete " + scenarios_text(count),
-      [&list, selection = std::move(selection)] { list.remove(selection); }, nothing_chosen(count));
+      [&list, selection = std::move(selection)] { list.remove(selection); },
+      empty_selection(count));
 }
 
 ListCommandPtr make_copy_scenarios(ScenarioList& source, ListSelection selection,
@@ -47,7 +48,7 @@ ListCommandPtr make_copy_scenarios(ScenarioList& source, ListSelection selection
   return std::make_unique<RecordedCommand>(
       std::vector<ScenarioList*>{&target}, "Copy " + scenarios_text(count) + to_text(target),
       [&source, &target, selection = std::move(selection)] { copy(source, selection, target); },
-      nothing_chosen(count));
+      empty_selection(count));
 }
 
 ListCommandPtr make_move_scenarios(ScenarioList& source, ListSelection selection,
@@ -61,7 +62,7 @@ ListCommandPtr make_move_scenarios(ScenarioList& source, ListSelection selection
         copy(source, selection, target);
         source.remove(selection);
       },
-      nothing_chosen(count));
+      empty_selection(count));
 }
 
 ListCommandPtr make_merge_lists(std::vector<ScenarioList*> sources, ScenarioList& target) {
@@ -91,14 +92,14 @@ ListCommandPtr make_add_list(std::shared_ptr<ScenarioList> source, ScenarioList&
         progress.finish();
         source.reset();
       },
-      nothing_chosen(count));
+      empty_selection(count));
 }
 
 namespace {
 
-class DoneCommand : public ListCommand {
+class ExecutedCommand : public ListCommand {
  public:
-  DoneCommand(std::shared_ptr<ScenarioList> list, ListCommandPtr command)
+  ExecutedCommand(std::shared_ptr<ScenarioList> list, ListCommandPtr command)
       : list_(std::move(list)), command_(std::move(command)) {}
 
   std::string title() const override { return command_->title(); }
@@ -108,18 +109,18 @@ class DoneCommand : public ListCommand {
 
  private:
   std::shared_ptr<ScenarioList> list_;
-  ListCommandPtr command_;  ///< goes first
+  ListCommandPtr command_;  ///< destroyed before list_
 };
 
 }  // namespace
 
-ListCommandPtr make_done(std::shared_ptr<ScenarioList> list, ListCommandPtr command) {
-  return std::make_unique<DoneCommand>(std::move(list), std::move(command));
+ListCommandPtr make_already_executed(std::shared_ptr<ScenarioList> list, ListCommandPtr command) {
+  return std::make_unique<ExecutedCommand>(std::move(list), std::move(command));
 }
 
 namespace {
 
-/// Makes a file instead of changing one.
+/// Creates a new file.
 class SelectInto : public ListCommand {
  public:
   SelectInto(ScenarioList& source, ListSelection selection, std::string path)
@@ -128,11 +129,11 @@ class SelectInto : public ListCommand {
   std::string title() const override {
     return "Select into " + fs::path(path_).filename().string();
   }
-  std::string obstacle() const override {
-    return fs::exists(path_) ? "there is a file of that name" : "";
+  std::string disabled_reason() const override {
+    return fs::exists(path_) ? "a file of this name already exists" : "";
   }
   void execute() override {
-    if (!obstacle().empty()) throw usage_error(path_, obstacle(), "another name");
+    if (!disabled_reason().empty()) throw usage_error(path_, disabled_reason(), "another name");
     ScenarioList::write(path_, [&](ScenarioList& target) {
       copy(source_, selection_, target);
       for (const ListIndex& index : source_.indexes()) target.create_index(index);

@@ -1,9 +1,20 @@
 #include <slalom/core/hash.h>
 
+#include <fmt/format.h>
+
 #include <cstring>
 #include <xxhash.h>
 
 namespace slalom {
+namespace {
+
+std::uint64_t bits_of(double number) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &number, sizeof bits);
+  return bits;
+}
+
+}  // namespace
 
 Hasher::Hasher() : state_(XXH3_createState()) {
   XXH3_128bits_reset(state_);
@@ -25,10 +36,8 @@ Hasher& Hasher::add(std::uint64_t number) {
 }
 
 Hasher& Hasher::add(double number) {
-  if (number == 0) number = 0;  // -0.0 and 0.0 are the same number, so the same content
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &number, sizeof bits);
-  return add(bits);
+  if (number == 0) number = 0;  // -0.0 and 0.0 are the same content
+  return add(bits_of(number));
 }
 
 Hasher& Hasher::add(std::string_view text) {
@@ -39,13 +48,13 @@ Hasher& Hasher::add(std::string_view text) {
 std::string Hasher::hex() const {
   XXH128_canonical_t canonical;
   XXH128_canonicalFromHash(&canonical, XXH3_128bits_digest(state_));
-  static const char kDigits[] = "0123456789abcdef";
   std::string text;
-  for (unsigned char byte : canonical.digest) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
+  for (const unsigned char byte : canonical.digest) text += fmt::format("{:02x}", byte);
   return text;
+}
+
+bool same_bits(double a, double b) {
+  return bits_of(a) == bits_of(b);
 }
 
 }  // namespace slalom

@@ -1,12 +1,12 @@
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 
 #include <mrpt/config/config_parser.h>
 
 #include <algorithm>
 #include <fstream>
-#include <numeric>
 #include <sstream>
 
 namespace slalom {
@@ -21,7 +21,7 @@ std::string strip_comment(const std::string& line) {
   return line;
 }
 
-/// Expands @define and ${}, line by line counted: MRPT's parser keeps the number of lines.
+/// Expands @define and ${}. MRPT's parser keeps line numbers.
 std::string expand(const std::string& text, const std::string& name) {
   try {
     return mrpt::config::config_parser(text);
@@ -31,35 +31,7 @@ std::string expand(const std::string& text, const std::string& name) {
   }
 }
 
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substitution = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitution});
-    }
-  }
-  return row.back();
-}
-
 }  // namespace
-
-std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates) {
-  std::string best;
-  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 2) + 1;
-  for (const std::string& candidate : candidates) {
-    const std::size_t distance = edit_distance(word, candidate);
-    if (distance < best_distance) {
-      best_distance = distance;
-      best = candidate;
-    }
-  }
-  return best;
-}
 
 IniFile IniFile::load(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -67,7 +39,9 @@ IniFile IniFile::load(const std::string& path) {
   std::stringstream content;
   content << file.rdbuf();
   if (file.bad()) throw file_error(path, "cannot be read", "a configuration file (.ini)");
-  return from_text(content.str(), path);
+  const std::string text = content.str();
+  if (!is_text(text)) throw file_error(path, "is not a text file", "a configuration file (.ini)");
+  return from_text(text, path);
 }
 
 IniFile IniFile::from_text(const std::string& text, const std::string& name) {
@@ -76,30 +50,33 @@ IniFile IniFile::from_text(const std::string& text, const std::string& name) {
   std::istringstream lines(expand(text, name));
   std::string raw, section;
   for (int number = 1; std::getline(lines, raw); ++number) {
-    const std::string place = name + ":" + std::to_string(number);
+    const std::string position = name + ":" + std::to_string(number);
     const std::string line = trim(strip_comment(raw));
     if (line.empty() || line[0] == '@') continue;
     if (line.front() == '[') {
-      if (line.back() != ']') throw usage_error(place, "'" + line + "' is not closed", "[section]");
+      if (line.back() != ']')
+        throw usage_error(position, "missing ']' in '" + line + "'", "[section]");
       section = trim(line.substr(1, line.size() - 2));
-      if (ini.section_where_.emplace(section, place).second) ini.section_order_.push_back(section);
+      if (ini.section_where_.emplace(section, position).second)
+        ini.section_order_.push_back(section);
       continue;
     }
     const std::size_t equals = line.find('=');
     if (equals == std::string::npos || section.empty())
-      throw usage_error(place, "'" + line + "' is neither a section nor a key of one",
-                        "[section] or key = value");
+      throw usage_error(position, "malformed line '" + line + "'", "[section] or key = value");
     const std::string key = trim(line.substr(0, equals));
     if (ini.find(section, key) != nullptr)
-      throw usage_error(place + ": [" + section + "] " + key, "key given twice", "it once");
+      throw usage_error(position + ": [" + section + "] " + key, "duplicate key", "one value");
     ini.entries_[section].push_back(
-        {key, trim(line.substr(equals + 1)), place + ": [" + section + "] " + key});
+        {key, trim(line.substr(equals + 1)), position + ": [" + section + "] " + key});
   }
   return ini;
 }
 
 void IniFile::override_key(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos && assignment.find('.') != std::string::npos)
+    throw usage_error("--set " + assignment, "no value", assignment + "=VALUE");
   const std::size_t dot =
       equals == std::string::npos ? equals : assignment.substr(0, equals).rfind('.');
   if (dot == std::string::npos || dot == 0 || dot + 1 == equals)
@@ -129,16 +106,17 @@ std::optional<std::string> IniFile::get(const std::string& section, const std::s
   return entry == nullptr ? std::nullopt : std::make_optional(entry->value);
 }
 
-void IniFile::set(const std::string& section, const std::string& key, const std::string& value) {
-  const std::string place = "--set " + section + "." + key;
-  if (section_where_.emplace(section, place).second) section_order_.push_back(section);
+void IniFile::set(const std::string& section, const std::string& key, const std::string& value,
+                  const std::string& origin) {
+  const std::string position = origin + section + "." + key;
+  if (section_where_.emplace(section, position).second) section_order_.push_back(section);
   for (Entry& entry : entries_[section]) {
     if (entry.key != key) continue;
     entry.value = value;
-    entry.where = place;
+    entry.where = position;
     return;
   }
-  entries_[section].push_back({key, value, place});
+  entries_[section].push_back({key, value, position});
 }
 
 void IniFile::remove(const std::string& section, const std::string& key) {
@@ -175,9 +153,8 @@ std::string IniFile::canonical_text() const {
 void IniFile::reject_unknown_sections(const std::vector<std::string>& accepted) const {
   for (const std::string& section : section_order_) {
     const bool known = std::any_of(accepted.begin(), accepted.end(), [&](const std::string& name) {
-      const bool prefix = name.size() > 2 && name.compare(name.size() - 2, 2, ".*") == 0;
-      return prefix ? section.compare(0, name.size() - 1, name, 0, name.size() - 1) == 0
-                    : section == name;
+      return ends_with(name, ".*") ? starts_with(section, name.substr(0, name.size() - 1))
+                                   : section == name;
     });
     if (known) continue;
     const std::string nearest = nearest_name(section, accepted);

@@ -47,7 +47,7 @@ void OptionReader::option(const std::string& key, int& value, const std::string&
   if (!parse_integer(*text, number) || !range.contains(static_cast<double>(number)) ||
       number > std::numeric_limits<int>::max() || number < std::numeric_limits<int>::min())
     throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid",
-                      "a whole number " + range.text());
+                      "an integer " + range.text());
   value = static_cast<int>(number);
 }
 
@@ -58,7 +58,7 @@ void OptionReader::option(const std::string& key, std::uint64_t& value, const st
   long long number = 0;
   if (!parse_integer(*text, number) || number < 0)
     throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid",
-                      std::string("a whole number ") + kSeedRange);
+                      std::string("an integer ") + kSeedRange);
   value = static_cast<std::uint64_t>(number);
 }
 
@@ -80,7 +80,7 @@ void OptionReader::option(const std::string& key, std::string& value, const std:
   known_.push_back(key);
   const auto text = ini_.get(section_, key);
   if (!text) return;
-  if (!choices.empty() && std::find(choices.begin(), choices.end(), *text) == choices.end())
+  if (!choices.empty() && !contains(choices, *text))
     throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid",
                       "one of " + join(choices, ", "));
   value = *text;
@@ -88,10 +88,8 @@ void OptionReader::option(const std::string& key, std::string& value, const std:
 
 void OptionReader::reject_unknown_keys() const {
   for (const std::string& key : ini_.keys(section_)) {
-    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-    const std::string nearest = nearest_name(key, known_);
-    throw usage_error(ini_.where(section_, key), "unknown key",
-                      nearest.empty() ? "one of " + join(known_, ", ") : "'" + nearest + "'");
+    if (contains(known_, key)) continue;
+    throw usage_error(ini_.where(section_, key), "unknown key", expected_name(key, known_));
   }
 }
 
@@ -117,6 +115,29 @@ void OptionLister::option(const std::string& key, std::string& value, const std:
                           const std::vector<std::string>& choices) {
   lines_.push_back({key, value.empty() ? "(none)" : value, "-",
                     choices.empty() ? "text" : join(choices, " | "), help});
+}
+
+void SectionWriter::option(const std::string& key, double& value, const std::string&,
+                           const std::string&, Range) {
+  ini_.set(section_, key, format_number(value), origin_);
+}
+
+void SectionWriter::option(const std::string& key, int& value, const std::string&,
+                           const std::string&, Range) {
+  ini_.set(section_, key, std::to_string(value), origin_);
+}
+
+void SectionWriter::option(const std::string& key, std::uint64_t& value, const std::string&) {
+  ini_.set(section_, key, std::to_string(value), origin_);
+}
+
+void SectionWriter::option(const std::string& key, bool& value, const std::string&) {
+  ini_.set(section_, key, value ? "true" : "false", origin_);
+}
+
+void SectionWriter::option(const std::string& key, std::string& value, const std::string&,
+                           const std::vector<std::string>&) {
+  ini_.set(section_, key, value, origin_);
 }
 
 std::string OptionLister::text() const {

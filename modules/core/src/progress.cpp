@@ -1,8 +1,9 @@
 #include <slalom/core/progress.h>
 
-#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <unistd.h>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -14,56 +15,98 @@ class SilentProgress : public Progress {
   void finish() override {}
 };
 
-/// One line per stage: for logs, where a moving bar would only be noise.
+/// "40 s", "12 min" or "3 h 5 min".
+std::string duration_text(double seconds) {
+  if (seconds < 60) return std::to_string(static_cast<long>(std::ceil(seconds))) + " s";
+  const long minutes = std::lround(seconds / 60);
+  if (minutes < 120) return std::to_string(minutes) + " min";
+  return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
+}
+
+/// A line every 10 s, for log files. Lines are counted from the first stage on, so that a job of
+/// many short stages has them too.
 class LineProgress : public Progress {
  public:
+  explicit LineProgress(WallClock clock) : clock_(std::move(clock)), last_line_(clock_()) {}
+
   void start(const std::string& what, std::size_t total) override {
-    std::fprintf(stderr, "%s: %zu\n", what.c_str(), total);
+    what_ = what;
+    total_ = total;
+    begin_ = clock_();
   }
-  void advance(std::size_t) override {}
+  void advance(std::size_t done) override {
+    const double now = clock_();
+    if (done == 0 || done >= total_ || now - last_line_ < kInterval) return;
+    last_line_ = now;
+    const double left =
+        (now - begin_) * static_cast<double>(total_ - done) / static_cast<double>(done);
+    std::fprintf(stderr, "%s: %zu/%zu (%zu %%), %s left\n", what_.c_str(), done, total_,
+                 100 * done / total_, duration_text(left).c_str());
+  }
   void finish() override {}
+
+ private:
+  static constexpr double kInterval = 10;  ///< s
+
+  WallClock clock_;
+  std::string what_;
+  std::size_t total_ = 0;
+  double begin_ = 0, last_line_;
 };
 
 class BarProgress : public Progress {
  public:
+  ~BarProgress() override { end_line(); }
+  explicit BarProgress(WallClock clock) : clock_(std::move(clock)) {}
   void start(const std::string& what, std::size_t total) override {
     what_ = what;
     total_ = total;
-    begin_ = last_drawn_ = Clock::now();
-    draw(0);
+    begin_ = last_drawn_ = clock_();
+    done_ = 0;
+    draw(State::Working);
   }
   void advance(std::size_t done) override {
-    const auto now = Clock::now();
-    if (done < total_ && now - last_drawn_ < std::chrono::milliseconds(50)) return;
+    const double now = clock_();
+    done_ = done;
+    if (done < total_ && now - last_drawn_ < kInterval) return;
     last_drawn_ = now;
-    draw(done);
+    draw(State::Working);
   }
-  void finish() override {
-    draw(total_);
+  void finish() override { end_line(); }
+
+ private:
+  static constexpr double kInterval = 0.05;  ///< s
+  enum class State { Idle, Working, Ended };
+
+  /// Work that was interrupted, or gave up, ends before all is done.
+  void end_line() {
+    if (state_ != State::Working) return;
+    draw(State::Ended);
     std::fputc('\n', stderr);
   }
 
- private:
-  using Clock = std::chrono::steady_clock;
-
-  void draw(std::size_t done) const {
+  void draw(State state) {
     constexpr int kWidth = 32;
-    const double share = total_ == 0 ? 1.0 : static_cast<double>(done) / total_;
-    const int filled = static_cast<int>(share * kWidth);
-    const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
+    state_ = state;
+    const double fraction =
+        total_ == 0 ? 1.0 : static_cast<double>(done_) / static_cast<double>(total_);
+    const int filled = static_cast<int>(fraction * kWidth);
+    const double elapsed = clock_() - begin_;
     const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-    std::fprintf(stderr, "\r%-22s [%s] %zu/%zu  %.0f s", what_.c_str(), bar.c_str(), done, total_,
+    std::fprintf(stderr, "\r%-22s [%s] %zu/%zu  %.0f s", what_.c_str(), bar.c_str(), done_, total_,
                  elapsed);
-    if (done > 0 && done < total_)
-      std::fprintf(stderr, ", %.0f s left ", elapsed / share - elapsed);
+    if (state == State::Working && done_ > 0 && done_ < total_)
+      std::fprintf(stderr, ", %.0f s left ", elapsed / fraction - elapsed);
     else
       std::fputs("              ", stderr);
     std::fflush(stderr);
   }
 
+  WallClock clock_;
   std::string what_;
-  std::size_t total_ = 0;
-  Clock::time_point begin_, last_drawn_;
+  std::size_t done_ = 0, total_ = 0;
+  State state_ = State::Idle;
+  double begin_ = 0, last_drawn_ = 0;
 };
 
 }  // namespace
@@ -72,10 +115,10 @@ std::unique_ptr<Progress> make_silent_progress() {
   return std::make_unique<SilentProgress>();
 }
 
-std::unique_ptr<Progress> make_terminal_progress(bool quiet) {
+std::unique_ptr<Progress> make_terminal_progress(bool quiet, WallClock clock) {
   if (quiet) return make_silent_progress();
-  if (isatty(STDERR_FILENO) != 0) return std::make_unique<BarProgress>();
-  return std::make_unique<LineProgress>();
+  if (isatty(STDERR_FILENO) != 0) return std::make_unique<BarProgress>(std::move(clock));
+  return std::make_unique<LineProgress>(std::move(clock));
 }
 
 }  // namespace slalom

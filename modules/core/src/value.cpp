@@ -1,3 +1,4 @@
+#include <slalom/core/text.h>
 #include <slalom/core/value.h>
 
 #include <cmath>
@@ -34,16 +35,9 @@ bool Value::operator==(const Value& other) const {
          reason_ == other.reason_;
 }
 
-std::string to_string(Direction direction) {
-  switch (direction) {
-    case Direction::Up:
-      return "up";
-    case Direction::Down:
-      return "down";
-    case Direction::None:
-      break;
-  }
-  return "none";
+std::string format_value(const Value& value, const std::string& unit) {
+  if (value.is_na()) return "NA (" + value.reason() + ")";
+  return format_number(value.number()) + (unit == "-" ? "" : " " + unit);
 }
 
 }  // namespace slalom

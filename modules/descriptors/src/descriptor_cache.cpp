@@ -2,28 +2,25 @@
 
 namespace slalom {
 
-Value describe(const Descriptor& descriptor, const DescriptorContext& context,
-               DescriptorStore* store) {
-  if (store == nullptr) return descriptor.compute(context);
-  const QuantityInfo info = descriptor.info();
-  const std::string parameters = descriptor.parameters(context);
+KeyedValue describe(const Descriptor& descriptor, const DescriptorContext& context,
+                    DescriptorStore& store) {
+  const ValueKey key = descriptor.key(context);
   const std::string& hash = context.world.scenario().hash();
-  if (const auto known = store->find(hash, info.id, info.version, parameters)) return *known;
-  const Value value = descriptor.compute(context);
-  store->keep(hash, info.id, info.version, parameters, value);
-  return value;
+  if (const auto known = store.find(hash, key)) return {key, *known};
+  const KeyedValue computed{key, descriptor.compute(context)};
+  store.store_value(hash, computed);
+  return computed;
 }
 
 std::optional<Value> MemoryDescriptorStore::find(const std::string& scenario_hash,
-                                                 const std::string& id, int version,
-                                                 const std::string& parameters) {
-  const auto found = values_.find({scenario_hash, id, version, parameters});
+                                                 const ValueKey& key) {
+  const auto found = values_.find({scenario_hash, key.id, key.version, key.parameters});
   return found == values_.end() ? std::nullopt : std::make_optional(found->second);
 }
 
-void MemoryDescriptorStore::keep(const std::string& scenario_hash, const std::string& id,
-                                 int version, const std::string& parameters, const Value& value) {
-  values_.insert_or_assign({scenario_hash, id, version, parameters}, value);
+void MemoryDescriptorStore::store_value(const std::string& scenario_hash, const KeyedValue& value) {
+  const ValueKey& key = value.key;
+  values_.insert_or_assign({scenario_hash, key.id, key.version, key.parameters}, value.value);
 }
 
 }  // namespace slalom

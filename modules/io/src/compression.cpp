@@ -8,8 +8,8 @@
 namespace slalom {
 namespace {
 
-/// A block of 4 bytes stands for 128 KiB at most: what a frame announces beyond that is no frame's.
-constexpr unsigned long long kMostPerByte = 32768;
+/// A zstd block of 4 bytes expands to at most 128 KiB: a larger announced size is invalid.
+constexpr unsigned long long kMaxExpansion = 32768;
 
 }  // namespace
 
@@ -29,13 +29,13 @@ std::string compress(const std::string& bytes) {
 std::string decompress(const std::string& bytes, const std::string& where, std::size_t max_size) {
   const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > max_size ||
-      size > kMostPerByte * bytes.size())
-    throw file_error(where, "is damaged (no valid size)", "content that Slalom wrote");
+      size > kMaxExpansion * bytes.size())
+    throw file_error(where, "is damaged (invalid size)", "content written by Slalom");
   std::string result(static_cast<std::size_t>(size), '\0');
   const std::size_t got = ZSTD_decompress(result.data(), result.size(), bytes.data(), bytes.size());
   if (ZSTD_isError(got) != 0 || got != size)
     throw file_error(where, "is damaged (" + std::string(ZSTD_getErrorName(got)) + ")",
-                     "content that Slalom wrote");
+                     "content written by Slalom");
   return result;
 }
 

@@ -17,11 +17,11 @@ int pragma(SQLite::Database& database, const std::string& name) {
 
 void expect_kind(SQLite::Database& database, const std::string& path, const DatabaseKind& kind) {
   if (pragma(database, "application_id") != kind.application_id)
-    throw file_error(path, "is another kind of file", kind.name);
+    throw file_error(path, "is a different kind of file", kind.name);
   const int version = pragma(database, "user_version");
   const int oldest = kind.oldest > 0 ? kind.oldest : kind.version;
   if (version < oldest || version > kind.version)
-    throw file_error(path, "is of version " + std::to_string(version),
+    throw file_error(path, "unsupported version " + std::to_string(version),
                      std::string(kind.name) + " of version " + std::to_string(kind.version));
 }
 
@@ -40,7 +40,7 @@ std::unique_ptr<SQLite::Database> create_database(const std::string& path,
   for (const char* suffix : {"", "-journal", "-wal"})
     if (unlink((path + suffix).c_str()) != 0 && errno != ENOENT)
       throw job_error(path, std::string("cannot be replaced (") + std::strerror(errno) + ")",
-                      "a place that can be written");
+                      "a writable path");
   return writing(path, [&] {
     auto database = std::make_unique<SQLite::Database>(
         path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeoutMs);
@@ -60,7 +60,7 @@ std::unique_ptr<SQLite::Database> open_database(const std::string& path, const D
     try {
       expect_kind(*database, path, kind);
     } catch (const SQLite::Exception&) {
-      throw file_error(path, "is damaged or no SQLite file", kind.name);
+      throw file_error(path, "is damaged or not an SQLite file", kind.name);
     }
     return database;
   });

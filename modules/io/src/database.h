@@ -7,25 +7,25 @@
 
 namespace slalom {
 
-/// What tells one kind of Slalom's SQLite files from others.
+/// Identifies a kind of SQLite file of Slalom.
 struct DatabaseKind {
   const char* name;  ///< for messages: "a scenario list"
   int application_id;
   int version;
-  const char* schema;  ///< SQL that makes the tables
-  int oldest = 0;      ///< oldest version that opens and is then brought up to date; 0 for none
+  const char* schema;  ///< SQL that creates the tables
+  int oldest = 0;      ///< oldest version that can be upgraded; 0: none
 };
 
-/// A new file of that kind; one that is there is replaced. Throws Error (Job) when it cannot be
-/// made.
+/// Creates a file of that kind, replacing an existing one. Throws Error (Job) when it cannot be
+/// created.
 std::unique_ptr<SQLite::Database> create_database(const std::string& path,
                                                   const DatabaseKind& kind);
 
-/// An existing file. Throws Error (File) when it is missing, of another kind or version, or
+/// Opens an existing file. Throws Error (File) when it is missing, of another kind or version, or
 /// damaged.
 std::unique_ptr<SQLite::Database> open_database(const std::string& path, const DatabaseKind& kind);
 
-/// Runs `act`, turning SQLite's exceptions into Error: File while reading, Job while writing.
+/// Runs `act`, converting SQLite's exceptions to Error: File when reading, Job when writing.
 template <typename Act>
 auto reading(const std::string& path, Act act) -> decltype(act());
 template <typename Act>

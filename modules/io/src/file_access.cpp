@@ -11,7 +11,7 @@
 namespace slalom {
 namespace {
 
-/// Writes all bytes and makes them last; false with errno set when it cannot.
+/// Writes all bytes and syncs the file; on failure, returns false with errno set.
 bool write_and_sync(int file, const std::string& content) {
   std::size_t done = 0;
   while (done < content.size()) {
@@ -38,10 +38,10 @@ void write_file_atomically(const std::string& path, const std::string& content) 
   const auto fail = [&](const char* what) {
     const std::string reason = std::strerror(errno);
     unlink(temporary.c_str());
-    return job_error(path, std::string(what) + " (" + reason + ")", "a place that can be written");
+    return job_error(path, std::string(what) + " (" + reason + ")", "a writable path");
   };
   const int file = open(temporary.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0644);
-  if (file < 0) throw fail("cannot be made");
+  if (file < 0) throw fail("cannot be created");
   const bool written = write_and_sync(file, content);
   const int write_errno = errno;
   close(file);

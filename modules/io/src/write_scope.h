@@ -4,9 +4,9 @@
 
 namespace slalom {
 
-/// All or nothing: what is written while it lives is undone unless commit() was called. Scopes may
-/// be nested; only the outermost makes things last. It takes the lock at once, so that two programs
-/// that write wait for each other instead of failing halfway.
+/// A transaction: changes during its lifetime are rolled back unless commit() was called. Scopes
+/// can be nested; only the outermost commits to disk. It acquires the write lock immediately, so
+/// that concurrent writers wait for each other instead of failing midway.
 class WriteScope {
  public:
   explicit WriteScope(SQLite::Database& database);

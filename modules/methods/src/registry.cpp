@@ -20,45 +20,43 @@ std::string out_of_limits(const std::string& name, double value, double low, dou
 
 }  // namespace
 
-void MethodRegistry::add(const std::string& adapter, MethodFactory factory) {
-  factories_[adapter] = std::move(factory);
+void MethodRegistry::add(const std::string& adapter, MethodReader reader) {
+  readers_[adapter] = std::move(reader);
 }
 
 std::vector<std::string> MethodRegistry::adapters() const {
   std::vector<std::string> names;
-  for (const auto& [name, factory] : factories_) names.push_back(name);
+  for (const auto& [name, reader] : readers_) names.push_back(name);
   return names;
 }
 
-std::unique_ptr<Method> MethodRegistry::create(const std::string& name,
-                                               const MethodContext& context) const {
-  const IniFile& ini = context.ini;
-  if (!ini.has_section(context.section))
-    throw usage_error(ini.name(), "no section for method '" + name + "'",
-                      "[" + context.section + "]");
-  const auto adapter = ini.get(context.section, "adapter");
+NamedMethod MethodRegistry::read(const IniFile& ini, const std::string& name) const {
+  const std::string section = "method." + name;
+  if (!ini.has_section(section))
+    throw usage_error(ini.name(), "no section for method '" + name + "'", "[" + section + "]");
+  const auto adapter = ini.get(section, "adapter");
   if (!adapter)
-    throw usage_error(ini.where(context.section), "no adapter named",
+    throw usage_error(ini.where(section), "missing adapter",
                       "adapter = " + join(adapters(), " | "));
-  const auto found = factories_.find(*adapter);
-  if (found == factories_.end())
-    throw usage_error(ini.where(context.section, "adapter"), "unknown adapter '" + *adapter + "'",
+  const auto found = readers_.find(*adapter);
+  if (found == readers_.end())
+    throw usage_error(ini.where(section, "adapter"), "unknown adapter '" + *adapter + "'",
                       "one of " + join(adapters(), ", "));
-  return found->second(context);
+  return {name, found->second(ini, section), ini.where(section)};
 }
 
-bool is_valid_command(const Command& command, const RobotModel& robot, std::string& why) {
+bool is_valid_command(const Command& command, const RobotModel& robot, std::string& reason) {
   const double low_v = robot.forward_only ? 0.0 : -robot.max_v;
   if (!std::isfinite(command.v) || !std::isfinite(command.w) || !std::isfinite(command.vy)) {
-    why = "v, w or vy is not a finite number";
+    reason = "v, w or vy is not a finite number";
   } else if (!is_within(command.v, low_v, robot.max_v)) {
-    why = out_of_limits("v", command.v, low_v, robot.max_v);
+    reason = out_of_limits("v", command.v, low_v, robot.max_v);
   } else if (!is_within(command.w, -robot.max_w, robot.max_w)) {
-    why = out_of_limits("w", command.w, -robot.max_w, robot.max_w);
+    reason = out_of_limits("w", command.w, -robot.max_w, robot.max_w);
   } else if (!robot.holonomic() && command.vy != 0) {
-    why = "vy = " + format_number(command.vy) + " of a differential drive is not 0";
+    reason = "vy = " + format_number(command.vy) + " of a differential drive is not 0";
   } else if (!is_within(std::hypot(command.v, command.vy), 0, robot.max_v)) {
-    why = out_of_limits("speed", std::hypot(command.v, command.vy), 0, robot.max_v);
+    reason = out_of_limits("speed", std::hypot(command.v, command.vy), 0, robot.max_v);
   } else {
     return true;
   }

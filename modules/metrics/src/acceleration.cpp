@@ -1,13 +1,12 @@
 #include "common.h"
-#include "families.h"
 #include "speed.h"
 
-namespace slalom {
+namespace slalom::metrics {
 namespace {
 
 enum class Motion { Linear, Angular };
 
-/// A difference quotient of the speed and the seconds that it stands for.
+/// A difference quotient and the duration (s) of its interval.
 struct Rate {
   double value, dt;
 };
@@ -22,7 +21,7 @@ std::vector<Rate> accelerations(const SpeedProfile& speeds, Motion motion) {
   return rates;
 }
 
-/// Second differences of the speed: changes between accelerations, which hold in the middles of
+/// Second differences of the speed: changes between accelerations, which refer to the midpoints of
 /// their intervals.
 std::vector<Rate> jerks(const std::vector<Rate>& accelerations) {
   std::vector<Rate> rates;
@@ -34,8 +33,8 @@ std::vector<Rate> jerks(const std::vector<Rate>& accelerations) {
 }
 
 /// Root mean square over time.
-Value rms(const std::vector<Rate>& rates, const char* needed) {
-  if (rates.empty()) return Value::na(needed);
+Value rms(const std::vector<Rate>& rates, const char* reason) {
+  if (rates.empty()) return Value::na(reason);
   double sum = 0, time = 0;
   for (const Rate& rate : rates) {
     sum += rate.value * rate.value * rate.dt;
@@ -44,61 +43,34 @@ Value rms(const std::vector<Rate>& rates, const char* needed) {
   return Value::of(std::sqrt(sum / time));
 }
 
-class RmsAcceleration : public Metric {
- public:
-  explicit RmsAcceleration(Motion motion) : motion_(motion) {}
+Value rms_acceleration(const MetricContext& context, Motion motion) {
+  if (const auto na = na_without_time(context)) return *na;
+  const SpeedProfile speeds = without_short_intervals(speed_profile(context));
+  return rms(accelerations(speeds, motion), "fewer than two samples");
+}
 
-  QuantityInfo info() const override {
-    return motion_ == Motion::Linear
-               ? QuantityInfo{"rms_linear_acceleration", 1, "Linear acceleration", "m/s^2",
-                              Direction::Down}
-               : QuantityInfo{"rms_angular_acceleration", 1, "Angular acceleration", "rad/s^2",
-                              Direction::Down};
-  }
-
-  Value compute(const MetricContext& context) const override {
-    if (const auto na = na_without_time(context)) return *na;
-    const SpeedProfile speeds = without_short_intervals(speed_profile(context));
-    return rms(accelerations(speeds, motion_), "fewer than two samples");
-  }
-
- private:
-  Motion motion_;
-};
-
-class RmsJerk : public Metric {
- public:
-  explicit RmsJerk(Motion motion) : motion_(motion) {}
-
-  QuantityInfo info() const override {
-    return motion_ == Motion::Linear
-               ? QuantityInfo{"rms_linear_jerk", 1, "Linear jerk", "m/s^3", Direction::Down}
-               : QuantityInfo{"rms_angular_jerk", 1, "Angular jerk", "rad/s^3", Direction::Down};
-  }
-
-  Value compute(const MetricContext& context) const override {
-    if (const auto na = na_without_time(context)) return *na;
-    const SpeedProfile speeds = without_short_intervals(speed_profile(context));
-    return rms(jerks(accelerations(speeds, motion_)), "fewer than three samples");
-  }
-
- private:
-  Motion motion_;
-};
+Value rms_jerk(const MetricContext& context, Motion motion) {
+  if (const auto na = na_without_time(context)) return *na;
+  const SpeedProfile speeds = without_short_intervals(speed_profile(context));
+  return rms(jerks(accelerations(speeds, motion)), "fewer than three samples");
+}
 
 }  // namespace
 
-MetricPtr make_rms_linear_acceleration() {
-  return std::make_shared<RmsAcceleration>(Motion::Linear);
-}
-MetricPtr make_rms_angular_acceleration() {
-  return std::make_shared<RmsAcceleration>(Motion::Angular);
-}
-MetricPtr make_rms_linear_jerk() {
-  return std::make_shared<RmsJerk>(Motion::Linear);
-}
-MetricPtr make_rms_angular_jerk() {
-  return std::make_shared<RmsJerk>(Motion::Angular);
+Value rms_linear_acceleration(const MetricContext& context) {
+  return rms_acceleration(context, Motion::Linear);
 }
 
-}  // namespace slalom
+Value rms_angular_acceleration(const MetricContext& context) {
+  return rms_acceleration(context, Motion::Angular);
+}
+
+Value rms_linear_jerk(const MetricContext& context) {
+  return rms_jerk(context, Motion::Linear);
+}
+
+Value rms_angular_jerk(const MetricContext& context) {
+  return rms_jerk(context, Motion::Angular);
+}
+
+}  // namespace slalom::metrics

@@ -1,12 +1,11 @@
 #include "common.h"
-#include "families.h"
 
 #include <cmath>
 
-namespace slalom {
+namespace slalom::metrics {
 namespace {
 
-/// Sum of the changes from sample to sample. Logs of other origin may have no commands: NaN.
+/// Sum of the changes between samples. Imported logs may have no commands: NaN.
 template <typename Change>
 Value sum_of_changes(const MetricContext& context, Change change) {
   if (const auto na = na_without_time(context)) return *na;
@@ -16,67 +15,34 @@ Value sum_of_changes(const MetricContext& context, Change change) {
   return std::isfinite(sum) ? Value::of(sum) : Value::na("no commands are recorded");
 }
 
-/// Sum of |change of the speed asked for|.
-class CommandVariationV : public Metric {
- public:
-  QuantityInfo info() const override {
-    return {"command_variation_v", 1, "Variation of commanded speed", "m/s", Direction::Down};
-  }
-
-  Value compute(const MetricContext& context) const override {
-    return sum_of_changes(context, [](const Sample& a, const Sample& b) {
-      return std::hypot(b.command_v - a.command_v, b.command_vy - a.command_vy);
-    });
-  }
-};
-
-/// Sum of |change of the turning speed asked for|.
-class CommandVariationW : public Metric {
- public:
-  QuantityInfo info() const override {
-    return {"command_variation_w", 1, "Variation of commanded turning", "rad/s", Direction::Down};
-  }
-
-  Value compute(const MetricContext& context) const override {
-    return sum_of_changes(context, [](const Sample& a, const Sample& b) {
-      return std::abs(b.command_w - a.command_w);
-    });
-  }
-};
-
-/// How often the robot's turning changes its side, turning slower than 0.1 rad/s not counted.
-class OscillationCount : public Metric {
- public:
-  QuantityInfo info() const override {
-    return {"oscillation_count", 1, "Oscillations", "count", Direction::Down};
-  }
-
-  Value compute(const MetricContext& context) const override {
-    if (const auto na = na_without_time(context)) return *na;
-    int changes = 0, side = 0;
-    for (const Sample& sample : context.trajectory.samples) {
-      if (std::abs(sample.w) <= kSlowest) continue;
-      const int now = sample.w > 0 ? 1 : -1;
-      if (side != 0 && now != side) ++changes;
-      side = now;
-    }
-    return Value::of(changes);
-  }
-
- private:
-  static constexpr double kSlowest = 0.1;  // rad/s
-};
-
 }  // namespace
 
-MetricPtr make_command_variation_v() {
-  return std::make_shared<CommandVariationV>();
-}
-MetricPtr make_command_variation_w() {
-  return std::make_shared<CommandVariationW>();
-}
-MetricPtr make_oscillation_count() {
-  return std::make_shared<OscillationCount>();
+/// Sum of |change of the commanded linear velocity|.
+Value command_variation_v(const MetricContext& context) {
+  return sum_of_changes(context, [](const Sample& a, const Sample& b) {
+    return std::hypot(b.command_v - a.command_v, b.command_vy - a.command_vy);
+  });
 }
 
-}  // namespace slalom
+/// Sum of |change of the commanded angular velocity|.
+Value command_variation_w(const MetricContext& context) {
+  return sum_of_changes(context, [](const Sample& a, const Sample& b) {
+    return std::abs(b.command_w - a.command_w);
+  });
+}
+
+/// Number of sign changes of the angular velocity, ignoring values up to 0.1 rad/s.
+Value oscillation_count(const MetricContext& context) {
+  constexpr double kMinTurnRate = 0.1;  // rad/s
+  if (const auto na = na_without_time(context)) return *na;
+  int changes = 0, side = 0;
+  for (const Sample& sample : context.trajectory.samples) {
+    if (std::abs(sample.w) <= kMinTurnRate) continue;
+    const int now = sample.w > 0 ? 1 : -1;
+    if (side != 0 && now != side) ++changes;
+    side = now;
+  }
+  return Value::of(changes);
+}
+
+}  // namespace slalom::metrics

@@ -24,18 +24,18 @@ std::optional<Value> na_without_verdict(const MetricContext& context) {
 std::optional<Value> na_without_time(const MetricContext& context) {
   if (const auto na = na_without_samples(context)) return na;
   if (context.trajectory.duration() > 0) return std::nullopt;
-  return Value::na("no time passed");
+  return Value::na("zero duration");
 }
 
 std::optional<Value> na_without_shortest(const MetricContext& context) {
   if (!context.references.shortest) return Value::na(context.references.shortest_reason);
   if (context.references.shortest->length > 0) return std::nullopt;
-  return Value::na("the start is the goal");
+  return Value::na("start and goal coincide");
 }
 
-double area_between(const Path& driven, const Path& reference) {
+double area_between(const Path& traveled, const Path& reference) {
   PathDistance distance(reference);
-  return integrate_along(driven, [&](const mrpt::math::TPoint2D& p) { return distance(p); });
+  return integrate_along(traveled, [&](const mrpt::math::TPoint2D& p) { return distance(p); });
 }
 
 double closed_length(const MetricContext& context) {

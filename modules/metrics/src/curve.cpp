@@ -8,14 +8,14 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-constexpr double kSpacing = 0.1;   // m, of the points whose curvature is looked at
+constexpr double kSpacing = 0.1;   // m, of the points whose curvature is computed
 constexpr double kDense = 0.0125;  // m, of the points on the smooth curve
 
 double norm(const TPoint2D& p) {
   return std::hypot(p.x, p.y);
 }
 
-/// The derivative by length at each point: of the parabola through it and its neighbours.
+/// The derivative by arc length at each point, of the parabola through it and its neighbors.
 std::vector<TPoint2D> tangents(const Path& path) {
   const std::size_t last = path.size() - 1;
   std::vector<TPoint2D> slopes(last), result(path.size());
@@ -30,7 +30,7 @@ std::vector<TPoint2D> tangents(const Path& path) {
   return result;
 }
 
-/// Points on a cubic Hermite curve through the path's points.
+/// Points on a cubic Hermite spline through the path's points.
 Path smooth(const Path& path) {
   const std::vector<TPoint2D> slopes = tangents(path);
   Path points = {path[0]};
@@ -46,7 +46,7 @@ Path smooth(const Path& path) {
   return points;
 }
 
-/// Points `spacing` of length apart; the rest at the end is left out.
+/// Points at arc lengths of multiples of `spacing`; the remainder at the end is omitted.
 Path at_equal_lengths(const Path& path, double spacing) {
   Path points = {path[0]};
   double to_next = spacing;
@@ -63,7 +63,7 @@ Path at_equal_lengths(const Path& path, double spacing) {
 double menger(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c) {
   const TPoint2D ab = b - a, bc = c - b;
   const double across = norm(c - a), turn = std::abs(ab.x * bc.y - ab.y * bc.x);
-  // Straight back: what the circle's curvature tends to.
+  // Reversal: the limit of the circle's curvature.
   if (across < 1e-6) return 4 / (norm(ab) + norm(bc));
   return 2 * turn / (norm(ab) * norm(bc) * across);
 }

@@ -7,9 +7,9 @@
 namespace slalom {
 namespace {
 
-/// The smallest value with at least `share` of all values at or below it.
-double nearest_rank(const std::vector<double>& sorted, double share) {
-  const double rank = std::ceil(share * static_cast<double>(sorted.size()));
+/// The smallest value such that at least `fraction` of all values are at or below it.
+double nearest_rank(const std::vector<double>& sorted, double fraction) {
+  const double rank = std::ceil(fraction * static_cast<double>(sorted.size()));
   return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Puts each element where its index read backwards in bits says.
+/// Bit-reversal permutation.
 void reverse_bits(std::vector<Complex>& data) {
   for (std::size_t i = 1, j = 0; i < data.size(); ++i) {
     std::size_t bit = data.size() / 2;
@@ -19,7 +19,7 @@ void reverse_bits(std::vector<Complex>& data) {
   }
 }
 
-/// Cooley and Tukey's transform in place; the size is a power of two.
+/// In-place radix-2 FFT (Cooley and Tukey); the size is a power of two.
 void transform(std::vector<Complex>& data) {
   reverse_bits(data);
   std::vector<Complex> roots(data.size() / 2);

@@ -10,7 +10,7 @@ using mrpt::math::TPoint2D;
 
 constexpr double kTolerance = 1e-6;  // m
 
-/// A point with its distance to the other path, and where that is nearest.
+/// A point with its distance to the other path and the nearest segment of that path.
 struct Measured {
   TPoint2D at;
   double distance;
@@ -22,14 +22,15 @@ Measured measure(const TPoint2D& p, PathDistance& to) {
   return {p, distance, to.nearest_piece()};
 }
 
-/// An upper bound of the distance along the segment from a to b: the distance to any one piece of
+/// An upper bound of the distance along the segment from a to b: the distance to any one segment of
 /// the other path is convex along it.
 double upper_bound(const Measured& a, const Measured& b, const PathDistance& to) {
   return std::min(std::max(a.distance, to.distance_to_piece(b.at, a.piece)),
                   std::max(b.distance, to.distance_to_piece(a.at, b.piece)));
 }
 
-/// The farthest that a point of `from` is from `other`: branch and bound over its segments.
+/// Directed Hausdorff distance from `from` to `other`: branch and bound over the segments of
+/// `from`.
 double directed(const Path& from, const Path& other) {
   PathDistance to(other);
   std::vector<Measured> vertices;

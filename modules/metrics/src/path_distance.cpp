@@ -10,7 +10,7 @@ using mrpt::math::TPoint2D;
 
 constexpr std::size_t kPiecesPerBlock = 16;
 
-/// Rounding never makes a box seem further away than what is in it.
+/// Rounding tolerance, so that a box is never farther away than its contents.
 constexpr double kRounding = 1e-12;
 
 double squared_distance_to_box(const TPoint2D& p, const Bounds& box) {

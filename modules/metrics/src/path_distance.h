@@ -7,19 +7,17 @@
 
 namespace slalom {
 
-/// Exact distances from many points to one path, as distance_to_path gives them. Pieces of the path
-/// are kept in blocks with their bounding boxes, and only blocks that may hold a nearer piece are
-/// looked at: a reference path has hundreds of pieces, and each run asks for thousands of
-/// distances.
+/// Exact distances from many points to one path, equal to distance_to_path. Segments of the path
+/// are grouped in blocks with bounding boxes, and only blocks that may contain a closer segment are
+/// searched: a reference path has hundreds of segments, and each run needs thousands of distances.
 class PathDistance {
  public:
-  explicit PathDistance(const Path& path);  ///< the path is not empty and outlives this
+  explicit PathDistance(const Path& path);  ///< must not be empty, and must outlive this object
 
-  /// Distance (m) from p to the nearest point of the path. Quickest for points that follow each
-  /// other.
+  /// Distance (m) from p to the nearest point of the path. Fastest for consecutive nearby points.
   double operator()(const mrpt::math::TPoint2D& p);
 
-  /// The piece of the path (from vertex k to k + 1) that was nearest in the last call.
+  /// The segment of the path (from vertex k to k + 1) that was nearest in the last call.
   std::size_t nearest_piece() const { return nearest_piece_; }
   double distance_to_piece(const mrpt::math::TPoint2D& p, std::size_t piece) const;
 
@@ -29,13 +27,13 @@ class PathDistance {
     Bounds box;
   };
 
-  /// And the piece of the block that is the nearest.
+  /// Distance to the block, and its nearest segment.
   double distance_to_block(const mrpt::math::TPoint2D& p, const Block& block,
                            std::size_t& piece) const;
 
   const Path& path_;
   std::vector<Block> blocks_;
-  std::size_t nearest_ = 0;  ///< block that was nearest to the point before
+  std::size_t nearest_ = 0;  ///< block nearest to the previous point
   std::size_t nearest_piece_ = 0;
 };
 

@@ -1,25 +1,23 @@
 #include "common.h"
-#include "families.h"
 #include "fourier.h"
 #include "speed.h"
 
 #include <algorithm>
 #include <optional>
 
-namespace slalom {
+namespace slalom::metrics {
 namespace {
 
-/// |v| at equal intervals of dt seconds.
+/// |v| sampled at equal intervals of dt seconds.
 struct UniformSpeed {
   std::vector<double> v;
   double dt = 0;
 };
 
 constexpr std::size_t kMaxSamples = std::size_t{1} << 20;
-constexpr char kTooShort[] = "fewer than three samples";
 
-/// The profile at its median interval, linear between samples; what is left of an interval at the
-/// end is left out. nullopt with `reason` where that makes no sense.
+/// Resamples the profile at its median interval, linear between samples; an incomplete interval at
+/// the end is omitted. nullopt with `reason` if that is not possible.
 std::optional<UniformSpeed> uniform_speed(const SpeedProfile& speeds, std::string& reason) {
   const double dt = median_interval(speeds.t);
   const double steps = std::floor((speeds.t.back() - speeds.t.front()) / dt + 1e-6);
@@ -33,16 +31,16 @@ std::optional<UniformSpeed> uniform_speed(const SpeedProfile& speeds, std::strin
   for (double k = 0; k <= steps; ++k) {
     const double t = speeds.t.front() + k * dt;
     while (i + 2 < speeds.t.size() && speeds.t[i + 1] <= t) ++i;
-    const double share = std::min(1.0, (t - speeds.t[i]) / (speeds.t[i + 1] - speeds.t[i]));
+    const double fraction = std::min(1.0, (t - speeds.t[i]) / (speeds.t[i + 1] - speeds.t[i]));
     const double before = std::abs(speeds.v[i]), after = std::abs(speeds.v[i + 1]);
-    uniform.v.push_back(before + share * (after - before));
+    uniform.v.push_back(before + fraction * (after - before));
   }
   if (uniform.v.size() >= 3) return uniform;
-  reason = kTooShort;
+  reason = "fewer than three samples";
   return std::nullopt;
 }
 
-/// The speed of a run that moved, or NA.
+/// The uniform speed profile of a run with motion, or NA.
 std::optional<UniformSpeed> speed_of(const MetricContext& context, Value& na) {
   if (const auto none = na_without_time(context)) {
     na = *none;
@@ -58,9 +56,8 @@ std::optional<UniformSpeed> speed_of(const MetricContext& context, Value& na) {
   return uniform;
 }
 
-/// Length of the spectrum's outline from frequency to frequency, both axes scaled to 1; up to 10 Hz
-/// or half of the sampling rate, where it mirrors itself, and not beyond the last magnitude above
-/// 5 %.
+/// Negative arc length of the normalized magnitude spectrum, both axes scaled to 1; up to 10 Hz or
+/// half the sampling rate, between the first and the last magnitude of at least 5 %.
 double spectral_arc_length(const UniformSpeed& speed) {
   constexpr double kCut = 10, kThreshold = 0.05;
   constexpr std::size_t kPadding = 16;
@@ -81,58 +78,35 @@ double spectral_arc_length(const UniformSpeed& speed) {
   return -sum;
 }
 
-/// SPARC (Balasubramanian et al. 2015), with their parameters.
-class Sparc : public Metric {
- public:
-  QuantityInfo info() const override {
-    return {"sparc", 1, "Spectral arc length", "-", Direction::Up};
-  }
-
-  Value compute(const MetricContext& context) const override {
-    Value na = Value::na("");
-    const auto speed = speed_of(context, na);
-    if (!speed) return na;
-    const double arc = spectral_arc_length(*speed);
-    return arc < 0 ? Value::of(arc) : Value::na("the spectrum is a single line");
-  }
-};
-
-/// -ln |(T^3 / v_peak^2) integral of (d2v/dt2)^2 dt| (Balasubramanian et al. 2015); as there, each
-/// sample stands for one interval.
-class LogDimensionlessJerk : public Metric {
- public:
-  QuantityInfo info() const override {
-    return {"log_dimensionless_jerk", 1, "Log dimensionless jerk", "-", Direction::Up};
-  }
-
-  Value compute(const MetricContext& context) const override {
-    Value na = Value::na("");
-    const auto speed = speed_of(context, na);
-    if (!speed) return na;
-    const std::vector<double>& v = speed->v;
-    double sum = 0;
-    for (std::size_t i = 2; i < v.size(); ++i) {
-      const double jerk = (v[i] - 2 * v[i - 1] + v[i - 2]) / (speed->dt * speed->dt);
-      sum += jerk * jerk * speed->dt;
-    }
-    const double duration = static_cast<double>(v.size()) * speed->dt;
-    const double peak = *std::max_element(v.begin(), v.end());
-    const double jerk = duration * duration * duration / (peak * peak) * sum;
-    if (jerk < kRounding) return Value::na("the speed has no jerk");
-    return Value::of(-std::log(jerk));
-  }
-
- private:
-  static constexpr double kRounding = 1e-12;
-};
-
 }  // namespace
 
-MetricPtr make_sparc() {
-  return std::make_shared<Sparc>();
-}
-MetricPtr make_log_dimensionless_jerk() {
-  return std::make_shared<LogDimensionlessJerk>();
+/// SPARC (Balasubramanian et al. 2015), with their parameters.
+Value sparc(const MetricContext& context) {
+  Value na = Value::na("");
+  const auto speed = speed_of(context, na);
+  if (!speed) return na;
+  const double arc = spectral_arc_length(*speed);
+  return arc < 0 ? Value::of(arc) : Value::na("the spectrum is a single line");
 }
 
-}  // namespace slalom
+/// -ln |(T^3 / v_peak^2) integral of (d2v/dt2)^2 dt| (Balasubramanian et al. 2015); as there, the
+/// duration is the number of samples times dt.
+Value log_dimensionless_jerk(const MetricContext& context) {
+  constexpr double kRounding = 1e-12;
+  Value na = Value::na("");
+  const auto speed = speed_of(context, na);
+  if (!speed) return na;
+  const std::vector<double>& v = speed->v;
+  double sum = 0;
+  for (std::size_t i = 2; i < v.size(); ++i) {
+    const double jerk = (v[i] - 2 * v[i - 1] + v[i - 2]) / (speed->dt * speed->dt);
+    sum += jerk * jerk * speed->dt;
+  }
+  const double duration = static_cast<double>(v.size()) * speed->dt;
+  const double peak = *std::max_element(v.begin(), v.end());
+  const double jerk = duration * duration * duration / (peak * peak) * sum;
+  if (jerk < kRounding) return Value::na("zero jerk");
+  return Value::of(-std::log(jerk));
+}
+
+}  // namespace slalom::metrics

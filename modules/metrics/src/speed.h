@@ -6,25 +6,25 @@
 
 namespace slalom {
 
-/// Speeds over time.
+/// Velocities over time.
 struct SpeedProfile {
   std::vector<double> t;  ///< s, strictly increasing
-  std::vector<double> v;  ///< m/s: ahead, or of a robot that moves sideways the velocity's length
-  std::vector<double> w;  ///< rad/s
+  std::vector<double> v;  ///< m/s, forward; magnitude for robots with lateral motion
+  std::vector<double> w;  ///< rad/s, angular velocity
 };
 
-/// The speeds of a trajectory.
+/// The velocities of a trajectory.
 SpeedProfile speed_profile(const MetricContext& context);
 
-/// The seconds that each sample stands for: half of the intervals before and after it. They add up
-/// to the duration, so that what goes on when the log ends is counted to its end.
+/// The duration (s) that each sample represents: half of the intervals before and after it. The sum
+/// is the duration of the trajectory.
 std::vector<double> sample_weights(const std::vector<double>& t);
 
-/// The median interval (s); requires two times or more.
+/// The median interval (s); requires at least two times.
 double median_interval(const std::vector<double>& t);
 
-/// Without samples that follow the one before after less than a quarter of the median interval. A
-/// run ends at any instant; differences over so short an interval would magnify its rounding.
+/// Removes samples less than a quarter of the median interval after the previous one. A run may end
+/// at any time; differences over a very short interval would amplify rounding errors.
 SpeedProfile without_short_intervals(const SpeedProfile& profile);
 
 }  // namespace slalom

@@ -1,5 +1,6 @@
 #include "cell_rows.h"
 
+#include <slalom/core/distance.h>
 #include <slalom/references/any_angle.h>
 
 #include <algorithm>
@@ -14,62 +15,58 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-/// Positions (cells) nearer than this are the same: intervals are closed, corners at their ends
-/// count.
+/// Tolerance (cells) of positions: intervals are closed, corners at their ends are included.
 constexpr double kEps = 1e-9;
-
-double distance(const TPoint2D& a, const TPoint2D& b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
 
 double cross(const TPoint2D& a, const TPoint2D& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// A point at which a path may turn, with the best way to it.
+/// A point at which a path may turn, with the best path to it.
 struct Root {
   TPoint2D at;
   double g = 0;       ///< length of the path to it
-  int parent = -1;    ///< index of the root before it
+  int parent = -1;    ///< index of the previous root
   TPoint2D incoming;  ///< direction from the parent; (0, 0) for the start
-  int turn = 0;       ///< +1: may only turn left (obstacle on the left), -1: right, 0: any way
+  int turn = 0;       ///< +1: may only turn left (obstacle on the left), -1: right, 0: both
   std::size_t corner = 0;
 };
 
-/// What is seen from a root through a window on the line y = row, going up (dir +1) or down (-1).
+/// The cone visible from a root through an interval on the line y = row, upwards (dir +1) or
+/// downwards (-1).
 struct Cone {
   int root = 0;
   int row = 0;
   int dir = 0;
-  TPoint2D low, high;  ///< points that the limiting rays pass
+  TPoint2D low, high;  ///< points on the limiting rays
 };
 
 struct Item {
   double f = 0;
-  int kind = 0;  ///< 0 goal, 1 root, 2 cone: what is nearer to an answer goes first among equals
+  int kind = 0;  ///< 0 goal, 1 root, 2 cone: order of equal f
   int index = 0;
-  bool operator<(const Item& other) const {  // for a max-heap: the smallest f on top
+  bool operator<(const Item& other) const {  // for a max-heap: the smallest f first
     return std::tie(f, kind, index) > std::tie(other.f, other.kind, other.index);
   }
 };
 
-/// Where the ray from `origin` through `via` meets the line y = row.
+/// The x at which the ray from `origin` through `via` intersects the line y = row.
 double at_row(const TPoint2D& origin, const TPoint2D& via, double row) {
   return origin.x + (via.x - origin.x) * ((row - origin.y) / (via.y - origin.y));
 }
 
-/// Length of the shortest way from a over [low, high] on the line y = row to b: a lower bound of
-/// any path through that window.
+/// Length of the shortest path from a via [low, high] on the line y = row to b: a lower bound for
+/// all paths through that interval.
 double length_through(const TPoint2D& a, TPoint2D b, double row, double low, double high) {
-  if ((a.y < row) == (b.y < row)) b.y = 2 * row - b.y;  // reflected: the way must touch the line
+  if ((a.y < row) == (b.y < row)) b.y = 2 * row - b.y;  // reflected: the path must touch the line
   const double span = b.y - a.y;
   const double straight = span != 0 ? a.x + (b.x - a.x) * ((row - a.y) / span) : b.x;
   const TPoint2D via(std::clamp(straight, low, std::max(low, high)), row);
-  return distance(a, via) + distance(via, b);
+  return distance_between(a, via) + distance_between(via, b);
 }
 
-/// Best-first search over roots and what they see, in the manner of Anya (Harabor et al. 2016):
-/// windows are pushed row by row, so that only what can lie on a shortest path is looked at.
+/// Best-first search over roots and their visible intervals, as in Anya (Harabor et al. 2016):
+/// intervals are propagated row by row, so that only those on possible shortest paths are expanded.
 class AnyAngleSearch {
  public:
   AnyAngleSearch(const CellGrid& grid, const TPoint2D& start, const TPoint2D& goal)
@@ -102,7 +99,7 @@ class AnyAngleSearch {
 
   const Root& root(int i) const { return roots_[static_cast<std::size_t>(i)]; }
 
-  /// Whether no shorter way to the root's corner was found since.
+  /// Whether no shorter path to the root's corner was found since.
   bool is_current(int i) const {
     return root(i).corner == kNoCorner || best_g_[root(i).corner] >= root(i).g;
   }
@@ -115,50 +112,50 @@ class AnyAngleSearch {
   }
 
   void reach_goal(int from) {
-    queue_.push({root(from).g + distance(root(from).at, goal_), kGoal, from});
+    queue_.push({root(from).g + distance_between(root(from).at, goal_), kGoal, from});
   }
 
-  /// Looks in all directions that a taut path through the root may take.
+  /// Expands all directions that a taut path through the root may take.
   void expand_root(int i) {
     const TPoint2D at = root(i).at;
     if (at.x == goal_.x && at.y == goal_.y) reach_goal(i);
     const int below = static_cast<int>(std::ceil(at.y)) - 1;  // row of cells under the point
     if (at.y == std::floor(at.y)) {
       const int line = static_cast<int>(at.y);
-      look_along_line(i, line, -1);
-      look_along_line(i, line, +1);
-      look_into_row(i, line, +1);
-      look_into_row(i, line - 1, -1);
+      scan_line(i, line, -1);
+      scan_line(i, line, +1);
+      scan_row(i, line, +1);
+      scan_row(i, line - 1, -1);
     } else {
-      look_into_row(i, below, +1);
-      look_into_row(i, below, -1);
+      scan_row(i, below, +1);
+      scan_row(i, below, -1);
     }
   }
 
-  /// The runs of cell row cy that touch the root, whole: a point sees all of a convex run.
-  void look_into_row(int i, int cy, int dir) {
+  /// The complete runs of cell row cy that touch the root: all of a convex run is visible.
+  void scan_row(int i, int cy, int dir) {
     if (cy < 0 || cy >= rows_.size_y()) return;
     const double x = root(i).at.x;
     const int right = static_cast<int>(std::floor(x));
     const int left = static_cast<int>(std::ceil(x)) - 1;
-    if (!rows_.is_blocked(right, cy)) see_run(i, cy, dir, rows_.run(right, cy));
+    if (!rows_.is_blocked(right, cy)) project_run(i, cy, dir, rows_.run(right, cy));
     // On a border between cells the left one may be another run, or the only free one.
     if (left != right && !rows_.is_blocked(left, cy) && rows_.is_blocked(right, cy))
-      see_run(i, cy, dir, rows_.run(left, cy));
+      project_run(i, cy, dir, rows_.run(left, cy));
   }
 
-  void see_run(int i, int cy, int dir, const FreeRun& run) {
+  void project_run(int i, int cy, int dir, const FreeRun& run) {
     if (goal_.y >= cy && goal_.y <= cy + 1 && goal_.x >= run.first && goal_.x <= run.last)
       reach_goal(i);
     const int far = dir > 0 ? cy + 1 : cy;
     double low = run.first, high = run.last;
     if (!clip_to_turn(root(i), far, low, high)) return;
     const auto y = static_cast<double>(far);
-    arrive({i, far, dir, {low, y}, {high, y}}, low, high);
+    push_cone({i, far, dir, {low, y}, {high, y}}, low, high);
   }
 
-  /// Leaves of [low, high] on line `row` only what a path that keeps turning round the obstacle
-  /// reaches.
+  /// Clips [low, high] on line `row` to the part reachable by a path that keeps turning around the
+  /// obstacle.
   static bool clip_to_turn(const Root& from, int row, double& low, double& high) {
     if (from.turn == 0) return true;
     const TPoint2D& d = from.incoming;
@@ -174,15 +171,15 @@ class AnyAngleSearch {
     return high >= low - kEps;
   }
 
-  /// Corners on the line through the root: seen where a free cell lies along the whole way.
-  void look_along_line(int i, int line, int dir) {
-    if (!may_go_on_along(root(i), dir)) return;
+  /// Corners on the line through the root: visible if free cells lie along the complete segment.
+  void scan_line(int i, int line, int dir) {
+    if (!may_continue_along(root(i), dir)) return;
     const double x0 = root(i).at.x;
     int x = static_cast<int>(dir > 0 ? std::floor(x0) : std::ceil(x0));
     bool above = true, below = true;  // whether free cells lie along the segment behind x
     while (true) {
       const int segment = dir > 0 ? x : x - 1;
-      // Between two blocked cells that touch at the vertex there is no way.
+      // There is no passage between two blocked cells that touch at the vertex.
       above = above && !rows_.is_blocked(segment, line);
       below = below && !rows_.is_blocked(segment, line - 1);
       if (!above && !below) return;
@@ -196,12 +193,12 @@ class AnyAngleSearch {
     }
   }
 
-  static bool may_go_on_along(const Root& from, int dir) {
+  static bool may_continue_along(const Root& from, int dir) {
     return from.turn * cross(from.incoming, TPoint2D(dir, 0)) >= 0;
   }
 
-  /// A cone has come to its row: its corners become roots, and it waits to go on.
-  void arrive(const Cone& cone, double low, double high) {
+  /// Adds the corners in the interval of the cone as roots, and the cone to the queue.
+  void push_cone(const Cone& cone, double low, double high) {
     const auto [begin, end] = rows_.corners_between(cone.row, low - kEps, high + kEps);
     for (std::size_t corner = begin; corner != end; ++corner) offer_corner(cone.root, corner);
     if (high - low < kEps) return;
@@ -218,7 +215,7 @@ class AnyAngleSearch {
     queue_.push({f, kCone, index});
   }
 
-  /// Takes a cone through the next row of cells.
+  /// Propagates a cone through the next row of cells.
   void advance(const Cone& cone) {
     const TPoint2D origin = root(cone.root).at;
     const double low = at_row(origin, cone.low, cone.row);
@@ -233,7 +230,7 @@ class AnyAngleSearch {
     Cone next = {cone.root, far, cone.dir, cone.low, cone.high};
     if (run.first > low) next.low = TPoint2D(run.first, cone.row);
     if (run.last < high) next.high = TPoint2D(run.last, cone.row);
-    if (goal_.y >= cy && goal_.y <= cy + 1) see_goal(next, run);
+    if (goal_.y >= cy && goal_.y <= cy + 1) test_goal(next, run);
     double far_low = at_row(origin, next.low, far), far_high = at_row(origin, next.high, far);
     if (far_low < run.first) {
       far_low = run.first;
@@ -243,10 +240,10 @@ class AnyAngleSearch {
       far_high = run.last;
       next.high = TPoint2D(far_high, far);
     }
-    if (far_high >= far_low - kEps) arrive(next, far_low, std::max(far_low, far_high));
+    if (far_high >= far_low - kEps) push_cone(next, far_low, std::max(far_low, far_high));
   }
 
-  void see_goal(const Cone& cone, const FreeRun& run) {
+  void test_goal(const Cone& cone, const FreeRun& run) {
     const TPoint2D origin = root(cone.root).at;
     if (goal_.x < run.first || goal_.x > run.last) return;
     if (goal_.x >= at_row(origin, cone.low, goal_.y) - kEps &&
@@ -254,20 +251,20 @@ class AnyAngleSearch {
       reach_goal(cone.root);
   }
 
-  /// A visible corner becomes a root if a taut path can turn there and this is the shortest way to
+  /// Adds a visible corner as root if a taut path can turn there and this is the shortest path to
   /// it so far.
   void offer_corner(int from, std::size_t corner) {
     const Corner& c = rows_.corners()[corner];
     const TPoint2D at(c.x, c.y);
     const TPoint2D d = at - root(from).at;
-    // The blocked cell must lie wholly on one side of the ray: both its edges at the corner do.
+    // The blocked cell must lie completely on one side of the ray: both its edges at the corner do.
     const double first = cross(d, TPoint2D(c.side_x, 0)), second = cross(d, TPoint2D(0, c.side_y));
     if (first * second < 0 || (first == 0 && second == 0)) return;
     const double g = root(from).g + std::hypot(d.x, d.y);
     if (g >= best_g_[corner]) return;
     best_g_[corner] = g;
     roots_.push_back({at, g, from, d, first + second > 0 ? 1 : -1, corner});
-    queue_.push({g + distance(at, goal_), kRoot, static_cast<int>(roots_.size()) - 1});
+    queue_.push({g + distance_between(at, goal_), kRoot, static_cast<int>(roots_.size()) - 1});
   }
 
   CellRows rows_;

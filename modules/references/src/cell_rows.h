@@ -7,8 +7,8 @@
 
 namespace slalom {
 
-/// Where a path may turn: a grid vertex of whose four cells exactly one is blocked, and in which
-/// quadrant (side_x, side_y, each -1 or +1) that cell lies.
+/// A vertex at which a path may turn: exactly one of its four cells is blocked, the one in quadrant
+/// (side_x, side_y), each -1 or +1.
 struct Corner {
   int x = 0, y = 0;
   int side_x = 0, side_y = 0;
@@ -31,7 +31,7 @@ class CellRows {
   /// The run of the free cell (cx, cy).
   FreeRun run(int cx, int cy) const;
 
-  /// The runs of row cy that share more than a point with [low, high], left to right.
+  /// The runs of row cy that overlap [low, high] by more than a point, left to right.
   template <typename Visit>
   void for_runs(int cy, double low, double high, Visit visit) const;
 
@@ -51,12 +51,12 @@ class CellRows {
   /// Per cell: first and one past the last cell of the maximal run of cells of the same kind.
   std::vector<std::int32_t> run_first_, run_last_;
   std::vector<Corner> corners_;              ///< by y, then x
-  std::vector<std::size_t> corners_of_row_;  ///< where the corners of a line begin
+  std::vector<std::size_t> corners_of_row_;  ///< index of the first corner of each line
 };
 
 template <typename Visit>
 void CellRows::for_runs(int cy, double low, double high, Visit visit) const {
-  constexpr double kMinWidth = 1e-9;  // cells; a touching point is no way through
+  constexpr double kMinWidth = 1e-9;  // cells; a touching point is not a passage
   if (cy < 0 || cy >= grid_.size_y) return;
   int cx = low > 0 ? static_cast<int>(low) : 0;
   while (cx < grid_.size_x && cx < high - kMinWidth) {

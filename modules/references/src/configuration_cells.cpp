@@ -12,8 +12,8 @@ struct Run {
   int first = 0, last = 0;
 };
 
-/// The subcells that one occupied subcell blocks, by rows: how far to both sides of it, for the
-/// rows 0, 1, 2, ... above and below. -1 where none.
+/// The subcells that one occupied subcell blocks: the reach to both sides of it in the rows 0, 1,
+/// 2, ... above and below. -1 if none.
 using Stencil = std::vector<int>;
 
 /// Blocks (dx, dy) when the distance of the offset (max(|dx| - slack, 0), max(|dy| - slack, 0)) is
@@ -29,7 +29,7 @@ Stencil make_stencil(double radius, int slack) {
   }
 }
 
-/// The occupied runs of each row of subcells, what lies beside the grid included.
+/// The occupied runs of each row of subcells, including the border outside the grid.
 class OccupiedRows {
  public:
   OccupiedRows(const Occupancy& cells, int subdivision)
@@ -60,8 +60,8 @@ class OccupiedRows {
   std::vector<Run> outside_;
 };
 
-/// Blocks what the stencil reaches from any occupied subcell. Runs are widened and counted at their
-/// ends, so the work grows with obstacles' edges, not with their area.
+/// Blocks the subcells within the stencil of any occupied subcell. Runs are widened and counted at
+/// their ends, so the cost grows with the perimeter of obstacles, not with their area.
 CellGrid dilate(const OccupiedRows& occupied, int size_x, int size_y, const Stencil& stencil) {
   CellGrid grid{size_x, size_y, {}};
   grid.blocked.resize(static_cast<std::size_t>(size_x) * static_cast<std::size_t>(size_y));
@@ -94,10 +94,10 @@ ConfigurationCells make_configuration_cells(const Occupancy& occupancy, double r
   result.cell_size = occupancy.resolution() / subdivision;
   const double radius = robot_radius / result.cell_size;
   const double tolerated = std::max(radius - kContactTolerance / result.cell_size, 1e-12);
-  // No point of a closed square is farther from another at offset (dx, dy) than |(dx, dy)|, and
-  // some point is that far. What the judge of collisions tolerates must stay within the bound.
+  // The maximum distance of a point of a closed square to another square at offset (dx, dy) is
+  // |(dx, dy)|. The tolerance of collision checking must stay within the bound.
   const Stencil outer = make_stencil(tolerated, 0);
-  // No point is nearer than the gap between both squares, and some point is that near.
+  // The minimum distance is the gap between both squares.
   const Stencil inner = make_stencil(radius, 1);
   const int size_x = occupancy.size_x() * subdivision, size_y = occupancy.size_y() * subdivision;
   const OccupiedRows occupied(occupancy, subdivision);

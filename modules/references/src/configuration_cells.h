@@ -6,8 +6,8 @@
 namespace slalom {
 
 /// The robot's free configuration space on cells, each cell of the occupancy split into
-/// subdivision^2: `outer` keeps every cell that may hold a free point (so paths through it bound L*
-/// from below), `inner` only cells all of whose points are free (so paths through it are free).
+/// subdivision^2: `outer` has every cell that may contain a free point (paths through it bound L*
+/// from below), `inner` only cells all of whose points are free (paths through it are free).
 struct ConfigurationCells {
   CellGrid outer, inner;
   double cell_size = 0;  ///< m

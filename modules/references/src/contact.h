@@ -2,7 +2,7 @@
 
 namespace slalom {
 
-/// By how much (m) the judge of collisions lets a robot be nearer than its radius.
+/// Tolerance (m) of collision checking: clearances may be below the robot's radius by this much.
 constexpr double kContactTolerance = 1e-9;
 
 }  // namespace slalom

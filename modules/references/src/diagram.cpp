@@ -11,7 +11,7 @@
 namespace slalom {
 namespace {
 
-/// Length (cells) of the shortest 8-connected way in the open.
+/// Octile distance (cells): the length of the shortest 8-connected path without obstacles.
 double octile(const GridCell& a, const GridCell& b) {
   const double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
   return std::max(dx, dy) + (kDiagonal - 1) * std::min(dx, dy);
@@ -66,7 +66,7 @@ std::vector<GridCell> Diagram::shortest(const GridCell& from, const GridCell& to
   struct Entry {
     double estimate, so_far;
     GridCell at;
-    bool operator>(const Entry& other) const {  // equal estimates: what is nearer to the end first
+    bool operator>(const Entry& other) const {  // ties: closest to the target first
       if (estimate != other.estimate) return estimate > other.estimate;
       if (so_far != other.so_far) return so_far < other.so_far;
       return at.y != other.at.y ? at.y > other.at.y : at.x > other.at.x;
@@ -82,7 +82,7 @@ std::vector<GridCell> Diagram::shortest(const GridCell& from, const GridCell& to
     for (std::size_t s = 0; s < std::size(kSteps); ++s) {
       if (!may_step(entry.at, kSteps[s])) continue;
       const GridCell next{entry.at.x + kSteps[s].dx, entry.at.y + kSteps[s].dy};
-      const double total = entry.so_far + (contains(next) ? 1 : kOffDiagram) * kSteps[s].length;
+      const double total = entry.so_far + (contains(next) ? 1 : kOffDiagramCost) * kSteps[s].length;
       const std::size_t n = index(next.x, next.y);
       if (total >= cost[n]) continue;
       cost[n] = total;

@@ -7,13 +7,13 @@
 
 namespace slalom {
 
-/// A cell of an occupancy; not the Cell of a table, with which programs link this room.
+/// A cell of an occupancy (distinct from the Cell of analysis tables).
 struct GridCell {
   int x = 0, y = 0;
   bool operator==(const GridCell& other) const { return x == other.x && y == other.y; }
 };
 
-/// One of the eight ways from a cell to the next.
+/// One of the eight steps from a cell to a neighbor.
 struct Step {
   int dx, dy;
   double length;  ///< cells
@@ -25,14 +25,14 @@ constexpr Step kSteps[] = {{1, 0, 1},          {-1, 0, 1},         {0, 1, 1},
                            {-1, 1, kDiagonal}, {-1, -1, kDiagonal}};
 
 /// The cells of an occupancy that a path of a given bottleneck may use, and which of them lie on
-/// the generalised Voronoi diagram: the ridge of the distance field.
+/// the generalized Voronoi diagram: the ridge of the distance field.
 class Diagram {
  public:
-  /// Cells are wide enough when d at their centre is at least `bottleneck` (m); `ends` always are,
-  /// as start and goal count at their exact positions.
+  /// Cells are wide if d at their center is at least `bottleneck` (m); `ends` always are, as start
+  /// and goal are tested at their exact positions.
   Diagram(const World& world, double bottleneck, const GridCell (&ends)[2]);
 
-  /// From a wide cell to a wide cell, and not round an occupied corner.
+  /// From a wide cell to a wide cell, and not around an occupied corner.
   bool may_step(const GridCell& from, const Step& step) const {
     const int x = from.x + step.dx, y = from.y + step.dy;
     return kind(x, y) >= Kind::Wide && kind(from.x, y) != Kind::Occupied &&
@@ -40,21 +40,21 @@ class Diagram {
   }
   bool contains(const GridCell& c) const { return kind(c.x, c.y) == Kind::Ridge; }
 
-  /// The way of steepest ascent of d from a cell to the diagram, both ends included. It ends early
-  /// at a summit.
+  /// The path of steepest ascent of d from a cell to the diagram, both ends included. It ends early
+  /// at a local maximum.
   std::vector<GridCell> ascend(const GridCell& from) const;
 
-  /// The shortest way among wide cells, where lengths off the diagram count kOffDiagram times: so
-  /// it leaves the diagram only to bridge gaps that the cells leave in it, or a detour along it of
-  /// that many times their length. Empty when there is none.
+  /// The shortest path over wide cells, where lengths off the diagram are weighted by
+  /// kOffDiagramCost: it leaves the diagram only to bridge gaps between cells, or where the detour
+  /// along the diagram is longer by that factor. Empty if there is none.
   std::vector<GridCell> shortest(const GridCell& from, const GridCell& to) const;
-  static constexpr double kOffDiagram = 10;
+  static constexpr double kOffDiagramCost = 10;
 
  private:
   enum class Kind : std::uint8_t { Occupied, Narrow, Wide, Ridge };
 
   Kind kind(int x, int y) const { return kinds_[index(x, y)]; }
-  /// With a border of occupied cells round the grid.
+  /// With a border of occupied cells around the grid.
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y + 1) * stride_ + static_cast<std::size_t>(x + 1);
   }

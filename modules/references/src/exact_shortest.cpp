@@ -1,19 +1,19 @@
 #include "configuration_cells.h"
-#include "taut.h"
+#include "string_pulling.h"
 
+#include <slalom/core/distance.h>
 #include <slalom/references/any_angle.h>
 #include <slalom/references/exact_shortest.h>
 #include <slalom/references/safest_path.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace slalom {
 namespace {
 
 using mrpt::math::TPoint2D;
 
-/// More subcells than this (about 40 bytes each while searching) are not made.
+/// Maximum number of subcells (about 40 bytes each while searching).
 constexpr std::size_t kMaxSubcells = 24'000'000;
 
 class ExactSearch {
@@ -30,7 +30,8 @@ class ExactSearch {
     return cells_.cells().size() * k * k <= kMaxSubcells;
   }
 
-  /// Bounds at one subdivision. False when no path exists, which the outer cells prove.
+  /// Updates the bounds with one subdivision. Returns false if the outer cells prove that no path
+  /// exists.
   bool refine(int subdivision, double& lower, std::optional<Path>& best) const {
     const ConfigurationCells grid =
         make_configuration_cells(cells_, problem_.robot_radius, subdivision);
@@ -63,22 +64,21 @@ class ExactSearch {
     Path path = {problem_.start};
     for (const TPoint2D& p : *inner) path.push_back(to_world(p, grid));
     path.push_back(problem_.goal);
-    path = pull_taut(problem_.world, without_repeats(path), problem_.robot_radius);
+    path = pull_string(problem_.world, without_duplicates(path), problem_.robot_radius);
     if (!is_free(problem_.world, path, problem_.robot_radius)) return std::nullopt;
     return path;
   }
 
-  static Path without_repeats(const Path& path) {
+  static Path without_duplicates(const Path& path) {
     Path result;
     for (const TPoint2D& p : path)
-      if (result.empty() || std::hypot(p.x - result.back().x, p.y - result.back().y) > 1e-9)
-        result.push_back(p);
+      if (result.empty() || distance_between(p, result.back()) > 1e-9) result.push_back(p);
     if (result.size() == 1) result.push_back(path.back());
     return result;
   }
 
-  /// The point (cells) of the inner cells by which the robot enters them from p: p itself, or the
-  /// centre of the nearest inner cell that a free straight line leads to.
+  /// The point (cells) at which the robot enters the inner cells from p: p itself, or the center of
+  /// the nearest inner cell reachable on a free straight line.
   std::optional<TPoint2D> entrance(const TPoint2D& p, const ConfigurationCells& grid) const {
     const TPoint2D at = to_cells(p, grid);
     const int cx = static_cast<int>(at.x), cy = static_cast<int>(at.y);
@@ -90,7 +90,7 @@ class ExactSearch {
       for (int x = cx - kReach; x <= cx + kReach; ++x) {
         if (grid.inner.is_blocked(x, y)) continue;
         const TPoint2D center(x + 0.5, y + 0.5);
-        const double distance = std::hypot(center.x - at.x, center.y - at.y);
+        const double distance = distance_between(center, at);
         if (best && distance >= best_distance) continue;
         if (!is_free(problem_.world, {p, to_world(center, grid)}, problem_.robot_radius)) continue;
         best = center;
@@ -103,32 +103,29 @@ class ExactSearch {
   const Occupancy& cells_;
 };
 
-/// Where the way is too narrow for cells that are free as a whole: the middle of the passages,
-/// pulled taut.
-std::optional<Path> path_along_the_middle(const PlanningProblem& problem) {
+/// For passages too narrow for completely free cells: the medial path, shortened by string pulling.
+std::optional<Path> medial_path(const PlanningProblem& problem) {
   std::string ignored;
   const std::optional<SafestPath> safest = safest_path(problem, ignored);
   if (!safest || !is_free(problem.world, safest->path, problem.robot_radius)) return std::nullopt;
-  return pull_taut(problem.world, safest->path, problem.robot_radius);
+  return pull_string(problem.world, safest->path, problem.robot_radius);
 }
 
-/// A path and what is proved about the shortest; a straight path is the shortest whatever the cells
-/// say.
+/// A path with the proven bounds; a straight path is optimal independent of the cells.
 ShortestPath certified(Path path, double lower, const PlanningProblem& problem) {
   const double found = length(path);
-  const double straight =
-      std::hypot(problem.goal.x - problem.start.x, problem.goal.y - problem.start.y);
+  const double straight = distance_between(problem.goal, problem.start);
   ShortestPath result;
   result.length = found;
   result.certificate = {std::min(std::max(lower, straight), found), found};
   result.path = std::move(path);
-  result.planner = "exact";
+  result.planner = kExactPlanner;
   return result;
 }
 
 }  // namespace
 
-std::optional<ShortestPath> exact_shortest_path(const PlanningProblem& problem, double wanted_gap,
+std::optional<ShortestPath> exact_shortest_path(const PlanningProblem& problem, double target_gap,
                                                 std::string& reason, int max_subdivision) {
   const ExactSearch search(problem);
   for (const auto& [p, name] : {std::pair(problem.start, "start"), std::pair(problem.goal, "goal")})
@@ -143,11 +140,11 @@ std::optional<ShortestPath> exact_shortest_path(const PlanningProblem& problem, 
       reason = "no path from start to goal is wide enough for the robot";
       return std::nullopt;
     }
-    if (best && length(*best) <= (1 + wanted_gap) * lower) break;
+    if (best && length(*best) <= (1 + target_gap) * lower) break;
   }
-  if (!best) best = path_along_the_middle(problem);
+  if (!best) best = medial_path(problem);
   if (!best) {
-    reason = "no path could be certified: the way is too narrow to tell at this resolution";
+    reason = "no path could be certified: the passage is too narrow for this resolution";
     return std::nullopt;
   }
   return certified(std::move(*best), lower, problem);

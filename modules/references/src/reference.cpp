@@ -13,50 +13,51 @@
 namespace slalom {
 namespace {
 
-/// What is wrong with a planner's path; empty for nothing.
-std::string fault_of(const std::optional<Path>& path, const PlanningProblem& problem) {
+/// Why a planner's path is invalid; empty if it is valid.
+std::string defect_of(const std::optional<Path>& path, const PlanningProblem& problem) {
   if (!path) return "found no path";
-  if (!is_free(problem.world, *path, problem.robot_radius)) return "gave a path that is not free";
+  if (!is_free(problem.world, *path, problem.robot_radius))
+    return "returned a path that is not free";
   return "";
 }
 
-/// Uses the planner's path where it keeps its promise; says so where it does not.
+/// Uses the planner's path if it is valid and within the gap; otherwise adds a note.
 void use_shortest(const ReferencePlanner& planner, const PlanningProblem& problem,
                   const std::optional<Path>& path, double gap, ShortestPath& best) {
-  const std::string fault = fault_of(path, problem);
-  if (!fault.empty()) {
-    best.note = planner.name() + " " + fault;
+  const std::string defect = defect_of(path, problem);
+  if (!defect.empty()) {
+    best.note = planner.name() + " " + defect;
     return;
   }
-  const double metres = length(*path);
-  best.planner_length = metres;
-  if (metres > (1 + gap) * best.certificate.lower_bound) {
-    best.note =
-        fmt::format("{} came to {:.4f} m, not within the gap of {}", planner.name(), metres, gap);
+  const double path_length = length(*path);
+  best.planner_length = path_length;
+  if (path_length > (1 + gap) * best.certificate.lower_bound) {
+    best.note = fmt::format("{} found {:.4f} m, not within the gap of {}", planner.name(),
+                            path_length, gap);
     return;
   }
   best.path = *path;
-  best.length = metres;
+  best.length = path_length;
   best.planner = planner.name();
-  best.certificate.upper_bound = std::min(best.certificate.upper_bound, metres);
+  best.certificate.upper_bound = std::min(best.certificate.upper_bound, path_length);
 }
 
 void use_safest(const ReferencePlanner& planner, const PlanningProblem& problem,
                 const std::optional<Path>& path, double gap, SafestPath& best) {
-  const std::string fault = fault_of(path, problem);
-  const double width = fault.empty() ? bottleneck_of(problem.world, *path) : 0;
-  if (!fault.empty()) {
-    best.note = planner.name() + " " + fault;
+  const std::string defect = defect_of(path, problem);
+  const double width = defect.empty() ? bottleneck_of(problem.world, *path) : 0;
+  if (!defect.empty()) {
+    best.note = planner.name() + " " + defect;
   } else if (width < (1 - gap) * best.bottleneck) {
-    best.note = fmt::format("{} came to a bottleneck of {:.4f} m, not within the gap of {}",
+    best.note = fmt::format("{} found a bottleneck of {:.4f} m, not within the gap of {}",
                             planner.name(), width, gap);
   } else {
     best = {*path, width, planner.name(), ""};
   }
 }
 
-void consult(const ReferencePlanner& planner, const PlanningProblem& problem, double gap,
-             std::uint64_t seed, References& references) {
+void query_planner(const ReferencePlanner& planner, const PlanningProblem& problem, double gap,
+                   std::uint64_t seed, References& references) {
   const bool shortest = planner.objective() == ReferencePlanner::Objective::Length;
   if (shortest ? !references.shortest : !references.safest) return;
   const std::optional<Path> path = planner.plan(problem, references, seed);
@@ -66,7 +67,7 @@ void consult(const ReferencePlanner& planner, const PlanningProblem& problem, do
     use_safest(planner, problem, path, gap, *references.safest);
 }
 
-/// Seconds that an action takes.
+/// Duration of an action (s).
 template <typename Action>
 double timed(Action action) {
   const auto begin = std::chrono::steady_clock::now();
@@ -102,7 +103,8 @@ References compute_references(const PlanningProblem& problem, const ReferencePla
   references.timing.safest =
       timed([&] { references.safest = safest_path(problem, references.safest_reason); });
   if (planner != nullptr)
-    references.timing.planner = timed([&] { consult(*planner, problem, gap, seed, references); });
+    references.timing.planner =
+        timed([&] { query_planner(*planner, problem, gap, seed, references); });
   return references;
 }
 

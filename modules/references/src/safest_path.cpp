@@ -18,27 +18,27 @@ GridCell cell_of(const Occupancy& cells, const TPoint2D& p) {
           std::clamp(static_cast<int>(at.y), 0, cells.size_y() - 1)};
 }
 
-/// Ascents from start and goal may run over the same cells: each cell is passed once.
+/// Ascents from start and goal may share cells: removes loops.
 std::vector<GridCell> without_loops(const std::vector<GridCell>& path, const Occupancy& cells) {
-  constexpr int kNotSeen = -1;
-  std::vector<int> seen_at(cells.cells().size(), kNotSeen);
+  constexpr int kNotVisited = -1;
+  std::vector<int> visited_at(cells.cells().size(), kNotVisited);
   std::vector<GridCell> result;
   for (const GridCell& c : path) {
-    const int seen = seen_at[cells.index(c.x, c.y)];
-    if (seen == kNotSeen) {
-      seen_at[cells.index(c.x, c.y)] = static_cast<int>(result.size());
+    const int seen = visited_at[cells.index(c.x, c.y)];
+    if (seen == kNotVisited) {
+      visited_at[cells.index(c.x, c.y)] = static_cast<int>(result.size());
       result.push_back(c);
       continue;
     }
     while (static_cast<int>(result.size()) > seen + 1) {
-      seen_at[cells.index(result.back().x, result.back().y)] = kNotSeen;
+      visited_at[cells.index(result.back().x, result.back().y)] = kNotVisited;
       result.pop_back();
     }
   }
   return result;
 }
 
-/// Cells from start's to goal's: up to the diagram, along it, and down again.
+/// Cells from start to goal: up to the diagram, along it, and down again.
 std::vector<GridCell> safest_cells(const PlanningProblem& problem, double bottleneck) {
   const Occupancy& cells = problem.world.occupancy();
   const GridCell ends[2] = {cell_of(cells, problem.start), cell_of(cells, problem.goal)};
@@ -51,7 +51,7 @@ std::vector<GridCell> safest_cells(const PlanningProblem& problem, double bottle
   return without_loops(path, cells);
 }
 
-Path through(const std::vector<GridCell>& cells, const PlanningProblem& problem) {
+Path path_through(const std::vector<GridCell>& cells, const PlanningProblem& problem) {
   Path path = {problem.start};
   for (std::size_t i = 1; i + 1 < cells.size(); ++i)
     path.push_back(problem.world.occupancy().cell_center(cells[i].x, cells[i].y));
@@ -70,10 +70,10 @@ std::optional<SafestPath> safest_path(const PlanningProblem& problem, std::strin
   SafestPath result;
   result.bottleneck = widest_bottleneck(problem.world, problem.start, problem.goal);
   if (result.bottleneck > 0 && result.bottleneck >= problem.robot_radius) {
-    result.path = through(safest_cells(problem, result.bottleneck), problem);
+    result.path = path_through(safest_cells(problem, result.bottleneck), problem);
     if (is_free(problem.world, result.path, problem.robot_radius)) return result;
   }
-  reason = "no path over cell centres is wide enough for the robot";
+  reason = "no path over cell centers is wide enough for the robot";
   return std::nullopt;
 }
 

@@ -4,7 +4,7 @@
 
 namespace slalom {
 
-/// `from` moved towards `to` by at most `step`.
+/// `from` changed towards `to` by at most `step`.
 inline double approach(double from, double to, double step) {
   return from + std::clamp(to - from, -step, step);
 }

@@ -19,31 +19,32 @@ DiffDrive::DiffDrive(const RobotModel& robot) : Vehicle(robot) {
 }
 
 void DiffDrive::sendVelCmd(const mrpt::kinematics::CVehicleVelCmd& cmd_vel) {
-  const auto* wanted = dynamic_cast<const CVehicleVelCmd_DiffDriven*>(&cmd_vel);
-  if (wanted == nullptr)
+  const auto* cmd = dynamic_cast<const CVehicleVelCmd_DiffDriven*>(&cmd_vel);
+  if (cmd == nullptr)
     throw std::invalid_argument("DiffDrive: expected a CVehicleVelCmd_DiffDriven");
-  command(wanted->lin_vel, wanted->ang_vel);
+  command(cmd->lin_vel, cmd->ang_vel);
 }
 
 mrpt::kinematics::CVehicleVelCmd::Ptr DiffDrive::getVelCmdType() const {
   return CVehicleVelCmd_DiffDriven::Create();
 }
 
-Velocity DiffDrive::limited(const Velocity& wanted) const {
+Velocity DiffDrive::clamp_to_limits(const Velocity& target) const {
   const RobotModel& r = robot();
-  return {std::clamp(wanted.v, r.forward_only ? 0.0 : -r.max_v, r.max_v),
-          std::clamp(wanted.w, -r.max_w, r.max_w), 0};
+  return {std::clamp(target.v, r.forward_only ? 0.0 : -r.max_v, r.max_v),
+          std::clamp(target.w, -r.max_w, r.max_w), 0};
 }
 
-Velocity DiffDrive::approached(const Velocity& from, const Velocity& to, double dt) const {
+Velocity DiffDrive::apply_acceleration_limits(const Velocity& from, const Velocity& to,
+                                              double dt) const {
   const double v = approach(from.v, to.v, robot().max_accel_v * dt);
   const double w = approach(from.w, to.w, robot().max_accel_w * dt);
   if (!(robot().min_turning_radius > 0)) return {v, w, 0};
-  const double sharpest = std::abs(v) / robot().min_turning_radius;
-  return {v, std::clamp(w, -sharpest, sharpest), 0};
+  const double limit = std::abs(v) / robot().min_turning_radius;
+  return {v, std::clamp(w, -limit, limit), 0};
 }
 
-TPose2D DiffDrive::moved(const TPose2D& pose, const Velocity& velocity, double dt) const {
+TPose2D DiffDrive::integrate(const TPose2D& pose, const Velocity& velocity, double dt) const {
   const double turn = velocity.w * dt;
   // sin(x)/x with x = turn/2: the chord of the arc, also where the turn vanishes.
   const double half = 0.5 * turn;

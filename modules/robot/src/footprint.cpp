@@ -1,3 +1,4 @@
+#include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/robot/footprint.h>
 
@@ -12,7 +13,7 @@ namespace {
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
-constexpr std::size_t kMostCorners = 64;
+constexpr std::size_t kMaxCorners = 64;
 
 double cross(const TPoint2D& a, const TPoint2D& b) {
   return a.x * b.y - a.y * b.x;
@@ -28,8 +29,8 @@ std::vector<TPoint2D> parse_corners(const std::string& text) {
       throw std::invalid_argument("corners x,y in m, separated by ';'");
     corners.push_back(corner);
   }
-  if (corners.size() < 3 || corners.size() > kMostCorners)
-    throw std::invalid_argument("3 to " + std::to_string(kMostCorners) + " corners");
+  if (corners.size() < 3 || corners.size() > kMaxCorners)
+    throw std::invalid_argument("3 to " + std::to_string(kMaxCorners) + " corners");
   return corners;
 }
 
@@ -40,17 +41,17 @@ double signed_area(const std::vector<TPoint2D>& corners) {
   return 0.5 * twice;
 }
 
-/// Turns left at every corner, once round in all.
+/// Whether the polygon turns left at every corner, by 2 pi in total.
 bool is_convex(const std::vector<TPoint2D>& corners) {
   const std::size_t n = corners.size();
-  double turned = 0;
+  double total = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const TPoint2D in = corners[(i + 1) % n] - corners[i];
     const TPoint2D out = corners[(i + 2) % n] - corners[(i + 1) % n];
     if (!(cross(in, out) > 0)) return false;
-    turned += std::atan2(cross(in, out), in.x * out.x + in.y * out.y);
+    total += std::atan2(cross(in, out), in.x * out.x + in.y * out.y);
   }
-  return turned < 7;  // 2 pi, not 4 pi as of a star
+  return total < 7;  // 2 pi, not 4 pi as in a star
 }
 
 }  // namespace
@@ -75,17 +76,25 @@ Footprint Footprint::parse(const std::string& text) {
     footprint.enclosing_ = std::max(footprint.enclosing_, a.norm());
   }
   if (!(footprint.inscribed_ > 0))
-    throw std::invalid_argument("a polygon about the robot's centre (0, 0)");
+    throw std::invalid_argument("a polygon around the robot's center (0, 0)");
   return footprint;
+}
+
+Footprint Footprint::parse(const std::string& text, const std::string& where) {
+  try {
+    return parse(text);
+  } catch (const std::invalid_argument& expected) {
+    throw usage_error(where, "invalid footprint '" + text + "'", expected.what());
+  }
 }
 
 std::vector<TPoint2D> Footprint::corners_at(const TPose2D& pose) const {
   const double c = std::cos(pose.phi), s = std::sin(pose.phi);
-  std::vector<TPoint2D> placed;
-  placed.reserve(corners_.size());
+  std::vector<TPoint2D> transformed;
+  transformed.reserve(corners_.size());
   for (const TPoint2D& p : corners_)
-    placed.emplace_back(pose.x + c * p.x - s * p.y, pose.y + s * p.x + c * p.y);
-  return placed;
+    transformed.emplace_back(pose.x + c * p.x - s * p.y, pose.y + s * p.x + c * p.y);
+  return transformed;
 }
 
 }  // namespace slalom

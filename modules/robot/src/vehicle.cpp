@@ -7,7 +7,7 @@
 namespace slalom {
 namespace {
 
-/// Times are sums of steps; this much (s) absorbs their rounding.
+/// Tolerance (s) for rounding errors of times, which are sums of steps.
 constexpr double kTimeTolerance = 1e-9;
 
 Velocity mean(const Velocity& a, const Velocity& b) {
@@ -24,7 +24,7 @@ void Vehicle::start_at(const mrpt::math::TPose2D& pose) {
 }
 
 void Vehicle::command(double v, double w, double vy) {
-  on_the_way_.push_back({m_time + robot_.delay, limited({v, w, vy})});
+  pending_commands_.push_back({m_time + robot_.delay, clamp_to_limits({v, w, vy})});
 }
 
 void Vehicle::advance(double dt) {
@@ -32,22 +32,23 @@ void Vehicle::advance(double dt) {
   m_time += dt;
 }
 
-Velocity Vehicle::heard_command(double dt) {
-  while (!on_the_way_.empty() && on_the_way_.front().heard_at <= m_time + kTimeTolerance) {
-    heard_ = on_the_way_.front().velocity;
-    on_the_way_.pop_front();
+Velocity Vehicle::delayed_command(double dt) {
+  while (!pending_commands_.empty() &&
+         pending_commands_.front().effective_at <= m_time + kTimeTolerance) {
+    effective_command_ = pending_commands_.front().velocity;
+    pending_commands_.pop_front();
   }
-  if (!(robot_.delay_tau > 0)) return heard_;
-  const double share = 1 - std::exp(-dt / robot_.delay_tau);
-  return {velocity_.v + share * (heard_.v - velocity_.v),
-          velocity_.w + share * (heard_.w - velocity_.w),
-          velocity_.vy + share * (heard_.vy - velocity_.vy)};
+  if (!(robot_.delay_tau > 0)) return effective_command_;
+  const double gain = 1 - std::exp(-dt / robot_.delay_tau);
+  return {velocity_.v + gain * (effective_command_.v - velocity_.v),
+          velocity_.w + gain * (effective_command_.w - velocity_.w),
+          velocity_.vy + gain * (effective_command_.vy - velocity_.vy)};
 }
 
 void Vehicle::internal_simulControlStep(const double dt) {
   const Velocity before = velocity_;
-  velocity_ = approached(before, heard_command(dt), dt);
-  m_GT_pose = moved(m_GT_pose, mean(before, velocity_), dt);
+  velocity_ = apply_acceleration_limits(before, delayed_command(dt), dt);
+  m_GT_pose = integrate(m_GT_pose, mean(before, velocity_), dt);
   const double c = std::cos(m_GT_pose.phi), s = std::sin(m_GT_pose.phi);
   m_GT_vel = {velocity_.v * c - velocity_.vy * s, velocity_.v * s + velocity_.vy * c, velocity_.w};
   m_odometry = m_GT_pose;
@@ -55,8 +56,8 @@ void Vehicle::internal_simulControlStep(const double dt) {
 }
 
 void Vehicle::internal_clear() {
-  velocity_ = heard_ = {};
-  on_the_way_.clear();
+  velocity_ = effective_command_ = {};
+  pending_commands_.clear();
 }
 
 std::unique_ptr<Vehicle> make_vehicle(const RobotModel& robot) {

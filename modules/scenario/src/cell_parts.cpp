@@ -5,22 +5,23 @@
 namespace slalom {
 namespace {
 
-const std::vector<CellPlace> kFourSteps = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-const std::vector<CellPlace> kEightSteps = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},
+const std::vector<CellIndex> kFourSteps = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+const std::vector<CellIndex> kEightSteps = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},
                                             {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
 
 }  // namespace
 
-/// Labels the cells of one kind from below by flooding along those steps for which `joined` holds.
-template <typename Joined>
-void CellParts::label_components(bool occupied, const std::vector<CellPlace>& steps,
-                                 const Joined& joined) {
+/// Labels the cells of one kind from bottom to top by flood fill along steps for which `connected`
+/// holds.
+template <typename Connected>
+void CellParts::label_components(bool occupied, const std::vector<CellIndex>& steps,
+                                 const Connected& connected) {
   labels_.assign(cells_.cells().size(), -1);
   first_cells_.clear();
   spans_.clear();
   at_border_.clear();
-  std::vector<CellPlace> open;
-  const auto take = [&](const CellPlace& at, std::int32_t label) {
+  std::vector<CellIndex> open;
+  const auto take = [&](const CellIndex& at, std::int32_t label) {
     labels_[cells_.index(at.cx, at.cy)] = label;
     RowSpan& span = spans_.back();
     span.last = std::max(span.last, at.cy);
@@ -37,24 +38,24 @@ void CellParts::label_components(bool occupied, const std::vector<CellPlace>& st
       at_border_.push_back(false);
       take({cx, cy}, label);
       while (!open.empty()) {
-        const CellPlace from = open.back();
+        const CellIndex from = open.back();
         open.pop_back();
-        for (const CellPlace& step : steps) {
-          const CellPlace to{from.cx + step.cx, from.cy + step.cy};
+        for (const CellIndex& step : steps) {
+          const CellIndex to{from.cx + step.cx, from.cy + step.cy};
           if (cells_.inside(to.cx, to.cy) && cells_.occupied(to.cx, to.cy) == occupied &&
-              part(to.cx, to.cy) < 0 && joined(from, to))
+              part(to.cx, to.cy) < 0 && connected(from, to))
             take(to, label);
         }
       }
     }
 }
 
-/// A cut below any of a hole's rows, or above its last, opens the hole. What encloses a hole is the
-/// component of the cell below the hole's lowest cell.
+/// A cut below any of a hole's rows, or above its last row, opens the hole. A hole is enclosed by
+/// the component of the cell below the hole's lowest cell.
 CellParts::Cuts CellParts::find_cuts() {
-  const auto always = [](const CellPlace&, const CellPlace&) { return true; };
+  const auto always = [](const CellIndex&, const CellIndex&) { return true; };
   label_components(false, kEightSteps, always);
-  std::vector<CellPlace> below;
+  std::vector<CellIndex> below;
   std::vector<RowSpan> holes;
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     if (at_border_[i]) continue;
@@ -79,7 +80,7 @@ CellParts::Cuts CellParts::find_cuts() {
 CellParts::CellParts(const Occupancy& cells) : cells_(cells) {
   const Cuts cuts = find_cuts();
   const std::vector<std::int32_t> components = labels_;
-  label_components(true, kFourSteps, [&](const CellPlace& from, const CellPlace& to) {
+  label_components(true, kFourSteps, [&](const CellIndex& from, const CellIndex& to) {
     if (from.cy == to.cy) return true;
     const auto& rows = cuts[static_cast<std::size_t>(components[cells.index(to.cx, to.cy)])];
     return !std::binary_search(rows.begin(), rows.end(), std::max(from.cy, to.cy));

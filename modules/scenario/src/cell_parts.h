@@ -8,13 +8,14 @@
 
 namespace slalom {
 
-/// A cell of a grid.
-struct CellPlace {
+/// The column and row of a cell of a grid.
+struct CellIndex {
   int cx, cy;
 };
 
 /// The occupied cells, divided into 4-connected parts that have no holes: each component that
-/// encloses free cells (8-connected) is cut along the fewest rows that meet every hole.
+/// encloses free cells (8-connected) is cut along the minimal set of rows that intersects every
+/// hole.
 class CellParts {
  public:
   explicit CellParts(const Occupancy& cells);
@@ -25,8 +26,8 @@ class CellParts {
   bool belongs(int cx, int cy, std::int32_t part) const {
     return cells_.inside(cx, cy) && this->part(cx, cy) == part;
   }
-  /// Of each part the leftmost cell of its lowest row.
-  const std::vector<CellPlace>& first_cells() const { return first_cells_; }
+  /// The leftmost cell of the lowest row of each part.
+  const std::vector<CellIndex>& first_cells() const { return first_cells_; }
   const Occupancy& cells() const { return cells_; }
 
  private:
@@ -35,14 +36,15 @@ class CellParts {
   };
   using Cuts = std::vector<std::vector<int>>;  ///< by component: rows whose lower border is a cut
 
-  template <typename Joined>
-  void label_components(bool occupied, const std::vector<CellPlace>& steps, const Joined& joined);
+  template <typename Connected>
+  void label_components(bool occupied, const std::vector<CellIndex>& steps,
+                        const Connected& connected);
   Cuts find_cuts();
 
   const Occupancy& cells_;
   std::vector<std::int32_t> labels_;
-  std::vector<CellPlace> first_cells_;
-  std::vector<RowSpan> spans_;   ///< rows of each component found last
+  std::vector<CellIndex> first_cells_;
+  std::vector<RowSpan> spans_;   ///< rows of each component of the last labeling
   std::vector<bool> at_border_;  ///< whether it has a cell on the grid's border
 };
 

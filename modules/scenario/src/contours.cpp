@@ -16,35 +16,35 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-/// What lies beyond a piece of outline: free cells, another part of the same obstacle, or the wall
-/// round the workspace.
+/// The other side of an outline segment: free cells, another part of the same obstacle, or the
+/// border of the workspace.
 enum class Beyond { Free, Part, Wall };
 
-/// A straight piece of an outline from a corner of the lattice on, the part to its left.
-struct Stretch {
-  CellPlace from, direction;
+/// A straight segment of an outline that starts at a cell corner, with the part on its left.
+struct Segment {
+  CellIndex from, direction;
   Beyond beyond;
 };
 
-/// A vertex in cells; fixed where it belongs to a cut or to the border of the workspace.
+/// A vertex in cells; fixed if it belongs to a cut or to the border of the workspace.
 struct Vertex {
   TPoint2D at;
   bool fixed;
 };
 
-CellPlace left_of(const CellPlace& direction) {
+CellIndex left_of(const CellIndex& direction) {
   return {-direction.cy, direction.cx};
 }
 
 /// The outline of one part, counter-clockwise from its first cell's lower left corner.
-class OutlineWalk {
+class OutlineTracer {
  public:
-  OutlineWalk(const CellParts& parts, std::int32_t part) : parts_(parts), part_(part) {}
+  OutlineTracer(const CellParts& parts, std::int32_t part) : parts_(parts), part_(part) {}
 
-  std::vector<Stretch> stretches() const {
-    std::vector<Stretch> all;
-    const CellPlace begin = parts_.first_cells()[static_cast<std::size_t>(part_)];
-    CellPlace at = begin, direction{1, 0};
+  std::vector<Segment> segments() const {
+    std::vector<Segment> all;
+    const CellIndex begin = parts_.first_cells()[static_cast<std::size_t>(part_)];
+    CellIndex at = begin, direction{1, 0};
     do {
       const Beyond beyond = beyond_of(at, direction);
       if (all.empty() || all.back().beyond != beyond || all.back().direction.cx != direction.cx ||
@@ -58,25 +58,25 @@ class OutlineWalk {
 
  private:
   /// The cell ahead of a corner, to the left (0) or right (1) of a direction.
-  static CellPlace ahead(const CellPlace& corner, const CellPlace& direction, bool right) {
-    const CellPlace left = left_of(direction);
+  static CellIndex ahead(const CellIndex& corner, const CellIndex& direction, bool right) {
+    const CellIndex left = left_of(direction);
     const int side = right ? -1 : 1;
     return {corner.cx + (direction.cx + side * left.cx - 1) / 2,
             corner.cy + (direction.cy + side * left.cy - 1) / 2};
   }
 
-  Beyond beyond_of(const CellPlace& corner, const CellPlace& direction) const {
-    const CellPlace cell = ahead(corner, direction, true);
+  Beyond beyond_of(const CellIndex& corner, const CellIndex& direction) const {
+    const CellIndex cell = ahead(corner, direction, true);
     if (!parts_.cells().inside(cell.cx, cell.cy)) return Beyond::Wall;
     return parts_.cells().occupied(cell.cx, cell.cy) ? Beyond::Part : Beyond::Free;
   }
 
-  /// Cells that meet at a corner only are kept apart: where both ways are open, to the left.
-  CellPlace next_direction(const CellPlace& corner, const CellPlace& direction) const {
-    const CellPlace left = left_of(direction);
-    const CellPlace ahead_left = ahead(corner, direction, false);
+  /// Cells that meet only at a corner are kept separate: turns left where both turns are possible.
+  CellIndex next_direction(const CellIndex& corner, const CellIndex& direction) const {
+    const CellIndex left = left_of(direction);
+    const CellIndex ahead_left = ahead(corner, direction, false);
     if (!parts_.belongs(ahead_left.cx, ahead_left.cy, part_)) return left;
-    const CellPlace ahead_right = ahead(corner, direction, true);
+    const CellIndex ahead_right = ahead(corner, direction, true);
     if (parts_.belongs(ahead_right.cx, ahead_right.cy, part_)) return {-left.cx, -left.cy};
     return direction;
   }
@@ -85,17 +85,17 @@ class OutlineWalk {
   const std::int32_t part_;
 };
 
-/// How far a stretch moves to its left: inwards from free cells, over a cut into the next part.
-double shift(const Stretch& stretch) {
-  if (stretch.beyond == Beyond::Wall) return 0;
-  return stretch.beyond == Beyond::Free ? kContourInset : -kContourInset;
+/// Offset (cells) of a segment to its left: inwards at free cells, across a cut into the next part.
+double shift(const Segment& segment) {
+  if (segment.beyond == Beyond::Wall) return 0;
+  return segment.beyond == Beyond::Free ? kContourInset : -kContourInset;
 }
 
-/// Where two stretches meet after each was shifted. Only one along a row can change what lies
-/// beyond it without a corner: there the step stands within the solid side.
-void add_joint(const Stretch& a, const Stretch& b, std::vector<Vertex>& vertices) {
+/// The intersection of two segments after each was shifted. Only segments along a row can change
+/// the other side without a corner; the step is then on the occupied side.
+void add_joint(const Segment& a, const Segment& b, std::vector<Vertex>& vertices) {
   const bool fixed = a.beyond != Beyond::Free || b.beyond != Beyond::Free;
-  const CellPlace left_a = left_of(a.direction), left_b = left_of(b.direction);
+  const CellIndex left_a = left_of(a.direction), left_b = left_of(b.direction);
   TPoint2D corner(b.from.cx, b.from.cy);
   if (a.direction.cx == b.direction.cx && a.direction.cy == b.direction.cy) {
     corner.x += (a.beyond == Beyond::Free ? kContourInset : -kContourInset) * a.direction.cx;
@@ -109,14 +109,14 @@ void add_joint(const Stretch& a, const Stretch& b, std::vector<Vertex>& vertices
 }
 
 std::vector<Vertex> outline(const CellParts& parts, std::int32_t part) {
-  const std::vector<Stretch> stretches = OutlineWalk(parts, part).stretches();
+  const std::vector<Segment> segments = OutlineTracer(parts, part).segments();
   std::vector<Vertex> vertices;
-  for (std::size_t i = 0; i < stretches.size(); ++i)
-    add_joint(stretches[i], stretches[(i + 1) % stretches.size()], vertices);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    add_joint(segments[i], segments[(i + 1) % segments.size()], vertices);
   return vertices;
 }
 
-/// Fixes two vertices far apart where none is: a closed line is simplified piece by piece.
+/// Fixes two distant vertices if none is fixed: a closed line is simplified in pieces.
 void fix_ends(std::vector<Vertex>& vertices) {
   std::size_t farthest = 0;
   double distance = 0;
@@ -132,8 +132,8 @@ void fix_ends(std::vector<Vertex>& vertices) {
 
 using Line = boost::geometry::model::linestring<boost::geometry::model::d2::point_xy<double>>;
 
-/// The vertices that remain, tolerance in cells. The lines between fixed vertices are simplified
-/// each for itself (Douglas and Peucker), cuts and borders not at all.
+/// The simplified polygon, tolerance in cells. Lines between fixed vertices are simplified
+/// separately (Douglas and Peucker), cuts and borders are kept.
 Polygon simplified(const std::vector<Vertex>& vertices, double tolerance) {
   Polygon polygon;
   std::size_t begin = 0;
@@ -152,7 +152,7 @@ Polygon simplified(const std::vector<Vertex>& vertices, double tolerance) {
   return polygon;
 }
 
-/// Simplifying may let an outline cross itself: then less of it is asked for.
+/// Simplification may make an outline intersect itself: the tolerance is then reduced.
 Polygon make_polygon(std::vector<Vertex> vertices, double tolerance) {
   Polygon polygon;
   if (tolerance > 0) {

@@ -1,3 +1,4 @@
+#include <slalom/core/distance.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/contours.h>
@@ -57,7 +58,7 @@ void sample(const Polygon& polygon, double spacing, PointCollector& points) {
   const auto& v = polygon.vertices;
   for (std::size_t i = 0; i < v.size(); ++i) {
     const TPoint2D &a = v[i], &b = v[(i + 1) % v.size()];
-    const double n = pieces(std::hypot(b.x - a.x, b.y - a.y), spacing);
+    const double n = pieces(distance_between(b, a), spacing);
     for (double k = 0; k < n; ++k)
       points.add({a.x + k / n * (b.x - a.x), a.y + k / n * (b.y - a.y)});
   }
@@ -69,7 +70,7 @@ double boundary_length(const Primitives& obstacles) {
   for (const Polygon& polygon : obstacles.polygons) {
     const auto& v = polygon.vertices;
     for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++)
-      length += std::hypot(v[i].x - v[j].x, v[i].y - v[j].y);
+      length += distance_between(v[i], v[j]);
   }
   return length;
 }
@@ -78,7 +79,7 @@ void sample_boundaries(const Scenario& scenario, double spacing, PointCollector&
   const Primitives& obstacles = scenario.primitives();
   if (!(spacing > 0) || !(boundary_length(obstacles) / spacing <= kMaxPoints)) {
     std::ostringstream what;
-    what << spacing << " m between the points of '" << scenario.name() << "'";
+    what << "invalid spacing " << spacing << " m of the points of '" << scenario.name() << "'";
     throw usage_error("resolution", what.str(), "a length above 0 m, at most 100 million points");
   }
   for (const Disc& disc : obstacles.discs) sample(disc, spacing, points);
@@ -113,7 +114,7 @@ Scenario to_continuous(const Scenario& scenario, const ConversionOptions& option
   } else {
     const double radius = options.point_radius > 0 ? options.point_radius : options.resolution / 2;
     if (!(radius > 0) || !std::isfinite(radius))
-      throw usage_error("point_radius", "discs of " + format_number(radius) + " m",
+      throw usage_error("point_radius", "invalid radius " + format_number(radius) + " m",
                         "a radius above 0 m");
     const auto &x = scenario.point_map()->getPointsBufferRef_x(),
                &y = scenario.point_map()->getPointsBufferRef_y();

@@ -8,20 +8,20 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-/// Columns that are transformed side by side, so that memory is read in whole cache lines.
+/// Number of columns transformed together, so that memory is read in full cache lines.
 constexpr int kBlock = 16;
-/// Makes a single precision number certainly not larger than what it was rounded from.
+/// Factor that compensates for rounding to single precision: the result is a lower bound.
 constexpr double kRoundedDown = 1 - 1e-7;
-constexpr double kFarAway = 1e12;  ///< m; no segment is that long
+constexpr double kMaxSegmentLength = 1e12;  ///< m
 
-/// Twice the gap between the centre of a cell and the square `steps` cells further on.
+/// Twice the gap between the center of a cell and the square `steps` cells further on.
 std::int64_t doubled_gap(std::int32_t steps) {
   return steps == 0 ? 0 : 2 * std::int64_t{steps} - 1;
 }
 
-/// b > 0. Division in floating point is many times faster than of integers, and as exact: while a
-/// is an exact double, a / b is at least 1 / b below the next integer or is one, which is more than
-/// it is rounded by.
+/// Requires b > 0. Floating point division is many times faster than integer division, and as exact
+/// while a is an exact double: a / b is an integer or at least 1 / b below the next one, which is
+/// more than the rounding error.
 std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
   constexpr std::int64_t kExact = std::int64_t{1} << 52;
   if (a >= 0 && a < kExact)
@@ -30,12 +30,12 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
   return quotient - (a % b < 0 ? 1 : 0);
 }
 
-/// Lower envelope of parabolas over one column, in doubled cell units. An occupied square that is
-/// not in the row of the centre is nearest with its lower or upper edge: so each horizontal edge
-/// between two rows (at the odd coordinate 2 e - 1, e = 0..rows) is a site whose value is the
-/// smaller of both rows' squared horizontal gaps; centres lie at even coordinates 2 y. (A square's
-/// far edge is never nearer than its near one, so nothing is underestimated.) All numbers are
-/// integers: exact.
+/// Lower envelope of parabolas over one column, in doubled cell units. For an occupied square that
+/// is not in the row of the center the nearest point is on its lower or upper edge: so each
+/// horizontal edge between two rows (at the odd coordinate 2 e - 1, e = 0..rows) is a site whose
+/// value is the smaller of both rows' squared horizontal gaps; centers lie at even coordinates 2 y.
+/// (A square's far edge is never nearer than its near one, so nothing is underestimated.) All
+/// numbers are integers, so the result is exact.
 class ColumnEnvelope {
  public:
   explicit ColumnEnvelope(int rows) : rows_(rows), sites_(rows + 1), until_(rows + 1) {}
@@ -64,7 +64,7 @@ class ColumnEnvelope {
   };
 
   std::int64_t edge_value(const std::int64_t* row_gap2, int e) const {
-    return e == 0 || e == rows_ ? 0 : std::min(row_gap2[e - 1], row_gap2[e]);  // 0: the wall
+    return e == 0 || e == rows_ ? 0 : std::min(row_gap2[e - 1], row_gap2[e]);  // 0: the border
   }
 
   /// The last coordinate at which site a, before b, is not above b.
@@ -131,7 +131,7 @@ DistanceField::DistanceField(const Occupancy& occupancy)
 
 void DistanceField::fill_rows(const Occupancy& occupancy) {
   for (int cy = 0; cy < size_y_; ++cy) {
-    std::int32_t steps = 0;  // from the wall beside the row
+    std::int32_t steps = 0;  // from the border of the row
     for (int cx = 0; cx < size_x_; ++cx)
       to_left_[index(cx, cy)] = steps = occupancy.occupied(cx, cy) ? 0 : steps + 1;
     steps = 0;
@@ -167,14 +167,14 @@ TPoint2D DistanceField::to_cells(const TPoint2D& q) const {
   return {(q.x - origin_.x) / resolution_, (q.y - origin_.y) / resolution_};
 }
 
-double DistanceField::wall_gap(const TPoint2D& at) const {
+double DistanceField::wall_distance(const TPoint2D& at) const {
   const double gap = std::min({at.x, at.y, size_x_ - at.x, size_y_ - at.y});
-  return gap > 0 ? gap : 0;  // also for what is not a number
+  return gap > 0 ? gap : 0;  // also for NaN
 }
 
 double DistanceField::clearance(const TPoint2D& q) const {
   const TPoint2D at = to_cells(q);
-  double nearest = wall_gap(at);
+  double nearest = wall_distance(at);
   if (nearest == 0) return 0;
   const int cx = static_cast<int>(at.x), cy = static_cast<int>(at.y);
   const double x = at.x - cx;
@@ -199,7 +199,7 @@ double DistanceField::outline_clearance(const std::vector<TPoint2D>& corners) co
 
 double DistanceField::clearance_lower_bound(const TPoint2D& q) const {
   const TPoint2D at = to_cells(q);
-  if (wall_gap(at) == 0) return 0;
+  if (wall_distance(at) == 0) return 0;
   const int cx = static_cast<int>(at.x), cy = static_cast<int>(at.y);
   const double to_center = resolution_ * length(at.x - (cx + 0.5), at.y - (cy + 0.5));
   return std::max(0.0, kRoundedDown * at_center(cx, cy) - to_center);
@@ -207,29 +207,30 @@ double DistanceField::clearance_lower_bound(const TPoint2D& q) const {
 
 double DistanceField::segment_clearance(const TPoint2D& a, const TPoint2D& b, double limit) const {
   const double segment = length(b.x - a.x, b.y - a.y);
-  if (!(limit > 0) || !(segment < kFarAway)) return 0;
-  // Whatever lies within (bound - limit) of a point with that bound is clear enough: walk on from
-  // a.
+  if (!(limit > 0) || !(segment < kMaxSegmentLength)) return 0;
+  // All points within (bound - limit) of a point with that lower bound have enough clearance: march
+  // from a.
   double done = 0;
   while (done < segment) {
-    const double share = done / segment;
+    const double fraction = done / segment;
     const double spare =
-        clearance_lower_bound({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}) - limit;
+        clearance_lower_bound({a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y)}) - limit;
     if (spare < resolution_) break;
     done += spare;
   }
   if (segment > 0 && done >= segment) return limit;
-  const double share = segment > 0 ? done / segment : 0;
-  const TPoint2D rest(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y));
-  return std::min(
-      limit, resolution_ * exact_segment_gap(to_cells(rest), to_cells(b), limit / resolution_));
+  const double fraction = segment > 0 ? done / segment : 0;
+  const TPoint2D rest(a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y));
+  return std::min(limit, resolution_ * exact_segment_distance(to_cells(rest), to_cells(b),
+                                                              limit / resolution_));
 }
 
-/// In each row the occupied cells beside the segment's part in it (or beside its nearest end, for
-/// rows above and below) are the nearest of that row: moving a cell away along its row moves it
-/// away from the segment, the distance between convex sets being convex.
-double DistanceField::exact_segment_gap(const TPoint2D& a, const TPoint2D& b, double limit) const {
-  double nearest = std::min({limit, wall_gap(a), wall_gap(b)});
+/// In each row the nearest cells are the first occupied ones to the left and right of the segment's
+/// part in it (or of its nearest end, for rows above and below): moving a cell away along its row
+/// moves it away from the segment, as the distance between convex sets is convex.
+double DistanceField::exact_segment_distance(const TPoint2D& a, const TPoint2D& b,
+                                             double limit) const {
+  double nearest = std::min({limit, wall_distance(a), wall_distance(b)});
   if (nearest == 0) return 0;
   const double low = std::min(a.y, b.y), high = std::max(a.y, b.y);
   const int first = std::max(0, static_cast<int>(std::floor(low - nearest)) - 1);

@@ -1,3 +1,4 @@
+#include <slalom/core/distance.h>
 #include <slalom/scenario/geometry.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ double orientation(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c) {
   return cross(b - a, c - a);
 }
 
-/// Whether p, known to be on the line through a and b, lies between them.
+/// Whether p, on the line through a and b, lies between them.
 bool between(const TPoint2D& a, const TPoint2D& b, const TPoint2D& p) {
   return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
          p.y <= std::max(a.y, b.y);
@@ -39,13 +40,13 @@ bool segments_touch(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c, con
          (cda == 0 && between(c, d, a)) || (cdb == 0 && between(c, d, b));
 }
 
-/// Whether the corner a, b, c turns back onto itself (or an edge has no length).
+/// Whether the corner a, b, c reverses direction (or an edge has no length).
 bool folds_back(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c) {
   return a == b || (orientation(a, b, c) == 0 && dot(b - a, c - b) < 0);
 }
 
-/// Whether two edges other than neighbours touch. Edges are visited from left to right, and only
-/// those that reach that far are compared.
+/// Whether two non-adjacent edges touch. Sweeps edges from left to right; compares only those that
+/// overlap in x.
 bool edges_touch(const std::vector<TPoint2D>& v) {
   const std::size_t n = v.size();
   const auto left = [&](std::size_t i) { return std::min(v[i].x, v[(i + 1) % n].x); };
@@ -61,8 +62,8 @@ bool edges_touch(const std::vector<TPoint2D>& v) {
         std::remove_if(active.begin(), active.end(), [&](std::size_t k) { return right(k) < x; }),
         active.end());
     for (const std::size_t k : active) {
-      const bool neighbours = (i + 1) % n == k || (k + 1) % n == i;
-      if (!neighbours && segments_touch(v[i], v[(i + 1) % n], v[k], v[(k + 1) % n])) return true;
+      const bool adjacent = (i + 1) % n == k || (k + 1) % n == i;
+      if (!adjacent && segments_touch(v[i], v[(i + 1) % n], v[k], v[(k + 1) % n])) return true;
     }
     active.push_back(i);
   }
@@ -82,8 +83,8 @@ double cast_on_disc(const Disc& disc, const TPoint2D& origin, const TPoint2D& di
   return outside / (approach + std::sqrt(discriminant));
 }
 
-/// The offset of each end from the ray decides whether the segment is crossed. Edges that share an
-/// end share its offset, so that no ray slips between them.
+/// The offset of each end from the ray decides whether the segment is crossed. Edges with a common
+/// end use the same offset, so that no ray passes between them.
 double cast_on_segment(const TPoint2D& a, const TPoint2D& b, const TPoint2D& direction) {
   const double offset_a = cross(direction, a), offset_b = cross(direction, b);
   if ((offset_a > 0 && offset_b > 0) || (offset_a < 0 && offset_b < 0)) return kMiss;
@@ -122,12 +123,12 @@ double cast_on_bounds(const Bounds& bounds, const TPoint2D& origin, const TPoint
 double distance_to_segment(const TPoint2D& p, const TPoint2D& a, const TPoint2D& b) {
   const TPoint2D edge = b - a, to_p = p - a;
   const double length2 = dot(edge, edge);
-  const double share = length2 > 0 ? std::clamp(dot(to_p, edge) / length2, 0.0, 1.0) : 0.0;
-  return std::hypot(to_p.x - share * edge.x, to_p.y - share * edge.y);
+  const double fraction = length2 > 0 ? std::clamp(dot(to_p, edge) / length2, 0.0, 1.0) : 0.0;
+  return std::hypot(to_p.x - fraction * edge.x, to_p.y - fraction * edge.y);
 }
 
 double distance(const TPoint2D& p, const Disc& disc) {
-  return std::max(0.0, std::hypot(p.x - disc.center.x, p.y - disc.center.y) - disc.radius);
+  return std::max(0.0, distance_between(p, disc.center) - disc.radius);
 }
 
 double distance(const TPoint2D& p, const Polygon& polygon) {

@@ -10,12 +10,10 @@ namespace {
 using mrpt::maps::COccupancyGridMap2D;
 using mrpt::math::TPoint2D;
 
-constexpr double kMaxCells = 400e6;
-
-/// The members that setSize() sets, set directly.
-class PlacedGridMap : public COccupancyGridMap2D {
+/// Sets the members of setSize() directly.
+class ExactGridMap : public COccupancyGridMap2D {
  public:
-  PlacedGridMap(int size_x, int size_y, double resolution, const TPoint2D& origin) {
+  ExactGridMap(int size_x, int size_y, double resolution, const TPoint2D& origin) {
     m_size_x = static_cast<std::uint32_t>(size_x);
     m_size_y = static_cast<std::uint32_t>(size_y);
     m_resolution = static_cast<float>(resolution);
@@ -33,17 +31,17 @@ class PlacedGridMap : public COccupancyGridMap2D {
 COccupancyGridMap2D make_grid_map(int size_x, int size_y, double resolution,
                                   const TPoint2D& origin) {
   const bool good =
-      size_x > 0 && size_y > 0 && static_cast<double>(size_x) * size_y <= kMaxCells &&
+      size_x > 0 && size_y > 0 && static_cast<double>(size_x) * size_y <= kMaxGridCells &&
       static_cast<float>(resolution) > 0 && std::isfinite(static_cast<float>(resolution)) &&
       std::isfinite(static_cast<float>(origin.x)) && std::isfinite(static_cast<float>(origin.y));
   if (!good) {
     std::ostringstream what;
     what << size_x << " x " << size_y << " cells of " << resolution << " m at (" << origin.x << ", "
          << origin.y << ')';
-    throw usage_error("grid", what.str(), "1 to 400 million cells of finite size and place");
+    throw usage_error("grid", what.str(), "1 to 400 million cells of finite size and position");
   }
   COccupancyGridMap2D map;
-  map.copyMapContentFrom(PlacedGridMap(size_x, size_y, resolution, origin));
+  map.copyMapContentFrom(ExactGridMap(size_x, size_y, resolution, origin));
   return map;
 }
 

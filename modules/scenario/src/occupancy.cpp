@@ -1,6 +1,7 @@
-#include "rasterise.h"
+#include "rasterize.h"
 
 #include <slalom/core/error.h>
+#include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/occupancy.h>
 
 #include <cmath>
@@ -12,9 +13,8 @@ namespace {
 using mrpt::maps::COccupancyGridMap2D;
 using mrpt::math::TPoint2D;
 
-constexpr double kMaxCells = 400e6;
-/// Lengths that differ by less than this share are the same: MRPT's single precision makes 0.05 m
-/// 0.05000000075 m, and a place made from such a grid is to have as many cells of 0.05 m again.
+/// Relative tolerance of lengths: in MRPT's single precision 0.05 m is 0.05000000075 m, and a
+/// scenario made from such a grid must have the same number of cells of 0.05 m again.
 constexpr double kRelativeSlack = 1e-7;
 
 int cells_along(double length, double resolution) {
@@ -23,10 +23,9 @@ int cells_along(double length, double resolution) {
 
 Occupancy empty_occupancy(const Scenario& scenario, double resolution) {
   if (!std::isfinite(resolution) || !(resolution > 0))
-    throw usage_error("resolution", "cannot divide a workspace into such cells",
-                      "a length above 0 m");
+    throw usage_error("resolution", "invalid cell size", "a length above 0 m");
   const Bounds& b = scenario.bounds();
-  if (!((b.width() / resolution + 1) * (b.height() / resolution + 1) <= kMaxCells)) {
+  if (!((b.width() / resolution + 1) * (b.height() / resolution + 1) <= kMaxGridCells)) {
     std::ostringstream what;
     what << resolution << " m is too fine for '" << scenario.name() << "' (" << b.width() << " m x "
          << b.height() << " m)";
@@ -36,7 +35,7 @@ Occupancy empty_occupancy(const Scenario& scenario, double resolution) {
           TPoint2D(b.x_min, b.y_min)};
 }
 
-/// Where the bounds are no multiple of the cell size, the last cells reach out of the workspace.
+/// If the bounds are not a multiple of the cell size, the last cells extend beyond the workspace.
 void occupy_beyond_bounds(const Bounds& bounds, Occupancy& cells) {
   const double columns = bounds.width() / cells.resolution() * (1 + kRelativeSlack);
   const double rows = bounds.height() / cells.resolution() * (1 + kRelativeSlack);
@@ -48,8 +47,8 @@ void occupy_beyond_bounds(const Bounds& bounds, Occupancy& cells) {
 
 Occupancy from_primitives(const Scenario& scenario, double resolution) {
   Occupancy cells = empty_occupancy(scenario, resolution);
-  for (const Disc& disc : scenario.primitives().discs) rasterise(disc, cells);
-  for (const Polygon& polygon : scenario.primitives().polygons) rasterise(polygon, cells);
+  for (const Disc& disc : scenario.primitives().discs) rasterize(disc, cells);
+  for (const Polygon& polygon : scenario.primitives().polygons) rasterize(polygon, cells);
   occupy_beyond_bounds(scenario.bounds(), cells);
   return cells;
 }
@@ -84,7 +83,7 @@ Occupancy from_grid(const COccupancyGridMap2D& map) {
 
 Occupancy::Occupancy(int size_x, int size_y, double resolution, TPoint2D origin)
     : size_x_(size_x), size_y_(size_y), resolution_(resolution), origin_(origin) {
-  if (size_x < 1 || size_y < 1 || static_cast<double>(size_x) * size_y > kMaxCells)
+  if (size_x < 1 || size_y < 1 || static_cast<double>(size_x) * size_y > kMaxGridCells)
     throw usage_error("grid", std::to_string(size_x) + " x " + std::to_string(size_y) + " cells",
                       "1 to 400 million cells");
   cells_.assign(static_cast<std::size_t>(size_x) * static_cast<std::size_t>(size_y), 0);

@@ -7,15 +7,15 @@
 namespace slalom {
 namespace {
 
-constexpr double kMostCells = 4e6;
+constexpr double kMaxFieldCells = 4e6;
 
-int cells_along(double extent, double cell_size) {
+int field_cells(double extent, double cell_size) {
   return static_cast<int>(std::lround(extent / cell_size));
 }
 
 bool fill(double extent, double cell_size) {
   const double cells = extent / cell_size;
-  return cells > 0.5 && cells <= kMostCells && std::abs(cells - std::round(cells)) < 0.01;
+  return cells > 0.5 && cells <= kMaxFieldCells && std::abs(cells - std::round(cells)) < 0.01;
 }
 
 bool good_field(const PublishedPath& path) {
@@ -23,17 +23,17 @@ bool good_field(const PublishedPath& path) {
   return std::isfinite(f.x_min) && std::isfinite(f.y_min) && std::isfinite(path.cell_size) &&
          path.cell_size > 0 && fill(f.width(), path.cell_size) &&
          fill(f.height(), path.cell_size) &&
-         f.width() / path.cell_size * (f.height() / path.cell_size) <= kMostCells;
+         f.width() / path.cell_size * (f.height() / path.cell_size) <= kMaxFieldCells;
 }
 
 }  // namespace
 
 int PublishedPath::size_x() const {
-  return cells_along(field.width(), cell_size);
+  return field_cells(field.width(), cell_size);
 }
 
 int PublishedPath::size_y() const {
-  return cells_along(field.height(), cell_size);
+  return field_cells(field.height(), cell_size);
 }
 
 std::string PublishedPath::hash() const {
@@ -48,13 +48,13 @@ bool PublishedPath::operator==(const PublishedPath& other) const {
 }
 
 void check_published_path(const std::string& name, const PublishedPath& path) {
-  if (path.points.empty()) throw file_error(name, "its published path is empty", "points");
+  if (path.points.empty()) throw file_error(name, "the published path is empty", "points");
   for (std::size_t i = 0; i < path.points.size(); ++i)
     if (!std::isfinite(path.points[i].x) || !std::isfinite(path.points[i].y))
-      throw file_error(name, "point " + std::to_string(i) + " of its published path is not finite",
+      throw file_error(name, "point " + std::to_string(i) + " of the published path is not finite",
                        "finite coordinates");
   if (!good_field(path))
-    throw file_error(name, "the cells of its published path do not fill their field",
+    throw file_error(name, "the cells of the published path do not fill their field",
                      "a finite field of 1 to 4 million square cells");
 }
 

@@ -10,13 +10,13 @@
 namespace slalom {
 namespace {
 
-/// A ray that passes a corner within this many cells touches it. Far above the rounding of
-/// coordinates on any map that fits in memory, far below anything a sensor can tell.
+/// A ray that passes a corner within this distance (cells) touches it: far above the rounding of
+/// coordinates on any map that fits in memory, far below the resolution of any sensor.
 constexpr double kTouch = 1e-9;
-constexpr int kLargestSquare = 65535;
+constexpr int kMaxSquare = 65535;
 
-/// Vectors of offsets (bytes) have 32 bits.
-constexpr std::size_t kLargestOffset = std::numeric_limits<std::int32_t>::max();
+/// Offsets (bytes) in vectors have 32 bits.
+constexpr std::size_t kMaxOffset = std::numeric_limits<std::int32_t>::max();
 
 /// The directions of a scan's rays relative to its heading.
 struct Directions {
@@ -25,19 +25,20 @@ struct Directions {
   std::vector<double> cosine, sine;
 };
 
-/// Those of the geometry asked for last are kept: a sensor's geometry hardly ever changes.
+/// Caches the directions of the last geometry: a sensor's geometry hardly ever changes.
 const Directions& directions_of(const ScanGeometry& geometry) {
-  thread_local Directions kept;
-  if (kept.count == geometry.count && kept.aperture == geometry.aperture) return kept;
-  kept = {geometry.count, geometry.aperture, {}, {}};
+  thread_local Directions cached;
+  if (cached.count == geometry.count && cached.aperture == geometry.aperture) return cached;
+  cached = {geometry.count, geometry.aperture, {}, {}};
   for (int i = 0; i < geometry.count; ++i) {
-    kept.cosine.push_back(std::cos(geometry.angle(i)));
-    kept.sine.push_back(std::sin(geometry.angle(i)));
+    cached.cosine.push_back(std::cos(geometry.angle(i)));
+    cached.sine.push_back(std::sin(geometry.angle(i)));
   }
-  return kept;
+  return cached;
 }
 
-/// Directions first..first+count-1 turned by a heading; the rest of the chunk repeats the last one.
+/// Directions first..first+count-1 rotated by a heading; the rest of the chunk repeats the last
+/// one.
 void rotate(const Directions& directions, int first, int count, double cosine, double sine,
             RayChunk& rays) {
   const double *c = directions.cosine.data() + first, *s = directions.sine.data() + first;
@@ -73,13 +74,13 @@ void RayCaster::fill(const Occupancy& occupancy, bool left, bool down) {
     const std::uint8_t* cells = occupancy.cells().data() +
                                 occupancy.index(left ? 0 : size_x_ - 1, down ? size_y_ - 1 - y : y);
     std::uint16_t* here = squares + index(size_x_ - 1, y);
-    int beside = 0, above_beside = 0;  // kept from step to step: reading them back would wait
+    int right = 0, above_right = 0;  // in registers: faster than loads
     for (int x = size_x_ - 1; x >= 0; --x, --here, cells += left ? 1 : -1) {
       const int above = here[stride_];
-      const int side = std::min({beside, above, above_beside}) + 1;
-      above_beside = above;
-      beside = *cells != 0 ? 0 : std::min(side, kLargestSquare);
-      *here = static_cast<std::uint16_t>(beside);
+      const int side = std::min({right, above, above_right}) + 1;
+      above_right = above;
+      right = *cells != 0 ? 0 : std::min(side, kMaxSquare);
+      *here = static_cast<std::uint16_t>(right);
     }
   }
 }
@@ -178,8 +179,8 @@ ScanOrigin RayCaster::scan_origin(const Ray& ray, double limit) const {
 
 void RayCaster::cast_scan(const mrpt::math::TPose2D& pose, const ScanGeometry& geometry,
                           float* ranges) const {
-  const mrpt::math::TPoint2D place(pose.x, pose.y);
-  const Ray straight = make_ray(place, 1, 0);
+  const mrpt::math::TPoint2D position(pose.x, pose.y);
+  const Ray straight = make_ray(position, 1, 0);
   if (!starts_free(straight) || !std::isfinite(pose.phi)) {
     std::fill_n(ranges, std::max(0, geometry.count), 0.0F);
     return;
@@ -187,7 +188,7 @@ void RayCaster::cast_scan(const mrpt::math::TPose2D& pose, const ScanGeometry& g
   const ScanOrigin origin = scan_origin(straight, geometry.max_range / resolution_);
   const Directions& directions = directions_of(geometry);
   const double cosine = std::cos(pose.phi), sine = std::sin(pose.phi);
-  const bool fits = squares_.size() < kLargestOffset / sizeof(std::uint16_t);
+  const bool fits = squares_.size() < kMaxOffset / sizeof(std::uint16_t);
   RayChunk rays;
   for (int first = 0; first < geometry.count; first += RayChunk::kSize) {
     const int count = std::min(geometry.count - first, RayChunk::kSize);
@@ -199,7 +200,7 @@ void RayCaster::cast_scan(const mrpt::math::TPose2D& pose, const ScanGeometry& g
     for (int i = 0; i < count; ++i) {
       double range = rays.range[i];
       if (range == RayChunk::kUncertain)
-        range = trace(make_ray(place, rays.cosine[i], rays.sine[i]), origin.limit);
+        range = trace(make_ray(position, rays.cosine[i], rays.sine[i]), origin.limit);
       ranges[first + i] = static_cast<float>(std::min(geometry.max_range, resolution_ * range));
     }
   }

@@ -20,8 +20,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Reals = hn::CappedTag<float, 16>;
 using Ints = hn::RebindToSigned<Reals>;
 
-/// Into each ray's mirrored frame, as single precision relative to the origin's cell. The small
-/// summand keeps the inverse finite for rays parallel to an axis, which the caller casts itself.
+/// Transforms each ray to its mirrored frame, in single precision relative to the origin's cell.
+/// The small summand keeps the inverse finite for rays parallel to an axis, which the caller casts.
 void prepare(const ScanOrigin& origin, int count, RayChunk& rays) {
   const auto within_cell = [](double x) { return static_cast<float>(x - static_cast<int>(x)); };
   const float x[] = {within_cell(origin.x[0]), within_cell(origin.x[1])};
@@ -44,14 +44,14 @@ void prepare(const ScanOrigin& origin, int count, RayChunk& rays) {
   }
 }
 
-/// A vector of rays on their way. A ray stops where it is hit, cannot be decided or is beyond the
+/// The state of a vector of rays. A ray stops when it hits a cell, is undecided or exceeds the
 /// limit.
 ///
 /// Error of a crossing: with e = 2^-24, x is off by e / 2, its difference to a face X, per_x
 /// (twice) and their product by e of their size each, so t by at most e / 2 per_x + 4 e t, and the
 /// other coordinate by that and by three roundings of its own, in all at most 3e-8 per_x + 4.2e-7
 /// (limit + 2). `margin` and `reach` allow for more: the side of a cell border, and with it the
-/// whole walk, is certain.
+/// complete traversal, is certain.
 struct RayLanes {
   hn::Vec<Reals> x, y, dx, dy, per_x, per_y, margin, reach;
   hn::Vec<Ints> first, cx, cy,
@@ -103,16 +103,15 @@ struct RayLanes {
     const auto through_x = hn::Lt(tx, ty);
     const auto other =
         hn::Add(hn::IfThenElse(through_x, y, x), hn::Mul(t, hn::IfThenElse(through_x, dy, dx)));
-    // Adding 2^23 rounds to an integer: other + 0.5 to the cell's number + 1, where that is
-    // decided.
+    // Adding 2^23 rounds to an integer: other + 0.5 to the cell's number + 1, if decided.
     const auto shift = hn::Set(real, 8388608.0F);
     const auto middle = hn::Add(other, hn::Set(real, 0.5F));
     const auto shifted = hn::Add(middle, shift);
     const auto off_center = hn::Abs(hn::Sub(middle, hn::Sub(shifted, shift)));
     const auto other_cell = hn::Sub(hn::BitCast(integer, shifted), hn::Set(integer, 0x4B000001));
-    const auto goes_on = hn::And(hn::Lt(off_center, margin), hn::Lt(t, reach));
+    const auto continues = hn::And(hn::Lt(off_center, margin), hn::Lt(t, reach));
     running = hn::And(hn::And(running, hn::Ne(free, hn::Zero(integer))),
-                      hn::RebindMask(integer, goes_on));
+                      hn::RebindMask(integer, continues));
     const auto column = hn::RebindMask(integer, through_x);
     cx = hn::IfThenElse(running, hn::IfThenElse(column, far_x, other_cell), cx);
     cy = hn::IfThenElse(running, hn::IfThenElse(column, other_cell, far_y), cy);
@@ -120,7 +119,7 @@ struct RayLanes {
     at = hn::Add(hn::Add(first, rows), hn::Add(cx, cx));
   }
 
-  /// A hit cell was entered through the face that the ray crossed last.
+  /// The face of a hit cell is the one that the ray crossed last.
   HWY_INLINE void store(const ScanOrigin& origin, RayChunk& rays) const {
     const Ints integer;
     const auto free = free_square(origin);
@@ -135,7 +134,7 @@ struct RayLanes {
   }
 };
 
-/// The chunk's vectors, one after the other in whichever place becomes free.
+/// The chunk's vectors, assigned to lanes as these become free.
 class Queue {
  public:
   Queue(const ScanOrigin& origin, int count, RayChunk& rays)
@@ -165,7 +164,7 @@ class Queue {
   int lanes_, end_ = 0, next_ = 0, open_ = 0;
 };
 
-/// The range (cells) to each face from its number, in double precision.
+/// Computes the range (cells) to each face in double precision.
 void measure(const ScanOrigin& origin, int count, RayChunk& rays) {
   const double x[] = {origin.x[0], origin.x[1]}, y[] = {origin.y[0], origin.y[1]};
   const double cell_x[] = {std::floor(x[0]), std::floor(x[1])};
@@ -184,9 +183,9 @@ void measure(const ScanOrigin& origin, int count, RayChunk& rays) {
   }
 }
 
-/// Four vectors are in flight at a time, so that each one's wait for memory is the others' time.
+/// Four vectors are in flight at a time, to hide memory latency.
 void cast_rays(const ScanOrigin& origin, int count, RayChunk& rays) {
-  static_assert(RayChunk::kSize % hn::MaxLanes(Ints()) == 0, "chunks of whole vectors");
+  static_assert(RayChunk::kSize % hn::MaxLanes(Ints()) == 0, "chunks of complete vectors");
   Queue queue(origin, count, rays);
   prepare(origin, queue.end(), rays);
   RayLanes a, b, c, d;

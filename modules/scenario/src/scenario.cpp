@@ -35,24 +35,23 @@ void check_bounds(const std::string& name, const Bounds& b) {
                      "a finite rectangle of positive width and height");
 }
 
-void check_place(const std::string& name, const Bounds& b, const char* what, const TPoint2D& p) {
-  // MRPT keeps the limits of its maps in single precision: a place on the border may be off by
-  // that.
+void check_position(const std::string& name, const Bounds& b, const char* what, const TPoint2D& p) {
+  // MRPT stores the limits of maps in single precision: positions on the border may be off by that.
   const double slack = 1e-6 * std::max(b.width(), b.height());
   const bool good = p.x >= b.x_min - slack && p.x <= b.x_max + slack && p.y >= b.y_min - slack &&
                     p.y <= b.y_max + slack;
   if (!good)
     throw file_error(
         name, std::string(what) + " at " + text(p),
-        "a place within " + text({b.x_min, b.y_min}) + " to " + text({b.x_max, b.y_max}));
+        "a position within " + text({b.x_min, b.y_min}) + " to " + text({b.x_max, b.y_max}));
 }
 
 void check_task(const std::string& name, const Bounds& bounds, const TPose2D& start,
                 const TPoint2D& goal) {
-  check_place(name, bounds, "start", TPoint2D(start.x, start.y));
-  check_place(name, bounds, "goal", goal);
+  check_position(name, bounds, "start", TPoint2D(start.x, start.y));
+  check_position(name, bounds, "goal", goal);
   if (!std::isfinite(start.phi))
-    throw file_error(name, "start heading is not a number", "a finite angle");
+    throw file_error(name, "start heading is not finite", "a finite angle");
 }
 
 void check_primitives(const std::string& name, const Primitives& obstacles) {
@@ -60,7 +59,7 @@ void check_primitives(const std::string& name, const Primitives& obstacles) {
     const Disc& disc = obstacles.discs[i];
     if (!finite(disc.center) || !std::isfinite(disc.radius) || !(disc.radius > 0))
       throw file_error(name, "disc " + std::to_string(i) + " is degenerate",
-                       "a finite centre and a radius above 0");
+                       "a finite center and a radius above 0");
   }
   for (std::size_t i = 0; i < obstacles.polygons.size(); ++i) {
     bool good = true;
@@ -82,7 +81,7 @@ Bounds bounds_of(const COccupancyGridMap2D& map) {
 }
 
 /// A copy of the map whose cells are exactly free (1) or occupied (0).
-GridMapPtr binarised(const COccupancyGridMap2D& map) {
+GridMapPtr binarized(const COccupancyGridMap2D& map) {
   auto result = std::make_shared<COccupancyGridMap2D>();
   result->copyMapContentFrom(map);
   const auto free = COccupancyGridMap2D::p2l(1.0f), occupied = COccupancyGridMap2D::p2l(0.0f);
@@ -130,25 +129,6 @@ void check_points(const std::string& name, const CSimplePointsMap& map) {
 
 }  // namespace
 
-std::string to_string(Representation representation) {
-  switch (representation) {
-    case Representation::Continuous:
-      return "continuous";
-    case Representation::Grid:
-      return "grid";
-    case Representation::Points:
-      return "points";
-  }
-  return "";
-}
-
-Representation representation_from_string(const std::string& text) {
-  for (const auto representation :
-       {Representation::Continuous, Representation::Grid, Representation::Points})
-    if (text == to_string(representation)) return representation;
-  throw usage_error("representation", "'" + text + "' is unknown", "continuous, grid or points");
-}
-
 Scenario::Scenario(std::string name, Bounds bounds, Obstacles obstacles, TPose2D start,
                    TPoint2D goal)
     : name_(std::move(name)),
@@ -176,7 +156,7 @@ Scenario Scenario::grid(std::string name, const COccupancyGridMap2D& map, TPose2
                         TPoint2D goal) {
   const Bounds bounds = bounds_of(map);
   check_bounds(name, bounds);
-  return {std::move(name), bounds, binarised(map), start, goal};
+  return {std::move(name), bounds, binarized(map), start, goal};
 }
 
 Scenario Scenario::points(std::string name, Bounds bounds, const CSimplePointsMap& map,
@@ -206,7 +186,7 @@ Scenario Scenario::renamed(std::string name) const {
   return copy;
 }
 
-Scenario Scenario::with_task(TPose2D start, TPoint2D goal) const {
+Scenario Scenario::with_start_goal(TPose2D start, TPoint2D goal) const {
   return {name_, bounds_, obstacles_, start, goal};
 }
 

@@ -11,14 +11,14 @@ namespace {
 using Node = SelectionNode;
 
 void collect(const Node& node, std::set<std::string>& fields) {
-  if (const auto* joined = std::get_if<Node::Joined>(&node.what)) {
-    for (const SelectionPtr& part : joined->parts) collect(*part, fields);
+  if (const auto* compound = std::get_if<Node::Compound>(&node.what)) {
+    for (const SelectionPtr& part : compound->parts) collect(*part, fields);
   } else if (const auto* compare = std::get_if<Node::Compare>(&node.what)) {
     for (const SelectionOperand* side : {&compare->left, &compare->right})
       if (const auto* field = std::get_if<std::string>(side)) fields.insert(*field);
   } else if (const auto* within = std::get_if<Node::Within>(&node.what)) {
     fields.insert(within->field);
-  } else if (const auto* among = std::get_if<Node::AmongNumbers>(&node.what)) {
+  } else if (const auto* among = std::get_if<Node::NumberInSet>(&node.what)) {
     fields.insert(among->field);
   } else if (const auto* na = std::get_if<Node::IsNa>(&node.what)) {
     fields.insert(na->field);
@@ -28,12 +28,12 @@ void collect(const Node& node, std::set<std::string>& fields) {
 }  // namespace
 
 SelectionPtr parse_selection(const std::string& text, const SelectionVocabulary& vocabulary) {
-  return SelectionParser(cut_selection(text), vocabulary).whole();
+  return SelectionParser(tokenize_selection(text), vocabulary).parse_expression();
 }
 
 std::vector<SelectionOrder> parse_selection_order(const std::string& text,
                                                   const SelectionVocabulary& vocabulary) {
-  return SelectionParser(cut_selection(text), vocabulary).whole_order();
+  return SelectionParser(tokenize_selection(text), vocabulary).parse_order();
 }
 
 std::vector<std::string> number_fields(const SelectionPtr& selection,

@@ -10,7 +10,7 @@ namespace {
 
 using Kind = SelectionToken::Kind;
 
-constexpr std::size_t kLongest = 32768;  ///< characters; longer ones are no one's intention
+constexpr std::size_t kMaxLength = 32768;  ///< characters
 
 bool begins_word(char c) {
   const auto byte = static_cast<unsigned char>(c);
@@ -65,7 +65,7 @@ class Lexer {
       if (text_[at_] == quote) ++at_;
       token.text += text_[at_];
     }
-    throw selection_error(token.position, "a quoted text has no end", std::string(1, quote));
+    throw selection_error(token.position, "unterminated quoted text", std::string(1, quote));
   }
 
   SelectionToken word() {
@@ -93,8 +93,8 @@ class Lexer {
     const bool printable = std::isprint(static_cast<unsigned char>(text_[at_])) != 0;
     throw selection_error(
         token.position,
-        printable ? "'" + std::string(1, text_[at_]) + "' means nothing here"
-                  : std::string("a character that cannot be printed"),
+        printable ? "unexpected '" + std::string(1, text_[at_]) + "'"
+                  : std::string("unexpected unprintable character"),
         "a field, a number, a text in quotes, or one of < <= > >= = != ( ) [ ] ,");
   }
 
@@ -108,25 +108,26 @@ bool SelectionToken::is_symbol(const char* symbol) const {
   return kind == Kind::Symbol && text == symbol;
 }
 
-bool SelectionToken::is_key_word(const char* word) const {
-  const std::string wanted = word;
+bool SelectionToken::is_keyword(const char* word) const {
+  const std::string keyword = word;
   return kind == Kind::Word &&
-         std::equal(text.begin(), text.end(), wanted.begin(), wanted.end(), [](char a, char b) {
+         std::equal(text.begin(), text.end(), keyword.begin(), keyword.end(), [](char a, char b) {
            return std::tolower(static_cast<unsigned char>(a)) == b;
          });
 }
 
-std::string SelectionToken::shown() const {
-  if (kind == Kind::End) return "the end";
+std::string SelectionToken::quoted_text() const {
+  if (kind == Kind::End) return "end of expression";
   std::string text_shown;
   for (const char c : text)
     text_shown += std::iscntrl(static_cast<unsigned char>(c)) != 0 ? '?' : c;
   return "'" + text_shown + "'";
 }
 
-std::vector<SelectionToken> cut_selection(const std::string& text) {
-  if (text.size() > kLongest)
-    throw selection_error(kLongest + 1, "is too long", std::to_string(kLongest) + " characters");
+std::vector<SelectionToken> tokenize_selection(const std::string& text) {
+  if (text.size() > kMaxLength)
+    throw selection_error(kMaxLength + 1, "expression is too long",
+                          "at most " + std::to_string(kMaxLength) + " characters");
   return Lexer(text).tokens();
 }
 

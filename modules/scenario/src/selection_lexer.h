@@ -7,7 +7,7 @@
 
 namespace slalom {
 
-/// One piece of a selection expression.
+/// A token of a selection expression.
 struct SelectionToken {
   enum class Kind { Word, Number, Quoted, Symbol, End };
   Kind kind = Kind::End;
@@ -16,12 +16,13 @@ struct SelectionToken {
   std::size_t position = 0;  ///< of its first character, from 1
 
   bool is_symbol(const char* symbol) const;
-  bool is_key_word(const char* word) const;  ///< whatever the case
-  std::string shown() const;                 ///< for messages: 'text', or "the end"
+  bool is_keyword(const char* word) const;  ///< ignoring case
+  std::string quoted_text() const;          ///< for messages: 'text', or "end of expression"
 };
 
-/// Cuts a text into tokens; the last one is End. Throws Error (Usage) naming the character.
-std::vector<SelectionToken> cut_selection(const std::string& text);
+/// Splits a text into tokens; the last one is End. Throws Error (Usage) with the character
+/// position.
+std::vector<SelectionToken> tokenize_selection(const std::string& text);
 
 /// "selection, character N: WHAT; expected EXPECTED"
 Error selection_error(std::size_t position, const std::string& what, const std::string& expected);

@@ -1,49 +1,42 @@
 #include "selection_parser.h"
 
-#include <slalom/core/ini_file.h>
 #include <slalom/core/text.h>
-
-#include <algorithm>
 
 namespace slalom {
 namespace {
 
-// SQLite refuses deeper and larger expressions with a message that tells users nothing.
-constexpr std::size_t kDeepest = 100;
-constexpr std::size_t kMostConditions = 400;
-
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
+// SQLite refuses deeper and larger expressions with an unhelpful message.
+constexpr std::size_t kMaxDepth = 100;
+constexpr std::size_t kMaxConditions = 400;
 
 }  // namespace
 
-SelectionPtr SelectionParser::whole() {
+SelectionPtr SelectionParser::parse_expression() {
   SelectionPtr selection = disjunction();
-  if (now().kind != SelectionToken::Kind::End) throw unexpected("'and', 'or', or the end");
+  if (current().kind != SelectionToken::Kind::End) throw unexpected("'and', 'or', or the end");
   return selection;
 }
 
 SelectionPtr SelectionParser::disjunction() {
   std::vector<SelectionPtr> parts = {conjunction()};
-  while (take_key_word("or")) parts.push_back(conjunction());
-  return joined(Node::Connective::Or, std::move(parts));
+  while (accept_keyword("or")) parts.push_back(conjunction());
+  return compound(Node::Connective::Or, std::move(parts));
 }
 
 SelectionPtr SelectionParser::conjunction() {
   std::vector<SelectionPtr> parts = {negation()};
-  while (take_key_word("and")) parts.push_back(negation());
-  return joined(Node::Connective::And, std::move(parts));
+  while (accept_keyword("and")) parts.push_back(negation());
+  return compound(Node::Connective::And, std::move(parts));
 }
 
 SelectionPtr SelectionParser::negation() {
-  if (++depth_ > kDeepest)
-    throw selection_error(now().position, "is nested too deeply",
-                          std::to_string(kDeepest) + " levels at most");
+  if (++depth_ > kMaxDepth)
+    throw selection_error(current().position, "expression is nested too deeply",
+                          "at most " + std::to_string(kMaxDepth) + " levels");
   SelectionPtr selection;
-  if (take_key_word("not")) {
+  if (accept_keyword("not")) {
     selection = negated(negation(), true);
-  } else if (take_symbol("(")) {
+  } else if (accept_symbol("(")) {
     selection = disjunction();
     expect_symbol(")");
   } else {
@@ -60,10 +53,10 @@ SelectionPtr SelectionParser::condition() {
     if (token.kind != SelectionToken::Kind::End) --at_;
     throw unexpected("a field, a number, 'not' or '('");
   }
-  if (now().is_symbol("[") && vocabulary_.indexes.count(token.text) > 0)
+  if (current().is_symbol("[") && vocabulary_.indexes.count(token.text) > 0)
     return index_condition(token.text);
-  if (knows_number(token.text)) return number_condition(token.text);
-  if (knows_text(token.text)) return text_condition(token.text);
+  if (is_number_field(token.text)) return number_condition(token.text);
+  if (is_text_field(token.text)) return text_condition(token.text);
   if (vocabulary_.indexes.count(token.text) > 0) throw unexpected("'[' and the number of a range");
   throw unknown_field(token);
 }
@@ -74,199 +67,198 @@ SelectionPtr SelectionParser::number_condition(const SelectionOperand& left) {
 }
 
 SelectionPtr SelectionParser::field_condition(const std::string& field) {
-  if (take_key_word("is")) {
-    const bool negate = take_key_word("not");
-    expect_key_word("na");
+  if (accept_keyword("is")) {
+    const bool negate = accept_keyword("not");
+    expect_keyword("na");
     return negated(node(Node::IsNa{field}), negate);
   }
-  const bool negate = take_key_word("not");
-  if (take_key_word("in")) return negated(numbers_after_in(field), negate);
-  if (take_key_word("between")) return negated(between(field), negate);
+  const bool negate = accept_keyword("not");
+  if (accept_keyword("in")) return negated(numbers_after_in(field), negate);
+  if (accept_keyword("between")) return negated(between(field), negate);
   if (negate) throw unexpected("'in' or 'between'");
   return nullptr;
 }
 
 SelectionPtr SelectionParser::comparison(const SelectionOperand& left) {
   const char* const kExpected = "a comparison (< <= > >= = !=), 'in', 'between' or 'is'";
-  const auto how = take_comparison();
-  if (!how) throw unexpected(kExpected);
+  const auto op = accept_comparison();
+  if (!op) throw unexpected(kExpected);
   const SelectionOperand middle = operand();
-  SelectionPtr first = node(Node::Compare{left, *how, middle});
-  const auto then = take_comparison();
+  SelectionPtr first = node(Node::Compare{left, *op, middle});
+  const auto then = accept_comparison();
   if (!then) return first;
   SelectionPtr second = node(Node::Compare{middle, *then, operand()});
-  return joined(Node::Connective::And, {first, second});
+  return compound(Node::Connective::And, {first, second});
 }
 
 SelectionPtr SelectionParser::numbers_after_in(const std::string& field) {
-  const bool low_open = now().is_symbol("(");
-  if (!low_open && !now().is_symbol("[")) throw unexpected("'(' or '['");
+  const bool low_open = current().is_symbol("(");
+  if (!low_open && !current().is_symbol("[")) throw unexpected("'(' or '['");
   const std::size_t begin = take().position;
   std::vector<double> values = {number()};
-  while (take_symbol(",")) values.push_back(number());
-  const bool high_open = take_symbol(")");
+  while (accept_symbol(",")) values.push_back(number());
+  const bool high_open = accept_symbol(")");
   if (!high_open) expect_symbol("]");
-  if (low_open && high_open) return node(Node::AmongNumbers{field, values});
+  if (low_open && high_open) return node(Node::NumberInSet{field, values});
   if (values.size() != 2 || !(values[0] <= values[1]))
-    throw selection_error(begin, "is no interval", "two numbers, the lower one first");
+    throw selection_error(begin, "invalid interval", "two numbers, the lower one first");
   return node(Node::Within{field, values[0], values[1], low_open, high_open});
 }
 
 SelectionPtr SelectionParser::between(const std::string& field) {
   const double low = number();
-  expect_key_word("and");
+  expect_keyword("and");
   return node(Node::Within{field, low, number(), false, false});
 }
 
 SelectionPtr SelectionParser::text_condition(const std::string& field) {
-  if (take_key_word("is")) {
-    const bool negate = take_key_word("not");
-    expect_key_word("na");
+  if (accept_keyword("is")) {
+    const bool negate = accept_keyword("not");
+    expect_keyword("na");
     return negated(node(Node::IsNa{field}), negate);
   }
-  const bool negate = take_key_word("not");
-  if (take_key_word("in")) return negated(texts_after_in(field), negate);
+  const bool negate = accept_keyword("not");
+  if (accept_keyword("in")) return negated(texts_after_in(field), negate);
   for (const bool glob : {false, true})
-    if (take_key_word(glob ? "glob" : "like"))
+    if (accept_keyword(glob ? "glob" : "like"))
       return negated(node(Node::Matches{field, text(), glob}), negate);
   if (negate) throw unexpected("'in', 'like' or 'glob'");
-  const SelectionToken token = now();
-  const auto how = take_comparison();
-  if (how == Comparison::Equal || how == Comparison::NotEqual)
-    return negated(node(Node::AmongTexts{field, {text()}}), how == Comparison::NotEqual);
+  const SelectionToken token = current();
+  const auto op = accept_comparison();
+  if (op == Comparison::Equal || op == Comparison::NotEqual)
+    return negated(node(Node::TextInSet{field, {text()}}), op == Comparison::NotEqual);
   throw selection_error(token.position,
-                        "'" + field + "' is a text, not followed by " + token.shown(),
+                        token.quoted_text() + " is invalid after the text field '" + field + "'",
                         "one of = != in like glob is");
 }
 
 SelectionPtr SelectionParser::texts_after_in(const std::string& field) {
   expect_symbol("(");
   std::vector<std::string> values = {text()};
-  while (take_symbol(",")) values.push_back(text());
+  while (accept_symbol(",")) values.push_back(text());
   expect_symbol(")");
-  return node(Node::AmongTexts{field, values});
+  return node(Node::TextInSet{field, values});
 }
 
 SelectionPtr SelectionParser::index_condition(const std::string& index) {
   expect_symbol("[");
-  const SelectionToken token = now();
+  const SelectionToken token = current();
   const double range = number();
   const std::size_t count = vocabulary_.indexes.at(index);
   if (!(range >= 0) || range >= static_cast<double>(count) ||
       range != static_cast<double>(static_cast<std::size_t>(range)))
-    throw selection_error(token.position, token.shown() + " is no range of '" + index + "'",
+    throw selection_error(token.position,
+                          token.quoted_text() + " is not a range of '" + index + "'",
                           "0 to " + std::to_string(count - 1));
   expect_symbol("]");
   return node(Node::InRange{index, static_cast<std::size_t>(range)});
 }
 
-std::vector<SelectionOrder> SelectionParser::whole_order() {
+std::vector<SelectionOrder> SelectionParser::parse_order() {
   std::vector<SelectionOrder> orders;
   do {
     SelectionOrder order{field("a field to order by"), false};
-    order.descending = take_key_word("desc");
-    if (!order.descending) take_key_word("asc");
+    order.descending = accept_keyword("desc");
+    if (!order.descending) accept_keyword("asc");
     orders.push_back(order);
-  } while (take_symbol(","));
-  if (now().kind != SelectionToken::Kind::End) throw unexpected("'asc', 'desc', ',' or the end");
+  } while (accept_symbol(","));
+  if (current().kind != SelectionToken::Kind::End)
+    throw unexpected("'asc', 'desc', ',' or the end");
   return orders;
 }
 
-bool SelectionParser::take_symbol(const char* symbol) {
-  const bool there = now().is_symbol(symbol);
+bool SelectionParser::accept_symbol(const char* symbol) {
+  const bool there = current().is_symbol(symbol);
   if (there) take();
   return there;
 }
 
-bool SelectionParser::take_key_word(const char* word) {
-  const bool there = now().is_key_word(word);
+bool SelectionParser::accept_keyword(const char* word) {
+  const bool there = current().is_keyword(word);
   if (there) take();
   return there;
 }
 
 void SelectionParser::expect_symbol(const char* symbol) {
-  if (!take_symbol(symbol)) throw unexpected("'" + std::string(symbol) + "'");
+  if (!accept_symbol(symbol)) throw unexpected("'" + std::string(symbol) + "'");
 }
 
-void SelectionParser::expect_key_word(const char* word) {
-  if (!take_key_word(word)) throw unexpected("'" + std::string(word) + "'");
+void SelectionParser::expect_keyword(const char* word) {
+  if (!accept_keyword(word)) throw unexpected("'" + std::string(word) + "'");
 }
 
-bool SelectionParser::knows_number(const std::string& name) const {
-  return has(vocabulary_.numbers, name);
+bool SelectionParser::is_number_field(const std::string& name) const {
+  return contains(vocabulary_.numbers, name);
 }
 
-bool SelectionParser::knows_text(const std::string& name) const {
-  return has(vocabulary_.texts, name);
+bool SelectionParser::is_text_field(const std::string& name) const {
+  return contains(vocabulary_.texts, name);
 }
 
 std::string SelectionParser::field(const char* expected) {
-  if (now().kind != SelectionToken::Kind::Word) throw unexpected(expected);
+  if (current().kind != SelectionToken::Kind::Word) throw unexpected(expected);
   const SelectionToken token = take();
-  if (!knows_number(token.text) && !knows_text(token.text)) throw unknown_field(token);
+  if (!is_number_field(token.text) && !is_text_field(token.text)) throw unknown_field(token);
   return token.text;
 }
 
 double SelectionParser::number() {
-  if (now().kind != SelectionToken::Kind::Number) throw unexpected("a number");
+  if (current().kind != SelectionToken::Kind::Number) throw unexpected("a number");
   return take().number;
 }
 
 SelectionOperand SelectionParser::operand() {
-  if (now().kind == SelectionToken::Kind::Number) return take().number;
-  if (now().kind != SelectionToken::Kind::Word) throw unexpected("a number or a field");
-  if (!knows_number(now().text)) {
-    if (knows_text(now().text)) throw unexpected("a field with a number");
-    throw unknown_field(now());
+  if (current().kind == SelectionToken::Kind::Number) return take().number;
+  if (current().kind != SelectionToken::Kind::Word) throw unexpected("a number or a field");
+  if (!is_number_field(current().text)) {
+    if (is_text_field(current().text)) throw unexpected("a field with a number");
+    throw unknown_field(current());
   }
   return take().text;
 }
 
 std::string SelectionParser::text() {
-  const auto kind = now().kind;
+  const auto kind = current().kind;
   if (kind == SelectionToken::Kind::Symbol || kind == SelectionToken::Kind::End)
     throw unexpected("a text");
   return take().text;
 }
 
-std::optional<Comparison> SelectionParser::take_comparison() {
-  static const std::pair<const char*, Comparison> kAll[] = {
-      {"<", Comparison::Less},          {"<=", Comparison::LessEqual}, {">", Comparison::Greater},
-      {">=", Comparison::GreaterEqual}, {"=", Comparison::Equal},      {"==", Comparison::Equal},
-      {"!=", Comparison::NotEqual},     {"<>", Comparison::NotEqual}};
-  for (const auto& [symbol, comparison] : kAll)
-    if (take_symbol(symbol)) return comparison;
+std::optional<Comparison> SelectionParser::accept_comparison() {
+  for (const Comparison comparison : enum_values<Comparison>())
+    if (accept_symbol(to_string(comparison).c_str())) return comparison;
+  if (accept_symbol("==")) return Comparison::Equal;
+  if (accept_symbol("!=")) return Comparison::NotEqual;
   return std::nullopt;
 }
 
 SelectionPtr SelectionParser::node(decltype(Node::what) what) {
-  if (++nodes_ > kMostConditions)
-    throw selection_error(now().position, "has too many conditions",
-                          std::to_string(kMostConditions) + " at most");
+  if (++nodes_ > kMaxConditions)
+    throw selection_error(current().position, "too many conditions",
+                          "at most " + std::to_string(kMaxConditions));
   return std::make_shared<const Node>(Node{std::move(what)});
 }
 
 SelectionPtr SelectionParser::negated(SelectionPtr part, bool negate) {
   if (!negate) return part;
-  return node(Node::Joined{Node::Connective::Not, {std::move(part)}});
+  return node(Node::Compound{Node::Connective::Not, {std::move(part)}});
 }
 
-SelectionPtr SelectionParser::joined(Node::Connective how, std::vector<SelectionPtr> parts) {
+SelectionPtr SelectionParser::compound(Node::Connective op, std::vector<SelectionPtr> parts) {
   if (parts.size() == 1) return parts.front();
-  return node(Node::Joined{how, std::move(parts)});
+  return node(Node::Compound{op, std::move(parts)});
 }
 
 Error SelectionParser::unexpected(const std::string& expected) const {
-  return selection_error(now().position, now().shown() + " is not what belongs here", expected);
+  return selection_error(current().position, "unexpected " + current().quoted_text(), expected);
 }
 
 Error SelectionParser::unknown_field(const SelectionToken& token) const {
   std::vector<std::string> known = vocabulary_.numbers;
   known.insert(known.end(), vocabulary_.texts.begin(), vocabulary_.texts.end());
   for (const auto& [name, ranges] : vocabulary_.indexes) known.push_back(name);
-  const std::string nearest = nearest_name(token.text, known);
-  return selection_error(token.position, token.shown() + " is no field",
-                         nearest.empty() ? "one of " + join(known, ", ") : "'" + nearest + "'");
+  return selection_error(token.position, "unknown field " + token.quoted_text(),
+                         expected_name(token.text, known));
 }
 
 }  // namespace slalom

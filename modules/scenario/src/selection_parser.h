@@ -12,8 +12,8 @@ class SelectionParser {
   SelectionParser(std::vector<SelectionToken> tokens, const SelectionVocabulary& vocabulary)
       : tokens_(std::move(tokens)), vocabulary_(vocabulary) {}
 
-  SelectionPtr whole();
-  std::vector<SelectionOrder> whole_order();
+  SelectionPtr parse_expression();
+  std::vector<SelectionOrder> parse_order();
 
  private:
   using Node = SelectionNode;
@@ -23,7 +23,7 @@ class SelectionParser {
   SelectionPtr negation();
   SelectionPtr condition();
   SelectionPtr number_condition(const SelectionOperand& left);
-  SelectionPtr field_condition(const std::string& field);  ///< null when none of these
+  SelectionPtr field_condition(const std::string& field);  ///< null if there is no such condition
   SelectionPtr comparison(const SelectionOperand& left);
   SelectionPtr text_condition(const std::string& field);
   SelectionPtr index_condition(const std::string& index);
@@ -31,22 +31,22 @@ class SelectionParser {
   SelectionPtr between(const std::string& field);
   SelectionPtr texts_after_in(const std::string& field);
 
-  const SelectionToken& now() const { return tokens_[at_]; }
+  const SelectionToken& current() const { return tokens_[at_]; }
   SelectionToken take() { return tokens_[at_ + 1 < tokens_.size() ? at_++ : at_]; }
-  bool take_symbol(const char* symbol);
-  bool take_key_word(const char* word);
+  bool accept_symbol(const char* symbol);
+  bool accept_keyword(const char* word);
   void expect_symbol(const char* symbol);
-  void expect_key_word(const char* word);
-  bool knows_number(const std::string& name) const;
-  bool knows_text(const std::string& name) const;
+  void expect_keyword(const char* word);
+  bool is_number_field(const std::string& name) const;
+  bool is_text_field(const std::string& name) const;
   std::string field(const char* expected);  ///< of any kind
   double number();
   SelectionOperand operand();
   std::string text();
-  std::optional<Comparison> take_comparison();
+  std::optional<Comparison> accept_comparison();
   SelectionPtr node(decltype(Node::what) what);
   SelectionPtr negated(SelectionPtr part, bool negate);
-  SelectionPtr joined(Node::Connective how, std::vector<SelectionPtr> parts);
+  SelectionPtr compound(Node::Connective op, std::vector<SelectionPtr> parts);
   Error unexpected(const std::string& expected) const;
   Error unknown_field(const SelectionToken& token) const;
 

@@ -10,8 +10,8 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-/// Cells by the bottleneck of the best path to them, widest first. Those that narrow nothing need
-/// no ordering: they wait on a stack.
+/// Cells ordered by the bottleneck of the best path to them, widest first. Cells that do not reduce
+/// the bottleneck need no ordering: they are kept on a stack.
 class Frontier {
  public:
   void push(double bottleneck, double current, std::size_t cell) {

@@ -1,3 +1,4 @@
+#include <slalom/core/distance.h>
 #include <slalom/simulation/footprint_contact.h>
 
 #include <mrpt/math/wrap2pi.h>
@@ -11,19 +12,11 @@ namespace {
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
-TPoint2D position(const TPose2D& pose) {
-  return {pose.x, pose.y};
-}
-
-double distance(const TPose2D& a, const TPose2D& b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-/// The pose a share of the way from `from` to `to`.
-TPose2D between(const TPose2D& from, const TPose2D& to, double share) {
+/// The interpolated pose at `fraction` from `from` to `to`.
+TPose2D between(const TPose2D& from, const TPose2D& to, double fraction) {
   const double turn = mrpt::math::wrapToPi(to.phi - from.phi);
-  return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y),
-          mrpt::math::wrapToPi(from.phi + share * turn)};
+  return {from.x + fraction * (to.x - from.x), from.y + fraction * (to.y - from.y),
+          mrpt::math::wrapToPi(from.phi + fraction * turn)};
 }
 
 class DiscContact : public FootprintContact {
@@ -31,12 +24,12 @@ class DiscContact : public FootprintContact {
   DiscContact(const World& world, double radius) : world_(world), radius_(radius) {}
 
   bool touches(const TPose2D& pose) const override {
-    return is_blocked(position(pose), position(pose));
+    return is_blocked(TPoint2D(pose), TPoint2D(pose));
   }
 
-  bool meets_obstacle(const TPose2D& from, TPose2D& to, double& share) override {
-    const TPoint2D a = position(from), b = position(to);
-    free_travel_ -= distance(from, to);
+  bool find_contact(const TPose2D& from, TPose2D& to, double& fraction) override {
+    const TPoint2D a = TPoint2D(from), b = TPoint2D(to);
+    free_travel_ -= distance_between(from, to);
     if (free_travel_ > 0) return false;
     if (!is_blocked(a, b)) {
       free_travel_ = world_.distance_field().clearance(b) - radius_;
@@ -47,13 +40,13 @@ class DiscContact : public FootprintContact {
       const double middle = 0.5 * (low + high);
       (is_blocked(a, a + (b - a) * middle) ? high : low) = middle;
     }
-    share = high;
+    fraction = high;
     to = between(from, to, high);
     return true;
   }
 
  private:
-  /// Touching exactly is free, as it is for reference paths; this much (m) absorbs rounding.
+  /// Exact contact is free, as for reference paths; tolerance (m) for rounding errors.
   static constexpr double kContactTolerance = 1e-9;
 
   bool is_blocked(const TPoint2D& a, const TPoint2D& b) const {
@@ -62,25 +55,24 @@ class DiscContact : public FootprintContact {
 
   const World& world_;
   double radius_;
-  /// The robot may move this far (m) before it can touch anything: spares exact tests in open
-  /// space.
+  /// Distance (m) that the robot can move without contact: avoids exact tests in open space.
   double free_travel_ = 0;
 };
 
 /// A convex polygon, swept by conservative advancement: no point of it moves farther than the robot
-/// does plus the turn times the enclosing radius, so it may safely move as far as it is clear.
+/// plus the rotation times the enclosing radius, so a motion up to the clearance is safe.
 class PolygonContact : public FootprintContact {
  public:
   PolygonContact(const World& world, const Footprint& footprint)
       : world_(world), footprint_(footprint) {}
 
   bool touches(const TPose2D& pose) const override {
-    return clearance(pose) < kContact || holds_obstacle(pose);
+    return clearance(pose) < kContact || contains_obstacle(pose);
   }
 
-  bool meets_obstacle(const TPose2D& from, TPose2D& to, double& share) override {
+  bool find_contact(const TPose2D& from, TPose2D& to, double& fraction) override {
     const double turn = std::abs(mrpt::math::wrapToPi(to.phi - from.phi));
-    const double motion = distance(from, to) + footprint_.enclosing_radius() * turn;
+    const double motion = distance_between(from, to) + footprint_.enclosing_radius() * turn;
     if (motion < free_travel_) {
       free_travel_ -= motion;
       return false;
@@ -89,7 +81,7 @@ class PolygonContact : public FootprintContact {
       const TPose2D pose = between(from, to, at);
       free_travel_ = clearance(pose);
       if (free_travel_ < kContact) {
-        share = at;
+        fraction = at;
         to = pose;
         return true;
       }
@@ -104,7 +96,7 @@ class PolygonContact : public FootprintContact {
   }
 
  private:
-  /// Nearer than this (m) is contact: it bounds the number of advances along a wall.
+  /// Clearance (m) below which there is contact: bounds the number of advances along a wall.
   static constexpr double kContact = 1e-4;
 
   double clearance(const TPose2D& pose) const {
@@ -112,13 +104,13 @@ class PolygonContact : public FootprintContact {
   }
 
   /// Whether an occupied cell lies inside the polygon without touching its outline.
-  bool holds_obstacle(const TPose2D& pose) const {
+  bool contains_obstacle(const TPose2D& pose) const {
     const Occupancy& cells = world_.occupancy();
-    const TPoint2D centre = cells.to_cells(position(pose));
+    const TPoint2D center = cells.to_cells(TPoint2D(pose));
     const int reach =
         static_cast<int>(std::ceil(footprint_.enclosing_radius() / cells.resolution()));
-    const int cx = static_cast<int>(std::floor(centre.x)),
-              cy = static_cast<int>(std::floor(centre.y));
+    const int cx = static_cast<int>(std::floor(center.x)),
+              cy = static_cast<int>(std::floor(center.y));
     const std::vector<TPoint2D> corners = footprint_.corners_at(pose);
     for (int y = cy - reach; y <= cy + reach; ++y)
       for (int x = cx - reach; x <= cx + reach; ++x)

@@ -21,16 +21,17 @@ void Odometry::move(const TPose2D& from, const TPose2D& to) {
   }
   const double dx = to.x - from.x, dy = to.y - from.y;
   const double turn = mrpt::math::wrapToPi(to.phi - from.phi), length = std::hypot(dx, dy);
-  const double longer = length > 0 && model_.distance_sigma > 0
-                            ? normal(distance_, 0, model_.distance_sigma * std::sqrt(length))
-                            : 0;
-  const double turned_more =
+  const double distance_error =
+      length > 0 && model_.distance_sigma > 0
+          ? normal(distance_, 0, model_.distance_sigma * std::sqrt(length))
+          : 0;
+  const double turn_error =
       model_.turn_sigma > 0 ? normal(turn_, 0, model_.turn_sigma * std::sqrt(std::abs(turn))) : 0;
-  const double scale = length > 0 ? 1 + longer / length : 1;
-  // The motion as the robot felt it, from where it believes to be.
+  const double scale = length > 0 ? 1 + distance_error / length : 1;
+  // The measured motion, applied to the odometry pose.
   const double c = std::cos(pose_.phi - from.phi), s = std::sin(pose_.phi - from.phi);
   pose_ = {pose_.x + scale * (c * dx - s * dy), pose_.y + scale * (s * dx + c * dy),
-           mrpt::math::wrapToPi(pose_.phi + turn + turned_more)};
+           mrpt::math::wrapToPi(pose_.phi + turn + turn_error)};
 }
 
 }  // namespace slalom

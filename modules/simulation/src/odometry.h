@@ -7,8 +7,8 @@
 
 namespace slalom {
 
-/// What the robot believes about its own motion: the true one, or one that drifts from it as a
-/// random walk. The error of a motion has the model's deviation times the root of its length, so
+/// The odometry of the robot: the true motion, or one that drifts from it as a random walk. The
+/// error of a motion has the model's standard deviation times the square root of its length, so
 /// drift does not depend on the length of the steps.
 class Odometry {
  public:

@@ -3,8 +3,8 @@
 namespace slalom {
 namespace {
 
-/// Times are sums of steps; this much (s) absorbs their rounding.
-constexpr double kTimeTolerance = 1e-9;
+/// Tolerance (s) for rounding errors of times, which are sums of steps.
+constexpr double kEntryTolerance = 1e-9;
 
 }  // namespace
 
@@ -14,14 +14,14 @@ void PoseHistory::add(double time, const mrpt::math::TPose2D& pose) {
     return;
   }
   entries_.push_back({time, pose});
-  // The second entry serves everything that is asked for: the first is no longer needed.
-  while (entries_.size() > 1 && entries_[1].time <= time - memory_ + kTimeTolerance)
+  // The second entry covers all possible queries: the first is no longer needed.
+  while (entries_.size() > 1 && entries_[1].time <= time - memory_ + kEntryTolerance)
     entries_.erase(entries_.begin());
 }
 
 const mrpt::math::TPose2D& PoseHistory::at(double time) const {
   std::size_t i = entries_.size() - 1;
-  while (i > 0 && entries_[i].time > time + kTimeTolerance) --i;
+  while (i > 0 && entries_[i].time > time + kEntryTolerance) --i;
   return entries_[i].pose;
 }
 

@@ -6,14 +6,14 @@
 
 namespace slalom {
 
-/// Where the robot was some time ago, for a sensor whose scans arrive late.
+/// The past poses of the robot, for a sensor with latency.
 class PoseHistory {
  public:
-  /// Poses older than `memory` (s) are forgotten; with 0 only the last one is kept.
+  /// Poses older than `memory` (s) are discarded; with 0 only the last one is kept.
   explicit PoseHistory(double memory) : memory_(memory) {}
 
   void add(double time, const mrpt::math::TPose2D& pose);
-  /// The last pose at `time` or before it; the first one where there is none.
+  /// The last pose at or before `time`; the first one if there is none.
   const mrpt::math::TPose2D& at(double time) const;
 
  private:

@@ -28,7 +28,7 @@ const mrpt::obs::CObservation2DRangeScan& RangeFinder::sense(const mrpt::math::T
   if (sensor_.quantum > 0) round_ranges();
   for (std::size_t i = 0; i < ranges_.size(); ++i) valid_[i] = ranges_[i] < scan_.maxRange ? 1 : 0;
   scan_.loadFromVectors(ranges_.size(), ranges_.data(), valid_.data());
-  scan_.forget_points();
+  scan_.clear_points();
   scan_.timestamp = time;
   return scan_;
 }
@@ -36,7 +36,7 @@ const mrpt::obs::CObservation2DRangeScan& RangeFinder::sense(const mrpt::math::T
 void RangeFinder::add_noise() {
   for (float& range : ranges_) {
     const double error = normal(noise_, 0, sensor_.noise_sigma);
-    if (range >= scan_.maxRange) continue;  // met nothing: nothing to measure
+    if (range >= scan_.maxRange) continue;  // no return
     range = std::clamp(static_cast<float>(range + error), 0.0F, scan_.maxRange);
   }
 }
@@ -49,8 +49,8 @@ void RangeFinder::drop_rays() {
 void RangeFinder::round_ranges() {
   for (float& range : ranges_) {
     if (range >= scan_.maxRange) continue;
-    const double whole = std::round(range / sensor_.quantum) * sensor_.quantum;
-    range = std::min(static_cast<float>(whole), scan_.maxRange);
+    const double rounded = std::round(range / sensor_.quantum) * sensor_.quantum;
+    range = std::min(static_cast<float>(rounded), scan_.maxRange);
   }
 }
 

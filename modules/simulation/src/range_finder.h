@@ -10,10 +10,10 @@
 
 namespace slalom {
 
-/// The robot's range sensor in a world: fills one scan that is reused from cycle to cycle.
-/// Rays go counter-clockwise from -aperture/2; a ray that meets nothing has range max_range and is
-/// not valid. Noise and dropouts draw for every ray, met or not, each from a stream of its own: one
-/// option does not change the numbers of another.
+/// The robot's range sensor in a world: fills one scan that is reused in every cycle. Rays go
+/// counter-clockwise from -aperture/2; a ray without return has range max_range and is invalid.
+/// Noise and dropouts draw a number for every ray, with or without return, each from its own
+/// stream: one option does not change the numbers of another.
 class RangeFinder {
  public:
   RangeFinder(const World& world, const SensorModel& sensor, std::uint64_t seed);
@@ -22,11 +22,11 @@ class RangeFinder {
                                                   mrpt::Clock::time_point time);
 
  private:
-  /// MRPT keeps the points of a scan (buildAuxPointsMap) when the ranges change; a scan that is
-  /// used again must forget them, or a method sees obstacles where they were when it first asked.
+  /// MRPT caches the points of a scan (buildAuxPointsMap) even if the ranges change; a reused scan
+  /// must clear them, or methods would get outdated points.
   class ReusedScan : public mrpt::obs::CObservation2DRangeScan {
    public:
-    void forget_points() { m_cachedMap.reset(); }
+    void clear_points() { m_cachedMap.reset(); }
   };
 
   void add_noise();

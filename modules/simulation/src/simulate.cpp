@@ -1,8 +1,8 @@
-#include "judge.h"
 #include "odometry.h"
 #include "pose_history.h"
 #include "range_finder.h"
 #include "simulated_clock.h"
+#include "termination_checker.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -12,25 +12,17 @@
 #include <slalom/simulation/simulate.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
 namespace slalom {
 namespace {
 
-using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
 std::string at(const TPose2D& pose, double time) {
   return "at (" + format_fixed(pose.x, 2) + ", " + format_fixed(pose.y, 2) + ") m after " +
          format_fixed(time, 2) + " s";
-}
-
-TPoint2D in_robot_frame(const TPose2D& pose, const TPoint2D& point) {
-  const double c = std::cos(pose.phi), s = std::sin(pose.phi);
-  const double dx = point.x - pose.x, dy = point.y - pose.y;
-  return {c * dx + s * dy, -s * dx + c * dy};
 }
 
 /// One run, from the start pose to its outcome.
@@ -45,7 +37,7 @@ class Run {
         method_(method),
         observer_(observer),
         sensor_(world, setup.sensor, seed),
-        judge_(world, setup.robot, options_),
+        checker_(world, setup.robot, options_),
         vehicle_(make_vehicle(setup.robot)),
         odometry_(setup.odometry, seed, world.scenario().start()),
         history_(setup.sensor.latency),
@@ -54,13 +46,13 @@ class Run {
     history_.add(0, pose());
   }
 
-  SimulationResult drive() {
-    if (judge_.touches(pose()))
+  SimulationResult execute() {
+    if (checker_.touches(pose()))
       end(Outcome::UnsolvableScenario, "the robot touches an obstacle where it starts");
     else
       begin();
-    while (!over_) cycle();
-    if (begun_) tell_method();
+    while (!finished_) cycle();
+    if (started_) notify_method();
     if (observer_ != nullptr) observer_->on_end(result_);
     return std::move(result_);
   }
@@ -70,14 +62,14 @@ class Run {
   double cycle_time() const { return cycle_ * options_.control_period; }
 
   void begin() {
-    const Task given = task();
-    begun_ = true;
-    call_method([&] { method_.reset(given); });
-    if (observer_ != nullptr) observer_->on_start(given);
+    const NavigationTask navigation_task = task();
+    started_ = true;
+    call_method([&] { method_.reset(navigation_task); });
+    if (observer_ != nullptr) observer_->on_start(navigation_task);
   }
 
-  /// What it makes of that changes nothing any more.
-  void tell_method() {
+  /// Exceptions are ignored: the outcome is final.
+  void notify_method() {
     try {
       method_.finish(to_string(result_.outcome));
     } catch (...) {
@@ -85,8 +77,8 @@ class Run {
     }
   }
 
-  Task task() const {
-    Task task;
+  NavigationTask task() const {
+    NavigationTask task;
     task.start = world_.scenario().start();
     task.goal = world_.scenario().goal();
     task.goal_tolerance = options_.goal_tolerance;
@@ -95,7 +87,7 @@ class Run {
     return task;
   }
 
-  /// Whatever the method throws ends its run, and only that.
+  /// Any exception of the method ends its run only.
   template <typename Call>
   void call_method(Call call) {
     try {
@@ -105,17 +97,17 @@ class Run {
     } catch (const std::exception& e) {
       end(Outcome::MethodError, reason_of(e) + ", " + at(pose(), time_));
     } catch (...) {
-      end(Outcome::MethodError, "the method threw something that is not a std::exception");
+      end(Outcome::MethodError, "the method threw an exception that is not a std::exception");
     }
   }
 
-  /// Sense, decide, move: one control period.
+  /// One control period: sense, query the method, move.
   void cycle() {
     time_ = cycle_time();
-    if (is_over_before_deciding()) return;
+    if (check_termination()) return;
     const Observation observation = observe();
-    call_method([&] { decide(observation); });
-    if (over_) return;
+    call_method([&] { query_method(observation); });
+    if (finished_) return;
     record();
     if (observer_ != nullptr) observer_->on_cycle(observation, command_, pose());
     vehicle_->command(command_.v, command_.w, command_.vy);
@@ -123,15 +115,15 @@ class Run {
     ++cycle_;
   }
 
-  bool is_over_before_deciding() {
-    if (judge_.reached_goal(pose()))
+  bool check_termination() {
+    if (checker_.reached_goal(pose()))
       end(Outcome::Success, "goal reached " + at(pose(), time_));
-    else if (judge_.is_time_over(time_))
+    else if (checker_.is_time_over(time_))
       end(Outcome::Timeout, "goal not reached, " + at(pose(), time_));
-    else if (judge_.is_stuck(result_.trajectory, time_, pose()))
+    else if (checker_.is_stuck(result_.trajectory, time_, pose()))
       end(Outcome::Stuck,
           "no progress for " + format_number(options_.stuck_time) + " s " + at(pose(), time_));
-    return over_;
+    return finished_;
   }
 
   Observation observe() {
@@ -142,61 +134,61 @@ class Run {
     observation.v = vehicle_->v();
     observation.w = vehicle_->w();
     observation.vy = vehicle_->vy();
-    observation.goal_in_robot = in_robot_frame(observation.odometry, world_.scenario().goal());
-    const double sensed = std::max(0.0, time_ - setup_.sensor.latency);
-    observation.scan = &sensor_.sense(history_.at(sensed), clock_.at(sensed));
+    observation.goal_in_robot = observation.odometry.inverseComposePoint(world_.scenario().goal());
+    const double scan_time = std::max(0.0, time_ - setup_.sensor.latency);
+    observation.scan = &sensor_.sense(history_.at(scan_time), clock_.at(scan_time));
     return observation;
   }
 
-  void decide(const Observation& observation) {
-    const auto begin = std::chrono::steady_clock::now();
+  void query_method(const Observation& observation) {
+    const double begin = setup_.clock();
     const Command command = method_.step(observation);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    result_.cycle_seconds.push_back(taken.count());
-    std::string why;
-    if (!is_valid_command(command, setup_.robot, why))
-      end(Outcome::MethodInvalidCommand, why + " " + at(pose(), time_));
-    else if (setup_.deadline.cycle_deadline > 0 && taken.count() > setup_.deadline.cycle_deadline)
-      be_late();
+    const double elapsed = setup_.clock() - begin;
+    result_.cycle_seconds.push_back(elapsed);
+    std::string reason;
+    if (!is_valid_command(command, setup_.robot, reason))
+      end(Outcome::MethodInvalidCommand, reason + " " + at(pose(), time_));
+    else if (setup_.deadline.cycle_deadline > 0 && elapsed > setup_.deadline.cycle_deadline)
+      handle_missed_deadline();
     else
       command_ = command;
   }
 
-  /// The answer came after its deadline and is not used.
-  void be_late() {
-    if (setup_.deadline.deadline_policy == "fail")
+  /// Applies the deadline policy; the late command is discarded.
+  void handle_missed_deadline() {
+    if (setup_.deadline.deadline_policy == DeadlinePolicy::Fail)
       end(Outcome::MethodDeadline, "no answer within " +
                                        format_number(setup_.deadline.cycle_deadline) +
                                        " s of a cycle, " + at(pose(), time_));
-    else if (setup_.deadline.deadline_policy == "stop")
+    else if (setup_.deadline.deadline_policy == DeadlinePolicy::Stop)
       command_ = {};
   }
 
   void move() {
-    for (int step = 0; step < steps_per_cycle_ && !over_; ++step) {
+    for (int step = 0; step < steps_per_cycle_ && !finished_; ++step) {
       const double begin = cycle_time() + step * options_.step;
-      if (!judge_.is_in_time(begin + options_.step))
+      if (!checker_.is_in_time(begin + options_.step))
         return end(Outcome::Timeout, "goal not reached, " + at(pose(), time_));
       const TPose2D before = pose();
       vehicle_->advance(options_.step);
-      judge_step(before, begin);
+      check_step(before, begin);
     }
   }
 
-  /// What happened on the way from `before` (at time `begin`) to where the vehicle is now.
-  void judge_step(const TPose2D& before, double begin) {
+  /// Checks the motion from `before` (at time `begin`) to the current pose.
+  void check_step(const TPose2D& before, double begin) {
     TPose2D now = pose();
-    double share = 1;
-    const bool contact = judge_.meets_obstacle(before, now, share);
-    time_ = begin + share * options_.step;
+    double fraction = 1;
+    const bool contact = checker_.find_contact(before, now, fraction);
+    time_ = begin + fraction * options_.step;
     odometry_.move(before, now);
     history_.add(time_, now);
     if (contact) {
       vehicle_->setCurrentGTPose(now);
       end(Outcome::Collision, "contact " + at(now, time_));
-    } else if (judge_.left_workspace(now)) {
+    } else if (checker_.left_workspace(now)) {
       end(Outcome::LeftWorkspace, "left " + at(now, time_));
-    } else if (judge_.reached_goal(now)) {
+    } else if (checker_.reached_goal(now)) {
       end(Outcome::Success, "goal reached " + at(now, time_));
     }
   }
@@ -206,13 +198,13 @@ class Run {
                                           command_.w, vehicle_->vy(), command_.vy});
   }
 
-  /// The last instant is recorded too, unless it is the control cycle's own.
+  /// Records the final state, unless it coincides with the sample of the control cycle.
   void end(Outcome outcome, const std::string& detail) {
     const auto& samples = result_.trajectory.samples;
     if (samples.empty() || samples.back().t < time_) record();
     result_.outcome = outcome;
     result_.detail = detail;
-    over_ = true;
+    finished_ = true;
   }
 
   const World& world_;
@@ -223,7 +215,7 @@ class Run {
   RunObserver* observer_;
   SimulatedClock clock_;
   RangeFinder sensor_;
-  Judge judge_;
+  TerminationChecker checker_;
   std::unique_ptr<Vehicle> vehicle_;
   Odometry odometry_;
   PoseHistory history_;
@@ -231,7 +223,7 @@ class Run {
   int cycle_ = 0;
   double time_ = 0;
   Command command_;
-  bool begun_ = false, over_ = false;
+  bool started_ = false, finished_ = false;
   SimulationResult result_;
 };
 
@@ -242,7 +234,7 @@ SimulationResult simulate(const World& world, const RunSetup& setup, std::uint64
   const double ratio = setup.simulation.control_period / setup.simulation.step;
   if (!(ratio >= 1 - 1e-6 && ratio < 1e9))
     throw std::invalid_argument("simulate: the step must divide the control period");
-  return Run(world, setup, seed, method, observer).drive();
+  return Run(world, setup, seed, method, observer).execute();
 }
 
 }  // namespace slalom

@@ -7,18 +7,18 @@ namespace {
 
 using mrpt::Clock;
 
-/// The latest time any run of this process has seen; starts the same in every process.
+/// The latest time of all runs of this process; its initial value is the same in every process.
 Clock::time_point& latest_time() {
   static Clock::time_point latest = Clock::fromDouble(1e9);
   return latest;
 }
 
-/// Whole ticks, so that the difference of two times does not depend on when the run began.
+/// An integer number of ticks, so that time differences do not depend on the start time of the run.
 Clock::duration to_ticks(double seconds) {
   return Clock::duration(static_cast<Clock::rep>(std::llround(seconds * 1e7)));
 }
 
-/// A whole second, so that times as floating-point numbers are rounded alike in each run.
+/// An integer second, so that times in floating point are rounded identically in each run.
 Clock::time_point next_start() {
   return Clock::fromDouble(std::ceil(Clock::toDouble(latest_time())) + 2);
 }

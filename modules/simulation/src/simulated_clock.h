@@ -4,9 +4,9 @@
 
 namespace slalom {
 
-/// The simulated time of one run. mrpt::Clock is process-wide and MRPT's navigators go wrong when
-/// it is set back, so every run of a process begins at least two seconds after the one before it
-/// ended.
+/// The simulated time of one run. mrpt::Clock is process-wide and MRPT's navigators fail when it is
+/// set back, so every run of a process begins at least two seconds after the end of the previous
+/// one.
 class SimulatedClock {
  public:
   SimulatedClock();

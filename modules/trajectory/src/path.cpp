@@ -1,3 +1,4 @@
+#include <slalom/core/distance.h>
 #include <slalom/trajectory/path.h>
 
 #include <algorithm>
@@ -22,14 +23,13 @@ double distance_to_segment(const TPoint2D& p, const TPoint2D& a, const TPoint2D&
 
 double length(const Path& path) {
   double sum = 0;
-  for (std::size_t i = 1; i < path.size(); ++i)
-    sum += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+  for (std::size_t i = 1; i < path.size(); ++i) sum += distance_between(path[i], path[i - 1]);
   return sum;
 }
 
 double distance_to_path(const TPoint2D& p, const Path& path) {
   if (path.empty()) throw std::invalid_argument("distance_to_path: the path is empty");
-  double best = std::hypot(p.x - path[0].x, p.y - path[0].y);
+  double best = distance_between(p, path[0]);
   for (std::size_t i = 1; i < path.size(); ++i)
     best = std::min(best, distance_to_segment(p, path[i - 1], path[i]));
   return best;

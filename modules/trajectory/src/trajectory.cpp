@@ -1,32 +1,7 @@
-#include <slalom/core/error.h>
 #include <slalom/core/hash.h>
 #include <slalom/trajectory/trajectory.h>
 
-#include <array>
-
 namespace slalom {
-namespace {
-
-struct OutcomeName {
-  Outcome outcome;
-  const char* name;
-};
-
-constexpr std::array<OutcomeName, 11> kOutcomes = {{
-    {Outcome::Success, "success"},
-    {Outcome::Collision, "collision"},
-    {Outcome::Timeout, "timeout"},
-    {Outcome::Stuck, "stuck"},
-    {Outcome::LeftWorkspace, "left_workspace"},
-    {Outcome::MethodCrash, "method_crash"},
-    {Outcome::MethodDeadline, "method_deadline"},
-    {Outcome::MethodInvalidCommand, "method_invalid_command"},
-    {Outcome::MethodError, "method_error"},
-    {Outcome::UnsolvableScenario, "unsolvable_scenario"},
-    {Outcome::InfrastructureError, "infrastructure_error"},
-}};
-
-}  // namespace
 
 std::array<double, Sample::kNumbers> Sample::numbers() const {
   return {t, pose.x, pose.y, pose.phi, v, w, command_v, command_w, vy, command_vy};
@@ -52,27 +27,6 @@ std::string Trajectory::hash() const {
   for (const Sample& s : samples)
     for (const double number : s.numbers()) hasher.add(number);
   return hasher.hex();
-}
-
-std::string to_string(Outcome outcome) {
-  for (const OutcomeName& entry : kOutcomes)
-    if (entry.outcome == outcome) return entry.name;
-  return "unknown";
-}
-
-Outcome outcome_from_string(const std::string& text) {
-  for (const OutcomeName& entry : kOutcomes)
-    if (text == entry.name) return entry.outcome;
-  throw file_error("outcome", "'" + text + "' is unknown", "success, collision, timeout, ...");
-}
-
-const std::vector<Outcome>& all_outcomes() {
-  static const std::vector<Outcome> outcomes = [] {
-    std::vector<Outcome> list;
-    for (const OutcomeName& entry : kOutcomes) list.push_back(entry.outcome);
-    return list;
-  }();
-  return outcomes;
 }
 
 }  // namespace slalom

@@ -1,5 +1,5 @@
-// An external method with one fault: faulty_process FAULT. It drives ahead at 0.5 m/s. The fault
-// shows at the fourth observation of runs with the seed 13; other runs are as they should be.
+// An external method with one fault: faulty_process FAULT. It commands 0.5 m/s straight ahead. The
+// fault occurs at the fourth observation of runs with seed 13; all other runs are normal.
 #include <slalom/lcm/protocol.h>
 
 #include <lcm/lcm-cpp.hpp>
@@ -20,9 +20,9 @@ class Process {
  public:
   Process(std::string fault, const std::string& url, const std::string& channel)
       : fault_(std::move(fault)), channels_(channel), lcm_(url) {
-    lcm_.subscribeFunction(channels_.hello, hear<hello_t>, this);
-    lcm_.subscribeFunction(channels_.run_start, hear<run_start_t>, this);
-    lcm_.subscribeFunction(channels_.observation, hear<observation_t>, this);
+    lcm_.subscribeFunction(channels_.hello, receive<hello_t>, this);
+    lcm_.subscribeFunction(channels_.run_start, receive<run_start_t>, this);
+    lcm_.subscribeFunction(channels_.observation, receive<observation_t>, this);
   }
 
   void serve() {
@@ -31,24 +31,27 @@ class Process {
 
  private:
   template <typename Message>
-  static void hear(const lcm::ReceiveBuffer*, const std::string&, const Message* message,
-                   Process* process) {
-    process->take(message);
+  static void receive(const lcm::ReceiveBuffer*, const std::string&, const Message* message,
+                      Process* process) {
+    process->handle(message);
   }
 
-  void take(const hello_t* hello) {
+  void handle(const hello_t* hello) {
     if (fault_ == "refuses") return refuse(hello->id);
     if (fault_ == "ends_at_hello") std::_Exit(3);
     if (fault_ != "silent_at_hello") ready(hello->id);
   }
 
-  void take(const run_start_t* message) {
+  void handle(const run_start_t* message) {
     faulty_run_ = message->seed == kFaultySeed;
     if (faulty_run_ && fault_ == "ends_at_start") std::_Exit(4);
     ready(message->run_id);
   }
 
-  void take(const observation_t* message) {
+  void handle(const observation_t* message) {
+    // Sent before a reply, so that it is received before that reply.
+    if (faulty_run_ && fault_ == "garbled_before" && message->sequence == kFaultyCycle - 1)
+      send_garbage();
     if (!faulty_run_ || message->sequence != kFaultyCycle)
       answer(message->run_id, message->sequence, kSpeed);
     else
@@ -59,16 +62,15 @@ class Process {
     if (fault_ == "killed") raise(SIGKILL);
     if (fault_ == "exits") std::_Exit(5);
     if (fault_ == "hung") hang();
-    if (fault_ == "silent" || fault_ == "garbled_only") send_garbage(fault_ != "silent");
-    if (fault_ == "silent" || fault_ == "garbled_only") return;
+    if (fault_ == "silent" || fault_ == "garbled_before") return;
     if (fault_ == "wrong_sequence") return answer(run, sequence + 1, kSpeed);
     if (fault_ == "wrong_run") return answer(run + 1, sequence, kSpeed);
     if (fault_ == "error") return refuse(run);
     if (fault_ == "nan") return answer(run, sequence, std::numeric_limits<double>::quiet_NaN());
-    if (fault_ == "garbled") send_garbage(true);
+    if (fault_ == "garbled") send_garbage();
     if (fault_ == "late") answer(run, sequence - 1, 0.1);
     if (fault_ == "slow") usleep(1600 * 1000);
-    if (fault_ == "chatty") std::cout << "I drive" << std::endl;
+    if (fault_ == "chatty") std::cout << "output" << std::endl;
     answer(run, sequence, kSpeed);
     if (fault_ == "duplicate") answer(run, sequence, 0.1);
   }
@@ -89,7 +91,7 @@ class Process {
   void refuse(std::int64_t id) {
     error_t message = {};
     message.id = id;
-    message.text = "I do not like it here";
+    message.text = "unsupported robot";
     lcm_.publish(channels_.error, &message);
   }
 
@@ -101,10 +103,9 @@ class Process {
     lcm_.publish(channels_.command, &message);
   }
 
-  /// Noise, nothing at all, a command cut short, and an error text of negative length.
-  void send_garbage(bool really) {
-    if (!really) return;
-    lcm_.publish(channels_.command, "what is this?", 13);
+  /// Sends noise, an empty message, a truncated command, and an error text of negative length.
+  void send_garbage() {
+    lcm_.publish(channels_.command, "not a message", 13);
     lcm_.publish(channels_.command, "", 0);
     command_t command = {};
     unsigned char bytes[64];

@@ -6,14 +6,14 @@
 namespace slalom {
 namespace {
 
-/// follow_the_gap as a plug-in in this process and in slalom-lcm-method.
+/// follow_the_gap as a plug-in in this process and hosted by slalom-lcm-method.
 class Hosted : public LcmTest {
  protected:
   static std::unique_ptr<Method> in_process(const std::string& keys, const RobotModel& robot,
                                             const SensorModel& sensor) {
     const IniFile ini =
         IniFile::from_text("[method.a]\nadapter = library\nplugin = " FOLLOW_THE_GAP "\n" + keys);
-    return make_library_method({ini, "method.a", robot, sensor});
+    return read_library_method(ini, "method.a")(robot, sensor);
   }
 
   static std::unique_ptr<Method> hosted(const std::string& keys, const RobotModel& robot = {},
@@ -23,10 +23,10 @@ class Hosted : public LcmTest {
         "launch = exec slalom-lcm-method --plugin " FOLLOW_THE_GAP "\n" +
             keys,
         "campaign.ini");
-    return make_lcm_method({ini, "method.a", robot, sensor});
+    return read_lcm_method(ini, "method.a")(robot, sensor);
   }
 
-  /// A room with columns, the robot's way right through them.
+  /// A room with columns on the straight line from start to goal.
   static const World& columns() {
     static const World world = [] {
       Primitives obstacles;
@@ -38,8 +38,7 @@ class Hosted : public LcmTest {
     return world;
   }
 
-  static SimulationResult drive(Method& method, const RobotModel& robot,
-                                const SensorModel& sensor) {
+  static SimulationResult run(Method& method, const RobotModel& robot, const SensorModel& sensor) {
     RunSetup setup;
     setup.robot = robot;
     setup.sensor = sensor;
@@ -48,21 +47,21 @@ class Hosted : public LcmTest {
   }
 };
 
-TEST_F(Hosted, AMethodDrivesTheSameInProcessAndOverLcm) {
+TEST_F(Hosted, AMethodGivesTheSameRunsInProcessAndOverLcm) {
   RobotModel disc, box;
   box.footprint = "0.2,0.1; -0.2,0.1; -0.2,-0.1; 0.2,-0.1";
   box.radius = std::hypot(0.2, 0.1);
-  SensorModel paper, odd;
-  odd.rays = 97;
-  odd.aperture_deg = 239.7;
-  odd.noise_sigma = 0.02;
+  SensorModel standard, unusual;
+  unusual.rays = 97;
+  unusual.aperture_deg = 239.7;
+  unusual.noise_sigma = 0.02;
   for (const RobotModel& robot : {disc, box})
-    for (const SensorModel& sensor : {paper, odd}) {
-      const auto here = in_process("look_ahead = 1.7\n", robot, sensor);
-      const auto there = hosted("look_ahead = 1.7\n", robot, sensor);
-      const SimulationResult expected = drive(*here, robot, sensor);
+    for (const SensorModel& sensor : {standard, unusual}) {
+      const auto local = in_process("look_ahead = 1.7\n", robot, sensor);
+      const auto remote = hosted("look_ahead = 1.7\n", robot, sensor);
+      const SimulationResult expected = run(*local, robot, sensor);
       for (int repetition = 0; repetition < 2; ++repetition) {
-        const SimulationResult result = drive(*there, robot, sensor);
+        const SimulationResult result = run(*remote, robot, sensor);
         EXPECT_EQ(result.trajectory.hash(), expected.trajectory.hash());
         EXPECT_EQ(result.detail, expected.detail);
       }
@@ -70,37 +69,44 @@ TEST_F(Hosted, AMethodDrivesTheSameInProcessAndOverLcm) {
     }
 }
 
-TEST_F(Hosted, TwoMethodsOnOneAddressDoNotHearEachOther) {
+TEST_F(Hosted, TwoMethodsOnOneUrlDoNotInterfere) {
   const auto one = hosted("look_ahead = 1.7\n"), other = hosted("look_ahead = 0.6\n");
   const auto alone = in_process("look_ahead = 1.7\n", {}, {});
   const auto alone_too = in_process("look_ahead = 0.6\n", {}, {});
-  EXPECT_EQ(drive(*one, {}, {}).trajectory.hash(), drive(*alone, {}, {}).trajectory.hash());
-  EXPECT_EQ(drive(*other, {}, {}).trajectory.hash(), drive(*alone_too, {}, {}).trajectory.hash());
-  EXPECT_NE(drive(*one, {}, {}).trajectory.hash(), drive(*other, {}, {}).trajectory.hash());
+  EXPECT_EQ(run(*one, {}, {}).trajectory.hash(), run(*alone, {}, {}).trajectory.hash());
+  EXPECT_EQ(run(*other, {}, {}).trajectory.hash(), run(*alone_too, {}, {}).trajectory.hash());
+  EXPECT_NE(run(*one, {}, {}).trajectory.hash(), run(*other, {}, {}).trajectory.hash());
 }
 
-TEST_F(Hosted, SettingsThatTheMethodDoesNotKnowAreRefused) {
-  const std::string text = error_text(Culprit::Usage, [] { hosted("look_ahaed = 1\n"); });
-  EXPECT_EQ(text.rfind("campaign.ini:3: [method.a] launch: the external process says: ", 0), 0U)
-      << text;
-  EXPECT_NE(text.find("follow_the_gap has no such parameter; expected 'look_ahead'"),
-            std::string::npos)
-      << text;
+TEST_F(Hosted, UnknownSettingsAreRefused) {
+  EXPECT_TRUE(throws_error(
+      ErrorKind::Usage, "campaign.ini:3: [method.a] launch: ",
+      {"external process reported", "follow_the_gap", "unknown parameter", "expected 'look_ahead'"},
+      [] { hosted("look_ahaed = 1\n"); }));
 }
 
-TEST_F(Hosted, WrongOptionsAreRefused) {
-  const auto refusal = [](const std::string& keys) {
-    return error_text(Culprit::Usage, [&] { make(keys); });
+TEST_F(Hosted, InvalidOptionsAreRefused) {
+  const auto refuses = [](const std::string& key, const std::string& value,
+                          std::initializer_list<std::string> words) {
+    return throws_error(ErrorKind::Usage, "/somewhere/campaign.ini:3: [method.a] " + key + ": ",
+                        words, [&] { make(key + " = " + value + "\n"); });
   };
-  EXPECT_EQ(refusal("mode = quick\n"),
-            "/somewhere/campaign.ini:3: [method.a] mode: 'quick' is not valid; expected one of "
-            "lockstep, realtime");
-  EXPECT_EQ(refusal("channel = A_NAME_THAT_IS_LONGER_THAN_IT_MAY\n"),
-            "/somewhere/campaign.ini:3: [method.a] channel: 'A_NAME_THAT_IS_LONGER_THAN_IT_MAY' is "
-            "no channel; expected 1 to 24 characters");
-  EXPECT_EQ(refusal("url = nonsense://\n"),
-            "/somewhere/campaign.ini:3: [method.a] url: LCM cannot be used with 'nonsense://'; "
-            "expected a provider's address and, for udpm, a network interface with multicast");
+  EXPECT_TRUE(refuses("mode", "quick", {"'quick'", "lockstep, realtime"}));
+  EXPECT_TRUE(refuses("channel", "A_NAME_THAT_IS_LONGER_THAN_IT_MAY",
+                      {"'A_NAME_THAT_IS_LONGER_THAN_IT_MAY'", "expected 1 to 24 characters"}));
+  EXPECT_TRUE(refuses("url", "nonsense://", {"LCM", "'nonsense://'", "multicast"}));
+}
+
+TEST_F(Hosted, IsMadeFromOptionsOfAProgram) {
+  LcmOptions options;
+  options.launch = "exec slalom-lcm-method --plugin " FOLLOW_THE_GAP;
+  options.settings = {{"look_ahead", "1.7"}};
+  const auto method = lcm_method(options)({}, {});
+  EXPECT_EQ(run(*method, {}, {}).trajectory.hash(),
+            run(*in_process("look_ahead = 1.7\n", {}, {}), {}, {}).trajectory.hash());
+  options.channel = "";
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "lcm_method.channel: ", {"1 to 24 characters"},
+                           [&] { lcm_method(options); }));
 }
 
 }  // namespace

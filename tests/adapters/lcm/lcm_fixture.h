@@ -8,34 +8,40 @@
 #include <gtest/gtest.h>
 #include <lcm/lcm-cpp.hpp>
 
+#include <functional>
 #include <memory>
 #include <string>
 
 namespace slalom {
 
-/// Tests in a network of their own, where permitted.
+/// Tests in a private network, where permitted.
 class LcmTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     static const bool entered = enter_private_network();
     lcm::LCM probe(LcmOptions().url);
-    usable_ = probe.good() && probe.subscribeFunction("PROBE", hear, &probe) != nullptr;
+    usable_ = probe.good() && probe.subscribeFunction("PROBE", ignore, &probe) != nullptr;
     EXPECT_TRUE(usable_ || !entered) << "LCM does not work in a private network";
   }
   void SetUp() override {
     if (!usable_) GTEST_SKIP() << "neither a private network nor one with multicast";
   }
 
-  static std::unique_ptr<Method> make(const std::string& keys) {
+  static std::unique_ptr<Method> make(const std::string& keys,
+                                      const WallClock& clock = steady_seconds) {
     const IniFile ini =
         IniFile::from_text("[method.a]\nadapter = lcm\n" + keys, "/somewhere/campaign.ini");
-    return make_lcm_method({ini, "method.a", RobotModel(), SensorModel()});
+    return read_lcm_method(ini, "method.a", clock)(RobotModel(), SensorModel());
   }
 
-  /// An external process with that fault, and at most 1 s for an answer.
+  /// Not missed on a slow machine, only with a HurryingClock.
+  static constexpr char kLongDeadlines[] = "deadline = 100\nstartup_time = 100\n";
+
+  /// Launches an external process with this fault.
   static std::unique_ptr<Method> make_faulty(const std::string& fault,
-                                             const std::string& keys = "deadline = 1\n") {
-    return make("launch = exec " FAULTY_PROCESS " " + fault + "\n" + keys);
+                                             const std::string& keys = kLongDeadlines,
+                                             const WallClock& clock = steady_seconds) {
+    return make("launch = exec " FAULTY_PROCESS " " + fault + "\n" + keys, clock);
   }
 
   /// 1 m ahead in an empty room.
@@ -45,19 +51,74 @@ class LcmTest : public testing::Test {
     return world;
   }
 
-  static SimulationResult drive(Method& method, std::uint64_t method_seed);
+  /// For runs in real time: 0.5 m ahead.
+  static const World& short_room() {
+    static const World world(room().scenario().with_start_goal({1, 2.5, 0}, {1.5, 2.5}), 0.05);
+    return world;
+  }
+
+  static SimulationResult run(Method& method, std::uint64_t seed, const World& world = room());
 
  private:
-  static void hear(const lcm::ReceiveBuffer*, const std::string&, lcm::LCM*) {}
+  static void ignore(const lcm::ReceiveBuffer*, const std::string&, lcm::LCM*) {}
   inline static bool usable_ = false;
 };
 
-/// Gives runs the seed that a test asks for instead of the simulator's.
+/// The system's clock, advanced further at each reading while it hurries. A method misses its
+/// deadline after a few readings, but never because the machine is slow.
+class HurryingClock {
+ public:
+  explicit HurryingClock(double seconds_per_reading = 5) : seconds_(seconds_per_reading) {}
+  double operator()() const {
+    if (state_->hurries) state_->skipped += seconds_;
+    return steady_seconds() + state_->skipped;
+  }
+  void hurry(bool on) const { state_->hurries = on; }
+
+ private:
+  struct State {
+    bool hurries = false;
+    double skipped = 0;  // s
+  };
+  double seconds_;
+  std::shared_ptr<State> state_ = std::make_shared<State>();
+};
+
+/// Calls functions before each step of a method and at the end of its runs.
+class HookedMethod : public Method {
+ public:
+  HookedMethod(Method& method, std::function<void(const Observation&)> before_step,
+               std::function<void()> on_finish)
+      : method_(method), before_step_(std::move(before_step)), on_finish_(std::move(on_finish)) {}
+  void reset(const NavigationTask& task) override { method_.reset(task); }
+  Command step(const Observation& observation) override {
+    before_step_(observation);
+    return method_.step(observation);
+  }
+  void finish(const std::string& outcome) override {
+    on_finish_();
+    method_.finish(outcome);
+  }
+
+ private:
+  Method& method_;
+  std::function<void(const Observation&)> before_step_;
+  std::function<void()> on_finish_;
+};
+
+/// Lets the clock hurry from this time of a run on, until the end of the run.
+inline HookedMethod hurry_from(Method& method, const HurryingClock& clock, double time) {
+  return {method,
+          [=](const Observation& observation) { clock.hurry(observation.time > time - 1e-9); },
+          [=] { clock.hurry(false); }};
+}
+
+/// Replaces the simulator's seed by the seed given in the test.
 class SeededMethod : public Method {
  public:
   SeededMethod(Method& method, std::uint64_t seed) : method_(method), seed_(seed) {}
-  void reset(const Task& task) override {
-    Task seeded = task;
+  void reset(const NavigationTask& task) override {
+    NavigationTask seeded = task;
     seeded.seed = seed_;
     method_.reset(seeded);
   }
@@ -69,9 +130,9 @@ class SeededMethod : public Method {
   std::uint64_t seed_;
 };
 
-inline SimulationResult LcmTest::drive(Method& method, std::uint64_t method_seed) {
-  SeededMethod seeded(method, method_seed);
-  return simulate(room(), {}, 1, seeded);
+inline SimulationResult LcmTest::run(Method& method, std::uint64_t seed, const World& world) {
+  SeededMethod seeded(method, seed);
+  return simulate(world, {}, 1, seeded);
 }
 
 }  // namespace slalom

@@ -1,38 +1,32 @@
 #include "lcm_fixture.h"
+#include "wait_until.h"
 
-#include <chrono>
 #include <csignal>
 #include <fstream>
-#include <functional>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 
 namespace slalom {
 namespace {
 
-bool soon(const std::function<bool()>& holds) {
-  for (int i = 0; i < 3000 && !holds(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  return holds();
-}
-
-/// The life of the process that a method launches. It writes its number into a file first.
+/// The lifetime of the process that a method launches. It first writes its process id to a file.
 class Process : public LcmTest {
  protected:
   void TearDown() override { std::remove(file_.c_str()); }
 
-  std::unique_ptr<Method> launch(const std::string& fault, const std::string& keys = "") const {
-    return make("launch = echo $$ >" + file_ + "; exec " FAULTY_PROCESS " " + fault + "\n" + keys);
+  std::unique_ptr<Method> launch(const std::string& fault, const std::string& keys = kLongDeadlines,
+                                 WallClock clock = steady_seconds) const {
+    return make("launch = echo $$ >" + file_ + "; exec " FAULTY_PROCESS " " + fault + "\n" + keys,
+                std::move(clock));
   }
-  pid_t number() const {
+  pid_t process_id() const {
     pid_t pid = 0;
     std::ifstream(file_) >> pid;
     return pid;
   }
-  static bool runs(pid_t pid) { return kill(pid, 0) == 0; }
-  /// Whether it is no more, or only a zombie that somebody has to reap.
+  static bool is_running(pid_t pid) { return kill(pid, 0) == 0; }
+  /// Whether the process does not exist or is a zombie.
   static bool is_dead(pid_t pid) {
     std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
     std::string number, name, state;
@@ -40,8 +34,8 @@ class Process : public LcmTest {
     return state.empty() || state == "Z";
   }
 
-  /// A child that was killed and that can be reaped. It shows as a zombie a little sooner: while
-  /// its threads still end.
+  /// Whether a child has ended and can be reaped. It becomes a zombie slightly earlier, while its
+  /// threads are still ending.
   static bool can_be_reaped(pid_t pid) {
     siginfo_t info{};
     return waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
@@ -53,40 +47,42 @@ class Process : public LcmTest {
 
 TEST_F(Process, EndsWithItsMethod) {
   auto method = launch("none");
-  const pid_t pid = number();
+  const pid_t pid = process_id();
   ASSERT_GT(pid, 0);
-  EXPECT_TRUE(runs(pid));
+  EXPECT_TRUE(is_running(pid));
   EXPECT_EQ(getpgid(pid), pid);
   method.reset();
-  EXPECT_FALSE(runs(pid));
+  EXPECT_FALSE(is_running(pid));
 }
 
-TEST_F(Process, IsTheSameForAllRunsThatGoWell) {
+TEST_F(Process, IsReusedAfterSuccessfulRuns) {
   const auto method = launch("none");
-  const pid_t pid = number();
-  for (int run = 0; run < 3; ++run) EXPECT_EQ(drive(*method, 1).outcome, Outcome::Success);
-  EXPECT_EQ(number(), pid);
+  const pid_t pid = process_id();
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(run(*method, 1).outcome, Outcome::Success);
+  EXPECT_EQ(process_id(), pid);
 }
 
-TEST_F(Process, ThatHangsIsKilledAndReplaced) {
-  const auto method = launch("hung", "deadline = 2\n");
-  const pid_t first = number();
-  EXPECT_EQ(drive(*method, 13).outcome, Outcome::MethodDeadline);
-  EXPECT_FALSE(runs(first));
-  EXPECT_EQ(drive(*method, 1).outcome, Outcome::Success);
-  EXPECT_NE(number(), first);
+TEST_F(Process, IsKilledAndReplacedWhenItHangs) {
+  HurryingClock clock;
+  const auto method = launch("hung", kLongDeadlines, clock);
+  const pid_t first = process_id();
+  HookedMethod hurried = hurry_from(*method, clock, 0.3);
+  EXPECT_EQ(run(hurried, 13).outcome, Outcome::MethodDeadline);
+  EXPECT_FALSE(is_running(first));
+  EXPECT_EQ(run(*method, 1).outcome, Outcome::Success);
+  EXPECT_NE(process_id(), first);
 }
 
 TEST_F(Process, IsReplacedWhenItWasKilledBetweenRuns) {
   const auto method = launch("none");
-  EXPECT_EQ(drive(*method, 1).outcome, Outcome::Success);
-  const pid_t pid = number();
+  EXPECT_EQ(run(*method, 1).outcome, Outcome::Success);
+  const pid_t pid = process_id();
   kill(pid, SIGKILL);
-  ASSERT_TRUE(soon([pid] { return can_be_reaped(pid); }));
-  EXPECT_EQ(drive(*method, 1).outcome, Outcome::Success);
+  wait_until([pid] { return can_be_reaped(pid); });
+  EXPECT_EQ(run(*method, 1).outcome, Outcome::Success);
 }
 
-TEST_F(Process, MayLiveLongerThanARunMayTake) {
+TEST_F(Process, IsNotSubjectToTheCpuTimeLimitOfARun) {
   rlimit before{};
   getrlimit(RLIMIT_CPU, &before);
   const rlimit for_one_run{3600, before.rlim_max};
@@ -99,43 +95,61 @@ TEST_F(Process, MayLiveLongerThanARunMayTake) {
             before.rlim_max == RLIM_INFINITY ? "unlimited" : std::to_string(before.rlim_max));
 }
 
-TEST_F(Process, DiesWithAWorkerThatIsKilled) {
+TEST_F(Process, IsKilledWithItsWorker) {
   const pid_t worker = fork();
   if (worker == 0) {
     const auto method = launch("none");
     while (true) pause();
   }
-  ASSERT_TRUE(soon([this] { return number() > 0; }));
-  const pid_t pid = number();
-  EXPECT_TRUE(runs(pid));
+  wait_until([this] { return process_id() > 0; });
+  const pid_t pid = process_id();
+  EXPECT_TRUE(is_running(pid));
   kill(worker, SIGKILL);
   waitpid(worker, nullptr, 0);
-  EXPECT_TRUE(soon([pid] { return is_dead(pid); }));
+  wait_until([pid] { return is_dead(pid); });
 }
 
-/// The answer to observation k comes within its period and is in force from k + 1 on.
-TEST_F(Process, InRealTimeTheNewestCommandCountsAndTimeIsTheWallClocks) {
-  const auto method = launch("silent", "mode = realtime\ndeadline = 1\n");
-  const auto before = std::chrono::steady_clock::now();
-  const SimulationResult result = drive(*method, 1);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - before;
+void count_messages(const lcm::ReceiveBuffer*, const std::string&, int* count) {
+  ++*count;
+}
+
+/// The reply to observation k arrives within its period and is applied from cycle k + 1 on.
+TEST_F(Process, InRealTimeTheLatestCommandIsAppliedOnTheWallClock) {
+  // From the third cycle on the clock is not read until the process has replied.
+  lcm::LCM listener(LcmOptions().url);
+  int cycles = 0, replies = 0;
+  listener.subscribeFunction(".*_COMMAND", count_messages, &replies);
+  const auto method = launch("silent", std::string(kLongDeadlines) + "mode = realtime\n", [&] {
+    while (cycles > 2 && replies == 0) listener.handle();
+    return steady_seconds();
+  });
+  HookedMethod counted(
+      *method, [&](const Observation&) { ++cycles; }, [] {});
+  const double before = steady_seconds();
+  const SimulationResult result = run(counted, 1, short_room());
+  const double elapsed = steady_seconds() - before;
   ASSERT_EQ(result.outcome, Outcome::Success) << result.detail;
   const auto& samples = result.trajectory.samples;
   EXPECT_EQ(samples.front().command_v, 0);
   for (std::size_t i = 5; i < samples.size(); ++i) EXPECT_EQ(samples[i].command_v, 0.5) << i;
-  EXPECT_GT(taken.count(), result.trajectory.duration() - 0.11);
+  EXPECT_GT(elapsed, result.trajectory.duration() - 0.11);
 }
 
-TEST_F(Process, InRealTimeALongSilenceIsAMissedDeadline) {
-  // It is silent once only, then answers on: the command before is held.
-  const auto silent = launch("silent", "mode = realtime\ndeadline = 1\n");
-  const SimulationResult held = drive(*silent, 13);
+TEST_F(Process, InRealTimeMissingCommandsAreAMissedDeadline) {
+  // Only one reply is missing: the previous command is held.
+  const auto silent = launch("silent", std::string(kLongDeadlines) + "mode = realtime\n");
+  const SimulationResult held = run(*silent, 13, short_room());
   EXPECT_EQ(held.outcome, Outcome::Success) << held.detail;
-  const auto hung = launch("hung", "mode = realtime\ndeadline = 1\n");
-  const SimulationResult result = drive(*hung, 13);
+  const HurryingClock clock(30);
+  const auto hung = launch("hung", std::string(kLongDeadlines) + "mode = realtime\n", clock);
+  // The robot moves after the first command; from then on the clock hurries.
+  HookedMethod hurried(
+      *hung, [&](const Observation& observation) { clock.hurry(observation.v > 0); },
+      [&] { clock.hurry(false); });
+  const SimulationResult result = run(hurried, 13);
   EXPECT_EQ(result.outcome, Outcome::MethodDeadline);
   EXPECT_EQ(result.trajectory.samples.back().command_v, 0.5);
-  EXPECT_EQ(drive(*hung, 1).outcome, Outcome::Success);
+  EXPECT_EQ(run(*hung, 1, short_room()).outcome, Outcome::Success);
 }
 
 }  // namespace

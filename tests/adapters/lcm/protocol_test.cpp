@@ -28,9 +28,9 @@ void put(std::vector<unsigned char>& bytes, std::size_t at, std::uint32_t value)
     bytes[at + i] = static_cast<unsigned char>(value >> (24 - 8 * i));
 }
 
-TEST(Protocol, TellsTheRobotAndItsSensorToTheLastBit) {
+TEST(Protocol, EncodesRobotAndSensorExactly) {
   RobotModel robot;
-  robot.kinematics = "holonomic";
+  robot.kinematics = Kinematics::Holonomic;
   robot.footprint = "0.3,-0.1; 0.3,0.1; -0.2,0.1; -0.2,-0.1";
   robot.radius = std::hypot(0.3, 0.1);
   robot.max_v = 1.0 / 3;
@@ -44,13 +44,13 @@ TEST(Protocol, TellsTheRobotAndItsSensorToTheLastBit) {
   EXPECT_EQ(hello.protocol_version, kLcmProtocolVersion);
   EXPECT_EQ(hello.method, "mine");
   EXPECT_EQ(settings_of(hello), (MethodSettings{{"a", ""}, {"gain", "2"}}));
-  const RobotModel told = robot_of(hello);
-  const Footprint here = robot.shape(), there = told.shape();
+  const RobotModel decoded = robot_of(hello);
+  const Footprint here = robot.shape(), there = decoded.shape();
   EXPECT_EQ(here.corners(), there.corners());
-  EXPECT_EQ(told.radius, robot.radius);
-  EXPECT_EQ(told.max_v, robot.max_v);
-  EXPECT_TRUE(told.holonomic());
-  EXPECT_FALSE(told.forward_only);
+  EXPECT_EQ(decoded.radius, robot.radius);
+  EXPECT_EQ(decoded.max_v, robot.max_v);
+  EXPECT_TRUE(decoded.holonomic());
+  EXPECT_FALSE(decoded.forward_only);
   EXPECT_EQ(sensor_of(hello).max_range, sensor.max_range);
   for (const double degrees : {180.0, 270.0, 240.1, 33.3, 360.0, 1e-3, 100.0 / 3}) {
     sensor.aperture_deg = degrees;
@@ -59,22 +59,22 @@ TEST(Protocol, TellsTheRobotAndItsSensorToTheLastBit) {
   }
 }
 
-TEST(Protocol, TellsTasksAndObservationsToTheLastBit) {
-  Task task;
+TEST(Protocol, EncodesTasksAndObservationsExactly) {
+  NavigationTask task;
   task.start = {1.0 / 3, -2, 0.1};
   task.goal = {3, 4.0 / 7};
   task.goal_tolerance = 0.2;
   task.control_period = 0.1;
-  task.seed = 0xFEDCBA9876543210U;  // beyond what a signed number holds
-  const Task told = task_of(make_run_start(5, task));
-  EXPECT_EQ(told.start, task.start);
-  EXPECT_EQ(told.goal, task.goal);
-  EXPECT_EQ(told.goal_tolerance, task.goal_tolerance);
-  EXPECT_EQ(told.control_period, task.control_period);
-  EXPECT_EQ(told.seed, task.seed);
+  task.seed = 0xFEDCBA9876543210U;  // exceeds the range of a signed integer
+  const NavigationTask decoded = task_of(make_run_start(5, task));
+  EXPECT_EQ(decoded.start, task.start);
+  EXPECT_EQ(decoded.goal, task.goal);
+  EXPECT_EQ(decoded.goal_tolerance, task.goal_tolerance);
+  EXPECT_EQ(decoded.control_period, task.control_period);
+  EXPECT_EQ(decoded.seed, task.seed);
 
   mrpt::obs::CObservation2DRangeScan scan;
-  ReceivedScan seen;
+  ReceivedScan scan_buffer;
   const std::vector<float> ranges = {0.1F, 8.0F, 7.9999F};
   const std::vector<char> valid = {1, 0, 1};
   scan.loadFromVectors(3, ranges.data(), valid.data());
@@ -88,36 +88,37 @@ TEST(Protocol, TellsTasksAndObservationsToTheLastBit) {
   observation.scan = &scan;
   observation_t message = {};
   fill_observation(observation, message);
-  const Observation got = observation_of(message, SensorModel(), seen);
-  EXPECT_EQ(got.time, 0.7);
-  EXPECT_EQ(got.odometry, observation.odometry);
-  EXPECT_EQ(got.v, 0.4);
-  EXPECT_EQ(got.vy, -0.5);
-  EXPECT_EQ(got.w, 0.6);
-  EXPECT_EQ(got.goal_in_robot, observation.goal_in_robot);
-  ASSERT_EQ(got.scan->getScanSize(), 3U);
+  const Observation received = observation_of(message, SensorModel(), scan_buffer);
+  EXPECT_EQ(received.time, 0.7);
+  EXPECT_EQ(received.odometry, observation.odometry);
+  EXPECT_EQ(received.v, 0.4);
+  EXPECT_EQ(received.vy, -0.5);
+  EXPECT_EQ(received.w, 0.6);
+  EXPECT_EQ(received.goal_in_robot, observation.goal_in_robot);
+  ASSERT_EQ(received.scan->getScanSize(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(got.scan->getScanRange(i), ranges[i]);
-    EXPECT_EQ(got.scan->getScanRangeValidity(i), valid[i] != 0);
+    EXPECT_EQ(received.scan->getScanRange(i), ranges[i]);
+    EXPECT_EQ(received.scan->getScanRangeValidity(i), valid[i] != 0);
   }
 }
 
-/// Whatever is cut off: the rest is no message, and nothing is read beyond it.
-TEST(Protocol, RefusesMessagesCutShort) {
+/// Truncated messages are invalid wherever they end, and nothing is read beyond the end.
+TEST(Protocol, RefusesTruncatedMessages) {
   const auto hello = encoded(make_hello("mine", RobotModel(), SensorModel(), {{"gain", "2"}}));
   observation_t observation = {};
   observation.rays = 2;
   observation.ranges = {1, 2};
-  const auto seen = encoded(observation);
+  const auto encoded_observation = encoded(observation);
   ASSERT_TRUE(decodes<hello_t>(hello));
-  ASSERT_TRUE(decodes<observation_t>(seen));
+  ASSERT_TRUE(decodes<observation_t>(encoded_observation));
   for (std::size_t size = 0; size < hello.size(); ++size)
     EXPECT_FALSE(decodes<hello_t>({hello.begin(), hello.begin() + static_cast<long>(size)}));
-  for (std::size_t size = 0; size < seen.size(); ++size)
-    EXPECT_FALSE(decodes<observation_t>({seen.begin(), seen.begin() + static_cast<long>(size)}));
+  for (std::size_t size = 0; size < encoded_observation.size(); ++size)
+    EXPECT_FALSE(decodes<observation_t>(
+        {encoded_observation.begin(), encoded_observation.begin() + static_cast<long>(size)}));
 }
 
-TEST(Protocol, RefusesOtherMessagesAndWhatFollowsAMessage) {
+TEST(Protocol, RefusesOtherMessagesAndTrailingBytes) {
   command_t command = {};
   auto bytes = encoded(command);
   EXPECT_FALSE(decodes<run_end_t>(bytes));
@@ -125,7 +126,7 @@ TEST(Protocol, RefusesOtherMessagesAndWhatFollowsAMessage) {
   EXPECT_FALSE(decodes<command_t>(bytes));
 }
 
-/// A layout that forgets a field would refuse a message that is as it should be.
+/// A layout that lacks a field would reject valid messages.
 TEST(Protocol, KnowsTheLayoutOfEachMessage) {
   EXPECT_TRUE(decodes<hello_t>(encoded(hello_t{})));
   EXPECT_TRUE(decodes<ready_t>(encoded(ready_t{})));
@@ -136,8 +137,8 @@ TEST(Protocol, KnowsTheLayoutOfEachMessage) {
   EXPECT_TRUE(decodes<error_t>(encoded(error_t{})));
 }
 
-/// Sizes for which a decoder would take gigabytes, and lengths below zero.
-TEST(Protocol, RefusesSizesThatTheMessageCannotHold) {
+/// Sizes for which a decoder would allocate gigabytes, and negative lengths.
+TEST(Protocol, RefusesSizesBeyondTheMessage) {
   constexpr std::size_t kFirst = 8, kSecond = 12;  // after the fingerprint
   const auto hello = encoded(make_hello("mine", RobotModel(), SensorModel(), {{"gain", "2"}}));
   for (const std::uint32_t size : {0x7FFFFFFFU, 0x80000000U, 0xFFFFFFFFU, 1000000U}) {

@@ -9,13 +9,13 @@ namespace {
 
 using Map = mrpt::maps::COccupancyGridMap2D;
 
-ImageMapOptions half_metre() {
+ImageMapOptions half_meter() {
   ImageMapOptions options;
   options.resolution = 0.5;
   return options;
 }
 
-/// Grey values of two rows, the upper one first.
+/// Gray values of two rows, the upper one first.
 const char* const kPicture = "P2 3 2 255  0 127 128  255 129 1";
 
 std::string cells_of(const Map& map) {
@@ -28,7 +28,7 @@ std::string cells_of(const Map& map) {
 
 TEST(ImageMap, DarkPixelsAreObstacles) {
   const MapFolder folder;
-  const Map map = read_image_map(folder.write("a.pgm", kPicture), half_metre());
+  const Map map = read_image_map(folder.write("a.pgm", kPicture), half_meter());
   EXPECT_EQ(cells_of(map), "##...#");
   EXPECT_EQ(map.getXMin(), 0);
   EXPECT_EQ(map.getYMin(), 0);
@@ -36,10 +36,10 @@ TEST(ImageMap, DarkPixelsAreObstacles) {
   EXPECT_FLOAT_EQ(map.getYMax(), 1);
 }
 
-TEST(ImageMap, ThresholdAndNegateDecideWhatIsDark) {
+TEST(ImageMap, AppliesThresholdAndNegate) {
   const MapFolder folder;
   const std::string path = folder.write("a.pgm", kPicture);
-  ImageMapOptions options = half_metre();
+  ImageMapOptions options = half_meter();
   options.negate = true;
   EXPECT_EQ(cells_of(read_image_map(path, options)), "..###.");
   options.threshold = 129;
@@ -48,13 +48,13 @@ TEST(ImageMap, ThresholdAndNegateDecideWhatIsDark) {
   EXPECT_EQ(cells_of(read_image_map(path, options)), "###..#");
 }
 
-TEST(ImageMap, ReadsTheUsualKindsOfImages) {
+TEST(ImageMap, ReadsCommonImageFormats) {
   const MapFolder folder;
   mrpt::img::CImage image(8, 4, mrpt::img::CH_GRAY);
   image.filledRectangle(0, 0, 7, 3, mrpt::img::TColor(255, 255, 255));
   image.filledRectangle(0, 0, 3, 1, mrpt::img::TColor(0, 0, 0));
   MapImportOptions options;
-  options.image = half_metre();
+  options.image = half_meter();
   for (const std::string name : {"a.png", "a.jpg", "a.bmp"}) {
     ASSERT_TRUE(image.saveToFile(folder.path(name))) << name;
     const Map map = load_map(folder.path(name), options);
@@ -65,19 +65,18 @@ TEST(ImageMap, ReadsTheUsualKindsOfImages) {
   }
 }
 
-TEST(ImageMap, AsksForTheSizeOfPixels) {
+TEST(ImageMap, RequiresTheResolution) {
   const MapFolder folder;
   const std::string path = folder.write("a.pgm", kPicture);
-  EXPECT_EQ(error_text(Culprit::Usage, [&] { load_map(path, {}); }),
-            path +
-                ": an image does not say how large its pixels are; expected --image-resolution in "
-                "m a pixel");
-  ImageMapOptions options = half_metre();
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, path + ": ", {"resolution", "--image-resolution"},
+                           [&] { load_map(path, {}); }));
+  ImageMapOptions options = half_meter();
   options.threshold = 0;
-  EXPECT_NE(error_text(Culprit::Usage, [&] { read_image_map(path, options); }), "");
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, path + ": ", {"threshold 0", "1 to 255"},
+                           [&] { read_image_map(path, options); }));
 }
 
-TEST(ImageMap, RefusesImagesThatAnnounceTooManyPixels) {
+TEST(ImageMap, RejectsImagesThatDeclareTooManyPixels) {
   const std::string size("\x7F\xFF\xFF\xFF", 4), zeros(40, '\0');
   const std::string png = "\x89PNG\r\n\x1A\n" + std::string("\0\0\0\x0DIHDR", 8) + size + size;
   const std::string bmp = "BM" + zeros.substr(0, 16) + std::string("\xFF\xFF\xFF\x7F", 4) +
@@ -85,34 +84,30 @@ TEST(ImageMap, RefusesImagesThatAnnounceTooManyPixels) {
   // Start of image, a segment of 4 bytes, then the frame: length, bits, height, width.
   const std::string jpeg = std::string("\xFF\xD8\xFF\xE0\x00\x04xx\xFF\xC2\x00\x0B\x08", 13) +
                            "\xFF\xFF\xFF\xFE" + zeros;
-  const auto refusal = [](const std::string& bytes) {
-    return error_text(Culprit::File, [&] { expect_possible_image(bytes, "a"); });
+  const auto rejects = [](const std::string& bytes, const std::string& kind,
+                          const std::string& declared) {
+    return throws_error(ErrorKind::File, "a: ", {kind, declared, "at most 400000000"},
+                        [&] { check_image_size(bytes, "a"); });
   };
-  EXPECT_EQ(refusal(png),
-            "a: is a PNG of 2147483647 x 2147483647 pixels; expected at most 400000000 pixels");
-  EXPECT_EQ(refusal(bmp),
-            "a: is a BMP of 2147483647 x 65536 pixels; expected at most 400000000 pixels");
-  EXPECT_EQ(refusal(jpeg),
-            "a: is a JPEG of 65534 x 65535 pixels; expected at most 400000000 pixels");
+  EXPECT_TRUE(rejects(png, "PNG", " 2147483647 x 2147483647 pixels"));
+  EXPECT_TRUE(rejects(bmp, "BMP", " 2147483647 x 65536 pixels"));
+  EXPECT_TRUE(rejects(jpeg, "JPEG", " 65534 x 65535 pixels"));
   const MapFolder folder;
   for (const std::string& bytes : {png, bmp, jpeg})
-    EXPECT_TRUE(has(error_text(Culprit::File, [&] { read_grey_image(folder.write("b", bytes)); }),
-                    "at most 400000000 pixels"));
+    EXPECT_TRUE(throws_error(ErrorKind::File, folder.path("b"), {"at most 400000000 pixels"},
+                             [&] { read_gray_image(folder.write("b", bytes)); }));
 }
 
-TEST(ImageMap, RefusesTruncatedImages) {
+TEST(ImageMap, RejectsTruncatedImages) {
   const MapFolder folder;
   mrpt::img::CImage image(64, 64, mrpt::img::CH_GRAY);
   image.filledRectangle(0, 0, 63, 63, mrpt::img::TColor(9, 9, 9));
   ASSERT_TRUE(image.saveToFile(folder.path("a.bmp")));
   const std::string bytes = bytes_of_file(folder.path("a.bmp"));
   for (const std::size_t size : {0U, 1U, 10U, 26U, 40U})
-    EXPECT_NE(
-        error_text(
-            Culprit::File,
-            [&] { read_image_map(folder.write("b.bmp", bytes.substr(0, size)), half_metre()); }),
-        "")
-        << size;
+    EXPECT_TRUE(throws_error(ErrorKind::File, folder.path("b.bmp"), {}, [&] {
+      read_image_map(folder.write("b.bmp", bytes.substr(0, size)), half_meter());
+    })) << size;
 }
 
 }  // namespace

@@ -24,18 +24,18 @@ Scenario random_grid_scenario(RandomEngine& random) {
     return low + uniform_real(random, 0.1, 0.9) * (high - low);
   };
   const double x0 = map.getXMin(), x1 = map.getXMax(), y0 = map.getYMin(), y1 = map.getYMax();
-  return Scenario::grid("place \"a: b\" #" + std::to_string(uniform_int(random, 0, 99)), map,
+  return Scenario::grid("map \"a: b\" #" + std::to_string(uniform_int(random, 0, 99)), map,
                         {within(x0, x1), within(y0, y1), uniform_real(random, -4, 4)},
                         {within(x0, x1), within(y0, y1)});
 }
 
 Scenario imported(const std::string& path) {
   const auto task = read_map_task(path);
-  if (!task) throw std::runtime_error("no task beside " + path);
+  if (!task) throw std::runtime_error("no task file of " + path);
   return Scenario::grid(task->name, load_occupancy_grid(path), task->start, task->goal);
 }
 
-TEST(MapExport, GivesTheSameContentWhenImportedAgain) {
+TEST(MapExport, PreservesContentWhenReimported) {
   RandomEngine random(21);
   const MapFolder folder;
   const std::vector<std::pair<std::string, std::string>> maps = {{"ros", "a.yaml"},
@@ -60,7 +60,7 @@ Scenario disc_scenario() {
                               {3.5, 2.5});
 }
 
-TEST(MapExport, MakesCellsOfOtherRepresentations) {
+TEST(MapExport, ConvertsOtherRepresentationsToCells) {
   const MapFolder folder;
   MapExportOptions options;
   options.resolution = 0.25;
@@ -71,18 +71,18 @@ TEST(MapExport, MakesCellsOfOtherRepresentations) {
   }
 }
 
-TEST(MapExport, BuildsTheWallRoundAnMvsimWorld) {
+TEST(MapExport, AddsABorderToAnMvsimWorld) {
   const MapFolder folder;
   MapExportOptions options;
   options.resolution = 0.25;
   export_scenario(disc_scenario(), "mvsim", options, folder.path("d.world.xml"));
   const std::string xml = bytes_of_file(folder.path("d.world.xml"));
   EXPECT_TRUE(has(xml, "<element class=\"occupancy_grid\">\n    <file>d.gridmap</file>"));
-  EXPECT_TRUE(has(xml, "Slalom scenario disc - - & <one>")) << "no dashes that end a comment";
+  EXPECT_TRUE(has(xml, "Slalom scenario disc - - & <one>")) << "no double dash within a comment";
   EXPECT_TRUE(has(xml, "0.5 0.5 90\n")) << "degrees";
   const auto map = load_occupancy_grid(folder.path("d.gridmap"));
   const Occupancy cells = make_occupancy(disc_scenario(), 0.25);
-  ASSERT_EQ(map.getSizeX(), 18U);  // 4 m are 16 cells, and a wall on either side
+  ASSERT_EQ(map.getSizeX(), 18U);  // 4 m are 16 cells, plus a wall on either side
   ASSERT_EQ(map.getSizeY(), 14U);
   EXPECT_FLOAT_EQ(map.getXMin(), -0.25F);
   for (int y = 0; y < 14; ++y)
@@ -90,26 +90,25 @@ TEST(MapExport, BuildsTheWallRoundAnMvsimWorld) {
       EXPECT_EQ(map.getCell(x, y) < 0.5F, cells.occupied(x - 1, y - 1)) << x << ' ' << y;
 }
 
-TEST(MapExport, DrawsPictures) {
+TEST(MapExport, RendersImages) {
   const MapFolder folder;
   export_scenario(disc_scenario(), "svg", {}, folder.path("d.svg"));
   EXPECT_TRUE(has(bytes_of_file(folder.path("d.svg")), "<svg"));
   export_scenario(disc_scenario(), "png", {}, folder.path("d.png"));
-  const GreyImage image = read_grey_image(folder.path("d.png"));
+  const GrayImage image = read_gray_image(folder.path("d.png"));
   EXPECT_EQ(image.width, 800);
   EXPECT_EQ(image.height, 600);
-  EXPECT_LT(image.pixels[300U * 800U + 400U], 200) << "the disc in the middle";
+  EXPECT_LT(image.pixels[300U * 800U + 400U], 200) << "the disc at the center";
   EXPECT_EQ(image.pixels[20U * 800U + 400U], 255);
 }
 
-TEST(MapExport, LeavesNothingHalfDone) {
+TEST(MapExport, LeavesNoTemporaryFiles) {
   const MapFolder folder;
   for (const ExportFormat& format : export_formats()) {
     const std::string path = folder.path("no/such/folder/x" + format.ending);
-    EXPECT_TRUE(has(
-        error_text(Culprit::Job, [&] { export_scenario(disc_scenario(), format.name, {}, path); }),
-        "no/such/folder/x"))
-        << format.name;
+    EXPECT_TRUE(throws_error(ErrorKind::Job, "", {"no/such/folder/x"}, [&] {
+      export_scenario(disc_scenario(), format.name, {}, path);
+    })) << format.name;
   }
   for (const ExportFormat& format : export_formats())
     export_scenario(disc_scenario(), format.name, {}, folder.path("x" + format.ending));
@@ -117,7 +116,7 @@ TEST(MapExport, LeavesNothingHalfDone) {
     EXPECT_FALSE(has(file.path().filename().string(), ".tmp")) << file.path();
 }
 
-TEST(MapExport, GivesAPathWithoutExtensionThatOfTheFormat) {
+TEST(MapExport, AppendsTheExtensionOfTheFormat) {
   const MapFolder folder;
   for (const ExportFormat& format : export_formats()) {
     export_scenario(disc_scenario(), format.name, {}, folder.path(format.name));
@@ -125,31 +124,32 @@ TEST(MapExport, GivesAPathWithoutExtensionThatOfTheFormat) {
   }
 }
 
-TEST(MapExport, RefusesUnknownFormatsAndOtherNames) {
-  EXPECT_EQ(error_text(Culprit::Usage,
-                       [] { export_scenario(disc_scenario(), "stl", {}, "/nowhere/d.stl"); }),
-            "format: 'stl' is unknown; expected one of yaml, ros, mrpt, mvsim, svg, png");
-  EXPECT_EQ(error_text(Culprit::Usage,
-                       [] { export_scenario(disc_scenario(), "ros", {}, "/nowhere/d.pgm"); }),
-            "/nowhere/d.pgm: is no file of the format ros; expected a name with .yaml");
+TEST(MapExport, RejectsUnknownFormatsAndExtensions) {
+  EXPECT_TRUE(throws_error(ErrorKind::Usage,
+                           "format: ", {"unknown", "'stl'", "yaml, ros, mrpt, mvsim, svg, png"},
+                           [] { export_scenario(disc_scenario(), "stl", {}, "/nowhere/d.stl"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "/nowhere/d.pgm: ", {"format ros", ".yaml"},
+                           [] { export_scenario(disc_scenario(), "ros", {}, "/nowhere/d.pgm"); }));
 }
 
-TEST(MapTask, StandsBesideItsMap) {
+TEST(MapTask, IsNextToItsMap) {
   EXPECT_EQ(task_path("a/office.gridmap.gz"), "a/office.task.yaml");
   EXPECT_EQ(task_path("a/office.yaml"), "a/office.task.yaml");
   EXPECT_FALSE(read_map_task("/nowhere/office.yaml"));
 }
 
-TEST(MapTask, IsRefusedWhereItIsWrong) {
-  const auto refused = [](const std::string& text) {
-    return error_text(Culprit::File, [&] { parse_map_task(text, "t.yaml"); });
+TEST(MapTask, ReportsErrors) {
+  const auto rejects = [](const std::string& text, const std::string& where,
+                          const std::string& word) {
+    return throws_error(ErrorKind::File, where, {word}, [&] { parse_map_task(text, "t.yaml"); });
   };
-  EXPECT_TRUE(has(refused("name: a\nstart: [1, 2]\ngoal: [1, 2]\n"), "t.yaml: 'start' has not"));
-  EXPECT_TRUE(has(refused("name: a\nstart: [1, 2, .nan]\ngoal: [1, 2]\n"), "'start' has not"));
-  EXPECT_TRUE(has(refused("name: a\nstart: [1, 2, 3]\n"), "'goal' has not"));
-  EXPECT_TRUE(has(refused("start: [1, 2, 3]\n"), "t.yaml: is no task"));
-  EXPECT_TRUE(has(refused("- 1\n"), "is no task"));
-  EXPECT_TRUE(has(refused("name: [a\n"), "t.yaml:2: is not YAML"));
+  EXPECT_TRUE(rejects("name: a\nstart: [1, 2]\ngoal: [1, 2]\n", "t.yaml: ", "malformed 'start'"));
+  EXPECT_TRUE(
+      rejects("name: a\nstart: [1, 2, .nan]\ngoal: [1, 2]\n", "t.yaml: ", "malformed 'start'"));
+  EXPECT_TRUE(rejects("name: a\nstart: [1, 2, 3]\n", "t.yaml: ", "malformed 'goal'"));
+  EXPECT_TRUE(rejects("start: [1, 2, 3]\n", "t.yaml: ", "not a task"));
+  EXPECT_TRUE(rejects("- 1\n", "t.yaml: ", "not a task"));
+  EXPECT_TRUE(rejects("name: [a\n", "t.yaml:2: ", "not YAML"));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 namespace slalom {
 
-/// A folder of its own for the files of one test, gone with it.
+/// A temporary folder for the files of one test.
 class MapFolder {
  public:
   MapFolder() {
@@ -41,8 +41,8 @@ inline std::string bytes_of_file(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What a file holds once it is unpacked.
-inline std::string unpacked(const std::string& path) {
+/// The decompressed content of a file.
+inline std::string decompressed(const std::string& path) {
   mrpt::io::CFileGZInputStream file(path);
   std::string all, part(1 << 16, '\0');
   while (const std::size_t got = file.Read(part.data(), part.size())) all.append(part, 0, got);

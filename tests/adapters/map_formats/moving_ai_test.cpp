@@ -23,11 +23,13 @@ std::string map_text(const std::string& line_end) {
   return text;
 }
 
-std::string map_refusal(const std::string& text) {
+/// Whether reading this map fails in `line` ("5") with a message that mentions `words`.
+testing::AssertionResult rejects_map(const std::string& text, const std::string& line,
+                                     std::initializer_list<std::string> words) {
   const MapFolder folder;
   const std::string path = folder.write("m.map", text);
-  const std::string what = error_text(Culprit::File, [&] { read_moving_ai_map(path, 1); });
-  return what.substr(std::min(what.size(), path.size()));
+  return throws_error(ErrorKind::File, path + ":" + line + ": ", words,
+                      [&] { read_moving_ai_map(path, 1); });
 }
 
 bool is_free(const Map& map, int x, int y) {
@@ -35,8 +37,8 @@ bool is_free(const Map& map, int x, int y) {
   return x >= 0 && y >= 0 && x < size_x && y < size_y && map.getCell(x, size_y - 1 - y) > 0.5F;
 }
 
-/// Length of the shortest 8-connected path between cells (y from above), diagonals only where both
-/// cells beside them are free.
+/// Length of the shortest 8-connected path between cells (y from above); diagonals require that
+/// both adjacent cells are free.
 double dijkstra(const Map& map, const MovingAiProblem& problem) {
   const int width = static_cast<int>(map.getSizeX()), height = static_cast<int>(map.getSizeY());
   std::vector<double> best(static_cast<std::size_t>(width * height), 1e300);
@@ -57,7 +59,7 @@ double dijkstra(const Map& map, const MovingAiProblem& problem) {
   return best[static_cast<std::size_t>(problem.goal_y * width + problem.goal_x)];
 }
 
-TEST(MovingAiMap, TopRowFirstWhateverTheLineEnds) {
+TEST(MovingAiMap, ReadsTheTopRowFirstWithAnyLineEnds) {
   const MapFolder folder;
   for (const std::string line_end : {"\n", "\r\n"}) {
     const Map map = read_moving_ai_map(folder.write("m.map", map_text(line_end)), 0.5);
@@ -73,44 +75,41 @@ TEST(MovingAiMap, TopRowFirstWhateverTheLineEnds) {
   }
 }
 
-TEST(MovingAiMap, IsAMapLikeOthers) {
+TEST(MovingAiMap, IsReadByLoadMap) {
   const MapFolder folder;
   const std::string path = folder.write("m.map", map_text("\n"));
   MapImportOptions options;
   options.cell_size = 0.25;
   EXPECT_FLOAT_EQ(load_map(path, options).getXMax(), 2);
-  EXPECT_EQ(
-      error_text(Culprit::Usage, [&] { load_map(path, {}); }),
-      path + ": a MovingAI map does not say how large its cells are; expected --cell-size in m");
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, path + ": ", {"cell size", "--cell-size"},
+                           [&] { load_map(path, {}); }));
 }
 
-TEST(MovingAiMap, RefusesSwampAndWater) {
-  const std::string head = "type octile\nheight 1\nwidth 3\nmap\n";
-  EXPECT_EQ(map_refusal(head + "..S\n"),
-            ":5: has swamp in column 3; expected a map of free and occupied cells only: such "
-            "terrain is neither");
-  EXPECT_TRUE(has(map_refusal(head + "W..\n"), ":5: has water in column 1"));
+TEST(MovingAiMap, RejectsSwampAndWater) {
+  const std::string header = "type octile\nheight 1\nwidth 3\nmap\n";
+  EXPECT_TRUE(rejects_map(header + "..S\n", "5", {"swamp", "column 3", "free and occupied"}));
+  EXPECT_TRUE(rejects_map(header + "W..\n", "5", {"water", "column 1"}));
 }
 
-TEST(MovingAiMap, RefusesWhatIsNoMapWithItsLine) {
-  const std::string head = "type octile\nheight 2\nwidth 3\nmap\n";
-  EXPECT_TRUE(has(map_refusal(head + "...\n..\n..\n"), ":6: has 2 cells"));
-  EXPECT_TRUE(has(map_refusal(head + "...\n..x\n"), ":6: has an unknown cell in column 3"));
-  EXPECT_TRUE(has(map_refusal(head + "......\n"), ":5: has 6 cells"));
-  EXPECT_TRUE(has(map_refusal(head + "...\n...\n...\n"), ":7: follows the last row"));
-  EXPECT_TRUE(has(map_refusal(head + "...\n"), ":4: announces 3 x 2 cells"));
-  EXPECT_TRUE(has(map_refusal("type tile\n"), ":1: is of another type"));
-  EXPECT_TRUE(has(map_refusal("type octile\nheight 0\n"), ":2: has no height"));
-  EXPECT_TRUE(has(map_refusal("type octile\nwidth 99999999999\n"), ":2: has no width"));
-  EXPECT_TRUE(has(map_refusal("type octile\nheight 1\nmap\n.\n"), ":3: the map begins"));
-  EXPECT_TRUE(has(map_refusal("\x01\x02\n"), ":1: '"));
-  EXPECT_TRUE(has(map_refusal(""), ":0: has no map"));
-  EXPECT_TRUE(has(map_refusal("type octile\nheight 65536\nwidth 65536\nmap\n..\n"),
-                  ":4: announces 65536 x 65536 cells"));
+TEST(MovingAiMap, ReportsTheLineOfErrors) {
+  const std::string header = "type octile\nheight 2\nwidth 3\nmap\n";
+  EXPECT_TRUE(rejects_map(header + "...\n..\n..\n", "6", {"has 2 cells"}));
+  EXPECT_TRUE(rejects_map(header + "...\n..x\n", "6", {"has an unknown cell in column 3"}));
+  EXPECT_TRUE(rejects_map(header + "......\n", "5", {"has 6 cells"}));
+  EXPECT_TRUE(rejects_map(header + "...\n...\n...\n", "7", {"after the last row"}));
+  EXPECT_TRUE(rejects_map(header + "...\n", "4", {"declares 3 x 2 cells"}));
+  EXPECT_TRUE(rejects_map("type tile\n", "1", {"unsupported type", "octile"}));
+  EXPECT_TRUE(rejects_map("type octile\nheight 0\n", "2", {"invalid height"}));
+  EXPECT_TRUE(rejects_map("type octile\nwidth 99999999999\n", "2", {"invalid width"}));
+  EXPECT_TRUE(rejects_map("type octile\nheight 1\nmap\n.\n", "3", {"incomplete header"}));
+  EXPECT_TRUE(rejects_map("\x01\x02\n", "1", {"unknown entry '"}));
+  EXPECT_TRUE(rejects_map("", "0", {"no map"}));
+  EXPECT_TRUE(rejects_map("type octile\nheight 65536\nwidth 65536\nmap\n..\n", "4",
+                          {"declares 65536 x 65536 cells"}));
 }
 
-/// In the map above. Every diagonal on these ways has an occupied cell beside it, so there are
-/// straight steps only. To (3,0): 3. From (3,1): (3,2) (4,2) (5,2) (5,1). To (5,2): by (3,0), then
+/// In the map above. Every diagonal of these paths has an adjacent occupied cell, so there are only
+/// straight steps. To (3,0): 3. From (3,1): (3,2) (4,2) (5,2) (5,1). To (5,2): by (3,0), then
 /// (3,1) (3,2) (4,2) (5,2). To (7,3): (1,3) (2,3), (2,2) to (5,2), (5,1) (5,0) (6,0), (7,0) to
 /// (7,3): 2 + 4 + 3 + 4.
 const char* const kProblems =
@@ -140,12 +139,12 @@ TEST(MovingAiProblems, ReadsColumnsOfTabsOrSpaces) {
   }
 }
 
-TEST(MovingAiProblems, LengthsAreThoseOfEightConnectedPathsWithoutCutCorners) {
+TEST(MovingAiProblems, LengthsAreOfEightConnectedPathsWithoutCuttingCorners) {
   const MapFolder folder;
   const Map map = read_moving_ai_map(folder.write("m.map", map_text("\n")), 1);
   for (const auto& problem : read_moving_ai_problems(folder.write("m.scen", kProblems)))
     EXPECT_DOUBLE_EQ(dijkstra(map, problem), problem.published_length) << problem.line;
-  // Free all around: 2 diagonals and 1 straight step, as published with 6 digits.
+  // Without obstacles: 2 diagonals and 1 straight step, as published with 6 digits.
   const Map open = read_moving_ai_map(
       folder.write("o.map", "type octile\nheight 3\nwidth 4\nmap\n....\n....\n....\n"), 1);
   const auto across = read_moving_ai_problems(
@@ -153,16 +152,16 @@ TEST(MovingAiProblems, LengthsAreThoseOfEightConnectedPathsWithoutCutCorners) {
   EXPECT_NEAR(dijkstra(open, across.at(0)), across.at(0).published_length, 5e-6);
 }
 
-TEST(MovingAiProblems, AreChosenByDifficultyAndNumber) {
+TEST(MovingAiProblems, AreSelectedByDifficultyAndNumber) {
   const MapFolder folder;
   const auto problems = read_moving_ai_problems(folder.write("m.scen", kProblems));
-  const auto lines = [&](const ProblemChoice& choice) {
+  const auto lines = [&](const ProblemSelection& selection) {
     std::string text;
-    for (const MovingAiProblem& p : choose_problems(problems, choice))
+    for (const MovingAiProblem& p : select_problems(problems, selection))
       text += std::to_string(p.line) + " ";
     return text;
   };
-  EXPECT_EQ(lines({}), "2 3 5 6 ");  // line 4 ends where it begins
+  EXPECT_EQ(lines({}), "2 3 5 6 ");  // start and goal of line 4 are equal
   EXPECT_EQ(lines({1, 3, 0}), "5 6 ");
   EXPECT_EQ(lines({0, 0, 0}), "2 3 ");
   EXPECT_EQ(lines({0, 9, 2}), "2 5 ");
@@ -170,22 +169,23 @@ TEST(MovingAiProblems, AreChosenByDifficultyAndNumber) {
   EXPECT_EQ(lines({7, 9, 0}), "");
 }
 
-TEST(MovingAiProblems, RefusesDamagedLines) {
+TEST(MovingAiProblems, RejectsMalformedLines) {
   const MapFolder folder;
-  const auto refusal = [&](const std::string& text) {
+  const auto rejects = [&](const std::string& text, const std::string& line,
+                           std::initializer_list<std::string> words) {
     const std::string path = folder.write("m.scen", text);
-    const std::string what = error_text(Culprit::File, [&] { read_moving_ai_problems(path); });
-    return what.substr(std::min(what.size(), path.size()));
+    return throws_error(ErrorKind::File, path + ":" + line + ": ", words,
+                        [&] { read_moving_ai_problems(path); });
   };
-  EXPECT_TRUE(has(refusal(""), ": does not begin with its version"));
-  EXPECT_TRUE(has(refusal("version 2\n"), ":1: does not begin with its version"));
-  EXPECT_TRUE(has(refusal("version 1\n0 m 8 4 0 0 3 0\n"), ":2: has 8 columns"));
-  EXPECT_TRUE(has(refusal("version 1\n0 m 8 4 8 0 3 0 3\n"),
-                  ":2: start x '8' is no cell of the map; expected 0 to 7"));
-  EXPECT_TRUE(has(refusal("version 1\n0 m 8 4 0 0 3 -1 3\n"), ":2: goal y '-1' is no cell"));
-  EXPECT_TRUE(has(refusal("version 1\n0 m 8 4 0 0 3 0 nan\n"), ":2: the length is 'nan'"));
-  EXPECT_TRUE(has(refusal("version 1\n-1 m 8 4 0 0 3 0 3\n"), ":2: the bucket is '-1'"));
-  EXPECT_TRUE(has(refusal("version 1\n0 m 99999999999 4 0 0 3 0 3\n"), ":2: the map's width is"));
+  EXPECT_TRUE(rejects("", "0", {"missing version"}));
+  EXPECT_TRUE(rejects("version 2\n", "1", {"missing version"}));
+  EXPECT_TRUE(rejects("version 1\n0 m 8 4 0 0 3 0\n", "2", {"has 8 columns"}));
+  EXPECT_TRUE(rejects("version 1\n0 m 8 4 8 0 3 0 3\n", "2",
+                      {"start x '8' is outside the map", "expected 0 to 7"}));
+  EXPECT_TRUE(rejects("version 1\n0 m 8 4 0 0 3 -1 3\n", "2", {"goal y '-1'"}));
+  EXPECT_TRUE(rejects("version 1\n0 m 8 4 0 0 3 0 nan\n", "2", {"the length is 'nan'"}));
+  EXPECT_TRUE(rejects("version 1\n-1 m 8 4 0 0 3 0 3\n", "2", {"the bucket is '-1'"}));
+  EXPECT_TRUE(rejects("version 1\n0 m 99999999999 4 0 0 3 0 3\n", "2", {"the map's width is"}));
 }
 
 }  // namespace

@@ -6,15 +6,15 @@
 
 namespace slalom {
 
-/// A NumPy file as NumPy writes it: magic, version 1.0, length of the head, the head padded with
+/// A file as written by NumPy: magic, version 1.0, length of the header, the header padded with
 /// blanks to 128 bytes, the numbers.
-inline std::string npy_with_head(std::string head, const std::vector<std::int64_t>& numbers) {
-  head.resize(117, ' ');
-  head += '\n';
+inline std::string npy_with_header(std::string header, const std::vector<std::int64_t>& numbers) {
+  header.resize(117, ' ');
+  header += '\n';
   std::string bytes("\x93NUMPY\x01\x00", 8);
-  bytes += static_cast<char>(head.size());
+  bytes += static_cast<char>(header.size());
   bytes += '\0';
-  bytes += head;
+  bytes += header;
   for (const std::int64_t number : numbers)
     for (int i = 0; i < 8; ++i)
       bytes += static_cast<char>(static_cast<std::uint64_t>(number) >> (8 * i));
@@ -23,9 +23,9 @@ inline std::string npy_with_head(std::string head, const std::vector<std::int64_
 
 inline std::string npy(std::size_t rows, std::size_t columns,
                        const std::vector<std::int64_t>& numbers) {
-  return npy_with_head("{'descr': '<i8', 'fortran_order': False, 'shape': (" +
-                           std::to_string(rows) + ", " + std::to_string(columns) + "), }",
-                       numbers);
+  return npy_with_header("{'descr': '<i8', 'fortran_order': False, 'shape': (" +
+                             std::to_string(rows) + ", " + std::to_string(columns) + "), }",
+                         numbers);
 }
 
 }  // namespace slalom

@@ -7,15 +7,16 @@
 namespace slalom {
 namespace {
 
-std::string refusal(const std::string& bytes) {
-  return error_text(Culprit::File, [&] { parse_npy(bytes, "a.npy"); });
+testing::AssertionResult rejects_npy(const std::string& bytes,
+                                     std::initializer_list<std::string> words) {
+  return throws_error(ErrorKind::File, "a.npy: ", words, [&] { parse_npy(bytes, "a.npy"); });
 }
 
-std::string with_head(const std::string& head) {
-  return npy_with_head(head, {1, 2, 3, 4});
+std::string with_header(const std::string& header) {
+  return npy_with_header(header, {1, 2, 3, 4});
 }
 
-TEST(Npy, ReadsWholeNumbersRowByRow) {
+TEST(Npy, ReadsIntegersInRowMajorOrder) {
   const NpyTable table = parse_npy(npy(2, 3, {1, 2, 3, -4, 5, 1LL << 40}), "a.npy");
   EXPECT_EQ(table.rows, 2U);
   EXPECT_EQ(table.columns, 3U);
@@ -24,57 +25,58 @@ TEST(Npy, ReadsWholeNumbersRowByRow) {
   EXPECT_EQ(table.at(1, 2), 1LL << 40);
 }
 
-TEST(Npy, ReadsTheHeadWhateverTheOrderOfItsKeys) {
+TEST(Npy, ReadsKeysOfTheHeaderInAnyOrder) {
   const auto table =
-      parse_npy(with_head("{ 'shape':(2,2,) ,'fortran_order' : False,'descr':'<i8'}"), "a.npy");
+      parse_npy(with_header("{ 'shape':(2,2,) ,'fortran_order' : False,'descr':'<i8'}"), "a.npy");
   EXPECT_EQ(table.at(1, 1), 4);
 }
 
 TEST(Npy, ReadsFormatTwo) {
   std::string bytes = npy(1, 1, {7});
-  bytes[6] = 2;  // the length of the head has 4 bytes then
+  bytes[6] = 2;  // then the length of the header has 4 bytes
   bytes.insert(10, std::string(2, '\0'));
   EXPECT_EQ(parse_npy(bytes, "a.npy").at(0, 0), 7);
 }
 
-TEST(Npy, RefusesOtherKindsOfNumbersAndOrders) {
-  EXPECT_TRUE(has(refusal(with_head("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }")),
-                  "a.npy: holds numbers of another kind than '<i8' at byte "));
-  EXPECT_TRUE(has(refusal(with_head("{'descr': '>i8', 'fortran_order': False, 'shape': (2, 2), }")),
-                  "holds numbers of another kind"));
-  EXPECT_TRUE(has(refusal(with_head("{'descr': '<i8', 'fortran_order': True, 'shape': (2, 2), }")),
-                  "does not hold its numbers row by row"));
-  EXPECT_TRUE(has(refusal(with_head("{'descr': '<i8', 'fortran_order': False, 'shape': (4,), }")),
-                  "is not two-dimensional"));
+TEST(Npy, RejectsOtherNumberTypesAndOrders) {
   EXPECT_TRUE(
-      has(refusal(with_head("{'descr': '<i8', 'fortran_order': False, 'shape': (2, 2, 1), }")),
-          "has no ')'"));
+      rejects_npy(with_header("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }"),
+                  {"number type", "'<i8'", " at byte "}));
+  EXPECT_TRUE(rejects_npy(
+      with_header("{'descr': '>i8', 'fortran_order': False, 'shape': (2, 2), }"), {"number type"}));
+  EXPECT_TRUE(rejects_npy(with_header("{'descr': '<i8', 'fortran_order': True, 'shape': (2, 2), }"),
+                          {"Fortran order"}));
+  EXPECT_TRUE(rejects_npy(with_header("{'descr': '<i8', 'fortran_order': False, 'shape': (4,), }"),
+                          {"is not two-dimensional"}));
+  EXPECT_TRUE(
+      rejects_npy(with_header("{'descr': '<i8', 'fortran_order': False, 'shape': (2, 2, 1), }"),
+                  {"missing ')'"}));
 }
 
-TEST(Npy, RefusesWhatCannotBeBeforeItTakesMemory) {
+TEST(Npy, RejectsInvalidSizesBeforeAllocatingMemory) {
   for (const std::string shape : {"(1000000, 1000000)", "(99999999999999999999, 1)", "(0, 4)",
                                   "(1000001, 1)", "(4294967296, 4294967296)"})
-    EXPECT_TRUE(has(
-        refusal(with_head("{'descr': '<i8', 'fortran_order': False, 'shape': " + shape + ", }")),
-        " numbers at byte "))
+    EXPECT_TRUE(rejects_npy(
+        with_header("{'descr': '<i8', 'fortran_order': False, 'shape': " + shape + ", }"),
+        {" numbers at byte "}))
         << shape;
-  EXPECT_EQ(refusal(npy(2, 3, {1, 2, 3, 4, 5})),
-            "a.npy: holds 40 bytes from byte 128 on; expected 48 of 2 x 3 numbers");
-  EXPECT_EQ(refusal(npy(2, 2, {1, 2, 3, 4, 5})),
-            "a.npy: holds 40 bytes from byte 128 on; expected 32 of 2 x 2 numbers");
+  EXPECT_TRUE(rejects_npy(npy(2, 3, {1, 2, 3, 4, 5}), {"40 bytes", "byte 128;", "48 for 2 x 3"}));
+  EXPECT_TRUE(rejects_npy(npy(2, 2, {1, 2, 3, 4, 5}), {"40 bytes", "byte 128;", "32 for 2 x 2"}));
 }
 
-TEST(Npy, RefusesKeysThatAreMissingTwiceOrUnknown) {
-  EXPECT_TRUE(has(refusal(with_head("{'descr': '<i8', 'shape': (2, 2)}")), "lacks one of"));
-  EXPECT_TRUE(has(refusal(with_head("{'descr': '<i8', 'descr': '<i8'}")), "has the key 'descr'"));
-  EXPECT_TRUE(has(refusal(with_head("{'dtype': '<i8'}")), "has the key 'dtype'"));
-  EXPECT_TRUE(has(refusal(with_head("")), "has no '{'"));
+TEST(Npy, RejectsMissingDuplicateOrUnknownKeys) {
+  EXPECT_TRUE(rejects_npy(with_header("{'descr': '<i8', 'shape': (2, 2)}"),
+                          {"missing descr, fortran_order or shape"}));
+  EXPECT_TRUE(
+      rejects_npy(with_header("{'descr': '<i8', 'descr': '<i8'}"), {"unexpected key 'descr'"}));
+  EXPECT_TRUE(rejects_npy(with_header("{'dtype': '<i8'}"), {"unexpected key 'dtype'"}));
+  EXPECT_TRUE(rejects_npy(with_header(""), {"missing '{'"}));
 }
 
-TEST(Npy, RefusesEveryTruncatedFileAndSurvivesEveryChangedByte) {
+TEST(Npy, RejectsTruncatedFilesAndHandlesChangedBytes) {
   const std::string bytes = npy(2, 2, {1, 0, 0, 1});
   for (std::size_t size = 0; size < bytes.size(); ++size)
-    EXPECT_NE(refusal(bytes.substr(0, size)), "") << size;
+    EXPECT_TRUE(rejects_npy(bytes.substr(0, size), {})) << size;
   for (std::size_t at = 0; at < bytes.size(); ++at)
     for (const int bit : {0, 3, 7}) {
       std::string changed = bytes;

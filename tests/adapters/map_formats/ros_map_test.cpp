@@ -8,8 +8,8 @@ namespace {
 
 constexpr char kPgm[] = "P2 3 2 255\n254 254 0\n254 205 254\n";
 
-/// Cells' probability of being free, as MRPT rounds it to its own steps.
-float kept(double probability) {
+/// The probability of being free as rounded by MRPT.
+float rounded(double probability) {
   using Map = mrpt::maps::COccupancyGridMap2D;
   return Map::l2p(Map::p2l(static_cast<float>(probability)));
 }
@@ -20,30 +20,30 @@ mrpt::maps::COccupancyGridMap2D read(const std::string& yaml, const std::string&
   return read_ros_map(folder.write("map.yaml", yaml));
 }
 
-constexpr char kHead[] = "image: map.pgm\nresolution: 0.5\norigin: [-1, 4, 0]\n";
+constexpr char kHeader[] = "image: map.pgm\nresolution: 0.5\norigin: [-1, 4, 0]\n";
 
-/// The message with the folder's name left out; lines count from 1, kHead has three.
-std::string refusal(const std::string& yaml, const std::string& image = kPgm) {
+/// Whether reading the map fails at `where` ("map.yaml:3", lines from 1; kHeader has three) with a
+/// message that mentions `words`.
+testing::AssertionResult rejects(const std::string& yaml, const std::string& where,
+                                 std::initializer_list<std::string> words,
+                                 const std::string& image = kPgm) {
   const MapFolder folder;
   folder.write("map.pgm", image);
   const std::string path = folder.write("map.yaml", yaml);
-  std::string text = error_text(Culprit::File, [&] { read_ros_map(path); });
-  const std::string prefix = folder.path("");
-  for (std::size_t at; (at = text.find(prefix)) != std::string::npos;)
-    text.erase(at, prefix.size());
-  return text;
+  return throws_error(ErrorKind::File, folder.path(where) + ": ", words,
+                      [&] { read_ros_map(path); });
 }
 
-/// One row of pixels under further keys.
+/// The cells of an image of one row, with additional keys.
 std::vector<float> row_of(const std::string& keys, const std::string& pixels, int count) {
-  const auto map = read(kHead + keys, "P2 " + std::to_string(count) + " 1 255 " + pixels);
+  const auto map = read(kHeader + keys, "P2 " + std::to_string(count) + " 1 255 " + pixels);
   std::vector<float> cells;
   for (int x = 0; x < count; ++x) cells.push_back(map.getCell(x, 0));
   return cells;
 }
 
-TEST(RosMap, PutsEachPixelAtItsPlaceInTheWorld) {
-  const auto map = read(kHead);
+TEST(RosMap, PlacesPixelsInTheWorld) {
+  const auto map = read(kHeader);
   EXPECT_EQ(map.getSizeX(), 3U);
   EXPECT_EQ(map.getSizeY(), 2U);
   EXPECT_FLOAT_EQ(map.getResolution(), 0.5F);
@@ -52,48 +52,72 @@ TEST(RosMap, PutsEachPixelAtItsPlaceInTheWorld) {
   EXPECT_FLOAT_EQ(map.getYMin(), 4);
   EXPECT_FLOAT_EQ(map.getYMax(), 5);
   // The origin is the lower left corner, the image's first row is the upper one: the black pixel,
-  // last of the first row, has its centre at (-1 + 2.5 * 0.5, 4 + 1.5 * 0.5).
-  EXPECT_EQ(map.getPos(0.25F, 4.75F), kept(0));
-  // The grey one, second of the last row: (-1 + 1.5 * 0.5, 4 + 0.5 * 0.5).
-  EXPECT_EQ(map.getPos(-0.25F, 4.25F), kept(0.5));
-  EXPECT_EQ(map.getPos(-0.75F, 4.25F), kept(1));
-  EXPECT_EQ(map.getPos(0.25F, 4.25F), kept(1));
+  // last of the first row, has its center at (-1 + 2.5 * 0.5, 4 + 1.5 * 0.5).
+  EXPECT_EQ(map.getPos(0.25F, 4.75F), rounded(0));
+  // The gray one, second of the last row: (-1 + 1.5 * 0.5, 4 + 0.5 * 0.5).
+  EXPECT_EQ(map.getPos(-0.25F, 4.25F), rounded(0.5));
+  EXPECT_EQ(map.getPos(-0.75F, 4.25F), rounded(1));
+  EXPECT_EQ(map.getPos(0.25F, 4.25F), rounded(1));
 }
 
-TEST(RosMap, KeepsAnOriginThatIsNoMultipleOfTheResolution) {
+TEST(RosMap, KeepsAnOriginThatIsNotAMultipleOfTheResolution) {
   const auto map = read("image: map.pgm\nresolution: 0.05\norigin: [-12.013, 3.021, 0.0]\n");
   EXPECT_FLOAT_EQ(map.getXMin(), -12.013F);
   EXPECT_FLOAT_EQ(map.getYMin(), 3.021F);
   EXPECT_EQ(map.getSizeX(), 3U);
 }
 
-TEST(RosMap, PartsCellsByTheThresholds) {
-  // Occupied share (255 - pixel) / 255: 0.647 and 0.651 about 0.65; 0.196078 and 0.192 about 0.196.
+TEST(RosMap, AppliesTheThresholds) {
+  // Occupancy (255 - pixel) / 255: 0.647 and 0.651 around 0.65; 0.196078 and 0.192 around 0.196.
   EXPECT_EQ(row_of("", "90 89 205 206", 4),
-            (std::vector<float>{kept(0.5), kept(0), kept(0.5), kept(1)}));
+            (std::vector<float>{rounded(0.5), rounded(0), rounded(0.5), rounded(1)}));
   EXPECT_EQ(row_of("occupied_thresh: 0.9\nfree_thresh: 0.1\n", "25 26 229 230", 4),
-            (std::vector<float>{kept(0), kept(0.5), kept(0.5), kept(1)}));
+            (std::vector<float>{rounded(0), rounded(0.5), rounded(0.5), rounded(1)}));
 }
 
-TEST(RosMap, NegateTurnsBlackAndWhiteRound) {
+TEST(RosMap, NegateInvertsThePixels) {
   EXPECT_EQ(row_of("negate: 1\n", "0 255 128", 3),
-            (std::vector<float>{kept(1), kept(0), kept(0.5)}));
+            (std::vector<float>{rounded(1), rounded(0), rounded(0.5)}));
   EXPECT_EQ(row_of("negate: 0\n", "0 255 128", 3),
-            (std::vector<float>{kept(0), kept(1), kept(0.5)}));
+            (std::vector<float>{rounded(0), rounded(1), rounded(0.5)}));
 }
 
-TEST(RosMap, ScaleKeepsShadesBetweenTheThresholds) {
-  // Occupied shares 0.2, 0.4, 0.6 of 255 between 0 and 1: free 1 - share.
+TEST(RosMap, NegateIsABooleanOrAnInteger) {
+  for (const std::string value : {"1", "2", "true", "True", "yes", "on"})
+    EXPECT_EQ(row_of("negate: " + value + "\n", "0 255", 2),
+              (std::vector<float>{rounded(1), rounded(0)}))
+        << value;
+  for (const std::string value : {"0", "false", "False", "no", "off"})
+    EXPECT_EQ(row_of("negate: " + value + "\n", "0 255", 2),
+              (std::vector<float>{rounded(0), rounded(1)}))
+        << value;
+}
+
+TEST(RosMap, ComparesShadesOf16BitImagesUnrounded) {
+  // Occupied from 0.65 on: 1 - p / 65535 > 0.65 for p < 22937.25. 22937 is shade 89.25 of 255.
+  const auto cells = [](const std::string& bytes) {
+    const auto map = read(kHeader, "P5 3 1 65535\n" + bytes);
+    return std::vector<float>{map.getCell(0, 0), map.getCell(1, 0), map.getCell(2, 0)};
+  };
+  const auto two_bytes = [](int p) {
+    return std::string{static_cast<char>(p >> 8), static_cast<char>(p & 0xff)};
+  };
+  EXPECT_EQ(cells(two_bytes(22937) + two_bytes(22938) + two_bytes(65535)),
+            (std::vector<float>{rounded(0), rounded(0.5), rounded(1)}));
+}
+
+TEST(RosMap, ScaleInterpolatesBetweenTheThresholds) {
+  // Occupancies 0.2, 0.4, 0.6: free 1 - occupancy.
   EXPECT_EQ(row_of("mode: scale\noccupied_thresh: 1\nfree_thresh: 0\n", "204 153 102", 3),
-            (std::vector<float>{kept(0.8), kept(0.6), kept(0.4)}));
+            (std::vector<float>{rounded(0.8), rounded(0.6), rounded(0.4)}));
 }
 
-TEST(RosMap, RawReadsPercentAndBeyondIsUnknown) {
+TEST(RosMap, RawReadsPercentAndLargerValuesAreUnknown) {
   EXPECT_EQ(row_of("mode: raw\n", "0 30 100 101 255", 5),
-            (std::vector<float>{kept(1), kept(0.7), kept(0), kept(0.5), kept(0.5)}));
+            (std::vector<float>{rounded(1), rounded(0.7), rounded(0), rounded(0.5), rounded(0.5)}));
 }
 
-TEST(RosMap, FindsItsImageBesideItselfOrByAbsolutePath) {
+TEST(RosMap, FindsItsImageByRelativeOrAbsolutePath) {
   const MapFolder folder, other;
   const std::string image = other.write("map.pgm", kPgm);
   const std::string yaml =
@@ -101,63 +125,58 @@ TEST(RosMap, FindsItsImageBesideItselfOrByAbsolutePath) {
   EXPECT_EQ(read_ros_map(yaml).getSizeX(), 3U);
 }
 
-TEST(RosMap, NamesTheKeyThatIsMissing) {
-  EXPECT_EQ(refusal("resolution: 0.5\norigin: [0, 0, 0]\n"),
-            "map.yaml:1: key 'image' is missing; expected a ROS map_server YAML");
-  EXPECT_EQ(refusal("image: map.pgm\norigin: [0, 0, 0]\n"),
-            "map.yaml:1: key 'resolution' is missing; expected a ROS map_server YAML");
-  EXPECT_EQ(refusal("image: map.pgm\nresolution: 0.5\n"),
-            "map.yaml:1: key 'origin' is missing; expected a ROS map_server YAML");
+TEST(RosMap, ReportsMissingKeys) {
+  EXPECT_TRUE(
+      rejects("resolution: 0.5\norigin: [0, 0, 0]\n", "map.yaml:1", {"missing key 'image'"}));
+  EXPECT_TRUE(
+      rejects("image: map.pgm\norigin: [0, 0, 0]\n", "map.yaml:1", {"missing key 'resolution'"}));
+  EXPECT_TRUE(rejects("image: map.pgm\nresolution: 0.5\n", "map.yaml:1", {"missing key 'origin'"}));
 }
 
-TEST(RosMap, NamesTheKeyOfTheWrongKind) {
-  EXPECT_EQ(refusal("image: [a, b]\nresolution: 0.5\norigin: [0, 0, 0]\n"),
-            "map.yaml:1: image is of the wrong kind; expected a text");
-  EXPECT_EQ(refusal("image: map.pgm\nresolution: fine\norigin: [0, 0, 0]\n"),
-            "map.yaml:2: resolution is not a finite number; expected a number");
-  EXPECT_EQ(refusal("image: map.pgm\nresolution: {a: 1}\norigin: [0, 0, 0]\n"),
-            "map.yaml:2: resolution is not a finite number; expected a number");
-  EXPECT_EQ(refusal("image: map.pgm\nresolution: 0.5\norigin: [0, .nan, 0]\n"),
-            "map.yaml:3: origin is not a finite number; expected a number");
-  EXPECT_EQ(refusal(std::string(kHead) + "negate: maybe\n"),
-            "map.yaml:4: negate is not a finite number; expected a number");
-  EXPECT_EQ(refusal(std::string(kHead) + "mode: {}\n"),
-            "map.yaml:4: mode is of the wrong kind; expected a text");
+TEST(RosMap, ReportsKeysOfTheWrongType) {
+  EXPECT_TRUE(rejects("image: [a, b]\nresolution: 0.5\norigin: [0, 0, 0]\n", "map.yaml:1",
+                      {"invalid image", "text"}));
+  EXPECT_TRUE(rejects("image: map.pgm\nresolution: fine\norigin: [0, 0, 0]\n", "map.yaml:2",
+                      {"invalid resolution", "a finite number"}));
+  EXPECT_TRUE(rejects("image: map.pgm\nresolution: {a: 1}\norigin: [0, 0, 0]\n", "map.yaml:2",
+                      {"invalid resolution", "a finite number"}));
+  EXPECT_TRUE(rejects("image: map.pgm\nresolution: 0.5\norigin: [0, .nan, 0]\n", "map.yaml:3",
+                      {"invalid origin", "a finite number"}));
+  EXPECT_TRUE(rejects(std::string(kHeader) + "negate: maybe\n", "map.yaml:4",
+                      {"invalid negate", "true or false"}));
+  EXPECT_TRUE(rejects(std::string(kHeader) + "mode: {}\n", "map.yaml:4", {"invalid mode", "text"}));
 }
 
-TEST(RosMap, RefusesImpossibleValues) {
+TEST(RosMap, RejectsInvalidValues) {
   for (const std::string resolution : {"0", "-0.5", "1e-60", "1e60"})
-    EXPECT_EQ(
-        refusal("image: map.pgm\nresolution: " + resolution + "\norigin: [0, 0, 0]\n"),
-        "map.yaml:2: resolution " + resolution + " is no size of a cell; expected metres, > 0");
+    EXPECT_TRUE(rejects("image: map.pgm\nresolution: " + resolution + "\norigin: [0, 0, 0]\n",
+                        "map.yaml:2", {"resolution " + resolution, "meters, > 0"}));
   for (const std::string origin : {"[0]", "[0, 0, 0, 0]", "7"})
-    EXPECT_EQ(refusal("image: map.pgm\nresolution: 0.5\norigin: " + origin + "\n"),
-              "map.yaml:3: origin has not the right form; expected [x, y, yaw]");
-  EXPECT_EQ(refusal("image: map.pgm\nresolution: 0.5\norigin: [1e60, 0, 0]\n"),
-            "map.yaml:3: origin is too far away; expected [x, y, yaw] in metres");
-  EXPECT_EQ(refusal(std::string(kHead) + "mode: trinity\n"),
-            "map.yaml:4: mode 'trinity' is unknown; expected trinary, scale or raw");
-  EXPECT_EQ(refusal(std::string(kHead) + "free_thresh: 0.7\n"),
-            "map.yaml:1: free_thresh is above occupied_thresh; expected free_thresh <= "
-            "occupied_thresh");
+    EXPECT_TRUE(rejects("image: map.pgm\nresolution: 0.5\norigin: " + origin + "\n", "map.yaml:3",
+                        {"malformed origin", "[x, y, yaw]"}));
+  EXPECT_TRUE(rejects("image: map.pgm\nresolution: 0.5\norigin: [1e60, 0, 0]\n", "map.yaml:3",
+                      {"origin out of range", "meters"}));
+  EXPECT_TRUE(rejects(std::string(kHeader) + "mode: trinity\n", "map.yaml:4",
+                      {"mode 'trinity'", "trinary, scale or raw"}));
+  EXPECT_TRUE(rejects(std::string(kHeader) + "free_thresh: 0.7\n", "map.yaml:1",
+                      {"free_thresh <= occupied_thresh"}));
 }
 
-TEST(RosMap, RefusesWhatIsNoYaml) {
-  EXPECT_TRUE(has(refusal("image: [map.pgm\n"), "map.yaml:2: is not YAML ("));
-  EXPECT_EQ(refusal("just words\n"), "map.yaml:1: is no map; expected keys and values");
-  EXPECT_EQ(refusal(""), "map.yaml: is no map; expected keys and values");
+TEST(RosMap, RejectsInvalidYaml) {
+  EXPECT_TRUE(rejects("image: [map.pgm\n", "map.yaml:2", {"is not YAML ("}));
+  EXPECT_TRUE(rejects("just words\n", "map.yaml:1", {"keys and values"}));
+  EXPECT_TRUE(rejects("", "map.yaml", {"keys and values"}));
 }
 
-TEST(RosMap, NamesAMissingOrBrokenImage) {
-  EXPECT_EQ(refusal("image: other.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n"),
-            "other.pgm: cannot be read; expected a map file");
-  EXPECT_EQ(refusal(kHead, "P5 3 2 255\nabcde"),
-            "map.pgm: ends too early at byte 10; expected a PGM image (P5 or P2)");
+TEST(RosMap, ReportsAMissingOrCorruptImage) {
+  EXPECT_TRUE(rejects("image: other.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n", "other.pgm",
+                      {"cannot be read"}));
+  EXPECT_TRUE(rejects(kHeader, "map.pgm", {"truncated", "at byte 10"}, "P5 3 2 255\nabcde"));
 }
 
-TEST(RosMap, RefusesAMissingFile) {
-  EXPECT_EQ(error_text(Culprit::File, [] { read_ros_map("/nowhere/map.yaml"); }),
-            "/nowhere/map.yaml: cannot be read; expected a map file");
+TEST(RosMap, RejectsAMissingFile) {
+  EXPECT_TRUE(throws_error(ErrorKind::File, "/nowhere/map.yaml: ", {"cannot be read"},
+                           [] { read_ros_map("/nowhere/map.yaml"); }));
 }
 
 }  // namespace

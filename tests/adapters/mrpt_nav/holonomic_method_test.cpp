@@ -18,11 +18,14 @@ const char* const kClasses[] = {"CHolonomicND", "CHolonomicVFF", "CHolonomicFull
 std::unique_ptr<Method> load(const std::string& keys, const RobotModel& robot = {}) {
   const IniFile ini =
       IniFile::from_text("[method.a]\nadapter = mrpt_holonomic\n" + keys, "campaign.ini");
-  return make_holonomic_method({ini, "method.a", robot, {}});
+  return read_holonomic_method(ini, "method.a")(robot, {});
 }
 
-std::string refusal(const std::string& keys) {
-  return error_text(Culprit::Usage, [&] { load(keys); });
+/// A section with this key, in line 3, is refused with an error about the key.
+testing::AssertionResult refuses(const std::string& key, const std::string& value,
+                                 std::initializer_list<std::string> words) {
+  return throws_error(ErrorKind::Usage, "campaign.ini:3: [method.a] " + key + ": ", words,
+                      [&] { load(key + " = " + value + "\n"); });
 }
 
 /// A room of 10 m x 10 m.
@@ -52,24 +55,24 @@ mrpt::obs::CObservation2DRangeScan scan_from(const World& world, const mrpt::mat
   return scan;
 }
 
-struct Drive {
+struct RunResult {
   std::vector<double> commands;  ///< v, w of each cycle
   double goal_distance = 0;      ///< m, at the end
   double clearance = 0;          ///< m, smallest
 };
 
-/// A run of `cycles` at most from the start of `world` to `goal`; every command must be valid.
-Drive drive(Method& method, const World& world, const mrpt::math::TPoint2D& goal, int cycles) {
+/// A run of at most `cycles` from the start of `world` to `goal`; every command must be valid.
+RunResult run(Method& method, const World& world, const mrpt::math::TPoint2D& goal, int cycles) {
   const RobotModel robot;
   DiffDrive vehicle(robot);
   vehicle.start_at(world.scenario().start());
-  Task task;
+  NavigationTask task;
   task.start = world.scenario().start();
   task.goal = goal;
   task.goal_tolerance = 0.2;
   task.control_period = kPeriod;
   method.reset(task);
-  Drive result;
+  RunResult result;
   result.clearance = 1e9;
   for (int cycle = 0; cycle < cycles; ++cycle) {
     const mrpt::math::TPose2D pose = vehicle.getCurrentGTPose();
@@ -95,101 +98,110 @@ Drive drive(Method& method, const World& world, const mrpt::math::TPoint2D& goal
   return result;
 }
 
-TEST(HolonomicMethod, EachOfMrptsClassesDrivesToTheGoalInFreeSpace) {
+TEST(HolonomicMethod, EachMrptClassReachesTheGoalInFreeSpace) {
   const World world = room();
   for (const std::string name : kClasses) {
     SCOPED_TRACE(name);
     const auto method = load("class = " + name + "\n");
-    // 8 m at up to 1 m/s; some slow down long before the goal.
+    // Up to 8 m at up to 1 m/s; some slow down long before the goal.
     for (const mrpt::math::TPoint2D& goal : {mrpt::math::TPoint2D{8, 5}, {6, 8}, {5, 2}}) {
-      const Drive result = drive(*method, world, goal, 400);
+      const RunResult result = run(*method, world, goal, 400);
       EXPECT_LT(result.goal_distance, 0.2) << goal.x << ' ' << goal.y;
     }
   }
 }
 
-TEST(HolonomicMethod, EachOfMrptsClassesKeepsOffWhatStandsInTheWay) {
+TEST(HolonomicMethod, EachMrptClassAvoidsObstacles) {
   const World world = room_with_discs();
   for (const std::string name : kClasses) {
     SCOPED_TRACE(name);
     const auto method = load("class = " + name + "\n");
-    const Drive result = drive(*method, world, {8, 5}, 300);
+    const RunResult result = run(*method, world, {8, 5}, 300);
     EXPECT_GT(result.clearance, RobotModel{}.radius);
-    // A force field comes to rest in front of the first disc, the others get round both.
+    // The force field gets stuck in front of the first disc, the others pass both.
     EXPECT_LT(result.goal_distance, name == "CHolonomicVFF" ? 6 : 0.2);
   }
 }
 
-TEST(HolonomicMethod, TurnsTowardsAGoalBehindOrAside) {
+TEST(HolonomicMethod, RotatesTowardsAGoalBehindOrBeside) {
   const World world = room();
   for (const std::string name : kClasses) {
     SCOPED_TRACE(name);
     const auto method = load("class = " + name + "\n");
-    const Drive left = drive(*method, world, {1, 8}, 1);
+    const RunResult left = run(*method, world, {1, 8}, 1);
     EXPECT_EQ(left.commands[0], 0);
     EXPECT_GT(left.commands[1], 0);
-    const Drive right = drive(*method, world, {1, 2}, 1);
+    const RunResult right = run(*method, world, {1, 2}, 1);
     EXPECT_EQ(right.commands[0], 0);
     EXPECT_LT(right.commands[1], 0);
   }
 }
 
-TEST(HolonomicMethod, NothingOfOneRunShowsInTheNext) {
+TEST(HolonomicMethod, RunsAreIndependent) {
   const World empty = room(), discs = room_with_discs();
   for (const std::string name : kClasses) {
     SCOPED_TRACE(name);
     const auto method = load("class = " + name + "\n");
-    const Drive first = drive(*method, discs, {8, 5}, 60);
-    drive(*method, empty, {3, 9}, 25);
-    EXPECT_EQ(drive(*method, discs, {8, 5}, 60).commands, first.commands);
+    const RunResult first = run(*method, discs, {8, 5}, 60);
+    run(*method, empty, {3, 9}, 25);
+    EXPECT_EQ(run(*method, discs, {8, 5}, 60).commands, first.commands);
     const auto fresh = load("class = " + name + "\n");
-    EXPECT_EQ(drive(*fresh, discs, {8, 5}, 60).commands, first.commands);
+    EXPECT_EQ(run(*fresh, discs, {8, 5}, 60).commands, first.commands);
   }
 }
 
-TEST(HolonomicMethod, StandsStillBeforeAWall) {
-  // The robot of radius 0.25 m, 0.29 m before a wall: nearer than the stop margin of 0.05 m.
+TEST(HolonomicMethod, DoesNotMoveTowardsACloseWall) {
+  // The robot of radius 0.25 m, 0.29 m from a wall: within the stop margin of 0.05 m.
   Primitives wall;
   wall.polygons.push_back({{{1.3, 0}, {1.5, 0}, {1.5, 10}, {1.3, 10}}});
   const World world = room(wall);
   for (const std::string name : kClasses)
-    EXPECT_EQ(drive(*load("class = " + name + "\n"), world, {8, 5}, 1).commands[0], 0) << name;
+    EXPECT_EQ(run(*load("class = " + name + "\n"), world, {8, 5}, 1).commands[0], 0) << name;
 }
 
-TEST(HolonomicMethod, TakesANameWithOrWithoutItsNamespace) {
+TEST(HolonomicMethod, AcceptsANameWithOrWithoutNamespace) {
   EXPECT_NE(load("class = mrpt::nav::CHolonomicVFF\n"), nullptr);
   EXPECT_NE(load("class = CHolonomicVFF\n"), nullptr);
   EXPECT_NE(load(""), nullptr);
 }
 
-TEST(HolonomicMethod, NamesTheClassesThereAreForOneThatIsNot) {
-  const std::string text = refusal("class = CHolonomicNd\n");
-  EXPECT_EQ(text.rfind("campaign.ini:3: [method.a] class: no holonomic method class "
-                       "'CHolonomicNd'; expected one of ",
-                       0),
-            0U)
-      << text;
+TEST(HolonomicMethod, ListsTheKnownClassesForAnUnknownOne) {
   for (const std::string name : kClasses)
-    EXPECT_NE(text.find("mrpt::nav::" + name), std::string::npos) << text;
-  // A class of MRPT that is something else.
-  EXPECT_NE(refusal("class = mrpt::obs::CObservation2DRangeScan\n").find("expected one of"),
-            std::string::npos);
+    EXPECT_TRUE(refuses("class", "CHolonomicNd",
+                        {"'CHolonomicNd'; expected one of ", "mrpt::nav::" + name}));
+  // An MRPT class that is not a holonomic method.
+  EXPECT_TRUE(refuses("class", "mrpt::obs::CObservation2DRangeScan", {"expected one of"}));
 }
 
-TEST(HolonomicMethod, RefusesKeysAndValuesThatItDoesNotKnow) {
-  EXPECT_NE(refusal("sector = 100\n").find("'sectors'"), std::string::npos)
-      << refusal("sector = 100\n");
-  EXPECT_EQ(refusal("sectors = 4\n").rfind("campaign.ini:3: [method.a] sectors: ", 0), 0U);
-  EXPECT_EQ(refusal("behind = walls\n").rfind("campaign.ini:3: [method.a] behind: ", 0), 0U);
+TEST(HolonomicMethod, IsMadeFromOptionsOfAProgram) {
+  const World world = room_with_discs();
+  const auto from_ini = load("class = CHolonomicVFF\nmargin = 0.1\n");
+  HolonomicOptions options;
+  options.class_name = "CHolonomicVFF";
+  options.margin = 0.1;
+  const auto from_program = mrpt_holonomic(options)({}, {});
+  EXPECT_EQ(run(*from_program, world, {9, 5}, 100).commands,
+            run(*from_ini, world, {9, 5}, 100).commands);
+  EXPECT_NE(mrpt_holonomic("CHolonomicND")({}, {}), nullptr);
+  EXPECT_TRUE(throws_error(ErrorKind::Usage,
+                           "mrpt_holonomic.class: ", {"'CHolonomicXY'", "CHolonomicND"},
+                           [] { mrpt_holonomic("CHolonomicXY")({}, {}); }));
+  options.sectors = 1;
+  EXPECT_TRUE(throws_error(ErrorKind::Usage,
+                           "mrpt_holonomic.sectors: ", {"'1'", "expected an integer in [8, 2000]"},
+                           [&] { mrpt_holonomic(options); }));
 }
 
-TEST(HolonomicMethod, RefusesFilesThatAreNotThere) {
-  EXPECT_EQ(refusal("config = /nowhere/nd.ini\n"),
-            "campaign.ini:3: [method.a] config: '/nowhere/nd.ini' cannot be read; expected an MRPT "
-            ".ini");
-  const std::string plugin = refusal("plugin = /nowhere/libplugin.so\n");
-  EXPECT_EQ(plugin.rfind("campaign.ini:3: [method.a] plugin: cannot be loaded (/nowhere/", 0), 0U)
-      << plugin;
+TEST(HolonomicMethod, RefusesUnknownKeysAndInvalidValues) {
+  EXPECT_TRUE(refuses("sector", "100", {"'sectors'"}));
+  EXPECT_TRUE(refuses("sectors", "4", {}));
+  EXPECT_TRUE(refuses("behind", "walls", {}));
+}
+
+TEST(HolonomicMethod, RefusesMissingFiles) {
+  EXPECT_TRUE(refuses("config", "/nowhere/nd.ini",
+                      {"'/nowhere/nd.ini' cannot be read", "expected an MRPT .ini"}));
+  EXPECT_TRUE(refuses("plugin", "/nowhere/libplugin.so", {"cannot be loaded (/nowhere/"}));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #include "error_text.h"
-#include "navigator_drive.h"
+#include "navigator_fixture.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string refusal(const std::string& keys) {
-  return error_text(Culprit::Usage, [&] { load_navigator(keys); });
+testing::AssertionResult refuses_navigator(const std::string& keys, const std::string& where,
+                                           std::initializer_list<std::string> words) {
+  return throws_error(ErrorKind::Usage, "campaign.ini" + where, words,
+                      [&] { load_navigator(keys); });
 }
 
 std::vector<std::string> names_in(const fs::path& folder) {
@@ -22,21 +24,21 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-TEST(NavigatorMethod, StockConfigurationDrivesToTheGoalInAFreeRoom) {
+TEST(NavigatorMethod, StockConfigurationReachesTheGoalInAnEmptyRoom) {
   const auto method = load_navigator_with(stock_config());
-  const SimulationResult result = drive_navigator(*method, navigator_room());
+  const SimulationResult result = run_navigator(*method, navigator_room());
   EXPECT_EQ(result.outcome, Outcome::Success) << result.detail;
   // 7.8 m to the edge of the goal at up to 1 m/s.
   EXPECT_GT(result.trajectory.duration(), 7.8);
   EXPECT_LT(result.trajectory.duration(), 25);
 }
 
-TEST(NavigatorMethod, StockConfigurationGetsRoundDiscs) {
+TEST(NavigatorMethod, StockConfigurationPassesDiscs) {
   const auto method = load_navigator_with(stock_config());
-  const SimulationResult result = drive_navigator(*method, navigator_room_with_discs());
+  const SimulationResult result = run_navigator(*method, navigator_room_with_discs());
   EXPECT_EQ(result.outcome, Outcome::Success) << result.detail;
-  // A robot of radius 0.25 m cannot pass the disc of 0.5 m at (4, 5.2) on the straight line: it
-  // goes at least 0.55 m below its centre line.
+  // A robot of radius 0.25 m cannot pass the disc of radius 0.5 m at (4, 5.2) on the straight line:
+  // its path must deviate by at least 0.55 m.
   double lowest = 5;
   for (const Sample& sample : result.trajectory.samples) lowest = std::min(lowest, sample.pose.y);
   double highest = 5;
@@ -44,37 +46,36 @@ TEST(NavigatorMethod, StockConfigurationGetsRoundDiscs) {
   EXPECT_TRUE(lowest < 5.2 - 0.75 || highest > 5.2 + 0.75) << lowest << ' ' << highest;
 }
 
-TEST(NavigatorMethod, NavigatorForThreeDimensionsGetsRoundDiscs) {
+TEST(NavigatorMethod, ThreeDimensionalNavigatorPassesDiscs) {
   const auto method = load_navigator_with(test_config("small_navigator.ini"),
                                           "class = mrpt::nav::CReactiveNavigationSystem3D\n");
-  const SimulationResult result = drive_navigator(*method, navigator_room_with_discs());
+  const SimulationResult result = run_navigator(*method, navigator_room_with_discs());
   EXPECT_EQ(result.outcome, Outcome::Success) << result.detail;
 }
 
-TEST(NavigatorMethod, HolonomicRobotDrivesSidewaysToTheGoal) {
+TEST(NavigatorMethod, HolonomicRobotMovesSidewaysToTheGoal) {
   RobotModel robot;
-  robot.kinematics = "holonomic";
+  robot.kinematics = Kinematics::Holonomic;
   const auto method =
       load_navigator("config = " + test_config("holonomic_navigator.ini") + "\n", robot);
   const World room(Scenario::continuous("room", {0, 0, 10, 10}, {}, {1, 5, 0}, {5, 8}), 0.05);
-  const SimulationResult result = drive_navigator(*method, room, 60, robot);
+  const SimulationResult result = run_navigator(*method, room, 60, robot);
   EXPECT_EQ(result.outcome, Outcome::Success) << result.detail;
-  double most_sideways = 0;
+  double max_lateral = 0;
   for (const Sample& sample : result.trajectory.samples)
-    most_sideways = std::max(most_sideways, sample.command_vy);
-  EXPECT_GT(most_sideways, 0.1);
+    max_lateral = std::max(max_lateral, sample.command_vy);
+  EXPECT_GT(max_lateral, 0.1);
 }
 
 TEST(NavigatorMethod, HolonomicCommandsForADifferentialDriveEndTheRunAsAnError) {
   const auto method = load_navigator_with(test_config("holonomic_navigator.ini"));
-  const SimulationResult result = drive_navigator(*method, navigator_room());
+  const SimulationResult result = run_navigator(*method, navigator_room());
   EXPECT_EQ(result.outcome, Outcome::MethodError);
-  EXPECT_EQ(
-      result.detail.rfind("the navigator commands a mrpt::kinematics::CVehicleVelCmd_Holo", 0), 0U)
-      << result.detail;
+  EXPECT_TRUE(
+      mentions(result.detail, {"command", "mrpt::kinematics::CVehicleVelCmd_Holo", "diff_drive"}));
 }
 
-TEST(NavigatorMethod, ExceptionsThatTheNavigatorHidesEndTheRunWithTheirReason) {
+TEST(NavigatorMethod, ExceptionsCaughtByTheNavigatorEndTheRunWithTheirReason) {
   const std::string path = testing::TempDir() + "wrong_formula.ini";
   {
     std::ifstream in(test_config("small_navigator.ini"));
@@ -85,7 +86,7 @@ TEST(NavigatorMethod, ExceptionsThatTheNavigatorHidesEndTheRunWithTheirReason) {
   }
   const auto method = load_navigator_with(path);
   for (int run = 0; run < 2; ++run) {
-    const SimulationResult result = drive_navigator(*method, navigator_room());
+    const SimulationResult result = run_navigator(*method, navigator_room());
     EXPECT_EQ(result.outcome, Outcome::MethodError);
     EXPECT_NE(result.detail.find("Undefined symbol: 'no_such'"), std::string::npos)
         << result.detail;
@@ -95,7 +96,7 @@ TEST(NavigatorMethod, ExceptionsThatTheNavigatorHidesEndTheRunWithTheirReason) {
 
 TEST(NavigatorMethod, WritesNothingToTheTerminalAndLeavesNoFiles) {
   const auto here = names_in(fs::current_path());
-  // A folder of temporary files of its own, for other programs use the common one.
+  // A separate folder for temporary files, because other programs use the common one.
   std::string temporary = testing::TempDir() + "slalom_navigator_XXXXXX";
   ASSERT_NE(mkdtemp(temporary.data()), nullptr);
   setenv("TMPDIR", temporary.c_str(), 1);
@@ -103,12 +104,12 @@ TEST(NavigatorMethod, WritesNothingToTheTerminalAndLeavesNoFiles) {
   testing::internal::CaptureStderr();
   {
     const auto method = load_navigator_with(test_config("small_navigator.ini"));
-    drive_navigator(*method, navigator_room_with_discs());
-    drive_navigator(*method, navigator_room_with_discs());
-    // The goal stands in a disc: the navigator complains and gives up.
+    run_navigator(*method, navigator_room_with_discs());
+    run_navigator(*method, navigator_room_with_discs());
+    // The goal is inside a disc: the navigator logs errors and gives up.
     Primitives blocked;
     blocked.discs = {{{9, 5}, 0.6}};
-    drive_navigator(*method, navigator_room(blocked));
+    run_navigator(*method, navigator_room(blocked));
   }
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
@@ -118,15 +119,15 @@ TEST(NavigatorMethod, WritesNothingToTheTerminalAndLeavesNoFiles) {
   fs::remove_all(temporary);
 }
 
-TEST(NavigatorMethod, GivingUpABlockedTargetIsNoErrorOfTheMethod) {
+TEST(NavigatorMethod, GivingUpABlockedTargetIsNotAMethodError) {
   Primitives blocked;
   blocked.discs = {{{9, 5}, 0.6}};
   const auto method = load_navigator_with(test_config("small_navigator.ini"));
-  const SimulationResult result = drive_navigator(*method, navigator_room(blocked));
+  const SimulationResult result = run_navigator(*method, navigator_room(blocked));
   EXPECT_EQ(result.outcome, Outcome::Stuck) << result.detail;
 }
 
-TEST(NavigatorMethod, CollisionGridsAreKeptInAFolderWhereOneIsNamed) {
+TEST(NavigatorMethod, CollisionGridsAreKeptInTheConfiguredFolder) {
   const std::string folder = testing::TempDir() + "slalom_ptg_cache";
   fs::remove_all(folder);
   const std::string config = test_config("small_navigator.ini");
@@ -137,7 +138,7 @@ TEST(NavigatorMethod, CollisionGridsAreKeptInAFolderWhereOneIsNamed) {
   const auto second = load_navigator_with(config, "ptg_cache = " + folder + "\n");
   EXPECT_EQ(fs::last_write_time(grids), written);
   EXPECT_EQ(hashes_of_runs(*first, 3, 5), hashes_of_runs(*second, 3, 5));
-  // Another content of the .ini does not share them.
+  // Another .ini content uses other grids.
   load_navigator_with(config, "margin = 0.1\nptg_cache = " + folder + "\n");
   EXPECT_EQ(names_in(folder).size(), 2U);
 }
@@ -151,33 +152,40 @@ TEST(NavigatorMethod, TheObstacleFilterCanBeSwitchedOff) {
             as_in_file);
 }
 
-TEST(NavigatorMethod, RefusesWhatIsNotThereInOneLine) {
+TEST(NavigatorMethod, RefusesMissingFilesAndClassesInOneLine) {
   const std::string small = "config = " + test_config("small_navigator.ini") + "\n";
-  EXPECT_EQ(refusal(""),
-            "campaign.ini: [method.nav] config: no navigator without its configuration; expected "
-            "an MRPT .ini");
-  EXPECT_EQ(refusal("config = /nowhere/nav.ini\n"),
-            "campaign.ini:3: [method.nav] config: '/nowhere/nav.ini' cannot be read; expected an "
-            "MRPT .ini");
-  EXPECT_EQ(refusal(small + "class = CReactive\n"),
-            "campaign.ini:4: [method.nav] class: no navigator class 'CReactive'; expected "
-            "CReactiveNavigationSystem, CReactiveNavigationSystem3D, or a plugin");
-  EXPECT_EQ(refusal("plugin = /nowhere/libnav.so\n")
-                .rfind("campaign.ini:3: [method.nav] plugin: cannot be loaded (/nowhere/", 0),
-            0U);
-  EXPECT_EQ(refusal(small + "modules = /nowhere/libptg.so\n")
-                .rfind("campaign.ini:4: [method.nav] modules: cannot be loaded (/nowhere/", 0),
-            0U);
-  EXPECT_NE(refusal(small + "marign = 1\n").find("'margin'"), std::string::npos);
+  EXPECT_TRUE(
+      refuses_navigator("", ": [method.nav] config: ", {"configuration", "expected an MRPT .ini"}));
+  EXPECT_TRUE(refuses_navigator("config = /nowhere/nav.ini\n", ":3: [method.nav] config: ",
+                                {"'/nowhere/nav.ini' cannot be read", "expected an MRPT .ini"}));
+  EXPECT_TRUE(
+      refuses_navigator(small + "class = CReactive\n", ":4: [method.nav] class: ",
+                        {"navigator class 'CReactive'", "expected CReactiveNavigationSystem",
+                         "CReactiveNavigationSystem3D", "plugin"}));
+  EXPECT_TRUE(refuses_navigator("plugin = /nowhere/libnav.so\n",
+                                ":3: [method.nav] plugin: ", {"cannot be loaded (/nowhere/"}));
+  EXPECT_TRUE(refuses_navigator(small + "modules = /nowhere/libptg.so\n",
+                                ":4: [method.nav] modules: ", {"cannot be loaded (/nowhere/"}));
+  EXPECT_TRUE(refuses_navigator(small + "marign = 1\n", "", {"'margin'"}));
 }
 
-TEST(NavigatorMethod, RefusesAConfigurationThatIsNotForANavigator) {
+TEST(NavigatorMethod, IsMadeFromOptionsOfAProgram) {
+  NavigatorOptions options;
+  options.config = stock_config();
+  EXPECT_NE(mrpt_navigator(options)({}, {}), nullptr);
+  EXPECT_TRUE(throws_error(ErrorKind::Usage,
+                           "mrpt_navigator.config: ", {"missing configuration", "MRPT .ini"},
+                           [] { mrpt_navigator({})({}, {}); }));
+}
+
+TEST(NavigatorMethod, RefusesAConfigurationWithoutANavigator) {
   const std::string path = testing::TempDir() + "not_a_navigator.ini";
   std::ofstream(path) << "[CHolonomicND]\nfactorWeights = 1 2 3 4\n";
-  const std::string text = refusal("config = " + path + "\n");
-  EXPECT_EQ(text.rfind("campaign.ini:3: [method.nav] config: the navigator refuses it (", 0), 0U)
-      << text;
-  EXPECT_EQ(refusal("config = " + path + "\n").find("0x"), std::string::npos) << text;
+  const std::string text =
+      error_text(ErrorKind::Usage, [&] { load_navigator("config = " + path + "\n"); });
+  EXPECT_EQ(text.rfind("campaign.ini:3: [method.nav] config: ", 0), 0U) << text;
+  EXPECT_TRUE(mentions(text, {"the navigator rejects it ("}));
+  EXPECT_EQ(text.find("0x"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "navigator_drive.h"
+#include "navigator_fixture.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using Hashes = std::vector<std::string>;
 
-/// The same runs in a fresh process.
+/// The same runs in another process.
 Hashes hashes_of_process(const std::string& config, int count, double max_time) {
   std::ostringstream command;
   command << SLALOM_NAVIGATOR_RUNS << ' ' << config << ' ' << count << ' ' << max_time;
@@ -23,13 +23,13 @@ Hashes hashes_of_process(const std::string& config, int count, double max_time) 
   return pclose(pipe) == 0 ? hashes : Hashes{};
 }
 
-/// Whether a list holds different hashes, so that to equal it says something.
+/// Whether a list contains different hashes, so that equality is significant.
 bool is_varied(const Hashes& hashes) {
   return std::any_of(hashes.begin(), hashes.end(), [&](const auto& h) { return h != hashes[0]; });
 }
 
-// The small .ini switches on all that remembers or reads a clock: the delays model, the filter of
-// speeds, a filter of obstacles that looks back 100 s, and the hysteresis of the holonomic method.
+// The small .ini enables everything that has state or reads a clock: the delays model, the velocity
+// filter, an obstacle filter over 100 s, and the hysteresis of the holonomic method.
 TEST(NavigatorRepeat, HundredRunsAreTheSameTwiceInOneProcessAndInAnother) {
   const std::string config = test_config("small_navigator.ini");
   const auto method = load_navigator_with(config);
@@ -40,7 +40,7 @@ TEST(NavigatorRepeat, HundredRunsAreTheSameTwiceInOneProcessAndInAnother) {
   EXPECT_EQ(hashes_of_process(config, 100, 4), first);
 }
 
-TEST(NavigatorRepeat, StockConfigurationRepeatsWholeRunsInOneProcessAndInAnother) {
+TEST(NavigatorRepeat, StockConfigurationRepeatsCompleteRunsInOneProcessAndInAnother) {
   const auto method = load_navigator_with(stock_config());
   const Hashes first = hashes_of_runs(*method, 6, 60);
   EXPECT_TRUE(is_varied(first));
@@ -48,31 +48,32 @@ TEST(NavigatorRepeat, StockConfigurationRepeatsWholeRunsInOneProcessAndInAnother
   EXPECT_EQ(hashes_of_process(stock_config(), 6, 60), first);
 }
 
-TEST(NavigatorRepeat, ARunIsThatOfAFreshNavigatorWhateverCameBefore) {
+TEST(NavigatorRepeat, ARunDoesNotDependOnPreviousRuns) {
   const std::string config = test_config("small_navigator.ini");
   const auto used = load_navigator_with(config);
   for (const int seed : {3, 4, 3}) {
     const World room = random_navigator_room(seed);
-    const auto fresh = load_navigator_with(config);
-    EXPECT_EQ(drive_navigator(*used, room).trajectory.hash(),
-              drive_navigator(*fresh, room).trajectory.hash())
+    const auto unused = load_navigator_with(config);
+    EXPECT_EQ(run_navigator(*used, room).trajectory.hash(),
+              run_navigator(*unused, room).trajectory.hash())
         << seed;
   }
 }
 
-// A target in an obstacle sets counters of the navigator going that nothing sets back.
-TEST(NavigatorRepeat, ABlockedTargetLeavesNoTraceInTheNextRun) {
+// A target in an obstacle starts counters of the navigator that cannot be reset.
+TEST(NavigatorRepeat, ABlockedTargetDoesNotAffectTheNextRun) {
   Primitives blocked;
   blocked.discs = {{{9, 5}, 0.5}};
-  const World hopeless = navigator_room(blocked), free = navigator_room_with_discs();
+  const World blocked_world = navigator_room(blocked), free_world = navigator_room_with_discs();
   const std::string config = test_config("small_navigator.ini");
   const auto used = load_navigator_with(config);
-  const Hashes fresh = {drive_navigator(*load_navigator_with(config), hopeless).trajectory.hash(),
-                        drive_navigator(*load_navigator_with(config), free).trajectory.hash()};
-  // Ended at different moments: before, while and after the navigator counts.
-  for (const double max_time : {6.9, 7.3, 7.5, 30.0}) drive_navigator(*used, hopeless, max_time);
-  EXPECT_EQ(drive_navigator(*used, hopeless).trajectory.hash(), fresh[0]);
-  EXPECT_EQ(drive_navigator(*used, free).trajectory.hash(), fresh[1]);
+  const Hashes expected = {
+      run_navigator(*load_navigator_with(config), blocked_world).trajectory.hash(),
+      run_navigator(*load_navigator_with(config), free_world).trajectory.hash()};
+  // Runs that end before, during and after the navigator's counting.
+  for (const double max_time : {6.9, 7.3, 7.5, 30.0}) run_navigator(*used, blocked_world, max_time);
+  EXPECT_EQ(run_navigator(*used, blocked_world).trajectory.hash(), expected[0]);
+  EXPECT_EQ(run_navigator(*used, free_world).trajectory.hash(), expected[1]);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// navigator_runs CONFIG COUNT MAX_TIME: prints the hashes of runs in a process of their own.
-#include "navigator_drive.h"
+// navigator_runs CONFIG COUNT MAX_TIME: prints the hashes of runs, for comparison with another
+// process.
+#include "navigator_fixture.h"
 
 #include <cstdlib>
 #include <iostream>

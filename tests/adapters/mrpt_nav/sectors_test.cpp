@@ -9,25 +9,23 @@
 namespace slalom {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
-/// The way found by going: small steps, halved where the disc would come nearer than its radius to
-/// a point, or deeper into one that it touches from the start.
-double way_by_going(const std::vector<mrpt::math::TPoint2D>& points, double direction,
-                    double radius, double limit) {
-  const auto is_blocked = [&](double way) {
+/// The free distance found with small steps and bisection, where the disc would come closer than
+/// its radius to a point, or penetrate one that it touches at the start.
+double stepwise_free_distance(const std::vector<mrpt::math::TPoint2D>& points, double direction,
+                              double radius, double limit) {
+  const auto is_blocked = [&](double distance) {
     for (const auto& p : points) {
       const double gap =
-          std::hypot(p.x - way * std::cos(direction), p.y - way * std::sin(direction));
-      const bool nearing = p.x * std::cos(direction) + p.y * std::sin(direction) > way;
+          std::hypot(p.x - distance * std::cos(direction), p.y - distance * std::sin(direction));
+      const bool nearing = p.x * std::cos(direction) + p.y * std::sin(direction) > distance;
       if (gap < radius && (nearing || gap < std::hypot(p.x, p.y))) return true;
     }
     return false;
   };
   constexpr double kStep = 1e-3;
-  for (double way = kStep; way <= limit + kStep; way += kStep) {
-    if (!is_blocked(way)) continue;
-    double low = way - kStep, high = way;
+  for (double distance = kStep; distance <= limit + kStep; distance += kStep) {
+    if (!is_blocked(distance)) continue;
+    double low = distance - kStep, high = distance;
     for (int i = 0; i < 30; ++i) {
       const double middle = 0.5 * (low + high);
       (is_blocked(middle) ? high : low) = middle;
@@ -46,50 +44,51 @@ std::vector<mrpt::math::TPoint2D> random_points(RandomEngine& random, int count,
   return points;
 }
 
-TEST(FreeTravel, IsWhatADiscFindsByGoing) {
+TEST(FreeDistance, EqualsTheDistanceFoundStepwise) {
   RandomEngine random(7);
   for (int round = 0; round < 60; ++round) {
     const auto points = random_points(random, 1 + round % 12, 0.35);
-    const double direction = uniform_real(random, -kPi, kPi);
+    const double direction = uniform_real(random, -M_PI, M_PI);
     const double radius = uniform_real(random, 0.05, 0.35);
-    EXPECT_NEAR(free_travel(points, direction, radius, 2.5),
-                way_by_going(points, direction, radius, 2.5), 1e-3)
+    EXPECT_NEAR(free_distance(points, direction, radius, 2.5),
+                stepwise_free_distance(points, direction, radius, 2.5), 1e-3)
         << round;
   }
 }
 
-TEST(FreeTravel, StopsOneRadiusBeforeAPointAheadAndIgnoresOneBehind) {
-  EXPECT_DOUBLE_EQ(free_travel({{2, 0}}, 0, 0.5, 8), 1.5);
-  EXPECT_DOUBLE_EQ(free_travel({{2, 0}}, kPi, 0.5, 8), 8);
-  // 0.3 aside of radius 0.5: contact where the point is sqrt(0.25 - 0.09) = 0.4 ahead.
-  EXPECT_NEAR(free_travel({{2, 0.3}}, 0, 0.5, 8), 1.6, 1e-12);
-  EXPECT_DOUBLE_EQ(free_travel({{2, 0.5}}, 0, 0.5, 8), 8);
-  EXPECT_DOUBLE_EQ(free_travel({}, 1, 0.5, 8), 8);
+TEST(FreeDistance, EndsOneRadiusBeforeAPointAheadAndIgnoresOneBehind) {
+  EXPECT_DOUBLE_EQ(free_distance({{2, 0}}, 0, 0.5, 8), 1.5);
+  EXPECT_DOUBLE_EQ(free_distance({{2, 0}}, M_PI, 0.5, 8), 8);
+  // Lateral offset 0.3, radius 0.5: contact where the point is sqrt(0.25 - 0.09) = 0.4 ahead.
+  EXPECT_NEAR(free_distance({{2, 0.3}}, 0, 0.5, 8), 1.6, 1e-12);
+  EXPECT_DOUBLE_EQ(free_distance({{2, 0.5}}, 0, 0.5, 8), 8);
+  EXPECT_DOUBLE_EQ(free_distance({}, 1, 0.5, 8), 8);
 }
 
-TEST(FreeTravel, MayLeaveAPointThatItTouchesButNotGoDeeper) {
-  EXPECT_DOUBLE_EQ(free_travel({{0.3, 0}}, 0, 0.5, 8), 0);
-  EXPECT_DOUBLE_EQ(free_travel({{0.3, 0}}, 0.9 * kPi, 0.5, 8), 8);
+TEST(FreeDistance, AllowsLeavingATouchedPointButNotPenetratingIt) {
+  EXPECT_DOUBLE_EQ(free_distance({{0.3, 0}}, 0, 0.5, 8), 0);
+  EXPECT_DOUBLE_EQ(free_distance({{0.3, 0}}, 0.9 * M_PI, 0.5, 8), 8);
 }
 
-TEST(SectorDirection, PartsTheCircleEvenlyFromBehindCounterClockwise) {
-  EXPECT_NEAR(sector_direction(0, 4), -0.75 * kPi, 1e-12);
-  EXPECT_NEAR(sector_direction(3, 4), 0.75 * kPi, 1e-12);
-  EXPECT_NEAR(sector_direction(60, 121), 0, 1e-12);  // an odd number looks straight ahead
+TEST(SectorDirection, DividesTheCircleEvenlyFromBehindCounterClockwise) {
+  EXPECT_NEAR(sector_direction(0, 4), -0.75 * M_PI, 1e-12);
+  EXPECT_NEAR(sector_direction(3, 4), 0.75 * M_PI, 1e-12);
+  EXPECT_NEAR(sector_direction(60, 121), 0,
+              1e-12);  // with an odd number one sector points straight ahead
   for (std::size_t k = 1; k < 121; ++k)
-    EXPECT_NEAR(sector_direction(k, 121) - sector_direction(k - 1, 121), 2 * kPi / 121, 1e-12);
+    EXPECT_NEAR(sector_direction(k, 121) - sector_direction(k - 1, 121), 2 * M_PI / 121, 1e-12);
 }
 
-TEST(ObstaclePoints, AreTheEndsOfTheRaysThatMetSomething) {
+TEST(ObstaclePoints, AreTheEndPointsOfValidRays) {
   mrpt::obs::CObservation2DRangeScan scan;
-  scan.aperture = static_cast<float>(kPi);
+  scan.aperture = static_cast<float>(M_PI);
   scan.resizeScan(5);
   for (std::size_t i = 0; i < 5; ++i) {
     scan.setScanRange(i, static_cast<float>(i + 1));
     scan.setScanRangeValidity(i, i != 1);
   }
   const auto points = obstacle_points(scan);
-  // Rays at -90, -45 (met nothing), 0, 45 and 90 degrees.
+  // Rays at -90, -45 (invalid), 0, 45 and 90 degrees.
   ASSERT_EQ(points.size(), 4U);
   EXPECT_NEAR(points[0].x, 0, 1e-6);
   EXPECT_NEAR(points[0].y, -1, 1e-6);
@@ -99,7 +98,7 @@ TEST(ObstaclePoints, AreTheEndsOfTheRaysThatMetSomething) {
   EXPECT_NEAR(points[3].y, 5, 1e-6);
 }
 
-TEST(ObstaclePoints, OfOneRayLieAhead) {
+TEST(ObstaclePoints, OfASingleRayLieAhead) {
   mrpt::obs::CObservation2DRangeScan scan;
   scan.aperture = 2;
   scan.resizeScan(1);

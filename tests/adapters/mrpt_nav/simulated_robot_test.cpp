@@ -10,11 +10,9 @@
 namespace slalom {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 RobotModel holonomic_robot() {
   RobotModel robot;
-  robot.kinematics = "holonomic";
+  robot.kinematics = Kinematics::Holonomic;
   robot.forward_only = false;
   return robot;
 }
@@ -26,7 +24,7 @@ Observation at(double time, double phi) {
   return observation;
 }
 
-Command wheels(const RobotModel& model, double v, double w) {
+Command diff_drive_command(const RobotModel& model, double v, double w) {
   SimulatedRobot robot(model, 0.1);
   robot.start_run(0.1);
   mrpt::kinematics::CVehicleVelCmd_DiffDriven command;
@@ -38,32 +36,33 @@ Command wheels(const RobotModel& model, double v, double w) {
 
 TEST(SimulatedRobot, SlowsDownOnTheSameArcToBeWithinItsLimits) {
   const RobotModel robot;  // 1 m/s, 1.5 rad/s
-  EXPECT_EQ(wheels(robot, 0.5, 1).v, 0.5);
-  EXPECT_EQ(wheels(robot, 0.5, 1).w, 1);
-  EXPECT_DOUBLE_EQ(wheels(robot, 2, 1).v, 1);
-  EXPECT_DOUBLE_EQ(wheels(robot, 2, 1).w, 0.5);
-  EXPECT_DOUBLE_EQ(wheels(robot, 0.5, -3).v, 0.25);
-  EXPECT_DOUBLE_EQ(wheels(robot, 0.5, -3).w, -1.5);
-  EXPECT_EQ(wheels(robot, -0.5, 1).v, 0);  // forward only
-  RobotModel both_ways;
-  both_ways.forward_only = false;
-  EXPECT_EQ(wheels(both_ways, -0.5, 1).v, -0.5);
-  EXPECT_TRUE(std::isnan(wheels(robot, NAN, 0).v));  // for the judge to see
+  EXPECT_EQ(diff_drive_command(robot, 0.5, 1).v, 0.5);
+  EXPECT_EQ(diff_drive_command(robot, 0.5, 1).w, 1);
+  EXPECT_DOUBLE_EQ(diff_drive_command(robot, 2, 1).v, 1);
+  EXPECT_DOUBLE_EQ(diff_drive_command(robot, 2, 1).w, 0.5);
+  EXPECT_DOUBLE_EQ(diff_drive_command(robot, 0.5, -3).v, 0.25);
+  EXPECT_DOUBLE_EQ(diff_drive_command(robot, 0.5, -3).w, -1.5);
+  EXPECT_EQ(diff_drive_command(robot, -0.5, 1).v, 0);  // forward only
+  RobotModel reversing;
+  reversing.forward_only = false;
+  EXPECT_EQ(diff_drive_command(reversing, -0.5, 1).v, -0.5);
+  EXPECT_TRUE(
+      std::isnan(diff_drive_command(robot, NAN, 0).v));  // passed on, to be rejected as invalid
 }
 
-TEST(SimulatedRobot, KeepsADirectionInTheWorldWhileItTurnsToFaceIt) {
+TEST(SimulatedRobot, KeepsTheWorldDirectionWhileTurningToFaceIt) {
   SimulatedRobot robot(holonomic_robot(), 0.1);
   robot.start_run(0.1);
-  robot.observe(at(0, kPi / 2));
-  // To its right, that is along the world's +x, at once.
-  robot.changeSpeeds(mrpt::kinematics::CVehicleVelCmd_Holo(0.6, -kPi / 2, 0, -1));
+  robot.observe(at(0, M_PI / 2));
+  // To its right, which is +x in the world, immediately.
+  robot.changeSpeeds(mrpt::kinematics::CVehicleVelCmd_Holo(0.6, -M_PI / 2, 0, -1));
   EXPECT_NEAR(robot.command().v, 0, 1e-12);
   EXPECT_NEAR(robot.command().vy, -0.6, 1e-12);
   EXPECT_NEAR(robot.command().w, -1, 1e-12);
-  robot.observe(at(1, kPi / 4));
+  robot.observe(at(1, M_PI / 4));
   EXPECT_NEAR(robot.command().v, 0.6 * std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(robot.command().vy, -0.6 * std::sqrt(0.5), 1e-12);
-  // 0.05 rad are left: no more than that in a control period of 0.1 s.
+  // 0.05 rad remain: not more than that in a control period of 0.1 s.
   robot.observe(at(2, 0.05));
   EXPECT_NEAR(robot.command().w, -0.5, 1e-12);
 }
@@ -85,10 +84,10 @@ TEST(SimulatedRobot, BlendsVelocitiesWithinTheRampTime) {
   EXPECT_EQ(robot.command().v, 0);
 }
 
-TEST(SimulatedRobot, TellsVelocitiesInTheWorldFrame) {
+TEST(SimulatedRobot, ReportsVelocitiesInTheWorldFrame) {
   SimulatedRobot robot(holonomic_robot(), 0.1);
   robot.start_run(0.1);
-  Observation observation = at(0, kPi / 2);
+  Observation observation = at(0, M_PI / 2);
   observation.v = 0.5;
   observation.vy = 0.25;
   observation.w = 0.1;
@@ -104,9 +103,9 @@ TEST(SimulatedRobot, TellsVelocitiesInTheWorldFrame) {
   EXPECT_EQ(frame, "map");
 }
 
-TEST(SimulatedRobot, ForgetsOldObstaclesWhenItSensesNewOnes) {
+TEST(SimulatedRobot, ReplacesObstaclesWithEachObservation) {
   mrpt::obs::CObservation2DRangeScan scan;
-  scan.aperture = static_cast<float>(kPi);
+  scan.aperture = static_cast<float>(M_PI);
   scan.resizeScan(3);
   for (std::size_t i = 0; i < 3; ++i) {
     scan.setScanRange(i, 2);
@@ -128,7 +127,7 @@ TEST(SimulatedRobot, ForgetsOldObstaclesWhenItSensesNewOnes) {
   EXPECT_FLOAT_EQ(z, 0.3F);
 }
 
-TEST(SimulatedRobot, TimerNeverRunsBackwardsAndItsStepsAreAlwaysTheSame) {
+TEST(SimulatedRobot, TimerIsMonotonicWithIdenticalStepsInEachRun) {
   SimulatedRobot robot({}, 0.1);
   std::vector<double> first, last;
   double before = 0;
@@ -138,14 +137,14 @@ TEST(SimulatedRobot, TimerNeverRunsBackwardsAndItsStepsAreAlwaysTheSame) {
     for (int cycle = 0; cycle < 30; ++cycle) {
       robot.observe(at(cycle * 0.1, 0));
       steps.push_back(robot.getNavigationTime() - before);
-      EXPECT_GT(steps.back(), 0.02);  // navigators ignore poses that follow faster
+      EXPECT_GT(steps.back(), 0.02);  // navigators ignore poses at shorter intervals
       before = robot.getNavigationTime();
     }
-    steps.erase(steps.begin());  // from the run before
+    steps.erase(steps.begin());  // relative to the previous run
     if (run == 0) first = steps;
     last = steps;
   }
-  EXPECT_EQ(first, last);  // to the last bit
+  EXPECT_EQ(first, last);  // exactly
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ World disc_world() {
 }
 
 /// A wall from side to side between start and goal.
-World parted_world() {
+World divided_world() {
   Primitives wall;
   wall.polygons.push_back({{{0, 3.8}, {8, 3.8}, {8, 4.2}, {0, 4.2}}});
   return {Scenario::continuous("parted", {0, 0, 8, 8}, wall, {1, 1, 0}, {7, 7}), 0.05};
@@ -45,20 +45,20 @@ References exact_of(const World& world) {
 
 /// What `action` returns in a child process: OMPL's seed is set once per process.
 std::string in_child(const std::function<std::string()>& action) {
-  int ends[2];
-  if (pipe(ends) != 0) return "no pipe";
+  int pipe_ends[2];
+  if (pipe(pipe_ends) != 0) return "no pipe";
   const pid_t child = fork();
   if (child == 0) {
     const std::string answer = action();
-    const auto written = write(ends[1], answer.data(), answer.size());
-    _exit(written == static_cast<ssize_t>(answer.size()) ? 0 : 1);
+    const auto count = write(pipe_ends[1], answer.data(), answer.size());
+    _exit(count == static_cast<ssize_t>(answer.size()) ? 0 : 1);
   }
-  close(ends[1]);
+  close(pipe_ends[1]);
   std::string answer;
-  char part[4096];
-  for (ssize_t got; (got = read(ends[0], part, sizeof part)) > 0;)
-    answer.append(part, static_cast<std::size_t>(got));
-  close(ends[0]);
+  char buffer[4096];
+  for (ssize_t count; (count = read(pipe_ends[0], buffer, sizeof buffer)) > 0;)
+    answer.append(buffer, static_cast<std::size_t>(count));
+  close(pipe_ends[0]);
   int status = 0;
   waitpid(child, &status, 0);
   return status == 0 ? answer : "child died";
@@ -70,20 +70,21 @@ std::string path_hash(const Path& path) {
   return std::to_string(path.size()) + " points " + hasher.hex();
 }
 
-/// Plans in a child; the answer is the path's hash or what is wrong with it.
+/// Plans in a child process; returns the path's hash or what is wrong with it.
 std::string checked_plan(const World& world, const References& exact, const OmplOptions& options,
                          std::uint64_t seed) {
   return in_child([&]() -> std::string {
     const auto planner = make_ompl_planner(options);
     const auto path = planner->plan(problem_of(world), exact, seed);
     if (!path) return "no path";
-    const double metres = length(*path);
+    const double path_length = length(*path);
     const PlanningProblem problem = problem_of(world);
     if (!is_free(world, *path, kRadius)) return "not free";
     if (path->front() != problem.start) return "does not begin at the start";
     if (path->back() != problem.goal) return "does not end at the goal";
-    if (metres < exact.shortest->certificate.lower_bound) return "shorter than the lower bound";
-    if (metres > 1.5 * exact.shortest->certificate.upper_bound) return "no short path";
+    if (path_length < exact.shortest->certificate.lower_bound)
+      return "shorter than the lower bound";
+    if (path_length > 1.5 * exact.shortest->certificate.upper_bound) return "no short path";
     return path_hash(*path);
   });
 }
@@ -129,12 +130,12 @@ TEST(OmplPlanner, StopsWithinTheGapOfTheLowerBound) {
     const auto path = make_ompl_planner(options)->plan(problem_of(world), exact, 3);
     return path ? std::to_string(length(*path)) : "no path";
   });
-  const double metres = std::strtod(answer.c_str(), nullptr);
-  EXPECT_GE(metres, exact.shortest->certificate.lower_bound) << answer;
-  EXPECT_LE(metres, 1.05 * exact.shortest->certificate.lower_bound + 1e-6);
+  const double path_length = std::strtod(answer.c_str(), nullptr);
+  EXPECT_GE(path_length, exact.shortest->certificate.lower_bound) << answer;
+  EXPECT_LE(path_length, 1.05 * exact.shortest->certificate.lower_bound + 1e-6);
 }
 
-TEST(OmplPlanner, ASeedOfAnySizeIsTaken) {
+TEST(OmplPlanner, AcceptsSeedsOfAnySize) {
   const World world = disc_world();
   const References exact = exact_of(world);
   for (const std::uint64_t seed : {0ULL, 0xfffffffeULL, ~0ULL}) {
@@ -144,18 +145,18 @@ TEST(OmplPlanner, ASeedOfAnySizeIsTaken) {
   }
 }
 
-TEST(OmplPlanner, GivesNoPathWhereThereIsNone) {
-  const World world = parted_world();
-  References claimed;
-  claimed.shortest = ShortestPath{{}, 9, {8, 9}, "exact", ""};
+TEST(OmplPlanner, ReturnsNoPathIfThereIsNone) {
+  const World world = divided_world();
+  References references;
+  references.shortest = ShortestPath{{}, 9, {8, 9}, "exact", ""};
   EXPECT_EQ(in_child([&]() -> std::string {
               const auto planner = make_ompl_planner(options_of("RRTstar"));
-              return planner->plan(problem_of(world), claimed, 1) ? "a path" : "no path";
+              return planner->plan(problem_of(world), references, 1) ? "a path" : "no path";
             }),
             "no path");
 }
 
-/// Plans for a robot in a child; the points of the path as text, or what is wrong.
+/// Plans for a robot in a child process; returns the points of the path as text, or an error.
 std::string planned_for(const RobotModel& robot, const World& world, const References& exact,
                         OmplOptions options) {
   options.max_pose_iterations = robot.min_turning_radius > 0 ? 300 : 3000;
@@ -177,19 +178,19 @@ Path path_from(const std::string& text) {
   return path;
 }
 
-/// Largest turn between neighbouring pieces per length: the curvature of a finely sampled path.
-double sharpest_curvature(const Path& path) {
-  double sharpest = 0;
+/// Largest turn between adjacent segments per length: the curvature of a finely sampled path.
+double max_curvature(const Path& path) {
+  double curvature = 0;
   for (std::size_t i = 2; i < path.size(); ++i) {
     const auto a = path[i - 1] - path[i - 2], b = path[i] - path[i - 1];
     if (a.norm() < 1e-6 || b.norm() < 1e-6) continue;
     const double turn = std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
-    sharpest = std::max(sharpest, std::abs(turn) / std::max(a.norm(), b.norm()));
+    curvature = std::max(curvature, std::abs(turn) / std::max(a.norm(), b.norm()));
   }
-  return sharpest;
+  return curvature;
 }
 
-TEST(OmplPlanner, ARobotThatSteersLikeACarGetsAPathItCanDrive) {
+TEST(OmplPlanner, ACarLikeRobotGetsAFeasiblePath) {
   const World world = disc_world();
   RobotModel robot;
   robot.radius = kRadius;
@@ -197,8 +198,8 @@ TEST(OmplPlanner, ARobotThatSteersLikeACarGetsAPathItCanDrive) {
   const Path path = path_from(planned_for(robot, world, exact_of(world), options_of("RRTstar")));
   ASSERT_GT(path.size(), 10U);
   EXPECT_TRUE(is_free(world, path, kRadius - 1e-3));
-  EXPECT_LE(sharpest_curvature(path), 1 / 0.5 + 0.1) << "never sharper than its turning radius";
-  // It starts along its heading, 0.
+  EXPECT_LE(max_curvature(path), 1 / 0.5 + 0.1) << "sharper than the turning radius";
+  // The path starts in the direction of the initial heading, 0.
   EXPECT_NEAR(std::atan2(path[1].y - path[0].y, path[1].x - path[0].x), 0, 0.06);
 }
 
@@ -216,8 +217,9 @@ TEST(OmplPlanner, NeitherForwardOnlyNorReversingPathsAreShorterThanTheLowerBound
   EXPECT_GE(length(both), exact.shortest->certificate.lower_bound - 1e-6);
 }
 
-TEST(OmplPlanner, APolygonIsPlannedForAsAPolygon) {
-  // A gap of 1 m: the rectangle, 0.4 m wide, fits through lengthwise; the disc about it does not.
+TEST(OmplPlanner, APolygonIsPlannedAsAPolygon) {
+  // A gap of 1.02 m: the rectangle, 0.4 m wide, fits through lengthwise; its enclosing disc does
+  // not.
   Primitives walls;
   walls.polygons.push_back({{{0, 3.8}, {3.49, 3.8}, {3.49, 4.2}, {0, 4.2}}});
   walls.polygons.push_back({{{4.51, 3.8}, {8, 3.8}, {8, 4.2}, {4.51, 4.2}}});
@@ -241,26 +243,26 @@ TEST(OmplPlanner, WithTheClearanceObjectiveItProvidesTheSafestPath) {
   const World world = disc_world();
   const References exact = exact_of(world);
   OmplOptions options = options_of("PRMstar");
-  options.objective = "clearance";
+  options.objective = ReferencePlanner::Objective::Clearance;
   options.gap = 0.1;
   const Path path = path_from(planned_for({}, world, exact, options));
   ASSERT_GE(path.size(), 2U);
   EXPECT_LE(bottleneck_of(world, path), exact.safest->bottleneck + 1e-6)
-      << "wider than the widest there is";
+      << "wider than the safest path";
   EXPECT_GE(bottleneck_of(world, path), 0.7 * exact.safest->bottleneck);
 }
 
-TEST(OmplPlanner, KeepsItsNameAndLeavesExactToTheExactSearch) {
+TEST(OmplPlanner, HasTheNameOfThePlannerAndIsNullForExact) {
   EXPECT_EQ(make_ompl_planner(options_of("BITstar"))->name(), "BITstar");
   EXPECT_EQ(make_ompl_planner(options_of("exact")), nullptr);
 }
 
 std::string refusal(const std::string& line) {
   const IniFile ini = IniFile::from_text("[reference]\n" + line + "\n", "campaign.ini");
-  return error_text(Culprit::Usage, [&] { read_options<OmplOptions>(ini, "reference"); });
+  return error_text(ErrorKind::Usage, [&] { read_options<OmplOptions>(ini, "reference"); });
 }
 
-TEST(OmplOptions, AnUnknownPlannerIsRefusedWithThoseThatThereAre) {
+TEST(OmplOptions, AnUnknownPlannerIsRefusedWithTheKnownOnes) {
   const std::string text = refusal("planner = InformedRRT");
   EXPECT_EQ(text.rfind("campaign.ini:2: [reference] planner: ", 0), 0U) << text;
   EXPECT_NE(text.find("InformedRRT'"), std::string::npos) << text;

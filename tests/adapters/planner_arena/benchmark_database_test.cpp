@@ -13,29 +13,27 @@ namespace {
 constexpr const char* kIni =
     "[method.nd]\nadapter = mrpt_holonomic\n\n[simulation]\nmax_time = 60\n";
 
-RunRecord run_of(const std::string& scenario, const std::string& method,
-                 const std::string& outcome) {
-  RunRecord run;
-  run.scenario_hash = scenario;
-  run.scenario_name = "place " + scenario;
-  run.method = method;
-  run.outcome = outcome;
-  const bool reached = outcome == "success";
-  run.metrics["time_to_goal"] = {1, reached ? Value::of(12.5) : Value::na(outcome)};
-  run.metrics["path_length"] = {1, Value::of(4)};
-  return run;
-}
-
 class BenchmarkDatabase : public testing::Test {
  protected:
   void SetUp() override {
     table_.manifest = {{"campaign.ini", kIni}, {"seed", "7"}, {"version.slalom", "1.2"}};
-    for (const char* hash : {"a", "b"})
-      table_.scenarios[hash] = {
-          hash, std::string("place ") + hash, {{"density", {1, Value::of(0.2)}}}};
-    for (const char* hash : {"a", "b"}) {
-      table_.runs.push_back(run_of(hash, "gap", "success"));
-      table_.runs.push_back(run_of(hash, "nd", *hash == 'a' ? "success" : "collision"));
+    table_.scenario_hashes = {"a", "b"};
+    table_.scenario_names = {"scenario a", "scenario b"};
+    table_.methods = {"gap", "nd"};
+    table_.outcomes = {"success", "collision", "unsolvable_scenario"};
+    table_.scenario = {0, 0, 1, 1};
+    table_.method = {0, 1, 0, 1};
+    table_.outcome = {0, 0, 0, 1};
+    table_.repetition = {0, 0, 0, 0};
+    table_.descriptors.emplace_back(QuantityInfo{"density", 1, "", "-", Direction::None});
+    for (int scenario = 0; scenario < 2; ++scenario) table_.descriptors[0].add_number(0.2);
+    for (const char* id : {"path_length", "time_to_goal", "cycle_time_mean"})
+      table_.metrics.emplace_back(QuantityInfo{id, 1, "", "-", Direction::Down});
+    table_.metrics[2].wall_clock = true;
+    for (const std::uint32_t outcome : table_.outcome) {
+      table_.metrics[0].add_number(4);
+      table_.metrics[1].add(outcome == 0 ? Value::of(12.5) : Value::na("collision"));
+      table_.metrics[2].add_number(1);
     }
     write_benchmark_database(table_, path_);
     database_ = std::make_unique<SQLite::Database>(path_, SQLite::OPEN_READONLY);
@@ -63,44 +61,51 @@ class BenchmarkDatabase : public testing::Test {
   std::unique_ptr<SQLite::Database> database_;
 };
 
-TEST_F(BenchmarkDatabase, AnswersTheQueryThatOmplDocuments) {
+TEST_F(BenchmarkDatabase, SupportsTheQueryDocumentedByOmpl) {
   EXPECT_EQ(rows("SELECT REPLACE(plannerConfigs.name, 'geometric_', '') AS name, runs.solved, "
                  "runs.time, runs.path_length FROM plannerConfigs INNER JOIN runs ON "
                  "plannerConfigs.id = runs.plannerid ORDER BY runs.id"),
             (Lines{"gap|1|12.5|4.0", "nd|1|12.5|4.0", "gap|1|12.5|4.0", "nd|0|NULL|4.0"}));
 }
 
-TEST_F(BenchmarkDatabase, GivesTheColumnsTheTypesThatPlannerArenaTellsPlotsBy) {
+TEST_F(BenchmarkDatabase, HasTheColumnTypesThatPlannerArenaExpects) {
   EXPECT_EQ(rows("SELECT name, type FROM pragma_table_info('runs')"),
             (Lines{"id|INTEGER", "experimentid|INTEGER", "plannerid|INTEGER", "time|REAL",
                    "solved|BOOLEAN", "status|ENUM", "path_length|REAL", "time_to_goal|REAL"}));
 }
 
-TEST_F(BenchmarkDatabase, NamesOutcomesByAnEnum) {
+TEST_F(BenchmarkDatabase, StoresOutcomesAsAnEnum) {
   EXPECT_EQ(rows("SELECT enums.description, COUNT(*) FROM runs JOIN enums ON enums.name = 'status' "
                  "AND enums.value = runs.status GROUP BY 1 ORDER BY 1"),
             (Lines{"collision|1", "success|3"}));
 }
 
-TEST_F(BenchmarkDatabase, MakesAnExperimentOfEachScenario) {
-  EXPECT_EQ(
-      rows("SELECT name, timelimit, memorylimit, runcount, version, seed, density FROM "
-           "experiments ORDER BY id"),
-      (Lines{"place a|60.0|NULL|2|Slalom 1.2|7|0.2", "place b|60.0|NULL|2|Slalom 1.2|7|0.2"}));
+TEST_F(BenchmarkDatabase, ARunThatSaysNothingAboutTheMethodIsNeitherSolvedNorUnsolved) {
+  table_.outcome[3] = 2;
+  write_benchmark_database(table_, path_);
+  database_ = std::make_unique<SQLite::Database>(path_, SQLite::OPEN_READONLY);
+  EXPECT_EQ(rows("SELECT solved FROM runs ORDER BY id"), (Lines{"1", "1", "1", "NULL"}));
 }
 
-TEST_F(BenchmarkDatabase, KeepsTheSettingsOfEachMethod) {
+TEST_F(BenchmarkDatabase, StoresEachScenarioAsAnExperiment) {
+  EXPECT_EQ(rows("SELECT name, timelimit, memorylimit, runcount, version, seed, density FROM "
+                 "experiments ORDER BY id"),
+            (Lines{"scenario a|60.0|NULL|2|Slalom 1.2|7|0.2",
+                   "scenario b|60.0|NULL|2|Slalom 1.2|7|0.2"}));
+}
+
+TEST_F(BenchmarkDatabase, StoresTheSettingsOfEachMethod) {
   EXPECT_EQ(rows("SELECT name, settings FROM plannerConfigs ORDER BY id"),
             (Lines{"gap|", "nd|adapter = mrpt_holonomic;"}));
 }
 
-TEST_F(BenchmarkDatabase, HasNoBrokenReferences) {
+TEST_F(BenchmarkDatabase, HasValidReferences) {
   EXPECT_TRUE(rows("PRAGMA foreign_key_check").empty());
   EXPECT_EQ(rows("SELECT COUNT(*) FROM progress"), (Lines{"0"}));
 }
 
-TEST_F(BenchmarkDatabase, ReplacesWhatWasThereOrSaysWhyNot) {
-  table_.runs.pop_back();
+TEST_F(BenchmarkDatabase, ReplacesAnExistingFileOrReportsAnError) {
+  table_.scenario.pop_back();
   write_benchmark_database(table_, path_);
   database_ = std::make_unique<SQLite::Database>(path_, SQLite::OPEN_READONLY);
   EXPECT_EQ(rows("SELECT COUNT(*) FROM runs"), (Lines{"3"}));

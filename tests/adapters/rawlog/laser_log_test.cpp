@@ -40,7 +40,7 @@ class LaserLog : public testing::RecordedRunTest {
   }
 };
 
-TEST_F(LaserLog, ObservationsKeepTheirOrderAndTheLastOdometry) {
+TEST_F(LaserLog, ReadsObservationsInOrderWithTheLatestOdometry) {
   mrpt::obs::CRawlog log;
   log.insert(scan(0, "front"));
   log.insert(odometry(0.5, 1, 0));
@@ -57,12 +57,11 @@ TEST_F(LaserLog, ObservationsKeepTheirOrderAndTheLastOdometry) {
   EXPECT_NEAR(scans[2].velocity->vx, 2, 1e-6);
   EXPECT_NEAR(scans[2].velocity->omega, 0.2, 1e-6);
   EXPECT_EQ(read_laser_log(path("log.rawlog"), "rear").size(), 1U);
-  EXPECT_NE(
-      error_text(Culprit::File, [&] { read_laser_log(path("log.rawlog"), "left"); }).find("'left'"),
-      std::string::npos);
+  EXPECT_TRUE(throws_error(ErrorKind::File, path("log.rawlog"), {"no 2D scan", "'left'"},
+                           [&] { read_laser_log(path("log.rawlog"), "left"); }));
 }
 
-TEST_F(LaserLog, ActionsAddUp) {
+TEST_F(LaserLog, AccumulatesActions) {
   mrpt::obs::CRawlog log;
   for (int i = 0; i < 3; ++i) {
     mrpt::obs::CActionRobotMovement2D movement;
@@ -81,7 +80,7 @@ TEST_F(LaserLog, ActionsAddUp) {
   EXPECT_NEAR(scans[2].velocity->vx, 0.5, 1e-6);  // 0.5 m between scans 1 s apart
 }
 
-TEST_F(LaserLog, MrptsOwnLogsAreRead) {
+TEST_F(LaserLog, ReadsLogsOfMrpt) {
   const std::map<std::string, std::size_t> logs = {
       {"localization_demo.rawlog", 37},
       {"2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog", 225}};
@@ -94,16 +93,15 @@ TEST_F(LaserLog, MrptsOwnLogsAreRead) {
   }
 }
 
-TEST_F(LaserLog, ARecordedRunIsALaserLogToo) {
+TEST_F(LaserLog, ReadsRecordedRuns) {
   auto method = testing::constant_method(0.4, 0);
-  const auto made = testing::make_run(path("run.rawlog"), method, {});
-  EXPECT_EQ(read_laser_log(path("run.rawlog")).size(), made.cycles.size());
+  const auto simulated = testing::simulate_run(path("run.rawlog"), method, {});
+  EXPECT_EQ(read_laser_log(path("run.rawlog")).size(), simulated.cycles.size());
 }
 
-TEST_F(LaserLog, ALogWithoutScansIsRefused) {
-  const std::string text =
-      error_text(Culprit::File, [] { read_laser_log(kDatasets + "RO-SLAM_demo.rawlog"); });
-  EXPECT_NE(text.find("no 2D scan"), std::string::npos) << text;
+TEST_F(LaserLog, RejectsALogWithoutScans) {
+  const std::string log = kDatasets + "RO-SLAM_demo.rawlog";
+  EXPECT_TRUE(throws_error(ErrorKind::File, log, {"no 2D scan"}, [&] { read_laser_log(log); }));
 }
 
 }  // namespace

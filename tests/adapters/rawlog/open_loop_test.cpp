@@ -1,8 +1,11 @@
 #include "recorded_runs.h"
 
-#include <slalom/rawlog/open_loop.h>
+#include <slalom/rawlog/open_loop_summary.h>
 
 #include <mrpt/core/bits_math.h>
+#include <nlohmann/json.hpp>
+
+#include <error_text.h>
 
 namespace slalom {
 namespace {
@@ -10,7 +13,7 @@ namespace {
 using mrpt::math::TPoint2D;
 using mrpt::obs::CObservation2DRangeScan;
 
-/// `rays` rays over `aperture_deg` that all measure `range`.
+/// `rays` rays over `aperture_deg`, all of which measure `range`.
 CObservation2DRangeScan even_scan(std::size_t rays, double aperture_deg, float range) {
   CObservation2DRangeScan scan;
   scan.aperture = static_cast<float>(mrpt::DEG2RAD(aperture_deg));
@@ -26,58 +29,58 @@ SensorModel sensor_of(int rays, double aperture_deg) {
   return sensor;
 }
 
-TEST(ResampleScan, KeepsAScanOfItsOwnSensor) {
+TEST(ResampleScan, KeepsAScanOfTheSameSensor) {
   auto scan = even_scan(181, 180, 2);
   for (std::size_t i = 0; i < 181; ++i) scan.setScanRange(i, 1 + 0.01F * static_cast<float>(i));
-  const auto seen = resample_scan(scan, sensor_of(181, 180));
-  ASSERT_EQ(seen.getScanSize(), 181U);
-  // A ray also has what its neighbours' points reach, half a spacing away: nothing, but for
-  // rounding.
+  const auto resampled = resample_scan(scan, sensor_of(181, 180));
+  ASSERT_EQ(resampled.getScanSize(), 181U);
+  // The points of neighboring rays cover up to half a spacing: they matter only due to rounding.
   for (std::size_t i = 0; i < 181; ++i)
-    EXPECT_NEAR(seen.getScanRange(i), scan.getScanRange(i), 0.0101) << i;
+    EXPECT_NEAR(resampled.getScanRange(i), scan.getScanRange(i), 0.0101) << i;
 }
 
 TEST(ResampleScan, CropsToTheAngleAndTheRangeOfTheSensor) {
   auto scan = even_scan(361, 360, 10);
   scan.setScanRange(180, 3);  // straight ahead
   scan.setScanRange(0, 1);    // straight behind
-  const auto seen = resample_scan(scan, sensor_of(91, 90));
-  ASSERT_EQ(seen.getScanSize(), 91U);
-  EXPECT_FLOAT_EQ(seen.getScanRange(45), 3);
-  EXPECT_FLOAT_EQ(seen.getScanRange(0), 8);  // 10 m is beyond its 8 m
-  EXPECT_FALSE(seen.getScanRangeValidity(0));
-  for (std::size_t i = 0; i < 91; ++i) EXPECT_GE(seen.getScanRange(i), 3);
+  const auto resampled = resample_scan(scan, sensor_of(91, 90));
+  ASSERT_EQ(resampled.getScanSize(), 91U);
+  EXPECT_FLOAT_EQ(resampled.getScanRange(45), 3);
+  EXPECT_FLOAT_EQ(resampled.getScanRange(0), 8);  // 10 m is beyond its 8 m
+  EXPECT_FALSE(resampled.getScanRangeValidity(0));
+  for (std::size_t i = 0; i < 91; ++i) EXPECT_GE(resampled.getScanRange(i), 3);
 }
 
-TEST(ResampleScan, KeepsTheNearestOfManyRays) {
+TEST(ResampleScan, KeepsTheClosestOfManyRays) {
   auto scan = even_scan(721, 180, 5);  // 0.25 degrees
   scan.setScanRange(361, 2);           // 0.25 degrees to the left: within half a degree of ahead
-  const auto seen = resample_scan(scan, sensor_of(181, 180));
-  EXPECT_FLOAT_EQ(seen.getScanRange(90), 2);
-  EXPECT_FLOAT_EQ(seen.getScanRange(91), 5);
-  EXPECT_FLOAT_EQ(seen.getScanRange(89), 5);
+  const auto resampled = resample_scan(scan, sensor_of(181, 180));
+  EXPECT_FLOAT_EQ(resampled.getScanRange(90), 2);
+  EXPECT_FLOAT_EQ(resampled.getScanRange(91), 5);
+  EXPECT_FLOAT_EQ(resampled.getScanRange(89), 5);
 }
 
-TEST(ResampleScan, LeavesNoHolesBetweenFewRays) {
-  const auto seen = resample_scan(even_scan(19, 180, 4), sensor_of(181, 180));  // 10 degrees apart
-  for (std::size_t i = 0; i < 181; ++i) EXPECT_FLOAT_EQ(seen.getScanRange(i), 4) << i;
+TEST(ResampleScan, LeavesNoGapsBetweenSparseRays) {
+  const auto resampled =
+      resample_scan(even_scan(19, 180, 4), sensor_of(181, 180));  // 10 degrees apart
+  for (std::size_t i = 0; i < 181; ++i) EXPECT_FLOAT_EQ(resampled.getScanRange(i), 4) << i;
 }
 
-TEST(ResampleScan, RaysThatMetNothingAreFree) {
+TEST(ResampleScan, RaysWithoutHitsAreFree) {
   auto scan = even_scan(181, 180, 4);
   for (std::size_t i = 60; i < 121; ++i) scan.setScanRangeValidity(i, false);
   scan.setScanRange(30, 0);
-  const auto seen = resample_scan(scan, sensor_of(181, 180));
-  EXPECT_FLOAT_EQ(seen.getScanRange(90), 8);
-  EXPECT_FLOAT_EQ(seen.getScanRange(30), 8);
+  const auto resampled = resample_scan(scan, sensor_of(181, 180));
+  EXPECT_FLOAT_EQ(resampled.getScanRange(90), 8);
+  EXPECT_FLOAT_EQ(resampled.getScanRange(30), 8);
 }
 
-TEST(ResampleScan, SeesFromTheRobotsCentre) {
+TEST(ResampleScan, TransformsToTheRobotsCenter) {
   auto scan = even_scan(181, 180, 2);
-  scan.sensorPose = mrpt::poses::CPose3D(0.5, 0, 0.3, 0, 0, 0);  // half a metre ahead
+  scan.sensorPose = mrpt::poses::CPose3D(0.5, 0, 0.3, 0, 0, 0);  // half a meter ahead
   const auto ahead = resample_scan(scan, sensor_of(181, 180));
   EXPECT_NEAR(ahead.getScanRange(90), 2.5, 1e-6);
-  // Seen at 90 degrees the point is at (0.5, 2).
+  // The point of the ray at 90 degrees is at (0.5, 2).
   EXPECT_NEAR(ahead.getScanRange(166), std::hypot(0.5, 2), 0.05);  // 76 degrees
 
   auto upside_down = even_scan(181, 180, 5);
@@ -87,49 +90,49 @@ TEST(ResampleScan, SeesFromTheRobotsCentre) {
 
   auto clockwise = even_scan(181, 180, 5);
   clockwise.rightToLeft = false;
-  clockwise.setScanRange(0, 1);  // its first ray looks to the left
+  clockwise.setScanRange(0, 1);  // the first ray points to the left
   EXPECT_NEAR(resample_scan(clockwise, sensor_of(181, 180)).getScanRange(180), 1, 1e-6);
 }
 
-TEST(ResampleScan, AScanOfTheGroundIsNone) {
+TEST(ResampleScan, ScansThatAreNotHorizontalHaveNoPoints) {
   auto scan = even_scan(181, 180, 2);
   scan.sensorPose = mrpt::poses::CPose3D(0, 0, 1, 0, mrpt::DEG2RAD(30.0), 0);
   EXPECT_TRUE(scan_points(scan).empty());
 }
 
 // The default robot: radius 0.25 m, brakes with 1 m/s^2. At v = 1 m/s: one period of 0.1 s at full
-// speed is 0.1 m, braking 0.5 m; so 0.6 m until it stands, 1 m in one second.
-TEST(ForeseeContact, OfARobotThatDrivesStraight) {
+// speed is 0.1 m, braking 0.5 m; so 0.6 m until it stops, 1 m in one second.
+TEST(PredictContact, OfARobotDrivingStraight) {
   const RobotModel robot;
-  const auto forecast = [&](double distance) {
-    return foresee_contact(robot, 0.1, {1, 0, 0}, {1, 0, 0}, {{distance, 0}});
+  const auto prediction = [&](double distance) {
+    return predict_contact(robot, 0.1, {1, 0, 0}, {1, 0, 0}, {{distance, 0}});
   };
-  const Forecast near = forecast(0.25 + 0.55), between = forecast(0.25 + 0.8),
-                 far = forecast(0.25 + 1.1), touching = forecast(0.2);
-  EXPECT_TRUE(near.stopping && near.one_second && !near.at_once);
+  const ContactPrediction near = prediction(0.25 + 0.55), between = prediction(0.25 + 0.8),
+                          far = prediction(0.25 + 1.1), touching = prediction(0.2);
+  EXPECT_TRUE(near.stopping && near.one_second && !near.in_contact);
   EXPECT_TRUE(!between.stopping && between.one_second);
   EXPECT_TRUE(!far.stopping && !far.one_second);
-  EXPECT_TRUE(touching.at_once && !touching.stopping && !touching.one_second);
+  EXPECT_TRUE(touching.in_contact && !touching.stopping && !touching.one_second);
 }
 
-TEST(ForeseeContact, ARobotThatStandsAndIsToldToStandMeetsNothing) {
-  const Forecast forecast = foresee_contact({}, 0.1, {}, {}, {{0.26, 0}});
-  EXPECT_FALSE(forecast.at_once || forecast.stopping || forecast.one_second);
+TEST(PredictContact, AStoppedRobotHasNoContact) {
+  const ContactPrediction prediction = predict_contact({}, 0.1, {}, {}, {{0.26, 0}});
+  EXPECT_FALSE(prediction.in_contact || prediction.stopping || prediction.one_second);
 }
 
-TEST(ForeseeContact, ACornerOfAFootprintThatTurns) {
+TEST(PredictContact, OfACornerOfARotatingFootprint) {
   RobotModel robot;
   robot.footprint = "-0.2,-0.2; 0.6,-0.2; 0.6,0.2; -0.2,0.2";
   robot.radius = robot.shape().enclosing_radius();
-  const std::vector<TPoint2D> beside = {{0.5, 0.3}};  // free now; reached by turning left
-  EXPECT_FALSE(foresee_contact(robot, 0.1, {}, {}, beside).one_second);
-  EXPECT_TRUE(foresee_contact(robot, 0.1, {}, {0, 1.0, 0}, beside).one_second);
-  EXPECT_FALSE(foresee_contact(robot, 0.1, {}, {0, -1.0, 0}, beside).one_second);
+  const std::vector<TPoint2D> points = {{0.5, 0.3}};  // free at the start; reached by turning left
+  EXPECT_FALSE(predict_contact(robot, 0.1, {}, {}, points).one_second);
+  EXPECT_TRUE(predict_contact(robot, 0.1, {}, {0, 1.0, 0}, points).one_second);
+  EXPECT_FALSE(predict_contact(robot, 0.1, {}, {0, -1.0, 0}, points).one_second);
 }
 
-TEST(ForeseeContact, SpeedsBeyondTheRobotsLimitsCountAsItsLimits) {
+TEST(PredictContact, VelocitiesAreClampedToTheRobotsLimits) {
   const std::vector<TPoint2D> ahead = {{0.25 + 0.7, 0}};
-  EXPECT_FALSE(foresee_contact({}, 0.1, {5, 0, 0}, {0, 0, 0}, ahead).stopping);
+  EXPECT_FALSE(predict_contact({}, 0.1, {5, 0, 0}, {0, 0, 0}, ahead).stopping);
 }
 
 LoggedScan logged(double time, float range) {
@@ -139,19 +142,19 @@ LoggedScan logged(double time, float range) {
   return scan;
 }
 
-TEST(ReplayOpenLoop, EveryScanIsATaskOfItsOwn) {
+TEST(ReplayOpenLoop, EachScanIsASeparateTask) {
   OpenLoopSetup setup;
   setup.goal_ahead = 3;
   auto moved = logged(1, 4);
   moved.odometry = {1, 2, M_PI / 2};
   moved.velocity = mrpt::math::TTwist2D(0.5, 0, 0.1);
   struct : Method {
-    void reset(const Task& task) override { tasks.push_back(task); }
+    void reset(const NavigationTask& task) override { tasks.push_back(task); }
     Command step(const Observation& observation) override {
       observations.push_back(observation);
       return {0.1 * static_cast<double>(tasks.size()), 0};
     }
-    std::vector<Task> tasks;
+    std::vector<NavigationTask> tasks;
     std::vector<Observation> observations;
   } method;
   const auto answers = replay_open_loop({logged(0, 4), moved}, setup, method);
@@ -165,32 +168,85 @@ TEST(ReplayOpenLoop, EveryScanIsATaskOfItsOwn) {
   ASSERT_EQ(answers.size(), 2U);
   EXPECT_EQ(answers[1].command.v, 0.2);
   EXPECT_EQ(answers[1].time, 1);
-  EXPECT_EQ(answers[0].unseen_rays, 0);
+  EXPECT_EQ(answers[0].uncovered_rays, 0);
 }
 
-TEST(ReplayOpenLoop, CountsWhatWouldHaveLedToContact) {
+TEST(ReplayOpenLoop, PredictsContact) {
   auto fast = testing::constant_method(1, 0);
   auto moving = logged(0, 0.7F);
   moving.velocity = mrpt::math::TTwist2D(1, 0, 0);
   const auto answers = replay_open_loop({moving, logged(1, 5)}, {}, fast);
-  EXPECT_TRUE(answers[0].forecast.stopping);
-  EXPECT_FALSE(answers[1].forecast.one_second);
+  EXPECT_TRUE(answers[0].prediction.stopping);
+  EXPECT_FALSE(answers[1].prediction.one_second);
 }
 
-TEST(ReplayOpenLoop, AnswersThatAreNoneHaveAReason) {
+TEST(ReplayOpenLoop, InvalidAnswersHaveAReason) {
   auto too_fast = testing::constant_method(7, 0);
   testing::FunctionMethod failing([](const Observation&) -> Command { throw MethodError("lost"); });
-  EXPECT_NE(replay_open_loop({logged(0, 4)}, {}, too_fast)[0].problem.find("v = 7"),
-            std::string::npos);
+  EXPECT_TRUE(mentions(replay_open_loop({logged(0, 4)}, {}, too_fast)[0].problem, {"v = 7"}));
   EXPECT_EQ(replay_open_loop({logged(0, 4)}, {}, failing)[0].problem, "lost");
 }
 
-TEST(ReplayOpenLoop, CountsRaysOutsideTheLogsView) {
+TEST(ReplayOpenLoop, CountsRaysOutsideTheFieldOfView) {
   auto half = logged(0, 4);
   half.scan = std::make_shared<CObservation2DRangeScan>(even_scan(91, 90, 4));
   auto method = testing::constant_method(0, 0);
-  // 181 rays from -90 to 90 degrees; those from -45 to 45, 91 of them, are seen.
-  EXPECT_EQ(replay_open_loop({half}, {}, method)[0].unseen_rays, 90);
+  // 181 rays from -90 to 90 degrees; those from -45 to 45, 91 of them, are covered.
+  EXPECT_EQ(replay_open_loop({half}, {}, method)[0].uncovered_rays, 90);
+}
+
+/// Two commands, one of which predicts contact, and a scan without a command.
+std::vector<OpenLoopAnswer> three_answers() {
+  std::vector<OpenLoopAnswer> answers(3);
+  answers[0].command = {0.5, 0.1};
+  answers[0].uncovered_rays = 6;
+  answers[1].command = {0.2, 0};
+  answers[1].prediction.stopping = answers[1].prediction.one_second = true;
+  answers[2].time = 2;
+  answers[2].problem = "lost";
+  return answers;
+}
+
+TEST(OpenLoopSummary, MeansOfVelocitiesAreOverCommandsAndOfRaysOverScans) {
+  auto moved = logged(1, 4);
+  moved.odometry = {1, 2, 0};
+  const OpenLoopSummary sum = summarize({logged(0, 4), moved, logged(2, 4)}, three_answers());
+  EXPECT_EQ(sum.scans, 3U);
+  EXPECT_EQ(sum.with_odometry, 1U);
+  EXPECT_EQ(sum.commands, 2U);
+  EXPECT_EQ(sum.problems, 1U);
+  EXPECT_EQ(sum.stopping, 1U);
+  EXPECT_NEAR(sum.mean_v, 0.35, 1e-12);
+  EXPECT_NEAR(sum.mean_uncovered, 2, 1e-12);
+  EXPECT_EQ(summarize({}, {}).mean_v, 0);
+}
+
+TEST(OpenLoopSummary, TextAndJsonAgree) {
+  OpenLoopSummary sum = summarize({}, three_answers());
+  sum.log = "a.rawlog";
+  sum.method = "nd";
+  sum.goal_ahead = 5;
+  EXPECT_EQ(render_text(sum),
+            "a.rawlog: nd, goal 5 m ahead\n"
+            "scans                                 3\n"
+            "  with odometry                       0\n"
+            "  rays not covered by the log         2.0 on average\n"
+            "commands                              2\n"
+            "  mean linear velocity                0.350 m/s\n"
+            "  robot already in contact            0\n"
+            "  contact, braking after one period   1\n"
+            "  contact, held for one second        1\n"
+            "scans without a command               1\n");
+  EXPECT_EQ(render_text(three_answers()),
+            "time_s v w vy contact\n"
+            "0.000 0.500 0.100 0.000 none\n"
+            "0.000 0.200 0.000 0.000 stopping\n"
+            "2.000 - - - lost\n\n");
+  const auto json = nlohmann::json::parse(render_json(sum, three_answers()));
+  EXPECT_EQ(json["commands"], 2);
+  EXPECT_EQ(json["answers"][1]["contact"]["stopping"], true);
+  EXPECT_EQ(json["answers"][2]["problem"], "lost");
+  EXPECT_FALSE(nlohmann::json::parse(render_json(sum, {})).contains("answers"));
 }
 
 }  // namespace

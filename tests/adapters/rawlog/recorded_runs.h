@@ -14,7 +14,7 @@
 
 namespace slalom::testing {
 
-/// A folder of its own for each test; gone afterwards.
+/// A temporary folder for each test.
 class RecordedRunTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -28,26 +28,26 @@ class RecordedRunTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-/// What one cycle of a run was like, kept beside the recorder.
-struct SeenCycle {
+/// Data of one cycle of a run, as passed to the recorder.
+struct ObservedCycle {
   Observation observation;
   std::vector<float> ranges;
   double scan_age;  ///< s
   Command command;
 };
 
-/// Hands a run to a recorder and keeps what it saw.
-class SeeingObserver : public RunObserver {
+/// Forwards a run to a recorder and keeps its data.
+class CapturingObserver : public RunObserver {
  public:
-  explicit SeeingObserver(RunObserver& recorder) : recorder_(recorder) {}
+  explicit CapturingObserver(RunObserver& recorder) : recorder_(recorder) {}
 
-  void on_start(const Task& task) override {
+  void on_start(const NavigationTask& task) override {
     task_ = task;
     recorder_.on_start(task);
   }
   void on_cycle(const Observation& observation, const Command& command,
                 const mrpt::math::TPose2D& pose) override {
-    SeenCycle cycle{observation, {}, 0, command};
+    ObservedCycle cycle{observation, {}, 0, command};
     for (std::size_t i = 0; i < observation.scan->getScanSize(); ++i)
       cycle.ranges.push_back(observation.scan->getScanRange(i));
     cycle.scan_age = mrpt::Clock::toDouble(mrpt::Clock::now()) -
@@ -57,8 +57,8 @@ class SeeingObserver : public RunObserver {
   }
   void on_end(const SimulationResult& result) override { recorder_.on_end(result); }
 
-  Task task_;
-  std::vector<SeenCycle> cycles_;
+  NavigationTask task_;
+  std::vector<ObservedCycle> cycles_;
 
  private:
   RunObserver& recorder_;
@@ -71,28 +71,28 @@ inline Scenario some_discs() {
 }
 
 /// A run of `method` among some discs, recorded at `path`.
-struct MadeRun {
+struct SimulatedRun {
   SimulationResult result;
-  Task task;
-  std::vector<SeenCycle> cycles;
+  NavigationTask task;
+  std::vector<ObservedCycle> cycles;
 };
 
-inline MadeRun make_run(const std::string& path, Method& method, const RunSetup& setup,
-                        std::uint64_t seed = 7) {
+inline SimulatedRun simulate_run(const std::string& path, Method& method, const RunSetup& setup,
+                                 std::uint64_t seed = 7) {
   const World world(some_discs(), setup.simulation.resolution);
   const IniFile ini = IniFile::from_text("[campaign]\nseed = 3\nmethods = m\n[method.m]\nx = 1\n");
   const auto recorder =
       make_rawlog_recorder(path, make_run_manifest(ini, world.scenario(), "m", 2, seed));
-  SeeingObserver seen(*recorder);
-  MadeRun made;
-  made.result = simulate(world, setup, seed, method, &seen);
-  made.task = seen.task_;
-  made.cycles = seen.cycles_;
-  return made;
+  CapturingObserver observer(*recorder);
+  SimulatedRun run;
+  run.result = simulate(world, setup, seed, method, &observer);
+  run.task = observer.task_;
+  run.cycles = observer.cycles_;
+  return run;
 }
 
-/// Everything that makes numbers uneven: noise, drift, delays.
-inline RunSetup uneven_setup() {
+/// A setup with noise, drift and delays, so that numbers are not round.
+inline RunSetup noisy_setup() {
   RunSetup setup;
   setup.robot.delay = 0.03;
   setup.robot.delay_tau = 0.2;

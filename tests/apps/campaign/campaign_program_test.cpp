@@ -1,3 +1,5 @@
+#include "error_text.h"
+
 #include <slalom/analysis/cell.h>
 #include <slalom/app/campaign_program.h>
 #include <slalom/core/error.h>
@@ -34,17 +36,11 @@ class CampaignProgram : public ::testing::Test {
     return arguments;
   }
 
-  /// What making the scenarios says against the .ini; "" when nothing.
-  std::string complaint(const std::string& override_key) const {
-    // Ten million scenarios take hours: only a check before them answers in time.
+  /// Calls campaign_scenarios() with this override and so many scenarios that generating them would
+  /// take hours: only a preceding check is fast enough.
+  void request_scenarios(const std::string& override_key) const {
     const auto wrong = arguments({override_key, "scenarios.count=10000000"});
-    try {
-      campaign_scenarios(load_campaign_ini(wrong), wrong);
-    } catch (const Error& error) {
-      EXPECT_EQ(error.exit_status(), 2);
-      return error.what();
-    }
-    return "";
+    campaign_scenarios(read_campaign(load_campaign_ini(wrong)), wrong);
   }
 
   const std::string folder_ = (std::filesystem::temp_directory_path() /
@@ -52,30 +48,31 @@ class CampaignProgram : public ::testing::Test {
                                   .string();
 };
 
-TEST_F(CampaignProgram, RefusesRowsOfAnUnknownDescriptorBeforeScenariosAreMade) {
-  EXPECT_EQ(complaint("analysis.rows=densty:2"),
-            "--set analysis.rows: 'densty' is not computed by this campaign; expected 'density'");
+TEST_F(CampaignProgram, RejectsRowsOfAnUnknownDescriptorBeforeGeneration) {
+  EXPECT_TRUE(throws_error(ErrorKind::Usage,
+                           "--set analysis.rows: ", {"'densty'", "expected 'density'"},
+                           [this] { request_scenarios("analysis.rows=densty:2"); }));
 }
 
-TEST_F(CampaignProgram, RefusesADescriptorAsAColumnBeforeScenariosAreMade) {
-  EXPECT_EQ(complaint("analysis.columns=success,density")
-                .find("--set analysis.columns: 'density' is not computed by this campaign; "
-                      "expected one of success, optimality"),
-            0U);
+TEST_F(CampaignProgram, RejectsADescriptorAsAColumnBeforeGeneration) {
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--set analysis.columns: ",
+                           {"'density'", "expected one of success, optimality"},
+                           [this] { request_scenarios("analysis.columns=success,density"); }));
 }
 
-TEST_F(CampaignProgram, TakesWallClockFiguresAsColumns) {
-  const auto asked = arguments({"analysis.columns=success,cycle_time_p95"});
-  EXPECT_EQ(campaign_scenarios(load_campaign_ini(asked), asked).size(), 1U);
+TEST_F(CampaignProgram, AcceptsWallClockMeasurementsAsColumns) {
+  const auto given = arguments({"analysis.columns=success,cycle_time_p95"});
+  EXPECT_EQ(campaign_scenarios(read_campaign(load_campaign_ini(given)), given).size(), 1U);
 }
 
-TEST_F(CampaignProgram, MakesTheSameScenariosWithAnyNumberOfJobs) {
-  // Mazes are built and certified with uneven effort, so threads finish them out of order.
-  auto asked = arguments({"scenarios.generator=random,maze", "scenarios.count=20"});
-  const auto contents = [&asked](int jobs) {
-    asked.jobs = jobs;
+TEST_F(CampaignProgram, GeneratesTheSameScenariosWithAnyNumberOfJobs) {
+  // Mazes take varying times, so that threads finish them out of order.
+  auto given = arguments({"scenarios.generator=random,maze", "scenarios.count=20"});
+  const auto contents = [&given](int jobs) {
+    given.jobs = jobs;
     std::vector<std::string> bytes;
-    for (const Scenario& scenario : campaign_scenarios(load_campaign_ini(asked), asked))
+    for (const Scenario& scenario :
+         campaign_scenarios(read_campaign(load_campaign_ini(given)), given))
       bytes.push_back(scenario.name() + serialize(scenario));
     return bytes;
   };
@@ -85,40 +82,35 @@ TEST_F(CampaignProgram, MakesTheSameScenariosWithAnyNumberOfJobs) {
   EXPECT_TRUE(alone == contents(5));
 }
 
-TEST_F(CampaignProgram, RefusesAnMrptConfigurationWithoutTheClassBeforeAnyRun) {
+TEST_F(CampaignProgram, RejectsAnMrptConfigurationWithoutTheClassBeforeAnyRun) {
   const std::string nd_ini = folder_ + "/nd.ini", path = folder_ + "/runs.results";
   write_file_atomically(nd_ini, "[Other]\nkey = 1\n");
   const auto wrong = arguments({"method.nd.config=" + nd_ini});
-  const IniFile ini = load_campaign_ini(wrong);
-  try {
-    run_campaign_program(ini, wrong, campaign_scenarios(ini, wrong), path);
-    FAIL() << "taken";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.exit_status(), 2);
-    EXPECT_EQ(std::string(error.what()).find("--set method.nd.config: CHolonomicND refuses it ("),
-              0U);
-  }
+  const CampaignConfig config = read_campaign(load_campaign_ini(wrong));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--set method.nd.config: ", {"CHolonomicND"}, [&] {
+    run_campaign_program(config, wrong, campaign_scenarios(config, wrong), path);
+  }));
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-// Programs link all rooms. Two rooms that gave one name to two types would share the code of their
-// vectors, and this file's, with the cells of tables, would come first.
-TEST_F(CampaignProgram, FindsReferencesAndRunsMethodsWithAllRoomsLinked) {
+// Programs link all modules. If two modules used one name for two types (an ODR violation), they
+// would share the code of their vectors, and that of this file, with the cells of tables, first.
+TEST_F(CampaignProgram, ComputesReferencesAndRunsMethodsWithAllModulesLinked) {
   std::vector<Cell> cells_of_a_table;
   for (std::size_t n = 0; n < 3; ++n) cells_of_a_table.emplace_back().n = n;
   ASSERT_EQ(cells_of_a_table.back().n, 2U);
   const auto plain = arguments();
-  const IniFile ini = load_campaign_ini(plain);
-  auto scenarios = campaign_scenarios(ini, plain);
+  const CampaignConfig config = read_campaign(load_campaign_ini(plain));
+  auto scenarios = campaign_scenarios(config, plain);
   const std::string hash = scenarios.front().hash(), path = folder_ + "/runs.results";
-  const CampaignReport report = run_campaign_program(ini, plain, std::move(scenarios), path);
+  const CampaignReport report = run_campaign_program(config, plain, std::move(scenarios), path);
   EXPECT_TRUE(report.complete);
   EXPECT_EQ(report.problem, "");
   const ResultFile file = ResultFile::open(path);
   const References references = file.read_references(hash);
   ASSERT_TRUE(references.shortest && references.safest);
   EXPECT_GE(length(references.safest->path), references.shortest->certificate.lower_bound);
-  ASSERT_EQ(file.read_table().runs.size(), 1U);
+  ASSERT_EQ(file.read_runs(hash).size(), 1U);
 }
 
 }  // namespace

@@ -1,50 +1,69 @@
 #pragma once
 
-#include <slalom/results/run_record.h>
+#include <slalom/results/result_table.h>
 
+#include <algorithm>
 #include <string>
-#include <utility>
 
 namespace slalom {
 
-/// A hand-made result table: scenarios "s0", "s1", ... and runs on them.
+/// A table built by hand: scenarios "s0", "s1", ... and runs in them.
 struct ResultFixture {
   ResultTable table;
 
   ResultFixture() {
-    table.quantities["density"] = {"density", 1, "Density", "-", Direction::None};
-    table.quantities["clearness"] = {"clearness", 1, "Clearness", "-", Direction::None};
-    table.quantities["success"] = {"success", 1, "Success", "-", Direction::Up};
-    table.quantities["optimality"] = {"optimality", 2, "Optimality", "-", Direction::Up};
-    table.quantities["path_length"] = {"path_length", 1, "Path length", "m", Direction::Down};
+    table.descriptors.emplace_back(info("clearness", 1, "-", Direction::None));
+    table.descriptors.emplace_back(info("density", 1, "-", Direction::None));
+    table.metrics.emplace_back(info("optimality", 2, "-", Direction::Up));
+    table.metrics.emplace_back(info("path_length", 1, "m", Direction::Down));
+    table.metrics.emplace_back(info("success", 1, "-", Direction::Up)).rate = true;
+    table.metrics.emplace_back(info("cycle_time_mean", 1, "ms", Direction::Down)).wall_clock = true;
   }
 
   /// Returns the scenario's hash.
   std::string add_scenario(const Value& density) {
-    const std::string hash = std::string(31, 'a') + std::to_string(table.scenarios.size());
-    ScenarioRecord scenario{hash, "s" + std::to_string(table.scenarios.size()), {}};
-    scenario.descriptors["density"] = {1, density};
-    scenario.descriptors["clearness"] = {1, Value::of(0.5)};
-    table.scenarios[hash] = scenario;
-    return hash;
+    const std::string number = std::to_string(table.scenario_hashes.size());
+    table.scenario_hashes.push_back(std::string(31, 'a') + number);
+    table.scenario_names.push_back("s" + number);
+    table.descriptors[0].add_number(0.5);
+    table.descriptors[1].add(density);
+    return table.scenario_hashes.back();
   }
 
   /// A success with this optimality, or (negative) a collision.
-  RunRecord& add_run(const std::string& hash, const std::string& method, double optimality,
-                     int repetition = 0) {
+  void add_run(const std::string& hash, const std::string& method, double optimality,
+               int repetition = 0) {
     const bool success = optimality >= 0;
-    RunRecord run;
-    run.scenario_hash = hash;
-    run.scenario_name = table.scenarios[hash].name;
-    run.method = method;
-    run.repetition = repetition;
-    run.outcome = success ? "success" : "collision";
-    run.metrics["success"] = {1, Value::of(success ? 1 : 0)};
-    run.metrics["optimality"] = {2, success ? Value::of(optimality) : Value::na("collision")};
-    run.metrics["path_length"] = {1, Value::of(10)};
-    table.runs.push_back(std::move(run));
-    table.timings.push_back({1.0, {{"cycle_time_mean", 0.25}}});
-    return table.runs.back();
+    table.scenario.push_back(index_of(table.scenario_hashes, hash));
+    table.method.push_back(index_of(table.methods, method));
+    table.outcome.push_back(index_of(table.outcomes, success ? "success" : "collision"));
+    table.repetition.push_back(static_cast<std::uint32_t>(repetition));
+    table.metrics[0].add(success ? Value::of(optimality) : Value::na("collision"));
+    table.metrics[1].add_number(10);
+    table.metrics[2].add_number(success ? 1 : 0);
+    table.metrics[3].add_number(0.25);
+    table.details.push_back({1, "", "", 1.0});
+    sort_names(table);
+  }
+
+  void erase_metric(const std::string& id) {
+    auto& metrics = table.metrics;
+    metrics.erase(std::remove_if(metrics.begin(), metrics.end(),
+                                 [&](const ValueColumn& column) { return column.info().id == id; }),
+                  metrics.end());
+  }
+
+ private:
+  static QuantityInfo info(const std::string& id, int version, const std::string& unit,
+                           Direction direction) {
+    return {id, version, id, unit, direction};
+  }
+
+  static std::uint32_t index_of(std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    const auto index = static_cast<std::uint32_t>(found - names.begin());
+    if (found == names.end()) names.push_back(name);
+    return index;
   }
 };
 

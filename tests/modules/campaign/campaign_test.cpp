@@ -1,5 +1,7 @@
+#include "error_text.h"
+#include "manual_time.h"
+
 #include <slalom/campaign/campaign.h>
-#include <slalom/core/error.h>
 
 #include <gtest/gtest.h>
 
@@ -16,17 +18,18 @@
 namespace slalom {
 namespace {
 
-/// Turns towards the goal and drives; misbehaves in the way its kind says, in the scenario whose
-/// goal lies above y = 5.
+/// Turns towards the goal and moves forward. Misbehaves according to its kind in the scenario whose
+/// goal has y > 5.
 class TestMethod : public Method {
  public:
-  TestMethod(std::string kind, RobotModel robot) : kind_(std::move(kind)), robot_(robot) {}
+  TestMethod(std::string kind, RobotModel robot, ManualTime& time)
+      : kind_(std::move(kind)), robot_(robot), time_(time) {}
 
-  void reset(const Task& task) override { misbehaves_ = task.goal.y > 5; }
+  void reset(const NavigationTask& task) override { misbehaves_ = task.goal.y > 5; }
 
   Command step(const Observation& observation) override {
     if (misbehaves_ && observation.time > 1.5) {
-      if (kind_ == "nan" || kind_ == "infinite" || kind_ == "too_fast") return answer_badly();
+      if (kind_ == "nan" || kind_ == "infinite" || kind_ == "too_fast") return invalid_command();
       misbehave();
     }
     const double bearing = std::atan2(observation.goal_in_robot.y, observation.goal_in_robot.x);
@@ -35,7 +38,7 @@ class TestMethod : public Method {
   }
 
  private:
-  Command answer_badly() const {
+  Command invalid_command() const {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     if (kind_ == "nan") return {nan, 0};
     if (kind_ == "infinite") return {0, std::numeric_limits<double>::infinity()};
@@ -49,23 +52,22 @@ class TestMethod : public Method {
     }
     if (kind_ == "abort") std::abort();
     if (kind_ == "throw_number") throw 42;
-    if (kind_ == "greedy") hoard();
+    if (kind_ == "greedy") exhaust_memory();
     if (kind_ == "chatty") std::cout << std::string(100000, '#') << std::endl;
-    if (kind_ == "slow") usleep(150000);
+    if (kind_ == "slow") time_.advance(0.15);
     if (kind_ == "exit") std::exit(0);
-    if (kind_ == "throw") throw std::runtime_error("lost my way");
-    volatile bool forever = kind_ == "hang";
-    while (forever) {
-    }
+    if (kind_ == "throw") throw std::runtime_error("path lost");
+    while (kind_ == "hang") time_.advance(0.01);
   }
 
-  static void hoard() {
-    std::vector<std::unique_ptr<std::string>> hoard;
-    while (true) hoard.push_back(std::make_unique<std::string>(10 << 20, 'x'));
+  static void exhaust_memory() {
+    std::vector<std::unique_ptr<std::string>> blocks;
+    while (true) blocks.push_back(std::make_unique<std::string>(10 << 20, 'x'));
   }
 
   std::string kind_;
   RobotModel robot_;
+  ManualTime& time_;
   bool misbehaves_ = false;
 };
 
@@ -91,11 +93,13 @@ class RecordingSink : public CampaignSink {
 class CampaignTest : public testing::Test {
  protected:
   CampaignTest() {
-    registry_.add("test", [](const MethodContext& context) -> std::unique_ptr<Method> {
-      const std::string kind = context.ini.get(context.section, "kind").value_or("good");
-      if (kind == "unbuildable") throw usage_error(context.section, "no such thing", "a thing");
-      if (kind == "deadly") std::abort();
-      return std::make_unique<TestMethod>(kind, context.robot);
+    registry_.add("test", [this](const IniFile& ini, const std::string& section) {
+      const std::string kind = ini.get(section, "kind").value_or("good");
+      return [=](const RobotModel& robot, const SensorModel&) -> std::unique_ptr<Method> {
+        if (kind == "unbuildable") throw usage_error(section, "unknown class", "a known class");
+        if (kind == "deadly") std::abort();
+        return std::make_unique<TestMethod>(kind, robot, time_);
+      };
     });
   }
 
@@ -117,10 +121,9 @@ class CampaignTest : public testing::Test {
   RecordingSink run(const IniFile& ini, int workers) {
     Campaign campaign{read_campaign_options(ini),
                       {free_field("low", 3), free_field("high", 7)},
-                      ini,
-                      registry_,
-                      nullptr};
+                      read_methods(ini, registry_)};
     campaign.recorder = recorder_;
+    campaign.options.setup.clock = time_.clock();
     const auto progress = make_silent_progress();
     RecordingSink sink;
     const CampaignSummary summary = run_campaign(campaign, sink, {workers, *progress, nullptr});
@@ -129,11 +132,12 @@ class CampaignTest : public testing::Test {
     return sink;
   }
 
+  ManualTime time_;  ///< shared by all workers: runs that advance it need a single worker
   MethodRegistry registry_;
-  std::function<std::unique_ptr<RunObserver>(const RunSpec&)> recorder_;
+  std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> recorder_;
 };
 
-/// The outcomes of a method's runs in the place where it misbehaves.
+/// The outcomes of a method's runs in the scenario where it misbehaves.
 std::set<std::string> outcomes_of(const RecordingSink& sink, const std::string& method) {
   std::set<std::string> outcomes;
   for (const RunRecord& r : sink.runs)
@@ -141,7 +145,7 @@ std::set<std::string> outcomes_of(const RecordingSink& sink, const std::string& 
   return outcomes;
 }
 
-TEST_F(CampaignTest, EveryMethodMeetsEveryScenarioInTheOrderOfThePlan) {
+TEST_F(CampaignTest, RunsEveryMethodInEveryScenarioInPlanOrder) {
   const RecordingSink sink = run({"good", "other"}, 2);
   ASSERT_EQ(sink.scenarios.size(), 2U);
   ASSERT_EQ(sink.runs.size(), 8U);  // 2 scenarios x 2 methods x 2 repetitions
@@ -156,14 +160,14 @@ TEST_F(CampaignTest, EveryMethodMeetsEveryScenarioInTheOrderOfThePlan) {
   }
 }
 
-TEST_F(CampaignTest, MethodsMeetTheSameSeedsInTheSamePlace) {
+TEST_F(CampaignTest, MethodsGetTheSameSeedsInTheSameScenario) {
   const RecordingSink sink = run({"good", "other"}, 1);
   EXPECT_EQ(sink.runs[0].seed, sink.runs[2].seed);
   EXPECT_NE(sink.runs[0].seed, sink.runs[1].seed);
   EXPECT_NE(sink.runs[0].seed, sink.runs[4].seed);
 }
 
-TEST_F(CampaignTest, WhateverAMethodDoesEndsOnlyItsRun) {
+TEST_F(CampaignTest, AMisbehavingMethodEndsOnlyItsOwnRun) {
   const std::map<std::string, std::string> expected = {{"crash", "method_crash"},
                                                        {"abort", "method_crash"},
                                                        {"exit", "method_crash"},
@@ -178,7 +182,7 @@ TEST_F(CampaignTest, WhateverAMethodDoesEndsOnlyItsRun) {
   std::vector<std::string> kinds;
   for (const auto& [kind, outcome] : expected) kinds.push_back(kind);
   testing::internal::CaptureStdout();
-  const RecordingSink sink = run(kinds, 2);
+  const RecordingSink sink = run(kinds, 1);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   ASSERT_EQ(sink.runs.size(), 4 * expected.size());
   for (const RunRecord& r : sink.runs) {
@@ -190,49 +194,50 @@ TEST_F(CampaignTest, WhateverAMethodDoesEndsOnlyItsRun) {
   }
 }
 
-TEST_F(CampaignTest, ARunThatDiedIsKnownUpToItsDeath) {
-  const RecordingSink sink = run({"crash", "hang", "nan", "throw"}, 2);
+TEST_F(CampaignTest, ACrashedRunIsReconstructedUpToTheCrash) {
+  const RecordingSink sink = run({"crash", "hang", "nan", "throw"}, 1);
   std::map<std::string, std::set<std::string>> hashes;
   for (const RunRecord& r : sink.runs) {
     if (r.scenario_name == "low") continue;
     EXPECT_GT(r.metrics.at("path_length").value.number(), 0.05) << r.method;
     hashes[r.method].insert(r.trajectory_hash);
   }
-  // They all fail in the same cycle of the same drive: only in how they fail do they differ.
+  // All fail in the same control cycle of identical runs and differ only in the kind of failure.
   EXPECT_EQ(hashes["crash"].size(), 1U);
   for (const char* method : {"hang", "nan"}) EXPECT_EQ(hashes[method], hashes["crash"]) << method;
   EXPECT_EQ(hashes["throw"], hashes["crash"]);
 }
 
 #if !defined(__SANITIZE_ADDRESS__)
-TEST_F(CampaignTest, AMethodThatTakesAllMemoryEndsOnlyItsRun) {
+TEST_F(CampaignTest, AMethodThatExhaustsMemoryEndsOnlyItsOwnRun) {
   const RecordingSink sink = run(ini_for({"greedy", "good"}, "memory_mb = 300"), 2);
   EXPECT_EQ(outcomes_of(sink, "greedy"), std::set<std::string>{"method_error"});
   EXPECT_EQ(outcomes_of(sink, "good"), std::set<std::string>{"success"});
 }
 #endif
 
-TEST_F(CampaignTest, AMissedCycleDeadlineIsWhatThePolicySays) {
+TEST_F(CampaignTest, AMissedCycleDeadlineFollowsThePolicy) {
   const std::string limits =
       "run_wall_time = 30\n[simulation]\nstuck_time = 2\n[limits]\ncycle_deadline = 0.1\n"
       "deadline_policy = ";
   const auto outcomes = [&](const std::string& method, const std::string& policy) {
-    return outcomes_of(run(ini_for({method, "good"}, limits + policy), 2), method);
+    return outcomes_of(run(ini_for({method, "good"}, limits + policy), 1), method);
   };
   using Outcomes = std::set<std::string>;
   EXPECT_EQ(outcomes("slow", "fail"), Outcomes{"method_deadline"});
-  EXPECT_EQ(outcomes("hang", "fail"), Outcomes{"method_deadline"}) << "long before its wall time";
-  // Every answer from 1.5 s on is late. Stopped, the robot makes no progress. With the last good
-  // command held it keeps its curve until it meets a wall.
+  EXPECT_EQ(outcomes("hang", "fail"), Outcomes{"method_deadline"})
+      << "long before the wall-clock limit";
+  // Every reply after 1.5 s is late. With `stop` the robot makes no progress. With `hold` the last
+  // command is kept, and the robot continues its curve until it hits a wall.
   EXPECT_EQ(outcomes("slow", "stop"), Outcomes{"stuck"});
   EXPECT_EQ(outcomes("slow", "hold"), Outcomes{"collision"});
 }
 
-/// Writes how a run was seen to end into a file, since it runs in a worker.
+/// Writes the observed end of a run to a file, since the run is executed in a worker process.
 class EndWriter : public RunObserver {
  public:
   explicit EndWriter(std::string path) : path_(std::move(path)) {}
-  void on_start(const Task&) override {}
+  void on_start(const NavigationTask&) override {}
   void on_cycle(const Observation&, const Command&, const mrpt::math::TPose2D&) override {
     ++cycles_;
   }
@@ -246,13 +251,13 @@ class EndWriter : public RunObserver {
   int cycles_ = 0;
 };
 
-TEST_F(CampaignTest, RecordsTheRunsThatAreAskedForAsTheyWere) {
+TEST_F(CampaignTest, RecordsTheSelectedRunsWithTheirOutcomes) {
   const std::string folder = testing::TempDir() + "slalom_recorded_" + std::to_string(getpid());
   std::filesystem::create_directories(folder);
   const auto path = [&folder](std::size_t scenario, const std::string& method, int repetition) {
     return folder + "/" + std::to_string(scenario) + method + std::to_string(repetition);
   };
-  recorder_ = [&path](const RunSpec& spec) {
+  recorder_ = [&path](const Scenario&, const RunSpec& spec) {
     return std::make_unique<EndWriter>(path(spec.scenario, spec.method, spec.repetition));
   };
   const RecordingSink sink =
@@ -266,27 +271,29 @@ TEST_F(CampaignTest, RecordsTheRunsThatAreAskedForAsTheyWere) {
     file >> outcome >> hash >> cycles;
     EXPECT_EQ(outcome, r.outcome);
     EXPECT_EQ(hash, r.trajectory_hash);
-    EXPECT_EQ(cycles, 16) << "cycles at 0, 0.1, ... 1.5 s were answered well";
+    EXPECT_EQ(cycles, 16) << "valid commands at 0, 0.1, ... 1.5 s";
   }
   std::filesystem::remove_all(folder);
 }
 
 TEST_F(CampaignTest, AMethodThatCannotBeBuiltInAWorkerFailsItsRuns) {
   int built = 0;
-  registry_.add("once", [&built](const MethodContext& context) -> std::unique_ptr<Method> {
-    if (++built > 0) throw usage_error(context.section, "is gone", "a thing");
-    return nullptr;
+  registry_.add("once", [&built](const IniFile&, const std::string& section) {
+    return [&built, section](const RobotModel&, const SensorModel&) -> std::unique_ptr<Method> {
+      if (++built > 0) throw usage_error(section, "cannot be loaded", "a method");
+      return nullptr;
+    };
   });
   const IniFile ini =
       IniFile::from_text("[campaign]\nmethods = gone\n[method.gone]\nadapter = once\n");
   const RecordingSink sink = run(ini, 1);
   for (const RunRecord& r : sink.runs) {
     EXPECT_EQ(r.outcome, "method_error");
-    EXPECT_NE(r.outcome_detail.find("method.gone: is gone"), std::string::npos);
+    EXPECT_NE(r.outcome_detail.find("method.gone: cannot be loaded"), std::string::npos);
   }
 }
 
-TEST_F(CampaignTest, ResultsDoNotDependOnTheNumberOfWorkersNorOnOtherMethods) {
+TEST_F(CampaignTest, ResultsDoNotDependOnTheNumberOfWorkersOrOtherMethods) {
   const auto values_of_good = [](const RecordingSink& sink) {
     std::vector<std::pair<std::string, std::map<std::string, Value>>> values;
     for (const RunRecord& r : sink.runs) {
@@ -301,12 +308,12 @@ TEST_F(CampaignTest, ResultsDoNotDependOnTheNumberOfWorkersNorOnOtherMethods) {
   EXPECT_EQ(alone, values_of_good(run({"crash", "good"}, 2)));
 }
 
-TEST_F(CampaignTest, AScenarioWithoutAPathIsNotHeldAgainstTheMethod) {
+TEST_F(CampaignTest, AnUnsolvableScenarioGivesNoMetricValues) {
   const IniFile ini = ini_for({"good"});
   Primitives wall;
   wall.polygons.push_back({{{4, 0}, {5, 0}, {5, 10}, {4, 10}}});
   const Scenario walled = Scenario::continuous("walled", {0, 0, 10, 10}, wall, {1, 5, 0}, {9, 5});
-  const Campaign campaign{read_campaign_options(ini), {walled}, ini, registry_, nullptr};
+  const Campaign campaign{read_campaign_options(ini), {walled}, read_methods(ini, registry_)};
   const auto progress = make_silent_progress();
   RecordingSink sink;
   run_campaign(campaign, sink, {1, *progress, nullptr});
@@ -315,22 +322,18 @@ TEST_F(CampaignTest, AScenarioWithoutAPathIsNotHeldAgainstTheMethod) {
   EXPECT_TRUE(sink.runs[0].metrics.at("success").value.is_na());
 }
 
-TEST_F(CampaignTest, AMethodThatCannotBeBuiltIsReportedBeforeAnythingRuns) {
-  const auto message_for = [this](const std::string& kind) -> std::string {
+TEST_F(CampaignTest, AMethodThatCannotBeBuiltIsReportedBeforeTheFirstRun) {
+  const auto check = [this](const std::string& kind) {
     const IniFile ini = ini_for({"good", kind});
-    const Campaign campaign{read_campaign_options(ini), {}, ini, registry_, nullptr};
-    try {
-      check_methods(campaign);
-    } catch (const Error& e) {
-      EXPECT_EQ(e.exit_status(), 2);
-      return e.what();
-    }
-    return "no error";
+    check_methods({read_campaign_options(ini), {}, read_methods(ini, registry_)});
   };
-  EXPECT_EQ(message_for("good2"), "no error");
-  EXPECT_EQ(message_for("unbuildable"), "method.unbuildable: no such thing; expected a thing");
-  EXPECT_NE(message_for("deadly").find("the method could not be built: killed by signal 6"),
-            std::string::npos);
+  EXPECT_NO_THROW(check("good2"));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage,
+                           "method.unbuildable: ", {"unknown class", "expected a known class"},
+                           [&] { check("unbuildable"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "<text>",
+                           {"method.deadly", "could not be built", "signal 6"},
+                           [&] { check("deadly"); }));
 }
 
 }  // namespace

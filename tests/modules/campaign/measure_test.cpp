@@ -5,8 +5,8 @@
 namespace slalom {
 namespace {
 
-/// Along a wall, 0.6 m between it and the footprint.
-Trajectory beside_a_wall() {
+/// A trajectory along a wall with a clearance of 0.6 m.
+Trajectory trajectory_along_wall() {
   Trajectory trajectory;
   for (int i = 0; i < 3; ++i) {
     Sample sample;
@@ -17,13 +17,13 @@ Trajectory beside_a_wall() {
   return trajectory;
 }
 
-TEST(MeasureRun, ComputesWhatIsEnabledWithTheOptionsOfTheCampaign) {
+TEST(MeasureRun, ComputesTheEnabledMetricsWithTheCampaignOptions) {
   const World room(Scenario::continuous("room", {0, 0, 10, 10}, {}, {2, 0.85, 0}, {8, 5}), 0.05);
   CampaignOptions options;
   options.metrics = {"risk_time_ratio", "par2_time"};
   const auto measured = [&] {
-    return measure_run(options, room, find_references(options, nullptr, room), beside_a_wall(),
-                       Outcome::Timeout);
+    return measure_run(options, room, find_references(options, nullptr, room),
+                       trajectory_along_wall(), Outcome::Timeout);
   };
   EXPECT_EQ(measured().size(), 2U);
   EXPECT_EQ(measured().at("risk_time_ratio").value, Value::of(0));

@@ -16,7 +16,7 @@ RunFindings sample_run() {
   r.repetition = 3;
   r.seed = 0xffffffffffffffffULL;
   r.outcome = "success";
-  r.outcome_detail = "there";
+  r.outcome_detail = "goal reached";
   r.trajectory_hash = "def";
   r.metrics["optimality"] = {2, Value::of(0.1 + 0.2)};
   r.metrics["safety"] = {1, Value::na("outcome: collision")};
@@ -30,7 +30,7 @@ RunFindings sample_run() {
   return findings;
 }
 
-TEST(Wire, ARunComesBackBitByBit) {
+TEST(Wire, ARunIsRestoredExactly) {
   const RunFindings sent = sample_run();
   const RunFindings received = run_findings_from_wire(to_wire(sent));
   EXPECT_EQ(to_wire(received), to_wire(sent));
@@ -43,7 +43,7 @@ TEST(Wire, ARunComesBackBitByBit) {
   EXPECT_EQ(received.timing.values, sent.timing.values);
 }
 
-TEST(Wire, AScenarioComesBackWithItsReferences) {
+TEST(Wire, AScenarioIsRestoredWithItsReferences) {
   ScenarioFindings sent;
   sent.record = {"hash", "name", {{"density", {1, Value::of(0.25)}}}};
   sent.references.shortest =
@@ -62,7 +62,7 @@ TEST(Wire, AScenarioComesBackWithItsReferences) {
   EXPECT_EQ(received.references.safest_reason, "start is not free");
 }
 
-TEST(Wire, DamagedBytesAreRefusedNotBelieved) {
+TEST(Wire, RejectsDamagedBytes) {
   const std::string bytes = to_wire(sample_run());
   for (std::size_t size = 0; size < bytes.size(); size += 97)
     EXPECT_THROW(run_findings_from_wire(bytes.substr(0, size)), std::exception);

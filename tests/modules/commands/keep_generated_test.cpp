@@ -1,14 +1,14 @@
 #include "io_sample.h"
 
+#include <slalom/campaign/scenario_sources.h>
 #include <slalom/commands/keep_generated.h>
-#include <slalom/commands/scenario_sources.h>
 
 #include <gtest/gtest.h>
 
 namespace slalom {
 namespace {
 
-TEST(KeepGenerated, ScenariosComeWithOriginAndValues) {
+TEST(KeepGenerated, StoresScenariosWithOriginAndValues) {
   const TemporaryFolder folder;
   ScenarioList list = ScenarioList::create(folder / "a.scenarios");
   const IniFile ini = IniFile::from_text("[scenarios]\ngenerator = random, maze\ncount = 4\n");
@@ -27,19 +27,17 @@ TEST(KeepGenerated, ScenariosComeWithOriginAndValues) {
   EXPECT_EQ(entries[1].generator, "maze");
   for (const auto& entry : entries) {
     EXPECT_TRUE(entry.seed.has_value());
-    // What is kept is found by those who describe later, and is what they would compute.
-    MemoryDescriptorStore fresh;
-    for (const DescribedValue& computed :
-         describe_scenario(list.read(entry.hash), options, fresh)) {
-      const auto kept =
-          list.find(entry.hash, computed.info.id, computed.info.version, computed.parameters);
-      ASSERT_TRUE(kept.has_value()) << computed.info.id;
+    // Stored values are found later and equal the computed ones.
+    MemoryDescriptorStore empty;
+    for (const KeyedValue& computed : describe_scenario(list.read(entry.hash), options, empty)) {
+      const auto kept = list.find(entry.hash, computed.key);
+      ASSERT_TRUE(kept.has_value()) << computed.key.id;
       EXPECT_EQ(*kept, computed.value);
     }
   }
 }
 
-TEST(KeepGenerated, TellsWhatWasThereBefore) {
+TEST(KeepGenerated, ReturnsTheScenariosThatTheListContained) {
   const TemporaryFolder folder;
   ScenarioList list = ScenarioList::create(folder / "a.scenarios");
   std::vector<GeneratedScenario> part;

@@ -12,7 +12,7 @@
 namespace slalom {
 namespace {
 
-/// Two lists with something in common, and a history.
+/// Two lists that share a scenario, and a history.
 class ListCommands : public testing::Test {
  protected:
   void SetUp() override {
@@ -33,7 +33,7 @@ class ListCommands : public testing::Test {
     return selection;
   }
 
-  /// A command of each kind, by number; they may be hindered by what others did before.
+  /// A command of each kind, by number; it may be disabled because of previous commands.
   ListCommandPtr command(int kind, RandomEngine& engine) {
     const auto entries = a_->entries();
     const std::string hash = entries[static_cast<std::size_t>(uniform_int(
@@ -88,17 +88,17 @@ class ListCommands : public testing::Test {
   std::uint64_t commands_ = 0;
 };
 
-TEST_F(ListCommands, AnyRowOfThemIsTakenBackAndDoneAgain) {
+TEST_F(ListCommands, AnySequenceIsUndoneAndRedone) {
   RandomEngine engine(3);
   std::vector<std::string> dumps = {dump()}, titles;
   for (int step = 0; step < 39; ++step) {
     ListCommandPtr next = command(step % 13, engine);
-    if (!next->obstacle().empty()) continue;
+    if (!next->disabled_reason().empty()) continue;
     titles.push_back(next->title());
     history_.execute(std::move(next));
     dumps.push_back(dump());
   }
-  ASSERT_GT(titles.size(), 30U) << "too many were hindered";
+  ASSERT_GT(titles.size(), 30U) << "too many were disabled";
   for (std::size_t i = titles.size(); i-- > 0;) {
     EXPECT_EQ(history_.undo_title(), titles[i]);
     history_.undo();
@@ -114,47 +114,50 @@ TEST_F(ListCommands, AnyRowOfThemIsTakenBackAndDoneAgain) {
   EXPECT_FALSE(history_.can_redo());
 }
 
-TEST_F(ListCommands, TheHistoryForgetsWhatIsTooOldAndWhatWasTakenBack) {
+TEST_F(ListCommands, TheHistoryDropsTheOldestAndTheUndoneCommands) {
   CommandHistory history(2);
   for (const char* name : {"x", "y", "z"})
     history.execute(make_rename_scenario(*a_, rows_[0].hash, name));
   history.undo();
   history.undo();
-  EXPECT_FALSE(history.can_undo()) << "only two are remembered";
+  EXPECT_FALSE(history.can_undo()) << "the history is limited to two commands";
   EXPECT_EQ(a_->entries()[0].name, "x");
   history.execute(make_rename_scenario(*a_, rows_[0].hash, "w"));
   EXPECT_FALSE(history.can_redo());
   EXPECT_THROW(history.redo(), std::logic_error);
 }
 
-TEST_F(ListCommands, WhatFailsIsNotRemembered) {
+TEST_F(ListCommands, FailedCommandsAreNotInTheHistory) {
   const std::string before = dump();
   EXPECT_THROW(history_.execute(make_rename_scenario(*a_, "no such hash", "x")), Error);
   EXPECT_FALSE(history_.can_undo());
   EXPECT_EQ(dump(), before);
 }
 
-TEST_F(ListCommands, SayWhatTheyDoAndWhatHindersThem) {
+TEST_F(ListCommands, HaveATitleAndAReasonWhenDisabled) {
   EXPECT_EQ(make_delete_scenarios(*a_, {})->title(), "Delete 40 scenarios");
-  EXPECT_EQ(make_delete_scenarios(*a_, {})->obstacle(), "");
-  EXPECT_EQ(make_delete_scenarios(*a_, where("density > 5"))->obstacle(), "no scenario is chosen");
+  EXPECT_EQ(make_delete_scenarios(*a_, {})->disabled_reason(), "");
+  EXPECT_EQ(make_delete_scenarios(*a_, where("density > 5"))->disabled_reason(),
+            "no scenarios selected");
   EXPECT_EQ(make_copy_scenarios(*a_, where("name = room_3"), *b_)->title(),
             "Copy 1 scenario to b.scenarios");
-  EXPECT_EQ(make_rename_scenario(*a_, rows_[0].hash, "")->obstacle(), "the name is empty");
-  EXPECT_EQ(make_rename_scenario(*a_, "ab", "x")->obstacle(), "the scenario is not in the list");
-  EXPECT_EQ(make_edit_scenario(*a_, rows_[0].hash, a_->read(rows_[1].hash))->obstacle(),
-            "the list holds that content already");
-  EXPECT_EQ(make_edit_scenario(*a_, rows_[0].hash, a_->read(rows_[0].hash))->obstacle(), "");
-  EXPECT_EQ(make_tag_scenarios(*a_, {}, {}, {})->obstacle(), "no scenario or no tag is chosen");
-  EXPECT_EQ(make_drop_index(*a_, "x")->obstacle(), "there is no index of that name");
-  EXPECT_EQ(make_add_scenarios(*a_, {})->obstacle(), "there is nothing to add");
-  EXPECT_EQ(make_select_into(*a_, {}, b_path_)->obstacle(), "there is a file of that name");
-  EXPECT_NE(error_text(Culprit::Usage, [&] { make_copy_scenarios(*a_, {}, *a_); })
-                .find("is the list that is read from"),
-            std::string::npos);
+  EXPECT_EQ(make_rename_scenario(*a_, rows_[0].hash, "")->disabled_reason(), "the name is empty");
+  EXPECT_EQ(make_rename_scenario(*a_, "ab", "x")->disabled_reason(),
+            "the scenario is not in the list");
+  EXPECT_EQ(make_edit_scenario(*a_, rows_[0].hash, a_->read(rows_[1].hash))->disabled_reason(),
+            "the list already contains this scenario");
+  EXPECT_EQ(make_edit_scenario(*a_, rows_[0].hash, a_->read(rows_[0].hash))->disabled_reason(), "");
+  EXPECT_EQ(make_tag_scenarios(*a_, {}, {}, {})->disabled_reason(),
+            "no scenarios or no tags selected");
+  EXPECT_EQ(make_drop_index(*a_, "x")->disabled_reason(), "no index of this name exists");
+  EXPECT_EQ(make_add_scenarios(*a_, {})->disabled_reason(), "no scenarios to add");
+  EXPECT_EQ(make_select_into(*a_, {}, b_path_)->disabled_reason(),
+            "a file of this name already exists");
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, a_path_, {"the same list"},
+                           [&] { make_copy_scenarios(*a_, {}, *a_); }));
 }
 
-TEST_F(ListCommands, AddLeavesOutWhatIsThere) {
+TEST_F(ListCommands, AddSkipsScenariosThatTheListContains) {
   const auto add = make_add_scenarios(*a_, {a_->read(rows_[5].hash), sample_scenario(777)},
                                       {{"maze", 1, {}}, {"forest", 2, {"new"}}});
   EXPECT_EQ(add->title(), "Add 2 scenarios");
@@ -163,10 +166,10 @@ TEST_F(ListCommands, AddLeavesOutWhatIsThere) {
   EXPECT_EQ(a_->entries().back().generator, "forest");
   EXPECT_EQ(a_->entries().back().tags, std::vector<std::string>{"new"});
   add->undo();
-  EXPECT_EQ(a_->size(), 40U) << "the one that was there before stays";
+  EXPECT_EQ(a_->size(), 40U) << "the previously contained scenario remains";
 }
 
-TEST_F(ListCommands, SelectIntoANewListTakesIndexesAlong) {
+TEST_F(ListCommands, SelectIntoANewListCopiesIndexes) {
   a_->create_index({"x", "density", sample_view().at("density"), {0, 1}});
   const std::string path = folder_ / "c.scenarios";
   const auto select = make_select_into(*a_, where("density < 0.5"), path);
@@ -180,47 +183,46 @@ TEST_F(ListCommands, SelectIntoANewListTakesIndexesAlong) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST_F(ListCommands, MergedListsHoldEachContentOnce) {
+TEST_F(ListCommands, MergedListsContainNoDuplicates) {
   make_merge_lists({b_.get()}, *a_)->execute();
   EXPECT_EQ(a_->size(), 50U) << "40 and 11, one of them in both";
   EXPECT_EQ(a_->entries().back().hash, b_->entries()[9].hash);
 }
 
-TEST_F(ListCommands, DeduplicationKeepsTheFirstOfThoseAlike) {
-  const std::vector<std::pair<std::string, double>> least = {{"density", 0.17}, {"clearness", 0.3}};
-  make_deduplicate(*a_, sample_view(), least)->execute();
-  // Every scenario against all that were kept before it.
+TEST_F(ListCommands, DeduplicationKeepsTheFirstOfNearDuplicates) {
+  const std::vector<std::pair<std::string, double>> differences = {{"density", 0.17},
+                                                                   {"clearness", 0.3}};
+  make_deduplicate(*a_, sample_view(), differences)->execute();
+  // Brute force: compare every scenario with all that were kept before.
   std::vector<SampleRow> kept;
   for (const SampleRow& row : rows_) {
-    const bool like = std::any_of(kept.begin(), kept.end(), [&](const SampleRow& other) {
-      return std::all_of(least.begin(), least.end(), [&](const auto& pair) {
+    const bool duplicate = std::any_of(kept.begin(), kept.end(), [&](const SampleRow& other) {
+      return std::all_of(differences.begin(), differences.end(), [&](const auto& pair) {
         const auto &x = row.values.at(pair.first), &y = other.values.at(pair.first);
         if (!x || !y) return x.has_value() == y.has_value();
         return std::abs(*x / pair.second - *y / pair.second) < 1;
       });
     });
-    if (!like) kept.push_back(row);
+    if (!duplicate) kept.push_back(row);
   }
   const auto entries = a_->entries();
   ASSERT_EQ(entries.size(), kept.size());
   EXPECT_LT(kept.size(), 30U);
   for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(entries[i].hash, kept[i].hash);
-  EXPECT_NE(error_text(Culprit::Usage,
-                       [&] {
-                         make_deduplicate(*a_, sample_view(), {{"density", 0}});
-                       })
-                .find("expected > 0"),
-            std::string::npos);
+  EXPECT_TRUE(
+      throws_error(ErrorKind::Usage, "minimum difference of density: ", {"expected > 0"}, [&] {
+        make_deduplicate(*a_, sample_view(), {{"density", 0}});
+      }));
 }
 
-TEST_F(ListCommands, TheSplitDependsOnContentAndSeedAlone) {
+TEST_F(ListCommands, TheSplitDependsOnContentAndSeedOnly) {
   ScenarioList development = ScenarioList::create(folder_ / "d"),
                held = ScenarioList::create(folder_ / "h");
   make_split(*a_, {0.3, 5}, development, held)->execute();
   EXPECT_EQ(development.size() + held.size(), 40U);
   for (const auto& entry : development.entries()) EXPECT_FALSE(is_held_out(entry.hash, {0.3, 5}));
   for (const auto& entry : held.entries()) EXPECT_TRUE(is_held_out(entry.hash, {0.3, 5}));
-  // The share is met on average: 3 sigma of 4000 draws at 0.3 are 0.022.
+  // The fraction holds on average: 3 sigma of 4000 draws at 0.3 are 0.022.
   int out = 0, differ = 0;
   for (int i = 0; i < 4000; ++i) {
     const bool first = is_held_out(std::to_string(i), {0.3, 5});
@@ -234,11 +236,11 @@ TEST_F(ListCommands, TheSplitDependsOnContentAndSeedAlone) {
     EXPECT_TRUE(is_held_out(std::to_string(i), {1, 5}));
     EXPECT_TRUE(!is_held_out(std::to_string(i), {0.3, 5}) ||
                 is_held_out(std::to_string(i), {0.6, 5}))
-        << "a larger share holds out the same ones and more";
+        << "a larger fraction holds out a superset";
   }
 }
 
-TEST(DescribeList, FindsEveryValueOfEveryKindOfScenarioAgain) {
+TEST(DescribeList, FindsStoredValuesOfEveryKindOfScenario) {
   const TemporaryFolder folder;
   ScenarioList list = ScenarioList::create(folder / "a.scenarios");
   const Scenario room = sample_scenario(1, "room");
@@ -253,18 +255,21 @@ TEST(DescribeList, FindsEveryValueOfEveryKindOfScenarioAgain) {
   options.ids = descriptor_ids();
   const auto silent = make_silent_progress();
   const auto describe = make_describe_list(list, options, *silent);
-  EXPECT_EQ(describe->obstacle(), "");
+  EXPECT_EQ(describe->disabled_reason(), "");
   describe->execute();
-  EXPECT_EQ(describe->obstacle(), "every value is there");
+  EXPECT_EQ(describe->disabled_reason(), "all values are already computed");
   for (const auto& [id, keys] : descriptor_view(options.ids, options)) {
-    EXPECT_TRUE(list.lacking(keys).empty()) << id;
+    EXPECT_TRUE(list.missing_values(keys).empty()) << id;
     list.create_index({"by_" + id, id, keys, {0, 1}});
     EXPECT_EQ(list.index_counts("by_" + id).unknown, 0U) << id;
   }
-  // Values for another robot are not mistaken for these.
+  // Values for another robot have other keys.
   options.robot = Footprint::disc(0.4);
-  EXPECT_EQ(list.lacking(descriptor_view({"detour_ratio"}, options).at("detour_ratio")).size(), 4U);
-  EXPECT_EQ(list.lacking(descriptor_view({"clearness"}, options).at("clearness")).size(), 0U);
+  EXPECT_EQ(
+      list.missing_values(descriptor_view({"detour_ratio"}, options).at("detour_ratio")).size(),
+      4U);
+  EXPECT_EQ(list.missing_values(descriptor_view({"clearness"}, options).at("clearness")).size(),
+            0U);
 }
 
 }  // namespace

@@ -6,18 +6,44 @@
 namespace slalom {
 namespace {
 
-TEST(Error, SaysWhereWhatAndWhatWasExpectedInOneLine) {
+TEST(Error, ContainsWhereWhatAndExpectedInOneLine) {
   EXPECT_STREQ(usage_error("a.ini:3: [robot] radius", "'-1' is not valid", "a number > 0").what(),
                "a.ini:3: [robot] radius: '-1' is not valid; expected a number > 0");
   EXPECT_STREQ(job_error("", "disk full").what(), "disk full");
 }
 
-TEST(Error, StaysOneLineWhateverOthersSay) {
+TEST(Error, ReplacesLineBreaksBySpaces) {
   EXPECT_STREQ(usage_error("a.ini", "refuses: too\nwide\r", "less").what(),
                "a.ini: refuses: too wide ; expected less");
 }
 
-TEST(Error, CulpritDecidesTheExitStatus) {
+TEST(Error, ShowsBytesThatATerminalCannotShowByTheirNumbers) {
+  // A terminal acts on ESC (0x1B) and on the control characters of C1 (U+0080 to U+009F).
+  EXPECT_STREQ(usage_error("a.ini", std::string("'\x1b[31m\0\x7f\xff'", 10)).what(),
+               "a.ini: '\\x1b[31m\\x00\\x7f\\xff'");
+  EXPECT_STREQ(file_error("a.ini",
+                          "\xc2\x9b"
+                          "2J")
+                   .what(),
+               "a.ini: \\xc2\\x9b2J");
+}
+
+TEST(Error, KeepsLettersOfUtf8AndShowsWhatIsMalformedByItsNumbers) {
+  EXPECT_STREQ(file_error("größe_\u2192_\U0001F916.ini", "tab\there").what(),
+               "größe_\u2192_\U0001F916.ini: tab\there");
+  EXPECT_STREQ(file_error("gr\xf6\xdf"
+                          "e.ini",
+                          "x")
+                   .what(),
+               "gr\\xf6\\xdfe.ini: x");  // Latin 1
+  EXPECT_STREQ(file_error("a", "cut \xe2\x86").what(), "a: cut \\xe2\\x86");
+  EXPECT_STREQ(file_error("a", "\xc0\xaf").what(), "a: \\xc0\\xaf");           // overlong '/'
+  EXPECT_STREQ(file_error("a", "\xed\xa0\x80").what(), "a: \\xed\\xa0\\x80");  // a surrogate
+  EXPECT_STREQ(file_error("a", "\xf4\x90\x80\x80").what(),
+               "a: \\xf4\\x90\\x80\\x80");  // above U+10FFFF
+}
+
+TEST(Error, KindDeterminesTheExitStatus) {
   EXPECT_EQ(job_error("x", "y").exit_status(), 1);
   EXPECT_EQ(usage_error("x", "y").exit_status(), 2);
   EXPECT_EQ(file_error("x", "y").exit_status(), 3);
@@ -27,19 +53,18 @@ TEST(ReasonOf, KeepsTheMessageOfMrptExceptionsWithoutTheirCallStack) {
   try {
     THROW_EXCEPTION("the map is\tupside down");
   } catch (const std::exception& e) {
-    EXPECT_NE(std::string(e.what()).find('\n'), std::string::npos)
-        << "MRPT tells more than we want";
+    EXPECT_NE(std::string(e.what()).find('\n'), std::string::npos) << "MRPT appends its call stack";
     EXPECT_EQ(reason_of(e), "the map is\tupside down");
   }
 }
 
-TEST(ReasonOf, IsTheLocationWhereMrptWrapsAnExceptionWithoutMessage) {
+TEST(ReasonOf, IsTheLocationOfMrptExceptionsWithoutMessage) {
   EXPECT_EQ(reason_of(std::runtime_error("==== MRPT exception ====\nMessage:  \nLocation: no such "
                                          "file\nCall stack backtrace:\n[0 ] 0x7f01")),
             "no such file");
 }
 
-TEST(ReasonOf, IsOneLineForAllOthers) {
+TEST(ReasonOf, IsOneLineForOtherExceptions) {
   EXPECT_EQ(reason_of(std::runtime_error("first\nsecond")), "first second");
 }
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace slalom {
 namespace {
 
@@ -15,15 +18,23 @@ TEST(Hasher, NegativeZeroIsZero) {
   EXPECT_NE(Hasher().add(1e-300).hex(), Hasher().add(0.0).hex());
 }
 
-TEST(Hasher, TextsDoNotRunIntoEachOther) {
+TEST(Hasher, TextsAreSeparated) {
   EXPECT_NE(Hasher().add("ab").add("c").hex(), Hasher().add("a").add("bc").hex());
 }
 
-TEST(Hasher, CanBeReadInTheMiddleAndGoOn) {
+TEST(Hasher, HexDoesNotEndTheStream) {
   Hasher hasher;
   hasher.add("a");
   EXPECT_EQ(hasher.hex(), Hasher().add("a").hex());
   EXPECT_EQ(hasher.add("b").hex(), Hasher().add("a").add("b").hex());
+}
+
+TEST(SameBits, TellsZerosApartAndFindsANanEqualToItself) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(same_bits(0.1, 0.1));
+  EXPECT_TRUE(same_bits(nan, nan));
+  EXPECT_FALSE(same_bits(-0.0, 0.0));
+  EXPECT_FALSE(same_bits(0.1, std::nextafter(0.1, 1.0)));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(Random, NormalHasItsMeanAndDeviation) {
     sum += x;
     squares += (x - 3) * (x - 3);
   }
-  // Standard errors: 2/sqrt(20000) = 0.014 and about 0.01; five of them.
+  // Standard errors: 2/sqrt(20000) = 0.014 and about 0.01; tolerance 5 of them.
   EXPECT_NEAR(sum / kCount, 3, 0.07);
   EXPECT_NEAR(std::sqrt(squares / kCount), 2, 0.05);
 }

@@ -11,11 +11,43 @@ namespace {
 TEST(Text, SplitTrimsPartsAndKeepsEmptyOnes) {
   EXPECT_EQ(split(" a, b ,,c", ','), (std::vector<std::string>{"a", "b", "", "c"}));
   EXPECT_TRUE(split("  ", ',').empty());
+  EXPECT_EQ(split_nonempty(" a, b ,,c", ','), (std::vector<std::string>{"a", "b", "c"}));
 }
 
-TEST(Text, JoinIsTheReverseOfSplit) {
+TEST(Text, EndsWithComparesCompleteEndings) {
+  EXPECT_TRUE(ends_with("map.yaml", ".yaml"));
+  EXPECT_TRUE(ends_with("map", ""));
+  EXPECT_FALSE(ends_with("map.yml", ".yaml"));
+  EXPECT_FALSE(ends_with("aml", ".yaml"));
+}
+
+TEST(Text, JoinIsTheInverseOfSplit) {
   EXPECT_EQ(join({"a", "b"}, ", "), "a, b");
   EXPECT_EQ(join({}, ", "), "");
+}
+
+TEST(Text, StartsAndEndsWithItselfAndTheEmptyText) {
+  EXPECT_TRUE(starts_with("map.yaml", "map"));
+  EXPECT_TRUE(ends_with("map.yaml", ".yaml"));
+  for (const std::string part : {"", "map.yaml"}) {
+    EXPECT_TRUE(starts_with("map.yaml", part));
+    EXPECT_TRUE(ends_with("map.yaml", part));
+  }
+  for (const std::string other : {"yaml", "a map.yaml", "map.yaml.gz"})
+    EXPECT_FALSE(starts_with("map.yaml", other)) << other;
+  for (const std::string other : {"map", "a map.yaml", "map.yaml.gz"})
+    EXPECT_FALSE(ends_with("map.yaml", other)) << other;
+}
+
+TEST(NearestName, IsEmptyWhenNoCandidateIsClose) {
+  EXPECT_EQ(nearest_name("radus", {"radius", "max_v"}), "radius");
+  EXPECT_EQ(nearest_name("zzzz", {"radius", "max_v"}), "");
+}
+
+TEST(ExpectedName, IsTheNearestElseAllElseTheGivenText) {
+  EXPECT_EQ(expected_name("radus", {"radius", "max_v"}), "'radius'");
+  EXPECT_EQ(expected_name("zzzz", {"radius", "max_v"}), "one of radius, max_v");
+  EXPECT_EQ(expected_name("zzzz", {}, "a name; there are none"), "a name; there are none");
 }
 
 TEST(Text, FormattedNumbersReadBackExactly) {
@@ -31,7 +63,7 @@ TEST(Text, FormattedNumbersReadBackExactly) {
   EXPECT_EQ(format_fixed(1.005, 2), "1.00");
 }
 
-TEST(Text, OnlyWholeFiniteNumbersAreParsed) {
+TEST(Text, OnlyCompleteFiniteNumbersAreParsed) {
   double number = 0;
   EXPECT_TRUE(parse_number(" +1.5 ", number));
   EXPECT_EQ(number, 1.5);

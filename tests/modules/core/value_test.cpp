@@ -20,8 +20,14 @@ TEST(Value, KeepsNumberAndStandardError) {
   EXPECT_FALSE(Value::of(0.4).standard_error().has_value());
 }
 
-TEST(Value, AskingForTheNumberOfNaIsABugThatShows) {
+TEST(Value, NumberOfNaThrowsLogicError) {
   EXPECT_THROW(Value::na("outcome: collision").number(), std::logic_error);
+}
+
+TEST(Value, TextsHaveTheUnitOrTheReason) {
+  EXPECT_EQ(format_value(Value::of(2.5, 0.1), "m"), "2.5 m");
+  EXPECT_EQ(format_value(Value::of(0.68), "-"), "0.68");
+  EXPECT_EQ(format_value(Value::na("outcome: stuck"), "m"), "NA (outcome: stuck)");
 }
 
 }  // namespace

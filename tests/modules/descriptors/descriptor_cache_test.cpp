@@ -7,44 +7,34 @@
 namespace slalom {
 namespace {
 
-/// Counts how often it is computed.
-class Counting : public Descriptor {
- public:
-  QuantityInfo info() const override { return {"counting", 1, "Counting", "-", Direction::None}; }
-  std::string parameters(const DescriptorContext& context) const override {
-    return "robot_radius=" + std::to_string(context.robot_radius());
-  }
-  Value compute(const DescriptorContext&) const override { return Value::of(++computed); }
-  mutable int computed = 0;
-};
+int computations = 0;
 
-TEST(DescriptorCache, AValueIsComputedOnceForEachScenarioAndParameters) {
+/// Counts its computations.
+const Descriptor kCounting = {{"counting", 1, "Counting", "-", Direction::None},
+                              {[](const DescriptorContext& context) {
+                                return "robot_radius=" + std::to_string(context.robot_radius());
+                              }},
+                              [](const DescriptorContext&) { return Value::of(++computations); }};
+
+TEST(DescriptorCache, ComputesAValueOncePerScenarioAndParameters) {
   MemoryDescriptorStore store;
-  const Counting counting;
+  computations = 0;
   const World a(random_room(1, 3), 0.1), b(random_room(2, 3), 0.1);
-  EXPECT_EQ(describe(counting, context_of(a), &store), Value::of(1));
-  EXPECT_EQ(describe(counting, context_of(a), &store), Value::of(1));
-  EXPECT_EQ(describe(counting, context_of(b), &store), Value::of(2));
-  EXPECT_EQ(describe(counting, context_of(a, 0.3), &store), Value::of(3));
-  EXPECT_EQ(describe(counting, context_of(a), &store), Value::of(1));
-  EXPECT_EQ(counting.computed, 3);
+  EXPECT_EQ(describe(kCounting, context_of(a), store).value, Value::of(1));
+  EXPECT_EQ(describe(kCounting, context_of(a), store).value, Value::of(1));
+  EXPECT_EQ(describe(kCounting, context_of(b), store).value, Value::of(2));
+  EXPECT_EQ(describe(kCounting, context_of(a, 0.3), store).value, Value::of(3));
+  EXPECT_EQ(describe(kCounting, context_of(a), store).value, Value::of(1));
+  EXPECT_EQ(computations, 3);
 }
 
-TEST(DescriptorCache, WithoutAStoreEveryTimeIsNew) {
-  const Counting counting;
-  const World world(random_room(1, 3), 0.1);
-  describe(counting, context_of(world));
-  describe(counting, context_of(world));
-  EXPECT_EQ(counting.computed, 2);
-}
-
-TEST(DescriptorCache, ParametersTellApartWhatValuesDependOn) {
+TEST(DescriptorCache, ParametersContainTheDependencies) {
   const World room(random_room(1, 3), 0.1);
   const World grid = drawn_world({"S.G"});
-  EXPECT_EQ(descriptor("density").parameters(context_of(room)), "resolution=0.1");
-  EXPECT_EQ(descriptor("density").parameters(context_of(grid)), "");
-  EXPECT_EQ(descriptor("clearness").parameters(context_of(grid, 0.25, 5)), "sensor_range=5");
-  EXPECT_EQ(descriptor("detour_ratio").parameters(context_of(grid, 0.3)), "robot_radius=0.3");
+  EXPECT_EQ(descriptor("density").key(context_of(room)).parameters, "resolution=0.1");
+  EXPECT_EQ(descriptor("density").key(context_of(grid)).parameters, "");
+  EXPECT_EQ(descriptor("clearness").key(context_of(grid, 0.25, 5)).parameters, "sensor_range=5");
+  EXPECT_EQ(descriptor("detour_ratio").key(context_of(grid, 0.3)).parameters, "robot_radius=0.3");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Laws that hold for every place, on places drawn by RapidCheck.
+// Invariants of all scenarios, tested on random scenarios by RapidCheck.
 #include "small_worlds.h"
 
 #include <slalom/scenario/grid_map.h>
@@ -21,7 +21,7 @@ struct Range {
   double low, high;
 };
 
-/// Every descriptor of this room but the five of BARN's grids, with what it can be.
+/// The ranges of all descriptors except those of BARN.
 const std::map<std::string, Range> kRanges = {{"density", {0, 1}},
                                               {"cspace_density", {0, 1}},
                                               {"clearness", {0, 1}},
@@ -42,10 +42,10 @@ const std::map<std::string, Range> kRanges = {{"density", {0, 1}},
                                               {"traversability", {0, kInfinity}},
                                               {"dynamic_density", {0, 0}}};
 
-/// A hand-sized grid: cells of 0.5 m, start and goal in free corners.
+/// A small grid: cells of 0.5 m, start and goal in free corners.
 using Cells = std::vector<std::vector<bool>>;
 
-Cells draw_cells() {
+Cells random_cells() {
   const int size_x = *rc::gen::inRange(3, 12), size_y = *rc::gen::inRange(3, 12);
   Cells cells;
   for (int y = 0; y < size_y; ++y)
@@ -67,15 +67,15 @@ World world_of(const Cells& cells, double x = 0, double y = 0) {
           0.5};
 }
 
-/// The straight way, over whatever lies there: descriptors of paths hold for any path.
-DescriptorContext straight_in(const World& world) {
+/// A straight path regardless of obstacles: path descriptors are defined for any path.
+DescriptorContext with_straight_path(const World& world) {
   const auto& start = world.scenario().start();
   return context_with_path(world, {{start.x, start.y}, world.scenario().goal()}, 0.25, 2);
 }
 
-RC_GTEST_PROP(DescriptorProperties, ValuesStayInTheirRanges, ()) {
-  const World world = world_of(draw_cells());
-  const DescriptorContext context = straight_in(world);
+RC_GTEST_PROP(DescriptorProperties, ValuesAreInTheirRanges, ()) {
+  const World world = world_of(random_cells());
+  const DescriptorContext context = with_straight_path(world);
   for (const auto& [id, range] : kRanges) {
     const Value value = descriptor(id).compute(context);
     if (value.is_na()) continue;
@@ -85,45 +85,46 @@ RC_GTEST_PROP(DescriptorProperties, ValuesStayInTheirRanges, ()) {
   }
 }
 
-RC_GTEST_PROP(DescriptorProperties, OnlyTheseCanBeMissingInAPlaceThatTheRobotFitsIn, ()) {
-  const World world = world_of(draw_cells());
-  const DescriptorContext context = straight_in(world);
+RC_GTEST_PROP(DescriptorProperties, OnlyTheseCanBeNaWhereTheRobotFits, ()) {
+  const World world = world_of(random_cells());
+  const DescriptorContext context = with_straight_path(world);
   for (const auto& [id, range] : kRanges) {
-    if (id == "bottleneck_width" || id == "clustering") continue;  // no way, no obstacles
+    if (id == "bottleneck_width" || id == "clustering") continue;  // no path, no obstacles
     RC_ASSERT(!descriptor(id).compute(context).is_na());
   }
 }
 
-RC_GTEST_PROP(DescriptorProperties, MovingTheScenarioByWholeCellsChangesNothing, ()) {
-  const Cells cells = draw_cells();
+RC_GTEST_PROP(DescriptorProperties, AreInvariantUnderTranslationByWholeCells, ()) {
+  const Cells cells = random_cells();
   const World here = world_of(cells);
   const World there =
       world_of(cells, 0.5 * *rc::gen::inRange(-40, 40), 0.5 * *rc::gen::inRange(-40, 40));
   for (const auto& [id, range] : kRanges) {
-    const Value a = descriptor(id).compute(straight_in(here));
-    const Value b = descriptor(id).compute(straight_in(there));
+    const Value a = descriptor(id).compute(with_straight_path(here));
+    const Value b = descriptor(id).compute(with_straight_path(there));
     RC_ASSERT(a.is_na() == b.is_na());
     RC_LOG() << id << "\n";
-    // A ray on the border of two cells may go either way in the sampled ones: a few of 64.
+    // A ray on the border of two cells may be traced through either: a few of 64.
     const double tolerance = id.find("confinement") == 0 ? 0.02 : 1e-6;
     if (!a.is_na()) RC_ASSERT(std::abs(a.number() - b.number()) <= tolerance);
   }
 }
 
-RC_GTEST_PROP(DescriptorProperties, MovingAContinuousScenarioAnywhereChangesNothing, ()) {
+RC_GTEST_PROP(DescriptorProperties, AreInvariantUnderTranslationOfContinuousScenarios, ()) {
   const auto seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000));
   const int discs = *rc::gen::inRange(0, 15);
   const double x = 0.0137 * *rc::gen::inRange(-10000, 10000);
   const double y = 0.0137 * *rc::gen::inRange(-10000, 10000);
   const World here(random_room(seed, discs), 0.2);
   const World there(random_room(seed, discs, {x, y}), 0.2);
-  // The rounding of coordinates may occupy another of the 2500 cells, where a disc just touches it.
+  // Rounding of coordinates may change one of the 2500 cells, where a disc just touches it.
   for (const std::string id : {"density", "cspace_density", "clearness", "occupancy_entropy"})
     RC_ASSERT(std::abs(value_of(id, context_of(here)) - value_of(id, context_of(there))) < 5e-3);
 }
 
-RC_GTEST_PROP(DescriptorProperties, AnObstacleMoreNeverMakesAPlaceEmptierOrClearer, ()) {
-  Cells cells = draw_cells();
+RC_GTEST_PROP(DescriptorProperties, AnAdditionalObstacleNeverDecreasesDensityOrIncreasesClearness,
+              ()) {
+  Cells cells = random_cells();
   const World before = world_of(cells);
   std::vector<std::pair<std::size_t, std::size_t>> candidates;
   for (std::size_t y = 0; y < cells.size(); ++y)
@@ -135,31 +136,32 @@ RC_GTEST_PROP(DescriptorProperties, AnObstacleMoreNeverMakesAPlaceEmptierOrClear
   cells[y][x] = true;
   const World after = world_of(cells);
   const auto change = [&](const std::string& id) {
-    return value_of(id, straight_in(after)) - value_of(id, straight_in(before));
+    return value_of(id, with_straight_path(after)) - value_of(id, with_straight_path(before));
   };
   RC_ASSERT(change("density") > 0);
   RC_ASSERT(change("cspace_density") > 0);
   RC_ASSERT(change("narrow_fraction") >= 0);
   RC_ASSERT(change("goal_visibility") <= 0);
   RC_ASSERT(change("traversability") <= 1e-9);
-  // Of means over F, which shrinks, only the integral cannot grow.
+  // Of means over F, which shrinks, only the integral is monotonic.
   const auto integral = [](const World& world, const std::string& id) {
-    return value_of(id, straight_in(world)) * (1 - value_of("density", straight_in(world)));
+    return value_of(id, with_straight_path(world)) *
+           (1 - value_of("density", with_straight_path(world)));
   };
   for (const std::string id : {"clearness", "clearness_mean_distance"})
     RC_ASSERT(integral(after, id) < integral(before, id));
-  const Value wide = descriptor("bottleneck_width").compute(straight_in(before));
-  const Value narrow = descriptor("bottleneck_width").compute(straight_in(after));
+  const Value wide = descriptor("bottleneck_width").compute(with_straight_path(before));
+  const Value narrow = descriptor("bottleneck_width").compute(with_straight_path(after));
   if (!narrow.is_na()) RC_ASSERT(wide.number() >= narrow.number());
 }
 
-RC_GTEST_PROP(DescriptorProperties, ALargerRobotHasLessRoom, ()) {
-  const World world = world_of(draw_cells());
-  double taken = 0, clearance = 0;
+RC_GTEST_PROP(DescriptorProperties, ALargerRobotHasLessFreeSpace, ()) {
+  const World world = world_of(random_cells());
+  double occupied = 0, clearance = 0;
   for (const double radius : {0.1, 0.25, 0.5, 0.75}) {
     const DescriptorContext context = context_of(world, radius, 2);
-    RC_ASSERT(value_of("cspace_density", context) >= taken);
-    taken = value_of("cspace_density", context);
+    RC_ASSERT(value_of("cspace_density", context) >= occupied);
+    occupied = value_of("cspace_density", context);
     const Value quantile = descriptor("clearance_q05").compute(context);
     const Value mean = descriptor("clearance_mean").compute(context);
     if (mean.is_na()) break;
@@ -169,8 +171,8 @@ RC_GTEST_PROP(DescriptorProperties, ALargerRobotHasLessRoom, ()) {
   }
 }
 
-RC_GTEST_PROP(DescriptorProperties, APolygonHasRoomBetweenItsInscribedAndItsEnclosingDisc, ()) {
-  const World world = world_of(draw_cells());
+RC_GTEST_PROP(DescriptorProperties, APolygonIsBoundedByItsInscribedAndEnclosingDiscs, ()) {
+  const World world = world_of(random_cells());
   DescriptorContext context = context_of(world);
   const double length = 0.01 * *rc::gen::inRange(10, 90), width = 0.01 * *rc::gen::inRange(10, 90);
   const std::string x = std::to_string(length), y = std::to_string(width);
@@ -181,8 +183,8 @@ RC_GTEST_PROP(DescriptorProperties, APolygonHasRoomBetweenItsInscribedAndItsEncl
   RC_ASSERT(polygon <= value_of("cspace_density", context_of(world, std::hypot(length, width))));
 }
 
-RC_GTEST_PROP(DescriptorProperties, ExactConfinementGrowsWithTheRange, ()) {
-  const World world = world_of(draw_cells());
+RC_GTEST_PROP(DescriptorProperties, ExactConfinementIncreasesWithTheRange, ()) {
+  const World world = world_of(random_cells());
   double before = 0;
   for (const double range : {0.3, 0.5, 1.0, 2.0, 10.0}) {
     DescriptorContext context = context_of(world, 0.25, range);
@@ -191,7 +193,7 @@ RC_GTEST_PROP(DescriptorProperties, ExactConfinementGrowsWithTheRange, ()) {
     RC_ASSERT(value >= before - 1e-12);
     before = value;
   }
-  RC_ASSERT(std::abs(before - 1) < 1e-12);  // 10 m reach every wall
+  RC_ASSERT(std::abs(before - 1) < 1e-12);  // 10 m reach all walls
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace slalom {
 
-/// A world of 1 m cells drawn by hand, top row first: '#' occupied, 'S' start, 'G' goal, '.' free.
+/// A world of 1 m cells given as text, top row first: '#' occupied, 'S' start, 'G' goal, '.' free.
 inline World drawn_world(const std::vector<std::string>& rows) {
   const int size_x = static_cast<int>(rows[0].size()), size_y = static_cast<int>(rows.size());
   mrpt::maps::COccupancyGridMap2D map(0, static_cast<float>(size_x), 0, static_cast<float>(size_y),
@@ -26,19 +26,23 @@ inline World drawn_world(const std::vector<std::string>& rows) {
   return {Scenario::grid("drawn", map, start, goal), 1.0};
 }
 
+/// Worlds of 5 x 5 cells.
+inline const std::vector<std::string> kEmpty = {".....", ".....", "S...G", ".....", "....."};
+inline const std::vector<std::string> kBlocks = {".....", ".#.#.", "S...G", ".#...", "....#"};
+
 inline DescriptorContext context_of(const World& world, double robot_radius = 0.25,
                                     double sensor_range = 8) {
   return {world, Footprint::disc(robot_radius), sensor_range, search_once([] {
-            return KnownPath{{}, 0, "not asked for here"};
+            return KnownPath{{}, 0, "no path given"};
           })};
 }
 
-/// The same with P* given by its corners.
-inline DescriptorContext context_with_path(const World& world, Path path,
+/// The same with P* given by its vertices.
+inline DescriptorContext context_with_path(const World& world, const Path& path,
                                            double robot_radius = 0.25, double sensor_range = 8) {
   DescriptorContext context = context_of(world, robot_radius, sensor_range);
-  const double metres = length(path);
-  context.shortest = search_once([path, metres] { return KnownPath{path, metres, ""}; });
+  const double path_length = length(path);
+  context.shortest = search_once([path, path_length] { return KnownPath{path, path_length, ""}; });
   return context;
 }
 
@@ -47,7 +51,7 @@ inline double value_of(const std::string& id, const DescriptorContext& context) 
   return descriptor(id).compute(context).number();
 }
 
-/// A room of 10 m with random discs, everything moved by `shift`.
+/// A room of 10 m with random discs, translated by `shift`.
 inline Scenario random_room(std::uint64_t seed, int discs,
                             const mrpt::math::TPoint2D& shift = {0, 0}) {
   RandomEngine engine(seed);

@@ -11,8 +11,8 @@
 
 namespace slalom {
 
-/// A hall of 20 m x 15 m in cells of 0.1 m about the origin, with two inner walls that leave gaps
-/// and an unknown strip at the right.
+/// A hall of 20 m x 15 m with cells of 0.1 m, centered at the origin, with two inner walls with
+/// gaps and an unknown strip on the right.
 inline mrpt::maps::COccupancyGridMap2D hall_map(const std::string&) {
   mrpt::maps::COccupancyGridMap2D map(-10, 10, -7.5F, 7.5F, 0.1F);
   for (int y = 0; y < 150; ++y)
@@ -30,7 +30,7 @@ inline GeneratorContext with_hall(double length_scale = 1) {
   return context;
 }
 
-/// A family with options "key = value\n..." beside those it cannot do without.
+/// A generator with options "key = value\n..." in addition to the required ones.
 inline std::unique_ptr<Generator> family(const std::string& name, const std::string& options = "",
                                          const GeneratorContext& context = with_hall()) {
   const bool needs_map = name == "crop" || name == "clutter";
@@ -39,7 +39,7 @@ inline std::unique_ptr<Generator> family(const std::string& name, const std::str
   return make_generator(name, IniFile::from_text(ini, "g.ini"), context);
 }
 
-/// What a bad option is refused with, and that it is told as the user's mistake.
+/// The message of the usage error for invalid options.
 inline std::string refusal(const std::string& name, const std::string& options) {
   try {
     family(name, options);

@@ -1,4 +1,4 @@
-#include <slalom/gui/view_layout.h>
+#include "views/view_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@ namespace {
 
 const std::vector<ViewLayout::Button> kButtons = {
     {"tool look", "Look"}, {"tool polygon", "+ Polygon"}, {"fit", "Fit"}};
-const std::vector<std::string> kLayers = {"obstacles", "voronoi", "ends"};
+const std::vector<std::string> kLayers = {"obstacles", "voronoi", "start_goal"};
 
 bool overlap(const ScreenRect& a, const ScreenRect& b) {
   return a.left < b.left + b.width && b.left < a.left + a.width && a.top < b.top + b.height &&
@@ -18,6 +18,7 @@ void expect_apart_and_inside(const ViewLayout& layout, double width, double heig
   const auto& parts = layout.parts();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     EXPECT_GE(parts[i].rect.left, 0) << parts[i].name;
+    EXPECT_GE(parts[i].rect.top, 0) << parts[i].name;
     EXPECT_LE(parts[i].rect.left + parts[i].rect.width, width) << parts[i].name;
     EXPECT_LE(parts[i].rect.top + parts[i].rect.height, height) << parts[i].name;
     for (std::size_t j = 0; j < i; ++j)
@@ -25,7 +26,7 @@ void expect_apart_and_inside(const ViewLayout& layout, double width, double heig
   }
 }
 
-TEST(ViewLayout, HasToolsAboveTheCanvasAndALineOfTextBelow) {
+TEST(ViewLayout, HasToolsAboveTheCanvasAndAStatusLineBelow) {
   const ViewLayout layout(800, 500, kButtons, kLayers);
   expect_apart_and_inside(layout, 800, 500);
   EXPECT_DOUBLE_EQ(layout.canvas().top, layout.tools().height);
@@ -33,7 +34,7 @@ TEST(ViewLayout, HasToolsAboveTheCanvasAndALineOfTextBelow) {
   EXPECT_DOUBLE_EQ(layout.status().top + layout.status().height, 500);
 }
 
-TEST(ViewLayout, FitsScenariosBesideTheLegendWhereThereIsRoom) {
+TEST(ViewLayout, LeavesTheLegendOutOfTheOpenCanvasIfThereIsSpace) {
   const ViewLayout wide(800, 500, kButtons, kLayers);
   EXPECT_FALSE(overlap(wide.open_canvas(), wide.legend()));
   EXPECT_GT(wide.open_canvas().width, 500);
@@ -43,13 +44,13 @@ TEST(ViewLayout, FitsScenariosBesideTheLegendWhereThereIsRoom) {
   EXPECT_FALSE(overlap(wide.scale_bar(), wide.status()));
 }
 
-TEST(ViewLayout, TakesMoreRowsForButtonsWhereItIsNarrow) {
+TEST(ViewLayout, WrapsButtonsInANarrowView) {
   const ViewLayout wide(800, 500, kButtons, {}), narrow(120, 500, kButtons, {});
   expect_apart_and_inside(narrow, 120, 500);
   EXPECT_GT(narrow.tools().height, wide.tools().height);
 }
 
-TEST(ViewLayout, FindsWhatIsUnderTheMouse) {
+TEST(ViewLayout, FindsThePartAtAPosition) {
   const ViewLayout layout(800, 500, kButtons, kLayers);
   for (const ViewLayout::Part& part : layout.parts()) {
     const ViewLayout::Part* found =
@@ -60,12 +61,12 @@ TEST(ViewLayout, FindsWhatIsUnderTheMouse) {
   EXPECT_EQ(layout.at(100, 300), nullptr);
 }
 
-TEST(ViewLayout, ShowsNoRowsOfALegendThatIsClosedOrDoesNotFit) {
+TEST(ViewLayout, HidesRowsOfALegendThatIsClosedOrDoesNotFit) {
   EXPECT_EQ(ViewLayout(800, 500, kButtons, {}).find("layer voronoi"), nullptr);
-  // 34 pixels of tools, 4 of gap, 24 of title, 22 a row, 24 of status: two rows in 140.
+  // 34 pixels of tools, 4 of gap, 24 of title, 22 per row, 24 of status: two rows in 140.
   const ViewLayout low(800, 140, kButtons, kLayers);
   EXPECT_NE(low.find("layer voronoi"), nullptr);
-  EXPECT_EQ(low.find("layer ends"), nullptr);
+  EXPECT_EQ(low.find("layer start_goal"), nullptr);
   expect_apart_and_inside(low, 800, 140);
 }
 

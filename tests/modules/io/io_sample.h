@@ -1,5 +1,7 @@
 #pragma once
 
+#include "memory_folder.h"
+
 #include <slalom/core/random.h>
 #include <slalom/scenario/occupancy.h>
 
@@ -9,11 +11,11 @@
 
 namespace slalom {
 
-/// A folder of its own for one test, gone afterwards.
+/// A folder for one test, removed afterwards.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "slalom-XXXXXX").string();
+    std::string pattern = (memory_folder() / "slalom-XXXXXX").string();
     path_ = mkdtemp(pattern.data());
   }
   ~TemporaryFolder() { std::filesystem::remove_all(path_); }
@@ -25,7 +27,7 @@ class TemporaryFolder {
   std::string path_;
 };
 
-/// A room with discs and polygons by seed.
+/// A scenario with random discs and polygons.
 inline Scenario sample_scenario(std::uint64_t seed, const std::string& name = "sample") {
   RandomEngine engine(seed);
   Primitives obstacles;
@@ -42,7 +44,7 @@ inline Scenario sample_as(Representation to, std::uint64_t seed = 1) {
   return convert(sample_scenario(seed), to, 0.1);
 }
 
-/// The same with a path that was published for it.
+/// The same with a published path.
 inline Scenario sample_with_path(Representation to) {
   return sample_as(to).with_published_path(std::make_shared<PublishedPath>(
       PublishedPath{{{1, 1}, {1, 1}, {5.1, 5}, {9, 9}}, {0, 0, 10, 9}, 0.5}));

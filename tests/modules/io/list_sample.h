@@ -12,7 +12,7 @@
 
 namespace slalom {
 
-/// Everything that a list's file holds, as text: two dumps are equal when the lists are.
+/// The complete content of a list's file as text, to compare lists.
 inline std::string dump_list(const std::string& path) {
   SQLite::Database database(path);
   std::string dump;
@@ -25,7 +25,7 @@ inline std::string dump_list(const std::string& path) {
     dump += std::string(table) + "\n";
     while (rows.executeStep()) {
       for (int i = 0; i < rows.getColumnCount(); ++i) {
-        // Where SQLite keeps a table's pages is no content.
+        // The page numbers of tables are not content.
         if (std::string(rows.getColumn(i).getName()) == "rootpage") continue;
         dump += (rows.getColumn(i).isNull() ? "NULL" : rows.getColumn(i).getString()) + "|";
       }
@@ -43,21 +43,21 @@ inline DescriptorView sample_view() {
   return view;
 }
 
-/// What a test knows of a scenario of sample_list().
+/// The expected properties of a scenario of sample_list().
 struct SampleRow {
   std::string hash, name, generator;
   std::vector<std::string> tags;
   std::map<std::string, std::optional<double>> values;  ///< none for NA
 };
 
-/// A list of `count` scenarios with random values, origins and tags, and what is in it.
+/// A list of `count` scenarios with random values, origins and tags; `rows` receives its content.
 inline ScenarioList sample_list(const std::string& path, int count, std::uint64_t seed,
                                 std::vector<SampleRow>& rows) {
   RandomEngine engine(seed);
   const std::string generators[] = {"", "maze", "forest"};
   const std::string tags[] = {"narrow", "hard", "Hard"};
   ScenarioList list = ScenarioList::create(path);
-  list.in_one_step([&] {
+  list.in_transaction([&] {
     for (int i = 0; i < count; ++i) {
       const Scenario scenario = sample_scenario(seed * 1000000 + static_cast<std::uint64_t>(i),
                                                 "room_" + std::to_string(i));
@@ -68,13 +68,12 @@ inline ScenarioList sample_list(const std::string& path, int count, std::uint64_
       list.add(scenario, {row.generator, static_cast<std::uint64_t>(i), row.tags});
       for (const auto& [id, keys] : sample_view()) {
         const int kind = uniform_int(engine, 0, 9);  // 0: never computed, 1: NA
-        // Round values, so that comparisons for equality are true now and then.
+        // Rounded values, so that some comparisons for equality are true.
         const double value = uniform_int(engine, 0, 20) / 20.0;
         row.values[id] = kind < 2 ? std::nullopt : std::make_optional(value);
-        const DescriptorKey& key = keys[static_cast<std::size_t>(uniform_int(engine, 0, 1))];
+        const ValueKey& key = keys[static_cast<std::size_t>(uniform_int(engine, 0, 1))];
         if (kind > 0)
-          list.keep(row.hash, id, key.version, key.parameters,
-                    kind == 1 ? Value::na("a reason") : Value::of(value));
+          list.store_value(row.hash, {key, kind == 1 ? Value::na("a reason") : Value::of(value)});
       }
       rows.push_back(row);
     }

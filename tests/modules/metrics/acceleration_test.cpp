@@ -6,7 +6,7 @@ namespace slalom::testing {
 namespace {
 
 /// Whole periods of sines, so that root mean squares are those of a sine: amplitude / sqrt 2.
-Sample swinging(double t) {
+Sample oscillating(double t) {
   Sample sample;
   sample.v = 0.5 - 0.4 * std::cos(2 * M_PI * t / 6);
   sample.w = 0.6 * std::sin(2 * M_PI * t / 4);
@@ -24,23 +24,23 @@ void expect_true_rates(const MeasuredRun& run) {
   expect_near("rms_angular_jerk", 0.6 * l * l / root);
 }
 
-TEST(Accelerations, AreTheSameAtEverySamplingRate) {
-  for (const double hz : {10.0, 20.0, 50.0}) expect_true_rates(SampledRun(12, hz, swinging));
+TEST(Accelerations, DoNotDependOnTheSamplingRate) {
+  for (const double hz : {10.0, 20.0, 50.0}) expect_true_rates(SampledRun(12, hz, oscillating));
 }
 
-TEST(Accelerations, AreTheSameAtUnevenIntervals) {
-  SampledRun run(12, 20, swinging);
+TEST(Accelerations, DoNotDependOnUniformIntervals) {
+  SampledRun run(12, 20, oscillating);
   auto& samples = run.trajectory.samples;
   for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
     const double t = samples[i].t + (i % 2 == 0 ? 0.01 : -0.01);
-    samples[i] = swinging(t);
+    samples[i] = oscillating(t);
     samples[i].t = t;
   }
   expect_true_rates(run);
 }
 
-TEST(Accelerations, AreNotSpoiltByALastInstantThatFollowsAtOnce) {
-  SampledRun run(12, 10, swinging);
+TEST(Accelerations, IgnoreAFinalSampleAfterAVeryShortInterval) {
+  SampledRun run(12, 10, oscillating);
   Sample last = run.trajectory.samples.back();
   last.t += 1e-7;
   last.v += 1e-3;
@@ -62,7 +62,7 @@ TEST(Jerk, OfAConstantAccelerationIsZero) {
 }
 
 TEST(Accelerations, OfAHolonomicRobotAreThoseOfItsSpeed) {
-  // (v, vy) turns round in a circle of 0.5 m/s and grows by 0.1 m/s each second.
+  // (v, vy) rotates, with a magnitude of 0.5 m/s that increases by 0.1 m/s each second.
   SampledRun run(4, 10, [](double t) {
     Sample sample;
     sample.v = (0.5 + 0.1 * t) * std::cos(3 * t);
@@ -73,7 +73,7 @@ TEST(Accelerations, OfAHolonomicRobotAreThoseOfItsSpeed) {
 }
 
 TEST(Accelerations, NeedTwoSamplesAndJerksThree) {
-  EXPECT_EQ(MeasuredRun({{2, 5}}).reason("rms_linear_acceleration"), "no time passed");
+  EXPECT_EQ(MeasuredRun({{2, 5}}).reason("rms_linear_acceleration"), "zero duration");
   EXPECT_EQ(MeasuredRun({{2, 5}, {3, 5}}).reason("rms_linear_jerk"), "fewer than three samples");
   EXPECT_EQ(MeasuredRun({{2, 5}, {3, 5}}).number("rms_angular_acceleration"), 0);
 }

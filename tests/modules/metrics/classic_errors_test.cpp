@@ -10,20 +10,21 @@
 namespace slalom::testing {
 namespace {
 
-// Errors that metric code in the field is known for, each as a test that such code fails. Where a
-// family's own tests have one, it is not repeated: accelerations not divided by dt and jerk as
+// Common errors of metric implementations, each as a test that detects them. Those covered by the
+// tests of a metric are not repeated: accelerations not divided by dt and jerk as
 // acceleration over dt (acceleration_test), yaw mixed into length (path_quality_test), unwrapped
-// headings (turning_test), intervals that are open when the log ends (danger_test, pace_test).
+// headings (turning_test), intervals still open at the end of the log (clearance_test,
+// motion_time_test).
 
 std::map<std::string, Value> all_values(const MeasuredRun& run) {
   std::map<std::string, Value> values;
-  for (const auto& metric : all_metrics())
-    values.emplace(metric->info().id, run.value(metric->info().id));
+  for (const Metric& metric : all_metrics())
+    values.emplace(metric.info.id, run.value(metric.info.id));
   return values;
 }
 
-TEST(ClassicErrors, ARunThatDidNothingIsNoSuccess) {
-  for (const Outcome outcome : all_outcomes()) {
+TEST(ClassicErrors, ARunWithoutMotionIsNoSuccess) {
+  for (const Outcome outcome : enum_values<Outcome>()) {
     MeasuredRun run({{2, 5}, {2, 5}});
     run.outcome = outcome;
     if (outcome == Outcome::Success) continue;
@@ -34,9 +35,9 @@ TEST(ClassicErrors, ARunThatDidNothingIsNoSuccess) {
   }
 }
 
-TEST(ClassicErrors, FailedRunsGetNoNeutralValues) {
+TEST(ClassicErrors, FailedRunsAreNaInsteadOfNeutralValues) {
   MeasuredRun run({{2, 5}, {4, 5}, {5, 5}});
-  for (const Outcome outcome : all_outcomes()) {
+  for (const Outcome outcome : enum_values<Outcome>()) {
     if (outcome == Outcome::Success) continue;
     run.outcome = outcome;
     for (const std::string id :
@@ -47,17 +48,17 @@ TEST(ClassicErrors, FailedRunsGetNoNeutralValues) {
   }
 }
 
-TEST(ClassicErrors, DegenerateRunsGetReasonsInsteadOfZeroOrInfinity) {
+TEST(ClassicErrors, DegenerateRunsAreNaInsteadOfZeroOrInfinity) {
   const std::set<std::string> counted = {
       "success",   "spl",           "soft_spl", "barn_score_v2",  "path_length",
       "par2_time", "min_clearance", "progress", "final_distance", "closest_distance"};
-  MeasuredRun run({{2, 5}});  // one instant
+  MeasuredRun run({{2, 5}});  // one sample
   run.outcome = Outcome::MethodCrash;
   for (const auto& [id, value] : all_values(run)) {
     EXPECT_EQ(value.is_na(), counted.count(id) == 0) << id;
     EXPECT_EQ(value.is_na(), !value.reason().empty()) << id;
   }
-  MeasuredRun still({{8, 5}, {8, 5}, {8, 5}, {8, 5}});  // stands at its goal
+  MeasuredRun still({{8, 5}, {8, 5}, {8, 5}, {8, 5}});  // stays at its goal
   still.set_shortest({{8, 5}});
   still.set_safest({{8, 5}});
   for (const std::string id :
@@ -68,8 +69,8 @@ TEST(ClassicErrors, DegenerateRunsGetReasonsInsteadOfZeroOrInfinity) {
     EXPECT_NE(still.reason(id), "") << id;
 }
 
-TEST(ClassicErrors, ClearanceIsTheTruthNotWhatTheSensorSees) {
-  // Backwards, up to 0.3 m before a disc that is behind the robot, where no ray looks.
+TEST(ClassicErrors, ClearanceIsGroundTruthIndependentOfTheSensor) {
+  // Backward, up to 0.3 m from a disc behind the robot, outside the scan.
   const Primitives disc{{Disc{{4, 5}, 0.475}}, {}};  // occupies cells up to x = 4.5 on its axis
   MeasuredRun run({{7, 5}, {6, 5}, {5.05, 5}}, disc);
   for (Sample& sample : run.trajectory.samples) sample.v = -1;
@@ -78,7 +79,7 @@ TEST(ClassicErrors, ClearanceIsTheTruthNotWhatTheSensorSees) {
   EXPECT_NEAR(run.number("min_time_to_collision"), 0.3 / 9.5, 1e-6);  // 0.95 m in 0.1 s
 }
 
-TEST(ClassicErrors, PathAndObstaclesHaveOneFrameAndOneOrderOfAxes) {
+TEST(ClassicErrors, PathAndObstaclesShareFrameAndAxisOrder) {
   // The occupied cell is [-1.2, -0.7] x [7.6, 8.1].
   auto map = make_grid_map(20, 6, 0.5, {-3.2, 7.1});
   for (int y = 0; y < 6; ++y)
@@ -91,11 +92,11 @@ TEST(ClassicErrors, PathAndObstaclesHaveOneFrameAndOneOrderOfAxes) {
   EXPECT_NEAR(clearance_at(-0.1, 7.85), 0.6 - 0.25, 1e-5);                  // right of it
   EXPECT_NEAR(clearance_at(-1.7, 7.85), 0.5 - 0.25, 1e-5);                  // left
   EXPECT_NEAR(clearance_at(-0.95, 8.7), 0.6 - 0.25, 1e-5);                  // above
-  EXPECT_NEAR(clearance_at(-0.4, 8.5), std::hypot(0.3, 0.4) - 0.25, 1e-5);  // beside its corner
+  EXPECT_NEAR(clearance_at(-0.4, 8.5), std::hypot(0.3, 0.4) - 0.25, 1e-5);  // near its corner
   EXPECT_NEAR(clearance_at(6.2, 8.6), 0.6 - 0.25, 1e-5);  // the border's right side
 }
 
-TEST(ClassicErrors, TurningTheWholePlaceChangesNoValue) {
+TEST(ClassicErrors, ValuesAreInvariantUnderRotation) {
   // The same run along x in a wide room and along y in a high one.
   const Path path = {{2, 5}, {4, 5.5}, {5, 4}, {7.9, 5}};
   MeasuredRun along_x(path);
@@ -110,9 +111,9 @@ TEST(ClassicErrors, TurningTheWholePlaceChangesNoValue) {
   references.references.safest->path = {{5, 2}, {5, 8}};
   const MetricContext context = make_metric_context(high, along_x.robot, turned, Outcome::Success,
                                                     references.references, 60, 0.2);
-  for (const auto& metric : all_metrics()) {
-    const std::string id = metric->info().id;
-    const Value value = metric->compute(context), expected = along_x.value(id);
+  for (const Metric& metric : all_metrics()) {
+    const std::string id = metric.info.id;
+    const Value value = metric.compute(context), expected = along_x.value(id);
     ASSERT_EQ(value.is_na(), expected.is_na()) << id;
     if (!value.is_na()) {
       EXPECT_NEAR(value.number(), expected.number(), 1e-5) << id;
@@ -120,19 +121,19 @@ TEST(ClassicErrors, TurningTheWholePlaceChangesNoValue) {
   }
 }
 
-TEST(Metrics, DoNotChangeEachOther) {
+TEST(Metrics, AreIndependentOfEachOther) {
   MeasuredRun run({{2, 5}, {3, 5.5}, {5, 4}, {6, 5}, {7.9, 5}});
   run.trajectory.samples[2].v = 1;
   const MetricContext context = make_metric_context(run.world, run.robot, run.trajectory,
                                                     run.outcome, run.references, 60, 0.2);
   std::map<std::string, Value> together;
   for (auto metric = all_metrics().rbegin(); metric != all_metrics().rend(); ++metric)
-    together.emplace((*metric)->info().id, (*metric)->compute(context));
-  for (const auto& metric : all_metrics()) {
+    together.emplace(metric->info.id, metric->compute(context));
+  for (const Metric& metric : all_metrics()) {
     const MeasuredRun alone({{2, 5}, {3, 5.5}, {5, 4}, {6, 5}, {7.9, 5}});
     const MetricContext its_own = make_metric_context(alone.world, run.robot, run.trajectory,
                                                       run.outcome, run.references, 60, 0.2);
-    EXPECT_EQ(metric->compute(its_own), together.at(metric->info().id)) << metric->info().id;
+    EXPECT_EQ(metric.compute(its_own), together.at(metric.info.id)) << metric.info.id;
   }
 }
 

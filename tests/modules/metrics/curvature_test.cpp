@@ -5,7 +5,7 @@
 namespace slalom::testing {
 namespace {
 
-/// A circle about (5, 5), three quarters round, at 1 m/s.
+/// Three quarters of a circle around (5, 5) at 1 m/s.
 struct Arc : SampledRun {
   Arc(double radius, double hz)
       : SampledRun(1.5 * M_PI * radius, hz, [=](double t) {
@@ -15,7 +15,7 @@ struct Arc : SampledRun {
         }) {}
 };
 
-TEST(Curvature, OfACircleIsOneOverItsRadiusHoweverDenselySampled) {
+TEST(Curvature, OfACircleIsOneOverItsRadiusForAnySampling) {
   for (const double radius : {0.5, 1.0, 2.0})
     for (const double hz : {10.0, 20.0, 50.0}) {
       const Arc run(radius, hz);
@@ -31,7 +31,7 @@ TEST(Curvature, OfAStraightLineIsZero) {
 }
 
 TEST(BendingEnergy, IsAMeanOverTheLength) {
-  // 4 m straight on, then a half circle of radius 1 m: pi m of curvature 1.
+  // 4 m straight, then a half circle of radius 1 m: pi m of curvature 1.
   Path points;
   for (int i = 0; i < 40; ++i) points.emplace_back(2 + 0.1 * i, 4);
   for (int i = 0; i <= 40; ++i)
@@ -39,18 +39,16 @@ TEST(BendingEnergy, IsAMeanOverTheLength) {
   EXPECT_NEAR(MeasuredRun(points).number("bending_energy"), M_PI / (4 + M_PI), 0.02);
 }
 
-TEST(MaxCurvature, OfAReversalOnTheSpotIsFinite) {
+TEST(MaxCurvature, OfAReversalIsFinite) {
   const double k = MeasuredRun({{2, 5}, {4, 5}, {2, 5}}).number("max_curvature");
-  EXPECT_GT(k, 10);  // a circle of a tenth of a metre
+  EXPECT_GT(k, 10);  // a circle of a tenth of a meter
   EXPECT_LE(k, 20 + 1e-6);
 }
 
-TEST(Curvature, OfAWayOfLessThanTwoSpacingsIsNotAvailable) {
+TEST(Curvature, OfAPathShorterThanTwoSpacingsIsNa) {
   for (const std::string id : {"max_curvature", "bending_energy"}) {
-    EXPECT_EQ(MeasuredRun({{2, 5}, {2.15, 5}}).reason(id),
-              "the path driven is too short to have a curvature");
-    EXPECT_EQ(MeasuredRun({{2, 5}, {2, 5}}).reason(id),
-              "the path driven is too short to have a curvature");
+    EXPECT_EQ(MeasuredRun({{2, 5}, {2.15, 5}}).reason(id), "the path is too short for a curvature");
+    EXPECT_EQ(MeasuredRun({{2, 5}, {2, 5}}).reason(id), "the path is too short for a curvature");
   }
 }
 

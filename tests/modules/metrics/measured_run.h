@@ -8,7 +8,7 @@
 
 namespace slalom::testing {
 
-/// A run with known answers: an empty room of 28 m x 10 m, goal (8, 5), robot of 0.25 m. Far from
+/// A run with known values: an empty room of 28 m x 10 m, goal (8, 5), robot of 0.25 m. Far from
 /// the walls on the left and right the clearance at (x, y) is min(y, 10 - y).
 struct MeasuredRun {
   World world;
@@ -18,7 +18,7 @@ struct MeasuredRun {
   References references;
   double safe_distance = 0.5;
 
-  /// Samples at these points, one each 0.1 s.
+  /// Samples at these points, one every 0.1 s.
   explicit MeasuredRun(const Path& points, const Primitives& obstacles = {})
       : world(Scenario::continuous("room", {-10, 0, 18, 10}, obstacles, {2, 5, 0}, {8, 5}), 0.05) {
     for (const auto& p : points) {
@@ -52,7 +52,7 @@ struct MeasuredRun {
     return metric(id).compute(
         make_metric_context(world, robot, trajectory, outcome, references, 60, 0.2, safe_distance));
   }
-  /// A number; NaN when it is NA.
+  /// The number; NaN for NA.
   double number(const std::string& id) const {
     const Value v = value(id);
     return v.is_na() ? std::nan("") : v.number();
@@ -60,7 +60,7 @@ struct MeasuredRun {
   std::string reason(const std::string& id) const { return value(id).reason(); }
 };
 
-/// A run whose samples are those of a function of time, `hz` a second from 0 s to `seconds`.
+/// A run sampled from a function of time at `hz` from 0 s to `seconds`.
 struct SampledRun : MeasuredRun {
   template <typename SampleAt>
   SampledRun(double seconds, double hz, SampleAt sample_at) : MeasuredRun(Path{}) {

@@ -7,7 +7,7 @@
 namespace slalom::testing {
 namespace {
 
-TEST(PathLength, OfAStraightLineWithASpinningHeadingIsItsLength) {
+TEST(PathLength, IgnoresTheHeading) {
   Path points;
   for (int i = 0; i <= 600; ++i) points.emplace_back(2 + 0.01 * i, 5);
   MeasuredRun run(points);
@@ -16,7 +16,7 @@ TEST(PathLength, OfAStraightLineWithASpinningHeadingIsItsLength) {
   EXPECT_NEAR(run.number("path_length"), 6, 1e-12);
 }
 
-TEST(PathLength, OfARobotThatNeverMovesIsZero) {
+TEST(PathLength, IsZeroWithoutMotion) {
   MeasuredRun run({{2, 5}, {2, 5}, {2, 5}});
   run.outcome = Outcome::Stuck;
   EXPECT_EQ(run.number("path_length"), 0);
@@ -26,43 +26,43 @@ TEST(Optimality, IsOneOnTheShortestPath) {
   EXPECT_DOUBLE_EQ(MeasuredRun({{2, 5}, {5, 5}, {8, 5}}).number("optimality"), 1);
 }
 
-TEST(Optimality, CountsTheLastStretchToTheGoal) {
-  // The run ends 0.2 m before the goal: 5.8 m driven, 6 m closed.
+TEST(Optimality, IncludesTheLastSegmentToTheGoal) {
+  // The run ends 0.2 m before the goal: 5.8 m traveled, 6 m including the last segment.
   const MeasuredRun run({{2, 5}, {7.8, 5}});
   EXPECT_DOUBLE_EQ(run.number("path_length"), 5.8);
   EXPECT_DOUBLE_EQ(run.number("optimality"), 1);
   EXPECT_DOUBLE_EQ(run.number("spl"), 1);
 }
 
-TEST(Optimality, IsTheShareOfTheShortestLength) {
+TEST(Optimality, IsTheRatioToTheShortestLength) {
   // Two sides of sqrt(3^2 + 1^2) m instead of 6 m.
   const MeasuredRun run({{2, 5}, {5, 6}, {8, 5}});
   EXPECT_NEAR(run.number("optimality"), 6 / (2 * std::sqrt(10)), 1e-12);
   EXPECT_NEAR(run.number("spl"), 6 / (2 * std::sqrt(10)), 1e-12);
 }
 
-TEST(PathExcess, IsWhatWasDrivenBeyondTheShortest) {
+TEST(PathExcess, IsTheRelativeExcessLength) {
   EXPECT_NEAR(MeasuredRun({{2, 5}, {5, 6}, {8, 5}}).number("path_excess"),
               2 * std::sqrt(10) / 6 - 1, 1e-12);
   EXPECT_NEAR(MeasuredRun({{2, 5}, {7.8, 5}}).number("path_excess"), 0, 1e-12);
 }
 
-TEST(PathExcess, WhereTheStartIsTheGoalIsNotAvailable) {
+TEST(PathExcess, IsNaIfStartAndGoalCoincide) {
   MeasuredRun run({{8, 5}, {8, 5.1}});
   run.set_shortest({{8, 5}});
-  EXPECT_EQ(run.reason("path_excess"), "the start is the goal");
+  EXPECT_EQ(run.reason("path_excess"), "start and goal coincide");
 }
 
-TEST(Spl, IsNeverAboveOneEvenWhereTheReferenceIsNotTheShortest) {
+TEST(Spl, IsAtMostOneEvenIfTheReferenceIsNotTheShortest) {
   MeasuredRun run({{2, 5}, {8, 5}});
   run.set_shortest({{2, 5}, {5, 5.1}, {8, 5}});
   EXPECT_GT(run.number("optimality"), 1);
   EXPECT_EQ(run.number("spl"), 1);
 }
 
-TEST(Spl, IsZeroOnFailureAndMissingWhereTheMethodIsNotToBlame) {
+TEST(Spl, IsZeroOnFailureAndNaIfNotAttributableToTheMethod) {
   MeasuredRun run({{2, 5}, {3, 5}});
-  for (const Outcome outcome : all_outcomes()) {
+  for (const Outcome outcome : enum_values<Outcome>()) {
     run.outcome = outcome;
     if (outcome == Outcome::UnsolvableScenario || outcome == Outcome::InfrastructureError) {
       EXPECT_EQ(run.reason("spl"), "outcome: " + to_string(outcome));
@@ -73,24 +73,24 @@ TEST(Spl, IsZeroOnFailureAndMissingWhereTheMethodIsNotToBlame) {
 }
 
 TEST(OptimalityArea, IsTheAreaBetweenBothPathsPerLength) {
-  // On a roof of height 1 m over 6 m the distance grows linearly to 1 m and falls again: its mean
-  // is 0.5 m, over 2 sqrt(10) m driven; divided by 6 m.
+  // On a triangle of height 1 m over 6 m the distance increases linearly to 1 m and decreases
+  // again: its mean is 0.5 m, over 2 sqrt(10) m traveled; divided by 6 m.
   EXPECT_NEAR(MeasuredRun({{2, 5}, {5, 6}, {8, 5}}).number("optimality_area"), std::sqrt(10) / 6,
               1e-3);
-  // The goal's tolerance does not matter on the path itself.
+  // The goal tolerance has no effect on the path itself.
   EXPECT_NEAR(MeasuredRun({{2, 5}, {7.8, 5}}).number("optimality_area"), 0, 1e-12);
 }
 
-TEST(OptimalityArea, MeasuresTheDistanceToTheEndBeyondIt) {
-  // Back from 2 to 1 m, on to 9 m and back to 8 m: of the 10 m driven four lie up to 1 m beyond
+TEST(OptimalityArea, MeasuresTheDistanceToTheEndPointsBeyondThePath) {
+  // Back from 2 to 1 m, on to 9 m and back to 8 m: of the 10 m traveled four lie up to 1 m beyond
   // the ends, 0.5 m on average, the others on the path.
   EXPECT_NEAR(MeasuredRun({{2, 5}, {1, 5}, {9, 5}, {8, 5}}).number("optimality_area"), 2.0 / 6,
               1e-9);
 }
 
-/// The same integral, from the distances to all pieces of the path.
-double plain_area(const Path& driven, const Path& reference) {
-  const Path points = resample(driven, 0.02);
+/// The same integral by brute force over all segments of the path.
+double plain_area(const Path& traveled, const Path& reference) {
+  const Path points = resample(traveled, 0.02);
   double sum = 0;
   for (std::size_t i = 1; i < points.size(); ++i)
     sum += 0.5 * length({points[i - 1], points[i]}) *
@@ -98,22 +98,22 @@ double plain_area(const Path& driven, const Path& reference) {
   return sum;
 }
 
-TEST(OptimalityArea, AgreesWithBruteForceOnPathsOfManyPieces) {
+TEST(OptimalityArea, AgreesWithBruteForceOnPathsOfManySegments) {
   RandomEngine random(6);
-  const auto random_path = [&](int pieces) {
+  const auto random_path = [&](int segments) {
     Path path;
-    for (int i = 0; i <= pieces; ++i)
+    for (int i = 0; i <= segments; ++i)
       path.emplace_back(uniform_real(random, 1, 9), uniform_real(random, 1, 9));
     return path;
   };
   for (int i = 0; i < 30; ++i) {
-    const Path driven = random_path(uniform_int(random, 1, 8));
+    const Path traveled = random_path(uniform_int(random, 1, 8));
     const Path best =
         resample(random_path(uniform_int(random, 1, 12)), uniform_real(random, 0.05, 1));
-    MeasuredRun run(driven);
+    MeasuredRun run(traveled);
     run.set_shortest(best);
     run.set_safest(best);
-    const double expected = plain_area(driven, best) / length(best);
+    const double expected = plain_area(traveled, best) / length(best);
     EXPECT_NEAR(run.number("optimality_area"), expected, 1e-12 * (1 + expected));
     EXPECT_NEAR(run.number("safety_area"), expected, 1e-12 * (1 + expected));
   }

@@ -5,24 +5,24 @@
 namespace slalom::testing {
 namespace {
 
-/// v(t) = exp(-5 t^2), t in [-1, 1) at 100 Hz: the example of the definition's authors.
+/// v(t) = exp(-5 t^2), t in [-1, 1) at 100 Hz: the example of Balasubramanian et al.
 Sample bell(double t) {
   Sample sample;
   sample.v = std::exp(-5 * (t - 1) * (t - 1));
   return sample;
 }
 
-TEST(Sparc, HasItsAuthorsValue) {
+TEST(Sparc, EqualsThePublishedValue) {
   EXPECT_NEAR(SampledRun(1.99, 100, bell).number("sparc"), -1.41403, 5e-6);
 }
 
-TEST(LogDimensionlessJerk, HasItsAuthorsValue) {
+TEST(LogDimensionlessJerk, EqualsThePublishedValue) {
   const double value = SampledRun(1.99, 100, bell).number("log_dimensionless_jerk");
   EXPECT_NEAR(value, -5.81636, 5e-6);
   EXPECT_NEAR(-std::exp(-value), -335.74684, 5e-4);
 }
 
-TEST(Smoothness, DoesNotDependOnTheSpeedsScaleOrDirection) {
+TEST(Smoothness, IsInvariantToScaleAndDirection) {
   const auto scaled = [](double t) {
     Sample sample = bell(t);
     sample.v *= -3;
@@ -33,7 +33,7 @@ TEST(Smoothness, DoesNotDependOnTheSpeedsScaleOrDirection) {
                 1e-9);
 }
 
-TEST(Smoothness, OfAJerkyMovementIsLess) {
+TEST(Smoothness, IsLowerForAJerkyMotion) {
   const auto jerky = [](double t) {
     Sample sample = bell(t);
     sample.v *= 1 + 0.5 * std::sin(30 * t);
@@ -43,8 +43,8 @@ TEST(Smoothness, OfAJerkyMovementIsLess) {
     EXPECT_LT(SampledRun(1.99, 100, jerky).number(id), SampledRun(1.99, 100, bell).number(id));
 }
 
-TEST(Sparc, IsTheSameAtEverySamplingRateThatHoldsTheSpectrum) {
-  // A bell of a second's width has nothing to show beyond 2 Hz.
+TEST(Sparc, DoesNotDependOnASufficientSamplingRate) {
+  // A bell of one second's width has no components beyond 2 Hz.
   const auto slow = [](double t) {
     Sample sample;
     sample.v = std::exp(-2 * (t - 4) * (t - 4));
@@ -55,21 +55,21 @@ TEST(Sparc, IsTheSameAtEverySamplingRateThatHoldsTheSpectrum) {
     EXPECT_NEAR(SampledRun(8, hz, slow).number("sparc"), expected, 0.01 * std::abs(expected)) << hz;
 }
 
-TEST(Smoothness, OfARobotThatStandsOrHasNoTimeIsNotAvailable) {
+TEST(Smoothness, IsNaWithoutMotionOrDuration) {
   for (const std::string id : {"sparc", "log_dimensionless_jerk"}) {
     EXPECT_EQ(MeasuredRun({{2, 5}, {2, 5}, {2, 5}}).reason(id), "the robot did not move");
-    EXPECT_EQ(MeasuredRun({{2, 5}}).reason(id), "no time passed");
+    EXPECT_EQ(MeasuredRun({{2, 5}}).reason(id), "zero duration");
     EXPECT_EQ(MeasuredRun({{2, 5}, {3, 5}}).reason(id), "fewer than three samples");
   }
 }
 
-TEST(LogDimensionlessJerk, OfASteadySpeedIsNotAvailable) {
+TEST(LogDimensionlessJerk, IsNaForAConstantSpeed) {
   MeasuredRun run({{2, 5}, {3, 5}, {4, 5}, {5, 5}});
   for (Sample& sample : run.trajectory.samples) sample.v = 0.7;
-  EXPECT_EQ(run.reason("log_dimensionless_jerk"), "the speed has no jerk");
+  EXPECT_EQ(run.reason("log_dimensionless_jerk"), "zero jerk");
 }
 
-TEST(Smoothness, RefusesALogWithAnEndlessGap) {
+TEST(Smoothness, IsNaForALogWithAHugeGap) {
   MeasuredRun run({{2, 5}, {3, 5}, {4, 5}, {5, 5}});
   for (Sample& sample : run.trajectory.samples) sample.v = 0.7;
   run.trajectory.samples.back().t = 1e12;

@@ -7,13 +7,13 @@ namespace {
 
 TEST(TimeToGoal, IsTheTimeFromTheFirstSampleToTheLast) {
   MeasuredRun run({{2, 5}, {5, 5}, {8, 5}});
-  run.trajectory.samples[0].t = 10;  // a log need not begin at zero
+  run.trajectory.samples[0].t = 10;  // a log may start at any time
   run.trajectory.samples[1].t = 11;
   run.trajectory.samples[2].t = 12.5;
   EXPECT_DOUBLE_EQ(run.number("time_to_goal"), 2.5);
 }
 
-TEST(TimeToGoal, OfARunThatBeginsAtItsGoalIsZero) {
+TEST(TimeToGoal, IsZeroForARunThatStartsAtItsGoal) {
   EXPECT_EQ(MeasuredRun({{8, 5}}).number("time_to_goal"), 0);
 }
 
@@ -26,7 +26,7 @@ TEST(Par2Time, IsTheTimeOfASuccessAndTwiceTheLimitOfAFailure) {
   EXPECT_EQ(run.reason("par2_time"), "outcome: infrastructure_error");
 }
 
-TEST(TimeRatio, ComparesWithTheShortestPathAtFullSpeed) {
+TEST(TimeRatio, IsRelativeToTheShortestPathAtMaximumSpeed) {
   MeasuredRun run({{2, 5}, {5, 5}, {8, 5}});
   run.trajectory.samples[1].t = 4;
   run.trajectory.samples[2].t = 9;
@@ -34,8 +34,8 @@ TEST(TimeRatio, ComparesWithTheShortestPathAtFullSpeed) {
   EXPECT_DOUBLE_EQ(run.number("time_ratio"), 3);
 }
 
-TEST(TimeRatio, OfARunThatBeginsAtItsGoalIsNotAvailable) {
-  EXPECT_EQ(MeasuredRun({{8, 5}}).reason("time_ratio"), "no time passed");
+TEST(TimeRatio, IsNaForARunThatStartsAtItsGoal) {
+  EXPECT_EQ(MeasuredRun({{8, 5}}).reason("time_ratio"), "zero duration");
 }
 
 }  // namespace

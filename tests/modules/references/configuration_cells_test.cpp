@@ -10,22 +10,22 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-/// Smallest and largest d over points spread over a closed subcell, its corners and centre
+/// Smallest and largest d over points spread over a closed subcell, its corners and center
 /// included.
 std::pair<double, double> clearances(const World& world, int sx, int sy, double size) {
   const TPoint2D origin = world.occupancy().origin();
-  double least = 1e9, most = 0;
+  double lowest = 1e9, highest = 0;
   for (const double v : {0.0, 0.25, 0.5, 0.75, 1.0})
     for (const double u : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const TPoint2D p(origin.x + (sx + u) * size, origin.y + (sy + v) * size);
       const double d = world.distance_field().clearance(p);
-      least = std::min(least, d);
-      most = std::max(most, d);
+      lowest = std::min(lowest, d);
+      highest = std::max(highest, d);
     }
-  return {least, most};
+  return {lowest, highest};
 }
 
-TEST(ConfigurationCells, OuterKeepsEveryFreePointAndInnerHoldsOnlyFreePoints) {
+TEST(ConfigurationCells, OuterHasAllFreePointsAndInnerOnlyFreePoints) {
   RandomEngine engine(5);
   for (const int subdivision : {1, 2, 3, 4}) {
     const World world = random_world(engine, 3, 4);
@@ -33,16 +33,16 @@ TEST(ConfigurationCells, OuterKeepsEveryFreePointAndInnerHoldsOnlyFreePoints) {
     const auto cells = make_configuration_cells(world.occupancy(), radius, subdivision);
     for (int sy = 0; sy < cells.outer.size_y; ++sy)
       for (int sx = 0; sx < cells.outer.size_x; ++sx) {
-        const auto [least, most] = clearances(world, sx, sy, cells.cell_size);
-        ASSERT_TRUE(!cells.outer.is_blocked(sx, sy) || most < radius);
-        ASSERT_TRUE(cells.inner.is_blocked(sx, sy) || least >= radius - 1e-9);
+        const auto [lowest, highest] = clearances(world, sx, sy, cells.cell_size);
+        ASSERT_TRUE(!cells.outer.is_blocked(sx, sy) || highest < radius);
+        ASSERT_TRUE(cells.inner.is_blocked(sx, sy) || lowest >= radius - 1e-9);
       }
   }
 }
 
-TEST(ConfigurationCells, BesideAWallTheBoundsAreExact) {
-  // A room of 20 x 20 cells of 0.05 m, r = 0.12 m = 2.4 cells. Column c spans the distances c to
-  // c + 1 from the wall: all closer than 2.4 for c = 0, 1; all at least 2.4 from c = 3 on.
+TEST(ConfigurationCells, BoundsAreExactNextToAWall) {
+  // A square of 20 x 20 cells of 0.05 m, r = 0.12 m = 2.4 cells. Column c spans the distances c to
+  // c + 1 from the wall: all closer than 2.4 for c = 0, 1; all at lowest 2.4 from c = 3 on.
   const World world = empty_world(1, {0.5, 0.5}, {0.6, 0.5});
   const auto cells = make_configuration_cells(world.occupancy(), 0.12, 1);
   for (int c = 0; c < 10; ++c) {

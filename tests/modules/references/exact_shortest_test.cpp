@@ -19,7 +19,7 @@ std::optional<ShortestPath> search(const World& world, double radius, double gap
   return exact_shortest_path(problem_of(world, radius), gap, reason);
 }
 
-TEST(ExactShortest, InTheOpenTheStraightLineIsProvedExactly) {
+TEST(ExactShortest, StraightLineIsCertifiedExactly) {
   const World world = empty_world(10, {1, 1}, {9, 7});
   std::string reason;
   const auto best = search(world, 0.25, 0.01, reason);
@@ -28,10 +28,10 @@ TEST(ExactShortest, InTheOpenTheStraightLineIsProvedExactly) {
   EXPECT_EQ(best->certificate.lower_bound, best->certificate.upper_bound);
 }
 
-TEST(ExactShortest, RoundASquareTheExactOptimumLiesWithinTheCertificate) {
-  // A 2 m square centred between start and goal, 10 m apart; the robot has r = 0.5 m. The best way:
-  // a tangent to the circle of radius r about a corner, an arc, the straight side, and the same
-  // again.
+TEST(ExactShortest, OptimumAroundASquareIsWithinTheCertificate) {
+  // A 2 m square centered between start and goal, 10 m apart; the robot has r = 0.5 m. The shortest
+  // path: a tangent to the circle of radius r around a corner, an arc, the straight side, and the
+  // same again.
   const double r = 0.5, half = 1, reach = 5;
   Primitives obstacles;
   obstacles.polygons.push_back({{{5, 5}, {7, 5}, {7, 7}, {5, 7}}});
@@ -56,7 +56,7 @@ TEST(ExactShortest, RoundASquareTheExactOptimumLiesWithinTheCertificate) {
   EXPECT_TRUE(is_free(world, best->path, r));
 }
 
-TEST(ExactShortest, SaysWhyThereIsNone) {
+TEST(ExactShortest, GivesTheReasonWhenThereIsNoPath) {
   std::string reason;
   const World crowded = walled_world(10, 0.3);  // a gap of 0.3 m
   EXPECT_FALSE(search(crowded, 0.25, 0.01, reason).has_value());
@@ -69,25 +69,25 @@ TEST(ExactShortest, SaysWhyThereIsNone) {
   EXPECT_EQ(reason, "goal is closer to an obstacle than the robot's radius");
 }
 
-TEST(ExactShortest, APassageJustWideEnoughIsFoundAndJustTooNarrowIsNot) {
+TEST(ExactShortest, FindsPassagesThatAreJustWideEnough) {
   std::string reason;
   EXPECT_TRUE(search(walled_world(10, 0.8), 0.25, 0.01, reason).has_value()) << reason;
   EXPECT_FALSE(search(walled_world(10, 0.4), 0.25, 0.01, reason).has_value());
 }
 
-/// Length of the best path on a lattice with many neighbours whose segments are all free in the
-/// exact model: an upper bound of L* that owes nothing to the search under test.
-double lattice_length(const World& world, double radius, int per_metre) {
+/// Length of the best path on a lattice with many neighbors whose segments are all free in the
+/// exact model: an upper bound of L* that is independent of the search under test.
+double lattice_length(const World& world, double radius, int per_meter) {
   const Bounds bounds = world.scenario().bounds();
-  const int size_x = static_cast<int>(bounds.width() * per_metre) + 1;
-  const int size_y = static_cast<int>(bounds.height() * per_metre) + 1;
+  const int size_x = static_cast<int>(bounds.width() * per_meter) + 1;
+  const int size_y = static_cast<int>(bounds.height() * per_meter) + 1;
   const auto point = [&](int i) {
-    return TPoint2D(bounds.x_min + (i % size_x) / static_cast<double>(per_metre),
-                    bounds.y_min + (i / size_x) / static_cast<double>(per_metre));
+    return TPoint2D(bounds.x_min + (i % size_x) / static_cast<double>(per_meter),
+                    bounds.y_min + (i / size_x) / static_cast<double>(per_meter));
   };
   const auto nearest = [&](const TPoint2D& p) {
-    return static_cast<int>(std::lround((p.y - bounds.y_min) * per_metre)) * size_x +
-           static_cast<int>(std::lround((p.x - bounds.x_min) * per_metre));
+    return static_cast<int>(std::lround((p.y - bounds.y_min) * per_meter)) * size_x +
+           static_cast<int>(std::lround((p.x - bounds.x_min) * per_meter));
   };
   const PlanningProblem problem = problem_of(world, radius);
   const int start = nearest(problem.start), goal = nearest(problem.goal);
@@ -117,7 +117,7 @@ double lattice_length(const World& world, double radius, int per_metre) {
   return std::numeric_limits<double>::infinity();
 }
 
-TEST(ExactShortest, BoundsHoldAgainstALatticeSearchOnRandomPlaces) {
+TEST(ExactShortest, BoundsHoldAgainstALatticeSearchInRandomWorlds) {
   RandomEngine engine(3);
   int solved = 0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -140,18 +140,18 @@ TEST(ExactShortest, BoundsHoldAgainstALatticeSearchOnRandomPlaces) {
 }
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr int kManyPlaces = 100;
+constexpr int kWorlds = 100;
 #else
-constexpr int kManyPlaces = 1000;
+constexpr int kWorlds = 1000;
 #endif
 
-TEST(ExactShortest, TheLowerBoundIsNeverAboveALatticeSearchOnManyPlaces) {
-  // No multiple of half a cell: no passage is exactly as wide as the robot, which no bound can tell
-  // from one that is too narrow.
+TEST(ExactShortest, LowerBoundIsNeverAboveALatticeSearchInManyWorlds) {
+  // Not a multiple of half a cell: no passage has exactly the width of the robot, which no bound
+  // can distinguish from one that is too narrow.
   constexpr double kRadius = 0.16;
   RandomEngine engine(5);
   int solved = 0, reached = 0;
-  for (int trial = 0; trial < kManyPlaces; ++trial) {
+  for (int trial = 0; trial < kWorlds; ++trial) {
     const World world = random_world(engine, 3, uniform_int(engine, 1, 6));
     std::string reason;
     const auto best = search(world, kRadius, 0.01, reason);
@@ -166,11 +166,11 @@ TEST(ExactShortest, TheLowerBoundIsNeverAboveALatticeSearchOnManyPlaces) {
     EXPECT_LE(best->certificate.lower_bound, lattice + 1e-9) << trial;
     reached += best->certificate.gap() <= 0.01 ? 1 : 0;
   }
-  EXPECT_GT(solved, kManyPlaces / 3);
+  EXPECT_GT(solved, kWorlds / 3);
   EXPECT_GT(reached, 0.95 * solved);
 }
 
-TEST(ExactShortest, TheGapIsReachedOnRandomPlaces) {
+TEST(ExactShortest, GapIsReachedInRandomWorlds) {
   RandomEngine engine(4);
   int solved = 0, reached = 0;
   for (int trial = 0; trial < 60; ++trial) {

@@ -10,14 +10,14 @@ inline PlanningProblem problem_of(const World& world, double radius) {
   return {world, radius, {start.x, start.y}, world.scenario().goal()};
 }
 
-/// A square room of `size` metres with nothing in it.
+/// An empty square of `size` meters.
 inline World empty_world(double size, const mrpt::math::TPoint2D& start,
                          const mrpt::math::TPoint2D& goal) {
   return {Scenario::continuous("empty", {0, 0, size, size}, {}, {start.x, start.y, 0}, goal), 0.05};
 }
 
-/// A room parted by a wall with an opening of about `gap` metres (less up to two cells of
-/// rasterisation).
+/// A square divided by a wall with an opening of about `gap` meters (less up to two cells of
+/// rasterization).
 inline World walled_world(double size, double gap) {
   const double middle = size / 2;
   Primitives walls;
@@ -33,7 +33,7 @@ inline World walled_world(double size, double gap) {
           0.05};
 }
 
-/// A room of `size` metres with random discs; start and goal in opposite corners.
+/// A square of `size` meters with random discs; start and goal in opposite corners.
 inline World random_world(RandomEngine& engine, double size, int discs) {
   Primitives obstacles;
   for (int i = 0; i < discs; ++i)

@@ -10,25 +10,25 @@
 namespace slalom {
 namespace {
 
-bool holds(const std::vector<std::uint8_t>& diagram, const World& world,
-           const mrpt::math::TPoint2D& p) {
+bool contains(const std::vector<std::uint8_t>& diagram, const World& world,
+              const mrpt::math::TPoint2D& p) {
   const auto at = world.occupancy().to_cells(p);
   return diagram[world.occupancy().index(static_cast<int>(at.x), static_cast<int>(at.y))] != 0;
 }
 
-TEST(VoronoiDiagram, OfACorridorIsItsMiddleLine) {
-  // 20 m by 3.05 m at 0.05 m: 61 rows, of which the middle one is centred at y = 1.525.
+TEST(VoronoiDiagram, OfACorridorIsItsCenterLine) {
+  // 20 m by 3.05 m at 0.05 m: 61 rows, of which the middle one is centered at y = 1.525.
   const World world(Scenario::continuous("corridor", {0, 0, 20, 3.05}, {}, {1, 1, 0}, {19, 1}),
                     0.05);
   const auto diagram = voronoi_diagram(world, 0.25);
   for (const double x : {3.02, 10.02, 16.98}) {
-    EXPECT_TRUE(holds(diagram, world, {x, 1.525})) << x;
+    EXPECT_TRUE(contains(diagram, world, {x, 1.525})) << x;
     for (const double y : {0.5, 1.0, 1.4, 1.65, 2.5})
-      EXPECT_FALSE(holds(diagram, world, {x, y})) << x << ", " << y;
+      EXPECT_FALSE(contains(diagram, world, {x, y})) << x << ", " << y;
   }
 }
 
-TEST(VoronoiDiagram, KeepsTheLeastClearance) {
+TEST(VoronoiDiagram, KeepsTheMinimumClearance) {
   RandomEngine engine(4);
   const World world = random_world(engine, 8, 15);
   const auto diagram = voronoi_diagram(world, 0.3);

@@ -14,11 +14,11 @@ using mrpt::math::TPose2D;
 
 constexpr double kStep = 0.01;  // s
 
-void drive(DiffDrive& vehicle, double seconds) {
+void simulate(DiffDrive& vehicle, double seconds) {
   for (int i = 0; i < std::lround(seconds / kStep); ++i) vehicle.advance(kStep);
 }
 
-TEST(DiffDrive, StandsStillWhereItStarts) {
+TEST(DiffDrive, IsAtRestAtItsStart) {
   DiffDrive vehicle{RobotModel()};
   EXPECT_EQ(vehicle.getTime(), 0);
   vehicle.start_at({1, 2, 0.5});
@@ -28,23 +28,23 @@ TEST(DiffDrive, StandsStillWhereItStarts) {
   EXPECT_EQ(vehicle.getTime(), kStep);
 }
 
-TEST(DiffDrive, ReachesItsSpeedWithTheLargestAcceleration) {
+TEST(DiffDrive, ReachesItsVelocityWithMaximumAcceleration) {
   DiffDrive vehicle{RobotModel()};
   vehicle.command(0.8, 0);
   // At 1 m/s^2 after 0.5 s: v = 0.5 m/s, x = 0.5 * 0.5^2 = 0.125 m; exact for linear speed.
-  drive(vehicle, 0.5);
+  simulate(vehicle, 0.5);
   EXPECT_NEAR(vehicle.v(), 0.5, 1e-12);
   EXPECT_NEAR(vehicle.getCurrentGTPose().x, 0.125, 1e-12);
   // Then 0.3 s to 0.8 m/s and 0.2 s there: x = 0.5 * 0.8^2 + 0.2 * 0.8 = 0.48 m.
-  drive(vehicle, 0.5);
+  simulate(vehicle, 0.5);
   EXPECT_NEAR(vehicle.v(), 0.8, 1e-12);
   EXPECT_NEAR(vehicle.getCurrentGTPose().x, 0.48, 1e-12);
 }
 
-TEST(DiffDrive, StaysOnTheCircleOfItsSpeeds) {
+TEST(DiffDrive, StaysOnTheCircleOfItsVelocities) {
   DiffDrive vehicle{RobotModel()};
   vehicle.command(0.6, 1.2);
-  drive(vehicle, 1);  // both speeds are reached
+  simulate(vehicle, 1);  // both velocities are reached
   const TPose2D from = vehicle.getCurrentGTPose();
   const double radius = 0.6 / 1.2;
   const double x = from.x - radius * std::sin(from.phi), y = from.y + radius * std::cos(from.phi);
@@ -56,11 +56,11 @@ TEST(DiffDrive, StaysOnTheCircleOfItsSpeeds) {
   }
 }
 
-TEST(DiffDrive, TurnsOnTheSpotWithoutMoving) {
+TEST(DiffDrive, RotatesInPlace) {
   DiffDrive vehicle{RobotModel()};
   vehicle.start_at({3, 4, 0});
   vehicle.command(0, 1.5);
-  drive(vehicle, 2);
+  simulate(vehicle, 2);
   EXPECT_EQ(vehicle.getCurrentGTPose().x, 3);
   EXPECT_EQ(vehicle.getCurrentGTPose().y, 4);
   // 0.5 s to 1.5 rad/s at 3 rad/s^2 (0.375 rad), then 1.5 s at 1.5 rad/s.
@@ -87,11 +87,11 @@ TEST(DiffDrive, KeepsItsLimitsUnderAnyCommand) {
   }
 }
 
-TEST(DiffDrive, TellsMrptItsVelocityInWorldAndRobotFrame) {
+TEST(DiffDrive, ProvidesItsVelocityInWorldAndRobotFrame) {
   DiffDrive vehicle{RobotModel()};
   vehicle.start_at({0, 0, 2});
   vehicle.command(0.7, 0.4);
-  drive(vehicle, 3);
+  simulate(vehicle, 3);
   const double phi = vehicle.getCurrentGTPose().phi;
   EXPECT_NEAR(vehicle.getCurrentGTVel().vx, 0.7 * std::cos(phi), 1e-12);
   EXPECT_NEAR(vehicle.getCurrentGTVel().vy, 0.7 * std::sin(phi), 1e-12);
@@ -100,18 +100,18 @@ TEST(DiffDrive, TellsMrptItsVelocityInWorldAndRobotFrame) {
   EXPECT_NEAR(vehicle.getCurrentGTVel().omega, 0.4, 1e-12);
 }
 
-TEST(DiffDrive, CanBeDrivenThroughMrptsInterface) {
+TEST(DiffDrive, CanBeCommandedThroughMrptsInterface) {
   DiffDrive ours{RobotModel()}, vehicle{RobotModel()};
   mrpt::kinematics::CVehicleSimulVirtualBase& theirs = vehicle;
-  mrpt::kinematics::CVehicleVelCmd_DiffDriven wanted;
-  wanted.lin_vel = 0.9;
-  wanted.ang_vel = 0.5;
-  theirs.sendVelCmd(wanted);
+  mrpt::kinematics::CVehicleVelCmd_DiffDriven command;
+  command.lin_vel = 0.9;
+  command.ang_vel = 0.5;
+  theirs.sendVelCmd(command);
   theirs.simulateOneTimeStep(2);
   ours.command(0.9, 0.5);
-  drive(ours, 2);
-  // MRPT moves with the speed at the start of each of its own steps of 0.5 ms, and may make one
-  // more of them: off by at most a few steps' way.
+  simulate(ours, 2);
+  // MRPT integrates with the velocity at the start of each of its steps of 0.5 ms, and may make one
+  // more of them: the error is at most the distance of a few steps.
   EXPECT_NEAR(theirs.getCurrentGTPose().x, ours.getCurrentGTPose().x, 2e-3);
   EXPECT_NEAR(theirs.getCurrentGTPose().y, ours.getCurrentGTPose().y, 2e-3);
   EXPECT_NEAR(theirs.getCurrentGTPose().phi, ours.getCurrentGTPose().phi, 2e-3);
@@ -125,12 +125,12 @@ TEST(DiffDrive, RefusesCommandsOfOtherVehicles) {
   EXPECT_NO_THROW(vehicle.sendVelCmd(*vehicle.getVelCmdType()));
 }
 
-TEST(DiffDrive, WithATurningRadiusItNeverTurnsSharperNorOnTheSpot) {
+TEST(DiffDrive, KeepsItsMinimumTurningRadius) {
   RobotModel robot;
   robot.min_turning_radius = 0.5;
   DiffDrive vehicle(robot);
   vehicle.command(0, 1.5);
-  drive(vehicle, 1);
+  simulate(vehicle, 1);
   EXPECT_EQ(vehicle.getCurrentGTPose(), mrpt::math::TPose2D());
   vehicle.command(0.4, 1.5);
   for (int step = 0; step < 200; ++step) {

@@ -1,3 +1,5 @@
+#include "error_text.h"
+
 #include <slalom/core/random.h>
 #include <slalom/robot/footprint.h>
 
@@ -25,15 +27,15 @@ TEST(Footprint, ADiscHasOneRadius) {
   EXPECT_EQ(disc.enclosing_radius(), 0.3);
 }
 
-TEST(Footprint, APolygonHasTwoAboutTheRobotsCentre) {
-  // A rectangle from -0.2 to 0.4 ahead, 0.25 to either side: the rear is nearest, the front corners
+TEST(Footprint, APolygonHasAnInscribedAndAnEnclosingRadius) {
+  // A rectangle from x = -0.2 to 0.4, 0.25 to either side: the rear is nearest, the front corners
   // are farthest.
   const Footprint rectangle = Footprint::parse("0.4,0.25; -0.2,0.25; -0.2,-0.25; 0.4,-0.25");
   EXPECT_DOUBLE_EQ(rectangle.inscribed_radius(), 0.2);
   EXPECT_DOUBLE_EQ(rectangle.enclosing_radius(), std::hypot(0.4, 0.25));
 }
 
-TEST(Footprint, CornersMayStandInEitherOrder) {
+TEST(Footprint, CornersMayBeInEitherOrder) {
   const Footprint left = Footprint::parse("1,0; 0,1; -1,-1");
   const Footprint right = Footprint::parse("-1,-1; 0,1; 1,0");
   EXPECT_EQ(left.inscribed_radius(), right.inscribed_radius());
@@ -69,15 +71,21 @@ TEST(Footprint, EveryCornerOfARandomPolygonLiesBetweenItsRadii) {
   }
 }
 
-TEST(Footprint, RefusesWhatIsNoConvexPolygonAboutTheCentre) {
-  EXPECT_EQ(refusal("1,0; 0,1"), "3 to 64 corners");
-  EXPECT_EQ(refusal("1,0; 0,1; x,2"), "corners x,y in m, separated by ';'");
-  EXPECT_EQ(refusal("1,0; 0,1; 1"), "corners x,y in m, separated by ';'");
-  EXPECT_EQ(refusal("1,1; 0,0.1; -1,1; -1,-1; 1,-1"), "a convex polygon");
-  EXPECT_EQ(refusal("1,0; 1,0; 1,0"), "a convex polygon");
-  // A five-pointed star turns left at every corner, but twice round.
-  EXPECT_EQ(refusal("1,0; -0.8,0.6; 0.3,-0.95; 0.3,0.95; -0.8,-0.6"), "a convex polygon");
-  EXPECT_EQ(refusal("1,0; 2,0; 2,1"), "a polygon about the robot's centre (0, 0)");
+TEST(Footprint, RefusesOtherThanConvexPolygonsAroundTheCenter) {
+  EXPECT_TRUE(mentions(refusal("1,0; 0,1"), {"3 to 64 corners"}));
+  EXPECT_TRUE(mentions(refusal("1,0; 0,1; x,2"), {"x,y", "';'"}));
+  EXPECT_TRUE(mentions(refusal("1,0; 0,1; 1"), {"x,y", "';'"}));
+  EXPECT_TRUE(mentions(refusal("1,1; 0,0.1; -1,1; -1,-1; 1,-1"), {"convex polygon"}));
+  EXPECT_TRUE(mentions(refusal("1,0; 1,0; 1,0"), {"convex polygon"}));
+  // A five-pointed star turns left at every corner, but by 4 pi in total.
+  EXPECT_TRUE(
+      mentions(refusal("1,0; -0.8,0.6; 0.3,-0.95; 0.3,0.95; -0.8,-0.6"), {"convex polygon"}));
+  EXPECT_TRUE(mentions(refusal("1,0; 2,0; 2,1"), {"polygon around", "(0, 0)"}));
+}
+
+TEST(Footprint, AMalformedOptionIsNamed) {
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--footprint", {"'1,0; 0,1'", "3 to 64 corners"},
+                           [] { Footprint::parse("1,0; 0,1", "--footprint"); }));
 }
 
 }  // namespace

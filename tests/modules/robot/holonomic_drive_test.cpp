@@ -11,12 +11,12 @@ namespace {
 
 RobotModel holonomic() {
   RobotModel robot;
-  robot.kinematics = "holonomic";
+  robot.kinematics = Kinematics::Holonomic;
   robot.forward_only = false;
   return robot;
 }
 
-void drive(Vehicle& vehicle, double seconds) {
+void simulate(Vehicle& vehicle, double seconds) {
   for (int i = 0; i < std::lround(seconds / 0.01); ++i) vehicle.advance(0.01);
 }
 
@@ -24,8 +24,8 @@ TEST(HolonomicDrive, MovesSidewaysWithoutTurning) {
   HolonomicDrive vehicle(holonomic());
   vehicle.start_at({1, 2, M_PI / 2});
   vehicle.command(0, 0, 0.5);
-  drive(vehicle, 3);
-  // It gains 0.5 m/s with 1 m/s^2 over 0.125 m, then drives 2.5 s: 1.375 m to its left, -x.
+  simulate(vehicle, 3);
+  // It accelerates to 0.5 m/s with 1 m/s^2 over 0.125 m, then moves 2.5 s: 1.375 m to its left, -x.
   const auto& pose = vehicle.getCurrentGTPose();
   EXPECT_NEAR(pose.x, 1 - 1.375, 1e-9);
   EXPECT_NEAR(pose.y, 2, 1e-9);
@@ -49,22 +49,22 @@ TEST(HolonomicDrive, KeepsItsLimitsUnderAnyCommand) {
   }
 }
 
-TEST(HolonomicDrive, ForwardOnlyMeansNoSpeedBackwards) {
+TEST(HolonomicDrive, ForwardOnlyExcludesBackwardMotion) {
   RobotModel robot = holonomic();
   robot.forward_only = true;
   HolonomicDrive vehicle(robot);
   vehicle.command(-1, 0, 0.5);
-  drive(vehicle, 2);
+  simulate(vehicle, 2);
   EXPECT_EQ(vehicle.v(), 0);
   EXPECT_DOUBLE_EQ(vehicle.vy(), 0.5);
 }
 
-TEST(HolonomicDrive, CanBeDrivenThroughMrptsInterface) {
+TEST(HolonomicDrive, CanBeCommandedThroughMrptsInterface) {
   HolonomicDrive ours(holonomic()), mrpts(holonomic());
   ours.command(0.6 * std::cos(0.7), 0.4, 0.6 * std::sin(0.7));
   mrpts.sendVelCmd(mrpt::kinematics::CVehicleVelCmd_Holo(0.6, 0.7, 0, 0.4));
-  drive(ours, 1.5);
-  drive(mrpts, 1.5);
+  simulate(ours, 1.5);
+  simulate(mrpts, 1.5);
   EXPECT_EQ(ours.getCurrentGTPose(), mrpts.getCurrentGTPose());
   EXPECT_NE(mrpts.getVelCmdType(), nullptr);
 }

@@ -1,4 +1,5 @@
-#include <slalom/core/error.h>
+#include "error_text.h"
+
 #include <slalom/robot/robot_model.h>
 
 #include <gtest/gtest.h>
@@ -9,25 +10,37 @@ namespace slalom {
 namespace {
 
 template <typename Options>
-std::string message_of(const std::string& section, const std::string& line) {
-  try {
-    read_options<Options>(IniFile::from_text("[" + section + "]\n" + line + "\n"), section);
-  } catch (const Error& error) {
-    return error.culprit() == Culprit::Usage ? error.what() : "wrong culprit";
-  }
-  return "";
+::testing::AssertionResult refused(const std::string& section, const std::string& line,
+                                   std::initializer_list<std::string> words) {
+  const IniFile ini = IniFile::from_text("[" + section + "]\n" + line + "\n", "a.ini");
+  return throws_error(ErrorKind::Usage, "a.ini:2: [" + section + "] ", words,
+                      [&] { read_options<Options>(ini, section); });
 }
 
-TEST(SensorModel, DefaultsToThePapersOneRayPerDegree) {
+TEST(SensorModel, DefaultsToOneRayPerDegree) {
   const SensorModel sensor;
   EXPECT_EQ(sensor.rays, 181);
   EXPECT_DOUBLE_EQ(sensor.aperture(), M_PI);
 }
 
-TEST(RobotModel, DefaultsToThePapersForwardMotionOnly) {
+TEST(SensorModel, AnApertureInRadiansIsWarnedAbout) {
+  const auto warning = [](const std::string& aperture) {
+    return sensor_warning(
+        IniFile::from_text("[sensor]\naperture_deg = " + aperture + "\n", "a.ini"));
+  };
+  EXPECT_EQ(warning("3.14"),
+            "a.ini:2: [sensor] aperture_deg: 3.14 degrees looks like radians; expected 179.9 for "
+            "that angle in degrees");
+  EXPECT_NE(warning("6.283"), "");
+  EXPECT_EQ(warning("6.4"), "");
+  EXPECT_EQ(warning("wide"), "");
+  EXPECT_EQ(sensor_warning(IniFile::from_text("")), "");
+}
+
+TEST(RobotModel, DefaultsToForwardMotionOnly) {
   const RobotModel robot;
   EXPECT_TRUE(robot.forward_only);
-  EXPECT_EQ(robot.kinematics, "diff_drive");
+  EXPECT_EQ(robot.kinematics, Kinematics::DiffDrive);
 }
 
 TEST(RobotModel, IsReadFromAnIni) {
@@ -41,36 +54,31 @@ TEST(RobotModel, IsReadFromAnIni) {
   EXPECT_DOUBLE_EQ(read_options<SensorModel>(ini, "sensor").aperture(), M_PI / 2);
 }
 
-TEST(RobotModel, RefusesWhatCannotBe) {
-  EXPECT_NE(message_of<RobotModel>("robot", "radius = 0").find("radius"), std::string::npos);
-  EXPECT_NE(message_of<RobotModel>("robot", "kinematics = hover").find("diff_drive"),
-            std::string::npos);
-  EXPECT_NE(message_of<RobotModel>("robot", "max_velocity = 1").find("max_v"), std::string::npos);
-  EXPECT_NE(message_of<SensorModel>("sensor", "rays = 1").find("rays"), std::string::npos);
-  EXPECT_NE(message_of<SensorModel>("sensor", "aperture_deg = 361").find("aperture_deg"),
-            std::string::npos);
+TEST(RobotModel, RefusesInvalidValues) {
+  EXPECT_TRUE(refused<RobotModel>("robot", "radius = 0", {"radius"}));
+  EXPECT_TRUE(refused<RobotModel>("robot", "kinematics = hover", {"diff_drive"}));
+  EXPECT_TRUE(refused<RobotModel>("robot", "max_velocity = 1", {"max_v"}));
+  EXPECT_TRUE(refused<SensorModel>("sensor", "rays = 1", {"rays"}));
+  EXPECT_TRUE(refused<SensorModel>("sensor", "aperture_deg = 361", {"aperture_deg"}));
 }
 
-TEST(RobotModel, APolygonsRadiusIsThatOfTheDiscThatEnclosesIt) {
+TEST(RobotModel, TheRadiusOfAPolygonIsThatOfItsEnclosingDisc) {
   const RobotModel robot = read_robot_model(
       IniFile::from_text("[robot]\nfootprint = 0.3,0.4; -0.3,0.4; -0.3,-0.4; 0.3,-0.4\n"));
   EXPECT_DOUBLE_EQ(robot.radius, 0.5);
   EXPECT_DOUBLE_EQ(robot.shape().inscribed_radius(), 0.3);
 }
 
-TEST(RobotModel, AFootprintIsToldWhatItLacks) {
-  const auto message = [](const std::string& lines) {
-    try {
-      read_robot_model(IniFile::from_text("[robot]\n" + lines, "a.ini"));
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+TEST(RobotModel, RefusesInvalidFootprints) {
+  const auto read = [](const std::string& lines) {
+    read_robot_model(IniFile::from_text("[robot]\n" + lines, "a.ini"));
   };
-  EXPECT_EQ(message("footprint = 1,0; 0,1\n"),
-            "a.ini:2: [robot] footprint: '1,0; 0,1' is no footprint; expected 3 to 64 corners");
-  EXPECT_EQ(message("radius = 0.3\nfootprint = 1,0; 0,1; -1,-1\n"),
-            "a.ini:3: [robot] footprint: stands beside a radius; expected radius or footprint");
+  EXPECT_TRUE(throws_error(
+      ErrorKind::Usage, "a.ini:2: [robot] footprint: ", {"'1,0; 0,1'", "expected 3 to 64 corners"},
+      [&] { read("footprint = 1,0; 0,1\n"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "a.ini:3: [robot] footprint: ",
+                           {"radius", "expected", "radius or footprint"},
+                           [&] { read("radius = 0.3\nfootprint = 1,0; 0,1; -1,-1\n"); }));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace slalom {
 namespace {
 
-/// Accelerations that do not matter.
+/// Practically unlimited accelerations.
 RobotModel agile() {
   RobotModel robot;
   robot.max_accel_v = 1e6;
@@ -15,20 +15,20 @@ RobotModel agile() {
   return robot;
 }
 
-TEST(Vehicle, TheRobotsKinematicsDecideWhichOneIsMade) {
+TEST(Vehicle, IsChosenByTheRobotsKinematics) {
   RobotModel robot = agile();
   auto vehicle = make_vehicle(robot);
   vehicle->command(0.5, 0, 0.5);
   vehicle->advance(0.01);
-  EXPECT_EQ(vehicle->vy(), 0) << "a differential drive has no sideways speed";
-  robot.kinematics = "holonomic";
+  EXPECT_EQ(vehicle->vy(), 0) << "a differential drive has no lateral velocity";
+  robot.kinematics = Kinematics::Holonomic;
   vehicle = make_vehicle(robot);
   vehicle->command(0.5, 0, 0.5);
   vehicle->advance(0.01);
   EXPECT_EQ(vehicle->vy(), 0.5);
 }
 
-TEST(Vehicle, HearsACommandAfterItsDelay) {
+TEST(Vehicle, AppliesACommandAfterItsDelay) {
   RobotModel robot = agile();
   robot.delay = 0.25;
   const auto vehicle = make_vehicle(robot);
@@ -41,7 +41,7 @@ TEST(Vehicle, HearsACommandAfterItsDelay) {
   EXPECT_EQ(vehicle->v(), 1);
 }
 
-TEST(Vehicle, DelayedCommandsAreHeardInTheirOrder) {
+TEST(Vehicle, AppliesDelayedCommandsInOrder) {
   RobotModel robot = agile();
   robot.delay = 0.05;
   const auto vehicle = make_vehicle(robot);
@@ -61,11 +61,11 @@ TEST(Vehicle, ApproachesACommandWithItsTimeConstant) {
   const auto vehicle = make_vehicle(robot);
   vehicle->command(1, 0);
   for (int step = 0; step < 20; ++step) vehicle->advance(0.01);
-  // After one time constant 1 - 1/e of the way, whatever the step.
+  // After one time constant 1 - 1/e of the change, independent of the step.
   EXPECT_NEAR(vehicle->v(), 1 - std::exp(-1), 1e-9);
 }
 
-TEST(Vehicle, StartsAnewWithoutMemory) {
+TEST(Vehicle, StartAtClearsPendingCommands) {
   RobotModel robot = agile();
   robot.delay = 0.1;
   const auto vehicle = make_vehicle(robot);

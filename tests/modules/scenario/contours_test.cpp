@@ -23,12 +23,12 @@ Occupancy drawn(const std::vector<std::string>& rows, double resolution = 1) {
   return cells;
 }
 
-Occupancy again(const Occupancy& cells, std::vector<Polygon> polygons, double resolution) {
+Occupancy reconstruct(const Occupancy& cells, std::vector<Polygon> polygons, double resolution) {
   const Bounds b = cells.bounds();
   Primitives obstacles;
   obstacles.polygons = std::move(polygons);
   const double x = (b.x_min + b.x_max) / 2, y = (b.y_min + b.y_max) / 2;
-  return make_occupancy(Scenario::continuous("again", b, obstacles, {x, y, 0}, {x, y}), resolution);
+  return make_occupancy(Scenario::continuous("copy", b, obstacles, {x, y, 0}, {x, y}), resolution);
 }
 
 double area(const std::vector<Polygon>& polygons) {
@@ -37,7 +37,7 @@ double area(const std::vector<Polygon>& polygons) {
   return sum;
 }
 
-/// Random cells that hang together: islands with holes, islands in holes, thin walls.
+/// Random connected cells: islands with holes, islands in holes, thin walls.
 Occupancy blobs(RandomEngine& random) {
   Occupancy cells(uniform_int(random, 1, 40), uniform_int(random, 1, 40),
                   uniform_real(random, 0.03, 0.4),
@@ -60,7 +60,7 @@ Occupancy any_cells(RandomEngine& random, int round) {
   return round % 3 == 0 ? testing::random_occupancy(random, 24) : blobs(random);
 }
 
-TEST(Contours, TraceASingleCellALittleWithinIt) {
+TEST(Contours, TraceASingleCellWithTheInset) {
   const auto polygons = trace_contours(drawn({"...", ".#.", "..."}, 2));
   ASSERT_EQ(polygons.size(), 1U);
   const double inset = 2 * kContourInset;
@@ -77,7 +77,7 @@ TEST(Contours, TraceASingleCellALittleWithinIt) {
   }
 }
 
-TEST(Contours, KeepCellsThatMeetAtACornerApart) {
+TEST(Contours, SeparateCellsThatMeetAtACorner) {
   EXPECT_EQ(trace_contours(drawn({"....", "..#.", ".#..", "...."})).size(), 2U);
 }
 
@@ -87,7 +87,7 @@ TEST(Contours, CutAnObstacleWithAHoleIntoSimpleParts) {
   for (const Polygon& polygon : polygons) EXPECT_TRUE(is_simple(polygon));
   EXPECT_NEAR(area(polygons), 8, 20 * kContourInset);
   for (const Polygon& polygon : polygons) EXPECT_FALSE(contains(polygon, {2.5, 2.5}));
-  // No slit where the parts meet: each point of the ring's middle line is covered.
+  // No gap where the parts meet: each point of the ring's center line is covered.
   for (double along = 1.5; along <= 3.5; along += 1e-3)
     for (const TPoint2D& p : {TPoint2D(1.5, along), TPoint2D(3.5, along), TPoint2D(along, 1.5)})
       EXPECT_TRUE(std::any_of(polygons.begin(), polygons.end(),
@@ -100,11 +100,11 @@ TEST(Contours, ReachTheBorderOfTheWorkspace) {
   EXPECT_EQ(signed_area(polygons[0]), 4);
 }
 
-TEST(Contours, OfNothingAreNone) {
+TEST(Contours, AreEmptyForAnEmptyGrid) {
   EXPECT_TRUE(trace_contours(drawn({"...", "..."})).empty());
 }
 
-TEST(Contours, GiveTheSameCellsAgain) {
+TEST(Contours, ReproduceTheCells) {
   RandomEngine random(11);
   for (int round = 0; round < 600; ++round) {
     const Occupancy cells = any_cells(random, round);
@@ -113,7 +113,7 @@ TEST(Contours, GiveTheSameCellsAgain) {
       ASSERT_TRUE(is_simple(polygon)) << round;
       ASSERT_GT(signed_area(polygon), 0) << round;
     }
-    const Occupancy copy = again(cells, polygons, cells.resolution());
+    const Occupancy copy = reconstruct(cells, polygons, cells.resolution());
     ASSERT_EQ(copy.size_x(), cells.size_x());
     ASSERT_EQ(copy.cells(), cells.cells()) << round;
   }
@@ -132,19 +132,19 @@ std::vector<TPoint2D> samples_of_outlines(const std::vector<Polygon>& polygons, 
 
 /// The largest distance from a sample to the area of the polygons.
 double farthest(const std::vector<TPoint2D>& samples, const std::vector<Polygon>& polygons) {
-  double most = 0;
+  double largest = 0;
   for (const TPoint2D& p : samples) {
     double nearest = 1e9;
     for (const Polygon& polygon : polygons) {
       nearest = std::min(nearest, distance(p, polygon));
       if (nearest == 0) break;
     }
-    most = std::max(most, nearest);
+    largest = std::max(largest, nearest);
   }
-  return most;
+  return largest;
 }
 
-TEST(Contours, SimplifiedLieWithinTheToleranceOfTheCells) {
+TEST(Contours, StayWithinTheToleranceOfTheCellsWhenSimplified) {
   RandomEngine random(12);
   std::size_t exact_vertices = 0, fewer_vertices = 0;
   for (int round = 0; round < 60; ++round) {
@@ -168,7 +168,7 @@ TEST(Contours, SimplifiedLieWithinTheToleranceOfTheCells) {
   EXPECT_LT(fewer_vertices, exact_vertices);
 }
 
-TEST(Contours, RefuseAToleranceThatIsNone) {
+TEST(Contours, RefuseInvalidTolerances) {
   for (const double tolerance : {-1.0, std::nan(""), HUGE_VAL})
     EXPECT_THROW(trace_contours(drawn({"#"}), tolerance), Error);
 }
@@ -194,7 +194,7 @@ TEST(Convert, TurnsAGridIntoPolygonsAndBack) {
   }
 }
 
-TEST(Convert, FindsTheCellsOfARoundResolutionAgainThoughMrptRoundsIt) {
+TEST(Convert, ReproducesTheCellsAlthoughMrptRoundsTheResolution) {
   RandomEngine random(14);
   Occupancy cells(400, 300, 0.05, {-4, 7});
   for (int i = 0; i < 5000; ++i)

@@ -66,7 +66,8 @@ TEST(Convert, PutsPointsOnTheBoundariesOfPrimitives) {
     EXPECT_LT(to_boundary(p), 1e-5);
     EXPECT_TRUE(scenario.bounds().contains(p));
   }
-  for (const Disc& disc : obstacles.discs)  // no gap: every place of a rim has a point near it
+  for (const Disc& disc :
+       obstacles.discs)  // no gap: every position on a rim has a point close to it
     for (double angle = 0; angle < 6.28; angle += 0.01) {
       const TPoint2D rim(disc.center.x + disc.radius * std::cos(angle),
                          disc.center.y + disc.radius * std::sin(angle));
@@ -81,7 +82,7 @@ TEST(Convert, PutsPointsOnTheBoundariesOfPrimitives) {
     }
 }
 
-TEST(Convert, PutsPointsInBorderCellsOfAGridAndFindsThemAgain) {
+TEST(Convert, PutsPointsInBorderCellsOfAGridAndBack) {
   mrpt::maps::COccupancyGridMap2D map;
   map.setSize(0, 1, 0, 0.5F, 0.1F, 1.0F);
   for (int cx = 2; cx <= 4; ++cx)
@@ -99,7 +100,7 @@ TEST(Convert, PutsPointsInBorderCellsOfAGridAndFindsThemAgain) {
     }
 }
 
-TEST(Convert, LeavesAScenarioAsItIsInItsOwnRepresentation) {
+TEST(Convert, KeepsAScenarioOfTheSameRepresentation) {
   RandomEngine random(7);
   const Scenario scenario = sample(random);
   EXPECT_EQ(convert(scenario, Representation::Continuous, 0).hash(), scenario.hash());
@@ -107,7 +108,7 @@ TEST(Convert, LeavesAScenarioAsItIsInItsOwnRepresentation) {
   EXPECT_EQ(convert(grid, Representation::Grid, 0.3).hash(), grid.hash());
 }
 
-TEST(Convert, RefusesWhatCannotBeMade) {
+TEST(Convert, RefusesInvalidResolutions) {
   RandomEngine random(8);
   const Scenario scenario = sample(random);
   EXPECT_THROW(convert(scenario, Representation::Grid, 0), Error);

@@ -13,7 +13,7 @@ double away(double low, double high, double x) {
   return std::max({0.0, low - x, x - high});
 }
 
-/// Distance from a point (in cells) to the nearest occupied square or to the wall.
+/// Distance from a point (in cells) to the nearest occupied square or to the border.
 double nearest_square(const Occupancy& cells, const TPoint2D& p) {
   double nearest = std::max(
       0.0, std::min(std::min(p.x, p.y), std::min(cells.size_x() - p.x, cells.size_y() - p.y)));
@@ -24,7 +24,7 @@ double nearest_square(const Occupancy& cells, const TPoint2D& p) {
   return nearest;
 }
 
-TEST(DistanceField, IsExactAtTheCentresOfRandomGrids) {
+TEST(DistanceField, IsExactAtTheCentersOfRandomGrids) {
   RandomEngine random(10);
   for (int n = 0; n < 200; ++n) {
     const Occupancy cells = testing::random_occupancy(random, 30);
@@ -57,7 +57,7 @@ TEST(DistanceField, IsExactAtAnyPoint) {
   }
 }
 
-TEST(DistanceField, IsZeroOnObstaclesOutsideAndForWhatIsNoNumber) {
+TEST(DistanceField, IsZeroOnObstaclesOutsideAndForNonFinitePoints) {
   Occupancy cells(4, 4, 0.5, {0, 0});
   cells.set_occupied(2, 2, true);
   const DistanceField field(cells);

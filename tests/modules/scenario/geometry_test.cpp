@@ -12,16 +12,16 @@ using mrpt::math::TPoint2D;
 const Polygon kSquare{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
 const Polygon kArrow{{{0, 0}, {4, 0}, {4, 4}, {2, 1}}};  // not convex at (2, 1)
 
-/// Whether p lies inside, from the angle that the border turns through as seen from p (not for p on
-/// it).
-bool winds_round(const Polygon& polygon, const TPoint2D& p) {
-  double turned = 0;
+/// Whether p lies inside, from the winding angle of the border around p (invalid for p on the
+/// border).
+bool winds_around(const Polygon& polygon, const TPoint2D& p) {
+  double angle = 0;
   const auto& v = polygon.vertices;
   for (std::size_t i = 0; i < v.size(); ++i) {
     const TPoint2D a = v[i] - p, b = v[(i + 1) % v.size()] - p;
-    turned += std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+    angle += std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
   }
-  return std::abs(turned) > M_PI;
+  return std::abs(angle) > M_PI;
 }
 
 TEST(Geometry, MeasuresTheDistanceToADiscFromItsRim) {
@@ -62,23 +62,23 @@ TEST(Geometry, AgreesWithTheWindingAngleAboutWhatIsInside) {
     const Polygon polygon = testing::random_star(random, {0, 0}, 2);
     for (int i = 0; i < 100; ++i) {
       const TPoint2D p = testing::random_point(random, {-2, -2, 2, 2});
-      EXPECT_EQ(contains(polygon, p), winds_round(polygon, p));
+      EXPECT_EQ(contains(polygon, p), winds_around(polygon, p));
     }
   }
 }
 
-TEST(Geometry, GivesThePolygonsAreaTheSignOfItsSense) {
+TEST(Geometry, SignsThePolygonsAreaByItsOrientation) {
   EXPECT_DOUBLE_EQ(signed_area(kSquare), 4);
   EXPECT_DOUBLE_EQ(signed_area({{{0, 2}, {2, 2}, {2, 0}, {0, 0}}}), -4);
   // The triangle below the diagonal (8) without the one between it and (2, 1): 8 - |4 1 - 4 2| / 2.
   EXPECT_DOUBLE_EQ(signed_area(kArrow), 6);
 }
 
-TEST(Geometry, TellsSimplePolygonsFromOthers) {
+TEST(Geometry, DetectsSimplePolygons) {
   EXPECT_TRUE(is_simple(kSquare));
   EXPECT_TRUE(is_simple(kArrow));
   EXPECT_TRUE(is_simple({{{0, 0}, {1, 0}, {2, 0}, {2, 2}}}))
-      << "a vertex on a straight edge is fine";
+      << "a vertex on a straight edge is allowed";
   EXPECT_FALSE(is_simple({{{0, 0}, {1, 0}}}));
   EXPECT_FALSE(is_simple({{{0, 0}, {1, 0}, {2, 0}}})) << "no area";
   EXPECT_FALSE(is_simple({{{0, 0}, {2, 2}, {2, 0}, {0, 3}}})) << "edges cross";
@@ -101,8 +101,8 @@ TEST(Geometry, CastsRaysOntoSimpleObstacles) {
   EXPECT_EQ(cast_ray({}, bounds, {11, 0}, M_PI, 20), 0) << "from outside";
 }
 
-/// Fine marching: no step is longer than the distance to what is nearest, so nothing is jumped
-/// over. Ends at a point nearer than `near` to an obstacle or the border.
+/// Sphere tracing: no step is longer than the distance to the nearest obstacle or border. Ends at a
+/// point closer than `near` to one of them.
 double march(const Primitives& obstacles, const Bounds& bounds, const TPoint2D& origin,
              double angle, double near) {
   double t = 0;
@@ -117,7 +117,7 @@ double march(const Primitives& obstacles, const Bounds& bounds, const TPoint2D& 
   }
 }
 
-TEST(Geometry, CastsRaysToWhereMarchingByDistanceEnds) {
+TEST(Geometry, AgreesWithSphereTracing) {
   RandomEngine random(2);
   const double near = 1e-7;
   int casts = 0;
@@ -130,7 +130,7 @@ TEST(Geometry, CastsRaysToWhereMarchingByDistanceEnds) {
       const double range = cast_ray(obstacles, bounds, origin, angle, 100);
       const double marched = march(obstacles, bounds, origin, angle, near);
       ASSERT_LE(marched, range + near);
-      if (marched < range - 1e-3) {  // it stopped beside something that the ray passes or grazes
+      if (marched < range - 1e-3) {  // it stopped at an obstacle that the ray passes closely
         ASSERT_LT(march(obstacles, bounds, origin, angle, near / 1000), range + near);
         continue;
       }
@@ -139,8 +139,8 @@ TEST(Geometry, CastsRaysToWhereMarchingByDistanceEnds) {
   }
 }
 
-/// The ray against all obstacles, each solved differently and in long double: discs by the angle at
-/// the ray's foot, edges by Cramer's rule.
+/// The range by an independent solution in long double: discs by the angle at the origin of the
+/// ray, edges by Cramer's rule.
 double cast_by_solving(const Primitives& obstacles, const Bounds& bounds, const TPoint2D& origin,
                        double angle) {
   using Real = long double;
@@ -153,8 +153,8 @@ double cast_by_solving(const Primitives& obstacles, const Bounds& bounds, const 
     const Real ex = Real(b.x) - a.x, ey = Real(b.y) - a.y;
     const Real ax = Real(a.x) - origin.x, ay = Real(a.y) - origin.y;
     const Real det = ex * dy - ey * dx;
-    const Real share = (ay * dx - ax * dy) / det;
-    if (share >= 0 && share <= 1) hit((ex * ay - ey * ax) / det);
+    const Real fraction = (ay * dx - ax * dy) / det;
+    if (fraction >= 0 && fraction <= 1) hit((ex * ay - ey * ax) / det);
   };
   for (const Disc& disc : obstacles.discs) {
     const Real fx = Real(disc.center.x) - origin.x, fy = Real(disc.center.y) - origin.y;
@@ -165,7 +165,7 @@ double cast_by_solving(const Primitives& obstacles, const Bounds& bounds, const 
     hit(std::hypot(fx, fy) * std::cos(bearing) - disc.radius * std::sqrt(1 - sine * sine));
   }
   for (const Polygon& polygon : obstacles.polygons) {
-    if (winds_round(polygon, origin)) return 0;
+    if (winds_around(polygon, origin)) return 0;
     const auto& v = polygon.vertices;
     for (std::size_t i = 0; i < v.size(); ++i) edge(v[i], v[(i + 1) % v.size()]);
   }
@@ -177,7 +177,7 @@ double cast_by_solving(const Primitives& obstacles, const Bounds& bounds, const 
   return static_cast<double>(nearest);
 }
 
-TEST(Geometry, CastsAMillionRaysAsAnotherSolutionDoes) {
+TEST(Geometry, AgreesWithAnIndependentSolutionOnAMillionRays) {
   RandomEngine random(3);
   int casts = 0;
   while (casts < 1000000) {

@@ -9,7 +9,7 @@
 namespace slalom {
 namespace {
 
-TEST(GridMap, HasExactlyTheCellsAndThePlaceAskedFor) {
+TEST(GridMap, HasExactlyTheRequestedSizeAndOrigin) {
   for (const double resolution : {0.025, 0.05, 0.13, 0.15, 0.7})
     for (int size = 1; size < 200; size += 7) {
       const auto map = make_grid_map(size, 2 * size, resolution, {-4.425, 1000.03});
@@ -23,7 +23,7 @@ TEST(GridMap, HasExactlyTheCellsAndThePlaceAskedFor) {
     }
 }
 
-TEST(GridMap, GivesTheSameScenarioWhenMadeAgainFromItsNumbers) {
+TEST(GridMap, GivesTheSameScenarioWhenRebuiltFromItsParameters) {
   auto map = make_grid_map(30, 20, 0.15, {-4.425, 5.175});
   map.setCell(3, 4, 0.0F);
   const Scenario first = Scenario::grid("a", map, {-3, 6, 0}, {-2, 7});

@@ -11,8 +11,9 @@ namespace {
 using mrpt::math::TPoint2D;
 
 Scenario continuous(const Bounds& bounds, Primitives obstacles) {
-  const TPoint2D place(bounds.x_min, bounds.y_min);
-  return Scenario::continuous("test", bounds, std::move(obstacles), {place.x, place.y, 0}, place);
+  const TPoint2D corner(bounds.x_min, bounds.y_min);
+  return Scenario::continuous("test", bounds, std::move(obstacles), {corner.x, corner.y, 0},
+                              corner);
 }
 
 /// The closed square of a cell.
@@ -65,14 +66,14 @@ TEST(Occupancy, OccupiesExactlyTheCellsThatObstaclesTouch) {
     for (int cy = 0; cy < cells.size_y(); ++cy)
       for (int cx = 0; cx < cells.size_x(); ++cx) {
         const double away = gap(cells, cx, cy, scenario.primitives());
-        if (away > 0 && away < 1e-8) continue;  // touches or not: a matter of rounding
+        if (away > 0 && away < 1e-8) continue;  // touching depends on rounding
         ASSERT_EQ(cells.occupied(cx, cy), away <= 0) << cx << ' ' << cy << ' ' << away;
       }
   }
 }
 
 TEST(Occupancy, CountsTouchingAsOccupied) {
-  // The disc round (1, 1) with radius 0.5 touches x = 1.5 and x = 0.5 at y = 1 only; cells of 0.5
+  // The disc around (1, 1) with radius 0.5 touches x = 1.5 and x = 0.5 at y = 1 only; cells of 0.5
   // m.
   const Occupancy disc = make_occupancy(continuous({0, 0, 3, 3}, {{{{1, 1}, 0.5}}, {}}), 0.5);
   EXPECT_TRUE(disc.occupied(3, 1));
@@ -81,12 +82,12 @@ TEST(Occupancy, CountsTouchingAsOccupied) {
   EXPECT_FALSE(disc.occupied(3, 3));
   EXPECT_FALSE(disc.occupied(0, 0));
   EXPECT_EQ(disc.count_occupied(), 4U + 4 * 2);
-  // A square from (1, 1) to (2, 2) covers four cells of 0.5 m and touches the twelve round them.
+  // A square from (1, 1) to (2, 2) covers four cells of 0.5 m and touches the twelve around them.
   const Polygon square{{{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
   EXPECT_EQ(make_occupancy(continuous({0, 0, 3, 3}, {{}, {square}}), 0.5).count_occupied(), 16U);
 }
 
-TEST(Occupancy, CountsWhatIsOutsideAsOccupied) {
+TEST(Occupancy, CountsCellsOutsideAsOccupied) {
   const Occupancy cells(3, 2, 0.5, {1, 1});
   EXPECT_FALSE(cells.occupied(0, 0));
   EXPECT_TRUE(cells.occupied(-1, 0));
@@ -114,7 +115,7 @@ TEST(Occupancy, HasNoExtraCellWhereTheSizeIsAMultipleOfTheResolution) {
     }
 }
 
-TEST(Occupancy, OccupiesTheCellAPointLiesIn) {
+TEST(Occupancy, OccupiesTheCellThatContainsAPoint) {
   mrpt::maps::CSimplePointsMap points;
   points.insertPoint(0.25F, 0.75F);
   points.insertPoint(2.0F, 1.0F);  // the far corner belongs to the last cell
@@ -126,7 +127,7 @@ TEST(Occupancy, OccupiesTheCellAPointLiesIn) {
   EXPECT_TRUE(cells.occupied(3, 1));
 }
 
-TEST(Occupancy, RefusesResolutionsThatGiveNoneOrTooManyCells) {
+TEST(Occupancy, RefusesResolutionsWithNoneOrTooManyCells) {
   const Scenario scenario = continuous({0, 0, 100, 100}, {});
   for (const double resolution : {0.0, -1.0, 1e-4, std::nan(""), HUGE_VAL})
     EXPECT_THROW(make_occupancy(scenario, resolution), Error) << resolution;

@@ -17,7 +17,8 @@ using mrpt::math::TPoint2D;
 constexpr double kFar = 1e6;
 
 /// First t >= 0 at which the ray is in [x0, x1] x [y0, y1] (slab test), or kFar.
-double enter(const TPoint2D& p, double dx, double dy, double x0, double x1, double y0, double y1) {
+double slab_entry(const TPoint2D& p, double dx, double dy, double x0, double x1, double y0,
+                  double y1) {
   double first = 0, last = kFar;
   const auto slab = [&](double at, double direction, double low, double high) {
     if (direction == 0) {
@@ -38,15 +39,15 @@ double brute_force(const Occupancy& cells, const TPoint2D& origin, double angle,
   const TPoint2D p = cells.to_cells(origin);
   const double dx = std::cos(angle), dy = std::sin(angle);
   const double sx = cells.size_x(), sy = cells.size_y();
-  double nearest = std::min(std::min(enter(p, dx, dy, -kFar, grow, -kFar, kFar),
-                                     enter(p, dx, dy, sx - grow, kFar, -kFar, kFar)),
-                            std::min(enter(p, dx, dy, -kFar, kFar, -kFar, grow),
-                                     enter(p, dx, dy, -kFar, kFar, sy - grow, kFar)));
+  double nearest = std::min(std::min(slab_entry(p, dx, dy, -kFar, grow, -kFar, kFar),
+                                     slab_entry(p, dx, dy, sx - grow, kFar, -kFar, kFar)),
+                            std::min(slab_entry(p, dx, dy, -kFar, kFar, -kFar, grow),
+                                     slab_entry(p, dx, dy, -kFar, kFar, sy - grow, kFar)));
   for (int cy = 0; cy < cells.size_y(); ++cy)
     for (int cx = 0; cx < cells.size_x(); ++cx)
       if (cells.occupied(cx, cy))
-        nearest =
-            std::min(nearest, enter(p, dx, dy, cx - grow, cx + 1 + grow, cy - grow, cy + 1 + grow));
+        nearest = std::min(
+            nearest, slab_entry(p, dx, dy, cx - grow, cx + 1 + grow, cy - grow, cy + 1 + grow));
   return nearest * cells.resolution();
 }
 
@@ -64,9 +65,9 @@ TEST(RayCaster, AgreesWithBruteForceOnAMillionRandomRays) {
   }
 }
 
-/// Whatever rounding does, the range lies between those for squares a little smaller and a little
-/// larger.
-TEST(RayCaster, IsBlockedByWhatItTouchesAtSpecialAnglesAndOrigins) {
+/// Independent of rounding: the range lies between those for slightly smaller and slightly larger
+/// squares.
+TEST(RayCaster, IsBlockedByTouchedCellsAtSpecialAnglesAndOrigins) {
   RandomEngine random(21);
   for (int n = 0; n < 2000; ++n) {
     const Occupancy cells = testing::random_occupancy(random, 12);
@@ -86,12 +87,12 @@ TEST(RayCaster, IsBlockedByWhatItTouchesAtSpecialAnglesAndOrigins) {
   }
 }
 
-Occupancy empty_room(int size) {
+Occupancy empty_square(int size) {
   return {size, size, 1.0, {0, 0}};
 }
 
 TEST(RayCaster, IsStoppedByTwoCellsThatMeetAtACorner) {
-  Occupancy cells = empty_room(6);
+  Occupancy cells = empty_square(6);
   cells.set_occupied(2, 3, true);
   cells.set_occupied(3, 2, true);
   const RayCaster caster(cells);
@@ -102,14 +103,14 @@ TEST(RayCaster, IsStoppedByTwoCellsThatMeetAtACorner) {
 }
 
 TEST(RayCaster, IsStoppedByACornerThatItTouches) {
-  Occupancy cells = empty_room(6);
+  Occupancy cells = empty_square(6);
   cells.set_occupied(3, 2, true);
   EXPECT_NEAR(RayCaster(cells).cast({1, 1}, M_PI / 4, 100), 2 * M_SQRT2, 1e-9);
   EXPECT_NEAR(RayCaster(cells).cast({1, 1.01}, M_PI / 4, 100), 4.99 * M_SQRT2 - 0, 2e-2);
 }
 
-TEST(RayCaster, IsStoppedByACellWhoseBorderItRunsAlong) {
-  Occupancy cells = empty_room(6);
+TEST(RayCaster, IsStoppedByACellWhoseBorderItFollows) {
+  Occupancy cells = empty_square(6);
   cells.set_occupied(3, 2, true);
   const RayCaster caster(cells);
   EXPECT_DOUBLE_EQ(caster.cast({0.5, 3}, 0, 100), 2.5);
@@ -120,8 +121,8 @@ TEST(RayCaster, IsStoppedByACellWhoseBorderItRunsAlong) {
   EXPECT_DOUBLE_EQ(caster.cast({0.5, 4}, 0, 100), 5.5) << "a row further up it is free";
 }
 
-TEST(RayCaster, GivesZeroFromPlacesThatAreNotFree) {
-  Occupancy cells = empty_room(6);
+TEST(RayCaster, IsZeroFromOriginsThatAreNotFree) {
+  Occupancy cells = empty_square(6);
   cells.set_occupied(3, 2, true);
   const RayCaster caster(cells);
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
@@ -133,14 +134,14 @@ TEST(RayCaster, GivesZeroFromPlacesThatAreNotFree) {
   EXPECT_EQ(caster.cast({1, 1}, nan, 100), 0);
 }
 
-TEST(RayCaster, EndsAtTheLargestRange) {
-  const RayCaster caster(empty_room(6));
+TEST(RayCaster, EndsAtTheMaximumRange) {
+  const RayCaster caster(empty_square(6));
   EXPECT_DOUBLE_EQ(caster.cast({1, 1}, 0.3, 2), 2);
   EXPECT_DOUBLE_EQ(caster.cast({1, 1}, 0, 2), 2);
   EXPECT_DOUBLE_EQ(caster.cast({1, 1}, M_PI, 2), 1) << "the wall is nearer";
 }
 
-TEST(RayCaster, SeesTheSameInAMirror) {
+TEST(RayCaster, IsInvariantUnderReflection) {
   RandomEngine random(22);
   for (int n = 0; n < 300; ++n) {
     const Occupancy cells = testing::random_occupancy(random, 20);
@@ -160,13 +161,13 @@ TEST(RayCaster, SeesTheSameInAMirror) {
   }
 }
 
-struct ScanTask {
+struct ScanSetup {
   mrpt::math::TPose2D pose;
   ScanGeometry geometry;
 };
 
 /// Half of the scans are taken where many rays pass through corners and along borders.
-ScanTask random_scan(RandomEngine& random, const Occupancy& cells) {
+ScanSetup random_scan(RandomEngine& random, const Occupancy& cells) {
   const TPoint2D at = testing::random_point(random, cells.bounds(), cells.resolution());
   const ScanGeometry geometry{uniform_int(random, 1, 400), uniform_real(random, 0.1, 2 * M_PI),
                               uniform_real(random, 0.5, 9)};
@@ -177,7 +178,7 @@ ScanTask random_scan(RandomEngine& random, const Occupancy& cells) {
           {uniform_int(random, 0, 1) ? 181 : 9, M_PI, geometry.max_range}};
 }
 
-TEST(RayCaster, CastsAScanAsItCastsItsRays) {
+TEST(RayCaster, CastsAScanLikeItsSingleRays) {
   RandomEngine random(23);
   for (int n = 0; n < 6000; ++n) {
     const Occupancy cells = testing::random_occupancy(random, 60);
@@ -193,7 +194,7 @@ TEST(RayCaster, CastsAScanAsItCastsItsRays) {
   }
 }
 
-/// All scans of some random rooms, with one instruction set.
+/// Scans of random grids, with one instruction set.
 std::vector<float> scans_with(std::int64_t target) {
   hwy::SetSupportedTargetsForTest(target);
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
@@ -222,7 +223,7 @@ TEST(RayCaster, GivesTheSameBitsWithEveryInstructionSet) {
   }
 }
 
-TEST(ScanGeometry, SpreadsItsRaysOverTheApertureWithBothEnds) {
+TEST(ScanGeometry, SpreadsRaysOverTheApertureIncludingBothEnds) {
   const ScanGeometry geometry;
   EXPECT_DOUBLE_EQ(geometry.angle(0), -M_PI / 2);
   EXPECT_DOUBLE_EQ(geometry.angle(90), 0);

@@ -1,4 +1,5 @@
-#include <slalom/core/error.h>
+#include "error_text.h"
+
 #include <slalom/scenario/occupancy.h>
 #include <slalom/scenario/scenario.h>
 
@@ -26,22 +27,22 @@ COccupancyGridMap2D small_map() {
   return map;
 }
 
-TEST(Scenario, IsIdentifiedByItsContentAndNotByItsName) {
+TEST(Scenario, IsIdentifiedByItsContentNotItsName) {
   EXPECT_EQ(sample().hash(), sample("other").hash());
   EXPECT_EQ(sample().hash().size(), 32U);
   EXPECT_EQ(sample().renamed("new").hash(), sample().hash());
   EXPECT_EQ(sample().renamed("new").name(), "new");
-  EXPECT_NE(sample().with_task({0.6, 0.5, 0}, {3.5, 2.5}).hash(), sample().hash());
-  EXPECT_NE(sample().with_task({0.5, 0.5, 0.1}, {3.5, 2.5}).hash(), sample().hash());
-  EXPECT_NE(sample().with_task({0.5, 0.5, 0}, {3.5, 2.4}).hash(), sample().hash());
-  EXPECT_EQ(sample().with_task({0.5, 0.5, 0}, {3.5, 2.5}).hash(), sample().hash());
+  EXPECT_NE(sample().with_start_goal({0.6, 0.5, 0}, {3.5, 2.5}).hash(), sample().hash());
+  EXPECT_NE(sample().with_start_goal({0.5, 0.5, 0.1}, {3.5, 2.5}).hash(), sample().hash());
+  EXPECT_NE(sample().with_start_goal({0.5, 0.5, 0}, {3.5, 2.4}).hash(), sample().hash());
+  EXPECT_EQ(sample().with_start_goal({0.5, 0.5, 0}, {3.5, 2.5}).hash(), sample().hash());
 }
 
 PublishedPathPtr published(std::vector<TPoint2D> points, double cell_size = 0.5) {
   return std::make_shared<PublishedPath>(PublishedPath{std::move(points), {0, 0, 3, 2}, cell_size});
 }
 
-TEST(Scenario, CarriesAPublishedPathThatIsNoPartOfItsContent) {
+TEST(Scenario, HasAPublishedPathOutsideItsContent) {
   const Scenario with = sample().with_published_path(published({{1, 1}, {1, 1}, {2, 1}}));
   EXPECT_EQ(with.hash(), sample().hash());
   EXPECT_EQ(sample().published_path(), nullptr);
@@ -52,11 +53,11 @@ TEST(Scenario, CarriesAPublishedPathThatIsNoPartOfItsContent) {
   EXPECT_EQ(with.renamed("other").published_path(), with.published_path());
   EXPECT_EQ(convert(with, Representation::Grid, 0.1).published_path(), with.published_path());
   EXPECT_EQ(convert(with, Representation::Points, 0.1).published_path(), with.published_path());
-  EXPECT_EQ(with.with_task({0.6, 0.5, 0}, {3.5, 2.5}).published_path(), nullptr);
+  EXPECT_EQ(with.with_start_goal({0.6, 0.5, 0}, {3.5, 2.5}).published_path(), nullptr);
   EXPECT_EQ(with.with_published_path(nullptr).published_path(), nullptr);
 }
 
-TEST(Scenario, RefusesAPublishedPathThatCannotBe) {
+TEST(Scenario, RefusesInvalidPublishedPaths) {
   const double nan = std::nan("");
   for (const PublishedPathPtr& bad :
        {published({}), published({{nan, 0}}), published({{1, 1}}, 0), published({{1, 1}}, -0.5),
@@ -64,7 +65,7 @@ TEST(Scenario, RefusesAPublishedPathThatCannotBe) {
     EXPECT_THROW(sample().with_published_path(bad), Error);
 }
 
-TEST(Scenario, TellsPublishedPathsApartByTheirHash) {
+TEST(Scenario, HashesDistinguishPublishedPaths) {
   const auto path = published({{1, 1}, {2, 1}});
   EXPECT_EQ(path->hash(), published({{1, 1}, {2, 1}})->hash());
   EXPECT_NE(path->hash(), published({{1, 1}, {2, 1.5}})->hash());
@@ -84,7 +85,7 @@ TEST(Scenario, ChangesItsHashWithEveryNumberOfItsGeometry) {
             sample().hash());
 }
 
-TEST(Scenario, BinarisesGridsWithUnknownCellsOccupied) {
+TEST(Scenario, BinarizesGridsWithUnknownCellsOccupied) {
   COccupancyGridMap2D map = small_map();
   map.setCell(1, 0, 0.1F);
   map.setCell(2, 0, 0.49F);
@@ -100,7 +101,7 @@ TEST(Scenario, BinarisesGridsWithUnknownCellsOccupied) {
   EXPECT_EQ(scenario.grid_map()->getRow(0)[4], COccupancyGridMap2D::p2l(1.0F));
 }
 
-TEST(Scenario, HashesAGridByWhatIsLeftAfterBinarisation) {
+TEST(Scenario, HashesAGridAfterBinarization) {
   COccupancyGridMap2D faint = small_map(), sure = small_map(), other = small_map();
   faint.setCell(3, 2, 0.4F);
   sure.setCell(3, 2, 0.0F);
@@ -124,14 +125,14 @@ TEST(Scenario, KeepsThePointsOfAPointMap) {
   mrpt::maps::CSimplePointsMap points;
   points.insertPoint(1, 2);
   const Scenario scenario = Scenario::points("points", kBounds, points, {0.5, 0.5, 0}, {3, 2});
-  points.insertPoint(2, 2);  // the scenario has a copy of its own
+  points.insertPoint(2, 2);  // the scenario has its own copy
   EXPECT_EQ(scenario.point_map()->size(), 1U);
   EXPECT_EQ(scenario.representation(), Representation::Points);
   EXPECT_NE(Scenario::points("points", kBounds, points, {0.5, 0.5, 0}, {3, 2}).hash(),
             scenario.hash());
 }
 
-TEST(Scenario, RefusesBadBoundsAndTasks) {
+TEST(Scenario, RefusesInvalidBoundsStartsAndGoals) {
   const auto make = [](Bounds bounds, TPose2D start, TPoint2D goal) {
     return Scenario::continuous("bad", bounds, {}, start, goal);
   };
@@ -146,26 +147,22 @@ TEST(Scenario, RefusesBadBoundsAndTasks) {
 }
 
 TEST(Scenario, RefusesDegeneratePrimitivesByNumber) {
-  const auto message = [](const Primitives& obstacles) -> std::string {
-    try {
-      Scenario::continuous("bad", kBounds, obstacles, {1, 1, 0}, {2, 2});
-    } catch (const Error& error) {
-      EXPECT_EQ(error.culprit(), Culprit::File);
-      return error.what();
-    }
-    return "";
+  const auto make = [](const Primitives& obstacles) {
+    Scenario::continuous("bad", kBounds, obstacles, {1, 1, 0}, {2, 2});
   };
-  EXPECT_NE(message({{{{1, 1}, 1}, {{1, 1}, 0}}, {}}).find("disc 1"), std::string::npos);
-  EXPECT_NE(message({{{{std::nan(""), 1}, 1}}, {}}).find("disc 0"), std::string::npos);
-  EXPECT_NE(message({{}, {{{{0, 0}, {2, 2}, {2, 0}, {0, 3}}}}}).find("polygon 0"),
-            std::string::npos);
-  EXPECT_EQ(message(kObstacles), "");
+  const auto refused = [&](const Primitives& obstacles, const std::string& which) {
+    return throws_error(ErrorKind::File, "bad: ", {which}, [&] { make(obstacles); });
+  };
+  EXPECT_TRUE(refused({{{{1, 1}, 1}, {{1, 1}, 0}}, {}}, "disc 1"));
+  EXPECT_TRUE(refused({{{{std::nan(""), 1}, 1}}, {}}, "disc 0"));
+  EXPECT_TRUE(refused({{}, {{{{0, 0}, {2, 2}, {2, 0}, {0, 3}}}}}, "polygon 0"));
+  EXPECT_NO_THROW(make(kObstacles));
 }
 
-TEST(Scenario, NamesItsRepresentations) {
-  for (const auto r : {Representation::Continuous, Representation::Grid, Representation::Points})
-    EXPECT_EQ(representation_from_string(to_string(r)), r);
-  EXPECT_THROW(representation_from_string("voxels"), Error);
+TEST(Scenario, RepresentationsHaveTheNamesStoredInLists) {
+  EXPECT_EQ(to_string(Representation::Continuous), "continuous");
+  EXPECT_EQ(to_string(Representation::Grid), "grid");
+  EXPECT_EQ(to_string(Representation::Points), "points");
 }
 
 }  // namespace

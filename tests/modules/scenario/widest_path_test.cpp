@@ -17,8 +17,8 @@ World grid_world(const Occupancy& cells) {
   for (int cy = 0; cy < cells.size_y(); ++cy)
     for (int cx = 0; cx < cells.size_x(); ++cx)
       if (cells.occupied(cx, cy)) map.setCell(cx, cy, 0.0F);
-  const TPoint2D place = cells.cell_center(0, 0);
-  return {Scenario::grid("grid", map, {place.x, place.y, 0}, place), 1};
+  const TPoint2D corner = cells.cell_center(0, 0);
+  return {Scenario::grid("grid", map, {corner.x, corner.y, 0}, corner), 1};
 }
 
 /// The largest value at which start and goal are still connected through nodes of at least that
@@ -39,17 +39,17 @@ double bottleneck_by_flooding(const World& world, const TPoint2D& start, const T
   double best = 0;
   for (const double level : value) {
     if (level <= best) continue;
-    std::vector<bool> seen(value.size(), false);
+    std::vector<bool> visited(value.size(), false);
     const std::function<void(int, int)> flood = [&](int x, int y) {
-      if (cells.occupied(x, y) || seen[cells.index(x, y)] || value[cells.index(x, y)] < level)
+      if (cells.occupied(x, y) || visited[cells.index(x, y)] || value[cells.index(x, y)] < level)
         return;
-      seen[cells.index(x, y)] = true;
+      visited[cells.index(x, y)] = true;
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
           if (!cells.occupied(x + dx, y) && !cells.occupied(x, y + dy)) flood(x + dx, y + dy);
     };
     flood(static_cast<int>(source) % cells.size_x(), static_cast<int>(source) / cells.size_x());
-    if (seen[target]) best = level;
+    if (visited[target]) best = level;
   }
   return best;
 }
@@ -71,7 +71,7 @@ TEST(WidestPath, AgreesWithFloodFillAtEveryWidth) {
 }
 
 TEST(WidestPath, FindsTheDoorInAWall) {
-  // Two rooms of 2 m x 2 m and a wall with a door of 0.6 m: 0.3 m to either side at its centre
+  // Two rooms of 2 m x 2 m and a wall with a door of 0.6 m: 0.3 m to either side at its center
   // line.
   const Primitives wall{
       {}, {{{{2, 0}, {2.1, 0}, {2.1, 0.7}, {2, 0.7}}}, {{{2, 1.3}, {2.1, 1.3}, {2.1, 2}, {2, 2}}}}};

@@ -13,7 +13,7 @@ Scenario sample() {
                               {3.5, 2.5});
 }
 
-TEST(World, MakesEachTableOnceAndKeepsIt) {
+TEST(World, ComputesEachTableOnce) {
   const World world(sample(), 0.05);
   const Occupancy* cells = &world.occupancy();
   const DistanceField* field = &world.distance_field();
@@ -23,7 +23,7 @@ TEST(World, MakesEachTableOnceAndKeepsIt) {
   EXPECT_EQ(&world.ray_caster(), caster);
 }
 
-TEST(World, SeesOneModelWithAllItsTables) {
+TEST(World, UsesOneModelForAllTables) {
   const World world(sample(), 0.05);
   EXPECT_EQ(world.occupancy().cells(), make_occupancy(sample(), 0.05).cells());
   EXPECT_EQ(world.distance_field().clearance({2, 1.5}), 0);
@@ -32,7 +32,7 @@ TEST(World, SeesOneModelWithAllItsTables) {
   EXPECT_NEAR(world.distance_field().clearance({0.6, 1.52}), 0.6, 1e-9) << "the wall is nearest";
 }
 
-TEST(World, MayBeAskedByThreadsAtTheSameTime) {
+TEST(World, IsThreadSafe) {
   const World world(sample(), 0.05);
   const RayCaster* seen[2] = {};
   std::thread first([&] { seen[0] = &world.ray_caster(); });
@@ -42,7 +42,7 @@ TEST(World, MayBeAskedByThreadsAtTheSameTime) {
   EXPECT_EQ(seen[0], seen[1]);
 }
 
-TEST(World, ReportsABadResolutionWhenFirstAsked) {
+TEST(World, ReportsAnInvalidResolutionOnFirstUse) {
   const World world(sample(), 0);
   EXPECT_EQ(world.scenario().name(), "sample");
   EXPECT_THROW(world.occupancy(), Error);

@@ -21,12 +21,12 @@ TEST(SimulatedClock, FollowsTheRunExactly) {
     EXPECT_EQ(o.scan->timestamp, Clock::now());
     return Command{1, 0};
   });
-  run(room({1, 5, 0}, {8, 5}), method);
+  run(square_world({1, 5, 0}, {8, 5}), method);
 }
 
-TEST(SimulatedClock, NeverGoesBackAndLeavesTwoSecondsBetweenRuns) {
+TEST(SimulatedClock, NeverGoesBackAndSeparatesRunsByTwoSeconds) {
   Clock::time_point last = Clock::time_point::min();
-  const World world = room({1, 5, 0}, {8, 5});
+  const World world = square_world({1, 5, 0}, {8, 5});
   for (int i = 0; i < 5; ++i) {
     FunctionMethod method([&](const Observation& o) {
       if (o.time == 0) {

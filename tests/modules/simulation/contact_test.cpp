@@ -11,7 +11,7 @@ using mrpt::maps::COccupancyGridMap2D;
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
-/// Distance to the occupied cells and the wall round the grid, by looking at every one of them.
+/// Distance to the occupied cells and the border of the grid, by brute force.
 double brute_clearance(const Occupancy& cells, const TPoint2D& p) {
   const Bounds b = cells.bounds();
   double nearest = std::min({p.x - b.x_min, p.y - b.y_min, b.x_max - p.x, b.y_max - p.y});
@@ -25,22 +25,22 @@ double brute_clearance(const Occupancy& cells, const TPoint2D& p) {
   return nearest;
 }
 
-/// Time of the first contact on the way from a to b within one step, looking at points 0.02 mm
-/// apart; negative when there is none.
+/// Time of the first contact between a and b within one step, tested every 0.02 mm; negative if
+/// there is none.
 double brute_contact(const Occupancy& cells, const TPose2D& a, const TPose2D& b, double radius,
                      double step) {
-  const double way = std::hypot(b.x - a.x, b.y - a.y);
-  if (brute_clearance(cells, {a.x, a.y}) > radius + way) return -1;
-  const int pieces = std::max(1, static_cast<int>(way / 2e-5));
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  if (brute_clearance(cells, {a.x, a.y}) > radius + length) return -1;
+  const int pieces = std::max(1, static_cast<int>(length / 2e-5));
   for (int k = 0; k <= pieces; ++k) {
-    const double share = static_cast<double>(k) / pieces;
-    const TPoint2D p(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y));
-    if (brute_clearance(cells, p) < radius - 1e-9) return share * step;
+    const double fraction = static_cast<double>(k) / pieces;
+    const TPoint2D p(a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y));
+    if (brute_clearance(cells, p) < radius - 1e-9) return fraction * step;
   }
   return -1;
 }
 
-/// Drives the recorded commands again and looks for the first contact by brute force.
+/// Replays the recorded commands and finds the first contact by brute force.
 double replayed_contact(const World& world, const SimulationResult& result, const RobotModel& robot,
                         const SimulationOptions& options) {
   const Occupancy& cells = world.occupancy();
@@ -89,10 +89,10 @@ TEST(Contact, AgreesWithBruteForceBetweenTheSteps) {
   EXPECT_LT(collisions, 60);
 }
 
-/// A wall one cell thick across the room at x = 6 m.
+/// A wall one cell thick at x = 6 m.
 World walled(const TPose2D& start) {
   constexpr double kResolution = 0.05;
-  COccupancyGridMap2D map(0, 10, 0, 10, kResolution);
+  COccupancyGridMap2D map(0, 10, 0, 10, static_cast<float>(kResolution));
   map.fill(1.0F);
   for (unsigned y = 0; y < map.getSizeY(); ++y) map.setCell(120, static_cast<int>(y), 0.0F);
   return {Scenario::grid("wall", map, start, {9.5, 9.5}), kResolution};
@@ -116,7 +116,7 @@ TEST(Contact, NeverTunnelsThroughAWallOfOneCell) {
   }
 }
 
-TEST(Contact, LetsTheRobotTouchExactly) {
+TEST(Contact, AllowsExactContact) {
   COccupancyGridMap2D map(0, 8, 0, 4, 0.25F);  // all coordinates are exact in binary
   map.fill(1.0F);
   for (int x = 0; x < 32; ++x) map.setCell(x, 3, 0.0F);
@@ -127,14 +127,14 @@ TEST(Contact, LetsTheRobotTouchExactly) {
   EXPECT_EQ(run(nearer, forward).outcome, Outcome::UnsolvableScenario);
 }
 
-TEST(Contact, HappensAtTheInstantOfFirstContact) {
+TEST(Contact, IsAtTheTimeOfFirstContact) {
   const World world = walled({1, 5, 0});
   FunctionMethod forward = constant_method(1, 0);
   const SimulationResult result = run(world, forward);
   ASSERT_EQ(result.outcome, Outcome::Collision);
   // To x = 5.75 m: 0.5 m in the first second, 4.25 m at 1 m/s.
   EXPECT_NEAR(result.trajectory.duration(), 5.25, 1e-6);
-  // MRPT keeps a grid's resolution in single precision: 120 cells of 0.05F are 6.00000009 m.
+  // MRPT stores a grid's resolution in single precision: 120 cells of 0.05F are 6.00000009 m.
   EXPECT_NEAR(result.trajectory.samples.back().pose.x, 5.75, 1e-6);
 }
 

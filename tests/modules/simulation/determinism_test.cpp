@@ -16,6 +16,15 @@ TEST(Simulate, GivesTheSameTrajectoryForTheSameSeed) {
   EXPECT_NE(run(world, method, {}, {}, 2).trajectory.hash(), first.trajectory.hash());
 }
 
+TEST(Simulate, GivesThisTrajectoryToTheBit) {
+  // Sensing, limits, motion and contact of 100 random commands; a change that alters any of them
+  // changes the hash, and has to say so.
+  RandomEngine random(1);
+  const World world = random_cells(random, 0.01);
+  RandomMethod method{RobotModel()};
+  EXPECT_EQ(run(world, method).trajectory.hash(), "82581dbbb1b4af94fad005900071a849");
+}
+
 TEST(Simulate, DoesNotDependOnTheRunsBefore) {
   RandomEngine random(2);
   const World world = random_cells(random, 0.01), other = random_cells(random, 0.03);
@@ -27,26 +36,27 @@ TEST(Simulate, DoesNotDependOnTheRunsBefore) {
   }
 }
 
-TEST(Simulate, TellsTheMethodItsTask) {
-  class Curious : public RandomMethod {
+TEST(Simulate, PassesTheTaskToTheMethod) {
+  class TaskRecorder : public RandomMethod {
    public:
     using RandomMethod::RandomMethod;
-    void reset(const Task& task) override {
-      told = task;
+    void reset(const NavigationTask& task) override {
+      received = task;
       RandomMethod::reset(task);
     }
-    Task told;
+    NavigationTask received;
   };
-  const World world = room({2, 3, 0.5}, {8, 7});
+  const World world = square_world({2, 3, 0.5}, {8, 7});
   SimulationOptions options;
   options.goal_tolerance = 0.3;
-  Curious method{RobotModel()};
+  TaskRecorder method{RobotModel()};
   run(world, method, options, {}, 77);
-  EXPECT_EQ(method.told.start, world.scenario().start());
-  EXPECT_EQ(method.told.goal, world.scenario().goal());
-  EXPECT_EQ(method.told.goal_tolerance, 0.3);
-  EXPECT_EQ(method.told.control_period, options.control_period);
-  EXPECT_EQ(method.told.seed, derive_seed(77, "method")) << "a stream of its own, apart from noise";
+  EXPECT_EQ(method.received.start, world.scenario().start());
+  EXPECT_EQ(method.received.goal, world.scenario().goal());
+  EXPECT_EQ(method.received.goal_tolerance, 0.3);
+  EXPECT_EQ(method.received.control_period, options.control_period);
+  EXPECT_EQ(method.received.seed, derive_seed(77, "method"))
+      << "its own stream, independent of noise";
 }
 
 }  // namespace

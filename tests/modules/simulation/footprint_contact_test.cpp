@@ -13,7 +13,8 @@ using mrpt::math::TPose2D;
 
 constexpr char kLongRobot[] = "0.35,0.12; -0.2,0.12; -0.2,-0.12; 0.35,-0.12";
 
-/// Whether a polygon and the closed square [x0, x1] x [y0, y1] share a point, by separating axes.
+/// Whether a polygon and the closed square [x0, x1] x [y0, y1] fraction a point, by separating
+/// axes.
 bool overlap(const std::vector<TPoint2D>& polygon, double x0, double y0, double x1, double y1) {
   const std::vector<TPoint2D> square = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
   std::vector<TPoint2D> axes = {{1, 0}, {0, 1}};
@@ -51,7 +52,7 @@ bool brute_touch(const Occupancy& cells, const Footprint& footprint, const TPose
   return false;
 }
 
-TEST(FootprintContact, APolygonTouchesWhatOverlapsIt) {
+TEST(FootprintContact, PolygonTouchesOverlappingCells) {
   RandomEngine random(7);
   const Footprint footprint = Footprint::parse(kLongRobot);
   int touching = 0, clear = 0;
@@ -70,7 +71,7 @@ TEST(FootprintContact, APolygonTouchesWhatOverlapsIt) {
   EXPECT_GT(clear, 100);
 }
 
-TEST(FootprintContact, ASweptPolygonStopsAtItsFirstContact) {
+TEST(FootprintContact, SweptPolygonStopsAtItsFirstContact) {
   RandomEngine random(8);
   const Footprint footprint = Footprint::parse(kLongRobot);
   int contacts = 0;
@@ -81,9 +82,9 @@ TEST(FootprintContact, ASweptPolygonStopsAtItsFirstContact) {
     const TPose2D to{3 + uniform_real(random, -2, 2), 3 + uniform_real(random, -2, 2),
                      from.phi + uniform_real(random, -2, 2)};
     TPose2D reached = to;
-    double share = 1;
-    const bool met = contact->meets_obstacle(from, reached, share);
-    // By brute force: the first of 1000 poses on the way that touches.
+    double fraction = 1;
+    const bool hit = contact->find_contact(from, reached, fraction);
+    // By brute force: the first of 1000 interpolated poses that touches.
     double first = 2;
     for (int k = 0; k <= 1000 && first > 1; ++k) {
       const double at = k / 1000.0;
@@ -92,23 +93,23 @@ TEST(FootprintContact, ASweptPolygonStopsAtItsFirstContact) {
       if (brute_touch(world.occupancy(), footprint, pose)) first = at;
     }
     if (first <= 1) {
-      ASSERT_TRUE(met);
-      // Contact counts from 0.1 mm on, which a grazing outline reaches earlier than it touches.
-      EXPECT_LE(share, first + 1e-9);
+      ASSERT_TRUE(hit);
+      // Contact counts from 0.1 mm on, which a grazing outline reaches before it touches.
+      EXPECT_LE(fraction, first + 1e-9);
       ++contacts;
     }
-    if (met) {
+    if (hit) {
       EXPECT_LT(world.distance_field().outline_clearance(footprint.corners_at(reached)), 1e-4);
     }
   }
   EXPECT_GT(contacts, 60);
 }
 
-TEST(FootprintContact, ARobotTurningOnTheSpotHitsAWallBesideItsLongSide) {
-  // 0.3 m from its centre to a wall on its left: the front corner, 0.37 m away, sweeps into it.
+TEST(FootprintContact, RobotRotatingInPlaceHitsAWallNextToItsLongSide) {
+  // 0.3 m from its center to a wall on its left: the front corner, 0.37 m away, sweeps into it.
   Primitives wall;
   wall.polygons.push_back({{{0, 5.3}, {10, 5.3}, {10, 6}, {0, 6}}});
-  const World world = room({5, 5, 0}, {9, 1}, wall);
+  const World world = square_world({5, 5, 0}, {9, 1}, wall);
   RunSetup setup;
   setup.robot.footprint = kLongRobot;
   setup.robot.radius = setup.robot.shape().enclosing_radius();

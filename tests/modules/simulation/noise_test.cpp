@@ -38,7 +38,7 @@ SensorModel sensor_with(double noise, double dropout, double quantum = 0) {
   return sensor;
 }
 
-TEST(Noise, OfRangesHasTheDeviationAskedFor) {
+TEST(Noise, OfRangesHasTheConfiguredDeviation) {
   const auto clean = scans(sensor_with(0, 0)), noisy = scans(sensor_with(0.03, 0));
   double sum = 0, squares = 0;
   int n = 0;
@@ -56,7 +56,7 @@ TEST(Noise, OfRangesHasTheDeviationAskedFor) {
   EXPECT_NEAR(std::sqrt(squares / n), 0.03, 4 * 0.03 / std::sqrt(2.0 * n));
 }
 
-TEST(Noise, DropoutsTakeTheShareOfRaysAskedFor) {
+TEST(Noise, DropoutsHaveTheConfiguredRatio) {
   const auto clean = scans(sensor_with(0, 0)), dropped = scans(sensor_with(0, 0.2));
   int n = 0, gone = 0;
   for (std::size_t k = 0; k < clean.size(); ++k)
@@ -64,13 +64,13 @@ TEST(Noise, DropoutsTakeTheShareOfRaysAskedFor) {
       if (clean[k][i] >= 8) continue;
       ++n;
       if (dropped[k][i] == clean[k][i]) continue;
-      EXPECT_EQ(dropped[k][i], 8) << "as if there were nothing";
+      EXPECT_EQ(dropped[k][i], 8) << "as if there were no obstacle";
       ++gone;
     }
   EXPECT_NEAR(static_cast<double>(gone) / n, 0.2, 4 * std::sqrt(0.2 * 0.8 / n));
 }
 
-TEST(Noise, QuantisedRangesAreWholeMultiples) {
+TEST(Noise, QuantizedRangesAreMultiples) {
   const auto clean = scans(sensor_with(0, 0)), rounded = scans(sensor_with(0, 0, 0.05));
   for (std::size_t k = 0; k < clean.size(); ++k)
     for (std::size_t i = 0; i < clean[k].size(); ++i) {
@@ -94,14 +94,15 @@ TEST(Noise, OneOptionDoesNotChangeTheNumbersOfAnother) {
   EXPECT_GT(kept, 500);
 }
 
-TEST(Noise, IsTheSameForTheSameSeedAndOnlyThen) {
+TEST(Noise, DependsOnTheSeedOnly) {
   EXPECT_EQ(scans(sensor_with(0.03, 0.1), 5), scans(sensor_with(0.03, 0.1), 5));
   EXPECT_NE(scans(sensor_with(0.03, 0.1), 5), scans(sensor_with(0.03, 0.1), 6));
 }
 
-TEST(Latency, GivesTheScanOfAnEarlierPlace) {
-  // Driving straight at a wall 5 m away, scans are 0.2 s old: the range ahead is that of 0.2 s ago.
-  const World world = room({5, 5, 0}, {9, 5});
+TEST(Latency, GivesTheScanOfAnEarlierPose) {
+  // Moving straight towards a wall 5 m away with scans 0.2 s old: the range ahead is that of 0.2 s
+  // ago.
+  const World world = square_world({5, 5, 0}, {9, 5});
   std::vector<double> ahead, x;
   std::vector<double> stamps;
   FunctionMethod method([&](const Observation& o) {
@@ -120,7 +121,7 @@ TEST(Latency, GivesTheScanOfAnEarlierPlace) {
   EXPECT_NEAR(stamps[10] - stamps[0], 0.8, 1e-6) << "the first scan is of the start";
 }
 
-TEST(PoseHistory, GivesTheLastPoseAtATimeOrBeforeIt) {
+TEST(PoseHistory, GivesTheLastPoseAtOrBeforeATime) {
   PoseHistory history(0.5);
   for (int i = 0; i <= 200; ++i) history.add(0.01 * i, {static_cast<double>(i), 0, 0});
   EXPECT_EQ(history.at(2.0).x, 200);
@@ -128,47 +129,47 @@ TEST(PoseHistory, GivesTheLastPoseAtATimeOrBeforeIt) {
   EXPECT_EQ(history.at(1.5).x, 150);
 }
 
-TEST(Odometry, WithoutDriftIsTheTruth) {
+TEST(Odometry, IsExactWithoutDrift) {
   Odometry odometry({}, 1, {1, 2, 3});
   odometry.move({1, 2, 3}, {1.1, 2.05, 3.01});
   EXPECT_EQ(odometry.pose(), TPose2D(1.1, 2.05, 3.01));
 }
 
-/// Where odometry believes to be after 4 m straight, in `steps` steps.
-TPose2D believed_after(const OdometryModel& model, int steps, std::uint64_t seed) {
+/// The odometry pose after 4 m straight, in `steps` steps.
+TPose2D odometry_after(const OdometryModel& model, int steps, std::uint64_t seed) {
   Odometry odometry(model, seed, {0, 0, 0});
   for (int i = 0; i < steps; ++i)
     odometry.move({4.0 * i / steps, 0, 0}, {4.0 * (i + 1) / steps, 0, 0});
   return odometry.pose();
 }
 
-TEST(Odometry, DriftsAsARandomWalkWhateverTheSteps) {
-  // 4 m driven with a deviation of 0.02 m at 1 m: 0.04 m.
+TEST(Odometry, DriftsAsARandomWalkIndependentOfTheSteps) {
+  // 4 m with a deviation of 0.02 m after 1 m: 0.04 m.
   for (const int steps : {4, 400}) {
     double squares = 0;
     constexpr int kRuns = 2000;
     for (int seed = 0; seed < kRuns; ++seed) {
-      const double error = believed_after({0.02, 0}, steps, seed).x - 4;
+      const double error = odometry_after({0.02, 0}, steps, seed).x - 4;
       squares += error * error;
     }
     EXPECT_NEAR(std::sqrt(squares / kRuns), 0.04, 4 * 0.04 / std::sqrt(2.0 * kRuns)) << steps;
   }
 }
 
-TEST(Odometry, DriftIsWhatTheMethodSeesNotWhatIsJudged) {
-  const World world = room({1, 5, 0}, {8, 5});
+TEST(Odometry, DriftAffectsObservationsNotTheOutcome) {
+  const World world = square_world({1, 5, 0}, {8, 5});
   RunSetup setup;
   setup.odometry = {0.1, 0.1};
-  double believed = 0;
+  double estimated_x = 0;
   FunctionMethod method([&](const Observation& o) {
-    believed = o.odometry.x;
-    EXPECT_NEAR(o.goal_in_robot.x, 8 - o.odometry.x, 1e-9) << "the goal as odometry sees it";
+    estimated_x = o.odometry.x;
+    EXPECT_NEAR(o.goal_in_robot.x, 8 - o.odometry.x, 1e-9) << "the goal relative to odometry";
     return Command{0.5, 0};
   });
   const SimulationResult result = simulate(world, setup, 3, method);
   ASSERT_EQ(result.outcome, Outcome::Success);
   EXPECT_NEAR(result.trajectory.samples.back().pose.x, 7.8, 1e-2);
-  EXPECT_GT(std::abs(believed - 7.8), 0.02);
+  EXPECT_GT(std::abs(estimated_x - 7.8), 0.02);
 }
 
 }  // namespace

@@ -8,19 +8,19 @@
 namespace slalom::testing {
 namespace {
 
-TEST(Simulate, ReachesAGoalStraightAheadInTheTimeOfATrapezoid) {
-  const World world = room({1, 5, 0}, {8, 5});
+TEST(Simulate, ReachesAGoalAheadWithATrapezoidalVelocityProfile) {
+  const World world = square_world({1, 5, 0}, {8, 5});
   FunctionMethod forward = constant_method(1, 0);
   const SimulationResult result = run(world, forward);
   EXPECT_EQ(result.outcome, Outcome::Success);
-  // 7 m less the tolerance of 0.2 m: 0.5 m in 1 s while it speeds up to 1 m/s, the rest at 1 m/s.
+  // 7 m less the tolerance of 0.2 m: 0.5 m in 1 s while it accelerates to 1 m/s, the rest at 1 m/s.
   EXPECT_NEAR(result.trajectory.duration(), 1 + (7 - 0.2 - 0.5), 0.01 + 1e-9);
   EXPECT_NEAR(result.trajectory.samples.back().pose.x, 7.8, 0.01 + 1e-9);
   EXPECT_NEAR(result.trajectory.samples.back().pose.y, 5, 1e-12);
 }
 
-TEST(Simulate, RecordsOneSamplePerControlCycleAndTheLastInstant) {
-  const World world = room({1, 5, 0}, {8, 5});
+TEST(Simulate, RecordsOneSamplePerControlCycleAndTheFinalOne) {
+  const World world = square_world({1, 5, 0}, {8, 5});
   FunctionMethod forward = constant_method(1, 0);
   const SimulationResult result = run(world, forward);
   const auto& samples = result.trajectory.samples;
@@ -32,8 +32,8 @@ TEST(Simulate, RecordsOneSamplePerControlCycleAndTheLastInstant) {
   EXPECT_GT(samples.back().t, samples[samples.size() - 2].t);
 }
 
-TEST(Simulate, KeepsSpeedsAndAccelerationsWithinTheLimits) {
-  const World world = room({5, 5, 0}, {9.9, 9.9});
+TEST(Simulate, KeepsVelocitiesAndAccelerationsWithinTheLimits) {
+  const World world = square_world({5, 5, 0}, {9.9, 9.9});
   const RobotModel robot;
   RandomMethod method(robot);
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
@@ -43,15 +43,15 @@ TEST(Simulate, KeepsSpeedsAndAccelerationsWithinTheLimits) {
       EXPECT_LE(samples[i].v, robot.max_v);
       EXPECT_GE(samples[i].v, 0);
       EXPECT_LE(std::abs(samples[i].w), robot.max_w);
-      // Speeds are those at the end of a motion step, which a contact may cut short.
+      // Velocities are those at the end of a motion step, which a contact may cut short.
       EXPECT_LE(std::abs(samples[i].v - samples[i - 1].v), robot.max_accel_v * (dt + 0.01));
       EXPECT_LE(std::abs(samples[i].w - samples[i - 1].w), robot.max_accel_w * (dt + 0.01));
     }
   }
 }
 
-TEST(Simulate, SucceedsAtOnceWhereTheGoalIsTheStart) {
-  const World world = room({5, 5, 0}, {5.1, 5});
+TEST(Simulate, SucceedsImmediatelyIfTheStartIsAtTheGoal) {
+  const World world = square_world({5, 5, 0}, {5.1, 5});
   FunctionMethod forward = constant_method(1, 0);
   const SimulationResult result = run(world, forward);
   EXPECT_EQ(result.outcome, Outcome::Success);
@@ -62,7 +62,7 @@ TEST(Simulate, SucceedsAtOnceWhereTheGoalIsTheStart) {
 TEST(Simulate, CallsAStartOnAnObstacleUnsolvable) {
   Primitives obstacles;
   obstacles.discs.push_back({{1.3, 5}, 0.2});
-  const World world = room({1, 5, 0}, {8, 5}, obstacles);
+  const World world = square_world({1, 5, 0}, {8, 5}, obstacles);
   FunctionMethod forward = constant_method(1, 0);
   const SimulationResult result = run(world, forward);
   EXPECT_EQ(result.outcome, Outcome::UnsolvableScenario);
@@ -70,16 +70,16 @@ TEST(Simulate, CallsAStartOnAnObstacleUnsolvable) {
   EXPECT_NE(result.detail, "");
 }
 
-TEST(Simulate, CollidesWithTheBorderAsWithAWall) {
-  const World world = room({5, 5, 0}, {1, 1});
+TEST(Simulate, CollidesWithTheBorder) {
+  const World world = square_world({5, 5, 0}, {1, 1});
   FunctionMethod forward = constant_method(1, 0);
   const SimulationResult result = run(world, forward);
   EXPECT_EQ(result.outcome, Outcome::Collision);
   EXPECT_NEAR(result.trajectory.samples.back().pose.x, 10 - 0.25, 1e-8);
 }
 
-TEST(Simulate, TimesOutExactlyAtTheLongestTime) {
-  const World world = room({5, 5, 0}, {1, 1});
+TEST(Simulate, TimesOutExactlyAtTheMaximumTime) {
+  const World world = square_world({5, 5, 0}, {1, 1});
   FunctionMethod circle = constant_method(0.5, 0.5);
   for (const double max_time : {5.0, 5.03, 4.96}) {
     SimulationOptions options;
@@ -90,8 +90,8 @@ TEST(Simulate, TimesOutExactlyAtTheLongestTime) {
   }
 }
 
-TEST(Simulate, NeverSucceedsAfterTheLongestTime) {
-  const World world = room({1, 5, 0}, {7.95, 5});  // reached after 7.25 s
+TEST(Simulate, NeverSucceedsAfterTheMaximumTime) {
+  const World world = square_world({1, 5, 0}, {7.95, 5});  // reached after 7.25 s
   FunctionMethod forward = constant_method(1, 0);
   SimulationOptions options;
   options.max_time = 7.22;
@@ -100,8 +100,8 @@ TEST(Simulate, NeverSucceedsAfterTheLongestTime) {
   EXPECT_EQ(run(world, forward, options).outcome, Outcome::Success);
 }
 
-TEST(Simulate, CallsStandingAndTurningOnTheSpotStuck) {
-  const World world = room({5, 5, 0}, {1, 1});
+TEST(Simulate, CallsStoppedAndRotatingRobotsStuck) {
+  const World world = square_world({5, 5, 0}, {1, 1});
   SimulationOptions options;
   for (const double w : {0.0, 1.0}) {
     FunctionMethod method = constant_method(0, w);
@@ -112,7 +112,7 @@ TEST(Simulate, CallsStandingAndTurningOnTheSpotStuck) {
 }
 
 TEST(Simulate, CallsCreepingStuckButNotSlowProgress) {
-  const World world = room({2, 5, 0}, {1, 1});
+  const World world = square_world({2, 5, 0}, {1, 1});
   SimulationOptions options;
   options.max_time = 20;
   // 8 s at 0.01 m/s are 0.08 m, less than 0.1 m; at 0.02 m/s they are 0.16 m.
@@ -121,18 +121,18 @@ TEST(Simulate, CallsCreepingStuckButNotSlowProgress) {
   EXPECT_EQ(run(world, slow, options).outcome, Outcome::Timeout);
 }
 
-TEST(Simulate, BeginsToCountStuckTimeWhereTheRobotStops) {
-  const World world = room({2, 5, 0}, {1, 1});
+TEST(Simulate, CountsStuckTimeFromWhereTheRobotStops) {
+  const World world = square_world({2, 5, 0}, {1, 1});
   FunctionMethod method([](const Observation& o) { return Command{o.time < 3.95 ? 0.5 : 0.0, 0}; });
   const SimulationResult result = run(world, method);
   EXPECT_EQ(result.outcome, Outcome::Stuck);
-  // It stops at 4.0 + 0.5 s and came within 0.1 m of that place when 0.5^2 / 2 > 0.1, i.e. braking
-  // at v = sqrt(2 * 0.1) = 0.447, 0.053 s after 4 s; samples come every 0.1 s: 4.1 + 8 s.
+  // It stops at 4.0 + 0.5 s and came within 0.1 m of that position when 0.5^2 / 2 > 0.1, i.e.
+  // braking at v = sqrt(2 * 0.1) = 0.447, 0.053 s after 4 s; samples come every 0.1 s: 4.1 + 8 s.
   EXPECT_NEAR(result.trajectory.duration(), 12.1, 1e-9);
 }
 
 TEST(Simulate, EndsARunOnAnInvalidCommand) {
-  const World world = room({1, 5, 0}, {8, 5});
+  const World world = square_world({1, 5, 0}, {8, 5});
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Command bad :
        {Command{nan, 0}, Command{0, -HUGE_VAL}, Command{1.5, 0}, Command{0, 2}, Command{-0.1, 0}}) {
@@ -147,79 +147,79 @@ TEST(Simulate, EndsARunOnAnInvalidCommand) {
   }
 }
 
-TEST(Simulate, EndsARunOnWhateverTheMethodThrows) {
-  const World world = room({1, 5, 0}, {8, 5});
-  FunctionMethod lost([](const Observation& o) -> Command {
-    if (o.time > 0.45) throw std::runtime_error("lost my way");
+TEST(Simulate, EndsARunOnAnyExceptionOfTheMethod) {
+  const World world = square_world({1, 5, 0}, {8, 5});
+  FunctionMethod throws_error([](const Observation& o) -> Command {
+    if (o.time > 0.45) throw std::runtime_error("no path");
     return {1, 0};
   });
-  const SimulationResult result = run(world, lost);
+  const SimulationResult result = run(world, throws_error);
   EXPECT_EQ(result.outcome, Outcome::MethodError);
-  EXPECT_EQ(result.detail, "lost my way, at (1.13, 5.00) m after 0.50 s");
+  EXPECT_EQ(result.detail, "no path, at (1.13, 5.00) m after 0.50 s");
   EXPECT_NEAR(result.trajectory.duration(), 0.5, 1e-12);
-  FunctionMethod odd([](const Observation&) -> Command { throw 42; });
-  EXPECT_EQ(run(world, odd).outcome, Outcome::MethodError);
-  EXPECT_NE(run(world, odd).detail, "");
+  FunctionMethod throws_int([](const Observation&) -> Command { throw 42; });
+  EXPECT_EQ(run(world, throws_int).outcome, Outcome::MethodError);
+  EXPECT_NE(run(world, throws_int).detail, "");
 }
 
 class ThrowsInReset : public Method {
  public:
-  void reset(const Task&) override { throw MethodError("no memory of this"); }
+  void reset(const NavigationTask&) override { throw MethodError("out of memory"); }
   Command step(const Observation&) override { return {}; }
 };
 
 TEST(Simulate, EndsARunWhenTheMethodCannotBeReset) {
   ThrowsInReset method;
-  const SimulationResult result = run(room({1, 5, 0}, {8, 5}), method);
+  const SimulationResult result = run(square_world({1, 5, 0}, {8, 5}), method);
   EXPECT_EQ(result.outcome, Outcome::MethodError);
-  EXPECT_EQ(result.detail, "no memory of this, at (1.00, 5.00) m after 0.00 s");
+  EXPECT_EQ(result.detail, "out of memory, at (1.00, 5.00) m after 0.00 s");
   EXPECT_EQ(result.trajectory.samples.size(), 1U);
 }
 
-TEST(Simulate, EndsARunAsMethodDeadlineWhenTheMethodSaysItWaitedInVain) {
+TEST(Simulate, EndsARunAsMethodDeadlineOnAMethodTimeout) {
   FunctionMethod waits([](const Observation& o) -> Command {
-    if (o.time > 0.45) throw MethodTimeout("nobody answers");
+    if (o.time > 0.45) throw MethodTimeout("no response");
     return {1, 0};
   });
-  const SimulationResult result = run(room({1, 5, 0}, {8, 5}), waits);
+  const SimulationResult result = run(square_world({1, 5, 0}, {8, 5}), waits);
   EXPECT_EQ(result.outcome, Outcome::MethodDeadline);
-  EXPECT_EQ(result.detail.rfind("nobody answers, at (", 0), 0U) << result.detail;
+  EXPECT_EQ(result.detail.rfind("no response, at (", 0), 0U) << result.detail;
   EXPECT_NEAR(result.trajectory.duration(), 0.5, 1e-12);
 }
 
-/// Keeps what it is told of the end, and has something against it.
-class Listener : public FunctionMethod {
+/// Records the outcome, and throws.
+class OutcomeRecorder : public FunctionMethod {
  public:
   using FunctionMethod::FunctionMethod;
   void finish(const std::string& outcome) override {
-    ends.push_back(outcome);
-    throw MethodError("I do not agree");
+    outcomes.push_back(outcome);
+    throw MethodError("refused");
   }
-  std::vector<std::string> ends;
+  std::vector<std::string> outcomes;
 };
 
-TEST(Simulate, TellsTheMethodOnceHowTheRunEnded) {
-  Listener drives([](const Observation&) { return Command{1, 0}; });
-  EXPECT_EQ(run(room({1, 5, 0}, {8, 5}), drives).outcome, Outcome::Success);
-  Listener fails([](const Observation&) -> Command { throw MethodError("no"); });
-  EXPECT_EQ(run(room({1, 5, 0}, {8, 5}), fails).outcome, Outcome::MethodError);
-  EXPECT_EQ(drives.ends, std::vector<std::string>{"success"});
-  EXPECT_EQ(fails.ends, std::vector<std::string>{"method_error"});
+TEST(Simulate, NotifiesTheMethodOnceOfTheOutcome) {
+  OutcomeRecorder succeeds([](const Observation&) { return Command{1, 0}; });
+  EXPECT_EQ(run(square_world({1, 5, 0}, {8, 5}), succeeds).outcome, Outcome::Success);
+  OutcomeRecorder fails([](const Observation&) -> Command { throw MethodError("no"); });
+  EXPECT_EQ(run(square_world({1, 5, 0}, {8, 5}), fails).outcome, Outcome::MethodError);
+  EXPECT_EQ(succeeds.outcomes, std::vector<std::string>{"success"});
+  EXPECT_EQ(fails.outcomes, std::vector<std::string>{"method_error"});
   Primitives obstacles;
   obstacles.discs.push_back({{1, 5}, 0.5});
-  Listener never_asked([](const Observation&) { return Command{}; });
-  EXPECT_EQ(run(room({1, 5, 0}, {8, 5}, obstacles), never_asked).outcome,
+  OutcomeRecorder never_started([](const Observation&) { return Command{}; });
+  EXPECT_EQ(run(square_world({1, 5, 0}, {8, 5}, obstacles), never_started).outcome,
             Outcome::UnsolvableScenario);
-  EXPECT_TRUE(never_asked.ends.empty());
+  EXPECT_TRUE(never_started.outcomes.empty());
 }
 
-TEST(Simulate, RefusesAStepThatIsLongerThanTheControlPeriod) {
+TEST(Simulate, RefusesAStepLongerThanTheControlPeriod) {
   FunctionMethod forward = constant_method(1, 0);
   SimulationOptions options;
   options.step = 1;
-  EXPECT_THROW(run(room({1, 5, 0}, {8, 5}), forward, options), std::invalid_argument);
+  EXPECT_THROW(run(square_world({1, 5, 0}, {8, 5}), forward, options), std::invalid_argument);
   options.step = 0;
-  EXPECT_THROW(run(room({1, 5, 0}, {8, 5}), forward, options), std::invalid_argument);
+  EXPECT_THROW(run(square_world({1, 5, 0}, {8, 5}), forward, options), std::invalid_argument);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace slalom::testing {
 namespace {
 
-/// The centre of a room of 30 m, a disc of 1 m to the left at 4 m.
+/// The center of a square of 30 m, a disc of 1 m to the left at 4 m.
 World hall() {
   Primitives obstacles;
   obstacles.discs.push_back({{15, 20}, 1});
@@ -53,12 +53,12 @@ TEST(Sensing, AgreesWithTheRayCasterAtTheRobotsPose) {
 
 TEST(Sensing, PlacesTheGoalInTheRobotsFrame) {
   FunctionMethod method([](const Observation& o) {
-    // Robot at (5, 5) looking along +y, goal at (4, 8): 3 m ahead, 1 m to the left.
+    // Robot at (5, 5) heading along +y, goal at (4, 8): 3 m ahead, 1 m to the left.
     EXPECT_NEAR(o.goal_in_robot.x, 3, 1e-12);
     EXPECT_NEAR(o.goal_in_robot.y, 1, 1e-12);
     return Command{0, 0};
   });
-  run(room({5, 5, M_PI / 2}, {4, 8}), method);
+  run(square_world({5, 5, M_PI / 2}, {4, 8}), method);
 }
 
 TEST(Sensing, NeverShowsThePointsOfAnEarlierScan) {
@@ -73,7 +73,7 @@ TEST(Sensing, NeverShowsThePointsOfAnEarlierScan) {
   });
   Primitives wall;
   wall.polygons.push_back({{{8, 0}, {8.2, 0}, {8.2, 10}, {8, 10}}});
-  run(room({2, 5, 0}, {7, 5}, wall), method);
+  run(square_world({2, 5, 0}, {7, 5}, wall), method);
   EXPECT_GT(cycles, 40);
 }
 

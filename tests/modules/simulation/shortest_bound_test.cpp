@@ -9,11 +9,11 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-/// Drives to the vertices of a path, one after the other.
+/// Moves to the vertices of a path, one after the other.
 class PathFollower : public Method {
  public:
   PathFollower(Path path, const RobotModel& robot) : path_(std::move(path)), robot_(robot) {}
-  void reset(const Task&) override { next_ = 1; }
+  void reset(const NavigationTask&) override { next_ = 1; }
   Command step(const Observation& o) override {
     while (next_ + 1 < path_.size() && length({{o.odometry.x, o.odometry.y}, path_[next_]}) < 0.03)
       ++next_;
@@ -36,12 +36,12 @@ World discs(RandomEngine& random) {
     if (length({at, {1, 1}}) > 1.2 && length({at, {9, 9}}) > 1.2)
       obstacles.discs.push_back({at, uniform_real(random, 0.2, 0.8)});
   }
-  return room({1, 1, 0}, {9, 9}, obstacles);
+  return square_world({1, 1, 0}, {9, 9}, obstacles);
 }
 
-/// A run closed to the goal is never shorter than the certified bound of the shortest path, even
-/// when it follows the shortest path of a robot that is hardly larger.
-TEST(Simulate, NeverDrivesLessThanTheCertifiedShortestPath) {
+/// A run extended to the goal is never shorter than the certified bound of the shortest path, even
+/// if it follows the shortest path of a slightly larger robot.
+TEST(Simulate, IsNeverShorterThanTheCertifiedShortestPath) {
   RandomEngine random(21);
   const RobotModel robot;
   int reached = 0;
@@ -52,16 +52,16 @@ TEST(Simulate, NeverDrivesLessThanTheCertifiedShortestPath) {
     wider.robot_radius = robot.radius + 0.04;
     std::string reason;
     const auto shortest = exact_shortest_path(problem, 0.01, reason);
-    const auto way = exact_shortest_path(wider, 0.01, reason);
-    if (!shortest || !way) continue;
-    PathFollower method(way->path, robot);
+    const auto guide = exact_shortest_path(wider, 0.01, reason);
+    if (!shortest || !guide) continue;
+    PathFollower method(guide->path, robot);
     const SimulationResult result = run(world, method);
     if (result.outcome != Outcome::Success) continue;
     ++reached;
-    Path driven = result.trajectory.path();
-    driven.push_back(world.scenario().goal());
-    EXPECT_GE(length(driven), shortest->certificate.lower_bound * (1 - 1e-9));
-    EXPECT_LE(length(driven), 1.1 * way->length);
+    Path traveled = result.trajectory.path();
+    traveled.push_back(world.scenario().goal());
+    EXPECT_GE(length(traveled), shortest->certificate.lower_bound * (1 - 1e-9));
+    EXPECT_LE(length(traveled), 1.1 * guide->length);
   }
   EXPECT_GE(reached, 8);
 }

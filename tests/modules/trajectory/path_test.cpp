@@ -21,7 +21,7 @@ TEST(Path, DistanceIsToTheNearestPointOfAnySegment) {
   EXPECT_EQ(distance_to_path({3, 2}, kElbow), 0);    // on it
   EXPECT_EQ(distance_to_path({6, 8}, kElbow), 5);    // beyond its end: 3-4-5
   EXPECT_EQ(distance_to_path({4, 5}, {{1, 1}}), 5);  // a path of one point
-  EXPECT_EQ(distance_to_path({0, 1}, {{0, 0}, {0, 0}}), 1);  // a segment of no length
+  EXPECT_EQ(distance_to_path({0, 1}, {{0, 0}, {0, 0}}), 1);  // a segment of zero length
   EXPECT_THROW(distance_to_path({0, 0}, {}), std::invalid_argument);
 }
 

@@ -26,7 +26,7 @@ TEST(Trajectory, PathHasThePositionsOnly) {
   EXPECT_EQ(length(spinning.path()), 2);
 }
 
-TEST(Trajectory, HashTellsEveryFieldApart) {
+TEST(Trajectory, HashDependsOnEveryField) {
   std::set<std::string> hashes = {three_samples().hash()};
   for (double Sample::*field : {&Sample::t, &Sample::v, &Sample::w, &Sample::vy, &Sample::command_v,
                                 &Sample::command_w, &Sample::command_vy}) {
@@ -38,18 +38,20 @@ TEST(Trajectory, HashTellsEveryFieldApart) {
   EXPECT_EQ(three_samples().hash(), three_samples().hash());
 }
 
-TEST(Sample, ReadsBackFromItsNumbers) {
+TEST(Sample, IsRestoredFromItsNumbers) {
   std::array<double, Sample::kNumbers> numbers{};
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = 1.5 * static_cast<double>(i + 1);
   EXPECT_EQ(Sample::from_numbers(numbers).numbers(), numbers);
 }
 
-TEST(Outcome, NamesReadBack) {
-  EXPECT_EQ(all_outcomes().size(), 11U);
-  for (const Outcome outcome : all_outcomes())
-    EXPECT_EQ(outcome_from_string(to_string(outcome)), outcome);
+TEST(Outcome, IsRestoredFromItsName) {
+  EXPECT_EQ(enum_values<Outcome>().size(), 11U);
+  for (const Outcome outcome : enum_values<Outcome>())
+    EXPECT_EQ(from_name<Outcome>(to_string(outcome)), outcome);
+  EXPECT_EQ(to_string(Outcome::Success), "success");
   EXPECT_EQ(to_string(Outcome::MethodInvalidCommand), "method_invalid_command");
-  EXPECT_THROW(outcome_from_string("victory"), Error);
+  EXPECT_EQ(to_string(Outcome::InfrastructureError), "infrastructure_error");
+  EXPECT_THROW(from_stored_name<Outcome>("outcome", "victory"), Error);
 }
 
 }  // namespace

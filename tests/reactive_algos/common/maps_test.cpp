@@ -7,7 +7,7 @@
 namespace reactive {
 namespace {
 
-TEST(ClearanceMap, IsTheDistanceToTheNearestPoint) {
+TEST(ClearanceMap, IsTheDistanceToTheClosestPoint) {
   ClearanceMap map(2, 0.05, 1.0);
   const std::vector<Point> points = {{0.31, 0.2}, {-0.4, -0.7}, {1.02, 0.77}};
   map.build({0.1, 0}, points);
@@ -20,58 +20,60 @@ TEST(ClearanceMap, IsTheDistanceToTheNearestPoint) {
     }
 }
 
-TEST(ClearanceMap, ReachesItsBandAtMostAndKnowsNothingOutside) {
+TEST(ClearanceMap, IsLimitedToItsBandAlsoOutside) {
   ClearanceMap map(2, 0.05, 0.6);
   map.build({0, 0}, {{0, 0}});
   EXPECT_NEAR(map.at({1, 1}), 0.6, 1e-6);
   EXPECT_NEAR(map.at({50, 0}), 0.6, 1e-6);
 }
 
-CostToGo wave(const ClearanceMap& map, const Point& goal, const Point& robot, double clearance) {
+CostToGo cost_to_goal(const ClearanceMap& map, const Point& goal, const Point& robot,
+                      double clearance) {
   CostToGo result;
   result.compute(map, goal, robot, {clearance, clearance, 0}, 100);
   return result;
 }
 
-TEST(CostToGo, IsTheLengthOfTheWayInFreeSpace) {
+TEST(CostToGo, IsThePathLengthInFreeSpace) {
   ClearanceMap map(4, 0.05, 0.5);
   map.build({0, 0}, {});
-  const CostToGo cost = wave(map, {3, 0.025}, {-3, 0}, 0.25);
+  const CostToGo cost = cost_to_goal(map, {3, 0.025}, {-3, 0}, 0.25);
   EXPECT_NEAR(cost.at({-3, 0.025}), 6, 0.05);
-  // Along a diagonal, too: a step is counted as 1.4 cells instead of 1.414.
+  // Also along a diagonal: a step counts as 1.4 cells instead of 1.414.
   EXPECT_NEAR(cost.at({0.025, -2.95}), 2.975 * 1.4, 0.06);
 }
 
-TEST(CostToGo, GoesRoundAWallThatTheStraightLineCrosses) {
+TEST(CostToGo, LeadsAroundAWall) {
   const LocalMap map = map_of({{1.5, -1, 1.5, 1}});
-  const CostToGo cost = wave(map.clearance(), {3, 0}, {0, 0}, 0.3);
-  // Round an end at (1.5, 1) with 0.3 m between: no shorter than two straight lines to there.
+  const CostToGo cost = cost_to_goal(map.clearance(), {3, 0}, {0, 0}, 0.3);
+  // Around an end at (1.5, 1) with 0.3 m clearance: not shorter than two straight lines via that
+  // point.
   EXPECT_GT(cost.at({0, 0}), 2 * std::hypot(1.5, 1.0));
   EXPECT_LT(cost.at({0, 0}), 2 * std::hypot(1.5, 1.3) * 1.09 + 0.1);
   for (const Point& p : cost.path({0, 0}, 10)) EXPECT_GE(map.clearance().at(p), 0.29);
 }
 
-TEST(CostToGo, PassesADoorThatIsWideEnoughAndNoOther) {
+TEST(CostToGo, PassesOnlyDoorsThatAreWideEnough) {
   // A wall across the whole map with a door of 0.8 m.
   const LocalMap map = map_of({{1, -7.5, 1, -0.4}, {1, 0.4, 1, 7.5}});
-  const CostToGo narrow = wave(map.clearance(), {2.5, 0}, {0, 0}, 0.35);
+  const CostToGo narrow = cost_to_goal(map.clearance(), {2.5, 0}, {0, 0}, 0.35);
   EXPECT_TRUE(narrow.reached({0, 0}));
   EXPECT_LT(narrow.at({0, 0}), 3);
-  const CostToGo wide = wave(map.clearance(), {2.5, 0}, {0, 0}, 0.45);
+  const CostToGo wide = cost_to_goal(map.clearance(), {2.5, 0}, {0, 0}, 0.45);
   EXPECT_TRUE(!wide.reached({0, 0}) || wide.at({0, 0}) > 6);
 }
 
-TEST(CostToGo, AimsBeyondItsBorderAtAFarGoal) {
+TEST(CostToGo, LeadsToTheBorderTowardsADistantGoal) {
   ClearanceMap map(2, 0.05, 0.5);
   map.build({0, 0}, {});
-  const CostToGo cost = wave(map, {20, 0}, {0, 0}, 0.25);
+  const CostToGo cost = cost_to_goal(map, {20, 0}, {0, 0}, 0.25);
   const auto path = cost.path({0, 0}, 10);
   ASSERT_FALSE(path.empty());
   EXPECT_GT(path.back().x, 1.8);
   EXPECT_NEAR(path.back().y, 0, 0.5);
 }
 
-TEST(CostToGo, APriceOnNarrowWaysLeadsThroughTheMiddle) {
+TEST(CostToGo, AClearanceCostLeadsThroughTheMiddle) {
   const LocalMap map = map_of({{-1, -0.9, 4, -0.9}, {-1, 0.9, 4, 0.9}});
   CostToGo cost;
   cost.compute(map.clearance(), {4, 0}, {0, 0.5}, {0.3, 0.85, 4}, 100);
@@ -80,37 +82,37 @@ TEST(CostToGo, APriceOnNarrowWaysLeadsThroughTheMiddle) {
   EXPECT_LT(std::abs(path.back().y), 0.2);
 }
 
-TEST(LineIsFree, SeesPostsBesideIt) {
+TEST(LineIsFree, DetectsPostsBesideIt) {
   ClearanceMap map(4, 0.05, 0.8);
   map.build({0, 0}, {{1, 0.3}});
   EXPECT_TRUE(line_is_free(map, {0, 0}, {2, 0}, 0.27));
   EXPECT_FALSE(line_is_free(map, {0, 0}, {2, 0}, 0.33));
 }
 
-TEST(Guide, SeesTheGoalWhereNothingIsBetween) {
+TEST(LocalPlanner, SelectsAVisibleGoal) {
   LocalMap map = map_of({});
-  Guide guide({0.3, 0.5, 2}, 0.26);
-  const Waypoint waypoint = guide.find(map, {0, 0, 0}, {2, 1}, 5);
+  LocalPlanner planner({0.3, 0.5, 2}, 0.26);
+  const Waypoint waypoint = planner.find(map, {0, 0, 0}, {2, 1}, 5);
   EXPECT_TRUE(waypoint.is_goal);
   EXPECT_DOUBLE_EQ(waypoint.position.x, 2);
 }
 
-TEST(Guide, AimsAtTheEndOfAWallInTheWay) {
+TEST(LocalPlanner, SelectsTheEndOfABlockingWall) {
   LocalMap map = map_of({{1.5, -4, 1.5, 1}});
-  Guide guide({0.3, 0.5, 2}, 0.26);
-  const Waypoint waypoint = guide.find(map, {0, 0, 0}, {3, 0}, 5);
+  LocalPlanner planner({0.3, 0.5, 2}, 0.26);
+  const Waypoint waypoint = planner.find(map, {0, 0, 0}, {3, 0}, 5);
   EXPECT_FALSE(waypoint.is_goal);
   EXPECT_GT(std::atan2(waypoint.position.y, waypoint.position.x), std::atan2(1.0, 1.5));
 }
 
-TEST(Guide, SaysWhenNoWayIsKnown) {
+TEST(LocalPlanner, ReportsAnUnreachableGoal) {
   LocalMap map = map_of({{1, -1, 1, 1}, {-1, 1, 1, 1}, {-1, -1, 1, -1}});
-  // The fourth side, seen after a turn.
-  Observation behind = seen({{1, -1, 1, 1}, {-1, 1, 1, 1}, {-1, -1, 1, -1}}, {});
-  behind.pose.phi = kPi;
+  // The fourth side, observed after a rotation.
+  Observation behind = observe({{1, -1, 1, 1}, {-1, 1, 1, 1}, {-1, -1, 1, -1}}, {});
+  behind.pose.phi = M_PI;
   map.update(behind);
-  Guide guide({0.3, 0.5, 2}, 0.26);
-  const Waypoint waypoint = guide.find(map, {0, 0, 0}, {3, 0}, 5);
+  LocalPlanner planner({0.3, 0.5, 2}, 0.26);
+  const Waypoint waypoint = planner.find(map, {0, 0, 0}, {3, 0}, 5);
   EXPECT_FALSE(waypoint.reachable);
   EXPECT_DOUBLE_EQ(waypoint.position.x, 3);
 }

@@ -7,60 +7,60 @@
 namespace reactive {
 namespace {
 
-TEST(Wrapped, BringsAnglesIntoOneTurn) {
-  EXPECT_NEAR(wrapped(3 * kPi), kPi, 1e-12);
-  EXPECT_NEAR(wrapped(-kPi), kPi, 1e-12);
+TEST(Wrapped, MapsAnglesToOneTurn) {
+  EXPECT_NEAR(wrapped(3 * M_PI), M_PI, 1e-12);
+  EXPECT_NEAR(wrapped(-M_PI), M_PI, 1e-12);
   EXPECT_NEAR(wrapped(-0.5), -0.5, 1e-12);
 }
 
-TEST(Moved, DrivesACircle) {
+TEST(Integrate, FollowsACircle) {
   // Radius v / w = 2 m; a quarter of it takes (pi / 2) / 0.5 s.
-  const Pose quarter = moved({0, 0, 0}, {1, 0.5}, kPi);
+  const Pose quarter = integrate({0, 0, 0}, {1, 0.5}, M_PI);
   EXPECT_NEAR(quarter.x, 2, 1e-9);
   EXPECT_NEAR(quarter.y, 2, 1e-9);
-  EXPECT_NEAR(quarter.phi, kPi / 2, 1e-9);
-  EXPECT_NEAR(moved({1, 2, kPi / 2}, {1, 0}, 3).y, 5, 1e-9);
+  EXPECT_NEAR(quarter.phi, M_PI / 2, 1e-9);
+  EXPECT_NEAR(integrate({1, 2, M_PI / 2}, {1, 0}, 3).y, 5, 1e-9);
 }
 
-TEST(FreeArc, EndsWhereTheDiscTouches) {
+TEST(FreeArcLength, EndsAtContact) {
   const LocalMap map = map_of({{2, -4, 2, 4}});
   // Straight ahead the disc of 0.25 m touches after 1.75 m.
-  EXPECT_NEAR(free_arc(map.clearance(), {}, {0.5, 0}, 0.25, 5), 1.75, 0.03);
-  // On a circle of 1 m to the left its centre reaches x = 1 only: 0.75 m of room remain.
-  EXPECT_NEAR(free_arc(map.clearance(), {}, {0.5, 0.5}, 0.25, 5), 5, 1e-9);
-  EXPECT_NEAR(free_arc(map.clearance(), {}, {0, 1}, 0.25, 5), 5, 1e-9);
+  EXPECT_NEAR(free_arc_length(map.clearance(), {}, {0.5, 0}, 0.25, 5), 1.75, 0.03);
+  // On a circle of radius 1 m to the left the center reaches only x = 1: 0.75 m remain.
+  EXPECT_NEAR(free_arc_length(map.clearance(), {}, {0.5, 0.5}, 0.25, 5), 5, 1e-9);
+  EXPECT_NEAR(free_arc_length(map.clearance(), {}, {0, 1}, 0.25, 5), 5, 1e-9);
 }
 
-TEST(RadiusToKeep, IsLessWhereTheRobotCameTooNear) {
+TEST(ClearanceRadius, IsReducedCloseToObstacles) {
   Robot robot;
   robot.radius = 0.25;
-  EXPECT_NEAR(radius_to_keep(map_of({}).clearance(), {}, robot, 0.1), 0.35, 1e-9);
+  EXPECT_NEAR(clearance_radius(map_of({}).clearance(), {}, robot, 0.1), 0.35, 1e-9);
   const LocalMap near = map_of({{0.3, -1, 0.3, 1}});
-  EXPECT_NEAR(radius_to_keep(near.clearance(), {}, robot, 0.1), 0.295, 0.01);
+  EXPECT_NEAR(clearance_radius(near.clearance(), {}, robot, 0.1), 0.295, 0.01);
 }
 
-TEST(TurnOnTheSpot, BeginsAndEndsAtDifferentAngles) {
-  TurnOnTheSpot turn(1.2, 0.4);
-  EXPECT_FALSE(turn.wanted(1.1));
-  EXPECT_TRUE(turn.wanted(1.3));
-  EXPECT_TRUE(turn.wanted(0.5));
-  EXPECT_FALSE(turn.wanted(0.3));
+TEST(RotateInPlace, StartsAndEndsAtDifferentAngles) {
+  RotateInPlace turn(1.2, 0.4);
+  EXPECT_FALSE(turn.update(1.1));
+  EXPECT_TRUE(turn.update(1.3));
+  EXPECT_TRUE(turn.update(0.5));
+  EXPECT_FALSE(turn.update(0.3));
 }
 
-TEST(TurnOnTheSpot, DoesNotTurnBackWhenTheWayPassesStraightBehind) {
-  TurnOnTheSpot turn(1.2, 0.4);
-  EXPECT_TRUE(turn.wanted(3.0));
-  EXPECT_TRUE(turn.wanted(-3.0));
-  EXPECT_GT(turn.speeds(-3.0, {}).w, 0);
-  // Once the way is ahead on the other side, that side counts.
-  EXPECT_TRUE(turn.wanted(-1.0));
-  EXPECT_LT(turn.speeds(-1.0, {}).w, 0);
+TEST(RotateInPlace, KeepsItsSideWhenTheBearingPassesBehind) {
+  RotateInPlace turn(1.2, 0.4);
+  EXPECT_TRUE(turn.update(3.0));
+  EXPECT_TRUE(turn.update(-3.0));
+  EXPECT_GT(turn.twist(-3.0, {}).w, 0);
+  // If the bearing is ahead on the other side, the side changes.
+  EXPECT_TRUE(turn.update(-1.0));
+  EXPECT_LT(turn.twist(-1.0, {}).w, 0);
 }
 
-TEST(TurningSpeed, CanBeStoppedWithinTheAngle) {
+TEST(StoppingAngularVelocity, AllowsStoppingWithinTheAngle) {
   const Robot robot;
   for (const double angle : {-2.0, -0.3, 0.05, 0.4, 3.0}) {
-    const double w = turning_speed(angle, robot);
+    const double w = stopping_angular_velocity(angle, robot);
     EXPECT_LE(w * w / (2 * robot.max_accel_w), std::abs(angle));
     EXPECT_GT(w * angle, 0);
     EXPECT_LE(std::abs(w), robot.max_w);
@@ -79,13 +79,13 @@ std::string refusal(const char* key, const char* text) {
   return apply(kNumbers, key, text, numbers, error, sizeof error) ? "" : error;
 }
 
-TEST(Settings, TakeNumbersOfTheirRange) {
+TEST(Settings, AcceptNumbersWithinTheirRange) {
   Numbers numbers;
   char error[200];
   EXPECT_TRUE(apply(kNumbers, "b", "2.5", numbers, error, sizeof error));
   EXPECT_EQ(numbers.b, 2.5);
-  EXPECT_EQ(refusal("a", "-1"), "a = '-1' is no number >= 0");
-  EXPECT_EQ(refusal("b", "4"), "b = '4' is no number in [1, 3]");
+  EXPECT_EQ(refusal("a", "-1"), "a = '-1' is invalid; expected a number >= 0");
+  EXPECT_EQ(refusal("b", "4"), "b = '4' is invalid; expected a number in [1, 3]");
   for (const char* text : {"nan", "inf", "1x", "", "x"}) EXPECT_NE(refusal("a", text), "") << text;
   EXPECT_EQ(refusal("c", "1"), "unknown parameter c");
 }

@@ -6,83 +6,83 @@
 namespace reactive {
 namespace {
 
-const std::vector<double> kNothing(181, 8.0);
+const std::vector<double> kNoObstacles(181, 8.0);
 
 std::vector<double> post_ahead(double range) {
-  std::vector<double> ranges = kNothing;
+  std::vector<double> ranges = kNoObstacles;
   for (std::size_t i = 88; i <= 92; ++i) ranges[i] = range;
   return ranges;
 }
 
-bool holds(const RollingMemory& memory, const Point& p, double within) {
+bool contains(const RollingMemory& memory, const Point& p, double within) {
   for (const Point& q : memory.points())
     if (distance(p, q) < within) return true;
   return false;
 }
 
-TEST(RollingMemory, KeepsWhatTheRobotHasTurnedAwayFrom) {
+TEST(RollingMemory, KeepsPointsOutsideTheFieldOfView) {
   RollingMemory memory(4, 0.05);
   memory.update({0, 0, 0}, post_ahead(1), {});
-  memory.update({0, 0, kPi}, kNothing, {});
-  EXPECT_TRUE(holds(memory, {1, 0}, 1e-9));
+  memory.update({0, 0, M_PI}, kNoObstacles, {});
+  EXPECT_TRUE(contains(memory, {1, 0}, 1e-9));
 }
 
-TEST(RollingMemory, PlacesPointsInTheOdometryFrame) {
+TEST(RollingMemory, StoresPointsInTheOdometryFrame) {
   RollingMemory memory(4, 0.05);
-  // From (2, 1), looking left, one metre ahead is (2, 2).
-  memory.update({2, 1, kPi / 2}, post_ahead(1), {});
-  EXPECT_TRUE(holds(memory, {2, 2}, 1e-9));
+  // From (2, 1), heading +y, one meter ahead is (2, 2).
+  memory.update({2, 1, M_PI / 2}, post_ahead(1), {});
+  EXPECT_TRUE(contains(memory, {2, 2}, 1e-9));
 }
 
-TEST(RollingMemory, ForgetsWhatALaterScanLooksThrough) {
+TEST(RollingMemory, RemovesPointsThatALaterScanSeesThrough) {
   RollingMemory memory(4, 0.05);
   memory.update({0, 0, 0}, post_ahead(1), {});
   memory.update({0, 0, 0}, post_ahead(3), {});
-  EXPECT_FALSE(holds(memory, {1, 0}, 0.1));
-  EXPECT_TRUE(holds(memory, {3, 0}, 0.1));
+  EXPECT_FALSE(contains(memory, {1, 0}, 0.1));
+  EXPECT_TRUE(contains(memory, {3, 0}, 0.1));
 }
 
-TEST(RollingMemory, KeepsWhatIsHiddenBehindSomethingNearer) {
+TEST(RollingMemory, KeepsOccludedPoints) {
   RollingMemory memory(4, 0.05);
   memory.update({0, 0, 0}, post_ahead(3), {});
   memory.update({0, 0, 0}, post_ahead(1), {});
-  EXPECT_TRUE(holds(memory, {3, 0}, 0.1));
+  EXPECT_TRUE(contains(memory, {3, 0}, 0.1));
 }
 
-TEST(RollingMemory, OneRayThatReturnsNothingForgetsNothing) {
+TEST(RollingMemory, ASingleInvalidRayRemovesNoPoint) {
   RollingMemory memory(4, 0.05);
   memory.update({0, 0, 0}, post_ahead(1), {});
   std::vector<double> dropped = post_ahead(1);
   dropped[90] = 8.0;
   memory.update({0, 0, 0}, dropped, {});
-  EXPECT_TRUE(holds(memory, {1, 0}, 1e-9));
+  EXPECT_TRUE(contains(memory, {1, 0}, 1e-9));
 }
 
-TEST(RollingMemory, ForgetsWhatLeavesItsWindow) {
+TEST(RollingMemory, RemovesPointsOutsideItsWindow) {
   RollingMemory memory(4, 0.05);
   memory.update({0, 0, 0}, post_ahead(1), {});
-  memory.update({-3.2, 0, kPi}, kNothing, {});
+  memory.update({-3.2, 0, M_PI}, kNoObstacles, {});
   EXPECT_TRUE(memory.points().empty());
-  memory.update({0, 0, kPi}, kNothing, {});
+  memory.update({0, 0, M_PI}, kNoObstacles, {});
   EXPECT_TRUE(memory.points().empty());
 }
 
-TEST(RollingMemory, HoldsOnePointACellHoweverLongItLooks) {
+TEST(RollingMemory, KeepsOnePointPerCellOverManyScans) {
   RollingMemory memory(4, 0.05);
   const auto walls = scan_of({{2.02, -1, 2.02, 1}});
   memory.update({0, 0, 0}, walls, {});
   const std::size_t once = memory.points().size();
   for (int i = 0; i < 50; ++i) memory.update({0, 0, 0}, walls, {});
   EXPECT_EQ(memory.points().size(), once);
-  // A wall of 2 m has 40 cells of 5 cm, or 41 where its ends do not fall on borders.
+  // A wall of 2 m covers 40 cells of 5 cm, or 41 if its ends are not on cell borders.
   EXPECT_LE(once, 41U);
 }
 
-TEST(RollingMemory, TheBorderOfTheWindowWrapsAroundWithoutMixingPoints) {
+TEST(RollingMemory, TheWindowWrapsAroundWithoutMixingPoints) {
   RollingMemory memory(1, 0.1);
   for (int i = 0; i < 100; ++i) memory.update({0.3 * i, 0, 0}, post_ahead(0.5), {});
   for (const Point& p : memory.points()) EXPECT_LT(std::abs(p.x - 29.7), 1.0);
-  EXPECT_TRUE(holds(memory, {30.2, 0}, 1e-6));
+  EXPECT_TRUE(contains(memory, {30.2, 0}, 1e-6));
 }
 
 }  // namespace

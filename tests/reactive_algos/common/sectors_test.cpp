@@ -7,32 +7,32 @@
 namespace reactive {
 namespace {
 
-TEST(Sectors, CountFromBehindOnTheRight) {
+TEST(Sectors, StartBehindOnTheRight) {
   const Sectors sectors = sectors_with({});
   EXPECT_NEAR(sectors.direction(0), -178.5 * kDegree, 1e-12);
   EXPECT_EQ(sectors.sector_of(-178.5 * kDegree), 0U);
   EXPECT_EQ(sectors.sector_of(0.1 * kDegree), 60U);
-  EXPECT_EQ(sectors.sector_of(kPi), 119U);
-  EXPECT_EQ(sectors.sector_of(3 * kPi + 0.1), 1U);  // beyond pi by 5.7 degrees
+  EXPECT_EQ(sectors.sector_of(M_PI), 119U);
+  EXPECT_EQ(sectors.sector_of(3 * M_PI + 0.1), 1U);  // 5.7 degrees beyond pi
 }
 
-TEST(OpenRuns, GoAcrossTheEndOfTheCircle) {
-  // Blocked ahead from -60 to 60 degrees: one run of 240 degrees through behind.
+TEST(OpenRuns, ContinueAcrossTheEndOfTheCircle) {
+  // Blocked ahead from -60 to 60 degrees: one run of 240 degrees behind the robot.
   const auto runs = open_runs(sectors_with({{-60, 60, 0.1}}), 0.5);
   ASSERT_EQ(runs.size(), 1U);
   EXPECT_EQ(runs[0].length, 80U);
   const Opening opening = opening_of(sectors_with({}), runs[0]);
   EXPECT_NEAR(opening.low, 60 * kDegree, 1e-9);
   EXPECT_NEAR(opening.high(), -60 * kDegree, 1e-9);
-  EXPECT_NEAR(std::abs(opening.middle()), kPi, 1e-9);
+  EXPECT_NEAR(std::abs(opening.middle()), M_PI, 1e-9);
 }
 
-TEST(OpenRuns, AreAllAroundOrNone) {
+TEST(OpenRuns, CoverTheFullCircleOrNothing) {
   EXPECT_EQ(open_runs(sectors_with({}), 0.5).at(0).length, kSectors);
   EXPECT_TRUE(open_runs(sectors_with({{-181, 181, 0.1}}), 0.5).empty());
 }
 
-TEST(Opening, NearestStaysInside) {
+TEST(Opening, NearestDirectionIsInside) {
   const Opening opening{10 * kDegree, 60 * kDegree};
   EXPECT_NEAR(opening.nearest_to(30 * kDegree, 0), 30 * kDegree, 1e-12);
   EXPECT_NEAR(opening.nearest_to(-90 * kDegree, 0), 10 * kDegree, 1e-12);
@@ -42,8 +42,8 @@ TEST(Opening, NearestStaysInside) {
   EXPECT_FALSE(opening.contains(71 * kDegree));
 }
 
-TEST(FindValleys, LieBetweenGapsAndRiseIntoThem) {
-  // A near block ahead; the rest is one valley that rises at both ends.
+TEST(FindValleys, LieBetweenRisingGaps) {
+  // A close obstacle ahead; the rest is one valley with two rising ends.
   const auto valleys = find_valleys(sectors_with({{-30, 30, 0.2}}), 0.2, 0.05);
   ASSERT_EQ(valleys.size(), 1U);
   EXPECT_TRUE(valleys[0].rises_low && valleys[0].rises_high);
@@ -51,8 +51,8 @@ TEST(FindValleys, LieBetweenGapsAndRiseIntoThem) {
   EXPECT_NEAR(valleys[0].span.width, 300 * kDegree, 1e-9);
 }
 
-TEST(FindValleys, AStepIsAValleyThatRisesAtOneEnd) {
-  // At the right 0.2, then 0.6 to the left of it, then free.
+TEST(FindValleys, AStepIsAValleyWithOneRisingEnd) {
+  // 0.2 on the right, 0.6 on the left, otherwise free.
   const auto valleys = find_valleys(sectors_with({{-90, 0, 0.2}, {0, 90, 0.6}}), 0.2, 0.05);
   ASSERT_EQ(valleys.size(), 2U);
   for (const Valley& valley : valleys) {
@@ -62,15 +62,15 @@ TEST(FindValleys, AStepIsAValleyThatRisesAtOneEnd) {
   }
 }
 
-TEST(ChooseValley, TakesTheOneNearestToTheTarget) {
+TEST(ChooseValley, SelectsTheOneClosestToTheTarget) {
   const Sectors sectors = sectors_with({{-30, 30, 0.2}, {60, 180, 0.2}, {-180, -120, 0.2}});
   const auto valleys = find_valleys(sectors, 0.2, 0.05);
   ASSERT_EQ(valleys.size(), 2U);
   const Choice left = choose_valley(valleys, sectors, target_at(10), 1);
   EXPECT_TRUE(left.valley->span.contains(45 * kDegree));
   EXPECT_TRUE(left.low_end);
-  EXPECT_FALSE(left.holds_target);
-  EXPECT_TRUE(choose_valley(valleys, sectors, target_at(-50), 1).holds_target);
+  EXPECT_FALSE(left.contains_target);
+  EXPECT_TRUE(choose_valley(valleys, sectors, target_at(-50), 1).contains_target);
   EXPECT_EQ(choose_valley({}, sectors, target_at(0), 1).valley, nullptr);
 }
 

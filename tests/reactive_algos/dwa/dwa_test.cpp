@@ -8,14 +8,14 @@ namespace {
 
 using namespace reactive;
 
-Speeds decide(const std::vector<Wall>& walls, const Point& goal, const Speeds& now = {},
-              const Parameters& parameters = {}) {
+Twist decide(const std::vector<Wall>& walls, const Point& goal, const Twist& now = {},
+             const Parameters& parameters = {}) {
   Dwa method(parameters, {});
   method.reset({goal, 0.2, 0.1, 1});
-  return method.step(seen(walls, goal, now));
+  return method.step(observe(walls, goal, now));
 }
 
-TEST(DynamicWindow, HoldsWhatAccelerationsAllowWithinAPeriod) {
+TEST(DynamicWindow, ContainsTheVelocitiesReachableWithinAPeriod) {
   // 1 m/s^2 and 3 rad/s^2 for 0.1 s.
   const Window window = dynamic_window({0.5, 0.2}, {}, 0.1);
   EXPECT_NEAR(window.low.v, 0.4, 1e-12);
@@ -30,7 +30,7 @@ TEST(DynamicWindow, StaysWithinTheRobotsLimits) {
   EXPECT_EQ(window.high.w, Robot{}.max_w);
 }
 
-TEST(CanStop, ComparesTheBrakingWayWithTheFreeWay) {
+TEST(CanStop, ComparesTheBrakingDistanceWithTheFreeDistance) {
   // Eq. (14), with 0.7 of 1 m/s^2, after a period of 0.1 s: v = 1 needs 1 / 1.4 + 0.1 = 0.814 m.
   EXPECT_TRUE(can_stop({1, 0}, 0.82, {}, 0.1));
   EXPECT_FALSE(can_stop({1, 0}, 0.81, {}, 0.1));
@@ -38,18 +38,18 @@ TEST(CanStop, ComparesTheBrakingWayWithTheFreeWay) {
   EXPECT_TRUE(can_stop({0, 0}, 0, {}, 0.1));
 }
 
-TEST(HeadingTerm, IsBestWhereTheRobotWillFaceTheTarget) {
+TEST(HeadingTerm, IsMaximalWhenTheRobotWillFaceTheTarget) {
   EXPECT_NEAR(heading_term({}, {0.5, 0}, {5, 0}, {}, 0.1), 1, 1e-12);
   EXPECT_NEAR(heading_term({}, {0, 0}, {-5, 1e-9}, {}, 0.1), 0, 1e-6);
-  // Turning at 1 rad/s for 0.1 s and braking it at 3 rad/s^2: 0.1 + 1 / 6 rad.
+  // Rotating at 1 rad/s for 0.1 s and braking at 3 rad/s^2: 0.1 + 1 / 6 rad.
   const double bearing = 0.1 + 1.0 / 6;
   EXPECT_NEAR(heading_term({}, {0, 1}, {std::cos(bearing), std::sin(bearing)}, {}, 0.1), 1, 1e-12);
 }
 
-TEST(Dwa, SpeedsUpTowardsAGoalAhead) {
-  const Speeds speeds = decide({}, {5, 0}, {0.5, 0});
-  EXPECT_NEAR(speeds.v, 0.6, 1e-9);
-  EXPECT_NEAR(speeds.w, 0, 0.02);
+TEST(Dwa, AcceleratesTowardsAGoalAhead) {
+  const Twist twist = decide({}, {5, 0}, {0.5, 0});
+  EXPECT_NEAR(twist.v, 0.6, 1e-9);
+  EXPECT_NEAR(twist.w, 0, 0.02);
 }
 
 TEST(Dwa, TurnsTowardsTheFreeSideOfAnObstacle) {
@@ -57,36 +57,37 @@ TEST(Dwa, TurnsTowardsTheFreeSideOfAnObstacle) {
   EXPECT_LT(decide({{1.2, -0.3, 1.2, 2}}, {5, 0}, {0.4, 0}).w, 0);
 }
 
-TEST(Dwa, NeverChoosesWhatItCannotStop) {
+TEST(Dwa, AlwaysChoosesVelocitiesFromWhichItCanStop) {
   for (double distance = 0.35; distance < 3; distance += 0.15)
     for (const double v : {0.0, 0.3, 0.6}) {
-      const double way = distance - Robot{}.radius;
-      if (v * v / 1.4 > way - 0.16) continue;  // too late for anybody
-      const Speeds speeds = decide({{distance, -20, distance, 20}}, {10, 0}, {v, 0});
-      EXPECT_LE(speeds.v * speeds.v / 2 + 0.1 * speeds.v, way + 0.01) << distance << ' ' << v;
+      const double free_distance = distance - Robot{}.radius;
+      if (v * v / 1.4 > free_distance - 0.16) continue;  // collision unavoidable
+      const Twist twist = decide({{distance, -20, distance, 20}}, {10, 0}, {v, 0});
+      EXPECT_LE(twist.v * twist.v / 2 + 0.1 * twist.v, free_distance + 0.01)
+          << distance << ' ' << v;
     }
 }
 
-TEST(Dwa, TurnsOnTheSpotTowardsAGoalBehind) {
-  const Speeds speeds = decide({}, {-3, 0.5});
-  EXPECT_EQ(speeds.v, 0);
-  EXPECT_GT(speeds.w, 1);
+TEST(Dwa, RotatesInPlaceTowardsAGoalBehind) {
+  const Twist twist = decide({}, {-3, 0.5});
+  EXPECT_EQ(twist.v, 0);
+  EXPECT_GT(twist.w, 1);
 }
 
-TEST(Dwa, AnswersTheSameAfterAReset) {
+TEST(Dwa, GivesTheSameCommandAfterAReset) {
   Dwa method({}, {});
-  const auto first = seen({{1.2, -2, 1.2, 0.3}}, {5, 0}, {0.4, 0});
+  const auto first = observe({{1.2, -2, 1.2, 0.3}}, {5, 0}, {0.4, 0});
   method.reset({});
-  const Speeds once = method.step(first);
-  method.step(seen({{0.8, -0.3, 0.8, 2}}, {5, 1}, {0.2, 0}));
+  const Twist once = method.step(first);
+  method.step(observe({{0.8, -0.3, 0.8, 2}}, {5, 1}, {0.2, 0}));
   method.reset({});
-  const Speeds again = method.step(first);
+  const Twist again = method.step(first);
   EXPECT_EQ(once.v, again.v);
   EXPECT_EQ(once.w, again.w);
 }
 
-TEST(Dwa, WithGuidanceLeavesATrapThatFacesTheGoal) {
-  // A pocket: the way out is behind.
+TEST(Dwa, WithGuidanceLeavesAUShapedObstacle) {
+  // A U-shaped obstacle: the exit is behind.
   const std::vector<Wall> trap = {{1, -1, 1, 1}, {-1, 1, 1, 1}, {-1, -1, 1, -1}};
   Parameters guided;
   guided.guidance = 1;

@@ -8,29 +8,29 @@ namespace {
 
 using namespace reactive;
 
-Speeds decide(const Point& goal, const std::vector<Wall>& walls = {}) {
+Twist decide(const Point& goal, const std::vector<Wall>& walls = {}) {
   GoToGoal method({}, {});
   method.reset({});
-  return method.step(seen(walls, goal));
+  return method.step(observe(walls, goal));
 }
 
-TEST(GoToGoal, DrivesStraightAhead) {
+TEST(GoToGoal, MovesStraightAhead) {
   EXPECT_DOUBLE_EQ(decide({5, 0}).v, 1);
   EXPECT_DOUBLE_EQ(decide({5, 0}).w, 0);
 }
 
 TEST(GoToGoal, SlowsDownBeforeTheGoal) {
-  // Way 0.2 m and half the tolerance of 0.2 m: v^2 = 2 * 0.7 * 1 * 0.3.
+  // Distance 0.2 m plus half of the tolerance of 0.2 m: v^2 = 2 * 0.7 * 1 * 0.3.
   EXPECT_NEAR(decide({0.2, 0}).v, std::sqrt(0.42), 1e-9);
 }
 
-TEST(GoToGoal, TurnsOnTheSpotTowardsAGoalBehind) {
+TEST(GoToGoal, RotatesInPlaceTowardsAGoalBehind) {
   EXPECT_EQ(decide({-3, 1}).v, 0);
   EXPECT_GT(decide({-3, 1}).w, 1);
   EXPECT_LT(decide({-3, -1}).w, -1);
 }
 
-TEST(GoToGoal, DoesNotSeeObstacles) {
+TEST(GoToGoal, IgnoresObstacles) {
   EXPECT_DOUBLE_EQ(decide({5, 0}, {{0.5, -1, 0.5, 1}}).v, 1);
 }
 

@@ -10,14 +10,14 @@ namespace {
 
 using namespace reactive;
 
-/// The command after some cycles of looking at the same from the same place.
-Speeds decide(const std::vector<Wall>& walls, const Point& goal, const Speeds& now = {},
-              std::uint64_t seed = 1, int cycles = 5) {
+/// The command after some cycles with the same observation.
+Twist decide(const std::vector<Wall>& walls, const Point& goal, const Twist& now = {},
+             std::uint64_t seed = 1, int cycles = 5) {
   Mppi method({}, {});
   method.reset({goal, 0.2, 0.1, seed});
-  Speeds speeds;
-  for (int i = 0; i < cycles; ++i) speeds = method.step(seen(walls, goal, now));
-  return speeds;
+  Twist twist;
+  for (int i = 0; i < cycles; ++i) twist = method.step(observe(walls, goal, now));
+  return twist;
 }
 
 TEST(ImportanceWeights, AreSoftMinima) {
@@ -37,7 +37,7 @@ TEST(ImportanceWeights, DoNotOverflowAndDoNotDependOnAConstant) {
 
 TEST(Noise, IsNormalAndFollowsItsSeed) {
   Noise noise;
-  std::vector<Speeds> first, again, other;
+  std::vector<Twist> first, again, other;
   noise.seed(5);
   noise.draw(first, 2000, 10, 1, 0.2, 0.6);
   noise.seed(5);
@@ -58,9 +58,9 @@ TEST(Noise, IsNormalAndFollowsItsSeed) {
   EXPECT_NEAR(square_w, 0.36, 0.04 * 0.36);
 }
 
-TEST(Noise, LastsAsLongAsItIsHeld) {
+TEST(Noise, IsHeldForTheGivenSteps) {
   Noise noise;
-  std::vector<Speeds> drawn;
+  std::vector<Twist> drawn;
   noise.seed(5);
   noise.draw(drawn, 2, 6, 4, 0.2, 0.6);
   EXPECT_EQ(drawn[0].w, drawn[3].w);
@@ -68,10 +68,10 @@ TEST(Noise, LastsAsLongAsItIsHeld) {
   EXPECT_NE(drawn[5].w, drawn[6].w);
 }
 
-TEST(Mppi, DrivesToAGoalInFreeSpace) {
-  const Speeds speeds = decide({}, {5, 0}, {0.5, 0}, 1, 20);
-  EXPECT_GT(speeds.v, 0.5);
-  EXPECT_LT(std::abs(speeds.w), 0.3);
+TEST(Mppi, MovesToAGoalInFreeSpace) {
+  const Twist twist = decide({}, {5, 0}, {0.5, 0}, 1, 20);
+  EXPECT_GT(twist.v, 0.5);
+  EXPECT_LT(std::abs(twist.w), 0.3);
 }
 
 TEST(Mppi, TurnsTowardsTheOpenEndOfAWall) {
@@ -83,16 +83,15 @@ TEST(Mppi, SlowsDownBeforeAWallThatItCannotPass) {
   EXPECT_LT(decide({{0.8, -7, 0.8, 7}}, {5, 0}, {0.5, 0}, 1, 10).v, 0.3);
 }
 
-TEST(Mppi, LeavesAPocketThatFacesTheGoal) {
-  const Speeds speeds = decide({{1, -1, 1, 1}, {-1, 1, 1, 1}, {-1, -1, 1, -1}}, {4, 0.2});
-  EXPECT_EQ(speeds.v, 0);
-  EXPECT_GT(std::abs(speeds.w), 1);
+TEST(Mppi, LeavesAUShapedObstacle) {
+  const Twist twist = decide({{1, -1, 1, 1}, {-1, 1, 1, 1}, {-1, -1, 1, -1}}, {4, 0.2});
+  EXPECT_EQ(twist.v, 0);
+  EXPECT_GT(std::abs(twist.w), 1);
 }
 
-TEST(Mppi, AnswersTheSameForTheSameSeed) {
+TEST(Mppi, GivesTheSameCommandForTheSameSeed) {
   const std::vector<Wall> walls = {{1.2, -4, 1.2, 0.3}};
-  const Speeds once = decide(walls, {5, 0}, {0.3, 0}, 7),
-               again = decide(walls, {5, 0}, {0.3, 0}, 7);
+  const Twist once = decide(walls, {5, 0}, {0.3, 0}, 7), again = decide(walls, {5, 0}, {0.3, 0}, 7);
   EXPECT_EQ(once.v, again.v);
   EXPECT_EQ(once.w, again.w);
   EXPECT_NE(once.w, decide(walls, {5, 0}, {0.3, 0}, 8).w);

@@ -24,16 +24,16 @@ TEST(Situation, FollowsTheDecisionTree) {
   EXPECT_EQ(situation(threats(true, true), false, 0.5, 0.9), Situation::Ls2);
 }
 
-TEST(FindThreats, TakesTheNearestOfEachSide) {
+TEST(FindThreats, SelectsTheClosestOnEachSide) {
   const Threats found = find_threats(sectors_with({{30, 60, 0.1}, {-90, -60, 0.05}}), 0, 0.12);
   EXPECT_TRUE(found.left && found.right);
-  EXPECT_NEAR(found.left_way, 0.1, 1e-12);
-  EXPECT_NEAR(found.right_way, 0.05, 1e-12);
+  EXPECT_NEAR(found.left_distance, 0.1, 1e-12);
+  EXPECT_NEAR(found.right_distance, 0.05, 1e-12);
   EXPECT_LT(found.right_direction, 0);
   EXPECT_FALSE(find_threats(sectors_with({{30, 60, 0.2}}), 0, 0.12).left);
 }
 
-TEST(NdPlus, GoesStraightToAGoalInItsRegion) {
+TEST(NdPlus, MovesStraightToAGoalInItsRegion) {
   EXPECT_NEAR(NdPlus().decide(sectors_with({{90, 150, 0.5}}), target_at(20)).direction,
               20 * kDegree, 1e-9);
 }
@@ -41,9 +41,9 @@ TEST(NdPlus, GoesStraightToAGoalInItsRegion) {
 TEST(NdPlus, PassesTheMiddleOfANarrowRegion) {
   const Sectors door = sectors_with({{-90, -9, 0.4}, {15, 90, 0.4}, {-20, 20, 0.9}});
   Sectors sectors = door;
-  // Nothing else is free: 24 degrees between -9 and 15.
+  // Free only between -9 and 15 degrees: 24 degrees.
   for (std::size_t k = 0; k < kSectors; ++k)
-    if (std::abs(sectors.direction(k)) > 85 * kDegree) sectors.ways[k] = 0.4;
+    if (std::abs(sectors.direction(k)) > 85 * kDegree) sectors.free_distances[k] = 0.4;
   EXPECT_NEAR(NdPlus().decide(sectors, target_at(-20)).direction, 3 * kDegree, 1e-9);
 }
 
@@ -52,7 +52,7 @@ TEST(NdPlus, EntersAWideRegionBesideItsGap) {
               30 * kDegree + 0.45, 1e-9);
 }
 
-TEST(NdPlus, KeepsOffAThreatOnOneSide) {
+TEST(NdPlus, TurnsAwayFromAThreatOnOneSide) {
   EXPECT_LT(NdPlus().decide(sectors_with({{60, 120, 0.06}}), target_at(0)).direction, 0);
   EXPECT_GT(NdPlus().decide(sectors_with({{-120, -60, 0.06}}), target_at(0)).direction, 0);
 }
@@ -64,7 +64,7 @@ TEST(NdPlus, StaysInTheMiddleBetweenEqualThreats) {
   EXPECT_LT(NdPlus().decide(nearer_left, target_at(0)).direction, 0);
 }
 
-TEST(NdPlus, IsSlowerWhereItIsNotSafe) {
+TEST(NdPlus, IsSlowerInLowSafety) {
   const double safe = NdPlus().decide(sectors_with({}), target_at(0)).speed;
   EXPECT_LT(NdPlus().decide(sectors_with({{60, 120, 0.06}}), target_at(0)).speed, safe);
 }

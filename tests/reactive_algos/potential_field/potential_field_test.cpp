@@ -8,14 +8,14 @@ namespace {
 
 using namespace reactive;
 
-TEST(Repulsion, IsThatOfFiras) {
+TEST(Repulsion, IsTheFirasFunction) {
   // eta (1 / 0.5 - 1 / 1) / 0.5^2 = 4 eta.
   EXPECT_NEAR(repulsion(0.5, 0.1, 1), 0.4, 1e-12);
   EXPECT_EQ(repulsion(1.0, 0.1, 1), 0);
   EXPECT_TRUE(std::isfinite(repulsion(0, 0.1, 1)));
 }
 
-TEST(RepulsionOf, IsOneForceForEachObstacleWhateverItsWidth) {
+TEST(RepulsionOf, IsOneForcePerObstacleOfAnyWidth) {
   const Parameters parameters;
   const Point narrow = repulsion_of(sectors_with({{-3, 3, 0.2}}), parameters);
   const Point wide = repulsion_of(sectors_with({{-60, 60, 0.2}, {-3, 3, 0.15}}), parameters);
@@ -26,17 +26,17 @@ TEST(RepulsionOf, IsOneForceForEachObstacleWhateverItsWidth) {
   EXPECT_LT(narrow.x, 0);
 }
 
-TEST(PotentialField, GoesStraightWhereNothingIsNear) {
+TEST(PotentialField, MovesStraightWithoutNearObstacles) {
   const Decision decision = PotentialField().decide(sectors_with({}), target_at(-30));
   EXPECT_NEAR(decision.direction, -30 * kDegree, 1e-9);
   EXPECT_EQ(decision.speed, 1);
 }
 
-TEST(PotentialField, IsPushedAsideByAnObstacleAside) {
+TEST(PotentialField, IsRepelledByAnObstacleBeside) {
   EXPECT_LT(PotentialField().decide(sectors_with({{30, 60, 0.1}}), target_at(0)).direction, 0);
 }
 
-TEST(PotentialField, StandsWhereAnObstacleAheadBalancesTheGoal) {
+TEST(PotentialField, StopsWhereAnObstacleAheadBalancesTheGoal) {
   // eta (1 / rho - 1 / rho_0) / rho^2 = 1 somewhere between: bisect for rho.
   const Parameters parameters;
   double low = 0.01, high = parameters.influence;
@@ -45,7 +45,7 @@ TEST(PotentialField, StandsWhereAnObstacleAheadBalancesTheGoal) {
     (repulsion(middle, parameters.repulsion, parameters.influence) > 1 ? low : high) = middle;
   }
   Sectors sectors = sectors_with({});
-  sectors.ways[60] = low;  // centred 1.5 degrees to the left
+  sectors.free_distances[60] = low;  // centered 1.5 degrees to the left
   const Decision decision = PotentialField().decide(sectors, target_at(1.5));
   EXPECT_EQ(decision.speed, 0);
 }

@@ -1,8 +1,8 @@
-#include "interpreters.h"
 #include "row_table.h"
 
 #include <slalom/analysis/campaign_settings.h>
 #include <slalom/analysis/cell_text.h>
+#include <slalom/analysis/interpreter.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
@@ -37,7 +37,7 @@ DataTable exact_table(const std::vector<PairedComparison>& family) {
     rows.add("superiority", c.superiority);
     rows.add("relevant", std::optional(c.relevant));
     rows.add("power", std::optional(c.power));
-    rows.add("scenarios_needed", c.scenarios_needed);
+    rows.add("required_scenarios", c.required_scenarios);
     rows.add("confidence", std::optional(c.confidence));
   }
   return rows.table();
@@ -63,7 +63,7 @@ DataTable view_table(const std::vector<PairedComparison>& family) {
 
 std::string gate_sentence(const GateResult& result) {
   std::string text = "gate " + result.gate.text + ": " + result.b + " against " + result.a + ": ";
-  if (!result.judged) return text + "FAILED: there is no such difference";
+  if (!result.evaluated) return text + "FAILED: no difference available";
   text += std::string(result.passed ? "passed" : "FAILED") + ": difference " +
           format_fixed(*result.difference, 4);
   if (!result.interval) return text;
@@ -85,22 +85,22 @@ DataTable gate_table(const std::vector<GateResult>& results) {
 }
 
 void add_gates(Interpretation& found, const std::vector<PairedComparison>& family,
-               const Question& question) {
+               const AnalysisQuery& query) {
   std::vector<GateResult> results;
-  for (const Gate& gate : question.gates) {
-    for (GateResult& result : judge_gate(gate, family, question.gate_on)) {
+  for (const Gate& gate : query.gates) {
+    for (GateResult& result : evaluate_gate(gate, family, query.gate_on)) {
       found.passed = found.passed && result.passed;
       found.remarks.push_back(gate_sentence(result));
       results.push_back(std::move(result));
     }
   }
-  if (!question.gates.empty()) found.tables.push_back(gate_table(results));
+  if (!query.gates.empty()) found.tables.push_back(gate_table(results));
 }
 
-/// Those asked for, and those of the gates.
-std::vector<std::string> compared_metrics(const Question& question) {
-  std::vector<std::string> metrics = question.metrics;
-  for (const Gate& gate : question.gates) {
+/// The metrics of the query and of its gates.
+std::vector<std::string> compared_metrics(const AnalysisQuery& query) {
+  std::vector<std::string> metrics = query.metrics;
+  for (const Gate& gate : query.gates) {
     if (std::find(metrics.begin(), metrics.end(), gate.metric) == metrics.end()) {
       metrics.push_back(gate.metric);
     }
@@ -108,53 +108,41 @@ std::vector<std::string> compared_metrics(const Question& question) {
   return metrics;
 }
 
-std::vector<PairedComparison> family_of(const std::vector<RunColumns>& results,
-                                        const Question& question) {
-  const std::vector<std::string> metrics = compared_metrics(question);
+std::vector<PairedComparison> family_of(const std::vector<ResultTable>& results,
+                                        const AnalysisQuery& query) {
+  const std::vector<std::string> metrics = compared_metrics(query);
   if (results.size() == 1) {
-    return compare_methods(results[0], metrics, question.baseline, question.comparison);
+    return compare_methods(results[0], metrics, query.baseline, query.comparison, query.method);
   }
-  if (!question.baseline.empty()) {
-    throw usage_error("--baseline", "of two result files the first is the baseline",
+  if (!query.baseline.empty()) {
+    throw usage_error("--baseline", "not allowed with two result files (the first is the baseline)",
                       "one result file");
   }
-  return compare_results(results[0], results[1], metrics, question.comparison);
+  return compare_results(results[0], results[1], metrics, query.comparison, query.method);
 }
-
-class ComparisonInterpreter : public Interpreter {
- public:
-  std::string id() const override { return "compare"; }
-  std::string help() const override {
-    return "Compare methods, or two result files (B against A), on the same scenarios";
-  }
-  std::size_t most_results() const override { return 2; }
-  Interpretation interpret(const std::vector<RunColumns>& results,
-                           const Question& question) const override {
-    const std::vector<PairedComparison> family = family_of(results, question);
-    Interpretation found;
-    found.tables = {exact_table(family)};
-    found.views = {view_table(family)};
-    for (const PairedComparison& c : family) found.remarks.push_back(verdict_sentence(c));
-    if (results.size() == 2) {
-      for (const std::string& difference :
-           campaign_differences(results[0].manifest, results[1].manifest, {})) {
-        found.remarks.push_back("the campaigns differ: " + difference);
-      }
-      for (const PairedComparison& c : family) {
-        if (c.unpaired == 0 || c.column.info.id != family.front().column.info.id) continue;
-        found.remarks.push_back(c.b + " against " + c.a + ": " + count_text(c.unpaired, "run") +
-                                " without a partner left out");
-      }
-    }
-    add_gates(found, family, question);
-    return found;
-  }
-};
 
 }  // namespace
 
-std::unique_ptr<Interpreter> make_comparison_interpreter() {
-  return std::make_unique<ComparisonInterpreter>();
+Interpretation interpret_comparison(const std::vector<ResultTable>& results,
+                                    const AnalysisQuery& query) {
+  const std::vector<PairedComparison> family = family_of(results, query);
+  Interpretation found;
+  found.tables = {exact_table(family)};
+  found.views = {view_table(family)};
+  for (const PairedComparison& c : family) found.remarks.push_back(verdict_sentence(c));
+  if (results.size() == 2) {
+    for (const std::string& difference :
+         campaign_differences(results[0].manifest, results[1].manifest, {})) {
+      found.remarks.push_back("the campaigns differ: " + difference);
+    }
+    for (const PairedComparison& c : family) {
+      if (c.unpaired == 0 || c.column.info.id != family.front().column.info.id) continue;
+      found.remarks.push_back(c.b + " against " + c.a + ": " + count_text(c.unpaired, "run") +
+                              " without a partner left out");
+    }
+  }
+  add_gates(found, family, query);
+  return found;
 }
 
 }  // namespace slalom

@@ -1,8 +1,8 @@
-#include "interpreters.h"
 #include "row_table.h"
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/completion.h>
+#include <slalom/analysis/interpreter.h>
 
 #include <algorithm>
 
@@ -19,11 +19,11 @@ void add_curve(RowTable& rows, const std::string& method, const std::string& est
     rows.add("estimator", Field{estimator});
     rows.add("time", std::optional(point.time));
     rows.add("at_risk", point.at_risk);
-    // The scale log(-log) is one of shares that have not arrived, for Kaplan and Meier's.
-    const double share = complement ? 1 - point.value : point.value;
-    auto interval = share_interval(share, point.standard_error, confidence);
+    // For Kaplan-Meier, the log(-log) scale applies to the fraction that has not reached the goal.
+    const double fraction = complement ? 1 - point.value : point.value;
+    auto interval = log_log_interval(fraction, point.standard_error, confidence);
     if (interval && complement) interval = Interval{1 - interval->high, 1 - interval->low};
-    rows.add("arrived", std::optional(point.value), interval);
+    rows.add("completed", std::optional(point.value), interval);
     rows.add("standard_error", std::optional(point.standard_error));
   }
 }
@@ -41,7 +41,7 @@ DataTable view_table(const std::vector<CompletionCurve>& curves) {
   for (const CompletionCurve& curve : curves) {
     if (!curve.incidence.empty()) latest = std::max(latest, curve.incidence.back().time);
   }
-  RowTable rows("completion", "Share of runs that had arrived by then");
+  RowTable rows("completion", "Fraction of runs that reached the goal by this time");
   for (int i = 1; i <= kTimesShown; ++i) {
     const double time = latest * i / kTimesShown;
     rows.begin_row();
@@ -53,43 +53,30 @@ DataTable view_table(const std::vector<CompletionCurve>& curves) {
   return rows.table();
 }
 
-class CompletionInterpreter : public Interpreter {
- public:
-  std::string id() const override { return "completion"; }
-  std::string help() const override {
-    return "Say how many runs had arrived by when: curves with competing failures";
-  }
-  std::vector<std::string> default_metrics() const override { return {"time_to_goal"}; }
-  std::vector<std::string> further_metrics() const override {
-    return {"path_length", "mean_speed"};
-  }
-  Interpretation interpret(const std::vector<RunColumns>& results,
-                           const Question& question) const override {
-    Interpretation found;
-    const double confidence = question.comparison.analysis.confidence;
-    for (const std::string& metric : question.metrics) {
-      const std::vector<CompletionCurve> curves = build_completion(results[0], metric);
-      RowTable rows("completion_" + metric, "Completion curves");
-      for (const CompletionCurve& curve : curves) {
-        add_curve(rows, curve.method, "aalen_johansen", curve.incidence, false, confidence);
-        add_curve(rows, curve.method, "kaplan_meier", curve.kaplan_meier, true, confidence);
-        found.remarks.push_back(curve.method + ": " + std::to_string(curve.successes) + " of " +
-                                count_text(curve.n, "run") + " arrived");
-        if (curve.unknown_end == 0) continue;
-        found.remarks.push_back(curve.method + ": " + count_text(curve.unknown_end, "failed run") +
-                                " of unknown duration, left out of kaplan_meier");
-      }
-      found.tables.push_back(rows.table());
-      found.views.push_back(view_table(curves));
-    }
-    return found;
-  }
-};
-
 }  // namespace
 
-std::unique_ptr<Interpreter> make_completion_interpreter() {
-  return std::make_unique<CompletionInterpreter>();
+Interpretation interpret_completion(const std::vector<ResultTable>& results,
+                                    const AnalysisQuery& query) {
+  selected_methods(results[0], query.method);
+  Interpretation found;
+  const double confidence = query.comparison.analysis.confidence;
+  for (const std::string& metric : query.metrics) {
+    const std::vector<CompletionCurve> curves =
+        of_method(build_completion(results[0], metric), query.method);
+    RowTable rows("completion_" + metric, "Completion curves");
+    for (const CompletionCurve& curve : curves) {
+      add_curve(rows, curve.method, "aalen_johansen", curve.incidence, false, confidence);
+      add_curve(rows, curve.method, "kaplan_meier", curve.kaplan_meier, true, confidence);
+      found.remarks.push_back(curve.method + ": " + std::to_string(curve.successes) + " of " +
+                              count_text(curve.n, "run") + " reached the goal");
+      if (curve.unknown_end == 0) continue;
+      found.remarks.push_back(curve.method + ": " + count_text(curve.unknown_end, "failed run") +
+                              " of unknown duration, left out of kaplan_meier");
+    }
+    found.tables.push_back(rows.table());
+    found.views.push_back(view_table(curves));
+  }
+  return found;
 }
 
 }  // namespace slalom

@@ -1,8 +1,8 @@
-#include "interpreters.h"
 #include "row_table.h"
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/descriptor_map.h>
+#include <slalom/analysis/interpreter.h>
 #include <slalom/core/error.h>
 
 namespace slalom {
@@ -13,7 +13,7 @@ std::string title_of(const DescriptorMap& map) {
          map.column_descriptor.id + " (across)";
 }
 
-DataTable exact_table(const DescriptorMap& map, const RunColumns& results) {
+DataTable exact_table(const DescriptorMap& map, const ResultTable& results) {
   RowTable rows(map.method + "_" + map.column.info.id + "_map", title_of(map));
   for (std::size_t i = 0; i < map.rows.size(); ++i) {
     for (std::size_t j = 0; j < map.columns.size(); ++j) {
@@ -38,49 +38,36 @@ DataTable view_table(const DescriptorMap& map) {
     for (std::size_t j = 0; j < map.columns.size(); ++j) {
       const Cell& cell = map.fields[i][j].cell;
       const int digits = digits_for({&cell}, map.column);
-      const std::string text = cell.n == 0 ? "no runs"
-                                           : estimate_text(cell, digits) + " " +
-                                                 interval_text(cell, digits) +
-                                                 " n=" + std::to_string(cell.available);
+      const std::string text = cell.n == 0
+                                   ? "no runs"
+                                   : estimate_text(cell, digits) + " " +
+                                         interval_text(cell, digits) + " " + values_text(cell);
       rows.add(map.columns[j].label(), Field{text});
     }
   }
   return rows.table();
 }
 
-class MapInterpreter : public Interpreter {
- public:
-  std::string id() const override { return "map"; }
-  std::string help() const override {
-    return "Cross the bins of two descriptors with one metric: --rows 'A:4;B:4'";
-  }
-  Interpretation interpret(const std::vector<RunColumns>& results,
-                           const Question& question) const override {
-    if (question.rows.size() != 2) {
-      throw usage_error("map", std::to_string(question.rows.size()) + " entries in --rows",
-                        "bins of two descriptors: ID:BINS;ID:BINS");
-    }
-    Interpretation found;
-    for (const std::string& metric : question.metrics) {
-      for (const std::string& method : asked_methods(results[0], question.method)) {
-        const DescriptorMap map =
-            build_descriptor_map(results[0], method, question.rows[0], question.rows[1], metric,
-                                 question.comparison.analysis);
-        found.tables.push_back(exact_table(map, results[0]));
-        found.views.push_back(view_table(map));
-        if (map.left_out == 0) continue;
-        found.remarks.push_back(method + ": " + count_text(map.left_out, "run") +
-                                " left out: outside the bins or without a value");
-      }
-    }
-    return found;
-  }
-};
-
 }  // namespace
 
-std::unique_ptr<Interpreter> make_map_interpreter() {
-  return std::make_unique<MapInterpreter>();
+Interpretation interpret_map(const std::vector<ResultTable>& results, const AnalysisQuery& query) {
+  if (query.rows.size() != 2) {
+    throw usage_error("map", std::to_string(query.rows.size()) + " entries in --rows",
+                      "bins of two descriptors: ID:BINS;ID:BINS");
+  }
+  Interpretation found;
+  for (const std::string& metric : query.metrics) {
+    for (const std::string& method : selected_methods(results[0], query.method)) {
+      const DescriptorMap map = build_descriptor_map(
+          results[0], method, query.rows[0], query.rows[1], metric, query.comparison.analysis);
+      found.tables.push_back(exact_table(map, results[0]));
+      found.views.push_back(view_table(map));
+      if (map.left_out == 0) continue;
+      found.remarks.push_back(method + ": " + count_text(map.left_out, "run") +
+                              " left out: outside the bins or without a value");
+    }
+  }
+  return found;
 }
 
 }  // namespace slalom

@@ -1,7 +1,7 @@
-#include "interpreters.h"
 #include "row_table.h"
 
 #include <slalom/analysis/cell_text.h>
+#include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/method_ranks.h>
 #include <slalom/core/text.h>
 
@@ -20,7 +20,7 @@ std::vector<std::size_t> best_first(const MethodRanks& ranks) {
   return order;
 }
 
-/// Numbers of the groups, from 1, that a method stands in: "1 2".
+/// Numbers of the groups, from 1, that contain a method: "1 2".
 std::string groups_of(const MethodRanks& ranks, std::size_t method) {
   std::string text;
   for (std::size_t i = 0; i < ranks.test.groups.size(); ++i) {
@@ -31,10 +31,11 @@ std::string groups_of(const MethodRanks& ranks, std::size_t method) {
   return text;
 }
 
-DataTable rank_table(const MethodRanks& ranks) {
+DataTable rank_table(const MethodRanks& ranks, const std::string& only) {
   const std::string& metric = ranks.column.info.id;
   RowTable rows("ranks_" + metric, "Mean ranks in " + metric + ", 1 is best");
   for (const std::size_t method : best_first(ranks)) {
+    if (!only.empty() && ranks.methods[method] != only) continue;
     rows.begin_row();
     rows.add("method", Field{ranks.methods[method]});
     rows.add("mean_rank", std::optional(ranks.test.mean_ranks[method]));
@@ -48,6 +49,7 @@ DataTable test_table(const MethodRanks& ranks) {
   rows.begin_row();
   rows.add("scenarios", ranks.test.scenarios);
   rows.add("left_out", ranks.left_out);
+  rows.add("without_value", ranks.without_value);
   rows.add("chi_squared", std::optional(ranks.test.chi_squared));
   rows.add("p", std::optional(ranks.test.p));
   rows.add("iman_davenport_f", std::optional(ranks.test.iman_davenport_f));
@@ -60,40 +62,31 @@ DataTable test_table(const MethodRanks& ranks) {
 std::string sentence(const MethodRanks& ranks) {
   const bool shown = ranks.test.p <= ranks.alpha;
   return ranks.column.info.id + ": " +
-         (shown ? "the methods' ranks differ" : "no difference of the methods' ranks shown") +
-         " over " + count_text(ranks.test.scenarios, "scenario") +
+         (shown ? "the ranks of the methods differ" : "no difference of ranks shown") + " over " +
+         count_text(ranks.test.scenarios, "scenario") +
          " (Friedman, p = " + format_fixed(ranks.test.p, 4) +
-         "); mean ranks differ where they are more than " +
+         "); mean ranks differ significantly if they are more than " +
          format_fixed(ranks.test.critical_difference, 2) + " apart (Nemenyi)";
 }
 
-class RanksInterpreter : public Interpreter {
- public:
-  std::string id() const override { return "ranks"; }
-  std::string help() const override {
-    return "Rank all methods within scenarios: Friedman's test, critical differences";
-  }
-  Interpretation interpret(const std::vector<RunColumns>& results,
-                           const Question& question) const override {
-    Interpretation found;
-    for (const std::string& metric : question.metrics) {
-      const MethodRanks ranks =
-          build_method_ranks(results[0], metric, question.comparison.analysis);
-      found.tables.push_back(rank_table(ranks));
-      found.tables.push_back(test_table(ranks));
-      found.remarks.push_back(sentence(ranks));
-      if (ranks.left_out == 0) continue;
-      found.remarks.push_back(metric + ": " + count_text(ranks.left_out, "scenario") +
-                              " left out, for some method has no value there");
-    }
-    return found;
-  }
-};
-
 }  // namespace
 
-std::unique_ptr<Interpreter> make_ranks_interpreter() {
-  return std::make_unique<RanksInterpreter>();
+Interpretation interpret_ranks(const std::vector<ResultTable>& results,
+                               const AnalysisQuery& query) {
+  selected_methods(results[0], query.method);
+  Interpretation found;
+  for (const std::string& metric : query.metrics) {
+    const MethodRanks ranks = build_method_ranks(results[0], metric, query.comparison.analysis);
+    found.tables.push_back(rank_table(ranks, query.method));
+    found.tables.push_back(test_table(ranks));
+    found.remarks.push_back(sentence(ranks));
+    const std::string left_out = left_out_text(ranks);
+    if (left_out.empty()) continue;
+    found.remarks.push_back(metric + ": " + std::to_string(ranks.test.scenarios) + " of " +
+                            count_text(ranks.all_scenarios(), "scenario") +
+                            "; left out: " + left_out);
+  }
+  return found;
 }
 
 }  // namespace slalom

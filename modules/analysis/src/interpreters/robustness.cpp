@@ -1,6 +1,6 @@
-#include "interpreters.h"
 #include "row_table.h"
 
+#include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/robustness.h>
 #include <slalom/core/error.h>
 
@@ -8,7 +8,7 @@ namespace slalom {
 namespace {
 
 DataTable curve_table(const RobustnessTable& table, const RobustnessCurve& curve,
-                      const std::vector<RunColumns>& results, bool exact) {
+                      const std::vector<ResultTable>& results, bool exact) {
   const std::string& metric = curve.column.info.id;
   RowTable rows(curve.method + "_" + metric,
                 curve.method + ": " + metric + " by " + table.parameter);
@@ -19,8 +19,9 @@ DataTable curve_table(const RobustnessTable& table, const RobustnessCurve& curve
       rows.add("source", Field{point.source});
       rows.add_cell(metric, point.cell);
     } else {
-      rows.add("n", point.cell.n);
+      rows.add("n", point.cell.available);
       rows.add(metric, point.cell.estimate, point.cell.interval);
+      rows.add(metric + ".na", point.cell.n - point.cell.available);
     }
     const auto& change = point.change;
     rows.add("change", change ? change->difference : std::nullopt,
@@ -32,40 +33,25 @@ DataTable curve_table(const RobustnessTable& table, const RobustnessCurve& curve
   return rows.table();
 }
 
-class RobustnessInterpreter : public Interpreter {
- public:
-  std::string id() const override { return "robustness"; }
-  std::string help() const override {
-    return "Follow metrics over a parameter: one result file for each of its values";
-  }
-  std::size_t fewest_results() const override { return 2; }
-  std::size_t most_results() const override { return 1000; }
-  Interpretation interpret(const std::vector<RunColumns>& results,
-                           const Question& question) const override {
-    if (question.parameter.empty()) {
-      throw usage_error("robustness", "no parameter", "--parameter SECTION.KEY");
-    }
-    RobustnessOptions options{question.comparison, question.values, question.allow_differences};
-    const RobustnessTable table =
-        build_robustness(results, question.parameter, question.metrics, options);
-    if (!question.method.empty()) asked_methods(results[0], question.method);
-    Interpretation found;
-    for (const RobustnessCurve& curve : table.curves) {
-      if (!question.method.empty() && curve.method != question.method) continue;
-      found.tables.push_back(curve_table(table, curve, results, true));
-      found.views.push_back(curve_table(table, curve, results, false));
-      for (const RobustnessPoint& point : curve.points) {
-        if (point.change) found.remarks.push_back(verdict_sentence(*point.change));
-      }
-    }
-    return found;
-  }
-};
-
 }  // namespace
 
-std::unique_ptr<Interpreter> make_robustness_interpreter() {
-  return std::make_unique<RobustnessInterpreter>();
+Interpretation interpret_robustness(const std::vector<ResultTable>& results,
+                                    const AnalysisQuery& query) {
+  if (query.parameter.empty()) {
+    throw usage_error("robustness", "no parameter", "--parameter SECTION.KEY");
+  }
+  for (const ResultTable& result : results) selected_methods(result, query.method);
+  RobustnessOptions options{query.comparison, query.values, query.allow_differences};
+  const RobustnessTable table = build_robustness(results, query.parameter, query.metrics, options);
+  Interpretation found;
+  for (const RobustnessCurve& curve : of_method(table.curves, query.method)) {
+    found.tables.push_back(curve_table(table, curve, results, true));
+    found.views.push_back(curve_table(table, curve, results, false));
+    for (const RobustnessPoint& point : curve.points) {
+      if (point.change) found.remarks.push_back(verdict_sentence(*point.change));
+    }
+  }
+  return found;
 }
 
 }  // namespace slalom

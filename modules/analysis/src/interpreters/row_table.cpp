@@ -19,8 +19,8 @@ void RowTable::begin_row() {
 }
 
 void RowTable::add(const std::string& column, Field field) {
-  const std::size_t place = rows_.back().size();
-  if (place == columns_.size()) columns_.push_back(column);
+  const std::size_t index = rows_.back().size();
+  if (index == columns_.size()) columns_.push_back(column);
   rows_.back().push_back(std::move(field));
 }
 
@@ -44,16 +44,16 @@ void RowTable::add_cell(const std::string& column, const Cell& cell) {
   add(column + ".sd", cell.deviation);
   add(column + ".median", cell.median);
   add(column + ".iqm", cell.interquartile_mean);
-  add(column + ".n", cell.n);
+  add(column + ".n", cell.available);
   add(column + ".na", cell.n - cell.available);
   add(column + ".failures", cell.failures);
   std::vector<std::string> reasons;
   for (const auto& [reason, n] : cell.na) reasons.push_back(std::to_string(n) + " " + reason);
   add(column + ".na_reasons", Field{join(reasons, "; ")});
-  add(column + ".empty", Field{why_empty(cell)});
+  add(column + ".empty", Field{empty_reason(cell)});
 }
 
-void RowTable::add_runs(const RunColumns& table, const std::vector<std::size_t>& runs) {
+void RowTable::add_runs(const ResultTable& table, const std::vector<std::size_t>& runs) {
   std::string ids;
   for (const std::size_t run : runs) ids += (ids.empty() ? "" : " ") + run_id(table, run);
   add("runs", Field{ids});
@@ -66,7 +66,7 @@ DataTable RowTable::table() const {
           }};
 }
 
-std::string why_empty(const Cell& cell) {
+std::string empty_reason(const Cell& cell) {
   if (cell.estimate) return "";
   if (cell.n == 0) return "no runs";
   std::vector<std::string> reasons;
@@ -74,9 +74,9 @@ std::string why_empty(const Cell& cell) {
   return "no values: " + join(reasons, "; ");
 }
 
-std::vector<std::string> asked_methods(const RunColumns& table, const std::string& method) {
+std::vector<std::string> selected_methods(const ResultTable& table, const std::string& method) {
   if (method.empty()) return table.methods;
-  return {table.methods[place_of_method(table, method)]};
+  return {table.methods[index_of_method(table, method)]};
 }
 
 }  // namespace slalom

@@ -3,6 +3,7 @@
 #include <slalom/analysis/cell.h>
 #include <slalom/analysis/data_table.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,7 +11,7 @@
 
 namespace slalom {
 
-/// A data table that keeps its rows, filled from left to right.
+/// Builds a data table row by row, from left to right.
 class RowTable {
  public:
   RowTable(std::string name, std::string title)
@@ -23,12 +24,12 @@ class RowTable {
   /// COLUMN, COLUMN.low, COLUMN.high.
   void add(const std::string& column, const std::optional<double>& estimate,
            const std::optional<Interval>& interval);
-  /// The cell whole: estimate, interval, deviation, median, interquartile mean, counts, reasons.
+  /// The complete cell: estimate, interval, deviation, median, interquartile mean, counts, reasons.
   void add_cell(const std::string& column, const Cell& cell);
   /// Ids of runs, separated by blanks; the column is called "runs".
-  void add_runs(const RunColumns& table, const std::vector<std::size_t>& runs);
+  void add_runs(const ResultTable& table, const std::vector<std::size_t>& runs);
 
-  DataTable table() const;  ///< keeps the rows alive by itself
+  DataTable table() const;  ///< owns its rows
 
  private:
   std::string name_, title_;
@@ -36,10 +37,20 @@ class RowTable {
   std::vector<std::vector<Field>> rows_;
 };
 
-/// "no runs", "no values: 3 outcome: stuck"; empty where there is an estimate.
-std::string why_empty(const Cell& cell);
+/// "no runs", "no values: 3 outcome: stuck"; empty if there is an estimate.
+std::string empty_reason(const Cell& cell);
 
-/// The methods that the question is about. Throws Error (Usage) for an unknown one.
-std::vector<std::string> asked_methods(const RunColumns& table, const std::string& method);
+/// `method`, or all methods if it is empty. Throws Error (Usage) for an unknown method.
+std::vector<std::string> selected_methods(const ResultTable& table, const std::string& method);
+
+/// Leaves those of `entries` (each with a `method`) that the query is about.
+template <typename Entry>
+std::vector<Entry> of_method(std::vector<Entry> entries, const std::string& method) {
+  if (method.empty()) return entries;
+  entries.erase(std::remove_if(entries.begin(), entries.end(),
+                               [&](const Entry& entry) { return entry.method != method; }),
+                entries.end());
+  return entries;
+}
 
 }  // namespace slalom

@@ -1,6 +1,6 @@
-#include "interpreters.h"
 #include "row_table.h"
 
+#include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/validity.h>
 #include <slalom/core/error.h>
 
@@ -8,7 +8,7 @@ namespace slalom {
 namespace {
 
 DataTable validity_table(const ValidityTable& validity, const std::string& method) {
-  RowTable rows("validity", "Rank correlation of descriptors with outcomes (Spearman)");
+  RowTable rows("validity", "Rank correlation of descriptors with metrics (Spearman)");
   for (const DescriptorValidity& entry : validity.validity) {
     if (!method.empty() && entry.method != method) continue;
     rows.begin_row();
@@ -33,7 +33,7 @@ DataTable redundancy_table(const ValidityTable& validity) {
   return rows.table();
 }
 
-/// Square, for people; the lower half, for the matrix is symmetric.
+/// The lower triangle of the symmetric matrix, for display.
 DataTable redundancy_matrix(const ValidityTable& validity) {
   const std::size_t n = validity.descriptors.size();
   std::vector<std::vector<std::optional<double>>> rho(n, std::vector<std::optional<double>>(n));
@@ -50,32 +50,20 @@ DataTable redundancy_matrix(const ValidityTable& validity) {
   return rows.table();
 }
 
-class ValidityInterpreter : public Interpreter {
- public:
-  std::string id() const override { return "validity"; }
-  std::string help() const override {
-    return "Say how descriptors go together with outcomes, and with each other";
-  }
-  std::vector<std::string> default_metrics() const override { return {"success", "spl"}; }
-  bool needs_descriptors() const override { return true; }
-  Interpretation interpret(const std::vector<RunColumns>& results,
-                           const Question& question) const override {
-    if (results[0].descriptors.empty()) {
-      throw usage_error("validity", "the results have no descriptors", "descriptors of scenarios");
-    }
-    asked_methods(results[0], question.method);
-    const ValidityTable validity =
-        build_validity(results[0], question.metrics, question.comparison.analysis);
-    const DataTable outcomes = validity_table(validity, question.method);
-    return {
-        {outcomes, redundancy_table(validity)}, {outcomes, redundancy_matrix(validity)}, {}, true};
-  }
-};
-
 }  // namespace
 
-std::unique_ptr<Interpreter> make_validity_interpreter() {
-  return std::make_unique<ValidityInterpreter>();
+Interpretation interpret_validity(const std::vector<ResultTable>& results,
+                                  const AnalysisQuery& query) {
+  if (results[0].descriptors.empty()) {
+    throw usage_error("validity", "no descriptors in these results",
+                      "results with scenario descriptors");
+  }
+  selected_methods(results[0], query.method);
+  const ValidityTable validity =
+      build_validity(results[0], query.metrics, query.comparison.analysis);
+  const DataTable outcomes = validity_table(validity, query.method);
+  return {
+      {outcomes, redundancy_table(validity)}, {outcomes, redundancy_matrix(validity)}, {}, true};
 }
 
 }  // namespace slalom

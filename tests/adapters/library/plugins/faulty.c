@@ -1,4 +1,4 @@
-/* A plug-in with one fault, chosen when it is compiled. */
+/* A plug-in with one fault, selected by a macro. */
 #include <slalom/methods/slalom_method.h>
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* The trap: without the header's SLALOM_METHOD_EXPORT, hidden visibility hides the function. */
+/* Without SLALOM_METHOD_EXPORT of the header, hidden visibility hides the function. */
 const void* slalom_method_get_api(void);
 
 const void* slalom_method_get_api(void) {

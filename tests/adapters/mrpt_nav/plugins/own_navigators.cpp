@@ -1,5 +1,5 @@
-// Navigators of one's own, from one library by their names. All drive ahead, the slower the more
-// navigations they have begun, so that one that remembers is found out.
+// Custom navigators, selected by name. All move straight ahead, at a speed that decreases with the
+// number of navigations started, which reveals a missing reset.
 #include <slalom/mrpt_nav/navigator_plugin.h>
 
 #include <mrpt/kinematics/CVehicleVelCmd_DiffDriven.h>
@@ -24,19 +24,19 @@ class Ahead : public mrpt::nav::CAbstractNavigator {
   int navigations_ = 0;
 };
 
-class Forgetting : public slalom::ReusableNavigator, public Ahead {
+class Resetting : public slalom::ReusableNavigator, public Ahead {
  public:
   using Ahead::Ahead;
-  bool forget_last_run() override {
+  bool reset_for_next_run() override {
     navigations_ = 0;
     return true;
   }
 };
 
-class Unforgetting : public slalom::ReusableNavigator, public Ahead {
+class NotResetting : public slalom::ReusableNavigator, public Ahead {
  public:
   using Ahead::Ahead;
-  bool forget_last_run() override { return false; }
+  bool reset_for_next_run() override { return false; }
 };
 
 class Throwing : public Ahead {
@@ -47,13 +47,13 @@ class Throwing : public Ahead {
   void performNavigationStep() override { throw std::runtime_error("out of\nideas"); }
 };
 
-/// Keeps what it is told of the robot, and refuses a wide one.
+/// Rejects wide robots.
 class Narrow : public Ahead {
  public:
   using Ahead::Ahead;
   void loadConfigFile(const mrpt::config::CConfigFileBase& config) override {
     if (config.read_double("slalom_robot", "radius", 0, true) > 0.3)
-      throw std::runtime_error("too wide a robot");
+      throw std::runtime_error("robot too wide");
   }
 };
 
@@ -63,8 +63,8 @@ SLALOM_NAVIGATOR_EXPORT mrpt::nav::CAbstractNavigator* slalom_make_navigator_v1(
     mrpt::nav::CRobot2NavInterface& robot, const char* class_name) {
   const std::string name = class_name;
   if (name.empty() || name == "Ahead") return new Ahead(robot);
-  if (name == "Forgetting") return new Forgetting(robot);
-  if (name == "Unforgetting") return new Unforgetting(robot);
+  if (name == "Resetting") return new Resetting(robot);
+  if (name == "NotResetting") return new NotResetting(robot);
   if (name == "Throwing") return new Throwing(robot);
   if (name == "Narrow") return new Narrow(robot);
   return nullptr;

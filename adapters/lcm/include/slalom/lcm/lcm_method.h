@@ -1,44 +1,53 @@
 #pragma once
 
 #include <slalom/core/options.h>
-#include <slalom/methods/method.h>
+#include <slalom/core/wall_clock.h>
+#include <slalom/methods/method_factory.h>
 
 #include <map>
-#include <memory>
 #include <string>
 
 namespace slalom {
 
-/// Section [method.NAME] with adapter = lcm; further keys are settings of the external method.
+/// Simulated time waits for replies, or follows the wall clock.
+enum class LcmMode { Lockstep, Realtime };
+constexpr auto enum_names(LcmMode) {
+  return std::array{"lockstep", "realtime"};
+}
+
+/// A method of the adapter lcm.
 struct LcmOptions {
   std::string url = "udpm://239.255.76.67:7667?ttl=0";
-  std::string channel = "SLALOM";  ///< first part of the channels' names
-  std::string launch;              ///< command line of the external process; empty: it runs already
-  double deadline = 2;             ///< s of wall-clock time for an answer
-  double startup_time = 10;        ///< s of wall-clock time for a process to start and answer
-  std::string mode = "lockstep";   ///< or realtime
+  std::string channel = "SLALOM";  ///< prefix of the channel names
+  std::string launch;              ///< command line of the external process; empty: already running
+  double deadline = 2;             ///< wall-clock time for a reply, s
+  double startup_time = 10;        ///< wall-clock time for a process to start and reply, s
+  LcmMode mode = LcmMode::Lockstep;
 
-  void visit(OptionVisitor& v);
-  bool realtime() const { return mode == "realtime"; }
+  std::string name = "method";  ///< sent to the process; in an .ini the name of the method
+  std::string folder = ".";     ///< its SLALOM_INI_FOLDER; in an .ini the folder of the file
+  /// Settings of the external method; in an .ini all other keys of the section.
+  std::map<std::string, std::string> settings = {};
+
+  void visit(OptionVisitor& v);  ///< without name, folder and settings
 };
-
-/// Reads the options of a section, all keys but these being the method's own. Throws Error (Usage).
-LcmOptions read_lcm_options(const IniFile& ini, const std::string& section);
-
-/// The keys of a section that are not among LcmOptions, with their values.
-std::map<std::string, std::string> own_settings(const IniFile& ini, const std::string& section);
 
 /// A method in another process, reached over LCM with the messages of lcm_types/.
 ///
-/// Lock-step: step() waits for the command with its run and sequence number; whatever else comes is
-/// ignored. Real time: step() waits for its control period on the wall clock and answers the newest
-/// command that has come (none yet: stands still).
+/// Lock-step: step() waits for the command with its run id and sequence number; all other messages
+/// are ignored. Real time: step() waits for the end of its control period on the wall clock and
+/// returns the latest command received (zero velocity before the first one).
 ///
-/// With `launch` the process is started at once, on channels of its own, watched, started again for
-/// the run after one that it spoilt, and ended with the method. step() and reset() throw
-/// MethodTimeout for silence beyond the deadline and MethodError when the process ended or says so.
-/// Throws Error (Usage) when LCM cannot be used, or the launched process ends, refuses or does not
-/// answer within its startup time.
-std::unique_ptr<Method> make_lcm_method(const MethodContext& context);
+/// With `launch` the process is started at once, on unique channels, monitored, restarted after a
+/// run that it failed, and terminated together with the method. step() and reset() throw
+/// MethodTimeout when no reply arrives before the deadline, and MethodError when the process exits
+/// or reports an error. The factory throws Error (Usage) when LCM is not available, or when the
+/// launched process exits, reports an error or does not reply within the startup time. `clock` is
+/// used for deadlines and real time.
+MethodFactory lcm_method(const LcmOptions& options, const WallClock& clock = steady_seconds);
+
+/// The same with options from an .ini; a MethodReader.
+MethodFactory read_lcm_method(const IniFile& ini, const std::string& section,
+                              const WallClock& clock = steady_seconds);
 
 }  // namespace slalom

@@ -10,21 +10,21 @@
 
 namespace slalom {
 
-/// The method's end of the protocol, without the network: what a process answers that hosts a
-/// Method. Observations out of turn are not answered.
+/// The method's side of the protocol, without the network: the replies of a process that hosts a
+/// Method. Observations that are out of sequence get no reply.
 class MethodHost {
  public:
-  /// Builds the method that a hello asks for; what it throws refuses.
+  /// Creates the method requested by a hello; an exception rejects the hello.
   using Factory = std::function<std::unique_ptr<Method>(const hello_t&)>;
 
   MethodHost(std::string name, Factory factory);
 
-  /// Builds the method, once per number of a hello. Throws MethodError for another version.
-  ready_t greet(const hello_t& hello);
-  /// Throws what the method throws, MethodError where nobody said hello.
-  ready_t start(const run_start_t& message);
+  /// Creates the method, once per hello id. Throws MethodError for a different protocol version.
+  ready_t handle_hello(const hello_t& hello);
+  /// Throws what the method throws, or MethodError if no hello was received.
+  ready_t handle_run_start(const run_start_t& message);
   /// Throws what the method throws.
-  std::optional<command_t> answer(const observation_t& message);
+  std::optional<command_t> handle_observation(const observation_t& message);
 
  private:
   ready_t ready(std::int64_t id) const;
@@ -37,21 +37,21 @@ class MethodHost {
   ReceivedScan scan_;
 };
 
-/// Serves a simulator over LCM until `stop` (asked every tenth of a second) says so. Exceptions are
-/// sent as error_t. Throws Error (Job) when LCM cannot be used.
+/// Serves a simulator over LCM until `stop`, polled every 0.1 s, returns true. Exceptions are sent
+/// as error_t. Throws Error (Job) when LCM is not available.
 void serve_method(MethodHost& host, const std::string& url, const std::string& channel,
                   const std::function<bool()>& stop);
 
-/// What came of comparing a method with a log.
+/// Result of comparing a method with a log.
 struct LogReplay {
   std::size_t runs = 0, observations = 0, commands = 0;
-  std::size_t different = 0;     ///< commands that are not the logged ones, bit by bit
-  std::string first_difference;  ///< for people
+  std::size_t different = 0;     ///< commands that differ from the logged ones (bitwise comparison)
+  std::string first_difference;  ///< human-readable description
 };
 
-/// Gives the observations of a log (of lcm-logger) to a method again and compares what it answers
-/// with the logged commands. Methods on several channels are kept apart; `make_host` makes a host
-/// for each. Throws Error (File) for a log that cannot be read or has no observations.
+/// Replays the observations of an lcm-logger log through a method and compares its commands with
+/// the logged ones. Each channel prefix gets its own host, created by `make_host`. Throws Error
+/// (File) for a log that cannot be read or contains no observations.
 LogReplay replay_log(const std::string& path, const std::function<MethodHost()>& make_host);
 
 }  // namespace slalom

@@ -1,29 +1,42 @@
 #pragma once
 
 #include <slalom/core/options.h>
-#include <slalom/methods/method.h>
+#include <slalom/methods/method_factory.h>
 
-#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace slalom {
 
-/// Section [method.NAME] with adapter = library; further keys are the method's own parameters.
+/// A method of the adapter library.
 struct LibraryOptions {
-  std::string plugin;  ///< the shared library
+  std::string plugin;  ///< the shared library, see resolve_plugin_path()
+  std::string folder;  ///< searched first; in an .ini the folder of the file
+  /// Parameters of the method, by name; in an .ini all other keys of the section.
+  std::vector<std::pair<std::string, std::string>> parameters = {};
 
-  void visit(OptionVisitor& v);
+  void visit(OptionVisitor& v);  ///< without folder and parameters
 };
 
-/// A method in a compiled library with the prototype of <slalom/methods/slalom_method.h>. Key
-/// `plugin` of the section names the library; all other keys but `adapter` are the method's own.
-/// Throws Error (Usage), one line, when the library is missing, cannot be loaded, lacks the symbol,
-/// is of another version, does not know a key, or refuses to create the method.
-std::unique_ptr<Method> make_library_method(const MethodContext& context);
+/// A method from a compiled library with the prototype of <slalom/methods/slalom_method.h>. The
+/// factory throws Error (Usage), one line, when the library is missing, cannot be loaded, lacks the
+/// symbol, has a different version, does not declare a parameter, or fails to create the method.
+MethodFactory plugin(const LibraryOptions& options);
+MethodFactory plugin(const std::string& library,
+                     const std::vector<std::pair<std::string, std::string>>& parameters = {});
 
-/// Where the library lies: an absolute path as it is; a relative one in the folder of the .ini, the
-/// current folder, or ../lib/slalom and ../lib beside the running program. Throws Error (Usage)
-/// naming where it looked.
+/// The same with options from an .ini; a MethodReader.
+MethodFactory read_library_method(const IniFile& ini, const std::string& section);
+
+/// Returns the path of the library. A relative path is searched in `folder`, in the current folder,
+/// and in ../lib/slalom and ../lib relative to the running program. Throws Error (Usage) at `where`
+/// with the paths that were tried.
+std::string resolve_plugin_path(const std::string& plugin, const std::string& folder,
+                                const std::string& where);
+
+/// The path of the library that key `plugin` of the section names, searched in the folder of the
+/// .ini first.
 std::string resolve_plugin_path(const IniFile& ini, const std::string& section,
                                 const std::string& plugin);
 

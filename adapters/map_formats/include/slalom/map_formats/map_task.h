@@ -7,22 +7,22 @@
 
 namespace slalom {
 
-/// What a map file has no place for.
+/// Properties of a scenario that map files cannot store.
 struct MapTask {
   std::string name;
   mrpt::math::TPose2D start;
   mrpt::math::TPoint2D goal;
 };
 
-/// The task file of a map: "office.task.yaml" beside "office.yaml" or "office.gridmap.gz".
+/// The task file of a map: "office.task.yaml" next to "office.yaml" or "office.gridmap.gz".
 std::string task_path(const std::string& map_path);
 
 void write_map_task(const Scenario& scenario, const std::string& map_path);
 
-/// The task beside a map, if there is one. Throws Error (File): file, line, what was expected.
+/// Reads the task file of a map, if it exists. Throws Error (File): file, line, what was expected.
 std::optional<MapTask> read_map_task(const std::string& map_path);
 
-/// The same from the text of a task file.
+/// Parses the text of a task file.
 MapTask parse_map_task(const std::string& text, const std::string& where);
 
 }  // namespace slalom

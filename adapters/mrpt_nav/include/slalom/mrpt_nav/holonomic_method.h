@@ -1,34 +1,49 @@
 #pragma once
 
-#include <slalom/methods/method.h>
+#include <slalom/core/options.h>
+#include <slalom/methods/method_factory.h>
 
-#include <memory>
 #include <string>
 
 namespace slalom {
 
-/// Section [method.NAME] with adapter = mrpt_holonomic: how a scan becomes what MRPT's holonomic
-/// methods see, and how the direction and speed that they answer becomes (v, w), or (v, vy, w) of a
-/// holonomic robot.
+enum class SectorState { Free, Blocked };
+constexpr auto enum_names(SectorState) {
+  return std::array{"free", "blocked"};
+}
+
+enum class Heading { FaceMotion, Keep };
+constexpr auto enum_names(Heading) {
+  return std::array{"face", "keep"};
+}
+
+/// A method of the adapter mrpt_holonomic: how a scan is converted to the obstacle
+/// distances of MRPT's holonomic methods, and how their direction and speed are converted to (v,
+/// w), or to (v, vy, w) for a holonomic robot.
 struct HolonomicOptions {
   std::string class_name = "CHolonomicND";
-  std::string plugin;               ///< an MRPT plug-in module to load first
-  std::string config;               ///< an MRPT .ini with the method's own section
-  int sectors = 121;                ///< of the full circle
-  double reference_distance = 3.0;  ///< m: what is farther away is free
-  double margin = 0.08;             ///< m added to the robot's radius
-  std::string behind = "free";      ///< what stands where the scan does not look
-  double turn_gain = 2.0;           ///< 1/s: w = turn_gain * direction
-  double turn_in_place = 0.8;  ///< rad: beyond this direction a diff_drive turns without driving
-  std::string turn = "face";   ///< whether a holonomic robot turns to where it goes: face or keep
-  double stop_margin = 0.05;   ///< m: v stays below what could be stopped this far before contact
+  std::string plugin;                      ///< an MRPT plug-in module to load first
+  std::string config;                      ///< an MRPT .ini with the section of the class
+  int sectors = 121;                       ///< of the full circle
+  double reference_distance = 3.0;         ///< m: obstacles beyond it are ignored
+  double margin = 0.08;                    ///< m added to the robot's radius
+  SectorState behind = SectorState::Free;  ///< sectors outside the scan
+  double turn_gain = 2.0;                  ///< 1/s: w = turn_gain * direction
+  double turn_in_place = 0.8;              ///< rad: beyond it a diff_drive robot rotates in place
+  Heading turn = Heading::FaceMotion;      ///< of a holonomic robot
+  double stop_margin =
+      0.05;  ///< m: v is limited so that the robot can stop this far before contact
 
   void visit(OptionVisitor& v);
 };
 
-/// Any class derived from mrpt::nav::CAbstractHolonomicReactiveMethod, by its name, as a method.
-/// Throws Error (Usage) for a class that does not exist (naming those that do), a plug-in or an
-/// .ini that cannot be read.
-std::unique_ptr<Method> make_holonomic_method(const MethodContext& context);
+/// A method from a class derived from mrpt::nav::CAbstractHolonomicReactiveMethod, by name. The
+/// factory throws Error (Usage) for an unknown class (listing the known ones), and for a plug-in or
+/// an .ini that cannot be read.
+MethodFactory mrpt_holonomic(const HolonomicOptions& options);
+MethodFactory mrpt_holonomic(const std::string& class_name);
+
+/// The same with options from an .ini; a MethodReader.
+MethodFactory read_holonomic_method(const IniFile& ini, const std::string& section);
 
 }  // namespace slalom

@@ -2,8 +2,8 @@
 
 #include <mrpt/nav/reactive/CAbstractNavigator.h>
 
-/// How a navigator of one's own comes in: a shared library that exports one function, the factory
-/// below. It is C++, so library and simulator must be built with the same MRPT and compiler.
+/// Interface of navigator plug-ins: a shared library that exports one function, the factory below.
+/// It is C++, so library and simulator must be built with the same MRPT and compiler.
 ///
 ///     class MyNavigator : public mrpt::nav::CAbstractNavigator { ... };
 ///
@@ -12,13 +12,13 @@
 ///       return new MyNavigator(robot);
 ///     }
 ///
-/// `class_name` is the key `class` of the method's section, "" where there is none: one library may
-/// hold several navigators. Return nullptr for a name that is not known. The caller owns the
-/// navigator, calls loadConfigFile() (with the file of the key `config`, in which the robot's shape
-/// and limits have been written) and initialize(), and for each run navigate() and, once per
-/// control cycle, navigationStep(). Whatever it wants to know or to do goes through `robot`:
-/// time stamps and mrpt::Clock are simulated, so never ask a clock of the machine. MRPT does so in
-/// m_timlog_delays: where its delays model is used, disable that logger.
+/// `class_name` is the key `class` of the method's section, "" if missing: one library may contain
+/// several navigators. Return nullptr for an unknown name. The caller owns the navigator, calls
+/// loadConfigFile() (with the file of the key `config`, into which the robot's shape and limits
+/// have been written) and initialize(), and for each run navigate() and, once per control cycle,
+/// navigationStep(). All sensing and commands go through `robot`. Time stamps and mrpt::Clock are
+/// simulated: do not use the system clock. MRPT uses it in m_timlog_delays: disable that logger if
+/// the delays model is used.
 #if defined(_WIN32)
 #define SLALOM_NAVIGATOR_EXPORT extern "C" __declspec(dllexport)
 #else
@@ -30,15 +30,15 @@ SLALOM_NAVIGATOR_EXPORT mrpt::nav::CAbstractNavigator* slalom_make_navigator_v1(
 
 namespace slalom {
 
-/// A navigator that also derives from this serves one run after another. One that does not is made
-/// anew for each run, which is always right but slow where initialize() takes long. Let it be the
-/// first base: behind MRPT's, of more than 1 MiB, compilers' sanitizers take it for a stray
-/// pointer.
+/// A navigator that also derives from this class is reused for successive runs. Other navigators
+/// are created again for each run, which is slow if initialize() takes long. Make it the first base
+/// class: at an offset of more than 1 MiB, after MRPT's, sanitizers report an invalid pointer.
 class __attribute__((visibility("default"))) ReusableNavigator {
  public:
   virtual ~ReusableNavigator() = default;
-  /// Called between runs: from now on all must be as after initialize(). False: make me anew.
-  virtual bool forget_last_run() = 0;
+  /// Called between runs: restores the state after initialize(). Returns false if this is not
+  /// possible and the navigator must be created again.
+  virtual bool reset_for_next_run() = 0;
 };
 
 }  // namespace slalom

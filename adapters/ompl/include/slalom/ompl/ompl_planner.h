@@ -6,27 +6,32 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace slalom {
 
 /// Section [reference].
 struct OmplOptions {
-  std::string planner = "InformedRRTstar";  ///< or exact: the exact search alone
-  std::string objective = "length";         ///< or clearance: which reference it provides
-  double gap = 0.01;                        ///< relative to the best that the exact search proves
-  int max_iterations = 20000;               ///< of the planner, after which it gives up
-  int max_pose_iterations = 1000;           ///< the same where it plans poses, which is slower
-  double max_time = 10;  ///< s, a guard: a planner stopped by it is noted, not repeatable
+  std::string planner = "InformedRRTstar";  ///< one of planner_names()
+  ReferencePlanner::Objective objective = ReferencePlanner::Objective::Length;
+  double gap = 0.01;               ///< relative gap to the bound of the exact search
+  int max_iterations = 20000;      ///< maximum iterations of the planner
+  int max_pose_iterations = 1000;  ///< the same for planning poses, which is slower
+  double max_time = 10;  ///< s, wall-clock limit; results are not repeatable if it is reached
 
   void visit(OptionVisitor& v);
 };
 
-/// OMPL's planner of that name for a robot. A disc that turns on the spot is planned for as a point
-/// in R^2, with states and motions tested exactly; other robots as poses: Dubins or Reeds-Shepp
-/// curves where it has a smallest turning radius, SE(2) for polygons. The objective is path length
-/// or the bottleneck; the planner stops when its path is within the gap of what the exact search
-/// proves. Null for "exact". Repeatable when each plan() is called in a process that has not used
-/// OMPL before: its random generators are seeded once per process.
+/// kExactPlanner and the planners of OMPL.
+std::vector<std::string> planner_names();
+
+/// Creates the OMPL planner with this name for a robot. For a disc that can rotate in place it
+/// plans in R^2, with exact checks of states and motions. For other robots it plans poses: Dubins
+/// or Reeds-Shepp curves with a minimum turning radius, SE(2) for polygons. The objective is the
+/// path length or the bottleneck clearance; the planner stops when its path is within the gap of
+/// the bound of the exact search. Returns null for kExactPlanner. Repeatable if each plan() is
+/// called in a process that has not used OMPL before: its random generators are seeded once per
+/// process.
 std::unique_ptr<ReferencePlanner> make_ompl_planner(const OmplOptions& options,
                                                     const RobotModel& robot = {});
 

@@ -7,9 +7,9 @@
 
 namespace slalom {
 
-/// Gives a method the observations of a recorded run in their order, on simulated time, and says
-/// where its answer first differs from the recorded command, bit by bit ("cycle 3 (0.2 s): ..."),
-/// or nothing when no answer does. What the method throws counts as a difference.
+/// Passes the observations of a recorded run to a method, in order and on simulated time. Returns
+/// the first bitwise difference from the recorded commands ("cycle 3 (0.2 s): ..."), or nullopt.
+/// An exception of the method counts as a difference.
 std::optional<std::string> first_difference(const RecordedRun& run, Method& method);
 
 }  // namespace slalom

@@ -11,26 +11,26 @@
 
 namespace slalom {
 
-/// One control cycle as it was recorded: what the method was given and what was in force then.
+/// One recorded control cycle: the input of the method and the command in force.
 struct RecordedCycle {
-  Observation observation;  ///< bit-equal to the simulated one; its scan is the one below
+  Observation observation;  ///< bit-identical to the simulated one; refers to `scan`
   mrpt::obs::CObservation2DRangeScan::ConstPtr scan;
   mrpt::Clock::time_point stamp;  ///< mrpt::Clock in that cycle
   Command command;
 };
 
-/// A run as it was recorded.
+/// A recorded run.
 struct RecordedRun {
   RunManifest manifest;
-  std::optional<Task> task;  ///< none when the robot touched an obstacle where it starts
+  std::optional<NavigationTask> task;  ///< nullopt if the robot collides at the start
   std::vector<RecordedCycle> cycles;
-  Trajectory trajectory;  ///< bit-equal to the simulated one
+  Trajectory trajectory;  ///< bit-identical to the simulated one
   Outcome outcome = Outcome::InfrastructureError;
   std::string detail;
 };
 
-/// Reads a run that make_rawlog_recorder() wrote. Throws Error (File) with file and reason when it
-/// is missing, damaged, cut off, no recorded run, or contradicts itself.
+/// Reads a run written by make_rawlog_recorder(). Throws Error (File) with file and reason if it is
+/// missing, corrupt, truncated, not a recorded run, or inconsistent.
 RecordedRun read_run(const std::string& path);
 
 }  // namespace slalom

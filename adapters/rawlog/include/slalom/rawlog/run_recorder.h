@@ -11,7 +11,7 @@
 
 namespace slalom {
 
-/// All that is needed to execute one run again and to compute its metrics.
+/// Everything needed to re-execute one run and to compute its metrics.
 struct RunManifest {
   std::string campaign_ini;  ///< effective text, IniFile::canonical_text()
   std::string scenario_name, scenario_hash;
@@ -19,16 +19,16 @@ struct RunManifest {
   std::string method;         ///< NAME of section [method.NAME]
   int repetition = 0;
   std::uint64_t seed = 0;  ///< of the run
-  Manifest more;           ///< further lines for people, e.g. versions; keys are a-z, 0-9, . and _
+  Manifest more;           ///< informative entries, e.g. versions; keys of a-z, 0-9, . and _
 };
 
-/// Fills it; `more` gets the versions of Slalom, MRPT and the compiler.
+/// Creates a manifest; `more` contains the versions of Slalom, MRPT and the compiler.
 RunManifest make_run_manifest(const IniFile& ini, const Scenario& scenario,
                               const std::string& method, int repetition, std::uint64_t seed);
 
-/// Observes one run and writes it, when it is over, as a standard MRPT rawlog at `path` (to a
-/// temporary file that is renamed; gzip compressed). The same run gives the same bytes, whichever
-/// process runs it. on_end() throws Error (Job) when the file cannot be written.
+/// Observes one run and writes it at its end as a standard MRPT rawlog to `path` (atomically, gzip
+/// compressed). The bytes depend only on the run, not on the process. on_end() throws Error (Job)
+/// if the file cannot be written.
 std::unique_ptr<RunObserver> make_rawlog_recorder(const std::string& path,
                                                   const RunManifest& manifest);
 

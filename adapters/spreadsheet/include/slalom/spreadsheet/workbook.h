@@ -7,12 +7,12 @@
 
 namespace slalom {
 
-/// Writes an .xlsx workbook, one sheet per table: a bold first row that stays in view and can be
-/// filtered by, numbers as numbers, counts without decimals, texts as texts (never formulas), empty
-/// fields empty. Sheets are named after their tables, shortened and numbered where the format asks
-/// for it. The same tables give the same sheets. Memory does not grow with the rows. Throws Error
-/// (Usage) for a table that has more rows or columns than the format holds (1,048,576 x 16,384),
-/// Error (Job) when it cannot be written; `path` is whole or as it was.
+/// Writes an .xlsx workbook, one sheet per table: a bold, frozen header row with filters, numbers
+/// as numbers, counts without decimals, texts as texts (never formulas), empty fields as empty
+/// cells. Sheets are named after their tables, shortened and numbered if necessary. The same tables
+/// give the same sheets. Memory does not grow with the rows. Throws Error (Usage) for a table that
+/// exceeds the limits of the format (1,048,576 rows x 16,384 columns), Error (Job) if it cannot be
+/// written; `path` is then unchanged.
 void write_workbook(const std::vector<DataTable>& tables, const std::string& path);
 
 }  // namespace slalom

@@ -4,7 +4,7 @@
 
 namespace slalom {
 
-/// Every adapter that Slalom has, by its name.
+/// All adapters, by name.
 MethodRegistry all_adapters();
 
 }  // namespace slalom

@@ -6,7 +6,7 @@
 
 namespace slalom {
 
-/// Adds the options that every program with a campaign has: -j/--jobs, --seed, --set, --quiet.
+/// Adds the options of all programs that run campaigns: -j/--jobs, --seed, --set, --quiet.
 void add_campaign_options(CLI::App& app, CampaignArguments& arguments);
 
 }  // namespace slalom

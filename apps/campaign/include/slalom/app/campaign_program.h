@@ -1,8 +1,9 @@
 #pragma once
 
+#include <slalom/analysis/analysis_section.h>
+#include <slalom/campaign/sequential_campaign.h>
 #include <slalom/core/ini_file.h>
-#include <slalom/core/options.h>
-#include <slalom/results/run_record.h>
+#include <slalom/ompl/ompl_planner.h>
 #include <slalom/scenario/scenario.h>
 
 #include <cstdint>
@@ -12,34 +13,54 @@
 
 namespace slalom {
 
-/// What a user may say on the command line of a program that runs campaigns.
+/// Command-line arguments of programs that run campaigns.
 struct CampaignArguments {
   std::string config;                  ///< the campaign's .ini
   std::vector<std::string> overrides;  ///< SECTION.KEY=VALUE
   std::optional<std::uint64_t> seed;   ///< instead of [campaign] seed
-  int jobs = 1;                        ///< worker processes, and threads that generate scenarios
+  int jobs = 1;                        ///< worker processes, and threads for scenario generation
   bool quiet = false;
 };
 
-/// The campaign's .ini with the overrides of the command line; unknown sections are refused.
+/// Loads the campaign's .ini with the overrides of the command line. Throws Error (Usage) for
+/// unknown sections.
 IniFile load_campaign_ini(const CampaignArguments& arguments);
 
-/// Every section and key of a campaign .ini with default, unit, range and meaning.
-std::string campaign_options_help();
-
-/// How a finished campaign went.
-struct CampaignReport {
-  bool complete = false;  ///< false when interrupted
-  std::string problem;    ///< one line when something of the job itself failed; "" otherwise
+/// A campaign's .ini as values, read once per program.
+struct CampaignConfig {
+  IniFile ini;  ///< the scenario sources, and the text for manifests
+  CampaignOptions options;
+  OmplOptions reference;
+  AnalysisSection analysis;
+  std::vector<NamedMethod> methods;
 };
 
-/// The scenarios that the .ini names; the same for any number of jobs.
-std::vector<Scenario> campaign_scenarios(const IniFile& ini, const CampaignArguments& arguments);
+/// Throws Error (Usage) for invalid values, and for ids in [analysis] that the campaign does not
+/// compute.
+CampaignConfig read_campaign(const IniFile& ini);
 
-/// Runs the campaign of `ini` over `scenarios` into a result file at `results_path`, with every
-/// adapter that Slalom has. SIGINT and SIGTERM end it early with what is there kept. Throws Error.
-CampaignReport run_campaign_program(const IniFile& ini, const CampaignArguments& arguments,
+/// All sections and keys of a campaign .ini with default, unit, range and description.
+std::string campaign_options_help();
+
+/// The result of a campaign.
+struct CampaignReport {
+  bool complete = false;  ///< false if interrupted
+  std::string problem;    ///< one line about failures of the infrastructure; "" if none
+  std::string until;      ///< with a stopping rule: its cells, and the reason for stopping
+};
+
+/// The scenarios specified by the .ini; the same for any number of jobs. Throws Error (Usage) first
+/// if a method cannot be built.
+std::vector<Scenario> campaign_scenarios(const CampaignConfig& config,
+                                         const CampaignArguments& arguments);
+
+/// Runs the campaign over `scenarios`, or as many of them as the stopping rule requires, into a
+/// result file at `results_path`. SIGINT and SIGTERM interrupt it; finished runs are kept. Throws
+/// Error.
+CampaignReport run_campaign_program(const CampaignConfig& config,
+                                    const CampaignArguments& arguments,
                                     std::vector<Scenario> scenarios,
-                                    const std::string& results_path);
+                                    const std::string& results_path,
+                                    const std::optional<StoppingRule>& rule = std::nullopt);
 
 }  // namespace slalom

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <slalom/core/enum_names.h>
+
 #include <CLI/CLI.hpp>
 
 #include <functional>
@@ -8,19 +10,39 @@
 
 namespace slalom {
 
-/// Thrown by a verb that a signal ended early, after what it had was kept: exit status 130.
+/// Thrown by a verb that was interrupted by a signal, after saving its results: exit status 130.
 class Interrupted : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
+/// An argument that is given by its position or by an option.
+struct Argument {
+  std::string position, option;  ///< e.g. "config", "-c,--config"
+  std::string help;
+  bool required = true;
+};
+
+/// Adds an argument. Giving it twice with different values is a usage error. At most one required
+/// argument per app. `value` must outlive the app.
+void add_argument(CLI::App& app, const Argument& argument, std::string& value);
+
+/// Adds an option whose values are the names of an enum. `value` must outlive the app.
+template <typename Enum>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
+                        const std::string& help) {
+  const auto set = [&value](const std::string& text) { value = from_name<Enum>(text).value(); };
+  return app.add_option_function<std::string>(name, set, help)
+      ->check(CLI::IsMember(names_of<Enum>()));
+}
+
 /// Runs a program of the form `PROGRAM VERB [OPTIONS] FILES` (or without verbs). `define` adds
-/// verbs, options and callbacks to the app; the callbacks do the work and throw when they fail.
-/// Adds --help and --version. Returns the exit status: 0 done; 1, 2 or 3 as the Error says, or 1
-/// for any other exception; 2 for a wrong command line; 130 for Interrupted. Messages are one line
-/// on standard error, "PROGRAM: WHERE: WHAT; expected ..."; for a wrong command line it also says
-/// where help is. Without arguments it prints the help on standard error and returns 2, unless
-/// `needs_arguments` is false.
+/// verbs, options and callbacks to the app; the callbacks do the work and throw on failure. Adds
+/// --help and --version. Returns the exit status: 0 for success; 1, 2 or 3 according to the Error,
+/// or 1 for any other exception; 2 for an invalid command line; 130 for Interrupted. Messages are
+/// one line on standard error, "PROGRAM: WHERE: WHAT; expected ..."; for an invalid command line
+/// with a reference to --help. Without arguments it prints the help on standard error and returns
+/// 2, unless `needs_arguments` is false.
 int run_program(const std::string& name, const std::string& description, int argc, char** argv,
                 const std::function<void(CLI::App&)>& define, bool needs_arguments = true);
 

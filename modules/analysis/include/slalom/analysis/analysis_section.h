@@ -6,10 +6,10 @@
 
 namespace slalom {
 
-/// Section [analysis] of a campaign's .ini: which tables are shown.
+/// Section [analysis] of a campaign's .ini: contents of tables and report.
 struct AnalysisSection {
-  std::string rows;     ///< descriptor bins, separated by ';'; empty: density:q4 where it is known
-  std::string columns;  ///< metric ids, comma separated; empty: success, optimality, safety
+  std::string rows;          ///< descriptor bins, separated by ';'; empty: density:q4 if available
+  std::string columns;       ///< metric ids, comma separated; empty: success, optimality, safety
   double confidence = 0.95;  ///< of intervals
   bool report = true;        ///< slalom-evaluate writes the HTML report
 

@@ -7,20 +7,22 @@
 
 namespace slalom {
 
-/// Digits after the point that show three significant digits of the largest number in the cells,
+/// The number of decimals that shows three significant digits of the largest number in the cells;
 /// 2 for a rate.
 int digits_for(const std::vector<const Cell*>& cells, const Column& column);
 int column_digits(const CrossTable& table, std::size_t column);
 
-/// "0.93", or "-" where there is none.
+/// "0.93", or "-" if there is none.
 std::string estimate_text(const Cell& cell, int digits);
 /// "[0.88, 0.96]", or "".
 std::string interval_text(const Cell& cell, int digits);
-/// What stands behind the estimate: "56/60" for a rate (successes of values), otherwise "±0.05
-/// n=60"; with " NA=4" where values are missing.
+/// Sample size and deviation of the estimate: "42/56" for a rate (successes of values), otherwise
+/// "±0.05 n=56" (n values); with " NA=4" if runs have no value.
 std::string support_text(const Cell& cell, const Column& column, int digits);
+/// "n=56 NA=4": the numbers of values of the estimate, and of runs without a value.
+std::string values_text(const Cell& cell);
 
-/// "optimality: 4 collision, 2 timeout", or "" where no value is missing.
+/// "optimality: 4 collision, 2 timeout", or "" if no value is missing.
 std::string na_text(const Column& column, const std::map<std::string, std::size_t>& reasons);
 /// Over all rows of a table.
 std::map<std::string, std::size_t> na_of_column(const CrossTable& table, std::size_t column);
@@ -28,14 +30,17 @@ std::map<std::string, std::size_t> na_of_column(const CrossTable& table, std::si
 /// "1 run", "2 runs".
 std::string count_text(std::size_t n, const std::string& noun);
 
-/// "↑", "↓" or "": which way is better.
+/// "95" for 0.95: percent without the digits that binary fractions add.
+std::string percent_text(double fraction);
+
+/// "↑", "↓" or "": the direction that is better.
 std::string direction_arrow(Direction direction);
 
-/// Columns that `text` (UTF-8) takes on a terminal.
+/// The width of `text` (UTF-8) on a terminal, in columns.
 std::size_t display_width(const std::string& text);
-/// Control characters, which could steer a terminal, become '?'.
+/// Replaces control characters by '?', so that names cannot inject terminal escape sequences.
 std::string printable(const std::string& text);
-/// Padded with blanks to `width`.
+/// Pads with blanks to `width`.
 std::string pad_left(const std::string& text, std::size_t width);
 std::string pad_right(const std::string& text, std::size_t width);
 

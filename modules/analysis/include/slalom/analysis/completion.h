@@ -8,22 +8,23 @@
 
 namespace slalom {
 
-/// How many of a method's runs had reached the goal by when.
+/// Cumulative fraction of a method's runs that reached the goal, over time.
 struct CompletionCurve {
   std::string method;
-  std::size_t n = 0;  ///< runs that say something of the method
+  std::size_t n = 0;  ///< runs that are informative about the method
   std::size_t successes = 0;
-  std::size_t unknown_end = 0;  ///< failed runs of unknown duration: out of Kaplan and Meier's
-  /// Share that has arrived (Aalen and Johansen): failures compete with arriving, so that the curve
-  /// ends at the success rate. Read this one.
+  std::size_t unknown_end = 0;  ///< failed runs of unknown duration, excluded from `kaplan_meier`
+  /// Cumulative incidence of reaching the goal (Aalen and Johansen), with failures as competing
+  /// risks: the curve ends at the success rate. The recommended estimate.
   std::vector<CurvePoint> incidence;
-  /// One less Kaplan and Meier's share that has not arrived, failures counted as censored: what
-  /// arriving would look like had failed runs been as quick as the others. At least `incidence`.
+  /// One minus the Kaplan-Meier estimate with failures as censored: the curve if failed runs had
+  /// continued like the others. Never below `incidence`.
   std::vector<CurvePoint> kaplan_meier;
 };
 
-/// Curves of every method over the metric `time` ("time_to_goal"), which is there for runs that
-/// arrived. A failed run ended after path_length / mean_speed, where both are there.
-std::vector<CompletionCurve> build_completion(const RunColumns& table, const std::string& time);
+/// Curves of every method over the metric `time` ("time_to_goal"), which is available for runs that
+/// reached the goal. The duration of a failed run is path_length / mean_speed, if both are
+/// available.
+std::vector<CompletionCurve> build_completion(const ResultTable& table, const std::string& time);
 
 }  // namespace slalom

@@ -12,42 +12,37 @@ namespace slalom {
 struct CrossRow {
   Bin bin;
   std::vector<std::size_t> runs;     ///< indexes into the table's runs, in their order
-  std::vector<std::string> run_ids;  ///< of them, where AnalysisOptions asks for them
+  std::vector<std::string> run_ids;  ///< their ids, if AnalysisOptions::run_ids
   std::vector<Cell> cells;           ///< one per column
 };
 
-/// What the place was like (rows) crossed with how one method did (columns).
+/// Cross table of scenario properties (rows) and performance of one method (columns).
 struct CrossTable {
   std::string title;  ///< e.g. "nd by density"
   std::string method;
-  QuantityInfo descriptor;  ///< of the rows; id "all" where every run is in one row
+  QuantityInfo descriptor;  ///< of the rows; id "all" for a single row with all runs
   std::vector<Column> columns;
   std::vector<CrossRow> rows;
   std::size_t outside = 0;         ///< runs whose scenario's value lies outside all bins
   std::size_t undescribed = 0;     ///< runs whose scenario has no value
-  std::vector<std::string> notes;  ///< says both in words; empty where no run is left out
+  std::vector<std::string> notes;  ///< text for both; empty if no run is left out
   double confidence = 0.95;
 };
 
 /// The cross table of one method. Throws Error (Usage) for an unknown method or descriptor.
-CrossTable build_cross_table(const RunColumns& table, const std::string& method,
+CrossTable build_cross_table(const ResultTable& table, const std::string& method,
                              const BinSpec& spec, const std::vector<Column>& columns,
                              const AnalysisOptions& options);
 
-/// One cross table per specification and method (`method` empty: all of them), specifications
-/// outermost. Unknown ids are Error (Usage) with the nearest name.
-std::vector<CrossTable> build_cross_tables(const RunColumns& table,
-                                           const std::vector<BinSpec>& specs,
-                                           const std::vector<std::string>& column_ids,
-                                           const AnalysisOptions& options,
-                                           const std::string& method = "");
+/// One cross table per specification and method (`method` empty: all methods), specifications
+/// outermost. Throws Error (Usage) with the nearest name for unknown ids.
 std::vector<CrossTable> build_cross_tables(const ResultTable& table,
                                            const std::vector<BinSpec>& specs,
                                            const std::vector<std::string>& column_ids,
                                            const AnalysisOptions& options,
                                            const std::string& method = "");
 
-/// The place of a method in `table.methods`. Throws Error (Usage) with the nearest name.
-std::uint32_t place_of_method(const RunColumns& table, const std::string& method);
+/// The index of a method in `table.methods`. Throws Error (Usage) with the nearest name.
+std::uint32_t index_of_method(const ResultTable& table, const std::string& method);
 
 }  // namespace slalom

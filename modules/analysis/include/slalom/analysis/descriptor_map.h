@@ -8,9 +8,9 @@
 
 namespace slalom {
 
-/// One field of a map: the runs of a method in the scenarios that lie in a bin of each descriptor.
+/// A field of a map: the runs of a method in the scenarios of one bin of each descriptor.
 struct MapField {
-  std::vector<std::size_t> runs;  ///< places in the results
+  std::vector<std::size_t> runs;  ///< indexes into the results
   Cell cell;
 };
 
@@ -26,11 +26,11 @@ struct DescriptorMap {
 };
 
 /// Throws Error (Usage) for unknown ids.
-DescriptorMap build_descriptor_map(const RunColumns& table, const std::string& method,
+DescriptorMap build_descriptor_map(const ResultTable& table, const std::string& method,
                                    const BinSpec& rows, const BinSpec& columns,
                                    const std::string& metric, const AnalysisOptions& options);
 
-/// The bin that a value lies in, or the number of bins where none.
+/// The index of the bin that contains a value, or the number of bins if there is none.
 std::size_t bin_of(const std::vector<Bin>& bins, double value);
 
 }  // namespace slalom

@@ -5,7 +5,7 @@
 
 namespace slalom {
 
-/// Methods ranked within each scenario, and whether their mean ranks differ.
+/// Friedman's test of methods ranked within each scenario.
 struct FriedmanTest {
   std::size_t scenarios = 0;
   std::vector<double> mean_ranks;  ///< by method; 1 is best
@@ -14,13 +14,14 @@ struct FriedmanTest {
   double iman_davenport_f = 0;     ///< Iman and Davenport (1980); infinite if all rankings agree
   double iman_davenport_p = 1;     ///< with k - 1 and (k - 1)(n - 1) degrees of freedom
   double critical_difference = 0;  ///< of mean ranks (Nemenyi 1963)
-  /// Methods (indexes, best first) whose mean ranks differ by no more than that, as bars of a
-  /// critical-difference diagram (Demsar 2006); only the largest groups, of two or more.
+  /// Methods (indexes, best first) whose mean ranks differ by at most the critical difference: the
+  /// bars of a critical-difference diagram (Demsar 2006). Only maximal groups, of two or more.
   std::vector<std::vector<std::size_t>> groups;
 };
 
-/// `values[scenario][method]`, without gaps; at least two methods and two scenarios. Ranks are of
-/// decreasing values where `more_is_better`. `alpha`: of the critical difference.
+/// `values[scenario][method]`, without missing values; at least two methods and two scenarios. If
+/// `more_is_better`, the largest value has rank 1; values within tie_tolerance() of the scenario
+/// are tied. `alpha`: level of the critical difference.
 FriedmanTest friedman_test(const std::vector<std::vector<double>>& values, bool more_is_better,
                            double alpha);
 

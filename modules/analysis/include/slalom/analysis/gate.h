@@ -7,19 +7,19 @@
 
 namespace slalom {
 
-/// A limit to the paired difference of a metric: "success >= -0.02".
+/// A regression gate: a limit on the paired difference of a metric, "success >= -0.02".
 struct Gate {
   enum class Comparison { AtLeast, AtMost, Above, Below };
   std::string metric;
   Comparison comparison = Comparison::AtLeast;
   double limit = 0;
-  std::string text;  ///< as it was written
+  std::string text;  ///< as specified
 };
 
-/// Which number has to keep to the limit.
+/// The quantity that must satisfy the limit.
 enum class GateOn {
   Estimate,  ///< the mean paired difference
-  Interval   ///< its whole interval: the difference is shown to keep to the limit
+  Interval   ///< its entire confidence interval
 };
 
 /// Reads METRIC OP NUMBER with OP one of >= <= > <. Throws Error (Usage).
@@ -30,12 +30,12 @@ struct GateResult {
   std::string a, b;  ///< sides of the comparison
   std::optional<double> difference;
   std::optional<Interval> interval;
-  bool judged = false;  ///< false: there is no such number; then not passed
+  bool evaluated = false;  ///< false if the quantity is not available; then not passed
   bool passed = false;
 };
 
-/// One result for each comparison in the gate's metric; none where no comparison is in it.
-std::vector<GateResult> judge_gate(const Gate& gate, const std::vector<PairedComparison>& family,
-                                   GateOn on);
+/// One result for each comparison in the gate's metric.
+std::vector<GateResult> evaluate_gate(const Gate& gate, const std::vector<PairedComparison>& family,
+                                      GateOn on);
 
 }  // namespace slalom

@@ -5,65 +5,63 @@
 #include <slalom/analysis/gate.h>
 #include <slalom/analysis/paired_comparison.h>
 
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace slalom {
 
-/// What is asked of results. Each interpreter takes the parts that it understands.
-struct Question {
+/// Parameters of an analysis. Each interpreter uses those that apply to it.
+struct AnalysisQuery {
   std::vector<BinSpec> rows;
   std::vector<std::string> metrics;  ///< ids
-  std::string method;                ///< only this one; empty: all
-  std::string baseline;              ///< compare: the others against this one
+  std::string method;                ///< restricts to one method, ranked among all; empty: all
+  std::string baseline;              ///< compare: the reference of all comparisons
   std::string parameter;             ///< robustness: "sensor.noise_sigma"
-  std::vector<double> values;        ///< robustness: of the parameter, one a file
-  bool allow_differences = false;    ///< between the campaigns of several files
+  std::vector<double> values;        ///< robustness: of the parameter, one per file
+  bool allow_differences = false;    ///< robustness: of the campaigns' other settings
+  bool summary = true;               ///< table: with the summary of all methods
   std::vector<Gate> gates;           ///< compare
   GateOn gate_on = GateOn::Estimate;
-  ComparisonOptions comparison;  ///< also the confidence and the seed of everything else
+  ComparisonOptions comparison;  ///< includes confidence and seed of all analyses
 };
 
-/// What an interpreter found: tables of values, and what may be claimed of them in words.
+/// The result of an interpreter: tables of values, and conclusions as text.
 struct Interpretation {
   std::vector<DataTable> tables;     ///< exact and complete, with the ids of runs
-  std::vector<DataTable> views;      ///< the same for people; empty: `tables`
+  std::vector<DataTable> views;      ///< condensed for display; empty: `tables`
   std::vector<std::string> remarks;  ///< sentences
   bool passed = true;                ///< false: a gate failed
+  /// Instead of `tables`: cross tables, which have formats of their own (table_text.h and
+  /// table_export.h), with a summary above them in text.
+  std::optional<std::vector<CrossTable>> cross_tables = std::nullopt;
+  std::optional<SummaryTable> summary = std::nullopt;
 };
 
-/// One way to read results. Its values are also there as a plain struct from a function of its own
-/// (build_summary(), compare_methods(), ...), for reports.
-class Interpreter {
- public:
-  virtual ~Interpreter() = default;
-  virtual std::string id() const = 0;    ///< the verb: "compare"
-  virtual std::string help() const = 0;  ///< one line
-  virtual std::size_t fewest_results() const { return 1; }
-  virtual std::size_t most_results() const { return 1; }
-  /// Metrics that are looked at where the question names none.
-  virtual std::vector<std::string> default_metrics() const { return {"success"}; }
-  /// Metrics that are needed besides those of the question, where the results have them.
-  virtual std::vector<std::string> further_metrics() const { return {}; }
-  /// Whether all descriptors are needed, not only those of the rows.
-  virtual bool needs_descriptors() const { return false; }
-
-  /// Throws Error (Usage) for what is not in the results.
-  virtual Interpretation interpret(const std::vector<RunColumns>& results,
-                                   const Question& question) const = 0;
+/// An analysis of results: a row of the table in src/interpreters/registry.cpp. Its values are also
+/// available as a plain struct from a separate function (build_summary(), compare_methods(), ...),
+/// for reports.
+struct Interpreter {
+  std::string id;    ///< the verb: "compare"
+  std::string help;  ///< one line
+  /// Throws Error (Usage) for ids that are not in the results.
+  Interpretation (*interpret)(const std::vector<ResultTable>& results, const AnalysisQuery& query);
+  std::size_t min_results = 1, max_results = 1;
+  /// Metrics that are used if the query names none.
+  std::vector<std::string> default_metrics = {"success"};
+  /// Metrics that are used in addition to those of the query, if the results contain them.
+  std::vector<std::string> additional_metrics = {};
+  bool needs_descriptors = false;  ///< all of them, not only those of the rows
 };
 
-/// Every interpreter. A new one: a file in src/interpreters, its make function in interpreters.h,
-/// and a line in the list in interpreter.cpp.
-std::vector<std::unique_ptr<Interpreter>> all_interpreters();
+const std::vector<Interpreter>& all_interpreters();
 
-/// Several tables one below the other, for a terminal (UTF-8); numbers to four digits, "x [low,
-/// high]" where a column comes with ".low" and ".high"; the columns of run ids left out.
+/// The tables as text for a terminal (UTF-8): numbers to four digits, "x [low, high]" for a column
+/// with ".low" and ".high"; columns of run ids are omitted.
 std::string render_text(const Interpretation& interpretation);
 /// {"tables": [...], "remarks": [...], "passed": true}.
 std::string render_json(const Interpretation& interpretation);
-/// The tables as CSV, an empty line between them.
+/// The tables as CSV, separated by empty lines.
 std::string render_csv(const Interpretation& interpretation);
 
 }  // namespace slalom

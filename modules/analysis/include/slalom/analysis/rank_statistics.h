@@ -7,41 +7,54 @@
 
 namespace slalom {
 
-/// Ranks from 1, in the order of `values`; equal values share the mean of their ranks.
-std::vector<double> midranks(const std::vector<double>& values);
+/// Values that differ by no more than this fraction of the largest one at hand are equal: decimal
+/// values are rounded when they are stored as doubles and once more by sums, so that 0.1 + 0.2 -
+/// 0.3 is 6e-17.
+constexpr double kTieTolerance = 1e-12;
+
+/// kTieTolerance times the largest magnitude of `values`.
+double tie_tolerance(const std::vector<double>& values);
+
+/// Ranks from 1, in the order of `values`; equal values share the mean of their ranks. Equal to the
+/// least of a group are those that exceed it by no more than `tolerance`.
+std::vector<double> midranks(const std::vector<double>& values, double tolerance = 0);
 
 /// Wilcoxon's signed-rank test of paired differences (Wilcoxon 1945), two-sided.
 struct SignedRankTest {
-  std::size_t n = 0;      ///< differences that are not zero; zeros are dropped, as Wilcoxon did
+  std::size_t n = 0;      ///< nonzero differences; zeros are dropped, as by Wilcoxon
   std::size_t zeros = 0;  ///< dropped
   double statistic = 0;   ///< sum of the midranks of positive differences
-  double p = 1;           ///< 1 where n is 0
+  double p = 1;           ///< 1 if n is 0
   bool exact = true;      ///< the permutation distribution, else the normal approximation
 };
 
 /// Exact (ties included: the distribution over all signs of the given midranks) up to 100 nonzero
 /// differences; beyond, the normal approximation with corrections for continuity and ties.
+/// Differences are zero or tied within a tolerance: by default that of the differences; that of the
+/// values which were subtracted is the right one where they are at hand.
+SignedRankTest signed_rank_test(const std::vector<double>& differences, double tolerance);
 SignedRankTest signed_rank_test(const std::vector<double>& differences);
 
-/// The shift that belongs to it: Hodges and Lehmann's median of all pairwise means (each difference
-/// with itself too, zeros kept), with the interval of Tukey (Hollander and Wolfe 1999, 3.3).
+/// The corresponding estimate of location: the Hodges-Lehmann median of all pairwise means
+/// (including each difference with itself, zeros kept), with Tukey's interval (Hollander and Wolfe
+/// 1999, 3.3).
 struct Shift {
   double estimate = 0;
-  std::optional<Interval> interval;  ///< none where n is too small for the confidence
+  std::optional<Interval> interval;  ///< none if n is too small for the confidence
 };
 
 /// Requires at least one difference.
 Shift hodges_lehmann(const std::vector<double>& differences, double confidence);
 
-/// Probability that a value of `a` exceeds one of `b`, ties counting half: Vargha and Delaney's
-/// (2000) A12. 0.5: no tendency. Requires a value in each.
+/// Probability that a value of `a` exceeds one of `b`, ties counting half: A12 of Vargha and
+/// Delaney (2000). 0.5: no tendency. Requires nonempty samples.
 double probability_of_superiority(const std::vector<double>& a, const std::vector<double>& b);
 
 /// A rank correlation.
 struct RankCorrelation {
   std::size_t n = 0;
-  std::optional<double> rho;         ///< none where n < 3 or one side is constant
-  std::optional<Interval> interval;  ///< none where n < 4
+  std::optional<double> rho;         ///< none if n < 3 or one side is constant
+  std::optional<Interval> interval;  ///< none if n < 4
 };
 
 /// Spearman's rho: Pearson's correlation of the midranks. Interval: Fisher's z with the variance

@@ -11,10 +11,10 @@ namespace slalom {
 struct RobustnessPoint {
   double parameter = 0;
   std::string source;             ///< the result file
-  std::size_t result = 0;         ///< its place in the sweep
-  std::vector<std::size_t> runs;  ///< places in that result
+  std::size_t result = 0;         ///< its index in the sweep
+  std::vector<std::size_t> runs;  ///< indexes into that result
   Cell cell;
-  std::optional<PairedComparison> change;  ///< against the first value, on the same scenarios
+  std::optional<PairedComparison> change;  ///< from the first value, on the same scenarios
 };
 
 struct RobustnessCurve {
@@ -31,14 +31,14 @@ struct RobustnessTable {
 
 struct RobustnessOptions {
   ComparisonOptions comparison;
-  std::vector<double> values;      ///< one a file; empty: as each campaign's .ini says
+  std::vector<double> values;      ///< one per file; empty: from each campaign's .ini
   bool allow_differences = false;  ///< campaigns may differ in more than the parameter
 };
 
-/// How each metric of each method changes over a swept parameter: one result set for each value.
-/// Throws Error (Usage) where a value is not known, or comes twice, or the campaigns differ in
-/// other settings too.
-RobustnessTable build_robustness(const std::vector<RunColumns>& sweep, const std::string& parameter,
+/// Each metric of each method over a swept parameter, with one result set per value. Throws Error
+/// (Usage) if a value is unknown or duplicate, or the campaigns differ in other settings.
+RobustnessTable build_robustness(const std::vector<ResultTable>& sweep,
+                                 const std::string& parameter,
                                  const std::vector<std::string>& metrics,
                                  const RobustnessOptions& options);
 

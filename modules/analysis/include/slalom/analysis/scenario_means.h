@@ -1,6 +1,6 @@
 #pragma once
 
-#include <slalom/results/run_columns.h>
+#include <slalom/results/result_table.h>
 
 #include <cstdint>
 #include <optional>
@@ -10,12 +10,12 @@
 namespace slalom {
 
 /// The mean of a metric over a method's runs in each scenario (the unit of all comparisons, since
-/// runs of one scenario are not independent); none where no run has a value. By place in
+/// runs of one scenario are not independent); none if no run has a value. In the order of
 /// `table.scenario_hashes`.
-std::vector<std::optional<double>> scenario_means(const RunColumns& table, std::uint32_t method,
+std::vector<std::optional<double>> scenario_means(const ResultTable& table, std::uint32_t method,
                                                   const ValueColumn& values);
 
-/// The metric of this id. Throws Error (Usage) with the nearest name.
-const ValueColumn& require_metric(const RunColumns& table, const std::string& id);
+/// The metric with this id. Throws Error (Usage) with the nearest name.
+const ValueColumn& require_metric(const ResultTable& table, const std::string& id);
 
 }  // namespace slalom

@@ -8,7 +8,7 @@
 
 namespace slalom {
 
-/// How one method did over all its runs.
+/// Summary of all runs of one method.
 struct MethodSummary {
   std::string method;
   std::size_t n = 0;
@@ -24,8 +24,6 @@ struct SummaryTable {
 };
 
 /// Throws Error (Usage) for an unknown column.
-SummaryTable build_summary(const RunColumns& table, const std::vector<std::string>& column_ids,
-                           const AnalysisOptions& options);
 SummaryTable build_summary(const ResultTable& table, const std::vector<std::string>& column_ids,
                            const AnalysisOptions& options);
 

@@ -7,16 +7,16 @@
 
 namespace slalom {
 
-/// Cross tables in long form, one line a cell (RFC 4180 quoting, lines end with LF):
+/// Cross tables in long form, one line per cell (RFC 4180 quoting, lines end with LF):
 /// method,row_descriptor,bin_low,bin_high,metric,version,n,available,na,mean,deviation,low,high,
-/// confidence,na_reasons. Fields without a value are empty; numbers read back exactly.
+/// confidence,na_reasons. Fields without a value are empty; numbers are exact.
 std::string render_csv(const std::vector<CrossTable>& tables);
 
 /// The same as a JSON array of tables, with the ids of the runs of each row and NA counts by
 /// reason.
 std::string render_json(const std::vector<CrossTable>& tables);
 
-/// A field of a CSV line, quoted where it must be.
+/// A field of a CSV line, quoted if necessary.
 std::string csv_field(const std::string& text);
 
 }  // namespace slalom

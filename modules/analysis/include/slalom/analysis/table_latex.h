@@ -9,15 +9,15 @@
 namespace slalom {
 
 /// Tables for a paper: `tabular` environments inside `table`, each cell "0.95 [0.94, 0.96]", with
-/// the number of runs, missing values and the confidence in the caption. They need no package but
-/// LaTeX's own; names of methods and metrics are escaped.
+/// the number of runs, missing values and the confidence in the caption. They require no packages;
+/// names of methods and metrics are escaped.
 std::string render_latex(const SummaryTable& table);
 std::string render_latex(const CrossTable& table);
 
-/// A document that holds these tables and compiles by itself.
+/// A standalone document with these tables.
 std::string latex_document(const std::vector<std::string>& tables);
 
-/// `text` with LaTeX's special characters escaped, and what is not ASCII left out.
+/// `text` with LaTeX's special characters escaped, and non-ASCII characters removed.
 std::string latex_text(const std::string& text);
 
 }  // namespace slalom

@@ -3,7 +3,6 @@
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/core/progress.h>
 #include <slalom/descriptors/descriptor.h>
-#include <slalom/methods/registry.h>
 #include <slalom/metrics/metric.h>
 #include <slalom/references/reference.h>
 #include <slalom/results/run_record.h>
@@ -26,19 +25,18 @@ struct RunSpec {
   std::uint64_t seed = 0;
 };
 
-/// The plan: every method drives every scenario `repetitions` times.
+/// The plan: every method runs every scenario `repetitions` times.
 struct Campaign {
   CampaignOptions options;
-  std::vector<Scenario> scenarios;  ///< distinct contents
-  const IniFile& ini;               ///< for the methods' own sections
-  const MethodRegistry& methods;
-  const ReferencePlanner* planner = nullptr;  ///< null: the exact search alone
-  /// Makes the observer that records a run; null: nothing is recorded. Called in worker processes,
-  /// and for runs that killed theirs in the caller's.
-  std::function<std::unique_ptr<RunObserver>(const RunSpec&)> recorder = nullptr;
+  std::vector<Scenario> scenarios;            ///< with distinct content hashes
+  std::vector<NamedMethod> methods;           ///< with distinct names
+  const ReferencePlanner* planner = nullptr;  ///< null: exact search only
+  /// Creates the observer that records a run; null: nothing is recorded. Called in worker
+  /// processes, or in the calling process for runs whose worker process died.
+  std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> recorder = nullptr;
 };
 
-/// Takes what a campaign finds, in the order of the plan (scenario, method, repetition).
+/// Receives the results of a campaign in the order of the plan (scenario, method, repetition).
 class CampaignSink {
  public:
   virtual ~CampaignSink() = default;
@@ -48,11 +46,14 @@ class CampaignSink {
                        const Trajectory& trajectory) = 0;
 };
 
-/// How a campaign is run; none of it changes a deterministic result.
+/// Execution settings; none of them affects deterministic results.
 struct Execution {
   int workers = 1;
   Progress& progress;
-  std::function<bool()> interrupted;  ///< polled; null for never
+  std::function<bool()> interrupted;  ///< polled; null: never interrupted
+  bool in_process = false;            ///< without worker processes and their limits
+
+  bool is_interrupted() const { return interrupted && interrupted(); }
 };
 
 struct CampaignSummary {
@@ -62,18 +63,17 @@ struct CampaignSummary {
   std::size_t infrastructure_errors() const;
 };
 
-/// The seed of a run: the same for all methods, so that they meet the same noise, and independent
-/// of which other scenarios, methods or repetitions there are.
+/// The seed of a run. It is the same for all methods, so that they are exposed to the same noise,
+/// and independent of the other scenarios, methods and repetitions.
 std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario_hash,
                        int repetition);
 
-/// Builds every method once in a process of its own, so that a wrong option, class or library is
-/// reported before anything runs. Throws Error (Usage) with the method's section.
+/// Builds every method once in a separate process, so that an invalid option, class or library is
+/// reported before the first run. Throws Error (Usage) with the method's origin.
 void check_methods(const Campaign& campaign);
 
-/// Describes every scenario and finds its references (each in a fresh process), then runs every
-/// method on it in worker processes. The same campaign gives the same records with any number of
-/// workers.
+/// Computes the descriptors and references of every scenario (each in a new process), then runs
+/// every method on it in worker processes. The records do not depend on the number of workers.
 CampaignSummary run_campaign(const Campaign& campaign, CampaignSink& sink,
                              const Execution& execution);
 

@@ -2,6 +2,7 @@
 
 #include <slalom/core/ini_file.h>
 #include <slalom/core/options.h>
+#include <slalom/methods/registry.h>
 #include <slalom/metrics/metric.h>
 #include <slalom/robot/robot_model.h>
 #include <slalom/simulation/simulate.h>
@@ -17,17 +18,17 @@ struct CampaignSection {
   std::string name = "campaign";
   std::uint64_t seed = 1;
   int repetitions = 1;
-  std::string methods;  ///< names, comma separated
+  std::string methods;  ///< names, comma-separated
 
   void visit(OptionVisitor& v);
 };
 
 /// Section [metrics].
 struct MetricsSection {
-  std::string enabled = "all";           ///< metric ids, comma separated, or all
-  std::string descriptors = "all";       ///< descriptor ids, comma separated, or all
-  bool exact_confinement = false;        ///< confinement from every free cell, not sampled
-  double safe_distance = kSafeDistance;  ///< m, clearance below which time is time at risk
+  std::string enabled = "all";           ///< metric ids, comma-separated, or all
+  std::string descriptors = "all";       ///< descriptor ids, comma-separated, or all
+  bool exact_confinement = false;        ///< confinement over all free cells instead of a sample
+  double safe_distance = kSafeDistance;  ///< m; time with less clearance counts as risk time
 
   void visit(OptionVisitor& v);
 };
@@ -35,46 +36,74 @@ struct MetricsSection {
 /// Section [limits].
 struct LimitsSection {
   DeadlineOptions deadline;
-  double run_wall_time = 60;   ///< s of wall-clock time for one run
-  double run_cpu_time = 0;     ///< s of processor time for one run; 0: any
-  double memory_mb = 2048;     ///< MiB that a worker may take beyond what it starts with; 0: any
-  bool method_errors = false;  ///< what methods write to standard error is shown
+  double run_wall_time = 60;   ///< s of wall-clock time per run
+  double run_cpu_time = 0;     ///< s of CPU time per run; 0: unlimited
+  double memory_mb = 2048;     ///< MiB a worker may allocate after its start; 0: unlimited
+  bool method_errors = false;  ///< show the standard error output of methods
 
   void visit(OptionVisitor& v);
 };
 
+enum class RecordedRuns { None, Failures, All };
+constexpr auto enum_names(RecordedRuns) {
+  return std::array{"none", "failures", "all"};
+}
+
+enum class StoredTrajectories {
+  All,
+  None  ///< for very large campaigns
+};
+constexpr auto enum_names(StoredTrajectories) {
+  return std::array{"all", "none"};
+}
+
 /// Section [record].
 struct RecordSection {
-  std::string rawlog = "none";       ///< none, failures or all runs
-  std::string trajectories = "all";  ///< none: results without them, for very large campaigns
+  RecordedRuns rawlog = RecordedRuns::None;
+  StoredTrajectories trajectories = StoredTrajectories::All;
 
   void visit(OptionVisitor& v);
   bool wants(Outcome outcome) const;
 };
 
-/// Everything of a campaign's .ini that is not about where scenarios come from or how tables look.
+std::vector<std::string> all_metric_ids();
+std::vector<std::string> all_descriptor_ids();
+
+/// All settings of a campaign except its scenarios and methods.
 struct CampaignOptions {
-  std::string name;
+  std::string name = "campaign";
   std::uint64_t seed = 1;
   int repetitions = 1;
-  std::vector<std::string> methods;      ///< in the order of the .ini
-  std::vector<std::string> metrics;      ///< ids
-  std::vector<std::string> descriptors;  ///< ids
+  std::vector<std::string> metrics = all_metric_ids();
+  std::vector<std::string> descriptors = all_descriptor_ids();
   bool exact_confinement = false;
   double safe_distance = kSafeDistance;  ///< m
   RunSetup setup;
   LimitsSection limits;
   RecordSection record;
   double reference_gap = 0.01;
+
+  /// The quantities with the ids in `metrics` and in `descriptors`, in the same order.
+  std::vector<QuantityInfo> metric_infos() const;
+  std::vector<QuantityInfo> descriptor_infos() const;
 };
 
-/// What a run is measured with: the robot, the simulation's limits, every metric or those enabled,
-/// from [robot], [simulation] and [metrics], each with its defaults. Throws Error (Usage).
+/// The settings needed to compute the metrics of a run: the robot, the simulation limits and the
+/// enabled metrics, from [robot], [simulation] and [metrics]. Missing sections and keys take their
+/// defaults. Throws Error (Usage).
 CampaignOptions read_measuring_options(const IniFile& ini);
 
 /// Reads [campaign], [robot], [sensor], [odometry], [simulation], [metrics] and [limits] and checks
-/// them against each other. Throws Error (Usage). reference_gap is left for the reader of
-/// [reference].
+/// them against each other. Throws Error (Usage). Does not set
+/// reference_gap, which is part of [reference].
 CampaignOptions read_campaign_options(const IniFile& ini);
+
+/// The methods that [campaign] names, in that order, from their sections. Throws Error (Usage) for
+/// none, a duplicate, or a section that is missing or invalid.
+std::vector<NamedMethod> read_methods(const IniFile& ini, const MethodRegistry& registry);
+
+/// The sections from which read_campaign_options() reads the same options. Errors about a value
+/// name it ORIGIN SECTION.KEY.
+IniFile campaign_ini(const CampaignOptions& options, const std::string& origin);
 
 }  // namespace slalom

@@ -11,12 +11,12 @@
 
 namespace slalom {
 
-/// The reference paths of a place as a campaign finds them (`planner` null: the exact search
-/// alone). Meant for a process of its own: OMPL's random generators are seeded once per process.
+/// The reference paths of a scenario as computed in a campaign (`planner` null: exact search only).
+/// Call it in a separate process: OMPL seeds its random number generators once per process.
 References find_references(const CampaignOptions& options, const ReferencePlanner* planner,
                            const World& world);
 
-/// The metrics of a run that a campaign computes, by id.
+/// The values of the enabled metrics of a run, by id.
 std::map<std::string, VersionedValue> measure_run(const CampaignOptions& options,
                                                   const World& world, const References& references,
                                                   const Trajectory& trajectory, Outcome outcome);

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <slalom/campaign/task_notes.h>
+#include <slalom/campaign/shared_task_log.h>
+#include <slalom/core/wall_clock.h>
 
 #include <cstddef>
 #include <functional>
@@ -8,42 +9,46 @@
 
 namespace slalom {
 
-/// What became of one task.
-struct TaskResult {
+/// The result of one work item.
+struct WorkResult {
   enum class Status {
-    Done,         ///< payload is what the task returned
-    Threw,        ///< the task threw; detail is the exception's reason
-    OutOfMemory,  ///< the task threw std::bad_alloc
-    Crashed,      ///< its process died; detail says how
-    TimedOut      ///< its process was killed after a time limit; detail says which
+    Done,         ///< payload holds the returned bytes
+    Threw,        ///< an exception was thrown; detail holds its message
+    OutOfMemory,  ///< std::bad_alloc was thrown
+    Crashed,      ///< the process died; detail describes how
+    TimedOut      ///< the process was killed after a time limit; detail names the limit
   };
   Status status = Status::Done;
   std::string payload;
   std::string detail;
-  std::string notes;  ///< what the task had noted, unless it is done
+  std::string log;  ///< contents of the shared log, unless Done
 };
 
 struct PoolOptions {
   int workers = 1;
-  double task_wall_time = 0;  ///< s; a task that takes longer is killed; 0 for no limit
-  double task_cpu_time = 0;   ///< s of processor time; 0 for no limit
-  double silence = 0;         ///< s; a task that has begun to beat and stops is killed; 0: may stop
-  double memory_mb = 0;       ///< MiB that a worker may take beyond what it starts with; 0: any
-  std::size_t notes_size = 0;  ///< bytes that a task may note
-  bool keep_errors = false;    ///< standard error of the workers stays; otherwise it is discarded
-  bool fresh_process = false;  ///< a new process for each task instead of one per worker
+  double item_wall_time = 0;     ///< s; a work item that takes longer is killed; 0: unlimited
+  double item_cpu_time = 0;      ///< s of CPU time; 0: unlimited
+  double heartbeat_timeout = 0;  ///< s, maximum time after a heartbeat; 0: unlimited
+  double memory_mb = 0;          ///< MiB a worker may allocate after its start; 0: unlimited
+  std::size_t log_size = 0;      ///< bytes, capacity of the shared log
+  bool keep_stderr = false;      ///< do not discard the workers' standard error
+  bool fresh_process = false;    ///< a new process for each work item
+  bool in_process = false;       ///< execute work items in this process, without limits
+  /// For item_wall_time and heartbeat_timeout; read in the parent process.
+  WallClock clock = steady_seconds;
 };
 
-/// One task, run in a worker process; it returns bytes for the parent.
-using WorkerTask = std::function<std::string(std::size_t index, TaskNotes& notes)>;
+/// A work item, executed in a worker process. Returns bytes for the parent process.
+using WorkItem = std::function<std::string(std::size_t index, SharedTaskLog& log)>;
 
-/// Runs tasks 0 .. count-1 in forked worker processes and hands each result to `on_result` in the
-/// order of the indexes, whatever the number of workers. A worker that dies or hangs costs only the
-/// task it was at: it is replaced. Standard output of workers is discarded. `interrupted` is
-/// polled; when it turns true the workers are killed and the function returns false with the
-/// results so far handed over. Throws Error (Job) when no process can be made.
-bool run_in_workers(std::size_t count, const PoolOptions& options, const WorkerTask& task,
-                    const std::function<void(std::size_t, TaskResult&&)>& on_result,
+/// Executes work items 0 .. count-1 in forked worker processes and passes each result to
+/// `on_result` in the order of the indexes, for any number of workers. A worker that dies or hangs
+/// is replaced, and only its current work item is lost. Standard output of workers is discarded.
+/// `interrupted` is polled; when it returns true, the workers are killed, the results obtained so
+/// far are passed on, and the function returns false. Throws Error (Job) when no process can be
+/// created.
+bool run_in_workers(std::size_t count, const PoolOptions& options, const WorkItem& item,
+                    const std::function<void(std::size_t, WorkResult&&)>& on_result,
                     const std::function<bool()>& interrupted);
 
 }  // namespace slalom

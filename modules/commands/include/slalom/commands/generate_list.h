@@ -13,29 +13,29 @@
 
 namespace slalom {
 
-/// What the .ini of a generation leaves open.
-struct GenerationOrder {
+/// Settings of a generation that are not in its .ini.
+struct GenerationOptions {
   std::uint64_t seed = 1;
   int jobs = 1;                          ///< threads; the list is the same for any number
-  std::vector<std::string> descriptors;  ///< to compute and keep at once; not with [coverage]
+  std::vector<std::string> descriptors;  ///< to compute and store; not with [coverage]
 };
 
-/// How covering bins went, where the .ini has [coverage].
+/// The result of a coverage generation, for an .ini with [coverage].
 struct GeneratedBins {
   CoveragePlan plan;
   CoverageResult result;
 };
 
-/// Appends to `list` what the .ini asks for: [scenarios] as stream_scenarios() reads it, or filled
-/// bins where there is a section [coverage]; for [robot] and [sensor]. Note "origin" keeps the seed
-/// and the .ini. Throws Error as those do, and whatever `progress` throws to end it; the list then
-/// has part of the scenarios.
+/// Appends the scenarios of the .ini to `list`: those of [scenarios], see stream_scenarios(), or
+/// those of a coverage generation if there is a section [coverage]; for [robot] and [sensor].
+/// Stores the seed and the .ini as note "origin". Throws the errors of these, and any exception
+/// that `progress` throws to cancel; the list then contains part of the scenarios.
 std::optional<GeneratedBins> generate_list(ScenarioList& list, const IniFile& ini,
-                                           const GenerationOrder& order, const MapLoader& load_map,
-                                           Progress& progress);
+                                           const GenerationOptions& options,
+                                           const MapLoader& load_map, Progress& progress);
 
-/// Throws Error (Usage) where generate_list() would at once: for wrong sections, keys and values.
-/// Reads no maps.
-void check_generation(const IniFile& ini, const GenerationOrder& order);
+/// Throws Error (Usage) for invalid sections, keys and values, as generate_list() would before it
+/// starts. Does not read maps.
+void check_generation(const IniFile& ini, const GenerationOptions& options);
 
 }  // namespace slalom

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <slalom/commands/describe_scenario.h>
+#include <slalom/campaign/describe_scenario.h>
 #include <slalom/generation/generate_mix.h>
 #include <slalom/io/scenario_list.h>
 
@@ -8,12 +8,12 @@
 
 namespace slalom {
 
-/// Appends scenarios with their origins and values in one step: what a GenerationSink does that
-/// keeps a list. The indexes of those whose content was there before.
+/// Appends scenarios with their origins and values in one transaction: the GenerationSink that
+/// stores to a list. Returns the indexes of the scenarios that the list already contained.
 std::vector<std::size_t> keep_generated(ScenarioList& list,
                                         const std::vector<GeneratedScenario>& part);
 
-/// The values of a world's descriptors, to be kept with it; for many threads at once.
-std::vector<GeneratedValue> generated_values(const World& world, const DescribeOptions& options);
+/// The descriptor values of a world, to be stored with it. Thread-safe.
+std::vector<KeyedValue> generated_values(const World& world, const DescribeOptions& options);
 
 }  // namespace slalom

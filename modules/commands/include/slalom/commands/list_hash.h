@@ -6,8 +6,8 @@
 
 namespace slalom {
 
-/// What identifies the content of a list: 32 hexadecimal digits over the sorted content hashes of
-/// its scenarios. Order, names, tags, values and notes do not count.
+/// A hash of the content of a list: 32 hexadecimal digits over the sorted content hashes of its
+/// scenarios. Independent of order, names, tags, values and notes.
 std::string content_hash(const ScenarioList& list);
 
 }  // namespace slalom

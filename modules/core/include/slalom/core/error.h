@@ -5,29 +5,28 @@
 
 namespace slalom {
 
-/// Who has to act for an error to go away; decides the exit status of a program.
-enum class Culprit {
+/// The kind of an error; determines the exit status of a program.
+enum class ErrorKind {
   Job,    ///< the job ran and something in it failed (exit status 1)
   Usage,  ///< wrong command line or configuration (exit status 2)
   File    ///< an input file is missing, unreadable or corrupt (exit status 3)
 };
 
-/// An error that a user can mend. Its text is one line: where, what, what was expected.
+/// An error that the user can fix. Its text is one line: where, what, what was expected.
 class Error : public std::runtime_error {
  public:
-  Error(Culprit culprit, const std::string& message)
-      : std::runtime_error(message), culprit_(culprit) {}
+  Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
 
-  Culprit culprit() const { return culprit_; }
+  ErrorKind kind() const { return kind_; }
 
-  /// 1, 2 or 3, as the programs' convention says.
+  /// 1, 2 or 3, see ErrorKind.
   int exit_status() const;
 
  private:
-  Culprit culprit_;
+  ErrorKind kind_;
 };
 
-/// Builds "WHERE: WHAT; expected EXPECTED" (the last part left out where empty).
+/// Builds "WHERE: WHAT; expected EXPECTED" (without the last part if it is empty).
 Error job_error(const std::string& where, const std::string& what,
                 const std::string& expected = "");
 Error usage_error(const std::string& where, const std::string& what,
@@ -35,8 +34,8 @@ Error usage_error(const std::string& where, const std::string& what,
 Error file_error(const std::string& where, const std::string& what,
                  const std::string& expected = "");
 
-/// What an exception of any origin says, as one line. MRPT's exceptions tell their call stack with
-/// memory addresses, which differ from run to run: of those only the reason is kept.
+/// The message of any exception, as one line. MRPT's exceptions include a call stack with memory
+/// addresses, which differ from run to run; only the message itself is kept.
 std::string reason_of(const std::exception& error);
 
 }  // namespace slalom

@@ -9,7 +9,7 @@ struct XXH3_state_s;
 
 namespace slalom {
 
-/// Streaming 128-bit content hash (XXH3). Numbers are fed as little-endian bytes; -0.0 counts as 0.
+/// Streaming 128-bit content hash (XXH3). Numbers are hashed as little-endian bytes; -0.0 equals 0.
 class Hasher {
  public:
   Hasher();
@@ -27,5 +27,9 @@ class Hasher {
  private:
   XXH3_state_s* state_;
 };
+
+/// Whether two numbers have the same representation, unlike ==: -0.0 differs from 0.0, and a NaN
+/// equals itself.
+bool same_bits(double a, double b);
 
 }  // namespace slalom

@@ -7,23 +7,25 @@
 
 namespace slalom {
 
-/// An MRPT-style .ini (`CConfigFile` with `@define` and `${}`), which knows where each key stands.
+/// An MRPT-style .ini (`CConfigFile` with `@define` and `${}`) that records the line of each key.
 class IniFile {
  public:
   /// Reads a file. Throws Error (File) when it cannot be read, Error (Usage) on a malformed line.
   static IniFile load(const std::string& path);
   static IniFile from_text(const std::string& text, const std::string& name = "<text>");
 
-  /// Applies "SECTION.KEY=VALUE" (the last dot before '=' parts section and key).
-  /// Throws Error (Usage) when the argument is not of that form.
+  /// Applies "SECTION.KEY=VALUE" (the last dot before '=' separates section and key). Throws Error
+  /// (Usage) when the argument is not of that form.
   void override_key(const std::string& assignment);
 
   std::vector<std::string> sections() const;                        ///< in file order
   std::vector<std::string> keys(const std::string& section) const;  ///< in file order
   bool has_section(const std::string& section) const;
   std::optional<std::string> get(const std::string& section, const std::string& key) const;
-  void set(const std::string& section, const std::string& key, const std::string& value);
-  void remove(const std::string& section, const std::string& key);  ///< nothing if it is not there
+  /// `origin` precedes SECTION.KEY in messages about this value.
+  void set(const std::string& section, const std::string& key, const std::string& value,
+           const std::string& origin = "--set ");
+  void remove(const std::string& section, const std::string& key);  ///< no effect if absent
 
   /// "FILE:LINE: [section] key", for messages.
   std::string where(const std::string& section, const std::string& key) const;
@@ -31,11 +33,11 @@ class IniFile {
   const std::string& name() const { return name_; }
 
   /// The effective content as text, definitions expanded and overrides applied, sorted by section
-  /// and key: what a manifest keeps.
+  /// and key, as stored in manifests.
   std::string canonical_text() const;
 
-  /// Throws Error (Usage) naming the nearest valid section if there is one not accepted.
-  /// A name ending in ".*" accepts every section with that prefix and a dot.
+  /// Throws Error (Usage) for a section that is not accepted, naming the nearest accepted one. A
+  /// name ending in ".*" accepts every section with that prefix and a dot.
   void reject_unknown_sections(const std::vector<std::string>& accepted) const;
 
  private:
@@ -50,8 +52,5 @@ class IniFile {
 
   const Entry* find(const std::string& section, const std::string& key) const;
 };
-
-/// The candidate with the smallest edit distance to `word`, or "" if none is near.
-std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace slalom

@@ -1,15 +1,17 @@
 #pragma once
 
+#include <slalom/core/enum_names.h>
 #include <slalom/core/ini_file.h>
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace slalom {
 
-/// The values an option may have.
+/// The valid range of an option.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -25,7 +27,7 @@ struct Range {
   std::string text() const;  ///< e.g. "> 0", "in [0, 1]"
 };
 
-/// Visits the options of a plain struct. A struct of options says each option once:
+/// Visits the options of a plain struct. An options struct declares each option once:
 ///
 ///     struct SensorOptions {
 ///       int rays = 181;
@@ -33,7 +35,7 @@ struct Range {
 ///       Range::at_least(2)); }
 ///     };
 ///
-/// and the same description reads it from an .ini, rejects unknown keys and prints the help table.
+/// The same declaration is used to read an .ini, to reject unknown keys and to print the help.
 class OptionVisitor {
  public:
   virtual ~OptionVisitor() = default;
@@ -41,11 +43,29 @@ class OptionVisitor {
                       const std::string& help, Range range = Range::any()) = 0;
   virtual void option(const std::string& key, int& value, const std::string& unit,
                       const std::string& help, Range range = Range::any()) = 0;
-  /// A seed: a whole number from 0 to 2^63 - 1.
+  /// A seed: an integer from 0 to 2^63 - 1.
   virtual void option(const std::string& key, std::uint64_t& value, const std::string& help) = 0;
   virtual void option(const std::string& key, bool& value, const std::string& help) = 0;
   virtual void option(const std::string& key, std::string& value, const std::string& help,
                       const std::vector<std::string>& choices = {}) = 0;
+
+  /// An enum with names (enum_names.h): a text with these choices.
+  template <typename Enum, typename = EnumNames<Enum>>
+  void option(const std::string& key, Enum& value, const std::string& help) {
+    std::string name = to_string(value);
+    option(key, name, help, names_of<Enum>());
+    value = from_name<Enum>(name).value();
+  }
+  /// The same with one more choice, the first: `absent`, for no value.
+  template <typename Enum, typename = EnumNames<Enum>>
+  void option(const std::string& key, std::optional<Enum>& value, const std::string& help,
+              const std::string& absent) {
+    std::string name = value ? to_string(*value) : absent;
+    std::vector<std::string> choices = names_of<Enum>();
+    choices.insert(choices.begin(), absent);
+    option(key, name, help, choices);
+    value = from_name<Enum>(name);
+  }
 };
 
 /// Reads options from one section of an .ini; keeps the default where a key is absent.
@@ -63,10 +83,10 @@ class OptionReader : public OptionVisitor {
   void option(const std::string& key, std::string& value, const std::string& help,
               const std::vector<std::string>& choices = {}) override;
 
-  /// The keys that option() calls named.
+  /// The keys declared by option() calls.
   const std::vector<std::string>& known_keys() const { return known_; }
 
-  /// Throws Error (Usage) for a key of the section that no option() call named, with the nearest.
+  /// Throws Error (Usage) for a key that no option() call declared, naming the nearest one.
   void reject_unknown_keys() const;
 
  private:
@@ -96,6 +116,34 @@ class OptionLister : public OptionVisitor {
   std::vector<Line> lines_;
 };
 
+/// Writes options to one section of an .ini as OptionReader reads them; `origin` as in
+/// IniFile::set(). Ranges are checked by reading.
+class SectionWriter : public OptionVisitor {
+ public:
+  SectionWriter(IniFile& ini, std::string section, std::string origin)
+      : ini_(ini), section_(std::move(section)), origin_(std::move(origin)) {}
+
+  void option(const std::string& key, double& value, const std::string& unit,
+              const std::string& help, Range range = Range::any()) override;
+  void option(const std::string& key, int& value, const std::string& unit, const std::string& help,
+              Range range = Range::any()) override;
+  void option(const std::string& key, std::uint64_t& value, const std::string& help) override;
+  void option(const std::string& key, bool& value, const std::string& help) override;
+  void option(const std::string& key, std::string& value, const std::string& help,
+              const std::vector<std::string>& choices = {}) override;
+
+ private:
+  IniFile& ini_;
+  std::string section_, origin_;
+};
+
+template <typename Options>
+void write_options(IniFile& ini, const std::string& section, Options options,
+                   const std::string& origin) {
+  SectionWriter writer(ini, section, origin);
+  options.visit(writer);
+}
+
 /// Reads all options of `options` from `section` and rejects unknown keys.
 template <typename Options>
 Options read_options(const IniFile& ini, const std::string& section, Options options = {}) {
@@ -103,6 +151,15 @@ Options read_options(const IniFile& ini, const std::string& section, Options opt
   options.visit(reader);
   reader.reject_unknown_keys();
   return options;
+}
+
+/// Throws Error (Usage) for a value out of range in options that were not read from an .ini.
+/// `section` names them in the message, as in "SECTION.KEY: '-1' is not valid; expected ...".
+template <typename Options>
+void check_options(const Options& options, const std::string& section) {
+  IniFile ini;
+  write_options(ini, section, options, "");
+  read_options<Options>(ini, section);
 }
 
 }  // namespace slalom

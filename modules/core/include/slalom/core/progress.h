@@ -1,26 +1,28 @@
 #pragma once
 
+#include <slalom/core/wall_clock.h>
+
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <string>
 
 namespace slalom {
 
-/// Is told how far a long job is. Implementations must be cheap to call.
+/// Receives the progress of a long job. Implementations must be cheap to call.
 class Progress {
  public:
   virtual ~Progress() = default;
   virtual void start(const std::string& what, std::size_t total) = 0;
   virtual void advance(std::size_t done) = 0;  ///< `done` of `total` so far
-  virtual void finish() = 0;
+  virtual void finish() = 0;                   ///< the work ended, with all done or before
 };
 
-/// Says nothing.
+/// No output.
 std::unique_ptr<Progress> make_silent_progress();
 
-/// A bar on standard error when it is a terminal and `quiet` is false; otherwise one line per
-/// stage, or nothing when quiet.
-std::unique_ptr<Progress> make_terminal_progress(bool quiet);
+/// A progress bar on standard error if it is a terminal; otherwise, for log files, a line every 10
+/// s of `clock` with the count and the estimated time left, so none for short jobs. No output if
+/// `quiet`.
+std::unique_ptr<Progress> make_terminal_progress(bool quiet, WallClock clock = steady_seconds);
 
 }  // namespace slalom

@@ -1,21 +1,34 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace slalom {
 
 std::string trim(const std::string& text);
 std::vector<std::string> split(const std::string& text, char separator);  ///< parts trimmed
+std::vector<std::string> split_nonempty(const std::string& text, char separator);
 std::string join(const std::vector<std::string>& parts, const std::string& separator);
+bool contains(const std::vector<std::string>& texts, const std::string& text);
+bool starts_with(std::string_view text, std::string_view start);
+bool ends_with(std::string_view text, std::string_view end);
 
-/// The shortest decimal text that reads back as the same double; "." whatever the locale.
+/// The candidate with the smallest edit distance to `word`, or "" if none is close.
+std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
+
+/// What is expected instead of an unknown name, for messages: the nearest known one in quotes;
+/// `otherwise` if none is close, or if that is empty, "one of" all.
+std::string expected_name(const std::string& name, const std::vector<std::string>& known,
+                          const std::string& otherwise = "");
+
+/// The shortest decimal text that reads back as the same double, independent of the locale.
 std::string format_number(double number);
 
 /// `number` with `digits` after the point.
 std::string format_fixed(double number, int digits);
 
-/// The whole text as a number, or false.
+/// Parses the complete text as a finite number; returns false on failure.
 bool parse_number(const std::string& text, double& number);
 bool parse_integer(const std::string& text, long long& number);
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <slalom/core/enum_names.h>
+
 #include <optional>
 #include <string>
 
 namespace slalom {
 
-/// A number, or an explicit "not available" with the reason. Never an invented neutral value.
+/// A number, or an explicit "not available" with the reason; never replaced by a neutral value.
 class Value {
  public:
   static Value of(double number);  ///< a number that is not finite becomes NA
@@ -26,18 +28,35 @@ class Value {
   std::string reason_;
 };
 
-enum class Direction { Up, Down, None };  ///< which way is better
+/// "0.68", "2.5 m", "NA (outcome: stuck)"; without the standard error.
+std::string format_value(const Value& value, const std::string& unit = "-");
 
-std::string to_string(Direction direction);
+enum class Direction { Up, Down, None };  ///< which direction is better
+constexpr auto enum_names(Direction) {
+  return std::array{"up", "down", "none"};
+}
 
-/// What a computed quantity (a scenario descriptor or a metric) is: its formula never changes under
-/// one (id, version).
+/// Describes a computed quantity (a scenario descriptor or a metric). The formula of an (id,
+/// version) never changes.
 struct QuantityInfo {
   std::string id;  ///< as in tables and files, e.g. "clearness"
   int version = 1;
   std::string name;  ///< for people, e.g. "Clearness"
   std::string unit;  ///< "-" where it has none
   Direction direction = Direction::None;
+};
+
+/// Identifies a stored value of a quantity.
+struct ValueKey {
+  std::string id;
+  int version = 1;
+  std::string parameters = {};  ///< on which the value depends, "key=value;...", "" for none
+};
+
+/// A value and what it is of.
+struct KeyedValue {
+  ValueKey key;
+  Value value;
 };
 
 }  // namespace slalom

@@ -6,58 +6,58 @@
 #include <slalom/trajectory/path.h>
 
 #include <functional>
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace slalom {
 
-/// The shortest path P* of a robot, or why there is none.
+/// The shortest path P* of a robot, or the reason why none exists.
 struct KnownPath {
-  Path path;           ///< from start to goal; empty when there is none
+  Path path;           ///< from start to goal; empty if none exists
   double length = 0;   ///< m
-  std::string reason;  ///< why there is none
+  std::string reason;  ///< why no path exists
 };
 
-/// Gives P*; called only by descriptors that need it, because it costs a search.
+/// Returns P*; called only by descriptors that need it, because it runs a search.
 using PathSource = std::function<const KnownPath&()>;
 
-/// A source that searches when it is first asked, and never again. Copies share what was found. Not
-/// for several threads at once.
+/// A source that searches on the first call and caches the result, which copies share. Not
+/// thread-safe.
 PathSource search_once(std::function<KnownPath()> search);
 
-/// What a descriptor may look at.
+/// Inputs of a descriptor.
 struct DescriptorContext {
   const World& world;
   Footprint robot = Footprint::disc(0.25);
   double sensor_range = 8.0;  ///< m, R in the formulas
   /// P* of the disc inscribed in the robot.
   PathSource shortest;
-  /// Confinement by summing up exact arcs at every free cell, instead of a sample.
+  /// Compute confinement from exact arcs at every free cell instead of sampling.
   bool exact_confinement = false;
-  /// Which of the two published versions of BARN's visibility: 2021 or 2020.
+  /// Published version of BARN's visibility: 2021 or 2020.
   int barn_visibility = 2021;
 
-  double robot_radius() const { return robot.inscribed_radius(); }  ///< m, of that disc
+  double robot_radius() const { return robot.inscribed_radius(); }  ///< m, inscribed radius
 };
 
-/// One number about a place (Strategy). Deterministic: the same scenario and parameters, the same
-/// value.
-class Descriptor {
- public:
-  virtual ~Descriptor() = default;
-  virtual QuantityInfo info() const = 0;
-  /// The parameters that the value depends on, as "key=value;...", "" for none: part of the cache
-  /// key, so "robot_radius=0.25" for those that depend on the robot.
-  virtual std::string parameters(const DescriptorContext& context) const = 0;
-  virtual Value compute(const DescriptorContext& context) const = 0;
+/// A parameter on which a value depends, as "key=value"; "" where it does not apply.
+using DescriptorParameter = std::string (*)(const DescriptorContext& context);
+
+/// A scalar property of a scenario: what it is, and the function that computes it. Deterministic:
+/// equal scenarios and parameters give equal values.
+struct Descriptor {
+  QuantityInfo info;
+  std::vector<DescriptorParameter> depends_on;
+  Value (*compute)(const DescriptorContext& context);
+
+  /// The key of the value, with the parameters on which it depends, e.g. "robot_radius=0.25".
+  ValueKey key(const DescriptorContext& context) const;
 };
 
-/// All descriptors, in the order of definitions.md: the one list to add a line to.
-const std::vector<std::shared_ptr<const Descriptor>>& all_descriptors();
+/// All descriptors, in the order of definitions.md; the table is in registry.cpp.
+const std::vector<Descriptor>& all_descriptors();
 
-/// The descriptor with this id; throws Error (Usage) naming the nearest id.
+/// The descriptor with this id; throws Error (Usage) with the most similar id.
 const Descriptor& descriptor(const std::string& id);
 
 }  // namespace slalom

@@ -8,28 +8,23 @@
 
 namespace slalom {
 
-/// Where computed values are kept between programs (a scenario list implements it).
+/// Persistent storage of computed values (implemented by scenario lists).
 class DescriptorStore {
  public:
   virtual ~DescriptorStore() = default;
-  virtual std::optional<Value> find(const std::string& scenario_hash, const std::string& id,
-                                    int version, const std::string& parameters) = 0;
-  virtual void keep(const std::string& scenario_hash, const std::string& id, int version,
-                    const std::string& parameters, const Value& value) = 0;
+  virtual std::optional<Value> find(const std::string& scenario_hash, const ValueKey& key) = 0;
+  virtual void store_value(const std::string& scenario_hash, const KeyedValue& value) = 0;
 };
 
-/// The value of a descriptor: looked up in the store when there is one, computed and kept
-/// otherwise.
-Value describe(const Descriptor& descriptor, const DescriptorContext& context,
-               DescriptorStore* store = nullptr);
+/// The value of a descriptor: looked up in the store, otherwise computed and stored.
+KeyedValue describe(const Descriptor& descriptor, const DescriptorContext& context,
+                    DescriptorStore& store);
 
-/// A store that lives in memory.
+/// An in-memory store.
 class MemoryDescriptorStore : public DescriptorStore {
  public:
-  std::optional<Value> find(const std::string& scenario_hash, const std::string& id, int version,
-                            const std::string& parameters) override;
-  void keep(const std::string& scenario_hash, const std::string& id, int version,
-            const std::string& parameters, const Value& value) override;
+  std::optional<Value> find(const std::string& scenario_hash, const ValueKey& key) override;
+  void store_value(const std::string& scenario_hash, const KeyedValue& value) override;
 
  private:
   std::map<std::tuple<std::string, std::string, int, std::string>, Value> values_;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <slalom/generation/ends.h>
 #include <slalom/generation/generator.h>
+#include <slalom/generation/start_goal.h>
 
 #include <cstdint>
 #include <string>
@@ -9,29 +9,39 @@
 
 namespace slalom {
 
-/// Section [generator.cellular_automaton]: a field of random cells, smoothed, which the robot
-/// crosses. The family of the BARN data set (Perille et al., "Benchmarking Metric Ground
+/// The representation of a filled cell.
+enum class FilledCell {
+  Cylinder,  ///< of the cell's diameter
+  GridCell
+};
+constexpr auto enum_names(FilledCell) {
+  return std::array{"cylinders", "cells"};
+}
+
+/// Section [generator.cellular_automaton]: a field of random cells, smoothed, between start and
+/// goal. The generator of the BARN data set (Perille et al., "Benchmarking Metric Ground
 /// Navigation", SSRR 2020), whose cells, fills and smoothings are the defaults.
 struct CellularAutomatonOptions {
-  int columns = 30, rows = 30;             ///< cells along and across the way
+  static constexpr char kFamily[] = "cellular_automaton";
+  int columns = 30, rows = 30;             ///< cells along and across the direction of travel
   double cell = 0.15;                      ///< m
-  double min_fill = 0.15, max_fill = 0.3;  ///< probability, drawn anew for each scenario
+  double min_fill = 0.15, max_fill = 0.3;  ///< probability, drawn per scenario
   int min_smoothing = 2, max_smoothing = 4;
-  int birth = 4;      ///< a cell with more filled neighbours than this is filled
-  int survival = 2;   ///< a cell with fewer filled neighbours than this is emptied
-  double lead = 1.8;  ///< m, free before and behind the field, where start and goal lie
-  std::string obstacles = "cylinders";  ///< cylinders as wide as a cell, or cells: a grid of them
-  EndsOptions ends = {0.3, 5, 0.6};
+  int birth = 4;      ///< a cell with more filled neighbors than this becomes filled
+  int survival = 2;   ///< a cell with fewer filled neighbors than this becomes empty
+  double lead = 1.8;  ///< m, length of the free strips before and behind the field
+  FilledCell obstacles = FilledCell::Cylinder;
+  StartGoalOptions start_goal = {0.3, 5, 0.6};
 
   void visit(OptionVisitor& v);
 };
 
-/// Cells filled at random, the outermost rows wholly, then smoothed. Start before the field and
-/// goal behind it.
+/// Cells filled at random (first and last row completely), then smoothed. The start lies before the
+/// field, the goal behind it.
 std::unique_ptr<Generator> make_cellular_automaton(const IniFile& ini,
                                                    const GeneratorContext& context = {});
 
-/// Cells of the automaton, row by row, 1 filled.
+/// Cells of the automaton, row-major; 1: filled.
 struct AutomatonCells {
   int columns = 0, rows = 0;
   std::vector<std::uint8_t> filled;
@@ -42,12 +52,12 @@ struct AutomatonCells {
   }
 };
 
-/// Each cell filled with a probability, all of the first and the last row.
+/// Fills each cell with `probability`, and all cells of the first and the last row.
 AutomatonCells fill_cells(RandomEngine& engine, int columns, int rows, double probability);
 
-/// One step: cells with more than `birth` filled neighbours (of 8) are filled, with fewer than
-/// `survival` emptied. What lies beyond the first and last row counts as filled, what lies beyond
-/// the columns as empty.
+/// One step: cells with more than `birth` filled neighbors (of 8) become filled, cells with fewer
+/// than `survival` become empty. Neighbors beyond the first and last row count as filled, those
+/// beyond the columns as empty.
 AutomatonCells smooth_cells(const AutomatonCells& cells, int birth, int survival);
 
 }  // namespace slalom

@@ -13,19 +13,19 @@
 
 namespace slalom {
 
-/// Section [coverage]: which bins are to be filled, and how long to try.
+/// Section [coverage]: the bins to fill and the search budget.
 struct CoverageOptions {
-  std::string descriptors;          ///< ids, comma separated: one, or several jointly
-  std::string bins = "10";          ///< bins per descriptor, comma separated, or one for all
-  int per_bin = 20;                 ///< scenarios wanted in each bin
-  double min_difference = 0.05;     ///< between any two scenarios, see difference()
-  int budget_evaluations = 200000;  ///< candidates looked at, in all
-  double budget_time = 0;           ///< s of wall clock, 0: no limit
-  int patience = 1000;              ///< evaluations aimed at a bin since it last got a scenario
-  double fresh_share = 0.2;         ///< share of candidates drawn anew from the families
-  double min_floor = 4, max_floor = 40;  ///< m, sides of the floor
-  double min_distance = 2;               ///< m, straight from start to goal
-  int max_obstacles = 5000;              ///< primitives of a scenario
+  std::string descriptors;                 ///< ids, comma separated: one, or several jointly
+  std::string bins = "10";                 ///< bins per descriptor, comma separated, or one for all
+  int per_bin = 20;                        ///< scenarios wanted in each bin
+  double min_difference = 0.05;            ///< between any two scenarios, see difference()
+  int budget_evaluations = 200000;         ///< candidates evaluated in total
+  double budget_time = 0;                  ///< s, wall-clock time; 0: unlimited
+  int patience = 1000;                     ///< evaluations per bin since its last accepted scenario
+  double fresh_fraction = 0.2;             ///< fraction of candidates generated without a parent
+  double min_extent = 4, max_extent = 40;  ///< m, side lengths of the workspace
+  double min_distance = 2;                 ///< m, straight-line distance from start to goal
+  int max_obstacles = 5000;                ///< primitives of a scenario
 
   void visit(OptionVisitor& v);
 };
@@ -38,20 +38,20 @@ struct CoverageAxis {
   std::size_t size() const { return edges.size() - 1; }
 };
 
-/// What is to be covered, and by which families.
+/// The bins to cover and the generators to use.
 struct CoveragePlan {
   CoverageOptions options;
   std::vector<CoverageAxis> axes;
   std::vector<std::string> families;
-  IniFile ini;  ///< options that stand in its [generator.NAME] are kept, the others are varied
+  IniFile ini;  ///< options set in its [generator.NAME] are fixed, the others are varied
 };
 
 /// Reads [coverage] (with edges.ID or range.ID for each descriptor) and checks the families.
 /// Throws Error (Usage) with file, line and key.
 CoveragePlan read_coverage_plan(const IniFile& ini, const std::vector<std::string>& families);
 
-/// For whom scenarios are made, from which seed, and on how many threads.
-struct CoverageTask {
+/// Seed, robot, sensor and number of threads of a coverage run.
+struct CoverageSettings {
   std::uint64_t seed = 1;
   double robot_radius = 0.25;  ///< m
   double sensor_range = 8;     ///< m
@@ -60,41 +60,45 @@ struct CoverageTask {
   MapLoader load_map = {};
 };
 
-/// A certified scenario and the bin it lies in.
+/// A certified scenario and its bin.
 struct CoveredScenario {
   Scenario scenario;  ///< named after its bin, "bin_2_4_0007"
-  std::vector<GeneratedValue> values;
-  std::uint64_t seed = 0;  ///< of the candidate that it was; not enough to draw it again
+  std::vector<KeyedValue> values;
+  std::uint64_t seed = 0;  ///< of its candidate; not sufficient to reproduce it
   std::size_t bin = 0;     ///< index among CoverageResult::bins
 };
 
-enum class BinVerdict { Full, Starved, Impossible };
-std::string to_string(BinVerdict verdict);  ///< full, starved, impossible
+enum class BinVerdict { Full, Incomplete, Impossible };
+constexpr auto enum_names(BinVerdict) {
+  return std::array{"full", "incomplete", "impossible"};
+}
 
-/// How it went with one bin.
+/// The result for one bin.
 struct BinReport {
   std::vector<std::size_t> position;                 ///< along each axis
   std::vector<std::pair<double, double>> intervals;  ///< along each axis
   int wanted = 0, found = 0;
-  int effort = 0;  ///< evaluations aimed at it
-  BinVerdict verdict = BinVerdict::Starved;
-  std::string why;  ///< the proof where impossible, what was tried where starved
+  int effort = 0;  ///< evaluations that targeted this bin
+  BinVerdict verdict = BinVerdict::Incomplete;
+  std::string reason;  ///< the proof if impossible, what was tried if incomplete
 };
 
 struct CoverageResult {
-  std::vector<CoveredScenario> scenarios;  ///< by bin, then in the order in which they were found
+  std::vector<CoveredScenario> scenarios;  ///< by bin, then in the order of discovery
   std::vector<BinReport> bins;             ///< the first axis varies slowest
   int evaluations = 0;
   std::string stopped;     ///< why the search ended
-  bool repeatable = true;  ///< false when the wall clock ended it
+  bool repeatable = true;  ///< false if the wall-clock limit ended the search
 };
 
-/// Fills the bins with scenarios that are certified solvable and differ by min_difference. The same
-/// for any number of threads. Bins that cannot be filled are told in the result, not thrown.
-CoverageResult cover(const CoveragePlan& plan, const CoverageTask& task, Progress& progress);
+/// Fills the bins with scenarios that are certified solvable and differ by min_difference. The
+/// result does not depend on the number of threads. Bins that cannot be filled are reported in the
+/// result, not as errors.
+CoverageResult cover(const CoveragePlan& plan, const CoverageSettings& settings,
+                     Progress& progress);
 
-/// The bins as a table for people: wanted, found, effort, verdict and why; for two descriptors also
-/// a map of what was found.
+/// The bins as a text table: wanted, found, effort, verdict and reason; for two descriptors also a
+/// map of the numbers found.
 std::string render_coverage(const CoveragePlan& plan, const CoverageResult& result);
 
 }  // namespace slalom

@@ -14,59 +14,50 @@
 
 namespace slalom {
 
-/// A value of a scenario as a DescriptorStore takes it.
-struct GeneratedValue {
-  std::string id;  ///< of the descriptor
-  int version = 1;
-  std::string parameters;
-  Value value;
-};
-
-/// A scenario and where it came from.
+/// A scenario and its provenance.
 struct GeneratedScenario {
   Scenario scenario;
-  std::string generator;  ///< name of its family, "" when it was not generated
-  /// An engine of this seed draws it again from the same options.
+  std::string generator;  ///< name of its generator, "" if it was not generated
+  /// An engine with this seed reproduces it from the same options.
   std::optional<std::uint64_t> seed = std::nullopt;
-  std::vector<GeneratedValue> values = {};
+  std::vector<KeyedValue> values = {};
 };
 
-/// One family of a mix.
-struct GeneratorShare {
+/// One generator of a mix.
+struct WeightedGenerator {
   std::shared_ptr<const Generator> generator;
   double weight = 1;        ///< above 0
-  std::uint64_t seed = 1;   ///< scenario k of this family depends on its options, this seed and k
-  std::string name_prefix;  ///< they are named PREFIX_0000, PREFIX_0001, ...
+  std::uint64_t seed = 1;   ///< scenario k depends on the options, this seed and k
+  std::string name_prefix;  ///< names are PREFIX_0000, PREFIX_0001, ...
 };
 
-/// How scenarios are made from a mix.
-struct MixTask {
-  GenerationTask each;  ///< count for all families together; seed and name_prefix are not used
-  int jobs = 1;         ///< threads; the result is the same for any number
-  /// Into which representation each candidate is turned before it is certified; none: as the
-  /// family draws it.
+/// How scenarios are generated from a mix.
+struct MixSettings {
+  GenerationSettings each;  ///< count: total of all generators; seed, name_prefix: unused
+  int jobs = 1;             ///< threads; the result does not depend on it
+  /// The representation to which each candidate is converted before certification; none: as
+  /// generated.
   std::optional<Representation> representation = std::nullopt;
-  double conversion_resolution = 0.05;  ///< m, of that representation
-  /// Called for each certified scenario, by several threads at once: the values to keep with it.
-  std::function<std::vector<GeneratedValue>(const World&)> describe = {};
+  double conversion_resolution = 0.05;  ///< m, resolution of that conversion
+  /// Returns the values to store with a certified scenario; called concurrently.
+  std::function<std::vector<KeyedValue>(const World&)> describe = {};
 };
 
-/// Takes scenarios in order, a part of them at a time. Returns the indexes of those whose content
-/// was there before: others are drawn in their place and given in a part of their own.
+/// Consumes scenarios in order, in batches. Returns the indexes of duplicates (scenarios whose
+/// content was consumed before); they are replaced in a further batch.
 using GenerationSink =
-    std::function<std::vector<std::size_t>(std::vector<GeneratedScenario>& part)>;
+    std::function<std::vector<std::size_t>(std::vector<GeneratedScenario>& batch)>;
 
-/// Draws task.each.count certified scenarios and gives them to the sink in an order that depends on
-/// nothing but the weights: the family that is furthest behind its share comes next. Memory does
-/// not grow with the count. Throws as generate_solvable() does; the sink may have taken scenarios
-/// by then.
-void generate_mix(const std::vector<GeneratorShare>& mix, const MixTask& task, Progress& progress,
-                  const GenerationSink& sink);
+/// Generates settings.each.count certified scenarios and passes them to the sink in an order that
+/// depends only on the weights (weighted round robin). Memory does not grow with the count. Throws
+/// as generate_solvable() does; the sink may have consumed scenarios by then.
+void generate_mix(const std::vector<WeightedGenerator>& mix, const MixSettings& settings,
+                  Progress& progress, const GenerationSink& sink);
 
-/// Collects what a sink is given, equal contents once.
+/// A sink that collects scenarios without duplicates.
 class DistinctScenarios {
  public:
-  std::vector<std::size_t> add(std::vector<GeneratedScenario>& part);
+  std::vector<std::size_t> add(std::vector<GeneratedScenario>& batch);
   std::vector<Scenario> take() { return std::move(scenarios_); }
 
  private:
@@ -74,20 +65,21 @@ class DistinctScenarios {
   std::vector<Scenario> scenarios_;
 };
 
-/// Whose turn it is, by weights: the family that is furthest behind its share, of equals the first.
-class ShareSchedule {
+/// Weighted round robin over generators: the one with the largest deficit is next; on ties the
+/// first.
+class WeightedRoundRobin {
  public:
-  explicit ShareSchedule(std::vector<double> weights);
+  explicit WeightedRoundRobin(std::vector<double> weights);
 
-  struct Turn {
-    std::size_t family;
-    int index;  ///< how many turns it had before
+  struct Slot {
+    std::size_t generator;
+    int index;  ///< number of previous slots of this generator
   };
-  Turn next();
+  Slot next();
 
  private:
   std::vector<double> weights_;
-  std::vector<int> turns_;
+  std::vector<int> counts_;
   double total_weight_ = 0;
 };
 

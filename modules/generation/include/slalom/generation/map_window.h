@@ -9,24 +9,24 @@
 
 namespace slalom {
 
-/// Which part of a real map a scenario shows.
+/// The part of a real map that becomes a scenario.
 struct MapWindowOptions {
   std::string map;                 ///< file
-  double width = 12, height = 12;  ///< m, of the window; 0: as large as the map
-  double min_free = 0.3;           ///< least share of free cells in the window
-  double min_occupied = 0.02;      ///< least share of occupied cells in the window
+  double width = 12, height = 12;  ///< m, of the window; 0: that of the map
+  double min_free = 0.3;           ///< minimum fraction of free cells in the window
+  double min_occupied = 0.02;      ///< minimum fraction of occupied cells in the window
 
   void visit(OptionVisitor& v);
 };
 
 /// A map from which windows are cut. Unknown cells count as occupied, unless the loader made them
-/// free. Places keep their coordinates.
+/// free. Windows keep the coordinates of the map.
 class MapWindows {
  public:
   MapWindows(Occupancy map, const MapWindowOptions& options);
 
-  /// A random window whose shares of free and occupied cells are as wanted; the best of many that
-  /// were drawn where none is.
+  /// A random window with the required fractions of free and occupied cells; the best of a bounded
+  /// number of draws if none satisfies them.
   Occupancy draw(RandomEngine& engine) const;
 
   const Occupancy& map() const { return map_; }

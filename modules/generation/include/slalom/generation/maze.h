@@ -1,24 +1,25 @@
 #pragma once
 
-#include <slalom/generation/ends.h>
 #include <slalom/generation/generator.h>
+#include <slalom/generation/start_goal.h>
 
 #include <vector>
 
 namespace slalom {
 
-/// Section [generator.maze]: square cells with walls between them, each reachable from each.
+/// Section [generator.maze]: square cells with walls between them, all connected.
 struct MazeOptions {
+  static constexpr char kFamily[] = "maze";
   int columns = 8, rows = 8;
-  double passage = 1.2;     ///< m, of free width between walls
-  double wall = 0.15;       ///< m, thickness
-  double loop_share = 0.1;  ///< share of the walls of a perfect maze that are opened
-  EndsOptions ends = {0.35, 6, 0.5};
+  double passage = 1.2;        ///< m, free width between walls
+  double wall = 0.15;          ///< m, thickness
+  double loop_fraction = 0.1;  ///< fraction of the walls of a perfect maze that are opened
+  StartGoalOptions start_goal = {0.35, 6, 0.5};
 
   void visit(OptionVisitor& v);
 };
 
-/// A perfect maze with a share of loops; start and goal anywhere between the walls.
+/// A perfect maze with some walls opened to form loops; start and goal anywhere between the walls.
 std::unique_ptr<Generator> make_maze(const IniFile& ini, const GeneratorContext& context = {});
 
 /// Which walls of a maze are open. Cells are numbered row by row.
@@ -47,8 +48,8 @@ class Maze {
   std::vector<bool> right_, above_;
 };
 
-/// A random maze: cells - 1 openings that join all cells, and `loop_share` of the other walls,
-/// rounded.
-Maze draw_maze(RandomEngine& engine, int columns, int rows, double loop_share);
+/// A random maze: cells - 1 openings that connect all cells, and `loop_fraction` of the other
+/// walls, rounded.
+Maze sample_maze(RandomEngine& engine, int columns, int rows, double loop_fraction);
 
 }  // namespace slalom

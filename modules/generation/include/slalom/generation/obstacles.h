@@ -2,43 +2,48 @@
 
 #include <slalom/core/options.h>
 #include <slalom/core/random.h>
-#include <slalom/generation/ends.h>
+#include <slalom/generation/start_goal.h>
 #include <slalom/scenario/geometry.h>
-
-#include <string>
 
 namespace slalom {
 
-/// How large obstacles are: sizes lie between min_size and max_size whatever the distribution.
+enum class SizeDistribution {
+  Uniform,
+  LogNormal,  ///< the mean of the logarithm is that of the limits' logarithms
+  PowerLaw    ///< density proportional to size^-size_exponent
+};
+constexpr auto enum_names(SizeDistribution) {
+  return std::array{"uniform", "log_normal", "power_law"};
+}
+
+/// The distribution of obstacle sizes, truncated to [min_size, max_size].
 struct SizeOptions {
   double min_size = 0.15,
-         max_size = 0.8;  ///< m, radius of a disc, or of the circle a polygon stands in
-  /// uniform; log_normal: the logarithm is normal about the mean of the limits' logarithms, cut off
-  /// at the limits; power_law: density proportional to size^-size_exponent.
-  std::string size_distribution = "uniform";
+         max_size = 0.8;  ///< m, radius of a disc or of the circumscribed circle of a polygon
+  SizeDistribution size_distribution = SizeDistribution::Uniform;
   double size_log_sigma = 0.5;  ///< standard deviation of the natural logarithm, for log_normal
   double size_exponent = 2.5;   ///< for power_law
 
   void visit(OptionVisitor& v);
 };
 
-double draw_size(RandomEngine& engine, const SizeOptions& options);  ///< m
+double sample_obstacle_size(RandomEngine& engine, const SizeOptions& options);  ///< m
 
 /// Random discs and polygons.
 struct ObstacleOptions {
-  int min_obstacles = 6, max_obstacles = 40;  ///< how many, drawn anew for each scenario
+  int min_obstacles = 6, max_obstacles = 40;  ///< number, drawn per scenario
   SizeOptions size;
-  double polygon_share = 0.5;  ///< share of obstacles that are polygons
-  double concave_share = 0.3;  ///< share of polygons that are star-shaped, not convex
+  double polygon_fraction = 0.5;  ///< fraction of obstacles that are polygons
+  double concave_fraction = 0.3;  ///< fraction of polygons that are star-shaped, not convex
 
   void visit(OptionVisitor& v);
 };
 
-/// Discs and polygons of random size, their centres evenly spread over the places within `bounds`
-/// that `is_good` accepts. One that would come nearer than `clear_radius` (m) to start or goal is
-/// left out.
+/// Discs and polygons of random size, with centers uniformly distributed over the points within
+/// `bounds` that `is_valid` accepts. Obstacles closer than `clear_radius` (m) to start or goal are
+/// omitted.
 Primitives scatter_obstacles(RandomEngine& engine, const ObstacleOptions& options,
-                             const Bounds& bounds, const Ends& ends, double clear_radius,
-                             const PlaceTest& is_good = {});
+                             const Bounds& bounds, const StartGoal& start_goal, double clear_radius,
+                             const PositionFilter& is_valid = {});
 
 }  // namespace slalom

@@ -1,21 +1,23 @@
 #pragma once
 
-#include <slalom/generation/ends.h>
 #include <slalom/generation/generator.h>
 #include <slalom/generation/obstacles.h>
+#include <slalom/generation/start_goal.h>
 
 namespace slalom {
 
-/// Section [generator.random]: discs and polygons on a rectangular floor.
+/// Section [generator.random]: discs and polygons in a rectangular workspace.
 struct RandomGeneratorOptions {
+  static constexpr char kFamily[] = "random";
   double width = 12, height = 12;  ///< m
   ObstacleOptions obstacles;
-  EndsOptions ends;
+  StartGoalOptions start_goal;
 
   void visit(OptionVisitor& v);
 };
 
-/// Random discs and polygons, evenly spread; start and goal anywhere at least min_distance apart.
+/// Random discs and polygons, uniformly distributed; start and goal anywhere, at least min_distance
+/// apart.
 std::unique_ptr<Generator> make_random_generator(const IniFile& ini,
                                                  const GeneratorContext& context = {});
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <slalom/generation/ends.h>
 #include <slalom/generation/generator.h>
+#include <slalom/generation/start_goal.h>
 
 #include <optional>
 #include <utility>
@@ -9,38 +9,39 @@
 
 namespace slalom {
 
-/// Section [generator.rooms]: a storey of rooms and corridors with doors between them.
+/// Section [generator.rooms]: rooms and corridors connected by doors.
 struct RoomsOptions {
+  static constexpr char kFamily[] = "rooms";
   double width = 14, height = 12;  ///< m
-  double min_room = 2.5;           ///< m, least side of a room; one of twice that is parted again
-  int corridors = 1;               ///< how often parts are divided by a corridor before walls are
-  double corridor_width = 1.6;     ///< m, between middles of walls
-  double door_width = 1;           ///< m, clear
+  double min_room = 2.5;           ///< m, minimum side of a room; twice that is subdivided
+  int corridors = 1;               ///< depth of subdivision by corridors, before walls
+  double corridor_width = 1.6;     ///< m, between wall centerlines
+  double door_width = 1;           ///< m, clear width
   double wall = 0.15;              ///< m, thickness
-  double extra_doors = 0.2;        ///< share of the walls without need of a door that have one
-  EndsOptions ends = {0.45, 6, 0.6};
+  double extra_doors = 0.2;        ///< fraction of the redundant doors that are added
+  StartGoalOptions start_goal = {0.45, 6, 0.6};
 
   void visit(OptionVisitor& v);
 };
 
-/// The floor is divided by corridors, then by walls, until rooms are small; doors join all of them.
-/// Start and goal anywhere away from the walls.
+/// The workspace is subdivided by corridors, then by walls; doors connect all rooms. Start and goal
+/// anywhere clear of the walls.
 std::unique_ptr<Generator> make_rooms(const IniFile& ini, const GeneratorContext& context = {});
 
-/// A wall between two rooms, along the line between them.
+/// A wall between two rooms.
 struct RoomWall {
-  int a = 0, b = 0;                                    ///< rooms on either side
-  bool vertical = false;                               ///< the line is x = at, otherwise y = at
-  double at = 0, low = 0, high = 0;                    ///< m, where it is and from where to where
-  std::optional<std::pair<double, double>> door = {};  ///< m, from where to where along the line
+  int a = 0, b = 0;                  ///< indexes of the adjacent rooms
+  bool vertical = false;             ///< on the line x = at, otherwise y = at
+  double at = 0, low = 0, high = 0;  ///< m, position of and interval along the line
+  std::optional<std::pair<double, double>> door = {};  ///< m, interval along the line
 };
 
-/// Rooms and corridors without gaps between them, and all walls where they meet.
+/// Rooms and corridors that tile the workspace, and all walls between them.
 struct RoomPlan {
   std::vector<Bounds> rooms;
   std::vector<RoomWall> walls;
 };
 
-RoomPlan draw_rooms(RandomEngine& engine, const RoomsOptions& options);
+RoomPlan sample_rooms(RandomEngine& engine, const RoomsOptions& options);
 
 }  // namespace slalom

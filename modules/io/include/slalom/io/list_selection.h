@@ -1,5 +1,6 @@
 #pragma once
 
+#include <slalom/core/value.h>
 #include <slalom/scenario/selection.h>
 
 #include <cstddef>
@@ -10,47 +11,39 @@
 
 namespace slalom {
 
-/// Under which key a list keeps the values of one descriptor.
-struct DescriptorKey {
-  std::string id;
-  int version = 1;
-  /// "robot_radius=0.25;resolution=0.05"; a '*' stands for anything, where they differ from
-  /// scenario to scenario
-  std::string parameters;
-};
+/// The keys of the values of each used descriptor. Several keys if they depend on the kind of
+/// scenario: grids have their own resolution. In the parameters a '*' is a wildcard for what
+/// differs between scenarios.
+using DescriptorView = std::map<std::string, std::vector<ValueKey>>;
 
-/// For each descriptor that is spoken of the keys of its values. More than one where the key
-/// depends on the kind of scenario: grids have a resolution of their own.
-using DescriptorView = std::map<std::string, std::vector<DescriptorKey>>;
-
-/// Which scenarios of a list, and in what order. The empty selection is the whole list.
+/// A subset of a list and its order. The default selection is the complete list.
 struct ListSelection {
   SelectionPtr where;                              ///< none: all
   std::optional<std::vector<std::string>> hashes;  ///< none: all
-  std::vector<SelectionOrder> order;               ///< before the order of the list; NA comes last
-  std::optional<std::size_t> limit;                ///< at most so many
-  DescriptorView view;                             ///< of the fields with numbers
+  std::vector<SelectionOrder> order;               ///< NA last; ties in list order
+  std::optional<std::size_t> limit;                ///< maximum number of scenarios
+  DescriptorView view;                             ///< keys of the numeric fields
 };
 
-/// An index of a list: finds scenarios by a descriptor quickly, and cuts its values into ranges.
+/// An index of a list: speeds up selections by a descriptor and divides its values into ranges.
 struct ListIndex {
-  std::string name;        ///< a word
+  std::string name;        ///< an identifier
   std::string descriptor;  ///< id
-  std::vector<DescriptorKey> keys;
+  std::vector<ValueKey> keys;
   std::vector<double> edges;  ///< increasing; [e0, e1), [e1, e2), ..., the last range is closed
 
   std::size_t ranges() const { return edges.size() - 1; }
 };
 
-/// How many scenarios each range of an index holds.
+/// The number of scenarios in each range of an index.
 struct ListIndexCounts {
   std::vector<std::size_t> ranges;
-  std::size_t below = 0, above = 0;  ///< the first and the last edge
+  std::size_t below = 0, above = 0;  ///< below the first or above the last edge
   std::size_t na = 0;                ///< the value is NA
-  std::size_t unknown = 0;           ///< never computed
+  std::size_t unknown = 0;           ///< not computed
 };
 
-/// What an action did to a list, so that it can be taken back and done again.
+/// A recorded change of a list, which can be reverted and reapplied.
 class ListChange {
  public:
   ListChange() = default;

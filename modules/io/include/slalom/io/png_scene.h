@@ -8,8 +8,8 @@
 
 namespace slalom {
 
-/// Writes a picture as a PNG file: to a temporary file that is renamed, never half a picture.
-/// Throws Error (Job) when it cannot be written.
+/// Writes an image as a PNG file atomically, using a temporary file that is renamed. Throws Error
+/// (Job) when it cannot be written.
 void write_png(const mrpt::img::CImage& image, const std::string& path);
 
 /// The same picture as render_svg() as a PNG file. Throws Error (Job) when it cannot be written.

@@ -5,20 +5,21 @@
 #include <slalom/scenario/scenario.h>
 #include <slalom/trajectory/trajectory.h>
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace slalom {
 
 /// A result file (.results): one SQLite file with manifest, quantities, scenarios (content,
-/// descriptors, references), runs (one row each, one column per metric, NA reasons beside),
-/// trajectories (compressed). Wall-clock figures stand in a table of their own. Errors are Error
-/// (File).
+/// descriptors, references), runs (one row each, one column per metric, NA reasons), trajectories
+/// (compressed). Wall-clock timings are in separate tables. Errors are Error (File).
 class ResultFile {
  public:
-  /// A new file at `path` (an existing one is replaced). Metric and descriptor columns follow from
-  /// `quantities`. Throws Error (Job) when it cannot be written.
+  /// Creates a file at `path`, replacing an existing one, with the given quantities. Throws Error
+  /// (Job) when it cannot be written.
   static ResultFile create(const std::string& path, const Manifest& manifest,
                            const std::vector<QuantityInfo>& descriptors,
                            const std::vector<QuantityInfo>& metrics);
@@ -28,18 +29,27 @@ class ResultFile {
   ResultFile& operator=(ResultFile&&) noexcept;
 
   const std::string& path() const;
+  const std::vector<QuantityInfo>& descriptors() const;
+  const std::vector<QuantityInfo>& metrics() const;
 
   void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
                     const References& references);
   void add_run(const RunRecord& run, const RunTiming& timing, const Trajectory& trajectory);
-  void commit();  ///< makes everything added so far survive a kill
+  void commit();  ///< makes everything added so far durable
 
-  ResultTable read_table() const;  ///< sorted
   Manifest read_manifest() const;
-  std::vector<std::string> read_methods() const;  ///< of all runs, sorted, each once
+  std::vector<std::string> read_methods() const;  ///< of all runs, sorted, without duplicates
   bool has_scenario(const std::string& hash) const;
-  /// Those of one scenario, by method and repetition; quick in a file with very many.
+  /// Calls `use` for each run, one by one, by scenario name, hash, method and repetition.
+  void for_each_run(const std::function<void(const RunRecord&)>& use) const;
+  /// The runs of one scenario by method and repetition, without reading the others.
   std::vector<RunRecord> read_runs(const std::string& scenario_hash) const;
+  /// None if the file does not contain it.
+  std::optional<RunRecord> read_run(const std::string& scenario_hash, const std::string& method,
+                                    int repetition) const;
+  RunTiming read_timing(const RunRecord& run) const;
+  /// The descriptors of a scenario; none if the file does not contain it.
+  ScenarioRecord read_record(const std::string& scenario_hash) const;
   Scenario read_scenario(const std::string& hash) const;
   References read_references(const std::string& hash) const;
   Trajectory read_trajectory(const RunRecord& run) const;
@@ -50,12 +60,14 @@ class ResultFile {
   std::unique_ptr<Impl> impl_;
 };
 
-/// One run as one line of JSON, keys sorted: what `dump` prints. Nothing in it depends on the
-/// clock.
-std::string dump_line(const ResultTable& table, const RunRecord& run);
+/// One run as a line of JSON with sorted keys, as printed by `dump`. Independent of the wall clock.
+std::string dump_line(const std::string& campaign, const ScenarioRecord& scenario,
+                      const RunRecord& run);
 
-/// Writes `content` to a temporary file beside `path` and renames it; throws Error (Job) when it
-/// cannot.
+/// All runs of a file as such lines.
+std::string dump(const ResultFile& file);
+
+/// Writes `content` to a temporary file next to `path` and renames it. Throws Error (Job).
 void write_file_atomically(const std::string& path, const std::string& content);
 /// Throws Error (File).
 std::string read_file(const std::string& path);

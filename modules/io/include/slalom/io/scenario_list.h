@@ -13,34 +13,33 @@
 
 namespace slalom {
 
-/// Where a scenario came from, as far as known, and the tags it is to carry.
+/// The origin of a scenario, as far as known, and its tags.
 struct ScenarioOrigin {
-  std::string generator;  ///< family; empty where unknown
+  std::string generator;  ///< family; empty if unknown
   std::optional<std::uint64_t> seed;
   std::vector<std::string> tags;
 };
 
-/// A scenario list on disk (.scenarios): one SQLite file with scenarios in order, their origins and
-/// tags, descriptor values that were computed, and indexes. Each function that writes does all or
-/// nothing, as one transaction: the file is whole whenever the program is killed. Programs that
-/// write the same list wait for each other; one whose file was replaced by another program refuses
-/// to write (Error (Job)). Everything read is checked; errors are Error (File) with file and
-/// reason.
+/// A scenario list on disk (.scenarios): one SQLite file with ordered scenarios, their origins and
+/// tags, computed descriptor values, and indexes. Each modifying function is one transaction: the
+/// file is consistent whenever the program is killed. Concurrent writers wait for each other. When
+/// another program has replaced the file, modifying functions throw Error (Job). All data read is
+/// validated; errors are Error (File) with file and reason.
 class ScenarioList : public DescriptorStore {
  public:
-  struct Impl;  ///< of the files of this room
+  struct Impl;  ///< internal to this module
 
-  /// A new, empty list; takes the place of a file that is there. Throws Error (Job) when it cannot
-  /// be made.
+  /// Creates an empty list, replacing an existing file. Throws Error (Job) when it cannot be
+  /// created.
   static ScenarioList create(const std::string& path);
-  /// A new list that `fill` fills beside `path`. It takes the place of what is there once it is
-  /// whole; when `fill` throws, what is there stays.
+  /// Creates a list with the contents written by `fill`, atomically: an existing file is replaced
+  /// when the list is complete, and kept when `fill` throws.
   static void write(const std::string& path, const std::function<void(ScenarioList&)>& fill);
-  /// An existing list; one of an older version is brought up to date. Throws Error (File) when
-  /// missing, not a scenario list, or of another version.
+  /// Opens an existing list; one of an older version is upgraded. Throws Error (File) when the file
+  /// is missing, not a scenario list, or of an unsupported version.
   static ScenarioList open(const std::string& path);
-  static void remove_file(const std::string& path);  ///< only a scenario list; Error as of open()
-  ~ScenarioList();
+  static void remove_file(const std::string& path);  ///< scenario lists only; errors as of open()
+  ~ScenarioList() override;
   ScenarioList(ScenarioList&&) noexcept;
   ScenarioList& operator=(ScenarioList&&) noexcept;
 
@@ -49,7 +48,7 @@ class ScenarioList : public DescriptorStore {
     std::string hash;
     std::string name;
     Representation representation;
-    std::string generator = {};  ///< empty where unknown
+    std::string generator = {};  ///< empty if unknown
     std::optional<std::uint64_t> seed = {};
     std::vector<std::string> tags = {};  ///< sorted
   };
@@ -58,80 +57,76 @@ class ScenarioList : public DescriptorStore {
   std::size_t size() const;
   std::vector<Entry> entries() const;  ///< in list order, without geometry
   Scenario read(const std::string& hash) const;
-  /// The entry whose id, hash, unique hash prefix or name this is; throws Error (Usage) naming what
-  /// is there.
+  /// The entry with this id, hash, unique hash prefix or name. Throws Error (Usage) with a
+  /// suggestion.
   Entry find_entry(const std::string& id_or_name) const;
 
-  /// What expressions about this list may speak of: `numbers` are the ids of descriptors.
+  /// The fields of selection expressions for this list; `numbers` are the ids of descriptors.
   SelectionVocabulary vocabulary(std::vector<std::string> numbers) const;
-  /// Shows the chosen scenarios one by one until `visit` says false. Needs memory for a few of them
-  /// only; the list may be changed meanwhile: those that are gone are left out.
+  /// Visits the selected scenarios one by one until `visit` returns false. Needs memory for a few
+  /// of them only. The list may be changed meanwhile; removed scenarios are skipped.
   void for_each(const ListSelection& selection,
                 const std::function<bool(const Entry&)>& visit) const;
   std::vector<Entry> select(const ListSelection& selection) const;
   std::size_t count(const ListSelection& selection) const;
-  /// How SQLite goes about it: names the indexes that are used.
+  /// SQLite's query plan, which names the indexes that are used.
   std::string query_plan(const ListSelection& selection) const;
   /// Hashes of scenarios that have no value, not even NA, under any of these keys.
-  std::vector<std::string> lacking(const std::vector<DescriptorKey>& keys) const;
+  std::vector<std::string> missing_values(const std::vector<ValueKey>& keys) const;
 
-  /// Appends; a scenario whose content is already there is left out (returns false).
+  /// Appends a scenario; returns false if the list already contains its content.
   bool add(const Scenario& scenario, const ScenarioOrigin& origin = {});
-  /// In one transaction; the hashes of those that were not there before. `origins` holds one for
-  /// each scenario, or nothing.
+  /// Appends scenarios in one transaction; returns the hashes of those that were added. `origins`
+  /// has one element per scenario or is empty.
   std::vector<std::string> add_all(const std::vector<Scenario>& scenarios,
                                    const std::vector<ScenarioOrigin>& origins = {});
-  bool remove(const std::string& hash);                ///< false when it is not there
-  std::size_t remove(const ListSelection& selection);  ///< how many
-  /// Adds and removes tags; how many scenarios that changed. Throws Error (Usage) for what cannot
-  /// be a tag.
+  bool remove(const std::string& hash);                ///< false if it does not exist
+  std::size_t remove(const ListSelection& selection);  ///< returns the number of removed scenarios
+  /// Adds and removes tags; returns the number of changed scenarios. Throws Error (Usage) for
+  /// invalid tags.
   std::size_t tag(const ListSelection& selection, const std::vector<std::string>& add,
                   const std::vector<std::string>& remove);
   void rename(const std::string& hash, const std::string& name);
-  /// Puts another scenario in its place. With another content it keeps its tags and loses its
-  /// values and origin; Error (Usage) when the list has that content elsewhere.
+  /// Replaces a scenario at its position. If the content changes, tags are kept and values and
+  /// origin are dropped; Error (Usage) when the list already contains the new content.
   void replace(const std::string& hash, const Scenario& scenario);
-  /// Appends a scenario of another list with origin, tags and values. When its content is there
-  /// already, adds what tags and values are missing and returns false.
+  /// Appends a scenario of another list with origin, tags and values. If the list already contains
+  /// its content, adds missing tags and values and returns false.
   bool copy_from(ScenarioList& source, const Entry& entry);
-  void save_as(const std::string& path);  ///< a copy of the whole list, in place of what is there
+  void save_as(const std::string& path);  ///< replaces an existing file
 
   std::vector<ListIndex> indexes() const;  ///< by name
   ListIndex index(const std::string& name) const;
-  /// Throws Error (Usage) for a name that is taken or no word, and for edges that do not grow.
+  /// Throws Error (Usage) for a duplicate or invalid name, and for edges that do not increase.
   void create_index(const ListIndex& index);
   void drop_index(const std::string& name);
   ListIndexCounts index_counts(const std::string& name) const;
 
-  /// Several actions as one: all of them are done, or none.
-  void in_one_step(const std::function<void()>& act);
-  /// The same, noting what changed. The note needs memory for what was removed or overwritten.
+  /// Runs several actions in one transaction.
+  void in_transaction(const std::function<void()>& act);
+  /// The same, recording the changes. Needs memory for removed and overwritten data.
   ListChange record(const std::function<void()>& act);
-  /// Takes a recorded change back, or does it again. Throws Error (Job) and leaves the list as it
-  /// is when what it touched has changed since.
+  /// Undoes or redoes a recorded change. Throws Error (Job) and leaves the list unchanged when the
+  /// affected data has changed since.
   void revert(const ListChange& change);
   void apply(const ListChange& change);
 
-  void set_note(const std::string& key,
-                const std::string& text);  ///< origin, generator .ini, seed ...
+  void set_note(const std::string& key, const std::string& text);  ///< origin, .ini, seed, ...
   std::optional<std::string> note(const std::string& key) const;
 
-  std::optional<Value> find(const std::string& scenario_hash, const std::string& id, int version,
-                            const std::string& parameters) override;
-  /// The value under any of these keys.
-  std::optional<Value> find(const std::string& scenario_hash,
-                            const std::vector<DescriptorKey>& keys);
-  void keep(const std::string& scenario_hash, const std::string& id, int version,
-            const std::string& parameters, const Value& value) override;
+  std::optional<Value> find(const std::string& scenario_hash, const ValueKey& key) override;
+  /// The value stored under any of these keys.
+  std::optional<Value> find(const std::string& scenario_hash, const std::vector<ValueKey>& keys);
+  void store_value(const std::string& scenario_hash, const KeyedValue& value) override;
 
  private:
   explicit ScenarioList(std::unique_ptr<Impl> impl);
-  void forget_content(const std::string& hash, const std::string& next);
+  void change_content(const std::string& hash, const std::string& next);
   std::unique_ptr<Impl> impl_;
 };
 
-/// The content of a scenario as bytes and back (zstd inside). Reading checks sizes before it
-/// allocates and throws Error (File) naming `where`.
+/// Serialization of the content of a scenario (zstd-compressed). Reading validates sizes before it
+/// allocates and throws Error (File) at `where`.
 std::string serialize(const Scenario& scenario);
 Scenario deserialize_scenario(const std::string& bytes, const std::string& where);
 

@@ -6,11 +6,11 @@
 
 namespace slalom {
 
-/// A single scenario as YAML for people. Grids are rows of '.' (free) and '#' (occupied), top row
+/// A scenario as human-readable YAML. Grids are rows of '.' (free) and '#' (occupied), top row
 /// first.
 std::string scenario_to_yaml(const Scenario& scenario);
 
-/// Reads it back; throws Error (File): file, line, what was expected.
+/// Parses it. Throws Error (File) with file, line and what was expected.
 Scenario scenario_from_yaml(const std::string& text, const std::string& where);
 Scenario load_scenario_yaml(const std::string& path);
 

@@ -9,17 +9,24 @@
 
 namespace slalom {
 
-/// One trajectory of a picture.
+/// The color of the method at `index` in the list of methods (Okabe-Ito palette, suitable for
+/// color-blind readers).
+std::string method_color(std::size_t index);
+
+/// `text` as character data or attribute value of HTML and SVG; control characters become '?'.
+std::string html_escape(const std::string& text);
+
+/// A trajectory in a picture.
 struct SceneTrajectory {
   std::string label;
   Path path;
   Outcome outcome = Outcome::Success;
-  std::string color;  ///< of the line, as in CSS; empty: one by its place in the list
+  std::string color;  ///< CSS color; empty: by its index in the list
 };
 
-/// What a picture of a scenario shows besides its obstacles, start and goal.
+/// Contents of a picture of a scenario besides its obstacles, start and goal.
 struct SceneOptions {
-  int max_pixels = 480;        ///< longer side
+  int max_pixels = 480;        ///< of the longer side
   double robot_radius = 0.25;  ///< m, drawn at start and goal
   const References* references = nullptr;
   std::vector<SceneTrajectory> trajectories;

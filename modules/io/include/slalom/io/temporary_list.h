@@ -6,8 +6,8 @@
 
 namespace slalom {
 
-/// A new, empty list in the folder for temporary files. Its file goes with the last who holds the
-/// list. Throws Error (Job) when it cannot be made.
+/// A new, empty list in the folder for temporary files. The file is removed with the last reference
+/// to the list. Throws Error (Job) when it cannot be created.
 std::shared_ptr<ScenarioList> make_temporary_list();
 
 }  // namespace slalom

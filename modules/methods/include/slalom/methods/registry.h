@@ -1,6 +1,6 @@
 #pragma once
 
-#include <slalom/methods/method.h>
+#include <slalom/methods/method_factory.h>
 
 #include <functional>
 #include <map>
@@ -9,28 +9,26 @@
 
 namespace slalom {
 
-/// Builds a method. Reads its options from context.ini, section context.section, the key `adapter`
-/// included; throws Error (Usage) for a wrong or unknown key, a class, library or symbol that is
-/// not there.
-using MethodFactory = std::function<std::unique_ptr<Method>(const MethodContext& context)>;
+/// Reads the options of a method from a section of an .ini, including the key `adapter`. Throws
+/// Error (Usage) for an invalid or unknown key.
+using MethodReader = std::function<MethodFactory(const IniFile& ini, const std::string& section)>;
 
-/// The adapters by which methods come in, by name ("mrpt_holonomic", "library", ...). Programs fill
-/// it.
+/// The method adapters by name ("mrpt_holonomic", "library", ...), registered by the programs.
 class MethodRegistry {
  public:
-  void add(const std::string& adapter, MethodFactory factory);
+  void add(const std::string& adapter, MethodReader reader);
   std::vector<std::string> adapters() const;
 
-  /// Builds the method of section "method.NAME". Throws Error (Usage) for a missing section, a
-  /// missing or unknown adapter (naming those that exist), and whatever the factory throws.
-  std::unique_ptr<Method> create(const std::string& name, const MethodContext& context) const;
+  /// Reads section "method.NAME". Throws Error (Usage) for a missing section, a missing or unknown
+  /// adapter (naming the known ones), and whatever the adapter's reader throws.
+  NamedMethod read(const IniFile& ini, const std::string& name) const;
 
  private:
-  std::map<std::string, MethodFactory> factories_;
+  std::map<std::string, MethodReader> readers_;
 };
 
-/// Whether both speeds are finite and within the robot's limits (with a tolerance of 1e-9);
-/// otherwise `why` says which is not.
-bool is_valid_command(const Command& command, const RobotModel& robot, std::string& why);
+/// Whether the command is finite and within the robot's limits (with a tolerance of 1e-9);
+/// otherwise `reason` names the violation.
+bool is_valid_command(const Command& command, const RobotModel& robot, std::string& reason);
 
 }  // namespace slalom

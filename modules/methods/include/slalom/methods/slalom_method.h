@@ -1,7 +1,7 @@
-/* The function prototype of a compiled avoidance method: plain C, no C++ types across the border.
+/* The function prototype of a compiled obstacle avoidance method: plain C.
  *
  * A method is a shared library with one exported function, slalom_method_get_api(), which returns
- * the table below. Everything is in metres, radians and seconds; the robot frame has x ahead and y
+ * the table below. Units are meters, radians and seconds; the robot frame has x forward and y
  * left, angles are counter-clockwise. All pointers given to a method belong to the caller and are
  * valid during the call only.
  */
@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/* Version of this prototype. A library made for another one is refused. */
+/* Version of this prototype. Libraries built for another version are refused. */
 #define SLALOM_METHOD_ABI_VERSION 1u
 
 /* Marks the exported function visible also in libraries built with hidden visibility. */
@@ -31,16 +31,16 @@ typedef struct slalom_setting {
   const char* value;
 } slalom_setting;
 
-/* What the robot and its sensor are like. */
+/* Properties of the robot and its sensor. */
 typedef struct slalom_robot {
-  double radius;           /* m, of the smallest disc about the centre that holds the footprint */
+  double radius;           /* m, of the smallest centered disc that contains the footprint */
   double max_v;            /* m/s */
   double max_w;            /* rad/s */
   double max_accel_v;      /* m/s^2 */
   double max_accel_w;      /* rad/s^2 */
   int forward_only;        /* 1: v must not be negative */
   int rays;                /* rays of one scan */
-  double aperture;         /* rad, from the first to the last ray, symmetric about the heading */
+  double aperture;         /* rad, from the first to the last ray, symmetric to the heading */
   double max_range;        /* m */
   int holonomic;           /* 1: vy may be commanded; 0: differential drive, vy must be 0 */
   const double* footprint; /* x0, y0, x1, y1, ... of a convex polygon, m, counter-clockwise */
@@ -56,24 +56,24 @@ typedef struct slalom_task {
   uint64_t seed;                      /* for methods that draw random numbers */
 } slalom_task;
 
-/* What the method is given in each control cycle. */
+/* The input in each control cycle. */
 typedef struct slalom_observation {
   double time;           /* s since the start of the run */
   double x, y, phi;      /* odometry pose */
-  double v, vy, w;       /* measured speeds ahead and to the left, m/s; of turning, rad/s */
+  double v, vy, w;       /* measured velocity forward and to the left, m/s; angular, rad/s */
   double goal_x, goal_y; /* goal in the robot frame */
   const float* ranges;   /* `rays` ranges, m, counter-clockwise from -aperture/2 */
   size_t rays;
 } slalom_observation;
 
-/* What it answers: within the robot's limits, or the run ends as method_invalid_command. */
+/* The output: within the robot's limits, or the run ends as method_invalid_command. */
 typedef struct slalom_command {
-  double v;  /* m/s, ahead */
+  double v;  /* m/s, forward */
   double w;  /* rad/s, counter-clockwise */
-  double vy; /* m/s, to the left; 0 but for a holonomic robot */
+  double vy; /* m/s, to the left; 0 unless the robot is holonomic */
 } slalom_command;
 
-/* A key that the method understands, for help and for finding misspelt ones. */
+/* A configuration key of the method, for help texts and for detecting misspelled keys. */
 typedef struct slalom_parameter {
   const char* key;
   const char* default_value;
@@ -87,18 +87,19 @@ typedef struct slalom_method_api {
   const slalom_parameter* parameters;
   size_t parameter_count;
 
-  /* A new method, or NULL with a message (at most `error_size` bytes with the final zero) in
-   * `error`. */
+  /* Returns a new method, or NULL with a message (at most `error_size` bytes including the final
+   * zero) in `error`. */
   void* (*create)(const slalom_setting* settings, size_t setting_count, const slalom_robot* robot,
                   char* error, size_t error_size);
-  /* Begins a run; nothing of the run before may show. 0, or an error code that ends the run. */
+  /* Begins a run; must discard all state of the run before. Returns 0, or an error code that ends
+   * the run. */
   int (*reset)(void* method, const slalom_task* task);
-  /* One control cycle. 0, or an error code that ends the run as method_error. */
+  /* One control cycle. Returns 0, or an error code that ends the run as method_error. */
   int (*step)(void* method, const slalom_observation* observation, slalom_command* command);
   void (*destroy)(void* method);
 } slalom_method_api;
 
-/* The one function that a library exports. */
+/* The only function that a library exports. */
 SLALOM_METHOD_EXPORT const slalom_method_api* slalom_method_get_api(void);
 
 #ifdef __cplusplus

@@ -6,18 +6,16 @@
 #include <slalom/scenario/world.h>
 #include <slalom/trajectory/trajectory.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace slalom {
 
-/// Clearance (m) of the footprint below which a robot is at risk, unless a user says otherwise:
-/// about the width of a small robot.
+/// Default clearance (m) of the footprint below which a robot is at risk: about the width of a
+/// small robot.
 constexpr double kSafeDistance = 0.5;
 
-/// What a metric may look at. The trajectory may come from anywhere; the simulator is not known
-/// here.
+/// Inputs of a metric. Independent of the simulator: the trajectory may come from any source.
 struct MetricContext {
   const World& world;
   const RobotModel& robot;
@@ -26,34 +24,34 @@ struct MetricContext {
   const References& references;
   double max_time = 60;                  ///< s, T_max
   double goal_tolerance = 0.2;           ///< m
-  double safe_distance = kSafeDistance;  ///< m, a clearance below it is a risk
-  /// Clearance of the footprint at each sample (m), from the scenario's geometry.
+  double safe_distance = kSafeDistance;  ///< m, a clearance below it counts as risk
+  /// Clearance of the footprint at each sample (m), computed from the scenario's geometry.
   std::vector<double> clearances;
 };
 
-/// Clearance (m) of the footprint at a pose: of a disc d(p) - radius, of a polygon the distance
-/// from its outline.
+/// Clearance (m) of the footprint at a pose: d(p) - radius for a disc, distance from the
+/// outline for a polygon.
 double footprint_clearance(const World& world, const Footprint& footprint,
                            const mrpt::math::TPose2D& pose);
 
-/// Fills `clearances`.
+/// Creates a context and computes its clearances.
 MetricContext make_metric_context(const World& world, const RobotModel& robot,
                                   const Trajectory& trajectory, Outcome outcome,
                                   const References& references, double max_time,
                                   double goal_tolerance, double safe_distance = kSafeDistance);
 
-/// One number about a run (Strategy); the paper's trajectory descriptor.
-class Metric {
- public:
-  virtual ~Metric() = default;
-  virtual QuantityInfo info() const = 0;
-  virtual Value compute(const MetricContext& context) const = 0;
+/// A scalar result of a run: what it is, and the function that computes it. Called trajectory
+/// descriptor in "Advances in the Framework for Automatic Evaluation of Obstacle Avoidance
+/// Methods".
+struct Metric {
+  QuantityInfo info;
+  Value (*compute)(const MetricContext& context);
 };
 
-/// All metrics, in the order of definitions.md: the one list to add a line to.
-const std::vector<std::shared_ptr<const Metric>>& all_metrics();
+/// All metrics, in the order of definitions.md; the table is in registry.cpp.
+const std::vector<Metric>& all_metrics();
 
-/// The metric with this id; throws Error (Usage) naming the nearest id.
+/// The metric with this id; throws Error (Usage) with the most similar id.
 const Metric& metric(const std::string& id);
 
 }  // namespace slalom

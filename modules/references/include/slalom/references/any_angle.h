@@ -8,7 +8,7 @@
 
 namespace slalom {
 
-/// Cells of a grid on which a point may move. Row-major; 1 blocked, 0 free; outside is blocked.
+/// A grid of cells for path planning of a point. Row-major; 1 blocked, 0 free; outside is blocked.
 struct CellGrid {
   int size_x = 0, size_y = 0;
   std::vector<std::uint8_t> blocked;
@@ -19,8 +19,8 @@ struct CellGrid {
 };
 
 /// The exact shortest path of a point from `start` to `goal` (both in cell units, any real
-/// position) through the closed free cells: it may touch blocked cells' borders and corners, but
-/// does not pass between two blocked cells that touch at a corner. nullopt when there is none.
+/// position) through the closed free cells: it may touch borders and corners of blocked cells, but
+/// does not pass between two blocked cells that touch at a corner. nullopt if none exists.
 std::optional<Path> shortest_any_angle_path(const CellGrid& grid, const mrpt::math::TPoint2D& start,
                                             const mrpt::math::TPoint2D& goal);
 

@@ -9,13 +9,20 @@
 
 namespace slalom {
 
-/// A value with the version of the formula that made it.
+/// Reasons of missing values: of what a file does not contain, and of what was not enabled.
+constexpr const char* kNotRecorded = "not recorded";
+constexpr const char* kNotComputed = "not computed";
+
+/// A value with the version of its formula.
 struct VersionedValue {
   int version = 1;
-  Value value = Value::na("not computed");
+  Value value = Value::na(kNotComputed);
 };
 
-/// One run: everything deterministic that is known of it, by names; nothing about robots here.
+/// The value, or NA ("other version 1") if its version is not this one.
+Value value_of_version(const VersionedValue& versioned, int version);
+
+/// The deterministic results of one run, as names and values; independent of robotics types.
 struct RunRecord {
   std::string scenario_hash, scenario_name;
   std::string method;
@@ -27,16 +34,16 @@ struct RunRecord {
   std::map<std::string, VersionedValue> metrics;  ///< by id
 };
 
-/// Wall-clock figures of a run, kept apart from the rest (s).
+/// Wall-clock figures of a run (s), separate from the deterministic results.
 struct RunTiming {
   double wall_seconds = 0;
   std::map<std::string, double> values;  ///< "cycle_time_mean", ..., in timing_unit()
 };
 
-/// The unit of a wall-clock figure: "-" of ratios, else "ms".
+/// The unit of a wall-clock figure: "-" for ratios, else "ms".
 std::string timing_unit(const std::string& id);
 
-/// What is known of a scenario.
+/// The recorded data of a scenario.
 struct ScenarioRecord {
   std::string hash, name;
   std::map<std::string, VersionedValue> descriptors;  ///< by id
@@ -45,19 +52,7 @@ struct ScenarioRecord {
 /// Everything needed to repeat a campaign, as text by key (campaign .ini, seeds, versions, hashes).
 using Manifest = std::map<std::string, std::string>;
 
-/// What an analysis works on: the runs of one result file with their scenarios and quantities.
-struct ResultTable {
-  Manifest manifest;
-  std::map<std::string, QuantityInfo> quantities;   ///< of every metric and descriptor, by id
-  std::map<std::string, ScenarioRecord> scenarios;  ///< by hash
-  std::vector<RunRecord> runs;     ///< ordered by scenario name, hash, method, repetition
-  std::vector<RunTiming> timings;  ///< parallel to runs
-};
-
-/// Puts the runs (and timings with them) into their one order.
-void sort_runs(ResultTable& table);
-
-/// "hash8/method/repetition": how people and links name a run.
+/// "hash8/method/repetition": the id of a run in commands and links.
 std::string run_id(const RunRecord& run);
 
 }  // namespace slalom

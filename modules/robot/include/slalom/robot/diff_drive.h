@@ -4,8 +4,8 @@
 
 namespace slalom {
 
-/// A differential drive: (v, w), each with its own acceleration, v >= 0 when the robot is forward
-/// only. It moves along arcs.
+/// A differential drive: (v, w), each with its own acceleration limit, v >= 0 if the robot is
+/// forward only. It moves along arcs.
 class DiffDrive : public Vehicle {
  public:
   explicit DiffDrive(const RobotModel& robot);
@@ -15,10 +15,11 @@ class DiffDrive : public Vehicle {
   mrpt::kinematics::CVehicleVelCmd::Ptr getVelCmdType() const override;
 
  private:
-  Velocity limited(const Velocity& wanted) const override;
-  Velocity approached(const Velocity& from, const Velocity& to, double dt) const override;
-  mrpt::math::TPose2D moved(const mrpt::math::TPose2D& pose, const Velocity& velocity,
-                            double dt) const override;
+  Velocity clamp_to_limits(const Velocity& target) const override;
+  Velocity apply_acceleration_limits(const Velocity& from, const Velocity& to,
+                                     double dt) const override;
+  mrpt::math::TPose2D integrate(const mrpt::math::TPose2D& pose, const Velocity& velocity,
+                                double dt) const override;
 };
 
 }  // namespace slalom

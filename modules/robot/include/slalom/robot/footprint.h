@@ -8,22 +8,24 @@
 
 namespace slalom {
 
-/// The outline of a robot in its own frame (m, x ahead, y left): a disc about the centre, or a
-/// convex polygon that holds the centre.
+/// The outline of a robot in its own frame (m, x ahead, y left): a disc around the center, or a
+/// convex polygon that contains the center.
 class Footprint {
  public:
   static Footprint disc(double radius);
 
-  /// "x,y; x,y; ...", three or more corners of a convex polygon in either order, the centre (0, 0)
-  /// strictly inside. Throws std::invalid_argument with what was expected.
+  /// "x,y; x,y; ...", three or more corners of a convex polygon in either order, with the center
+  /// (0, 0) strictly inside. Throws std::invalid_argument whose text is what was expected.
   static Footprint parse(const std::string& text);
+  /// The same; throws Error (Usage) at the option or key `where`.
+  static Footprint parse(const std::string& text, const std::string& where);
 
   bool is_disc() const { return corners_.empty(); }
-  double inscribed_radius() const { return inscribed_; }  ///< m, about the centre
-  double enclosing_radius() const { return enclosing_; }  ///< m, about the centre
+  double inscribed_radius() const { return inscribed_; }  ///< m, around the center
+  double enclosing_radius() const { return enclosing_; }  ///< m, around the center
   /// Counter-clockwise, robot frame; empty for a disc.
   const std::vector<mrpt::math::TPoint2D>& corners() const { return corners_; }
-  /// The corners in the world frame when the robot stands at `pose`.
+  /// The corners in the world frame for the robot at `pose`.
   std::vector<mrpt::math::TPoint2D> corners_at(const mrpt::math::TPose2D& pose) const;
 
  private:

@@ -4,9 +4,9 @@
 
 namespace slalom {
 
-/// A drive that moves to any side: (v, vy, w). The length of (v, vy) and of its change are bounded
-/// by max_v and max_accel_v; v >= 0 when the robot is forward only. Within a step it moves straight
-/// along its velocity in the middle heading.
+/// A holonomic drive: (v, vy, w). The norms of (v, vy) and of its derivative are bounded by max_v
+/// and max_accel_v; v >= 0 if the robot is forward only. Within a step it moves straight along its
+/// velocity at the mean heading.
 class HolonomicDrive : public Vehicle {
  public:
   explicit HolonomicDrive(const RobotModel& robot);
@@ -16,10 +16,11 @@ class HolonomicDrive : public Vehicle {
   mrpt::kinematics::CVehicleVelCmd::Ptr getVelCmdType() const override;
 
  private:
-  Velocity limited(const Velocity& wanted) const override;
-  Velocity approached(const Velocity& from, const Velocity& to, double dt) const override;
-  mrpt::math::TPose2D moved(const mrpt::math::TPose2D& pose, const Velocity& velocity,
-                            double dt) const override;
+  Velocity clamp_to_limits(const Velocity& target) const override;
+  Velocity apply_acceleration_limits(const Velocity& from, const Velocity& to,
+                                     double dt) const override;
+  mrpt::math::TPose2D integrate(const mrpt::math::TPose2D& pose, const Velocity& velocity,
+                                double dt) const override;
 };
 
 }  // namespace slalom

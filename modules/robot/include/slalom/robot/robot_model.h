@@ -5,50 +5,59 @@
 
 namespace slalom {
 
-/// The robot: a footprint with bounded speeds and accelerations. Defaults are the paper's robot: a
-/// disc with a differential drive that moves forward only. Section [robot].
+enum class Kinematics { DiffDrive, Holonomic };
+constexpr auto enum_names(Kinematics) {
+  return std::array{"diff_drive", "holonomic"};
+}
+
+/// The robot: a footprint with bounded velocities and accelerations. The defaults are the robot of
+/// "Advances in the Framework for Automatic Evaluation of Obstacle Avoidance Methods": a disc with
+/// a differential drive that moves forward only. Section [robot].
 struct RobotModel {
-  std::string kinematics = "diff_drive";  ///< or holonomic
-  double radius = 0.25;           ///< m, of the disc; with a polygon, of the disc that encloses it
+  Kinematics kinematics = Kinematics::DiffDrive;
+  double radius = 0.25;           ///< m, of the disc; with a polygon, of its enclosing disc
   std::string footprint;          ///< convex polygon "x,y; x,y; ...", m; empty for the disc
-  double max_v = 1.0;             ///< m/s; holonomic: of the velocity's length
+  double max_v = 1.0;             ///< m/s; holonomic: norm of (v, vy)
   double max_w = 1.5;             ///< rad/s
-  double max_accel_v = 1.0;       ///< m/s^2; holonomic: of the velocity's change
+  double max_accel_v = 1.0;       ///< m/s^2; holonomic: norm of the acceleration
   double max_accel_w = 3.0;       ///< rad/s^2
   bool forward_only = true;       ///< v >= 0
-  double min_turning_radius = 0;  ///< m, of a diff_drive: |w| <= |v| / radius; 0: turns on the spot
-  double delay = 0;               ///< s from a command to the moment in which the drives hear it
-  double delay_tau = 0;  ///< s, time constant with which speeds approach a command; 0: at once
+  double min_turning_radius = 0;  ///< m, of a diff_drive: |w| <= |v| / radius; 0: rotates in place
+  double delay = 0;               ///< s, dead time of commands
+  double delay_tau = 0;           ///< s, time constant of a first-order lag; 0: none
 
   void visit(OptionVisitor& v);
-  bool holonomic() const { return kinematics == "holonomic"; }
+  bool holonomic() const { return kinematics == Kinematics::Holonomic; }
   Footprint shape() const;
 };
 
-/// Reads section [robot]. Throws Error (Usage), also for a footprint that is no convex polygon
-/// about the centre, or beside a radius.
+/// Reads section [robot]. Throws Error (Usage), also for a footprint that is not a convex polygon
+/// around the center, or if both footprint and radius are given.
 RobotModel read_robot_model(const IniFile& ini);
 
-/// The range sensor, at the robot's centre, looking along its heading. Section [sensor]. Without
-/// noise by default; each kind of noise draws from a random stream of its own.
+/// The range sensor at the robot's center, oriented along its heading. Section [sensor]. Without
+/// noise by default; each kind of noise uses its own random stream.
 struct SensorModel {
   double aperture_deg = 180;
   int rays = 181;
   double max_range = 8.0;    ///< m
   double noise_sigma = 0;    ///< m, standard deviation of a range
-  double dropout_ratio = 0;  ///< share of rays that return nothing, as if there were no obstacle
-  double quantum = 0;        ///< m, ranges are whole multiples of it; 0: not rounded
-  double latency = 0;        ///< s, age of a scan when the method gets it
+  double dropout_ratio = 0;  ///< fraction of rays without return, as if there were no obstacle
+  double quantum = 0;        ///< m, ranges are rounded to multiples of it; 0: not rounded
+  double latency = 0;        ///< s, age of a scan when the method receives it
 
   void visit(OptionVisitor& v);
   double aperture() const;  ///< rad
 };
 
-/// How odometry drifts from the truth: each driven distance and turn is measured with a relative
-/// error. Section [odometry].
+/// One line about a valid but suspicious value of [sensor]: an aperture in radians; "" if none.
+std::string sensor_warning(const IniFile& ini);
+
+/// The drift of odometry: traveled distances and rotations are measured with a random error.
+/// Section [odometry].
 struct OdometryModel {
-  double distance_sigma = 0;  ///< standard deviation of the error of 1 m driven, m
-  double turn_sigma = 0;      ///< standard deviation of the error of 1 rad turned, rad
+  double distance_sigma = 0;  ///< standard deviation of the error after 1 m, m
+  double turn_sigma = 0;      ///< standard deviation of the error after 1 rad, rad
 
   void visit(OptionVisitor& v);
 };

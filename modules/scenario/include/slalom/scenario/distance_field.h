@@ -7,15 +7,15 @@
 
 namespace slalom {
 
-/// Exact Euclidean distance to the occupied closed squares of an Occupancy (and to the wall around
-/// it).
+/// Exact Euclidean distance to the occupied closed squares of an Occupancy (and to the border of
+/// the workspace).
 class DistanceField {
  public:
   explicit DistanceField(const Occupancy& occupancy);
 
-  /// d at the centre of a cell (m): distance to the nearest occupied closed square; 0 if occupied.
+  /// d at the center of a cell (m): distance to the nearest occupied closed square; 0 if occupied.
   double at_center(int cx, int cy) const { return at_center_[index(cx, cy)]; }
-  /// All of them, row-major (m).
+  /// The distances at all cell centers, row-major (m).
   const std::vector<float>& centers() const { return at_center_; }
 
   /// d(q) (m) at any point; 0 on or in an occupied square and outside the workspace.
@@ -27,10 +27,10 @@ class DistanceField {
                            double limit) const;
 
   /// Distance (m) from the outline of a convex polygon to the nearest occupied square. Obstacles
-  /// that lie wholly inside the polygon do not count.
+  /// completely inside the polygon are ignored.
   double outline_clearance(const std::vector<mrpt::math::TPoint2D>& corners) const;
 
-  /// A quick lower bound of clearance(q) (m), from the centre of the cell q lies in.
+  /// A fast lower bound of clearance(q) (m), from the center of the cell that contains q.
   double clearance_lower_bound(const mrpt::math::TPoint2D& q) const;
 
  private:
@@ -41,17 +41,17 @@ class DistanceField {
   void fill_rows(const Occupancy& occupancy);
   void fill_centers();
   mrpt::math::TPoint2D to_cells(const mrpt::math::TPoint2D& q) const;
-  /// Distance (cells) to the wall around the grid; 0 on it and outside.
-  double wall_gap(const mrpt::math::TPoint2D& at) const;
-  double exact_segment_gap(const mrpt::math::TPoint2D& a, const mrpt::math::TPoint2D& b,
-                           double limit) const;
+  /// Distance (cells) to the border of the grid; 0 on it and outside.
+  double wall_distance(const mrpt::math::TPoint2D& at) const;
+  double exact_segment_distance(const mrpt::math::TPoint2D& a, const mrpt::math::TPoint2D& b,
+                                double limit) const;
 
   int size_x_, size_y_;
   double resolution_;
   mrpt::math::TPoint2D origin_;
   std::vector<float> at_center_;
-  /// Per cell: how many cells to the left (right) the nearest occupied cell of its row is; 0 if
-  /// itself.
+  /// Per cell: number of cells to the nearest occupied cell of its row on the left (right); 0 if
+  /// the cell is occupied itself.
   std::vector<std::int32_t> to_left_, to_right_;
 };
 

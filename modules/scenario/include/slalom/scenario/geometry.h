@@ -47,7 +47,7 @@ double distance_to_segment(const mrpt::math::TPoint2D& p, const mrpt::math::TPoi
 double signed_area(const Polygon& polygon);  ///< positive when counter-clockwise
 
 /// Whether the polygon has at least three vertices, positive area and no two edges that cross or
-/// touch (other than neighbours at their common vertex).
+/// touch (other than adjacent edges at their common vertex).
 bool is_simple(const Polygon& polygon);
 
 /// Distance along the ray from `origin` in direction `angle` to the first point of an obstacle or

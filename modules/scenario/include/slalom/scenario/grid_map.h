@@ -5,11 +5,14 @@
 
 namespace slalom {
 
+/// No grid has more cells.
+constexpr double kMaxGridCells = 400e6;
+
 /// An MRPT grid of exactly size_x x size_y cells, all free, whose lower left corner is at `origin`
 /// (m). MRPT's own setSize() moves the origin to a multiple of the resolution (by up to half a
-/// cell) and may then count one cell more or less. All lengths are rounded to single precision, as
-/// MRPT keeps them. Throws Error (Usage) when sizes or resolution are not positive, numbers are not
-/// finite, or there are more than 400 million cells.
+/// cell), which may change the size by one cell. All lengths are rounded to single precision, as in
+/// MRPT. Throws Error (Usage) when sizes or resolution are not positive, numbers are not finite, or
+/// there are more than 400 million cells.
 mrpt::maps::COccupancyGridMap2D make_grid_map(int size_x, int size_y, double resolution,
                                               const mrpt::math::TPoint2D& origin);
 

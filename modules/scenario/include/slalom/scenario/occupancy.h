@@ -7,9 +7,9 @@
 
 namespace slalom {
 
-/// The binary occupancy of a workspace on square cells: the form in which sensing, collision and
-/// search see a scenario. A cell is a closed square; cells outside are occupied (the border is a
-/// wall). Cell (cx, cy) covers [x_min + cx res, x_min + (cx+1) res] x [y_min + cy res, ...].
+/// The binary occupancy of a workspace on square cells, as used by sensing, collision checking and
+/// search. A cell is a closed square; cells outside are occupied (the border is a wall). Cell (cx,
+/// cy) covers [x_min + cx res, x_min + (cx+1) res] x [y_min + cy res, ...].
 class Occupancy {
  public:
   Occupancy(int size_x, int size_y, double resolution, mrpt::math::TPoint2D origin);
@@ -48,17 +48,17 @@ class Occupancy {
   std::vector<std::uint8_t> cells_;
 };
 
-/// The occupancy of a scenario. A grid scenario gives its own cells (resolution is ignored);
-/// primitives occupy every cell whose closed square they touch; a point occupies the cell that it
-/// lies in. Throws Error (Usage) when resolution is not positive or more than 400 million cells
+/// The occupancy of a scenario. A grid scenario keeps its own cells (resolution is ignored);
+/// primitives occupy every cell whose closed square they touch; a point occupies the cell that
+/// contains it. Throws Error (Usage) when resolution is not positive or more than 400 million cells
 /// would result.
 Occupancy make_occupancy(const Scenario& scenario, double resolution);
 
 /// `scenario` in another representation (same name, start, goal). Resolution (m) is the cell size
 /// of a grid made from primitives or points, and the spacing of points made from primitives or
-/// cells: points stand on the boundary of obstacles (on cells: at the centres of occupied cells
-/// that have a free 4-neighbour). The same as convert() of convert.h, outlines of cells exact and
-/// points as discs of half the resolution. Throws the same.
+/// cells: points lie on the boundary of obstacles (of cells: at the centers of occupied cells that
+/// have a free 4-neighbor). The same as convert() of convert.h with tolerance 0 and discs of half
+/// the resolution for points. Throws the same.
 Scenario convert(const Scenario& scenario, Representation to, double resolution);
 
 }  // namespace slalom

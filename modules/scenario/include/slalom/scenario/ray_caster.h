@@ -2,6 +2,7 @@
 
 #include <slalom/scenario/occupancy.h>
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -10,10 +11,10 @@ namespace slalom {
 struct ScanOrigin;
 
 /// The rays of one planar scan: `count` angles from -aperture/2 to +aperture/2 (radians, both ends
-/// included, counter-clockwise) about the sensor's heading.
+/// included, counter-clockwise) relative to the sensor's heading.
 struct ScanGeometry {
   int count = 181;
-  double aperture = 3.14159265358979323846;
+  double aperture = M_PI;
   double max_range = 8.0;  ///< m
 
   double angle(int i) const {
@@ -21,29 +22,29 @@ struct ScanGeometry {
   }
 };
 
-/// Exact ray casting on an Occupancy by free-square jumps: for each cell and quadrant the side of
-/// the largest free square that starts there; a ray crosses such a square in one step. Tables are
-/// made once. The range is the smallest t >= 0 at which the ray is on or in an occupied closed
-/// square or the wall round the grid: a ray that only touches a corner, or that runs along the
-/// border of an occupied cell, is blocked there. Touching is judged with a tolerance of 1e-9 cells
-/// at corners, so that rays at special angles do not depend on rounding; a ray that passes nearer
-/// than that without touching may go either way. Crossings are computed from cell indexes, not by
-/// adding steps up.
+/// Exact ray casting on an Occupancy by free-square jumps: tables hold for each cell and quadrant
+/// the side of the largest free square that starts there; a ray crosses such a square in one step.
+/// The range is the smallest t >= 0 at which the ray is on or in an occupied closed square or the
+/// border of the grid: a ray that only touches a corner, or that runs along the border of an
+/// occupied cell, is blocked there. Touching is tested with a tolerance of 1e-9 cells at corners,
+/// so that rays at special angles do not depend on rounding; a ray that passes closer than that
+/// without touching may be blocked or not. Crossings are computed from cell indexes, not by
+/// accumulating steps.
 class RayCaster {
  public:
   explicit RayCaster(const Occupancy& occupancy);
 
   /// Range (m) of one ray, at most max_range; 0 when the origin lies in or on an occupied cell, on
-  /// the border of the workspace or outside, or is not a number.
+  /// the border of the workspace or outside, or is not finite.
   double cast(const mrpt::math::TPoint2D& origin, double angle, double max_range) const;
 
-  /// A whole scan from `pose` (world frame): `ranges` gets geometry.count ranges (m), each at most
-  /// max_range (equal to it where nothing is hit).
+  /// A complete scan from `pose` (world frame): `ranges` gets geometry.count ranges (m), each at
+  /// most max_range (equal to it where nothing is hit).
   void cast_scan(const mrpt::math::TPose2D& pose, const ScanGeometry& geometry,
                  float* ranges) const;
 
  private:
-  /// A ray in the frame (cells) that is mirrored so that it goes up and to the right.
+  /// A ray in a frame (cells) mirrored so that the ray goes up and to the right.
   struct Ray {
     double x = 0, y = 0;    ///< origin
     double dx = 0, dy = 0;  ///< direction, not negative

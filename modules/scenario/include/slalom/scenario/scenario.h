@@ -1,5 +1,6 @@
 #pragma once
 
+#include <slalom/core/enum_names.h>
 #include <slalom/scenario/geometry.h>
 #include <slalom/scenario/published_path.h>
 
@@ -17,17 +18,17 @@ using GridMapPtr = std::shared_ptr<const mrpt::maps::COccupancyGridMap2D>;
 using PointMapPtr = std::shared_ptr<const mrpt::maps::CSimplePointsMap>;
 
 enum class Representation { Continuous, Grid, Points };
-
-std::string to_string(Representation representation);                ///< continuous, grid, points
-Representation representation_from_string(const std::string& text);  ///< throws Error (Usage)
+constexpr auto enum_names(Representation) {
+  return std::array{"continuous", "grid", "points"};
+}
 
 /// One obstacle avoidance problem: a workspace, its obstacles, a start pose and a goal position.
 /// Immutable; its identity is the hash of its content (geometry, start, goal), not its name.
 ///
-/// Grids are binarised when the scenario is made. MRPT keeps in a cell the probability that it is
-/// *free* (0 occupied, 1 free): above 0.5 the cell is free, below it is occupied; unknown cells
-/// (0.5 exactly, as MRPT keeps them) are occupied unless the importer made them free. Resolution in
-/// m; cell (0,0) has its lower left corner at (x_min, y_min) of the bounds.
+/// Grids are binarized on construction. MRPT stores in a cell the probability that it is *free* (0
+/// occupied, 1 free): above 0.5 the cell is free, below it is occupied; unknown cells (exactly 0.5
+/// as stored by MRPT) are occupied unless the importer made them free. Resolution in m; cell (0,0)
+/// has its lower left corner at (x_min, y_min) of the bounds.
 class Scenario {
  public:
   /// Throw Error (File) naming `name` when bounds are empty or not finite, start or goal lie
@@ -51,13 +52,14 @@ class Scenario {
       const;  ///< requires Grid; cells are p2l(1), free, or p2l(0), occupied
   const PointMapPtr& point_map() const;  ///< requires Points
 
-  /// The path that was published with this place, or null. No part of the content.
+  /// The path that was published with this environment, or null. Not part of the content.
   const PublishedPathPtr& published_path() const { return published_path_; }
 
   Scenario renamed(std::string name) const;
-  /// Another task in the same place; without the path, which belongs to this one.
-  Scenario with_task(mrpt::math::TPose2D start, mrpt::math::TPoint2D goal) const;
-  /// The same with this path, or without one (null). Throws as check_published_path() does.
+  /// The same environment with another start and goal; without the published path, which belongs to
+  /// these.
+  Scenario with_start_goal(mrpt::math::TPose2D start, mrpt::math::TPoint2D goal) const;
+  /// The same with this path, or without one (null). Throws like check_published_path().
   Scenario with_published_path(PublishedPathPtr path) const;
 
  private:

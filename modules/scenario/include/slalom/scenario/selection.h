@@ -1,5 +1,7 @@
 #pragma once
 
+#include <slalom/core/enum_names.h>
+
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -10,25 +12,29 @@
 
 namespace slalom {
 
-/// What a selection expression may speak of.
+/// The names that a selection expression may use.
 struct SelectionVocabulary {
-  std::vector<std::string> numbers;            ///< fields with a number, such as descriptors
-  std::vector<std::string> texts;              ///< fields with a text, such as name
-  std::map<std::string, std::size_t> indexes;  ///< names of indexes, with how many ranges each has
+  std::vector<std::string> numbers;            ///< numeric fields, such as descriptors
+  std::vector<std::string> texts;              ///< text fields, such as name
+  std::map<std::string, std::size_t> indexes;  ///< number of ranges of each index, by name
 };
 
-/// A value to compare: a number, or the name of a field that has one.
+/// An operand of a comparison: a number, or the name of a numeric field.
 using SelectionOperand = std::variant<double, std::string>;
 
 enum class Comparison { Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual };
+/// As in SQL.
+constexpr auto enum_names(Comparison) {
+  return std::array{"<", "<=", ">", ">=", "=", "<>"};
+}
 
-/// A selection expression as a tree. A comparison with a value that is NA is neither true nor
-/// false: it chooses nothing, whether a "not" stands before it or not.
+/// A selection expression as a tree. A comparison with NA is neither true nor false: it selects
+/// nothing, negated or not.
 struct SelectionNode {
   /// left OP right, of numbers
   struct Compare {
     SelectionOperand left;
-    Comparison how;
+    Comparison op;
     SelectionOperand right;
   };
   /// field within an interval of numbers
@@ -37,17 +43,17 @@ struct SelectionNode {
     double low, high;
     bool low_open, high_open;
   };
-  /// number among these
-  struct AmongNumbers {
+  /// number in a set
+  struct NumberInSet {
     std::string field;
     std::vector<double> values;
   };
-  /// text among these; an id by how it begins
-  struct AmongTexts {
+  /// text in a set; ids are compared as prefixes
+  struct TextInSet {
     std::string field;
     std::vector<std::string> values;
   };
-  /// text like a pattern: SQL's (% and _, whatever the case) or a shell's (*, ?, [..])
+  /// text matches a pattern: of SQL (% and _, ignoring case) or of a shell (*, ?, [..])
   struct Matches {
     std::string field, pattern;
     bool glob;
@@ -55,22 +61,22 @@ struct SelectionNode {
   struct IsNa {
     std::string field;
   };
-  /// the `range`th range of an index, counted from 0
+  /// range number `range` of an index, from 0
   struct InRange {
     std::string index;
     std::size_t range;
   };
   enum class Connective { And, Or, Not };
-  struct Joined {
-    Connective how;
+  struct Compound {
+    Connective op;
     std::vector<std::shared_ptr<const SelectionNode>> parts;  ///< one for Not
   };
-  std::variant<Compare, Within, AmongNumbers, AmongTexts, Matches, IsNa, InRange, Joined> what;
+  std::variant<Compare, Within, NumberInSet, TextInSet, Matches, IsNa, InRange, Compound> what;
 };
 
 using SelectionPtr = std::shared_ptr<const SelectionNode>;
 
-/// Reads an expression:
+/// Parses an expression:
 ///
 ///     density >= 0.1 and density < 0.2 and not (confinement > 0.8)
 ///     0.1 <= density < 0.2          density between 0.1 and 0.2      density in [0.1, 0.2)
@@ -78,9 +84,9 @@ using SelectionPtr = std::shared_ptr<const SelectionNode>;
 ///     name like 'office%'           name glob maze_00[1-3]?          tag = narrow
 ///     generator in (maze, forest)   id = 73f8d0                      by_density[1]
 ///
-/// `between` includes both ends; parentheses after `in` hold a list, and a bracket on either side
-/// makes it an interval. Texts stand in single or double quotes (doubled within), or bare where
-/// they are one word. Key words in any case. Throws Error (Usage) that says at which character,
+/// `between` includes both ends; parentheses after `in` enclose a list; a bracket on either side
+/// makes it an interval. Texts are in single or double quotes (doubled within), or unquoted if they
+/// are one word. Keywords are case-insensitive. Throws Error (Usage) with the character position,
 /// what was expected and the nearest name.
 SelectionPtr parse_selection(const std::string& text, const SelectionVocabulary& vocabulary);
 
@@ -89,12 +95,12 @@ struct SelectionOrder {
   bool descending = false;
 };
 
-/// Reads "density desc, name". Throws Error (Usage) like parse_selection().
+/// Parses "density desc, name". Throws Error (Usage) like parse_selection().
 std::vector<SelectionOrder> parse_selection_order(const std::string& text,
                                                   const SelectionVocabulary& vocabulary);
 
-/// Names of the fields with numbers that an expression speaks of, sorted, each once. Indexes are
-/// not among them.
+/// Names of the numeric fields used in an expression, sorted, without duplicates and without
+/// indexes.
 std::vector<std::string> number_fields(const SelectionPtr& selection,
                                        const SelectionVocabulary& vocabulary);
 

@@ -5,8 +5,8 @@
 namespace slalom {
 
 /// The largest bottleneck (m) of all paths from start to goal: max over paths of the min over the
-/// path of d. Searched on 8-connected cell centres (diagonal steps only between free side cells),
-/// start and goal counted at their exact positions. 0 when no path exists.
+/// path of d. Searched on 8-connected cell centers (diagonal steps only between free side cells),
+/// with the clearance of start and goal at their exact positions. 0 when no path exists.
 double widest_bottleneck(const World& world, const mrpt::math::TPoint2D& start,
                          const mrpt::math::TPoint2D& goal);
 

@@ -10,9 +10,9 @@
 
 namespace slalom {
 
-/// A scenario with what is derived from it for speed, each made when it is first asked for and then
-/// kept (Proxy): its occupancy, distance field and ray tables. The occupancy is the model in which
-/// collisions are judged, sensors see and reference paths are free.
+/// A scenario with derived data for speed: its occupancy, distance field and ray tables, each
+/// computed on first use and cached (thread-safe). The occupancy is the common model for collision
+/// checking, sensing and reference paths.
 class World {
  public:
   /// `resolution` (m) is the cell size for scenarios that are not grids themselves.

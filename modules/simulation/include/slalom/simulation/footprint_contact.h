@@ -7,20 +7,20 @@
 
 namespace slalom {
 
-/// Whether and where a footprint touches obstacles; one for each kind of footprint.
+/// Collision checking of a footprint; one class for each kind of footprint.
 class FootprintContact {
  public:
   virtual ~FootprintContact() = default;
 
   virtual bool touches(const mrpt::math::TPose2D& pose) const = 0;
 
-  /// Whether the footprint touches something on its way from `from` to `to`; then `to` becomes the
-  /// first pose of contact and `share` (0..1) how far along that is. On the way the position moves
-  /// straight and the heading turns evenly: the arc driven in a motion step lies beside the
-  /// straight line by an eighth of its length times its turn, 0.02 mm with the default options.
-  /// Consecutive calls must follow each other: `from` is where the last one ended.
-  virtual bool meets_obstacle(const mrpt::math::TPose2D& from, mrpt::math::TPose2D& to,
-                              double& share) = 0;
+  /// Whether the footprint touches an obstacle on its motion from `from` to `to`; then `to` becomes
+  /// the first pose of contact and `fraction` (0..1) its position along the motion. Position and
+  /// heading are interpolated linearly: the deviation of the arc of a motion step from the straight
+  /// line is an eighth of its length times its rotation, 0.02 mm with the default options.
+  /// Consecutive calls must be contiguous: `from` is the last `to`.
+  virtual bool find_contact(const mrpt::math::TPose2D& from, mrpt::math::TPose2D& to,
+                            double& fraction) = 0;
 };
 
 std::unique_ptr<FootprintContact> make_footprint_contact(const World& world,

@@ -6,15 +6,15 @@
 
 namespace slalom {
 
-/// Positions without time, joined by straight segments (m, world frame).
+/// A polyline of positions (m, world frame).
 using Path = std::vector<mrpt::math::TPoint2D>;
 
 double length(const Path& path);
 
-/// Distance from p to the nearest point of the path; requires a path that is not empty.
+/// Distance from p to the nearest point of the path; requires a non-empty path.
 double distance_to_path(const mrpt::math::TPoint2D& p, const Path& path);
 
-/// Points along the path at most `spacing` apart, its vertices included.
+/// Points along the path with distances of at most `spacing`, including its vertices.
 Path resample(const Path& path, double spacing);
 
 }  // namespace slalom

@@ -1,0 +1,65 @@
+#include "interpret.h"
+
+namespace slalom {
+namespace {
+
+void add_choice_options(CLI::App& verb, InterpretArguments& a) {
+  verb.add_option(
+      "--rows", a.request.rows,
+      "Bins of a scenario descriptor or metric: all, ID:EDGE,EDGE,..., ID:COUNT (equal "
+      "width), ID:qCOUNT (quantiles) or ID:@INDEX, such as density:0,0.1,0.2 or density:q4; "
+      "several separated by ';'");
+  verb.add_option("--scenarios", a.scenarios, "Scenario list with the indexes of --rows");
+  verb.add_option("--columns,--metric", a.request.metrics, "Metric ids, comma-separated");
+  verb.add_option("--method", a.request.method, "Restrict to this method");
+  verb.add_option("--confidence", a.request.confidence,
+                  "Confidence of intervals, e.g. 0.95; the level of tests is 1 - confidence")
+      ->check(CLI::Range(0.5, 0.9999));
+  verb.add_option("--up", a.up, "CSV: columns of which more is better");
+  verb.add_option("--down", a.down, "CSV: columns of which less is better");
+}
+
+void add_comparison_options(CLI::App& verb, InterpretArguments& a) {
+  verb.add_option("--relevant", a.request.relevant,
+                  "Smallest difference of interest (default: 0.05 for rates, else 5 % of the mean)")
+      ->check(CLI::PositiveNumber);
+  verb.add_option("--power", a.request.power, "Statistical power for that difference")
+      ->check(CLI::Range(0.5, 0.999))
+      ->capture_default_str();
+}
+
+void add_special_options(CLI::App& verb, InterpretArguments& a, const std::string& id) {
+  if (id == "compare") {
+    verb.add_option("--baseline", a.request.baseline, "Compare all other methods with this one");
+    verb.add_option("--gate", a.request.gates,
+                    "Exit status 1 unless METRIC OP NUMBER holds for the paired difference, e.g. "
+                    "\"success >= -0.02\"; repeatable");
+    verb.add_option("--gate-on", a.gate_on, "Quantity that must satisfy the limit")
+        ->check(CLI::IsMember({"estimate", "interval"}))
+        ->capture_default_str();
+  }
+  if (id == "robustness") {
+    verb.add_option("--parameter", a.request.parameter,
+                    "Swept parameter: SECTION.KEY of the campaigns' .ini");
+    verb.add_option("--values", a.request.values, "Its values, one per file, comma-separated");
+    verb.add_flag("--allow-differences", a.request.allow_differences,
+                  "Accept campaigns that differ in other settings");
+  }
+  if (id == "compare" || id == "robustness") add_comparison_options(verb, a);
+}
+
+}  // namespace
+
+void add_interpreter_options(CLI::App& verb, InterpretArguments& arguments,
+                             const Interpreter& interpreter) {
+  verb.add_option("results", arguments.files, "Result files (.results), or tables (.csv)");
+  add_choice_options(verb, arguments);
+  add_special_options(verb, arguments, interpreter.id);
+  verb.add_option("--csv", arguments.csv_file,
+                  "Print CSV; with a CSV file: read it instead of results")
+      ->expected(0, 1);
+  verb.add_flag("--json", arguments.json, "Print JSON, including run ids");
+  verb.add_option("-o,--output", arguments.output, "File to write instead of standard output");
+}
+
+}  // namespace slalom

@@ -1,0 +1,92 @@
+#include "filter.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <iostream>
+
+namespace slalom {
+namespace {
+
+DescribeOptions describe_options(const ListArguments& arguments) {
+  DescribeOptions options;
+  options.robot = Footprint::disc(arguments.robot_radius);
+  options.sensor_range = arguments.sensor_range;
+  options.resolution = arguments.resolution;
+  return options;
+}
+
+}  // namespace
+
+CLI::App* add_filter_verb(CLI::App& app, const std::string& name, const std::string& help,
+                          FilterArguments& arguments) {
+  CLI::App* verb = add_list_verb(app, name, help, arguments.list);
+  verb->add_option(
+      "--where", arguments.selection.where,
+      "Scenarios that satisfy a condition, such as \"density < 0.2 and tag = narrow\"");
+  verb->add_option("--ids", arguments.selection.ids,
+                   "Scenarios with these ids or names, comma-separated");
+  add_robot_options(*verb, arguments.list);
+  verb->add_option("--sensor-range", arguments.list.sensor_range, "Maximum range of the sensor, m")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_flag("--quiet", arguments.quiet, "No progress and no messages");
+  return verb;
+}
+
+void add_order_options(CLI::App& verb, FilterArguments& arguments) {
+  verb.add_option("--order-by", arguments.selection.order_by,
+                  "Sort order, such as \"density desc, name\" (default: order of the list)");
+  verb.add_option("--limit", arguments.selection.limit, "Maximum number of scenarios")
+      ->check(CLI::NonNegativeNumber);
+}
+
+DescriptorView describe_all(ScenarioList& list, const ListArguments& arguments,
+                            const std::vector<std::string>& ids, bool quiet) {
+  return describe_list(list, describe_options(arguments), ids, *make_terminal_progress(quiet));
+}
+
+ListSelection select_scenarios(ScenarioList& list, const FilterArguments& arguments) {
+  ListSelection selection =
+      select_scenarios(list, arguments.selection, describe_options(arguments.list),
+                       *make_terminal_progress(arguments.quiet));
+  if (!arguments.quiet && arguments.selection.has_condition() && list.count(selection) == 0)
+    std::cerr << list.path() << ": no scenario matches " << condition_text(arguments.selection)
+              << "\n";
+  return selection;
+}
+
+Scenario load_scenario(const ListArguments& arguments) {
+  const ScenarioList list = ScenarioList::open(arguments.list);
+  return list.read(list.find_entry(arguments.id).hash);
+}
+
+ScenarioList open_or_create(const std::string& path) {
+  return std::filesystem::exists(path) ? ScenarioList::open(path) : ScenarioList::create(path);
+}
+
+void print_size(const ScenarioList& list, bool quiet) {
+  const std::size_t size = list.size();
+  if (!quiet)
+    std::cerr << list.path() << ": " << size << (size == 1 ? " scenario\n" : " scenarios\n");
+}
+
+void print_entry(const ScenarioList::Entry& entry, bool json) {
+  if (json) {
+    nlohmann::ordered_json object = {{"id", entry.id},
+                                     {"name", entry.name},
+                                     {"representation", to_string(entry.representation)},
+                                     {"generator", nullptr},
+                                     {"seed", nullptr},
+                                     {"tags", entry.tags}};
+    if (!entry.generator.empty()) object["generator"] = entry.generator;
+    if (entry.seed) object["seed"] = *entry.seed;
+    std::cout << object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+    return;
+  }
+  std::cout << entry.id << "  " << to_string(entry.representation) << "  " << entry.name;
+  for (const std::string& tag : entry.tags) std::cout << "  #" << tag;
+  std::cout << "\n";
+}
+
+}  // namespace slalom

@@ -1,0 +1,48 @@
+# slalom_add_module(NAME SOURCES a.cpp ... DEPENDS module ... LIBRARIES target ...)
+#
+# A module of modules/ (or adapters/): one static library target slalom_NAME with one include root of its
+# own, so that including a header of a module that is not in DEPENDS is a build error.
+function(slalom_add_module NAME)
+  cmake_parse_arguments(MODULE "" "" "SOURCES;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  add_library(slalom_${NAME} STATIC ${MODULE_SOURCES})
+  add_library(slalom::${NAME} ALIAS slalom_${NAME})
+  target_include_directories(slalom_${NAME} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(slalom_${NAME} PUBLIC cxx_std_17)
+  set_property(GLOBAL APPEND PROPERTY SLALOM_MODULES ${NAME})
+  list(TRANSFORM MODULE_DEPENDS PREPEND slalom_)
+  target_link_libraries(slalom_${NAME} PUBLIC ${MODULE_DEPENDS} ${MODULE_LIBRARIES} PRIVATE ${MODULE_PRIVATE_LIBRARIES})
+  if(TARGET slalom_precompiled)
+    target_precompile_headers(slalom_${NAME} REUSE_FROM slalom_precompiled)
+  endif()
+endfunction()
+
+# slalom_app(NAME SOURCES ... DEPENDS module ... LIBRARIES target ...): a program in build/.../bin.
+function(slalom_app NAME)
+  cmake_parse_arguments(APP "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
+  add_executable(${NAME} ${APP_SOURCES})
+  list(TRANSFORM APP_DEPENDS PREPEND slalom_)
+  target_link_libraries(${NAME} PRIVATE ${APP_DEPENDS} ${APP_LIBRARIES})
+  install(TARGETS ${NAME} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()
+
+# slalom_test(NAME SOURCES ... DEPENDS module ... LIBRARIES target ...): a GoogleTest program, one per module. Each of its
+# tests is registered with ctest; under sanitizers, where programs start slowly, the program is.
+function(slalom_test NAME)
+  cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
+  add_executable(${NAME} ${TEST_SOURCES})
+  list(TRANSFORM TEST_DEPENDS PREPEND slalom_)
+  target_link_libraries(${NAME} PRIVATE ${TEST_DEPENDS} ${TEST_LIBRARIES} GTest::gtest GTest::gtest_main Threads::Threads)
+  target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
+  if(TARGET slalom_precompiled_test)
+    target_precompile_headers(${NAME} REUSE_FROM slalom_precompiled_test)
+  endif()
+  target_compile_options(${NAME} PRIVATE ${SLALOM_TEST_OPTIMIZATION})
+  if(SLALOM_SANITIZE)
+    add_test(NAME ${NAME} COMMAND ${NAME})
+    set_tests_properties(${NAME} PROPERTIES TIMEOUT 1800)
+  else()
+    gtest_discover_tests(${NAME} PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 120)
+  endif()
+endfunction()

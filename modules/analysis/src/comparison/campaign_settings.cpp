@@ -1,0 +1,65 @@
+#include <slalom/analysis/campaign_settings.h>
+#include <slalom/core/ini_file.h>
+#include <slalom/core/text.h>
+
+#include <set>
+
+namespace slalom {
+namespace {
+
+constexpr const char* kIniKey = "campaign.ini";
+
+/// The manifest as flat keys, including those of the .ini: "version.mrpt", "sensor.noise_sigma".
+std::map<std::string, std::string> settings(const Manifest& manifest) {
+  std::map<std::string, std::string> flat;
+  for (const auto& [key, text] : manifest) {
+    if (key != kIniKey) flat[key] = text;
+  }
+  const auto text = manifest.find(kIniKey);
+  if (text == manifest.end()) return flat;
+  const IniFile ini = IniFile::from_text(text->second, kIniKey);
+  for (const std::string& section : ini.sections()) {
+    for (const std::string& key : ini.keys(section)) {
+      flat[section + "." + key] = ini.get(section, key).value_or("");
+    }
+  }
+  return flat;
+}
+
+bool cannot_affect_runs(const std::string& key) {
+  const auto begins = [&key](const char* prefix) { return starts_with(key, prefix); };
+  return key == "seed" || begins("campaign") || begins("analysis.") || begins("record.") ||
+         begins("scenarios.") || begins("generator.");
+}
+
+std::string value_or_default(const std::map<std::string, std::string>& flat,
+                             const std::string& key) {
+  const auto found = flat.find(key);
+  return found == flat.end() ? "(default)" : found->second;
+}
+
+}  // namespace
+
+std::optional<std::string> campaign_setting(const Manifest& manifest, const std::string& key) {
+  const auto flat = settings(manifest);
+  const auto found = flat.find(key);
+  if (found == flat.end()) return std::nullopt;
+  return found->second;
+}
+
+std::vector<std::string> campaign_differences(const Manifest& a, const Manifest& b,
+                                              const std::vector<std::string>& expected) {
+  const auto first = settings(a), second = settings(b);
+  std::set<std::string> keys;
+  for (const auto& [key, text] : first) keys.insert(key);
+  for (const auto& [key, text] : second) keys.insert(key);
+  std::vector<std::string> differences;
+  for (const std::string& key : keys) {
+    if (contains(expected, key) || (cannot_affect_runs(key) && key != "scenarios.hash")) continue;
+    const std::string before = value_or_default(first, key), after = value_or_default(second, key);
+    if (before != after) differences.push_back(key + ": " + before + ", " + after);
+  }
+  return differences;
+}
+
+}  // namespace slalom

@@ -1,0 +1,327 @@
+#include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/paired_comparison.h>
+#include <slalom/analysis/power.h>
+#include <slalom/analysis/rate_tests.h>
+#include <slalom/analysis/scenario_means.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace slalom {
+namespace {
+
+/// Asymptotic relative efficiency of Wilcoxon's test to Student's under normality (Hodges and
+/// Lehmann 1956).
+const double kSignedRankEfficiency = 3 / M_PI;
+
+struct Key {
+  const std::string* scenario;
+  std::uint32_t repetition;
+  std::size_t run;
+
+  bool operator<(const Key& other) const {
+    return std::tie(*scenario, repetition) < std::tie(*other.scenario, other.repetition);
+  }
+};
+
+std::vector<Key> keys_of(const Side& side) {
+  const std::uint32_t method = index_of_method(*side.table, side.method);
+  std::vector<Key> keys;
+  for (std::size_t run = 0; run < side.table->size(); ++run) {
+    if (side.table->method[run] != method) continue;
+    keys.push_back({&side.table->scenario_hashes[side.table->scenario[run]],
+                    side.table->repetition[run], run});
+  }
+  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
+/// Values of pairs, averaged by scenario.
+struct PairedValues {
+  std::vector<double> a, b;
+  bool one_run_each = true;
+};
+
+class Pairing {
+ public:
+  Pairing(PairedComparison& comparison, const ValueColumn& a, const ValueColumn& b)
+      : comparison_(comparison), a_(a), b_(b) {}
+
+  void add(const Key& a, const Key& b) {
+    if (a_.is_na(a.run) || b_.is_na(b.run)) {
+      ++comparison_.without_value;
+      return;
+    }
+    ++comparison_.pairs;
+    if (scenario_ == nullptr || *scenario_ != *a.scenario) {
+      close();
+      scenario_ = a.scenario;
+    }
+    sum_a_ += a_.number(a.run);
+    sum_b_ += b_.number(b.run);
+    ++size_;
+  }
+  PairedValues values() {
+    close();
+    return values_;
+  }
+
+ private:
+  PairedComparison& comparison_;
+  const ValueColumn &a_, &b_;
+  PairedValues values_;
+  const std::string* scenario_ = nullptr;
+  double sum_a_ = 0, sum_b_ = 0;
+  std::size_t size_ = 0;
+
+  void close() {
+    if (size_ == 0) return;
+    values_.a.push_back(sum_a_ / static_cast<double>(size_));
+    values_.b.push_back(sum_b_ / static_cast<double>(size_));
+    values_.one_run_each = values_.one_run_each && size_ == 1;
+    sum_a_ = sum_b_ = 0;
+    size_ = 0;
+  }
+};
+
+PairedValues paired_values(PairedComparison& comparison, const Side& a, const Side& b,
+                           const std::string& metric) {
+  Pairing pairing(comparison, require_metric(*a.table, metric), require_metric(*b.table, metric));
+  const std::vector<Key> left = keys_of(a), right = keys_of(b);
+  std::size_t i = 0, j = 0;
+  while (i < left.size() && j < right.size()) {
+    if (left[i] < right[j]) {
+      ++i;
+    } else if (right[j] < left[i]) {
+      ++j;
+    } else {
+      pairing.add(left[i++], right[j++]);
+    }
+  }
+  const std::size_t partners = comparison.pairs + comparison.without_value;
+  comparison.unpaired = left.size() + right.size() - 2 * partners;
+  if (partners > 0) return pairing.values();
+  throw usage_error(comparison.b + " against " + comparison.a, "no common scenario and repetition",
+                    "results of the same scenarios");
+}
+
+/// Within which differences are zero or tied.
+double tolerance_of(const PairedValues& values) {
+  return std::max(tie_tolerance(values.a), tie_tolerance(values.b));
+}
+
+std::vector<double> differences_of(const PairedValues& values) {
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < values.a.size(); ++i) {
+    differences.push_back(values.b[i] - values.a[i]);
+  }
+  return differences;
+}
+
+void add_test(PairedComparison& comparison, const PairedValues& values,
+              const std::vector<double>& differences) {
+  using Test = PairedComparison::Test;
+  const double tolerance = tolerance_of(values);
+  for (const double d : differences) {
+    ++(d > tolerance ? comparison.higher : d < -tolerance ? comparison.lower : comparison.equal);
+  }
+  if (comparison.column.rate && values.one_run_each) {
+    comparison.test = Test::McNemarExact;
+    comparison.p = mcnemar_exact(comparison.higher, comparison.lower);
+    return;
+  }
+  const SignedRankTest test = signed_rank_test(differences, tolerance);
+  comparison.test = test.exact ? Test::SignedRankExact : Test::SignedRankNormal;
+  comparison.p = test.p;
+}
+
+ValueRange difference_range(const std::string& id) {
+  const ValueRange range = range_of(id);
+  if (!range.low || !range.high) return {};
+  return {*range.low - *range.high, *range.high - *range.low};
+}
+
+void add_effect(PairedComparison& comparison, const PairedValues& values,
+                const std::vector<double>& differences, const AnalysisOptions& options) {
+  comparison.mean_a = mean(values.a);
+  comparison.mean_b = mean(values.b);
+  comparison.difference = mean(differences);
+  comparison.superiority = probability_of_superiority(values.b, values.a);
+  if (comparison.column.rate) {
+    comparison.interval = paired_rate_interval(values.b, values.a, options.confidence);
+    return;
+  }
+  comparison.shift = hodges_lehmann(differences, options.confidence);
+  GroupSums groups;
+  groups.sums = differences;
+  groups.sizes.assign(differences.size(), 1.0);
+  const std::string& id = comparison.column.info.id;
+  RandomEngine engine(
+      derive_seed(options.seed, join({"compare", comparison.a, comparison.b, id}, "/")));
+  comparison.interval = mean_interval(groups, options.confidence, engine);
+  if (comparison.interval)
+    comparison.interval = clip_to_range(difference_range(id), *comparison.interval);
+}
+
+double relevant_difference(const PairedComparison& comparison, const ComparisonOptions& options) {
+  if (options.relevant) return *options.relevant;
+  if (comparison.column.rate) return 0.05;
+  return 0.05 * (std::abs(*comparison.mean_a) + std::abs(*comparison.mean_b)) / 2;
+}
+
+/// Standard deviation of the differences, for sample size planning. For rates half a discordant
+/// scenario is added in each direction, so that it is positive without discordant scenarios.
+double planning_deviation(const PairedComparison& comparison,
+                          const std::vector<double>& differences) {
+  if (!comparison.column.rate) return standard_deviation(differences).value_or(0);
+  double squares = 1;
+  for (const double d : differences) squares += d * d;
+  return std::sqrt(squares / static_cast<double>(differences.size() + 1));
+}
+
+void add_power(PairedComparison& comparison, const std::vector<double>& differences,
+               const ComparisonOptions& options) {
+  const double alpha = test_level(options.analysis.confidence);
+  comparison.relevant = relevant_difference(comparison, options);
+  const double deviation = planning_deviation(comparison, differences);
+  comparison.required_scenarios = min_pairs(alpha);
+  if (comparison.relevant <= 0) {
+    comparison.required_scenarios = 0;
+  } else if (deviation > 0 && differences.size() > 1) {
+    const double pairs = static_cast<double>(
+        required_pairs(comparison.relevant, deviation, alpha, comparison.power));
+    const auto needed = static_cast<std::size_t>(std::ceil(pairs / kSignedRankEfficiency));
+    comparison.required_scenarios = std::max(comparison.required_scenarios, needed);
+  }
+}
+
+Verdict verdict_of(const PairedComparison& comparison) {
+  const bool shown = comparison.adjusted_p <= test_level(comparison.confidence) &&
+                     comparison.interval &&
+                     (comparison.interval->low > 0 || comparison.interval->high < 0);
+  if (!shown) {
+    const bool enough =
+        comparison.required_scenarios > 0 && comparison.scenarios >= comparison.required_scenarios;
+    return enough ? Verdict::NoDifference : Verdict::NotEnough;
+  }
+  const Direction direction = comparison.column.info.direction;
+  if (direction == Direction::None) return Verdict::Different;
+  const bool up = comparison.interval->low > 0;
+  return up == (direction == Direction::Up) ? Verdict::Better : Verdict::Worse;
+}
+
+}  // namespace
+
+PairedComparison compare_pair(const Side& a, const Side& b, const std::string& metric,
+                              const ComparisonOptions& options) {
+  require_valid(options.analysis);
+  PairedComparison comparison;
+  comparison.a = a.name;
+  comparison.b = b.name;
+  comparison.column = resolve_columns(*a.table, {metric})[0];
+  comparison.confidence = options.analysis.confidence;
+  comparison.power = options.power;
+  const PairedValues values = paired_values(comparison, a, b, metric);
+  comparison.scenarios = values.a.size();
+  if (values.a.empty()) return comparison;
+  const std::vector<double> differences = differences_of(values);
+  add_effect(comparison, values, differences, options.analysis);
+  add_test(comparison, values, differences);
+  add_power(comparison, differences, options);
+  comparison.adjusted_p = comparison.p;
+  comparison.verdict = verdict_of(comparison);
+  return comparison;
+}
+
+void finish_family(std::vector<PairedComparison>& family) {
+  std::vector<double> p;
+  for (const PairedComparison& comparison : family) p.push_back(comparison.p);
+  const std::vector<double> adjusted = holm_adjusted(p);
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    family[i].adjusted_p = adjusted[i];
+    family[i].verdict = verdict_of(family[i]);
+  }
+}
+
+std::vector<PairedComparison> compare_methods(const ResultTable& table,
+                                              const std::vector<std::string>& metrics,
+                                              const std::string& baseline,
+                                              const ComparisonOptions& options,
+                                              const std::string& method) {
+  for (const std::string& name : {baseline, method}) {
+    if (!name.empty()) index_of_method(table, name);
+  }
+  if (table.methods.size() < 2) {
+    throw usage_error("compare", "runs of only one method", "two methods, or two result files");
+  }
+  std::vector<PairedComparison> family;
+  for (const std::string& metric : metrics) {
+    for (std::size_t i = 0; i < table.methods.size(); ++i) {
+      for (std::size_t j = i + 1; j < table.methods.size(); ++j) {
+        std::string a = table.methods[i], b = table.methods[j];
+        if (!baseline.empty() && a != baseline && b != baseline) continue;
+        if (!method.empty() && a != method && b != method) continue;
+        if (b == baseline) std::swap(a, b);
+        family.push_back(compare_pair({&table, a, a}, {&table, b, b}, metric, options));
+      }
+    }
+  }
+  finish_family(family);
+  return family;
+}
+
+namespace {
+
+/// Leaves the pairs of names that have `method`. Throws Error (Usage) where there is none.
+void keep_only(std::vector<std::pair<std::string, std::string>>& pairs, const std::string& method) {
+  std::vector<std::string> names;
+  for (const auto& [a, b] : pairs) {
+    if (a == method || b == method) {
+      pairs = {{a, b}};
+      return;
+    }
+    names.push_back(a);
+    if (b != a) names.push_back(b);
+  }
+  throw usage_error("method", "'" + method + "' is not in both results",
+                    expected_name(method, names));
+}
+
+}  // namespace
+
+std::vector<PairedComparison> compare_results(const ResultTable& a, const ResultTable& b,
+                                              const std::vector<std::string>& metrics,
+                                              const ComparisonOptions& options,
+                                              const std::string& method) {
+  std::vector<std::pair<std::string, std::string>> common;
+  for (const std::string& name : a.methods) {
+    if (contains(b.methods, name)) {
+      common.emplace_back(name, name);
+    }
+  }
+  if (common.empty() && a.methods.size() == 1 && b.methods.size() == 1) {
+    common.emplace_back(a.methods[0], b.methods[0]);
+  }
+  if (common.empty()) {
+    throw usage_error(b.source,
+                      "no common method with " + a.source + " (" + join(b.methods, ", ") +
+                          "; there " + join(a.methods, ", ") + ")",
+                      "runs of the same methods");
+  }
+  if (!method.empty()) keep_only(common, method);
+  std::vector<PairedComparison> family;
+  for (const std::string& metric : metrics) {
+    for (const auto& [before, after] : common) {
+      const Side first{&a, before, before + " (" + a.source + ")"};
+      const Side second{&b, after, after + " (" + b.source + ")"};
+      family.push_back(compare_pair(first, second, metric, options));
+    }
+  }
+  finish_family(family);
+  return family;
+}
+
+}  // namespace slalom

@@ -1,0 +1,77 @@
+#include <slalom/analysis/cell_text.h>
+#include <slalom/analysis/paired_comparison.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+int digits_of(double number) {
+  if (number == 0 || !std::isfinite(number)) return 2;
+  return std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(number)))), 0, 6);
+}
+
+std::string short_number(double number) {
+  return format_fixed(number, digits_of(number));
+}
+
+std::string p_text(double p) {
+  return p < 0.0001 ? "p < 0.0001" : "p = " + format_fixed(p, 4);
+}
+
+std::string statistics_text(const PairedComparison& c) {
+  const int digits = digits_of(std::max(std::abs(*c.mean_a), std::abs(*c.mean_b)));
+  std::string text = format_fixed(*c.mean_b, digits) + " against " +
+                     format_fixed(*c.mean_a, digits) + ", difference " +
+                     format_fixed(*c.difference, digits);
+  if (c.interval) {
+    text += " [" + format_fixed(c.interval->low, digits) + ", " +
+            format_fixed(c.interval->high, digits) + "]";
+  }
+  return text + " over " + count_text(c.scenarios, "scenario") + ", " + p_text(c.adjusted_p) +
+         " (" + to_string(c.test) + ", Holm)";
+}
+
+std::string power_text(const PairedComparison& c) {
+  return "a difference of " + short_number(c.relevant) + " with " + percent_text(c.power) +
+         " % power";
+}
+
+std::string not_enough(const PairedComparison& c) {
+  const std::string head =
+      "not enough runs to compare " + c.b + " with " + c.a + " in " + c.column.info.id + ": ";
+  if (c.scenarios == 0) {
+    return head + "no pair with values (" + count_text(c.without_value, "pair") + " without)";
+  }
+  if (c.required_scenarios <= c.scenarios) {
+    return head + statistics_text(c) + "; the required sample size cannot be estimated";
+  }
+  return head + statistics_text(c) + "; about " +
+         count_text(c.required_scenarios - c.scenarios, "more scenario") + " required for " +
+         power_text(c);
+}
+
+}  // namespace
+
+std::string verdict_sentence(const PairedComparison& c) {
+  const std::string& metric = c.column.info.id;
+  switch (c.verdict) {
+    case Verdict::NotEnough:
+      return not_enough(c);
+    case Verdict::NoDifference:
+      return "no difference shown between " + c.b + " and " + c.a + " in " + metric + ": " +
+             statistics_text(c) + "; " + count_text(c.required_scenarios, "scenario") +
+             " suffice for " + power_text(c);
+    case Verdict::Different:
+      return c.b + " differs from " + c.a + " in " + metric + ": " + statistics_text(c);
+    case Verdict::Better:
+    case Verdict::Worse:
+      break;
+  }
+  return c.b + " is " + to_string(c.verdict) + " than " + c.a + " in " + metric + ": " +
+         statistics_text(c);
+}
+
+}  // namespace slalom

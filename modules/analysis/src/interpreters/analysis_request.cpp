@@ -1,0 +1,92 @@
+#include <slalom/analysis/analysis_request.h>
+#include <slalom/analysis/analysis_section.h>
+#include <slalom/core/error.h>
+#include <slalom/core/ini_file.h>
+#include <slalom/core/text.h>
+
+namespace slalom {
+namespace {
+
+AnalysisSection analysis_defaults(const Manifest& manifest) {
+  const auto text = manifest.find("campaign.ini");
+  if (text == manifest.end()) return {};
+  return read_options<AnalysisSection>(IniFile::from_text(text->second, "campaign.ini"),
+                                       "analysis");
+}
+
+std::vector<BinSpec> rows_of(const AnalysisRequest& request, const AnalysisSection& defaults,
+                             const ResultTable& results) {
+  if (!request.rows.empty()) return parse_bin_specs(request.rows, "--rows");
+  if (!defaults.rows.empty()) return parse_bin_specs(defaults.rows);
+  return parse_bin_specs(find_descriptor(results, "density") != nullptr ? "density:q4" : "all");
+}
+
+std::vector<std::string> metrics_of(const AnalysisRequest& request, const AnalysisSection& defaults,
+                                    const Interpreter& interpreter, const ResultTable& results) {
+  if (!request.metrics.empty()) return split_nonempty(request.metrics, ',');
+  if (!request.gates.empty()) return {};
+  const bool tables = interpreter.id == "table" || interpreter.id == "summary";
+  if (tables && !defaults.columns.empty()) return split_nonempty(defaults.columns, ',');
+  std::vector<std::string> metrics;
+  for (const std::string& id : interpreter.default_metrics) {
+    if (find_metric(results, id) != nullptr) metrics.push_back(id);
+  }
+  if (metrics.empty()) metrics.push_back(results.metrics.front().info().id);
+  return metrics;
+}
+
+std::vector<double> values_of(const std::string& text) {
+  std::vector<double> values;
+  for (const std::string& part : split_nonempty(text, ',')) {
+    if (!parse_number(part, values.emplace_back())) {
+      throw usage_error("--values", "invalid number '" + part + "'", "comma-separated numbers");
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+void require_number_of_results(const Interpreter& interpreter, std::size_t results) {
+  const std::size_t min = interpreter.min_results, max = interpreter.max_results;
+  if (results >= min && results <= max) return;
+  throw usage_error(
+      interpreter.id, std::to_string(results) + " files",
+      max == 1 ? "one result file"
+               : "from " + std::to_string(min) + " to " + std::to_string(max) + " result files");
+}
+
+std::optional<std::vector<std::string>> requested_columns(const AnalysisRequest& request,
+                                                          const Interpreter& interpreter) {
+  if (request.rows.empty() || interpreter.needs_descriptors) return std::nullopt;
+  if (request.metrics.empty() && request.gates.empty()) return std::nullopt;
+  std::vector<std::string> ids = split_nonempty(request.metrics, ',');
+  for (const std::string& gate : request.gates) ids.push_back(parse_gate(gate).metric);
+  for (const std::string& id : interpreter.additional_metrics) ids.push_back(id);
+  for (const BinSpec& spec : parse_bin_specs(request.rows, "--rows")) {
+    if (spec.kind != BinSpec::Kind::All) ids.push_back(spec.descriptor);
+  }
+  return ids;
+}
+
+AnalysisQuery make_query(const AnalysisRequest& request, const Interpreter& interpreter,
+                         const ResultTable& results) {
+  const AnalysisSection defaults = analysis_defaults(results.manifest);
+  AnalysisQuery query;
+  query.rows = rows_of(request, defaults, results);
+  query.metrics = metrics_of(request, defaults, interpreter, results);
+  query.method = request.method;
+  query.baseline = request.baseline;
+  query.parameter = request.parameter;
+  query.values = values_of(request.values);
+  query.allow_differences = request.allow_differences;
+  for (const std::string& gate : request.gates) query.gates.push_back(parse_gate(gate));
+  query.gate_on = request.gate_on;
+  query.comparison.analysis.confidence =
+      request.confidence > 0 ? request.confidence : defaults.confidence;
+  if (request.relevant > 0) query.comparison.relevant = request.relevant;
+  query.comparison.power = request.power;
+  return query;
+}
+
+}  // namespace slalom

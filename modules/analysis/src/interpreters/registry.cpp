@@ -1,0 +1,52 @@
+#include <slalom/analysis/interpreter.h>
+
+namespace slalom {
+
+using Interpret = Interpretation(const std::vector<ResultTable>& results,
+                                 const AnalysisQuery& query);
+
+// Each in its own file of this folder.
+Interpret interpret_summary, interpret_cross_tables, interpret_map, interpret_comparison,
+    interpret_ranks, interpret_profile, interpret_completion, interpret_failures,
+    interpret_validity, interpret_robustness;
+
+const std::vector<Interpreter>& all_interpreters() {
+  static const std::vector<std::string> table_metrics = {"success", "optimality", "safety"};
+  static const std::vector<Interpreter> all = {
+      {"summary", "Summarize all runs of each method", interpret_summary, 1, 1, table_metrics},
+      {"table", "Print a summary per method and cross tables of bins by metrics",
+       interpret_cross_tables, 1, 1, table_metrics},
+      {"map", "Map one metric over the bins of two descriptors: --rows 'A:4;B:4'", interpret_map},
+      {"compare", "Compare methods, or two result files (B against A), on the same scenarios",
+       interpret_comparison, 1, 2},
+      {"ranks", "Rank all methods within scenarios: Friedman's test, critical differences",
+       interpret_ranks},
+      {"profile",
+       "Performance profiles: how often each method is within a ratio of the best",
+       interpret_profile,
+       1,
+       1,
+       {"time_to_goal"}},
+      {"completion",
+       "Completion curves: runs that reached the goal over time, with failures as competing risks",
+       interpret_completion,
+       1,
+       1,
+       {"time_to_goal"},
+       {"path_length", "mean_speed"}},
+      {"failures", "Count outcomes by method and by bin", interpret_failures},
+      {"validity",
+       "Rank correlations of descriptors with metrics, and with each other",
+       interpret_validity,
+       1,
+       1,
+       {"success", "spl"},
+       {},
+       true},
+      {"robustness", "Metrics over a swept parameter, with one result file per value",
+       interpret_robustness, 2, 1000},
+  };
+  return all;
+}
+
+}  // namespace slalom

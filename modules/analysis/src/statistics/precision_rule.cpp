@@ -1,0 +1,83 @@
+#include "../text/text_grid.h"
+
+#include <slalom/analysis/cell_text.h>
+#include <slalom/analysis/precision_rule.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+#include <regex>
+
+namespace slalom {
+namespace {
+
+constexpr const char* kExpected =
+    "\"interval(METRIC) < WIDTH\" or \"interval(METRIC) < WIDTH in "
+    "BINS\", such as \"interval(success) < 0.1 in density:10\"";
+
+bool is_narrow_enough(const Cell& cell, double width) {
+  return cell.interval && cell.interval->high - cell.interval->low < width;
+}
+
+}  // namespace
+
+PrecisionRule parse_precision_rule(const std::string& text) {
+  static const std::regex kRule(
+      R"(\s*interval\(\s*(\w+)\s*\)\s*<\s*([^\s]+)(?:\s+in\s+(.*\S))?\s*)");
+  std::smatch found;
+  PrecisionRule rule;
+  if (!std::regex_match(text, found, kRule) || !parse_number(found[2], rule.width) ||
+      !(rule.width > 0))
+    throw usage_error("--until", "invalid stopping rule '" + text + "'", kExpected);
+  rule.metric = found[1];
+  if (found[3].matched) rule.rows = parse_bin_spec(found[3], "--until");
+  return rule;
+}
+
+double look_confidence(double confidence, int look) {
+  return 1 - (1 - confidence) / (static_cast<double>(look) * (look + 1));
+}
+
+std::vector<PrecisionCell> precision_cells(const ResultTable& runs, const PrecisionRule& rule,
+                                           const AnalysisOptions& options, int look) {
+  AnalysisOptions at_look = options;
+  at_look.confidence = look_confidence(options.confidence, look);
+  std::vector<PrecisionCell> cells;
+  for (const CrossTable& table : build_cross_tables(runs, {rule.rows}, {rule.metric}, at_look)) {
+    for (const CrossRow& row : table.rows) {
+      const Cell& cell = row.cells.front();
+      cells.push_back({table.method, row.bin, cell, is_narrow_enough(cell, rule.width)});
+    }
+  }
+  return cells;
+}
+
+BinSpec with_edges(const std::string& descriptor, const std::vector<Bin>& bins) {
+  if (bins.empty() || !bins.front().low) return {};
+  BinSpec spec;
+  spec.kind = BinSpec::Kind::Edges;
+  spec.descriptor = descriptor;
+  spec.edges.push_back(*bins.front().low);
+  for (const Bin& bin : bins) spec.edges.push_back(*bin.high);
+  return spec;
+}
+
+std::string render_precision_text(const PrecisionRule& rule,
+                                  const std::vector<PrecisionCell>& cells) {
+  TextGrid grid({"method", rule.rows.descriptor.empty() ? "scenarios" : rule.rows.descriptor,
+                 "runs", rule.metric, "interval", "width", "reached"});
+  for (const PrecisionCell& entry : cells) {
+    const Cell& cell = entry.cell;
+    const std::string width =
+        cell.interval ? format_fixed(cell.interval->high - cell.interval->low, 4) : "-";
+    grid.add_row({{printable(entry.method)},
+                  {entry.bin.label()},
+                  {std::to_string(cell.n)},
+                  {estimate_text(cell, 3)},
+                  {interval_text(cell, 3)},
+                  {width},
+                  {entry.reached ? "yes" : "no"}});
+  }
+  return grid.text();
+}
+
+}  // namespace slalom

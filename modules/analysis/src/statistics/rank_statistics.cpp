@@ -1,0 +1,89 @@
+#include <slalom/analysis/rank_statistics.h>
+
+#include <boost/math/distributions/normal.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace slalom {
+namespace {
+
+std::vector<std::size_t> increasing_order(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&values](std::size_t a, std::size_t b) {
+    return values[a] != values[b] ? values[a] < values[b] : a < b;
+  });
+  return order;
+}
+
+double pearson(const std::vector<double>& x, const std::vector<double>& y) {
+  const double mx = mean(x), my = mean(y);
+  double xx = 0, yy = 0, xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - mx) * (x[i] - mx);
+    yy += (y[i] - my) * (y[i] - my);
+    xy += (x[i] - mx) * (y[i] - my);
+  }
+  return std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0);
+}
+
+bool constant(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
+}
+
+}  // namespace
+
+double tie_tolerance(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) {
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  }
+  return kTieTolerance * largest;
+}
+
+std::vector<double> midranks(const std::vector<double>& values, double tolerance) {
+  const std::vector<std::size_t> order = increasing_order(values);
+  std::vector<double> ranks(values.size());
+  for (std::size_t first = 0; first < order.size();) {
+    std::size_t end = first + 1;
+    const double last = values[order[first]] + tolerance;
+    while (end < order.size() && values[order[end]] <= last) ++end;
+    // Ranks first + 1 .. end.
+    const double shared = (static_cast<double>(first + 1) + static_cast<double>(end)) / 2;
+    for (std::size_t i = first; i < end; ++i) ranks[order[i]] = shared;
+    first = end;
+  }
+  return ranks;
+}
+
+double probability_of_superiority(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> all = a;
+  all.insert(all.end(), b.begin(), b.end());
+  const std::vector<double> ranks = midranks(all, tie_tolerance(all));
+  const double m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
+  const double sum =
+      std::accumulate(ranks.begin(), ranks.begin() + static_cast<std::ptrdiff_t>(a.size()), 0.0);
+  return (sum - m * (m + 1) / 2) / (m * n);
+}
+
+RankCorrelation spearman(const std::vector<double>& x, const std::vector<double>& y,
+                         double confidence) {
+  RankCorrelation result;
+  result.n = x.size();
+  if (result.n < 3 || constant(x) || constant(y)) return result;
+  const double rho = pearson(midranks(x), midranks(y));
+  result.rho = rho;
+  if (result.n < 4) return result;
+  if (std::abs(rho) == 1) {
+    result.interval = Interval{rho, rho};
+    return result;
+  }
+  const double z = boost::math::quantile(boost::math::normal(), 0.5 + confidence / 2);
+  const double half = z * std::sqrt((1 + rho * rho / 2) / static_cast<double>(result.n - 3));
+  result.interval = Interval{std::tanh(std::atanh(rho) - half), std::tanh(std::atanh(rho) + half)};
+  return result;
+}
+
+}  // namespace slalom

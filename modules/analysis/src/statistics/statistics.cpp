@@ -1,0 +1,186 @@
+#include <slalom/analysis/statistics.h>
+
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+namespace slalom {
+namespace {
+
+constexpr std::size_t kMinForBootstrap = 20;
+constexpr std::size_t kMaxForBootstrap = 500;
+
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+double count(const GroupSums& groups) {
+  return sum(groups.sizes);
+}
+
+/// Variance of the mean over all values, estimated from the variation between groups.
+double variance_of_mean(const GroupSums& groups) {
+  const double m = mean_of_groups(groups);
+  double squares = 0;
+  for (std::size_t i = 0; i < groups.groups(); ++i) {
+    const double residual = groups.sums[i] - m * groups.sizes[i];
+    squares += residual * residual;
+  }
+  const double k = static_cast<double>(groups.groups()), n = count(groups);
+  return k / (k - 1) * squares / (n * n);
+}
+
+/// Random integers in [0, end), two of 32 bits from each draw of the engine. Their nonuniformity,
+/// end / 2^32, is negligible for a bootstrap.
+class FastIndex {
+ public:
+  FastIndex(RandomEngine& engine, std::uint64_t end) : engine_(engine), end_(end) {}
+  std::size_t operator()() {
+    if (!full_) bits_ = engine_();
+    full_ = !full_;
+    const std::uint64_t half = full_ ? bits_ >> 32U : bits_ & 0xFFFFFFFFU;
+    return static_cast<std::size_t>(half * end_ >> 32U);
+  }
+
+ private:
+  RandomEngine& engine_;
+  std::uint64_t end_, bits_ = 0;
+  bool full_ = false;  ///< the lower half has not been used yet
+};
+
+/// Quantile by linear interpolation between order statistics.
+double quantile(const std::vector<double>& sorted, double fraction) {
+  const double position = fraction * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(position);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+}  // namespace
+
+double test_level(double confidence) {
+  const double level = 1 - confidence, rounded = std::round(level * 1e12) / 1e12;
+  return rounded > 0 ? rounded : level;
+}
+
+double mean(const std::vector<double>& values) {
+  return sum(values) / static_cast<double>(values.size());
+}
+
+GroupSums sums_of(const ScenarioGroups& groups) {
+  GroupSums result;
+  for (const auto& group : groups) {
+    result.sums.push_back(sum(group));
+    result.sizes.push_back(static_cast<double>(group.size()));
+  }
+  return result;
+}
+
+double mean_of_groups(const GroupSums& groups) {
+  return sum(groups.sums) / count(groups);
+}
+
+double median(std::vector<double> values) {
+  return middle_values(std::move(values)).median;
+}
+
+double interquartile_mean(std::vector<double> values) {
+  return middle_values(std::move(values)).interquartile_mean;
+}
+
+MiddleValues middle_values(std::vector<double> values) {
+  const std::size_t size = values.size(), first = size / 4, last = (3 * size + 3) / 4 - 1;
+  const auto at = [&values](std::size_t position) {
+    return values.begin() + static_cast<std::ptrdiff_t>(position);
+  };
+  // Moves the order statistics first .. last to their positions, then the median.
+  std::nth_element(at(0), at(first), values.end());
+  if (last > first) std::nth_element(at(first + 1), at(last), values.end());
+  if (size / 2 > first) std::nth_element(at(first + 1), at(size / 2), at(last));
+  const double upper = values[size / 2];
+  const bool odd = size % 2 == 1;
+  const double lower = odd ? upper : *std::max_element(at(first), at(size / 2));
+  // Value i covers the segment [i, i + 1]; the part within [n / 4, 3 n / 4] is its weight.
+  const double n = static_cast<double>(size);
+  const double first_weight = std::min(static_cast<double>(first + 1), 0.75 * n) - 0.25 * n;
+  double total = first_weight * values[first];
+  for (std::size_t i = first + 1; i < last; ++i) total += values[i];
+  if (last > first) total += (0.75 * n - static_cast<double>(last)) * values[last];
+  return {(lower + upper) / 2, total / (0.5 * n)};
+}
+
+std::optional<double> standard_deviation(const std::vector<double>& values) {
+  if (values.size() < 2) return std::nullopt;
+  const double m = mean(values);
+  double squares = 0;
+  for (const double value : values) squares += (value - m) * (value - m);
+  return std::sqrt(squares / static_cast<double>(values.size() - 1));
+}
+
+Interval wilson_interval(double rate, double n, double confidence) {
+  const double z = boost::math::quantile(boost::math::normal(), 0.5 + confidence / 2);
+  const double shrink = 1 + z * z / n;
+  const double center = (rate + z * z / (2 * n)) / shrink;
+  const double half = z / shrink * std::sqrt(rate * (1 - rate) / n + z * z / (4 * n * n));
+  // Rates of 0 and 1 have exact bounds; avoid rounding errors.
+  return {rate == 0 ? 0.0 : std::max(0.0, center - half),
+          rate == 1 ? 1.0 : std::min(1.0, center + half)};
+}
+
+double effective_sample_size(const GroupSums& groups) {
+  const double k = static_cast<double>(groups.groups()), n = count(groups);
+  if (k == n || k < 2) return k;
+  const double rate = mean_of_groups(groups);
+  const double between = variance_of_mean(groups);
+  if (rate <= 0 || rate >= 1) return k;
+  if (between <= 0) return n;
+  return std::clamp(rate * (1 - rate) / between, k, n);
+}
+
+std::optional<Interval> t_interval(const GroupSums& groups, double confidence) {
+  if (groups.groups() < 2) return std::nullopt;
+  const boost::math::students_t distribution(static_cast<double>(groups.groups() - 1));
+  const double half = boost::math::quantile(distribution, 0.5 + confidence / 2) *
+                      std::sqrt(variance_of_mean(groups));
+  const double m = mean_of_groups(groups);
+  return Interval{m - half, m + half};
+}
+
+std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confidence,
+                                           RandomEngine& engine, int resamples) {
+  if (groups.groups() < 2) return std::nullopt;
+  std::vector<double> means;
+  means.reserve(static_cast<std::size_t>(resamples));
+  FastIndex drawn(engine, groups.groups());
+  for (int resample = 0; resample < resamples; ++resample) {
+    double total = 0, n = 0;
+    for (std::size_t draw = 0; draw < groups.groups(); ++draw) {
+      const std::size_t chosen = drawn();
+      total += groups.sums[chosen];
+      n += groups.sizes[chosen];
+    }
+    means.push_back(total / n);
+  }
+  std::sort(means.begin(), means.end());
+  return Interval{quantile(means, 0.5 - confidence / 2), quantile(means, 0.5 + confidence / 2)};
+}
+
+Interval clip_to_range(const ValueRange& range, Interval interval) {
+  if (range.low) interval.low = std::max(*range.low, interval.low);
+  if (range.high) interval.high = std::min(*range.high, interval.high);
+  return interval;
+}
+
+std::optional<Interval> mean_interval(const GroupSums& groups, double confidence,
+                                      RandomEngine& engine) {
+  if (groups.groups() < kMinForBootstrap || groups.groups() > kMaxForBootstrap) {
+    return t_interval(groups, confidence);
+  }
+  return bootstrap_interval(groups, confidence, engine);
+}
+
+}  // namespace slalom

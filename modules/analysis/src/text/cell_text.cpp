@@ -1,0 +1,115 @@
+#include <slalom/analysis/cell_text.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+std::string missing_text(const Cell& cell) {
+  const std::size_t missing = cell.n - cell.available;
+  return missing == 0 ? "" : " NA=" + std::to_string(missing);
+}
+
+/// Fixed decimals; very large numbers in shortest form.
+std::string number_text(double number, int digits) {
+  return std::abs(number) < 1e9 ? format_fixed(number, digits) : format_number(number);
+}
+
+}  // namespace
+
+int digits_for(const std::vector<const Cell*>& cells, const Column& column) {
+  if (column.rate) return 2;
+  double largest = 0;
+  for (const Cell* cell : cells) {
+    if (cell->estimate) largest = std::max(largest, std::abs(*cell->estimate));
+  }
+  if (largest == 0) return 2;
+  return std::clamp(2 - static_cast<int>(std::floor(std::log10(largest))), 0, 4);
+}
+
+int column_digits(const CrossTable& table, std::size_t column) {
+  std::vector<const Cell*> cells;
+  for (const CrossRow& row : table.rows) cells.push_back(&row.cells[column]);
+  return digits_for(cells, table.columns[column]);
+}
+
+std::string estimate_text(const Cell& cell, int digits) {
+  return cell.estimate ? number_text(*cell.estimate, digits) : "-";
+}
+
+std::string interval_text(const Cell& cell, int digits) {
+  if (!cell.interval) return "";
+  return "[" + number_text(cell.interval->low, digits) + ", " +
+         number_text(cell.interval->high, digits) + "]";
+}
+
+std::string support_text(const Cell& cell, const Column& column, int digits) {
+  std::string text;
+  if (column.rate && cell.estimate) {
+    const double successes = *cell.estimate * static_cast<double>(cell.available);
+    text = std::to_string(std::llround(successes)) + "/" + std::to_string(cell.available);
+  } else {
+    if (cell.deviation) text = "±" + number_text(*cell.deviation, digits) + " ";
+    return text + values_text(cell);
+  }
+  return text + missing_text(cell);
+}
+
+std::string values_text(const Cell& cell) {
+  return "n=" + std::to_string(cell.available) + missing_text(cell);
+}
+
+std::string na_text(const Column& column, const std::map<std::string, std::size_t>& reasons) {
+  std::vector<std::string> parts;
+  for (const auto& [reason, n] : reasons) parts.push_back(std::to_string(n) + " " + reason);
+  return parts.empty() ? "" : column.info.id + ": " + join(parts, ", ");
+}
+
+std::map<std::string, std::size_t> na_of_column(const CrossTable& table, std::size_t column) {
+  std::map<std::string, std::size_t> reasons;
+  for (const CrossRow& row : table.rows) {
+    for (const auto& [reason, n] : row.cells[column].na) reasons[reason] += n;
+  }
+  return reasons;
+}
+
+std::string count_text(std::size_t n, const std::string& noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+std::string percent_text(double fraction) {
+  return format_number(std::round(fraction * 1e12) / 1e10);
+}
+
+std::string direction_arrow(Direction direction) {
+  if (direction == Direction::Up) return "↑";
+  return direction == Direction::Down ? "↓" : "";
+}
+
+std::size_t display_width(const std::string& text) {
+  const auto starts_character = [](unsigned char c) { return (c & 0xC0u) != 0x80u; };
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), starts_character));
+}
+
+std::string printable(const std::string& text) {
+  std::string clean = text;
+  for (char& c : clean) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) c = '?';
+  }
+  return clean;
+}
+
+std::string pad_left(const std::string& text, std::size_t width) {
+  const std::size_t used = display_width(text);
+  return std::string(used < width ? width - used : 0, ' ') + text;
+}
+
+std::string pad_right(const std::string& text, std::size_t width) {
+  const std::size_t used = display_width(text);
+  return text + std::string(used < width ? width - used : 0, ' ');
+}
+
+}  // namespace slalom

@@ -1,0 +1,118 @@
+#include <slalom/analysis/table_export.h>
+#include <slalom/core/text.h>
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number_field(const std::optional<double>& number) {
+  return number ? format_number(*number) : "";
+}
+
+std::string reasons_field(const Cell& cell) {
+  std::vector<std::string> parts;
+  for (const auto& [reason, n] : cell.na) parts.push_back(reason + "=" + std::to_string(n));
+  return join(parts, "; ");
+}
+
+std::string csv_line(const CrossTable& table, const CrossRow& row, std::size_t column) {
+  const Cell& cell = row.cells[column];
+  const QuantityInfo& info = table.columns[column].info;
+  const auto low = cell.interval ? std::optional(cell.interval->low) : std::nullopt;
+  const auto high = cell.interval ? std::optional(cell.interval->high) : std::nullopt;
+  std::vector<std::string> fields = {table.method,
+                                     table.descriptor.id,
+                                     number_field(row.bin.low),
+                                     number_field(row.bin.high),
+                                     info.id,
+                                     std::to_string(info.version),
+                                     std::to_string(cell.n),
+                                     std::to_string(cell.available),
+                                     std::to_string(cell.n - cell.available),
+                                     number_field(cell.estimate),
+                                     number_field(cell.deviation),
+                                     number_field(low),
+                                     number_field(high),
+                                     format_number(table.confidence),
+                                     reasons_field(cell)};
+  for (std::string& field : fields) field = csv_field(field);
+  return join(fields, ",") + "\n";
+}
+
+Json number_or_null(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+Json cell_json(const Cell& cell, const Column& column) {
+  Json json = {{"metric", column.info.id},
+               {"version", column.info.version},
+               {"unit", column.info.unit},
+               {"direction", to_string(column.info.direction)},
+               {"wall_clock", column.wall_clock},
+               {"n", cell.available},
+               {"na", Json::object()},
+               {"mean", number_or_null(cell.estimate)},
+               {"deviation", number_or_null(cell.deviation)},
+               {"median", number_or_null(cell.median)},
+               {"interval", nullptr}};
+  for (const auto& [reason, n] : cell.na) json["na"][reason] = n;
+  if (cell.interval) json["interval"] = {cell.interval->low, cell.interval->high};
+  return json;
+}
+
+Json table_json(const CrossTable& table) {
+  Json rows = Json::array();
+  for (const CrossRow& row : table.rows) {
+    Json cells = Json::array();
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+      cells.push_back(cell_json(row.cells[column], table.columns[column]));
+    }
+    rows.push_back({{"bin", row.bin.label()},
+                    {"low", number_or_null(row.bin.low)},
+                    {"high", number_or_null(row.bin.high)},
+                    {"high_included", row.bin.closed},
+                    {"runs", row.run_ids},
+                    {"cells", cells}});
+  }
+  return {{"method", table.method},         {"row_descriptor", table.descriptor.id},
+          {"confidence", table.confidence}, {"rows", rows},
+          {"outside", table.outside},       {"undescribed", table.undescribed}};
+}
+
+}  // namespace
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string render_csv(const std::vector<CrossTable>& tables) {
+  std::string text =
+      "method,row_descriptor,bin_low,bin_high,metric,version,runs,n,na,mean,deviation,low,"
+      "high,confidence,na_reasons\n";
+  for (const CrossTable& table : tables) {
+    for (const CrossRow& row : table.rows) {
+      for (std::size_t column = 0; column < table.columns.size(); ++column) {
+        text += csv_line(table, row, column);
+      }
+    }
+  }
+  return text;
+}
+
+std::string render_json(const std::vector<CrossTable>& tables) {
+  Json json = Json::array();
+  for (const CrossTable& table : tables) json.push_back(table_json(table));
+  // Names from files may not be UTF-8: invalid bytes are replaced.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace slalom

@@ -1,0 +1,122 @@
+#include <slalom/analysis/cell_text.h>
+#include <slalom/analysis/table_latex.h>
+#include <slalom/core/text.h>
+
+namespace slalom {
+namespace {
+
+std::string latex_column_header(const Column& column) {
+  std::string text = latex_text(column.info.id);
+  if (column.info.direction == Direction::Up) text += " $\\uparrow$";
+  if (column.info.direction == Direction::Down) text += " $\\downarrow$";
+  return column.info.unit == "-" ? text : text + " (" + latex_text(column.info.unit) + ")";
+}
+
+/// "0.95 [0.94, 0.96]"; if values are missing, also the numbers of values and of missing ones.
+std::string cell_latex(const Cell& cell, int digits) {
+  std::string text = latex_text(estimate_text(cell, digits));
+  const std::string interval = interval_text(cell, digits);
+  if (!interval.empty()) text += " {\\small " + interval + "}";
+  if (cell.available < cell.n) text += " {\\footnotesize " + values_text(cell) + "}";
+  return text;
+}
+
+std::string line_of(const std::vector<std::string>& fields) {
+  return join(fields, " & ") + " \\\\\n";
+}
+
+std::string table_of(const std::string& caption, const std::vector<std::string>& header,
+                     const std::vector<std::vector<std::string>>& rows) {
+  std::string text = "\\begin{table}\n\\centering\n\\caption{" + caption + "}\n\\begin{tabular}{l" +
+                     std::string(header.size() - 1, 'r') + "}\n\\hline\n" + line_of(header) +
+                     "\\hline\n";
+  for (const auto& row : rows) text += line_of(row);
+  return text + "\\hline\n\\end{tabular}\n\\end{table}\n";
+}
+
+std::vector<std::string> headers(std::vector<std::string> first,
+                                 const std::vector<Column>& columns) {
+  for (const Column& column : columns) first.push_back(latex_column_header(column));
+  return first;
+}
+
+std::string latex_confidence_text(double confidence) {
+  return percent_text(confidence) + "\\,\\% intervals in brackets";
+}
+
+}  // namespace
+
+std::string render_latex(const SummaryTable& table) {
+  std::vector<std::vector<std::string>> rows;
+  for (const MethodSummary& method : table.methods) {
+    std::vector<std::string> row = {latex_text(method.method), std::to_string(method.n)};
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+      std::vector<const Cell*> cells;
+      for (const MethodSummary& other : table.methods) cells.push_back(&other.cells[column]);
+      row.push_back(cell_latex(method.cells[column], digits_for(cells, table.columns[column])));
+    }
+    rows.push_back(std::move(row));
+  }
+  return table_of("All scenarios; " + latex_confidence_text(table.confidence) + ".",
+                  headers({"method", "runs"}, table.columns), rows);
+}
+
+std::string render_latex(const CrossTable& table) {
+  std::vector<std::vector<std::string>> rows;
+  for (const CrossRow& line : table.rows) {
+    std::vector<std::string> row = {latex_text(line.bin.label()), std::to_string(line.runs.size())};
+    for (std::size_t column = 0; column < table.columns.size(); ++column)
+      row.push_back(cell_latex(line.cells[column], column_digits(table, column)));
+    rows.push_back(std::move(row));
+  }
+  return table_of(latex_text(table.title) + "; " + latex_confidence_text(table.confidence) + ".",
+                  headers({latex_text(table.descriptor.id), "runs"}, table.columns), rows);
+}
+
+std::string latex_document(const std::vector<std::string>& tables) {
+  return "\\documentclass{article}\n\\begin{document}\n" + join(tables, "\n\\clearpage\n") +
+         "\\end{document}\n";
+}
+
+std::string latex_text(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '\\':
+        escaped += "\\textbackslash{}";
+        break;
+      case '~':
+        escaped += "\\textasciitilde{}";
+        break;
+      case '^':
+        escaped += "\\textasciicircum{}";
+        break;
+      case '<':
+        escaped += "$<$";
+        break;
+      case '>':
+        escaped += "$>$";
+        break;
+      case '[':  // at the start of a row it would be an argument of the preceding row end
+        escaped += "{[}";
+        break;
+      case '|':
+        escaped += "$|$";
+        break;
+      case '&':
+      case '%':
+      case '$':
+      case '#':
+      case '_':
+      case '{':
+      case '}':
+        escaped += std::string("\\") + c;
+        break;
+      default:
+        if (c >= ' ' && c < 0x7f) escaped += c;
+    }
+  }
+  return escaped;
+}
+
+}  // namespace slalom

@@ -1,0 +1,112 @@
+#include "text_grid.h"
+
+#include <slalom/analysis/cell_text.h>
+#include <slalom/analysis/findings.h>
+#include <slalom/analysis/table_text.h>
+#include <slalom/core/text.h>
+
+namespace slalom {
+namespace {
+
+std::string column_header(const Column& column) {
+  std::string text = printable(column.info.id);
+  const std::string arrow = direction_arrow(column.info.direction);
+  if (!arrow.empty()) text += " " + arrow;
+  if (column.info.unit != "-") text += " " + printable(column.info.unit);
+  return column.wall_clock ? text + " (wall clock)" : text;
+}
+
+std::vector<std::string> headers(const std::string& first, const std::vector<Column>& columns) {
+  std::vector<std::string> header = {printable(first)};
+  for (const Column& column : columns) header.push_back(column_header(column));
+  return header;
+}
+
+TextGrid::Lines cell_lines(const Cell& cell, const Column& column, int digits) {
+  const std::string interval = interval_text(cell, digits);
+  return {estimate_text(cell, digits) + (interval.empty() ? "" : " " + interval),
+          support_text(cell, column, digits)};
+}
+
+std::string outcomes_text(const SummaryTable& table) {
+  std::vector<std::string> header = {"method", "runs"};
+  for (const std::string& outcome : table.outcomes) header.push_back(printable(outcome));
+  TextGrid grid(header);
+  grid.align_right();
+  for (const MethodSummary& method : table.methods) {
+    std::vector<TextGrid::Lines> row = {{printable(method.method)}, {std::to_string(method.n)}};
+    for (const std::string& outcome : table.outcomes) {
+      const auto found = method.outcomes.find(outcome);
+      row.push_back({found == method.outcomes.end() ? "0" : std::to_string(found->second)});
+    }
+    grid.add_row(std::move(row));
+  }
+  return grid.text();
+}
+
+std::string na_lines(const CrossTable& table) {
+  std::string text;
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    const std::string reasons = na_text(table.columns[column], na_of_column(table, column));
+    if (!reasons.empty()) text += "NA  " + printable(reasons) + "\n";
+  }
+  return text;
+}
+
+std::string confidence_text(double confidence) {
+  return percent_text(confidence) + " % intervals";
+}
+
+}  // namespace
+
+std::string render_summary_text(const SummaryTable& table) {
+  if (table.methods.empty()) return "No runs.\n";
+  TextGrid grid(headers("method", table.columns));
+  std::vector<int> digits;
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    std::vector<const Cell*> cells;
+    for (const MethodSummary& method : table.methods) cells.push_back(&method.cells[column]);
+    digits.push_back(digits_for(cells, table.columns[column]));
+  }
+  for (const MethodSummary& method : table.methods) {
+    std::vector<TextGrid::Lines> row = {{printable(method.method)}};
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+      row.push_back(cell_lines(method.cells[column], table.columns[column], digits[column]));
+    }
+    grid.add_row(std::move(row));
+  }
+  return "Outcomes of all runs\n\n" + outcomes_text(table) + "\nAll scenarios, " +
+         confidence_text(table.confidence) + "\n\n" + grid.text();
+}
+
+std::string render_cross_table_text(const CrossTable& table) {
+  std::string text = printable(table.title) + ", " + confidence_text(table.confidence) + "\n\n";
+  TextGrid grid(headers(table.descriptor.id, table.columns));
+  for (const CrossRow& row : table.rows) {
+    std::vector<TextGrid::Lines> cells = {{row.bin.label(), count_text(row.runs.size(), "run")}};
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+      const int digits = column_digits(table, column);
+      cells.push_back(cell_lines(row.cells[column], table.columns[column], digits));
+    }
+    grid.add_row(std::move(cells));
+  }
+  text += grid.text() + na_lines(table);
+  for (const std::string& note : table.notes) text += "Note  " + printable(note) + "\n";
+  for (const Finding& finding : condensed_findings(table))
+    text += "→ " + printable(finding.text) + "\n";
+  return text;
+}
+
+std::string render_tables_text(const ResultTable& table, const std::vector<BinSpec>& rows,
+                               const std::vector<std::string>& columns, double confidence) {
+  AnalysisOptions options;
+  options.run_ids = false;
+  options.confidence = confidence;
+  std::string text = render_summary_text(build_summary(table, columns, options));
+  for (const CrossTable& cross : build_cross_tables(table, rows, columns, options)) {
+    text += "\n\n" + render_cross_table_text(cross);
+  }
+  return text;
+}
+
+}  // namespace slalom

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace slalom {
+
+/// A log in memory shared between a worker and the process that forked it. Its contents remain
+/// available when the worker process dies.
+class SharedTaskLog {
+ public:
+  /// `capacity` in bytes. Throws Error (Job) when the system is out of memory.
+  explicit SharedTaskLog(std::size_t capacity);
+  ~SharedTaskLog();
+  SharedTaskLog(const SharedTaskLog&) = delete;
+  SharedTaskLog& operator=(const SharedTaskLog&) = delete;
+
+  void clear();  ///< at the start of a work item
+
+  void append(const void* data, std::size_t size);  ///< ignored when the capacity is exceeded
+  std::string contents() const;
+
+  void heartbeat();  ///< signals progress, see PoolOptions::heartbeat_timeout
+  std::uint64_t heartbeats() const;
+
+  /// Requests that the worker process be replaced after this work item, since its state may be
+  /// corrupted.
+  void retire_worker();
+  bool is_retired() const;
+
+ private:
+  struct Header;
+  std::size_t capacity_;
+  Header* header_;
+};
+
+}  // namespace slalom

@@ -1,0 +1,62 @@
+#include <slalom/campaign/measure_log.h>
+#include <slalom/core/text.h>
+#include <slalom/simulation/evaluate_trajectory.h>
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+std::vector<std::string> position_notes(const World& world, const CampaignOptions& options,
+                                        const Trajectory& log, const SimulationResult& run) {
+  std::vector<std::string> notes;
+  const auto& start = world.scenario().start();
+  const auto& first = log.samples.front().pose;
+  const double offset = length({{start.x, start.y}, {first.x, first.y}});
+  if (offset > options.setup.simulation.goal_tolerance)
+    notes.push_back("the log begins " + format_fixed(offset, 2) +
+                    " m from the scenario's start, where the references begin");
+  const double rest = log.duration() - run.trajectory.duration();
+  if (rest > 0)
+    notes.push_back("the last " + format_fixed(rest, 2) +
+                    " s of the log are left out: " + run.detail);
+  return notes;
+}
+
+}  // namespace
+
+MeasuredLog measure_log(const CampaignOptions& options, const ReferencePlanner* planner,
+                        const World& world, const Trajectory& log, std::optional<Outcome> outcome) {
+  MeasuredLog measured;
+  SimulationResult& run = measured.run;
+  if (outcome) {
+    run.outcome = *outcome;
+    run.detail = "as given";
+    run.trajectory = log;
+  } else {
+    run = evaluate_trajectory(world, options.setup.robot, options.setup.simulation, log);
+  }
+  measured.notes = position_notes(world, options, log, run);
+  measured.metrics = measure_run(options, world, find_references(options, planner, world),
+                                 run.trajectory, run.outcome);
+  return measured;
+}
+
+std::string render_json(const MeasuredLog& log, const Scenario& scenario) {
+  using Json = nlohmann::ordered_json;
+  Json metrics = Json::object();
+  for (const auto& [id, versioned] : log.metrics) {
+    const Value& value = versioned.value;
+    metrics[id] = value.is_na() ? Json{{"na", value.reason()}} : Json{{"value", value.number()}};
+    metrics[id]["version"] = versioned.version;
+  }
+  const Json json = {{"scenario", {{"hash", scenario.hash()}, {"name", scenario.name()}}},
+                     {"outcome", to_string(log.run.outcome)},
+                     {"outcome_detail", log.run.detail},
+                     {"trajectory", log.run.trajectory.hash()},
+                     {"notes", log.notes},
+                     {"metrics", metrics}};
+  return json.dump();
+}
+
+}  // namespace slalom

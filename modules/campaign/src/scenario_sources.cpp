@@ -1,0 +1,156 @@
+#include <slalom/campaign/scenario_sources.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/io/scenario_list.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+namespace slalom {
+namespace {
+
+/// The name of a map: its file name without folders, ".gz" and the extension.
+std::string map_name(const std::string& path) {
+  const std::filesystem::path file(path);
+  return (file.extension() == ".gz" ? file.stem() : file).stem().string();
+}
+
+GenerationSettings generation_settings(const SourceContext& context, int count,
+                                       const std::string& name) {
+  GenerationSettings settings;
+  settings.count = count;
+  settings.seed = source_seed(context.seed, name);
+  settings.robot_radius = context.robot_radius;
+  settings.resolution = context.resolution;
+  settings.name_prefix = name;
+  return settings;
+}
+
+void stream_list(const std::string& path, const GenerationSink& sink) {
+  const ScenarioList list = ScenarioList::open(path);
+  constexpr std::size_t kBatchSize = 128;
+  std::vector<GeneratedScenario> part;
+  for (const auto& entry : list.entries()) {
+    part.push_back({list.read(entry.hash), entry.generator, entry.seed});
+    if (part.size() < kBatchSize) continue;
+    sink(part);
+    part.clear();
+  }
+  sink(part);
+}
+
+void stream_map(const std::string& path, const ScenariosSection& section,
+                const SourceContext& context, const MapLoader& load_map,
+                const GenerationSink& sink) {
+  const Scenario map = map_scenario(path, load_map(path));
+  const GenerationSettings settings =
+      generation_settings(context, section.pairs_per_map, map.name());
+  std::vector<GeneratedScenario> part;
+  for (Scenario& scenario : sample_tasks(map, settings, section.min_distance))
+    part.push_back({std::move(scenario), "", std::nullopt});
+  sink(part);
+}
+
+std::vector<double> read_weights(const IniFile& ini, const ScenariosSection& section,
+                                 std::size_t count) {
+  const std::vector<std::string> texts = split(section.weights, ',');
+  std::vector<double> weights(count, 1);
+  bool good = texts.empty() || texts.size() == count;
+  for (std::size_t i = 0; good && i < texts.size(); ++i)
+    good = parse_number(texts[i], weights[i]) && weights[i] > 0 && weights[i] <= 1e9;
+  if (!good)
+    throw usage_error(ini.where("scenarios", "weights"), "'" + section.weights + "'",
+                      "a positive number for each generator");
+  return weights;
+}
+
+/// Rejects option sections of unknown families.
+void refuse_unknown_families(const IniFile& ini) {
+  const std::string prefix = "generator.";
+  const std::vector<std::string> known = generator_names();
+  for (const std::string& section : ini.sections()) {
+    if (!starts_with(section, prefix)) continue;
+    const std::string family = section.substr(prefix.size());
+    if (contains(known, family)) continue;
+    throw usage_error(ini.where(section), "unknown generator '" + family + "'",
+                      expected_name(family, known));
+  }
+}
+
+std::vector<WeightedGenerator> read_mix(const IniFile& ini, const ScenariosSection& section,
+                                        const SourceContext& context, const MapLoader& load_map) {
+  refuse_unknown_families(ini);
+  GeneratorContext families;
+  families.load_map = load_map;
+  if (section.scale_by_robot) families.length_scale = context.robot_radius / kUnscaledRadius;
+  const std::vector<std::string> names = split(section.generator, ',');
+  const std::vector<double> weights = read_weights(ini, section, names.size());
+  std::vector<WeightedGenerator> mix;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::count(names.begin(), names.end(), names[i]) > 1)
+      throw usage_error(ini.where("scenarios", "generator"), "duplicate family '" + names[i] + "'",
+                        "each family once");
+    mix.push_back({make_generator(names[i], ini, families), weights[i],
+                   generation_settings(context, section.count, names[i]).seed, names[i]});
+  }
+  return mix;
+}
+
+MixSettings mix_settings(const ScenariosSection& section, const SourceContext& context) {
+  MixSettings settings;
+  settings.each = generation_settings(context, section.count, "");
+  settings.jobs = context.jobs;
+  settings.representation = section.representation;
+  settings.conversion_resolution = section.resolution;
+  settings.describe = context.describe;
+  return settings;
+}
+
+}  // namespace
+
+Scenario map_scenario(const std::string& path, const mrpt::maps::COccupancyGridMap2D& grid) {
+  const mrpt::math::TPoint2D corner(grid.getXMin(), grid.getYMin());
+  return Scenario::grid(map_name(path), grid, {corner.x, corner.y, 0}, corner);
+}
+
+void ScenariosSection::visit(OptionVisitor& v) {
+  v.option("list", list, "a scenario list (.scenarios)");
+  v.option("maps", maps, "map files, comma-separated: MRPT gridmap or simplemap, ROS map YAML");
+  v.option("pairs_per_map", pairs_per_map, "-", "start and goal pairs sampled on each map",
+           Range::between(1, 1e6));
+  v.option("min_distance", min_distance, "m",
+           "minimum straight-line distance from start to goal on a map", Range::at_least(0));
+  v.option("generator", generator,
+           "families, comma-separated; their options are in [generator.NAME]");
+  v.option("weights", weights, "weights of the families, comma-separated; empty: equal");
+  v.option("count", count, "-", "scenarios to generate", Range::between(1, 1e7));
+  v.option("scale_by_robot", scale_by_robot,
+           "multiply all lengths of the families by robot radius / 0.25 m");
+  v.option("representation", representation, "representation of generated scenarios", "as_drawn");
+  v.option("resolution", resolution, "m", "cell size or point spacing of that representation",
+           Range::positive());
+}
+
+void stream_scenarios(const IniFile& ini, const SourceContext& context, const MapLoader& load_map,
+                      Progress& progress, const GenerationSink& sink) {
+  const auto section = read_options<ScenariosSection>(ini, "scenarios");
+  if (section.list.empty() && section.maps.empty() && section.generator.empty())
+    throw usage_error(ini.where("scenarios"), "no scenario source given",
+                      "list, maps or generator");
+  const std::vector<WeightedGenerator> mix = read_mix(ini, section, context, load_map);
+  if (!section.list.empty()) stream_list(section.list, sink);
+  for (const std::string& path : split(section.maps, ','))
+    stream_map(path, section, context, load_map, sink);
+  if (!mix.empty()) generate_mix(mix, mix_settings(section, context), progress, sink);
+}
+
+std::vector<Scenario> collect_scenarios(const IniFile& ini, const SourceContext& context,
+                                        const MapLoader& load_map, Progress& progress) {
+  DistinctScenarios distinct;
+  stream_scenarios(ini, context, load_map, progress,
+                   [&](std::vector<GeneratedScenario>& part) { return distinct.add(part); });
+  return distinct.take();
+}
+
+}  // namespace slalom

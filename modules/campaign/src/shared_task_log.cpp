@@ -1,0 +1,65 @@
+#include <slalom/campaign/shared_task_log.h>
+#include <slalom/core/error.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <new>
+#include <sys/mman.h>
+
+namespace slalom {
+
+/// At the beginning of the shared memory, followed by the log.
+struct SharedTaskLog::Header {
+  std::atomic<std::uint64_t> size, heartbeats, retired;
+  char* bytes() { return reinterpret_cast<char*>(this + 1); }
+};
+
+SharedTaskLog::SharedTaskLog(std::size_t capacity) : capacity_(capacity) {
+  void* memory = mmap(nullptr, sizeof(Header) + capacity_, PROT_READ | PROT_WRITE,
+                      MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw job_error("workers", "cannot allocate shared memory");
+  header_ = new (memory) Header();
+  clear();
+}
+
+SharedTaskLog::~SharedTaskLog() {
+  munmap(header_, sizeof(Header) + capacity_);
+}
+
+void SharedTaskLog::clear() {
+  header_->size = 0;
+  header_->heartbeats = 0;
+  header_->retired = 0;
+}
+
+void SharedTaskLog::append(const void* data, std::size_t size) {
+  const std::uint64_t used = header_->size;
+  if (used > capacity_ || size > capacity_ - used) return;
+  std::memcpy(header_->bytes() + used, data, size);
+  header_->size = used + size;
+}
+
+std::string SharedTaskLog::contents() const {
+  // A method that corrupts memory may have changed the size: clamp it to the capacity.
+  const std::size_t size = std::min<std::uint64_t>(header_->size, capacity_);
+  return {header_->bytes(), size};
+}
+
+void SharedTaskLog::heartbeat() {
+  ++header_->heartbeats;
+}
+
+std::uint64_t SharedTaskLog::heartbeats() const {
+  return header_->heartbeats;
+}
+
+void SharedTaskLog::retire_worker() {
+  header_->retired = 1;
+}
+
+bool SharedTaskLog::is_retired() const {
+  return header_->retired != 0;
+}
+
+}  // namespace slalom

@@ -1,0 +1,128 @@
+#include "configuration_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+constexpr int kHeadings = 16;
+constexpr double kTouch = 1e-9;  ///< m or cells; contact counts as free
+
+/// Cells first..last of row dy, relative to the robot's cell, that its outline overlaps.
+struct RowSpan {
+  int dy, first, last;
+};
+
+/// The extent in x of a convex polygon between two values of y.
+std::pair<double, double> span_between(const std::vector<TPoint2D>& corners, double low,
+                                       double high) {
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  const auto take = [&](double x) {
+    first = std::min(first, x);
+    last = std::max(last, x);
+  };
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const TPoint2D &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    if (a.y >= low && a.y <= high) take(a.x);
+    for (const double y : {low, high})
+      if ((a.y < y) != (b.y < y)) take(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+  }
+  return {first, last};
+}
+
+/// The cells that a polygon around the center of a cell overlaps (corners in cells).
+std::vector<RowSpan> overlapped_cells(const std::vector<TPoint2D>& corners) {
+  double low = 0, high = 0;
+  for (const TPoint2D& p : corners) {
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+  }
+  std::vector<RowSpan> rows;
+  for (int dy = static_cast<int>(std::floor(low + kTouch + 0.5)); dy - 0.5 < high - kTouch; ++dy) {
+    const auto [first, last] = span_between(corners, dy - 0.5 + kTouch, dy + 0.5 - kTouch);
+    rows.push_back({dy, static_cast<int>(std::floor(first + kTouch + 0.5)),
+                    static_cast<int>(std::ceil(last - kTouch + 0.5)) - 1});
+  }
+  return rows;
+}
+
+/// For each cell, the column of the next occupied cell of its row, itself included; the border
+/// counts as occupied.
+std::vector<std::int32_t> next_occupied(const Occupancy& cells) {
+  std::vector<std::int32_t> next(cells.cells().size());
+  for (int cy = 0; cy < cells.size_y(); ++cy) {
+    std::int32_t nearest = cells.size_x();
+    for (int cx = cells.size_x() - 1; cx >= 0; --cx)
+      next[cells.index(cx, cy)] = nearest = cells.occupied(cx, cy) ? cx : nearest;
+  }
+  return next;
+}
+
+/// Counts the collision-free headings of a polygon.
+class PolygonTest {
+ public:
+  PolygonTest(const Occupancy& cells, const Footprint& robot)
+      : cells_(cells), next_occupied_(next_occupied(cells)) {
+    for (int i = 0; i < kHeadings; ++i) {
+      std::vector<TPoint2D> corners = robot.corners_at({0, 0, 2 * M_PI * i / kHeadings});
+      for (TPoint2D& p : corners) p = p * (1 / cells.resolution());
+      headings_.push_back(overlapped_cells(corners));
+    }
+  }
+
+  std::uint8_t free_headings(int cx, int cy) const {
+    int count = 0;
+    for (const auto& rows : headings_) count += is_free(rows, cx, cy) ? 1 : 0;
+    return static_cast<std::uint8_t>(count);
+  }
+
+ private:
+  bool is_free(const std::vector<RowSpan>& rows, int cx, int cy) const {
+    for (const RowSpan& row : rows) {
+      const int y = cy + row.dy, first = cx + row.first, last = cx + row.last;
+      if (!cells_.inside(first, y) || next_occupied_[cells_.index(first, y)] <= last) return false;
+    }
+    return true;
+  }
+
+  const Occupancy& cells_;
+  std::vector<std::int32_t> next_occupied_;
+  std::vector<std::vector<RowSpan>> headings_;
+};
+
+}  // namespace
+
+FreeHeadings free_headings(const DescriptorContext& context) {
+  // Distances are in single precision: a radius equal to a distance must be free.
+  const auto reached = [](double radius) {
+    return static_cast<float>((radius - kTouch) * (1 - 1e-7));
+  };
+  const std::vector<float>& distances = context.world.distance_field().centers();
+  FreeHeadings result;
+  result.headings = context.robot.is_disc() ? 1 : kHeadings;
+  result.free.resize(distances.size());
+  const float inner = reached(context.robot.inscribed_radius());
+  const float outer = reached(context.robot.enclosing_radius());
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    result.free[i] = static_cast<std::uint8_t>(distances[i] >= outer ? result.headings : 0);
+  const Occupancy& cells = context.world.occupancy();
+  const Bounds bounds = cells.bounds();
+  // A corner farther away than the diagonal of W is always outside.
+  if (context.robot.is_disc() ||
+      context.robot.enclosing_radius() > std::hypot(bounds.width(), bounds.height()))
+    return result;
+  const PolygonTest test(cells, context.robot);
+  for (int cy = 0; cy < cells.size_y(); ++cy)
+    for (int cx = 0; cx < cells.size_x(); ++cx) {
+      const std::size_t i = cells.index(cx, cy);
+      if (distances[i] >= inner && distances[i] < outer)
+        result.free[i] = test.free_headings(cx, cy);
+    }
+  return result;
+}
+
+}  // namespace slalom

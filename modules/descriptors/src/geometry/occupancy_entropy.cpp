@@ -1,0 +1,46 @@
+#include "../parameters.h"
+
+#include <slalom/core/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom::descriptors {
+namespace {
+
+constexpr double kBlock = 1;        ///< m
+constexpr int kMaxBlock = 1 << 29;  ///< cells; twice that fits an int
+
+/// Entropy (bit) times the number of cells of the block x0 <= x < x1, y0 <= y < y1.
+double entropy_of_block(const Occupancy& cells, int x0, int y0, int x1, int y1) {
+  std::size_t occupied = 0;
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) occupied += cells.occupied(x, y) ? 1 : 0;
+  const double all = static_cast<double>(x1 - x0) * (y1 - y0);
+  const double fraction = static_cast<double>(occupied) / all;
+  if (occupied == 0 || fraction == 1) return 0;
+  return -all * (fraction * std::log2(fraction) + (1 - fraction) * std::log2(1 - fraction));
+}
+
+}  // namespace
+
+std::string block(const DescriptorContext&) {
+  return "block=" + format_number(kBlock);
+}
+
+/// Mean over square blocks of the binary entropy (bit) of their occupied fraction; blocks clipped
+/// by the border are weighted by their area.
+Value occupancy_entropy(const DescriptorContext& context) {
+  const Occupancy& cells = context.world.occupancy();
+  // Blocks of one cell would have zero entropy.
+  const int side = static_cast<int>(
+      std::clamp(std::round(kBlock / cells.resolution()), 2.0, static_cast<double>(kMaxBlock)));
+  double sum = 0;
+  for (int y = 0; y < cells.size_y(); y += side)
+    for (int x = 0; x < cells.size_x(); x += side)
+      sum += entropy_of_block(cells, x, y, std::min(x + side, cells.size_x()),
+                              std::min(y + side, cells.size_y()));
+  return Value::of(sum / static_cast<double>(cells.cells().size()));
+}
+
+}  // namespace slalom::descriptors

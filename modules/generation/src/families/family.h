@@ -1,0 +1,87 @@
+#pragma once
+
+#include <slalom/core/error.h>
+#include <slalom/core/options.h>
+#include <slalom/generation/generator.h>
+#include <slalom/generation/obstacles.h>
+#include <slalom/generation/start_goal.h>
+
+#include <cmath>
+#include <string>
+
+namespace slalom {
+
+/// Multiplies every length (an option in m) by a factor.
+class LengthScaler : public OptionVisitor {
+ public:
+  explicit LengthScaler(double factor) : factor_(factor) {}
+
+  void option(const std::string&, double& value, const std::string& unit, const std::string&,
+              Range) override {
+    if (unit == "m") value *= factor_;
+  }
+  void option(const std::string&, int&, const std::string&, const std::string&, Range) override {}
+  void option(const std::string&, std::uint64_t&, const std::string&) override {}
+  void option(const std::string&, bool&, const std::string&) override {}
+  void option(const std::string&, std::string&, const std::string&,
+              const std::vector<std::string>&) override {}
+
+ private:
+  double factor_;
+};
+
+/// The section of one family in an .ini: reads and validates its options.
+class FamilySection {
+ public:
+  FamilySection(const IniFile& ini, const std::string& family, const GeneratorContext& context)
+      : ini_(ini), name_("generator." + family), context_(context) {}
+
+  /// The options of the section, with lengths scaled.
+  template <typename Options>
+  Options read() const {
+    auto options = read_options<Options>(ini_, name_);
+    LengthScaler scaler(context_.length_scale);
+    options.visit(scaler);
+    return options;
+  }
+
+  /// Throws Error (Usage) for `key` unless `valid`.
+  void expect(bool valid, const std::string& key, const std::string& what,
+              const std::string& expected) const {
+    if (!valid) throw usage_error(ini_.where(name_, key), what, expected);
+  }
+
+  /// Expects low_value <= high_value.
+  void expect_order(const std::string& low, double low_value, const std::string& high,
+                    double high_value) const {
+    expect(low_value <= high_value, high, "is less than " + low,
+           "at least " + std::to_string(low_value));
+  }
+  void expect_valid(const SizeOptions& size) const {
+    expect_order("min_size", size.min_size, "max_size", size.max_size);
+  }
+  void expect_valid(const ObstacleOptions& options) const {
+    expect_order("min_obstacles", options.min_obstacles, "max_obstacles", options.max_obstacles);
+    expect_valid(options.size);
+  }
+
+  /// Expects that start and goal can be min_distance apart in a workspace of this size (m).
+  void expect_start_goal_fit(const StartGoalOptions& start_goal, double width,
+                             double height) const {
+    const double m = 2 * start_goal.margin;
+    const bool fits =
+        m < width && m < height && std::hypot(width - m, height - m) >= start_goal.min_distance;
+    expect(fits, "min_distance", "start and goal cannot be min_distance apart within the margins",
+           "a larger workspace or smaller min_distance and margin");
+  }
+
+  const IniFile& ini() const { return ini_; }
+  const GeneratorContext& context() const { return context_; }
+
+ private:
+  const IniFile& ini_;
+  std::string name_;
+  const GeneratorContext& context_;
+};
+
+}  // namespace slalom

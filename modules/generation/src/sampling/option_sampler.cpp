@@ -1,0 +1,189 @@
+#include "option_sampler.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+namespace slalom {
+namespace {
+
+/// Finds the default of the length option `key`; 0 if there is none.
+class LengthFinder : public OptionVisitor {
+ public:
+  explicit LengthFinder(std::string key) : key_(std::move(key)) {}
+  void option(const std::string& key, double& value, const std::string& unit, const std::string&,
+              Range) override {
+    if (key == key_ && unit == "m") found_ = value;
+  }
+  void option(const std::string&, int&, const std::string&, const std::string&, Range) override {}
+  void option(const std::string&, std::uint64_t&, const std::string&) override {}
+  void option(const std::string&, bool&, const std::string&) override {}
+  void option(const std::string&, std::string&, const std::string&,
+              const std::vector<std::string>&) override {}
+  double found() const { return found_; }
+
+ private:
+  std::string key_;
+  double found_ = 0;
+};
+
+double log_uniform(RandomEngine& engine, double low, double high) {
+  return std::exp(uniform_real(engine, std::log(low), std::log(high)));
+}
+
+/// Writes random values for all options that are not set in the section.
+class OptionWriter : public OptionVisitor {
+ public:
+  OptionWriter(IniFile& ini, std::string section, const CoverageOptions& limits, double scale,
+               double spread, RandomEngine& engine)
+      : ini_(ini),
+        section_(std::move(section)),
+        limits_(limits),
+        scale_(scale),
+        spread_(spread),
+        engine_(engine) {}
+
+  void option(const std::string& key, double& value, const std::string& unit, const std::string&,
+              Range range) override {
+    if (is_given(key) || key == "resolution") return;
+    double drawn = value * (unit == "m" ? scale_ : 1);
+    const bool is_fraction = range.low == 0 && range.high == 1;
+    if (is_floor(key)) {
+      drawn = std::clamp(drawn * log_uniform(engine_, 0.8, 1.25), limits_.min_extent,
+                         limits_.max_extent);
+    } else if (varies()) {
+      drawn = is_fraction ? uniform_real(engine_, 0, 1) : drawn * factor();
+    }
+    set(key, format_number(clamped(drawn, range)), drawn);
+  }
+
+  void option(const std::string& key, int& value, const std::string&, const std::string&,
+              Range range) override {
+    if (is_given(key) || !varies()) return;
+    const double drawn = std::round(clamped(value == 0 ? value : value * factor(), range));
+    const double whole = std::clamp(drawn, -1e9, 1e9);
+    set(key, std::to_string(static_cast<long long>(whole)), whole);
+  }
+
+  void option(const std::string&, std::uint64_t&, const std::string&) override {}
+
+  void option(const std::string& key, bool&, const std::string&) override {
+    if (is_given(key) || !varies()) return;
+    ini_.set(section_, key, uniform_int(engine_, 0, 1) == 1 ? "true" : "false");
+  }
+
+  void option(const std::string& key, std::string&, const std::string&,
+              const std::vector<std::string>& choices) override {
+    if (is_given(key) || choices.empty() || !varies()) return;
+    const int last = static_cast<int>(choices.size()) - 1;
+    ini_.set(section_, key, choices[static_cast<std::size_t>(uniform_int(engine_, 0, last))]);
+  }
+
+  /// Swaps the values of min_X and max_X where they are in the wrong order.
+  void order_limits() {
+    for (const auto& [key, low] : numbers_) {
+      if (!starts_with(key, "min_")) continue;
+      const std::string other = "max_" + key.substr(4);
+      const auto high = numbers_.find(other);
+      if (high == numbers_.end() || low <= high->second) continue;
+      const std::string low_text = *ini_.get(section_, key), high_text = *ini_.get(section_, other);
+      ini_.set(section_, key, high_text);
+      ini_.set(section_, other, low_text);
+    }
+  }
+
+ private:
+  bool is_given(const std::string& key) const { return ini_.get(section_, key).has_value(); }
+  static bool is_floor(const std::string& key) { return key == "width" || key == "height"; }
+  bool varies() { return uniform_real(engine_, 0, 1) < spread_; }
+  double factor() { return log_uniform(engine_, 0.25, 4); }
+  static double clamped(double value, const Range& range) {
+    const double low = range.low_open ? range.low + 1e-3 : range.low;
+    return std::clamp(value, std::min(low, range.high), range.high);
+  }
+  void set(const std::string& key, const std::string& text, double number) {
+    ini_.set(section_, key, text);
+    numbers_[key] = number;
+  }
+
+  IniFile& ini_;
+  std::string section_;
+  const CoverageOptions& limits_;
+  double scale_, spread_;
+  RandomEngine& engine_;
+  std::map<std::string, double> numbers_;
+};
+
+/// Copies only the family's own section, to save time.
+IniFile section_of(const IniFile& ini, const std::string& section) {
+  IniFile part = IniFile::from_text("", ini.name());
+  for (const std::string& key : ini.keys(section)) part.set(section, key, *ini.get(section, key));
+  return part;
+}
+
+double draw_scale(const CoverageOptions& limits, const std::string& family, const IniFile& ini,
+                  RandomEngine& engine) {
+  LengthFinder width("width");
+  visit_generator_options(family, width);
+  const std::string section = "generator." + family;
+  if (width.found() <= 0 || ini.get(section, "width") || ini.get(section, "height")) return 1;
+  // Larger workspaces result from mutations; sampling thousands of obstacles would be too slow.
+  const double largest = std::max(limits.min_extent, std::min(limits.max_extent, 40.0));
+  return log_uniform(engine, limits.min_extent, largest) / width.found();
+}
+
+/// Caches maps, because each draw of options creates a new generator. Thread-safe.
+MapLoader cached_loader(const MapLoader& load_map) {
+  using mrpt::maps::COccupancyGridMap2D;
+  struct Cache {
+    std::mutex mutex;
+    std::map<std::string, COccupancyGridMap2D> maps;
+  };
+  if (!load_map) return load_map;
+  return [load_map, cache = std::make_shared<Cache>()](const std::string& path) {
+    const std::lock_guard<std::mutex> lock(cache->mutex);
+    auto cached = cache->maps.find(path);
+    if (cached == cache->maps.end()) {
+      cached = cache->maps.try_emplace(path).first;
+      cached->second.copyMapContentFrom(load_map(path));
+    }
+    COccupancyGridMap2D copy;
+    copy.copyMapContentFrom(cached->second);
+    return copy;
+  };
+}
+
+}  // namespace
+
+OptionSampler::OptionSampler(const CoveragePlan& plan, const MapLoader& load_map)
+    : plan_(plan), load_map_(cached_loader(load_map)) {
+  // Reports configuration errors of the families immediately.
+  for (const std::string& family : plan_.families)
+    make_generator(family, plan_.ini, {1, load_map_});
+}
+
+std::unique_ptr<Generator> OptionSampler::draw(RandomEngine& engine) const {
+  const int last = static_cast<int>(plan_.families.size()) - 1;
+  const std::string& family =
+      plan_.families[static_cast<std::size_t>(uniform_int(engine, 0, last))];
+  const std::string section = "generator." + family;
+  for (const double spread : {0.7, 0.4, 0.2, 0.0}) {
+    IniFile ini = section_of(plan_.ini, section);
+    const double scale = draw_scale(plan_.options, family, plan_.ini, engine);
+    OptionWriter writer(ini, section, plan_.options, scale, spread, engine);
+    visit_generator_options(family, writer);
+    writer.order_limits();
+    try {
+      return make_generator(family, ini, {1, load_map_});
+    } catch (const Error&) {
+      // Contradictory options: retry closer to the defaults.
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace slalom

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <slalom/generation/generator.h>
+#include <slalom/scenario/world.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace slalom {
+
+/// A certified scenario with its world model.
+struct SolvableWorld {
+  std::unique_ptr<const World> world;
+  int attempt = 0;  ///< number of the successful attempt
+};
+
+/// Generates candidates until one has a certified path for the robot; counts the reasons of
+/// rejection.
+class SolvableSearch {
+ public:
+  explicit SolvableSearch(const GenerationSettings& settings) : settings_(settings) {}
+
+  /// Returns the candidate of attempt `attempt`, or nullopt with the reason.
+  using Draw = std::function<std::optional<Scenario>(int attempt, std::string& reason)>;
+
+  /// Starts with `first_attempt`; earlier attempts gave duplicates. Throws Error (Job) with the
+  /// scenario's name when the attempts are exhausted.
+  SolvableWorld find(const std::string& name, const Draw& draw, int first_attempt = 0) const;
+
+ private:
+  bool is_certified(const World& world, std::string& reason) const;
+
+  const GenerationSettings& settings_;
+};
+
+/// "PREFIX_0007".
+std::string scenario_name(const std::string& prefix, int index);
+
+}  // namespace slalom

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <slalom/studio/script.h>
+#include <slalom/studio/studio.h>
+
+#include <mrpt/gui/CDisplayWindowGUI.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// A window of panels that display a Studio. Shows the dialogs of the studio, runs until it is
+/// closed, and plays scripts.
+class PanelWindow : public mrpt::gui::CDisplayWindowGUI {
+ public:
+  ~PanelWindow() override;
+  Studio& studio() { return *studio_; }
+  void run();  ///< until the window is closed
+  /// Runs until the script ends or the window is closed. Throws the errors of the script.
+  void run(const std::vector<ScriptCommand>& script, const std::string& name);
+
+  // Of nanogui:
+  void performLayout(NVGcontext* ctx) override;
+  bool resizeEvent(const nanogui::Vector2i& size) override;
+
+ protected:
+  /// Throws std::runtime_error without a display or OpenGL 3.3. The window appears with show().
+  PanelWindow(const std::string& title, int width, int height, SceneSettings scene,
+              StudioServices services);
+  void show();  ///< after all panels were made
+  virtual void arrange() = 0;
+  virtual void frame();                                ///< polls the studio and draws
+  virtual void run_action(const std::string& id) = 0;  ///< of a script
+
+ private:
+  bool is_open() const;
+
+  std::unique_ptr<Studio> studio_;
+  bool complete_ = false;  ///< all panels were made
+};
+
+}  // namespace slalom

@@ -1,0 +1,252 @@
+#include "views/descriptor_panel.h"
+#include "widgets/drawing.h"
+
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <array>
+
+namespace slalom {
+namespace {
+
+constexpr double kTabHeight = 27, kChoiceHeight = 25;  ///< heights, pixels
+constexpr double kTabWidth = 88, kArrowWidth = 24;     ///< pixels
+constexpr int kNarrow = 560;                           ///< pixels in which two choices do not fit
+constexpr double kNarrowTabWidth = 72;                 ///< pixels
+constexpr double kMaxChoiceWidth = 280, kComputeWidth = 160;  ///< pixels
+constexpr std::size_t kInitialY = 2;  ///< index of clearness, the initial y axis
+
+struct TabName {
+  const char *part, *title;
+};
+constexpr std::array<TabName, 3> kTabs = {
+    {{"tab values", "Values"}, {"tab histogram", "Histogram"}, {"tab scatter", "Scatter"}}};
+
+/// "3 of 22" for "computing... 3 of 22", for narrow panels.
+std::string shortest(const std::string& status) {
+  const std::size_t digit = status.find_first_of("0123456789");
+  return status.rfind("computing", 0) == 0 && digit != std::string::npos ? status.substr(digit)
+                                                                         : status;
+}
+
+}  // namespace
+
+DescriptorPanel::DescriptorPanel(nanogui::Widget* parent, Studio& studio)
+    : Element(parent, "descriptors", Focus::OnPress),
+      studio_(studio),
+      model_(studio.descriptors().model()),
+      y_(std::min(kInitialY, model_.rows().size() - 1)),
+      table_(new DescriptorTable(this, model_, [this](std::size_t row) { select_row(row); })),
+      histogram_(new HistogramPlot(this, studio)),
+      scatter_(new ScatterPlot(this, studio)) {
+  set_tab(Tab::Values);
+  update_plots();
+  studio.notices().observe([this](Change change) {
+    if (change == Change::Descriptors || change == Change::ListValues || change == Change::Current)
+      update_plots();
+  });
+}
+
+void DescriptorPanel::set_tab(Tab tab) {
+  tab_ = tab;
+  table_->setVisible(tab == Tab::Values);
+  histogram_->setVisible(tab == Tab::Histogram);
+  scatter_->setVisible(tab == Tab::Scatter);
+  if (tab == Tab::Values) table_->show_selected();
+  choice_changed();
+}
+
+void DescriptorPanel::select_row(std::size_t row) {
+  if (!model_.select_row(row)) return;
+  table_->show_selected();
+  choice_changed();
+}
+
+void DescriptorPanel::choice_changed() {
+  update_plots();
+  studio_.show_values_of(shown_ids());
+}
+
+std::vector<std::string> DescriptorPanel::shown_ids() const {
+  if (tab_ == Tab::Values) return {};
+  if (tab_ == Tab::Histogram) return {model_.selected_row().info.id};
+  if (x_ == y_) return {info_of(x_).id};
+  return {info_of(x_).id, info_of(y_).id};
+}
+
+void DescriptorPanel::step(const std::string& choice, int by) {
+  const auto moved = [&](std::size_t row) {
+    const std::size_t count = model_.rows().size();
+    return (row + (by > 0 ? 1 : count - 1)) % count;
+  };
+  if (choice == "descriptor") return select_row(moved(model_.selected()));
+  (choice == "x" ? x_ : y_) = moved(choice == "x" ? x_ : y_);
+  choice_changed();
+}
+
+std::size_t DescriptorPanel::missing() const {
+  const auto& values = studio_.descriptors().list_values();
+  std::size_t missing = 0;
+  for (const std::string& id : shown_ids())
+    if (const ListColumn* column = values ? values->column(id) : nullptr)
+      missing += column->not_computed_count();
+  return missing;
+}
+
+bool DescriptorPanel::can_compute() const {
+  return studio_.describe_progress().empty() && missing() > 0;
+}
+
+void DescriptorPanel::update_plots() {
+  histogram_->update();
+  scatter_->update(info_of(x_), info_of(y_));
+}
+
+/// The elements of the tabs have a text() of their own.
+std::string DescriptorPanel::text() const {
+  std::string text = model_.status();
+  const std::string progress = studio_.describe_progress();
+  if (!progress.empty()) text += (text.empty() ? "" : "\n") + progress;
+  if (can_compute())
+    text +=
+        (text.empty() ? "" : "\n") + std::to_string(missing()) + " values of the list are missing";
+  return text;
+}
+
+void DescriptorPanel::performLayout(NVGcontext* /*ctx*/) {
+  const auto set_top = [this](Element& element, double top) {
+    element.set_bounds({0, top, area().width, height() - top});
+  };
+  set_top(*table_, kTabHeight);
+  set_top(*histogram_, kTabHeight + kChoiceHeight);
+  set_top(*scatter_, kTabHeight + (is_narrow() ? 2 : 1) * kChoiceHeight);
+}
+
+/// In a narrow panel the choices are stacked, and the compute button is next to the tabs.
+bool DescriptorPanel::is_narrow() const {
+  return width() < kNarrow;
+}
+
+ScreenRect DescriptorPanel::tab_rect(Tab tab) const {
+  const double tab_width = is_narrow() ? kNarrowTabWidth : kTabWidth;
+  return {static_cast<int>(tab) * tab_width, 0, tab_width, kTabHeight};
+}
+
+std::vector<std::string> DescriptorPanel::choices() const {
+  if (tab_ == Tab::Values) return {};
+  if (tab_ == Tab::Histogram) return {"descriptor"};
+  return {"x", "y"};
+}
+
+ScreenRect DescriptorPanel::choice_rect(const std::string& choice) const {
+  if (is_narrow())
+    return {0, choice == "y" ? kTabHeight + kChoiceHeight : kTabHeight, area().width,
+            kChoiceHeight};
+  const double wide = std::min((width() - kComputeWidth - 12) / 2, kMaxChoiceWidth);
+  return {choice == "y" ? wide : 0, kTabHeight, wide, kChoiceHeight};
+}
+
+ScreenRect DescriptorPanel::compute_rect() const {
+  if (is_narrow()) {
+    const double left = tab_rect(Tab::Scatter).right() + 4;
+    return {left, 3, width() - left - 4, kTabHeight - 6};
+  }
+  return {width() - kComputeWidth - 4, kTabHeight + 2, kComputeWidth, kChoiceHeight - 4};
+}
+
+std::vector<Element::Part> DescriptorPanel::parts() const {
+  std::vector<Part> all;
+  for (std::size_t i = 0; i < kTabs.size(); ++i)
+    all.push_back({kTabs[i].part, tab_rect(static_cast<Tab>(i))});
+  for (const std::string& choice : choices()) {
+    ScreenRect rect = choice_rect(choice);
+    const double right = rect.right();
+    rect.width = kArrowWidth;
+    all.push_back({choice + " previous", rect});
+    rect.left = right - kArrowWidth;
+    all.push_back({choice + " next", rect});
+  }
+  if (can_compute()) all.push_back({"compute", compute_rect()});
+  return all;
+}
+
+void DescriptorPanel::paint(NVGcontext* ctx) {
+  draw_tabs(ctx);
+  draw_choices(ctx);
+}
+
+void DescriptorPanel::draw_tabs(NVGcontext* ctx) const {
+  const Palette& colors = palette();
+  draw::fill(ctx, {0, 0, area().width, kTabHeight}, colors.window);
+  for (std::size_t i = 0; i < kTabs.size(); ++i) {
+    const ScreenRect rect = tab_rect(static_cast<Tab>(i));
+    draw::tab(ctx, rect, rect, kTabs[i].title, static_cast<Tab>(i) == tab_, false,
+              draw::Align::Center);
+  }
+  const double left = tab_rect(Tab::Scatter).right();
+  const bool of_list = model_.status().empty() || tab_ != Tab::Values;
+  const std::string status = of_list ? studio_.describe_progress() : model_.status();
+  draw::text(ctx, ScreenRect{left, 0, width() - left, kTabHeight}.inset(8),
+             is_narrow() ? shortest(status) : status,
+             !of_list && model_.failed() ? colors.error_text : colors.faint_text,
+             draw::kSmallTextSize, draw::Align::Right);
+}
+
+void DescriptorPanel::draw_choices(NVGcontext* ctx) const {
+  const Palette& colors = palette();
+  if (tab_ != Tab::Values)
+    draw::fill(ctx, {0, kTabHeight, area().width, 2 * kChoiceHeight}, colors.panel);
+  for (const std::string& choice : choices()) {
+    const ScreenRect rect = choice_rect(choice);
+    const ScreenRect name = rect.inset(kArrowWidth);
+    draw::text(ctx, {rect.left, rect.top, kArrowWidth, rect.height}, "‹", colors.accent, 20,
+               draw::Align::Center, true);
+    draw::text(ctx, {name.right(), rect.top, kArrowWidth, rect.height}, "›", colors.accent, 20,
+               draw::Align::Center, true);
+    const std::size_t row = choice == "descriptor" ? model_.selected() : choice == "x" ? x_ : y_;
+    draw::text(ctx, name, (choice == "descriptor" ? "" : choice + ": ") + info_of(row).name,
+               colors.text, draw::kTextSize, draw::Align::Center);
+  }
+  if (can_compute())
+    draw::button(ctx, compute_rect(),
+                 "compute " + std::to_string(missing()) + (is_narrow() ? "" : " missing"), {true},
+                 draw::kSmallTextSize);
+}
+
+bool DescriptorPanel::press(const Point& at, int /*modifiers*/) {
+  const std::string part = part_at(at);
+  for (std::size_t i = 0; i < kTabs.size(); ++i)
+    if (part == kTabs[i].part) set_tab(static_cast<Tab>(i));
+  for (const std::string& choice : choices()) {
+    if (part == choice + " previous") step(choice, -1);
+    if (part == choice + " next") step(choice, 1);
+  }
+  if (part == "compute") studio_.describe_list();
+  return true;
+}
+
+bool DescriptorPanel::key(int key, int modifiers) {
+  if ((modifiers & ~GLFW_MOD_SHIFT) != 0) return false;
+  const bool scatter = tab_ == Tab::Scatter;
+  const int count = static_cast<int>(kTabs.size());
+  const int by = (modifiers & GLFW_MOD_SHIFT) != 0 ? count - 1 : 1;
+  switch (key) {
+    case GLFW_KEY_TAB:
+      set_tab(static_cast<Tab>((static_cast<int>(tab_) + by) % count));
+      return true;
+    case GLFW_KEY_UP:
+    case GLFW_KEY_DOWN:
+      step(scatter ? "x" : "descriptor", key == GLFW_KEY_UP ? -1 : 1);
+      return true;
+    case GLFW_KEY_LEFT:
+    case GLFW_KEY_RIGHT:
+      if (scatter) step("y", key == GLFW_KEY_LEFT ? -1 : 1);
+      return scatter;
+    case GLFW_KEY_ENTER:
+      if (can_compute()) studio_.describe_list();
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace slalom

@@ -1,0 +1,223 @@
+#include "views/form_panel.h"
+#include "widgets/drawing.h"
+
+#include <slalom/core/error.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace slalom {
+
+using namespace form_metrics;
+
+FormPanel::FormPanel(nanogui::Widget* parent, FormDescription description,
+                     std::function<void()> close)
+    : Element(parent, "dialog"),
+      model_(std::move(description)),
+      close_(std::move(close)),
+      layout_(model_, 0, [](const std::string&, float) { return 0; }) {
+  set_focus_to(tab_stops().front());
+}
+
+void FormPanel::fit(NVGcontext* ctx, const nanogui::Vector2i& max_size) {
+  context_ = ctx;
+  const FormDescription& form = model_.description();
+  const double width = std::min<double>(FormLayout::preferred_width(form), max_size.x());
+  intro_height_ =
+      form.intro.empty() ? 0 : draw::wrapped_height(ctx, form.intro, width - 2 * kMargin) + 10;
+  setWidth(static_cast<int>(width));
+  lay_out();
+  const double preferred =
+      kTitleHeight + intro_height_ + layout_.height() + footer_height(is_message());
+  // The dialog only grows, so that it does not jump when fields are shown or hidden.
+  setHeight(std::max(height(), static_cast<int>(std::min<double>(preferred + 1, max_size.y()))));
+  setHeight(std::min(height(), max_size.y()));
+  setFixedSize(size());
+  scroll_.set(is_message() ? intro_height_ : layout_.height(), content());
+}
+
+void FormPanel::lay_out() {
+  if (context_ == nullptr) return;
+  layout_ = FormLayout(model_, width(), [this](const std::string& text, float size) {
+    return draw::text_width(context_, text, size);
+  });
+  scroll_.set(is_message() ? intro_height_ : layout_.height(), content());
+}
+
+void FormPanel::fill_in(const std::string& key, const std::string& text) {
+  const std::size_t field = model_.index_of(key);
+  model_.set_value(field, text);
+  if (field == focus_) editor_.set_text(text);
+  touched_.insert(field);
+  lay_out();
+}
+
+void FormPanel::accept() {
+  if (const auto error = model_.first_error()) {
+    for (std::size_t i = 0; i < model_.fields().size(); ++i) touched_.insert(i);
+    set_focus_to(error->first);
+    message_ = error->second;
+    return;
+  }
+  try {
+    if (model_.description().accepted) model_.description().accepted(model_.values());
+  } catch (const std::exception& error) {
+    message_ = reason_of(error);
+    return;
+  }
+  cancel();
+}
+
+void FormPanel::cancel() {
+  const auto close = std::exchange(close_, nullptr);
+  if (close) close();
+}
+
+std::string FormPanel::text() const {
+  std::string all = model_.description().title + "\n" + model_.description().intro + "\n";
+  for (std::size_t i = 0; i < model_.fields().size(); ++i) {
+    if (!model_.is_shown(i)) continue;
+    const FormField& field = model_.fields()[i];
+    all += field.label;
+    if (field.kind != FieldKind::Heading) all += ": " + model_.value(i);
+    if (!field.unit.empty()) all += " " + field.unit;
+    const std::string error = error_of(i);
+    all += (error.empty() ? "" : " (" + error + ")") + "\n";
+  }
+  return all + (message_.empty() ? "" : message_ + "\n");
+}
+
+std::string FormPanel::error_of(std::size_t field) const {
+  return touched_.count(field) > 0 ? model_.error_of(field) : "";
+}
+
+std::vector<Element::Part> FormPanel::parts() const {
+  std::vector<Part> all = {{"ok", ok_rect()}};
+  if (!is_message()) all.push_back({"cancel", cancel_rect()});
+  const auto add = [&](const std::string& name, const ScreenRect& rect) {
+    if (is_in_view(rect)) all.push_back({name, to_panel(rect)});
+  };
+  for (const FormLine& line : layout_.lines()) {
+    const FormField& field = model_.fields()[line.field];
+    add("field " + field.key, line.box);
+    for (std::size_t i = 0; i < line.choices.size(); ++i)
+      add("choice " + field.key + " " + field.choices[i], line.choices[i]);
+  }
+  return all;
+}
+
+ScreenRect FormPanel::content() const {
+  const double top = kTitleHeight + (is_message() ? 0 : intro_height_);
+  const double bottom = height() - footer_height(is_message());
+  return {0, top, static_cast<double>(width()), std::max(0.0, bottom - top)};
+}
+ScreenRect FormPanel::ok_rect() const {
+  return {width() - kMargin - kButtonWidth, height() - 44.0, kButtonWidth, 32};
+}
+ScreenRect FormPanel::cancel_rect() const {
+  return {width() - kMargin - 2 * kButtonWidth - 10, height() - 44.0, kButtonWidth, 32};
+}
+
+ScreenRect FormPanel::to_panel(ScreenRect rect) const {
+  rect.top += content().top - scroll_.offset();
+  return rect;
+}
+
+bool FormPanel::is_in_view(const ScreenRect& rect) const {
+  const ScreenRect shown = to_panel(rect);
+  return shown.top >= content().top && shown.bottom() <= content().bottom();
+}
+
+bool FormPanel::is_text_field(std::size_t field) const {
+  if (field >= model_.fields().size()) return false;
+  const FieldKind kind = model_.fields()[field].kind;
+  return kind == FieldKind::Text || kind == FieldKind::Number || kind == FieldKind::Integer;
+}
+
+std::vector<std::size_t> FormPanel::tab_stops() const {
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < model_.fields().size(); ++i)
+    if (model_.is_shown(i) && model_.fields()[i].kind != FieldKind::Heading) all.push_back(i);
+  if (!is_message()) all.push_back(cancel_tab_stop());
+  all.push_back(ok_tab_stop());
+  return all;
+}
+
+void FormPanel::set_focus_to(std::size_t stop) {
+  focus_ = stop;
+  choice_ = 0;
+  if (stop >= model_.fields().size()) return;
+  editor_.set_text(model_.value(stop));
+  editor_.select_all();
+  const auto& choices = model_.fields()[stop].choices;
+  for (std::size_t i = choices.size(); i-- > 0;)
+    if (model_.is_chosen(stop, choices[i])) choice_ = i;
+  if (const FormLine* line = context_ == nullptr ? nullptr : layout_.line_of(stop))
+    scroll_.show(line->top, line->top + line->height);
+}
+
+void FormPanel::move_focus_by(int steps) {
+  const auto all = tab_stops();
+  const int count = static_cast<int>(all.size());
+  const int at = static_cast<int>(std::find(all.begin(), all.end(), focus_) - all.begin());
+  set_focus_to(all[static_cast<std::size_t>(((at % count) + steps + count) % count)]);
+}
+
+void FormPanel::edited() {
+  model_.set_value(focus_, editor_.text());
+  touched_.insert(focus_);
+  message_.clear();
+}
+
+void FormPanel::choose(std::size_t field, std::size_t choice) {
+  const auto& choices = model_.fields()[field].choices;
+  model_.choose(field, choice < choices.size() ? choices[choice] : "");
+  choice_ = choice;
+  touched_.insert(field);
+  message_.clear();
+  lay_out();
+}
+
+FormDialog::FormDialog(nanogui::Screen& screen, FormDescription description)
+    : Window(&screen, ""),
+      panel_(new FormPanel(this, std::move(description), [this] { dispose(); })) {
+  setModal(true);
+  setId("form");
+}
+
+void FormDialog::draw(NVGcontext* ctx) {
+  performLayout(ctx);
+  Widget::draw(ctx);  // NOLINT(bugprone-parent-virtual-call): without the frame of a Window
+}
+
+nanogui::Vector2i FormDialog::preferredSize(NVGcontext*) const {
+  return panel_->size();
+}
+
+void FormDialog::performLayout(NVGcontext* ctx) {
+  const nanogui::Vector2i available = screen()->size();
+  const nanogui::Vector2i old_size = panel_->size();
+  panel_->fit(ctx, {available.x() - 40, available.y() - 60});
+  panel_->setPosition({0, 0});
+  if (panel_->size() == old_size) return;
+  setSize(panel_->size());
+  setPosition((available - size()) / 2);
+}
+
+bool FormDialog::keyboardEvent(int key, int scancode, int action, int modifiers) {
+  const nanogui::ref<FormDialog> self = this;  // the panel may close the dialog
+  return panel_->keyboardEvent(key, scancode, action, modifiers);
+}
+
+bool FormDialog::keyboardCharacterEvent(unsigned int code_point) {
+  return panel_->keyboardCharacterEvent(code_point);
+}
+
+FormDialog& open_form(nanogui::Screen& screen, FormDescription description) {
+  auto* dialog = new FormDialog(screen, std::move(description));
+  dialog->performLayout(screen.nvgContext());
+  dialog->requestFocus();
+  return *dialog;
+}
+
+}  // namespace slalom

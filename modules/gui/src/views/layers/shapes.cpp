@@ -1,0 +1,117 @@
+#include "views/layers/shapes.h"
+#include "widgets/drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nanovg.h>
+
+namespace slalom::shapes {
+
+using mrpt::math::TPoint2D;
+
+namespace {
+
+/// Robots, starts and goals are drawn with at least this radius (pixels).
+constexpr double kMinRadius = 5;
+
+void trace(NVGcontext* ctx, const ViewTransform& view, const std::vector<TPoint2D>& points) {
+  nvgBeginPath(ctx);
+  TPoint2D last;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const TPoint2D at = view.to_screen(points[i]);
+    const bool same_pixel = i > 0 && std::hypot(at.x - last.x, at.y - last.y) < 1;
+    if (same_pixel && i + 1 < points.size()) continue;
+    (i == 0 ? nvgMoveTo : nvgLineTo)(ctx, static_cast<float>(at.x), static_cast<float>(at.y));
+    last = at;
+  }
+}
+
+void trace_disc(NVGcontext* ctx, const ViewTransform& view, const Disc& disc, double min_radius) {
+  const TPoint2D at = view.to_screen(disc.center);
+  nvgBeginPath(ctx);
+  nvgCircle(ctx, static_cast<float>(at.x), static_cast<float>(at.y),
+            static_cast<float>(std::max(disc.radius * view.pixels_per_meter(), min_radius)));
+}
+
+void stroke(NVGcontext* ctx, const Color& color, float width) {
+  nvgStrokeColor(ctx, draw::nvg(color));
+  nvgStrokeWidth(ctx, width);
+  nvgLineJoin(ctx, NVG_ROUND);
+  nvgLineCap(ctx, NVG_ROUND);
+  nvgStroke(ctx);
+}
+
+}  // namespace
+
+void polyline(NVGcontext* ctx, const ViewTransform& view, const std::vector<TPoint2D>& points,
+              const Color& color, float width, bool closed) {
+  if (points.size() < 2) return;
+  trace(ctx, view, points);
+  if (closed) nvgClosePath(ctx);
+  stroke(ctx, color, width);
+}
+
+void fill_polygon(NVGcontext* ctx, const ViewTransform& view, const std::vector<TPoint2D>& vertices,
+                  const Color& color) {
+  if (vertices.size() < 3) return;
+  trace(ctx, view, vertices);
+  nvgClosePath(ctx);
+  nvgFillColor(ctx, draw::nvg(color));
+  nvgFill(ctx);
+}
+
+void dots(NVGcontext* ctx, const ViewTransform& view, const std::vector<TPoint2D>& points,
+          const Color& color, float side) {
+  if (points.empty()) return;  // NanoVG would fill the whole window with an empty path
+  nvgBeginPath(ctx);
+  for (const TPoint2D& point : points) {
+    const TPoint2D p = view.to_screen(point);
+    nvgRect(ctx, static_cast<float>(p.x) - 0.5F * side, static_cast<float>(p.y) - 0.5F * side, side,
+            side);
+  }
+  nvgFillColor(ctx, draw::nvg(color));
+  nvgFill(ctx);
+}
+
+void fill_disc(NVGcontext* ctx, const ViewTransform& view, const Disc& disc, const Color& color,
+               double min_radius) {
+  trace_disc(ctx, view, disc, min_radius);
+  nvgFillColor(ctx, draw::nvg(color));
+  nvgFill(ctx);
+}
+
+void circle(NVGcontext* ctx, const ViewTransform& view, const Disc& disc, const Color& color,
+            float width, double min_radius) {
+  trace_disc(ctx, view, disc, min_radius);
+  stroke(ctx, color, width);
+}
+
+void robot(NVGcontext* ctx, const ViewTransform& view, const Footprint& footprint,
+           const mrpt::math::TPose2D& pose, const Color& color) {
+  const double radius = footprint.enclosing_radius();
+  const bool tiny = radius * view.pixels_per_meter() < kMinRadius;
+  if (footprint.is_disc() || tiny) {
+    const Disc disc{{pose.x, pose.y}, radius};
+    fill_disc(ctx, view, disc, faded(color, 0.3), kMinRadius);
+    circle(ctx, view, disc, color, 2, kMinRadius);
+  } else {
+    const std::vector<TPoint2D> corners = footprint.corners_at(pose);
+    fill_polygon(ctx, view, corners, faded(color, 0.3));
+    polyline(ctx, view, corners, color, 2, true);
+  }
+  const double length = 1.6 * std::max(radius, kMinRadius / view.pixels_per_meter());
+  polyline(ctx, view,
+           {{pose.x, pose.y},
+            {pose.x + length * std::cos(pose.phi), pose.y + length * std::sin(pose.phi)}},
+           color, 2);
+}
+
+void goal(NVGcontext* ctx, const ViewTransform& view, const TPoint2D& at, double radius,
+          const Color& color) {
+  circle(ctx, view, {at, radius}, color, 2, kMinRadius);
+  const double r = std::max(radius, kMinRadius / view.pixels_per_meter());
+  polyline(ctx, view, {{at.x - r, at.y}, {at.x + r, at.y}}, color, 2);
+  polyline(ctx, view, {{at.x, at.y - r}, {at.x, at.y + r}}, color, 2);
+}
+
+}  // namespace slalom::shapes

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "views/view_transform.h"
+
+#include <slalom/robot/footprint.h>
+#include <slalom/scenario/geometry.h>
+#include <slalom/studio/palette.h>
+
+#include <nanogui/nanogui.h>
+#include <vector>
+
+namespace slalom::shapes {
+
+/// Strokes `points` (m), skipping those on the same pixel as the previous one.
+void polyline(NVGcontext* ctx, const ViewTransform& view,
+              const std::vector<mrpt::math::TPoint2D>& points, const Color& color, float width,
+              bool closed = false);
+void fill_polygon(NVGcontext* ctx, const ViewTransform& view,
+                  const std::vector<mrpt::math::TPoint2D>& vertices, const Color& color);
+/// Small squares of `side` pixels.
+void dots(NVGcontext* ctx, const ViewTransform& view,
+          const std::vector<mrpt::math::TPoint2D>& points, const Color& color, float side);
+/// The radius is at least `min_radius` pixels, so that it is visible at any zoom.
+void fill_disc(NVGcontext* ctx, const ViewTransform& view, const Disc& disc, const Color& color,
+               double min_radius = 0);
+void circle(NVGcontext* ctx, const ViewTransform& view, const Disc& disc, const Color& color,
+            float width, double min_radius = 0);
+/// The footprint at a pose with a line in the direction of its heading.
+void robot(NVGcontext* ctx, const ViewTransform& view, const Footprint& footprint,
+           const mrpt::math::TPose2D& pose, const Color& color);
+/// A circle with a cross, of `radius` (m).
+void goal(NVGcontext* ctx, const ViewTransform& view, const mrpt::math::TPoint2D& at, double radius,
+          const Color& color);
+
+}  // namespace slalom::shapes

@@ -1,0 +1,165 @@
+#include "views/run_table.h"
+#include "widgets/drawing.h"
+
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <cstdio>
+
+namespace slalom {
+namespace {
+
+constexpr double kRowHeight = 24, kHeaderHeight = 24, kDetailHeight = 40, kMargin = 6;
+constexpr double kIndent = 14, kSwatch = 14;  ///< pixels
+constexpr float kSize = draw::kSmallTextSize + 1;
+
+std::string shown_value(const Value& value) {
+  if (value.is_na()) return "NA";
+  char number[32];
+  std::snprintf(number, sizeof number, "%.2f", value.number());
+  return number;
+}
+
+ScreenRect in_middle(const ScreenRect& row, double left, double size) {
+  return {left, row.top + 0.5 * (row.height - size), size, size};
+}
+
+}  // namespace
+
+RunTable::RunTable(nanogui::Widget* parent, ResultsLoader& results)
+    : Table(parent, "runs", {kHeaderHeight, kRowHeight, kDetailHeight}, Focus::OnPress),
+      results_(results) {}
+
+void RunTable::refresh() {
+  rows_ = results_.overlay().rows();
+  cursor_ = std::min(cursor_, rows_.empty() ? 0 : rows_.size() - 1);
+  set_hovered(std::nullopt);
+}
+
+bool RunTable::any_shown() const {
+  return std::any_of(rows_.begin(), rows_.end(), [](const OverlayRow& row) { return row.shown; });
+}
+
+/// Also if the parent panel has the focus, which forwards keys, and none of its elements has it.
+bool RunTable::has_keyboard() const {
+  const auto& siblings = parent()->children();
+  return focused() || (parent()->focused() &&
+                       std::none_of(siblings.begin(), siblings.end(),
+                                    [](const Widget* widget) { return widget->focused(); }));
+}
+
+ScreenRect RunTable::all_box() const {
+  return in_middle({0, 0, area().width, kHeaderHeight}, kMargin, draw::kCheckBox);
+}
+
+std::optional<ScreenRect> RunTable::rect_of(const std::string& part) const {
+  if (part == "all") return all_box();
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    if (part == "row " + std::to_string(row) || part == "row " + rows_[row].label)
+      return bring_into_view(row);
+  return Table::rect_of(part);
+}
+
+std::string RunTable::text() const {
+  if (rows_.empty()) return results_.message();
+  std::string text;
+  for (const OverlayRow& row : rows_) {
+    text += row.label + (row.shown ? ": shown, " : ": hidden, ") + row.outcome + ", success " +
+            row.success;
+    if (!row.group)
+      text += ", length " + shown_value(row.length) + " m, time " + shown_value(row.time) + " s";
+    text += "\n";
+  }
+  text.pop_back();
+  return text;
+}
+
+RunTable::Columns RunTable::columns_of_row() const {
+  Columns at;
+  const double right = width() - kMargin - Scroll::kBarWidth;
+  at.time = right - at.number_width;
+  at.length = at.time - at.number_width;
+  at.success_width = width() >= 430 ? 64 : 0;
+  at.success = at.length - at.success_width;
+  at.label = kMargin + 2 * (draw::kCheckBox + 6);
+  at.outcome_width = std::min(190.0, 0.5 * (at.success - at.label));
+  at.outcome = at.success - at.outcome_width;
+  at.label_width = at.outcome - at.label - 6;
+  return at;
+}
+
+void RunTable::draw_header(NVGcontext* ctx) const {
+  const Palette& colors = palette();
+  const Columns at = columns_of_row();
+  draw::fill(ctx, {0, 0, area().width, kHeaderHeight}, colors.window);
+  if (!rows_.empty()) draw::check_box(ctx, all_box(), any_shown());
+  const auto title = [&](double left, double wide, const char* name, draw::Align align) {
+    if (wide > 0)
+      draw::text(ctx, {left, 0, wide, kHeaderHeight}, name, colors.faint_text, draw::kSmallTextSize,
+                 align);
+  };
+  title(at.label, at.label_width, "Method, run", draw::Align::Left);
+  title(at.outcome, at.outcome_width, "Outcome", draw::Align::Left);
+  title(at.success, at.success_width, "Success", draw::Align::Left);
+  title(at.length, at.number_width, "Length m", draw::Align::Right);
+  title(at.time, at.number_width, "Time s", draw::Align::Right);
+}
+
+void RunTable::paint_row(NVGcontext* ctx, std::size_t index, const ScreenRect& rect) const {
+  const Palette& colors = palette();
+  const Columns at = columns_of_row();
+  const OverlayRow& row = rows_[index];
+  draw::row(ctx, rect, index, false, hovered() == index);
+  if (index == cursor_ && has_keyboard()) draw::frame(ctx, rect, colors.accent);
+  draw::check_box(ctx, rect.inset(kMargin), row.shown);
+  const double indent = row.indented ? kIndent : 0;
+  const ScreenRect swatch = in_middle(rect, kMargin + draw::kCheckBox + 6 + indent, kSwatch);
+  draw::fill(ctx, swatch, row.color, 2);
+  draw::frame(ctx, swatch, colors.text);
+  const Color& ink = row.shown ? colors.text : colors.disabled_text;
+  const auto cell = [&](double left, double wide, const std::string& text, draw::Align align) {
+    if (wide > 0) draw::text(ctx, {left, rect.top, wide, rect.height}, text, ink, kSize, align);
+  };
+  cell(at.label + indent, at.label_width - indent, row.label, draw::Align::Left);
+  draw::fill(ctx, in_middle(rect, at.outcome, 10),
+             row.outcome == "mixed" ? colors.faint_text : outcome_color(row.outcome), 5);
+  const bool counted = row.group && at.success_width == 0;
+  cell(at.outcome + 16, (counted ? at.time : at.success) - at.outcome - 22,
+       counted ? row.success + " succeed" : row.outcome, draw::Align::Left);
+  cell(at.success, at.success_width, row.success, draw::Align::Left);
+  cell(at.length, at.number_width, row.group ? "" : shown_value(row.length), draw::Align::Right);
+  cell(at.time, at.number_width, row.group ? "" : shown_value(row.time), draw::Align::Right);
+}
+
+void RunTable::paint_frame(NVGcontext* ctx) const {
+  draw_header(ctx);
+  const double top = height() - kDetailHeight;
+  const ScreenRect below{kMargin, top + 3, width() - 2 * kMargin, kDetailHeight - 3};
+  if (rows_.empty()) {
+    draw::wrapped_text(ctx, {kMargin, kHeaderHeight + kMargin, below.width, top},
+                       results_.message(), palette().faint_text);
+    return;
+  }
+  draw::line(ctx, 0, top + 0.5, width(), top + 0.5, palette().border);
+  draw::wrapped_text(ctx, below, rows_[hovered().value_or(cursor_)].detail, palette().faint_text,
+                     draw::kSmallTextSize);
+}
+
+void RunTable::choose(std::size_t row) {
+  cursor_ = row;
+  results_.toggle(rows_[row]);
+}
+
+bool RunTable::press(const Point& at, int modifiers) {
+  if (!all_box().contains(at)) return Table::press(at, modifiers);
+  results_.show_all(!any_shown());
+  return true;
+}
+
+bool RunTable::key(int key, int modifiers) {
+  if (modifiers != 0) return false;
+  if (key == GLFW_KEY_SPACE && !rows_.empty()) choose(cursor_);
+  if (key == GLFW_KEY_A) results_.show_all(!any_shown());
+  return key == GLFW_KEY_SPACE || key == GLFW_KEY_A || Table::key(key, modifiers);
+}
+
+}  // namespace slalom

@@ -1,0 +1,169 @@
+#include "views/scatter_plot.h"
+#include "widgets/drawing.h"
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+constexpr double kPickRadius = 6;  ///< pixels
+constexpr double kMinDrag = 4;     ///< pixels; a shorter drag is a click
+
+/// Adds a margin on both sides, so that dots are not cut off.
+std::pair<double, double> with_margin(const std::optional<std::pair<double, double>>& range) {
+  if (!range) return {0, 1};
+  const double margin = 0.03 * (range->second - range->first);
+  return {range->first - margin, range->second + margin};
+}
+
+}  // namespace
+
+void ScatterPlot::update(const QuantityInfo& x, const QuantityInfo& y) {
+  const auto& values = studio_.descriptors().list_values();
+  if (values == values_ && x.id == x_info_.id && y.id == y_info_.id) return;
+  values_ = values;
+  x_info_ = x;
+  y_info_ = y;
+  const ListColumn* across = values_ ? values_->column(x.id) : nullptr;
+  const ListColumn* up = values_ ? values_->column(y.id) : nullptr;
+  scatter_ = across && up ? Scatter(*across, *up) : Scatter();
+  drag_.reset();
+  selection_.reset();
+  image_outdated_ = true;
+}
+
+std::string ScatterPlot::message() const {
+  if (!scatter_.points().empty()) return "";
+  const bool read = values_ && values_->column(x_info_.id) && values_->column(y_info_.id);
+  return read ? "no scenario has both values" : studio_.descriptors().list_message();
+}
+
+PlotFrame ScatterPlot::frame() const {
+  return PlotFrame::within(area(), with_margin(scatter_.x_range()),
+                           with_margin(scatter_.y_range()));
+}
+
+std::optional<Element::Point> ScatterPlot::current_point() const {
+  if (!values_) return std::nullopt;
+  const std::string& hash = studio_.descriptors().model().hash();
+  const auto x = values_->number(x_info_.id, hash), y = values_->number(y_info_.id, hash);
+  return x && y ? std::optional(Point(*x, *y)) : std::nullopt;
+}
+
+Element::Point ScatterPlot::value_at(const Point& at) const {
+  const PlotFrame shown = frame();
+  const ScreenRect& area = shown.area;
+  return {shown.x.to_value(std::clamp(at.x, area.left, area.right())),
+          shown.y.to_value(std::clamp(at.y, area.top, area.bottom()))};
+}
+
+ScreenRect ScatterPlot::rect_between(const PlotFrame& frame, const Drag& drag) const {
+  const auto [left, right] =
+      std::minmax({frame.x.to_pixel(drag.from.x), frame.x.to_pixel(drag.to.x)});
+  const auto [top, bottom] =
+      std::minmax({frame.y.to_pixel(drag.from.y), frame.y.to_pixel(drag.to.y)});
+  return {left, top, right - left, bottom - top};
+}
+
+std::string ScatterPlot::remark() const {
+  if (scatter_.points().empty()) return "";
+  std::string text = std::to_string(scatter_.points().size()) + " scenarios";
+  if (selection_) text = std::to_string(selected_count_) + " selected of " + text;
+  if (scatter_.skipped() > 0)
+    text += ", " + std::to_string(scatter_.skipped()) + " without both values";
+  return text;
+}
+
+std::string ScatterPlot::text() const {
+  std::string text = y_title() + " over " + x_title() + "\n" + message() + remark();
+  if (const auto here = scatter_.points().empty() ? std::nullopt : current_point())
+    text += "\ncurrent " + descriptor_number(here->x) + ", " + descriptor_number(here->y);
+  return text;
+}
+
+std::vector<Element::Part> ScatterPlot::parts() const {
+  std::vector<Part> all = Plot::parts();
+  const PlotFrame shown = frame();
+  if (selection_) all.push_back({"selection", rect_between(shown, *selection_)});
+  if (const auto here = current_point())
+    all.push_back(
+        {"current", {shown.x.to_pixel(here->x) - 4, shown.y.to_pixel(here->y) - 4, 8, 8}});
+  return all;
+}
+
+void ScatterPlot::update_image(NVGcontext* ctx, const PlotFrame& frame) {
+  const int wide = static_cast<int>(frame.area.width), tall = static_cast<int>(frame.area.height);
+  const bool same_size = wide == image_width_ && tall == image_height_;
+  if (image_ != 0 && same_size && !image_outdated_) return;
+  const auto image = draw_dots(scatter_, frame.x, frame.y, static_cast<int>(frame.area.left),
+                               static_cast<int>(frame.area.top), wide, tall, palette().accent);
+  if (image_ != 0 && same_size) {
+    nvgUpdateImage(ctx, image_, image.data());
+  } else {
+    if (image_ != 0) nvgDeleteImage(ctx, image_);
+    image_ = nvgCreateImageRGBA(ctx, wide, tall, NVG_IMAGE_NEAREST, image.data());
+  }
+  image_width_ = wide;
+  image_height_ = tall;
+  image_outdated_ = false;
+}
+
+void ScatterPlot::paint_data(NVGcontext* ctx, const PlotFrame& frame) {
+  if (frame.area.width < 2 || frame.area.height < 2) return;
+  update_image(ctx, frame);
+  draw::image(ctx,
+              {frame.area.left, frame.area.top, static_cast<double>(image_width_),
+               static_cast<double>(image_height_)},
+              image_);
+  draw_marks(ctx, frame);
+}
+
+void ScatterPlot::draw_marks(NVGcontext* ctx, const PlotFrame& frame) const {
+  if (const auto here = current_point()) {
+    nvgBeginPath(ctx);
+    nvgCircle(ctx, static_cast<float>(frame.x.to_pixel(here->x)),
+              static_cast<float>(frame.y.to_pixel(here->y)), 6);
+    nvgStrokeColor(ctx, draw::nvg(plot_mark_color()));
+    nvgStrokeWidth(ctx, 2.5F);
+    nvgStroke(ctx);
+  }
+  const std::optional<Drag>& shown = drag_ && drag_->moved ? drag_ : selection_;
+  if (!shown) return;
+  draw::fill(ctx, rect_between(frame, *shown), faded(plot_mark_color(), 0.15));
+  draw::frame(ctx, rect_between(frame, *shown), plot_mark_color());
+}
+
+bool ScatterPlot::press(const Point& at, int /*modifiers*/) {
+  if (scatter_.points().empty()) return false;
+  if (frame().area.contains(at)) drag_ = Drag{value_at(at), value_at(at)};
+  return true;
+}
+
+void ScatterPlot::drag(const Point& at) {
+  if (!drag_) return;
+  drag_->to = value_at(at);
+  const ScreenRect rect = rect_between(frame(), *drag_);
+  drag_->moved = drag_->moved || rect.width >= kMinDrag || rect.height >= kMinDrag;
+}
+
+void ScatterPlot::release(const Point& at) {
+  ListDocument* list = studio_.active();
+  if (!drag_ || list == nullptr) return;
+  const Drag drag = *drag_;
+  drag_.reset();
+  selection_.reset();
+  if (!drag.moved) {
+    const PlotFrame shown = frame();
+    const auto row = scatter_.nearest(shown.x, shown.y, at.x, at.y, kPickRadius);
+    if (row) list->set_current(values_->hash(*row));
+    return;
+  }
+  std::vector<std::string> hashes;
+  for (const std::size_t row : scatter_.within(drag.from.x, drag.from.y, drag.to.x, drag.to.y))
+    hashes.push_back(values_->hash(row));
+  selection_ = drag;
+  selected_count_ = hashes.size();
+  list->select(hashes);
+}
+
+}  // namespace slalom

@@ -1,0 +1,224 @@
+#include "views/scenario_view.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace slalom {
+
+using mrpt::math::TPose2D;
+
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+const std::string kNoScene = "No scenario is selected";
+
+std::vector<ViewLayout::Button> buttons(bool editable) {
+  std::vector<ViewLayout::Button> result;
+  for (const EditToolInfo& tool : edit_tools())
+    if (editable) result.push_back({"tool " + tool.id, tool.title});
+  for (const char* name : {"zoom in", "zoom out", "fit"})
+    result.push_back({name, name == std::string("fit")       ? "Fit"
+                            : name == std::string("zoom in") ? "+"
+                                                             : "-"});
+  return result;
+}
+
+template <typename... Numbers>
+std::string format(const char* pattern, Numbers... numbers) {
+  char text[160];
+  std::snprintf(text, sizeof text, pattern, numbers...);
+  return text;
+}
+
+}  // namespace
+
+ScenarioView::ScenarioView(nanogui::Widget* parent, Studio& studio, Mode mode)
+    : Element(parent, "view"),
+      studio_(studio),
+      mode_(mode),
+      layers_(make_scene_layers()),
+      layout_(make_layout()) {
+  studio.notices().observe([this](Change change) {
+    if (change == Change::Scene) set_scene(studio_.scenes().scene());
+  });
+}
+
+ViewLayout ScenarioView::make_layout() const {
+  std::vector<std::string> names;
+  if (legend_open_)
+    for (const auto& layer : layers_) names.push_back(layer.id);
+  return {static_cast<double>(width()), static_cast<double>(height()), buttons(mode_ == Mode::Edit),
+          names};
+}
+
+void ScenarioView::adjust_to_size() {
+  layout_ = make_layout();
+  view_ = view_on(layout_);
+}
+
+ViewTransform ScenarioView::view_on(const ViewLayout& layout) const {
+  const ScreenRect& c = layout.canvas();
+  if (fitted_ && scene_) {
+    const ScreenRect open = layout.open_canvas();
+    const ViewTransform fit = ViewTransform::fitting(scene_->scenario().bounds(), open.left,
+                                                     open.top, open.width, open.height);
+    const Point center(c.left + 0.5 * c.width, c.top + 0.5 * c.height);
+    return {fit.to_world(center), fit.pixels_per_meter(), c.left, c.top, c.width, c.height};
+  }
+  return view_.on(c.left, c.top, c.width, c.height);
+}
+
+void ScenarioView::set_scene(ScenePtr scene) {
+  const bool same_bounds =
+      scene && scene_ && scene->scenario().bounds() == scene_->scenario().bounds();
+  const bool same_scenario = same_bounds && scene->scenario().hash() == scene_->scenario().hash();
+  if (!same_scenario) editor_.cancel();
+  if (!same_bounds) {
+    pointer_.reset();
+    fitted_ = true;
+  }
+  error_.clear();
+  scene_ = std::move(scene);
+  if (scene_ && !tool_disabled_reason(tool(), scene_->scenario().representation()).empty())
+    editor_.set_tool(EditTool::Look);
+  adjust_to_size();
+}
+
+const SceneLayer& ScenarioView::layer(const std::string& id) const {
+  std::vector<std::string> ids;
+  for (const auto& layer : layers_) {
+    if (layer.id == id) return layer;
+    ids.push_back(layer.id);
+  }
+  throw usage_error("layer " + id, "unknown layer", "one of " + join(ids, ", "));
+}
+
+bool ScenarioView::layer_on(const std::string& id) const {
+  return layer(id).on;
+}
+
+void ScenarioView::set_layer(const std::string& id, bool on) {
+  layers_[static_cast<std::size_t>(&layer(id) - layers_.data())].on = on;
+}
+
+void ScenarioView::set_legend_open(bool open) {
+  legend_open_ = open;
+  layout_ = make_layout();
+}
+
+void ScenarioView::set_tool(EditTool tool) {
+  error_ = scene_ ? tool_disabled_reason(tool, scene_->scenario().representation()) : kNoScene;
+  if (error_.empty()) editor_.set_tool(tool);
+}
+
+void ScenarioView::rotate_scan(double angle) {
+  heading_ = std::remainder(heading_ + angle, 360 * kDegree);
+}
+
+void ScenarioView::fit() {
+  fitted_ = true;
+  view_ = view_on(layout_);
+}
+
+void ScenarioView::zoom(double factor) {
+  const ScreenRect& c = layout_.canvas();
+  fitted_ = false;
+  view_ = view_.zoomed({c.left + 0.5 * c.width, c.top + 0.5 * c.height}, factor);
+}
+
+void ScenarioView::pan(double dx, double dy) {
+  fitted_ = false;
+  view_ = view_.panned(dx, dy);
+}
+
+std::optional<TPose2D> ScenarioView::scan_pose() const {
+  const std::optional<Point>& at = scan_anchor_ ? scan_anchor_ : pointer_;
+  if (!at || !layer_on("scan")) return std::nullopt;
+  return TPose2D(at->x, at->y, heading_);
+}
+
+std::optional<double> ScenarioView::clearance_at_pointer() const {
+  if (!pointer_ || !scene_ || scene_->distance_field == nullptr) return std::nullopt;
+  return scene_->distance_field->clearance(*pointer_);
+}
+
+std::string ScenarioView::pointer_text() const {
+  if (!pointer_) return "";
+  std::string text = format("x %.3f m, y %.3f m", pointer_->x, pointer_->y);
+  const auto clearance = clearance_at_pointer();
+  text += clearance ? format(", clearance %.3f m", *clearance) : ", clearance NA (being computed)";
+  if (layer_on("scan")) text += format(", scan heading %.0f deg", heading_ / kDegree);
+  return text;
+}
+
+/// In order of priority: an error, the part under the mouse, pointer position, help on the tool.
+std::string ScenarioView::status_text() const {
+  if (!error_.empty()) return error_;
+  for (const auto& layer : layers_)
+    if (scene_ && hovered_ == "layer " + layer.id) return layer_line(layer);
+  for (const EditToolInfo& info : edit_tools()) {
+    if (hovered_ != "tool " + info.id) continue;
+    const std::string reason =
+        scene_ ? tool_disabled_reason(info.tool, scene_->scenario().representation())
+               : std::string();
+    return reason.empty() ? info.help + std::string(" (key ") + info.key + ")" : reason;
+  }
+  if (scene_ && !scene_->problem.empty()) return scene_->problem;
+  const std::string pointer = pointer_text();
+  if (tool() == EditTool::Look && !pointer.empty()) return pointer;
+  const EditToolInfo& info = info_of(tool());
+  return info.title + ": " + info.help + (pointer.empty() ? "" : "   " + pointer);
+}
+
+std::string ScenarioView::layer_line(const SceneLayer& layer) const {
+  std::string line = layer.title + (layer.on ? ": on" : ": off");
+  if (!scene_) return line;
+  const std::string missing = layer.missing_reason(*scene_, trajectories_),
+                    note = layer.note(*scene_);
+  if (!missing.empty()) return line + ", NA: " + missing;
+  return note.empty() ? line : line + ", " + note;
+}
+
+std::string ScenarioView::text() const {
+  if (!scene_) return kNoScene + "\n";
+  const Scenario& s = scene_->scenario();
+  std::string text = "scenario " + s.name() + ", " + to_string(s.representation()) + "\n";
+  text +=
+      format("start %.3f %.3f m, %.1f deg\n", s.start().x, s.start().y, s.start().phi / kDegree);
+  text += format("goal %.3f %.3f m\n", s.goal().x, s.goal().y);
+  text += format("scale %.4g pixels per m\n", view_.pixels_per_meter());
+  text += "scale bar " + ScaleBar::choose(view_.pixels_per_meter(), kMaxScaleBar).text() + "\n";
+  text += "tool " + info_of(tool()).id + "\n";
+  for (const auto& layer : layers_) text += "layer " + layer.id + ": " + layer_line(layer) + "\n";
+  text += format("map %.0f x %.0f pixels\n", layout_.canvas().width, layout_.canvas().height);
+  for (const OverlayTrajectory& run : trajectories_)
+    text += "trajectory " + run.label + ", " + run.outcome + "\n";
+  if (pointer_) text += "pointer " + pointer_text() + "\n";
+  return text + "status " + status_text() + "\n";
+}
+
+std::optional<ScreenRect> ScenarioView::rect_of(const std::string& part) const {
+  if (part.empty()) return Element::rect_of(part);
+  const ViewLayout layout = make_layout();  // the size may have changed since the last frame
+  if (part == "canvas") return layout.canvas();
+  if (part == "status") return layout.status();
+  if (part == "scale bar") return layout.scale_bar();
+  if (const ViewLayout::Part* found = layout.find(part)) return found->rect;
+  if (!scene_) return std::nullopt;
+  Point at;
+  const TPose2D& start = scene_->scenario().start();
+  if (part == "start")
+    at = {start.x, start.y};
+  else if (part == "goal")
+    at = scene_->scenario().goal();
+  else if (std::sscanf(part.c_str(), "at %lf %lf", &at.x, &at.y) != 2)
+    return std::nullopt;
+  const Point p = view_on(layout).to_screen(at);
+  if (!layout.canvas().contains(p.x, p.y)) return std::nullopt;
+  return ScreenRect{p.x, p.y, 0, 0};
+}
+
+}  // namespace slalom

@@ -1,0 +1,117 @@
+#include "views/time_plot.h"
+#include "widgets/drawing.h"
+
+#include <slalom/core/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+constexpr int kDigits = 3;  ///< decimals of values at the marker
+
+void widen(std::optional<std::pair<double, double>>& range,
+           const std::optional<std::pair<double, double>>& by) {
+  if (!by) return;
+  if (!range) range = by;
+  range->first = std::min(range->first, by->first);
+  range->second = std::max(range->second, by->second);
+}
+
+}  // namespace
+
+void TimePlot::set_series(std::vector<LineSeries> series) {
+  series_ = std::move(series);
+  x_range_.reset();
+  std::optional<std::pair<double, double>> y = std::pair(0.0, 0.0);
+  for (const LineSeries& line : series_) {
+    widen(x_range_, range_of(line.x));
+    widen(y, range_of(line.y));
+  }
+  const double margin = 0.05 * (y->second - y->first);
+  y_range_ = {y->first < 0 ? y->first - margin : 0, y->second > 0 ? y->second + margin : 0};
+  if (margin == 0) y_range_ = {0, 1};
+}
+
+std::optional<double> TimePlot::marker() const {
+  return clock_.duration() > 0 ? std::optional(clock_.time()) : std::nullopt;
+}
+
+PlotFrame TimePlot::frame() const {
+  return PlotFrame::within(area(), x_range_.value_or(std::pair(0.0, 1.0)), y_range_);
+}
+
+std::string TimePlot::legend_of(const LineSeries& series) const {
+  const auto value = marker() ? series.value_at(*marker()) : std::nullopt;
+  return value ? series.name + " " + format_fixed(*value, kDigits) : series.name;
+}
+
+std::string TimePlot::text() const {
+  std::string text = y_title_ + " over " + x_title();
+  if (!x_range_) return text + "\nno data";
+  if (marker()) text += "\nmarker " + format_fixed(*marker(), kDigits);
+  for (const LineSeries& series : series_) text += "\n" + legend_of(series);
+  return text;
+}
+
+std::vector<Element::Part> TimePlot::parts() const {
+  std::vector<Part> all = Plot::parts();
+  const PlotFrame shown = frame();
+  if (marker() && x_range_)
+    all.push_back(
+        {"marker", {shown.x.to_pixel(*marker()) - 3, shown.area.top, 6, shown.area.height}});
+  return all;
+}
+
+void TimePlot::paint_data(NVGcontext* ctx, const PlotFrame& frame) {
+  for (const LineSeries& series : series_) draw_series(ctx, frame, series);
+  draw_legend(ctx, frame);
+  if (!marker() || *marker() > frame.x.high()) return;
+  const double at = frame.x.to_pixel(*marker());
+  draw::line(ctx, at, frame.area.top, at, frame.area.bottom(), palette().text, 1.5);
+}
+
+void TimePlot::draw_series(NVGcontext* ctx, const PlotFrame& frame,
+                           const LineSeries& series) const {
+  nvgSave(ctx);
+  draw::clip(ctx, frame.area);
+  nvgBeginPath(ctx);
+  bool joined = false;
+  for (const std::size_t i :
+       downsampled(series, frame.x.low(), frame.x.high(), static_cast<int>(frame.area.width))) {
+    const auto x = static_cast<float>(frame.x.to_pixel(series.x[i]));
+    const auto y = static_cast<float>(frame.y.to_pixel(series.y[i]));
+    const bool gap = std::isnan(series.y[i]);
+    if (!gap) (joined ? nvgLineTo : nvgMoveTo)(ctx, x, y);
+    joined = !gap;
+  }
+  nvgStrokeColor(ctx, draw::nvg(series.color));
+  nvgStrokeWidth(ctx, 2);
+  nvgStroke(ctx);
+  nvgRestore(ctx);
+}
+
+void TimePlot::draw_legend(NVGcontext* ctx, const PlotFrame& frame) const {
+  constexpr double kSwatch = 14, kGap = 12;
+  const double right = frame.area.right(), top = frame.area.top;
+  double left = frame.area.left + draw::text_width(ctx, y_title_, draw::kSmallTextSize);
+  for (const LineSeries& series : series_) {
+    const std::string legend = legend_of(series);
+    const double wide = draw::text_width(ctx, legend, draw::kSmallTextSize) + 1;
+    if (left + kSwatch + 4 + 20 > right) return;
+    draw::line(ctx, left, top - 10, left + kSwatch, top - 10, series.color, 3);
+    left += kSwatch + 4;
+    draw::text(ctx, {left, top - 19, std::min(wide, right - left), 18}, legend, palette().text,
+               draw::kSmallTextSize);
+    left += wide + kGap;
+  }
+}
+
+bool TimePlot::press(const Point& at, int /*modifiers*/) {
+  const PlotAxis axis = frame().x;
+  if (x_range_) clock_.seek(std::clamp(axis.to_value(at.x), axis.low(), axis.high()));
+  return true;
+}
+
+}  // namespace slalom

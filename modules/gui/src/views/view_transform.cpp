@@ -1,0 +1,79 @@
+#include "views/view_transform.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace slalom {
+
+using mrpt::math::TPoint2D;
+
+ViewTransform::ViewTransform(TPoint2D center, double pixels_per_meter, double left, double top,
+                             double width, double height)
+    : center_(center),
+      scale_(std::clamp(pixels_per_meter, kMinScale, kMaxScale)),
+      left_(left),
+      top_(top),
+      width_(std::max(width, 1.0)),
+      height_(std::max(height, 1.0)) {}
+
+ViewTransform ViewTransform::fitting(const Bounds& bounds, double left, double top, double width,
+                                     double height, double margin) {
+  const double across = std::max(width - 2 * margin, 1.0),
+               down = std::max(height - 2 * margin, 1.0);
+  const double scale =
+      std::min(across / (bounds.x_max - bounds.x_min), down / (bounds.y_max - bounds.y_min));
+  const TPoint2D center(0.5 * (bounds.x_min + bounds.x_max), 0.5 * (bounds.y_min + bounds.y_max));
+  return {center, scale, left, top, width, height};
+}
+
+TPoint2D ViewTransform::to_screen(const TPoint2D& world) const {
+  return {left_ + 0.5 * width_ + (world.x - center_.x) * scale_,
+          top_ + 0.5 * height_ - (world.y - center_.y) * scale_};
+}
+
+TPoint2D ViewTransform::to_world(const TPoint2D& screen) const {
+  return {center_.x + (screen.x - left_ - 0.5 * width_) / scale_,
+          center_.y - (screen.y - top_ - 0.5 * height_) / scale_};
+}
+
+Bounds ViewTransform::visible() const {
+  const TPoint2D low = to_world({left_, top_ + height_}), high = to_world({left_ + width_, top_});
+  return {low.x, low.y, high.x, high.y};
+}
+
+ViewTransform ViewTransform::on(double left, double top, double width, double height) const {
+  const double ratio = std::min(std::max(width, 1.0) / width_, std::max(height, 1.0) / height_);
+  return {center_, scale_ * ratio, left, top, width, height};
+}
+
+ViewTransform ViewTransform::panned(double dx, double dy) const {
+  return {{center_.x - dx / scale_, center_.y + dy / scale_}, scale_, left_, top_, width_, height_};
+}
+
+ViewTransform ViewTransform::zoomed(const TPoint2D& about, double factor) const {
+  const TPoint2D fixed = to_world(about);
+  ViewTransform next(center_, scale_ * factor, left_, top_, width_, height_);
+  const TPoint2D moved = next.to_screen(fixed);
+  return next.panned(about.x - moved.x, about.y - moved.y);
+}
+
+ScaleBar ScaleBar::choose(double pixels_per_meter, double max_pixels) {
+  const double max_meters = max_pixels / pixels_per_meter;
+  // 1e-9: a length that fits exactly is not excluded by rounding.
+  const double power = std::pow(10.0, std::floor(std::log10(max_meters) + 1e-9));
+  double meters = power;
+  for (const double step : {2.0, 5.0})
+    if (step * power <= max_meters * (1 + 1e-9)) meters = step * power;
+  return {meters, meters * pixels_per_meter};
+}
+
+std::string ScaleBar::text() const {
+  const double factor = meters >= 1000 ? 0.001 : meters >= 1 ? 1 : meters >= 0.01 ? 100 : 1000;
+  const char* unit = meters >= 1000 ? "km" : meters >= 1 ? "m" : meters >= 0.01 ? "cm" : "mm";
+  char text[48];
+  std::snprintf(text, sizeof text, "%g %s", meters * factor, unit);
+  return text;
+}
+
+}  // namespace slalom

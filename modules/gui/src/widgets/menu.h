@@ -1,0 +1,54 @@
+#pragma once
+
+#include "widgets/table.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+struct MenuLine {
+  std::string name;  ///< of the part
+  std::string text;
+  std::string shortcut = {}, help = {};
+  std::string disabled_reason = {};  ///< empty: enabled
+  bool checked = false;
+};
+
+/// Lines to choose from, shown from open() until a choice; a line that is disabled is gray, with
+/// the reason. Keys: Up, Down, Home, End, Enter, Escape. Parts are the names of the lines, which
+/// scroll into view when queried.
+class Menu : public Table {
+ public:
+  using Chosen = std::function<void(std::size_t line)>;
+  /// With `focus_after`, the menu has the focus while it is open, closes when it loses it, and
+  /// passes it on to that widget.
+  Menu(nanogui::Widget* parent, const std::string& id, nanogui::Widget* focus_after = nullptr);
+
+  /// At a position in the parent, down to `bottom` at most.
+  void open(const Point& corner, double width, double bottom, std::vector<MenuLine> lines,
+            std::size_t current, Chosen chosen);
+  void close();
+  std::string text() const override;
+  std::optional<ScreenRect> rect_of(const std::string& part) const override;
+  bool focusEvent(bool focused) override;
+  bool key(int key, int modifiers) override;
+
+ protected:
+  std::size_t row_count() const override { return lines_.size(); }
+  std::size_t cursor() const override { return current_; }
+  void set_cursor(std::size_t row) override { current_ = row; }
+  void choose(std::size_t row) override;
+  void paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) const override;
+  void paint_frame(NVGcontext* ctx) const override;
+  void hover(const std::optional<Point>& at) override;
+
+ private:
+  nanogui::Widget* focus_after_;
+  std::vector<MenuLine> lines_;
+  std::size_t current_ = 0;
+  Chosen chosen_;
+};
+
+}  // namespace slalom

@@ -1,0 +1,264 @@
+#include "window/script_player.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+#include <GLFW/glfw3.h>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using Kind = ScriptCommand::Kind;
+using nanogui::Vector2f;
+
+constexpr double kMaxWait = 300;                         // s for jobs to end
+constexpr double kStableTime = 0.1, kMaxResizeWait = 5;  // s
+constexpr int kDragSteps = 6;
+constexpr float kDragAmplitude = 60;  // pixels, of `fps`
+
+void list_ids(const nanogui::Widget& widget, std::string& ids) {
+  if (!widget.visible()) return;
+  if (!widget.id().empty()) ids += (ids.empty() ? "" : ", ") + widget.id();
+  for (const nanogui::Widget* child : widget.children()) list_ids(*child, ids);
+}
+
+std::string own_text(const nanogui::Widget& widget) {
+  if (const auto* element = dynamic_cast<const Element*>(&widget)) return element->text();
+  if (const auto* box = dynamic_cast<const nanogui::TextBox*>(&widget)) return box->value();
+  return "";
+}
+
+/// Decodes the UTF-8 character of `text` at `i` and advances `i`.
+unsigned int decode_utf8(const std::string& text, std::size_t& i) {
+  const auto first = static_cast<unsigned char>(text[i++]);
+  const int more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : first >= 0xC0 ? 1 : 0;
+  unsigned int code_point = more == 0 ? first : first & (0x3FU >> static_cast<unsigned>(more));
+  for (int k = 0; k < more && i < text.size(); ++k)
+    code_point = code_point << 6U | (static_cast<unsigned char>(text[i++]) & 0x3FU);
+  return code_point;
+}
+
+}  // namespace
+
+nanogui::Widget* find_visible_widget(nanogui::Widget& root, const std::string& id) {
+  const auto& children = root.children();
+  for (auto child = children.rbegin(); child != children.rend(); ++child)
+    if ((*child)->visible())
+      if (nanogui::Widget* found = find_visible_widget(**child, id)) return found;
+  return root.id() == id ? &root : nullptr;
+}
+
+std::string shown_text(const nanogui::Widget& widget) {
+  std::string text = own_text(widget);
+  for (const nanogui::Widget* child : widget.children())
+    if (child->visible()) {
+      const std::string more = shown_text(*child);
+      if (!more.empty()) text += (text.empty() ? "" : "\n") + more;
+    }
+  return text;
+}
+
+ScriptPlayer::ScriptPlayer(std::vector<ScriptCommand> script, std::string name, ScriptHost host)
+    : script_(std::move(script)), name_(std::move(name)), host_(std::move(host)) {}
+
+void ScriptPlayer::fail(const std::string& what, const std::string& expected) const {
+  throw job_error(name_ + ":" + std::to_string(script_[next_].line), what, expected);
+}
+
+void ScriptPlayer::step() {
+  if (!pending_moves_.empty()) {
+    pending_moves_.back()();
+    pending_moves_.pop_back();
+    if (pending_moves_.empty()) ++next_;
+    return;
+  }
+  if (frames_left_ > 0) return count_frame();
+  if (ended() || is_waiting(script_[next_])) return;
+  try {
+    play(script_[next_]);
+  } catch (const Error& error) {
+    const std::string where = name_ + ":";
+    if (std::string(error.what()).rfind(where, 0) == 0) throw;
+    fail(error.what());
+  }
+  if (pending_moves_.empty() && frames_left_ == 0) ++next_;
+}
+
+/// The display reports the new size with a delay, and may report older sizes before: waits until no
+/// other size was reported for kStableTime.
+void ScriptPlayer::resize(const ScriptCommand& command) {
+  GLFWwindow* window = host_.screen->glfwWindow();
+  host_.screen->setSize({command.width, command.height});
+  const double begin = glfwGetTime();
+  double stable_since = begin;
+  while (glfwGetTime() - stable_since < kStableTime && glfwGetTime() - begin < kMaxResizeWait) {
+    glfwWaitEventsTimeout(0.02);
+    int width = 0, height = 0;
+    glfwGetWindowSize(window, &width, &height);
+    if (width != command.width || height != command.height) stable_since = glfwGetTime();
+  }
+  host_.screen->resizeCallbackEvent(command.width, command.height);
+}
+
+bool ScriptPlayer::is_waiting(const ScriptCommand& command) {
+  if (command.kind != Kind::Wait) return false;
+  const double now = glfwGetTime();
+  if (wait_start_ < 0) {
+    wait_start_ = now;
+    return true;  // at least one frame, which shows the effect of the previous command
+  }
+  const double waited = now - wait_start_;
+  const bool over = command.number > 0 ? waited >= command.number : host_.is_idle();
+  if (!over && waited > kMaxWait) fail("jobs did not end within 300 s");
+  if (over) wait_start_ = -1;
+  return !over;
+}
+
+void ScriptPlayer::play(const ScriptCommand& command) {
+  switch (command.kind) {
+    case Kind::Size:
+      resize(command);
+      break;
+    case Kind::Do:
+      host_.run_action(command.text);
+      break;
+    case Kind::Click:
+      click(command);
+      break;
+    case Kind::Move:
+      move_to(at(command.target));
+      break;
+    case Kind::Drag:
+      drag(command);
+      break;
+    case Kind::Wheel:
+      move_to(at(command.target));
+      host_.screen->scrollCallbackEvent(0, command.number);
+      break;
+    case Kind::Type:
+      type(command.text);
+      break;
+    case Kind::Key:
+      press(command.key);
+      break;
+    case Kind::Drop: {
+      std::vector<const char*> names;
+      for (const std::string& file : command.files) names.push_back(file.c_str());
+      host_.screen->dropCallbackEvent(static_cast<int>(names.size()), names.data());
+      break;
+    }
+    case Kind::Wait:
+      break;
+    case Kind::Screenshot:
+      host_.screenshot(command.text);
+      break;
+    case Kind::Expect:
+      expect(command);
+      break;
+    case Kind::Print:
+      host_.print(shown_text(element(command.target)));
+      break;
+    case Kind::Fps:
+      begin_frames(command);
+      break;
+  }
+}
+
+nanogui::Widget& ScriptPlayer::element(const ScriptTarget& target) const {
+  if (nanogui::Widget* found = find_visible_widget(*host_.screen, target.element)) return *found;
+  std::string ids;
+  list_ids(*host_.screen, ids);
+  fail("unknown element '" + target.element + "'", "one of " + ids);
+}
+
+Vector2f ScriptPlayer::at(const ScriptTarget& target) const {
+  const nanogui::Widget& widget = element(target);
+  ScreenRect rect{0, 0, static_cast<double>(widget.width()), static_cast<double>(widget.height())};
+  if (!target.part.empty()) {
+    const auto* named = dynamic_cast<const Element*>(&widget);
+    const auto found = named ? named->rect_of(target.part) : std::nullopt;
+    if (!found) fail("'" + target.element + "' has no visible part '" + target.part + "'");
+    rect = *found;
+  }
+  const nanogui::Vector2i origin = widget.absolutePosition();
+  return {static_cast<float>(origin.x() + rect.left + target.x * rect.width),
+          static_cast<float>(origin.y() + rect.top + target.y * rect.height)};
+}
+
+void ScriptPlayer::move_to(const Vector2f& point) {
+  // nanogui subtracts (1, 2) pixels for the shape of the cursor
+  host_.screen->cursorPosCallbackEvent(std::floor(point.x()) + 1, std::floor(point.y()) + 2);
+}
+
+void ScriptPlayer::button(bool right, bool down, int modifiers) {
+  host_.screen->mouseButtonCallbackEvent(right ? GLFW_MOUSE_BUTTON_RIGHT : GLFW_MOUSE_BUTTON_LEFT,
+                                         down ? GLFW_PRESS : GLFW_RELEASE, modifiers);
+}
+
+void ScriptPlayer::click(const ScriptCommand& command) {
+  move_to(at(command.target));
+  for (int i = 0; i < (command.double_click ? 2 : 1); ++i) {
+    button(command.right, true, command.modifiers);
+    button(command.right, false, command.modifiers);
+  }
+}
+
+void ScriptPlayer::drag(const ScriptCommand& command) {
+  const Vector2f from = at(command.target), to = at(command.drag_target);
+  pending_moves_.push_back([=] { button(command.right, false, command.modifiers); });
+  for (int i = kDragSteps; i > 0; --i)
+    pending_moves_.push_back(
+        [=] { move_to(from + (to - from) * (static_cast<float>(i) / kDragSteps)); });
+  pending_moves_.push_back([=] { button(command.right, true, command.modifiers); });
+  move_to(from);
+}
+
+void ScriptPlayer::begin_frames(const ScriptCommand& command) {
+  move_to(at(command.target));
+  button(false, true, 0);
+  frames_ = frames_left_ = static_cast<int>(command.number);
+  frames_start_ = glfwGetTime();
+}
+
+void ScriptPlayer::count_frame() {
+  const float amplitude = (frames_left_ / 20) % 2 == 0 ? kDragAmplitude : -kDragAmplitude;
+  move_to(at(script_[next_].target) +
+          Vector2f(amplitude * static_cast<float>(frames_left_ % 20) / 20.0F, 0));
+  if (--frames_left_ > 0) return;
+  button(false, false, 0);
+  const double elapsed = glfwGetTime() - frames_start_;
+  host_.print("frames per second: " + format_fixed(frames_ / elapsed, 1));
+  ++next_;
+}
+
+void ScriptPlayer::type(const std::string& text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const unsigned int letter = decode_utf8(text, i);
+    strike(key_stroke_typing(letter), letter);
+  }
+}
+
+void ScriptPlayer::press(const KeyStroke& stroke) {
+  strike(stroke, letter_typed_by(stroke));
+}
+
+/// The events in the order of GLFW: key down, character, key up.
+void ScriptPlayer::strike(const KeyStroke& stroke, unsigned int letter) {
+  host_.screen->keyCallbackEvent(stroke.key, 0, GLFW_PRESS, stroke.modifiers);
+  if (letter != 0) host_.screen->charCallbackEvent(letter);
+  host_.screen->keyCallbackEvent(stroke.key, 0, GLFW_RELEASE, stroke.modifiers);
+}
+
+void ScriptPlayer::expect(const ScriptCommand& command) {
+  const std::string text = shown_text(element(command.target));
+  const bool contains = text.find(command.text) != std::string::npos;
+  const bool holds = command.relation == "is"         ? text == command.text
+                     : command.relation == "contains" ? contains
+                                                      : !contains;
+  if (!holds)
+    fail("'" + command.target.element + "' shows '" + text + "'",
+         "a text that " + command.relation + " '" + command.text + "'");
+}
+
+}  // namespace slalom

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "widgets/element.h"
+
+#include <slalom/studio/settings.h>
+
+namespace slalom {
+
+/// The bounds of the elements of Slalom Studio's window, in pixels: the list at the left,
+/// descriptors below it; the scenario view at the right, results below it if they are shown.
+struct WindowLayout {
+  ScreenRect menu, list, descriptors, view, results, status;
+  ScreenRect list_splitter, descriptors_splitter, results_splitter;
+};
+
+/// The settings with panel sizes that fit into a window of this size. The scenario view is the
+/// largest element of every window: panels shrink before it does.
+StudioSettings with_fitted_panels(StudioSettings settings, int width, int height);
+
+/// Lays out the window with the panel sizes of `settings`, fitted to the window.
+WindowLayout lay_out_window(int width, int height, const StudioSettings& settings, bool results);
+
+}  // namespace slalom

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <slalom/analysis/bins.h>
+#include <slalom/analysis/csv_columns.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// Reads runs for an analysis: a result file, of which only the columns in `ids` (see
+/// read_results()), or a table of numbers if the file is `csv` or its name ends with ".csv".
+/// Throws Error (File).
+ResultTable read_analysis_input(const std::string& path,
+                                const std::optional<std::vector<std::string>>& ids, bool csv,
+                                const CsvColumnOptions& options);
+
+/// Replaces indexes by their edges in the scenario list. Throws Error (Usage) for an index without
+/// a list, an unknown index and one of another descriptor.
+std::vector<BinSpec> resolve_indexes(std::vector<BinSpec> specs, const std::string& list_path);
+
+}  // namespace slalom

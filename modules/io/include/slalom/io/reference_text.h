@@ -1,0 +1,18 @@
+#pragma once
+
+#include <slalom/references/reference.h>
+
+#include <string>
+
+namespace slalom {
+
+/// The references of a scenario, with its id and name, as one line of JSON: lengths, certificate
+/// and paths, or the reasons why there are none, and times.
+std::string render_json(const References& references, const std::string& id,
+                        const std::string& name);
+
+/// The same as lines "  key = value", without the points of the paths.
+std::string render_text(const References& references, const std::string& id,
+                        const std::string& name);
+
+}  // namespace slalom

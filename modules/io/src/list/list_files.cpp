@@ -1,0 +1,147 @@
+#include "list_schema.h"
+#include "scenario_list_impl.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sqlite3.h>
+#include <unistd.h>
+
+namespace slalom {
+namespace {
+
+/// A temporary file next to `path` for a new list; removed unless it was published.
+class Draft {
+ public:
+  explicit Draft(const std::string& path) : path_(path), name_(path + ".XXXXXX") {
+    const int file = mkstemp(name_.data());
+    if (file < 0) throw failure("cannot be created");
+    fchmod(file, 0644);
+    close(file);
+  }
+  ~Draft() {
+    for (const char* suffix : {"", "-journal"}) unlink((name_ + suffix).c_str());
+  }
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  /// Replaces the old list while holding a lock on it: a program that waits for the lock then
+  /// detects that the file was replaced.
+  void publish() {
+    sync(name_);
+    const auto old = lock_old();
+    for (const char* suffix : {"-journal", "-wal", "-shm"}) unlink((path_ + suffix).c_str());
+    if (std::rename(name_.c_str(), path_.c_str()) != 0) throw failure("cannot be replaced");
+    const auto folder = std::filesystem::path(path_).parent_path();
+    sync(folder.empty() ? "." : folder.string());
+  }
+
+ private:
+  Error failure(const std::string& what) const {
+    return job_error(path_, what + " (" + std::strerror(errno) + ")", "a writable path");
+  }
+
+  void sync(const std::string& path) const {
+    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool done = file >= 0 && fsync(file) == 0;
+    if (file >= 0) close(file);
+    if (!done) throw failure("cannot be written");
+  }
+
+  /// The old list, locked, with incomplete transactions rolled back; null if there is no SQLite
+  /// file.
+  std::unique_ptr<SQLite::Database> lock_old() const {
+    constexpr int kLockTimeoutMs = 10000;
+    if (access(path_.c_str(), F_OK) != 0) return nullptr;
+    try {
+      auto old = std::make_unique<SQLite::Database>(path_, SQLite::OPEN_READWRITE, kLockTimeoutMs);
+      old->exec("BEGIN EXCLUSIVE");
+      return old;
+    } catch (const SQLite::Exception& e) {
+      if (e.getErrorCode() == SQLITE_BUSY)
+        throw job_error(path_, "is locked by another program",
+                        "that the program releases the list");
+      return nullptr;
+    }
+  }
+
+  std::string path_, name_;
+};
+
+struct stat stat_of(const std::string& path) {
+  struct stat found = {};
+  if (stat(path.c_str(), &found) != 0) found.st_ino = 0;
+  return found;
+}
+
+}  // namespace
+
+ScenarioList ScenarioList::create(const std::string& path) {
+  write(path, [](ScenarioList&) {});
+  return open(path);
+}
+
+void ScenarioList::write(const std::string& path, const std::function<void(ScenarioList&)>& fill) {
+  Draft draft(path);
+  auto impl = std::make_unique<Impl>();
+  impl->path = path;
+  impl->database = create_database(draft.name(), kScenarioList);
+  // The draft is private, so it need not be durable before it is published.
+  impl->database->exec("PRAGMA synchronous = OFF");
+  impl->database->exec("PRAGMA journal_mode = MEMORY");
+  impl->draft = true;
+  {
+    ScenarioList list(std::move(impl));
+    list.in_transaction([&] { fill(list); });
+  }
+  draft.publish();
+}
+
+ScenarioList ScenarioList::open(const std::string& path) {
+  auto impl = std::make_unique<Impl>();
+  impl->path = path;
+  impl->file = stat_of(path);
+  impl->database = open_database(path, kScenarioList);
+  try {
+    impl->database->exec("PRAGMA trusted_schema = OFF");
+    refuse_foreign_schema(*impl->database, path);
+    upgrade_list(*impl->database, path);
+  } catch (const SQLite::Exception& e) {
+    throw_read_error(path, e);
+  }
+  return ScenarioList(std::move(impl));
+}
+
+void ScenarioList::save_as(const std::string& path) {
+  Draft draft(path);
+  writing(path, [&] {
+    SQLite::Statement copy(*impl_->database, "VACUUM INTO ?");
+    unlink(draft.name().c_str());
+    copy.bind(1, draft.name());
+    copy.exec();
+  });
+  chmod(draft.name().c_str(), 0644);
+  draft.publish();
+}
+
+void ScenarioList::remove_file(const std::string& path) {
+  open(path);  // throws unless it is a list, and rolls back incomplete transactions
+  for (const char* suffix : {"", "-journal"})
+    if (unlink((path + suffix).c_str()) != 0 && errno != ENOENT)
+      throw job_error(path, std::string("cannot be removed (") + std::strerror(errno) + ")");
+}
+
+void ScenarioList::Impl::expect_same_file() const {
+  if (draft) return;
+  const struct stat now = stat_of(path);
+  if (now.st_ino == file.st_ino && now.st_dev == file.st_dev) return;
+  throw job_error(
+      path, now.st_ino == 0 ? "was removed by another program" : "was replaced by another program",
+      "the list to be reopened");
+}
+
+}  // namespace slalom

@@ -1,0 +1,97 @@
+#include "scenario_list_impl.h"
+
+#include <slalom/core/error.h>
+
+#include <cctype>
+
+namespace slalom {
+namespace {
+
+constexpr std::size_t kIdDigits = 12;
+constexpr std::size_t kMaxTagLength = 100;
+
+}  // namespace
+
+StatementUse ScenarioList::Impl::use(const char* sql) {
+  std::unique_ptr<SQLite::Statement>& statement = statements[sql];
+  if (!statement) statement = std::make_unique<SQLite::Statement>(*database, sql);
+  return StatementUse(*statement);
+}
+
+ScenarioList::Entry ScenarioList::Impl::entry_of(SQLite::Statement& row) {
+  Entry entry;
+  entry.hash = row.getColumn(0).getString();
+  entry.id = entry.hash.substr(0, kIdDigits);
+  entry.name = row.getColumn(1).getString();
+  entry.representation =
+      from_stored_name<Representation>("representation", row.getColumn(2).getString());
+  entry.generator = row.getColumn(3).getString();
+  if (!row.getColumn(4).isNull())
+    entry.seed = static_cast<std::uint64_t>(row.getColumn(4).getInt64());
+  StatementUse tags = use("SELECT tag FROM tags WHERE hash = ? ORDER BY tag");
+  tags->bind(1, entry.hash);
+  while (tags->executeStep()) entry.tags.push_back(tags->getColumn(0).getString());
+  return entry;
+}
+
+bool ScenarioList::Impl::insert(const Entry& entry, const std::string& content) {
+  StatementUse row =
+      use("INSERT OR IGNORE INTO scenarios (hash, name, representation, generator, seed, content) "
+          "VALUES (?, ?, ?, ?, ?, ?)");
+  row->bind(1, entry.hash);
+  row->bind(2, entry.name);
+  row->bind(3, to_string(entry.representation));
+  if (!entry.generator.empty()) row->bind(4, entry.generator);
+  if (entry.seed) row->bind(5, static_cast<std::int64_t>(*entry.seed));
+  row->bind(6, content.data(), static_cast<int>(content.size()));
+  const bool added = row->exec() > 0;
+  for (const std::string& tag : entry.tags) add_tag(entry.hash, tag);
+  return added;
+}
+
+bool ScenarioList::Impl::add_tag(const std::string& hash, const std::string& tag) {
+  StatementUse row = use("INSERT OR IGNORE INTO tags VALUES (?, ?)");
+  row->bind(1, hash);
+  row->bind(2, tag);
+  return row->exec() > 0;
+}
+
+bool ScenarioList::Impl::remove(const std::string& hash) {
+  bool removed = false;
+  for (const char* sql :
+       {"DELETE FROM tags WHERE hash = ?", "DELETE FROM descriptor_values WHERE hash = ?",
+        "DELETE FROM scenarios WHERE hash = ?"}) {
+    StatementUse row = use(sql);
+    row->bind(1, hash);
+    removed = row->exec() > 0;
+  }
+  return removed;
+}
+
+std::string ScenarioList::Impl::content(const std::string& hash) {
+  StatementUse row = use("SELECT content FROM scenarios WHERE hash = ?");
+  row->bind(1, hash);
+  if (!row->executeStep()) throw file_error(path, "contains no scenario " + hash);
+  return row->getColumn(0).getString();
+}
+
+std::vector<std::string> ScenarioList::Impl::names() {
+  return reading(path, [&] {
+    std::vector<std::string> names;
+    StatementUse rows = use("SELECT name FROM scenarios ORDER BY position");
+    while (rows->executeStep()) names.push_back(rows->getColumn(0).getString());
+    return names;
+  });
+}
+
+void check_tag(const std::string& tag) {
+  const std::string allowed = "at most 100 letters, digits and _ - . : / +";
+  bool good = !tag.empty() && tag.size() <= kMaxTagLength;
+  for (const char c : tag)
+    good = good && (std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                    std::string("_-.:/+").find(c) != std::string::npos ||
+                    static_cast<unsigned char>(c) >= 0x80);
+  if (!good) throw usage_error("tag '" + tag + "'", "invalid tag", allowed);
+}
+
+}  // namespace slalom

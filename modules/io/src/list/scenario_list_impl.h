@@ -1,0 +1,112 @@
+#pragma once
+
+#include "database.h"
+#include "write_scope.h"
+
+#include <slalom/core/error.h>
+#include <slalom/io/scenario_list.h>
+
+#include <map>
+#include <sys/stat.h>
+
+namespace slalom {
+
+/// A prepared statement in use; reset afterwards to release its locks.
+class StatementUse {
+ public:
+  explicit StatementUse(SQLite::Statement& statement) : statement_(statement) {}
+  ~StatementUse() {
+    statement_.tryReset();
+    statement_.clearBindings();
+  }
+  StatementUse(const StatementUse&) = delete;
+  StatementUse& operator=(const StatementUse&) = delete;
+  SQLite::Statement* operator->() { return &statement_; }
+  SQLite::Statement& operator*() { return statement_; }
+
+ private:
+  SQLite::Statement& statement_;
+};
+
+/// The implementation of an open list, used by scenario_list.cpp and list_*.cpp.
+struct ScenarioList::Impl {
+  std::string path;
+  struct stat file = {};  ///< the file at `path` when it was opened
+  bool draft = false;     ///< not yet published
+  std::unique_ptr<SQLite::Database> database;
+  std::map<const char*, std::unique_ptr<SQLite::Statement>> statements;
+  unsigned long selections = 0;  ///< counter for the names of temporary tables
+
+  /// The prepared statement of a string literal, cached by its address.
+  StatementUse use(const char* sql);
+
+  /// From the columns hash, name, representation, generator, seed.
+  Entry entry_of(SQLite::Statement& row);
+  /// Returns false if the content already exists; tags are added in any case.
+  bool insert(const Entry& entry, const std::string& content);
+  bool add_tag(const std::string& hash, const std::string& tag);  ///< false if it already exists
+  bool remove(const std::string& hash);                           ///< false if it does not exist
+  std::string content(const std::string& hash);
+  std::vector<std::string> names();
+
+  /// The number of a descriptor key; created if it does not exist.
+  std::int64_t key_of(const ValueKey& key);
+  std::optional<std::int64_t> known_key(const ValueKey& key);
+  /// All matching keys if the parameters are a pattern.
+  std::vector<std::int64_t> known_keys(const ValueKey& key);
+  ValueKey key_named(std::int64_t number);
+  /// "IN (7,8)" with the key numbers in increasing order.
+  std::string key_condition(const std::vector<ValueKey>& keys);
+
+  std::vector<ListIndex> indexes();
+  ListIndex index(const std::string& name);
+  /// Creates and drops SQLite indexes according to the table of indexes.
+  void synchronize_indexes();
+
+  /// Throws Error (Job) when another program has removed or replaced the file.
+  void expect_same_file() const;
+
+  /// Runs `act` in a transaction.
+  template <typename Act>
+  auto write(Act act) -> decltype(act());
+};
+
+/// The result of a selection in a temporary table. Its scenarios are read in batches, and the list
+/// may be changed meanwhile.
+class SelectedScenarios {
+ public:
+  SelectedScenarios(ScenarioList::Impl& list, const ListSelection& selection);
+  ~SelectedScenarios();
+  SelectedScenarios(const SelectedScenarios&) = delete;
+  SelectedScenarios& operator=(const SelectedScenarios&) = delete;
+
+  std::size_t size() const;
+  /// The next batch; empty at the end. Removed scenarios are skipped.
+  std::vector<ScenarioList::Entry> next();
+
+ private:
+  ScenarioList::Impl& list_;
+  std::string table_;
+  std::int64_t rank_ = 0;
+};
+
+/// Throws Error (Usage) for an invalid tag.
+void check_tag(const std::string& tag);
+
+template <typename Act>
+auto ScenarioList::Impl::write(Act act) -> decltype(act()) {
+  return writing(path, [&] {
+    WriteScope scope(*database);
+    expect_same_file();
+    if constexpr (std::is_void_v<decltype(act())>) {
+      act();
+      scope.commit();
+    } else {
+      auto result = act();
+      scope.commit();
+      return result;
+    }
+  });
+}
+
+}  // namespace slalom

@@ -1,0 +1,108 @@
+#include "svg_obstacles.h"
+
+#include <slalom/core/error.h>
+#include <slalom/io/png_scene.h>
+#include <slalom/scenario/occupancy.h>
+
+#include <mrpt/img/CImage.h>
+
+#include <cmath>
+#include <cstdio>
+#include <unistd.h>
+
+namespace slalom {
+namespace {
+
+using mrpt::img::CImage;
+using mrpt::img::TColor;
+using mrpt::math::TPoint2D;
+
+const TColor kObstacle(0x8a, 0x8f, 0x98), kStart(0x0b, 0x6e, 0x4f), kGoal(0xb0, 0x00, 0x20);
+const TColor kShortest(0x11, 0x11, 0x11), kSafest(0x77, 0x77, 0x77);
+
+TColor color_of(const SceneTrajectory& trajectory, std::size_t index) {
+  const std::string text = trajectory.color.empty() ? method_color(index) : trajectory.color;
+  const unsigned long value = std::strtoul(text.substr(1).c_str(), nullptr, 16);
+  return {static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
+          static_cast<std::uint8_t>(value)};
+}
+
+class Canvas {
+ public:
+  Canvas(const Scenario& scenario, int max_pixels)
+      : frame_(scenario.bounds(), max_pixels),
+        image_(static_cast<unsigned>(std::ceil(frame_.width())),
+               static_cast<unsigned>(std::ceil(frame_.height())), mrpt::img::CH_RGB) {
+    image_.filledRectangle(0, 0, static_cast<int>(image_.getWidth()) - 1,
+                           static_cast<int>(image_.getHeight()) - 1, TColor::white());
+  }
+
+  double scale() const { return frame_.scale(); }
+
+  /// Fills all pixels that overlap occupied cells.
+  void obstacles(const Occupancy& cells) {
+    for (int cy = 0; cy < cells.size_y(); ++cy)
+      for (int cx = 0; cx < cells.size_x(); ++cx) {
+        if (!cells.occupied(cx, cy)) continue;
+        const TPoint2D low = frame_.to_pixels(cells.to_world(cx, cy + 1));
+        const TPoint2D high = frame_.to_pixels(cells.to_world(cx + 1, cy));
+        image_.filledRectangle(static_cast<int>(low.x), static_cast<int>(low.y),
+                               static_cast<int>(std::ceil(high.x)) - 1,
+                               static_cast<int>(std::ceil(high.y)) - 1, kObstacle);
+      }
+  }
+
+  void path(const Path& path, const TColor& color, unsigned width) {
+    for (std::size_t i = 1; i < path.size(); ++i) line(path[i - 1], path[i], color, width);
+  }
+
+  void line(const TPoint2D& a, const TPoint2D& b, const TColor& color, unsigned width) {
+    const TPoint2D from = frame_.to_pixels(a), to = frame_.to_pixels(b);
+    image_.line(round(from.x), round(from.y), round(to.x), round(to.y), color, width);
+  }
+
+  void circle(const TPoint2D& center, double radius, const TColor& color, unsigned width) {
+    const TPoint2D at = frame_.to_pixels(center);
+    image_.drawCircle(round(at.x), round(at.y), round(radius * frame_.scale()), color, width);
+  }
+
+  void save(const std::string& path) const { write_png(image_, path); }
+
+ private:
+  static int round(double x) { return static_cast<int>(std::lround(x)); }
+
+  SvgFrame frame_;
+  CImage image_;
+};
+
+}  // namespace
+
+void write_png(const CImage& image, const std::string& path) {
+  const std::string temporary = path + ".tmp" + std::to_string(getpid()) + ".png";
+  if (image.saveToFile(temporary) && std::rename(temporary.c_str(), path.c_str()) == 0) return;
+  std::remove(temporary.c_str());
+  throw job_error(path, "cannot be written", "a .png file in a writable folder");
+}
+
+void render_png(const Scenario& scenario, const SceneOptions& options, const std::string& path) {
+  Canvas canvas(scenario, options.max_pixels);
+  canvas.obstacles(make_occupancy(scenario, 1 / canvas.scale()));
+  if (options.references != nullptr) {
+    if (options.references->safest) canvas.path(options.references->safest->path, kSafest, 1);
+    if (options.references->shortest) canvas.path(options.references->shortest->path, kShortest, 1);
+  }
+  for (std::size_t i = 0; i < options.trajectories.size(); ++i)
+    canvas.path(options.trajectories[i].path, color_of(options.trajectories[i], i), 2);
+  const auto& start = scenario.start();
+  const TPoint2D at(start.x, start.y);
+  const double r = options.robot_radius;
+  canvas.circle(at, r, kStart, 2);
+  canvas.line(at, {at.x + r * std::cos(start.phi), at.y + r * std::sin(start.phi)}, kStart, 2);
+  const TPoint2D goal = scenario.goal();
+  canvas.circle(goal, r, kGoal, 2);
+  canvas.line({goal.x - r, goal.y}, {goal.x + r, goal.y}, kGoal, 2);
+  canvas.line({goal.x, goal.y - r}, {goal.x, goal.y + r}, kGoal, 2);
+  canvas.save(path);
+}
+
+}  // namespace slalom

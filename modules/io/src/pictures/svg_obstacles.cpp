@@ -1,0 +1,135 @@
+#include "svg_obstacles.h"
+
+#include <slalom/scenario/occupancy.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace slalom {
+namespace {
+
+constexpr const char* kFill = "#8a8f98";
+
+std::string primitives_svg(const Primitives& primitives, const SvgFrame& frame) {
+  std::string svg;
+  for (const Disc& disc : primitives.discs) {
+    const auto center = frame.to_pixels(disc.center);
+    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>", center.x, center.y,
+                       disc.radius * frame.scale());
+  }
+  for (const Polygon& polygon : primitives.polygons) {
+    svg += "<polygon points=\"";
+    for (const auto& vertex : polygon.vertices) {
+      const auto p = frame.to_pixels(vertex);
+      svg += fmt::format("{:.1f},{:.1f} ", p.x, p.y);
+    }
+    svg += "\"/>";
+  }
+  return svg;
+}
+
+/// A run of occupied blocks in a row: blocks first .. last - 1.
+struct Run {
+  int first, last;
+  bool operator<(const Run& o) const { return first != o.first ? first < o.first : last < o.last; }
+};
+
+/// Occupancy in square blocks of cells, merged into rectangles of equal runs in adjacent rows.
+class BlockPicture {
+ public:
+  BlockPicture(const Occupancy& cells, const SvgFrame& frame)
+      : cells_(cells),
+        block_(std::max(1, static_cast<int>(1 / (cells.resolution() * frame.scale())))),
+        pixels_(cells.resolution() * frame.scale() * block_),
+        height_(frame.height()) {}
+
+  /// In integer block coordinates, y upwards, scaled to pixels: compact and exact.
+  std::string svg() {
+    return fmt::format("<path transform=\"matrix({0} 0 0 -{0} 0 {1})\" d=\"{2}\"/>", pixels_,
+                       height_, path());
+  }
+
+ private:
+  std::string path() {
+    const int rows = (cells_.size_y() + block_ - 1) / block_;
+    std::map<Run, int> open;  // runs that extend to this row, with their first row
+    for (int row = 0; row <= rows; ++row) {
+      const std::vector<Run> runs = row < rows ? runs_of(row) : std::vector<Run>();
+      std::map<Run, int> next;
+      for (const Run& run : runs) {
+        const auto found = open.find(run);
+        next[run] = found == open.end() ? row : found->second;
+      }
+      for (const auto& [run, begin] : open)
+        if (next.count(run) == 0 || next[run] != begin) draw(run, begin, row);
+      open = std::move(next);
+    }
+    return path_;
+  }
+
+  bool block_occupied(int bx, int by) const {
+    for (int cy = by * block_; cy < std::min((by + 1) * block_, cells_.size_y()); ++cy)
+      for (int cx = bx * block_; cx < std::min((bx + 1) * block_, cells_.size_x()); ++cx)
+        if (cells_.occupied(cx, cy)) return true;
+    return false;
+  }
+
+  std::vector<Run> runs_of(int row) const {
+    const int columns = (cells_.size_x() + block_ - 1) / block_;
+    std::vector<Run> runs;
+    for (int bx = 0; bx < columns; ++bx) {
+      if (!block_occupied(bx, row)) continue;
+      if (!runs.empty() && runs.back().last == bx) {
+        ++runs.back().last;
+      } else {
+        runs.push_back({bx, bx + 1});
+      }
+    }
+    return runs;
+  }
+
+  void draw(const Run& run, int begin, int end) {
+    const int width = run.last - run.first;
+    path_ += fmt::format("M{} {}h{}v{}h{}z", run.first, begin, width, end - begin, -width);
+  }
+
+  const Occupancy& cells_;
+  int block_;
+  double pixels_, height_;
+  std::string path_;
+};
+
+std::string points_svg(const Scenario& scenario, const SvgFrame& frame) {
+  std::string svg;
+  const auto& map = *scenario.point_map();
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    float x = 0, y = 0;
+    map.getPoint(i, x, y);
+    const auto p = frame.to_pixels({x, y});
+    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"1\"/>", p.x, p.y);
+  }
+  return svg;
+}
+
+}  // namespace
+
+std::string obstacles_svg(const Scenario& scenario, const SvgFrame& frame) {
+  std::string shapes;
+  switch (scenario.representation()) {
+    case Representation::Continuous:
+      shapes = primitives_svg(scenario.primitives(), frame);
+      break;
+    case Representation::Grid:
+      shapes = BlockPicture(make_occupancy(scenario, 1), frame).svg();
+      break;
+    case Representation::Points:
+      shapes = points_svg(scenario, frame);
+      break;
+  }
+  return std::string("<g class=\"obstacles\" fill=\"") + kFill + "\">" + shapes + "</g>";
+}
+
+}  // namespace slalom

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <slalom/scenario/scenario.h>
+
+#include <algorithm>
+#include <string>
+
+namespace slalom {
+
+/// Maps world coordinates (m) to pixels, y downwards.
+class SvgFrame {
+ public:
+  SvgFrame(const Bounds& bounds, int max_pixels)
+      : bounds_(bounds), scale_(max_pixels / std::max(bounds.width(), bounds.height())) {}
+
+  double scale() const { return scale_; }  ///< pixels per meter
+  double width() const { return bounds_.width() * scale_; }
+  double height() const { return bounds_.height() * scale_; }
+  mrpt::math::TPoint2D to_pixels(const mrpt::math::TPoint2D& p) const {
+    return {(p.x - bounds_.x_min) * scale_, (bounds_.y_max - p.y) * scale_};
+  }
+
+ private:
+  Bounds bounds_;
+  double scale_;
+};
+
+/// The obstacles of a scenario: primitives as they are, cells merged into rectangles. Cells smaller
+/// than a pixel are grouped into blocks, occupied if any of their cells is.
+std::string obstacles_svg(const Scenario& scenario, const SvgFrame& frame);
+
+}  // namespace slalom

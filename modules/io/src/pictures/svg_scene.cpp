@@ -1,0 +1,157 @@
+#include "svg_obstacles.h"
+
+#include <slalom/io/path_simplify.h>
+#include <slalom/io/svg_scene.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+class Picture {
+ public:
+  Picture(const Scenario& scenario, const SceneOptions& options)
+      : scenario_(scenario), options_(options), frame_(scenario.bounds(), options.max_pixels) {}
+
+  std::string render() {
+    const double width = frame_.width(), height = frame_.height();
+    svg_ = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"scene\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+        "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\"><title>{2}</title>"
+        "<rect class=\"workspace\" width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>",
+        width, height, html_escape(scenario_.name()));
+    svg_ += obstacles_svg(scenario_, frame_);
+    draw_references();
+    for (std::size_t i = 0; i < options_.trajectories.size(); ++i)
+      draw(options_.trajectories[i], i);
+    draw_start();
+    draw_goal();
+    svg_ += fmt::format(
+        "<rect class=\"border\" width=\"{:.0f}\" height=\"{:.0f}\" fill=\"none\" stroke=\"#444\" "
+        "stroke-width=\"1.5\"/></svg>",
+        width, height);
+    return svg_;
+  }
+
+ private:
+  void draw_references() {
+    if (options_.references == nullptr) return;
+    if (options_.references->safest)
+      // It follows cells: simplified to about one cell.
+      svg_ += line(simplify(options_.references->safest->path, 0.05), "reference safest", "#555555",
+                   "stroke-width=\"1.5\" stroke-dasharray=\"2 3\"", "safest path");
+    if (options_.references->shortest)
+      svg_ += line(options_.references->shortest->path, "reference shortest", "#111111",
+                   "stroke-width=\"1.2\" stroke-dasharray=\"7 3\"", "shortest path");
+  }
+
+  void draw(const SceneTrajectory& trajectory, std::size_t index) {
+    const std::string color = trajectory.color.empty() ? method_color(index) : trajectory.color;
+    const std::string title = trajectory.label + ": " + to_string(trajectory.outcome);
+    svg_ += line(trajectory.path, "trajectory", color, "stroke-width=\"2\"", title);
+    if (trajectory.path.empty()) return;
+    const TPoint2D end = frame_.to_pixels(trajectory.path.back());
+    if (trajectory.outcome == Outcome::Success) {
+      svg_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>", end.x,
+                          end.y, html_escape(color));
+    } else {  // a cross at the failure
+      svg_ += fmt::format(
+          "<path d=\"M{0:.1f} {1:.1f}l9 9m0 -9l-9 9\" stroke=\"{2}\" stroke-width=\"2.5\" "
+          "fill=\"none\"><title>{3}</title></path>",
+          end.x - 4.5, end.y - 4.5, html_escape(color), html_escape(title));
+    }
+  }
+
+  std::string line(const Path& path, const std::string& css_class, const std::string& color,
+                   const std::string& style, const std::string& title) const {
+    if (path.size() < 2) return "";
+    const Path drawn = simplify(path, 0.3 / frame_.scale());
+    std::string points;
+    for (const TPoint2D& p : drawn) {
+      const TPoint2D pixel = frame_.to_pixels(p);
+      points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", pixel.x, pixel.y);
+    }
+    return fmt::format(
+        "<polyline class=\"{}\" points=\"{}\" fill=\"none\" stroke=\"{}\" {} "
+        "stroke-linejoin=\"round\"><title>{}</title></polyline>",
+        css_class, points, html_escape(color), style, html_escape(title));
+  }
+
+  void draw_start() {
+    const auto& start = scenario_.start();
+    const TPoint2D center = frame_.to_pixels({start.x, start.y});
+    const double radius = std::max(3.0, options_.robot_radius * frame_.scale());
+    // The y axis of pixels points down.
+    const double tip_x = center.x + radius * std::cos(start.phi);
+    const double tip_y = center.y - radius * std::sin(start.phi);
+    svg_ += fmt::format(
+        "<g class=\"start\" stroke=\"#0b6e4f\" stroke-width=\"1.8\"><title>start</title>"
+        "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2:.1f}\" fill=\"#0b6e4f\" "
+        "fill-opacity=\"0.2\"/>"
+        "<path d=\"M{0:.1f} {1:.1f}L{3:.1f} {4:.1f}\"/></g>",
+        center.x, center.y, radius, tip_x, tip_y);
+  }
+
+  void draw_goal() {
+    const TPoint2D center = frame_.to_pixels(scenario_.goal());
+    const double radius = std::max(4.0, options_.robot_radius * frame_.scale());
+    svg_ += fmt::format(
+        "<g class=\"goal\" stroke=\"#b00020\" stroke-width=\"1.8\" "
+        "fill=\"none\"><title>goal</title>"
+        "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2:.1f}\"/>"
+        "<path d=\"M{3:.1f} {1:.1f}h{4:.1f}M{0:.1f} {5:.1f}v{4:.1f}\"/></g>",
+        center.x, center.y, radius, center.x - radius, 2 * radius, center.y - radius);
+  }
+
+  const Scenario& scenario_;
+  const SceneOptions& options_;
+  SvgFrame frame_;
+  std::string svg_;
+};
+
+}  // namespace
+
+std::string method_color(std::size_t index) {
+  static const std::array<const char*, 8> kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                     "#56b4e9", "#e69f00", "#6a51a3", "#8c564b"};
+  return kColors[index % kColors.size()];
+}
+
+std::string html_escape(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += (byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7F ? '?' : c;
+    }
+  }
+  return escaped;
+}
+
+std::string render_svg(const Scenario& scenario, const SceneOptions& options) {
+  return Picture(scenario, options).render();
+}
+
+}  // namespace slalom

@@ -1,0 +1,35 @@
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/io/analysis_input.h>
+#include <slalom/io/read_results.h>
+#include <slalom/io/result_file.h>
+#include <slalom/io/scenario_list.h>
+
+namespace slalom {
+
+ResultTable read_analysis_input(const std::string& path,
+                                const std::optional<std::vector<std::string>>& ids, bool csv,
+                                const CsvColumnOptions& options) {
+  const bool is_table = !is_database(path) && (csv || ends_with(path, ".csv"));
+  return is_table ? columns_from_csv(read_file(path), path, options) : read_results(path, ids);
+}
+
+std::vector<BinSpec> resolve_indexes(std::vector<BinSpec> specs, const std::string& list_path) {
+  for (BinSpec& spec : specs) {
+    if (spec.kind != BinSpec::Kind::Index) continue;
+    const std::string where = "rows '" + spec.descriptor + ":@" + spec.index + "'";
+    if (list_path.empty()) {
+      throw usage_error(where, "no scenario list for the index", "--scenarios LIST");
+    }
+    const ListIndex index = ScenarioList::open(list_path).index(spec.index);
+    if (index.descriptor != spec.descriptor) {
+      throw usage_error(where, "index of another descriptor, " + index.descriptor,
+                        index.descriptor + ":@" + spec.index);
+    }
+    spec.kind = BinSpec::Kind::Edges;
+    spec.edges = index.edges;
+  }
+  return specs;
+}
+
+}  // namespace slalom

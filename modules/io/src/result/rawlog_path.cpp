@@ -1,0 +1,17 @@
+#include <slalom/io/rawlog_path.h>
+
+#include <filesystem>
+
+namespace slalom {
+
+std::string rawlog_folder(const std::string& results_path) {
+  return std::filesystem::path(results_path).replace_extension(".rawlogs").string();
+}
+
+std::string rawlog_path(const std::string& results_path, const std::string& scenario_hash,
+                        const std::string& method, int repetition) {
+  return rawlog_folder(results_path) + "/" + scenario_hash.substr(0, 8) + "_" + method + "_" +
+         std::to_string(repetition) + ".rawlog";
+}
+
+}  // namespace slalom

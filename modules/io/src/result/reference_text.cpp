@@ -1,0 +1,70 @@
+#include <slalom/io/reference_text.h>
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+nlohmann::ordered_json polyline_json(const Path& path) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const auto& p : path) json.push_back({p.x, p.y});
+  return json;
+}
+
+nlohmann::ordered_json to_json(const References& references, const std::string& id,
+                               const std::string& name) {
+  nlohmann::ordered_json json = {{"id", id}, {"name", name}};
+  if (references.shortest) {
+    const ShortestPath& s = *references.shortest;
+    json["shortest_length"] = s.length;
+    json["lower_bound"] = s.certificate.lower_bound;
+    json["upper_bound"] = s.certificate.upper_bound;
+    json["gap"] = s.certificate.gap();
+    json["planner"] = s.planner;
+    json["exact_length"] = s.exact_length;
+    if (s.planner_length) json["planner_length"] = *s.planner_length;
+    if (!s.note.empty()) json["note"] = s.note;
+    json["shortest_path"] = polyline_json(s.path);
+  } else {
+    json["shortest_length"] = nullptr;
+    json["shortest_reason"] = references.shortest_reason;
+  }
+  if (references.safest) {
+    const SafestPath& s = *references.safest;
+    json["safest_length"] = length(s.path);
+    json["safest_bottleneck"] = s.bottleneck;
+    json["safest_planner"] = s.planner;
+    if (!s.note.empty()) json["safest_note"] = s.note;
+    json["safest_path"] = polyline_json(s.path);
+  } else {
+    json["safest_length"] = nullptr;
+    json["safest_reason"] = references.safest_reason;
+  }
+  const ReferenceTiming& timing = references.timing;
+  json["time_seconds"] = timing.exact + timing.planner + timing.safest;
+  json["exact_seconds"] = timing.exact;
+  json["planner_seconds"] = timing.planner;
+  json["safest_seconds"] = timing.safest;
+  return json;
+}
+
+}  // namespace
+
+std::string render_json(const References& references, const std::string& id,
+                        const std::string& name) {
+  return to_json(references, id, name).dump();
+}
+
+std::string render_text(const References& references, const std::string& id,
+                        const std::string& name) {
+  const nlohmann::ordered_json json = to_json(references, id, name);
+  std::string text;
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_array()) continue;
+    text +=
+        "  " + key + " = " + (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
+  }
+  return text;
+}
+
+}  // namespace slalom

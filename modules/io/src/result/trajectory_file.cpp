@@ -1,0 +1,224 @@
+#include "derived_speeds.h"
+
+#include <slalom/core/distance.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/io/result_file.h>
+#include <slalom/io/trajectory_file.h>
+
+#include <mrpt/math/wrap2pi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+namespace slalom {
+namespace {
+
+constexpr std::size_t kMaxSamples = 5'000'000;
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
+constexpr double kMaxDistance = 1e5;  // m
+
+/// In the order of the elements of Row.
+const std::vector<std::string> kColumns = {"t", "x",  "y",         "phi",       "v",
+                                           "w", "vy", "command_v", "command_w", "command_vy"};
+constexpr std::size_t kRequired = 4;
+using Row = std::array<double, 10>;
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+/// Iterates over the lines with content, with line numbers.
+class Lines {
+ public:
+  Lines(const std::string& text, std::string where) : text_(text), where_(std::move(where)) {
+    constexpr char kByteOrderMark[] = "\xEF\xBB\xBF";
+    if (text_.compare(0, 3, kByteOrderMark) == 0) begin_ = 3;
+  }
+
+  bool next(std::string& line) {
+    while (begin_ < text_.size()) {
+      const std::size_t end = std::min(text_.find('\n', begin_), text_.size());
+      line = trim(text_.substr(begin_, end - begin_));
+      begin_ = end + 1;
+      ++number_;
+      if (!line.empty() && line[0] != '#') return true;
+    }
+    return false;
+  }
+
+  Error error(const std::string& what, const std::string& expected) const {
+    return file_error(where_ + ":" + std::to_string(number_), what, expected);
+  }
+
+ private:
+  const std::string& text_;
+  std::string where_;
+  std::size_t begin_ = 0, number_ = 0;
+};
+
+std::vector<std::string> split_at_blanks(const std::string& line) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = line.find_first_not_of(" \t"); begin != std::string::npos;) {
+    const std::size_t end = std::min(line.find_first_of(" \t", begin), line.size());
+    parts.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(" \t", end);
+  }
+  return parts;
+}
+
+std::vector<double> numbers_of(const std::vector<std::string>& fields, std::size_t count,
+                               const Lines& lines) {
+  if (fields.size() != count)
+    throw lines.error(std::to_string(fields.size()) + " fields",
+                      std::to_string(count) + " numbers");
+  std::vector<double> numbers(count);
+  for (std::size_t i = 0; i < count; ++i)
+    if (!parse_number(fields[i], numbers[i]))
+      throw lines.error("invalid number in field " + std::to_string(i + 1), "a finite number");
+  return numbers;
+}
+
+/// The index in Row of each column of the header.
+std::vector<std::size_t> read_header(const std::vector<std::string>& names, const Lines& lines) {
+  std::vector<std::size_t> indexes;
+  for (const std::string& name : names) {
+    const auto found = std::find(kColumns.begin(), kColumns.end(), name);
+    if (found == kColumns.end())
+      throw lines.error("unknown column '" + name + "'",
+                        expected_name(name, kColumns, "names from " + join(kColumns, ", ")));
+    indexes.push_back(static_cast<std::size_t>(found - kColumns.begin()));
+    if (std::count(indexes.begin(), indexes.end(), indexes.back()) > 1)
+      throw lines.error("duplicate column '" + name + "'", "each column once");
+  }
+  for (std::size_t i = 0; i < kRequired; ++i)
+    if (std::find(indexes.begin(), indexes.end(), i) == indexes.end())
+      throw lines.error("missing column '" + kColumns[i] + "'", "a header line with t, x, y, phi");
+  return indexes;
+}
+
+/// Wraps an angle to [-pi, pi]; angles inside remain bitwise unchanged.
+double wrapped(double angle) {
+  return std::abs(angle) <= M_PI ? angle : mrpt::math::wrapToPi(angle);
+}
+
+/// Collects samples and checks their plausibility.
+class Collector {
+ public:
+  void add(const Row& row, const Lines& lines) {
+    auto& samples = trajectory_.samples;
+    Sample sample;
+    sample.t = row[0];
+    sample.pose = {row[1], row[2], wrapped(row[3])};
+    sample.v = row[4], sample.w = row[5], sample.vy = row[6];
+    sample.command_v = row[7], sample.command_w = row[8], sample.command_vy = row[9];
+    if (!samples.empty()) check(samples.back(), sample, lines);
+    samples.push_back(sample);
+  }
+
+  Trajectory take(const Lines& lines) {
+    if (trajectory_.samples.size() < 2)
+      throw lines.error("only " + std::to_string(trajectory_.samples.size()) + " samples",
+                        "at least 2 samples");
+    return std::move(trajectory_);
+  }
+
+ private:
+  void check(const Sample& before, const Sample& now, const Lines& lines) {
+    if (!(now.t > before.t))
+      throw lines.error(
+          "t = " + format_number(now.t) + " does not follow " + format_number(before.t),
+          "times that increase");
+    if (trajectory_.samples.size() >= kMaxSamples)
+      throw lines.error("too many samples", "at most 5 million");
+    distance_ += distance_between(now.pose, before.pose);
+    if (!(distance_ <= kMaxDistance))
+      throw lines.error("path longer than 100 km", "coordinates in meters");
+  }
+
+  Trajectory trajectory_;
+  double distance_ = 0;
+};
+
+/// "a", "a and b", "a, b and c"
+std::string enumeration(const std::vector<std::string>& names) {
+  if (names.size() < 2) return join(names, "");
+  return join({names.begin(), names.end() - 1}, ", ") + " and " + names.back();
+}
+
+/// Computes missing velocities and reports missing columns.
+TrajectoryFile complete(Trajectory trajectory, const std::vector<bool>& has, bool sideways) {
+  TrajectoryFile file{std::move(trajectory), {}};
+  const bool derive_vy = sideways && !has[6];
+  std::vector<std::string> derived, commands;
+  if (!has[4]) derived.push_back("v");
+  if (!has[5]) derived.push_back("w");
+  if (derive_vy) derived.push_back("vy");
+  if (!derived.empty())
+    file.notes.push_back(enumeration(derived) + " computed from pose differences");
+  derive_speeds(file.trajectory, {!has[4], !has[5], derive_vy});
+  for (const std::size_t i : {7, 8})
+    if (!has[i]) commands.push_back(kColumns[i]);
+  if (!commands.empty()) file.notes.push_back("no " + enumeration(commands));
+  return file;
+}
+
+TrajectoryFile read_csv(const std::string& header, Lines& lines, bool sideways) {
+  const std::vector<std::size_t> indexes = read_header(split(header, ','), lines);
+  std::vector<bool> has(kColumns.size(), false);
+  for (const std::size_t index : indexes) has[index] = true;
+  Row blank{};
+  if (!has[7]) blank[7] = kMissing;
+  if (!has[8]) blank[8] = kMissing;
+  Collector collector;
+  for (std::string line; lines.next(line);) {
+    const std::vector<double> numbers = numbers_of(split(line, ','), indexes.size(), lines);
+    Row row = blank;
+    for (std::size_t i = 0; i < indexes.size(); ++i) row[indexes[i]] = numbers[i];
+    collector.add(row, lines);
+  }
+  return complete(collector.take(lines), has, sideways);
+}
+
+/// The yaw of a unit quaternion: the heading of the rotated x axis in the plane.
+double yaw_of(double qx, double qy, double qz, double qw, const Lines& lines) {
+  const double norm = std::sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
+  if (!(std::abs(norm - 1) < 0.01))
+    throw lines.error("quaternion norm is " + format_number(norm), "a unit quaternion");
+  return std::atan2(2 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz);
+}
+
+TrajectoryFile read_tum(std::string line, Lines& lines, bool sideways) {
+  Collector collector;
+  do {
+    const auto n = numbers_of(split_at_blanks(line), 8, lines);
+    collector.add(
+        {n[0], n[1], n[2], yaw_of(n[4], n[5], n[6], n[7], lines), 0, 0, 0, kMissing, kMissing, 0},
+        lines);
+  } while (lines.next(line));
+  return complete(collector.take(lines), std::vector<bool>(kColumns.size(), false), sideways);
+}
+
+}  // namespace
+
+TrajectoryFile trajectory_from_text(const std::string& text, const std::string& where,
+                                    bool sideways) {
+  Lines lines(text, where);
+  std::string line;
+  if (!lines.next(line))
+    throw file_error(where, "empty file", "a trajectory as CSV with a header line, or as TUM");
+  double number = 0;
+  const std::vector<std::string> parts = split_at_blanks(line);
+  const bool is_tum = line.find(',') == std::string::npos && parse_number(parts[0], number);
+  return is_tum ? read_tum(line, lines, sideways) : read_csv(line, lines, sideways);
+}
+
+TrajectoryFile load_trajectory_file(const std::string& path, bool sideways) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!error && size > kMaxBytes) throw file_error(path, "file too large", "at most 512 MiB");
+  return trajectory_from_text(read_file(path), path, sideways);
+}
+
+}  // namespace slalom

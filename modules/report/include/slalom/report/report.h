@@ -1,0 +1,38 @@
+#pragma once
+
+#include <slalom/analysis/bins.h>
+#include <slalom/analysis/cell.h>
+#include <slalom/io/result_file.h>
+#include <slalom/results/result_table.h>
+#include <slalom/robot/robot_model.h>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// Contents of a report or of a table on a terminal.
+struct ReportOptions {
+  std::vector<BinSpec> rows;         ///< one set of cross tables per entry
+  std::vector<std::string> columns;  ///< metric ids
+  AnalysisOptions analysis;
+  RobotModel robot;          ///< drawn at start and goal, and along runs
+  SensorModel sensor;        ///< for the drawn scan
+  double resolution = 0.05;  ///< m, cell size of the simulation
+};
+
+/// The options from the sections [analysis] and [robot] of the campaign in the manifest. Defaults:
+/// density:q4 (or all), and success, optimality and safety as far as the results contain them, with
+/// 95 % intervals.
+ReportOptions report_options(const ResultTable& runs);
+
+/// Writes a report that works offline into `directory`: report.json with all numbers, the same data
+/// as scripts in data/, and the static pages that draw it (index.html, method.html, runs.html,
+/// run.html); docs/report.md documents them. Without scripts, index.html shows the summary and the
+/// cross tables. `runs`: those of `file`, with all quantities. The output is deterministic, except
+/// for wall-clock columns. Throws Error (Usage) for unknown descriptors or metrics, Error (Job)
+/// when it cannot write.
+void write_report(const ResultFile& file, const ResultTable& runs, const ReportOptions& options,
+                  const std::string& directory);
+
+}  // namespace slalom

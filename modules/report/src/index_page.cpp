@@ -1,0 +1,111 @@
+#include "index_page.h"
+#include "markup.h"
+
+#include <slalom/analysis/cell_text.h>
+#include <slalom/core/version.h>
+
+namespace slalom {
+namespace {
+
+Markup element(const std::string& name, const std::vector<Markup>& children,
+               const std::string& classes = "") {
+  return Markup::element(name, children, classes);
+}
+
+Markup fact(const std::string& figure, const std::string& what) {
+  return element("div", {element("b", {figure}), element("span", {what})});
+}
+
+Markup fact(std::size_t number, const std::string& what) {
+  return fact(std::to_string(number), what);
+}
+
+Markup facts(const ReportInput& input) {
+  const ResultTable& runs = input.runs;
+  std::size_t successes = 0;
+  for (const MethodSummary& method : input.summary.methods) {
+    const auto found = method.outcomes.find("success");
+    successes += found == method.outcomes.end() ? 0 : found->second;
+  }
+  std::vector<Markup> figures = {fact(runs.methods.size(), "methods"),
+                                 fact(runs.scenario_hashes.size(), "scenarios"),
+                                 fact(runs.size(), "runs"), fact(successes, "successful runs")};
+  const auto slalom = runs.manifest.find("version.slalom");
+  if (slalom != runs.manifest.end()) figures.push_back(fact(slalom->second, "Slalom version"));
+  return element("div", figures, "facts");
+}
+
+Markup header_row(const std::vector<std::string>& first, const std::vector<Column>& columns) {
+  std::vector<Markup> cells;
+  for (const std::string& name : first) cells.push_back(element("th", {name}));
+  for (const Column& column : columns) {
+    const std::string unit = column.info.unit == "-" ? "" : " [" + column.info.unit + "]";
+    cells.push_back(
+        element("th", {column.info.id + " " + direction_arrow(column.info.direction) + unit}));
+  }
+  return element("thead", {element("tr", cells)});
+}
+
+Markup cell_markup(const Cell& cell, const Column& column, int digits) {
+  return element(
+      "td", {element("b", {estimate_text(cell, digits)}), " ", interval_text(cell, digits) + " ",
+             element("span", {support_text(cell, column, digits)}, "support")});
+}
+
+Markup table_card(const Markup& header, const std::vector<Markup>& rows) {
+  return element("div", {element("table", {header, element("tbody", rows)})}, "card");
+}
+
+Markup summary_table(const SummaryTable& summary) {
+  std::vector<Markup> rows;
+  for (const MethodSummary& method : summary.methods) {
+    std::string outcomes;
+    for (const auto& [outcome, n] : method.outcomes)
+      outcomes += (outcomes.empty() ? "" : ", ") + outcome + " " + std::to_string(n);
+    std::vector<Markup> cells = {element("th", {method.method}),
+                                 element("td", {std::to_string(method.n)}),
+                                 element("td", {outcomes})};
+    for (std::size_t column = 0; column < summary.columns.size(); ++column) {
+      std::vector<const Cell*> all;
+      for (const MethodSummary& other : summary.methods) all.push_back(&other.cells[column]);
+      cells.push_back(cell_markup(method.cells[column], summary.columns[column],
+                                  digits_for(all, summary.columns[column])));
+    }
+    rows.push_back(element("tr", cells));
+  }
+  return table_card(header_row({"Method", "Runs", "Outcomes"}, summary.columns), rows);
+}
+
+Markup cross_table(const CrossTable& cross) {
+  std::vector<Markup> rows;
+  for (const CrossRow& row : cross.rows) {
+    std::vector<Markup> cells = {element("th", {row.bin.label()}),
+                                 element("td", {count_text(row.runs.size(), "run")})};
+    for (std::size_t column = 0; column < cross.columns.size(); ++column)
+      cells.push_back(
+          cell_markup(row.cells[column], cross.columns[column], column_digits(cross, column)));
+    rows.push_back(element("tr", cells));
+  }
+  return element("section",
+                 {element("h3", {cross.title}),
+                  table_card(header_row({cross.descriptor.id, "Runs"}, cross.columns), rows)});
+}
+
+Markup all_tables(const ReportInput& input) {
+  std::vector<Markup> parts = {element("h2", {"Summary"}), summary_table(input.summary),
+                               element("h2", {"Cross tables"})};
+  for (const std::vector<CrossTable>& group : input.tables)
+    for (const CrossTable& cross : group) parts.push_back(cross_table(cross));
+  return element("div", parts);
+}
+
+}  // namespace
+
+std::string index_page(const std::string& page, const ReportInput& input) {
+  return fill_page(page, {{"campaign", campaign_name(input.runs.manifest)},
+                          {"facts", facts(input)},
+                          {"tables", all_tables(input)},
+                          {"version", version()}});
+}
+
+}  // namespace slalom

@@ -1,0 +1,182 @@
+#include "index_page.h"
+#include "pages.h"
+#include "report_data.h"
+#include "scenario_data.h"
+
+#include <slalom/analysis/analysis_section.h>
+#include <slalom/core/error.h>
+#include <slalom/core/ini_file.h>
+#include <slalom/core/text.h>
+#include <slalom/report/report.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace slalom {
+namespace {
+
+constexpr std::size_t kMaxPicturesPerPage = 200;
+constexpr std::size_t kMaxBytesPerPage = 6u << 20u;
+
+/// The campaign .ini from the manifest; empty if it cannot be parsed.
+IniFile campaign_ini(const Manifest& manifest) {
+  const auto found = manifest.find("campaign.ini");
+  try {
+    return IniFile::from_text(found == manifest.end() ? "" : found->second, "campaign.ini");
+  } catch (const Error&) {
+    return IniFile::from_text("");
+  }
+}
+
+/// By density if any scenario has it.
+std::vector<BinSpec> default_rows(const ResultTable& runs) {
+  const ValueColumn* density = find_descriptor(runs, "density");
+  for (std::size_t i = 0; density != nullptr && i < density->size(); ++i)
+    if (!density->is_na(i)) return {parse_bin_spec("density:q4")};
+  return {BinSpec{}};
+}
+
+/// The three metrics of "Advances in the Framework for Automatic Evaluation of Obstacle Avoidance
+/// Methods", as far as the results contain them.
+std::vector<std::string> default_columns(const ResultTable& runs) {
+  std::vector<std::string> columns = {"success"};
+  for (const char* id : {"optimality", "safety"})
+    if (find_metric(runs, id) != nullptr) columns.emplace_back(id);
+  return columns;
+}
+
+/// Writes the files of the scenarios, and collects the parts of report.json that grow with their
+/// number: "scenarios" and "runs".
+class ScenarioFiles {
+ public:
+  ScenarioFiles(const ResultFile& file, const ReportInput& input, const std::string& directory)
+      : file_(file), input_(input), runs_(input.runs), directory_(directory) {
+    for (const std::string& outcome : runs_.outcomes) {
+      const auto& names = input.summary.outcomes;
+      outcomes_.push_back(std::find(names.begin(), names.end(), outcome) - names.begin());
+    }
+    for (const Column& column : input.summary.columns)
+      columns_.push_back(find_metric(runs_, column.info.id));
+  }
+
+  OrderedJson write() {
+    for (std::size_t scenario = 0; scenario < runs_.scenario_hashes.size(); ++scenario)
+      add(scenario);
+    write_pictures();
+    return {{"scenarios", std::move(scenarios_)}, {"runs", std::move(entries_)}};
+  }
+
+ private:
+  const ResultFile& file_;
+  const ReportInput& input_;
+  const ResultTable& runs_;
+  std::filesystem::path directory_;
+  std::vector<std::ptrdiff_t> outcomes_;  ///< indexes into the report's outcomes
+  std::vector<const ValueColumn*> columns_;
+  OrderedJson scenarios_ = OrderedJson::array(), entries_ = OrderedJson::array();
+  OrderedJson pictures_ = OrderedJson::array();  ///< of the current page
+  std::size_t page_ = 1, page_bytes_ = 0;
+
+  /// Scenarios are in the order of their runs.
+  void add(std::size_t scenario) {
+    const std::string& hash = runs_.scenario_hashes[scenario];
+    const std::size_t first = entries_.size();
+    std::vector<std::string> details;
+    std::string picture;
+    if (file_.has_scenario(hash)) {
+      const ScenarioRuns content = read_scenario_runs(file_, runs_, scenario, first);
+      write_file_atomically((directory_ / "data" / ("s-" + hash.substr(0, 8) + ".js")).string(),
+                            scenario_script(input_, content, file_.path(), directory_.string()));
+      picture = scenario_picture(input_, content);
+      for (const RunRecord& run : content.records) details.push_back(run.outcome_detail);
+    }
+    for (std::size_t run = first; run < runs_.size() && runs_.scenario[run] == scenario; ++run)
+      entries_.push_back(entry(run, run - first < details.size() ? details[run - first] : ""));
+    add_picture(picture);
+    OrderedJson values = OrderedJson::array();
+    for (const ValueColumn& column : runs_.descriptors)
+      values.push_back(rounded_json(column, scenario));
+    scenarios_.push_back({{"hash", hash},
+                          {"name", runs_.scenario_names[scenario]},
+                          {"page", page_},
+                          {"values", values}});
+  }
+
+  OrderedJson entry(std::size_t run, const std::string& detail) const {
+    OrderedJson json = {runs_.scenario[run], runs_.method[run], runs_.repetition[run],
+                        outcomes_[runs_.outcome[run]], detail};
+    for (const ValueColumn* column : columns_) json.push_back(rounded_json(*column, run));
+    return json;
+  }
+
+  void add_picture(const std::string& picture) {
+    const bool full =
+        pictures_.size() == kMaxPicturesPerPage || page_bytes_ + picture.size() > kMaxBytesPerPage;
+    if (full && !pictures_.empty()) {
+      write_pictures();
+      pictures_.clear();
+      page_bytes_ = 0;
+      ++page_;
+    }
+    pictures_.push_back(picture);
+    page_bytes_ += picture.size();
+  }
+
+  void write_pictures() const {
+    const std::string page = std::to_string(page_);
+    write_file_atomically((directory_ / "data" / ("pictures-" + page + ".js")).string(),
+                          "slalomPictures(" + page + "," + json_text(pictures_) + ");\n");
+  }
+};
+
+OrderedJson groups_json(const std::vector<RunGroup>& groups) {
+  OrderedJson json = OrderedJson::array();
+  for (const RunGroup& group : groups)
+    json.push_back({{"title", group.title}, {"runs", group.runs}});
+  return json;
+}
+
+void make_directory(const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(std::filesystem::path(directory) / "data", error);
+  if (error)
+    throw job_error(directory, "cannot be created: " + error.message(), "a writable folder");
+}
+
+}  // namespace
+
+ReportOptions report_options(const ResultTable& runs) {
+  const IniFile ini = campaign_ini(runs.manifest);
+  ReportOptions options;
+  const auto section = read_options<AnalysisSection>(ini, "analysis");
+  options.rows = section.rows.empty() ? default_rows(runs) : parse_bin_specs(section.rows);
+  options.columns = section.columns.empty() ? default_columns(runs) : split(section.columns, ',');
+  options.analysis.confidence = section.confidence;
+  options.robot = read_robot_model(ini);
+  options.sensor = read_options<SensorModel>(ini, "sensor");
+  parse_number(ini.get("simulation", "resolution").value_or(""), options.resolution);
+  return options;
+}
+
+void write_report(const ResultFile& file, const ResultTable& runs, const ReportOptions& options,
+                  const std::string& directory) {
+  const ReportInput input = make_report_input(runs, options);
+  std::vector<RunGroup> groups;
+  const std::string summary = json_text(report_data(input, groups));
+  make_directory(directory);
+  OrderedJson lists = ScenarioFiles(file, input, directory).write();
+  lists["groups"] = groups_json(groups);
+  const std::string runs_text = json_text(lists);
+  const auto write = [&directory](const std::string& name, const std::string& text) {
+    write_file_atomically((std::filesystem::path(directory) / name).string(), text);
+  };
+  write("data/summary.js", "slalomReport(" + summary + ");\n");
+  write("data/runs.js", "slalomReport(" + runs_text + ");\n");
+  // One object with the fields of both.
+  write("report.json", summary.substr(0, summary.size() - 1) + "," + runs_text.substr(1) + "\n");
+  for (const auto& [name, text] : report_pages())
+    write(name, name == "index.html" ? index_page(text, input) : text);
+}
+
+}  // namespace slalom

@@ -1,0 +1,399 @@
+#include "report_data.h"
+
+#include <slalom/analysis/completion.h>
+#include <slalom/analysis/descriptor_map.h>
+#include <slalom/analysis/failure_taxonomy.h>
+#include <slalom/analysis/findings.h>
+#include <slalom/analysis/method_ranks.h>
+#include <slalom/analysis/paired_comparison.h>
+#include <slalom/analysis/performance_profile.h>
+#include <slalom/analysis/validity.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/core/version.h>
+#include <slalom/io/svg_scene.h>
+
+#include <fmt/format.h>
+
+namespace slalom {
+namespace {
+
+constexpr const char* kTime = "time_to_goal";
+
+OrderedJson number_or_null(const std::optional<double>& number) {
+  return number ? OrderedJson(*number) : OrderedJson(nullptr);
+}
+
+OrderedJson interval_json(const std::optional<Interval>& interval) {
+  return interval ? OrderedJson{interval->low, interval->high} : OrderedJson(nullptr);
+}
+
+OrderedJson quantity_json(const QuantityInfo& info) {
+  return {{"id", info.id},
+          {"version", info.version},
+          {"name", info.name},
+          {"unit", info.unit},
+          {"direction", to_string(info.direction)}};
+}
+
+OrderedJson quantities_json(const std::vector<const ValueColumn*>& columns) {
+  OrderedJson json = OrderedJson::array();
+  for (const ValueColumn* column : columns) json.push_back(quantity_json(column->info()));
+  return json;
+}
+
+OrderedJson cell_json(const Cell& cell) {
+  OrderedJson json = {{"n", cell.available},
+                      {"na", OrderedJson::object()},
+                      {"mean", number_or_null(cell.estimate)},
+                      {"deviation", number_or_null(cell.deviation)},
+                      {"median", number_or_null(cell.median)},
+                      {"interval", interval_json(cell.interval)}};
+  for (const auto& [reason, n] : cell.na) json["na"][reason] = n;
+  return json;
+}
+
+OrderedJson cells_json(const std::vector<Cell>& cells) {
+  OrderedJson json = OrderedJson::array();
+  for (const Cell& cell : cells) json.push_back(cell_json(cell));
+  return json;
+}
+
+/// Appends what `make` returns, if the results support it.
+template <typename Make>
+void add_if_supported(OrderedJson& list, Make make) {
+  try {
+    list.push_back(make());
+  } catch (const Error&) {
+    return;  // too few methods, scenarios or values
+  }
+}
+
+/// Makes the fields of report.json.
+class DataMaker {
+ public:
+  DataMaker(const ReportInput& input, std::vector<RunGroup>& groups)
+      : input_(input), runs_(input.runs), options_(input.options), groups_(groups) {
+    for (const Column& column : input.summary.columns) {
+      if (column.info.direction != Direction::None && !column.wall_clock)
+        directed_.push_back(column.info.id);
+    }
+  }
+
+  OrderedJson columns() const {
+    OrderedJson json = OrderedJson::array();
+    for (const Column& column : input_.summary.columns) {
+      json.push_back(quantity_json(column.info));
+      json.back()["rate"] = column.rate;
+      json.back()["wall_clock"] = column.wall_clock;
+    }
+    return json;
+  }
+
+  OrderedJson methods() const {
+    OrderedJson json = OrderedJson::array();
+    for (std::size_t i = 0; i < runs_.methods.size(); ++i)
+      json.push_back({{"name", runs_.methods[i]}, {"color", method_color(i)}});
+    return json;
+  }
+
+  OrderedJson summary() {
+    OrderedJson json = OrderedJson::array();
+    for (const MethodSummary& entry : input_.summary.methods) {
+      const std::uint32_t method = index_of(entry.method);
+      std::vector<std::size_t> runs;
+      for (std::size_t run = 0; run < runs_.size(); ++run)
+        if (runs_.method[run] == method) runs.push_back(run);
+      OrderedJson outcomes = OrderedJson::array();
+      for (const std::string& outcome : input_.summary.outcomes) {
+        const auto found = entry.outcomes.find(outcome);
+        outcomes.push_back(found == entry.outcomes.end() ? 0 : found->second);
+      }
+      json.push_back({{"method", method},
+                      {"n", entry.n},
+                      {"outcomes", outcomes},
+                      {"cells", cells_json(entry.cells)},
+                      {"runs", group("All runs of " + entry.method, std::move(runs))}});
+    }
+    return json;
+  }
+
+  OrderedJson tables() {
+    OrderedJson json = OrderedJson::array();
+    for (const std::vector<CrossTable>& tables : input_.tables) {
+      if (tables.empty()) continue;
+      OrderedJson methods = OrderedJson::array();
+      for (const CrossTable& table : tables) methods.push_back(table_json(table));
+      json.push_back(
+          {{"descriptor", quantity_json(tables.front().descriptor)}, {"methods", methods}});
+    }
+    return json;
+  }
+
+  OrderedJson outcome_fractions() {
+    OrderedJson json = OrderedJson::array();
+    const FailureTaxonomy failures = build_failure_taxonomy(runs_, BinSpec{}, options_.analysis);
+    for (const OutcomeGroup& entry : failures.groups) {
+      for (const OutcomeFraction& outcome : entry.outcomes) {
+        if (outcome.runs.empty()) continue;
+        json.push_back({{"method", index_of(entry.method)},
+                        {"outcome", outcome.outcome},
+                        {"n", outcome.runs.size()},
+                        {"fraction", outcome.fraction},
+                        {"interval", interval_json(outcome.interval)},
+                        {"runs", group(entry.method + ": " + outcome.outcome, outcome.runs)}});
+      }
+    }
+    return json;
+  }
+
+  /// Every pair of methods in every directed column, as one family of tests.
+  OrderedJson comparisons() const {
+    OrderedJson json = OrderedJson::array();
+    if (runs_.methods.size() < 2 || directed_.empty()) return json;
+    try {
+      ComparisonOptions comparison;
+      comparison.analysis = options_.analysis;
+      for (const PairedComparison& pair : compare_methods(runs_, directed_, "", comparison))
+        json.push_back(comparison_json(pair));
+    } catch (const Error&) {
+      return json;  // no common scenarios
+    }
+    return json;
+  }
+
+  OrderedJson completion() const {
+    OrderedJson json = OrderedJson::array();
+    if (find_metric(runs_, kTime) == nullptr) return json;
+    for (const CompletionCurve& curve : build_completion(runs_, kTime)) {
+      OrderedJson points = OrderedJson::array();
+      for (const CurvePoint& point : curve.incidence) points.push_back({point.time, point.value});
+      json.push_back({{"method", index_of(curve.method)}, {"points", points}});
+    }
+    return json;
+  }
+
+  OrderedJson ranks() const {
+    OrderedJson json = OrderedJson::array();
+    for (const std::string& metric : directed_)
+      add_if_supported(
+          json, [&] { return ranks_json(build_method_ranks(runs_, metric, options_.analysis)); });
+    return json;
+  }
+
+  OrderedJson profiles() const {
+    OrderedJson json = OrderedJson::array();
+    if (runs_.methods.size() < 2) return json;
+    for (const std::string& metric : directed_) {
+      if (find_metric(runs_, metric)->rate) continue;
+      add_if_supported(json, [&] { return profiles_json(build_profiles(runs_, metric)); });
+    }
+    return json;
+  }
+
+  /// Of the first column over the first two row specifications of different descriptors.
+  OrderedJson maps() {
+    OrderedJson json = OrderedJson::array();
+    std::vector<BinSpec> axes;
+    for (const BinSpec& spec : options_.rows) {
+      if (spec.kind == BinSpec::Kind::All) continue;
+      if (axes.empty() || (axes.size() == 1 && axes[0].descriptor != spec.descriptor))
+        axes.push_back(spec);
+    }
+    if (axes.size() < 2 || options_.columns.empty()) return json;
+    for (const std::string& method : runs_.methods)
+      add_if_supported(json, [&] {
+        return map_json(build_descriptor_map(runs_, method, axes[0], axes[1],
+                                             options_.columns.front(), options_.analysis));
+      });
+    return json;
+  }
+
+  OrderedJson validity() const {
+    OrderedJson json = OrderedJson::array();
+    if (directed_.empty()) return json;
+    for (const auto& entry : build_validity(runs_, directed_, options_.analysis).validity)
+      json.push_back({{"method", index_of(entry.method)},
+                      {"descriptor", entry.descriptor},
+                      {"metric", entry.metric},
+                      {"n", entry.correlation.n},
+                      {"rho", number_or_null(entry.correlation.rho)},
+                      {"interval", interval_json(entry.correlation.interval)}});
+    return json;
+  }
+
+ private:
+  const ReportInput& input_;
+  const ResultTable& runs_;
+  const ReportOptions& options_;
+  std::vector<RunGroup>& groups_;
+  std::vector<std::string> directed_;  ///< ids of the columns in which methods can be better
+
+  std::uint32_t index_of(const std::string& method) const { return index_of_method(runs_, method); }
+
+  std::size_t group(const std::string& title, std::vector<std::size_t> runs) {
+    groups_.push_back({title, std::move(runs)});
+    return groups_.size() - 1;
+  }
+
+  OrderedJson table_json(const CrossTable& table) {
+    OrderedJson rows = OrderedJson::array(), sentences = OrderedJson::array();
+    for (const CrossRow& row : table.rows) {
+      const std::string title =
+          table.method + ", " + table.descriptor.id + " in " + row.bin.label();
+      rows.push_back({{"bin", row.bin.label()},
+                      {"low", number_or_null(row.bin.low)},
+                      {"high", number_or_null(row.bin.high)},
+                      {"high_included", row.bin.closed},
+                      {"cells", cells_json(row.cells)},
+                      {"runs", group(title, row.runs)}});
+    }
+    for (const Finding& finding : condensed_findings(table))
+      sentences.push_back({{"text", finding.text},
+                           {"difference", finding.verdict == Finding::Verdict::Difference}});
+    return {{"method", index_of(table.method)},
+            {"rows", rows},
+            {"notes", table.notes},
+            {"findings", sentences}};
+  }
+
+  OrderedJson comparison_json(const PairedComparison& pair) const {
+    const bool significant = pair.verdict == Verdict::Better || pair.verdict == Verdict::Worse ||
+                             pair.verdict == Verdict::Different;
+    return {{"a", index_of(pair.a)},
+            {"b", index_of(pair.b)},
+            {"metric", pair.column.info.id},
+            {"verdict", to_string(pair.verdict)},
+            {"significant", significant},
+            {"scenarios", pair.scenarios},
+            {"difference", number_or_null(pair.difference)},
+            {"interval", interval_json(pair.interval)},
+            {"p", pair.p},
+            {"adjusted_p", pair.adjusted_p},
+            {"text", verdict_sentence(pair)}};
+  }
+
+  OrderedJson ranks_json(const MethodRanks& ranks) const {
+    OrderedJson methods = OrderedJson::array();
+    for (std::size_t i = 0; i < ranks.methods.size(); ++i)
+      methods.push_back(
+          {{"method", index_of(ranks.methods[i])}, {"rank", ranks.test.mean_ranks[i]}});
+    return {{"metric", ranks.column.info.id},
+            {"methods", methods},
+            {"groups", ranks.test.groups},
+            {"critical_difference", ranks.test.critical_difference},
+            {"level", ranks.alpha},
+            {"p", ranks.test.p},
+            {"scenarios", ranks.test.scenarios},
+            {"all_scenarios", ranks.all_scenarios()},
+            {"left_out", left_out_text(ranks)}};
+  }
+
+  OrderedJson profiles_json(const ProfileTable& table) const {
+    OrderedJson curves = OrderedJson::array();
+    for (const PerformanceProfile& profile : table.profiles) {
+      OrderedJson points = OrderedJson::array();
+      for (const ProfileStep& step : profile.steps) points.push_back({step.ratio, step.fraction});
+      curves.push_back({{"method", index_of(profile.method)}, {"points", points}});
+    }
+    return {{"metric", table.column.info.id},
+            {"scenarios", table.scenarios},
+            {"left_out", table.left_out},
+            {"curves", curves}};
+  }
+
+  OrderedJson map_json(const DescriptorMap& map) {
+    const auto labels = [](const std::vector<Bin>& bins) {
+      OrderedJson json = OrderedJson::array();
+      for (const Bin& bin : bins) json.push_back(bin.label());
+      return json;
+    };
+    OrderedJson fields = OrderedJson::array();
+    for (std::size_t row = 0; row < map.rows.size(); ++row) {
+      OrderedJson line = OrderedJson::array();
+      for (std::size_t column = 0; column < map.columns.size(); ++column) {
+        const MapField& field = map.fields[row][column];
+        line.push_back(cell_json(field.cell));
+        line.back()["runs"] =
+            group(map.method + ", " + map.row_descriptor.id + " in " + map.rows[row].label() +
+                      ", " + map.column_descriptor.id + " in " + map.columns[column].label(),
+                  field.runs);
+      }
+      fields.push_back(line);
+    }
+    return {{"method", index_of(map.method)},
+            {"metric", map.column.info.id},
+            {"row_descriptor", map.row_descriptor.id},
+            {"column_descriptor", map.column_descriptor.id},
+            {"rows", labels(map.rows)},
+            {"columns", labels(map.columns)},
+            {"fields", fields},
+            {"left_out", map.left_out}};
+  }
+};
+
+}  // namespace
+
+ReportInput make_report_input(const ResultTable& runs, const ReportOptions& options) {
+  AnalysisOptions analysis = options.analysis;
+  analysis.run_ids = false;
+  ReportInput input{runs, options, build_summary(runs, options.columns, analysis), {}};
+  for (const BinSpec& spec : options.rows)
+    input.tables.push_back(build_cross_tables(runs, {spec}, options.columns, analysis));
+  return input;
+}
+
+OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups) {
+  const ResultTable& runs = input.runs;
+  std::vector<const ValueColumn*> descriptors;
+  for (const ValueColumn& column : runs.descriptors) descriptors.push_back(&column);
+  DataMaker make(input, groups);
+  OrderedJson json = {{"format", kReportFormat},
+                      {"slalom", version()},
+                      {"campaign", campaign_name(runs.manifest)},
+                      {"confidence", input.options.analysis.confidence},
+                      {"methods", make.methods()},
+                      {"outcomes", input.summary.outcomes},
+                      {"columns", make.columns()},
+                      {"metrics", quantities_json(repeatable_metrics(runs))},
+                      {"descriptors", quantities_json(descriptors)}};
+  json["summary"] = make.summary();
+  json["tables"] = make.tables();
+  json["outcome_fractions"] = make.outcome_fractions();
+  json["comparisons"] = make.comparisons();
+  json["completion"] = make.completion();
+  json["ranks"] = make.ranks();
+  json["profiles"] = make.profiles();
+  json["maps"] = make.maps();
+  json["validity"] = make.validity();
+  json["manifest"] = runs.manifest;
+  return json;
+}
+
+std::string campaign_name(const Manifest& manifest) {
+  const auto found = manifest.find("campaign");
+  return found == manifest.end() || found->second.empty() ? "campaign" : found->second;
+}
+
+std::vector<const ValueColumn*> repeatable_metrics(const ResultTable& runs) {
+  std::vector<const ValueColumn*> metrics;
+  for (const ValueColumn& column : runs.metrics)
+    if (!column.wall_clock) metrics.push_back(&column);
+  return metrics;
+}
+
+OrderedJson rounded_json(double number) {
+  double short_number = 0;
+  if (!parse_number(fmt::format("{:.6g}", number), short_number)) return nullptr;
+  return short_number;
+}
+
+OrderedJson rounded_json(const ValueColumn& values, std::size_t row) {
+  return values.is_na(row) ? OrderedJson(values.reason(row)) : rounded_json(values.number(row));
+}
+
+std::string json_text(const OrderedJson& json) {
+  return json.dump(-1, ' ', true, OrderedJson::error_handler_t::replace);
+}
+
+}  // namespace slalom

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/summary.h>
+#include <slalom/report/report.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// The "format" of report.json; increases when fields change their meaning.
+constexpr int kReportFormat = 1;
+
+/// The runs behind a number of the report: runs.html#cell-INDEX.
+struct RunGroup {
+  std::string title;
+  std::vector<std::size_t> runs;  ///< indexes into the runs
+};
+
+/// Input of the pages: the results, and the tables that they show with and without scripts.
+struct ReportInput {
+  const ResultTable& runs;
+  const ReportOptions& options;
+  SummaryTable summary;
+  std::vector<std::vector<CrossTable>> tables;  ///< per row specification, one table per method
+};
+
+/// Throws Error (Usage) for unknown ids.
+ReportInput make_report_input(const ResultTable& runs, const ReportOptions& options);
+
+/// report.json except "scenarios", "runs" and "groups". Extends `groups`.
+OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups);
+
+/// "campaign" if it has no name.
+std::string campaign_name(const Manifest& manifest);
+
+/// The metrics that are not wall-clock times: "metrics" of report.json.
+std::vector<const ValueColumn*> repeatable_metrics(const ResultTable& runs);
+
+/// Rounded to six significant digits, a third of the size; a missing value is its reason.
+OrderedJson rounded_json(double number);
+OrderedJson rounded_json(const ValueColumn& values, std::size_t row);
+
+/// One line. ASCII only, so that it is also an expression of JavaScript, in which some Unicode
+/// characters are line terminators. Invalid UTF-8 bytes are replaced.
+std::string json_text(const OrderedJson& json);
+
+}  // namespace slalom

@@ -1,0 +1,242 @@
+#include "scenario_data.h"
+
+#include <slalom/io/path_simplify.h>
+#include <slalom/io/rawlog_path.h>
+#include <slalom/io/svg_scene.h>
+#include <slalom/metrics/metric.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+namespace slalom {
+namespace {
+
+constexpr int kPicturePixels = 480;
+
+/// Assigns indexes to names in order of first occurrence.
+class Names {
+ public:
+  std::size_t index(const std::string& name) {
+    const auto [found, is_new] = indexes_.emplace(name, names_.size());
+    if (is_new) names_.push_back(name);
+    return found->second;
+  }
+  const std::vector<std::string>& all() const { return names_; }
+
+ private:
+  std::map<std::string, std::size_t> indexes_;
+  std::vector<std::string> names_;
+};
+
+/// A sequence of numbers as differences in thousandths, which is compact.
+class DeltaEncoder {
+ public:
+  void add(double number) {
+    constexpr double kMaxMagnitude = 1e12;  // keeps any trajectory within the range of integers
+    const double clamped =
+        std::isfinite(number) ? std::clamp(number, -kMaxMagnitude, kMaxMagnitude) : 0;
+    const std::int64_t current = std::llround(clamped * 1000);
+    differences_.push_back(current - previous_);
+    previous_ = current;
+  }
+  OrderedJson json() const { return differences_; }
+
+ private:
+  std::int64_t previous_ = 0;
+  std::vector<std::int64_t> differences_;
+};
+
+/// The indexes of the samples to keep: evenly spaced, including the first and the last.
+std::vector<std::size_t> kept_samples(std::size_t n) {
+  std::vector<std::size_t> kept;
+  const std::size_t count = std::min(n, kMaxSamples);
+  for (std::size_t i = 0; i < count; ++i) kept.push_back(count > 1 ? i * (n - 1) / (count - 1) : 0);
+  return kept;
+}
+
+void add_track(const World& world, const Footprint& footprint, const Trajectory& trajectory,
+               OrderedJson& json) {
+  DeltaEncoder t, x, y, heading, v, w, clearance;
+  for (const std::size_t i : kept_samples(trajectory.samples.size())) {
+    const Sample& sample = trajectory.samples[i];
+    t.add(sample.t);
+    x.add(sample.pose.x);
+    y.add(sample.pose.y);
+    heading.add(sample.pose.phi);
+    v.add(sample.v);
+    w.add(sample.w);
+    clearance.add(footprint_clearance(world, footprint, sample.pose));
+  }
+  const std::pair<const char*, const DeltaEncoder*> tracks[] = {
+      {"t", &t}, {"x", &x}, {"y", &y}, {"h", &heading}, {"v", &v}, {"w", &w}, {"c", &clearance}};
+  for (const auto& [key, numbers] : tracks) json[key] = numbers->json();
+}
+
+OrderedJson points_json(const std::vector<mrpt::math::TPoint2D>& points) {
+  OrderedJson json = OrderedJson::array();
+  for (const auto& point : points) {
+    json.push_back(rounded_json(point.x));
+    json.push_back(rounded_json(point.y));
+  }
+  return json;
+}
+
+/// Cells as run lengths, starting with free cells, row by row from the bottom.
+OrderedJson cells_json(const Occupancy& occupancy) {
+  OrderedJson runs = OrderedJson::array();
+  std::uint8_t value = 0;
+  std::size_t length = 0;
+  for (const std::uint8_t cell : occupancy.cells()) {
+    if ((cell != 0) != (value != 0)) {
+      runs.push_back(length);
+      value = cell;
+      length = 0;
+    }
+    ++length;
+  }
+  runs.push_back(length);
+  return {{"x", occupancy.origin().x},
+          {"y", occupancy.origin().y},
+          {"nx", occupancy.size_x()},
+          {"ny", occupancy.size_y()},
+          {"resolution", occupancy.resolution()},
+          {"runs", runs}};
+}
+
+/// Primitives as they are; grids and points as the cells used by the simulation.
+void add_obstacles(const World& world, OrderedJson& json) {
+  json["discs"] = OrderedJson::array();
+  json["polygons"] = OrderedJson::array();
+  if (world.scenario().representation() != Representation::Continuous) {
+    json["grid"] = cells_json(world.occupancy());
+    return;
+  }
+  const Primitives& primitives = world.scenario().primitives();
+  for (const Disc& disc : primitives.discs)
+    json["discs"].push_back(
+        {rounded_json(disc.center.x), rounded_json(disc.center.y), rounded_json(disc.radius)});
+  for (const Polygon& polygon : primitives.polygons)
+    json["polygons"].push_back(points_json(polygon.vertices));
+}
+
+void add_robot(const ReportOptions& options, OrderedJson& json) {
+  const Footprint footprint = options.robot.shape();
+  json["radius"] = footprint.enclosing_radius();
+  json["footprint"] = points_json(footprint.corners());
+  json["sensor"] = {{"rays", options.sensor.rays},
+                    {"aperture", options.sensor.aperture()},
+                    {"range", options.sensor.max_range}};
+}
+
+OrderedJson scenario_json(const ReportInput& input, const ScenarioRuns& content,
+                          const World& world) {
+  const Scenario& scenario = world.scenario();
+  const Bounds& bounds = scenario.bounds();
+  const std::string& hash = input.runs.scenario_hashes[content.scenario];
+  OrderedJson json = {{"id", hash.substr(0, 8)},
+                      {"name", input.runs.scenario_names[content.scenario]},
+                      {"page", "index.html#s-" + hash},
+                      {"bounds", {bounds.x_min, bounds.y_min, bounds.x_max, bounds.y_max}},
+                      {"goal", {scenario.goal().x, scenario.goal().y}}};
+  add_robot(input.options, json);
+  add_obstacles(world, json);
+  if (content.references.shortest)
+    json["shortest"] = points_json(content.references.shortest->path);
+  if (content.references.safest)
+    json["safest"] =
+        points_json(simplify(content.references.safest->path, input.options.resolution));
+  return json;
+}
+
+/// `path` for a link: every byte but letters, digits and "-._~/" percent-encoded.
+std::string url_path(const std::string& path) {
+  std::string url;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = byte < 0x80 && (std::isalnum(byte) || std::strchr("-._~/", c) != nullptr);
+    url += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return url;
+}
+
+/// The link from the report's folder to the rawlog of a run; empty if it was not recorded.
+std::string rawlog_link(const std::string& results, const RunRecord& run,
+                        const std::string& directory) {
+  const std::string path = rawlog_path(results, run.scenario_hash, run.method, run.repetition);
+  std::error_code none;
+  if (!std::filesystem::exists(path, none)) return "";
+  return url_path(std::filesystem::relative(path, directory, none).generic_string());
+}
+
+/// Values of all metrics; NA as an array with the index of its reason.
+OrderedJson values_json(const std::vector<const ValueColumn*>& metrics, std::size_t run,
+                        Names& reasons) {
+  OrderedJson values = OrderedJson::array();
+  for (const ValueColumn* metric : metrics)
+    values.push_back(metric->is_na(run) ? OrderedJson::array({reasons.index(metric->reason(run))})
+                                        : rounded_json(metric->number(run)));
+  return values;
+}
+
+}  // namespace
+
+ScenarioRuns read_scenario_runs(const ResultFile& file, const ResultTable& runs,
+                                std::size_t scenario, std::size_t first_run) {
+  const std::string& hash = runs.scenario_hashes[scenario];
+  ScenarioRuns content{scenario,
+                       first_run,
+                       file.read_scenario(hash),
+                       file.read_references(hash),
+                       file.read_runs(hash),
+                       {}};
+  for (const RunRecord& run : content.records)
+    content.trajectories.push_back(file.read_trajectory(run));
+  return content;
+}
+
+std::string scenario_script(const ReportInput& input, const ScenarioRuns& content,
+                            const std::string& results, const std::string& directory) {
+  const ResultTable& runs = input.runs;
+  const World world(content.content, input.options.resolution);
+  const Footprint footprint = input.options.robot.shape();
+  const std::vector<const ValueColumn*> metrics = repeatable_metrics(runs);
+  OrderedJson json = scenario_json(input, content, world);
+  json["runs"] = OrderedJson::array();
+  Names reasons;
+  for (std::size_t i = 0; i < content.records.size(); ++i) {
+    const RunRecord& run = content.records[i];
+    OrderedJson line = {{"method", run.method},
+                        {"repetition", run.repetition},
+                        {"color", method_color(runs.method[content.first_run + i])},
+                        {"outcome", run.outcome},
+                        {"detail", run.outcome_detail},
+                        {"seed", std::to_string(run.seed)},
+                        {"rawlog", rawlog_link(results, run, directory)},
+                        {"values", values_json(metrics, content.first_run + i, reasons)}};
+    add_track(world, footprint, content.trajectories[i], line);
+    json["runs"].push_back(std::move(line));
+  }
+  json["reasons"] = reasons.all();
+  return "slalomScenario(" + json_text(json) + ");\n";
+}
+
+std::string scenario_picture(const ReportInput& input, const ScenarioRuns& content) {
+  SceneOptions options;
+  options.max_pixels = kPicturePixels;
+  options.robot_radius = input.options.robot.radius;
+  options.references = &content.references;
+  for (std::size_t i = 0; i < content.records.size(); ++i) {
+    const RunRecord& run = content.records[i];
+    options.trajectories.push_back({run.method, content.trajectories[i].path(),
+                                    from_stored_name<Outcome>("outcome", run.outcome),
+                                    method_color(input.runs.method[content.first_run + i])});
+  }
+  return render_svg(content.content, options);
+}
+
+}  // namespace slalom

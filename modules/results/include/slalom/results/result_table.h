@@ -1,0 +1,111 @@
+#pragma once
+
+#include <slalom/results/run_record.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// Outcome of a run without a known one, as in imported tables.
+constexpr const char* kUnknownOutcome = kNotRecorded;
+
+/// The values of one quantity, one per row: a number, or the reason why it is not available. Takes
+/// 8 bytes per row: a reason is stored as the payload of a NaN.
+class ValueColumn {
+ public:
+  explicit ValueColumn(QuantityInfo info) : info_(std::move(info)) {}
+
+  const QuantityInfo& info() const { return info_; }
+  void reserve(std::size_t rows) { numbers_.reserve(rows); }
+  void add(const Value& value);
+  void add_number(double number);  ///< NA ("not a finite number") unless finite
+  void add_na(const std::string& reason);
+  void pad(std::size_t rows);  ///< adds NA ("not recorded") up to this size
+
+  std::size_t size() const { return numbers_.size(); }
+  bool is_na(std::size_t row) const { return numbers_[row] != numbers_[row]; }
+  double number(std::size_t row) const { return numbers_[row]; }  ///< NaN where NA
+  const std::string& reason(std::size_t row) const;               ///< requires is_na(row)
+
+  /// Reorders rows: row i gets the value of row order[i].
+  void reorder(const std::vector<std::size_t>& order);
+
+  /// Aggregated as the fraction of runs with value 1 ("success"), not as a mean.
+  bool rate = false;
+  /// Measured wall-clock time: not repeatable.
+  bool wall_clock = false;
+
+ private:
+  QuantityInfo info_;
+  std::vector<double> numbers_;
+  std::vector<std::string> reasons_;
+  std::map<std::string, std::uint32_t> indexes_;  ///< into reasons_, by reason
+};
+
+/// A column for a wall-clock figure.
+ValueColumn wall_clock_column(const std::string& id);
+
+/// What identifies and explains a run beyond its keys and values.
+struct RunDetails {
+  std::uint64_t seed = 0;
+  std::string outcome_detail, trajectory_hash;
+  double wall_seconds = 0;
+};
+
+/// The runs of one or more result files as columns: a million runs with 40 metrics take 350 MB.
+/// Names are stored once; runs refer to them by index. Wall-clock figures are metrics with
+/// `wall_clock`. "success" is always a metric of the runs of a result file.
+struct ResultTable {
+  std::string source;  ///< file, for messages
+  Manifest manifest;
+  std::vector<std::string> scenario_hashes, scenario_names;  ///< parallel
+  std::vector<std::string> methods;                          ///< sorted
+  std::vector<std::string> outcomes;                         ///< success first, others sorted
+  std::vector<std::uint32_t> scenario, method, outcome, repetition;  ///< one per run
+  std::vector<ValueColumn> metrics;                                  ///< one value per run
+  std::vector<ValueColumn> descriptors;                              ///< one value per scenario
+  std::vector<RunDetails> details;  ///< one per run, or none if they were not read
+
+  std::size_t size() const { return scenario.size(); }
+};
+
+/// Success by the outcome: 1 or 0; NA, with the outcome as reason, if that is unknown or
+/// inconclusive (such as an unsolvable scenario).
+Value success_of(const std::string& outcome);
+
+/// Adds the metric "success" derived from the outcome if it is missing.
+void add_success(ResultTable& columns);
+
+/// Adds each name to `names` once; for columns that refer to names by index.
+class NameIndex {
+ public:
+  explicit NameIndex(std::vector<std::string>& names) : names_(names) {}
+  std::uint32_t index_of(const std::string& name);
+
+ private:
+  std::vector<std::string>& names_;
+  std::map<std::string, std::uint32_t> indexes_;
+};
+
+/// Sorts the methods by name, and the outcomes: success first, the others by name.
+void sort_names(ResultTable& columns);
+
+/// Sorts the names, scenarios by name and hash, and runs by scenario, method and repetition.
+void sort_rows(ResultTable& columns);
+
+/// Null if there is none.
+const ValueColumn* find_metric(const ResultTable& columns, const std::string& id);
+const ValueColumn* find_descriptor(const ResultTable& columns, const std::string& id);
+
+/// As for a RunRecord: "hash8/method/repetition".
+std::string run_id(const ResultTable& columns, std::size_t run);
+
+/// Whether an outcome is a failure of the method: neither a success, nor inconclusive (such as an
+/// unsolvable scenario), nor unknown.
+bool is_failure(const std::string& outcome);
+
+}  // namespace slalom

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <slalom/simulation/simulate.h>
+
+namespace slalom {
+
+/// Determines the outcome of a recorded trajectory by the rules of simulate(), from the true
+/// geometry. Position and heading are interpolated linearly between samples. The trajectory of the
+/// result ends at the terminating event, with a sample at that time. A log that ends before any
+/// event is a timeout, with an explanation in the detail; one that begins in contact is an
+/// unsolvable scenario. Throws std::invalid_argument for a trajectory without samples.
+SimulationResult evaluate_trajectory(const World& world, const RobotModel& robot,
+                                     const SimulationOptions& options, const Trajectory& log);
+
+}  // namespace slalom

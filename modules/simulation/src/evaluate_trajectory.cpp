@@ -1,0 +1,147 @@
+#include "termination_checker.h"
+
+#include <slalom/core/distance.h>
+#include <slalom/core/text.h>
+#include <slalom/simulation/evaluate_trajectory.h>
+
+#include <mrpt/math/wrap2pi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPose2D;
+using mrpt::math::wrapToPi;
+
+/// The interpolated sample at `fraction` between two samples; the command is that of `from`.
+Sample between(const Sample& from, const Sample& to, double fraction) {
+  Sample sample = from;
+  const auto mix = [fraction](double a, double b) { return a + fraction * (b - a); };
+  sample.t = mix(from.t, to.t);
+  sample.pose = {mix(from.pose.x, to.pose.x), mix(from.pose.y, to.pose.y),
+                 wrapToPi(from.pose.phi + fraction * wrapToPi(to.pose.phi - from.pose.phi))};
+  sample.v = mix(from.v, to.v);
+  sample.w = mix(from.w, to.w);
+  sample.vy = mix(from.vy, to.vy);
+  return sample;
+}
+
+/// Number of steps between two samples such that each is short enough for collision checking.
+int steps_between(const Sample& from, const Sample& to) {
+  constexpr double kStep = 0.01, kTurn = 0.05;  // m, rad
+  constexpr double kMaxSteps = 1e6;
+  const double distance = distance_between(to.pose, from.pose);
+  const double turn = std::abs(wrapToPi(to.pose.phi - from.pose.phi));
+  return static_cast<int>(
+      std::clamp(std::ceil(std::max(distance / kStep, turn / kTurn)), 1.0, kMaxSteps));
+}
+
+/// Evaluates one log.
+class LogEvaluator {
+ public:
+  LogEvaluator(const World& world, const RobotModel& robot, const SimulationOptions& options,
+               const Trajectory& log)
+      : goal_(world.scenario().goal()),
+        options_(options),
+        checker_(world, robot, options_),
+        log_(log) {}
+
+  SimulationResult run() {
+    const Sample& first = log_.samples.front();
+    add(first);
+    if (checker_.touches(first.pose))
+      end(Outcome::UnsolvableScenario, "the robot touches an obstacle where the log begins");
+    else
+      check_sample(first);
+    for (std::size_t i = 1; i < log_.samples.size() && !finished_; ++i) {
+      check_motion(log_.samples[i - 1], log_.samples[i]);
+      if (finished_) break;
+      add(log_.samples[i]);
+      check_sample(log_.samples[i]);
+    }
+    if (!finished_)
+      end(Outcome::Timeout, "the log ends " + remaining_distance() + " before the goal");
+    return std::move(result_);
+  }
+
+ private:
+  double time(const Sample& sample) const { return sample.t - log_.samples.front().t; }
+  void add(const Sample& sample) { result_.trajectory.samples.push_back(sample); }
+
+  /// Checks the conditions that apply at samples of the log.
+  void check_sample(const Sample& now) {
+    if (checker_.reached_goal(now.pose))
+      end(Outcome::Success, "goal reached");
+    else if (checker_.is_time_over(time(now)))
+      end(Outcome::Timeout, "goal not reached");
+    else if (checker_.is_stuck(result_.trajectory, now.t, now.pose))
+      end(Outcome::Stuck, "no progress for " + format_number(options_.stuck_time) + " s");
+  }
+
+  /// Checks the motion between two consecutive samples.
+  void check_motion(const Sample& from, const Sample& to) {
+    const int steps = steps_between(from, to);
+    Sample before = from;
+    for (int k = 1; k <= steps && !finished_; ++k) {
+      const Sample after = k == steps ? to : between(from, to, static_cast<double>(k) / steps);
+      check_step(before, after);
+      before = after;
+    }
+  }
+
+  void check_step(const Sample& before, const Sample& after) {
+    TPose2D pose = after.pose;
+    double fraction = 1;
+    if (checker_.find_contact(before.pose, pose, fraction)) {
+      Sample contact = between(before, after, fraction);
+      contact.pose = pose;
+      end_at(contact, Outcome::Collision, "contact");
+    } else if (checker_.left_workspace(pose)) {
+      end_at(after, Outcome::LeftWorkspace, "left the workspace");
+    } else if (checker_.reached_goal(pose)) {
+      end_at(after, Outcome::Success, "goal reached");
+    } else if (!checker_.is_in_time(time(after))) {
+      end_at(before, Outcome::Timeout, "goal not reached");
+    }
+  }
+
+  /// Samples are strictly ordered by time: one at the time of the last is omitted.
+  void end_at(const Sample& sample, Outcome outcome, const std::string& what) {
+    if (sample.t > result_.trajectory.samples.back().t) add(sample);
+    end(outcome, what);
+  }
+
+  void end(Outcome outcome, const std::string& what) {
+    const Sample& last = result_.trajectory.samples.back();
+    result_.outcome = outcome;
+    result_.detail = what + " at (" + format_fixed(last.pose.x, 2) + ", " +
+                     format_fixed(last.pose.y, 2) + ") m after " + format_fixed(time(last), 2) +
+                     " s";
+    finished_ = true;
+  }
+
+  std::string remaining_distance() const {
+    const TPose2D& pose = log_.samples.back().pose;
+    return format_fixed(distance_between(pose, goal_), 2) + " m";
+  }
+
+  mrpt::math::TPoint2D goal_;
+  SimulationOptions options_;
+  TerminationChecker checker_;
+  const Trajectory& log_;
+  bool finished_ = false;
+  SimulationResult result_;
+};
+
+}  // namespace
+
+SimulationResult evaluate_trajectory(const World& world, const RobotModel& robot,
+                                     const SimulationOptions& options, const Trajectory& log) {
+  if (log.samples.empty()) throw std::invalid_argument("evaluate_trajectory: no samples");
+  return LogEvaluator(world, robot, options, log).run();
+}
+
+}  // namespace slalom

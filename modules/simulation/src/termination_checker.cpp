@@ -1,0 +1,43 @@
+#include "termination_checker.h"
+
+#include <slalom/core/distance.h>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+
+/// Tolerance (s) for rounding errors of times, which are sums and multiples of steps.
+constexpr double kTimeTolerance = 1e-9;
+
+}  // namespace
+
+bool TerminationChecker::reached_goal(const TPose2D& pose) const {
+  return distance_between(pose, world_.scenario().goal()) <= options_.goal_tolerance;
+}
+
+bool TerminationChecker::left_workspace(const TPose2D& pose) const {
+  return !world_.scenario().bounds().contains(TPoint2D(pose));
+}
+
+bool TerminationChecker::is_in_time(double now) const {
+  return now <= options_.max_time + kTimeTolerance;
+}
+
+bool TerminationChecker::is_time_over(double now) const {
+  return now >= options_.max_time - kTimeTolerance;
+}
+
+bool TerminationChecker::is_stuck(const Trajectory& trajectory, double now,
+                                  const TPose2D& pose) const {
+  const auto& samples = trajectory.samples;
+  if (samples.empty() || now - samples.front().t < options_.stuck_time - kTimeTolerance)
+    return false;
+  const double since = now - options_.stuck_time - kTimeTolerance;
+  for (std::size_t i = samples.size(); i > 0 && samples[i - 1].t >= since; --i)
+    if (distance_between(samples[i - 1].pose, pose) > options_.stuck_distance) return false;
+  return true;
+}
+
+}  // namespace slalom

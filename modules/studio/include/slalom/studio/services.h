@@ -1,0 +1,47 @@
+#pragma once
+
+#include <slalom/core/ini_file.h>
+#include <slalom/core/options.h>
+#include <slalom/core/progress.h>
+#include <slalom/generation/generator.h>
+#include <slalom/scenario/scenario.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace slalom {
+
+/// Visits options that have their default values, like visit_generator_options().
+using VisitOptions = std::function<void(OptionVisitor&)>;
+
+/// Import and export functions that the program provides to the window. They are called in worker
+/// threads and may throw Error.
+struct StudioServices {
+  MapLoader load_map;  ///< for families based on maps
+
+  /// Import options in groups (title, options); all belong to section [import].
+  std::vector<std::pair<std::string, VisitOptions>> import_options;
+
+  struct ImportedFiles {
+    std::vector<Scenario> scenarios;
+    std::vector<std::pair<std::string, std::string>> notes;  ///< for a list of only these
+    std::vector<std::string> messages;                       ///< about skipped input
+  };
+  std::function<ImportedFiles(const std::vector<std::string>& files, const IniFile& options,
+                              Progress& progress)>
+      import_files;
+
+  struct Format {
+    std::string name, extension, content;
+  };
+  std::vector<Format> export_formats;
+  /// Adds the extension of the format if `path` has none. `resolution` (m) is the cell size for
+  /// formats with cells if the scenario has none.
+  std::function<void(const Scenario& scenario, const std::string& format, double resolution,
+                     const std::string& path)>
+      export_scenario;
+};
+
+}  // namespace slalom

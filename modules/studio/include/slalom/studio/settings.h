@@ -1,0 +1,26 @@
+#pragma once
+
+#include <slalom/core/options.h>
+
+#include <string>
+
+namespace slalom {
+
+/// Window layout that is kept between sessions: section [window] of the settings file.
+struct StudioSettings {
+  int width = 1280, height = 800;  ///< pixels
+  int list_width = 330;            ///< pixels
+  int descriptors_height = 260;    ///< pixels
+  int results_height = 220;        ///< pixels
+  bool legend = true;              ///< of the scenario view, whether it is open
+  std::string layers = "obstacles,shortest,safest,scan,trajectories,start_goal";  ///< visible
+
+  void visit(OptionVisitor& v);
+};
+
+/// Reads the file; returns the defaults if it does not exist. Throws Error for invalid settings.
+StudioSettings read_studio_settings(const std::string& path);
+/// Writes the file and creates its folder if needed. Throws Error (Job).
+void write_studio_settings(const StudioSettings& settings, const std::string& path);
+
+}  // namespace slalom

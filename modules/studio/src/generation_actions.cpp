@@ -1,0 +1,193 @@
+#include "forms/generation_request.h"
+#include "forms/import_request.h"
+
+#include <slalom/core/error.h>
+#include <slalom/studio/studio_actions.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace slalom {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An unused file name in the folder of the active list.
+std::string new_file(const Studio& studio, const std::string& stem) {
+  const fs::path folder =
+      studio.active() == nullptr ? fs::path() : fs::path(studio.active()->path()).parent_path();
+  fs::path file = folder / (stem + ".scenarios");
+  for (int i = 2; fs::exists(file); ++i)
+    file = folder / (stem + "_" + std::to_string(i) + ".scenarios");
+  return file.string();
+}
+
+ListTarget target_of(const Studio& studio, const std::string& stem) {
+  return {studio.active() != nullptr, new_file(studio, stem)};
+}
+
+GenerationDefaults generation_defaults(Studio& studio) {
+  const SceneSettings& settings = studio.scenes().settings();
+  GenerationDefaults defaults;
+  defaults.robot_radius = settings.robot.radius;
+  defaults.sensor_range = settings.sensor.max_range;
+  defaults.resolution = settings.resolution;
+  defaults.target = target_of(studio, "generated");
+  return defaults;
+}
+
+ListDocument* document_at(const Studio& studio, const std::string& path) {
+  for (const auto& document : studio.documents())
+    if (document->path() == path) return document.get();
+  return nullptr;
+}
+
+std::string added_text(std::size_t count, const std::string& where) {
+  return std::to_string(count) + (count == 1 ? " scenario" : " scenarios") + " added to " + where;
+}
+
+/// Shows a list that a worker thread added to, and adds the change to its undo history.
+void show_added(Studio& studio, AddedScenarios& added, const std::string& list) {
+  ListDocument* const document = document_at(studio, list);
+  if (document != nullptr) {
+    document->run(std::move(added.command));
+    document->set_current(added.first);
+  }
+  studio.notices().show_status(added_text(added.count, list));
+}
+
+using CreateList = std::function<MadeList(Progress&)>;
+
+/// Creates scenarios and adds them to their target, in a worker thread. Returns the work for the
+/// thread of the window.
+Jobs::Delivery create_and_add(Studio& studio, const std::string& list, const CreateList& create,
+                              Progress& progress) {
+  const MadeList made = create(progress);
+  // Shared, because deliveries are copied and the command cannot be.
+  const auto added = std::make_shared<AddedScenarios>();
+  if (made.staging != nullptr) *added = add_to_list(list, made, progress);
+  return [&studio, list, added, file = made.file, report = made.report] {
+    try {
+      file.empty() ? show_added(studio, *added, list) : studio.open_list(file);
+    } catch (const Error& error) {
+      studio.notices().show_message("Add scenarios", error.what());
+    }
+    if (!report.empty()) studio.notices().show_message("Result", report);
+  };
+}
+
+void start_job(Studio& studio, const std::string& title, CreateList create) {
+  const std::string list = studio.active() == nullptr ? "" : studio.active()->path();
+  studio.jobs().start(
+      "make", title,
+      [&studio, list, create = std::move(create)](Progress& progress) {
+        return create_and_add(studio, list, create, progress);
+      },
+      [&studio, title](const std::string& message) {
+        studio.notices().show_status(title + ": " + message, true);
+        studio.notices().show_message(title, message);
+      });
+}
+
+using ReadGeneration = GenerationRequest (*)(const FormValues&);
+
+void open_generation_form(Studio& studio, FormDescription form, ReadGeneration read) {
+  form.accepted = [&studio, read, title = form.title](const FormValues& values) {
+    start_job(studio, title, [&studio, request = read(values)](Progress& progress) {
+      return generate(request, studio.services().load_map, progress);
+    });
+  };
+  studio.notices().show_form(std::move(form));
+}
+
+void open_export_form(Studio& studio) {
+  const Scenario scenario = studio.active()->list().read(studio.current_hash());
+  FormDescription form =
+      export_form(studio.services(), scenario, studio.describe_options().resolution);
+  form.accepted = [&studio, scenario](const FormValues& values) {
+    check_export(studio.services(), values);
+    studio.jobs().start(
+        "export", "Export " + scenario.name(),
+        [&studio, scenario, values](Progress&) -> Jobs::Delivery {
+          export_as(studio.services(), scenario, values);
+          return [&studio, name = scenario.name(), file = values.at("file")] {
+            studio.notices().show_status(name + " was exported to " + file);
+          };
+        },
+        [&studio](const std::string& message) {
+          studio.notices().show_message("Export", message);
+        });
+  };
+  studio.notices().show_form(std::move(form));
+}
+
+/// Only one generation or import runs at a time.
+std::string busy_reason(Studio& studio) {
+  return studio.jobs().is_pending("make") ? "scenarios are being generated or imported" : "";
+}
+
+void open_import_form(Studio& studio, const std::vector<std::string>& files) {
+  FormDescription form = import_form(studio.services(), target_of(studio, "imported"), files);
+  form.accepted = [&studio](const FormValues& values) {
+    start_job(studio, "Import",
+              [&studio, request = read_import(studio.services(), values)](Progress& progress) {
+                return import_into_list(studio.services(), request, progress);
+              });
+  };
+  studio.notices().show_form(std::move(form));
+}
+
+}  // namespace
+
+/// Sorted by name, so that the order of the files has no effect.
+void open_files(Studio& studio, std::vector<std::string> files) {
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> others;
+  for (const std::string& file : files) {
+    const std::string extension = fs::path(file).extension().string();
+    try {
+      if (extension == ".scenarios")
+        studio.open_list(file);
+      else if (extension == ".results")
+        studio.results().open(file);
+      else
+        others.push_back(file);
+    } catch (const Error& error) {
+      studio.notices().show_message("Open", error.what());
+    }
+  }
+  if (!others.empty()) open_import_form(studio, others);
+}
+
+void add_import_export_actions(Actions& actions, Studio& studio) {
+  actions.add({"file.import", "File", "Import...", "Ctrl+Shift+I",
+               "Imports maps, BARN worlds or .scenario.yaml files.",
+               [&studio] { open_import_form(studio, {}); },
+               [&studio] { return busy_reason(studio); }});
+  actions.add({"file.export", "File", "Export scenario...", "Ctrl+E",
+               "Exports the current scenario to the format of another program.",
+               [&studio] { open_export_form(studio); },
+               [&studio]() -> std::string {
+                 return studio.current_hash().empty() ? "no scenario is shown" : "";
+               }});
+}
+
+void add_generate_actions(Actions& actions, Studio& studio) {
+  const auto disabled_check = [&studio] { return busy_reason(studio); };
+  actions.add({"generate.random", "Generate", "Random scenarios...", "Ctrl+G",
+               "Generates scenarios of chosen families that are solvable for the robot.",
+               [&studio] {
+                 open_generation_form(studio, random_generation_form(generation_defaults(studio)),
+                                      read_random_generation);
+               },
+               disabled_check});
+  actions.add({"generate.bins", "Generate", "By bins...", "Ctrl+Shift+G",
+               "Generates a number of scenarios for each range of one or several descriptors.",
+               [&studio] {
+                 open_generation_form(studio, bins_generation_form(generation_defaults(studio)),
+                                      read_bins_generation);
+               },
+               disabled_check});
+}
+
+}  // namespace slalom

@@ -1,0 +1,172 @@
+#include <slalom/core/error.h>
+#include <slalom/studio/jobs.h>
+#include <slalom/studio/list_document.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace slalom {
+namespace {
+
+constexpr std::size_t kMaxSynchronousSize = 5000;  // scenarios; larger lists are sorted by a worker
+constexpr std::size_t kMaxRows = 4000;             // in the cache
+
+bool has_index(const ScenarioList& list, const std::string& name) {
+  const auto indexes = list.indexes();
+  return std::any_of(indexes.begin(), indexes.end(),
+                     [&](const ListIndex& index) { return index.name == name; });
+}
+
+}  // namespace
+
+ListDocument::ListDocument(const std::string& path, Jobs* jobs) : path_(path), jobs_(jobs) {
+  file_ = file_on_disk();
+  list_ = std::make_shared<ScenarioList>(ScenarioList::open(path));
+}
+
+ListDocument::~ListDocument() {
+  if (jobs_ != nullptr) jobs_->cancel(job_key());
+}
+
+std::string ListDocument::title() const {
+  return std::filesystem::path(path_).filename().string();
+}
+
+void ListDocument::set_filter(const std::string& text) {
+  if (text == request_.filter && filter_error_.empty()) return;
+  filter_text_ = text;
+  try {
+    filter_selection(*list_, text, request_.describe);
+  } catch (const Error& e) {
+    filter_error_ = reason_of(e);
+    notify(Change::View);
+    return;
+  }
+  filter_error_.clear();
+  request_.filter = text;
+  refresh();
+}
+
+void ListDocument::set_sort(const std::string& field, bool descending) {
+  request_.sort = field;
+  request_.descending = descending;
+  refresh();
+}
+
+void ListDocument::set_group_by(const std::string& index) {
+  request_.group_by = index;
+  refresh();
+}
+
+void ListDocument::set_describe_options(const DescribeOptions& options) {
+  request_.describe = options;
+  refresh();
+}
+
+bool ListDocument::is_computing() const {
+  return jobs_ != nullptr && jobs_->is_pending(job_key());
+}
+
+void ListDocument::refresh() {
+  try {
+    if (!has_index(*list_, request_.group_by)) request_.group_by.clear();
+    // A worker would open another file if this one is no longer at its path.
+    const FileState state = file_state();
+    if (state == FileState::Changed) file_ = file_on_disk();
+    const bool at_its_path = state == FileState::Same || state == FileState::Changed;
+    if (jobs_ == nullptr || !at_its_path || list_->size() <= kMaxSynchronousSize) {
+      if (jobs_ != nullptr) jobs_->cancel(job_key());
+      show(make_list_view(*list_, request_));
+      return;
+    }
+    jobs_->start(
+        job_key(), "Sort " + title(),
+        [this, path = path_, request = request_](Progress&) -> Jobs::Delivery {
+          auto view = std::make_shared<ListView>(make_list_view(path, request));
+          return [this, view] { show(std::move(*view)); };
+        },
+        [this](const std::string& message) { fail(message); }, false);
+    notify(Change::View);
+  } catch (const Error& e) {
+    fail(reason_of(e));
+  }
+}
+
+void ListDocument::store_values(const std::string& hash, const std::vector<KeyedValue>& values) {
+  try {
+    ListSelection one;
+    one.hashes = {hash};
+    if (list_->count(one) == 0) return;
+    list_->in_transaction([&] {
+      for (const KeyedValue& value : values) list_->store_value(hash, value);
+    });
+    file_ = file_on_disk();
+    rows_.erase(hash);
+  } catch (const Error&) {
+    // The file is read-only; the values can be computed again.
+  }
+}
+
+void ListDocument::fail(const std::string& message) {
+  // For example a filter by an index that was dropped.
+  filter_error_ = message;
+  notify(Change::View);
+}
+
+void ListDocument::show(ListView view) {
+  const std::vector<std::string> selected_before = selected();
+  const auto old_position = view_.index_of(current_);
+  view_ = std::move(view);
+  lines_ = ListLines(view_.hashes.size(), view_.groups, collapsed_);
+  rows_.clear();
+  sort_keys_.clear();
+  sort_unit_ = "-";
+  if (!request_.sort.empty() && request_.sort != "name") {
+    sort_keys_ = descriptor_view({request_.sort}, request_.describe).at(request_.sort);
+    sort_unit_ = descriptor(request_.sort).info.unit;
+  }
+  anchor_.reset();
+  set_selection(selected_before);
+  keep_current_valid(old_position);
+  notify(Change::View);
+}
+
+void ListDocument::keep_current_valid(const std::optional<std::size_t>& old_position) {
+  const std::string pending = std::exchange(pending_current_, "");
+  if (!pending.empty() && view_.index_of(pending)) return set_current(pending);
+  if (view_.index_of(current_)) return;
+  if (view_.hashes.empty()) {
+    if (current_.empty()) return;
+    current_.clear();
+  } else {
+    current_ = view_.hashes[std::min(old_position.value_or(0), view_.hashes.size() - 1)];
+  }
+  notify(Change::Current);
+}
+
+void ListDocument::toggle_group(std::size_t group) {
+  const std::string& title = view_.groups.at(group).title;
+  if (collapsed_.erase(title) == 0) collapsed_.insert(title);
+  lines_ = ListLines(view_.hashes.size(), view_.groups, collapsed_);
+  notify(Change::View);
+}
+
+const ListRow* ListDocument::row(const std::string& hash) {
+  const auto known = rows_.find(hash);
+  if (known != rows_.end()) return &known->second;
+  if (rows_.size() >= kMaxRows) rows_.clear();
+  ListSelection one;
+  one.hashes = {hash};
+  try {
+    const auto entries = list_->select(one);
+    if (entries.empty()) return nullptr;
+    ListRow row{entries.front(), std::nullopt};
+    if (!sort_keys_.empty()) row.value = list_->find(hash, sort_keys_);
+    return &rows_.emplace(hash, std::move(row)).first->second;
+  } catch (const Error& e) {
+    notice_ = reason_of(e);
+    return nullptr;
+  }
+}
+
+}  // namespace slalom

@@ -1,0 +1,142 @@
+#include <slalom/core/text.h>
+#include <slalom/studio/list_view.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace slalom {
+namespace {
+
+using Node = SelectionNode;
+
+SelectionPtr node(Node what) {
+  return std::make_shared<const Node>(std::move(what));
+}
+
+std::vector<std::string> hashes_of(const ScenarioList& list, const ListSelection& selection) {
+  std::vector<std::string> hashes;
+  list.for_each(selection, [&](const ScenarioList::Entry& entry) {
+    hashes.push_back(entry.hash);
+    return true;
+  });
+  return hashes;
+}
+
+std::vector<std::uint32_t> sorted_indices(const std::vector<std::string>& hashes) {
+  std::vector<std::uint32_t> indices(hashes.size());
+  std::iota(indices.begin(), indices.end(), 0U);
+  std::sort(indices.begin(), indices.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return hashes[a] < hashes[b]; });
+  return indices;
+}
+
+/// The condition under which a scenario belongs to a group.
+struct GroupCondition {
+  std::string title;
+  SelectionPtr where;  ///< null: never computed
+  bool always_shown;   ///< even if empty
+};
+
+std::vector<GroupCondition> conditions_of(const ListIndex& index) {
+  const std::string& id = index.descriptor;
+  const auto edge = [&](std::size_t i) { return format_number(index.edges[i]); };
+  const auto compare = [&](Comparison how, double number) {
+    return node({Node::Compare{id, how, number}});
+  };
+  std::vector<GroupCondition> conditions;
+  conditions.push_back(
+      {id + " below " + edge(0), compare(Comparison::Less, index.edges.front()), false});
+  for (std::size_t i = 0; i < index.ranges(); ++i)
+    conditions.push_back(
+        {id + " " + edge(i) + " to " + edge(i + 1), node({Node::InRange{index.name, i}}), true});
+  conditions.push_back({id + " above " + edge(index.ranges()),
+                        compare(Comparison::Greater, index.edges.back()), false});
+  conditions.push_back({id + " NA", node({Node::IsNa{id}}), false});
+  conditions.push_back({id + " not computed", nullptr, false});
+  return conditions;
+}
+
+/// The number of the fulfilled condition for each scenario of the view.
+std::vector<std::size_t> group_numbers(const ScenarioList& list, const ListIndex& index,
+                                       const std::vector<GroupCondition>& conditions,
+                                       const ListView& view) {
+  std::vector<std::size_t> numbers(view.hashes.size(), conditions.size() - 1);
+  const auto assign = [&](const std::vector<std::string>& hashes, std::size_t number) {
+    for (const std::string& hash : hashes)
+      if (const auto i = view.index_of(hash)) numbers[*i] = number;
+  };
+  for (std::size_t i = 0; i + 1 < conditions.size(); ++i) {
+    ListSelection selection;
+    selection.where = conditions[i].where;
+    selection.view[index.descriptor] = index.keys;
+    assign(hashes_of(list, selection), i);
+  }
+  assign(list.missing_values(index.keys),
+         conditions.size() - 1);  // selections count them as NA too
+  return numbers;
+}
+
+void group(ListView& view, const ScenarioList& list, const ListIndex& index) {
+  const std::vector<GroupCondition> conditions = conditions_of(index);
+  const std::vector<std::size_t> numbers = group_numbers(list, index, conditions, view);
+  std::vector<std::size_t> indices(numbers.size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  std::stable_sort(indices.begin(), indices.end(),
+                   [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
+  std::vector<std::size_t> counts(conditions.size());
+  for (const std::size_t number : numbers) ++counts[number];
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    if (counts[i] > 0 || conditions[i].always_shown)
+      view.groups.push_back({conditions[i].title, first, counts[i]});
+    first += counts[i];
+  }
+  std::vector<std::string> hashes;
+  for (const std::size_t i : indices) hashes.push_back(std::move(view.hashes[i]));
+  view.hashes = std::move(hashes);
+  view.by_hash = sorted_indices(view.hashes);
+}
+
+}  // namespace
+
+std::optional<std::size_t> ListView::index_of(const std::string& hash) const {
+  const auto at = std::lower_bound(by_hash.begin(), by_hash.end(), hash,
+                                   [&](std::uint32_t i, const auto& h) { return hashes[i] < h; });
+  if (at == by_hash.end() || hashes[*at] != hash) return std::nullopt;
+  return *at;
+}
+
+ListSelection filter_selection(const ScenarioList& list, const std::string& filter,
+                               const DescribeOptions& describe) {
+  ListSelection selection;
+  if (trim(filter).empty()) return selection;
+  const SelectionVocabulary vocabulary = list.vocabulary(descriptor_ids());
+  selection.where = parse_selection(filter, vocabulary);
+  selection.view = descriptor_view(number_fields(selection.where, vocabulary), describe);
+  return selection;
+}
+
+ListView make_list_view(const ScenarioList& list, const ListViewRequest& request) {
+  ListSelection selection = filter_selection(list, request.filter, request.describe);
+  if (!request.sort.empty()) {
+    selection.order.push_back({request.sort, request.descending});
+    if (request.sort != "name")
+      selection.view.merge(descriptor_view({request.sort}, request.describe));
+  }
+  ListView view;
+  view.total = list.size();
+  view.hashes = hashes_of(list, selection);
+  if (request.sort.empty() && request.descending)
+    std::reverse(view.hashes.begin(), view.hashes.end());
+  view.by_hash = sorted_indices(view.hashes);
+  if (!request.group_by.empty()) group(view, list, list.index(request.group_by));
+  return view;
+}
+
+ListView make_list_view(const std::string& path, const ListViewRequest& request) {
+  return make_list_view(ScenarioList::open(path), request);
+}
+
+}  // namespace slalom

@@ -1,0 +1,136 @@
+#include <slalom/scenario/occupancy.h>
+#include <slalom/studio/palette.h>
+#include <slalom/studio/thumbnails.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+constexpr double kCellsPerPixel = 2;
+constexpr double kMaxCells = 100000;  // along a side
+constexpr double kDiscRadius = 3.5;   // pixels
+
+struct Cells {
+  int first, end;
+};
+
+/// Cell size (m) for scenarios without cells; at most the shorter side.
+double cell_size(const Bounds& bounds, int pixels) {
+  const double longer = std::max(bounds.width(), bounds.height());
+  const double shorter = std::min(bounds.width(), bounds.height());
+  return std::max(std::min(longer / (kCellsPerPixel * pixels), shorter), longer / kMaxCells);
+}
+
+/// The number of cells along a side, without a last one that exceeds the bounds and so counts as
+/// occupied.
+int count_whole_cells(double length, const Occupancy& cells) {
+  return std::max(static_cast<int>(std::floor(length / cells.resolution() * (1 + 1e-6))), 1);
+}
+
+/// The cells in a pixel, at least one.
+Cells cells_in(int pixel, int pixels, int cells) {
+  const auto edge = [&](int p) {
+    return static_cast<int>(static_cast<std::int64_t>(p) * cells / pixels);
+  };
+  const int first = std::min(edge(pixel), cells - 1);
+  return {first, std::max(edge(pixel + 1), first + 1)};
+}
+
+/// A square image with the scenario in its center.
+class Canvas {
+ public:
+  Canvas(const Bounds& bounds, int size) : bounds_(bounds), size_(size) {
+    scale_ = size / std::max(bounds.width(), bounds.height());
+    width_ = std::clamp(static_cast<int>(std::lround(bounds.width() * scale_)), 1, size);
+    height_ = std::clamp(static_cast<int>(std::lround(bounds.height() * scale_)), 1, size);
+    left_ = (size - width_) / 2;
+    top_ = (size - height_) / 2;
+    rgba_.resize(4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+  }
+
+  void draw_cells(const Occupancy& cells) {
+    const int across = count_whole_cells(bounds_.width(), cells),
+              up = count_whole_cells(bounds_.height(), cells);
+    for (int py = 0; py < height_; ++py)
+      for (int px = 0; px < width_; ++px) {
+        const double dark =
+            darkness(cells, cells_in(px, width_, across), cells_in(height_ - 1 - py, height_, up));
+        set(left_ + px, top_ + py, palette().free_space, 1);
+        set(left_ + px, top_ + py, palette().obstacle, dark);
+      }
+  }
+
+  void draw_disc(const TPoint2D& at, const Color& color) {
+    const TPoint2D c = pixel_of(at);
+    for (int y = 0; y < size_; ++y)
+      for (int x = 0; x < size_; ++x)
+        set(x, y, color, kDiscRadius + 0.5 - std::hypot(x + 0.5 - c.x, y + 0.5 - c.y));
+  }
+
+  /// A line from the center of a disc to 2.2 times its radius.
+  void draw_heading(const TPoint2D& at, double angle, const Color& color) {
+    const TPoint2D c = pixel_of(at);
+    const TPoint2D tip(c.x + 2.2 * kDiscRadius * std::cos(angle),
+                       c.y - 2.2 * kDiscRadius * std::sin(angle));
+    for (int y = 0; y < size_; ++y)
+      for (int x = 0; x < size_; ++x)
+        set(x, y, color, 1.3 - distance_to_segment({x + 0.5, y + 0.5}, c, tip));
+  }
+
+  Thumbnail take() { return {size_, std::move(rgba_)}; }
+
+ private:
+  static double darkness(const Occupancy& cells, Cells across, Cells up) {
+    int occupied = 0;
+    for (int cy = up.first; cy < up.end; ++cy)
+      for (int cx = across.first; cx < across.end; ++cx) occupied += cells.occupied(cx, cy) ? 1 : 0;
+    const double mean =
+        static_cast<double>(occupied) / ((up.end - up.first) * (across.end - across.first));
+    return occupied == 0 ? 0 : 0.5 + 0.5 * mean;
+  }
+
+  TPoint2D pixel_of(const TPoint2D& p) const {
+    return {left_ + (p.x - bounds_.x_min) / bounds_.width() * width_,
+            top_ + (bounds_.y_max - p.y) / bounds_.height() * height_};
+  }
+
+  /// Blends a color over a pixel; no effect if `coverage` is not positive.
+  void set(int x, int y, const Color& color, double coverage) {
+    if (coverage <= 0) return;
+    const double alpha = std::min(coverage, 1.0);
+    std::uint8_t* pixel =
+        &rgba_[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size_) +
+                    static_cast<std::size_t>(x))];
+    const double below = pixel[3] / 255.0 * (1 - alpha), opacity = alpha + below;
+    const std::array<std::uint8_t, 3> rgb = {color.R, color.G, color.B};
+    for (std::size_t i = 0; i < 3; ++i)
+      pixel[i] =
+          static_cast<std::uint8_t>(std::lround((rgb[i] * alpha + pixel[i] * below) / opacity));
+    pixel[3] = static_cast<std::uint8_t>(std::lround(255 * opacity));
+  }
+
+  Bounds bounds_;
+  int size_, width_, height_, left_, top_;
+  double scale_;
+  std::vector<std::uint8_t> rgba_;
+};
+
+}  // namespace
+
+Thumbnail make_thumbnail(const Scenario& scenario, int size) {
+  const Bounds& bounds = scenario.bounds();
+  Canvas canvas(bounds, size);
+  canvas.draw_cells(make_occupancy(scenario, cell_size(bounds, size)));
+  const auto& start = scenario.start();
+  canvas.draw_disc(scenario.goal(), palette().goal);
+  canvas.draw_heading({start.x, start.y}, start.phi, palette().start);
+  canvas.draw_disc({start.x, start.y}, palette().start);
+  return canvas.take();
+}
+
+}  // namespace slalom

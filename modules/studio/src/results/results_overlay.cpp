@@ -1,0 +1,170 @@
+#include <slalom/studio/line_series.h>
+#include <slalom/studio/palette.h>
+#include <slalom/studio/results_overlay.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace slalom {
+namespace {
+
+Value metric_of(const RunRecord& run, const std::string& id) {
+  const auto found = run.metrics.find(id);
+  return found == run.metrics.end() ? Value::na(kNotRecorded) : found->second.value;
+}
+
+std::string metric_text(const std::string& name, const Value& value, const std::string& unit) {
+  if (value.is_na()) return name + " NA (" + value.reason() + ")";
+  char number[48];
+  std::snprintf(number, sizeof number, "%.3f %s", value.number(), unit.c_str());
+  return name + " " + number;
+}
+
+std::string detail_of(const OverlayRun& run, const OverlayRow& row) {
+  std::string text = overlay_label(run.record) + ": " + run.record.outcome;
+  if (!run.record.outcome_detail.empty()) text += ", " + run.record.outcome_detail;
+  if (!run.problem.empty()) text += "; " + run.problem;
+  return text + "; " + metric_text("length", row.length, "m") + "; " +
+         metric_text("time to goal", row.time, "s");
+}
+
+bool succeeded(const OverlayRun& run) {
+  return run.record.outcome == to_string(Outcome::Success);
+}
+
+}  // namespace
+
+void ResultsOverlay::set_source(OverlaySource source) {
+  source_ = std::move(source);
+  hidden_.clear();
+  set_runs({});
+}
+
+void ResultsOverlay::set_runs(std::vector<OverlayRun> runs) {
+  runs_ = std::move(runs);
+  clock_.pause();
+  update_duration();
+  clock_.seek(clock_.duration());
+}
+
+OverlayRow ResultsOverlay::make_row(std::size_t run, bool indented) const {
+  const OverlayRun& source = runs_[run];
+  OverlayRow row;
+  row.label = indented ? overlay_label(source.record) : source.record.method;
+  row.runs = {run};
+  row.indented = indented;
+  row.shown = is_shown(run);
+  row.color = color_of(run);
+  row.outcome = source.record.outcome;
+  row.success = succeeded(source) ? "yes" : "no";
+  row.length = metric_of(source.record, "path_length");
+  row.time = metric_of(source.record, "time_to_goal");
+  row.detail = detail_of(source, row);
+  return row;
+}
+
+OverlayRow ResultsOverlay::make_group(std::size_t first, std::size_t end) const {
+  OverlayRow row;
+  row.group = true;
+  row.label = runs_[first].record.method;
+  row.color = color_of(first);
+  row.outcome = runs_[first].record.outcome;
+  std::size_t successes = 0;
+  for (std::size_t run = first; run < end; ++run) {
+    row.runs.push_back(run);
+    row.shown = row.shown || is_shown(run);
+    if (runs_[run].record.outcome != row.outcome) row.outcome = "mixed";
+    if (succeeded(runs_[run])) ++successes;
+  }
+  row.success = std::to_string(successes) + " of " + std::to_string(end - first);
+  row.detail = row.label + ": " + row.success + " runs reached the goal";
+  return row;
+}
+
+std::vector<OverlayRow> ResultsOverlay::rows() const {
+  std::vector<OverlayRow> rows;
+  for (std::size_t first = 0, end = 0; first < runs_.size(); first = end) {
+    while (end < runs_.size() && runs_[end].record.method == runs_[first].record.method) ++end;
+    const bool several = end - first > 1;
+    if (several) rows.push_back(make_group(first, end));
+    for (std::size_t run = first; run < end; ++run) rows.push_back(make_row(run, several));
+  }
+  return rows;
+}
+
+bool ResultsOverlay::is_shown(std::size_t run) const {
+  const RunRecord& record = runs_[run].record;
+  return hidden_.count({record.method, record.repetition}) == 0;
+}
+
+void ResultsOverlay::toggle(const OverlayRow& row) {
+  const bool hide = std::any_of(row.runs.begin(), row.runs.end(),
+                                [this](std::size_t run) { return is_shown(run); });
+  for (const std::size_t run : row.runs) {
+    const std::pair<std::string, int> key = {runs_[run].record.method,
+                                             runs_[run].record.repetition};
+    if (hide)
+      hidden_.insert(key);
+    else
+      hidden_.erase(key);
+  }
+  update_duration();
+}
+
+void ResultsOverlay::show_all(bool shown) {
+  hidden_.clear();
+  for (const OverlayRun& run : runs_)
+    if (!shown) hidden_.insert({run.record.method, run.record.repetition});
+  update_duration();
+}
+
+void ResultsOverlay::update_duration() {
+  double duration = 0;
+  for (std::size_t run = 0; run < runs_.size(); ++run)
+    if (runs_[run].trajectory && is_shown(run))
+      duration = std::max(duration, runs_[run].trajectory->duration());
+  clock_.set_duration(duration);
+}
+
+std::vector<OverlayTrajectory> ResultsOverlay::trajectories() const {
+  std::vector<OverlayTrajectory> drawn;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const OverlayRun& run = runs_[i];
+    if (!run.trajectory || !is_shown(i)) continue;
+    OverlayTrajectory line;
+    line.label = overlay_label(run.record);
+    line.outcome = run.record.outcome;
+    line.color = color_of(i);
+    line.trajectory = run.trajectory;
+    line.time = clock_.time();
+    line.sample = sample_at(*run.trajectory, line.time);
+    line.pose = pose_at(*run.trajectory, line.time);
+    if (source_.robot) line.footprint = source_.robot->shape();
+    if (line.sample < run.scans.size()) line.scan = run.scans[line.sample];
+    drawn.push_back(std::move(line));
+  }
+  return drawn;
+}
+
+Color ResultsOverlay::color_of(std::size_t run) const {
+  const auto& methods = source_.methods;
+  const auto found = std::lower_bound(methods.begin(), methods.end(), runs_[run].record.method);
+  return method_line_color(static_cast<std::size_t>(found - methods.begin()));
+}
+
+std::optional<double> ResultsOverlay::now(std::size_t run,
+                                          const std::vector<double>& series) const {
+  const OverlayRun& source = runs_[run];
+  if (!source.trajectory || clock_.time() > source.trajectory->duration()) return std::nullopt;
+  return LineSeries{"", {}, source.times, series}.value_at(clock_.time());
+}
+
+std::optional<double> ResultsOverlay::clearance_now(std::size_t run) const {
+  return now(run, runs_[run].clearances);
+}
+
+std::optional<double> ResultsOverlay::speed_now(std::size_t run) const {
+  return now(run, runs_[run].speeds);
+}
+
+}  // namespace slalom

@@ -1,0 +1,161 @@
+#include <slalom/studio/scene_editor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace slalom {
+
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+
+namespace {
+
+double distance_between(const TPoint2D& a, const TPoint2D& b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+/// Obstacle number `index`, translated.
+Primitives translated(const Primitives& all, std::size_t index, double dx, double dy) {
+  Primitives result;
+  if (index < all.discs.size()) {
+    const Disc& disc = all.discs[index];
+    result.discs.push_back({{disc.center.x + dx, disc.center.y + dy}, disc.radius});
+  } else if (index - all.discs.size() < all.polygons.size()) {
+    Polygon polygon = all.polygons[index - all.discs.size()];
+    for (TPoint2D& p : polygon.vertices) p = {p.x + dx, p.y + dy};
+    result.polygons.push_back(std::move(polygon));
+  }
+  return result;
+}
+
+}  // namespace
+
+void SceneEditor::set_tool(EditTool tool) {
+  cancel();
+  tool_ = tool;
+}
+
+void SceneEditor::set_brush(double radius) {
+  brush_ = std::clamp(radius, 0.001, 100.0);
+}
+
+void SceneEditor::press(const Scenario& scenario, const TPoint2D& at, double tolerance) {
+  if (tool_ == EditTool::Look) return;
+  pressed_ = true;
+  tolerance_ = tolerance;
+  from_ = at_ = at;
+  stroke_ = {at};
+  obstacle_ = obstacle_at(scenario, at, tolerance);
+}
+
+void SceneEditor::move(const TPoint2D& at) {
+  at_ = at;
+  // Points closer than a quarter of the brush make no visible difference.
+  if (pressed_ && distance_between(stroke_.back(), at) > std::max(0.25 * brush_, 1e-6))
+    stroke_.push_back(at);
+}
+
+std::optional<SceneEdit> SceneEditor::release(const Scenario& scenario, const TPoint2D& at) {
+  if (!pressed_) return std::nullopt;
+  at_ = at;
+  if (!(stroke_.back() == at)) stroke_.push_back(at);
+  pressed_ = false;
+  if (tool_ == EditTool::Polygon) return add_vertex(scenario);
+  return edit(scenario);
+}
+
+std::optional<SceneEdit> SceneEditor::add_vertex(const Scenario& scenario) {
+  if (vertices_.size() >= 3 && distance_between(vertices_.front(), at_) <= tolerance_)
+    return finish(scenario);
+  if (vertices_.empty() || distance_between(vertices_.back(), at_) > tolerance_)
+    vertices_.push_back(at_);
+  return std::nullopt;
+}
+
+std::optional<SceneEdit> SceneEditor::finish(const Scenario& scenario) {
+  if (vertices_.size() < 3) return std::nullopt;
+  const Polygon polygon{std::exchange(vertices_, {})};
+  return SceneEdit{with_obstacle_added(scenario, polygon), "Add polygon"};
+}
+
+void SceneEditor::cancel() {
+  pressed_ = false;
+  vertices_.clear();
+  stroke_.clear();
+  obstacle_.reset();
+}
+
+bool SceneEditor::dragged() const {
+  return distance_between(from_, at_) > tolerance_;
+}
+
+/// A drag sets the heading of the robot; a click keeps it.
+TPose2D SceneEditor::start_pose(const Scenario& scenario) const {
+  const double heading =
+      dragged() ? std::atan2(at_.y - from_.y, at_.x - from_.x) : scenario.start().phi;
+  return {from_.x, from_.y, heading};
+}
+
+Disc SceneEditor::new_disc() const {
+  return {from_, dragged() ? distance_between(from_, at_) : brush_};
+}
+
+std::optional<SceneEdit> SceneEditor::edit(const Scenario& scenario) const {
+  switch (tool_) {
+    case EditTool::Start:
+      return SceneEdit{with_start(scenario, start_pose(scenario)), "Move start"};
+    case EditTool::Goal:
+      return SceneEdit{with_goal(scenario, at_), "Move goal"};
+    case EditTool::Disc:
+      return SceneEdit{with_obstacle_added(scenario, new_disc()), "Add disc"};
+    case EditTool::Move:
+    case EditTool::Delete:
+      return edit_obstacle(scenario);
+    case EditTool::Paint:
+    case EditTool::Erase:
+      return edit_cells(scenario);
+    case EditTool::Look:
+    case EditTool::Polygon:
+      break;
+  }
+  return std::nullopt;
+}
+
+std::optional<SceneEdit> SceneEditor::edit_obstacle(const Scenario& scenario) const {
+  if (!obstacle_) return std::nullopt;
+  if (tool_ == EditTool::Delete)
+    return SceneEdit{with_obstacle_removed(scenario, *obstacle_), "Delete obstacle"};
+  if (!dragged()) return std::nullopt;
+  return SceneEdit{with_obstacle_moved(scenario, *obstacle_, at_.x - from_.x, at_.y - from_.y),
+                   "Move obstacle"};
+}
+
+std::optional<SceneEdit> SceneEditor::edit_cells(const Scenario& scenario) const {
+  const bool paint = tool_ == EditTool::Paint;
+  if (scenario.representation() == Representation::Points) {
+    if (paint) return SceneEdit{with_points_added(scenario, stroke_), "Add points"};
+    return SceneEdit{with_points_removed(scenario, {stroke_, brush_}), "Delete points"};
+  }
+  return SceneEdit{with_cells_painted(scenario, {stroke_, brush_}, paint),
+                   paint ? "Paint cells" : "Erase cells"};
+}
+
+EditPreview SceneEditor::preview(const Scenario& scenario) const {
+  EditPreview preview;
+  if (!vertices_.empty()) {
+    preview.open_polygon = vertices_;
+    preview.open_polygon.push_back(at_);
+  }
+  if (!pressed_) return preview;
+  if (tool_ == EditTool::Start) preview.start = start_pose(scenario);
+  if (tool_ == EditTool::Goal) preview.goal = at_;
+  if (tool_ == EditTool::Disc) preview.obstacles.discs.push_back(new_disc());
+  if (tool_ == EditTool::Move && obstacle_)
+    preview.obstacles =
+        translated(scenario.primitives(), *obstacle_, at_.x - from_.x, at_.y - from_.y);
+  if (tool_ == EditTool::Paint || tool_ == EditTool::Erase) preview.stroke = {stroke_, brush_};
+  return preview;
+}
+
+}  // namespace slalom

@@ -1,0 +1,49 @@
+#include <slalom/core/error.h>
+#include <slalom/io/result_file.h>
+#include <slalom/studio/settings.h>
+
+#include <filesystem>
+
+namespace slalom {
+namespace {
+
+constexpr const char* kSection = "window";
+
+}  // namespace
+
+void StudioSettings::visit(OptionVisitor& v) {
+  v.option("width", width, "pixels", "of the window", Range::between(640, 8192));
+  v.option("height", height, "pixels", "of the window", Range::between(480, 8192));
+  v.option("list_width", list_width, "pixels", "of list and descriptors at the left",
+           Range::between(0, 8192));
+  v.option("descriptors_height", descriptors_height, "pixels", "of the descriptors",
+           Range::between(0, 8192));
+  v.option("results_height", results_height, "pixels", "of the results", Range::between(0, 8192));
+  v.option("legend", legend, "whether the list of layers is open");
+  v.option("layers", layers, "visible layers, comma separated");
+}
+
+StudioSettings read_studio_settings(const std::string& path) {
+  if (!std::filesystem::exists(path)) return {};
+  const IniFile ini = IniFile::load(path);
+  ini.reject_unknown_sections({kSection});
+  return read_options<StudioSettings>(ini, kSection);
+}
+
+void write_studio_settings(const StudioSettings& settings, const std::string& path) {
+  IniFile ini = IniFile::from_text("", path);
+  ini.set(kSection, "width", std::to_string(settings.width));
+  ini.set(kSection, "height", std::to_string(settings.height));
+  ini.set(kSection, "list_width", std::to_string(settings.list_width));
+  ini.set(kSection, "descriptors_height", std::to_string(settings.descriptors_height));
+  ini.set(kSection, "results_height", std::to_string(settings.results_height));
+  ini.set(kSection, "legend", settings.legend ? "true" : "false");
+  ini.set(kSection, "layers", settings.layers);
+  std::error_code error;
+  const auto folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  if (error) throw job_error(folder.string(), "cannot be created: " + error.message());
+  write_file_atomically(path, ini.canonical_text());
+}
+
+}  // namespace slalom

@@ -1,0 +1,204 @@
+#include "result_fixture.h"
+
+#include <slalom/analysis/gate.h>
+#include <slalom/analysis/paired_comparison.h>
+#include <slalom/analysis/power.h>
+#include <slalom/analysis/rate_tests.h>
+#include <slalom/core/error.h>
+#include <slalom/core/random.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+/// Method a succeeds in the first `both + only_a` of n scenarios, b in `both` and the next
+/// `only_b`.
+ResultTable rates(int n, int both, int only_a, int only_b) {
+  ResultFixture fixture;
+  for (int i = 0; i < n; ++i) {
+    const std::string hash = fixture.add_scenario(Value::of(0.1));
+    const bool a = i < both + only_a;
+    const bool b = i < both || (i >= both + only_a && i < both + only_a + only_b);
+    fixture.add_run(hash, "a", a ? 0.9 : -1);
+    fixture.add_run(hash, "b", b ? 0.9 : -1);
+  }
+  return fixture.table;
+}
+
+/// Optimality of b is that of a and `shift` more, with noise of deviation `sigma`.
+ResultTable shifted(int n, double shift, double sigma) {
+  RandomEngine engine(3);
+  ResultFixture fixture;
+  for (int i = 0; i < n; ++i) {
+    const std::string hash = fixture.add_scenario(Value::of(0.1));
+    const double a = uniform_real(engine, 0.4, 0.6);
+    fixture.add_run(hash, "a", a);
+    fixture.add_run(hash, "b", a + shift + normal(engine, 0, sigma));
+  }
+  return fixture.table;
+}
+
+PairedComparison only(const ResultTable& table, const std::string& metric) {
+  const auto family = compare_methods(table, {metric}, "", {});
+  EXPECT_EQ(family.size(), 1u);
+  return family.at(0);
+}
+
+TEST(PairedComparison, CountsDiscordantScenariosOfRates) {
+  const PairedComparison c = only(rates(60, 40, 2, 14), "success");
+  EXPECT_EQ(c.scenarios, 60u);
+  EXPECT_EQ(c.higher, 14u);
+  EXPECT_EQ(c.lower, 2u);
+  EXPECT_EQ(c.test, PairedComparison::Test::McNemarExact);
+  EXPECT_DOUBLE_EQ(c.p, mcnemar_exact(14, 2));
+  EXPECT_NEAR(*c.difference, 12 / 60.0, 1e-12);
+  EXPECT_EQ(c.verdict, Verdict::Better);
+  EXPECT_NE(verdict_sentence(c).find("b is better than a in success: 0.900 against 0.700"),
+            std::string::npos)
+      << verdict_sentence(c);
+}
+
+TEST(PairedComparison, EstimatesTheRequiredNumberOfScenarios) {
+  const PairedComparison c = only(rates(10, 6, 1, 2), "success");
+  EXPECT_EQ(c.verdict, Verdict::NotEnough);
+  // Three of ten differ, plus one added: variance 4 / 11; divided by Wilcoxon's efficiency 3 / pi.
+  const double pairs = static_cast<double>(required_pairs(0.05, std::sqrt(4.0 / 11), 0.05, 0.8));
+  EXPECT_EQ(c.required_scenarios, static_cast<std::size_t>(std::ceil(pairs * M_PI / 3)));
+  const std::string more = std::to_string(c.required_scenarios - 10) + " more scenarios";
+  EXPECT_NE(verdict_sentence(c).find(more), std::string::npos) << verdict_sentence(c);
+}
+
+TEST(PairedComparison, ReportsNoDifferenceOnlyWithSufficientPower) {
+  const PairedComparison same = only(shifted(60, 0, 0.01), "optimality");
+  EXPECT_EQ(same.verdict, Verdict::NoDifference);
+  EXPECT_GE(same.scenarios, same.required_scenarios);
+  EXPECT_EQ(only(shifted(60, 0, 0.1), "optimality").verdict, Verdict::NotEnough);
+}
+
+TEST(PairedComparison, FollowsTheDirectionOfTheMetric) {
+  const PairedComparison up = only(shifted(30, -0.2, 0.01), "optimality");
+  EXPECT_EQ(up.verdict, Verdict::Worse);
+  EXPECT_NEAR(up.shift->estimate, -0.2, 0.01);
+  EXPECT_EQ(up.lower, 30u);
+  EXPECT_LT(*up.superiority, 0.1);
+}
+
+TEST(PairedComparison, FalsePositivesAreRareInAFamily) {
+  // Five equal methods: ten comparisons, a false positive in at most 5 % of families.
+  RandomEngine engine(9);
+  int wrong = 0;
+  const int families = 200;
+  for (int family = 0; family < families; ++family) {
+    ResultFixture fixture;
+    for (int i = 0; i < 15; ++i) {
+      const std::string hash = fixture.add_scenario(Value::of(0.1));
+      for (const char* method : {"a", "b", "c", "d", "e"})
+        fixture.add_run(hash, method, uniform_real(engine, 0.1, 1));
+    }
+    for (const auto& c : compare_methods(fixture.table, {"optimality"}, "", {}))
+      if (c.verdict == Verdict::Better || c.verdict == Verdict::Worse) {
+        ++wrong;
+        break;
+      }
+  }
+  EXPECT_LE(wrong, 20);  // 10 expected at most, 3 standard deviations are 9
+}
+
+TEST(PairedComparison, RepetitionsOfAScenarioCountOnce) {
+  ResultFixture fixture;
+  for (int i = 0; i < 12; ++i) {
+    const std::string hash = fixture.add_scenario(Value::of(0.1));
+    for (int repetition = 0; repetition < 3; ++repetition) {
+      fixture.add_run(hash, "a", repetition == 0 ? 0.5 : -1, repetition);
+      fixture.add_run(hash, "b", 0.5, repetition);
+    }
+  }
+  const ResultTable table = fixture.table;
+  const PairedComparison c = only(table, "success");
+  EXPECT_EQ(c.scenarios, 12u);
+  EXPECT_EQ(c.pairs, 36u);
+  EXPECT_EQ(c.test, PairedComparison::Test::SignedRankExact);
+  const PairedComparison values = only(table, "optimality");
+  EXPECT_EQ(values.pairs, 12u);
+  EXPECT_EQ(values.without_value, 24u);
+}
+
+TEST(PairedComparison, EqualDecimalValuesAreEqual) {
+  ResultFixture fixture;
+  const std::pair<double, double> values[] = {{0.3, 0.1 + 0.2}, {0.5, 0.8}, {0.6, 0.3}};
+  for (const auto& [a, b] : values) {
+    const std::string hash = fixture.add_scenario(Value::of(0.1));
+    fixture.add_run(hash, "a", a);
+    fixture.add_run(hash, "b", b);
+  }
+  const PairedComparison c = only(fixture.table, "optimality");
+  EXPECT_EQ(c.equal, 1u);
+  EXPECT_EQ(c.higher, 1u);
+  EXPECT_EQ(c.lower, 1u);
+  EXPECT_EQ(c.p, 1);                          // one difference of each sign, and of one size
+  EXPECT_DOUBLE_EQ(*c.superiority, 4 / 9.0);  // of 9 pairs b is above in 3 and equal in 2
+}
+
+TEST(PairedComparison, BaselineIsTheFirstOfEachPair) {
+  ResultFixture fixture;
+  for (int i = 0; i < 4; ++i) {
+    const std::string hash = fixture.add_scenario(Value::of(0.1));
+    for (const char* method : {"a", "b", "c"}) fixture.add_run(hash, method, 0.5);
+  }
+  const ResultTable table = fixture.table;
+  EXPECT_EQ(compare_methods(table, {"success"}, "", {}).size(), 3u);
+  const auto against_b = compare_methods(table, {"success"}, "b", {});
+  ASSERT_EQ(against_b.size(), 2u);
+  for (const PairedComparison& c : against_b) EXPECT_EQ(c.a, "b");
+  EXPECT_THROW(compare_methods(table, {"success"}, "d", {}), Error);
+}
+
+TEST(PairedComparison, PairsTwoResultsByScenarioAndRejectsUnrelatedOnes) {
+  ResultTable before = rates(20, 15, 0, 0), after = rates(20, 15, 5, 0);
+  before.source = "before";
+  after.source = "after";
+  const auto family = compare_results(before, after, {"success"}, {});
+  ASSERT_EQ(family.size(), 2u);  // methods a and b
+  EXPECT_NEAR(*family[0].difference, 0.25, 1e-12);
+  EXPECT_NEAR(*family[1].difference, 0, 1e-12);
+  for (std::string& hash : after.scenario_hashes) hash[0] = 'f';
+  EXPECT_THROW(compare_results(before, after, {"success"}, {}), Error);
+  after = rates(20, 15, 5, 0);
+  after.methods = {"x", "y"};
+  EXPECT_THROW(compare_results(before, after, {"success"}, {}), Error);
+}
+
+TEST(Gate, ParsesMetricOperatorAndNumber) {
+  const Gate gate = parse_gate("success >= -0.02");
+  EXPECT_EQ(gate.metric, "success");
+  EXPECT_EQ(gate.comparison, Gate::Comparison::AtLeast);
+  EXPECT_EQ(gate.limit, -0.02);
+  EXPECT_EQ(parse_gate("time_to_goal<0.5").comparison, Gate::Comparison::Below);
+  EXPECT_EQ(parse_gate("a <= 1").comparison, Gate::Comparison::AtMost);
+  EXPECT_EQ(parse_gate("a > 1").comparison, Gate::Comparison::Above);
+  for (const char* wrong : {"", "success", ">= 1", "success >=", "success = 1", "a >= x"})
+    EXPECT_THROW(parse_gate(wrong), Error) << wrong;
+}
+
+TEST(Gate, EvaluatesTheDifferenceOrItsInterval) {
+  const auto family = compare_methods(rates(50, 40, 1, 0), {"success"}, "", {});  // b: -0.02
+  EXPECT_TRUE(evaluate_gate(parse_gate("success >= -0.02"), family, GateOn::Estimate)[0].passed);
+  EXPECT_FALSE(evaluate_gate(parse_gate("success > -0.02"), family, GateOn::Estimate)[0].passed);
+  EXPECT_FALSE(evaluate_gate(parse_gate("success >= -0.02"), family, GateOn::Interval)[0].passed);
+  EXPECT_TRUE(evaluate_gate(parse_gate("success >= -0.5"), family, GateOn::Interval)[0].passed);
+  EXPECT_TRUE(evaluate_gate(parse_gate("spl >= 0"), family, GateOn::Estimate).empty());
+}
+
+TEST(Gate, FailsWithoutADifference) {
+  const auto family = compare_methods(rates(5, 0, 0, 0), {"optimality"}, "", {});
+  const GateResult result =
+      evaluate_gate(parse_gate("optimality >= -1"), family, GateOn::Estimate).at(0);
+  EXPECT_FALSE(result.evaluated);
+  EXPECT_FALSE(result.passed);
+}
+
+}  // namespace
+}  // namespace slalom

@@ -1,0 +1,349 @@
+#include "error_text.h"
+#include "result_fixture.h"
+
+#include <slalom/analysis/campaign_settings.h>
+#include <slalom/analysis/completion.h>
+#include <slalom/analysis/csv_columns.h>
+#include <slalom/analysis/descriptor_map.h>
+#include <slalom/analysis/failure_taxonomy.h>
+#include <slalom/analysis/interpreter.h>
+#include <slalom/analysis/method_ranks.h>
+#include <slalom/analysis/performance_profile.h>
+#include <slalom/analysis/robustness.h>
+#include <slalom/analysis/table_export.h>
+#include <slalom/analysis/table_text.h>
+#include <slalom/analysis/validity.h>
+#include <slalom/core/error.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace slalom {
+namespace {
+
+/// Six scenarios of density 0.1 .. 0.6; a fails in the densest two, b in none. Optimality
+/// decreases with density.
+ResultFixture six() {
+  ResultFixture fixture;
+  for (int i = 1; i <= 6; ++i) {
+    const std::string hash = fixture.add_scenario(Value::of(0.1 * i));
+    fixture.add_run(hash, "a", i <= 4 ? 1 - 0.1 * i : -1);
+    fixture.add_run(hash, "b", 1 - 0.05 * i);
+  }
+  return fixture;
+}
+
+AnalysisQuery query(const std::string& rows, const std::vector<std::string>& metrics) {
+  AnalysisQuery result;
+  result.rows = parse_bin_specs(rows);
+  result.metrics = metrics;
+  return result;
+}
+
+const Interpreter& named(const std::string& id) {
+  for (const Interpreter& interpreter : all_interpreters())
+    if (interpreter.id == id) return interpreter;
+  throw std::runtime_error("no " + id);
+}
+
+TEST(Interpreter, IdsAreUniqueAndAllFormatsAgree) {
+  std::set<std::string> ids;
+  for (const Interpreter& interpreter : all_interpreters()) {
+    EXPECT_TRUE(ids.insert(interpreter.id).second);
+    EXPECT_FALSE(interpreter.help.empty());
+    if (interpreter.min_results > 1 || interpreter.id == "table") continue;
+    const std::string rows = interpreter.id == "map" ? "density:2;density:3" : "density:2";
+    const std::vector<ResultTable> results = {six().table};
+    const auto found = interpreter.interpret(results, query(rows, {"optimality"}));
+    ASSERT_FALSE(found.tables.empty()) << interpreter.id;
+    const auto json = nlohmann::json::parse(render_json(found));
+    EXPECT_EQ(json["tables"].size(), found.tables.size());
+    EXPECT_EQ(json["tables"][0]["rows"].size(), found.tables[0].rows);
+    const std::string csv = render_csv(found.tables[0]);
+    EXPECT_EQ(csv.substr(0, csv.find(',')), found.tables[0].columns[0]);
+    EXPECT_FALSE(render_text(found).empty());
+    const auto again = interpreter.interpret(results, query(rows, {"optimality"}));
+    EXPECT_EQ(render_json(found), render_json(again));
+  }
+}
+
+TEST(Interpreter, CrossTablesKeepTheirOwnFormats) {
+  const std::vector<ResultTable> results = {six().table};
+  AnalysisQuery asked = query("density:2;all", {"optimality"});
+  const auto tables =
+      build_cross_tables(results[0], asked.rows, asked.metrics, asked.comparison.analysis);
+  const Interpretation found = named("table").interpret(results, asked);
+  EXPECT_EQ(render_csv(found), render_csv(tables));
+  EXPECT_EQ(render_json(found), render_json(tables));
+  EXPECT_EQ(render_text(found), render_tables_text(results[0], asked.rows, asked.metrics, 0.95));
+  asked.method = "b";  // no summary, which would be of all methods
+  EXPECT_EQ(render_text(named("table").interpret(results, asked)),
+            render_cross_table_text(tables[1]) + "\n\n" + render_cross_table_text(tables[3]));
+}
+
+/// Three methods over `six`; c is as good as a, and reaches nothing beyond scenario 2.
+ResultFixture three_methods() {
+  ResultFixture fixture = six();
+  int i = 0;
+  for (const std::string& hash : fixture.table.scenario_hashes)
+    fixture.add_run(hash, "c", ++i <= 2 ? 1 - 0.1 * i : -1);
+  return fixture;
+}
+
+std::string csv_of(const std::string& id, const std::string& method, const std::string& metric) {
+  AnalysisQuery asked = query("density:2", {metric});
+  asked.method = method;
+  return render_csv(named(id).interpret({three_methods().table}, asked));
+}
+
+TEST(Interpreter, AMethodIsShownAsItIsAmongAll) {
+  // Its rows are those of the answer about all methods, which ranks and profiles compare.
+  for (const char* id : {"ranks", "profile", "completion", "failures", "summary", "validity"}) {
+    const std::string metric = std::string(id) == "completion" ? "path_length" : "optimality";
+    const std::string all = csv_of(id, "", metric), one = csv_of(id, "b", metric);
+    EXPECT_EQ(one.find("\na,"), std::string::npos) << id << "\n" << one;
+    EXPECT_NE(one.find("\nb,"), std::string::npos) << id << "\n" << one;
+    std::istringstream lines(one);
+    for (std::string line; std::getline(lines, line);)
+      EXPECT_NE(all.find(line), std::string::npos) << id << ": " << line;
+  }
+}
+
+TEST(Interpreter, CompareTakesTheOthersAgainstAMethod) {
+  const std::string csv = csv_of("compare", "b", "optimality");
+  EXPECT_NE(csv.find("optimality,a,b,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("optimality,b,c,"), std::string::npos) << csv;
+  EXPECT_EQ(csv.find("optimality,a,c,"), std::string::npos) << csv;
+  // The family of Holm's correction is what was asked: two comparisons, not three.
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
+}
+
+TEST(Interpreter, AMethodThatIsNotThereIsRefusedByAll) {
+  for (const Interpreter& interpreter : all_interpreters()) {
+    const bool sweeps = interpreter.min_results > 1;
+    AnalysisQuery asked =
+        query(interpreter.id == "map" ? "density:2;clearness:2" : "density:2", {"optimality"});
+    asked.method = "nothing_like_it";
+    asked.parameter = "sensor.noise_sigma";
+    std::vector<ResultTable> results = {six().table};
+    if (sweeps) results.push_back(results.front());
+    try {
+      interpreter.interpret(results, asked);
+      FAIL() << interpreter.id;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exit_status(), 2) << interpreter.id;
+      EXPECT_NE(std::string(error.what()).find("one of a, b"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Interpreter, ScenariosOfRanksAddUpToAllThatThereAre) {
+  ResultFixture fixture = six();
+  for (int i = 0; i < 3; ++i) {  // scenarios in which nobody arrives
+    const std::string hash = fixture.add_scenario(Value::of(0.9));
+    fixture.add_run(hash, "a", -1);
+    fixture.add_run(hash, "b", -1);
+  }
+  const ResultTable table = fixture.table;
+  const auto ranks = named("ranks").interpret({table}, query("all", {"optimality"}));
+  // a and b have values in 4 of 9 scenarios, b alone in 2, none in 3.
+  const std::string text = render_text(ranks);
+  EXPECT_NE(text.find("4 of 9 scenarios; left out: 2 in which not every method has a value, 3 in "
+                      "which none has"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(render_csv(ranks).find("scenarios,left_out,without_value,"), std::string::npos);
+  EXPECT_NE(render_csv(ranks).find("\n4,2,3,"), std::string::npos) << render_csv(ranks);
+  EXPECT_NE(render_csv(ranks).find(",0.05,"), std::string::npos) << render_csv(ranks);
+  const auto profile = named("profile").interpret({table}, query("all", {"optimality"}));
+  EXPECT_NE(
+      render_text(profile).find("6 of 9 scenarios; left out: 3 in which no method has a value"),
+      std::string::npos)
+      << render_text(profile);
+}
+
+TEST(Interpreter, MapAssignsEachRunToItsField) {
+  const ResultTable table = six().table;
+  const DescriptorMap map =
+      build_descriptor_map(table, "a", parse_bin_spec("density:0,0.35,1"),
+                           parse_bin_spec("clearness:0,0.5,1"), "success", {});
+  EXPECT_EQ(map.fields[0][1].cell.n, 3u);  // 0.1, 0.2, 0.3; clearness is 0.5 throughout
+  EXPECT_EQ(map.fields[1][1].cell.n, 3u);
+  EXPECT_EQ(map.fields[1][1].cell.failures, 2u);
+  EXPECT_NEAR(*map.fields[1][1].cell.estimate, 1 / 3.0, 1e-12);
+  EXPECT_EQ(map.fields[0][0].cell.n, 0u);
+  EXPECT_EQ(map.left_out, 0u);
+  EXPECT_THROW(build_descriptor_map(table, "a", BinSpec{}, BinSpec{}, "success", {}), Error);
+}
+
+TEST(Interpreter, EmptyCellsHaveAReason) {
+  const auto found = named("map").interpret(
+      {six().table}, query("density:0,0.45,0.65;clearness:0,0.4,1", {"optimality"}));
+  const std::string csv = render_csv(found);
+  EXPECT_NE(csv.find("no runs"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("no values: 2 collision"), std::string::npos) << csv;
+}
+
+TEST(Interpreter, FailuresAddUpToTheRuns) {
+  const ResultTable table = six().table;
+  const FailureTaxonomy taxonomy =
+      build_failure_taxonomy(table, parse_bin_spec("density:0,0.45,1"), {});
+  EXPECT_EQ(taxonomy.outcomes, (std::vector<std::string>{"success", "collision"}));
+  ASSERT_EQ(taxonomy.groups.size(), 4u);
+  const OutcomeGroup& dense_a = taxonomy.groups[1];
+  EXPECT_EQ(dense_a.n, 2u);
+  EXPECT_EQ(dense_a.outcomes[1].fraction, 1);
+  EXPECT_EQ(table.outcomes[table.outcome[dense_a.outcomes[1].runs[0]]], "collision");
+  for (const OutcomeGroup& group : taxonomy.groups)
+    EXPECT_EQ(group.outcomes[0].runs.size() + group.outcomes[1].runs.size(), group.n);
+}
+
+TEST(Interpreter, ValidityFindsTheCorrelationWithDensity) {
+  const ValidityTable validity = build_validity(six().table, {"optimality"}, {});
+  for (const DescriptorValidity& entry : validity.validity) {
+    const bool constant = entry.descriptor == "clearness";
+    EXPECT_EQ(entry.correlation.rho.has_value(), !constant);
+    if (constant) continue;
+    EXPECT_NEAR(*entry.correlation.rho, -1, 1e-12);
+  }
+  EXPECT_EQ(validity.redundancy.size(), 3u);  // two descriptors: each with itself, and the pair
+}
+
+TEST(Interpreter, RanksUseScenariosWithValuesOfAllMethods) {
+  const MethodRanks ranks = build_method_ranks(six().table, "optimality", {});
+  EXPECT_EQ(ranks.test.scenarios, 4u);
+  EXPECT_EQ(ranks.left_out, 2u);
+  EXPECT_EQ(ranks.test.mean_ranks, (std::vector<double>{2, 1}));
+}
+
+TEST(Interpreter, ProfilesAreRatiosToTheBest) {
+  const ProfileTable table = build_profiles(six().table, "optimality");
+  EXPECT_EQ(table.scenarios, 6u);
+  const PerformanceProfile &a = table.profiles[0], &b = table.profiles[1];
+  EXPECT_EQ(b.steps.size(), 1u);
+  EXPECT_EQ(b.steps[0].fraction, 1);  // the best everywhere
+  EXPECT_EQ(a.without_value, 2u);
+  ASSERT_EQ(a.steps.size(), 5u);
+  EXPECT_EQ(a.steps[0].fraction, 0);
+  EXPECT_NEAR(a.steps[1].ratio, 0.95 / 0.9, 1e-12);
+  EXPECT_NEAR(a.steps[4].ratio, 0.8 / 0.6, 1e-12);
+  EXPECT_NEAR(a.steps[4].fraction, 4 / 6.0, 1e-12);
+  EXPECT_THROW(build_profiles(six().table, "success"), Error);  // a rate has zeros
+}
+
+TEST(Interpreter, CompletionEndsAtTheSuccessRate) {
+  ResultFixture fixture = six();
+  ResultTable& table = fixture.table;
+  ValueColumn time({"time_to_goal", 1, "", "s", Direction::Down});
+  ValueColumn speed({"mean_speed", 1, "", "m/s", Direction::Up});
+  for (std::size_t run = 0; run < table.size(); ++run) {
+    const bool reached = table.outcomes[table.outcome[run]] == "success";
+    time.add(reached ? Value::of(10 + static_cast<double>(run)) : Value::na("outcome: collision"));
+    speed.add_number(2);  // with a path length of 10: all end after 5 s
+  }
+  table.metrics.push_back(time);
+  table.metrics.push_back(speed);
+  const auto curves = build_completion(table, "time_to_goal");
+  EXPECT_EQ(curves[0].n, 6u);
+  EXPECT_NEAR(curves[0].incidence.back().value, 4 / 6.0, 1e-12);
+  EXPECT_NEAR(curves[0].kaplan_meier.back().value, 1, 1e-12);  // the others are censored at 5 s
+  EXPECT_NEAR(curves[1].incidence.back().value, 1, 1e-12);
+}
+
+Manifest campaign(const std::string& sigma) {
+  return {{"campaign.ini", "[campaign]\nname = x" + sigma + "\n[sensor]\nnoise_sigma = " + sigma +
+                               "\nrays = 181\n"},
+          {"scenarios.hash", "abc"}};
+}
+
+std::vector<ResultTable> sweep() {
+  std::vector<ResultTable> results;
+  for (const char* sigma : {"0.2", "0", "0.1"}) {
+    ResultFixture fixture;
+    double number = 0;
+    number = std::stod(sigma);
+    for (int i = 0; i < 10; ++i) {
+      const std::string hash = fixture.add_scenario(Value::of(0.1));
+      fixture.add_run(hash, "a", 0.9 - number - 0.001 * i);
+    }
+    fixture.table.manifest = campaign(sigma);
+    results.push_back(fixture.table);
+    results.back().source = std::string("at ") + sigma;
+  }
+  return results;
+}
+
+TEST(Interpreter, RobustnessFollowsTheParameter) {
+  const RobustnessTable table = build_robustness(sweep(), "sensor.noise_sigma", {"optimality"}, {});
+  ASSERT_EQ(table.curves.size(), 1u);
+  const auto& points = table.curves[0].points;
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_EQ(points[0].parameter, 0);
+  EXPECT_EQ(points[2].parameter, 0.2);
+  EXPECT_FALSE(points[0].change);
+  EXPECT_NEAR(*points[2].change->difference, -0.2, 1e-9);
+  EXPECT_EQ(points[2].change->verdict, Verdict::Worse);
+}
+
+TEST(Interpreter, RobustnessRejectsCampaignsWithOtherDifferences) {
+  auto results = sweep();
+  EXPECT_THROW(build_robustness(results, "sensor.dropout_ratio", {"success"}, {}), Error);
+  results[1].manifest["campaign.ini"] += "max_range = 4\n";
+  EXPECT_TRUE(throws_error(
+      ErrorKind::Usage, "at 0", {"sensor.max_range: (default), 4", "--allow-differences"},
+      [&] { build_robustness(results, "sensor.noise_sigma", {"success"}, {}); }));
+  RobustnessOptions options;
+  options.allow_differences = true;
+  EXPECT_EQ(build_robustness(results, "sensor.noise_sigma", {"success"}, options).curves.size(),
+            1u);
+  options.values = {1, 2, 2};
+  EXPECT_THROW(build_robustness(results, "anything", {"success"}, options), Error);
+}
+
+TEST(CsvColumns, AnyTwoNumericColumnsCanBeCrossed) {
+  const ResultTable table =
+      columns_from_csv("width, cost,note\n1,10,x\n2,,y\r\n3,30,\"z,\n z\"\n4,40,w\n", "t.csv");
+  EXPECT_EQ(table.size(), 4u);
+  EXPECT_EQ(table.metrics.size(), 2u);  // notes are not numeric
+  const auto cross = build_cross_tables(table, parse_bin_specs("width:1,3,4"), {"cost"}, {})[0];
+  EXPECT_EQ(cross.title, "all by width");
+  EXPECT_EQ(*cross.rows[0].cells[0].estimate, 10);
+  EXPECT_EQ(cross.rows[0].cells[0].na.at("empty"), 1u);
+  EXPECT_EQ(*cross.rows[1].cells[0].estimate, 35);
+}
+
+TEST(CsvColumns, KeyColumnsIdentifyRuns) {
+  CsvColumnOptions options;
+  options.down = {"time"};
+  const ResultTable table = columns_from_csv(
+      "scenario,method,repetition,time,ok\ns1,b,nan,5,1\ns1,a,-1,6,0\ns2,b,1,7,1\n", "t.csv",
+      options);
+  EXPECT_EQ(table.methods, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(table.scenario_hashes.size(), 2u);
+  EXPECT_EQ(table.repetition, (std::vector<std::uint32_t>{0, 0, 1}));
+  EXPECT_EQ(find_metric(table, "time")->info().direction, Direction::Down);
+  EXPECT_TRUE(find_metric(table, "ok")->rate);
+  EXPECT_FALSE(find_metric(table, "time")->rate);
+}
+
+TEST(CsvColumns, AnEmptyOutcomeIsUnknown) {
+  const ResultTable table = columns_from_csv("outcome,time\nsuccess,5\n,6\nNA,7\n", "t.csv");
+  const ValueColumn& success = *find_metric(table, "success");
+  EXPECT_EQ(success.number(0), 1);
+  EXPECT_EQ(success.reason(1), "not recorded");
+  EXPECT_EQ(success.reason(2), "not recorded");
+}
+
+TEST(CsvColumns, RejectMalformedTables) {
+  for (const char* text : {"", "a,b\n", "a,b\n1,2,3\n", "a,b\nx,y\n"})
+    EXPECT_THROW(columns_from_csv(text, "t.csv"), Error) << text;
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {"1 fields", "expected 2"},
+                           [] { columns_from_csv("a,b\n1,2\n1\n", "t.csv"); }));
+}
+
+}  // namespace
+}  // namespace slalom

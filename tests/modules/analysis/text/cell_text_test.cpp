@@ -1,0 +1,49 @@
+#include <slalom/analysis/cell_text.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+TEST(CellText, ShowsThreeSignificantDigits) {
+  Cell cell;
+  const auto digits = [&](double estimate) {
+    cell.estimate = estimate;
+    return digits_for({&cell}, {});
+  };
+  EXPECT_EQ(digits(0.954), 3);
+  EXPECT_EQ(digits(9.54), 2);
+  EXPECT_EQ(digits(95.4), 1);
+  EXPECT_EQ(digits(954), 0);
+  EXPECT_EQ(digits(95400), 0);
+  EXPECT_EQ(digits(0), 2);
+  EXPECT_EQ(digits(1e-9), 4);
+}
+
+TEST(CellText, ShowsSampleSizeAndDeviation) {
+  Cell cell;
+  cell.n = 60;
+  cell.available = 56;
+  cell.estimate = 0.75;
+  cell.deviation = 0.051;
+  cell.interval = Interval{0.7, 0.8};
+  EXPECT_EQ(estimate_text(cell, 2) + " " + interval_text(cell, 2), "0.75 [0.70, 0.80]");
+  EXPECT_EQ(support_text(cell, {}, 2), "±0.05 n=56 NA=4");
+  EXPECT_EQ(support_text(cell, {{}, true, false}, 2), "42/56 NA=4");
+  EXPECT_EQ(estimate_text({}, 2), "-");
+  EXPECT_EQ(interval_text({}, 2), "");
+}
+
+TEST(CellText, CountsCharactersNotBytes) {
+  EXPECT_EQ(display_width("±0.05"), 5u);
+  EXPECT_EQ(pad_left("±1", 4), "  ±1");
+  EXPECT_EQ(pad_right("±1", 4), "±1  ");
+  EXPECT_EQ(pad_left("long", 2), "long");
+}
+
+TEST(CellText, ReplacesTerminalEscapeSequences) {
+  EXPECT_EQ(printable("a\x1b[31mb\n"), "a?[31mb?");
+}
+
+}  // namespace
+}  // namespace slalom

@@ -1,0 +1,50 @@
+#include "result_fixture.h"
+
+#include <slalom/analysis/table_export.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+std::vector<CrossTable> tables(const std::string& method) {
+  ResultFixture fixture;
+  const std::string hash = fixture.add_scenario(Value::of(0.05));
+  fixture.add_run(hash, method, 0.5, 0);
+  fixture.add_run(hash, method, -1, 1);
+  return build_cross_tables(fixture.table, parse_bin_specs("density:0,0.1"),
+                            {"optimality", "path_length"}, {});
+}
+
+TEST(TableExport, WritesOneCsvLinePerCell) {
+  EXPECT_EQ(render_csv(tables("nd")),
+            "method,row_descriptor,bin_low,bin_high,metric,version,runs,n,na,mean,deviation,"
+            "low,high,confidence,na_reasons\n"
+            "nd,density,0,0.1,optimality,2,2,1,1,0.5,,,,0.95,collision=1\n"
+            "nd,density,0,0.1,path_length,1,2,2,0,10,0,,,0.95,\n");
+}
+
+TEST(TableExport, QuotesSpecialCharactersInCsv) {
+  EXPECT_EQ(csv_field("plain"), "plain");
+  EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_field("say \"x\"\n"), "\"say \"\"x\"\"\n\"");
+  EXPECT_NE(render_csv(tables("a,b")).find("\"a,b\",density"), std::string::npos);
+}
+
+TEST(TableExport, JsonContainsTheRuns) {
+  const auto json = nlohmann::json::parse(render_json(tables("nd")));
+  const auto& row = json.at(0).at("rows").at(0);
+  EXPECT_EQ(row.at("runs").size(), 2u);
+  EXPECT_EQ(row.at("cells").at(0).at("n"), 1);  // values: the other run has none
+  EXPECT_EQ(row.at("cells").at(0).at("na").at("collision"), 1);
+  EXPECT_TRUE(row.at("cells").at(0).at("interval").is_null());
+  EXPECT_EQ(row.at("cells").at(1).at("mean"), 10);
+}
+
+TEST(TableExport, JsonAcceptsNamesThatAreNotUtf8) {
+  EXPECT_NO_THROW(nlohmann::json::parse(render_json(tables("n\xff"))));
+}
+
+}  // namespace
+}  // namespace slalom

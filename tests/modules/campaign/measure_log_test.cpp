@@ -1,0 +1,67 @@
+#include <slalom/campaign/measure_log.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+/// A log at 1 m/s along y = 5 m, one sample per second.
+Trajectory straight_log(double from, double to) {
+  Trajectory log;
+  for (double x = from; x <= to; ++x) {
+    Sample sample;
+    sample.t = x - from;
+    sample.pose = {x, 5, 0};
+    sample.v = 1;
+    log.samples.push_back(sample);
+  }
+  return log;
+}
+
+class MeasureLog : public testing::Test {
+ protected:
+  MeasuredLog measured(const Trajectory& log, std::optional<Outcome> outcome = std::nullopt) const {
+    CampaignOptions options;
+    options.metrics = {"path_length", "time_to_goal"};
+    return measure_log(options, nullptr, world_, log, outcome);
+  }
+  const World world_{Scenario::continuous("room", {0, 0, 10, 10}, {}, {2, 5, 0}, {6, 5}), 0.05};
+};
+
+TEST_F(MeasureLog, EndsAtTheGoalAndTellsWhatIsLeftOut) {
+  const MeasuredLog log = measured(straight_log(2, 8));
+  EXPECT_EQ(log.run.outcome, Outcome::Success);
+  EXPECT_NEAR(log.metrics.at("path_length").value.number(), 3.8, 0.05);  // to the tolerance
+  ASSERT_EQ(log.notes.size(), 1U);
+  // Evaluated in steps of 1 cm.
+  EXPECT_EQ(log.notes[0].find("the last 2.19 s of the log are left out: goal reached"), 0U)
+      << log.notes[0];
+}
+
+TEST_F(MeasureLog, IsCompleteIfItsOutcomeIsGiven) {
+  const MeasuredLog log = measured(straight_log(2, 8), Outcome::Stuck);
+  EXPECT_EQ(log.run.detail, "as given");
+  EXPECT_NEAR(log.metrics.at("path_length").value.number(), 6, 1e-12);
+  EXPECT_TRUE(log.metrics.at("time_to_goal").value.is_na());
+  EXPECT_TRUE(log.notes.empty());
+}
+
+TEST_F(MeasureLog, NotesThatItBeginsElsewhere) {
+  const MeasuredLog log = measured(straight_log(3, 5), Outcome::Timeout);
+  ASSERT_EQ(log.notes.size(), 1U);
+  EXPECT_EQ(log.notes[0].find("the log begins 1.00 m from the scenario's start"), 0U);
+}
+
+TEST_F(MeasureLog, JsonHasValuesReasonsAndVersions) {
+  const MeasuredLog log = measured(straight_log(2, 8), Outcome::Stuck);
+  const auto json = nlohmann::json::parse(render_json(log, world_.scenario()));
+  EXPECT_EQ(json["scenario"]["hash"], world_.scenario().hash());
+  EXPECT_EQ(json["outcome"], "stuck");
+  EXPECT_EQ(json["trajectory"], log.run.trajectory.hash());
+  EXPECT_EQ(json["metrics"]["path_length"]["version"], log.metrics.at("path_length").version);
+  EXPECT_EQ(json["metrics"]["time_to_goal"]["na"], log.metrics.at("time_to_goal").value.reason());
+}
+
+}  // namespace
+}  // namespace slalom

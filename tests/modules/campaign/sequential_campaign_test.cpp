@@ -1,0 +1,106 @@
+#include "error_text.h"
+#include "io_sample.h"
+
+#include <slalom/campaign/sequential_campaign.h>
+#include <slalom/io/read_results.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+/// Drives straight ahead.
+class Straight : public Method {
+ public:
+  void reset(const NavigationTask&) override {}
+  Command step(const Observation&) override { return {1, 0}; }
+};
+
+/// Rooms of width 4 m, 4.1 m, ... with the goal 0.5 m ahead.
+std::vector<Scenario> rooms(int count) {
+  std::vector<Scenario> scenarios;
+  for (int i = 0; i < count; ++i)
+    scenarios.push_back(Scenario::continuous("room_" + std::to_string(i), {0, 0, 4 + 0.1 * i, 4},
+                                             Primitives(), {1, 2, 0}, {1.5, 2}));
+  return scenarios;
+}
+
+class SequentialCampaign : public testing::Test {
+ protected:
+  static CampaignOptions options() {
+    CampaignOptions options;
+    options.metrics = {"success"};
+    options.descriptors = {"density"};
+    return options;
+  }
+
+  SequentialReport run(const std::string& rule, std::size_t max_runs, int pool) {
+    const StoppingRule parsed = parse_stopping_rule(rule, max_runs, recorder_.options());
+    return run_until(recorder_, parsed, rooms(pool), 0.95, execution_);
+  }
+
+  std::size_t recorded_runs() const { return read_results(path_).size(); }
+
+  const TemporaryFolder folder_;
+  const std::string path_ = folder_ / "runs.results";
+  const std::unique_ptr<Progress> progress_ = make_silent_progress();
+  bool interrupted_ = false;
+  Execution execution_{2, *progress_, [this] { return interrupted_; }};
+  CampaignRecorder recorder_{
+      {options(),
+       {},
+       {{"straight",
+         [](const RobotModel&, const SensorModel&) { return std::make_unique<Straight>(); }, ""}}},
+      {},
+      path_};
+};
+
+TEST_F(SequentialCampaign, BatchesAreRecordedInOneFile) {
+  EXPECT_TRUE(recorder_.run(rooms(2), execution_));
+  std::vector<Scenario> more = rooms(5);
+  more.erase(more.begin(), more.begin() + 2);
+  EXPECT_TRUE(recorder_.run(more, execution_));
+  EXPECT_EQ(recorded_runs(), 5U);
+  EXPECT_EQ(recorder_.problem(), "");
+}
+
+TEST_F(SequentialCampaign, StopsAtTheFirstLookIfThePrecisionIsReached) {
+  // All intervals of a rate are narrower than 2.
+  const SequentialReport report = run("interval(success) < 2", 0, 15);
+  EXPECT_TRUE(report.complete);
+  EXPECT_TRUE(report.reached);
+  EXPECT_EQ(recorded_runs(), kFirstBatch);
+  EXPECT_TRUE(mentions(report.text, {"1 of 1 cells reached after 10 runs and 1 looks"}));
+}
+
+TEST_F(SequentialCampaign, TakesHalfAsManyMoreUntilThePoolIsExhausted) {
+  // 10, then 5; no further batch is left of 15.
+  const SequentialReport report = run("interval(success) < 0.0001", 0, 15);
+  EXPECT_TRUE(report.complete);
+  EXPECT_FALSE(report.reached);
+  EXPECT_EQ(recorded_runs(), 15U);
+  EXPECT_TRUE(mentions(report.text, {"15 runs and 2 looks", "no more scenarios"}));
+}
+
+TEST_F(SequentialCampaign, StartsNoBatchAfterTheMaximumNumberOfRuns) {
+  const SequentialReport report = run("interval(success) < 0.0001", 10, 30);
+  EXPECT_EQ(recorded_runs(), 10U);
+  EXPECT_TRUE(mentions(report.text, {"maximum number of runs reached"}));
+}
+
+TEST_F(SequentialCampaign, IsIncompleteIfInterruptedBeforeTheFirstRun) {
+  interrupted_ = true;
+  EXPECT_FALSE(run("interval(success) < 0.1 in density:0,1", 0, 15).complete);
+  EXPECT_EQ(recorded_runs(), 0U);
+}
+
+TEST_F(SequentialCampaign, RejectsRulesWithIdsThatAreNotComputed) {
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--until: ", {"'optimality' is not computed"},
+                           [] { parse_stopping_rule("interval(optimality) < 1", 0, options()); }));
+  EXPECT_TRUE(throws_error(
+      ErrorKind::Usage, "--until: ", {"'clearness' is not computed", "expected one of density"},
+      [] { parse_stopping_rule("interval(success) < 1 in clearness:2", 0, options()); }));
+}
+
+}  // namespace
+}  // namespace slalom

@@ -1,0 +1,53 @@
+// Descriptors of the obstacles alone, in worlds with 1 m cells.
+#include "../small_worlds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+TEST(Density, IsTheFractionOfOccupiedCells) {
+  const World world = drawn_world({".....", ".#.#.", "S...G", ".#...", "....#"});
+  EXPECT_DOUBLE_EQ(value_of("density", context_of(world)), 4.0 / 25);
+}
+
+TEST(ObstacleCount, CountsComponentsAwayFromTheBorder) {
+  EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(drawn_world(kBlocks))), 3);
+  EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(drawn_world(kEmpty))), 0);
+}
+
+TEST(ObstacleCount, CellsThatShareACornerAreOneComponent) {
+  const World pair = drawn_world({".....", ".#...", "S.#.G", ".....", "....."});
+  EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(pair)), 1);
+  const World chain = drawn_world({"#....", ".#...", "S.#.G", ".....", "....."});
+  EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(chain)), 0) << "it touches the border";
+}
+
+TEST(Clustering, IsVarianceOverMeanInGrains) {
+  // 25 quadrats of one cell, 4 of them occupied: mean 0.16, variance (4 - 25 x 0.16^2) / 24 = 0.14.
+  // The perimeter has 16 sides, pi / 4 of which is 4 pi: grains of radius 2 x 4 / (4 pi), area 4 /
+  // pi.
+  EXPECT_NEAR(value_of("clustering", context_of(drawn_world(kBlocks))), 0.14 / 0.16 / (4 / M_PI),
+              1e-12);
+  EXPECT_EQ(descriptor("clustering").compute(context_of(drawn_world(kEmpty))).reason(),
+            "no obstacles");
+}
+
+TEST(OccupancyEntropy, IsTheMeanEntropyOfBlocks) {
+  // Blocks of 2 x 2 cells from the lower left corner, clipped in the last column and row. A block
+  // with 1 of 4 cells occupied has h(1/4) bit; there are three. In the lower right corner 1 of 2:
+  // 1 bit. All others have none.
+  const double quarter = 0.25 * 2 - 0.75 * std::log2(0.75);
+  EXPECT_NEAR(value_of("occupancy_entropy", context_of(drawn_world(kBlocks))),
+              (3 * 4 * quarter + 2 * 1) / 25, 1e-12);
+  EXPECT_DOUBLE_EQ(value_of("occupancy_entropy", context_of(drawn_world(kEmpty))), 0);
+}
+
+TEST(DynamicDensity, IsZeroWhereNothingMoves) {
+  EXPECT_DOUBLE_EQ(value_of("dynamic_density", context_of(drawn_world(kBlocks))), 0);
+}
+
+}  // namespace
+}  // namespace slalom

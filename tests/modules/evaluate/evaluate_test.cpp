@@ -1,0 +1,200 @@
+#include "error_text.h"
+
+#include <slalom/evaluate.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace slalom {
+namespace {
+
+Scenario free_field(const std::string& name, double goal_y) {
+  Primitives obstacles;
+  obstacles.discs.push_back({{8, 5}, 0.5});
+  return Scenario::continuous(name, {0, 0, 10, 10}, obstacles, {1, 1, 0}, {5, goal_y});
+}
+
+std::vector<Scenario> two_fields() {
+  return {free_field("low", 3), free_field("high", 7)};
+}
+
+/// Turns towards the goal, then moves forward.
+Command towards_goal(const Observation& observation) {
+  const double bearing = std::atan2(observation.goal_in_robot.y, observation.goal_in_robot.x);
+  return {std::abs(bearing) < 0.3 ? 1.0 : 0.0, std::max(-1.5, std::min(1.5, 2 * bearing))};
+}
+
+Methods towards_goal_only() {
+  Methods methods;
+  methods.add("mine", towards_goal);
+  return methods;
+}
+
+/// The values of a metric, one per run.
+std::vector<double> values_of(const ResultTable& table, const std::string& id) {
+  const ValueColumn* column = find_metric(table, id);
+  std::vector<double> values;
+  for (std::size_t run = 0; column != nullptr && run < table.size(); ++run)
+    values.push_back(column->is_na(run) ? -1 : column->number(run));
+  return values;
+}
+
+std::string outcome_of(const ResultTable& table, std::size_t run) {
+  return table.outcomes[table.outcome[run]];
+}
+
+TEST(Evaluate, RunsAFunctionInEveryScenario) {
+  Options options;
+  options.repetitions = 2;
+  const ResultTable table = evaluate(towards_goal_only(), two_fields(), options);
+  ASSERT_EQ(table.size(), 4U);
+  EXPECT_EQ(table.methods, std::vector<std::string>{"mine"});
+  EXPECT_EQ(table.scenario_names, (std::vector<std::string>{"high", "low"}));
+  EXPECT_EQ(values_of(table, "success"), (std::vector<double>{1, 1, 1, 1}));
+  ASSERT_NE(find_descriptor(table, "density"), nullptr);
+  EXPECT_FALSE(find_descriptor(table, "density")->is_na(0));
+  ASSERT_NE(find_metric(table, "cycle_time_mean"), nullptr);
+  EXPECT_TRUE(find_metric(table, "cycle_time_mean")->wall_clock);
+  EXPECT_NE(table.manifest.at("campaign.ini").find("methods = mine"), std::string::npos);
+}
+
+TEST(Evaluate, ResultsDoNotDependOnTheWorkers) {
+  Options options;
+  options.metrics = {"success", "path_length", "optimality"};
+  options.sensor.noise_sigma = 0.01;
+  options.odometry.turn_sigma = 0.05;
+  const ResultTable one = evaluate(towards_goal_only(), two_fields(), options);
+  options.workers = 3;
+  const ResultTable three = evaluate(towards_goal_only(), two_fields(), options);
+  options.workers = 1;
+  options.in_process = true;
+  const ResultTable here = evaluate(towards_goal_only(), two_fields(), options);
+  for (const std::string& id : options.metrics) {
+    EXPECT_EQ(values_of(three, id), values_of(one, id)) << id;
+    EXPECT_EQ(values_of(here, id), values_of(one, id)) << id;
+  }
+  options.seed = 2;
+  EXPECT_NE(values_of(evaluate(towards_goal_only(), two_fields(), options), "path_length"),
+            values_of(one, "path_length"));
+}
+
+TEST(Evaluate, AnExceptionEndsItsRunAsMethodError) {
+  for (const bool in_process : {false, true}) {
+    Options options;
+    options.in_process = in_process;
+    Methods methods;
+    methods.add("mine", [](const Observation& observation) {
+      if (observation.goal_in_robot.y > 5) throw std::runtime_error("too far");
+      return towards_goal(observation);
+    });
+    const ResultTable table = evaluate(methods, two_fields(), options);
+    EXPECT_EQ(outcome_of(table, 0), "method_error");
+    EXPECT_EQ(outcome_of(table, 1), "success");
+  }
+}
+
+TEST(Evaluate, StateOfAFunctionDoesNotPassFromRunToRun) {
+  Methods methods;
+  methods.add("mine", [cycles = 0](const Observation& observation) mutable {
+    ++cycles;
+    if (cycles > std::lround(observation.time / 0.1) + 1) throw std::runtime_error("old state");
+    return towards_goal(observation);
+  });
+  const ResultTable table = evaluate(methods, two_fields());
+  EXPECT_EQ(values_of(table, "success"), (std::vector<double>{1, 1}));
+}
+
+TEST(Evaluate, AcceptsFactoriesOfMethods) {
+  struct Stopped : Method {
+    void reset(const NavigationTask&) override {}
+    Command step(const Observation&) override { return {}; }
+  };
+  Methods methods;
+  methods.add("stopped", [](const RobotModel& robot, const SensorModel&) {
+    if (robot.radius != 0.4) throw std::runtime_error("another robot");
+    return std::make_unique<Stopped>();
+  });
+  Options options;
+  options.robot.radius = 0.4;
+  const ResultTable table = evaluate(methods, {free_field("one", 3)}, options);
+  EXPECT_EQ(outcome_of(table, 0), "stuck");
+}
+
+TEST(Evaluate, ReportsProgressAndCanBeCanceled) {
+  Options options;
+  std::vector<std::string> phases;
+  std::size_t last_total = 0;
+  options.progress = [&](const std::string& phase, std::size_t done, std::size_t total) {
+    if (phases.empty() || phases.back() != phase) phases.push_back(phase);
+    EXPECT_LE(done, total);
+    last_total = total;
+  };
+  evaluate(towards_goal_only(), two_fields(), options);
+  EXPECT_EQ(phases, (std::vector<std::string>{"Describing scenarios", "Running methods"}));
+  EXPECT_EQ(last_total, 2U);
+  options.progress = {};
+  options.cancel = [] { return true; };
+  EXPECT_EQ(evaluate(towards_goal_only(), two_fields(), options).size(), 0U);
+}
+
+TEST(Evaluate, RunsEqualScenariosOnce) {
+  const ResultTable table = evaluate(towards_goal_only(), {free_field("a", 3), free_field("b", 3)});
+  EXPECT_EQ(table.size(), 1U);
+}
+
+testing::AssertionResult refused(const Options& options, const std::string& where,
+                                 std::initializer_list<std::string> words) {
+  return throws_error(ErrorKind::Usage, where, words,
+                      [&] { evaluate(towards_goal_only(), two_fields(), options); });
+}
+
+TEST(Evaluate, RejectsInvalidOptionsWithTheirName) {
+  Options options;
+  options.metrics = {"sucess"};
+  EXPECT_TRUE(refused(options, "options metrics.enabled: ", {"'sucess'", "expected 'success'"}));
+  options = {};
+  options.robot.radius = -1;
+  EXPECT_TRUE(refused(options, "options robot.radius: ", {"'-1'", "expected a number > 0"}));
+  options = {};
+  options.simulation.step = 0.03;
+  EXPECT_TRUE(refused(options, "options simulation.step: ", {"does not divide"}));
+}
+
+TEST(Evaluate, RejectsMissingAndDuplicateInput) {
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "evaluate: ", {"no method", "Methods::add()"},
+                           [] { evaluate({}, two_fields()); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "evaluate: ", {"no scenario", "generate()"},
+                           [] { evaluate(towards_goal_only(), {}); }));
+  Methods methods = towards_goal_only();
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "method 'mine': ", {"duplicate", "once"},
+                           [&] { methods.add("mine", towards_goal); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "method '': ", {"empty name"},
+                           [&] { methods.add("", towards_goal); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "method 'none': ", {"no function"},
+                           [&] { methods.add("none", Controller()); }));
+}
+
+TEST(Evaluate, AMethodThatCannotBeBuiltIsReportedBeforeTheFirstRun) {
+  Methods methods;
+  methods.add("broken", [](const RobotModel&, const SensorModel&) -> std::unique_ptr<Method> {
+    throw usage_error("broken", "no such class");
+  });
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "broken: ", {"no such class"},
+                           [&] { evaluate(methods, two_fields()); }));
+}
+
+TEST(CrossTable, IsPrintedForEachMethod) {
+  Methods methods = towards_goal_only();
+  methods.add("stopped", [](const Observation&) { return Command(); });
+  const ResultTable table = evaluate(methods, two_fields());
+  const std::string text = cross_table(table, "density:0,0.5", {"success", "path_length"});
+  EXPECT_NE(text.find("mine by density"), std::string::npos) << text;
+  EXPECT_NE(text.find("stopped by density"), std::string::npos) << text;
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "", {"'densty'", "'density'"},
+                           [&] { cross_table(table, "densty:4", {"success"}); }));
+}
+
+}  // namespace
+}  // namespace slalom

@@ -1,0 +1,64 @@
+#include "widgets/menu.h"
+
+#include <gtest/gtest.h>
+
+#include <GLFW/glfw3.h>
+
+namespace slalom {
+namespace {
+
+/// A menu of three lines, the second of them disabled.
+class Menus : public testing::Test {
+ protected:
+  void SetUp() override {
+    menu_->open({10, 20}, 200, 500,
+                {{"a", "Undo", "Ctrl+Z", "Undoes."},
+                 {"b", "Redo", "", "Repeats.", "there is nothing to redo"},
+                 {"c", "Close", "", "Closes."}},
+                0, [this](std::size_t line) { chosen_ = line; });
+  }
+  bool key(int key) { return menu_->keyboardEvent(key, 0, GLFW_PRESS, 0); }
+
+  nanogui::ref<Menu> menu_ = new Menu(nullptr, "popup");
+  std::optional<std::size_t> chosen_;
+};
+
+TEST_F(Menus, ChooseByKeysAroundTheEnds) {
+  EXPECT_TRUE(key(GLFW_KEY_UP));
+  EXPECT_TRUE(key(GLFW_KEY_ENTER));
+  EXPECT_EQ(chosen_, 2U);
+  EXPECT_FALSE(menu_->visible());
+}
+
+TEST_F(Menus, DoNotChooseDisabledLines) {
+  key(GLFW_KEY_DOWN);
+  key(GLFW_KEY_ENTER);
+  EXPECT_FALSE(chosen_);
+  EXPECT_TRUE(menu_->visible());
+  EXPECT_EQ(menu_->text(), "Undo\n> Redo (there is nothing to redo)\nClose\n");
+}
+
+TEST_F(Menus, CloseWithEscape) {
+  EXPECT_TRUE(key(GLFW_KEY_ESCAPE));
+  EXPECT_FALSE(menu_->visible());
+  EXPECT_FALSE(chosen_);
+}
+
+TEST_F(Menus, ChooseByAClick) {
+  const ScreenRect line = *menu_->rect_of("c");
+  const nanogui::Vector2i at(menu_->position().x() + static_cast<int>(line.left + 5),
+                             menu_->position().y() + static_cast<int>(line.top + 5));
+  menu_->mouseButtonEvent(at, GLFW_MOUSE_BUTTON_LEFT, true, 0);
+  EXPECT_EQ(chosen_, 2U);
+}
+
+TEST_F(Menus, ScrollToALineWhereTheyDoNotFit) {
+  menu_->open({0, 0}, 100, 60, {{"a", "1"}, {"b", "2"}, {"c", "3"}, {"d", "4"}}, 0, {});
+  const ScreenRect last = *menu_->rect_of("d");
+  EXPECT_LE(last.bottom(), menu_->height());
+  EXPECT_LT(menu_->rect_of("a")->top, last.top);
+  EXPECT_FALSE(menu_->rect_of("e"));
+}
+
+}  // namespace
+}  // namespace slalom

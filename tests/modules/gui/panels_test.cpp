@@ -1,0 +1,117 @@
+#include "finish_jobs.h"
+#include "list_files.h"
+#include "results_sample.h"
+#include "views/descriptor_panel.h"
+#include "views/results_panel.h"
+#include "views/scenario_view.h"
+#include "views/status_bar.h"
+#include "window/script_player.h"
+
+#include <GLFW/glfw3.h>
+
+namespace slalom {
+namespace {
+
+/// Panels of a studio without a window: their texts, parts and keys.
+class Panels : public ListFiles {
+ protected:
+  template <typename Panel, typename... Arguments>
+  nanogui::ref<Panel> make(Arguments... arguments) {
+    nanogui::ref<Panel> panel = new Panel(nullptr, studio_, arguments...);
+    panel->setSize({900, 600});
+    return panel;
+  }
+  void finish() {
+    finish_jobs(studio_.jobs());
+    studio_.poll();
+  }
+  static bool key(nanogui::Widget& panel, int key) {
+    return panel.keyboardEvent(key, 0, GLFW_PRESS, 0);
+  }
+  static bool shows(const nanogui::Widget& panel, const std::string& text) {
+    return shown_text(panel).find(text) != std::string::npos;
+  }
+
+  Studio studio_{{}, {}, {}};
+};
+
+TEST_F(Panels, OfDescriptorsShowValuesHistogramAndScatterPlot) {
+  auto panel = make<DescriptorPanel>();
+  studio_.open_list(make_list("a.scenarios", 8));
+  finish();
+  EXPECT_TRUE(shows(*panel, "selected density"));
+  EXPECT_TRUE(panel->rect_of("row density"));
+  key(*panel, GLFW_KEY_TAB);
+  finish();
+  EXPECT_TRUE(shows(*panel, "histogram of Density")) << shown_text(*panel);
+  EXPECT_TRUE(panel->rect_of("current"));
+  EXPECT_FALSE(panel->rect_of("row density"));
+  key(*panel, GLFW_KEY_TAB);
+  finish();
+  EXPECT_TRUE(shows(*panel, "Clearness over Density")) << shown_text(*panel);
+  EXPECT_TRUE(shows(*panel, "values of the list are missing"));
+  key(*panel, GLFW_KEY_LEFT);
+  finish();
+  EXPECT_FALSE(shows(*panel, "Clearness over Density"));
+}
+
+TEST_F(Panels, OfResultsShowRunsAndTheirReplay) {
+  auto panel = make<ResultsPanel>();
+  EXPECT_TRUE(shows(*panel, "No result file is open."));
+  write_overlay_sample(folder_ / "a.results", {{"campaign", "test"}});
+  studio_.results().show(overlay_room().hash());
+  studio_.results().open(folder_ / "a.results");
+  finish();
+  EXPECT_TRUE(shows(*panel, "a.results, campaign test"));
+  EXPECT_TRUE(shows(*panel, "nd: shown, success")) << shown_text(*panel);
+  EXPECT_TRUE(shows(*panel, "time 8.00 of 8.00 s, paused"));
+  key(*panel, GLFW_KEY_SPACE);
+  EXPECT_TRUE(shows(*panel, "nd: hidden"));
+  EXPECT_TRUE(shows(*panel, "of 4.00 s")) << "the longest visible run";
+  key(*panel, GLFW_KEY_A);
+  EXPECT_TRUE(studio_.results().overlay().trajectories().empty());
+  key(*panel, GLFW_KEY_A);
+  key(*panel, GLFW_KEY_LEFT);
+  EXPECT_TRUE(shows(*panel, "time 7.90 of 8.00 s"));
+  EXPECT_TRUE(shows(*panel, "marker 7.900"));
+  EXPECT_TRUE(panel->rect_of("row ptg 1"));
+}
+
+TEST_F(Panels, OfTheScenarioShowLayersAndTools) {
+  auto view = make<ScenarioView>(ScenarioView::Mode::Edit);
+  EXPECT_TRUE(shows(*view, "No scenario is selected"));
+  studio_.open_list(make_list("a.scenarios", 1));
+  finish();
+  EXPECT_TRUE(shows(*view, "scenario world_0, continuous"));
+  EXPECT_TRUE(shows(*view, "Shortest path: on, 8.00 m")) << shown_text(*view);
+  key(*view, GLFW_KEY_1);
+  EXPECT_FALSE(view->layer_on("obstacles"));
+  key(*view, GLFW_KEY_G);
+  EXPECT_TRUE(shows(*view, "tool goal"));
+  EXPECT_TRUE(view->rect_of("start"));
+  auto look = make<ScenarioView>(ScenarioView::Mode::Look);
+  EXPECT_TRUE(view->rect_of("tool disc"));
+  EXPECT_FALSE(look->rect_of("tool disc"));
+}
+
+TEST_F(Panels, OfTheStatusShowTheMessageAndTheRunningJob) {
+  auto bar = make<StatusBar>();
+  studio_.notices().show_status("Saved");
+  EXPECT_EQ(bar->text(), "Saved");
+  EXPECT_FALSE(bar->rect_of("cancel"));
+  studio_.jobs().start("wait", "Waiting",
+                       [](Progress& progress) -> Jobs::Delivery {
+                         progress.start("waiting", 1);
+                         while (true) progress.advance(0);  // until it is canceled
+                       },
+                       {});
+  EXPECT_TRUE(shows(*bar, "Waiting"));
+  const ScreenRect cancel = *bar->rect_of("cancel");
+  bar->mouseButtonEvent({static_cast<int>(cancel.left + 5), static_cast<int>(cancel.top + 5)},
+                        GLFW_MOUSE_BUTTON_LEFT, true, 0);
+  EXPECT_EQ(bar->text(), "Waiting: canceled");
+  finish();
+}
+
+}  // namespace
+}  // namespace slalom

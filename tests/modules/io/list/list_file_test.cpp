@@ -1,0 +1,201 @@
+#include "error_text.h"
+#include "list_sample.h"
+
+#include <slalom/io/result_file.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace slalom {
+namespace {
+
+std::size_t files_in(const TemporaryFolder& folder) {
+  const std::filesystem::directory_iterator files(folder / "");
+  return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+}
+
+TEST(ListFile, ReplacesTheOldFileOnlyWhenComplete) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  std::vector<SampleRow> rows;
+  sample_list(path, 5, 1, rows);
+  const std::string before = dump_list(path);
+  EXPECT_THROW(ScenarioList::write(path,
+                                   [&](ScenarioList& list) {
+                                     list.add(sample_scenario(1));
+                                     EXPECT_EQ(dump_list(path), before);
+                                     throw std::runtime_error("canceled");
+                                   }),
+               std::runtime_error);
+  EXPECT_EQ(dump_list(path), before);
+  EXPECT_EQ(files_in(folder), 1U) << "no temporary files remain";
+  ScenarioList::write(path, [](ScenarioList& list) { list.add(sample_scenario(1)); });
+  EXPECT_EQ(ScenarioList::open(path).size(), 1U);
+  EXPECT_EQ(files_in(folder), 1U);
+}
+
+TEST(ListFile, AReplacedFileIsNotWritten) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  std::vector<SampleRow> rows;
+  ScenarioList list = sample_list(path, 5, 1, rows);
+  ScenarioList::create(path);
+  EXPECT_TRUE(throws_error(ErrorKind::Job, path, {"replaced by another program", "reopened"},
+                           [&] { list.add(sample_scenario(7)); }));
+  std::filesystem::remove(path);
+  EXPECT_TRUE(
+      throws_error(ErrorKind::Job, path, {"was removed"}, [&] { list.remove(rows[0].hash); }));
+}
+
+TEST(ListFile, ChangesByAnotherProgramAreVisible) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  std::vector<SampleRow> rows;
+  ScenarioList list = sample_list(path, 5, 1, rows);
+  ScenarioList other = ScenarioList::open(path);
+  EXPECT_EQ(other.size(), 5U);
+  list.remove(rows[0].hash);
+  EXPECT_EQ(other.size(), 4U);
+  other.add(sample_scenario(77));
+  EXPECT_EQ(list.entries().back().hash, sample_scenario(77).hash());
+}
+
+TEST(ListFile, IsSavedUnderAnotherName) {
+  const TemporaryFolder folder;
+  std::vector<SampleRow> rows;
+  ScenarioList list = sample_list(folder / "a.scenarios", 20, 1, rows);
+  list.create_index({"x", "density", sample_view().at("density"), {0, 1}});
+  list.save_as(folder / "b.scenarios");
+  EXPECT_EQ(dump_list(folder / "b.scenarios"), dump_list(folder / "a.scenarios"));
+  EXPECT_EQ(ScenarioList::open(folder / "b.scenarios").size(), 20U);
+  EXPECT_TRUE(
+      throws_error(ErrorKind::Job, "/nonexistent/b", {}, [&] { list.save_as("/nonexistent/b"); }));
+}
+
+TEST(ListFile, CopiesIncludeOriginTagsAndValues) {
+  const TemporaryFolder folder;
+  std::vector<SampleRow> rows;
+  ScenarioList list = sample_list(folder / "a.scenarios", 20, 1, rows);
+  ScenarioList copy = ScenarioList::create(folder / "b.scenarios");
+  copy.add(sample_scenario(999));
+  // Key numbers differ between lists; the values must still be found.
+  copy.store_value(sample_scenario(999).hash(),
+                   {{"confinement", 1, "resolution=0.05"}, Value::of(1)});
+  list.for_each({}, [&](const auto& entry) { return copy.copy_from(list, entry); });
+  ASSERT_EQ(copy.size(), 21U);
+  for (const auto& entry : list.entries()) {
+    const auto copied = copy.find_entry(entry.hash);
+    EXPECT_EQ(copied.tags, entry.tags);
+    EXPECT_EQ(copied.generator, entry.generator);
+    EXPECT_EQ(copied.seed, entry.seed);
+    for (const auto& [id, keys] : sample_view())
+      EXPECT_EQ(copy.find(entry.hash, keys), list.find(entry.hash, keys));
+    EXPECT_FALSE(copy.copy_from(list, entry)) << "already contained";
+  }
+}
+
+TEST(ListFile, RemovesOnlyLists) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder / "text", "not a list, and not to be removed by mistake");
+  EXPECT_TRUE(throws_error(ErrorKind::File, folder / "text", {},
+                           [&] { ScenarioList::remove_file(folder / "text"); }));
+  ScenarioList::create(folder / "a.scenarios");
+  ScenarioList::remove_file(folder / "a.scenarios");
+  EXPECT_EQ(files_in(folder), 1U);
+}
+
+/// Writes a list in the format of version 1, without origins, tags and indexes.
+void write_version_1(const std::string& path, int version = 1) {
+  SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  database.exec("PRAGMA application_id = " + std::to_string(0x534c534c));
+  database.exec("PRAGMA user_version = " + std::to_string(version));
+  database.exec(
+      "CREATE TABLE scenarios (position INTEGER PRIMARY KEY, hash TEXT NOT NULL UNIQUE, name TEXT "
+      "NOT NULL, representation TEXT NOT NULL, content BLOB NOT NULL);"
+      "CREATE TABLE descriptors (hash TEXT NOT NULL, id TEXT NOT NULL, version INTEGER NOT NULL, "
+      "parameters TEXT NOT NULL, value REAL, standard_error REAL, reason TEXT, "
+      "PRIMARY KEY (hash, id, version, parameters)) WITHOUT ROWID;"
+      "CREATE TABLE notes (key TEXT PRIMARY KEY, text TEXT NOT NULL);"
+      "INSERT INTO notes VALUES ('origin', 'long ago')");
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    const Scenario scenario = sample_scenario(i, "old_" + std::to_string(i));
+    SQLite::Statement row(database, "INSERT INTO scenarios VALUES (?, ?, ?, 'continuous', ?)");
+    const std::string content = serialize(scenario);
+    row.bind(1, static_cast<int>(10 - i));
+    row.bind(2, scenario.hash());
+    row.bind(3, scenario.name());
+    row.bind(4, content.data(), static_cast<int>(content.size()));
+    row.exec();
+  }
+  SQLite::Statement value(database,
+                          "INSERT INTO descriptors VALUES (?, 'density', 1, 'p=1', ?, NULL, NULL)");
+  value.bind(1, sample_scenario(2).hash());
+  value.bind(2, 0.1 + 0.2);
+  value.exec();
+}
+
+TEST(ListFile, Version1IsUpgraded) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  write_version_1(path);
+  for (int time = 0; time < 2; ++time) {
+    ScenarioList list = ScenarioList::open(path);
+    ASSERT_EQ(list.size(), 3U);
+    EXPECT_EQ(list.entries()[0].name, "old_3");
+    EXPECT_EQ(list.read(list.entries()[2].hash).hash(), sample_scenario(1).hash());
+    EXPECT_EQ(list.find(sample_scenario(2).hash(), {"density", 1, "p=1"}), Value::of(0.1 + 0.2));
+    EXPECT_EQ(list.note("origin"), "long ago");
+  }
+  ScenarioList::open(path).save_as(folder / "b.scenarios");
+  EXPECT_EQ(ScenarioList::open(folder / "b.scenarios").size(), 3U);
+}
+
+TEST(ListFile, UnsupportedVersionsAreRejected) {
+  const TemporaryFolder folder;
+  write_version_1(folder / "new.scenarios", 3);
+  EXPECT_TRUE(throws_error(ErrorKind::File, folder / "new.scenarios",
+                           {"version 3", "expected a scenario list (.scenarios) of version 2"},
+                           [&] { ScenarioList::open(folder / "new.scenarios"); }));
+  write_version_1(folder / "none.scenarios", 0);
+  EXPECT_TRUE(throws_error(ErrorKind::File, folder / "none.scenarios", {"version 0"},
+                           [&] { ScenarioList::open(folder / "none.scenarios"); }));
+}
+
+TEST(ListFile, AReadOnlyFileCanBeRead) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  std::vector<SampleRow> rows;
+  sample_list(path, 5, 1, rows);
+  std::filesystem::permissions(folder / "", std::filesystem::perms(0555));
+  std::filesystem::permissions(path, std::filesystem::perms(0444));
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (geteuid() == 0 && setuid(kNobody) != 0) _exit(2);  // root ignores permissions
+    std::size_t seen = 0;
+    ScenarioList list = ScenarioList::open(path);
+    list.in_transaction([&] { seen = list.select({}).size(); });
+    const std::string refusal = error_text(ErrorKind::Job, [&] { list.add(sample_scenario(99)); });
+    _exit(seen == 5 && refusal.find(path + ": cannot be written (") == 0 ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  std::filesystem::permissions(folder / "", std::filesystem::perms(0755));
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+}
+
+TEST(ListFile, TriggersAndViewsAreRejected) {
+  const TemporaryFolder folder;
+  ScenarioList::create(folder / "a.scenarios");
+  SQLite::Database(folder / "a.scenarios", SQLite::OPEN_READWRITE)
+      .exec("CREATE TRIGGER t AFTER INSERT ON tags BEGIN DELETE FROM scenarios; END");
+  EXPECT_TRUE(throws_error(ErrorKind::File, folder / "a.scenarios", {"trigger", "'t'"},
+                           [&] { ScenarioList::open(folder / "a.scenarios"); }));
+}
+
+}  // namespace
+}  // namespace slalom

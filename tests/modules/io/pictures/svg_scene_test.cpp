@@ -1,0 +1,54 @@
+#include "io_sample.h"
+#include "occurrences.h"
+
+#include <slalom/io/svg_scene.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+TEST(SvgScene, PrimitivesAreDrawnToScaleWithYUp) {
+  Primitives obstacles;
+  obstacles.discs.push_back({{2, 1}, 0.5});
+  const Scenario scenario = Scenario::continuous("s", {0, 0, 8, 4}, obstacles, {1, 3, 0}, {7, 3});
+  SceneOptions options;
+  options.max_pixels = 400;  // 50 pixels per meter: 400 x 200
+  const std::string svg = render_svg(scenario, options);
+  EXPECT_NE(svg.find("viewBox=\"0 0 400 200\""), std::string::npos);
+  EXPECT_NE(svg.find("<circle cx=\"100.0\" cy=\"150.0\" r=\"25.0\"/>"), std::string::npos);
+}
+
+TEST(SvgScene, EveryRepresentationAndAllPathsAreDrawn) {
+  References references;
+  references.shortest = ShortestPath{{{1, 1}, {9, 9}}, 11, {11, 11}, "exact", ""};
+  references.safest = SafestPath{{{1, 1}, {2, 7}, {9, 9}}, 0.5};
+  SceneOptions options;
+  options.references = &references;
+  options.trajectories = {{"good", {{1, 1}, {3, 3}, {9, 9}}, Outcome::Success, ""},
+                          {"bad", {{1, 1}, {5, 5}}, Outcome::Collision, ""}};
+  for (const Representation representation :
+       {Representation::Continuous, Representation::Grid, Representation::Points}) {
+    const std::string svg = render_svg(sample_as(representation), options);
+    EXPECT_EQ(count(svg, "<polyline"), 4U);
+    EXPECT_EQ(count(svg, "class=\"trajectory\""), 2U);
+    EXPECT_EQ(svg.compare(svg.size() - 6, 6, "</svg>"), 0);
+  }
+}
+
+TEST(SvgScene, NamesAreEscaped) {
+  const Scenario scenario = sample_scenario(1, "</title><script>alert(1)</script>");
+  EXPECT_EQ(count(render_svg(scenario, {}), "<script>"), 0U);
+}
+
+TEST(SvgScene, PicturesOfLargeMapsAreSmall) {
+  mrpt::maps::COccupancyGridMap2D map(0, 60, 0, 60, 0.05F);
+  RandomEngine engine(4);
+  for (int y = 0; y < 1200; ++y)
+    for (int x = 0; x < 1200; ++x) map.setCell(x, y, uniform_real(engine, 0, 1) < 0.02 ? 0.F : 1.F);
+  const Scenario scenario = Scenario::grid("map", map, {1, 1, 0}, {50, 50});
+  EXPECT_LT(render_svg(scenario, {}).size(), 600'000U);
+}
+
+}  // namespace
+}  // namespace slalom

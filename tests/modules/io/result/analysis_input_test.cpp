@@ -1,0 +1,51 @@
+#include "error_text.h"
+#include "list_sample.h"
+
+#include <slalom/io/analysis_input.h>
+#include <slalom/io/result_file.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+class AnalysisInput : public testing::Test {
+ protected:
+  const TemporaryFolder folder_;
+};
+
+TEST_F(AnalysisInput, TablesAreKnownByTheirNameOrAreNamedAsSuch) {
+  const std::string table = "method,cost\na,1\nb,2\n";
+  write_file_atomically(folder_ / "trials.csv", table);
+  write_file_atomically(folder_ / "trials.txt", table);
+  EXPECT_EQ(read_analysis_input(folder_ / "trials.csv", std::nullopt, false, {}).size(), 2U);
+  EXPECT_EQ(read_analysis_input(folder_ / "trials.txt", std::nullopt, true, {}).size(), 2U);
+  EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "trials.txt", {}, [&] {
+    read_analysis_input(folder_ / "trials.txt", std::nullopt, false, {});
+  }));
+}
+
+TEST_F(AnalysisInput, ResultFilesAreReadAsSuchWhateverTheirName) {
+  const std::string path = folder_ / "runs.csv";
+  ResultFile::create(path, {{"campaign", "test"}}, {}, {});
+  EXPECT_EQ(read_analysis_input(path, std::nullopt, true, {}).manifest.at("campaign"), "test");
+}
+
+TEST_F(AnalysisInput, IndexesBecomeTheirEdges) {
+  const std::string path = folder_ / "a.scenarios";
+  ScenarioList::create(path).create_index(
+      {"by_density", "density", sample_view().at("density"), {0, 0.25, 1}});
+  const auto specs = resolve_indexes(parse_bin_specs("all;density:@by_density"), path);
+  ASSERT_EQ(specs.size(), 2U);
+  EXPECT_EQ(specs[0].kind, BinSpec::Kind::All);
+  EXPECT_EQ(specs[1].kind, BinSpec::Kind::Edges);
+  EXPECT_EQ(specs[1].edges, (std::vector<double>{0, 0.25, 1}));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "rows 'density:@by_density'", {"--scenarios"},
+                           [] { resolve_indexes(parse_bin_specs("density:@by_density"), ""); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "rows 'clearness:@by_density'", {"density"}, [&] {
+    resolve_indexes(parse_bin_specs("clearness:@by_density"), path);
+  }));
+}
+
+}  // namespace
+}  // namespace slalom

@@ -1,0 +1,148 @@
+#include "error_text.h"
+#include "io_sample.h"
+
+#include <slalom/core/text.h>
+#include <slalom/io/result_file.h>
+#include <slalom/io/trajectory_file.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+
+namespace slalom {
+namespace {
+
+TrajectoryFile read(const std::string& text, bool sideways = false) {
+  return trajectory_from_text(text, "log", sideways);
+}
+
+testing::AssertionResult refused_log(const std::string& text, const std::string& where,
+                                     std::initializer_list<std::string> words) {
+  return throws_error(ErrorKind::File, where, words, [&] { read(text); });
+}
+
+TEST(TrajectoryFile, ReadsCsvColumnsInAnyOrder) {
+  const TrajectoryFile file = read(
+      "# from a robot\n\nphi,t,y,x,command_w,vy,w,v,command_v,command_vy\r\n"
+      "0.1,10,2,1,7,5,4,3,6,8\r\n"
+      "\n# a remark\n0.2, 11, 2.5, 1.5, 0.7, 0.5, 0.4, 0.3, 0.6, 0.8\n");
+  ASSERT_EQ(file.trajectory.samples.size(), 2U);
+  const std::array<double, Sample::kNumbers> expected = {10, 1, 2, 0.1, 3, 4, 6, 7, 5, 8};
+  EXPECT_EQ(file.trajectory.samples[0].numbers(), expected);
+  EXPECT_TRUE(file.notes.empty());
+}
+
+TEST(TrajectoryFile, ReportsComputedAndMissingColumns) {
+  const std::string csv = "t,x,y,phi\n0,0,0,0\n1,1,0,0\n";
+  EXPECT_EQ(read(csv).notes, (std::vector<std::string>{"v and w computed from pose differences",
+                                                       "no command_v and command_w"}));
+  EXPECT_EQ(read(csv, true).notes[0], "v, w and vy computed from pose differences");
+  EXPECT_TRUE(std::isnan(read(csv).trajectory.samples[0].command_v));
+  EXPECT_EQ(read("t,x,y,phi,v,command_v,command_w\n0,0,0,0,1,1,0\n1,1,0,0,1,1,0\n").notes,
+            (std::vector<std::string>{"w computed from pose differences"}));
+}
+
+/// A circle of radius 2 m at increasing speed, with analytically known derivatives.
+std::string circle_csv(double direction) {
+  std::string csv = "t,x,y,phi\n";
+  for (double t = 0; t < 4; t += 0.05) {
+    const double angle = 0.3 * t + 0.05 * t * t;  // rad; crosses +-pi as a heading
+    csv += format_number(t) + "," + format_number(2 * std::cos(angle)) + "," +
+           format_number(2 * std::sin(angle)) + "," +
+           format_number(angle + direction + M_PI / 2 + 2 * M_PI) + "\n";
+  }
+  return csv;
+}
+
+TEST(TrajectoryFile, ComputesVelocitiesAlongTheHeading) {
+  for (const auto& [direction, sign] : {std::pair(0.0, 1.0), std::pair(M_PI, -1.0)}) {
+    const TrajectoryFile file = read(circle_csv(direction));
+    for (const Sample& sample : file.trajectory.samples) {
+      EXPECT_NEAR(sample.v, sign * 2 * (0.3 + 0.1 * sample.t), 1e-3) << sample.t;
+      EXPECT_NEAR(sample.w, 0.3 + 0.1 * sample.t, 1e-6) << sample.t;
+      EXPECT_EQ(sample.vy, 0);
+    }
+  }
+}
+
+TEST(TrajectoryFile, ComputesTheLateralVelocityOfAHolonomicRobot) {
+  const TrajectoryFile file = read(circle_csv(-M_PI / 2), true);  // heading points outwards
+  for (const Sample& sample : file.trajectory.samples) {
+    EXPECT_NEAR(sample.v, 0, 3e-3) << sample.t;
+    EXPECT_NEAR(sample.vy, 2 * (0.3 + 0.1 * sample.t), 1e-3) << sample.t;
+  }
+}
+
+TEST(TrajectoryFile, ReadsTheYawOfTumQuaternions) {
+  // Rotated by 90 degrees; and by 180 degrees about x, then by -90 degrees about z.
+  const double h = std::sqrt(0.5);
+  const TrajectoryFile file =
+      read("# timestamp tx ty tz qx qy qz qw\n100 1 2 0.3 0 0 " + format_number(h) + " " +
+           format_number(h) + "\n101\t1 3 0.3 0 0 1 0\n102 1 4 0.3  " + format_number(h) + " " +
+           format_number(-h) + " 0 0\n");
+  ASSERT_EQ(file.trajectory.samples.size(), 3U);
+  const Sample& first = file.trajectory.samples[0];
+  EXPECT_EQ(first.t, 100);
+  EXPECT_EQ(first.pose.x, 1);
+  EXPECT_EQ(first.pose.y, 2);
+  EXPECT_NEAR(first.pose.phi, M_PI / 2, 1e-12);
+  EXPECT_NEAR(first.v, 1, 1e-12);
+  EXPECT_NEAR(std::abs(file.trajectory.samples[1].pose.phi), M_PI, 1e-12);
+  EXPECT_NEAR(file.trajectory.samples[2].pose.phi, -M_PI / 2, 1e-12);
+}
+
+TEST(TrajectoryFile, RejectsDamagedCsvWithItsLine) {
+  const std::string head = "t,x,y,phi\n0,0,0,0\n";
+  EXPECT_TRUE(refused_log(head + "1,1,0\n", "log:3: ", {"3 fields", "expected 4 numbers"}));
+  EXPECT_TRUE(refused_log(head + "1,1,0,0,5\n", "log:3: ", {"5 fields", "expected 4 numbers"}));
+  EXPECT_TRUE(
+      refused_log(head + "1,nan,0,0\n", "log:3: ", {"field 2", "expected a finite number"}));
+  EXPECT_TRUE(refused_log(head + "1,1,,0\n", "log:3: ", {"field 3", "expected a finite number"}));
+  EXPECT_TRUE(
+      refused_log(head + "1,1,1e999,0\n", "log:3: ", {"field 3", "expected a finite number"}));
+  EXPECT_TRUE(refused_log(head + "# gap\n0,1,0,0\n", "log:4: ", {"t = 0", "times that increase"}));
+  EXPECT_TRUE(refused_log(head, "log:2: ", {"1 samples", "at least 2 samples"}));
+  EXPECT_TRUE(refused_log(head + "1,1e9,0,0\n", "log:3: ", {"100 km", "meters"}));
+}
+
+TEST(TrajectoryFile, RejectsInvalidHeadersAndSuggestsTheNearestName) {
+  EXPECT_TRUE(refused_log("t,x,y,phi,comand_v\n0,0,0,0,0\n1,0,0,0,0\n",
+                          "log:1: ", {"'comand_v'", "expected 'command_v'"}));
+  EXPECT_TRUE(refused_log("t,x,y,v\n0,0,0,0\n", "log:1: ",
+                          {"missing", "'phi'", "expected a header line with t, x, y, phi"}));
+  EXPECT_TRUE(refused_log("t,x,y,phi,x\n0,0,0,0,0\n",
+                          "log:1: ", {"duplicate", "'x'", "expected each column once"}));
+  EXPECT_TRUE(refused_log("0,0,0,0\n", "log:1: ", {"unknown column '0'"}));
+  EXPECT_TRUE(refused_log("", "log: ", {"empty"}));
+  EXPECT_TRUE(refused_log(std::string(1000, '\0'), "log:1: ", {}));
+}
+
+TEST(TrajectoryFile, RejectsDamagedTum) {
+  EXPECT_TRUE(refused_log("0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0\n",
+                          "log:2: ", {"7 fields", "expected 8 numbers"}));
+  EXPECT_TRUE(refused_log("0 0 0 0 0 0 0 1\n1 0 0 0 0 0 1 1\n",
+                          "log:2: ", {"1.4142135623730951", "expected a unit quaternion"}));
+  EXPECT_TRUE(refused_log("0 0 0 0 0 0 0 0\n1 0 0 0 0 0 0 1\n",
+                          "log:1: ", {" 0;", "expected a unit quaternion"}));
+}
+
+TEST(TrajectoryFile, TruncatedFilesAreRejectedOrRead) {
+  const std::string csv = circle_csv(0);
+  for (std::size_t size = 0; size < csv.size(); size += 13) {
+    const std::string text = error_text(ErrorKind::File, [&] { read(csv.substr(0, size)); });
+    EXPECT_TRUE(text == "(no error)" || text.compare(0, 3, "log") == 0) << text;
+  }
+}
+
+TEST(TrajectoryFile, ReportsAMissingFile) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(throws_error(ErrorKind::File, folder / "none.csv", {},
+                           [&] { load_trajectory_file(folder / "none.csv", false); }));
+  write_file_atomically(folder / "log.csv", circle_csv(0));
+  EXPECT_EQ(load_trajectory_file(folder / "log.csv", false).trajectory.hash(),
+            read(circle_csv(0)).trajectory.hash());
+}
+
+}  // namespace
+}  // namespace slalom

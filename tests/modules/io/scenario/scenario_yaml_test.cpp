@@ -1,0 +1,76 @@
+#include "error_text.h"
+#include "io_sample.h"
+
+#include <slalom/io/scenario_yaml.h>
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+
+namespace slalom {
+namespace {
+
+testing::AssertionResult refused(const std::string& yaml, const std::string& where,
+                                 std::initializer_list<std::string> words) {
+  return throws_error(ErrorKind::File, where, words, [&] { scenario_from_yaml(yaml, "f.yaml"); });
+}
+
+constexpr char kHead[] =
+    "name: x\nrepresentation: grid\nbounds: [0, 0, 3, 2]\nstart: [0.5, 0.5, 0]\ngoal: [2.5, 1.5]\n";
+
+TEST(ScenarioYaml, RestoresEveryRepresentationWithItsHash) {
+  for (const Representation representation :
+       {Representation::Continuous, Representation::Grid, Representation::Points}) {
+    const Scenario scenario = sample_as(representation).renamed("a \"name\": with # signs");
+    const Scenario back = scenario_from_yaml(scenario_to_yaml(scenario), "test");
+    EXPECT_EQ(back.hash(), scenario.hash()) << to_string(representation);
+    EXPECT_EQ(back.name(), scenario.name());
+  }
+}
+
+TEST(ScenarioYaml, RestoresAPublishedPath) {
+  const Scenario scenario = sample_with_path(Representation::Continuous);
+  const Scenario back = scenario_from_yaml(scenario_to_yaml(scenario), "test");
+  ASSERT_NE(back.published_path(), nullptr);
+  EXPECT_EQ(*back.published_path(), *scenario.published_path());
+}
+
+TEST(ScenarioYaml, ReportsErrorsInAPublishedPathWithTheirLine) {
+  const std::string cells = std::string(kHead) + "resolution: 1\ncells: [\"...\", \"...\"]\n";
+  EXPECT_TRUE(refused(cells + "published_path: 3\n", "f.yaml:8: ", {"expected keys and values"}));
+  EXPECT_TRUE(refused(cells + "published_path:\n  feild: [0, 0, 1, 1]\n",
+                      "f.yaml:9: ", {"'feild'", "expected 'field'"}));
+  EXPECT_TRUE(refused(cells + "published_path:\n  field: [0, 0, 1, 1]\n  cell_size: 1\n  points:\n"
+                              "    - [0, 1]\n    - [0]\n",
+                      "f.yaml:13: ", {"expected [2 numbers]"}));
+}
+
+TEST(ScenarioYaml, GridRowsAreInTopDownOrder) {
+  const Scenario scenario = scenario_from_yaml(
+      std::string(kHead) + "resolution: 1\ncells:\n  - \"#..\"\n  - \"..#\"\n", "f.yaml");
+  const Occupancy cells = make_occupancy(scenario, 1);
+  EXPECT_TRUE(cells.occupied(0, 1));
+  EXPECT_TRUE(cells.occupied(2, 0));
+  EXPECT_EQ(cells.count_occupied(), 2U);
+}
+
+TEST(ScenarioYaml, ReportsErrorsWithTheirLine) {
+  EXPECT_TRUE(refused(std::string(kHead) + "resolutoin: 1\ncells: []\n",
+                      "f.yaml:6: ", {"'resolutoin'", "expected 'resolution'"}));
+  EXPECT_TRUE(refused(std::string(kHead) + "resolution: 1\ncells:\n  - \"...\"\n  - \"..\"\n",
+                      "f.yaml:9: ", {"expected 3 of '.' and '#'"}));
+  EXPECT_TRUE(refused("name: x\nrepresentation: cubes\n",
+                      "f.yaml:2: ", {"'cubes'", "expected continuous, grid or points"}));
+  EXPECT_TRUE(refused("name: [\n", "f.yaml", {"YAML"}));
+  EXPECT_TRUE(refused("hello", "f.yaml", {"scenario"}));
+  EXPECT_TRUE(refused("", "f.yaml", {"scenario"}));
+}
+
+TEST(ScenarioYaml, RejectsTruncatedFiles) {
+  const std::string yaml = scenario_to_yaml(sample_as(Representation::Grid));
+  for (std::size_t size = 0; size + 3 < yaml.size(); size += 37)
+    EXPECT_TRUE(refused(yaml.substr(0, size), "f.yaml", {})) << size;
+}
+
+}  // namespace
+}  // namespace slalom

@@ -1,0 +1,146 @@
+#include "browser.h"
+#include "occurrences.h"
+#include "report_sample.h"
+
+#include <set>
+
+namespace slalom {
+namespace {
+
+/// The pages of a report, drawn by a browser.
+class ReportPages : public ReportTest {
+ protected:
+  void SetUp() override {
+    if (!has_browser()) GTEST_SKIP() << "needs the package chromium";
+  }
+
+  std::string open(const std::string& page, const std::string& options = "") const {
+    return open_in_browser((report_folder() / page).string(), folder_, options);
+  }
+
+  /// The part of a document from a section's heading to the next one.
+  static std::string section(const std::string& document, const std::string& id) {
+    const std::size_t from = document.find("<h2 id=\"" + id + "\"");
+    EXPECT_NE(from, std::string::npos) << id;
+    return from == std::string::npos ? ""
+                                     : document.substr(from, document.find("<h2", from + 1) - from);
+  }
+};
+
+TEST_F(ReportPages, TheIndexShowsTheTablesWithoutScripts) {
+  write(make_results(12));
+  // A frame whose scripts are blocked; its document replaces the page's.
+  std::ofstream(report_folder() / "blocked.html")
+      << "<iframe sandbox=\"allow-same-origin\" src=\"index.html\"></iframe><script>"
+         "const frame = document.querySelector('iframe'); frame.onload = () => "
+         "document.body.replaceChildren(...frame.contentDocument.body.childNodes);</script>";
+  const std::string page = open("blocked.html", "--allow-file-access-from-files");
+  EXPECT_EQ(count(page, "id=\"ranks\""), 0u) << "scripts are not off";
+  EXPECT_EQ(count(page, "<h2>Summary</h2>"), 1u);
+  EXPECT_EQ(count(page, "<th>good</th><td>12</td><td>success 12</td><td><b>1.00</b> [0.76, 1.00] "),
+            1u);
+  EXPECT_EQ(count(page, "<h3>good by density</h3>"), 1u);
+  EXPECT_EQ(count(page, "require JavaScript"), 1u);
+}
+
+TEST_F(ReportPages, TheIndexLinksToItsSectionsAndToRuns) {
+  write(make_results(12));
+  const std::string page = open("index.html");
+  const auto targets = all_matches(page, "href=\"#([^\"]*)\"");
+  for (const std::string& target : targets)
+    EXPECT_EQ(count(page, "id=\"" + target + "\""), 1u) << target;
+  EXPECT_EQ(targets, (std::vector<std::string>{"summary", "findings", "tables", "comparisons",
+                                               "ranks", "scenarios", "repeat"}));
+  EXPECT_GT(count(page, "href=\"runs.html#cell-"), 0u);
+  EXPECT_GT(count(page, "href=\"run.html#"), 0u);
+  EXPECT_EQ(count(page, "<h2>Summary</h2>"), 0u) << "the plain tables are replaced";
+}
+
+TEST_F(ReportPages, TakeNamesLiterally) {
+  write(make_results(3, "a<script>alert('x')</script>&\""));
+  for (const char* name : {"index.html", "method.html#1", "runs.html"}) {
+    const std::string page = open(name);
+    EXPECT_EQ(count(page, "<script>"), 0u) << name;
+    EXPECT_EQ(count(page, "<bad>"), 0u) << name;
+    EXPECT_EQ(count(page, "<campaign>"), 0u) << name;
+    EXPECT_GT(count(page, "&lt;bad&gt;"), 0u) << name;
+  }
+}
+
+TEST_F(ReportPages, ARunOfAnyNameIsLinked) {
+  write(make_results(1));
+  const auto links =
+      all_matches(open("runs.html"), "href=\"(run\\.html#[0-9a-f]{8}/%3Cbad%3E/0)\"");
+  ASSERT_EQ(links.size(), 1u);
+  EXPECT_EQ(count(open(links.front()), "<h1 id=\"title\">room 0: &lt;bad&gt;/0</h1>"), 1u);
+}
+
+TEST_F(ReportPages, ShowThePictureTheOutcomesAndTheDescriptorsOfEveryScenario) {
+  write(make_results(3));
+  const std::string gallery = section(open("index.html"), "scenarios");
+  EXPECT_EQ(count(gallery, "<figure id=\"s-"), 3u);
+  EXPECT_EQ(count(gallery, "<svg xmlns"), 3u);
+  EXPECT_EQ(count(gallery, "class=\"trajectory\""), 6u);
+  EXPECT_EQ(count(gallery, "title=\"with a &quot;disc&quot;\">✕ collision</span>"), 3u);
+  EXPECT_EQ(count(gallery, "<td class=\"na\" title=\"collision\">–</td>"), 3u);
+  EXPECT_EQ(count(gallery, "<dt>density</dt><dd>0.002</dd>"), 1u);
+}
+
+TEST_F(ReportPages, AnAddressOfAScenarioOpensItsPageOfTheGallery) {
+  write(make_results(201));
+  const auto json = report_json();
+  const std::string last = json["scenarios"].back()["hash"];
+  const std::string page = open("index.html#s-" + last);
+  EXPECT_EQ(count(page, "<figure id="), 1u);
+  EXPECT_EQ(count(page, "<figure id=\"s-" + last + "\""), 1u);
+  EXPECT_EQ(count(page, "class=\"trajectory\""), 2u);
+  EXPECT_EQ(count(page, "<button aria-current=\"true\">2</button>"), 1u);
+}
+
+TEST_F(ReportPages, ReportMissingValuesAndSkippedComparisons) {
+  write(make_results(12));
+  const std::string page = open("index.html");
+  EXPECT_GT(count(page, "optimality: 12 collision"), 0u);
+  EXPECT_GT(count(page, "good: too few runs to compare success, optimality"), 0u);
+  EXPECT_EQ(count(page, "(Nemenyi, level 0.05)"), 1u);
+}
+
+TEST_F(ReportPages, ShadeNoFieldOfAMapWithFewerThanFiveValues) {
+  const ResultFile file = make_results(12);
+  ReportOptions two_axes = options();
+  // Of each method 2 scenarios lie below 0.0015 and 10 above.
+  two_axes.rows = parse_bin_specs("density:0,0.0015,1;success:0,0.5,1");
+  write(file, two_axes);
+  const std::string maps = section(open("index.html"), "maps");
+  const std::regex field("<td class=\"cell\"([^>]*)>(?:(?!</td>).)*n=([0-9]+)</span></td>");
+  std::multiset<std::string> sizes;
+  for (std::sregex_iterator it(maps.begin(), maps.end(), field), end; it != end; ++it) {
+    sizes.insert((*it)[2]);
+    EXPECT_EQ((*it)[1].str().find("--g") != std::string::npos, (*it)[2] == "10") << (*it)[0];
+  }
+  EXPECT_EQ(sizes, (std::multiset<std::string>{"2", "2", "10", "10"}));
+}
+
+TEST_F(ReportPages, CompareMethodsAndHaveAPagePerMethod) {
+  write(make_results(12));
+  const std::string page = open("index.html");
+  EXPECT_GT(count(section(page, "comparisons"), "class=\"finding shown\""), 0u);
+  EXPECT_EQ(count(page, "href=\"method.html#1\""), 1u);
+  const std::pair<const char*, const char*> names[] = {{"method.html#1", "&lt;bad&gt;"},
+                                                       {"method.html#2", "good"}};
+  for (const auto& [address, name] : names) {
+    const std::string method = open(address);
+    EXPECT_EQ(count(method, "<h1 id=\"title\">" + std::string(name) + "</h1>"), 1u) << address;
+    EXPECT_GT(count(section(method, "outcomes"), "href=\"runs.html#cell-"), 0u) << address;
+    for (const char* id : {"summary", "comparisons", "tables", "validity"})
+      EXPECT_NE(section(method, id), "") << address;
+  }
+}
+
+TEST_F(ReportPages, HandleResultsWithoutRuns) {
+  write(make_results(0), report_options({}));
+  EXPECT_EQ(count(open("index.html"), "No bins to compare."), 1u);
+}
+
+}  // namespace
+}  // namespace slalom

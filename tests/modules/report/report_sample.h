@@ -1,0 +1,99 @@
+#pragma once
+
+#include "memory_folder.h"
+
+#include <slalom/io/read_results.h>
+#include <slalom/report/report.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+namespace slalom {
+
+/// Result files of two methods, "good" and "<bad>", and their reports.
+class ReportTest : public testing::Test {
+ protected:
+  ReportTest() {
+    std::string pattern = (memory_folder() / "slalom_report_XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+  }
+  ~ReportTest() override { std::filesystem::remove_all(folder_); }
+
+  /// Scenarios with one disc each, run by both methods; the second one always collides.
+  ResultFile make_results(int scenarios, const std::string& name = "room") const {
+    const Manifest manifest = {{"campaign", "<campaign> & co"},
+                               {"campaign.ini", "[analysis]\nrows = density:0,0.5,1\n"}};
+    const QuantityInfo density = {"density", 1, "Density", "-", Direction::None};
+    const QuantityInfo success = {"success", 1, "Success", "-", Direction::Up};
+    const QuantityInfo optimality = {"optimality", 1, "Optimality", "-", Direction::Up};
+    ResultFile file =
+        ResultFile::create(results_path(), manifest, {density}, {success, optimality});
+    for (int i = 0; i < scenarios; ++i) add_scenario(file, i, name + " " + std::to_string(i));
+    file.commit();
+    return file;
+  }
+
+  std::string results_path() const { return (folder_ / "runs.results").string(); }
+  std::filesystem::path report_folder() const { return folder_ / "report"; }
+  ReportOptions options() const { return report_options(read_results(results_path())); }
+
+  void write(const ResultFile& file, const ReportOptions& options) const {
+    write_report(file, read_results(results_path()), options, report_folder().string());
+  }
+  void write(const ResultFile& file) const { write(file, options()); }
+
+  std::string read(const std::string& name) const {
+    std::ifstream stream(report_folder() / name, std::ios::binary);
+    EXPECT_TRUE(stream) << name;
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  nlohmann::json report_json() const { return nlohmann::json::parse(read("report.json")); }
+
+  std::filesystem::path folder_;
+
+ private:
+  static void add_scenario(ResultFile& file, int i, const std::string& name) {
+    const Primitives obstacles = {{{{5, 5}, 0.5 + 0.001 * i}}, {}};
+    const Scenario scenario =
+        Scenario::continuous(name, {0, 0, 10, 10}, obstacles, {1, 1, 0}, {9, 9});
+    ScenarioRecord record{scenario.hash(), scenario.name(), {}};
+    record.descriptors["density"] = {1, Value::of(0.001 * i)};
+    References references;
+    references.shortest = ShortestPath{{{1, 1}, {6, 4}, {9, 9}}, 12.0, {11.9, 12.0}, "exact", ""};
+    references.safest_reason = "not requested";
+    file.add_scenario(record, scenario, references);
+    for (const bool reached : {true, false})
+      file.add_run(make_run(scenario, reached), {}, make_trajectory(reached));
+  }
+
+  static Trajectory make_trajectory(bool reached) {
+    Trajectory trajectory;
+    for (int i = 0; i <= (reached ? 80 : 30); ++i) {
+      Sample sample;
+      sample.t = 0.1 * i;
+      sample.pose = {1 + 0.1 * i, 1 + 0.1 * i, 0.785};
+      trajectory.samples.push_back(sample);
+    }
+    return trajectory;
+  }
+
+  static RunRecord make_run(const Scenario& scenario, bool reached) {
+    RunRecord run;
+    run.scenario_hash = scenario.hash();
+    run.scenario_name = scenario.name();
+    run.method = reached ? "good" : "<bad>";
+    run.outcome = reached ? "success" : "collision";
+    run.outcome_detail = reached ? "" : "with a \"disc\"";
+    run.metrics["success"] = {1, Value::of(reached ? 1 : 0)};
+    run.metrics["optimality"] = {1, reached ? Value::of(0.9) : Value::na("collision")};
+    return run;
+  }
+};
+
+}  // namespace slalom

@@ -1,0 +1,126 @@
+#include "memory_folder.h"
+#include "scenario_data.h"
+
+#include <slalom/io/rawlog_path.h>
+#include <slalom/io/read_results.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace slalom {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A result file with one scenario and one run.
+class ScenarioData : public testing::Test {
+ protected:
+  ScenarioData() {
+    std::string pattern = (memory_folder() / "slalom_scenario_XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+  }
+  ~ScenarioData() override { fs::remove_all(folder_); }
+
+  /// The data of a scenario with one run of `samples` samples, 0.1 s and 0.1 m apart.
+  nlohmann::json data_of(const Scenario& scenario, std::size_t samples) const {
+    const std::string path = (folder_ / "runs.results").string();
+    ResultFile file = ResultFile::create(path, {}, {}, {kLength});
+    file.add_scenario({scenario.hash(), scenario.name(), {}}, scenario, {});
+    RunRecord run;
+    run.scenario_hash = scenario.hash();
+    run.scenario_name = scenario.name();
+    run.method = "nd & co";
+    run.seed = 18446744073709551615u;
+    run.outcome = "stuck";
+    run.metrics["path_length"] = {1, Value::na("</script> stopped")};
+    Trajectory trajectory;
+    for (std::size_t i = 0; i < samples; ++i) {
+      Sample sample;
+      sample.t = 0.1 * static_cast<double>(i);
+      sample.pose = {1 + 0.1 * static_cast<double>(i), 1, 0};
+      trajectory.samples.push_back(sample);
+    }
+    file.add_run(run, {}, trajectory);
+    file.commit();
+    const ResultTable runs = read_results(path);
+    ReportOptions options;
+    options.rows = {BinSpec{}};
+    options.columns = {"success"};
+    options.resolution = 0.5;
+    const ReportInput input = make_report_input(runs, options);
+    return argument(scenario_script(input, read_scenario_runs(file, runs, 0, 0), path,
+                                    (folder_ / "report").string()),
+                    "slalomScenario");
+  }
+
+  static Scenario room() {
+    return Scenario::continuous("room", {0, 0, 30, 10}, {{{{5, 5}, 0.5}}, {}}, {1, 1, 0}, {9, 9});
+  }
+
+  /// The argument of the function call in a script.
+  static nlohmann::json argument(const std::string& script, const std::string& function) {
+    EXPECT_EQ(script.rfind(function + "(", 0), 0u) << script.substr(0, 40);
+    const std::size_t from = function.size() + 1;
+    return nlohmann::json::parse(script.substr(from, script.rfind(")") - from));
+  }
+
+  static std::vector<std::int64_t> sums(const nlohmann::json& differences) {
+    std::vector<std::int64_t> numbers;
+    std::int64_t sum = 0;
+    for (const std::int64_t difference : differences) numbers.push_back(sum += difference);
+    return numbers;
+  }
+
+  const QuantityInfo kLength = {"path_length", 1, "Path length", "m", Direction::Down};
+  fs::path folder_;
+};
+
+TEST_F(ScenarioData, StoresTrajectoriesInThousandths) {
+  const auto data = data_of(room(), 3);
+  const auto& run = data["runs"][0];
+  EXPECT_EQ(sums(run["t"]), (std::vector<std::int64_t>{0, 100, 200}));
+  EXPECT_EQ(sums(run["x"]), (std::vector<std::int64_t>{1000, 1100, 1200}));
+  EXPECT_EQ(sums(run["y"]), (std::vector<std::int64_t>{1000, 1000, 1000}));
+  // The border is nearest: 1 m below the center, minus the robot radius of 0.25 m.
+  EXPECT_EQ(sums(run["c"]).front(), 750);
+  EXPECT_EQ(data["discs"][0], (nlohmann::json{5.0, 5.0, 0.5}));
+  EXPECT_EQ(data["reasons"][run["values"][0][0].get<int>()], "</script> stopped");
+  EXPECT_EQ(run["seed"], "18446744073709551615");
+}
+
+TEST_F(ScenarioData, KeepsFirstAndLastSampleOfLongTrajectories) {
+  const std::size_t n = 10 * kMaxSamples;
+  const auto times = sums(data_of(room(), n)["runs"][0]["t"]);
+  ASSERT_EQ(times.size(), kMaxSamples);
+  EXPECT_EQ(times.front(), 0);
+  EXPECT_EQ(times.back(), static_cast<std::int64_t>(100 * (n - 1)));
+}
+
+TEST_F(ScenarioData, StoresGridsAsRunLengths) {
+  // Two rows of three cells of 1 m: ". # #" below, "# . ." above.
+  mrpt::maps::COccupancyGridMap2D map(0, 3, 0, 2, 1);
+  for (int x = 0; x < 3; ++x) {
+    map.setCell(x, 0, x == 0 ? 1.0f : 0.0f);
+    map.setCell(x, 1, x == 0 ? 0.0f : 1.0f);
+  }
+  const auto data = data_of(Scenario::grid("grid", map, {0.5, 0.5, 0}, {2.5, 1.5}), 1);
+  EXPECT_EQ(data["grid"]["runs"], (nlohmann::json{1, 3, 2}));
+  EXPECT_EQ(data["grid"]["nx"], 3);
+}
+
+TEST_F(ScenarioData, LinksExistingRawlogsOnly) {
+  const Scenario scenario = room();
+  EXPECT_EQ(data_of(scenario, 2)["runs"][0]["rawlog"], "");
+  const fs::path rawlog =
+      rawlog_path((folder_ / "runs.results").string(), scenario.hash(), "nd & co", 0);
+  fs::create_directories(rawlog.parent_path());
+  std::ofstream(rawlog) << "a rawlog";
+  const std::string link = data_of(scenario, 2)["runs"][0]["rawlog"];
+  EXPECT_EQ(link.rfind("../", 0), 0u) << link;
+  EXPECT_EQ(link.find_first_of(" &"), std::string::npos) << link;
+}
+
+}  // namespace
+}  // namespace slalom

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "wait_until.h"
+
+#include <slalom/studio/jobs.h>
+
+namespace slalom {
+
+/// Polls like the window until all jobs are finished and delivered.
+inline void finish_jobs(Jobs& jobs) {
+  wait_until([&jobs] {
+    jobs.poll();
+    return jobs.idle();
+  });
+}
+
+}  // namespace slalom

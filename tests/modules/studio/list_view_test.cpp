@@ -1,0 +1,150 @@
+#include "list_files.h"
+
+#include <slalom/studio/list_lines.h>
+
+namespace slalom {
+namespace {
+
+using Numbers = std::vector<int>;
+
+class ListViews : public ListFiles {
+ protected:
+  Numbers shown(const ListViewRequest& request) const {
+    const ScenarioList list = ScenarioList::open(path_);
+    return numbers(list, make_list_view(path_, request));
+  }
+  static ListViewRequest request(const std::string& filter, const std::string& sort = "",
+                                 bool descending = false) {
+    ListViewRequest request;
+    request.filter = filter;
+    request.sort = sort;
+    request.descending = descending;
+    return request;
+  }
+  void create_index(const std::vector<double>& edges) const {
+    ScenarioList::open(path_).create_index(
+        {"by_density", "density", descriptor_view({"density"}, {}).at("density"), edges});
+  }
+
+  std::string path_ = make_list("a.scenarios", 12);
+};
+
+TEST_F(ListViews, ShowAListInItsOrderOrReversed) {
+  EXPECT_EQ(shown({}), (Numbers{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
+  EXPECT_EQ(shown(request("  ", "", true)), (Numbers{11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0}));
+}
+
+TEST_F(ListViews, SortByADescriptorWithMissingValuesLast) {
+  EXPECT_EQ(shown(request("", "density")), (Numbers{0, 10, 1, 11, 2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ(shown(request("", "density", true)), (Numbers{7, 6, 5, 4, 3, 2, 1, 11, 0, 10, 8, 9}));
+}
+
+TEST_F(ListViews, SortByName) {
+  EXPECT_EQ(shown(request("", "name")), (Numbers{0, 1, 10, 11, 2, 3, 4, 5, 6, 7, 8, 9}));
+}
+
+TEST_F(ListViews, FilterBySelectionExpressions) {
+  EXPECT_EQ(shown(request("density > 0.3 and not tag = hard")), (Numbers{4, 5, 7}));
+  EXPECT_EQ(shown(request("density is na")), (Numbers{8, 9}));
+  EXPECT_EQ(shown(request("name = nobody")), (Numbers{}));
+  const ListView view = make_list_view(path_, request("density > 0.3"));
+  EXPECT_EQ(view.total, 12U);
+  EXPECT_EQ(view.index_of(hash_of(4)), 0U);
+  EXPECT_EQ(view.index_of(hash_of(1)), std::nullopt);
+  EXPECT_EQ(view.index_of(""), std::nullopt);
+}
+
+TEST_F(ListViews, RefuseInvalidFilters) {
+  for (const std::string text :
+       {"density >", "nothing = 3", "density > 0.1; DROP TABLE scenarios", "'", "(((((((((", ")",
+        "density ~ 3", "by_density[1]", "name = 'a' -- or"})
+    EXPECT_NE(error_text(ErrorKind::Usage, [&] { shown(request(text)); }).find("selection"),
+              std::string::npos)
+        << text;
+  const std::string null("name = 'a\0b'", 12);
+  for (const std::string& text :
+       {std::string("name = 'x'' OR 1=1 --'"), std::string("name like '%''; DROP TABLE tags;%'"),
+        null, "name = \"" + std::string(100000, 'x') + "\"", std::string("name = '\xff\xfe'")}) {
+    try {
+      EXPECT_EQ(shown(request(text)), Numbers{}) << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::Usage) << text;
+    }
+  }
+  const std::string deep = std::string(200000, '(') + "density > 1" + std::string(200000, ')');
+  EXPECT_NE(error_text(ErrorKind::Usage, [&] { shown(request(deep)); }), "(no error)");
+  EXPECT_EQ(shown({}).size(), 12U);
+}
+
+TEST_F(ListViews, RefuseAnUnknownSortField) {
+  EXPECT_NE(error_text(ErrorKind::Usage, [&] { shown(request("", "content")); }), "(no error)");
+}
+
+TEST_F(ListViews, GroupByTheRangesOfAnIndex) {
+  create_index({0.1, 0.3, 0.5, 0.55});
+  ListViewRequest grouped = request("", "density", true);
+  grouped.group_by = "by_density";
+  // Densities 0.1 and 0.2 of 1, 11 and 2 lie in the first range, 0.3 and 0.4 in the second, 0.5 in
+  // the third, which is closed; 0 of 0 and 10 lie below, 0.6 and 0.7 above.
+  EXPECT_EQ(shown(grouped), (Numbers{0, 10, 2, 1, 11, 4, 3, 5, 7, 6, 8, 9}));
+  const ListView view = make_list_view(path_, grouped);
+  std::vector<std::string> groups;
+  for (const ListGroup& group : view.groups)
+    groups.push_back(group.title + ": " + std::to_string(group.count) + " from " +
+                     std::to_string(group.first));
+  EXPECT_EQ(groups, (std::vector<std::string>{
+                        "density below 0.1: 2 from 0", "density 0.1 to 0.3: 3 from 2",
+                        "density 0.3 to 0.5: 2 from 5", "density 0.5 to 0.55: 1 from 7",
+                        "density above 0.55: 2 from 8", "density NA: 1 from 10",
+                        "density not computed: 1 from 11"}));
+  for (int number = 0; number < 12; ++number)
+    EXPECT_EQ(view.hashes[view.index_of(hash_of(number)).value()], hash_of(number));
+}
+
+TEST_F(ListViews, GroupOnlyFilteredScenariosAndShowEmptyRanges) {
+  create_index({0.2, 0.35, 0.37});
+  ListViewRequest grouped = request("tag = hard");  // 0, 3, 6, 9
+  grouped.group_by = "by_density";
+  const ListView view = make_list_view(path_, grouped);
+  ASSERT_EQ(view.groups.size(), 5U);  // below, two ranges, above, not computed
+  const std::size_t counts[] = {1, 1, 0, 1, 1};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(view.groups[i].count, counts[i]) << i;
+  EXPECT_EQ(shown(grouped), (Numbers{0, 3, 6, 9}));
+}
+
+TEST(ListLines, IncludeGroupHeaders) {
+  const std::vector<ListGroup> groups = {{"a", 0, 2}, {"b", 2, 0}, {"c", 2, 3}, {"d", 5, 1}};
+  const ListLines lines(6, groups, {"c"});
+  ASSERT_EQ(lines.size(), 7U);  // four headers, two of a, one of d
+  const int headers[] = {0, -1, -1, 1, 2, 3, -1};
+  for (std::size_t i = 0; i < 7; ++i) {
+    const auto group = lines.at(i).group;
+    EXPECT_EQ(group ? static_cast<int>(*group) : -1, headers[i]) << i;
+  }
+  EXPECT_EQ(lines.at(2).index, 1U);
+  EXPECT_EQ(lines.at(6).index, 5U);
+  EXPECT_EQ(lines.line_of(1), 2U);
+  EXPECT_EQ(lines.line_of(3), std::nullopt);
+  EXPECT_EQ(lines.group_of(3), 2U);
+  EXPECT_EQ(lines.line_of(5), 6U);
+  EXPECT_EQ(lines.line_of(6), std::nullopt);
+}
+
+TEST(ListLines, HavePositionsInPixels) {
+  const ListLines lines(4, {{"a", 0, 1}, {"b", 1, 3}}, {});
+  const ListLines::Heights heights{50, 20};
+  // a 0 to 20, its scenario to 70, b to 90, its scenarios to 140, 190, 240.
+  const double tops[] = {0, 20, 70, 90, 140, 190, 240};
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(lines.top_of(i, heights), tops[i]);
+  EXPECT_EQ(lines.line_at(-5, heights), 0U);
+  EXPECT_EQ(lines.line_at(19.9, heights), 0U);
+  EXPECT_EQ(lines.line_at(20, heights), 1U);
+  EXPECT_EQ(lines.line_at(139, heights), 3U);
+  EXPECT_EQ(lines.line_at(1e9, heights), 5U);
+  const ListLines plain(3, {}, {});
+  EXPECT_EQ(plain.line_at(101, heights), 2U);
+  EXPECT_EQ(plain.at(2).index, 2U);
+}
+
+}  // namespace
+}  // namespace slalom

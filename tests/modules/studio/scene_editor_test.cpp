@@ -1,0 +1,156 @@
+#include <slalom/core/error.h>
+#include <slalom/scenario/grid_map.h>
+#include <slalom/scenario/occupancy.h>
+#include <slalom/studio/scene_editor.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace slalom {
+namespace {
+
+constexpr double kTolerance = 0.1;
+
+/// A disc at (5, 3) and a square with a corner at (7, 1) in a room of 10 m by 6 m.
+Scenario room() {
+  Primitives obstacles;
+  obstacles.discs.push_back({{5, 3}, 0.5});
+  obstacles.polygons.push_back({{{7, 1}, {8, 1}, {8, 2}, {7, 2}}});
+  return Scenario::continuous("room", {0, 0, 10, 6}, obstacles, {1, 3, 0.5}, {9, 3});
+}
+
+std::optional<SceneEdit> drag(SceneEditor& editor, const Scenario& scenario,
+                              const mrpt::math::TPoint2D& from, const mrpt::math::TPoint2D& to) {
+  editor.press(scenario, from, kTolerance);
+  editor.move({0.5 * (from.x + to.x), 0.5 * (from.y + to.y)});
+  editor.move(to);
+  return editor.release(scenario, to);
+}
+
+TEST(SceneEditor, DoesNotEditUntilAToolIsChosen) {
+  SceneEditor editor;
+  EXPECT_FALSE(drag(editor, room(), {2, 2}, {3, 3}).has_value());
+  EXPECT_FALSE(editor.busy());
+}
+
+TEST(SceneEditor, MovesTheStartAndRotatesItByDragging) {
+  SceneEditor editor;
+  editor.set_tool(EditTool::Start);
+  const auto turned = drag(editor, room(), {2, 4}, {2, 5});
+  ASSERT_TRUE(turned.has_value());
+  EXPECT_EQ(turned->title, "Move start");
+  EXPECT_DOUBLE_EQ(turned->scenario.start().x, 2);
+  EXPECT_DOUBLE_EQ(turned->scenario.start().y, 4);
+  EXPECT_NEAR(turned->scenario.start().phi, std::atan2(1, 0), 1e-12);
+  const auto clicked = drag(editor, room(), {2, 4}, {2.05, 4});  // no drag: less than tolerance
+  EXPECT_DOUBLE_EQ(clicked->scenario.start().phi, 0.5);
+  EXPECT_NE(clicked->scenario.hash(), room().hash());
+}
+
+TEST(SceneEditor, MovesTheGoalToWhereItIsReleased) {
+  SceneEditor editor;
+  editor.set_tool(EditTool::Goal);
+  const auto edit = drag(editor, room(), {2, 4}, {8, 5});
+  EXPECT_DOUBLE_EQ(edit->scenario.goal().x, 8);
+  EXPECT_DOUBLE_EQ(edit->scenario.goal().y, 5);
+}
+
+TEST(SceneEditor, AddsADiscOfTheDraggedOrTheBrushRadius) {
+  SceneEditor editor;
+  editor.set_tool(EditTool::Disc);
+  const auto dragged = drag(editor, room(), {3, 1}, {3, 1.7});
+  ASSERT_EQ(dragged->scenario.primitives().discs.size(), 2U);
+  EXPECT_NEAR(dragged->scenario.primitives().discs[1].radius, 0.7, 1e-12);
+  editor.set_brush(0.4);
+  const auto clicked = drag(editor, room(), {3, 1}, {3, 1});
+  EXPECT_DOUBLE_EQ(clicked->scenario.primitives().discs[1].radius, 0.4);
+}
+
+TEST(SceneEditor, ClosesAPolygonAtItsFirstCorner) {
+  SceneEditor editor;
+  const Scenario scenario = room();
+  editor.set_tool(EditTool::Polygon);
+  for (const auto& corner : {mrpt::math::TPoint2D(2, 1), {3, 1}, {3, 2}})
+    EXPECT_FALSE(drag(editor, scenario, corner, corner).has_value());
+  EXPECT_TRUE(editor.busy());
+  editor.move({2, 2});
+  EXPECT_EQ(editor.preview(scenario).open_polygon.size(), 4U);
+  const auto edit = drag(editor, scenario, {2.05, 1}, {2.05, 1});
+  ASSERT_TRUE(edit.has_value());
+  ASSERT_EQ(edit->scenario.primitives().polygons.size(), 2U);
+  EXPECT_EQ(edit->scenario.primitives().polygons[1].vertices.size(), 3U);
+  EXPECT_FALSE(editor.busy());
+}
+
+TEST(SceneEditor, FinishesAPolygonOnlyWithThreeCorners) {
+  SceneEditor editor;
+  const Scenario scenario = room();
+  editor.set_tool(EditTool::Polygon);
+  for (const auto& corner : {mrpt::math::TPoint2D(2, 1), {3, 1}})
+    drag(editor, scenario, corner, corner);
+  EXPECT_FALSE(editor.finish(scenario).has_value());
+  drag(editor, scenario, {3, 2}, {3, 2});
+  EXPECT_TRUE(editor.finish(scenario).has_value());
+}
+
+TEST(SceneEditor, MovesAndDeletesThePressedObstacle) {
+  SceneEditor editor;
+  editor.set_tool(EditTool::Move);
+  const auto moved = drag(editor, room(), {7.5, 1.5}, {7.5, 3.5});
+  ASSERT_TRUE(moved.has_value());
+  EXPECT_NEAR(moved->scenario.primitives().polygons[0].vertices[0].y, 3, 1e-12);
+  EXPECT_FALSE(drag(editor, room(), {2, 5}, {3, 5}).has_value());  // nothing is there
+  editor.set_tool(EditTool::Delete);
+  const auto deleted = drag(editor, room(), {5, 3}, {5, 3});
+  ASSERT_TRUE(deleted.has_value());
+  EXPECT_TRUE(deleted->scenario.primitives().discs.empty());
+  EXPECT_EQ(deleted->scenario.primitives().polygons.size(), 1U);
+}
+
+TEST(SceneEditor, PaintsAndErasesCellsAlongTheStroke) {
+  const auto map = make_grid_map(100, 60, 0.1, {0, 0});
+  const Scenario grid = Scenario::grid("grid", map, {1, 3, 0}, {9, 3});
+  SceneEditor editor;
+  editor.set_tool(EditTool::Paint);
+  editor.set_brush(0.2);
+  const auto painted = drag(editor, grid, {4, 1}, {4, 2});
+  ASSERT_TRUE(painted.has_value());
+  const Occupancy cells = make_occupancy(painted->scenario, 0.1);
+  EXPECT_TRUE(cells.occupied(40, 15));
+  EXPECT_FALSE(cells.occupied(45, 15));
+  editor.set_tool(EditTool::Erase);
+  const auto erased = drag(editor, painted->scenario, {4, 1}, {4, 2});
+  EXPECT_EQ(erased->scenario.hash(), grid.hash());
+}
+
+TEST(SceneEditor, CancelsInvalidEdits) {
+  SceneEditor editor;
+  editor.set_tool(EditTool::Goal);
+  EXPECT_THROW(drag(editor, room(), {2, 4}, {5, 3}), Error);  // in the disc
+  EXPECT_FALSE(editor.busy());
+  editor.press(room(), {2, 2}, kTolerance);
+  EXPECT_TRUE(editor.preview(room()).goal.has_value());
+  editor.cancel();
+  EXPECT_FALSE(editor.preview(room()).goal.has_value());
+}
+
+TEST(EditTools, HaveUniqueIdsAndKeysAndDependOnRepresentations) {
+  std::set<std::string> ids;
+  std::set<char> keys;
+  for (const EditToolInfo& info : edit_tools()) {
+    EXPECT_TRUE(ids.insert(info.id).second);
+    EXPECT_TRUE(keys.insert(info.key).second);
+    EXPECT_EQ(&info_of(info.tool), &info);
+  }
+  for (const char key : {'F', 'L', 'Q', 'W'}) EXPECT_EQ(keys.count(key), 0U);  // used by the view
+  EXPECT_EQ(tool_disabled_reason(EditTool::Disc, Representation::Continuous), "");
+  EXPECT_NE(tool_disabled_reason(EditTool::Disc, Representation::Grid), "");
+  EXPECT_NE(tool_disabled_reason(EditTool::Paint, Representation::Continuous), "");
+  EXPECT_EQ(tool_disabled_reason(EditTool::Erase, Representation::Points), "");
+  EXPECT_EQ(tool_disabled_reason(EditTool::Goal, Representation::Grid), "");
+}
+
+}  // namespace
+}  // namespace slalom

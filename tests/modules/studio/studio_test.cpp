@@ -1,0 +1,98 @@
+#include "finish_jobs.h"
+#include "list_files.h"
+
+#include <slalom/studio/studio_actions.h>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+/// The studio without a window.
+class StudioWithoutWindow : public ListFiles {
+ protected:
+  void SetUp() override {
+    studio_.notices().observe([this](Change change) { changes_.push_back(change); });
+    add_file_actions(actions_, studio_);
+    add_import_export_actions(actions_, studio_);
+    add_edit_actions(actions_, studio_);
+    add_list_actions(actions_, studio_);
+    add_generate_actions(actions_, studio_);
+    add_help_actions(actions_, studio_);
+  }
+  void finish() {
+    finish_jobs(studio_.jobs());
+    studio_.poll();
+  }
+  bool published(Change change) const {
+    return std::find(changes_.begin(), changes_.end(), change) != changes_.end();
+  }
+
+  Studio studio_{{}, {}, {}};
+  Actions actions_;
+  std::vector<Change> changes_;
+};
+
+TEST_F(StudioWithoutWindow, PublishesWhatBelongsToTheCurrentScenario) {
+  studio_.open_list(make_list("a.scenarios", 3));
+  EXPECT_TRUE(published(Change::Documents));
+  EXPECT_TRUE(published(Change::Current));
+  EXPECT_EQ(studio_.current_hash(), hash_of(0));
+  finish();
+  EXPECT_TRUE(published(Change::Scene));
+  EXPECT_TRUE(published(Change::Descriptors));
+  ASSERT_TRUE(studio_.scenes().scene());
+  EXPECT_TRUE(studio_.scenes().scene()->complete());
+  EXPECT_EQ(studio_.descriptors().model().hash(), hash_of(0));
+  EXPECT_EQ(studio_.notices().status().text, "a.scenarios: 3 scenarios");
+  studio_.close_list(0);
+  EXPECT_FALSE(studio_.scenes().scene());
+  EXPECT_EQ(studio_.active(), nullptr);
+}
+
+TEST_F(StudioWithoutWindow, ReadsTheShownValuesAgainWhenTheListChanges) {
+  studio_.open_list(make_list("a.scenarios", 9));
+  studio_.show_values_of({"density"});
+  finish();
+  ASSERT_TRUE(studio_.descriptors().list_values());
+  EXPECT_EQ(studio_.descriptors().list_values()->size(), 9U);
+  studio_.filter_range("density", 0.2, 0.5);
+  finish();
+  EXPECT_EQ(studio_.active()->filter_text(), "0.2 <= density < 0.5");
+  EXPECT_EQ(studio_.descriptors().list_values()->size(), 3U);
+  studio_.show_values_of({});
+  EXPECT_FALSE(studio_.descriptors().list_values());
+}
+
+TEST_F(StudioWithoutWindow, AsksForFormsAndRunsThem) {
+  actions_.run("file.new");
+  ASSERT_TRUE(published(Change::Form));
+  FormDescription form = studio_.notices().take_form();
+  EXPECT_EQ(form.title, "New list");
+  form.accepted({{"file", folder_ / "new.scenarios"}});
+  ASSERT_NE(studio_.active(), nullptr);
+  EXPECT_EQ(studio_.active()->title(), "new.scenarios");
+  EXPECT_FALSE(studio_.notices().has_form());
+  EXPECT_THROW(actions_.run("edit.undo"), Error);
+}
+
+TEST_F(StudioWithoutWindow, ReportsErrorsInTheStatusLineAndInAForm) {
+  studio_.results().open(folder_ / "none.results");
+  finish();
+  EXPECT_TRUE(studio_.notices().status().is_error);
+  EXPECT_TRUE(mentions(studio_.notices().take_form().intro, {"none.results"}));
+}
+
+TEST_F(StudioWithoutWindow, UndoesAnEditAndSaysWhat) {
+  studio_.open_list(make_list("a.scenarios", 2));
+  const Scenario before = make_scenario(0);
+  studio_.edit_current({with_goal(before, {8, 2}), "Move goal"});
+  EXPECT_EQ(studio_.notices().status().text, "Move goal");
+  EXPECT_NE(studio_.current_hash(), before.hash());
+  studio_.undo();
+  EXPECT_EQ(studio_.current_hash(), before.hash());
+  EXPECT_TRUE(mentions(studio_.notices().status().text, {"Undone: "}));
+}
+
+}  // namespace
+}  // namespace slalom

@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# Tests of scripts/ that run in a second, with a package database and test logs made up here: scripts_test.sh SOURCES
+set -uo pipefail
+sources=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failed=0
+expect() {
+  local name=$1
+  shift
+  if "$@"; then echo "ok: $name"; else echo "FAILED: $name"; failed=1; fi
+}
+not() { ! "$@"; }
+expect_text() { expect "$1" grep -qF -- "$2" "$3"; }
+
+# A database that answers at length, as the real one does: a reader that ends early breaks its pipe.
+mkdir "$work/bin" "$work/build"
+cat >"$work/bin/apt-cache" <<'SCRIPT'
+#!/usr/bin/env bash
+case $2 in
+  present) echo "present:"; echo "  Candidate: 1.0" ;;
+  *) echo "$2:"; echo "  Candidate: (none)" ;;
+esac
+for i in {1..5000}; do echo "  500 http://deb.example.org stable/main Packages $i"; done
+SCRIPT
+chmod +x "$work/bin/apt-cache"
+PATH="$work/bin:$PATH"
+source "$sources/scripts/apt.sh"
+always_available() { for _ in {1..20}; do is_available present || return 1; done; }
+expect "a package that the distribution has is available, each time" always_available
+expect "a package without a candidate is not" not is_available absent
+
+log="$work/build/Testing/Temporary/LastTest.log"
+mkdir -p "$(dirname "$log")"
+run_report() { "$sources/scripts/report_skipped.sh" "$work/build" >"$work/out" 2>"$work/err"; }
+
+cat >"$log" <<'LOG'
+1/1 Test: Suite.Passes
+Output:
+[       OK ] Suite.Passes (0 ms)
+Test Passed.
+LOG
+expect "nothing is reported when nothing was skipped" run_report
+expect "the report is empty then" test ! -s "$work/out"
+
+cat >"$log" <<'LOG'
+1/2 Test: Window.Opens
+Output:
+[ RUN      ] Window.Opens
+/src/window_test.cpp:17: Skipped
+needs the package absent
+
+[  SKIPPED ] Window.Opens (3 ms)
+Test Skipped.
+2/2 Test: Network.IsPrivate
+Output:
+Skipped: neither a private network nor one with multicast
+Test Skipped.
+LOG
+expect "a package that the distribution lacks is a good reason" run_report
+expect_text "the reason is printed" "Window.Opens: needs the package absent" "$work/out"
+expect_text "reasons of other programs too" "Network.IsPrivate: neither a private network" "$work/out"
+
+sed -i 's/package absent/package present/' "$log"
+expect "a package that the distribution has is not" not run_report
+exit "$failed"
