@@ -31,6 +31,7 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
   const WorkItem item = [&](std::size_t i, SharedTaskLog&) {
     return to_wire(survey_scenario(campaign, campaign.scenarios[i]));
   };
+  std::size_t described = 0;
   const auto receive = [&](std::size_t i, WorkResult&& result) {
     const Scenario& scenario = campaign.scenarios[i];
     const auto findings = read_payload(result, scenario_findings_from_wire);
@@ -39,7 +40,7 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
                       "its descriptors and references could not be computed: " + result.detail);
     references[i] = findings->references;
     sink.add_scenario(findings->record, scenario, findings->references);
-    execution.progress.advance(i + 1);
+    execution.progress.advance(++described);
   };
   execution.progress.start("Describing scenarios", campaign.scenarios.size());
   PoolOptions pool;
@@ -107,7 +108,7 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
     sink.add_run(findings.record, findings.timing, findings.trajectory);
     ++summary.runs;
     ++summary.outcomes[findings.record.outcome];
-    execution.progress.advance(i + 1);
+    execution.progress.advance(summary.runs);
   };
   execution.progress.start("Running methods", plan.size());
   const PoolOptions pool =
