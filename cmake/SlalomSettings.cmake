@@ -26,16 +26,20 @@ if(SLALOM_PRECOMPILE_HEADERS AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
 endif()
 
 find_program(SLALOM_MOLD mold)
-if(SLALOM_MOLD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12.1)
+if(SLALOM_MOLD AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12.1)  # GCC's and Clang's first with -fuse-ld=mold
   add_link_options(-fuse-ld=mold)
 endif()
 
 # Results must not depend on whether the compiler fuses a multiply with an add.
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  add_compile_options(-Wno-sign-conversion)  # Clang's -Wconversion includes it, GCC's does not
+endif()
 if(SLALOM_WARNINGS_AS_ERRORS)
   add_compile_options(-Werror)
 endif()
 if(SLALOM_SANITIZE)
+  add_compile_definitions(SLALOM_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()

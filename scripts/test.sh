@@ -20,7 +20,10 @@ scripts/report_skipped.sh build/release
 finish_step "test, release"
 scripts/check_tidy.sh
 finish_step "clang-tidy of what changed"
-scripts/build.sh asan
+# Clang compiles instrumented code in about two thirds of GCC's time.
+compiler=()
+command -v clang++-14 >/dev/null && compiler=(-DCMAKE_C_COMPILER=clang-14 -DCMAKE_CXX_COMPILER=clang++-14)
+scripts/build.sh asan "${compiler[@]}"
 finish_step "build, sanitizers"
 ctest --preset asan -j 2 -LE slow
 scripts/report_skipped.sh build/asan

@@ -4,7 +4,6 @@
 #include "common/settings.h"
 
 #include <mrpt/config/CConfigFileBase.h>
-#include <mrpt/core/initializer.h>
 #include <mrpt/nav/holonomic/CAbstractHolonomicReactiveMethod.h>
 #include <mrpt/rtti/CObject.h>
 #include <mrpt/serialization/CArchive.h>
@@ -64,7 +63,9 @@ class Holonomic : public mrpt::nav::CAbstractHolonomicReactiveMethod {
 }  // namespace reactive
 
 // NOLINTBEGIN(bugprone-macro-parentheses): names of classes cannot stand in parentheses
-/// Defines the class slalom::NAME, which MRPT creates by name, with its default .ini section.
+/// Defines the class slalom::NAME, which MRPT creates by name, with its default .ini section. It is
+/// registered by a variable after its class id: MRPT_INITIALIZER() may run before the id is
+/// initialized.
 #define SLALOM_HOLONOMIC_METHOD(NAME, ALGORITHM, SECTION)                                          \
   namespace slalom {                                                                               \
   class NAME : public reactive::Holonomic<ALGORITHM> {                                             \
@@ -83,8 +84,9 @@ class Holonomic : public mrpt::nav::CAbstractHolonomicReactiveMethod {
     for (const auto& setting : ALGORITHM::settings()) in >> algorithm_.parameters.*setting.field;  \
   }                                                                                                \
   }                                                                                                \
-  MRPT_INITIALIZER(register_##NAME) {                                                              \
+  [[maybe_unused]] static const bool registered_##NAME = [] {                                      \
     mrpt::rtti::registerClass(CLASS_ID_NAMESPACE(NAME, slalom));                                   \
-  }                                                                                                \
+    return true;                                                                                   \
+  }();                                                                                             \
   static_assert(true)
 // NOLINTEND(bugprone-macro-parentheses)

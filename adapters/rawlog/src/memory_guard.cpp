@@ -6,7 +6,7 @@
 namespace slalom {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(SLALOM_SANITIZE)
 constexpr bool kLimitsSupported = false;  // its shadow memory counts as used
 #else
 constexpr bool kLimitsSupported = true;

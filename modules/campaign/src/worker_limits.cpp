@@ -9,7 +9,7 @@
 namespace slalom {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(SLALOM_SANITIZE)
 constexpr bool kAddressSanitizer = true;
 #else
 constexpr bool kAddressSanitizer = false;

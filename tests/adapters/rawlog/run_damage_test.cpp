@@ -106,7 +106,7 @@ TEST_F(DamagedRun, RejectsChangedBytes) {
   }
 }
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(SLALOM_SANITIZE)
 constexpr bool kMemoryIsLimited = false;  // its shadow memory cannot be limited
 #else
 constexpr bool kMemoryIsLimited = true;

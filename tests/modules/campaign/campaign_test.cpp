@@ -208,7 +208,7 @@ TEST_F(CampaignTest, ACrashedRunIsReconstructedUpToTheCrash) {
   EXPECT_EQ(hashes["throw"], hashes["crash"]);
 }
 
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(SLALOM_SANITIZE)
 TEST_F(CampaignTest, AMethodThatExhaustsMemoryEndsOnlyItsOwnRun) {
   const RecordingSink sink = run(ini_for({"greedy", "good"}, "memory_mb = 300"), 2);
   EXPECT_EQ(outcomes_of(sink, "greedy"), std::set<std::string>{"method_error"});

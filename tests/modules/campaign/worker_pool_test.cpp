@@ -146,7 +146,7 @@ TEST(WorkerPool, AWorkItemIsKilledAtItsCpuTimeLimit) {
   EXPECT_EQ(results[1].payload, "fine");
 }
 
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(SLALOM_SANITIZE)
 TEST(WorkerPool, ExhaustedMemoryAffectsOnlyItsOwnWorkItem) {
   PoolOptions options = with_workers(1);
   options.memory_mb = 200;

@@ -139,7 +139,7 @@ TEST(ExactShortest, BoundsHoldAgainstALatticeSearchInRandomWorlds) {
   EXPECT_GT(solved, 20);
 }
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(SLALOM_SANITIZE)
 constexpr int kWorlds = 100;
 #else
 constexpr int kWorlds = 1000;

@@ -1,5 +1,4 @@
 // An MRPT plug-in module with one holonomic method: straight to the goal at full speed.
-#include <mrpt/core/initializer.h>
 #include <mrpt/nav/holonomic/CAbstractHolonomicReactiveMethod.h>
 #include <mrpt/rtti/CObject.h>
 
@@ -31,6 +30,7 @@ void CStraight::serializeFrom(mrpt::serialization::CArchive&, uint8_t) {}
 
 }  // namespace mine
 
-MRPT_INITIALIZER(register_mine) {
+[[maybe_unused]] static const bool registered = [] {
   mrpt::rtti::registerClass(CLASS_ID_NAMESPACE(CStraight, mine));
-}
+  return true;
+}();
