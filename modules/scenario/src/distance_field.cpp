@@ -52,8 +52,9 @@ class ColumnEnvelope {
       sites_[count++] = site;
     }
     for (int y = 0, k = 0; y < rows_; ++y) {
-      while (k + 1 < count && until_[k] < 2 * y) ++k;
-      const std::int64_t away = 2 * y - sites_[k].position;
+      const std::int64_t position = std::int64_t{2} * y;
+      while (k + 1 < count && until_[k] < position) ++k;
+      const std::int64_t away = position - sites_[k].position;
       row_gap2[y] = std::min(row_gap2[y], sites_[k].value + away * away);
     }
   }
