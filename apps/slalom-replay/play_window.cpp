@@ -1,7 +1,7 @@
 #include "play_window.h"
 #include "recorded_campaign.h"
 
-#include <slalom/gui/display.h>
+#include <slalom/gui/panel_window.h>
 #include <slalom/gui/replay_window.h>
 #include <slalom/io/result_file.h>
 #include <slalom/rawlog/run_scene.h>

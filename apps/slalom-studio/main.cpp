@@ -3,7 +3,7 @@
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
-#include <slalom/gui/display.h>
+#include <slalom/gui/panel_window.h>
 #include <slalom/gui/studio_window.h>
 #include <slalom/io/result_file.h>
 

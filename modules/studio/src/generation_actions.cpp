@@ -1,5 +1,4 @@
-#include "forms/generation_request.h"
-#include "forms/import_request.h"
+#include "forms/requests.h"
 
 #include <slalom/core/error.h>
 #include <slalom/studio/studio_actions.h>

@@ -26,10 +26,10 @@ class ScriptLine {
   }
   std::string take(const std::string& expected) {
     if (empty()) fail("unexpected end of line", expected);
-    return words_[next_++];
+    return words_[next_++].text;
   }
   bool take_if(const std::string& word) {
-    if (empty() || quoted_[next_] || words_[next_] != word) return false;
+    if (empty() || words_[next_].quoted || words_[next_].text != word) return false;
     ++next_;
     return true;
   }
@@ -42,54 +42,43 @@ class ScriptLine {
   /// Whether the next word is a part, and not a keyword.
   bool has_part() const {
     if (empty()) return false;
-    if (quoted_[next_]) return true;
+    if (words_[next_].quoted) return true;
     for (const char* word : {"at", "to", "right", "double", "ctrl", "shift", "alt"})
-      if (words_[next_] == word) return false;
+      if (words_[next_].text == word) return false;
     return true;
   }
   void expect_end() const {
-    if (!empty()) fail("unexpected argument '" + words_[next_] + "'", "the end of the line");
+    if (!empty()) fail("unexpected argument '" + words_[next_].text + "'", "the end of the line");
   }
 
  private:
+  struct Word {
+    std::string text;
+    bool quoted;
+  };
   void split_words(const std::string& line) {
-    for (std::size_t i = 0; i < line.size();) {
-      if (line[i] == ' ' || line[i] == '\t' || line[i] == '\r') {
-        ++i;
-      } else if (line[i] == '#') {
-        return;
+    constexpr const char* kSpace = " \t\r";
+    std::size_t i = line.find_first_not_of(kSpace);
+    for (; i < line.size() && line[i] != '#'; i = line.find_first_not_of(kSpace, i)) {
+      Word word{"", line[i] == '"'};
+      if (!word.quoted) {
+        const std::size_t end = std::min(line.find_first_of(kSpace, i), line.size());
+        word.text = line.substr(i, end - i);
+        i = end;
       } else {
-        i = line[i] == '"' ? take_quoted(line, i + 1) : take_bare(line, i);
+        for (++i; i < line.size() && line[i] != '"'; ++i) {
+          const bool escaped = line[i] == '\\' && i + 1 < line.size();
+          if (escaped) ++i;
+          word.text += escaped && line[i] == 'n' ? '\n' : line[i];
+        }
+        if (i++ == line.size()) fail("unterminated quoted text", "\"");
       }
+      words_.push_back(word);
     }
-  }
-  std::size_t take_bare(const std::string& line, std::size_t from) {
-    const std::size_t end = std::min(line.find_first_of(" \t\r", from), line.size());
-    words_.push_back(line.substr(from, end - from));
-    quoted_.push_back(false);
-    return end;
-  }
-  std::size_t take_quoted(const std::string& line, std::size_t from) {
-    std::string word;
-    for (std::size_t i = from; i < line.size(); ++i) {
-      if (line[i] == '"') {
-        words_.push_back(word);
-        quoted_.push_back(true);
-        return i + 1;
-      }
-      if (line[i] == '\\' && i + 1 < line.size()) {
-        ++i;
-        word += line[i] == 'n' ? '\n' : line[i];
-      } else {
-        word += line[i];
-      }
-    }
-    fail("unterminated quoted text", "\"");
   }
 
   std::string where_;
-  std::vector<std::string> words_;
-  std::vector<bool> quoted_;
+  std::vector<Word> words_;
   std::size_t next_ = 0;
 };
 

@@ -7,7 +7,7 @@
 namespace slalom {
 namespace {
 
-constexpr const char* kSection = "window";
+constexpr const char* kWindowSection = "window";
 
 }  // namespace
 
@@ -26,19 +26,13 @@ void StudioSettings::visit(OptionVisitor& v) {
 StudioSettings read_studio_settings(const std::string& path) {
   if (!std::filesystem::exists(path)) return {};
   const IniFile ini = IniFile::load(path);
-  ini.reject_unknown_sections({kSection});
-  return read_options<StudioSettings>(ini, kSection);
+  ini.reject_unknown_sections({kWindowSection});
+  return read_options<StudioSettings>(ini, kWindowSection);
 }
 
 void write_studio_settings(const StudioSettings& settings, const std::string& path) {
   IniFile ini = IniFile::from_text("", path);
-  ini.set(kSection, "width", std::to_string(settings.width));
-  ini.set(kSection, "height", std::to_string(settings.height));
-  ini.set(kSection, "list_width", std::to_string(settings.list_width));
-  ini.set(kSection, "descriptors_height", std::to_string(settings.descriptors_height));
-  ini.set(kSection, "results_height", std::to_string(settings.results_height));
-  ini.set(kSection, "legend", settings.legend ? "true" : "false");
-  ini.set(kSection, "layers", settings.layers);
+  write_options(ini, kWindowSection, settings, path);
   std::error_code error;
   const auto folder = std::filesystem::path(path).parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder, error);

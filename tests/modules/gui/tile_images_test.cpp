@@ -44,7 +44,7 @@ TileClip clip(const CellTile& tile, double x, double y, double scale, double rat
   const Occupancy cells(600, 300, 0.1, {0, 0});
   const CellPyramid pyramid(cells, std::vector<std::uint8_t>(cells.cells().size(), 0),
                             CellPyramid::Merge::Mean);
-  return clip_tile(pyramid, tile, ViewTransform({x, y}, scale, 0, 0, 100, 100), ratio);
+  return clip_tile(pyramid, tile, ViewTransform({x, y}, scale, {0, 0, 100, 100}), ratio);
 }
 
 TEST(TileClip, HasTheVisibleCellsOnIntegerPixels) {

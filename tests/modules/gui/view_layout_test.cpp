@@ -15,7 +15,7 @@ bool overlap(const ScreenRect& a, const ScreenRect& b) {
 }
 
 void expect_apart_and_inside(const ViewLayout& layout, double width, double height) {
-  const auto& parts = layout.parts();
+  const auto& parts = layout.parts;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     EXPECT_GE(parts[i].rect.left, 0) << parts[i].name;
     EXPECT_GE(parts[i].rect.top, 0) << parts[i].name;
@@ -29,31 +29,31 @@ void expect_apart_and_inside(const ViewLayout& layout, double width, double heig
 TEST(ViewLayout, HasToolsAboveTheCanvasAndAStatusLineBelow) {
   const ViewLayout layout(800, 500, kButtons, kLayers);
   expect_apart_and_inside(layout, 800, 500);
-  EXPECT_DOUBLE_EQ(layout.canvas().top, layout.tools().height);
-  EXPECT_DOUBLE_EQ(layout.canvas().top + layout.canvas().height, layout.status().top);
-  EXPECT_DOUBLE_EQ(layout.status().top + layout.status().height, 500);
+  EXPECT_DOUBLE_EQ(layout.canvas.top, layout.tools.height);
+  EXPECT_DOUBLE_EQ(layout.canvas.top + layout.canvas.height, layout.status.top);
+  EXPECT_DOUBLE_EQ(layout.status.top + layout.status.height, 500);
 }
 
 TEST(ViewLayout, LeavesTheLegendOutOfTheOpenCanvasIfThereIsSpace) {
   const ViewLayout wide(800, 500, kButtons, kLayers);
-  EXPECT_FALSE(overlap(wide.open_canvas(), wide.legend()));
+  EXPECT_FALSE(overlap(wide.open_canvas(), wide.legend));
   EXPECT_GT(wide.open_canvas().width, 500);
   const ViewLayout narrow(400, 500, kButtons, kLayers), closed(800, 500, kButtons, {});
   EXPECT_DOUBLE_EQ(narrow.open_canvas().width, 400);
   EXPECT_DOUBLE_EQ(closed.open_canvas().width, 800);
-  EXPECT_FALSE(overlap(wide.scale_bar(), wide.status()));
+  EXPECT_FALSE(overlap(wide.scale_bar, wide.status));
 }
 
 TEST(ViewLayout, WrapsButtonsInANarrowView) {
   const ViewLayout wide(800, 500, kButtons, {}), narrow(120, 500, kButtons, {});
   expect_apart_and_inside(narrow, 120, 500);
-  EXPECT_GT(narrow.tools().height, wide.tools().height);
+  EXPECT_GT(narrow.tools.height, wide.tools.height);
 }
 
 TEST(ViewLayout, FindsThePartAtAPosition) {
   const ViewLayout layout(800, 500, kButtons, kLayers);
-  for (const ViewLayout::Part& part : layout.parts()) {
-    const ViewLayout::Part* found =
+  for (const Element::Part& part : layout.parts) {
+    const Element::Part* found =
         layout.at(part.rect.left + 0.5 * part.rect.width, part.rect.top + 0.5 * part.rect.height);
     ASSERT_NE(found, nullptr) << part.name;
     EXPECT_EQ(found->name, part.name);

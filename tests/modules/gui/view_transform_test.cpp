@@ -13,7 +13,7 @@ void expect_at(const TPoint2D& point, double x, double y) {
 }
 
 /// 20 m x 10 m on 240 x 140 pixels with margins of 20: 10 pixels per m.
-const ViewTransform kView = ViewTransform::fitting({-10, 0, 10, 10}, 100, 50, 240, 140, 20);
+const ViewTransform kView = ViewTransform::fitting({-10, 0, 10, 10}, {100, 50, 240, 140}, 20);
 
 TEST(ViewTransform, FitsTheBoundsWithinTheMarginsWithYUp) {
   EXPECT_DOUBLE_EQ(kView.pixels_per_meter(), 10);
@@ -48,7 +48,7 @@ TEST(ViewTransform, PansWithTheMouse) {
 }
 
 TEST(ViewTransform, KeepsTheVisibleAreaOnAnotherRectangle) {
-  const ViewTransform other = kView.on(0, 0, 480, 280);
+  const ViewTransform other = kView.on({0, 0, 480, 280});
   EXPECT_DOUBLE_EQ(other.pixels_per_meter(), 20);
   expect_at(other.to_screen({0, 5}), 240, 140);
 }

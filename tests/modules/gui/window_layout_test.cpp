@@ -9,20 +9,6 @@
 namespace slalom {
 namespace {
 
-using Panels = std::vector<std::pair<const char*, ScreenRect>>;
-
-Panels panels_of(const WindowLayout& layout) {
-  return {{"menu", layout.menu},
-          {"list", layout.list},
-          {"descriptors", layout.descriptors},
-          {"results", layout.results},
-          {"status", layout.status},
-          {"list_splitter", layout.list_splitter},
-          {"descriptors_splitter", layout.descriptors_splitter},
-          {"results_splitter", layout.results_splitter},
-          {"view", layout.view}};
-}
-
 double area(const ScreenRect& rect) {
   return rect.width * rect.height;
 }
@@ -60,7 +46,9 @@ TEST(WindowLayouts, FillTheWindowWithoutOverlap) {
     for (const StudioSettings& settings : settings_to_try())
       for (const bool results : {false, true}) {
         const ScreenRect window{0, 0, static_cast<double>(width), static_cast<double>(height)};
-        const Panels panels = panels_of(lay_out_window(width, height, settings, results));
+        const WindowLayout layout = lay_out_window(width, height, settings, results);
+        const std::vector<std::pair<std::string, ScreenRect>> panels(layout.begin(), layout.end());
+        EXPECT_EQ(panels.size(), 9U);
         double covered = 0;
         for (std::size_t i = 0; i < panels.size(); ++i) {
           covered += common_area(panels[i].second, window);
@@ -78,9 +66,9 @@ TEST(WindowLayouts, GiveTheScenarioMoreThanAnyPanel) {
     for (const StudioSettings& settings : settings_to_try())
       for (const bool results : {false, true}) {
         const WindowLayout layout = lay_out_window(width, height, settings, results);
-        for (const auto& [name, panel] : panels_of(layout)) {
-          if (name == std::string("view")) continue;
-          EXPECT_GT(area(layout.view), area(panel))
+        for (const auto& [name, panel] : layout) {
+          if (name == "view") continue;
+          EXPECT_GT(area(layout.at("view")), area(panel))
               << name << " in " << width << " x " << height << ", list " << settings.list_width
               << ", descriptors " << settings.descriptors_height << ", results "
               << settings.results_height;
@@ -92,17 +80,17 @@ TEST(WindowLayouts, GiveTheScenarioMoreThanHalfOfTheHeightAtFirst) {
   for (const auto& [width, height] :
        std::vector<std::pair<int, int>>{{1024, 700}, {1280, 800}, {1920, 1080}}) {
     const WindowLayout layout = lay_out_window(width, height, {}, true);
-    EXPECT_GT(layout.view.height, 0.55 * height);
-    EXPECT_GT(layout.view.width, 0.6 * width);
+    EXPECT_GT(layout.at("view").height, 0.55 * height);
+    EXPECT_GT(layout.at("view").width, 0.6 * width);
   }
 }
 
 TEST(WindowLayouts, KeepTheSizesThatTheUserGaveWhereThereIsRoom) {
   const WindowLayout layout = lay_out_window(1600, 1000, with_panels(300, 260, 210), true);
-  EXPECT_EQ(layout.list.width, 300);
-  EXPECT_EQ(layout.descriptors.height, 260);
-  EXPECT_EQ(layout.results.height, 210);
-  EXPECT_EQ(lay_out_window(1600, 1000, {}, false).results.height, 0);
+  EXPECT_EQ(layout.at("list").width, 300);
+  EXPECT_EQ(layout.at("descriptors").height, 260);
+  EXPECT_EQ(layout.at("results").height, 210);
+  EXPECT_EQ(lay_out_window(1600, 1000, {}, false).at("results").height, 0);
 }
 
 }  // namespace

@@ -32,14 +32,14 @@ class DescriptorLoaders : public testing::Test {
       list.add(scenario(1));
       list.add(scenario(2));
     });
-    notices_.observe([this](Change change) {
+    notices_.observe({Change::Descriptors}, [this] {
       const DescriptorModel& model = loader_.model();
       for (const DescriptorModel::Row& row : model.rows())
         if (row.state == DescriptorModel::State::Known)
           loaded_[model.hash()][row.info.id] = row.described.value;
       if (model.failed()) failed_[model.hash()] = model.status();
-      if (change == Change::ListValues) failed_["list"] = loader_.list_message();
     });
+    notices_.observe({Change::ListValues}, [this] { failed_["list"] = loader_.list_message(); });
   }
   void wait() { finish_jobs(jobs_); }
 

@@ -1,4 +1,4 @@
-#include <slalom/studio/descriptor_model.h>
+#include <slalom/studio/descriptor_loader.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "error_text.h"
 #include "finish_jobs.h"
-#include "forms/generation_request.h"
+#include "forms/requests.h"
 #include "io_sample.h"
 #include "list_sample.h"
 

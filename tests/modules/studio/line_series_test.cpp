@@ -1,4 +1,4 @@
-#include <slalom/studio/line_series.h>
+#include <slalom/studio/plot_data.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "list_files.h"
 
-#include <slalom/studio/list_lines.h>
+#include <slalom/studio/list_view.h>
 
 namespace slalom {
 namespace {

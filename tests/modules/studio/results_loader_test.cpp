@@ -2,7 +2,7 @@
 #include "memory_folder.h"
 #include "results_sample.h"
 
-#include <slalom/studio/results_loader.h>
+#include <slalom/studio/results_overlay.h>
 
 #include <gtest/gtest.h>
 

@@ -23,7 +23,7 @@ TEST(Scene, IsComputedInStepsFastOnesFirst) {
   EXPECT_NE(first->obstacles, nullptr);
   EXPECT_EQ(first->clearance, nullptr);
   EXPECT_EQ(first->distance_field, nullptr);
-  EXPECT_EQ(first->missing_paths_reason(), "being computed");
+  EXPECT_EQ(first->pending_reason(), "being computed");
   const auto progress = make_silent_progress();
   const ScenePtr second = compute_next_step(first, *progress);
   EXPECT_NE(second->clearance, nullptr);
@@ -62,7 +62,7 @@ TEST(Scene, KeepsTheReasonOfAFailedStep) {
   EXPECT_TRUE(scene->complete());
   EXPECT_EQ(scene->obstacles, nullptr);
   EXPECT_NE(scene->problem, "");
-  EXPECT_EQ(scene->missing_paths_reason(), scene->problem);
+  EXPECT_EQ(scene->pending_reason(), scene->problem);
 }
 
 }  // namespace

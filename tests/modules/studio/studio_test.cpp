@@ -12,7 +12,10 @@ namespace {
 class StudioWithoutWindow : public ListFiles {
  protected:
   void SetUp() override {
-    studio_.notices().observe([this](Change change) { changes_.push_back(change); });
+    for (const Change change :
+         {Change::Documents, Change::View, Change::Current, Change::Scene, Change::Descriptors,
+          Change::ListValues, Change::Runs, Change::Form})
+      studio_.notices().observe({change}, [this, change] { changes_.push_back(change); });
     add_file_actions(actions_, studio_);
     add_import_export_actions(actions_, studio_);
     add_edit_actions(actions_, studio_);

@@ -8,6 +8,26 @@
 namespace slalom {
 namespace {
 
+constexpr double kTableHeaderHeight = 19, kTableRowHeight = 17,
+                 kTableFooterHeight = 20;  ///< pixels
+constexpr double kTwoColumnWidth = 760;    ///< min. width for two columns, pixels
+constexpr double kValueWidth = 102;        ///< pixels, of "0.1234 +- 0.1234"
+constexpr float kTableTextSize = 14;
+
+/// The cells of a row: name, value, unit or reason of NA.
+struct RowCells {
+  ScreenRect name, value, rest;
+
+  explicit RowCells(const ScreenRect& row) {
+    const double left = row.left + 8, wide = row.width - 16;
+    const double value_wide = std::max(0.26 * wide, std::min(kValueWidth, 0.5 * wide));
+    name = {left, row.top, 0.5 * wide - 6, row.height};
+    value = {left + 0.5 * wide, row.top, value_wide, row.height};
+    const double behind = left + 0.5 * wide + value_wide + 6;
+    rest = {behind, row.top, left + wide - behind, row.height};
+  }
+};
+
 constexpr double kTabHeight = 27, kChoiceHeight = 25;  ///< heights, pixels
 constexpr double kTabWidth = 88, kArrowWidth = 24;     ///< pixels
 constexpr int kNarrow = 560;                           ///< pixels in which two choices do not fit
@@ -30,6 +50,80 @@ std::string shortest(const std::string& status) {
 
 }  // namespace
 
+DescriptorTable::DescriptorTable(nanogui::Widget* parent, const DescriptorModel& model,
+                                 Select select)
+    : Table(parent, "descriptor_values", {kTableHeaderHeight, kTableRowHeight, kTableFooterHeight}),
+      model_(model),
+      select_(std::move(select)) {}
+
+std::size_t DescriptorTable::columns() const {
+  return width() >= kTwoColumnWidth ? 2 : 1;
+}
+
+std::string DescriptorTable::text() const {
+  std::string text;
+  for (const DescriptorModel::Row& row : model_.rows()) {
+    text += row.info.id + " = " + DescriptorModel::value_text(row);
+    const std::string reason = model_.reason(row);
+    if (!reason.empty())
+      text += " (" + reason + ")";
+    else if (row.state == DescriptorModel::State::Known && row.info.unit != "-")
+      text += " " + row.info.unit;
+    text += "\n";
+  }
+  return text + "selected " + model_.selected_row().info.id;
+}
+
+std::optional<ScreenRect> DescriptorTable::rect_of(const std::string& part) const {
+  for (std::size_t row = 0; row < model_.rows().size(); ++row)
+    if (part == "row " + model_.rows()[row].info.id) return bring_into_view(row);
+  return Table::rect_of(part);
+}
+
+void DescriptorTable::paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) {
+  const Palette& colors = palette();
+  const DescriptorModel::Row& what = model_.rows()[row];
+  const bool selected = row == model_.selected();
+  draw::row(ctx, rect, row, selected, hovered() == row);
+  const RowCells cells(rect);
+  const bool number = what.state == DescriptorModel::State::Known && !what.described.value.is_na();
+  const bool failed = what.state == DescriptorModel::State::Failed;
+  const Color& faint = selected ? colors.text : colors.faint_text;
+  draw::text(ctx, cells.name, what.info.name, colors.text, kTableTextSize);
+  draw::text(ctx, cells.value, DescriptorModel::value_text(what),
+             failed   ? colors.error_text
+             : number ? colors.text
+                      : faint,
+             kTableTextSize, draw::Align::Right);
+  const std::string unit = what.info.unit == "-" ? "" : what.info.unit;
+  const std::string reason = failed ? "" : model_.reason(what);
+  draw::text(ctx, cells.rest, reason.empty() ? unit : reason, faint, draw::kSmallTextSize);
+}
+
+void DescriptorTable::paint_frame(NVGcontext* ctx) const {
+  const Palette& colors = palette();
+  const double wide = area().width / static_cast<double>(columns());
+  for (std::size_t column = 0; column < columns(); ++column) {
+    const RowCells cells({static_cast<double>(column) * wide, 0, wide, kTableHeaderHeight});
+    draw::text(ctx, cells.name, "descriptor", colors.faint_text, draw::kSmallTextSize);
+    draw::text(ctx, cells.value, "value", colors.faint_text, draw::kSmallTextSize,
+               draw::Align::Right);
+    draw::text(ctx, cells.rest, "unit", colors.faint_text, draw::kSmallTextSize);
+  }
+  const double top = height() - kTableFooterHeight;
+  draw::line(ctx, 0, kTableHeaderHeight - 0.5, width(), kTableHeaderHeight - 0.5, colors.border);
+  draw::line(ctx, 0, top + 0.5, width(), top + 0.5, colors.border);
+  draw::text(ctx, {8, top + 1, width() - 16.0, kTableFooterHeight - 1},
+             model_.describe(model_.rows()[hovered().value_or(model_.selected())]),
+             colors.faint_text, draw::kSmallTextSize);
+}
+
+void DescriptorTable::hover(const std::optional<Point>& at) {
+  Table::hover(at);
+  const std::string reason = hovered() ? model_.reason(model_.rows()[*hovered()]) : "";
+  setTooltip(reason.empty() ? "" : "NA: " + reason);
+}
+
 DescriptorPanel::DescriptorPanel(nanogui::Widget* parent, Studio& studio)
     : Element(parent, "descriptors", Focus::OnPress),
       studio_(studio),
@@ -40,10 +134,8 @@ DescriptorPanel::DescriptorPanel(nanogui::Widget* parent, Studio& studio)
       scatter_(new ScatterPlot(this, studio)) {
   set_tab(Tab::Values);
   update_plots();
-  studio.notices().observe([this](Change change) {
-    if (change == Change::Descriptors || change == Change::ListValues || change == Change::Current)
-      update_plots();
-  });
+  studio.notices().observe({Change::Descriptors, Change::ListValues, Change::Current},
+                           [this] { update_plots(); });
 }
 
 void DescriptorPanel::set_tab(Tab tab) {
@@ -212,8 +304,7 @@ void DescriptorPanel::draw_choices(NVGcontext* ctx) const {
                  draw::kSmallTextSize);
 }
 
-bool DescriptorPanel::press(const Point& at, int /*modifiers*/) {
-  const std::string part = part_at(at);
+void DescriptorPanel::click(const std::string& part) {
   for (std::size_t i = 0; i < kTabs.size(); ++i)
     if (part == kTabs[i].part) set_tab(static_cast<Tab>(i));
   for (const std::string& choice : choices()) {
@@ -221,7 +312,6 @@ bool DescriptorPanel::press(const Point& at, int /*modifiers*/) {
     if (part == choice + " next") step(choice, 1);
   }
   if (part == "compute") studio_.describe_list();
-  return true;
 }
 
 bool DescriptorPanel::key(int key, int modifiers) {
@@ -229,24 +319,16 @@ bool DescriptorPanel::key(int key, int modifiers) {
   const bool scatter = tab_ == Tab::Scatter;
   const int count = static_cast<int>(kTabs.size());
   const int by = (modifiers & GLFW_MOD_SHIFT) != 0 ? count - 1 : 1;
-  switch (key) {
-    case GLFW_KEY_TAB:
-      set_tab(static_cast<Tab>((static_cast<int>(tab_) + by) % count));
-      return true;
-    case GLFW_KEY_UP:
-    case GLFW_KEY_DOWN:
-      step(scatter ? "x" : "descriptor", key == GLFW_KEY_UP ? -1 : 1);
-      return true;
-    case GLFW_KEY_LEFT:
-    case GLFW_KEY_RIGHT:
-      if (scatter) step("y", key == GLFW_KEY_LEFT ? -1 : 1);
-      return scatter;
-    case GLFW_KEY_ENTER:
-      if (can_compute()) studio_.describe_list();
-      return true;
-    default:
-      return false;
-  }
+  const bool across = key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT;
+  if (across && !scatter) return false;
+  const char* const descriptor = across ? "y" : scatter ? "x" : "descriptor";
+  return run_key(key, {{{GLFW_KEY_TAB},
+                        [&] { set_tab(static_cast<Tab>((static_cast<int>(tab_) + by) % count)); }},
+                       {{GLFW_KEY_UP, GLFW_KEY_LEFT}, [&] { step(descriptor, -1); }},
+                       {{GLFW_KEY_DOWN, GLFW_KEY_RIGHT}, [&] { step(descriptor, 1); }},
+                       {{GLFW_KEY_ENTER}, [&] {
+                          if (can_compute()) studio_.describe_list();
+                        }}});
 }
 
 }  // namespace slalom

@@ -1,15 +1,41 @@
 #pragma once
 
-#include "views/descriptor_table.h"
-#include "views/histogram_plot.h"
-#include "views/scatter_plot.h"
+#include "views/list_plots.h"
+#include "widgets/table.h"
 
+#include <slalom/studio/descriptor_loader.h>
 #include <slalom/studio/studio.h>
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace slalom {
+
+/// The descriptors of the current scenario as a table, in two columns if it is wide enough. The
+/// model must outlive it. Parts: "row density", ... (scrolls to the row).
+class DescriptorTable : public Table {
+ public:
+  using Select = std::function<void(std::size_t row)>;
+  DescriptorTable(nanogui::Widget* parent, const DescriptorModel& model, Select select);
+  void show_selected() const { bring_into_view(cursor()); }
+  std::string text() const override;
+  std::optional<ScreenRect> rect_of(const std::string& part) const override;
+
+ protected:
+  std::size_t row_count() const override { return model_.rows().size(); }
+  std::size_t columns() const override;
+  std::size_t cursor() const override { return model_.selected(); }
+  void set_cursor(std::size_t row, int /*modifiers*/) override { select_(row); }
+  void paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) override;
+  void paint_frame(NVGcontext* ctx) const override;
+  void hover(const std::optional<Point>& at) override;
+
+ private:
+  const DescriptorModel& model_;
+  Select select_;
+};
 
 /// The descriptors of the current scenario and their distribution in the list, in three tabs:
 /// values, histogram, scatter plot. Keys: Tab and Shift+Tab switch tabs; Up and Down choose the
@@ -25,7 +51,7 @@ class DescriptorPanel : public Element {
  protected:
   std::vector<Part> parts() const override;
   void paint(NVGcontext* ctx) override;
-  bool press(const Point& at, int modifiers) override;
+  void click(const std::string& part) override;
   bool key(int key, int modifiers) override;
 
  private:

@@ -1,15 +1,50 @@
 #pragma once
 
-#include "views/form_layout.h"
 #include "widgets/element.h"
 #include "widgets/line_editor.h"
 #include "widgets/scroll.h"
 
+#include <slalom/studio/form.h>
+
 #include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace slalom {
+
+/// Position of a field of a form, in pixels from the top of the fields.
+struct FormLine {
+  std::size_t field = 0;
+  double top = 0, height = 0;
+  ScreenRect label, box, unit;
+  ScreenRect help;                  ///< of zero width where there is no space for it
+  std::vector<ScreenRect> choices;  ///< one per choice of the field
+};
+
+/// Layout of the visible fields, one below the other: label, box, unit and help in one row; choices
+/// and wide boxes use the full width, with their help below.
+class FormLayout {
+ public:
+  static constexpr double kMargin = 16;  ///< pixels, at the left and right
+  using Measure = std::function<double(const std::string& text, float size)>;
+  FormLayout(const FormModel& form, double width, const Measure& measure);
+
+  const std::vector<FormLine>& lines() const { return lines_; }
+  const FormLine* line_of(std::size_t field) const;  ///< null when the field is hidden
+  double height() const { return height_; }
+
+  /// The width (pixels) that the fields of the form need.
+  static double preferred_width(const FormDescription& form);
+
+ private:
+  void lay_out_row(FormLine& line) const;
+  void lay_out_wide(const FormField& field, FormLine& line) const;
+  void lay_out_choices(const FormField& field, const Measure& measure, FormLine& line) const;
+
+  double width_ = 0, height_ = 0;
+  std::vector<FormLine> lines_;
+};
 
 /// Draws a form and handles its input; id "dialog". Parts: "field KEY", "choice KEY VALUE", "ok"
 /// and "cancel"; parts that are scrolled out of view have no rectangle.
@@ -43,6 +78,9 @@ class FormPanel : public Element {
   bool key(int key, int modifiers) override;
 
  private:
+  static constexpr double kMargin = FormLayout::kMargin, kTitleHeight = 44;  ///< pixels
+  /// With space for an error message above the buttons.
+  double footer_height() const { return is_message() ? 56 : 96; }
   ScreenRect content() const;  ///< the visible area of the fields
   ScreenRect ok_rect() const;
   ScreenRect cancel_rect() const;

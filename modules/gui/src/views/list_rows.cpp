@@ -1,15 +1,16 @@
 #include "views/list_rows.h"
+#include "widgets/drawing.h"
 
 #include <slalom/core/text.h>
 
 #include <GLFW/glfw3.h>
-#include <algorithm>
-#include <cmath>
 
 namespace slalom {
 namespace {
 
 constexpr std::size_t kMaxTextures = 400;  // 6.5 MB of textures
+constexpr double kRowMargin = 6;           // pixels
+constexpr int kThumbnailSize = 46;         // pixels
 
 /// Parses the number after a prefix, as in "row 12".
 std::optional<std::size_t> number_after(const std::string& prefix, const std::string& part) {
@@ -20,10 +21,18 @@ std::optional<std::size_t> number_after(const std::string& prefix, const std::st
   return static_cast<std::size_t>(number);
 }
 
+/// The sort value of a row.
+std::string value_text(const ListRow& row, const std::string& unit) {
+  if (!row.value) return "not computed";
+  if (row.value->is_na()) return "NA";
+  const std::string number = format_fixed(row.value->number(), 3);
+  return unit == "-" ? number : number + " " + unit;
+}
+
 }  // namespace
 
 ListRows::ListRows(nanogui::Widget* parent, Studio& studio)
-    : Element(parent, "rows", Focus::OnPress),
+    : Table(parent, "rows", {0, kLineHeights.scenario, 0}, Focus::OnPress),
       studio_(studio),
       thumbnails_(studio.jobs(),
                   [this](const std::string& hash, const Thumbnail& thumbnail) {
@@ -33,25 +42,14 @@ ListRows::ListRows(nanogui::Widget* parent, Studio& studio)
       textures_(kMaxTextures, [this](Texture& texture) {
         if (texture && context_ != nullptr) nvgDeleteImage(context_, *texture);
       }) {
-  studio.notices().observe([this](Change change) {
-    if (change == Change::Documents) documents_changed();
-  });
+  studio.notices().observe({Change::Documents}, [this] { documents_changed(); });
 }
 
 void ListRows::documents_changed() {
-  scroll_ = {};
+  scroll_to_top();
+  clear_hovered();
   focused_group_.reset();
-  hovered_.reset();
   scrolled_to_.clear();
-}
-
-void ListRows::update_scroll() const {
-  scroll_.set(has_lines() ? lines().top_of(lines().size(), kLineHeights) : 0, area());
-}
-
-void ListRows::bring_into_view(std::size_t line) const {
-  update_scroll();
-  scroll_.show(lines().top_of(line, kLineHeights), lines().top_of(line + 1, kLineHeights));
 }
 
 void ListRows::scroll_to_current() {
@@ -61,39 +59,14 @@ void ListRows::scroll_to_current() {
   if (line) bring_into_view(*line);
 }
 
-ScreenRect ListRows::line_rect(std::size_t line) const {
-  const double top = lines().top_of(line, kLineHeights);
-  const double bottom = lines().top_of(line + 1, kLineHeights);
-  const double line_width = width() - (scroll_.thumb() ? Scroll::kBarWidth : 0);
-  return {0, std::round(top - scroll_.offset()), line_width, bottom - top};
-}
-
-std::optional<std::size_t> ListRows::line_at(const Point& at) const {
-  if (!has_lines()) return std::nullopt;
-  update_scroll();
-  const std::size_t line = lines().line_at(at.y + scroll_.offset(), kLineHeights);
-  return line_rect(line).contains(at) ? std::optional(line) : std::nullopt;
-}
-
 std::optional<ScreenRect> ListRows::rect_of(const std::string& part) const {
-  update_scroll();
-  if (part == "bar") return scroll_.thumb();
-  if (document() == nullptr || part.empty()) return Element::rect_of(part);
+  if (document() == nullptr) return Table::rect_of(part);
   std::optional<std::size_t> line;
   if (const auto index = number_after("row ", part))
     line = *index < document()->view().hashes.size() ? lines().line_of(*index) : std::nullopt;
   else if (const auto group = number_after("group ", part))
     if (*group < document()->view().groups.size()) line = lines().line_of_group(*group);
-  if (!line) return std::nullopt;
-  bring_into_view(*line);
-  return line_rect(*line);
-}
-
-std::string value_text(const ListRow& row, const std::string& unit) {
-  if (!row.value) return "not computed";
-  if (row.value->is_na()) return "NA";
-  const std::string number = format_fixed(row.value->number(), 3);
-  return unit == "-" ? number : number + " " + unit;
+  return line ? bring_into_view(*line) : Table::rect_of(part);
 }
 
 std::string ListRows::row_text(std::size_t index) const {
@@ -112,11 +85,8 @@ std::string ListRows::row_text(std::size_t index) const {
 }
 
 std::string ListRows::text() const {
-  if (!has_lines()) return "";
-  update_scroll();
   std::string text;
-  for (std::size_t line = lines().line_at(scroll_.offset(), kLineHeights);
-       line < lines().size() && line_rect(line).top < height(); ++line) {
+  for (const std::size_t line : visible_rows()) {
     const ListLines::Line item = lines().at(line);
     if (!text.empty()) text += "\n";
     if (item.group)
@@ -130,15 +100,10 @@ std::string ListRows::text() const {
   return text;
 }
 
-bool ListRows::press(const Point& at, int modifiers) {
-  update_scroll();
-  if (scroll_.press(at)) return true;
-  const auto line = line_at(at);
-  if (!line) return true;
-  const ListLines::Line item = lines().at(*line);
+void ListRows::choose(std::size_t line, int modifiers) {
+  const ListLines::Line item = lines().at(line);
   focused_group_ = item.group;
   item.group ? document()->toggle_group(*item.group) : select(item.index, modifiers);
-  return true;
 }
 
 void ListRows::select(std::size_t index, int modifiers) {
@@ -151,23 +116,16 @@ void ListRows::select(std::size_t index, int modifiers) {
 }
 
 void ListRows::hover(const std::optional<Point>& at) {
-  hovered_ = at ? line_at(*at) : std::nullopt;
-  if (!hovered_) return;
-  const ListLines::Line item = lines().at(*hovered_);
+  Table::hover(at);
+  if (!hovered()) return;
+  const ListLines::Line item = lines().at(*hovered());
   const ListRow* row =
       item.group ? nullptr : document()->row(document()->view().hashes[item.index]);
   const bool has_reason = row != nullptr && row->value && row->value->is_na();
   setTooltip(has_reason ? "NA: " + row->value->reason() : "");
 }
 
-bool ListRows::wheel(const Point& at, double steps) {
-  update_scroll();
-  scroll_.wheel(steps);
-  hover(at);
-  return true;
-}
-
-std::size_t ListRows::cursor_line() const {
+std::size_t ListRows::cursor() const {
   if (focused_group_ && *focused_group_ < document()->view().groups.size())
     return lines().line_of_group(*focused_group_);
   const auto index = document()->view().index_of(document()->current());
@@ -176,9 +134,8 @@ std::size_t ListRows::cursor_line() const {
   return lines().line_of_group(lines().group_of(*index).value_or(0));
 }
 
-void ListRows::go_to_line(std::size_t line, int modifiers) {
+void ListRows::set_cursor(std::size_t line, int modifiers) {
   const ListLines::Line item = lines().at(line);
-  bring_into_view(line);
   focused_group_ = item.group;
   if (item.group) return;
   if (modifiers == GLFW_MOD_CONTROL)
@@ -200,50 +157,99 @@ bool ListRows::set_group_closed(bool closed) {
 }
 
 bool ListRows::key(int key, int modifiers) {
-  if (!has_lines() || (modifiers & GLFW_MOD_ALT) != 0) return false;
+  if (row_count() == 0 || (modifiers & GLFW_MOD_ALT) != 0) return false;
   if (focused_group_ && *focused_group_ >= document()->view().groups.size()) focused_group_.reset();
-  const std::size_t at = cursor_line(), last = lines().size() - 1;
-  const auto page = static_cast<std::size_t>(std::max(height() / kLineHeights.scenario - 1, 1.0));
   const auto index = document()->view().index_of(document()->current());
-  switch (key) {
-    case GLFW_KEY_UP:
-      go_to_line(at > 0 ? at - 1 : 0, modifiers);
-      return true;
-    case GLFW_KEY_DOWN:
-      go_to_line(std::min(at + 1, last), modifiers);
-      return true;
-    case GLFW_KEY_PAGE_UP:
-      go_to_line(at > page ? at - page : 0, modifiers);
-      return true;
-    case GLFW_KEY_PAGE_DOWN:
-      go_to_line(std::min(at + page, last), modifiers);
-      return true;
-    case GLFW_KEY_HOME:
-      go_to_line(0, modifiers);
-      return true;
-    case GLFW_KEY_END:
-      go_to_line(last, modifiers);
-      return true;
-    case GLFW_KEY_LEFT:
-    case GLFW_KEY_RIGHT:
-      return set_group_closed(key == GLFW_KEY_LEFT);
-    case GLFW_KEY_SPACE:
-      if (focused_group_)
-        document()->toggle_group(*focused_group_);
-      else if (index)
-        document()->toggle(*index);
-      return true;
-    case GLFW_KEY_A:
-      if ((modifiers & GLFW_MOD_CONTROL) == 0) return false;
-      document()->select_all();
-      return true;
-    case GLFW_KEY_ESCAPE:
-      if (document()->selected_count() == 0) return false;
-      document()->select_none();
-      return true;
-    default:
-      return false;
+  if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT) return set_group_closed(key == GLFW_KEY_LEFT);
+  if (key == GLFW_KEY_A && (modifiers & GLFW_MOD_CONTROL) != 0)
+    return document()->select_all(), true;
+  if (key == GLFW_KEY_ESCAPE && document()->selected_count() > 0)
+    return document()->select_none(), true;
+  if (key != GLFW_KEY_SPACE) return Table::key(key, modifiers);
+  if (focused_group_)
+    document()->toggle_group(*focused_group_);
+  else if (index)
+    document()->toggle(*index);
+  return true;
+}
+
+void ListRows::upload_thumbnails(NVGcontext* ctx) {
+  context_ = ctx;
+  for (const auto& [hash, thumbnail] : pending_thumbnails_) {
+    Texture texture;
+    if (thumbnail.size > 0)
+      texture = nvgCreateImageRGBA(ctx, thumbnail.size, thumbnail.size, 0, thumbnail.rgba.data());
+    textures_.put(hash, texture);
   }
+  pending_thumbnails_.clear();
+}
+
+void ListRows::paint(NVGcontext* ctx) {
+  upload_thumbnails(ctx);
+  missing_thumbnails_.clear();
+  if (row_count() > 0 && scrolled_to_ != document()->current()) scroll_to_current();
+  Table::paint(ctx);
+  if (document() != nullptr) thumbnails_.request(document()->path(), missing_thumbnails_);
+}
+
+void ListRows::draw_group_header(NVGcontext* ctx, const ScreenRect& rect, std::size_t group) const {
+  const Palette& colors = palette();
+  const ListGroup& shown = document()->view().groups[group];
+  const bool under_mouse = hovered() == lines().line_of_group(group);
+  draw::fill(ctx, rect, under_mouse ? colors.hover : colors.window);
+  if (focused() && focused_group_ == group) draw::frame(ctx, rect, colors.accent);
+  // A triangle that points down where the group is open.
+  const double x = rect.left + 12, y = rect.top + 14;
+  if (lines().is_closed(group))
+    draw::triangle(ctx, {x - 3, y - 6}, {x - 3, y + 6}, {x + 5, y}, colors.faint_text);
+  else
+    draw::triangle(ctx, {x - 6, y - 3}, {x + 6, y - 3}, {x, y + 5}, colors.faint_text);
+  const std::string count = std::to_string(shown.count);
+  const double count_width = draw::text_width(ctx, count, draw::kTextSize, true);
+  draw::text(ctx, {24, rect.top, rect.width - count_width - 40, rect.height}, shown.title,
+             colors.text, draw::kTextSize, draw::Align::Left, true);
+  draw::text(ctx, {rect.width - count_width - 10, rect.top, count_width + 1, rect.height}, count,
+             colors.faint_text, draw::kTextSize, draw::Align::Right, true);
+}
+
+void ListRows::paint_row(NVGcontext* ctx, std::size_t line, const ScreenRect& rect) {
+  const Palette& colors = palette();
+  const auto [group, index] = lines().at(line);
+  if (group) return draw_group_header(ctx, rect, *group);
+  const std::string& hash = document()->view().hashes[index];
+  const bool selected = document()->is_selected(index), current = hash == document()->current();
+  draw::row(ctx, rect, index, selected, hovered() == line);
+  if (current) draw::fill(ctx, {rect.left, rect.top, 3, rect.height}, colors.accent);
+  if (current && focused() && !focused_group_) draw::frame(ctx, rect, colors.accent);
+  draw_thumbnail(ctx, {rect.left + kRowMargin, rect.top + 5, kThumbnailSize, kThumbnailSize}, hash);
+  const ListRow* row = document()->row(hash);
+  if (row == nullptr) return;
+  const Color ink = selected ? colors.text : colors.faint_text;
+  const double left = kRowMargin + kThumbnailSize + 8, right = rect.width - kRowMargin;
+  const ScreenRect upper{left, rect.top + 6, right - left, 22};
+  draw::text(ctx, upper, row->entry.name, colors.text, draw::kTextSize, draw::Align::Left, current);
+  std::string more = row->entry.id;
+  double text_width = right - left;
+  const std::string& sort = document()->request().sort;
+  if (!sort.empty() && sort != "name") {
+    const std::string value = value_text(*row, document()->sort_unit());
+    const double value_width = draw::text_width(ctx, value, draw::kSmallTextSize + 1) + 1;
+    draw::text(ctx, {right - value_width, rect.top + 29, value_width, 20}, value, colors.text,
+               draw::kSmallTextSize + 1, draw::Align::Right);
+    text_width -= value_width + 8;
+  }
+  if (!row->entry.tags.empty()) more += "  " + join(row->entry.tags, ", ");
+  draw::text(ctx, {left, rect.top + 29, text_width, 20}, more, ink, draw::kSmallTextSize);
+}
+
+void ListRows::draw_thumbnail(NVGcontext* ctx, const ScreenRect& rect, const std::string& hash) {
+  const Texture* texture = textures_.find(hash);
+  if (texture == nullptr) missing_thumbnails_.push_back(hash);
+  if (texture == nullptr || !*texture) {
+    draw::frame(ctx, rect, palette().border);
+    return;
+  }
+  draw::image(ctx, rect, **texture);
 }
 
 }  // namespace slalom

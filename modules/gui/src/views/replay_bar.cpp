@@ -105,35 +105,13 @@ bool ReplayBar::wheel(const Point& /*at*/, double steps) {
 bool ReplayBar::key(int key, int modifiers) {
   if ((modifiers & ~GLFW_MOD_SHIFT) != 0) return false;
   const double step = (modifiers & GLFW_MOD_SHIFT) != 0 ? 1 : 0.1;
-  switch (key) {
-    case GLFW_KEY_SPACE:
-    case GLFW_KEY_P:
-      clock_.toggle();
-      break;
-    case GLFW_KEY_LEFT:
-      clock_.seek(clock_.time() - step);
-      break;
-    case GLFW_KEY_RIGHT:
-      clock_.seek(clock_.time() + step);
-      break;
-    case GLFW_KEY_HOME:
-      clock_.seek(0);
-      break;
-    case GLFW_KEY_END:
-      clock_.seek(clock_.duration());
-      break;
-    case GLFW_KEY_EQUAL:
-    case GLFW_KEY_KP_ADD:
-      clock_.faster();
-      break;
-    case GLFW_KEY_MINUS:
-    case GLFW_KEY_KP_SUBTRACT:
-      clock_.slower();
-      break;
-    default:
-      return false;
-  }
-  return true;
+  return run_key(key, {{{GLFW_KEY_SPACE, GLFW_KEY_P}, [&] { clock_.toggle(); }},
+                       {{GLFW_KEY_LEFT}, [&] { clock_.seek(clock_.time() - step); }},
+                       {{GLFW_KEY_RIGHT}, [&] { clock_.seek(clock_.time() + step); }},
+                       {{GLFW_KEY_HOME}, [&] { clock_.seek(0); }},
+                       {{GLFW_KEY_END}, [&] { clock_.seek(clock_.duration()); }},
+                       {{GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD}, [&] { clock_.faster(); }},
+                       {{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT}, [&] { clock_.slower(); }}});
 }
 
 }  // namespace slalom

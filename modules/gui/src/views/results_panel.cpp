@@ -35,9 +35,7 @@ ResultsPanel::ResultsPanel(nanogui::Widget* parent, Studio& studio)
       replay_(new ReplayBar(this, overlay_.clock())),
       clearance_(new TimePlot(this, "plot_clearance", "clearance (m)", overlay_.clock())),
       speed_(new TimePlot(this, "plot_speed", "speed (m/s)", overlay_.clock())) {
-  studio.notices().observe([this](Change change) {
-    if (change == Change::Runs) refresh();
-  });
+  studio.notices().observe({Change::Runs}, [this] { refresh(); });
 }
 
 void ResultsPanel::refresh() {

@@ -8,7 +8,7 @@
 namespace slalom {
 namespace {
 
-constexpr double kRowHeight = 24, kHeaderHeight = 24, kDetailHeight = 40, kMargin = 6;
+constexpr double kRunRowHeight = 24, kRunHeaderHeight = 24, kDetailHeight = 40, kRunMargin = 6;
 constexpr double kIndent = 14, kSwatch = 14;  ///< pixels
 constexpr float kSize = draw::kSmallTextSize + 1;
 
@@ -26,13 +26,13 @@ ScreenRect in_middle(const ScreenRect& row, double left, double size) {
 }  // namespace
 
 RunTable::RunTable(nanogui::Widget* parent, ResultsLoader& results)
-    : Table(parent, "runs", {kHeaderHeight, kRowHeight, kDetailHeight}, Focus::OnPress),
+    : Table(parent, "runs", {kRunHeaderHeight, kRunRowHeight, kDetailHeight}, Focus::OnPress),
       results_(results) {}
 
 void RunTable::refresh() {
   rows_ = results_.overlay().rows();
   cursor_ = std::min(cursor_, rows_.empty() ? 0 : rows_.size() - 1);
-  set_hovered(std::nullopt);
+  clear_hovered();
 }
 
 bool RunTable::any_shown() const {
@@ -48,7 +48,7 @@ bool RunTable::has_keyboard() const {
 }
 
 ScreenRect RunTable::all_box() const {
-  return in_middle({0, 0, area().width, kHeaderHeight}, kMargin, draw::kCheckBox);
+  return in_middle({0, 0, area().width, kRunHeaderHeight}, kRunMargin, draw::kCheckBox);
 }
 
 std::optional<ScreenRect> RunTable::rect_of(const std::string& part) const {
@@ -75,12 +75,12 @@ std::string RunTable::text() const {
 
 RunTable::Columns RunTable::columns_of_row() const {
   Columns at;
-  const double right = width() - kMargin - Scroll::kBarWidth;
+  const double right = width() - kRunMargin - Scroll::kBarWidth;
   at.time = right - at.number_width;
   at.length = at.time - at.number_width;
   at.success_width = width() >= 430 ? 64 : 0;
   at.success = at.length - at.success_width;
-  at.label = kMargin + 2 * (draw::kCheckBox + 6);
+  at.label = kRunMargin + 2 * (draw::kCheckBox + 6);
   at.outcome_width = std::min(190.0, 0.5 * (at.success - at.label));
   at.outcome = at.success - at.outcome_width;
   at.label_width = at.outcome - at.label - 6;
@@ -90,12 +90,12 @@ RunTable::Columns RunTable::columns_of_row() const {
 void RunTable::draw_header(NVGcontext* ctx) const {
   const Palette& colors = palette();
   const Columns at = columns_of_row();
-  draw::fill(ctx, {0, 0, area().width, kHeaderHeight}, colors.window);
+  draw::fill(ctx, {0, 0, area().width, kRunHeaderHeight}, colors.window);
   if (!rows_.empty()) draw::check_box(ctx, all_box(), any_shown());
   const auto title = [&](double left, double wide, const char* name, draw::Align align) {
     if (wide > 0)
-      draw::text(ctx, {left, 0, wide, kHeaderHeight}, name, colors.faint_text, draw::kSmallTextSize,
-                 align);
+      draw::text(ctx, {left, 0, wide, kRunHeaderHeight}, name, colors.faint_text,
+                 draw::kSmallTextSize, align);
   };
   title(at.label, at.label_width, "Method, run", draw::Align::Left);
   title(at.outcome, at.outcome_width, "Outcome", draw::Align::Left);
@@ -104,15 +104,15 @@ void RunTable::draw_header(NVGcontext* ctx) const {
   title(at.time, at.number_width, "Time s", draw::Align::Right);
 }
 
-void RunTable::paint_row(NVGcontext* ctx, std::size_t index, const ScreenRect& rect) const {
+void RunTable::paint_row(NVGcontext* ctx, std::size_t index, const ScreenRect& rect) {
   const Palette& colors = palette();
   const Columns at = columns_of_row();
   const OverlayRow& row = rows_[index];
   draw::row(ctx, rect, index, false, hovered() == index);
   if (index == cursor_ && has_keyboard()) draw::frame(ctx, rect, colors.accent);
-  draw::check_box(ctx, rect.inset(kMargin), row.shown);
+  draw::check_box(ctx, rect.inset(kRunMargin), row.shown);
   const double indent = row.indented ? kIndent : 0;
-  const ScreenRect swatch = in_middle(rect, kMargin + draw::kCheckBox + 6 + indent, kSwatch);
+  const ScreenRect swatch = in_middle(rect, kRunMargin + draw::kCheckBox + 6 + indent, kSwatch);
   draw::fill(ctx, swatch, row.color, 2);
   draw::frame(ctx, swatch, colors.text);
   const Color& ink = row.shown ? colors.text : colors.disabled_text;
@@ -133,9 +133,9 @@ void RunTable::paint_row(NVGcontext* ctx, std::size_t index, const ScreenRect& r
 void RunTable::paint_frame(NVGcontext* ctx) const {
   draw_header(ctx);
   const double top = height() - kDetailHeight;
-  const ScreenRect below{kMargin, top + 3, width() - 2 * kMargin, kDetailHeight - 3};
+  const ScreenRect below{kRunMargin, top + 3, width() - 2 * kRunMargin, kDetailHeight - 3};
   if (rows_.empty()) {
-    draw::wrapped_text(ctx, {kMargin, kHeaderHeight + kMargin, below.width, top},
+    draw::wrapped_text(ctx, {kRunMargin, kRunHeaderHeight + kRunMargin, below.width, top},
                        results_.message(), palette().faint_text);
     return;
   }
@@ -144,7 +144,7 @@ void RunTable::paint_frame(NVGcontext* ctx) const {
                      draw::kSmallTextSize);
 }
 
-void RunTable::choose(std::size_t row) {
+void RunTable::choose(std::size_t row, int /*modifiers*/) {
   cursor_ = row;
   results_.toggle(rows_[row]);
 }
@@ -157,7 +157,7 @@ bool RunTable::press(const Point& at, int modifiers) {
 
 bool RunTable::key(int key, int modifiers) {
   if (modifiers != 0) return false;
-  if (key == GLFW_KEY_SPACE && !rows_.empty()) choose(cursor_);
+  if (key == GLFW_KEY_SPACE && !rows_.empty()) choose(cursor_, 0);
   if (key == GLFW_KEY_A) results_.show_all(!any_shown());
   return key == GLFW_KEY_SPACE || key == GLFW_KEY_A || Table::key(key, modifiers);
 }

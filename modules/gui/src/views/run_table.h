@@ -2,7 +2,7 @@
 
 #include "widgets/table.h"
 
-#include <slalom/studio/results_loader.h>
+#include <slalom/studio/results_overlay.h>
 
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@
 namespace slalom {
 
 /// The recorded runs, one per row: a checkbox for its visibility, the color of its method, the
-/// outcome as color and text, length and time. Keys when it has the focus: Up, Down, Home, End,
-/// Space (show or hide), A (all or none).
+/// outcome as color and text, length and time. Keys when it has the focus: those of
+/// Table, Space (show or hide), A (all or none).
 ///
 /// Parts: "all" (the checkbox of all runs), "row 0", "row 1", ..., or by the label: "row nd 3".
 class RunTable : public Table {
@@ -24,9 +24,9 @@ class RunTable : public Table {
  protected:
   std::size_t row_count() const override { return rows_.size(); }
   std::size_t cursor() const override { return cursor_; }
-  void set_cursor(std::size_t row) override { cursor_ = row; }
-  void choose(std::size_t row) override;
-  void paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) const override;
+  void set_cursor(std::size_t row, int /*modifiers*/) override { cursor_ = row; }
+  void choose(std::size_t row, int modifiers) override;
+  void paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) override;
   void paint_frame(NVGcontext* ctx) const override;
   bool press(const Point& at, int modifiers) override;
   bool key(int key, int modifiers) override;

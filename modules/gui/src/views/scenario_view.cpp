@@ -41,9 +41,7 @@ ScenarioView::ScenarioView(nanogui::Widget* parent, Studio& studio, Mode mode)
       mode_(mode),
       layers_(make_scene_layers()),
       layout_(make_layout()) {
-  studio.notices().observe([this](Change change) {
-    if (change == Change::Scene) set_scene(studio_.scenes().scene());
-  });
+  studio.notices().observe({Change::Scene}, [this] { set_scene(studio_.scenes().scene()); });
 }
 
 ViewLayout ScenarioView::make_layout() const {
@@ -60,15 +58,9 @@ void ScenarioView::adjust_to_size() {
 }
 
 ViewTransform ScenarioView::view_on(const ViewLayout& layout) const {
-  const ScreenRect& c = layout.canvas();
-  if (fitted_ && scene_) {
-    const ScreenRect open = layout.open_canvas();
-    const ViewTransform fit = ViewTransform::fitting(scene_->scenario().bounds(), open.left,
-                                                     open.top, open.width, open.height);
-    const Point center(c.left + 0.5 * c.width, c.top + 0.5 * c.height);
-    return {fit.to_world(center), fit.pixels_per_meter(), c.left, c.top, c.width, c.height};
-  }
-  return view_.on(c.left, c.top, c.width, c.height);
+  if (!fitted_ || !scene_) return view_.on(layout.canvas);
+  const auto fit = ViewTransform::fitting(scene_->scenario().bounds(), layout.open_canvas());
+  return {fit.to_world(layout.canvas.center()), fit.pixels_per_meter(), layout.canvas};
 }
 
 void ScenarioView::set_scene(ScenePtr scene) {
@@ -124,9 +116,8 @@ void ScenarioView::fit() {
 }
 
 void ScenarioView::zoom(double factor) {
-  const ScreenRect& c = layout_.canvas();
   fitted_ = false;
-  view_ = view_.zoomed({c.left + 0.5 * c.width, c.top + 0.5 * c.height}, factor);
+  view_ = view_.zoomed(layout_.canvas.center(), factor);
 }
 
 void ScenarioView::pan(double dx, double dy) {
@@ -193,7 +184,7 @@ std::string ScenarioView::text() const {
   text += "scale bar " + ScaleBar::choose(view_.pixels_per_meter(), kMaxScaleBar).text() + "\n";
   text += "tool " + info_of(tool()).id + "\n";
   for (const auto& layer : layers_) text += "layer " + layer.id + ": " + layer_line(layer) + "\n";
-  text += format("map %.0f x %.0f pixels\n", layout_.canvas().width, layout_.canvas().height);
+  text += format("map %.0f x %.0f pixels\n", layout_.canvas.width, layout_.canvas.height);
   for (const OverlayTrajectory& run : trajectories_)
     text += "trajectory " + run.label + ", " + run.outcome + "\n";
   if (pointer_) text += "pointer " + pointer_text() + "\n";
@@ -203,10 +194,10 @@ std::string ScenarioView::text() const {
 std::optional<ScreenRect> ScenarioView::rect_of(const std::string& part) const {
   if (part.empty()) return Element::rect_of(part);
   const ViewLayout layout = make_layout();  // the size may have changed since the last frame
-  if (part == "canvas") return layout.canvas();
-  if (part == "status") return layout.status();
-  if (part == "scale bar") return layout.scale_bar();
-  if (const ViewLayout::Part* found = layout.find(part)) return found->rect;
+  if (part == "canvas") return layout.canvas;
+  if (part == "status") return layout.status;
+  if (part == "scale bar") return layout.scale_bar;
+  if (const Element::Part* found = layout.find(part)) return found->rect;
   if (!scene_) return std::nullopt;
   Point at;
   const TPose2D& start = scene_->scenario().start();
@@ -217,7 +208,7 @@ std::optional<ScreenRect> ScenarioView::rect_of(const std::string& part) const {
   else if (std::sscanf(part.c_str(), "at %lf %lf", &at.x, &at.y) != 2)
     return std::nullopt;
   const Point p = view_on(layout).to_screen(at);
-  if (!layout.canvas().contains(p.x, p.y)) return std::nullopt;
+  if (!layout.canvas.contains(p.x, p.y)) return std::nullopt;
   return ScreenRect{p.x, p.y, 0, 0};
 }
 

@@ -1,5 +1,5 @@
-#include "views/layers/shapes.h"
 #include "views/scenario_view.h"
+#include "views/shapes.h"
 #include "widgets/drawing.h"
 
 #include <algorithm>
@@ -15,11 +15,11 @@ void ScenarioView::paint(NVGcontext* ctx) {
   draw_tools(ctx);
   draw_status(ctx);
   draw_scale_bar(ctx);
-  if (focused()) draw::frame(ctx, layout_.canvas(), palette().accent);
+  if (focused()) draw::frame(ctx, layout_.canvas, palette().accent);
 }
 
 void ScenarioView::draw_scene(NVGcontext* ctx) {
-  const ScreenRect& canvas = layout_.canvas();
+  const ScreenRect& canvas = layout_.canvas;
   if (!scene_) {
     draw::fill(ctx, canvas, palette().outside);
     return draw::text(ctx, canvas.inset(16), "No scenario is selected", palette().text,
@@ -49,7 +49,7 @@ void ScenarioView::draw_background(const LayerContext& context) {
   const nanogui::Vector2i corner = absolutePosition();
   const Viewport viewport{static_cast<double>(corner.x()), static_cast<double>(corner.y()),
                           static_cast<double>(screen()->height()), screen()->pixelRatio()};
-  tiles_.draw(pictures, palette().free_space, palette().outside, workspace, layout_.canvas(), view_,
+  tiles_.draw(pictures, palette().free_space, palette().outside, workspace, layout_.canvas, view_,
               viewport);
 }
 
@@ -83,7 +83,7 @@ void ScenarioView::draw_pointer(NVGcontext* ctx) const {
 }
 
 void ScenarioView::draw_scale_bar(NVGcontext* ctx) const {
-  const ScreenRect& rect = layout_.scale_bar();
+  const ScreenRect& rect = layout_.scale_bar;
   draw::fill(ctx, rect, palette().panel);
   if (!scene_) return;
   const ScaleBar bar =
@@ -98,8 +98,8 @@ void ScenarioView::draw_scale_bar(NVGcontext* ctx) const {
 }
 
 void ScenarioView::draw_tools(NVGcontext* ctx) const {
-  draw::fill(ctx, layout_.tools(), palette().panel);
-  for (const ViewLayout::Part& part : layout_.parts()) {
+  draw::fill(ctx, layout_.tools, palette().panel);
+  for (const Element::Part& part : layout_.parts) {
     if (part.name == "legend" || part.name.rfind("layer ", 0) == 0) continue;
     std::string title = part.name == "fit" ? "Fit" : part.name == "zoom in" ? "+" : "-";
     bool chosen = false, usable = scene_ != nullptr;
@@ -115,13 +115,13 @@ void ScenarioView::draw_tools(NVGcontext* ctx) const {
 }
 
 void ScenarioView::draw_legend(NVGcontext* ctx) const {
-  draw::fill(ctx, layout_.legend(), faded(palette().panel, 0.95), 4);
-  const ViewLayout::Part* title = layout_.find("legend");
+  draw::fill(ctx, layout_.legend, faded(palette().panel, 0.95), 4);
+  const Element::Part* title = layout_.find("legend");
   if (hovered_ == "legend") draw::fill(ctx, title->rect, palette().hover, 4);
   draw::text(ctx, title->rect.inset(8), legend_open_ ? "Layers (L to hide)" : "Layers (L)",
              palette().text, draw::kSmallTextSize, draw::Align::Left, true);
   for (const auto& layer : layers_)
-    if (const ViewLayout::Part* row = layout_.find("layer " + layer.id))
+    if (const Element::Part* row = layout_.find("layer " + layer.id))
       draw_row(ctx, row->rect, layer);
 }
 
@@ -143,9 +143,9 @@ void ScenarioView::draw_row(NVGcontext* ctx, const ScreenRect& rect,
 }
 
 void ScenarioView::draw_status(NVGcontext* ctx) const {
-  draw::fill(ctx, layout_.status(), palette().panel);
+  draw::fill(ctx, layout_.status, palette().panel);
   const bool error = !error_.empty() || (scene_ && !scene_->problem.empty());
-  draw::text(ctx, layout_.status().inset(8), status_text(),
+  draw::text(ctx, layout_.status.inset(8), status_text(),
              error ? palette().error_text : palette().text, draw::kSmallTextSize);
 }
 

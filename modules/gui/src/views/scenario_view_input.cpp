@@ -29,11 +29,11 @@ bool ScenarioView::mouseButtonEvent(const nanogui::Vector2i& p, int button, bool
   requestFocus();
   adjust_to_size();
   pointer_moved(at);
-  if (const ViewLayout::Part* part = layout_.at(at.x, at.y)) {
+  if (const Element::Part* part = layout_.at(at.x, at.y)) {
     if (button == GLFW_MOUSE_BUTTON_LEFT) activate_part(part->name);
     return true;
   }
-  if (!scene_ || !layout_.canvas().contains(at.x, at.y)) return true;
+  if (!scene_ || !layout_.canvas.contains(at.x, at.y)) return true;
   const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0;
   if (button == GLFW_MOUSE_BUTTON_LEFT && shift && layer_on("scan"))
     scan_anchor_ = pointer_;
@@ -51,13 +51,13 @@ void ScenarioView::hover(const std::optional<Point>& at) {
 }
 
 void ScenarioView::pointer_moved(const Point& at) {
-  const ViewLayout::Part* part = layout_.at(at.x, at.y);
+  const Element::Part* part = layout_.at(at.x, at.y);
   hovered_ = part != nullptr ? part->name : "";
   if (panning_) pan(at.x - last_.x, at.y - last_.y);
   last_ = at;
   if (!scene_) return;
   const bool busy = panning_ || scan_anchor_ || editor_.busy();
-  if (!busy && (part != nullptr || !layout_.canvas().contains(at.x, at.y))) {
+  if (!busy && (part != nullptr || !layout_.canvas.contains(at.x, at.y))) {
     if (!keyboard_pointer_) pointer_.reset();
     return;
   }
@@ -106,7 +106,7 @@ void ScenarioView::end_edit(End end) {
 }
 
 bool ScenarioView::wheel(const Point& at, double steps) {
-  if (!scene_ || !layout_.canvas().contains(at)) return true;
+  if (!scene_ || !layout_.canvas.contains(at)) return true;
   // Scroll events have no modifiers.
   GLFWwindow* window = screen()->glfwWindow();
   const bool shift = glfwGetKey(window, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
@@ -131,36 +131,20 @@ bool ScenarioView::view_key(int key, int modifiers) {
   const auto arrow = [&](double dx, double dy) {
     shift ? move_pointer(dx * kPointerStep, dy * kPointerStep)
           : pan(-dx * kPanStep, -dy * kPanStep);
-    return true;
   };
-  switch (key) {
-    case GLFW_KEY_LEFT:
-      return arrow(-1, 0);
-    case GLFW_KEY_RIGHT:
-      return arrow(1, 0);
-    case GLFW_KEY_UP:
-      return arrow(0, -1);
-    case GLFW_KEY_DOWN:
-      return arrow(0, 1);
-    case GLFW_KEY_EQUAL:
-    case GLFW_KEY_KP_ADD:
-      return zoom(kZoomStep), true;
-    case GLFW_KEY_MINUS:
-    case GLFW_KEY_KP_SUBTRACT:
-      return zoom(1 / kZoomStep), true;
-    case GLFW_KEY_0:
-    case GLFW_KEY_KP_0:
-    case GLFW_KEY_F:
-      return fit(), true;
-    case GLFW_KEY_L:
-      return set_legend_open(!legend_open_), true;
-    case GLFW_KEY_Q:
-      return rotate_scan(kRotateStep), true;
-    case GLFW_KEY_W:
-      return rotate_scan(-kRotateStep), true;
-    default:
-      return false;
-  }
+  return run_key(key,
+                 {{{GLFW_KEY_LEFT}, [&] { arrow(-1, 0); }},
+                  {{GLFW_KEY_RIGHT}, [&] { arrow(1, 0); }},
+                  {{GLFW_KEY_UP}, [&] { arrow(0, -1); }},
+                  {{GLFW_KEY_DOWN}, [&] { arrow(0, 1); }},
+                  {{GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD}, [&] { zoom(kZoomStep); }},
+                  {{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT}, [&] { zoom(1 / kZoomStep); }},
+                  {{GLFW_KEY_0, GLFW_KEY_KP_0, GLFW_KEY_F}, [&] { fit(); }},
+                  {{GLFW_KEY_L}, [&] { set_legend_open(!legend_open_); }},
+                  {{GLFW_KEY_Q}, [&] { rotate_scan(kRotateStep); }},
+                  {{GLFW_KEY_W}, [&] { rotate_scan(-kRotateStep); }},
+                  {{GLFW_KEY_COMMA}, [&] { editor_.set_brush(editor_.brush() / kZoomStep); }},
+                  {{GLFW_KEY_PERIOD}, [&] { editor_.set_brush(editor_.brush() * kZoomStep); }}});
 }
 
 bool ScenarioView::edit_key(int key) {
@@ -177,10 +161,6 @@ bool ScenarioView::edit_key(int key) {
       // One key press sets a corner; for other tools two key presses begin and end a drag.
       if (tool() == EditTool::Polygon && editor_.pressed()) release_tool();
       return true;
-    case GLFW_KEY_COMMA:
-      return editor_.set_brush(editor_.brush() / kZoomStep), true;
-    case GLFW_KEY_PERIOD:
-      return editor_.set_brush(editor_.brush() * kZoomStep), true;
     case GLFW_KEY_ESCAPE:
       if (!editor_.busy() && tool() == EditTool::Look && error_.empty()) return false;
       editor_.busy() ? editor_.cancel() : editor_.set_tool(EditTool::Look);
@@ -207,9 +187,8 @@ bool ScenarioView::tool_key(int key) {
 
 /// Starts at the center of the canvas if there is no pointer; stays within the canvas.
 void ScenarioView::move_pointer(double dx, double dy) {
-  const ScreenRect& c = layout_.canvas();
-  const Point from =
-      pointer_ ? view_.to_screen(*pointer_) : Point(c.left + 0.5 * c.width, c.top + 0.5 * c.height);
+  const ScreenRect& c = layout_.canvas;
+  const Point from = pointer_ ? view_.to_screen(*pointer_) : c.center();
   const Point to(std::clamp(from.x + dx, c.left, c.left + c.width),
                  std::clamp(from.y + dy, c.top, c.top + c.height));
   pointer_moved(to);

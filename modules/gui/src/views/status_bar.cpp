@@ -55,12 +55,11 @@ void StatusBar::paint(NVGcontext* ctx) {
   }
 }
 
-bool StatusBar::press(const Point& at, int /*modifiers*/) {
+void StatusBar::click(const std::string& part) {
   const auto job = shown_job();
-  if (!job || !cancel_rect().contains(at)) return true;
+  if (!job || part != "cancel") return;
   studio_.jobs().cancel(job->key);
   studio_.notices().show_status(job->title + ": canceled");
-  return true;
 }
 
 }  // namespace slalom

@@ -20,7 +20,7 @@ class StatusBar : public Element {
  protected:
   std::vector<Part> parts() const override;
   void paint(NVGcontext* ctx) override;
-  bool press(const Point& at, int modifiers) override;
+  void click(const std::string& part) override;
 
  private:
   std::optional<JobStatus> shown_job() const;

@@ -11,23 +11,16 @@ namespace {
 
 constexpr int kDigits = 3;  ///< decimals of values at the marker
 
-void widen(std::optional<std::pair<double, double>>& range,
-           const std::optional<std::pair<double, double>>& by) {
-  if (!by) return;
-  if (!range) range = by;
-  range->first = std::min(range->first, by->first);
-  range->second = std::max(range->second, by->second);
-}
-
 }  // namespace
 
 void TimePlot::set_series(std::vector<LineSeries> series) {
   series_ = std::move(series);
   x_range_.reset();
-  std::optional<std::pair<double, double>> y = std::pair(0.0, 0.0);
+  std::optional<Interval> y = Interval(0, 0);
   for (const LineSeries& line : series_) {
-    widen(x_range_, range_of(line.x));
-    widen(y, range_of(line.y));
+    for (const double x : line.x) widen(x_range_, x);
+    for (const double value : line.y)
+      if (std::isfinite(value)) widen(y, value);
   }
   const double margin = 0.05 * (y->second - y->first);
   y_range_ = {y->first < 0 ? y->first - margin : 0, y->second > 0 ? y->second + margin : 0};

@@ -2,7 +2,7 @@
 
 #include "widgets/plot.h"
 
-#include <slalom/studio/line_series.h>
+#include <slalom/studio/plot_data.h>
 #include <slalom/studio/replay_clock.h>
 
 #include <optional>
@@ -35,8 +35,8 @@ class TimePlot : public Plot {
   std::string y_title_;
   ReplayClock& clock_;
   std::vector<LineSeries> series_;
-  std::optional<std::pair<double, double>> x_range_;  ///< nullopt: no data
-  std::pair<double, double> y_range_ = {0, 1};
+  std::optional<Interval> x_range_;  ///< nullopt: no data
+  Interval y_range_ = {0, 1};
 
   std::optional<double> marker() const;
   void draw_series(NVGcontext* ctx, const PlotFrame& frame, const LineSeries& series) const;

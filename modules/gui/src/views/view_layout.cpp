@@ -6,7 +6,7 @@ namespace slalom {
 namespace {
 
 constexpr double kButtonHeight = 26, kGap = 4, kPositionHeight = 24;
-constexpr double kLegendWidth = 250, kRowHeight = 22, kLegendTitleHeight = 24;
+constexpr double kLegendWidth = 250, kLegendRowHeight = 22, kLegendTitleHeight = 24;
 constexpr double kClosedLegendWidth = 92, kScaleBarWidth = 220;
 /// Upper bound of the width of a character, and the padding of a button (pixels).
 constexpr double kCharacterWidth = 8, kPadding = 16;
@@ -15,12 +15,12 @@ constexpr double kCharacterWidth = 8, kPadding = 16;
 
 ViewLayout::ViewLayout(double width, double height, const std::vector<Button>& buttons,
                        const std::vector<std::string>& layers) {
-  tools_ = {0, 0, width, place_buttons(width, buttons)};
-  const double below = std::max(tools_.height, height - kPositionHeight);
+  tools = {0, 0, width, place_buttons(width, buttons)};
+  const double below = std::max(tools.height, height - kPositionHeight);
   const double bar = std::min(kScaleBarWidth, 0.4 * width);
-  status_ = {0, below, width - bar, kPositionHeight};
-  scale_bar_ = {width - bar, below, bar, kPositionHeight};
-  canvas_ = {0, tools_.height, width, std::max(1.0, status_.top - tools_.height)};
+  status = {0, below, width - bar, kPositionHeight};
+  scale_bar = {width - bar, below, bar, kPositionHeight};
+  canvas = {0, tools.height, width, std::max(1.0, status.top - tools.height)};
   place_legend(layers);
 }
 
@@ -33,7 +33,7 @@ double ViewLayout::place_buttons(double width, const std::vector<Button>& button
       left = kGap;
       top += kButtonHeight + kGap;
     }
-    parts_.push_back({button.name, {left, top, button_width, kButtonHeight}});
+    parts.push_back({button.name, {left, top, button_width, kButtonHeight}});
     left += button_width + kGap;
   }
   return top + kButtonHeight + kGap;
@@ -41,35 +41,36 @@ double ViewLayout::place_buttons(double width, const std::vector<Button>& button
 
 void ViewLayout::place_legend(const std::vector<std::string>& layers) {
   const double width =
-      std::min(layers.empty() ? kClosedLegendWidth : kLegendWidth, canvas_.width - 2 * kGap);
-  const double left = canvas_.left + canvas_.width - width - kGap, top = canvas_.top + kGap;
-  parts_.push_back({"legend", {left, top, width, kLegendTitleHeight}});
+      std::min(layers.empty() ? kClosedLegendWidth : kLegendWidth, canvas.width - 2 * kGap);
+  const double left = canvas.left + canvas.width - width - kGap, top = canvas.top + kGap;
+  parts.push_back({"legend", {left, top, width, kLegendTitleHeight}});
   double row = top + kLegendTitleHeight;
   for (const std::string& layer : layers) {
-    if (row + kRowHeight > canvas_.top + canvas_.height) break;
-    parts_.push_back({"layer " + layer, {left, row, width, kRowHeight}});
-    row += kRowHeight;
+    if (row + kLegendRowHeight > canvas.top + canvas.height) break;
+    parts.push_back({"layer " + layer, {left, row, width, kLegendRowHeight}});
+    row += kLegendRowHeight;
   }
-  legend_ = {left, top, width, row - top};
+  legend = {left, top, width, row - top};
 }
 
 ScreenRect ViewLayout::open_canvas() const {
-  ScreenRect open = canvas_;
-  const bool fits = canvas_.width > 2.5 * legend_.width && legend_.height > kLegendTitleHeight;
-  if (fits) open.width = legend_.left - canvas_.left;
+  ScreenRect open = canvas;
+  const bool fits = canvas.width > 2.5 * legend.width && legend.height > kLegendTitleHeight;
+  if (fits) open.width = legend.left - canvas.left;
   return open;
 }
 
-const ViewLayout::Part* ViewLayout::at(double x, double y) const {
-  const auto found = std::find_if(parts_.begin(), parts_.end(),
-                                  [&](const Part& part) { return part.rect.contains(x, y); });
-  return found == parts_.end() ? nullptr : &*found;
+const Element::Part* ViewLayout::at(double x, double y) const {
+  const auto found = std::find_if(parts.begin(), parts.end(), [&](const Element::Part& part) {
+    return part.rect.contains(x, y);
+  });
+  return found == parts.end() ? nullptr : &*found;
 }
 
-const ViewLayout::Part* ViewLayout::find(const std::string& name) const {
-  const auto found = std::find_if(parts_.begin(), parts_.end(),
-                                  [&](const Part& part) { return part.name == name; });
-  return found == parts_.end() ? nullptr : &*found;
+const Element::Part* ViewLayout::find(const std::string& name) const {
+  const auto found = std::find_if(parts.begin(), parts.end(),
+                                  [&](const Element::Part& part) { return part.name == name; });
+  return found == parts.end() ? nullptr : &*found;
 }
 
 }  // namespace slalom

@@ -8,52 +8,48 @@ namespace slalom {
 
 using mrpt::math::TPoint2D;
 
-ViewTransform::ViewTransform(TPoint2D center, double pixels_per_meter, double left, double top,
-                             double width, double height)
+ViewTransform::ViewTransform(TPoint2D center, double pixels_per_meter, const ScreenRect& screen)
     : center_(center),
       scale_(std::clamp(pixels_per_meter, kMinScale, kMaxScale)),
-      left_(left),
-      top_(top),
-      width_(std::max(width, 1.0)),
-      height_(std::max(height, 1.0)) {}
+      screen_{screen.left, screen.top, std::max(screen.width, 1.0), std::max(screen.height, 1.0)} {}
 
-ViewTransform ViewTransform::fitting(const Bounds& bounds, double left, double top, double width,
-                                     double height, double margin) {
-  const double across = std::max(width - 2 * margin, 1.0),
-               down = std::max(height - 2 * margin, 1.0);
-  const double scale =
-      std::min(across / (bounds.x_max - bounds.x_min), down / (bounds.y_max - bounds.y_min));
+ViewTransform ViewTransform::fitting(const Bounds& bounds, const ScreenRect& screen,
+                                     double margin) {
+  const double scale = std::min(std::max(screen.width - 2 * margin, 1.0) / bounds.width(),
+                                std::max(screen.height - 2 * margin, 1.0) / bounds.height());
   const TPoint2D center(0.5 * (bounds.x_min + bounds.x_max), 0.5 * (bounds.y_min + bounds.y_max));
-  return {center, scale, left, top, width, height};
+  return {center, scale, screen};
 }
 
 TPoint2D ViewTransform::to_screen(const TPoint2D& world) const {
-  return {left_ + 0.5 * width_ + (world.x - center_.x) * scale_,
-          top_ + 0.5 * height_ - (world.y - center_.y) * scale_};
+  const TPoint2D middle = screen_.center();
+  return {middle.x + (world.x - center_.x) * scale_, middle.y - (world.y - center_.y) * scale_};
 }
 
 TPoint2D ViewTransform::to_world(const TPoint2D& screen) const {
-  return {center_.x + (screen.x - left_ - 0.5 * width_) / scale_,
-          center_.y - (screen.y - top_ - 0.5 * height_) / scale_};
+  const TPoint2D middle = screen_.center();
+  return {center_.x + (screen.x - middle.x) / scale_, center_.y - (screen.y - middle.y) / scale_};
 }
 
 Bounds ViewTransform::visible() const {
-  const TPoint2D low = to_world({left_, top_ + height_}), high = to_world({left_ + width_, top_});
+  const TPoint2D low = to_world({screen_.left, screen_.bottom()}),
+                 high = to_world({screen_.right(), screen_.top});
   return {low.x, low.y, high.x, high.y};
 }
 
-ViewTransform ViewTransform::on(double left, double top, double width, double height) const {
-  const double ratio = std::min(std::max(width, 1.0) / width_, std::max(height, 1.0) / height_);
-  return {center_, scale_ * ratio, left, top, width, height};
+ViewTransform ViewTransform::on(const ScreenRect& screen) const {
+  const double ratio = std::min(std::max(screen.width, 1.0) / screen_.width,
+                                std::max(screen.height, 1.0) / screen_.height);
+  return {center_, scale_ * ratio, screen};
 }
 
 ViewTransform ViewTransform::panned(double dx, double dy) const {
-  return {{center_.x - dx / scale_, center_.y + dy / scale_}, scale_, left_, top_, width_, height_};
+  return {{center_.x - dx / scale_, center_.y + dy / scale_}, scale_, screen_};
 }
 
 ViewTransform ViewTransform::zoomed(const TPoint2D& about, double factor) const {
   const TPoint2D fixed = to_world(about);
-  ViewTransform next(center_, scale_ * factor, left_, top_, width_, height_);
+  ViewTransform next(center_, scale_ * factor, screen_);
   const TPoint2D moved = next.to_screen(fixed);
   return next.panned(about.x - moved.x, about.y - moved.y);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "widgets/element.h"
+
 #include <slalom/scenario/geometry.h>
 
 #include <mrpt/math/TPoint2D.h>
@@ -12,12 +14,10 @@ namespace slalom {
 class ViewTransform {
  public:
   ViewTransform() = default;
-  /// `center` (m) is mapped to the center of a rectangle at (left, top) of this size (pixels).
-  ViewTransform(mrpt::math::TPoint2D center, double pixels_per_meter, double left, double top,
-                double width, double height);
+  /// `center` (m) is mapped to the center of `screen` (pixels).
+  ViewTransform(mrpt::math::TPoint2D center, double pixels_per_meter, const ScreenRect& screen);
   /// Shows all of `bounds`, with a margin (pixels) on each side.
-  static ViewTransform fitting(const Bounds& bounds, double left, double top, double width,
-                               double height, double margin = 16);
+  static ViewTransform fitting(const Bounds& bounds, const ScreenRect& screen, double margin = 16);
 
   mrpt::math::TPoint2D to_screen(const mrpt::math::TPoint2D& world) const;
   mrpt::math::TPoint2D to_world(const mrpt::math::TPoint2D& screen) const;
@@ -25,7 +25,7 @@ class ViewTransform {
   Bounds visible() const;  ///< the visible part of the world (m)
 
   /// Shows the same part of the world on another rectangle, as far as its aspect ratio allows.
-  ViewTransform on(double left, double top, double width, double height) const;
+  ViewTransform on(const ScreenRect& screen) const;
   /// Moved by (dx, dy) pixels.
   ViewTransform panned(double dx, double dy) const;
   /// Scaled by `factor` about a point of the screen. The scale is clamped to kMinScale, kMaxScale.
@@ -37,7 +37,7 @@ class ViewTransform {
  private:
   mrpt::math::TPoint2D center_ = {0, 0};
   double scale_ = 1;
-  double left_ = 0, top_ = 0, width_ = 1, height_ = 1;
+  ScreenRect screen_ = {0, 0, 1, 1};
 };
 
 /// A bar of a round length that shows the scale of the view.

@@ -1,5 +1,5 @@
 #include "widgets/drawing.h"
-#include "widgets/utf8.h"
+#include "widgets/line_editor.h"
 
 namespace slalom::draw {
 namespace {

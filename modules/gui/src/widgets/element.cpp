@@ -36,6 +36,18 @@ std::string Element::part_at(const Point& at) const {
   return "";
 }
 
+bool Element::press(const Point& at, int /*modifiers*/) {
+  click(part_at(at));
+  return true;
+}
+
+bool Element::run_key(int key, const std::vector<KeyAction>& actions) {
+  for (const KeyAction& action : actions)
+    if (std::find(action.keys.begin(), action.keys.end(), key) != action.keys.end())
+      return action.run(), true;
+  return false;
+}
+
 Element::Point Element::local(const nanogui::Vector2i& p) const {
   return {static_cast<double>(p.x() - mPos.x()), static_cast<double>(p.y() - mPos.y())};
 }

@@ -2,6 +2,7 @@
 
 #include <mrpt/math/TPoint2D.h>
 
+#include <functional>
 #include <nanogui/nanogui.h>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@ struct ScreenRect {
   double left = 0, top = 0, width = 0, height = 0;
   double right() const { return left + width; }
   double bottom() const { return top + height; }
+  mrpt::math::TPoint2D center() const { return {left + 0.5 * width, top + 0.5 * height}; }
   bool contains(double x, double y) const {
     return x >= left && x < right() && y >= top && y < bottom();
   }
@@ -31,6 +33,10 @@ class Element : public nanogui::Widget {
     ScreenRect rect;
   };
   enum class Focus { None, OnPress };
+  struct KeyAction {
+    std::vector<int> keys;  ///< of GLFW
+    std::function<void()> run;
+  };
 
   Element(nanogui::Widget* parent, const std::string& id, Focus focus = Focus::None)
       : Widget(parent), focus_(focus) {
@@ -62,12 +68,15 @@ class Element : public nanogui::Widget {
   std::string part_at(const Point& at) const;  ///< empty for none
   /// Draws what is below the children, clipped to the element.
   virtual void paint(NVGcontext*) {}
-  virtual bool press(const Point&, int /*modifiers*/) { return true; }  ///< the left button
+  virtual void click(const std::string& /*part*/) {}       ///< part_at() of press()
+  virtual bool press(const Point& at, int /*modifiers*/);  ///< the left button
   virtual void release(const Point&) {}
   virtual void drag(const Point&) {}
   virtual void hover(const std::optional<Point>&) {}  ///< none: the mouse has left
   virtual bool wheel(const Point&, double /*steps, up is positive*/) { return false; }
   virtual bool key(int /*key*/, int /*modifiers*/) { return false; }  ///< pressed or repeated
+  /// Runs the action of a key. Returns whether there is one.
+  static bool run_key(int key, const std::vector<KeyAction>& actions);
 
   Point local(const nanogui::Vector2i& p) const;
 

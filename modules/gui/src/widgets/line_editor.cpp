@@ -1,5 +1,4 @@
 #include "widgets/line_editor.h"
-#include "widgets/utf8.h"
 
 #include <algorithm>
 

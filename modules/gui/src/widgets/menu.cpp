@@ -7,12 +7,14 @@
 namespace slalom {
 namespace {
 
-constexpr double kLineHeight = 25, kBorder = 3, kHelpHeight = 42;  ///< pixels
-constexpr double kMargin = 8, kCheckWidth = 18, kShortcutWidth = 104;
+constexpr double kLineHeight = 25, kBorder = 3, kMenuHelpHeight = 42;  ///< pixels
+constexpr double kMenuMargin = 8, kCheckWidth = 18, kShortcutWidth = 104;
 
 bool has_help(const std::vector<MenuLine>& lines) {
   return !lines.empty() && !lines.front().help.empty();
 }
+
+constexpr double kMenuWidth = 400, kTitleMargin = 12;  ///< pixels
 
 }  // namespace
 
@@ -26,7 +28,7 @@ void Menu::open(const Point& corner, double width, double bottom, std::vector<Me
   lines_ = std::move(lines);
   current_ = std::min(current, lines_.empty() ? 0 : lines_.size() - 1);
   chosen_ = std::move(chosen);
-  set_footer(has_help(lines_) ? kHelpHeight : kBorder);
+  set_footer(has_help(lines_) ? kMenuHelpHeight : kBorder);
   const double preferred =
       kBorder + kLineHeight * static_cast<double>(lines_.size()) + heights().footer;
   set_bounds({corner.x, corner.y, width,
@@ -63,13 +65,13 @@ std::optional<ScreenRect> Menu::rect_of(const std::string& part) const {
   return Table::rect_of(part);
 }
 
-void Menu::paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) const {
+void Menu::paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) {
   const MenuLine& line = lines_[row];
   const Palette& colors = palette();
   const bool enabled = line.disabled_reason.empty(), has_shortcuts = has_help(lines_);
   if (row == current_)
     draw::fill(ctx, rect.inset(kBorder), enabled ? colors.selected : colors.hover, 3);
-  ScreenRect text = rect.inset(kMargin);
+  ScreenRect text = rect.inset(kMenuMargin);
   if (has_shortcuts) {
     if (line.checked)
       draw::check_mark(ctx, {rect.left + 2, rect.top, kCheckWidth, rect.height}, colors.accent);
@@ -85,10 +87,10 @@ void Menu::paint_frame(NVGcontext* ctx) const {
   draw::frame(ctx, area(), focus_after_ != nullptr ? palette().accent : palette().border);
   if (!has_help(lines_)) return;
   const MenuLine& line = lines_[current_];
-  const double top = height() - kHelpHeight;
-  draw::line(ctx, kMargin, top, width() - kMargin, top, palette().border);
+  const double top = height() - kMenuHelpHeight;
+  draw::line(ctx, kMenuMargin, top, width() - kMenuMargin, top, palette().border);
   const bool enabled = line.disabled_reason.empty();
-  draw::wrapped_text(ctx, {kMargin, top + 5, width() - 2 * kMargin, kHelpHeight},
+  draw::wrapped_text(ctx, {kMenuMargin, top + 5, width() - 2 * kMenuMargin, kMenuHelpHeight},
                      enabled ? line.help : "Unavailable: " + line.disabled_reason,
                      enabled ? palette().faint_text : palette().error_text, draw::kSmallTextSize);
 }
@@ -98,7 +100,7 @@ void Menu::hover(const std::optional<Point>& at) {
   current_ = hovered().value_or(current_);
 }
 
-void Menu::choose(std::size_t row) {
+void Menu::choose(std::size_t row, int /*modifiers*/) {
   current_ = row;
   if (!lines_[row].disabled_reason.empty()) return;
   const Chosen chosen = chosen_;
@@ -113,14 +115,78 @@ bool Menu::key(int key, int modifiers) {
   }
   if (lines_.empty()) return false;
   if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) {
-    choose(current_);
+    choose(current_, 0);
     return true;
   }
   if (key == GLFW_KEY_UP && current_ == 0)
     key = GLFW_KEY_END;
   else if (key == GLFW_KEY_DOWN && current_ + 1 == lines_.size())
     key = GLFW_KEY_HOME;
-  return Table::key(key, modifiers);
+  return modifiers == 0 && Table::key(key, 0);
+}
+
+MenuBar::MenuBar(nanogui::Widget* parent, const Actions& actions, Run run)
+    : Element(parent, "menu"),
+      actions_(actions),
+      run_(std::move(run)),
+      popup_(new Menu(parent, "popup")) {
+  for (const std::string& menu : actions.menus()) parts_.push_back({menu, {}});
+}
+
+std::string MenuBar::text() const {
+  std::string all;
+  for (const Part& menu : parts_) all += menu.name + "\n";
+  return all;
+}
+
+void MenuBar::paint(NVGcontext* ctx) {
+  draw::fill(ctx, area(), palette().panel);
+  double left = 4;
+  for (auto& [name, rect] : parts_) {
+    rect = {left, 0, draw::text_width(ctx, name) + 2 * kTitleMargin, area().height};
+    if (popup_->visible() && open_menu_ == name) draw::fill(ctx, rect, palette().selected, 3);
+    draw::text(ctx, rect, name, palette().text, draw::kTextSize, draw::Align::Center);
+    left = rect.right();
+  }
+}
+
+void MenuBar::open(const std::string& menu) {
+  open_menu_ = menu;
+  std::vector<MenuLine> lines;
+  for (const Action* action : actions_.of_menu(menu))
+    lines.push_back({action->id, action->label(), action->shortcut, action->help,
+                     action->disabled_reason(), action->checked && action->checked()});
+  popup_->open({mPos.x() + rect_of(menu)->left, static_cast<double>(mPos.y() + height())},
+               kMenuWidth, parent()->height(), lines, 0,
+               [this, lines](std::size_t line) { run_(lines[line].name); });
+}
+
+void MenuBar::open_adjacent(int by) {
+  const auto now = std::find_if(parts_.begin(), parts_.end(),
+                                [this](const Part& part) { return part.name == open_menu_; });
+  const auto count = static_cast<std::ptrdiff_t>(parts_.size());
+  open(parts_[static_cast<std::size_t>((now - parts_.begin() + by + count) % count)].name);
+}
+
+bool MenuBar::popup_key(int key, int modifiers) {
+  if (!popup_->visible()) return false;
+  if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT)
+    return open_adjacent(key == GLFW_KEY_LEFT ? -1 : 1), true;
+  if (popup_->key(key, modifiers)) return true;
+  popup_->close();
+  return false;
+}
+
+void MenuBar::click(const std::string& menu) {
+  if (popup_->visible() && menu == open_menu_)
+    popup_->close();
+  else if (!menu.empty())
+    open(menu);
+}
+
+void MenuBar::hover(const std::optional<Point>& at) {
+  const std::string menu = at && popup_->visible() ? part_at(*at) : "";
+  if (!menu.empty() && menu != open_menu_) open(menu);
 }
 
 }  // namespace slalom

@@ -2,6 +2,8 @@
 
 #include "widgets/table.h"
 
+#include <slalom/studio/actions.h>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -38,9 +40,9 @@ class Menu : public Table {
  protected:
   std::size_t row_count() const override { return lines_.size(); }
   std::size_t cursor() const override { return current_; }
-  void set_cursor(std::size_t row) override { current_ = row; }
-  void choose(std::size_t row) override;
-  void paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) const override;
+  void set_cursor(std::size_t row, int /*modifiers*/) override { current_ = row; }
+  void choose(std::size_t row, int modifiers) override;
+  void paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) override;
   void paint_frame(NVGcontext* ctx) const override;
   void hover(const std::optional<Point>& at) override;
 
@@ -49,6 +51,34 @@ class Menu : public Table {
   std::vector<MenuLine> lines_;
   std::size_t current_ = 0;
   Chosen chosen_;
+};
+
+/// The menu bar, id "menu". Parts are the names of the menus; those of an open menu, the element
+/// "popup", are the ids of its actions.
+class MenuBar : public Element {
+ public:
+  using Run = std::function<void(const std::string& id)>;
+  MenuBar(nanogui::Widget* parent, const Actions& actions, Run run);
+  std::string text() const override;
+  Menu& popup() { return *popup_; }
+  /// Handles a key while a menu is open; other keys close it. Left and Right open its neighbors.
+  bool popup_key(int key, int modifiers);
+
+ protected:
+  std::vector<Part> parts() const override { return parts_; }
+  void paint(NVGcontext* ctx) override;
+  void click(const std::string& menu) override;
+  void hover(const std::optional<Point>& at) override;
+
+ private:
+  void open(const std::string& menu);
+  void open_adjacent(int by);
+
+  const Actions& actions_;
+  Run run_;
+  Menu* popup_;
+  std::string open_menu_;    ///< if popup_ is visible
+  std::vector<Part> parts_;  ///< as drawn
 };
 
 }  // namespace slalom

@@ -20,8 +20,7 @@ std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "-" ? name : name + " (" + unit + ")";
 }
 
-PlotFrame PlotFrame::within(const ScreenRect& rect, std::pair<double, double> x_range,
-                            std::pair<double, double> y_range) {
+PlotFrame PlotFrame::within(const ScreenRect& rect, Interval x_range, Interval y_range) {
   const ScreenRect area{rect.left + kLeft, rect.top + kTop,
                         std::max(rect.width - kLeft - kRight, 1.0),
                         std::max(rect.height - kTop - kTickRow - kTitleRow, 1.0)};

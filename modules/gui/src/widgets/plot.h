@@ -3,7 +3,7 @@
 #include "widgets/element.h"
 
 #include <slalom/studio/palette.h>
-#include <slalom/studio/plot_axes.h>
+#include <slalom/studio/plot_data.h>
 
 #include <string>
 #include <utility>
@@ -18,8 +18,7 @@ struct PlotFrame {
 
   /// Leaves room for ticks and titles within `rect`: the y title is above its axis, the x title
   /// below the right end of its axis.
-  static PlotFrame within(const ScreenRect& rect, std::pair<double, double> x_range,
-                          std::pair<double, double> y_range);
+  static PlotFrame within(const ScreenRect& rect, Interval x_range, Interval y_range);
   /// Draws grid lines, ticks, and titles. `ctx` is in the element's pixels.
   void draw(NVGcontext* ctx, const std::string& x_title, const std::string& y_title) const;
 };

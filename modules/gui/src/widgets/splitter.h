@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/element.h"
+#include "widgets/drawing.h"
 
 #include <functional>
 #include <string>
@@ -10,18 +10,24 @@ namespace slalom {
 /// A bar between two panels that is dragged to resize them.
 class Splitter : public Element {
  public:
+  static constexpr int kThickness = 6;  ///< pixels
   enum class DragAxis { Horizontal, Vertical };
   /// `on_move` gets the movement in pixels, to the right or down.
   Splitter(nanogui::Widget* parent, const std::string& id, DragAxis axis,
-           std::function<void(int)> on_move);
+           std::function<void(int)> on_move)
+      : Element(parent, id), axis_(axis), on_move_(std::move(on_move)) {
+    setCursor(axis == DragAxis::Horizontal ? nanogui::Cursor::HResize : nanogui::Cursor::VResize);
+  }
 
-  bool mouseDragEvent(const nanogui::Vector2i& p, const nanogui::Vector2i& rel, int button,
-                      int modifiers) override;
-
-  static constexpr int kThickness = 6;  ///< pixels
+  bool mouseDragEvent(const nanogui::Vector2i&, const nanogui::Vector2i& rel, int, int) override {
+    on_move_(axis_ == DragAxis::Horizontal ? rel.x() : rel.y());
+    return true;
+  }
 
  protected:
-  void paint(NVGcontext* ctx) override;
+  void paint(NVGcontext* ctx) override {
+    draw::fill(ctx, area(), mMouseFocus ? palette().accent : palette().window);
+  }
 
  private:
   DragAxis axis_;

@@ -3,6 +3,7 @@
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
+#include <cmath>
 
 namespace slalom {
 
@@ -10,55 +11,76 @@ std::size_t Table::rows_per_column() const {
   return (row_count() + columns() - 1) / columns();
 }
 
+ScreenRect Table::view() const {
+  return {0, heights_.header, area().width,
+          std::max(height() - heights_.header - heights_.footer, 0.0)};
+}
+
 void Table::update_scroll() const {
-  const double middle = height() - heights_.header - heights_.footer;
-  scroll_.set(heights_.row * static_cast<double>(rows_per_column()),
-              {0, heights_.header, static_cast<double>(width()), std::max(middle, heights_.row)});
+  ScreenRect shown = view();
+  shown.height = std::max(shown.height, heights_.row);
+  scroll_.set(row_count() == 0 ? 0 : top_of(rows_per_column()), shown);
+}
+
+std::size_t Table::row_at_offset(double y) const {
+  const auto row = static_cast<std::size_t>(std::max(y, 0.0) / heights_.row);
+  return std::min(row, rows_per_column() - 1);
 }
 
 ScreenRect Table::row_rect(std::size_t row) const {
   const double bar = scroll_.thumb() ? Scroll::kBarWidth : 0;
   const double wide = (width() - bar) / static_cast<double>(columns());
-  const std::size_t column = row / rows_per_column();
-  return {static_cast<double>(column) * wide,
-          heights_.header + heights_.row * static_cast<double>(row % rows_per_column()) -
-              scroll_.offset(),
-          wide, heights_.row};
+  const std::size_t column = row / rows_per_column(), index = row % rows_per_column();
+  const double top = top_of(index);
+  return {static_cast<double>(column) * wide, heights_.header + std::round(top - scroll_.offset()),
+          wide, top_of(index + 1) - top};
+}
+
+std::optional<ScreenRect> Table::rect_of(const std::string& part) const {
+  update_scroll();
+  return part == "bar" ? scroll_.thumb() : Element::rect_of(part);
 }
 
 ScreenRect Table::bring_into_view(std::size_t row) const {
   update_scroll();
-  const double top = heights_.row * static_cast<double>(row % rows_per_column());
-  scroll_.show(top, top + heights_.row);
+  const std::size_t index = row % rows_per_column();
+  scroll_.show(top_of(index), top_of(index + 1));
   return row_rect(row);
 }
 
+std::vector<std::size_t> Table::visible_rows() const {
+  update_scroll();
+  std::vector<std::size_t> rows;
+  for (std::size_t first = 0; first < row_count(); first += rows_per_column()) {
+    const std::size_t end = std::min(first + rows_per_column(), row_count());
+    for (std::size_t row = first + row_at_offset(scroll_.offset());
+         row < end && row_rect(row).top < view().bottom(); ++row)
+      rows.push_back(row);
+  }
+  return rows;
+}
+
 std::optional<std::size_t> Table::row_at(const Point& at) const {
-  if (at.y < heights_.header || at.y >= height() - heights_.footer) return std::nullopt;
-  for (std::size_t row = 0; row < row_count(); ++row)
+  if (!view().contains(at)) return std::nullopt;
+  for (const std::size_t row : visible_rows())
     if (row_rect(row).contains(at)) return row;
   return std::nullopt;
 }
 
 void Table::paint(NVGcontext* ctx) {
-  update_scroll();
   draw::fill(ctx, area(), palette().panel);
   nvgSave(ctx);
-  draw::clip(ctx, {0, heights_.header, area().width,
-                   std::max(height() - heights_.header - heights_.footer, 0.0)});
-  for (std::size_t row = 0; row < row_count(); ++row) {
-    const ScreenRect rect = row_rect(row);
-    if (rect.bottom() > heights_.header && rect.top < height()) paint_row(ctx, row, rect);
-  }
+  draw::clip(ctx, view());
+  for (const std::size_t row : visible_rows()) paint_row(ctx, row, row_rect(row));
   scroll_.draw(ctx);
   nvgRestore(ctx);
   paint_frame(ctx);
 }
 
-bool Table::press(const Point& at, int /*modifiers*/) {
+bool Table::press(const Point& at, int modifiers) {
   update_scroll();
   if (scroll_.press(at)) return true;
-  if (const auto row = row_at(at)) choose(*row);
+  if (const auto row = row_at(at)) choose(*row, modifiers);
   return true;
 }
 
@@ -74,28 +96,20 @@ bool Table::wheel(const Point& at, double steps) {
 }
 
 bool Table::key(int key, int modifiers) {
-  if (modifiers != 0 || row_count() == 0) return false;
+  if (row_count() == 0) return false;
   const std::size_t last = row_count() - 1, now = std::min(cursor(), last);
-  std::size_t row = 0;
-  switch (key) {
-    case GLFW_KEY_UP:
-      row = now - std::min<std::size_t>(now, 1);
-      break;
-    case GLFW_KEY_DOWN:
-      row = std::min(now + 1, last);
-      break;
-    case GLFW_KEY_HOME:
-      break;
-    case GLFW_KEY_END:
-      row = last;
-      break;
-    default:
-      return false;
-  }
-  hovered_.reset();
-  set_cursor(row);
-  bring_into_view(row);
-  return true;
+  const auto page = static_cast<std::size_t>(std::max(view().height / heights_.row - 1, 1.0));
+  const auto go_to = [&](std::size_t row) {
+    hovered_.reset();
+    set_cursor(row, modifiers);
+    bring_into_view(row);
+  };
+  return run_key(key, {{{GLFW_KEY_UP}, [&] { go_to(now - std::min<std::size_t>(now, 1)); }},
+                       {{GLFW_KEY_DOWN}, [&] { go_to(std::min(now + 1, last)); }},
+                       {{GLFW_KEY_PAGE_UP}, [&] { go_to(now - std::min(now, page)); }},
+                       {{GLFW_KEY_PAGE_DOWN}, [&] { go_to(std::min(now + page, last)); }},
+                       {{GLFW_KEY_HOME}, [&] { go_to(0); }},
+                       {{GLFW_KEY_END}, [&] { go_to(last); }}});
 }
 
 }  // namespace slalom

@@ -6,8 +6,8 @@
 
 namespace slalom {
 
-/// Rows of equal height that scroll between a header and a footer; one of them has the cursor.
-/// Keys: Up, Down, Home, End.
+/// Rows that scroll between a header and a footer; one of them has the cursor. Draws only the
+/// visible rows. Keys: Up, Down, Page Up, Page Down, Home, End. Part "bar": the scroll bar.
 class Table : public Element {
  public:
   struct Heights {
@@ -16,22 +16,29 @@ class Table : public Element {
   Table(nanogui::Widget* parent, const std::string& id, const Heights& heights,
         Focus focus = Focus::None)
       : Element(parent, id, focus), heights_(heights) {}
+  std::optional<ScreenRect> rect_of(const std::string& part) const override;
 
  protected:
   virtual std::size_t row_count() const = 0;
   virtual std::size_t columns() const { return 1; }  ///< of rows, side by side
   virtual std::size_t cursor() const = 0;
-  virtual void set_cursor(std::size_t row) = 0;
-  virtual void choose(std::size_t row) { set_cursor(row); }  ///< by a click
-  virtual void paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) const = 0;
-  virtual void paint_frame(NVGcontext* ctx) const = 0;  ///< header and footer
+  virtual void set_cursor(std::size_t row, int modifiers) = 0;
+  virtual void choose(std::size_t row, int modifiers) { set_cursor(row, modifiers); }  ///< a click
+  virtual void paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) = 0;
+  virtual void paint_frame(NVGcontext*) const {}  ///< header and footer
+
+  // For rows of different heights: offsets (pixels) in a column of rows.
+  virtual double top_of(std::size_t row) const { return heights_.row * static_cast<double>(row); }
+  virtual std::size_t row_at_offset(double y) const;  ///< clamped to the rows
 
   const Heights& heights() const { return heights_; }
   void set_footer(double height) { heights_.footer = height; }
   const std::optional<std::size_t>& hovered() const { return hovered_; }
+  void clear_hovered() { hovered_.reset(); }
+  void scroll_to_top() { scroll_ = {}; }
   /// Scrolls to the row and returns its rectangle; requires row < row_count().
   ScreenRect bring_into_view(std::size_t row) const;
-  void set_hovered(std::optional<std::size_t> row) { hovered_ = row; }
+  std::vector<std::size_t> visible_rows() const;
 
   void paint(NVGcontext* ctx) override;
   bool press(const Point& at, int modifiers) override;
@@ -44,6 +51,7 @@ class Table : public Element {
  private:
   std::size_t rows_per_column() const;
   void update_scroll() const;
+  ScreenRect view() const;  ///< between header and footer
   ScreenRect row_rect(std::size_t row) const;
   std::optional<std::size_t> row_at(const Point& at) const;
 

@@ -5,6 +5,7 @@
 
 #include <GLFW/glfw3.h>
 #include <cmath>
+#include <map>
 
 namespace slalom {
 namespace {
@@ -116,53 +117,33 @@ bool ScriptPlayer::is_waiting(const ScriptCommand& command) {
 }
 
 void ScriptPlayer::play(const ScriptCommand& command) {
-  switch (command.kind) {
-    case Kind::Size:
-      resize(command);
-      break;
-    case Kind::Do:
-      host_.run_action(command.text);
-      break;
-    case Kind::Click:
-      click(command);
-      break;
-    case Kind::Move:
-      move_to(at(command.target));
-      break;
-    case Kind::Drag:
-      drag(command);
-      break;
-    case Kind::Wheel:
-      move_to(at(command.target));
-      host_.screen->scrollCallbackEvent(0, command.number);
-      break;
-    case Kind::Type:
-      type(command.text);
-      break;
-    case Kind::Key:
-      press(command.key);
-      break;
-    case Kind::Drop: {
-      std::vector<const char*> names;
-      for (const std::string& file : command.files) names.push_back(file.c_str());
-      host_.screen->dropCallbackEvent(static_cast<int>(names.size()), names.data());
-      break;
-    }
-    case Kind::Wait:
-      break;
-    case Kind::Screenshot:
-      host_.screenshot(command.text);
-      break;
-    case Kind::Expect:
-      expect(command);
-      break;
-    case Kind::Print:
-      host_.print(shown_text(element(command.target)));
-      break;
-    case Kind::Fps:
-      begin_frames(command);
-      break;
-  }
+  const std::map<Kind, std::function<void()>> actions = {
+      {Kind::Size, [&] { resize(command); }},
+      {Kind::Do, [&] { host_.run_action(command.text); }},
+      {Kind::Click, [&] { click(command); }},
+      {Kind::Move, [&] { move_to(at(command.target)); }},
+      {Kind::Drag, [&] { drag(command); }},
+      {Kind::Wheel, [&] { turn_wheel(command); }},
+      {Kind::Type, [&] { type(command.text); }},
+      {Kind::Key, [&] { strike(command.key, letter_typed_by(command.key)); }},
+      {Kind::Drop, [&] { drop(command.files); }},
+      {Kind::Wait, [] {}},
+      {Kind::Screenshot, [&] { host_.screenshot(command.text); }},
+      {Kind::Expect, [&] { expect(command); }},
+      {Kind::Print, [&] { host_.print(shown_text(element(command.target))); }},
+      {Kind::Fps, [&] { begin_frames(command); }}};
+  actions.at(command.kind)();
+}
+
+void ScriptPlayer::turn_wheel(const ScriptCommand& command) {
+  move_to(at(command.target));
+  host_.screen->scrollCallbackEvent(0, command.number);
+}
+
+void ScriptPlayer::drop(const std::vector<std::string>& files) {
+  std::vector<const char*> names;
+  for (const std::string& file : files) names.push_back(file.c_str());
+  host_.screen->dropCallbackEvent(static_cast<int>(names.size()), names.data());
 }
 
 nanogui::Widget& ScriptPlayer::element(const ScriptTarget& target) const {
@@ -237,10 +218,6 @@ void ScriptPlayer::type(const std::string& text) {
     const unsigned int letter = decode_utf8(text, i);
     strike(key_stroke_typing(letter), letter);
   }
-}
-
-void ScriptPlayer::press(const KeyStroke& stroke) {
-  strike(stroke, letter_typed_by(stroke));
 }
 
 /// The events in the order of GLFW: key down, character, key up.

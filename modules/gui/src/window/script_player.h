@@ -45,7 +45,8 @@ class ScriptPlayer {
   void begin_frames(const ScriptCommand& command);
   void count_frame();
   void type(const std::string& text);
-  void press(const KeyStroke& stroke);
+  void turn_wheel(const ScriptCommand& command);
+  void drop(const std::vector<std::string>& files);
   void strike(const KeyStroke& stroke, unsigned int letter);
   bool is_waiting(const ScriptCommand& command);
   void expect(const ScriptCommand& command);

@@ -3,7 +3,7 @@
 #include "views/results_panel.h"
 #include "views/scenario_view.h"
 #include "views/status_bar.h"
-#include "widgets/menu_bar.h"
+#include "widgets/menu.h"
 #include "widgets/splitter.h"
 #include "window/window_layout.h"
 
@@ -20,6 +20,34 @@ namespace {
 
 constexpr double kFileInterval = 1;  // s between checks for changed files
 
+Action layer_action(ScenarioView& view, const SceneLayer& layer) {
+  const std::string& id = layer.id;
+  return {"layer." + id,
+          "Layers",
+          layer.title,
+          "",
+          "Shows or hides the layer.",
+          [&view, id] { view.set_layer(id, !view.layer_on(id)); },
+          {},
+          {},
+          [&view, id] { return view.layer_on(id); }};
+}
+
+Action tool_action(ScenarioView& view, const EditToolInfo& info) {
+  return {"tool." + info.id,
+          "Tools",
+          info.title,
+          "",
+          info.help,
+          [&view, tool = info.tool] { view.set_tool(tool); },
+          [&view, tool = info.tool]() -> std::string {
+            if (!view.scene()) return "no scenario is shown";
+            return tool_disabled_reason(tool, view.scene()->scenario().representation());
+          },
+          {},
+          [&view, tool = info.tool] { return view.tool() == tool; }};
+}
+
 }  // namespace
 
 StudioWindow::StudioWindow(SceneSettings scene, const StudioSettings& settings,
@@ -33,7 +61,13 @@ StudioWindow::StudioWindow(SceneSettings scene, const StudioSettings& settings,
   add_actions();
   // Created last, to be drawn on top.
   menu_ = new MenuBar(this, actions_, [this](const std::string& id) { run_action(id); });
-  studio().notices().observe([this](Change change) { studio_changed(change); });
+  studio().notices().observe({Change::Current}, [this] {
+    const auto entry = studio().current_entry();
+    setWindowTitle((entry ? entry->name + " - " : "") + "Slalom Studio");
+  });
+  studio().notices().observe({Change::Runs}, [this] {
+    if (results_->visible() != results_shown()) arrange();
+  });
   show();
 }
 
@@ -57,29 +91,20 @@ void StudioWindow::add_actions() {
   add_help_actions(actions_, studio());
 }
 
-void StudioWindow::studio_changed(Change change) {
-  if (change == Change::Current) {
-    const auto entry = studio().current_entry();
-    setWindowTitle((entry ? entry->name + " - " : "") + "Slalom Studio");
-  }
-  if (change == Change::Runs && results_->visible() != results_shown()) arrange();
-}
-
 void StudioWindow::make_elements() {
   using DragAxis = Splitter::DragAxis;
   list_ = new ListPanel(this, studio());
   descriptors_ = new DescriptorPanel(this, studio());
   view_ = new ScenarioView(this, studio(), ScenarioView::Mode::Edit);
   results_ = new ResultsPanel(this, studio());
-  list_splitter_ = new Splitter(this, "splitter_list", DragAxis::Horizontal,
-                                [this](int by) { resize_panel(&StudioSettings::list_width, by); });
-  descriptors_splitter_ =
-      new Splitter(this, "splitter_descriptors", DragAxis::Vertical,
-                   [this](int by) { resize_panel(&StudioSettings::descriptors_height, -by); });
-  results_splitter_ = new Splitter(this, "splitter_results", DragAxis::Vertical, [this](int by) {
-    resize_panel(&StudioSettings::results_height, -by);
-  });
-  status_ = new StatusBar(this, studio());
+  const auto add_splitter = [this](const std::string& id, DragAxis axis, int StudioSettings::*size,
+                                   int sign) {
+    new Splitter(this, id, axis, [=](int by) { resize_panel(size, sign * by); });
+  };
+  add_splitter("splitter_list", DragAxis::Horizontal, &StudioSettings::list_width, 1);
+  add_splitter("splitter_descriptors", DragAxis::Vertical, &StudioSettings::descriptors_height, -1);
+  add_splitter("splitter_results", DragAxis::Vertical, &StudioSettings::results_height, -1);
+  new StatusBar(this, studio());
 }
 
 void StudioWindow::next_panel() {
@@ -109,20 +134,13 @@ void StudioWindow::resize_panel(int StudioSettings::*size, int by) {
 
 void StudioWindow::arrange() {
   const WindowLayout layout = lay_out_window(width(), height(), settings_, results_shown());
-  menu_->set_bounds(layout.menu);
-  list_->set_bounds(layout.list);
-  list_splitter_->set_bounds(layout.list_splitter);
-  descriptors_->set_bounds(layout.descriptors);
-  descriptors_splitter_->set_bounds(layout.descriptors_splitter);
-  view_->set_bounds(layout.view);
-  results_splitter_->set_bounds(layout.results_splitter);
-  results_->set_bounds(layout.results);
-  status_->set_bounds(layout.status);
-  results_->setVisible(results_shown());
-  results_splitter_->setVisible(results_shown());
-  for (nanogui::Widget* element :
-       std::initializer_list<nanogui::Widget*>{list_, descriptors_, view_, results_})
-    element->performLayout(mNVGContext);
+  for (nanogui::Widget* child : children()) {
+    const auto bounds = layout.find(child->id());
+    if (bounds == layout.end()) continue;  // a dialog or a menu
+    static_cast<Element*>(child)->set_bounds(bounds->second);
+    child->setVisible(bounds->second.height > 0);
+    child->performLayout(mNVGContext);
+  }
 }
 
 bool StudioWindow::dropEvent(const std::vector<std::string>& files) {
@@ -206,6 +224,38 @@ StudioSettings StudioWindow::settings() const {
   for (const auto& layer : view_->layers())
     if (layer.on) now.layers += (now.layers.empty() ? "" : ",") + layer.id;
   return now;
+}
+
+/// The actions that concern only the window.
+void StudioWindow::add_view_actions() {
+  const auto needs_list = [this]() -> std::string {
+    return studio().active() == nullptr ? "no list is open" : "";
+  };
+  actions_.add({"list.sort", "List", "Sort...", "", "Sorts by name or by a descriptor.",
+                [this] { list_->choose_sort(); }, needs_list});
+  actions_.add({"list.group", "List", "Group...", "", "Groups by the ranges of an index.",
+                [this] { list_->choose_group(); }, needs_list});
+  ScenarioView& view = *view_;
+  actions_.add({"view.fit", "View", "Show all", "Ctrl+0", "Fits the scenario to the view.",
+                [&view] { view.fit(); }});
+  actions_.add({"view.zoom_in", "View", "Zoom in", "Ctrl+Plus",
+                "Zooms about the center of the view.", [&view] { view.zoom(1.25); }});
+  actions_.add({"view.zoom_out", "View", "Zoom out", "Ctrl+Minus",
+                "Zooms about the center of the view.", [&view] { view.zoom(0.8); }});
+  actions_.add({"view.legend",
+                "View",
+                "Legend",
+                "",
+                "Shows or hides the list of layers.",
+                [&view] { view.set_legend_open(!view.legend_open()); },
+                {},
+                {},
+                [&view] { return view.legend_open(); }});
+  actions_.add({"view.next_panel", "View", "Next panel", "F6",
+                "Moves the focus to the list, the descriptors, the scenario, the results.",
+                [this] { next_panel(); }});
+  for (const auto& layer : view.layers()) actions_.add(layer_action(view, layer));
+  for (const EditToolInfo& info : edit_tools()) actions_.add(tool_action(view, info));
 }
 
 }  // namespace slalom

@@ -49,17 +49,15 @@ WindowLayout lay_out_window(int width, int height, const StudioSettings& setting
   const int top = kMenuHeight, tall = content_height(height), bottom = top + tall;
   const int list = sizes.list_width, left = list + bar, right = width - left;
   const int lower = sizes.descriptors_height, below = results ? sizes.results_height : 0;
-  WindowLayout layout;
-  layout.menu = rect(0, 0, width, kMenuHeight);
-  layout.list = rect(0, top, list, tall - lower - bar);
-  layout.descriptors_splitter = rect(0, bottom - lower - bar, list, bar);
-  layout.descriptors = rect(0, bottom - lower, list, lower);
-  layout.list_splitter = rect(list, top, bar, tall);
-  layout.view = rect(left, top, right, tall - (results ? below + bar : 0));
-  layout.results_splitter = rect(left, bottom - below - bar, right, results ? bar : 0);
-  layout.results = rect(left, bottom - below, right, below);
-  layout.status = rect(0, bottom, width, kStatusHeight);
-  return layout;
+  return {{"menu", rect(0, 0, width, kMenuHeight)},
+          {"list", rect(0, top, list, tall - lower - bar)},
+          {"splitter_descriptors", rect(0, bottom - lower - bar, list, bar)},
+          {"descriptors", rect(0, bottom - lower, list, lower)},
+          {"splitter_list", rect(list, top, bar, tall)},
+          {"view", rect(left, top, right, tall - (results ? below + bar : 0))},
+          {"splitter_results", rect(left, bottom - below - bar, right, results ? bar : 0)},
+          {"results", rect(left, bottom - below, right, below)},
+          {"status", rect(0, bottom, width, kStatusHeight)}};
 }
 
 }  // namespace slalom

@@ -4,14 +4,14 @@
 
 #include <slalom/studio/settings.h>
 
+#include <map>
+#include <string>
+
 namespace slalom {
 
-/// The bounds of the elements of Slalom Studio's window, in pixels: the list at the left,
+/// The bounds of the elements of Slalom Studio's window by id, in pixels: the list at the left,
 /// descriptors below it; the scenario view at the right, results below it if they are shown.
-struct WindowLayout {
-  ScreenRect menu, list, descriptors, view, results, status;
-  ScreenRect list_splitter, descriptors_splitter, results_splitter;
-};
+using WindowLayout = std::map<std::string, ScreenRect>;
 
 /// The settings with panel sizes that fit into a window of this size. The scenario view is the
 /// largest element of every window: panels shrink before it does.

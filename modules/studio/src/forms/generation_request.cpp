@@ -1,5 +1,4 @@
-#include "forms/generation_request.h"
-#include "forms/option_fields.h"
+#include "forms/requests.h"
 
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/commands/describe_list.h>

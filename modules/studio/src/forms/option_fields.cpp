@@ -1,4 +1,4 @@
-#include "forms/option_fields.h"
+#include "forms/requests.h"
 
 #include <slalom/core/text.h>
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <unistd.h>
 
 namespace slalom {
 namespace {
@@ -15,6 +16,16 @@ bool has_index(const ScenarioList& list, const std::string& name) {
   const auto indexes = list.indexes();
   return std::any_of(indexes.begin(), indexes.end(),
                      [&](const ListIndex& index) { return index.name == name; });
+}
+
+bool same_file(const struct stat& a, const struct stat& b) {
+  return a.st_ino == b.st_ino && a.st_dev == b.st_dev;
+}
+
+/// Compares metadata only: opening and closing the file would release the locks that SQLite holds.
+bool same_state(const struct stat& a, const struct stat& b) {
+  return same_file(a, b) && a.st_size == b.st_size && a.st_mtim.tv_sec == b.st_mtim.tv_sec &&
+         a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
 }
 
 }  // namespace
@@ -126,7 +137,7 @@ void ListDocument::show(ListView view) {
     sort_unit_ = descriptor(request_.sort).info.unit;
   }
   anchor_.reset();
-  set_selection(selected_before);
+  select(selected_before);
   keep_current_valid(old_position);
   notify(Change::View);
 }
@@ -167,6 +178,145 @@ const ListRow* ListDocument::row(const std::string& hash) {
     notice_ = reason_of(e);
     return nullptr;
   }
+}
+
+void ListDocument::set_current(const std::string& hash) {
+  if (!view_.index_of(hash)) {
+    if (is_computing()) pending_current_ = hash;
+    return;
+  }
+  if (hash == current_) return;
+  current_ = hash;
+  notify(Change::Current);
+}
+
+std::vector<std::string> ListDocument::selected() const {
+  std::vector<std::string> hashes;
+  hashes.reserve(selected_);
+  for (std::size_t i = 0; i < is_selected_.size(); ++i)
+    if (is_selected_[i] != 0) hashes.push_back(view_.hashes[i]);
+  return hashes;
+}
+
+void ListDocument::select_only(std::size_t index) {
+  if (index >= is_selected_.size()) return;
+  std::fill(is_selected_.begin(), is_selected_.end(), char{0});
+  is_selected_[index] = 1;
+  selected_ = 1;
+  anchor_ = index;
+  set_current(view_.hashes[index]);
+}
+
+void ListDocument::toggle(std::size_t index) {
+  if (index >= is_selected_.size()) return;
+  is_selected_[index] = is_selected_[index] != 0 ? 0 : 1;
+  if (is_selected_[index] != 0)
+    ++selected_;
+  else
+    --selected_;
+  anchor_ = index;
+  set_current(view_.hashes[index]);
+}
+
+void ListDocument::select_to(std::size_t index) {
+  if (index >= is_selected_.size()) return;
+  const std::size_t from = anchor_.value_or(view_.index_of(current_).value_or(index));
+  anchor_ = from;
+  const auto [low, high] = std::minmax(from, index);
+  std::fill(is_selected_.begin(), is_selected_.end(), char{0});
+  std::fill(is_selected_.begin() + static_cast<std::ptrdiff_t>(low),
+            is_selected_.begin() + static_cast<std::ptrdiff_t>(high) + 1, char{1});
+  selected_ = high - low + 1;
+  set_current(view_.hashes[index]);
+}
+
+void ListDocument::select_all() {
+  std::fill(is_selected_.begin(), is_selected_.end(), char{1});
+  selected_ = is_selected_.size();
+}
+
+void ListDocument::select_none() {
+  std::fill(is_selected_.begin(), is_selected_.end(), char{0});
+  selected_ = 0;
+}
+
+void ListDocument::select(const std::vector<std::string>& hashes) {
+  is_selected_.assign(view_.hashes.size(), 0);
+  for (const std::string& hash : hashes)
+    if (const auto index = view_.index_of(hash)) is_selected_[*index] = 1;
+  selected_ =
+      static_cast<std::size_t>(std::count(is_selected_.begin(), is_selected_.end(), char{1}));
+}
+
+struct stat ListDocument::file_on_disk() const {
+  struct stat found = {};
+  if (stat(path_.c_str(), &found) != 0) found = {};
+  return found;
+}
+
+ListDocument::FileState ListDocument::file_state() const {
+  const struct stat now = file_on_disk();
+  if (now.st_ino == 0) return FileState::Gone;
+  if (!same_file(now, file_)) return FileState::Replaced;
+  return same_state(now, file_) ? FileState::Same : FileState::Changed;
+}
+
+bool ListDocument::update_from_file() {
+  const std::string old_notice = notice_;
+  switch (file_state()) {
+    case FileState::Same:
+      return false;
+    case FileState::Gone:
+      notice_ = path_ + " was removed by another program; save the list to keep it";
+      break;
+    case FileState::Changed:
+      file_ = file_on_disk();
+      notice_ = "the list was changed by another program and was reloaded";
+      refresh();
+      return true;
+    case FileState::Replaced:
+      if (same_state(file_on_disk(), unreadable_file_)) return false;
+      reopen();
+      return true;
+  }
+  if (notice_ == old_notice) return false;
+  notify(Change::View);
+  return true;
+}
+
+void ListDocument::reopen() {
+  const struct stat now = file_on_disk();
+  try {
+    auto list = std::make_shared<ScenarioList>(ScenarioList::open(path_));
+    file_ = now;
+    history_ = CommandHistory();
+    list_ = std::move(list);
+    notice_ = "the file was replaced by another program; earlier changes cannot be undone";
+    refresh();
+  } catch (const Error& e) {
+    unreadable_file_ = now;
+    notice_ = reason_of(e);
+    notify(Change::View);
+  }
+}
+
+std::string ListDocument::path_error() const {
+  switch (file_state()) {
+    case FileState::Gone:
+      return "the file was removed by another program; save the list first";
+    case FileState::Replaced:
+      return "the file was replaced by another program and is not yet reloaded";
+    case FileState::Same:
+    case FileState::Changed:
+      break;
+  }
+  return "";
+}
+
+std::string ListDocument::write_error() const {
+  const std::string path = path_error();
+  if (!path.empty()) return path;
+  return access(path_.c_str(), W_OK) == 0 ? "" : "the file is read-only";
 }
 
 }  // namespace slalom

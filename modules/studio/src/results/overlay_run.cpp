@@ -2,7 +2,7 @@
 #include <slalom/io/result_file.h>
 #include <slalom/metrics/metric.h>
 #include <slalom/simulation/simulate.h>
-#include <slalom/studio/overlay_run.h>
+#include <slalom/studio/results_overlay.h>
 
 #include <mrpt/math/wrap2pi.h>
 

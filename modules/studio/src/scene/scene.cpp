@@ -54,15 +54,12 @@ ScenePtr compute_step(const SceneData& scene, SceneData::Step step, Compute comp
   return next;
 }
 
+constexpr const char* kSceneKey = "scene";
+
 }  // namespace
 
 ScanGeometry SceneData::scan_geometry() const {
   return {settings.sensor.rays, settings.sensor.aperture(), settings.sensor.max_range};
-}
-
-std::string SceneData::missing_paths_reason() const {
-  if (references) return "";
-  return problem.empty() ? "being computed" : problem;
 }
 
 ScenePtr prepare_scene(Scenario scenario, const SceneSettings& settings) {
@@ -94,6 +91,34 @@ CellPyramid clearance_pyramid(const Occupancy& cells, const DistanceField& field
   for (const float d : centers)
     values.push_back(max > 0 ? static_cast<std::uint8_t>(std::lround(255 * d / max)) : 0);
   return {cells, std::move(values), CellPyramid::Merge::Mean};
+}
+
+void SceneLoader::start(const std::string& title, Compute compute) {
+  jobs_.start(
+      kSceneKey, title,
+      [this, compute = std::move(compute)](Progress& progress) -> Jobs::Delivery {
+        return [this, scene = compute(progress)] { set_scene(scene); };
+      },
+      [this](const std::string& message) { notices_.show_error(message); }, false);
+}
+
+void SceneLoader::show(const Scenario& scenario) {
+  start("Show " + scenario.name(),
+        [scenario, settings = settings_](Progress&) { return prepare_scene(scenario, settings); });
+}
+
+void SceneLoader::clear() {
+  jobs_.cancel(kSceneKey);
+  scene_ = nullptr;
+  notices_.publish(Change::Scene);
+}
+
+void SceneLoader::set_scene(const ScenePtr& scene) {
+  scene_ = scene;
+  notices_.publish(Change::Scene);
+  if (scene->complete()) return;
+  start("Compute paths and clearance of " + scene->scenario().name(),
+        [scene](Progress& progress) { return compute_next_step(scene, progress); });
 }
 
 }  // namespace slalom

@@ -5,11 +5,18 @@
 
 #include <mrpt/gui/CDisplayWindowGUI.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace slalom {
+
+/// Runs `show`, which opens windows and returns when they are closed. When no window can be opened
+/// (no display, no OpenGL 3.3), throws Error (Job) naming `program` and the `alternative`, e.g.
+/// "xvfb-run -a PROGRAM". Errors thrown by `show` are passed on.
+void with_display(const std::string& program, const std::string& alternative,
+                  const std::function<void()>& show);
 
 /// A window of panels that display a Studio. Shows the dialogs of the studio, runs until it is
 /// closed, and plays scripts.

@@ -14,8 +14,6 @@ class ListPanel;
 class MenuBar;
 class ResultsPanel;
 class ScenarioView;
-class Splitter;
-class StatusBar;
 
 /// The window of Slalom Studio: lists at the left, descriptors of the current scenario below them,
 /// the scenario at the right, and results below it if a result file is open.
@@ -36,7 +34,6 @@ class StudioWindow : public PanelWindow {
   void add_actions();
   void add_view_actions();
   void show_layers(const std::string& names);
-  void studio_changed(Change change);
   /// Shows the error of the action, if any.
   void run_action(const std::string& id) override;
   void next_panel();  ///< moves the focus to the next panel
@@ -58,9 +55,6 @@ class StudioWindow : public PanelWindow {
   DescriptorPanel* descriptors_ = nullptr;
   ScenarioView* view_ = nullptr;
   ResultsPanel* results_ = nullptr;
-  StatusBar* status_ = nullptr;
-  Splitter *list_splitter_ = nullptr, *descriptors_splitter_ = nullptr,
-           *results_splitter_ = nullptr;
 };
 
 }  // namespace slalom

@@ -2,7 +2,6 @@
 
 #include <slalom/commands/list_command.h>
 #include <slalom/generation/generate_mix.h>
-#include <slalom/studio/list_lines.h>
 #include <slalom/studio/list_view.h>
 #include <slalom/studio/notices.h>
 
@@ -133,7 +132,6 @@ class ListDocument {
   void require_enabled(ListAction action) const;
   void show(ListView view);
   void fail(const std::string& message);
-  void set_selection(const std::vector<std::string>& hashes);
   void keep_current_valid(const std::optional<std::size_t>& old_position);
   void follow_current(const std::map<std::string, std::string>& contents);
   void reopen();

@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,12 @@ enum class Change {
 /// What the studio tells the window: changes, the status line and dialogs. Not thread-safe.
 class Notices {
  public:
-  /// `observer` is called after each change, for as long as this object lives.
-  void observe(std::function<void(Change)> observer) { observers_.push_back(std::move(observer)); }
-  void publish(Change change) const {
-    for (const auto& observer : observers_) observer(change);
+  /// `observer` is called after each of these changes, for as long as this object lives.
+  void observe(const std::vector<Change>& changes, const std::function<void()>& observer) {
+    for (const Change change : changes) observers_[change].push_back(observer);
+  }
+  void publish(Change change) {
+    for (const auto& observer : observers_[change]) observer();
   }
 
   struct Status {
@@ -37,15 +40,28 @@ class Notices {
   const Status& status() const { return status_; }
   void show_status(const std::string& text, bool is_error = false) { status_ = {text, is_error}; }
   /// Shows the error in the status line and in a dialog.
-  void show_error(const std::string& message, const std::string& title = "Error");
+  void show_error(const std::string& message, const std::string& title = "Error") {
+    show_status(message, true);
+    show_message(title, message);
+  }
 
-  void show_form(FormDescription form);
-  void show_message(const std::string& title, const std::string& text);
+  void show_form(FormDescription form) {
+    forms_.push_back(std::move(form));
+    publish(Change::Form);
+  }
+  void show_message(const std::string& title, const std::string& text) {
+    show_form({title, "OK", text});
+  }
   bool has_form() const { return !forms_.empty(); }
-  FormDescription take_form();  ///< the oldest that was not taken; requires has_form()
+  /// The oldest that was not taken; requires has_form().
+  FormDescription take_form() {
+    FormDescription form = std::move(forms_.front());
+    forms_.pop_front();
+    return form;
+  }
 
  private:
-  std::vector<std::function<void(Change)>> observers_;
+  std::map<Change, std::vector<std::function<void()>>> observers_;
   Status status_;
   std::deque<FormDescription> forms_;
 };

@@ -1,16 +1,67 @@
 #pragma once
 
+#include <slalom/results/run_record.h>
 #include <slalom/robot/footprint.h>
-#include <slalom/studio/overlay_run.h>
+#include <slalom/robot/robot_model.h>
+#include <slalom/scenario/world.h>
+#include <slalom/studio/jobs.h>
+#include <slalom/studio/notices.h>
 #include <slalom/studio/palette.h>
 #include <slalom/studio/replay_clock.h>
+#include <slalom/trajectory/trajectory.h>
 
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace slalom {
+
+/// A result file whose runs can be overlaid on scenarios. A value type: workers copy it.
+struct OverlaySource {
+  std::string path;
+  std::string campaign;              ///< name of the campaign
+  std::vector<std::string> methods;  ///< sorted
+  std::optional<RobotModel> robot;   ///< of the campaign, if the file contains it
+  double resolution = 0.05;          ///< m, cell size used by the campaign
+};
+
+/// Reads the properties of a result file, not its runs. Throws Error (File). Thread-safe.
+OverlaySource open_overlay_source(const std::string& path);
+
+/// One run with its trajectory and the plotted series.
+struct OverlayRun {
+  RunRecord record;
+  std::shared_ptr<const Trajectory> trajectory;  ///< may be null
+  std::string problem;                           ///< why trajectory is null
+  std::vector<double> times;                     ///< s after the first sample, one per sample
+  /// m, one per sample: distance of the footprint from obstacles, negative inside them; of the
+  /// robot's center if the footprint is unknown.
+  std::vector<double> clearances;
+  std::vector<double> speeds;  ///< m/s, one per sample: v or, if vy != 0, the norm of (v, vy)
+  /// End points of the scan (world frame, m), one per sample; empty if no scans are recorded.
+  std::vector<std::shared_ptr<const Path>> scans;
+};
+
+/// Fills times, clearances and speeds from the trajectory.
+void fill_series(OverlayRun& run, const World& world, const std::optional<RobotModel>& robot);
+
+/// The runs of one scenario by method and repetition, with their trajectories; may be empty.
+/// Reads the file and computes a distance field: call it in a worker. Throws Error (File).
+std::vector<OverlayRun> read_overlay_runs(const OverlaySource& source,
+                                          const std::string& scenario_hash);
+
+/// Method and repetition: "nd 0".
+std::string overlay_label(const RunRecord& run);
+
+/// The index of the last sample not later than `time` (s after the first); 0 before it. Requires
+/// samples.
+std::size_t sample_at(const Trajectory& trajectory, double time);
+/// The pose at `time`, linearly interpolated between samples, the heading along the shorter arc.
+/// Requires samples.
+mrpt::math::TPose2D pose_at(const Trajectory& trajectory, double time);
 
 /// One run to be drawn over its scenario, at one time of its replay.
 struct OverlayTrajectory {
@@ -82,6 +133,36 @@ class ResultsOverlay {
   std::vector<OverlayRun> runs_;
   std::set<std::pair<std::string, int>> hidden_;  ///< method and repetition
   ReplayClock clock_;
+};
+
+/// The overlay of recorded runs: loads those of the current scenario from the open result file in
+/// background jobs. Publishes Change::Runs.
+class ResultsLoader {
+ public:
+  ResultsLoader(Jobs& jobs, Notices& notices) : jobs_(jobs), notices_(notices) {}
+
+  ResultsOverlay& overlay() { return overlay_; }
+  const ResultsOverlay& overlay() const { return overlay_; }
+  const std::string& message() const { return message_; }  ///< why there are no runs
+
+  void open(const std::string& path);
+  void close();
+  /// Sets the current scenario by its hash; empty for none. Ignored if it is unchanged.
+  void show(const std::string& scenario_hash);
+  /// Shows these runs, whatever the current scenario is.
+  void show_runs(const OverlaySource& source, std::vector<OverlayRun> runs,
+                 const std::string& message = "");
+  void toggle(const OverlayRow& row);  ///< see ResultsOverlay
+  void show_all(bool shown);
+
+ private:
+  void read_runs();
+  void set_runs(std::vector<OverlayRun> runs, const std::string& message);
+
+  Jobs& jobs_;
+  Notices& notices_;
+  ResultsOverlay overlay_;
+  std::string hash_, message_ = "No result file is open.";
 };
 
 }  // namespace slalom

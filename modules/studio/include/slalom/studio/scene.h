@@ -5,6 +5,8 @@
 #include <slalom/robot/robot_model.h>
 #include <slalom/scenario/world.h>
 #include <slalom/studio/cell_pyramid.h>
+#include <slalom/studio/jobs.h>
+#include <slalom/studio/notices.h>
 
 #include <memory>
 #include <string>
@@ -42,8 +44,8 @@ struct SceneData {
   const Scenario& scenario() const { return world->scenario(); }
   bool complete() const { return known == Step::Paths || !problem.empty(); }
   ScanGeometry scan_geometry() const;
-  /// Why there are no paths (yet).
-  std::string missing_paths_reason() const;
+  /// Why what is still missing is not there (yet).
+  std::string pending_reason() const { return problem.empty() ? "being computed" : problem; }
 };
 
 using ScenePtr = std::shared_ptr<const SceneData>;
@@ -56,5 +58,28 @@ ScenePtr compute_next_step(const ScenePtr& scene, Progress& progress);
 
 /// An image of the clearances: at_center() of each cell, scaled so that the maximum is 255.
 CellPyramid clearance_pyramid(const Occupancy& cells, const DistanceField& field);
+
+/// Computes the scene of the current scenario step by step in background jobs. Publishes
+/// Change::Scene.
+class SceneLoader {
+ public:
+  SceneLoader(Jobs& jobs, Notices& notices, SceneSettings settings)
+      : jobs_(jobs), notices_(notices), settings_(std::move(settings)) {}
+
+  const SceneSettings& settings() const { return settings_; }
+  const ScenePtr& scene() const { return scene_; }  ///< null if there is no scenario
+  void show(const Scenario& scenario);
+  void clear();
+
+ private:
+  using Compute = std::function<ScenePtr(Progress&)>;
+  void start(const std::string& title, Compute compute);
+  void set_scene(const ScenePtr& scene);
+
+  Jobs& jobs_;
+  Notices& notices_;
+  SceneSettings settings_;
+  ScenePtr scene_;
+};
 
 }  // namespace slalom

@@ -2,9 +2,9 @@
 
 #include <slalom/studio/descriptor_loader.h>
 #include <slalom/studio/list_document.h>
-#include <slalom/studio/results_loader.h>
+#include <slalom/studio/results_overlay.h>
+#include <slalom/studio/scene.h>
 #include <slalom/studio/scene_editor.h>
-#include <slalom/studio/scene_loader.h>
 #include <slalom/studio/services.h>
 
 #include <functional>

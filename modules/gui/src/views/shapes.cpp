@@ -1,4 +1,4 @@
-#include "views/layers/shapes.h"
+#include "views/shapes.h"
 #include "widgets/drawing.h"
 
 #include <algorithm>
