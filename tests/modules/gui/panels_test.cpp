@@ -1,10 +1,8 @@
 #include "finish_jobs.h"
 #include "list_files.h"
 #include "results_sample.h"
-#include "views/descriptor_panel.h"
-#include "views/results_panel.h"
+#include "views/panels.h"
 #include "views/scenario_view.h"
-#include "views/status_bar.h"
 #include "window/script_player.h"
 
 #include <GLFW/glfw3.h>
@@ -15,11 +13,14 @@ namespace {
 /// Panels of a studio without a window: their texts, parts and keys.
 class Panels : public ListFiles {
  protected:
-  template <typename Panel, typename... Arguments>
-  nanogui::ref<Panel> make(Arguments... arguments) {
-    nanogui::ref<Panel> panel = new Panel(nullptr, studio_, arguments...);
+  template <typename Panel>
+  static nanogui::ref<Panel> sized(Panel* made) {
+    nanogui::ref<Panel> panel = made;
     panel->setSize({900, 600});
     return panel;
+  }
+  nanogui::ref<ScenarioView> make_view(ScenarioView::Mode mode) {
+    return sized(new ScenarioView(nullptr, studio_, mode));
   }
   void finish() {
     finish_jobs(studio_.jobs());
@@ -36,7 +37,7 @@ class Panels : public ListFiles {
 };
 
 TEST_F(Panels, OfDescriptorsShowValuesHistogramAndScatterPlot) {
-  auto panel = make<DescriptorPanel>();
+  auto panel = sized(make_descriptor_panel(nullptr, studio_));
   studio_.open_list(make_list("a.scenarios", 8));
   finish();
   EXPECT_TRUE(shows(*panel, "selected density"));
@@ -56,7 +57,7 @@ TEST_F(Panels, OfDescriptorsShowValuesHistogramAndScatterPlot) {
 }
 
 TEST_F(Panels, OfResultsShowRunsAndTheirReplay) {
-  auto panel = make<ResultsPanel>();
+  auto panel = sized(make_results_panel(nullptr, studio_));
   EXPECT_TRUE(shows(*panel, "No result file is open."));
   write_overlay_sample(folder_ / "a.results", {{"campaign", "test"}});
   studio_.results().show(overlay_room().hash());
@@ -78,7 +79,7 @@ TEST_F(Panels, OfResultsShowRunsAndTheirReplay) {
 }
 
 TEST_F(Panels, OfTheScenarioShowLayersAndTools) {
-  auto view = make<ScenarioView>(ScenarioView::Mode::Edit);
+  auto view = make_view(ScenarioView::Mode::Edit);
   EXPECT_TRUE(shows(*view, "No scenario is selected"));
   studio_.open_list(make_list("a.scenarios", 1));
   finish();
@@ -89,13 +90,13 @@ TEST_F(Panels, OfTheScenarioShowLayersAndTools) {
   key(*view, GLFW_KEY_G);
   EXPECT_TRUE(shows(*view, "tool goal"));
   EXPECT_TRUE(view->rect_of("start"));
-  auto look = make<ScenarioView>(ScenarioView::Mode::Look);
+  auto look = make_view(ScenarioView::Mode::Look);
   EXPECT_TRUE(view->rect_of("tool disc"));
   EXPECT_FALSE(look->rect_of("tool disc"));
 }
 
 TEST_F(Panels, OfTheStatusShowTheMessageAndTheRunningJob) {
-  auto bar = make<StatusBar>();
+  auto bar = sized(make_status_bar(nullptr, studio_));
   studio_.notices().show_status("Saved");
   EXPECT_EQ(bar->text(), "Saved");
   EXPECT_FALSE(bar->rect_of("cancel"));

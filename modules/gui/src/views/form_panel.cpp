@@ -47,14 +47,6 @@ void FormPanel::lay_out() {
   scroll_.set(is_message() ? intro_height_ : layout_.height(), content());
 }
 
-void FormPanel::fill_in(const std::string& key, const std::string& text) {
-  const std::size_t field = model_.index_of(key);
-  model_.set_value(field, text);
-  if (field == focus_) editor_.set_text(text);
-  touched_.insert(field);
-  lay_out();
-}
-
 void FormPanel::accept() {
   if (const auto error = model_.first_error()) {
     for (std::size_t i = 0; i < model_.fields().size(); ++i) touched_.insert(i);
@@ -179,48 +171,6 @@ void FormPanel::choose(std::size_t field, std::size_t choice) {
   touched_.insert(field);
   message_.clear();
   lay_out();
-}
-
-FormDialog::FormDialog(nanogui::Screen& screen, FormDescription description)
-    : Window(&screen, ""),
-      panel_(new FormPanel(this, std::move(description), [this] { dispose(); })) {
-  setModal(true);
-  setId("form");
-}
-
-void FormDialog::draw(NVGcontext* ctx) {
-  performLayout(ctx);
-  Widget::draw(ctx);  // NOLINT(bugprone-parent-virtual-call): without the frame of a Window
-}
-
-nanogui::Vector2i FormDialog::preferredSize(NVGcontext*) const {
-  return panel_->size();
-}
-
-void FormDialog::performLayout(NVGcontext* ctx) {
-  const nanogui::Vector2i available = screen()->size();
-  const nanogui::Vector2i old_size = panel_->size();
-  panel_->fit(ctx, {available.x() - 40, available.y() - 60});
-  panel_->setPosition({0, 0});
-  if (panel_->size() == old_size) return;
-  setSize(panel_->size());
-  setPosition((available - size()) / 2);
-}
-
-bool FormDialog::keyboardEvent(int key, int scancode, int action, int modifiers) {
-  const nanogui::ref<FormDialog> self = this;  // the panel may close the dialog
-  return panel_->keyboardEvent(key, scancode, action, modifiers);
-}
-
-bool FormDialog::keyboardCharacterEvent(unsigned int code_point) {
-  return panel_->keyboardCharacterEvent(code_point);
-}
-
-FormDialog& open_form(nanogui::Screen& screen, FormDescription description) {
-  auto* dialog = new FormDialog(screen, std::move(description));
-  dialog->performLayout(screen.nvgContext());
-  dialog->requestFocus();
-  return *dialog;
 }
 
 bool FormPanel::press(const Point& at, int modifiers) {
@@ -357,6 +307,52 @@ bool FormPanel::keyboardCharacterEvent(unsigned int code_point) {
   editor_.insert(utf8_of(code_point));
   edited();
   return true;
+}
+
+namespace {
+
+/// A modal window that contains a form.
+class FormDialog : public nanogui::Window {
+ public:
+  FormDialog(nanogui::Screen& screen, FormDescription description)
+      : Window(&screen, ""),
+        panel_(new FormPanel(this, std::move(description), [this] { dispose(); })) {
+    setModal(true);
+    setId("form");
+  }
+
+  void draw(NVGcontext* ctx) override {
+    performLayout(ctx);
+    Widget::draw(ctx);  // NOLINT(bugprone-parent-virtual-call): without the frame of a Window
+  }
+  nanogui::Vector2i preferredSize(NVGcontext*) const override { return panel_->size(); }
+  void performLayout(NVGcontext* ctx) override {
+    const nanogui::Vector2i available = screen()->size();
+    const nanogui::Vector2i old_size = panel_->size();
+    panel_->fit(ctx, {available.x() - 40, available.y() - 60});
+    panel_->setPosition({0, 0});
+    if (panel_->size() == old_size) return;
+    setSize(panel_->size());
+    setPosition((available - size()) / 2);
+  }
+  bool keyboardEvent(int key, int scancode, int action, int modifiers) override {
+    const nanogui::ref<FormDialog> self = this;  // the panel may close the dialog
+    return panel_->keyboardEvent(key, scancode, action, modifiers);
+  }
+  bool keyboardCharacterEvent(unsigned int code_point) override {
+    return panel_->keyboardCharacterEvent(code_point);
+  }
+
+ private:
+  FormPanel* panel_;
+};
+
+}  // namespace
+
+void open_form(nanogui::Screen& screen, FormDescription description) {
+  auto* dialog = new FormDialog(screen, std::move(description));
+  dialog->performLayout(screen.nvgContext());
+  dialog->requestFocus();
 }
 
 }  // namespace slalom

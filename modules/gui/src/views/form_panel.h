@@ -57,11 +57,8 @@ class FormPanel : public Element {
   /// afterwards.
   FormPanel(nanogui::Widget* parent, FormDescription description, std::function<void()> close);
 
-  FormModel& model() { return model_; }
   /// Resizes the panel to its fields, at most to `max_size`.
   void fit(NVGcontext* ctx, const nanogui::Vector2i& max_size);
-  /// Sets the text of a field, like typing it.
-  void fill_in(const std::string& key, const std::string& text);
   void accept();  ///< or shows the first error
   void cancel();
 
@@ -126,25 +123,8 @@ class FormPanel : public Element {
   double intro_height_ = 0;
 };
 
-/// A modal window that contains a form.
-class FormDialog : public nanogui::Window {
- public:
-  FormDialog(nanogui::Screen& screen, FormDescription description);
-
-  FormPanel& panel() { return *panel_; }
-
-  void draw(NVGcontext* ctx) override;
-  nanogui::Vector2i preferredSize(NVGcontext* ctx) const override;
-  void performLayout(NVGcontext* ctx) override;
-  bool keyboardEvent(int key, int scancode, int action, int modifiers) override;
-  bool keyboardCharacterEvent(unsigned int code_point) override;
-
- private:
-  FormPanel* panel_;
-};
-
 /// Shows a modal form in the center of the screen, with the focus on its first field. The form
 /// closes itself.
-FormDialog& open_form(nanogui::Screen& screen, FormDescription description);
+void open_form(nanogui::Screen& screen, FormDescription description);
 
 }  // namespace slalom

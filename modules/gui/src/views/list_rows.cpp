@@ -1,9 +1,13 @@
-#include "views/list_rows.h"
+#include "views/panels.h"
 #include "widgets/drawing.h"
+#include "widgets/table.h"
 
 #include <slalom/core/text.h>
+#include <slalom/studio/thumbnails.h>
 
 #include <GLFW/glfw3.h>
+#include <optional>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -29,227 +33,252 @@ std::string value_text(const ListRow& row, const std::string& unit) {
   return unit == "-" ? number : number + " " + unit;
 }
 
+/// The rows of the active list: thumbnail, name, id, tags and sort value of each scenario, and
+/// group headers.
+///
+/// Mouse: click, Ctrl+click and Shift+click select, wheel and scroll bar scroll; a click on a
+/// header opens or closes the group. Keys: Up, Down, Page Up, Page Down, Home, End move to a
+/// scenario and select it, with Shift the range up to it, with Ctrl without selecting; Space
+/// toggles the selection (on a header: the group), Left and Right close and open the group, Ctrl+A
+/// selects all, Escape none.
+///
+/// Parts: "row 3" (index in the view, from 0) and "group 2", which scroll into view when queried.
+class ListRows : public Table {
+ public:
+  ListRows(nanogui::Widget* parent, Studio& studio)
+      : Table(parent, "rows", {0, kLineHeights.scenario, 0}, Focus::OnPress),
+        studio_(studio),
+        thumbnails_(studio.jobs(),
+                    [this](const std::string& hash, const Thumbnail& thumbnail) {
+                      pending_thumbnails_.emplace_back(hash, thumbnail);
+                    }),
+        // Remaining textures are deleted with NanoVG's context, which the window destroys.
+        textures_(kMaxTextures, [this](Texture& texture) {
+          if (texture && context_ != nullptr) nvgDeleteImage(context_, *texture);
+        }) {
+    studio.notices().observe({Change::Documents}, [this] { documents_changed(); });
+  }
+  std::string text() const override {
+    std::string text;
+    for (const std::size_t line : visible_rows()) {
+      const ListLines::Line item = lines().at(line);
+      if (!text.empty()) text += "\n";
+      if (item.group)
+        text += "group " + std::to_string(*item.group) + ": " +
+                document()->view().groups[*item.group].title + ", " +
+                std::to_string(document()->view().groups[*item.group].count) +
+                (lines().is_closed(*item.group) ? ", closed" : "");
+      else
+        text += row_text(item.index);
+    }
+    return text;
+  }
+  std::optional<ScreenRect> rect_of(const std::string& part) const override {
+    if (document() == nullptr) return Table::rect_of(part);
+    std::optional<std::size_t> line;
+    if (const auto index = number_after("row ", part))
+      line = *index < document()->view().hashes.size() ? lines().line_of(*index) : std::nullopt;
+    else if (const auto group = number_after("group ", part))
+      if (*group < document()->view().groups.size()) line = lines().line_of_group(*group);
+    return line ? bring_into_view(*line) : Table::rect_of(part);
+  }
+
+ protected:
+  std::size_t row_count() const override { return document() ? lines().size() : 0; }
+  std::size_t cursor() const override {
+    if (focused_group_ && *focused_group_ < document()->view().groups.size())
+      return lines().line_of_group(*focused_group_);
+    const auto index = document()->view().index_of(document()->current());
+    if (!index) return 0;
+    if (const auto line = lines().line_of(*index)) return *line;
+    return lines().line_of_group(lines().group_of(*index).value_or(0));
+  }
+  void set_cursor(std::size_t line, int modifiers) override {
+    const ListLines::Line item = lines().at(line);
+    focused_group_ = item.group;
+    if (item.group) return;
+    if (modifiers == GLFW_MOD_CONTROL)
+      document()->set_current(document()->view().hashes[item.index]);
+    else
+      select(item.index, modifiers & GLFW_MOD_SHIFT);
+    scrolled_to_ = document()->current();
+  }
+  void choose(std::size_t line, int modifiers) override {
+    const ListLines::Line item = lines().at(line);
+    focused_group_ = item.group;
+    item.group ? document()->toggle_group(*item.group) : select(item.index, modifiers);
+  }
+  void paint_row(NVGcontext* ctx, std::size_t line, const ScreenRect& rect) override {
+    const Palette& colors = palette();
+    const auto [group, index] = lines().at(line);
+    if (group) return draw_group_header(ctx, rect, *group);
+    const std::string& hash = document()->view().hashes[index];
+    const bool selected = document()->is_selected(index), current = hash == document()->current();
+    draw::row(ctx, rect, index, selected, hovered() == line);
+    if (current) draw::fill(ctx, {rect.left, rect.top, 3, rect.height}, colors.accent);
+    if (current && focused() && !focused_group_) draw::frame(ctx, rect, colors.accent);
+    draw_thumbnail(ctx, {rect.left + kRowMargin, rect.top + 5, kThumbnailSize, kThumbnailSize},
+                   hash);
+    const ListRow* row = document()->row(hash);
+    if (row == nullptr) return;
+    const Color ink = selected ? colors.text : colors.faint_text;
+    const double left = kRowMargin + kThumbnailSize + 8, right = rect.width - kRowMargin;
+    const ScreenRect upper{left, rect.top + 6, right - left, 22};
+    draw::text(ctx, upper, row->entry.name, colors.text, draw::kTextSize, draw::Align::Left,
+               current);
+    std::string more = row->entry.id;
+    double text_width = right - left;
+    const std::string& sort = document()->request().sort;
+    if (!sort.empty() && sort != "name") {
+      const std::string value = value_text(*row, document()->sort_unit());
+      const double value_width = draw::text_width(ctx, value, draw::kSmallTextSize + 1) + 1;
+      draw::text(ctx, {right - value_width, rect.top + 29, value_width, 20}, value, colors.text,
+                 draw::kSmallTextSize + 1, draw::Align::Right);
+      text_width -= value_width + 8;
+    }
+    if (!row->entry.tags.empty()) more += "  " + join(row->entry.tags, ", ");
+    draw::text(ctx, {left, rect.top + 29, text_width, 20}, more, ink, draw::kSmallTextSize);
+  }
+  double top_of(std::size_t line) const override { return lines().top_of(line, kLineHeights); }
+  std::size_t row_at_offset(double y) const override { return lines().line_at(y, kLineHeights); }
+  void paint(NVGcontext* ctx) override {
+    upload_thumbnails(ctx);
+    missing_thumbnails_.clear();
+    if (row_count() > 0 && scrolled_to_ != document()->current()) scroll_to_current();
+    Table::paint(ctx);
+    if (document() != nullptr) thumbnails_.request(document()->path(), missing_thumbnails_);
+  }
+  void hover(const std::optional<Point>& at) override {
+    Table::hover(at);
+    if (!hovered()) return;
+    const ListLines::Line item = lines().at(*hovered());
+    const ListRow* row =
+        item.group ? nullptr : document()->row(document()->view().hashes[item.index]);
+    const bool has_reason = row != nullptr && row->value && row->value->is_na();
+    setTooltip(has_reason ? "NA: " + row->value->reason() : "");
+  }
+  bool key(int key, int modifiers) override {
+    if (row_count() == 0 || (modifiers & GLFW_MOD_ALT) != 0) return false;
+    if (focused_group_ && *focused_group_ >= document()->view().groups.size())
+      focused_group_.reset();
+    const auto index = document()->view().index_of(document()->current());
+    if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT)
+      return set_group_closed(key == GLFW_KEY_LEFT);
+    if (key == GLFW_KEY_A && (modifiers & GLFW_MOD_CONTROL) != 0)
+      return document()->select_all(), true;
+    if (key == GLFW_KEY_ESCAPE && document()->selected_count() > 0)
+      return document()->select_none(), true;
+    if (key != GLFW_KEY_SPACE) return Table::key(key, modifiers);
+    if (focused_group_)
+      document()->toggle_group(*focused_group_);
+    else if (index)
+      document()->toggle(*index);
+    return true;
+  }
+
+ private:
+  static constexpr ListLines::Heights kLineHeights{56, 28};  ///< pixels
+  using Texture = std::optional<int>;  ///< NanoVG handle; none if it cannot be drawn
+  ListDocument* document() const { return studio_.active(); }
+  const ListLines& lines() const { return document()->lines(); }
+  void documents_changed() {
+    scroll_to_top();
+    clear_hovered();
+    focused_group_.reset();
+    scrolled_to_.clear();
+  }
+  void scroll_to_current() {
+    scrolled_to_ = document()->current();
+    const auto index = document()->view().index_of(scrolled_to_);
+    const auto line = index ? lines().line_of(*index) : std::nullopt;
+    if (line) bring_into_view(*line);
+  }
+  void select(std::size_t index, int modifiers) {
+    if ((modifiers & GLFW_MOD_SHIFT) != 0)
+      document()->select_to(index);
+    else if ((modifiers & GLFW_MOD_CONTROL) != 0)
+      document()->toggle(index);
+    else
+      document()->select_only(index);
+  }
+  bool set_group_closed(bool closed) {
+    const auto index = document()->view().index_of(document()->current());
+    const auto group = focused_group_ ? focused_group_
+                       : index        ? lines().group_of(*index)
+                                      : std::nullopt;
+    if (!group || *group >= document()->view().groups.size()) return false;
+    if (lines().is_closed(*group) != closed) document()->toggle_group(*group);
+    if (closed) focused_group_ = group;
+    return true;
+  }
+  std::string row_text(std::size_t index) const {
+    const ListRow* row = document()->row(document()->view().hashes[index]);
+    if (row == nullptr) return "";
+    std::string text =
+        "row " + std::to_string(index) + ": " + row->entry.name + ", " + row->entry.id;
+    if (!row->entry.tags.empty()) text += ", tags " + join(row->entry.tags, " ");
+    const std::string& sort = document()->request().sort;
+    if (!sort.empty() && sort != "name") {
+      text += ", " + sort + " " + value_text(*row, document()->sort_unit());
+      if (row->value && row->value->is_na()) text += " (" + row->value->reason() + ")";
+    }
+    if (document()->view().hashes[index] == document()->current()) text += ", current";
+    if (document()->is_selected(index)) text += ", selected";
+    return text;
+  }
+  void upload_thumbnails(NVGcontext* ctx) {
+    context_ = ctx;
+    for (const auto& [hash, thumbnail] : pending_thumbnails_) {
+      Texture texture;
+      if (thumbnail.size > 0)
+        texture = nvgCreateImageRGBA(ctx, thumbnail.size, thumbnail.size, 0, thumbnail.rgba.data());
+      textures_.put(hash, texture);
+    }
+    pending_thumbnails_.clear();
+  }
+  void draw_group_header(NVGcontext* ctx, const ScreenRect& rect, std::size_t group) const {
+    const Palette& colors = palette();
+    const ListGroup& shown = document()->view().groups[group];
+    const bool under_mouse = hovered() == lines().line_of_group(group);
+    draw::fill(ctx, rect, under_mouse ? colors.hover : colors.window);
+    if (focused() && focused_group_ == group) draw::frame(ctx, rect, colors.accent);
+    // A triangle that points down where the group is open.
+    const double x = rect.left + 12, y = rect.top + 14;
+    if (lines().is_closed(group))
+      draw::triangle(ctx, {x - 3, y - 6}, {x - 3, y + 6}, {x + 5, y}, colors.faint_text);
+    else
+      draw::triangle(ctx, {x - 6, y - 3}, {x + 6, y - 3}, {x, y + 5}, colors.faint_text);
+    const std::string count = std::to_string(shown.count);
+    const double count_width = draw::text_width(ctx, count, draw::kTextSize, true);
+    draw::text(ctx, {24, rect.top, rect.width - count_width - 40, rect.height}, shown.title,
+               colors.text, draw::kTextSize, draw::Align::Left, true);
+    draw::text(ctx, {rect.width - count_width - 10, rect.top, count_width + 1, rect.height}, count,
+               colors.faint_text, draw::kTextSize, draw::Align::Right, true);
+  }
+  void draw_thumbnail(NVGcontext* ctx, const ScreenRect& rect, const std::string& hash) {
+    const Texture* texture = textures_.find(hash);
+    if (texture == nullptr) missing_thumbnails_.push_back(hash);
+    if (texture == nullptr || !*texture) {
+      draw::frame(ctx, rect, palette().border);
+      return;
+    }
+    draw::image(ctx, rect, **texture);
+  }
+
+  Studio& studio_;
+  ThumbnailMaker thumbnails_;
+  std::optional<std::size_t> focused_group_;  ///< the group header with the cursor, if any
+  std::string scrolled_to_;                   ///< the scenario last scrolled to
+  NVGcontext* context_ = nullptr;
+  LruCache<Texture> textures_;
+  std::vector<std::pair<std::string, Thumbnail>> pending_thumbnails_;  ///< not yet textures
+  std::vector<std::string> missing_thumbnails_;
+};
+
 }  // namespace
 
-ListRows::ListRows(nanogui::Widget* parent, Studio& studio)
-    : Table(parent, "rows", {0, kLineHeights.scenario, 0}, Focus::OnPress),
-      studio_(studio),
-      thumbnails_(studio.jobs(),
-                  [this](const std::string& hash, const Thumbnail& thumbnail) {
-                    pending_thumbnails_.emplace_back(hash, thumbnail);
-                  }),
-      // Remaining textures are deleted with NanoVG's context, which the window destroys.
-      textures_(kMaxTextures, [this](Texture& texture) {
-        if (texture && context_ != nullptr) nvgDeleteImage(context_, *texture);
-      }) {
-  studio.notices().observe({Change::Documents}, [this] { documents_changed(); });
-}
-
-void ListRows::documents_changed() {
-  scroll_to_top();
-  clear_hovered();
-  focused_group_.reset();
-  scrolled_to_.clear();
-}
-
-void ListRows::scroll_to_current() {
-  scrolled_to_ = document()->current();
-  const auto index = document()->view().index_of(scrolled_to_);
-  const auto line = index ? lines().line_of(*index) : std::nullopt;
-  if (line) bring_into_view(*line);
-}
-
-std::optional<ScreenRect> ListRows::rect_of(const std::string& part) const {
-  if (document() == nullptr) return Table::rect_of(part);
-  std::optional<std::size_t> line;
-  if (const auto index = number_after("row ", part))
-    line = *index < document()->view().hashes.size() ? lines().line_of(*index) : std::nullopt;
-  else if (const auto group = number_after("group ", part))
-    if (*group < document()->view().groups.size()) line = lines().line_of_group(*group);
-  return line ? bring_into_view(*line) : Table::rect_of(part);
-}
-
-std::string ListRows::row_text(std::size_t index) const {
-  const ListRow* row = document()->row(document()->view().hashes[index]);
-  if (row == nullptr) return "";
-  std::string text = "row " + std::to_string(index) + ": " + row->entry.name + ", " + row->entry.id;
-  if (!row->entry.tags.empty()) text += ", tags " + join(row->entry.tags, " ");
-  const std::string& sort = document()->request().sort;
-  if (!sort.empty() && sort != "name") {
-    text += ", " + sort + " " + value_text(*row, document()->sort_unit());
-    if (row->value && row->value->is_na()) text += " (" + row->value->reason() + ")";
-  }
-  if (document()->view().hashes[index] == document()->current()) text += ", current";
-  if (document()->is_selected(index)) text += ", selected";
-  return text;
-}
-
-std::string ListRows::text() const {
-  std::string text;
-  for (const std::size_t line : visible_rows()) {
-    const ListLines::Line item = lines().at(line);
-    if (!text.empty()) text += "\n";
-    if (item.group)
-      text += "group " + std::to_string(*item.group) + ": " +
-              document()->view().groups[*item.group].title + ", " +
-              std::to_string(document()->view().groups[*item.group].count) +
-              (lines().is_closed(*item.group) ? ", closed" : "");
-    else
-      text += row_text(item.index);
-  }
-  return text;
-}
-
-void ListRows::choose(std::size_t line, int modifiers) {
-  const ListLines::Line item = lines().at(line);
-  focused_group_ = item.group;
-  item.group ? document()->toggle_group(*item.group) : select(item.index, modifiers);
-}
-
-void ListRows::select(std::size_t index, int modifiers) {
-  if ((modifiers & GLFW_MOD_SHIFT) != 0)
-    document()->select_to(index);
-  else if ((modifiers & GLFW_MOD_CONTROL) != 0)
-    document()->toggle(index);
-  else
-    document()->select_only(index);
-}
-
-void ListRows::hover(const std::optional<Point>& at) {
-  Table::hover(at);
-  if (!hovered()) return;
-  const ListLines::Line item = lines().at(*hovered());
-  const ListRow* row =
-      item.group ? nullptr : document()->row(document()->view().hashes[item.index]);
-  const bool has_reason = row != nullptr && row->value && row->value->is_na();
-  setTooltip(has_reason ? "NA: " + row->value->reason() : "");
-}
-
-std::size_t ListRows::cursor() const {
-  if (focused_group_ && *focused_group_ < document()->view().groups.size())
-    return lines().line_of_group(*focused_group_);
-  const auto index = document()->view().index_of(document()->current());
-  if (!index) return 0;
-  if (const auto line = lines().line_of(*index)) return *line;
-  return lines().line_of_group(lines().group_of(*index).value_or(0));
-}
-
-void ListRows::set_cursor(std::size_t line, int modifiers) {
-  const ListLines::Line item = lines().at(line);
-  focused_group_ = item.group;
-  if (item.group) return;
-  if (modifiers == GLFW_MOD_CONTROL)
-    document()->set_current(document()->view().hashes[item.index]);
-  else
-    select(item.index, modifiers & GLFW_MOD_SHIFT);
-  scrolled_to_ = document()->current();
-}
-
-bool ListRows::set_group_closed(bool closed) {
-  const auto index = document()->view().index_of(document()->current());
-  const auto group = focused_group_ ? focused_group_
-                     : index        ? lines().group_of(*index)
-                                    : std::nullopt;
-  if (!group || *group >= document()->view().groups.size()) return false;
-  if (lines().is_closed(*group) != closed) document()->toggle_group(*group);
-  if (closed) focused_group_ = group;
-  return true;
-}
-
-bool ListRows::key(int key, int modifiers) {
-  if (row_count() == 0 || (modifiers & GLFW_MOD_ALT) != 0) return false;
-  if (focused_group_ && *focused_group_ >= document()->view().groups.size()) focused_group_.reset();
-  const auto index = document()->view().index_of(document()->current());
-  if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT) return set_group_closed(key == GLFW_KEY_LEFT);
-  if (key == GLFW_KEY_A && (modifiers & GLFW_MOD_CONTROL) != 0)
-    return document()->select_all(), true;
-  if (key == GLFW_KEY_ESCAPE && document()->selected_count() > 0)
-    return document()->select_none(), true;
-  if (key != GLFW_KEY_SPACE) return Table::key(key, modifiers);
-  if (focused_group_)
-    document()->toggle_group(*focused_group_);
-  else if (index)
-    document()->toggle(*index);
-  return true;
-}
-
-void ListRows::upload_thumbnails(NVGcontext* ctx) {
-  context_ = ctx;
-  for (const auto& [hash, thumbnail] : pending_thumbnails_) {
-    Texture texture;
-    if (thumbnail.size > 0)
-      texture = nvgCreateImageRGBA(ctx, thumbnail.size, thumbnail.size, 0, thumbnail.rgba.data());
-    textures_.put(hash, texture);
-  }
-  pending_thumbnails_.clear();
-}
-
-void ListRows::paint(NVGcontext* ctx) {
-  upload_thumbnails(ctx);
-  missing_thumbnails_.clear();
-  if (row_count() > 0 && scrolled_to_ != document()->current()) scroll_to_current();
-  Table::paint(ctx);
-  if (document() != nullptr) thumbnails_.request(document()->path(), missing_thumbnails_);
-}
-
-void ListRows::draw_group_header(NVGcontext* ctx, const ScreenRect& rect, std::size_t group) const {
-  const Palette& colors = palette();
-  const ListGroup& shown = document()->view().groups[group];
-  const bool under_mouse = hovered() == lines().line_of_group(group);
-  draw::fill(ctx, rect, under_mouse ? colors.hover : colors.window);
-  if (focused() && focused_group_ == group) draw::frame(ctx, rect, colors.accent);
-  // A triangle that points down where the group is open.
-  const double x = rect.left + 12, y = rect.top + 14;
-  if (lines().is_closed(group))
-    draw::triangle(ctx, {x - 3, y - 6}, {x - 3, y + 6}, {x + 5, y}, colors.faint_text);
-  else
-    draw::triangle(ctx, {x - 6, y - 3}, {x + 6, y - 3}, {x, y + 5}, colors.faint_text);
-  const std::string count = std::to_string(shown.count);
-  const double count_width = draw::text_width(ctx, count, draw::kTextSize, true);
-  draw::text(ctx, {24, rect.top, rect.width - count_width - 40, rect.height}, shown.title,
-             colors.text, draw::kTextSize, draw::Align::Left, true);
-  draw::text(ctx, {rect.width - count_width - 10, rect.top, count_width + 1, rect.height}, count,
-             colors.faint_text, draw::kTextSize, draw::Align::Right, true);
-}
-
-void ListRows::paint_row(NVGcontext* ctx, std::size_t line, const ScreenRect& rect) {
-  const Palette& colors = palette();
-  const auto [group, index] = lines().at(line);
-  if (group) return draw_group_header(ctx, rect, *group);
-  const std::string& hash = document()->view().hashes[index];
-  const bool selected = document()->is_selected(index), current = hash == document()->current();
-  draw::row(ctx, rect, index, selected, hovered() == line);
-  if (current) draw::fill(ctx, {rect.left, rect.top, 3, rect.height}, colors.accent);
-  if (current && focused() && !focused_group_) draw::frame(ctx, rect, colors.accent);
-  draw_thumbnail(ctx, {rect.left + kRowMargin, rect.top + 5, kThumbnailSize, kThumbnailSize}, hash);
-  const ListRow* row = document()->row(hash);
-  if (row == nullptr) return;
-  const Color ink = selected ? colors.text : colors.faint_text;
-  const double left = kRowMargin + kThumbnailSize + 8, right = rect.width - kRowMargin;
-  const ScreenRect upper{left, rect.top + 6, right - left, 22};
-  draw::text(ctx, upper, row->entry.name, colors.text, draw::kTextSize, draw::Align::Left, current);
-  std::string more = row->entry.id;
-  double text_width = right - left;
-  const std::string& sort = document()->request().sort;
-  if (!sort.empty() && sort != "name") {
-    const std::string value = value_text(*row, document()->sort_unit());
-    const double value_width = draw::text_width(ctx, value, draw::kSmallTextSize + 1) + 1;
-    draw::text(ctx, {right - value_width, rect.top + 29, value_width, 20}, value, colors.text,
-               draw::kSmallTextSize + 1, draw::Align::Right);
-    text_width -= value_width + 8;
-  }
-  if (!row->entry.tags.empty()) more += "  " + join(row->entry.tags, ", ");
-  draw::text(ctx, {left, rect.top + 29, text_width, 20}, more, ink, draw::kSmallTextSize);
-}
-
-void ListRows::draw_thumbnail(NVGcontext* ctx, const ScreenRect& rect, const std::string& hash) {
-  const Texture* texture = textures_.find(hash);
-  if (texture == nullptr) missing_thumbnails_.push_back(hash);
-  if (texture == nullptr || !*texture) {
-    draw::frame(ctx, rect, palette().border);
-    return;
-  }
-  draw::image(ctx, rect, **texture);
+Element* make_list_rows(nanogui::Widget* parent, Studio& studio) {
+  return new ListRows(parent, studio);
 }
 
 }  // namespace slalom

@@ -48,6 +48,8 @@ class Element : public nanogui::Widget {
   /// The rectangle of a part that is not an element, "row 3", "slider": its own, or of a visible
   /// child. nullopt if it is not visible. The empty name is the whole element.
   virtual std::optional<ScreenRect> rect_of(const std::string& part) const;
+  /// What a click on a part does; the empty name is none of them.
+  virtual void click(const std::string& /*part*/) {}
   ScreenRect area() const;
   void set_bounds(const ScreenRect& rect);
 
@@ -68,7 +70,6 @@ class Element : public nanogui::Widget {
   std::string part_at(const Point& at) const;  ///< empty for none
   /// Draws what is below the children, clipped to the element.
   virtual void paint(NVGcontext*) {}
-  virtual void click(const std::string& /*part*/) {}       ///< part_at() of press()
   virtual bool press(const Point& at, int /*modifiers*/);  ///< the left button
   virtual void release(const Point&) {}
   virtual void drag(const Point&) {}

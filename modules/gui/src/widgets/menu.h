@@ -63,11 +63,11 @@ class MenuBar : public Element {
   Menu& popup() { return *popup_; }
   /// Handles a key while a menu is open; other keys close it. Left and Right open its neighbors.
   bool popup_key(int key, int modifiers);
+  void click(const std::string& menu) override;
 
  protected:
   std::vector<Part> parts() const override { return parts_; }
   void paint(NVGcontext* ctx) override;
-  void click(const std::string& menu) override;
   void hover(const std::optional<Point>& at) override;
 
  private:

@@ -121,16 +121,15 @@ void PanelWindow::run() {
 }
 
 void PanelWindow::run(const std::vector<ScriptCommand>& script, const std::string& name) {
-  ScriptPlayer player(script, name,
-                      {this, [this] { return studio_->jobs().idle(); },
-                       [this](const std::string& id) { run_action(id); },
-                       [this](const std::string& path) { save_window_picture(*this, path); },
-                       [](const std::string& text) { std::cout << text << "\n"; }});
-  while (is_open() && !player.ended()) {
-    frame();
-    player.step();
-    glfwPollEvents();
-  }
+  const auto draw_frame = [this] {
+    if (is_open()) frame();
+    return is_open();
+  };
+  play_script(script, name,
+              {this, draw_frame, [this] { return studio_->jobs().idle(); },
+               [this](const std::string& id) { run_action(id); },
+               [this](const std::string& path) { save_window_picture(*this, path); },
+               [](const std::string& text) { std::cout << text << "\n"; }});
 }
 
 }  // namespace slalom

@@ -1,5 +1,6 @@
-#include "views/results_panel.h"
+#include "views/panels.h"
 #include "views/scenario_view.h"
+#include "window/script_player.h"
 
 #include <slalom/core/error.h>
 #include <slalom/gui/replay_window.h>
@@ -18,7 +19,7 @@ constexpr int kViewGap = 4, kMinResults = 200;
 ReplayWindow::ReplayWindow(const Scenario& scenario, const ReplayContent& content, bool autoplay)
     : PanelWindow(content.title, kWidth, kHeight, content.scene, {}) {
   view_ = new ScenarioView(this, studio(), ScenarioView::Mode::Look);
-  results_ = new ResultsPanel(this, studio());
+  results_ = make_results_panel(this, studio());
   studio().results().show_runs(content.source, {}, "Computing clearances ...");
   studio().scenes().show(scenario);
   load_series(scenario, content, autoplay);
@@ -50,9 +51,7 @@ void ReplayWindow::arrange() {
   const double wide = width(), top = height() - below;
   view_->set_bounds({0, 0, wide, top - kViewGap});
   results_->set_bounds({0, top, wide, static_cast<double>(below)});
-  for (nanogui::Widget* element :
-       {static_cast<nanogui::Widget*>(view_), static_cast<nanogui::Widget*>(results_)})
-    element->performLayout(mNVGContext);
+  for (Element* element : {view_, results_}) element->performLayout(mNVGContext);
 }
 
 bool ReplayWindow::keyboardEvent(int key, int scancode, int action, int modifiers) {
@@ -61,7 +60,7 @@ bool ReplayWindow::keyboardEvent(int key, int scancode, int action, int modifier
     glfwSetWindowShouldClose(glfwWindow(), GLFW_TRUE);
     return true;
   }
-  return results_->replay().keyboardEvent(key, scancode, action, modifiers);
+  return find_visible_widget(*results_, "replay")->keyboardEvent(key, scancode, action, modifiers);
 }
 
 void ReplayWindow::run_action(const std::string& id) {

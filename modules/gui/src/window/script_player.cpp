@@ -40,6 +40,185 @@ unsigned int decode_utf8(const std::string& text, std::size_t& i) {
   return code_point;
 }
 
+class ScriptPlayer {
+ public:
+  ScriptPlayer(std::vector<ScriptCommand> script, std::string name, ScriptHost host)
+      : script_(std::move(script)), name_(std::move(name)), host_(std::move(host)) {}
+
+  /// To be called once per frame.
+  void step() {
+    if (!pending_moves_.empty()) {
+      pending_moves_.back()();
+      pending_moves_.pop_back();
+      if (pending_moves_.empty()) ++next_;
+      return;
+    }
+    if (frames_left_ > 0) return count_frame();
+    if (ended() || is_waiting(script_[next_])) return;
+    try {
+      play(script_[next_]);
+    } catch (const Error& error) {
+      const std::string where = name_ + ":";
+      if (std::string(error.what()).rfind(where, 0) == 0) throw;
+      fail(error.what());
+    }
+    if (pending_moves_.empty() && frames_left_ == 0) ++next_;
+  }
+  bool ended() const { return next_ == script_.size() && pending_moves_.empty(); }
+
+ private:
+  void play(const ScriptCommand& command) {
+    const std::map<Kind, std::function<void()>> actions = {
+        {Kind::Size, [&] { resize(command); }},
+        {Kind::Do, [&] { host_.run_action(command.text); }},
+        {Kind::Click, [&] { click(command); }},
+        {Kind::Move, [&] { move_to(at(command.target)); }},
+        {Kind::Drag, [&] { drag(command); }},
+        {Kind::Wheel, [&] { turn_wheel(command); }},
+        {Kind::Type, [&] { type(command.text); }},
+        {Kind::Key, [&] { strike(command.key, letter_typed_by(command.key)); }},
+        {Kind::Drop, [&] { drop(command.files); }},
+        {Kind::Wait, [] {}},
+        {Kind::Screenshot, [&] { host_.screenshot(command.text); }},
+        {Kind::Expect, [&] { expect(command); }},
+        {Kind::Print, [&] { host_.print(shown_text(element(command.target))); }},
+        {Kind::Fps, [&] { begin_frames(command); }}};
+    actions.at(command.kind)();
+  }
+  /// The display reports the new size with a delay, and may report older sizes before: waits until
+  /// no other size was reported for kStableTime.
+  void resize(const ScriptCommand& command) {
+    GLFWwindow* window = host_.screen->glfwWindow();
+    host_.screen->setSize({command.width, command.height});
+    const double begin = glfwGetTime();
+    double stable_since = begin;
+    while (glfwGetTime() - stable_since < kStableTime && glfwGetTime() - begin < kMaxResizeWait) {
+      glfwWaitEventsTimeout(0.02);
+      int width = 0, height = 0;
+      glfwGetWindowSize(window, &width, &height);
+      if (width != command.width || height != command.height) stable_since = glfwGetTime();
+    }
+    host_.screen->resizeCallbackEvent(command.width, command.height);
+  }
+  void click(const ScriptCommand& command) {
+    move_to(at(command.target));
+    for (int i = 0; i < (command.double_click ? 2 : 1); ++i) {
+      button(command.right, true, command.modifiers);
+      button(command.right, false, command.modifiers);
+    }
+  }
+  void drag(const ScriptCommand& command) {
+    const Vector2f from = at(command.target), to = at(command.drag_target);
+    pending_moves_.push_back([=] { button(command.right, false, command.modifiers); });
+    for (int i = kDragSteps; i > 0; --i)
+      pending_moves_.push_back(
+          [=] { move_to(from + (to - from) * (static_cast<float>(i) / kDragSteps)); });
+    pending_moves_.push_back([=] { button(command.right, true, command.modifiers); });
+    move_to(from);
+  }
+  void begin_frames(const ScriptCommand& command) {
+    move_to(at(command.target));
+    button(false, true, 0);
+    frames_ = frames_left_ = static_cast<int>(command.number);
+    frames_start_ = glfwGetTime();
+  }
+  void count_frame() {
+    const float amplitude = (frames_left_ / 20) % 2 == 0 ? kDragAmplitude : -kDragAmplitude;
+    move_to(at(script_[next_].target) +
+            Vector2f(amplitude * static_cast<float>(frames_left_ % 20) / 20.0F, 0));
+    if (--frames_left_ > 0) return;
+    button(false, false, 0);
+    const double elapsed = glfwGetTime() - frames_start_;
+    host_.print("frames per second: " + format_fixed(frames_ / elapsed, 1));
+    ++next_;
+  }
+  void type(const std::string& text) {
+    for (std::size_t i = 0; i < text.size();) {
+      const unsigned int letter = decode_utf8(text, i);
+      strike(key_stroke_typing(letter), letter);
+    }
+  }
+  void turn_wheel(const ScriptCommand& command) {
+    move_to(at(command.target));
+    host_.screen->scrollCallbackEvent(0, command.number);
+  }
+  void drop(const std::vector<std::string>& files) {
+    std::vector<const char*> names;
+    for (const std::string& file : files) names.push_back(file.c_str());
+    host_.screen->dropCallbackEvent(static_cast<int>(names.size()), names.data());
+  }
+  /// The events in the order of GLFW: key down, character, key up.
+  void strike(const KeyStroke& stroke, unsigned int letter) {
+    host_.screen->keyCallbackEvent(stroke.key, 0, GLFW_PRESS, stroke.modifiers);
+    if (letter != 0) host_.screen->charCallbackEvent(letter);
+    host_.screen->keyCallbackEvent(stroke.key, 0, GLFW_RELEASE, stroke.modifiers);
+  }
+  bool is_waiting(const ScriptCommand& command) {
+    if (command.kind != Kind::Wait) return false;
+    const double now = glfwGetTime();
+    if (wait_start_ < 0) {
+      wait_start_ = now;
+      return true;  // at least one frame, which shows the effect of the previous command
+    }
+    const double waited = now - wait_start_;
+    const bool over = command.number > 0 ? waited >= command.number : host_.is_idle();
+    if (!over && waited > kMaxWait) fail("jobs did not end within 300 s");
+    if (over) wait_start_ = -1;
+    return !over;
+  }
+  void expect(const ScriptCommand& command) {
+    const std::string text = shown_text(element(command.target));
+    const bool contains = text.find(command.text) != std::string::npos;
+    const bool holds = command.relation == "is"         ? text == command.text
+                       : command.relation == "contains" ? contains
+                                                        : !contains;
+    if (!holds)
+      fail("'" + command.target.element + "' shows '" + text + "'",
+           "a text that " + command.relation + " '" + command.text + "'");
+  }
+  nanogui::Widget& element(const ScriptTarget& target) const {
+    if (nanogui::Widget* found = find_visible_widget(*host_.screen, target.element)) return *found;
+    std::string ids;
+    list_ids(*host_.screen, ids);
+    fail("unknown element '" + target.element + "'", "one of " + ids);
+  }
+  /// in screen coordinates (pixels)
+  nanogui::Vector2f at(const ScriptTarget& target) const {
+    const nanogui::Widget& widget = element(target);
+    ScreenRect rect{0, 0, static_cast<double>(widget.width()),
+                    static_cast<double>(widget.height())};
+    if (!target.part.empty()) {
+      const auto* named = dynamic_cast<const Element*>(&widget);
+      const auto found = named ? named->rect_of(target.part) : std::nullopt;
+      if (!found) fail("'" + target.element + "' has no visible part '" + target.part + "'");
+      rect = *found;
+    }
+    const nanogui::Vector2i origin = widget.absolutePosition();
+    return {static_cast<float>(origin.x() + rect.left + target.x * rect.width),
+            static_cast<float>(origin.y() + rect.top + target.y * rect.height)};
+  }
+  void move_to(const Vector2f& point) {
+    // nanogui subtracts (1, 2) pixels for the shape of the cursor
+    host_.screen->cursorPosCallbackEvent(std::floor(point.x()) + 1, std::floor(point.y()) + 2);
+  }
+  void button(bool right, bool down, int modifiers) {
+    host_.screen->mouseButtonCallbackEvent(right ? GLFW_MOUSE_BUTTON_RIGHT : GLFW_MOUSE_BUTTON_LEFT,
+                                           down ? GLFW_PRESS : GLFW_RELEASE, modifiers);
+  }
+  [[noreturn]] void fail(const std::string& what, const std::string& expected = "") const {
+    throw job_error(name_ + ":" + std::to_string(script_[next_].line), what, expected);
+  }
+
+  std::vector<ScriptCommand> script_;
+  std::string name_;
+  ScriptHost host_;
+  std::size_t next_ = 0;
+  double wait_start_ = -1;                            ///< s
+  std::vector<std::function<void()>> pending_moves_;  ///< of a drag, one per frame, last first
+  int frames_ = 0, frames_left_ = 0;
+  double frames_start_ = 0;
+};
+
 }  // namespace
 
 nanogui::Widget* find_visible_widget(nanogui::Widget& root, const std::string& id) {
@@ -60,182 +239,13 @@ std::string shown_text(const nanogui::Widget& widget) {
   return text;
 }
 
-ScriptPlayer::ScriptPlayer(std::vector<ScriptCommand> script, std::string name, ScriptHost host)
-    : script_(std::move(script)), name_(std::move(name)), host_(std::move(host)) {}
-
-void ScriptPlayer::fail(const std::string& what, const std::string& expected) const {
-  throw job_error(name_ + ":" + std::to_string(script_[next_].line), what, expected);
-}
-
-void ScriptPlayer::step() {
-  if (!pending_moves_.empty()) {
-    pending_moves_.back()();
-    pending_moves_.pop_back();
-    if (pending_moves_.empty()) ++next_;
-    return;
+void play_script(const std::vector<ScriptCommand>& script, const std::string& name,
+                 const ScriptHost& host) {
+  ScriptPlayer player(script, name, host);
+  while (!player.ended() && host.draw_frame()) {
+    player.step();
+    glfwPollEvents();
   }
-  if (frames_left_ > 0) return count_frame();
-  if (ended() || is_waiting(script_[next_])) return;
-  try {
-    play(script_[next_]);
-  } catch (const Error& error) {
-    const std::string where = name_ + ":";
-    if (std::string(error.what()).rfind(where, 0) == 0) throw;
-    fail(error.what());
-  }
-  if (pending_moves_.empty() && frames_left_ == 0) ++next_;
-}
-
-/// The display reports the new size with a delay, and may report older sizes before: waits until no
-/// other size was reported for kStableTime.
-void ScriptPlayer::resize(const ScriptCommand& command) {
-  GLFWwindow* window = host_.screen->glfwWindow();
-  host_.screen->setSize({command.width, command.height});
-  const double begin = glfwGetTime();
-  double stable_since = begin;
-  while (glfwGetTime() - stable_since < kStableTime && glfwGetTime() - begin < kMaxResizeWait) {
-    glfwWaitEventsTimeout(0.02);
-    int width = 0, height = 0;
-    glfwGetWindowSize(window, &width, &height);
-    if (width != command.width || height != command.height) stable_since = glfwGetTime();
-  }
-  host_.screen->resizeCallbackEvent(command.width, command.height);
-}
-
-bool ScriptPlayer::is_waiting(const ScriptCommand& command) {
-  if (command.kind != Kind::Wait) return false;
-  const double now = glfwGetTime();
-  if (wait_start_ < 0) {
-    wait_start_ = now;
-    return true;  // at least one frame, which shows the effect of the previous command
-  }
-  const double waited = now - wait_start_;
-  const bool over = command.number > 0 ? waited >= command.number : host_.is_idle();
-  if (!over && waited > kMaxWait) fail("jobs did not end within 300 s");
-  if (over) wait_start_ = -1;
-  return !over;
-}
-
-void ScriptPlayer::play(const ScriptCommand& command) {
-  const std::map<Kind, std::function<void()>> actions = {
-      {Kind::Size, [&] { resize(command); }},
-      {Kind::Do, [&] { host_.run_action(command.text); }},
-      {Kind::Click, [&] { click(command); }},
-      {Kind::Move, [&] { move_to(at(command.target)); }},
-      {Kind::Drag, [&] { drag(command); }},
-      {Kind::Wheel, [&] { turn_wheel(command); }},
-      {Kind::Type, [&] { type(command.text); }},
-      {Kind::Key, [&] { strike(command.key, letter_typed_by(command.key)); }},
-      {Kind::Drop, [&] { drop(command.files); }},
-      {Kind::Wait, [] {}},
-      {Kind::Screenshot, [&] { host_.screenshot(command.text); }},
-      {Kind::Expect, [&] { expect(command); }},
-      {Kind::Print, [&] { host_.print(shown_text(element(command.target))); }},
-      {Kind::Fps, [&] { begin_frames(command); }}};
-  actions.at(command.kind)();
-}
-
-void ScriptPlayer::turn_wheel(const ScriptCommand& command) {
-  move_to(at(command.target));
-  host_.screen->scrollCallbackEvent(0, command.number);
-}
-
-void ScriptPlayer::drop(const std::vector<std::string>& files) {
-  std::vector<const char*> names;
-  for (const std::string& file : files) names.push_back(file.c_str());
-  host_.screen->dropCallbackEvent(static_cast<int>(names.size()), names.data());
-}
-
-nanogui::Widget& ScriptPlayer::element(const ScriptTarget& target) const {
-  if (nanogui::Widget* found = find_visible_widget(*host_.screen, target.element)) return *found;
-  std::string ids;
-  list_ids(*host_.screen, ids);
-  fail("unknown element '" + target.element + "'", "one of " + ids);
-}
-
-Vector2f ScriptPlayer::at(const ScriptTarget& target) const {
-  const nanogui::Widget& widget = element(target);
-  ScreenRect rect{0, 0, static_cast<double>(widget.width()), static_cast<double>(widget.height())};
-  if (!target.part.empty()) {
-    const auto* named = dynamic_cast<const Element*>(&widget);
-    const auto found = named ? named->rect_of(target.part) : std::nullopt;
-    if (!found) fail("'" + target.element + "' has no visible part '" + target.part + "'");
-    rect = *found;
-  }
-  const nanogui::Vector2i origin = widget.absolutePosition();
-  return {static_cast<float>(origin.x() + rect.left + target.x * rect.width),
-          static_cast<float>(origin.y() + rect.top + target.y * rect.height)};
-}
-
-void ScriptPlayer::move_to(const Vector2f& point) {
-  // nanogui subtracts (1, 2) pixels for the shape of the cursor
-  host_.screen->cursorPosCallbackEvent(std::floor(point.x()) + 1, std::floor(point.y()) + 2);
-}
-
-void ScriptPlayer::button(bool right, bool down, int modifiers) {
-  host_.screen->mouseButtonCallbackEvent(right ? GLFW_MOUSE_BUTTON_RIGHT : GLFW_MOUSE_BUTTON_LEFT,
-                                         down ? GLFW_PRESS : GLFW_RELEASE, modifiers);
-}
-
-void ScriptPlayer::click(const ScriptCommand& command) {
-  move_to(at(command.target));
-  for (int i = 0; i < (command.double_click ? 2 : 1); ++i) {
-    button(command.right, true, command.modifiers);
-    button(command.right, false, command.modifiers);
-  }
-}
-
-void ScriptPlayer::drag(const ScriptCommand& command) {
-  const Vector2f from = at(command.target), to = at(command.drag_target);
-  pending_moves_.push_back([=] { button(command.right, false, command.modifiers); });
-  for (int i = kDragSteps; i > 0; --i)
-    pending_moves_.push_back(
-        [=] { move_to(from + (to - from) * (static_cast<float>(i) / kDragSteps)); });
-  pending_moves_.push_back([=] { button(command.right, true, command.modifiers); });
-  move_to(from);
-}
-
-void ScriptPlayer::begin_frames(const ScriptCommand& command) {
-  move_to(at(command.target));
-  button(false, true, 0);
-  frames_ = frames_left_ = static_cast<int>(command.number);
-  frames_start_ = glfwGetTime();
-}
-
-void ScriptPlayer::count_frame() {
-  const float amplitude = (frames_left_ / 20) % 2 == 0 ? kDragAmplitude : -kDragAmplitude;
-  move_to(at(script_[next_].target) +
-          Vector2f(amplitude * static_cast<float>(frames_left_ % 20) / 20.0F, 0));
-  if (--frames_left_ > 0) return;
-  button(false, false, 0);
-  const double elapsed = glfwGetTime() - frames_start_;
-  host_.print("frames per second: " + format_fixed(frames_ / elapsed, 1));
-  ++next_;
-}
-
-void ScriptPlayer::type(const std::string& text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const unsigned int letter = decode_utf8(text, i);
-    strike(key_stroke_typing(letter), letter);
-  }
-}
-
-/// The events in the order of GLFW: key down, character, key up.
-void ScriptPlayer::strike(const KeyStroke& stroke, unsigned int letter) {
-  host_.screen->keyCallbackEvent(stroke.key, 0, GLFW_PRESS, stroke.modifiers);
-  if (letter != 0) host_.screen->charCallbackEvent(letter);
-  host_.screen->keyCallbackEvent(stroke.key, 0, GLFW_RELEASE, stroke.modifiers);
-}
-
-void ScriptPlayer::expect(const ScriptCommand& command) {
-  const std::string text = shown_text(element(command.target));
-  const bool contains = text.find(command.text) != std::string::npos;
-  const bool holds = command.relation == "is"         ? text == command.text
-                     : command.relation == "contains" ? contains
-                                                      : !contains;
-  if (!holds)
-    fail("'" + command.target.element + "' shows '" + text + "'",
-         "a text that " + command.relation + " '" + command.text + "'");
 }
 
 }  // namespace slalom

@@ -1,8 +1,5 @@
-#include "views/descriptor_panel.h"
-#include "views/list_panel.h"
-#include "views/results_panel.h"
+#include "views/panels.h"
 #include "views/scenario_view.h"
-#include "views/status_bar.h"
 #include "widgets/menu.h"
 #include "widgets/splitter.h"
 #include "window/window_layout.h"
@@ -93,10 +90,10 @@ void StudioWindow::add_actions() {
 
 void StudioWindow::make_elements() {
   using DragAxis = Splitter::DragAxis;
-  list_ = new ListPanel(this, studio());
-  descriptors_ = new DescriptorPanel(this, studio());
+  list_ = make_list_panel(this, studio());
+  descriptors_ = make_descriptor_panel(this, studio());
   view_ = new ScenarioView(this, studio(), ScenarioView::Mode::Edit);
-  results_ = new ResultsPanel(this, studio());
+  results_ = make_results_panel(this, studio());
   const auto add_splitter = [this](const std::string& id, DragAxis axis, int StudioSettings::*size,
                                    int sign) {
     new Splitter(this, id, axis, [=](int by) { resize_panel(size, sign * by); });
@@ -104,7 +101,7 @@ void StudioWindow::make_elements() {
   add_splitter("splitter_list", DragAxis::Horizontal, &StudioSettings::list_width, 1);
   add_splitter("splitter_descriptors", DragAxis::Vertical, &StudioSettings::descriptors_height, -1);
   add_splitter("splitter_results", DragAxis::Vertical, &StudioSettings::results_height, -1);
-  new StatusBar(this, studio());
+  make_status_bar(this, studio());
 }
 
 void StudioWindow::next_panel() {
@@ -232,9 +229,9 @@ void StudioWindow::add_view_actions() {
     return studio().active() == nullptr ? "no list is open" : "";
   };
   actions_.add({"list.sort", "List", "Sort...", "", "Sorts by name or by a descriptor.",
-                [this] { list_->choose_sort(); }, needs_list});
+                [this] { list_->click("sort"); }, needs_list});
   actions_.add({"list.group", "List", "Group...", "", "Groups by the ranges of an index.",
-                [this] { list_->choose_group(); }, needs_list});
+                [this] { list_->click("group_by"); }, needs_list});
   ScenarioView& view = *view_;
   actions_.add({"view.fit", "View", "Show all", "Ctrl+0", "Fits the scenario to the view.",
                 [&view] { view.fit(); }});

@@ -7,8 +7,7 @@
 
 namespace slalom {
 
-class ResultsPanel;
-class ScenarioView;
+class Element;
 
 /// What a ReplayWindow replays.
 struct ReplayContent {
@@ -34,8 +33,7 @@ class ReplayWindow : public PanelWindow {
   void run_action(const std::string& id) override;
 
   // Owned by the composite of elements:
-  ScenarioView* view_ = nullptr;
-  ResultsPanel* results_ = nullptr;
+  Element *view_ = nullptr, *results_ = nullptr;
 };
 
 }  // namespace slalom

@@ -9,10 +9,8 @@
 
 namespace slalom {
 
-class DescriptorPanel;
-class ListPanel;
+class Element;
 class MenuBar;
-class ResultsPanel;
 class ScenarioView;
 
 /// The window of Slalom Studio: lists at the left, descriptors of the current scenario below them,
@@ -51,10 +49,8 @@ class StudioWindow : public PanelWindow {
   bool key_moved_focus_ = false;  ///< the one that is pressed
   // Owned by the composite of elements:
   MenuBar* menu_ = nullptr;
-  ListPanel* list_ = nullptr;
-  DescriptorPanel* descriptors_ = nullptr;
+  Element *list_ = nullptr, *descriptors_ = nullptr, *results_ = nullptr;
   ScenarioView* view_ = nullptr;
-  ResultsPanel* results_ = nullptr;
 };
 
 }  // namespace slalom
