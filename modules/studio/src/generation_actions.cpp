@@ -1,7 +1,8 @@
 #include "forms/requests.h"
 
 #include <slalom/core/error.h>
-#include <slalom/studio/studio_actions.h>
+#include <slalom/studio/actions.h>
+#include <slalom/studio/studio.h>
 
 #include <algorithm>
 #include <filesystem>

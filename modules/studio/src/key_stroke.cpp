@@ -1,7 +1,7 @@
 #define GLFW_INCLUDE_NONE  // only the names of keys
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
-#include <slalom/studio/key_stroke.h>
+#include <slalom/studio/actions.h>
 
 #include <GLFW/glfw3.h>
 #include <algorithm>

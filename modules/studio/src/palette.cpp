@@ -3,9 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 namespace slalom {
+namespace {
+
+/// An opaque color from 0xRRGGBB.
+Color rgb(unsigned code) {
+  const auto channel = [code](unsigned shift) {
+    return static_cast<std::uint8_t>((code >> shift) & 0xFFU);
+  };
+  return {channel(16), channel(8), channel(0), 0xff};
+}
+
+}  // namespace
 
 Color faded(const Color& color, double opacity) {
   return {color.R, color.G, color.B, static_cast<std::uint8_t>(std::lround(255 * opacity))};
@@ -20,36 +30,23 @@ Color interpolated(const Color& from, const Color& to, double fraction) {
 }
 
 Color method_line_color(std::size_t index) {
-  static const std::array<Color, 10> colors = {{{0x00, 0x72, 0xb2, 0xff},
-                                                {0xd5, 0x5e, 0x00, 0xff},
-                                                {0x00, 0x9e, 0x73, 0xff},
-                                                {0xcc, 0x79, 0xa7, 0xff},
-                                                {0xe6, 0x9f, 0x00, 0xff},
-                                                {0x56, 0xb4, 0xe9, 0xff},
-                                                {0x7a, 0x4b, 0x2a, 0xff},
-                                                {0x6a, 0x3d, 0x9a, 0xff},
-                                                {0x9a, 0xb0, 0x1c, 0xff},
-                                                {0xe3, 0x1a, 0x5c, 0xff}}};
-  return colors[index % colors.size()];
+  constexpr std::array<unsigned, 10> kColors = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00,
+                                                0x56b4e9, 0x7a4b2a, 0x6a3d9a, 0x9ab01c, 0xe31a5c};
+  return rgb(kColors[index % kColors.size()]);
 }
 
 Color outcome_color(const std::string& outcome) {
-  static const std::map<std::string, Color> colors = {{"success", {0x2e, 0xa0, 0x4f, 0xff}},
-                                                      {"collision", {0xd0, 0x3b, 0x2f, 0xff}},
-                                                      {"timeout", {0xd9, 0x8e, 0x04, 0xff}},
-                                                      {"stuck", {0xb8, 0x6f, 0x00, 0xff}}};
-  const auto found = colors.find(outcome);
-  return found == colors.end() ? Color(0x8e, 0x5b, 0xc0, 0xff) : found->second;
+  if (outcome == "success") return rgb(0x2ea04f);
+  if (outcome == "collision") return rgb(0xd03b2f);
+  if (outcome == "timeout") return rgb(0xd98e04);
+  return rgb(outcome == "stuck" ? 0xb86f00 : 0x8e5bc0);
 }
 
 Color heat_color(double fraction) {
-  static const std::array<Color, 4> colors = {{{0x3b, 0x52, 0x8b, 0xff},
-                                               {0x21, 0x91, 0x8c, 0xff},
-                                               {0x5e, 0xc9, 0x62, 0xff},
-                                               {0xfd, 0xe7, 0x25, 0xff}}};
-  const double at = std::clamp(fraction, 0.0, 1.0) * (colors.size() - 1);
-  const std::size_t low = std::min(static_cast<std::size_t>(at), colors.size() - 2);
-  return interpolated(colors[low], colors[low + 1], at - static_cast<double>(low));
+  constexpr std::array<unsigned, 4> kColors = {0x3b528b, 0x21918c, 0x5ec962, 0xfde725};
+  const double at = std::clamp(fraction, 0.0, 1.0) * (kColors.size() - 1);
+  const std::size_t low = std::min(static_cast<std::size_t>(at), kColors.size() - 2);
+  return interpolated(rgb(kColors[low]), rgb(kColors[low + 1]), at - static_cast<double>(low));
 }
 
 }  // namespace slalom

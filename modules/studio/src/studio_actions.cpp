@@ -2,7 +2,8 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
-#include <slalom/studio/studio_actions.h>
+#include <slalom/studio/actions.h>
+#include <slalom/studio/studio.h>
 
 namespace slalom {
 namespace {

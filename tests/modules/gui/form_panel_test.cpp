@@ -1,4 +1,5 @@
 #include "error_text.h"
+#include "views/form_layout.h"
 #include "views/form_panel.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ namespace {
 class FormPanelKeys : public testing::Test {
  protected:
   void open() {
-    panel_ = new FormPanel(nullptr, form_, [this] { ++closed_; });
+    panel_ = make_form_panel(nullptr, form_, [this] { ++closed_; });
   }
   void key(int key, int modifiers = 0) {
     panel_->keyboardEvent(key, 0, GLFW_PRESS, modifiers);
@@ -39,7 +40,7 @@ class FormPanelKeys : public testing::Test {
   }
 
   FormDescription form_;
-  nanogui::ref<FormPanel> panel_;
+  nanogui::ref<Element> panel_;
   FormValues accepted_;
   int closed_ = 0;
 };

@@ -1,4 +1,4 @@
-#include "widgets/scroll.h"
+#include "widgets/table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "views/tile_images.h"
+#include "views/scene_layers.h"
 
 #include <gtest/gtest.h>
 

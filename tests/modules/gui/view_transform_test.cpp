@@ -1,4 +1,4 @@
-#include "views/view_transform.h"
+#include "views/view_layout.h"
 
 #include <gtest/gtest.h>
 

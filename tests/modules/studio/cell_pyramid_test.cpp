@@ -1,4 +1,4 @@
-#include <slalom/studio/cell_pyramid.h>
+#include <slalom/studio/scene.h>
 
 #include <gtest/gtest.h>
 

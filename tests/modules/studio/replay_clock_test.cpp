@@ -1,4 +1,4 @@
-#include <slalom/studio/replay_clock.h>
+#include <slalom/studio/results_overlay.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,8 @@
 #include "finish_jobs.h"
 #include "list_files.h"
 
-#include <slalom/studio/studio_actions.h>
+#include <slalom/studio/actions.h>
+#include <slalom/studio/studio.h>
 
 #include <algorithm>
 

@@ -267,7 +267,7 @@ class DescriptorPanel : public Element {
     if (x_ == y_) return {info_of(x_).id};
     return {info_of(x_).id, info_of(y_).id};
   }
-  /// number of values of shown_ids() not computed
+  /// The number of values of shown_ids() that are not computed.
   std::size_t missing() const {
     const auto& values = studio_.descriptors().list_values();
     std::size_t missing = 0;
@@ -277,7 +277,7 @@ class DescriptorPanel : public Element {
     return missing;
   }
   bool can_compute() const { return studio_.describe_progress().empty() && missing() > 0; }
-  /// "descriptor", or "x" and "y"
+  /// "descriptor", or "x" and "y".
   std::vector<std::string> choices() const {
     if (tab_ == Tab::Values) return {};
     if (tab_ == Tab::Histogram) return {"descriptor"};

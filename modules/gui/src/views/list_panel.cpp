@@ -177,7 +177,7 @@ class ListPanel : public Element {
 
  private:
   ListDocument* document() const { return studio_.active(); }
-  /// below the filter; empty for none
+  /// Below the filter; empty for none.
   std::string message() const {
     if (document() == nullptr) return "";
     const std::string& error = document()->filter_error();
@@ -244,7 +244,7 @@ class ListPanel : public Element {
       document()->set_group_by(choice == 0 ? "" : choices[choice]);
     });
   }
-  /// returns its height
+  /// Returns its height.
   double draw_message(NVGcontext* ctx) {
     if (message().empty()) return 0;
     const double text_width = width() - 2 * kListMargin;

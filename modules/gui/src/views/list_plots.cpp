@@ -7,6 +7,16 @@
 namespace slalom {
 namespace {
 
+/// The color of the current scenario and of the selection.
+const Color& plot_mark_color() {
+  return palette().edit;
+}
+
+/// "Clearance (m)"; only the name if the unit is "-" or empty.
+std::string with_unit(const QuantityInfo& info) {
+  return info.unit.empty() || info.unit == "-" ? info.name : info.name + " (" + info.unit + ")";
+}
+
 std::string missing_text(const Histogram& histogram) {
   std::string text;
   if (histogram.na > 0) text = std::to_string(histogram.na) + " NA";
@@ -74,7 +84,7 @@ class HistogramPlot : public ListPlot {
     return values && values->column(info_.id) ? "no values of " + info_.name
                                               : studio_.descriptors().list_message();
   }
-  std::string x_title() const override { return with_unit(info_.name, info_.unit); }
+  std::string x_title() const override { return with_unit(info_); }
   std::string y_title() const override { return "scenarios"; }
   /// What the mouse is over, or how many scenarios are in no bar.
   std::string remark() const override {
@@ -175,8 +185,8 @@ class ScatterPlot : public ListPlot {
     const bool read = values_ && values_->column(x_info_.id) && values_->column(y_info_.id);
     return read ? "no scenario has both values" : studio_.descriptors().list_message();
   }
-  std::string x_title() const override { return with_unit(x_info_.name, x_info_.unit); }
-  std::string y_title() const override { return with_unit(y_info_.name, y_info_.unit); }
+  std::string x_title() const override { return with_unit(x_info_); }
+  std::string y_title() const override { return with_unit(y_info_); }
   std::string remark() const override {
     if (scatter_.points().empty()) return "";
     std::string text = std::to_string(scatter_.points().size()) + " scenarios";
@@ -291,9 +301,7 @@ class ScatterPlot : public ListPlot {
       nvgBeginPath(ctx);
       nvgCircle(ctx, static_cast<float>(frame.x.to_pixel(here->x)),
                 static_cast<float>(frame.y.to_pixel(here->y)), 6);
-      nvgStrokeColor(ctx, draw::nvg(plot_mark_color()));
-      nvgStrokeWidth(ctx, 2.5F);
-      nvgStroke(ctx);
+      draw::stroke_path(ctx, plot_mark_color(), 2.5F);
     }
     const std::optional<Drag>& shown = drag_ && drag_->moved ? drag_ : selection_;
     if (!shown) return;

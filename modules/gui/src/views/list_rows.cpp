@@ -94,19 +94,19 @@ class ListRows : public Table {
     return lines().line_of_group(lines().group_of(*index).value_or(0));
   }
   void set_cursor(std::size_t line, int modifiers) override {
-    const ListLines::Line item = lines().at(line);
-    focused_group_ = item.group;
-    if (item.group) return;
+    const std::size_t index = lines().at(line).index;
+    focused_group_ = lines().at(line).group;
+    if (focused_group_) return;
     if (modifiers == GLFW_MOD_CONTROL)
-      document()->set_current(document()->view().hashes[item.index]);
+      document()->set_current(document()->view().hashes[index]);
     else
-      select(item.index, modifiers & GLFW_MOD_SHIFT);
+      select(index, modifiers & GLFW_MOD_SHIFT);
     scrolled_to_ = document()->current();
   }
   void choose(std::size_t line, int modifiers) override {
-    const ListLines::Line item = lines().at(line);
-    focused_group_ = item.group;
-    item.group ? document()->toggle_group(*item.group) : select(item.index, modifiers);
+    const std::size_t index = lines().at(line).index;
+    focused_group_ = lines().at(line).group;
+    focused_group_ ? document()->toggle_group(*focused_group_) : select(index, modifiers);
   }
   void paint_row(NVGcontext* ctx, std::size_t line, const ScreenRect& rect) override {
     const Palette& colors = palette();

@@ -162,11 +162,8 @@ void draw_run_line(const LayerContext& c, const OverlayTrajectory& run) {
   nvgBeginPath(c.ctx);
   nvgRect(c.ctx, static_cast<float>(end.x) - kHalf, static_cast<float>(end.y) - kHalf, 2 * kHalf,
           2 * kHalf);
-  nvgFillColor(c.ctx, draw::nvg(outcome_color(run.outcome)));
-  nvgFill(c.ctx);
-  nvgStrokeColor(c.ctx, draw::nvg(run.color));
-  nvgStrokeWidth(c.ctx, 2);
-  nvgStroke(c.ctx);
+  draw::fill_path(c.ctx, outcome_color(run.outcome));
+  draw::stroke_path(c.ctx, run.color, 2);
 }
 
 void draw_run_robot(const LayerContext& c, const OverlayTrajectory& run) {

@@ -34,11 +34,9 @@ void trace_disc(NVGcontext* ctx, const ViewTransform& view, const Disc& disc, do
 }
 
 void stroke(NVGcontext* ctx, const Color& color, float width) {
-  nvgStrokeColor(ctx, draw::nvg(color));
-  nvgStrokeWidth(ctx, width);
   nvgLineJoin(ctx, NVG_ROUND);
   nvgLineCap(ctx, NVG_ROUND);
-  nvgStroke(ctx);
+  draw::stroke_path(ctx, color, width);
 }
 
 }  // namespace
@@ -56,8 +54,7 @@ void fill_polygon(NVGcontext* ctx, const ViewTransform& view, const std::vector<
   if (vertices.size() < 3) return;
   trace(ctx, view, vertices);
   nvgClosePath(ctx);
-  nvgFillColor(ctx, draw::nvg(color));
-  nvgFill(ctx);
+  draw::fill_path(ctx, color);
 }
 
 void dots(NVGcontext* ctx, const ViewTransform& view, const std::vector<TPoint2D>& points,
@@ -69,15 +66,13 @@ void dots(NVGcontext* ctx, const ViewTransform& view, const std::vector<TPoint2D
     nvgRect(ctx, static_cast<float>(p.x) - 0.5F * side, static_cast<float>(p.y) - 0.5F * side, side,
             side);
   }
-  nvgFillColor(ctx, draw::nvg(color));
-  nvgFill(ctx);
+  draw::fill_path(ctx, color);
 }
 
 void fill_disc(NVGcontext* ctx, const ViewTransform& view, const Disc& disc, const Color& color,
                double min_radius) {
   trace_disc(ctx, view, disc, min_radius);
-  nvgFillColor(ctx, draw::nvg(color));
-  nvgFill(ctx);
+  draw::fill_path(ctx, color);
 }
 
 void circle(NVGcontext* ctx, const ViewTransform& view, const Disc& disc, const Color& color,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "views/view_transform.h"
+#include "views/view_layout.h"
 
 #include <slalom/robot/footprint.h>
 #include <slalom/scenario/geometry.h>

@@ -1,5 +1,5 @@
 #define GL_GLEXT_PROTOTYPES  // for the functions of OpenGL 3
-#include "views/tile_images.h"
+#include "views/scene_layers.h"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>

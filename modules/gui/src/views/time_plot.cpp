@@ -107,9 +107,7 @@ class TimePlot : public Plot {
       if (!gap) (joined ? nvgLineTo : nvgMoveTo)(ctx, x, y);
       joined = !gap;
     }
-    nvgStrokeColor(ctx, draw::nvg(series.color));
-    nvgStrokeWidth(ctx, 2);
-    nvgStroke(ctx);
+    draw::stroke_path(ctx, series.color, 2);
     nvgRestore(ctx);
   }
   void draw_legend(NVGcontext* ctx, const PlotFrame& frame) const {

@@ -1,6 +1,8 @@
 #include "views/view_layout.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 namespace slalom {
 namespace {
@@ -12,6 +14,72 @@ constexpr double kClosedLegendWidth = 92, kScaleBarWidth = 220;
 constexpr double kCharacterWidth = 8, kPadding = 16;
 
 }  // namespace
+
+using mrpt::math::TPoint2D;
+
+ViewTransform::ViewTransform(TPoint2D center, double pixels_per_meter, const ScreenRect& screen)
+    : center_(center),
+      scale_(std::clamp(pixels_per_meter, kMinScale, kMaxScale)),
+      screen_{screen.left, screen.top, std::max(screen.width, 1.0), std::max(screen.height, 1.0)} {}
+
+ViewTransform ViewTransform::fitting(const Bounds& bounds, const ScreenRect& screen,
+                                     double margin) {
+  const double scale = std::min(std::max(screen.width - 2 * margin, 1.0) / bounds.width(),
+                                std::max(screen.height - 2 * margin, 1.0) / bounds.height());
+  const TPoint2D center(0.5 * (bounds.x_min + bounds.x_max), 0.5 * (bounds.y_min + bounds.y_max));
+  return {center, scale, screen};
+}
+
+TPoint2D ViewTransform::to_screen(const TPoint2D& world) const {
+  const TPoint2D middle = screen_.center();
+  return {middle.x + (world.x - center_.x) * scale_, middle.y - (world.y - center_.y) * scale_};
+}
+
+TPoint2D ViewTransform::to_world(const TPoint2D& screen) const {
+  const TPoint2D middle = screen_.center();
+  return {center_.x + (screen.x - middle.x) / scale_, center_.y - (screen.y - middle.y) / scale_};
+}
+
+Bounds ViewTransform::visible() const {
+  const TPoint2D low = to_world({screen_.left, screen_.bottom()}),
+                 high = to_world({screen_.right(), screen_.top});
+  return {low.x, low.y, high.x, high.y};
+}
+
+ViewTransform ViewTransform::on(const ScreenRect& screen) const {
+  const double ratio = std::min(std::max(screen.width, 1.0) / screen_.width,
+                                std::max(screen.height, 1.0) / screen_.height);
+  return {center_, scale_ * ratio, screen};
+}
+
+ViewTransform ViewTransform::panned(double dx, double dy) const {
+  return {{center_.x - dx / scale_, center_.y + dy / scale_}, scale_, screen_};
+}
+
+ViewTransform ViewTransform::zoomed(const TPoint2D& about, double factor) const {
+  const TPoint2D fixed = to_world(about);
+  ViewTransform next(center_, scale_ * factor, screen_);
+  const TPoint2D moved = next.to_screen(fixed);
+  return next.panned(about.x - moved.x, about.y - moved.y);
+}
+
+ScaleBar ScaleBar::choose(double pixels_per_meter, double max_pixels) {
+  const double max_meters = max_pixels / pixels_per_meter;
+  // 1e-9: a length that fits exactly is not excluded by rounding.
+  const double power = std::pow(10.0, std::floor(std::log10(max_meters) + 1e-9));
+  double meters = power;
+  for (const double step : {2.0, 5.0})
+    if (step * power <= max_meters * (1 + 1e-9)) meters = step * power;
+  return {meters, meters * pixels_per_meter};
+}
+
+std::string ScaleBar::text() const {
+  const double factor = meters >= 1000 ? 0.001 : meters >= 1 ? 1 : meters >= 0.01 ? 100 : 1000;
+  const char* unit = meters >= 1000 ? "km" : meters >= 1 ? "m" : meters >= 0.01 ? "cm" : "mm";
+  char text[48];
+  std::snprintf(text, sizeof text, "%g %s", meters * factor, unit);
+  return text;
+}
 
 ViewLayout::ViewLayout(double width, double height, const std::vector<Button>& buttons,
                        const std::vector<std::string>& layers) {

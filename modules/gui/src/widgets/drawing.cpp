@@ -17,17 +17,25 @@ void path_of(NVGcontext* ctx, const ScreenRect& rect, float radius) {
 
 }  // namespace
 
+void fill_path(NVGcontext* ctx, const Color& color) {
+  nvgFillColor(ctx, nvg(color));
+  nvgFill(ctx);
+}
+
+void stroke_path(NVGcontext* ctx, const Color& color, float width) {
+  nvgStrokeColor(ctx, nvg(color));
+  nvgStrokeWidth(ctx, width);
+  nvgStroke(ctx);
+}
+
 void fill(NVGcontext* ctx, const ScreenRect& rect, const Color& color, float radius) {
   path_of(ctx, rect, radius);
-  nvgFillColor(ctx, draw::nvg(color));
-  nvgFill(ctx);
+  fill_path(ctx, color);
 }
 
 void frame(NVGcontext* ctx, const ScreenRect& rect, const Color& color) {
   path_of(ctx, {rect.left + 0.5, rect.top + 0.5, rect.width - 1, rect.height - 1}, 0);
-  nvgStrokeColor(ctx, draw::nvg(color));
-  nvgStrokeWidth(ctx, 1);
-  nvgStroke(ctx);
+  stroke_path(ctx, color);
 }
 
 void line(NVGcontext* ctx, double x0, double y0, double x1, double y1, const Color& color,
@@ -35,9 +43,7 @@ void line(NVGcontext* ctx, double x0, double y0, double x1, double y1, const Col
   nvgBeginPath(ctx);
   nvgMoveTo(ctx, static_cast<float>(x0), static_cast<float>(y0));
   nvgLineTo(ctx, static_cast<float>(x1), static_cast<float>(y1));
-  nvgStrokeColor(ctx, draw::nvg(color));
-  nvgStrokeWidth(ctx, width);
-  nvgStroke(ctx);
+  stroke_path(ctx, color, width);
 }
 
 void triangle(NVGcontext* ctx, const Element::Point& a, const Element::Point& b,
@@ -46,8 +52,7 @@ void triangle(NVGcontext* ctx, const Element::Point& a, const Element::Point& b,
   nvgMoveTo(ctx, static_cast<float>(a.x), static_cast<float>(a.y));
   nvgLineTo(ctx, static_cast<float>(b.x), static_cast<float>(b.y));
   nvgLineTo(ctx, static_cast<float>(c.x), static_cast<float>(c.y));
-  nvgFillColor(ctx, nvg(color));
-  nvgFill(ctx);
+  fill_path(ctx, color);
 }
 
 void image(NVGcontext* ctx, const ScreenRect& rect, int image) {

@@ -23,6 +23,10 @@ inline nanogui::Color nvg(const Color& color) {
 
 enum class Align { Left, Center, Right };
 
+/// Fill and stroke the path of `ctx`.
+void fill_path(NVGcontext* ctx, const Color& color);
+void stroke_path(NVGcontext* ctx, const Color& color, float width = 1);
+
 void fill(NVGcontext* ctx, const ScreenRect& rect, const Color& color, float radius = 0);
 void frame(NVGcontext* ctx, const ScreenRect& rect, const Color& color);
 void line(NVGcontext* ctx, double x0, double y0, double x1, double y1, const Color& color,

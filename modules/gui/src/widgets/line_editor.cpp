@@ -1,5 +1,7 @@
+#include "widgets/drawing.h"
 #include "widgets/line_editor.h"
 
+#include <GLFW/glfw3.h>
 #include <algorithm>
 
 namespace slalom {
@@ -97,6 +99,60 @@ std::size_t LineEditor::next(std::size_t position) const {
   ++position;
   while (position < text_.size() && is_continuation_byte(text_[position])) ++position;
   return position;
+}
+
+bool LineEditor::key(int key, int modifiers, nanogui::Widget& owner) {
+  const bool select = (modifiers & GLFW_MOD_SHIFT) != 0;
+  if ((modifiers & GLFW_MOD_CONTROL) != 0) {
+    GLFWwindow* const window = owner.screen()->glfwWindow();
+    const bool cuts = key == GLFW_KEY_X && cursor_ != anchor_;
+    if (key == GLFW_KEY_A) select_all();
+    if (cuts || (key == GLFW_KEY_C && cursor_ != anchor_))
+      glfwSetClipboardString(window, selected().c_str());
+    if (cuts) erase_selection();
+    const char* const copied = key == GLFW_KEY_V ? glfwGetClipboardString(window) : nullptr;
+    if (copied != nullptr) insert(copied);
+    return cuts || copied != nullptr;
+  }
+  if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT) move(key == GLFW_KEY_LEFT ? -1 : 1, select);
+  if (key == GLFW_KEY_HOME) move_to_begin(select);
+  if (key == GLFW_KEY_END) move_to_end(select);
+  if (key == GLFW_KEY_BACKSPACE) erase_backward();
+  if (key == GLFW_KEY_DELETE) erase_forward();
+  return key == GLFW_KEY_BACKSPACE || key == GLFW_KEY_DELETE;
+}
+
+/// The text scrolls so that the cursor is visible.
+double LineEditor::offset(NVGcontext* ctx, const ScreenRect& box) const {
+  return std::max(0.0,
+                  draw::text_width(ctx, text_.substr(0, cursor_)) - box.width + 2 * kInset + 2);
+}
+
+void LineEditor::click(NVGcontext* ctx, const ScreenRect& box, double x, bool select) {
+  const double target = x - box.left - kInset + offset(ctx, box);
+  std::size_t position = 0;
+  for (double left = 0; position < text_.size(); position = next(position)) {
+    const double right = draw::text_width(ctx, text_.substr(0, next(position)));
+    if (target < 0.5 * (left + right)) break;
+    left = right;
+  }
+  move_to(position, select);
+}
+
+void LineEditor::draw(NVGcontext* ctx, const ScreenRect& box) const {
+  const auto x_of = [&](std::size_t position) {
+    return box.left + kInset + draw::text_width(ctx, text_.substr(0, position)) - offset(ctx, box);
+  };
+  nvgSave(ctx);
+  draw::clip(ctx, box.inset(2));
+  const double begin = x_of(selection_begin()), end = x_of(selection_end());
+  if (end > begin)
+    draw::fill(ctx, {begin, box.top + 3, end - begin, box.height - 6}, palette().selected);
+  draw::text(ctx, {x_of(0), box.top, draw::text_width(ctx, text_) + 2, box.height}, text_,
+             palette().text);
+  const double cursor = x_of(cursor_);
+  draw::line(ctx, cursor, box.top + 4, cursor, box.bottom() - 4, palette().accent, 1.5F);
+  nvgRestore(ctx);
 }
 
 std::string utf8_of(unsigned int code_point) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "widgets/element.h"
+
 #include <cstddef>
 #include <string>
 
@@ -29,9 +31,17 @@ class LineEditor {
   void move_to_end(bool select) { move_to(text_.size(), select); }
   void select_all();
 
+  /// Handles a key of a text field in the window of `owner`. Returns whether it is one that edits.
+  bool key(int key, int modifiers, nanogui::Widget& owner);
+  /// Moves the cursor to the character at `x` (pixels) of the text in `box`.
+  void click(NVGcontext* ctx, const ScreenRect& box, double x, bool select);
+  void draw(NVGcontext* ctx, const ScreenRect& box) const;
+
   static constexpr std::size_t kMaxLength = 4096;
+  static constexpr double kInset = 6;  ///< of the text in its box, pixels
 
  private:
+  double offset(NVGcontext* ctx, const ScreenRect& box) const;
   bool erase_selection();
   std::size_t previous(std::size_t position) const;
   std::size_t next(std::size_t position) const;

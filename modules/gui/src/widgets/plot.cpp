@@ -12,14 +12,6 @@ constexpr double kTickWidth = 84, kTickHeight = 26;
 
 }  // namespace
 
-const Color& plot_mark_color() {
-  return palette().edit;
-}
-
-std::string with_unit(const std::string& name, const std::string& unit) {
-  return unit.empty() || unit == "-" ? name : name + " (" + unit + ")";
-}
-
 PlotFrame PlotFrame::within(const ScreenRect& rect, Interval x_range, Interval y_range) {
   const ScreenRect area{rect.left + kLeft, rect.top + kTop,
                         std::max(rect.width - kLeft - kRight, 1.0),

@@ -40,10 +40,4 @@ class Plot : public Element {
   void paint(NVGcontext* ctx) override;
 };
 
-/// The color of highlighted data: the current scenario, a selection.
-const Color& plot_mark_color();
-
-/// "Clearance (m)"; only the name if the unit is "-" or empty.
-std::string with_unit(const std::string& name, const std::string& unit);
-
 }  // namespace slalom

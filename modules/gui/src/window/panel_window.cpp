@@ -10,7 +10,6 @@
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
-#include <iostream>
 #include <nanogui/opengl.h>
 #include <vector>
 
@@ -125,11 +124,10 @@ void PanelWindow::run(const std::vector<ScriptCommand>& script, const std::strin
     if (is_open()) frame();
     return is_open();
   };
-  play_script(script, name,
-              {this, draw_frame, [this] { return studio_->jobs().idle(); },
-               [this](const std::string& id) { run_action(id); },
-               [this](const std::string& path) { save_window_picture(*this, path); },
-               [](const std::string& text) { std::cout << text << "\n"; }});
+  play_script(
+      script, name,
+      {this, draw_frame, &studio_->jobs(), [this](const std::string& id) { run_action(id); },
+       [this](const std::string& path) { save_window_picture(*this, path); }});
 }
 
 }  // namespace slalom

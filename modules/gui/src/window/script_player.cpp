@@ -5,6 +5,7 @@
 
 #include <GLFW/glfw3.h>
 #include <cmath>
+#include <iostream>
 #include <map>
 
 namespace slalom {
@@ -81,7 +82,7 @@ class ScriptPlayer {
         {Kind::Wait, [] {}},
         {Kind::Screenshot, [&] { host_.screenshot(command.text); }},
         {Kind::Expect, [&] { expect(command); }},
-        {Kind::Print, [&] { host_.print(shown_text(element(command.target))); }},
+        {Kind::Print, [&] { std::cout << shown_text(element(command.target)) << "\n"; }},
         {Kind::Fps, [&] { begin_frames(command); }}};
     actions.at(command.kind)();
   }
@@ -129,7 +130,7 @@ class ScriptPlayer {
     if (--frames_left_ > 0) return;
     button(false, false, 0);
     const double elapsed = glfwGetTime() - frames_start_;
-    host_.print("frames per second: " + format_fixed(frames_ / elapsed, 1));
+    std::cout << "frames per second: " << format_fixed(frames_ / elapsed, 1) << "\n";
     ++next_;
   }
   void type(const std::string& text) {
@@ -161,7 +162,7 @@ class ScriptPlayer {
       return true;  // at least one frame, which shows the effect of the previous command
     }
     const double waited = now - wait_start_;
-    const bool over = command.number > 0 ? waited >= command.number : host_.is_idle();
+    const bool over = command.number > 0 ? waited >= command.number : host_.jobs->idle();
     if (!over && waited > kMaxWait) fail("jobs did not end within 300 s");
     if (over) wait_start_ = -1;
     return !over;
@@ -182,7 +183,7 @@ class ScriptPlayer {
     list_ids(*host_.screen, ids);
     fail("unknown element '" + target.element + "'", "one of " + ids);
   }
-  /// in screen coordinates (pixels)
+  /// In screen coordinates (pixels).
   nanogui::Vector2f at(const ScriptTarget& target) const {
     const nanogui::Widget& widget = element(target);
     ScreenRect rect{0, 0, static_cast<double>(widget.width()),

@@ -2,6 +2,7 @@
 
 #include "widgets/element.h"
 
+#include <slalom/studio/jobs.h>
 #include <slalom/studio/script.h>
 
 #include <functional>
@@ -13,11 +14,10 @@ namespace slalom {
 /// Services of the window that a script uses.
 struct ScriptHost {
   nanogui::Screen* screen = nullptr;
-  std::function<bool()> draw_frame;                         ///< false: the window was closed
-  std::function<bool()> is_idle;                            ///< no job is running
+  std::function<bool()> draw_frame;  ///< false: the window was closed
+  const Jobs* jobs = nullptr;
   std::function<void(const std::string& id)> run_action;    ///< throws Error if disabled or unknown
   std::function<void(const std::string& path)> screenshot;  ///< throws Error (Job)
-  std::function<void(const std::string& text)> print;       ///< to standard output
 };
 
 /// The visible element (or other widget) with this id; null if there is none. If there are several,

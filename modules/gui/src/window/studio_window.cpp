@@ -7,7 +7,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/gui/studio_window.h>
-#include <slalom/studio/studio_actions.h>
+#include <slalom/studio/actions.h>
 
 #include <GLFW/glfw3.h>
 #include <algorithm>

@@ -28,12 +28,9 @@ std::vector<KeyedValue> cached_values(ScenarioList& list, const std::string& has
 
 std::vector<std::string> missing_ids(const std::vector<std::string>& wanted,
                                      const std::vector<KeyedValue>& values) {
-  std::vector<std::string> missing;
-  for (const std::string& id : wanted) {
-    bool found = false;
-    for (const KeyedValue& value : values) found = found || value.key.id == id;
-    if (!found) missing.push_back(id);
-  }
+  std::vector<std::string> missing = wanted;
+  for (const KeyedValue& value : values)
+    missing.erase(std::remove(missing.begin(), missing.end(), value.key.id), missing.end());
   return missing;
 }
 

@@ -13,17 +13,14 @@ std::vector<std::string> parts_of(const std::string& value) {
 }
 
 std::string number_error(const FormField& field, const std::string& text) {
+  const bool integer = field.kind == FieldKind::Integer;
   double number = 0;
-  if (parse_number(text, number) && field.range.contains(number)) return "";
+  long long whole = 0;
+  const bool valid = integer ? parse_integer(text, whole) : parse_number(text, number);
+  if (valid && field.range.contains(integer ? static_cast<double>(whole) : number)) return "";
   const std::string range = field.range.text();
-  return "'" + text + "' is not valid; expected a number" + (range == "any" ? "" : " " + range);
-}
-
-std::string integer_error(const FormField& field, const std::string& text) {
-  long long number = 0;
-  if (parse_integer(text, number) && field.range.contains(static_cast<double>(number))) return "";
-  const std::string range = field.range.text();
-  return "'" + text + "' is not valid; expected an integer" + (range == "any" ? "" : " " + range);
+  return "'" + text + "' is not valid; expected " + (integer ? "an integer" : "a number") +
+         (range == "any" ? "" : " " + range);
 }
 
 std::string choice_error(const FormField& field, const std::string& text) {
@@ -37,9 +34,8 @@ std::string choice_error(const FormField& field, const std::string& text) {
 std::string kind_error(const FormField& field, const std::string& text) {
   switch (field.kind) {
     case FieldKind::Number:
-      return number_error(field, text);
     case FieldKind::Integer:
-      return integer_error(field, text);
+      return number_error(field, text);
     case FieldKind::Choice:
     case FieldKind::Choices:
       return choice_error(field, text);

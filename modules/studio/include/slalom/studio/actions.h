@@ -1,12 +1,32 @@
 #pragma once
 
-#include <slalom/studio/key_stroke.h>
-
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace slalom {
+
+class Studio;
+
+/// A key with modifiers, as GLFW codes.
+struct KeyStroke {
+  int key = 0;
+  int modifiers = 0;
+  bool operator==(const KeyStroke& o) const { return key == o.key && modifiers == o.modifiers; }
+};
+
+/// Parses "Ctrl+Shift+Z", "Delete", "F5", "Left"; case-insensitive. Throws Error (Usage) with the
+/// known names.
+KeyStroke key_stroke_of(const std::string& name);
+
+// The letters of an American keyboard, which GLFW's numbers of keys speak of.
+/// What is pressed to type a letter (Unicode); the key is GLFW_KEY_UNKNOWN where there is none.
+KeyStroke key_stroke_typing(unsigned int letter);
+/// Whether a text field takes it: all that types a letter or moves and edits in a text.
+bool is_key_of_text(const KeyStroke& stroke);
+/// What a key types; 0 for nothing, as with Ctrl or Alt.
+unsigned int letter_typed_by(const KeyStroke& stroke);
 
 /// An action of the user. Menus, keyboard shortcuts, the help and scripts are made from these.
 struct Action {
@@ -45,5 +65,20 @@ class Actions {
  private:
   std::vector<Action> actions_;
 };
+
+// The actions of the studio, menu by menu in order, for menus, keyboard shortcuts, the help and
+// scripts. The window adds those that concern only itself.
+
+void add_file_actions(Actions& actions, Studio& studio);
+void add_edit_actions(Actions& actions, Studio& studio);
+void add_list_actions(Actions& actions, Studio& studio);
+void add_generate_actions(Actions& actions, Studio& studio);
+/// `actions` must outlive the studio's notices.
+void add_help_actions(Actions& actions, Studio& studio);
+
+/// Import and export, of the menu File.
+void add_import_export_actions(Actions& actions, Studio& studio);
+/// Opens lists and results, and the import form for other files.
+void open_files(Studio& studio, std::vector<std::string> files);
 
 }  // namespace slalom

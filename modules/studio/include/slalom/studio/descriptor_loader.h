@@ -3,7 +3,7 @@
 #include <slalom/campaign/describe_scenario.h>
 #include <slalom/generation/generate_mix.h>
 #include <slalom/studio/jobs.h>
-#include <slalom/studio/list_values.h>
+#include <slalom/studio/list_view.h>
 #include <slalom/studio/notices.h>
 
 #include <cstddef>

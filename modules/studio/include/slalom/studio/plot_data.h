@@ -1,6 +1,6 @@
 #pragma once
 
-#include <slalom/studio/list_values.h>
+#include <slalom/studio/list_view.h>
 #include <slalom/studio/palette.h>
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <slalom/studio/key_stroke.h>
+#include <slalom/studio/actions.h>
 
 #include <optional>
 #include <string>
