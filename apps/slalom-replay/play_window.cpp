@@ -1,9 +1,9 @@
 #include "play_window.h"
 #include "recorded_campaign.h"
 
+#include <slalom/core/read_file.h>
 #include <slalom/gui/panel_window.h>
 #include <slalom/gui/replay_window.h>
-#include <slalom/io/result_file.h>
 #include <slalom/rawlog/run_scene.h>
 
 #include <algorithm>
@@ -50,7 +50,8 @@ ReplayContent content_of(const RecordedRun& run, const CampaignOptions& options,
 void show_run(const RecordedRun& run, const Scenario& scenario, const CampaignOptions& options,
               const std::string& log, const std::string& script) {
   std::vector<ScriptCommand> commands;
-  if (!script.empty()) commands = parse_studio_script(read_file(script), script);
+  if (!script.empty())
+    commands = parse_studio_script(read_file(script, "a script", kMaxConfigSize), script);
   with_display("slalom-replay play --gui",
                "images by 'slalom-replay play " + log + " --png DIR', or xvfb-run -a", [&] {
                  ReplayWindow window(scenario, content_of(run, options, log), script.empty());

@@ -3,9 +3,9 @@
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
+#include <slalom/core/read_file.h>
 #include <slalom/gui/panel_window.h>
 #include <slalom/gui/studio_window.h>
-#include <slalom/io/result_file.h>
 
 #include <cstdlib>
 
@@ -60,7 +60,8 @@ void open_files(StudioWindow& window, const StudioArguments& arguments) {
 void show_window(const StudioArguments& arguments) {
   std::vector<ScriptCommand> commands;
   if (!arguments.script.empty())
-    commands = parse_studio_script(read_file(arguments.script), arguments.script);
+    commands = parse_studio_script(read_file(arguments.script, "a script", kMaxConfigSize),
+                                   arguments.script);
   const std::string file = settings_file(arguments);
   std::string warning;
   StudioWindow window(scene_settings(arguments), read_settings(file, warning), make_services());

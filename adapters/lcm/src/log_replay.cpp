@@ -1,5 +1,6 @@
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/lcm/method_host.h>
 
@@ -99,12 +100,14 @@ class Replayer {
 }  // namespace
 
 LogReplay replay_log(const std::string& path, const std::function<MethodHost()>& make_host) {
+  const std::string kind = "a log of lcm-logger";
+  require_regular_file(path, kind);
   lcm::LogFile log(path, "r");
-  if (!log.good()) throw file_error(path, "cannot be read", "a log of lcm-logger");
+  if (!log.good()) throw file_error(path, "cannot be read", kind);
   Replayer replayer(make_host);
   while (const lcm::LogEvent* event = log.readNextEvent()) replayer.play(*event);
   if (replayer.result().observations == 0)
-    throw file_error(path, "contains no observations of a run", "a log of lcm-logger");
+    throw file_error(path, "contains no observations of a run", kind);
   return replayer.result();
 }
 

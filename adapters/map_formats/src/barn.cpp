@@ -2,6 +2,7 @@
 #include "npy.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/map_formats/barn.h>
 #include <slalom/scenario/grid_map.h>
@@ -220,7 +221,8 @@ Scenario import_world(const WorldFile& file, Representation representation) {
   const std::string number = std::to_string(file.number);
   const NpyTable grid = read_grid(file.grid.string());
   if (const auto map = companion(file.grid, "map_files", "map_pgm_" + number + ".pgm"))
-    check_map(parse_pgm(read_bytes(map->string()), map->string()), grid, map->string());
+    check_map(parse_pgm(read_file(map->string(), "a map of BARN", kMaxMapSize), map->string()),
+              grid, map->string());
   const Scenario world = make_world("barn_" + number, grid, representation);
   const auto path = companion(file.grid, "path_files", "path_" + number + ".npy");
   return path ? world.with_published_path(read_path(path->string())) : world;

@@ -1,14 +1,12 @@
 #include "map_readers.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 
 #include <mrpt/img/CImage.h>
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace slalom {
 namespace {
@@ -90,20 +88,6 @@ GrayImage read_with_mrpt(const std::string& path) {
 
 }  // namespace
 
-std::string read_bytes(const std::string& path, std::uint64_t max_size) {
-  std::error_code ignored;
-  const bool folder = std::filesystem::is_directory(path, ignored);  // can be opened, but not read
-  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
-  if (!ignored && size > max_size)
-    throw file_error(path, "has " + std::to_string(size) + " bytes",
-                     "at most " + std::to_string(max_size));
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream content;
-  if (file && !folder) content << file.rdbuf();
-  if (!file || file.bad() || folder) throw file_error(path, "cannot be read", "a map file");
-  return content.str();
-}
-
 GrayImage parse_pgm(const std::string& bytes, const std::string& path) {
   constexpr std::uint64_t kMaxSide = 1U << 20;
   PgmTokens tokens(bytes, path);
@@ -134,7 +118,7 @@ GrayImage parse_pgm(const std::string& bytes, const std::string& path) {
 }
 
 GrayImage read_gray_image(const std::string& path) {
-  const std::string bytes = read_bytes(path);
+  const std::string bytes = read_file(path, "an image", kMaxMapSize);
   if (bytes.size() > 1 && bytes[0] == 'P' && (bytes[1] == '5' || bytes[1] == '2'))
     return parse_pgm(bytes, path);
   check_image_size(bytes, path);

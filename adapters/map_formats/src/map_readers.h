@@ -30,7 +30,7 @@ GrayImage read_gray_image(const std::string& path);
 void check_image_size(const std::string& bytes, const std::string& path);
 GrayImage parse_pgm(const std::string& bytes, const std::string& path);
 
-/// Reads a file of at most `max_size` bytes. Throws Error (File).
-std::string read_bytes(const std::string& path, std::uint64_t max_size = 4 * kMaxCells);
+/// Maximum size of map files: four characters for each cell.
+constexpr std::uint64_t kMaxMapSize = 4 * kMaxCells;
 
 }  // namespace slalom

@@ -1,6 +1,7 @@
 #include "map_readers.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/result_file.h>
 #include <slalom/map_formats/map_task.h>
@@ -12,7 +13,7 @@
 namespace slalom {
 namespace {
 
-constexpr std::uint64_t kMaxTaskBytes = 1U << 16;
+constexpr std::uint64_t kMaxTaskBytes = kMegabyte;
 constexpr char kTaskKeys[] = "name, start: [x, y, phi] and goal: [x, y]";
 
 std::vector<double> numbers(const YAML::Node& root, const char* key, std::size_t count,
@@ -67,7 +68,7 @@ std::optional<MapTask> read_map_task(const std::string& map_path) {
   const std::string path = task_path(map_path);
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return std::nullopt;
-  return parse_map_task(read_bytes(path, kMaxTaskBytes), path);
+  return parse_map_task(read_file(path, "start and goal of a map", kMaxTaskBytes), path);
 }
 
 }  // namespace slalom

@@ -1,6 +1,7 @@
 #include "map_readers.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/grid_map.h>
 
@@ -14,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <optional>
 
 namespace slalom {
@@ -34,9 +34,8 @@ std::string first_message(const std::string& text) {
 
 void open_compressed(mrpt::io::CFileGZInputStream& file, const std::string& path,
                      const std::string& expected) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored) || !file.open(path))
-    throw file_error(path, "cannot be read", expected);
+  require_regular_file(path, expected, kMaxMapSize);
+  if (!file.open(path)) throw file_error(path, "cannot be read", expected);
 }
 
 template <typename Read>

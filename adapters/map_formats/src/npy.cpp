@@ -2,6 +2,7 @@
 #include "npy.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 
 #include <cctype>
@@ -164,7 +165,7 @@ NpyTable parse_npy(const std::string& bytes, const std::string& path) {
 
 NpyTable read_npy(const std::string& path) {
   constexpr std::uint64_t kMaxFileSize = kMaxNumbers * kNumberSize + (1U << 17U);
-  return parse_npy(read_bytes(path, kMaxFileSize), path);
+  return parse_npy(read_file(path, "a NumPy array (.npy)", kMaxFileSize), path);
 }
 
 }  // namespace slalom

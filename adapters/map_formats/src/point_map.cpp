@@ -1,6 +1,7 @@
 #include "map_readers.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/map_formats/point_map.h>
 
@@ -11,7 +12,6 @@
 namespace slalom {
 namespace {
 
-constexpr std::uint64_t kMaxBytes = 1U << 30;
 constexpr double kMaxCoordinate = 1e6;  ///< m: single precision resolves 0.06 m there
 constexpr char kCoordinates[] = "x y or x y z, in m";
 
@@ -90,7 +90,7 @@ mrpt::maps::CSimplePointsMap parse_point_map(const std::string& text, const std:
 
 mrpt::maps::CSimplePointsMap read_point_map(const std::string& path,
                                             const PointMapOptions& options) {
-  return parse_point_map(read_bytes(path, kMaxBytes), path, options);
+  return parse_point_map(read_file(path, "a point map", kMaxTextSize), path, options);
 }
 
 Scenario point_map_scenario(const std::string& path, const PointMapOptions& options) {

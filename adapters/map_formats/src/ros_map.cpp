@@ -3,6 +3,7 @@
 
 #include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/grid_map.h>
 
@@ -140,7 +141,7 @@ std::string image_path(const std::string& path, const std::string& image) {
 }
 
 RosMap parse(const std::string& path) {
-  const std::string bytes = read_bytes(path);
+  const std::string bytes = read_file(path, "a ROS map (.yaml)", kMaxConfigSize);
   try {
     const YAML::Node root = YAML::Load(bytes);
     return RosMapReader(root, path).read();

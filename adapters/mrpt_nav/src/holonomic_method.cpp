@@ -1,3 +1,4 @@
+#include "navigator_config.h"
 #include "plugin_module.h"
 #include "sectors.h"
 
@@ -5,12 +6,10 @@
 #include <slalom/core/text.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
 
-#include <mrpt/config/CConfigFile.h>
 #include <mrpt/nav/holonomic/CAbstractHolonomicReactiveMethod.h>
 #include <mrpt/nav/holonomic/ClearanceDiagram.h>
 #include <mrpt/nav/registerAllClasses.h>
 #include <mrpt/rtti/CObject.h>
-#include <mrpt/system/filesystem.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,10 +42,10 @@ CAbstractHolonomicReactiveMethod::Ptr create_by_name(const std::string& name) {
 /// Loads the .ini of the class once, to report a missing file or key before any run.
 void check_config(const HolonomicOptions& options, const OptionLocation& where) {
   if (options.config.empty()) return;
-  if (!mrpt::system::fileExists(options.config))
-    throw usage_error(where("config"), "'" + options.config + "' cannot be read", "an MRPT .ini");
   try {
-    create_by_name(options.class_name)->initialize(mrpt::config::CConfigFile(options.config));
+    create_by_name(options.class_name)->initialize(read_navigator_config(options.config));
+  } catch (const Error& e) {
+    throw usage_error(where("config"), e.what());
   } catch (const std::exception& e) {
     throw usage_error(where("config"), options.class_name + " rejects it (" + reason_of(e) + ")",
                       "an MRPT .ini with the section of the class");
@@ -88,8 +87,7 @@ class HolonomicMethod : public Method {
   /// Without an .ini the defaults of the class are used: initialize() requires some keys.
   void configure() {
     if (options_.config.empty()) return;
-    const mrpt::config::CConfigFile file(options_.config);
-    method_->initialize(file);
+    method_->initialize(read_navigator_config(options_.config));
   }
 
   /// Free distance of the enlarged disc in each sector, as a fraction of the reference distance.

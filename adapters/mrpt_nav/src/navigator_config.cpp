@@ -2,13 +2,13 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 
 #include <mrpt/config/config_parser.h>
 #include <mrpt/core/bits_math.h>
 
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
 
@@ -82,10 +82,7 @@ TPoint2D offset_corner(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c, 
 }  // namespace
 
 mrpt::config::CConfigFileMemory read_navigator_config(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw std::runtime_error("'" + path + "' cannot be read");
-  return {mrpt::config::config_parser(text)};
+  return {mrpt::config::config_parser(read_file(path, "an MRPT .ini", kMaxConfigSize))};
 }
 
 void override_config(CConfigFileBase& config, const std::string& assignments,

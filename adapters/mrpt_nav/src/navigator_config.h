@@ -10,7 +10,7 @@
 
 namespace slalom {
 
-/// Reads the file and expands its definitions. Throws std::runtime_error if it cannot be read.
+/// Reads the file and expands its definitions. Throws Error (File) if it cannot be read.
 mrpt::config::CConfigFileMemory read_navigator_config(const std::string& path);
 
 /// Applies overrides "SECTION.KEY=VALUE; ...". Throws Error (Usage) at `where` for malformed

@@ -65,6 +65,8 @@ void NavigatorFactory::read_config(const RobotModel& robot) {
     throw usage_error(where_("config"), "missing configuration of the navigator", "an MRPT .ini");
   try {
     if (!options_.config.empty()) config_ = read_navigator_config(options_.config);
+  } catch (const Error& e) {
+    throw usage_error(where_("config"), e.what());
   } catch (const std::exception& e) {
     throw usage_error(where_("config"), reason_of(e), "an MRPT .ini");
   }

@@ -1,5 +1,8 @@
 #include "plugin_module.h"
 
+#include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
+
 #include <dlfcn.h>
 #include <filesystem>
 #include <system_error>
@@ -25,7 +28,14 @@ std::string module_file(const std::string& path) {
 }  // namespace
 
 void* load_plugin_module(const std::string& path, std::string& error) {
-  void* handle = dlopen(module_file(path).c_str(), RTLD_NOW | RTLD_GLOBAL);
+  const std::string file = module_file(path);
+  if (file.find('/') != std::string::npos) try {
+      require_regular_file(file, "a shared library");
+    } catch (const Error& e) {
+      error = e.what();
+      return nullptr;
+    }
+  void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
   if (handle != nullptr) return handle;
   const char* reason = dlerror();
   error = reason == nullptr ? "unknown reason" : reason;

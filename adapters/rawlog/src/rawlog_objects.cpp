@@ -4,11 +4,10 @@
 #include "rawlog_objects.h"
 
 #include <slalom/core/error.h>
-#include <slalom/io/result_file.h>
+#include <slalom/core/read_file.h>
 
 #include <mrpt/obs/CRawlog.h>
 
-#include <filesystem>
 #include <new>
 
 namespace slalom {
@@ -17,14 +16,10 @@ namespace {
 using mrpt::serialization::CSerializable;
 using Objects = std::vector<CSerializable::Ptr>;
 
-constexpr std::size_t kMaxLogSize = std::size_t(2) << 30;  ///< of an uncompressed log, bytes
+constexpr std::size_t kMaxLogSize = 2000 * kMegabyte;  ///< of an uncompressed log, bytes
 
 std::string content_of(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) throw file_error(path, "cannot be read");
-  if (std::filesystem::file_size(path, error) > kMaxLogSize || error)
-    throw file_error(path, "is too large", "a rawlog of at most 2 GiB");
-  std::string content = gunzip(read_file(path), kMaxLogSize, path);
+  std::string content = gunzip(read_file(path, "a rawlog", kMaxLogSize), kMaxLogSize, path);
   if (content.empty()) throw file_error(path, "is empty", "a rawlog");
   return content;
 }

@@ -1,8 +1,8 @@
 #include "manifest.h"
 
 #include <slalom/core/hash.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/version.h>
-#include <slalom/io/result_file.h>
 #include <slalom/library/library_method.h>
 
 namespace slalom {
@@ -32,7 +32,9 @@ Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>
     const auto library = config.ini.get(section, "plugin");
     if (!library) continue;
     manifest[section + ".plugin_hash"] =
-        Hasher().add(read_file(resolve_plugin_path(config.ini, section, *library))).hex();
+        Hasher()
+            .add(read_file(resolve_plugin_path(config.ini, section, *library), "a library"))
+            .hex();
   }
   return manifest;
 }

@@ -1,12 +1,12 @@
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/core/printable.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 
 #include <mrpt/config/config_parser.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 namespace slalom {
@@ -34,13 +34,9 @@ std::string expand(const std::string& text, const std::string& name) {
 }  // namespace
 
 IniFile IniFile::load(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw file_error(path, "cannot be read", "a configuration file (.ini)");
-  std::stringstream content;
-  content << file.rdbuf();
-  if (file.bad()) throw file_error(path, "cannot be read", "a configuration file (.ini)");
-  const std::string text = content.str();
-  if (!is_text(text)) throw file_error(path, "is not a text file", "a configuration file (.ini)");
+  const std::string kind = "a configuration file (.ini)";
+  const std::string text = read_file(path, kind, kMaxConfigSize);
+  if (!is_text(text)) throw file_error(path, "is not a text file", kind);
   return from_text(text, path);
 }
 

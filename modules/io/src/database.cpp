@@ -1,6 +1,7 @@
 #include "database.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 
 #include <cerrno>
 #include <cstring>
@@ -52,8 +53,7 @@ std::unique_ptr<SQLite::Database> create_database(const std::string& path,
 }
 
 std::unique_ptr<SQLite::Database> open_database(const std::string& path, const DatabaseKind& kind) {
-  if (access(path.c_str(), R_OK) != 0)
-    throw file_error(path, std::string("cannot be read (") + std::strerror(errno) + ")", kind.name);
+  require_regular_file(path, kind.name);
   const int mode = access(path.c_str(), W_OK) == 0 ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY;
   return reading(path, [&] {
     auto database = std::make_unique<SQLite::Database>(path, mode, kBusyTimeoutMs);

@@ -200,7 +200,7 @@ TEST(HolonomicMethod, RefusesUnknownKeysAndInvalidValues) {
 
 TEST(HolonomicMethod, RefusesMissingFiles) {
   EXPECT_TRUE(refuses("config", "/nowhere/nd.ini",
-                      {"'/nowhere/nd.ini' cannot be read", "expected an MRPT .ini"}));
+                      {"/nowhere/nd.ini: cannot be read", "expected an MRPT .ini"}));
   EXPECT_TRUE(refuses("plugin", "/nowhere/libplugin.so", {"cannot be loaded (/nowhere/"}));
 }
 

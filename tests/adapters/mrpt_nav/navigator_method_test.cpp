@@ -157,7 +157,7 @@ TEST(NavigatorMethod, RefusesMissingFilesAndClassesInOneLine) {
   EXPECT_TRUE(
       refuses_navigator("", ": [method.nav] config: ", {"configuration", "expected an MRPT .ini"}));
   EXPECT_TRUE(refuses_navigator("config = /nowhere/nav.ini\n", ":3: [method.nav] config: ",
-                                {"'/nowhere/nav.ini' cannot be read", "expected an MRPT .ini"}));
+                                {"/nowhere/nav.ini: cannot be read", "expected an MRPT .ini"}));
   EXPECT_TRUE(
       refuses_navigator(small + "class = CReactive\n", ":4: [method.nav] class: ",
                         {"navigator class 'CReactive'", "expected CReactiveNavigationSystem",

@@ -2,7 +2,7 @@
 #include "gzip.h"
 #include "recorded_runs.h"
 
-#include <slalom/io/result_file.h>
+#include <slalom/core/read_file.h>
 
 #include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/io/CFileGZOutputStream.h>

@@ -1,6 +1,6 @@
 #include "recorded_runs.h"
 
-#include <slalom/io/result_file.h>
+#include <slalom/core/read_file.h>
 
 #include <mrpt/obs/CRawlog.h>
 

@@ -1,8 +1,8 @@
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/analysis_input.h>
 #include <slalom/io/read_results.h>
-#include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 
 namespace slalom {
@@ -11,7 +11,8 @@ ResultTable read_analysis_input(const std::string& path,
                                 const std::optional<std::vector<std::string>>& ids, bool csv,
                                 const CsvColumnOptions& options) {
   const bool is_table = !is_database(path) && (csv || ends_with(path, ".csv"));
-  return is_table ? columns_from_csv(read_file(path), path, options) : read_results(path, ids);
+  return is_table ? columns_from_csv(read_file(path, "a table (.csv)"), path, options)
+                  : read_results(path, ids);
 }
 
 std::vector<BinSpec> resolve_indexes(std::vector<BinSpec> specs, const std::string& list_path) {

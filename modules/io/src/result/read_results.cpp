@@ -2,6 +2,7 @@
 #include "value_columns.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 
@@ -288,6 +289,7 @@ ResultTable read_detailed_results(const std::string& path) {
 }
 
 bool is_database(const std::string& path) {
+  require_regular_file(path, "a result file (.results) or a table (.csv)");
   const std::string magic("SQLite format 3\0", 16);
   std::string head(magic.size(), ' ');
   std::ifstream file(path, std::ios::binary);

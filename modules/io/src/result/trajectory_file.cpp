@@ -2,8 +2,8 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
-#include <slalom/io/result_file.h>
 #include <slalom/io/trajectory_file.h>
 
 #include <mrpt/math/wrap2pi.h>
@@ -218,7 +218,7 @@ TrajectoryFile load_trajectory_file(const std::string& path, bool sideways) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (!error && size > kMaxBytes) throw file_error(path, "file too large", "at most 512 MiB");
-  return trajectory_from_text(read_file(path), path, sideways);
+  return trajectory_from_text(read_file(path, "a trajectory"), path, sideways);
 }
 
 }  // namespace slalom

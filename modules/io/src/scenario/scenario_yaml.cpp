@@ -1,6 +1,6 @@
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
-#include <slalom/io/result_file.h>
 #include <slalom/io/scenario_yaml.h>
 #include <slalom/scenario/grid_map.h>
 
@@ -283,7 +283,7 @@ Scenario scenario_from_yaml(const std::string& text, const std::string& where) {
 }
 
 Scenario load_scenario_yaml(const std::string& path) {
-  return scenario_from_yaml(read_file(path), path);
+  return scenario_from_yaml(read_file(path, "a scenario (.yaml)"), path);
 }
 
 }  // namespace slalom

@@ -2,6 +2,7 @@
 #include "io_sample.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 

@@ -1,6 +1,7 @@
 #include "io_sample.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>
 
 #include <gtest/gtest.h>

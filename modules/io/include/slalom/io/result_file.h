@@ -69,7 +69,5 @@ std::string dump(const ResultFile& file);
 
 /// Writes `content` to a temporary file next to `path` and renames it. Throws Error (Job).
 void write_file_atomically(const std::string& path, const std::string& content);
-/// Throws Error (File).
-std::string read_file(const std::string& path);
 
 }  // namespace slalom
