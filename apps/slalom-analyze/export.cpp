@@ -2,6 +2,7 @@
 
 #include <slalom/analysis/data_table.h>
 #include <slalom/analysis/table_latex.h>
+#include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
@@ -88,6 +89,7 @@ constexpr Format kFormats[] = {
 void run(const ExportArguments& arguments) {
   ExportData data;
   data.results = read_detailed_results(arguments.results);
+  warn_of_damage(arguments.results, data.results.damaged);
   const ReportOptions options = report_options(data.results);
   data.summary = build_summary(data.results, options.columns, options.analysis);
   data.cross_tables =

@@ -1,6 +1,7 @@
 #include "interpret.h"
 #include "output.h"
 
+#include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/analysis_input.h>
@@ -29,6 +30,7 @@ std::vector<ResultTable> read_inputs(const InterpretArguments& arguments,
   std::vector<ResultTable> results;
   for (const std::string& file : arguments.files) {
     results.push_back(read_analysis_input(file, columns, file == arguments.csv_file, options));
+    warn_of_damage(file, results.back().damaged);
   }
   return results;
 }

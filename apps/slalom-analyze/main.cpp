@@ -54,6 +54,7 @@ ReportOptions effective_options(const ResultTable& runs, const Arguments& argume
 void report_verb(const Arguments& arguments) {
   const ResultFile file = ResultFile::open(arguments.results);
   const ResultTable runs = read_results(arguments.results);
+  warn_of_damage(arguments.results, runs.damaged);
   write_report(file, runs, effective_options(runs, arguments), arguments.output);
   if (arguments.quiet) return;
   const std::filesystem::path index = std::filesystem::path(arguments.output) / "index.html";
@@ -76,7 +77,11 @@ void show_verb(const Arguments& arguments) {
 }
 
 void dump_verb(const Arguments& arguments) {
-  print_or_write(dump(ResultFile::open(arguments.results)), arguments.output);
+  std::vector<std::string> damaged;
+  print_or_write(dump(ResultFile::open(arguments.results),
+                      [&](const std::string& what) { damaged.push_back(what); }),
+                 arguments.output);
+  warn_of_damage(arguments.results, damaged);
 }
 
 void define_report(CLI::App& app, Arguments& arguments) {

@@ -2,9 +2,11 @@
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/io/read_results.h>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -12,7 +14,7 @@ namespace slalom {
 namespace {
 
 std::string line(const std::string& name, const std::string& value) {
-  return pad_right(printable(name), 28) + "  " + printable(value) + "\n";
+  return pad_right(printable_line(name), 28) + "  " + printable_line(value) + "\n";
 }
 
 std::string value_text(const Value& value) {
@@ -63,15 +65,22 @@ RunRecord find_run(const ResultFile& file, const std::string& id) {
     if (found) throw usage_error("run '" + id + "'", "ambiguous", "more digits of the hash");
     found = run;
   }
+  const std::size_t slash = std::min(id.find('/'), id.size());
+  const std::string short_id = id.substr(0, std::min<std::size_t>(slash, 8)) + id.substr(slash);
+  if (!found && contains(runs.damaged, "run " + short_id))
+    throw file_error(file.path() + ": run " + short_id, "is damaged (does not match its checksum)",
+                     "a file as it was written");
   if (!found) {
     const std::string nearest = nearest_name(id, ids);
     std::string expected = "HASH8/METHOD/REPETITION as in dumps and reports";
     if (!nearest.empty()) expected += ", perhaps " + nearest;
     throw usage_error("run '" + id + "'", "no such run in these results", expected);
   }
-  return *file.read_run(runs.scenario_hashes[runs.scenario[*found]],
-                        runs.methods[runs.method[*found]],
-                        static_cast<int>(runs.repetition[*found]));
+  const auto run =
+      file.read_run(runs.scenario_hashes[runs.scenario[*found]], runs.methods[runs.method[*found]],
+                    static_cast<int>(runs.repetition[*found]));
+  if (!run) throw file_error(file.path() + ": run " + id, "is damaged (missing in the index)");
+  return *run;
 }
 
 std::string run_text(const ResultFile& file, const RunRecord& run) {

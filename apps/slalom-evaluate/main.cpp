@@ -34,6 +34,7 @@ void write_tables_and_report(const Arguments& arguments, const std::string& resu
                              bool with_report) {
   const ResultFile file = ResultFile::open(results_path);
   const ResultTable runs = read_results(results_path);
+  warn_of_damage(results_path, runs.damaged);
   const ReportOptions options = report_options(runs);
   const std::string text =
       render_tables_text(runs, options.rows, options.columns, options.analysis.confidence);

@@ -112,6 +112,19 @@ void add_argument(CLI::App& app, const Argument& argument, std::string& value) {
   });
 }
 
+void warn_of_damage(const std::string& path, const std::vector<std::string>& damaged) {
+  constexpr std::size_t kMaxNamed = 20;
+  if (damaged.empty()) return;
+  std::vector<std::string> named = damaged;
+  if (named.size() > kMaxNamed) {
+    named.resize(kMaxNamed);
+    named.emplace_back("...");
+  }
+  std::cerr << one_line("warning: " + path + ": skipped as damaged: " +
+                        std::to_string(damaged.size()) + " (" + join(named, ", ") + ")")
+            << "\n";
+}
+
 int run_program(const std::string& name, const std::string& description, int argc, char** argv,
                 const std::function<void(CLI::App&)>& define, bool needs_arguments) {
   CLI::App app(description, name);

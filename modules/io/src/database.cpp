@@ -36,6 +36,15 @@ void throw_write_error(const std::string& path, const std::exception& e) {
   throw job_error(path, std::string("cannot be written (") + e.what() + ")");
 }
 
+void expect_count_of_runs(SQLite::Database& database, const std::string& path, std::int64_t count) {
+  const std::int64_t indexed = database.execAndGet("SELECT COUNT(*) FROM runs").getInt64();
+  if (indexed != count)
+    throw file_error(path,
+                     "is damaged (contains " + std::to_string(count) + " runs, " +
+                         std::to_string(indexed) + " in its index)",
+                     "a file as it was written");
+}
+
 std::unique_ptr<SQLite::Database> create_database(const std::string& path,
                                                   const DatabaseKind& kind) {
   for (const char* suffix : {"", "-journal", "-wal"})

@@ -25,6 +25,24 @@ std::unique_ptr<SQLite::Database> create_database(const std::string& path,
 /// damaged.
 std::unique_ptr<SQLite::Database> open_database(const std::string& path, const DatabaseKind& kind);
 
+/// A transaction for reading, also within another one: all statements see the same state.
+class ReadScope {
+ public:
+  explicit ReadScope(SQLite::Database& database) : database_(database) {
+    database.exec("SAVEPOINT read_scope");
+  }
+  ~ReadScope() { database_.tryExec("RELEASE read_scope"); }
+  ReadScope(const ReadScope&) = delete;
+  ReadScope& operator=(const ReadScope&) = delete;
+
+ private:
+  SQLite::Database& database_;
+};
+
+/// Throws Error (File) unless the table `runs` of a result file has `count` rows by its index:
+/// rows can be missing from a damaged table without being noticed otherwise.
+void expect_count_of_runs(SQLite::Database& database, const std::string& path, std::int64_t count);
+
 /// Runs `act`, converting SQLite's exceptions to Error: File when reading, Job when writing.
 template <typename Act>
 auto reading(const std::string& path, Act act) -> decltype(act());

@@ -1,5 +1,6 @@
 #include "scenario_data.h"
 
+#include <slalom/core/error.h>
 #include <slalom/io/path_simplify.h>
 #include <slalom/io/rawlog_path.h>
 #include <slalom/io/svg_scene.h>
@@ -183,6 +184,17 @@ OrderedJson values_json(const std::vector<const ValueColumn*>& metrics, std::siz
   return values;
 }
 
+/// An empty trajectory if it is damaged, which the detail of the outcome then says.
+Trajectory trajectory_or_note(const ResultFile& file, RunRecord& run) {
+  try {
+    return file.read_trajectory(run);
+  } catch (const Error&) {
+    run.outcome_detail += run.outcome_detail.empty() ? "" : "; ";
+    run.outcome_detail += "the trajectory is damaged";
+    return {};
+  }
+}
+
 }  // namespace
 
 ScenarioRuns read_scenario_runs(const ResultFile& file, const ResultTable& runs,
@@ -192,10 +204,15 @@ ScenarioRuns read_scenario_runs(const ResultFile& file, const ResultTable& runs,
                        first_run,
                        file.read_scenario(hash),
                        file.read_references(hash),
-                       file.read_runs(hash),
+                       file.read_runs(hash, [](const std::string&) {}),  // not in `runs` either
                        {}};
-  for (const RunRecord& run : content.records)
-    content.trajectories.push_back(file.read_trajectory(run));
+  const auto first = runs.scenario.begin() + static_cast<std::ptrdiff_t>(first_run);
+  const auto last = std::upper_bound(first, runs.scenario.end(), scenario);  // sorted by scenario
+  if (static_cast<std::size_t>(last - first) != content.records.size())
+    throw file_error(file.path() + ": scenario " + hash, "is damaged (runs are missing)");
+  for (RunRecord& run : content.records) {
+    content.trajectories.push_back(trajectory_or_note(file, run));
+  }
   return content;
 }
 

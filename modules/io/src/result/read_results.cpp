@@ -1,3 +1,4 @@
+#include "checked_row.h"
 #include "database.h"
 #include "value_columns.h"
 
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <sqlite3.h>
 
@@ -18,8 +20,21 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kKeys = "run, scenario, scenario_name, method, repetition, outcome";
-constexpr int kKeyColumns = 6;
+/// The columns of a run, followed by those of the metrics of the file and the checksum.
+enum RunColumn {
+  kRun,
+  kScenario,
+  kScenarioName,
+  kMethod,
+  kRepetition,
+  kSeed,
+  kOutcome,
+  kOutcomeDetail,
+  kTrajectoryHash,
+  kReasons,
+  kStandardErrors,
+  kFirstMetric
+};
 
 std::vector<QuantityInfo> sorted_by_id(std::vector<QuantityInfo> infos) {
   std::sort(infos.begin(), infos.end(),
@@ -48,6 +63,13 @@ class FastRows {
   bool is_null(int column) { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
   double number(int column) { return sqlite3_column_double(statement_, column); }
   std::int64_t integer(int column) { return sqlite3_column_int64(statement_, column); }
+  /// Whether the column after the first `columns` is the checksum of those from `begin` on.
+  bool is_intact(int begin, int columns, RowChecksum checksum = {}) {
+    return checksum.add_columns(statement_, begin, columns).value() == integer(columns);
+  }
+  RowChecksum& add_to(RowChecksum& checksum, int begin, int end) {
+    return checksum.add_columns(statement_, begin, end);
+  }
   const char* text(int column) {
     const auto* bytes = sqlite3_column_text(statement_, column);
     return bytes == nullptr ? "" : reinterpret_cast<const char*>(bytes);
@@ -117,6 +139,7 @@ class ColumnReader {
   ColumnReader(const ResultFile& file, SQLite::Database& database)
       : path_(file.path()),
         database_(database),
+        stored_metrics_(file.metrics()),
         metrics_(sorted_by_id(file.metrics())),
         descriptors_(sorted_by_id(file.descriptors())) {
     columns_.source = path_;
@@ -144,6 +167,7 @@ class ColumnReader {
   void read_details() { details_ = true; }
 
   ResultTable read() {
+    const ReadScope scope(database_);
     read_runs();
     if (timings_) read_timings();
     read_scenarios();
@@ -155,10 +179,12 @@ class ColumnReader {
  private:
   std::string path_;
   SQLite::Database& database_;
+  std::vector<QuantityInfo> stored_metrics_;  ///< in the order of the columns
   std::vector<QuantityInfo> metrics_, descriptors_;
   bool timings_ = true, details_ = false;
   ResultTable columns_;
-  std::vector<std::int64_t> keys_;  ///< of the runs, referenced by the timings
+  std::vector<std::int64_t> keys_;       ///< of the runs, referenced by the timings
+  std::vector<std::int64_t> checksums_;  ///< of the runs, contained in those of the timings
 
   static void keep(std::vector<QuantityInfo>& infos, std::set<std::string>& requested) {
     std::vector<QuantityInfo> kept;
@@ -168,58 +194,83 @@ class ColumnReader {
     infos = std::move(kept);
   }
 
-  void read_runs() {
-    std::string sql = std::string("SELECT ") + kKeys;
+  /// The column of each selected metric, which are columns of the result as well.
+  std::vector<int> metric_columns() {
+    std::vector<int> columns;
     for (const QuantityInfo& info : metrics_) {
-      sql += ", \"m_" + info.id + "\"";
+      const auto stored =
+          std::find_if(stored_metrics_.begin(), stored_metrics_.end(),
+                       [&](const QuantityInfo& other) { return other.id == info.id; });
+      columns.push_back(kFirstMetric + static_cast<int>(stored - stored_metrics_.begin()));
       columns_.metrics.emplace_back(info).rate = info.id == "success";
     }
-    if (details_) sql += ", seed, outcome_detail, trajectory_hash";
-    FastRows rows(database_, sql + ", reasons FROM runs");
+    return columns;
+  }
+
+  void read_runs() {
+    const std::vector<int> metric_columns = this->metric_columns();
+    const int checksum = kFirstMetric + static_cast<int>(stored_metrics_.size());
+    FastRows rows(database_, "SELECT * FROM runs");
     CachedNameIndex scenarios(columns_.scenario_hashes), methods(columns_.methods),
         outcomes(columns_.outcomes);
     Reasons reasons(metrics_, path_);
-    const int details_column = kKeyColumns + static_cast<int>(metrics_.size());
-    const int reasons_column = details_column + (details_ ? 3 : 0);
-    while (rows.next()) {
-      keys_.push_back(rows.integer(0));
-      columns_.scenario.push_back(scenarios.index_of(rows.text(1)));
-      if (columns_.scenario.back() == columns_.scenario_names.size()) {
-        columns_.scenario_names.emplace_back(rows.text(2));
+    std::int64_t count = 0;
+    for (; rows.next(); ++count) {
+      if (!rows.is_intact(kScenario, checksum)) {
+        report_damage("run", rows);
+        continue;
       }
-      columns_.method.push_back(methods.index_of(rows.text(3)));
-      columns_.repetition.push_back(static_cast<std::uint32_t>(rows.integer(4)));
-      columns_.outcome.push_back(outcomes.index_of(rows.text(5)));
+      keys_.push_back(rows.integer(kRun));
+      checksums_.push_back(rows.integer(checksum));
+      columns_.scenario.push_back(scenarios.index_of(rows.text(kScenario)));
+      if (columns_.scenario.back() == columns_.scenario_names.size()) {
+        columns_.scenario_names.emplace_back(rows.text(kScenarioName));
+      }
+      columns_.method.push_back(methods.index_of(rows.text(kMethod)));
+      columns_.repetition.push_back(static_cast<std::uint32_t>(rows.integer(kRepetition)));
+      columns_.outcome.push_back(outcomes.index_of(rows.text(kOutcome)));
       for (std::size_t i = 0; i < metrics_.size(); ++i) {
-        const int column = kKeyColumns + static_cast<int>(i);
-        if (rows.is_null(column)) {
-          columns_.metrics[i].add_na(reasons.of(rows.text(reasons_column), i));
+        if (rows.is_null(metric_columns[i])) {
+          columns_.metrics[i].add_na(reasons.of(rows.text(kReasons), i));
         } else {
-          columns_.metrics[i].add_number(rows.number(column));
+          columns_.metrics[i].add_number(rows.number(metric_columns[i]));
         }
       }
       if (!details_) continue;
-      columns_.details.push_back({std::strtoull(rows.text(details_column), nullptr, 10),
-                                  rows.text(details_column + 1), rows.text(details_column + 2), 0});
+      columns_.details.push_back({std::strtoull(rows.text(kSeed), nullptr, 10),
+                                  rows.text(kOutcomeDetail), rows.text(kTrajectoryHash), 0});
     }
+    expect_count_of_runs(database_, path_, count);
+  }
+
+  void report_damage(const std::string& what, FastRows& row) {
+    columns_.damaged.push_back(what + " " + std::string(row.text(kScenario)).substr(0, 8) + "/" +
+                               row.text(kMethod) + "/" + row.text(kRepetition));
   }
 
   void read_timings() {
     std::map<std::string, std::vector<std::pair<std::size_t, double>>> figures;
-    SQLite::Statement rows(database_,
-                           "SELECT run, figures, wall_seconds FROM run_timings ORDER BY run");
+    constexpr int kWallSeconds = 1, kFigures = 2, kChecksum = 3;
+    FastRows rows(database_,
+                  "SELECT run, wall_seconds, figures, checksum FROM run_timings ORDER BY run");
+    std::vector<bool> found(keys_.size(), false);
     std::size_t row = 0;
-    while (rows.executeStep()) {
-      const std::int64_t run = rows.getColumn(0).getInt64();
+    while (rows.next()) {
+      const std::int64_t run = rows.integer(0);
       while (row < keys_.size() && keys_[row] < run) ++row;
       if (row == keys_.size()) break;
-      if (keys_[row] != run) continue;
-      if (details_) columns_.details[row].wall_seconds = rows.getColumn(2).getDouble();
-      const Json json = Json::parse(rows.getColumn(1).getString(), nullptr, false);
+      if (keys_[row] != run || !rows.is_intact(1, kChecksum, RowChecksum().add(checksums_[row])))
+        continue;
+      found[row] = true;
+      if (details_) columns_.details[row].wall_seconds = rows.number(kWallSeconds);
+      const Json json = Json::parse(rows.text(kFigures), nullptr, false);
       if (!json.is_object()) throw file_error(path_, "contains a damaged row", "a JSON object");
       for (const auto& [id, value] : json.items()) {
         if (value.is_number()) figures[id].emplace_back(row, value.get<double>());
       }
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (!found[i]) columns_.damaged.push_back("wall-clock figures of run " + run_id(columns_, i));
     }
     for (const auto& [id, values] : figures) {
       ValueColumn& column = columns_.metrics.emplace_back(wall_clock_column(id));
@@ -231,36 +282,72 @@ class ColumnReader {
     }
   }
 
+  /// Scenarios and descriptors are read in the order of the hashes, so that each scenario is
+  /// compared with its checksum.
   void read_scenarios() {
     std::map<std::string, std::size_t> indexes;
-    SQLite::Statement names(database_, "SELECT hash, name FROM scenarios ORDER BY hash");
     for (std::size_t i = 0; i < columns_.scenario_hashes.size(); ++i) {
       indexes[columns_.scenario_hashes[i]] = i;
     }
-    while (names.executeStep()) {
-      const std::string hash = names.getColumn(0).getString();
-      if (!indexes.try_emplace(hash, columns_.scenario_hashes.size()).second) continue;
-      columns_.scenario_hashes.push_back(hash);
-      columns_.scenario_names.push_back(names.getColumn(1).getString());
+    for (const QuantityInfo& info : descriptors_) columns_.descriptors.emplace_back(info);
+    FastRows scenarios(database_, "SELECT hash, name, checksum FROM scenarios ORDER BY hash");
+    FastRows values(database_,
+                    "SELECT id, version, value, standard_error, reason, hash FROM descriptors "
+                    "ORDER BY hash, id");
+    std::vector<std::size_t> order(indexes.size(), kMissing);  // rows in the order of the hashes
+    std::size_t rank = 0;
+    for (bool more = values.next(); scenarios.next(); ++rank) {
+      const std::string hash = scenarios.text(0);
+      RowChecksum checksum;
+      scenarios.add_to(checksum, 0, 2);
+      std::map<std::string, VersionedValue> descriptors;
+      for (; more && values.text(kHash) <= hash; more = values.next()) {
+        if (values.text(kHash) != hash) continue;
+        values.add_to(checksum, 0, kHash);
+        descriptors[values.text(0)] = {static_cast<int>(values.integer(1)), value_of(values)};
+      }
+      const bool intact = checksum.value() == scenarios.integer(2);
+      if (!intact) columns_.damaged.push_back("scenario " + hash);
+      add_descriptors(intact ? &descriptors : nullptr);
+      const auto [found, is_new] = indexes.try_emplace(hash, order.size());
+      if (is_new) {
+        columns_.scenario_hashes.push_back(hash);
+        columns_.scenario_names.emplace_back(scenarios.text(1));
+        order.push_back(rank);
+      } else {
+        order[found->second] = rank;
+      }
     }
-    for (const QuantityInfo& info : descriptors_) read_descriptor(info, indexes);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (order[i] != kMissing) continue;
+      columns_.damaged.push_back("scenario " + columns_.scenario_hashes[i]);
+      add_descriptors(nullptr);
+      order[i] = rank++;
+    }
+    for (ValueColumn& column : columns_.descriptors) column.reorder(order);
   }
 
-  void read_descriptor(const QuantityInfo& info,
-                       const std::map<std::string, std::size_t>& indexes) {
-    std::vector<Value> values(columns_.scenario_hashes.size(), Value::na(kNotRecorded));
-    SQLite::Statement rows(
-        database_,
-        "SELECT hash, version, value, standard_error, reason FROM descriptors WHERE id = ?");
-    rows.bind(1, info.id);
-    while (rows.executeStep()) {
-      const auto found = indexes.find(rows.getColumn(0).getString());
-      if (found == indexes.end()) continue;
-      values[found->second] =
-          value_of_version({rows.getColumn(1).getInt(), value_from_columns(rows, 2)}, info.version);
+  static constexpr int kHash = 5;  ///< column of descriptors
+  static constexpr std::size_t kMissing = std::numeric_limits<std::size_t>::max();
+
+  static Value value_of(FastRows& row) {
+    if (row.is_null(2)) return Value::na(row.text(4));
+    return row.is_null(3) ? Value::of(row.number(2)) : Value::of(row.number(2), row.number(3));
+  }
+
+  /// Adds a row to the columns of the descriptors; null if it is damaged.
+  void add_descriptors(const std::map<std::string, VersionedValue>* descriptors) {
+    for (std::size_t i = 0; i < descriptors_.size(); ++i) {
+      ValueColumn& column = columns_.descriptors[i];
+      if (descriptors == nullptr) {
+        column.add_na("damaged");
+        continue;
+      }
+      const auto found = descriptors->find(descriptors_[i].id);
+      column.add(found == descriptors->end()
+                     ? Value::na(kNotRecorded)
+                     : value_of_version(found->second, descriptors_[i].version));
     }
-    ValueColumn& column = columns_.descriptors.emplace_back(info);
-    for (const Value& value : values) column.add(value);
   }
 };
 

@@ -1,8 +1,10 @@
+#include "checked_row.h"
 #include "compression.h"
 #include "database.h"
 #include "value_columns.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/references/reference_codec.h>
@@ -15,23 +17,29 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr DatabaseKind kResults = {"a result file (.results)", 0x534c5253 /* "SLRS" */, 2, R"(
+constexpr DatabaseKind kResults = {"a result file (.results)", 0x534c5253 /* "SLRS" */, 3, R"(
 CREATE TABLE manifest (key TEXT PRIMARY KEY, text TEXT NOT NULL);
 CREATE TABLE quantities (position INTEGER PRIMARY KEY, kind TEXT NOT NULL, id TEXT NOT NULL,
                          version INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL,
                          direction TEXT NOT NULL, UNIQUE (kind, id));
-CREATE TABLE scenarios (hash TEXT PRIMARY KEY, name TEXT NOT NULL, content BLOB NOT NULL,
-                        refs BLOB NOT NULL);
+CREATE TABLE header (checksum INTEGER NOT NULL);
+CREATE TABLE scenarios (hash TEXT PRIMARY KEY, name TEXT NOT NULL, checksum INTEGER NOT NULL,
+                        content_checksum INTEGER NOT NULL, refs_checksum INTEGER NOT NULL,
+                        content BLOB NOT NULL, refs BLOB NOT NULL);
 CREATE TABLE descriptors (hash TEXT NOT NULL, id TEXT NOT NULL, version INTEGER NOT NULL,
                           value REAL, standard_error REAL, reason TEXT,
                           PRIMARY KEY (hash, id)) WITHOUT ROWID;
-CREATE TABLE trajectories (run INTEGER PRIMARY KEY, content BLOB NOT NULL);
+CREATE TABLE trajectories (run INTEGER PRIMARY KEY, content BLOB NOT NULL,
+                           checksum INTEGER NOT NULL);
 CREATE TABLE reference_timings (hash TEXT PRIMARY KEY, exact_seconds REAL NOT NULL,
-                                planner_seconds REAL NOT NULL, safest_seconds REAL NOT NULL);
-CREATE TABLE run_timings (run INTEGER PRIMARY KEY, wall_seconds REAL NOT NULL, figures TEXT NOT NULL);
+                                planner_seconds REAL NOT NULL, safest_seconds REAL NOT NULL,
+                                checksum INTEGER NOT NULL);
+CREATE TABLE run_timings (run INTEGER PRIMARY KEY, wall_seconds REAL NOT NULL, figures TEXT NOT NULL,
+                          checksum INTEGER NOT NULL);
 )"};
 
-/// The runs table: one row per run, one column per metric, NA reasons and standard errors as JSON.
+/// The runs table: one row per run, one column per metric, NA reasons and standard errors as JSON,
+/// and the checksum of all of them.
 std::string runs_schema(const std::vector<QuantityInfo>& metrics) {
   std::string sql =
       "CREATE TABLE runs (run INTEGER PRIMARY KEY, scenario TEXT NOT NULL, scenario_name TEXT NOT "
@@ -40,10 +48,15 @@ std::string runs_schema(const std::vector<QuantityInfo>& metrics) {
       "NULL, outcome_detail TEXT NOT NULL, trajectory_hash TEXT NOT NULL, reasons TEXT NOT NULL, "
       "standard_errors TEXT NOT NULL";
   for (const QuantityInfo& info : metrics) sql += ", \"m_" + info.id + "\" REAL";
-  return sql + ", UNIQUE (scenario, method, repetition))";
+  return sql + ", checksum INTEGER NOT NULL, UNIQUE (scenario, method, repetition))";
 }
 
 constexpr int kFixedColumns = 11;
+
+/// Descriptors in the order in which the checksum of their scenario contains them.
+constexpr const char* kDescriptorsOfScenario =
+    "SELECT id, version, value, standard_error, reason FROM descriptors WHERE hash = ? ORDER BY id";
+constexpr int kDescriptorColumns = 5;
 
 Direction direction_from_string(const std::string& text) {
   for (const Direction direction : {Direction::Up, Direction::Down})
@@ -60,6 +73,8 @@ std::map<std::string, double> numbers_from_json(const std::string& text, const s
     if (value.is_number()) numbers[key] = value.get<double>();
   return numbers;
 }
+
+constexpr const char* kIntact = "a file as it was written";
 
 void check_id(const QuantityInfo& info) {
   const bool plain =
@@ -122,51 +137,103 @@ struct ResultFile::Impl {
 
   std::string insert_run_sql() const {
     std::string sql = "INSERT INTO runs VALUES (NULL";
-    for (std::size_t i = 1; i < kFixedColumns + metrics.size(); ++i) sql += ", ?";
+    for (int i = 1; i <= checksum_column(); ++i) sql += ", ?";
     return sql + ")";
   }
 
-  void insert_run(const RunRecord& run) {
-    SQLite::Statement row(*database, insert_run_sql());
-    row.bind(1, run.scenario_hash);
-    row.bind(2, run.scenario_name);
-    row.bind(3, run.method);
-    row.bind(4, run.repetition);
-    row.bind(5, std::to_string(run.seed));
-    row.bind(6, run.outcome);
-    row.bind(7, run.outcome_detail);
-    row.bind(8, run.trajectory_hash);
+  /// Returns the checksum of the row.
+  std::int64_t insert_run(const RunRecord& run) {
+    std::vector<Value> values;
     Json reasons = Json::object(), errors = Json::object();
-    for (std::size_t i = 0; i < metrics.size(); ++i) {
-      const auto found = run.metrics.find(metrics[i].id);
-      const Value value =
-          found == run.metrics.end() ? Value::na(kNotComputed) : found->second.value;
-      if (value.is_na()) {
-        reasons[metrics[i].id] = value.reason();
-      } else {
-        row.bind(kFixedColumns + static_cast<int>(i), value.number());
-      }
-      if (value.standard_error()) errors[metrics[i].id] = *value.standard_error();
+    for (const QuantityInfo& info : metrics) {
+      const auto found = run.metrics.find(info.id);
+      values.push_back(found == run.metrics.end() ? Value::na(kNotComputed) : found->second.value);
+      if (values.back().is_na()) reasons[info.id] = values.back().reason();
+      if (values.back().standard_error()) errors[info.id] = *values.back().standard_error();
     }
-    row.bind(9, reasons.dump(-1, ' ', false, Json::error_handler_t::replace));
-    row.bind(10, errors.dump());
-    row.exec();
+    CheckedInsert row(*database, insert_run_sql());
+    row.add(run.scenario_hash).add(run.scenario_name).add(run.method);
+    row.add(static_cast<std::int64_t>(run.repetition)).add(std::to_string(run.seed));
+    row.add(run.outcome).add(printable_line(run.outcome_detail)).add(run.trajectory_hash);
+    row.add(reasons.dump(-1, ' ', false, Json::error_handler_t::replace)).add(errors.dump());
+    for (const Value& value : values) value.is_na() ? row.add_null() : row.add(value.number());
+    return row.exec();
   }
 
   void insert_timing(const std::string& hash, const ReferenceTiming& timing) {
-    SQLite::Statement row(*database, "INSERT INTO reference_timings VALUES (?, ?, ?, ?)");
-    row.bind(1, hash);
-    row.bind(2, timing.exact);
-    row.bind(3, timing.planner);
-    row.bind(4, timing.safest);
+    CheckedInsert(*database, "INSERT INTO reference_timings VALUES (?, ?, ?, ?, ?)")
+        .add(hash)
+        .add(timing.exact)
+        .add(timing.planner)
+        .add(timing.safest)
+        .exec();
+  }
+
+  void insert_descriptors(const ScenarioRecord& record) {
+    for (const auto& [id, versioned] : record.descriptors) {
+      SQLite::Statement row(*database, "INSERT INTO descriptors VALUES (?, ?, ?, ?, ?, ?)");
+      row.bind(1, record.hash);
+      row.bind(2, id);
+      row.bind(3, versioned.version);
+      bind_value(row, 4, versioned.value);
+      row.exec();
+    }
+  }
+
+  /// Checksum of the manifest and the quantities.
+  std::int64_t header_checksum() const {
+    RowChecksum checksum;
+    for (const auto& [sql, columns] :
+         {std::pair{"SELECT key, text FROM manifest ORDER BY key", 2},
+          std::pair{"SELECT kind, id, version, name, unit, direction FROM quantities "
+                    "ORDER BY position",
+                    6}}) {
+      SQLite::Statement rows(*database, sql);
+      while (rows.executeStep()) checksum.add_columns(rows, 0, columns);
+    }
+    return checksum.value();
+  }
+
+  void write_header_checksum() {
+    database->exec("DELETE FROM header");
+    SQLite::Statement row(*database, "INSERT INTO header VALUES (?)");
+    row.bind(1, header_checksum());
     row.exec();
   }
 
-  void insert_blob(const char* sql, std::int64_t run, const std::string& content) {
-    SQLite::Statement row(*database, sql);
-    row.bind(1, run);
-    row.bind(2, content.data(), static_cast<int>(content.size()));
-    row.exec();
+  void expect_intact_header() const {
+    SQLite::Statement row(*database, "SELECT checksum FROM header");
+    if (row.executeStep() && row.getColumn(0).getInt64() == header_checksum()) return;
+    throw file_error(path, "is damaged (its manifest does not match its checksum)", kIntact);
+  }
+
+  Error damaged(const std::string& what) const {
+    return file_error(path + ": " + what, "is damaged (does not match its checksum)", kIntact);
+  }
+
+  /// Throws Error (File) unless the last of `columns` columns is the checksum of the key and the
+  /// other columns.
+  template <typename Key>
+  void expect_intact(SQLite::Statement& row, const Key& key, int columns,
+                     const std::string& what) const {
+    const std::int64_t checksum = RowChecksum().add(key).add_columns(row, 0, columns - 1).value();
+    if (checksum != row.getColumn(columns - 1).getInt64()) throw damaged(what);
+  }
+
+  int checksum_column() const { return kFixedColumns + static_cast<int>(metrics.size()); }
+
+  bool is_intact_run(SQLite::Statement& row) const {
+    return RowChecksum().add_columns(row, 1, checksum_column()).value() ==
+           row.getColumn(checksum_column()).getInt64();
+  }
+
+  /// "hash8/method/repetition" of a row that may be damaged.
+  static std::string id_of_row(SQLite::Statement& row) {
+    RunRecord run;
+    run.scenario_hash = row.getColumn(1).getString();
+    run.method = row.getColumn(3).getString();
+    run.repetition = row.getColumn(4).getInt();
+    return run_id(run);
   }
 
   Manifest read_manifest() const {
@@ -178,6 +245,7 @@ struct ResultFile::Impl {
   }
 
   RunRecord run_from(SQLite::Statement& row) const {
+    if (!is_intact_run(row)) throw damaged("run " + id_of_row(row));
     RunRecord run;
     run.scenario_hash = row.getColumn(1).getString();
     run.scenario_name = row.getColumn(2).getString();
@@ -202,20 +270,52 @@ struct ResultFile::Impl {
     return run;
   }
 
+  template <typename Use>
+  void use_run(SQLite::Statement& row, const DamageHandler& report, Use use) const {
+    if (report && !is_intact_run(row))
+      report("run " + id_of_row(row));
+    else
+      use(run_from(row));
+  }
+
   ReferenceTiming read_timing(const std::string& hash) const {
     SQLite::Statement row(*database, "SELECT * FROM reference_timings WHERE hash = ?");
     row.bind(1, hash);
     if (!row.executeStep()) return {};
+    if (RowChecksum().add_columns(row, 0, 4).value() != row.getColumn(4).getInt64())
+      throw damaged("wall-clock figures of scenario " + hash);
     return {row.getColumn(1).getDouble(), row.getColumn(2).getDouble(),
             row.getColumn(3).getDouble()};
   }
 
-  /// A blob by its keys. Throws Error (File) when it does not exist.
-  std::string read_blob(const std::string& sql, const std::vector<std::string>& keys) const {
-    SQLite::Statement row(*database, sql);
-    for (std::size_t i = 0; i < keys.size(); ++i) row.bind(static_cast<int>(i) + 1, keys[i]);
-    if (!row.executeStep()) throw file_error(path, "contains no entry for " + keys.front());
+  /// A blob of a scenario by its column. Throws Error (File) when it is damaged or does not exist.
+  std::string read_blob(const std::string& column, const std::string& hash,
+                        const std::string& what) const {
+    SQLite::Statement row(
+        *database, "SELECT " + column + ", " + column + "_checksum FROM scenarios WHERE hash = ?");
+    row.bind(1, hash);
+    if (!row.executeStep()) throw file_error(path, "contains no entry for " + hash);
+    expect_intact(row, hash, 2, what);
     return row.getColumn(0).getString();
+  }
+
+  /// Calls `use` with a row of `table` that belongs to the run, if there is one. Its last column is
+  /// the checksum, which begins with that of the run.
+  template <typename Use>
+  bool with_row_of(const RunRecord& run, const std::string& table, const std::string& columns,
+                   int count, Use use) const {
+    SQLite::Statement row(*database, "SELECT " + columns + ", " + table +
+                                         ".checksum, runs.checksum FROM " + table +
+                                         " JOIN runs USING (run) "
+                                         "WHERE scenario = ? AND method = ? AND repetition = ?");
+    row.bind(1, run.scenario_hash);
+    row.bind(2, run.method);
+    row.bind(3, run.repetition);
+    if (!row.executeStep()) return false;
+    expect_intact(row, static_cast<std::int64_t>(row.getColumn(count + 1).getInt64()), count + 1,
+                  table + " of run " + run_id(run));
+    use(row);
+    return true;
   }
 };
 
@@ -251,6 +351,7 @@ ResultFile ResultFile::create(const std::string& path, const Manifest& manifest,
     impl->write_manifest(manifest);
     impl->write_quantities("descriptor", descriptors);
     impl->write_quantities("metric", metrics);
+    impl->write_header_checksum();
     transaction.commit();
   });
   return ResultFile(std::move(impl));
@@ -261,6 +362,7 @@ ResultFile ResultFile::open(const std::string& path) {
   impl->path = path;
   impl->database = open_database(path, kResults);
   reading(path, [&] {
+    impl->expect_intact_header();
     impl->descriptors = impl->read_quantities("descriptor");
     impl->metrics = impl->read_quantities("metric");
   });
@@ -272,22 +374,22 @@ void ResultFile::add_scenario(const ScenarioRecord& record, const Scenario& scen
   writing(impl_->path, [&] {
     impl_->begin();
     const std::string content = serialize(scenario), refs = compress(to_bytes(references));
-    SQLite::Statement row(*impl_->database, "INSERT INTO scenarios VALUES (?, ?, ?, ?)");
+    impl_->insert_descriptors(record);
+    RowChecksum checksum;
+    checksum.add(record.hash).add(record.name);
+    SQLite::Statement descriptors(*impl_->database, kDescriptorsOfScenario);
+    descriptors.bind(1, record.hash);
+    while (descriptors.executeStep()) checksum.add_columns(descriptors, 0, kDescriptorColumns);
+    SQLite::Statement row(*impl_->database, "INSERT INTO scenarios VALUES (?, ?, ?, ?, ?, ?, ?)");
     row.bind(1, record.hash);
     row.bind(2, record.name);
-    row.bind(3, content.data(), static_cast<int>(content.size()));
-    row.bind(4, refs.data(), static_cast<int>(refs.size()));
+    row.bind(3, checksum.value());
+    row.bind(4, RowChecksum().add(record.hash).add(content).value());
+    row.bind(5, RowChecksum().add(record.hash).add(refs).value());
+    row.bind(6, content.data(), static_cast<int>(content.size()));
+    row.bind(7, refs.data(), static_cast<int>(refs.size()));
     row.exec();
     impl_->insert_timing(record.hash, references.timing);
-    for (const auto& [id, versioned] : record.descriptors) {
-      SQLite::Statement value(*impl_->database,
-                              "INSERT INTO descriptors VALUES (?, ?, ?, ?, ?, ?)");
-      value.bind(1, record.hash);
-      value.bind(2, id);
-      value.bind(3, versioned.version);
-      bind_value(value, 4, versioned.value);
-      value.exec();
-    }
   });
 }
 
@@ -295,15 +397,17 @@ void ResultFile::add_run(const RunRecord& run, const RunTiming& timing,
                          const Trajectory& trajectory) {
   writing(impl_->path, [&] {
     impl_->begin();
-    impl_->insert_run(run);
+    const std::int64_t checksum = impl_->insert_run(run);
     const std::int64_t id = impl_->database->getLastInsertRowid();
-    impl_->insert_blob("INSERT INTO trajectories VALUES (?, ?)", id,
-                       compress(to_bytes(trajectory)));
-    SQLite::Statement row(*impl_->database, "INSERT INTO run_timings VALUES (?, ?, ?)");
-    row.bind(1, id);
-    row.bind(2, timing.wall_seconds);
-    row.bind(3, Json(timing.values).dump());
-    row.exec();
+    CheckedInsert(*impl_->database, "INSERT INTO trajectories VALUES (?, ?, ?)", checksum)
+        .add_key(id)
+        .add_blob(compress(to_bytes(trajectory)))
+        .exec();
+    CheckedInsert(*impl_->database, "INSERT INTO run_timings VALUES (?, ?, ?, ?)", checksum)
+        .add_key(id)
+        .add(timing.wall_seconds)
+        .add(Json(timing.values).dump())
+        .exec();
   });
 }
 
@@ -334,22 +438,28 @@ bool ResultFile::has_scenario(const std::string& hash) const {
   });
 }
 
-void ResultFile::for_each_run(const std::function<void(const RunRecord&)>& use) const {
+void ResultFile::for_each_run(const std::function<void(const RunRecord&)>& use,
+                              const DamageHandler& report) const {
   reading(impl_->path, [&] {
+    const ReadScope scope(*impl_->database);
     SQLite::Statement rows(*impl_->database,
                            "SELECT * FROM runs ORDER BY scenario_name, scenario, method, "
                            "repetition");
-    while (rows.executeStep()) use(impl_->run_from(rows));
+    std::int64_t count = 0;
+    for (; rows.executeStep(); ++count) impl_->use_run(rows, report, use);
+    expect_count_of_runs(*impl_->database, impl_->path, count);
   });
 }
 
-std::vector<RunRecord> ResultFile::read_runs(const std::string& scenario_hash) const {
+std::vector<RunRecord> ResultFile::read_runs(const std::string& scenario_hash,
+                                             const DamageHandler& report) const {
   return reading(impl_->path, [&] {
     std::vector<RunRecord> runs;
     SQLite::Statement rows(*impl_->database,
                            "SELECT * FROM runs WHERE scenario = ? ORDER BY method, repetition");
     rows.bind(1, scenario_hash);
-    while (rows.executeStep()) runs.push_back(impl_->run_from(rows));
+    while (rows.executeStep())
+      impl_->use_run(rows, report, [&](RunRecord run) { runs.push_back(std::move(run)); });
     return runs;
   });
 }
@@ -369,61 +479,64 @@ std::optional<RunRecord> ResultFile::read_run(const std::string& scenario_hash,
 }
 
 RunTiming ResultFile::read_timing(const RunRecord& run) const {
-  return reading(impl_->path, [&]() -> RunTiming {
-    SQLite::Statement row(*impl_->database,
-                          "SELECT wall_seconds, figures FROM run_timings JOIN runs USING (run) "
-                          "WHERE scenario = ? AND method = ? AND repetition = ?");
-    row.bind(1, run.scenario_hash);
-    row.bind(2, run.method);
-    row.bind(3, run.repetition);
-    if (!row.executeStep()) return {};
-    return {row.getColumn(0).getDouble(),
-            numbers_from_json(row.getColumn(1).getString(), impl_->path)};
+  return reading(impl_->path, [&] {
+    RunTiming timing;
+    impl_->with_row_of(run, "run_timings", "wall_seconds, figures", 2, [&](SQLite::Statement& row) {
+      timing = {row.getColumn(0).getDouble(),
+                numbers_from_json(row.getColumn(1).getString(), impl_->path)};
+    });
+    return timing;
   });
 }
 
 ScenarioRecord ResultFile::read_record(const std::string& scenario_hash) const {
   return reading(impl_->path, [&] {
     ScenarioRecord record{scenario_hash, "", {}};
-    SQLite::Statement name(*impl_->database, "SELECT name FROM scenarios WHERE hash = ?");
-    name.bind(1, scenario_hash);
-    if (name.executeStep()) record.name = name.getColumn(0).getString();
-    SQLite::Statement values(
-        *impl_->database,
-        "SELECT id, version, value, standard_error, reason FROM descriptors WHERE hash = ?");
+    SQLite::Statement row(*impl_->database,
+                          "SELECT hash, name, checksum FROM scenarios WHERE hash = ?");
+    row.bind(1, scenario_hash);
+    if (!row.executeStep()) return record;
+    record.name = row.getColumn(1).getString();
+    RowChecksum checksum;
+    checksum.add_columns(row, 0, 2);
+    SQLite::Statement values(*impl_->database, kDescriptorsOfScenario);
     values.bind(1, scenario_hash);
-    while (values.executeStep())
+    while (values.executeStep()) {
+      checksum.add_columns(values, 0, kDescriptorColumns);
       record.descriptors[values.getColumn(0).getString()] = {values.getColumn(1).getInt(),
                                                              value_from_columns(values, 2)};
+    }
+    if (checksum.value() != row.getColumn(2).getInt64())
+      throw impl_->damaged("scenario " + scenario_hash);
     return record;
   });
 }
 
 Scenario ResultFile::read_scenario(const std::string& hash) const {
+  const std::string what = "scenario " + hash;
   return deserialize_scenario(
-      reading(
-          impl_->path,
-          [&] { return impl_->read_blob("SELECT content FROM scenarios WHERE hash = ?", {hash}); }),
-      impl_->path + ": scenario " + hash);
+      reading(impl_->path, [&] { return impl_->read_blob("content", hash, what); }),
+      impl_->path + ": " + what);
 }
 
 References ResultFile::read_references(const std::string& hash) const {
-  const std::string where = impl_->path + ": references of " + hash;
-  const std::string content = reading(impl_->path, [&] {
-    return impl_->read_blob("SELECT refs FROM scenarios WHERE hash = ?", {hash});
-  });
+  const std::string what = "references of " + hash, where = impl_->path + ": " + what;
+  const std::string content =
+      reading(impl_->path, [&] { return impl_->read_blob("refs", hash, what); });
   References references = references_from_bytes(decompress(content, where), where);
   references.timing = reading(impl_->path, [&] { return impl_->read_timing(hash); });
   return references;
 }
 
 Trajectory ResultFile::read_trajectory(const RunRecord& run) const {
-  const std::string sql =
-      "SELECT content FROM trajectories JOIN runs ON runs.run = trajectories.run "
-      "WHERE scenario = ? AND method = ? AND repetition = ?";
   const std::string where = impl_->path + ": run " + run_id(run);
   const std::string content = reading(impl_->path, [&] {
-    return impl_->read_blob(sql, {run.scenario_hash, run.method, std::to_string(run.repetition)});
+    std::string bytes;
+    const bool found =
+        impl_->with_row_of(run, "trajectories", "content", 1,
+                           [&](SQLite::Statement& row) { bytes = row.getColumn(0).getString(); });
+    if (!found) throw file_error(where, "has no trajectory");
+    return bytes;
   });
   return trajectory_from_bytes(decompress(content, where), where);
 }

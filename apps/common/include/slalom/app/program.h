@@ -7,6 +7,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace slalom {
 
@@ -35,6 +36,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
   return app.add_option_function<std::string>(name, set, help)
       ->check(CLI::IsMember(names_of<Enum>()));
 }
+
+/// Warns on standard error of what was damaged in a file and therefore skipped.
+void warn_of_damage(const std::string& path, const std::vector<std::string>& damaged);
 
 /// Runs a program of the form `PROGRAM VERB [OPTIONS] FILES` (or without verbs). `define` adds
 /// verbs, options and callbacks to the app; the callbacks do the work and throw on failure. Adds

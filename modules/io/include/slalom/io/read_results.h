@@ -10,7 +10,8 @@ namespace slalom {
 
 /// Reads the runs of a result file, sorted by scenario name, hash, method and repetition, without
 /// details. Reads only the metrics, timings and descriptors in `ids`, or all if it is none or
-/// contains an unknown id (so that an error message can suggest the nearest). A value of a version
+/// contains an unknown id (so that an error message can suggest the nearest). Damaged runs are left
+/// out and listed in `damaged`. A value of a version
 /// other than the file's is NA ("other version 1"), one that the file does not contain is NA
 /// ("not recorded"). Throws Error (File).
 ResultTable read_results(const std::string& path,

@@ -13,9 +13,13 @@
 
 namespace slalom {
 
+/// Called with what is damaged ("run 0123abcd/nd/0") and therefore skipped.
+using DamageHandler = std::function<void(const std::string& what)>;
+
 /// A result file (.results): one SQLite file with manifest, quantities, scenarios (content,
 /// descriptors, references), runs (one row each, one column per metric, NA reasons), trajectories
-/// (compressed). Wall-clock timings are in separate tables. Errors are Error (File).
+/// (compressed). Wall-clock timings are in separate tables. Each row has a checksum: what is
+/// damaged is not returned. Errors are Error (File).
 class ResultFile {
  public:
   /// Creates a file at `path`, replacing an existing one, with the given quantities. Throws Error
@@ -40,10 +44,14 @@ class ResultFile {
   Manifest read_manifest() const;
   std::vector<std::string> read_methods() const;  ///< of all runs, sorted, without duplicates
   bool has_scenario(const std::string& hash) const;
-  /// Calls `use` for each run, one by one, by scenario name, hash, method and repetition.
-  void for_each_run(const std::function<void(const RunRecord&)>& use) const;
-  /// The runs of one scenario by method and repetition, without reading the others.
-  std::vector<RunRecord> read_runs(const std::string& scenario_hash) const;
+  /// Calls `use` for each run, one by one, by scenario name, hash, method and repetition. Damaged
+  /// runs are passed to `report`; without it they are errors.
+  void for_each_run(const std::function<void(const RunRecord&)>& use,
+                    const DamageHandler& report = {}) const;
+  /// The runs of one scenario by method and repetition, without reading the others. Damaged ones as
+  /// above.
+  std::vector<RunRecord> read_runs(const std::string& scenario_hash,
+                                   const DamageHandler& report = {}) const;
   /// None if the file does not contain it.
   std::optional<RunRecord> read_run(const std::string& scenario_hash, const std::string& method,
                                     int repetition) const;
@@ -64,8 +72,9 @@ class ResultFile {
 std::string dump_line(const std::string& campaign, const ScenarioRecord& scenario,
                       const RunRecord& run);
 
-/// All runs of a file as such lines.
-std::string dump(const ResultFile& file);
+/// All runs of a file as such lines. Damaged runs, and those of damaged scenarios, are passed to
+/// `report`; without it they are errors.
+std::string dump(const ResultFile& file, const DamageHandler& report = {});
 
 /// Writes `content` to a temporary file next to `path` and renames it. Throws Error (Job).
 void write_file_atomically(const std::string& path, const std::string& content);

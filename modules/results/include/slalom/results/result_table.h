@@ -69,6 +69,9 @@ struct ResultTable {
   std::vector<ValueColumn> metrics;                                  ///< one value per run
   std::vector<ValueColumn> descriptors;                              ///< one value per scenario
   std::vector<RunDetails> details;  ///< one per run, or none if they were not read
+  /// What was damaged in the file and is therefore missing: "run 0123abcd/nd/0". The descriptors of
+  /// a damaged scenario are NA.
+  std::vector<std::string> damaged;
 
   std::size_t size() const { return scenario.size(); }
 };
