@@ -4,6 +4,7 @@
 
 #include <slalom/app/output_folder.h>
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/io/png_scene.h>
 #include <slalom/rawlog/run_scene.h>
 
@@ -36,7 +37,8 @@ void draw_images(const RecordedRun& run, const Scenario& scenario, const RobotMo
       render_png(scenario, scene_at(run, i, robot, arguments.pixels),
                  frame_name(arguments.folder, frames++));
   std::cout << frames << " images in " << arguments.folder << ": " << run.manifest.method << " in "
-            << scenario.name() << ", " << to_string(run.outcome) << " (" << run.detail << ")\n";
+            << printable_line(scenario.name()) << ", " << to_string(run.outcome) << " ("
+            << run.detail << ")\n";
 }
 
 void play(const PlayArguments& arguments) {

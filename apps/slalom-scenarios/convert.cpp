@@ -2,6 +2,7 @@
 
 #include <slalom/app/program.h>
 #include <slalom/commands/convert_list.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/map_formats/map_export.h>
 
@@ -22,7 +23,7 @@ void convert_verb(const ConvertArguments& arguments) {
   std::size_t size = 0;
   ScenarioList::write(arguments.output, [&](ScenarioList& output) {
     for (const std::string& message : convert_list(list, arguments.conversion, output))
-      std::cerr << message << "\n";
+      std::cerr << printable_line(message) << "\n";
     size = output.size();
   });
   if (!arguments.quiet) std::cerr << arguments.output << ": " << size << " scenarios\n";

@@ -1,6 +1,7 @@
 #include "verbs.h"
 
 #include <slalom/campaign/describe_scenario.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_list.h>
 
@@ -65,11 +66,11 @@ void print_json(const ScenarioList::Entry& entry, const TimedValues& timed) {
   }
   for (std::size_t i = 0; i < timed.values.size(); ++i)
     json["details"][timed.values[i].key.id] = details_of(timed.values[i], timed.times[i]);
-  std::cout << json.dump() << "\n";
+  std::cout << json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
 }
 
 void print_text(const ScenarioList::Entry& entry, const std::vector<KeyedValue>& values) {
-  std::cout << entry.id << "  " << entry.name << "\n";
+  std::cout << entry.id << "  " << printable_line(entry.name) << "\n";
   for (const auto& [key, value] : values) {
     const std::string& unit = descriptor(key.id).info.unit;
     std::cout << "  " << key.id << " = ";

@@ -1,5 +1,7 @@
 #include "filter.h"
 
+#include <slalom/core/printable.h>
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -84,8 +86,9 @@ void print_entry(const ScenarioList::Entry& entry, bool json) {
     std::cout << object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
     return;
   }
-  std::cout << entry.id << "  " << to_string(entry.representation) << "  " << entry.name;
-  for (const std::string& tag : entry.tags) std::cout << "  #" << tag;
+  std::cout << entry.id << "  " << to_string(entry.representation) << "  "
+            << printable_line(entry.name);
+  for (const std::string& tag : entry.tags) std::cout << "  #" << printable_line(tag);
   std::cout << "\n";
 }
 

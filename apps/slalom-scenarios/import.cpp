@@ -1,6 +1,7 @@
 #include "make_list.h"
 
 #include <slalom/app/import_scenarios.h>
+#include <slalom/core/printable.h>
 
 #include <iostream>
 
@@ -17,7 +18,7 @@ void import(const ImportArguments& arguments) {
   const auto progress = make_silent_progress();
   ImportedScenarios imported = import_scenarios(arguments.request, *progress);
   for (const std::string& message : imported.messages)
-    if (!arguments.quiet) std::cerr << message << "\n";
+    if (!arguments.quiet) std::cerr << printable_line(message) << "\n";
   write_scenarios(arguments.output, std::move(imported.scenarios), imported.notes, arguments.quiet);
 }
 

@@ -1,6 +1,7 @@
 #include "filter.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/io/index_text.h>
 
@@ -52,7 +53,8 @@ void list_indexes(const IndexArguments& arguments) {
     }
     std::vector<std::string> edges;
     for (const double edge : index.edges) edges.push_back(format_number(edge));
-    std::cout << index.name << "  " << index.descriptor << "  " << join(edges, ",") << "\n";
+    std::cout << printable_line(index.name) << "  " << index.descriptor << "  " << join(edges, ",")
+              << "\n";
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <slalom/commands/list_hash.h>
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/io/png_scene.h>
 #include <slalom/io/result_file.h>
@@ -56,10 +57,10 @@ void show(const ListArguments& arguments) {
   const Bounds& b = scenario.bounds();
   const auto& start = scenario.start();
   constexpr auto number = format_number;
-  std::cout << "name            " << scenario.name() << "\nhash            " << scenario.hash()
-            << "\nrepresentation  " << to_string(scenario.representation()) << " ("
-            << contents_text(scenario) << ")\nbounds          x " << number(b.x_min) << " to "
-            << number(b.x_max) << " m, y " << number(b.y_min) << " to " << number(b.y_max)
+  std::cout << "name            " << printable_line(scenario.name()) << "\nhash            "
+            << scenario.hash() << "\nrepresentation  " << to_string(scenario.representation())
+            << " (" << contents_text(scenario) << ")\nbounds          x " << number(b.x_min)
+            << " to " << number(b.x_max) << " m, y " << number(b.y_min) << " to " << number(b.y_max)
             << " m\nstart           " << number(start.x) << " m, " << number(start.y) << " m, "
             << number(start.phi) << " rad\ngoal            " << number(scenario.goal().x) << " m, "
             << number(scenario.goal().y) << " m\n";

@@ -90,5 +90,28 @@ TEST_F(HostileFiles, AreRefusedInPlaceOfFilesOfMethods) {
                  {"library 'pipe.so' not found", "expected a file"});
 }
 
+TEST_F(HostileFiles, NamesAreShownWithoutControlCharacters) {
+  write("a.yaml",
+        "name: \"a\\e]0;b\\x07\\u009b2J\"\nrepresentation: continuous\nbounds: [0, 0, 4, 4]\n"
+        "start: [1, 1, 0]\ngoal: [3, 3]\ndiscs: []\npolygons: []\n");
+  const ProgramResult imported = run("slalom-scenarios import a.yaml -o a.scenarios");
+  ASSERT_EQ(imported.status, 0) << imported.err;
+  for (const char* verb : {"list", "describe --descriptors density"}) {
+    const ProgramResult shown = run(std::string("slalom-scenarios ") + verb + " a.scenarios");
+    EXPECT_EQ(shown.status, 0) << shown.err;
+    EXPECT_NE(shown.out.find("a\\x1b]0;b\\x07\\xc2\\x9b2J"), std::string::npos) << shown.out;
+    EXPECT_EQ(shown.out.find('\x1b'), std::string::npos);
+  }
+}
+
+TEST_F(HostileFiles, NamesMustBeUtf8) {
+  write("a.yaml", "name: caf\xe9\nrepresentation: continuous\n");
+  expect_failure("slalom-scenarios import a.yaml -o a.scenarios", 3,
+                 {"a.yaml:1: ", "not UTF-8", "expected"});
+  write("b.ini", std::string("[campaign]\nname = caf\xe9\n") + kGeneration);
+  expect_failure("slalom-evaluate b.ini -o out", 2, {"b.ini:2: ", "not UTF-8", "expected"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
 }  // namespace
 }  // namespace slalom

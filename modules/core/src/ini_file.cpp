@@ -31,6 +31,13 @@ std::string expand(const std::string& text, const std::string& name) {
   }
 }
 
+/// Values become names in files, which are UTF-8.
+void expect_utf8(const std::string& text, const std::string& where) {
+  if (const auto at = find_invalid_utf8(text))
+    throw usage_error(where, "byte " + std::to_string(*at + 1) + " of '" + text + "' is not UTF-8",
+                      "text in UTF-8");
+}
+
 }  // namespace
 
 IniFile IniFile::load(const std::string& path) {
@@ -49,6 +56,7 @@ IniFile IniFile::from_text(const std::string& text, const std::string& name) {
     const std::string position = name + ":" + std::to_string(number);
     const std::string line = trim(strip_comment(raw));
     if (line.empty() || line[0] == '@') continue;
+    expect_utf8(line, position);
     if (line.front() == '[') {
       if (line.back() != ']')
         throw usage_error(position, "missing ']' in '" + line + "'", "[section]");
@@ -77,6 +85,7 @@ void IniFile::override_key(const std::string& assignment) {
       equals == std::string::npos ? equals : assignment.substr(0, equals).rfind('.');
   if (dot == std::string::npos || dot == 0 || dot + 1 == equals)
     throw usage_error("--set " + assignment, "not an assignment", "SECTION.KEY=VALUE");
+  expect_utf8(assignment, "--set");
   set(trim(assignment.substr(0, dot)), trim(assignment.substr(dot + 1, equals - dot - 1)),
       trim(assignment.substr(equals + 1)));
 }

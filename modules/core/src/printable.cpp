@@ -20,25 +20,32 @@ std::size_t utf8_length(unsigned char first) {
 }
 
 /// What the second byte must lie in, so that there is one form of each character, and neither
-/// surrogates nor numbers above U+10FFFF. Those of C1 (U+0080 to U+009F) are control characters.
+/// surrogates nor numbers above U+10FFFF.
 bool is_second_byte(unsigned char first, unsigned char second) {
-  const unsigned char least = first == 0xC2   ? 0xA0
-                              : first == 0xE0 ? 0xA0
-                              : first == 0xF0 ? 0x90
-                                              : 0x80;
+  const unsigned char least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
   const unsigned char most = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
   return second >= least && second <= most;
 }
 
-/// Bytes of the character at `i` that can be shown; 0 where there is none.
-std::size_t shown_length(const std::string& text, std::size_t i) {
+/// Bytes of the character at `i`; 0 where there is none.
+std::size_t character_length(const std::string& text, std::size_t i) {
   const auto byte = [&text](std::size_t at) { return static_cast<unsigned char>(text[at]); };
   const std::size_t length = utf8_length(byte(i));
-  if (length == 1) return !is_control(byte(i)) || byte(i) == '\t' ? 1 : 0;
-  if (length == 0 || i + length > text.size() || !is_second_byte(byte(i), byte(i + 1))) return 0;
+  if (length < 2) return length;
+  if (i + length > text.size() || !is_second_byte(byte(i), byte(i + 1))) return 0;
   for (std::size_t k = 2; k < length; ++k)
     if (byte(i + k) < 0x80 || byte(i + k) > 0xBF) return 0;
   return length;
+}
+
+/// Bytes of the character at `i` that can be shown; 0 where there is none. U+0080 to U+009F are
+/// control characters, too.
+std::size_t shown_length(const std::string& text, std::size_t i) {
+  const auto first = static_cast<unsigned char>(text[i]);
+  const bool control =
+      (is_control(first) && first != '\t') ||
+      (first == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0);
+  return control ? 0 : character_length(text, i);
 }
 
 std::string number_of(char c) {
@@ -56,6 +63,16 @@ std::string printable_line(const std::string& text) {
     i += std::max<std::size_t>(length, 1);
   }
   return line;
+}
+
+std::optional<std::size_t> find_invalid_utf8(const std::string& text) {
+  std::size_t i = 0;
+  while (i < text.size()) {
+    const std::size_t length = character_length(text, i);
+    if (length == 0) return i;
+    i += length;
+  }
+  return std::nullopt;
 }
 
 bool is_text(const std::string& content) {

@@ -1,3 +1,4 @@
+#include <slalom/core/printable.h>
 #include <slalom/core/progress.h>
 
 #include <cmath>
@@ -30,7 +31,7 @@ class LineProgress : public Progress {
   explicit LineProgress(WallClock clock) : clock_(std::move(clock)), last_line_(clock_()) {}
 
   void start(const std::string& what, std::size_t total) override {
-    what_ = what;
+    what_ = printable_line(what);
     total_ = total;
     begin_ = clock_();
   }
@@ -59,7 +60,7 @@ class BarProgress : public Progress {
   ~BarProgress() override { end_line(); }
   explicit BarProgress(WallClock clock) : clock_(std::move(clock)) {}
   void start(const std::string& what, std::size_t total) override {
-    what_ = what;
+    what_ = printable_line(what);
     total_ = total;
     begin_ = last_drawn_ = clock_();
     done_ = 0;

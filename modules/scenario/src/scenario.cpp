@@ -1,5 +1,6 @@
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
+#include <slalom/core/printable.h>
 #include <slalom/scenario/scenario.h>
 
 #include <algorithm>
@@ -44,6 +45,14 @@ void check_position(const std::string& name, const Bounds& b, const char* what, 
     throw file_error(
         name, std::string(what) + " at " + text(p),
         "a position within " + text({b.x_min, b.y_min}) + " to " + text({b.x_max, b.y_max}));
+}
+
+/// Names are written to files and tables as UTF-8.
+void check_name(const std::string& name) {
+  if (const auto at = find_invalid_utf8(name))
+    throw file_error("scenario '" + name + "'",
+                     "byte " + std::to_string(*at + 1) + " of the name is not UTF-8",
+                     "a name in UTF-8");
 }
 
 void check_task(const std::string& name, const Bounds& bounds, const TPose2D& start,
@@ -136,6 +145,7 @@ Scenario::Scenario(std::string name, Bounds bounds, Obstacles obstacles, TPose2D
       obstacles_(std::move(obstacles)),
       start_(start),
       goal_(goal) {
+  check_name(name_);
   check_task(name_, bounds_, start_, goal_);
   Hasher hasher;
   hasher.add(to_string(representation()));
@@ -182,6 +192,7 @@ const PointMapPtr& Scenario::point_map() const {
 
 Scenario Scenario::renamed(std::string name) const {
   Scenario copy = *this;
+  check_name(name);
   copy.name_ = std::move(name);
   return copy;
 }

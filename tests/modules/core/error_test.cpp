@@ -1,4 +1,5 @@
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 
 #include <gtest/gtest.h>
 #include <mrpt/core/exceptions.h>
@@ -10,6 +11,16 @@ TEST(Error, ContainsWhereWhatAndExpectedInOneLine) {
   EXPECT_STREQ(usage_error("a.ini:3: [robot] radius", "'-1' is not valid", "a number > 0").what(),
                "a.ini:3: [robot] radius: '-1' is not valid; expected a number > 0");
   EXPECT_STREQ(job_error("", "disk full").what(), "disk full");
+}
+
+TEST(Printable, FindsTheFirstByteThatIsNotUtf8) {
+  EXPECT_FALSE(find_invalid_utf8(""));
+  EXPECT_FALSE(find_invalid_utf8("caf\xc3\xa9 \xe2\x86\x92 \xf0\x9f\x98\x80\n"));
+  EXPECT_EQ(find_invalid_utf8("caf\xe9"), 3U);           // Latin-1
+  EXPECT_EQ(find_invalid_utf8("a\xc3"), 1U);             // incomplete
+  EXPECT_EQ(find_invalid_utf8("ab\xc0\xaf"), 2U);        // a longer form of "/"
+  EXPECT_EQ(find_invalid_utf8("\xed\xa0\x80"), 0U);      // a surrogate
+  EXPECT_EQ(find_invalid_utf8("\xf4\x90\x80\x80"), 0U);  // above U+10FFFF
 }
 
 TEST(Error, ReplacesLineBreaksBySpaces) {

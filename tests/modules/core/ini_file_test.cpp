@@ -76,6 +76,19 @@ TEST_F(IniFileOnDisk, MayHaveTabsLinesOfOtherSystemsAndOldLetters) {
   EXPECT_EQ(message_of_loading("[a]\r\nx\t= 1\f\r\n# caf\xe9\r\n"), "(no error)");
 }
 
+TEST(IniFile, RefusesValuesThatAreNotUtf8) {
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "a.ini:2: ",
+                           {"byte 10 of 'name = ca\\xe9' is not UTF-8", "expected text in UTF-8"},
+                           [] { IniFile::from_text("[a]\nname = ca\xe9\n", "a.ini"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "a.ini:1: ", {"is not UTF-8"},
+                           [] { IniFile::from_text("[caf\xe9]\n", "a.ini"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--set: ", {"is not UTF-8"}, [] {
+    IniFile ini = IniFile::from_text("");
+    ini.override_key("a.b=\xff");
+  }));
+  EXPECT_EQ(IniFile::from_text("[a]\nname = caf\xc3\xa9\n").get("a", "name"), "caf\xc3\xa9");
+}
+
 TEST(IniFile, OverridesReplaceOrAddAKey) {
   IniFile ini = IniFile::from_text("[method.nd]\nclass = X\n");
   ini.override_key("method.nd.class=Y");

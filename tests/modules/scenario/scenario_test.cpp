@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 namespace slalom {
 namespace {
@@ -25,6 +26,14 @@ COccupancyGridMap2D small_map() {
   COccupancyGridMap2D map;
   map.setSize(-1, 0, 2, 2.5F, 0.1F, 1.0F);
   return map;
+}
+
+TEST(Scenario, HasANameInUtf8) {
+  EXPECT_EQ(sample("caf\xc3\xa9").name(), "caf\xc3\xa9");
+  for (const auto& make : {std::function<void()>([] { sample("caf\xe9"); }),
+                           std::function<void()>([] { sample().renamed("caf\xe9"); })})
+    EXPECT_TRUE(throws_error(ErrorKind::File,
+                             "scenario 'caf\\xe9': ", {"byte 4 of the name is not UTF-8"}, make));
 }
 
 TEST(Scenario, IsIdentifiedByItsContentNotItsName) {

@@ -3,6 +3,7 @@
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/precision_rule.h>
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 
 #include <regex>
@@ -69,7 +70,7 @@ std::string render_precision_text(const PrecisionRule& rule,
     const Cell& cell = entry.cell;
     const std::string width =
         cell.interval ? format_fixed(cell.interval->high - cell.interval->low, 4) : "-";
-    grid.add_row({{printable(entry.method)},
+    grid.add_row({{printable_line(entry.method)},
                   {entry.bin.label()},
                   {std::to_string(cell.n)},
                   {estimate_text(cell, 3)},

@@ -1,4 +1,5 @@
 #include <slalom/analysis/csv_columns.h>
+#include <slalom/analysis/table_export.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
@@ -33,6 +34,12 @@ std::vector<std::string> next_record(const std::string& text, std::size_t& posit
   return fields;
 }
 
+/// The text of a field, without the apostrophe that csv_field() adds to formulas.
+std::string text_of_field(const std::string& field) {
+  const std::string text = trim(field);
+  return !text.empty() && text[0] == '\'' && is_formula(text.substr(1)) ? text.substr(1) : text;
+}
+
 bool is_missing(const std::string& field) {
   return field.empty() || field == "NA" || field == "nan" || field == "NaN";
 }
@@ -50,14 +57,15 @@ class CsvTable {
   CsvTable(const std::string& text, const std::string& name) : name_(name) {
     std::size_t position = 0, line = 1;
     header_ = next_record(text, position, line);
-    for (std::string& id : header_) id = trim(id);
+    for (std::string& id : header_) id = text_of_field(id);
     fields_.resize(header_.size());
     while (position < text.size()) {
       const std::size_t at = line;
       std::vector<std::string> record = next_record(text, position, line);
       if (record.size() == 1 && record[0].empty()) continue;
       require_width(record.size(), at);
-      for (std::size_t i = 0; i < record.size(); ++i) fields_[i].push_back(trim(record[i]));
+      for (std::size_t i = 0; i < record.size(); ++i)
+        fields_[i].push_back(text_of_field(record[i]));
       ++rows_;
     }
     if (rows_ == 0) throw file_error(name_, "no rows", "a header line and rows of numbers");

@@ -4,6 +4,7 @@
 #include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/table_export.h>
 #include <slalom/analysis/table_text.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 
 #include <nlohmann/json.hpp>
@@ -32,7 +33,7 @@ std::string field_text(const Field& field, int digits) {
   }
   if (const auto* count = std::get_if<std::int64_t>(&field)) return std::to_string(*count);
   if (const auto* seed = std::get_if<std::uint64_t>(&field)) return std::to_string(*seed);
-  if (const auto* text = std::get_if<std::string>(&field)) return printable(*text);
+  if (const auto* text = std::get_if<std::string>(&field)) return printable_line(*text);
   return "-";
 }
 
@@ -67,13 +68,13 @@ std::string view_text(const DataTable& table, std::size_t row, const ViewColumn&
 }
 
 std::string table_text(const DataTable& table) {
-  const std::string head = table.title.empty() ? "" : printable(table.title) + "\n\n";
+  const std::string head = table.title.empty() ? "" : printable_line(table.title) + "\n\n";
   if (table.rows == 0) return head + "(empty)\n";
   const std::vector<ViewColumn> views = view_columns(table);
   std::vector<std::string> header;
   for (const ViewColumn& view : views) {
     const std::string& name = table.columns[view.first];
-    header.push_back(printable(ends_with(name, ".na") ? "NA" : name));
+    header.push_back(printable_line(ends_with(name, ".na") ? "NA" : name));
   }
   TextGrid grid(header);
   for (std::size_t row = 0; row < table.rows; ++row) {
@@ -100,7 +101,8 @@ std::string render_text(const Interpretation& interpretation) {
   const auto& tables = interpretation.views.empty() ? interpretation.tables : interpretation.views;
   for (const DataTable& table : tables) text += (text.empty() ? "" : "\n") + table_text(table);
   if (!interpretation.remarks.empty()) text += "\n";
-  for (const std::string& remark : interpretation.remarks) text += "→ " + printable(remark) + "\n";
+  for (const std::string& remark : interpretation.remarks)
+    text += "→ " + printable_line(remark) + "\n";
   return text;
 }
 

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstring>
+
 namespace slalom {
 namespace {
 
@@ -84,10 +86,17 @@ Json table_json(const CrossTable& table) {
 
 }  // namespace
 
+bool is_formula(const std::string& text) {
+  double number = 0;
+  return text.size() > 1 && std::strchr("=+-@\t\r", text[0]) != nullptr &&
+         !parse_number(text, number);
+}
+
 std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  const std::string field = is_formula(text) ? "'" + text : text;
+  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
   std::string quoted = "\"";
-  for (const char c : text) {
+  for (const char c : field) {
     if (c == '"') quoted += '"';
     quoted += c;
   }

@@ -3,21 +3,22 @@
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/findings.h>
 #include <slalom/analysis/table_text.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 
 namespace slalom {
 namespace {
 
 std::string column_header(const Column& column) {
-  std::string text = printable(column.info.id);
+  std::string text = printable_line(column.info.id);
   const std::string arrow = direction_arrow(column.info.direction);
   if (!arrow.empty()) text += " " + arrow;
-  if (column.info.unit != "-") text += " " + printable(column.info.unit);
+  if (column.info.unit != "-") text += " " + printable_line(column.info.unit);
   return column.wall_clock ? text + " (wall clock)" : text;
 }
 
 std::vector<std::string> headers(const std::string& first, const std::vector<Column>& columns) {
-  std::vector<std::string> header = {printable(first)};
+  std::vector<std::string> header = {printable_line(first)};
   for (const Column& column : columns) header.push_back(column_header(column));
   return header;
 }
@@ -30,11 +31,12 @@ TextGrid::Lines cell_lines(const Cell& cell, const Column& column, int digits) {
 
 std::string outcomes_text(const SummaryTable& table) {
   std::vector<std::string> header = {"method", "runs"};
-  for (const std::string& outcome : table.outcomes) header.push_back(printable(outcome));
+  for (const std::string& outcome : table.outcomes) header.push_back(printable_line(outcome));
   TextGrid grid(header);
   grid.align_right();
   for (const MethodSummary& method : table.methods) {
-    std::vector<TextGrid::Lines> row = {{printable(method.method)}, {std::to_string(method.n)}};
+    std::vector<TextGrid::Lines> row = {{printable_line(method.method)},
+                                        {std::to_string(method.n)}};
     for (const std::string& outcome : table.outcomes) {
       const auto found = method.outcomes.find(outcome);
       row.push_back({found == method.outcomes.end() ? "0" : std::to_string(found->second)});
@@ -48,7 +50,7 @@ std::string na_lines(const CrossTable& table) {
   std::string text;
   for (std::size_t column = 0; column < table.columns.size(); ++column) {
     const std::string reasons = na_text(table.columns[column], na_of_column(table, column));
-    if (!reasons.empty()) text += "NA  " + printable(reasons) + "\n";
+    if (!reasons.empty()) text += "NA  " + printable_line(reasons) + "\n";
   }
   return text;
 }
@@ -69,7 +71,7 @@ std::string render_summary_text(const SummaryTable& table) {
     digits.push_back(digits_for(cells, table.columns[column]));
   }
   for (const MethodSummary& method : table.methods) {
-    std::vector<TextGrid::Lines> row = {{printable(method.method)}};
+    std::vector<TextGrid::Lines> row = {{printable_line(method.method)}};
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
       row.push_back(cell_lines(method.cells[column], table.columns[column], digits[column]));
     }
@@ -80,7 +82,8 @@ std::string render_summary_text(const SummaryTable& table) {
 }
 
 std::string render_cross_table_text(const CrossTable& table) {
-  std::string text = printable(table.title) + ", " + confidence_text(table.confidence) + "\n\n";
+  std::string text =
+      printable_line(table.title) + ", " + confidence_text(table.confidence) + "\n\n";
   TextGrid grid(headers(table.descriptor.id, table.columns));
   for (const CrossRow& row : table.rows) {
     std::vector<TextGrid::Lines> cells = {{row.bin.label(), count_text(row.runs.size(), "run")}};
@@ -91,9 +94,9 @@ std::string render_cross_table_text(const CrossTable& table) {
     grid.add_row(std::move(cells));
   }
   text += grid.text() + na_lines(table);
-  for (const std::string& note : table.notes) text += "Note  " + printable(note) + "\n";
+  for (const std::string& note : table.notes) text += "Note  " + printable_line(note) + "\n";
   for (const Finding& finding : condensed_findings(table))
-    text += "→ " + printable(finding.text) + "\n";
+    text += "→ " + printable_line(finding.text) + "\n";
   return text;
 }
 

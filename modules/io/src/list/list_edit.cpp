@@ -1,6 +1,8 @@
 #include "scenario_list_impl.h"
 #include "value_columns.h"
 
+#include <slalom/core/printable.h>
+
 namespace slalom {
 
 std::size_t ScenarioList::remove(const ListSelection& selection) {
@@ -54,8 +56,8 @@ void ScenarioList::replace(const std::string& hash, const Scenario& scenario) {
 }
 
 void ScenarioList::rename(const std::string& hash, const std::string& name) {
-  if (name.empty() || name.find_first_of("\n\r\t") != std::string::npos)
-    throw usage_error("name '" + name + "'", "invalid name", "one line of text");
+  if (name.empty() || name.find_first_of("\n\r\t") != std::string::npos || find_invalid_utf8(name))
+    throw usage_error("name '" + name + "'", "invalid name", "one line of text in UTF-8");
   replace(hash, read(hash).renamed(name));
 }
 

@@ -1,4 +1,5 @@
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_yaml.h>
@@ -6,6 +7,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace slalom {
@@ -274,6 +276,11 @@ std::string scenario_to_yaml(const Scenario& scenario) {
 }
 
 Scenario scenario_from_yaml(const std::string& text, const std::string& where) {
+  if (const auto at = find_invalid_utf8(text)) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(*at);
+    throw file_error(where + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')),
+                     "contains a byte that is not UTF-8", "a scenario as YAML");
+  }
   try {
     return Reader(YAML::Load(text), where).read();
   } catch (const YAML::Exception& e) {

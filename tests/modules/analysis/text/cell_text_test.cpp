@@ -41,9 +41,5 @@ TEST(CellText, CountsCharactersNotBytes) {
   EXPECT_EQ(pad_left("long", 2), "long");
 }
 
-TEST(CellText, ReplacesTerminalEscapeSequences) {
-  EXPECT_EQ(printable("a\x1b[31mb\n"), "a?[31mb?");
-}
-
 }  // namespace
 }  // namespace slalom

@@ -29,6 +29,11 @@ TEST(TableExport, QuotesSpecialCharactersInCsv) {
   EXPECT_EQ(csv_field("plain"), "plain");
   EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
   EXPECT_EQ(csv_field("say \"x\"\n"), "\"say \"\"x\"\"\n\"");
+  // What a spreadsheet would evaluate; numbers are not.
+  for (const char* text : {"=1+1", "+x", "-x", "@SUM(A1)", "\t=1", "-"})
+    EXPECT_EQ(csv_field(text), std::string(text) == "-" ? "-" : std::string("'") + text) << text;
+  EXPECT_EQ(csv_field("=HYPERLINK(\"x\",1)"), "\"'=HYPERLINK(\"\"x\"\",1)\"");
+  for (const char* number : {"-0.5", "+1e-3", "-12"}) EXPECT_EQ(csv_field(number), number);
   EXPECT_NE(render_csv(tables("a,b")).find("\"a,b\",density"), std::string::npos);
 }
 

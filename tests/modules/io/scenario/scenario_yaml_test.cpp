@@ -63,6 +63,7 @@ TEST(ScenarioYaml, ReportsErrorsWithTheirLine) {
                       "f.yaml:2: ", {"'cubes'", "expected continuous, grid or points"}));
   EXPECT_TRUE(refused("name: [\n", "f.yaml", {"YAML"}));
   EXPECT_TRUE(refused("hello", "f.yaml", {"scenario"}));
+  EXPECT_TRUE(refused("# caf\xc3\xa9\nname: caf\xe9\n", "f.yaml:2: ", {"not UTF-8"}));
   EXPECT_TRUE(refused("", "f.yaml", {"scenario"}));
 }
 

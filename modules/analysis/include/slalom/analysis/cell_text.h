@@ -38,8 +38,6 @@ std::string direction_arrow(Direction direction);
 
 /// The width of `text` (UTF-8) on a terminal, in columns.
 std::size_t display_width(const std::string& text);
-/// Replaces control characters by '?', so that names cannot inject terminal escape sequences.
-std::string printable(const std::string& text);
 /// Pads with blanks to `width`.
 std::string pad_left(const std::string& text, std::size_t width);
 std::string pad_right(const std::string& text, std::size_t width);

@@ -16,7 +16,11 @@ std::string render_csv(const std::vector<CrossTable>& tables);
 /// reason.
 std::string render_json(const std::vector<CrossTable>& tables);
 
-/// A field of a CSV line, quoted if necessary.
+/// Whether spreadsheets would take a field of a CSV line for a formula: more than one character,
+/// the first of which is = + - @ or a tab, unless it is a number.
+bool is_formula(const std::string& text);
+
+/// A field of a CSV line, quoted if necessary. A formula is preceded by an apostrophe.
 std::string csv_field(const std::string& text);
 
 }  // namespace slalom
