@@ -8,6 +8,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/random.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace slalom {
@@ -89,6 +90,12 @@ PoolOptions pool_for_methods(const CampaignOptions& options, int workers, bool i
   return pool;
 }
 
+std::size_t method_index(const Campaign& campaign, const std::string& name) {
+  const auto named = std::find_if(campaign.methods.begin(), campaign.methods.end(),
+                                  [&](const NamedMethod& one) { return one.name == name; });
+  return static_cast<std::size_t>(named - campaign.methods.begin());
+}
+
 /// Second phase: every method in every scenario.
 bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& execution,
                  const std::vector<References>& references, CampaignSummary& summary) {
@@ -111,8 +118,10 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
     execution.progress.advance(summary.runs);
   };
   execution.progress.start("Running methods", plan.size());
-  const PoolOptions pool =
-      pool_for_methods(campaign.options, execution.workers, execution.in_process);
+  PoolOptions pool = pool_for_methods(campaign.options, execution.workers, execution.in_process);
+  pool.groups = campaign.methods.size();
+  pool.group = [&](std::size_t i) { return method_index(campaign, plan[i].method); };
+  pool.at_end = [&] { executor.destroy_methods(); };
   const bool complete = run_in_workers(plan.size(), pool, item, receive, execution.interrupted);
   execution.progress.finish();
   return complete;

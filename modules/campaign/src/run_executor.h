@@ -26,6 +26,9 @@ class RunExecutor {
   /// Executes a run. Logs every command, and retires the worker when the method failed.
   RunFindings execute(const RunSpec& spec, SharedTaskLog& log);
 
+  /// Ends the life of all methods that execute() has constructed.
+  void destroy_methods() { methods_.clear(); }
+
   /// The findings of a run whose process died, reconstructed by replaying the logged commands
   /// without the method.
   RunFindings reconstruct(const RunSpec& spec, const std::string& log, Outcome outcome,

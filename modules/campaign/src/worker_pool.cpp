@@ -42,11 +42,11 @@ class OrderedResults {
 class Pool {
  public:
   Pool(std::size_t count, const PoolOptions& options, const WorkItem& item, OrderedResults& results)
-      : count_(count), options_(options), item_(item), results_(results) {
-    const std::size_t workers = std::min<std::size_t>(std::max(1, options.workers), count);
-    for (std::size_t i = 0; i < workers; ++i)
-      workers_.push_back(std::make_unique<WorkerProcess>(options));
-  }
+      : count_(count),
+        max_busy_(static_cast<std::size_t>(std::max(1, options.workers))),
+        options_(options),
+        item_(item),
+        results_(results) {}
 
   bool run(const std::function<bool()>& interrupted) {
     while (finished_ < count_) {
@@ -55,31 +55,71 @@ class Pool {
       wait_for_answers();
       collect();
     }
+    end_workers();
     return true;
   }
 
  private:
+  using Worker = std::unique_ptr<WorkerProcess>;
+
   void assign_items() {
-    for (auto& worker : workers_) {
-      if (worker->busy() || next_ == count_) continue;
-      if (worker->alive() && options_.fresh_process) worker->kill_and_reap();
-      if (!worker->alive()) worker->start(item_);
-      worker->assign(next_++);
+    while (next_ < count_ && count(&WorkerProcess::busy) < max_busy_) {
+      worker_for(options_.group ? options_.group(next_) : 0).assign(next_);
+      ++next_;
     }
+  }
+
+  std::size_t count(bool (WorkerProcess::*has)() const) const {
+    return static_cast<std::size_t>(
+        std::count_if(workers_.begin(), workers_.end(),
+                      [&](const Worker& worker) { return ((*worker).*has)(); }));
+  }
+
+  /// An idle process of the group, or a new one.
+  WorkerProcess& worker_for(std::size_t group) {
+    for (Worker& worker : workers_) {
+      if (!worker->idle() || worker->group() != group) continue;
+      if (!options_.fresh_process) return *worker;
+      worker->kill_and_reap();
+    }
+    if (count(&WorkerProcess::idle) >= options_.groups + max_busy_) end_least_recently_used();
+    const auto dead = std::find_if(workers_.begin(), workers_.end(),
+                                   [](const Worker& worker) { return !worker->alive(); });
+    WorkerProcess& worker = dead == workers_.end()
+                                ? *workers_.emplace_back(std::make_unique<WorkerProcess>(options_))
+                                : **dead;
+    worker.start(item_, group);
+    return worker;
+  }
+
+  void end_least_recently_used() {
+    const auto rank = [](const Worker& worker) {
+      return std::make_pair(!worker->idle(), worker->last_item());
+    };
+    WorkerProcess& worker =
+        **std::min_element(workers_.begin(), workers_.end(),
+                           [&](const Worker& a, const Worker& b) { return rank(a) < rank(b); });
+    worker.request_end();
+    worker.await_end();
+  }
+
+  void end_workers() {
+    for (Worker& worker : workers_) worker->request_end();
+    for (Worker& worker : workers_) worker->await_end();
   }
 
   void wait_for_answers() const {
     std::vector<pollfd> sockets;
-    for (const auto& worker : workers_)
+    for (const Worker& worker : workers_)
       if (worker->busy()) sockets.push_back({worker->socket(), POLLIN, 0});
     constexpr int kPollMs = 20;  // maximum latency of time limits and interrupts
     poll(sockets.data(), sockets.size(), kPollMs);
   }
 
   void collect() {
-    for (auto& worker : workers_) {
+    for (Worker& worker : workers_) {
       if (!worker->busy()) continue;
-      const std::size_t index = worker->item();
+      const std::size_t index = worker->last_item();
       if (auto result = worker->receive()) finish(index, std::move(*result));
     }
   }
@@ -89,11 +129,11 @@ class Pool {
     results_.put(index, std::move(result));
   }
 
-  std::size_t count_;
+  std::size_t count_, max_busy_;
   PoolOptions options_;
   const WorkItem& item_;
   OrderedResults& results_;
-  std::vector<std::unique_ptr<WorkerProcess>> workers_;
+  std::vector<Worker> workers_;
   std::size_t next_ = 0, finished_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include <exception>
 #include <fcntl.h>
 #include <new>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -81,6 +82,7 @@ void answer(int socket, const WorkItem& item, std::size_t index, SharedTaskLog& 
     limit_cpu_time(options.item_cpu_time);
     answer(socket, item, index, log);
   }
+  if (options.at_end) options.at_end();
   _exit(0);
 }
 
@@ -97,7 +99,7 @@ bool is_out_of_cpu_time(int status) {
 
 }  // namespace
 
-void WorkerProcess::start(const WorkItem& item) {
+void WorkerProcess::start(const WorkItem& item, std::size_t group) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     throw job_error("workers",
@@ -117,6 +119,7 @@ void WorkerProcess::start(const WorkItem& item) {
   fcntl(ends[0], F_SETFL, O_NONBLOCK);
   pid_ = pid;
   socket_ = ends[0];
+  group_ = group;
   buffer_.clear();
 }
 
@@ -125,6 +128,7 @@ void WorkerProcess::assign(std::size_t index) {
   log_.clear();
   heartbeats_ = 0;
   item_ = index;
+  busy_ = true;
   started_ = last_heartbeat_ = options_.clock();
   // The death of a worker is detected by the next receive().
   send_all(socket_, reinterpret_cast<const char*>(&wire), sizeof wire);
@@ -162,7 +166,7 @@ std::optional<WorkResult> WorkerProcess::read_answer() {
     return end(kind == kThrew ? Status::Threw : Status::OutOfMemory, std::move(payload));
   }
   buffer_.clear();
-  item_.reset();
+  busy_ = false;
   if (log_.is_retired()) kill_and_reap();
   return WorkResult{Status::Done, std::move(payload), "", ""};
 }
@@ -199,6 +203,17 @@ void WorkerProcess::kill_and_reap() {
   reap();
 }
 
+void WorkerProcess::request_end() {
+  if (idle()) shutdown(socket_, SHUT_WR);
+}
+
+void WorkerProcess::await_end() {
+  if (!alive()) return;
+  pollfd end = {socket_, POLLIN, 0};
+  poll(&end, 1, static_cast<int>(kOrderlyEnd * 1000));
+  kill_and_reap();
+}
+
 int WorkerProcess::reap() {
   close(socket_);
   int status = 0;
@@ -214,7 +229,7 @@ int WorkerProcess::reap() {
   }
   pid_ = -1;
   socket_ = -1;
-  item_.reset();
+  busy_ = false;
   return status;
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -53,6 +54,7 @@ class TestMethod : public Method {
     if (kind_ == "abort") std::abort();
     if (kind_ == "throw_number") throw 42;
     if (kind_ == "greedy") exhaust_memory();
+    if (kind_ == "rounding") std::fesetround(FE_UPWARD);
     if (kind_ == "chatty") std::cout << std::string(100000, '#') << std::endl;
     if (kind_ == "slow") time_.advance(0.15);
     if (kind_ == "exit") std::exit(0);
@@ -306,6 +308,29 @@ TEST_F(CampaignTest, ResultsDoNotDependOnTheNumberOfWorkersOrOtherMethods) {
   const auto alone = values_of_good(run({"good"}, 1));
   EXPECT_EQ(alone, values_of_good(run({"good"}, 3)));
   EXPECT_EQ(alone, values_of_good(run({"crash", "good"}, 2)));
+  EXPECT_EQ(alone, values_of_good(run({"rounding", "good"}, 1)));
+}
+
+TEST_F(CampaignTest, MethodsAreDestroyedWhenTheirWorkersAreNoLongerNeeded) {
+  class Counted : public TestMethod {
+   public:
+    Counted(const RobotModel& robot, ManualTime& destroyed)
+        : TestMethod("good", robot, destroyed), destroyed_(destroyed) {}
+    ~Counted() override { destroyed_.advance(1); }
+    Counted(const Counted&) = delete;
+    Counted& operator=(const Counted&) = delete;
+
+   private:
+    ManualTime& destroyed_;
+  };
+  ManualTime destroyed;  // its seconds count
+  registry_.add("test", [&](const IniFile&, const std::string&) {
+    return [&](const RobotModel& robot, const SensorModel&) -> std::unique_ptr<Method> {
+      return std::make_unique<Counted>(robot, destroyed);
+    };
+  });
+  run({"good", "other"}, 1);
+  EXPECT_EQ(destroyed.clock()(), 2);
 }
 
 TEST_F(CampaignTest, AnUnsolvableScenarioGivesNoMetricValues) {

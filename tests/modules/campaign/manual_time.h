@@ -26,7 +26,10 @@ class ManualTime {
       return shared->seconds.load();
     };
   }
-  void advance(double seconds) { shared_->seconds = shared_->seconds + seconds; }
+  void advance(double seconds) {
+    double now = shared_->seconds;
+    while (!shared_->seconds.compare_exchange_weak(now, now + seconds)) continue;
+  }
 
   /// The same, but waits until the pool has checked the limits before and after: a work item that
   /// exceeds one is killed before this function returns.

@@ -178,6 +178,66 @@ TEST(WorkerPool, FreshProcessesDoNotShareState) {
   EXPECT_EQ(state, 0) << "work items must not run in the calling process";
 }
 
+TEST(WorkerPool, AProcessOnlyGetsWorkItemsOfOneGroup) {
+  std::size_t group_before = 99;
+  const WorkItem item = [&](std::size_t i, SharedTaskLog&) {
+    const bool mixed = group_before != 99 && group_before != i % 3;
+    group_before = i % 3;
+    return (mixed ? "mixed " : "") + std::to_string(getpid());
+  };
+  for (const int workers : {1, 2, 5}) {
+    PoolOptions options = with_workers(workers);
+    options.group = [](std::size_t i) { return i % 3; };
+    options.groups = 3;
+    std::map<std::size_t, std::set<std::string>> processes;
+    const auto results = run_all(60, options, item);
+    for (std::size_t i = 0; i < results.size(); ++i) processes[i % 3].insert(results[i].payload);
+    for (const auto& [group, pids] : processes) {
+      EXPECT_LE(pids.size(), static_cast<std::size_t>(workers)) << "they stay alive";
+      for (const std::string& pid : pids) EXPECT_EQ(pid.find("mixed"), std::string::npos);
+    }
+  }
+}
+
+TEST(WorkerPool, AtMostOneWorkItemPerWorkerIsExecutedAtATime) {
+  ManualTime busy;  // seconds count the work items that are being executed
+  PoolOptions options = with_workers(1);
+  options.group = [](std::size_t i) { return i; };
+  options.groups = 10;
+  const auto results = run_all(10, options, [&](std::size_t, SharedTaskLog&) {
+    busy.advance(1);
+    usleep(1000);
+    const double most = busy.clock()();
+    busy.advance(-1);
+    return std::to_string(static_cast<int>(most));
+  });
+  for (const WorkResult& result : results) EXPECT_EQ(result.payload, "1");
+}
+
+TEST(WorkerPool, IdleProcessesOfManyGroupsAreEnded) {
+  PoolOptions options = with_workers(1);
+  options.group = [](std::size_t i) { return i; };
+  options.groups = 2;  // three processes are kept
+  ManualTime ended;
+  options.at_end = [&] { ended.advance(1); };
+  const auto results = run_all(10, options, [&](std::size_t, SharedTaskLog&) {
+    return std::to_string(static_cast<int>(ended.clock()()));
+  });
+  EXPECT_EQ(results[2].payload, "0");
+  EXPECT_EQ(results[3].payload, "1");
+  EXPECT_EQ(results[9].payload, "7");
+  EXPECT_EQ(ended.clock()(), 10) << "all are ended when the pool is done";
+}
+
+TEST(WorkerPool, AProcessThatDoesNotEndIsKilled) {
+  PoolOptions options = with_workers(1);
+  options.at_end = [] {
+    while (true) pause();
+  };
+  EXPECT_EQ(run_all(1, options, [](std::size_t, SharedTaskLog&) { return "fine"; })[0].payload,
+            "fine");
+}
+
 TEST(WorkerPool, StandardOutputOfWorkersIsDiscarded) {
   testing::internal::CaptureStdout();
   run_all(2, with_workers(1), [](std::size_t, SharedTaskLog&) {

@@ -34,19 +34,30 @@ struct PoolOptions {
   bool keep_stderr = false;      ///< do not discard the workers' standard error
   bool fresh_process = false;    ///< a new process for each work item
   bool in_process = false;       ///< execute work items in this process, without limits
+  /// A process executes only work items of one of `groups` groups. Null: all are of one group.
+  std::function<std::size_t(std::size_t index)> group = nullptr;
+  std::size_t groups = 1;
+  /// Executed in a worker process that is no longer needed, before it exits. It has kOrderlyEnd
+  /// to complete. Not executed when the process is killed or replaced.
+  std::function<void()> at_end = nullptr;
   /// For item_wall_time and heartbeat_timeout; read in the parent process.
   WallClock clock = steady_seconds;
 };
+
+/// Time for PoolOptions::at_end, after which the process is killed; s.
+constexpr double kOrderlyEnd = 2;
 
 /// A work item, executed in a worker process. Returns bytes for the parent process.
 using WorkItem = std::function<std::string(std::size_t index, SharedTaskLog& log)>;
 
 /// Executes work items 0 .. count-1 in forked worker processes and passes each result to
 /// `on_result` in the order of the indexes, for any number of workers. A worker that dies or hangs
-/// is replaced, and only its current work item is lost. Standard output of workers is discarded.
-/// `interrupted` is polled; when it returns true, the workers are killed, the results obtained so
-/// far are passed on, and the function returns false. Throws Error (Job) when no process can be
-/// created.
+/// is replaced, and only its current work item is lost. Work items are started in the order of
+/// their indexes; at most `workers` processes are busy. Idle ones are kept for the next items of
+/// their groups, in total `workers + groups` processes; beyond that the least recently used one is
+/// ended. Standard output of workers is discarded. `interrupted` is polled; when it returns true,
+/// the workers are killed, the results obtained so far are passed on, and the function returns
+/// false. Throws Error (Job) when no process can be created.
 bool run_in_workers(std::size_t count, const PoolOptions& options, const WorkItem& item,
                     const std::function<void(std::size_t, WorkResult&&)>& on_result,
                     const std::function<bool()>& interrupted);
