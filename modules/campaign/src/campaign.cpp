@@ -5,6 +5,7 @@
 
 #include <slalom/campaign/campaign.h>
 #include <slalom/campaign/worker_pool.h>
+#include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>
 #include <slalom/core/random.h>
 
@@ -59,13 +60,27 @@ Outcome outcome_of(const WorkResult& result) {
   using Status = WorkResult::Status;
   if (result.status == Status::TimedOut) return Outcome::MethodDeadline;
   // The simulator catches exceptions of methods: any other is an infrastructure error.
-  if (result.status == Status::Threw) return Outcome::InfrastructureError;
+  if (result.status == Status::Threw || result.status == Status::Killed)
+    return Outcome::InfrastructureError;
   return Outcome::MethodCrash;
+}
+
+/// Whether a worker's record is one of the planned run. A method may have damaged its process.
+bool is_record_of(const Campaign& campaign, const RunSpec& spec, const RunRecord& record) {
+  const RunRecord planned = make_run_record(campaign, spec);
+  const std::vector<std::string>& metrics = campaign.options.metrics;
+  return record.scenario_hash == planned.scenario_hash &&
+         record.scenario_name == planned.scenario_name && record.method == planned.method &&
+         record.repetition == planned.repetition && record.seed == planned.seed &&
+         from_name<Outcome>(record.outcome) && record.metrics.size() == metrics.size() &&
+         std::all_of(metrics.begin(), metrics.end(),
+                     [&](const std::string& id) { return record.metrics.count(id) == 1; });
 }
 
 RunFindings findings_of(const Campaign& campaign, const RunSpec& spec, const WorkResult& result,
                         RunExecutor& executor) {
-  if (auto findings = read_payload(result, run_findings_from_wire)) return std::move(*findings);
+  auto findings = read_payload(result, run_findings_from_wire);
+  if (findings && is_record_of(campaign, spec, findings->record)) return std::move(*findings);
   const Outcome outcome = outcome_of(result);
   if (outcome == Outcome::InfrastructureError)
     return findings_without_run(campaign, spec, outcome, result.detail);
@@ -100,7 +115,8 @@ std::size_t method_index(const Campaign& campaign, const std::string& name) {
 bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& execution,
                  const std::vector<References>& references, CampaignSummary& summary) {
   const std::vector<RunSpec> plan = make_plan(campaign);
-  RunExecutor executor(campaign, references);  // each worker has its own copy after the fork
+  RunExecutor executor(campaign, references,
+                       !execution.in_process);  // each worker has its own copy after the fork
   const WorkItem item = [&](std::size_t i, SharedTaskLog& log) {
     const References& known = references[plan[i].scenario];
     return to_wire(known.shortest

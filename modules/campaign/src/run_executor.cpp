@@ -1,4 +1,5 @@
 #include "command_journal.h"
+#include "process_state.h"
 #include "run_executor.h"
 #include "scripted_method.h"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 namespace slalom {
 namespace {
@@ -71,10 +73,15 @@ RunRecord make_run_record(const Campaign& campaign, const RunSpec& spec) {
   return record;
 }
 
+RunExecutor::RunExecutor(const Campaign& campaign, const std::vector<References>& references,
+                         bool own_process)
+    : campaign_(campaign), references_(references), own_process_(own_process) {
+  std::fegetenv(&floating_point_);
+}
+
 RunFindings RunExecutor::execute(const RunSpec& spec, SharedTaskLog& log) {
   const auto begin = std::chrono::steady_clock::now();
-  CommandJournal journal(log);
-  const SimulationResult result = simulate_run(spec, journal);
+  const SimulationResult result = simulate_run(spec, log);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   if (is_method_failure(result.outcome)) {
     log.retire_worker();
@@ -94,17 +101,31 @@ double RunExecutor::cycle_limit() const {
                                            : setup.simulation.control_period;
 }
 
-SimulationResult RunExecutor::simulate_run(const RunSpec& spec, RunObserver& observer) {
-  const World& scenario_world = world(spec.scenario);
-  const RunSetup& setup = campaign_.options.setup;
+SimulationResult RunExecutor::simulate_run(const RunSpec& spec, SharedTaskLog& log) {
   std::string reason;
   try {
-    return simulate(scenario_world, setup, spec.seed, method(spec.method), &observer);
+    return simulate_contained(spec, method(spec.method), log);
   } catch (const Error& error) {
     reason = error.what();
   }
   ScriptedMethod failing({}, reason);
-  return simulate(scenario_world, setup, spec.seed, failing, &observer);
+  return simulate_contained(spec, failing, log);
+}
+
+/// Neither the construction of a method nor its run affects the arithmetic of the simulator before,
+/// or of anything after.
+SimulationResult RunExecutor::simulate_contained(const RunSpec& spec, Method& method,
+                                                 SharedTaskLog& log) {
+  std::fesetenv(&floating_point_);
+  const World& scenario_world = world(spec.scenario);
+  std::optional<ProcessState> before;
+  if (own_process_) before.emplace();
+  CommandJournal journal(log);
+  SimulationResult result =
+      simulate(scenario_world, campaign_.options.setup, spec.seed, method, &journal);
+  std::fesetenv(&floating_point_);
+  if (before && !before->restore()) log.retire_worker();
+  return result;
 }
 
 RunFindings RunExecutor::reconstruct(const RunSpec& spec, const std::string& log, Outcome outcome,
@@ -140,6 +161,9 @@ const World& RunExecutor::world(std::size_t scenario) {
   if (!world_ || world_scenario_ != scenario) {
     world_ = std::make_unique<World>(campaign_.scenarios[scenario],
                                      campaign_.options.setup.simulation.resolution);
+    // All tables before a method can change the floating-point environment.
+    world_->distance_field();
+    world_->ray_caster();
     world_scenario_ = scenario;
   }
   return *world_;

@@ -5,6 +5,7 @@
 #include <slalom/campaign/campaign.h>
 #include <slalom/scenario/world.h>
 
+#include <cfenv>
 #include <map>
 #include <memory>
 
@@ -20,10 +21,12 @@ RunRecord make_run_record(const Campaign& campaign, const RunSpec& spec);
 /// reused between runs.
 class RunExecutor {
  public:
-  RunExecutor(const Campaign& campaign, const std::vector<References>& references)
-      : campaign_(campaign), references_(references) {}
+  /// `own_process`: execute() is called in a worker process, whose state it may restore.
+  RunExecutor(const Campaign& campaign, const std::vector<References>& references,
+              bool own_process);
 
-  /// Executes a run. Logs every command, and retires the worker when the method failed.
+  /// Executes a run. Logs every command, and retires the worker when the method failed, or left the
+  /// process in a state that cannot be restored.
   RunFindings execute(const RunSpec& spec, SharedTaskLog& log);
 
   /// Ends the life of all methods that execute() has constructed.
@@ -37,7 +40,8 @@ class RunExecutor {
  private:
   const World& world(std::size_t scenario);
   Method& method(const std::string& name);
-  SimulationResult simulate_run(const RunSpec& spec, RunObserver& observer);
+  SimulationResult simulate_run(const RunSpec& spec, SharedTaskLog& log);
+  SimulationResult simulate_contained(const RunSpec& spec, Method& method, SharedTaskLog& log);
   double cycle_limit() const;  ///< s
   SimulationResult replay(const RunSpec& spec, const std::string& log, Outcome outcome,
                           const std::string& detail, RunObserver* observer);
@@ -46,6 +50,8 @@ class RunExecutor {
 
   const Campaign& campaign_;
   const std::vector<References>& references_;
+  bool own_process_;
+  std::fenv_t floating_point_ = {};  ///< rounding mode etc. before any method
   std::map<std::string, std::unique_ptr<Method>> methods_;
   std::unique_ptr<World> world_;
   std::size_t world_scenario_ = 0;

@@ -11,7 +11,7 @@ namespace slalom {
 
 /// At the beginning of the shared memory, followed by the log.
 struct SharedTaskLog::Header {
-  std::atomic<std::uint64_t> size, heartbeats, retired;
+  std::atomic<std::uint64_t> size, heartbeats, retired, disconnected;
   char* bytes() { return reinterpret_cast<char*>(this + 1); }
 };
 
@@ -31,6 +31,7 @@ void SharedTaskLog::clear() {
   header_->size = 0;
   header_->heartbeats = 0;
   header_->retired = 0;
+  header_->disconnected = 0;
 }
 
 void SharedTaskLog::append(const void* data, std::size_t size) {
@@ -60,6 +61,14 @@ void SharedTaskLog::retire_worker() {
 
 bool SharedTaskLog::is_retired() const {
   return header_->retired != 0;
+}
+
+void SharedTaskLog::report_disconnected() {
+  header_->disconnected = 1;
+}
+
+bool SharedTaskLog::is_disconnected() const {
+  return header_->disconnected != 0;
 }
 
 }  // namespace slalom

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <poll.h>
+#include <set>
 #include <vector>
 
 namespace slalom {
@@ -63,9 +64,12 @@ class Pool {
   using Worker = std::unique_ptr<WorkerProcess>;
 
   void assign_items() {
-    while (next_ < count_ && count(&WorkerProcess::busy) < max_busy_) {
-      worker_for(options_.group ? options_.group(next_) : 0).assign(next_);
-      ++next_;
+    while (count(&WorkerProcess::busy) < max_busy_ && (!again_.empty() || next_ < count_)) {
+      const bool again = !again_.empty();
+      const std::size_t index = again ? again_.back() : next_++;
+      if (again) again_.pop_back();
+      const std::size_t group = options_.group ? options_.group(index) : 0;
+      worker_for(group, again || options_.fresh_process).assign(index);
     }
   }
 
@@ -76,11 +80,12 @@ class Pool {
   }
 
   /// An idle process of the group, or a new one.
-  WorkerProcess& worker_for(std::size_t group) {
+  WorkerProcess& worker_for(std::size_t group, bool fresh) {
     for (Worker& worker : workers_) {
       if (!worker->idle() || worker->group() != group) continue;
-      if (!options_.fresh_process) return *worker;
+      if (!fresh && worker->is_sound()) return *worker;
       worker->kill_and_reap();
+      if (fresh) break;
     }
     if (count(&WorkerProcess::idle) >= options_.groups + max_busy_) end_least_recently_used();
     const auto dead = std::find_if(workers_.begin(), workers_.end(),
@@ -109,11 +114,10 @@ class Pool {
   }
 
   void wait_for_answers() const {
-    std::vector<pollfd> sockets;
-    for (const Worker& worker : workers_)
-      if (worker->busy()) sockets.push_back({worker->socket(), POLLIN, 0});
+    std::vector<pollfd> events;
+    for (const Worker& worker : workers_) worker->add_events(events);
     constexpr int kPollMs = 20;  // maximum latency of time limits and interrupts
-    poll(sockets.data(), sockets.size(), kPollMs);
+    poll(events.data(), events.size(), kPollMs);
   }
 
   void collect() {
@@ -125,6 +129,10 @@ class Pool {
   }
 
   void finish(std::size_t index, WorkResult&& result) {
+    if (result.status == WorkResult::Status::Killed) {
+      if (killed_.insert(index).second) return again_.push_back(index);
+      result.detail += " from outside, twice; perhaps the system is out of memory";
+    }
     ++finished_;
     results_.put(index, std::move(result));
   }
@@ -135,6 +143,8 @@ class Pool {
   OrderedResults& results_;
   std::vector<Worker> workers_;
   std::size_t next_ = 0, finished_ = 0;
+  std::set<std::size_t> killed_;    ///< work items whose process was killed from outside
+  std::vector<std::size_t> again_;  ///< those that are to be executed once more
 };
 
 bool run_here(std::size_t count, const PoolOptions& options, const WorkItem& item,

@@ -1,9 +1,11 @@
+#include "worker_keeper.h"
 #include "worker_limits.h"
 #include "worker_process.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
@@ -11,11 +13,10 @@
 #include <exception>
 #include <fcntl.h>
 #include <new>
-#include <poll.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -23,9 +24,19 @@ namespace {
 constexpr char kDone = 'D';
 constexpr char kThrew = 'E';
 constexpr char kOutOfMemory = 'M';
-constexpr std::size_t kHeaderSize = 1 + sizeof(std::uint64_t);
 /// Larger than any valid payload; a larger size means corrupted data.
 constexpr std::uint64_t kMaxPayload = std::uint64_t{1} << 30;
+
+/// The random number is in the answer, so that only the answer to this request is taken for it.
+struct Request {
+  std::uint64_t nonce, index;
+};
+
+struct AnswerHeader {
+  Request request;
+  std::uint64_t size;  ///< of the payload that follows
+  std::uint64_t kind;
+};
 
 bool send_all(int socket, const char* data, std::size_t size) {
   while (size > 0) {
@@ -38,136 +49,170 @@ bool send_all(int socket, const char* data, std::size_t size) {
   return true;
 }
 
-bool receive_index(int socket, std::uint64_t& index) {
+bool receive_request(int socket, Request& request) {
   ssize_t got = 0;
   do {
-    got = recv(socket, &index, sizeof index, MSG_WAITALL);
+    got = recv(socket, &request, sizeof request, MSG_WAITALL);
   } while (got < 0 && errno == EINTR);
-  return got == static_cast<ssize_t>(sizeof index);
+  return got == static_cast<ssize_t>(sizeof request);
 }
 
-void send_answer(int socket, char kind, const std::string& payload) {
-  const std::uint64_t size = payload.size();
-  std::string message(1, kind);
-  message.append(reinterpret_cast<const char*>(&size), sizeof size);
-  message += payload;
-  if (!send_all(socket, message.data(), message.size())) _exit(1);
-}
+struct Answer {
+  char kind;
+  std::string payload;
+};
 
-void discard(int file, int null_device) {
-  if (null_device >= 0) dup2(null_device, file);
-}
-
-void answer(int socket, const WorkItem& item, std::size_t index, SharedTaskLog& log) {
+Answer execute(const WorkItem& item, std::size_t index, SharedTaskLog& log) {
   try {
-    send_answer(socket, kDone, item(index, log));
+    return {kDone, item(index, log)};
   } catch (const std::bad_alloc&) {
-    send_answer(socket, kOutOfMemory, "out of memory");
+    return {kOutOfMemory, "out of memory"};
   } catch (const std::exception& e) {
-    send_answer(socket, kThrew, reason_of(e));
+    return {kThrew, reason_of(e)};
   }
 }
 
 /// The main loop of a worker process.
-[[noreturn]] void serve(int socket, const WorkItem& item, const PoolOptions& options,
-                        SharedTaskLog& log) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  std::signal(SIGINT, SIG_IGN);  // interrupts are handled by the parent
-  const int null_device = open("/dev/null", O_WRONLY | O_CLOEXEC);
-  discard(STDOUT_FILENO, null_device);
-  if (!options.keep_stderr) discard(STDERR_FILENO, null_device);
+void serve(int socket, const WorkItem& item, const PoolOptions& options, SharedTaskLog& log) {
+  // Interrupts are handled by the parent.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
   limit_memory(static_cast<std::size_t>(options.memory_mb * 1024 * 1024));
-  std::uint64_t index = 0;
-  while (receive_index(socket, index)) {
+  const pid_t self = getpid();
+  Request request = {};
+  while (receive_request(socket, request)) {
     limit_cpu_time(options.item_cpu_time);
-    answer(socket, item, index, log);
+    const Answer answer = execute(item, request.index, log);
+    if (getpid() != self) return;  // a copy, made by a method that forked
+    const AnswerHeader header = {request, answer.payload.size(),
+                                 static_cast<unsigned char>(answer.kind)};
+    if (!send_all(socket, reinterpret_cast<const char*>(&header), sizeof header) ||
+        !send_all(socket, answer.payload.data(), answer.payload.size()))
+      return log.report_disconnected();
   }
   if (options.at_end) options.at_end();
-  _exit(0);
 }
 
-std::string describe_end(int status) {
+std::string describe_status(int status) {
   if (WIFSIGNALED(status))
     return "killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
            strsignal(WTERMSIG(status)) + ")";
   return "process exited with status " + std::to_string(WEXITSTATUS(status));
 }
 
-bool is_out_of_cpu_time(int status) {
-  return WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
+bool was_killed_by(int status, int signal) {
+  return WIFSIGNALED(status) && WTERMSIG(status) == signal;
 }
+
+bool is_readable(int socket, int milliseconds) {
+  pollfd event = {socket, POLLIN, 0};
+  return poll(&event, 1, milliseconds) > 0;
+}
+
+Error cannot_create(const std::string& what, int error) {
+  return job_error("workers", "cannot create a " + what + " (" + std::strerror(error) + ")");
+}
+
+/// Two connected sockets, closed unless they are taken.
+class SocketPair {
+ public:
+  SocketPair() {
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends_.data()) != 0)
+      throw cannot_create("socket", errno);
+  }
+  ~SocketPair() {
+    for (const int end : ends_)
+      if (end >= 0) close(end);
+  }
+  SocketPair(const SocketPair&) = delete;
+  SocketPair& operator=(const SocketPair&) = delete;
+  int far_end() const { return ends_[1]; }
+  int take_near_end() { return std::exchange(ends_[0], -1); }
+
+ private:
+  std::array<int, 2> ends_ = {-1, -1};
+};
 
 }  // namespace
 
 void WorkerProcess::start(const WorkItem& item, std::size_t group) {
-  int ends[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    throw job_error("workers",
-                    std::string("cannot create a socket (") + std::strerror(errno) + ")");
+  SocketPair work, control;
   const pid_t pid = fork();
-  if (pid < 0) {
-    close(ends[0]);
-    close(ends[1]);
-    throw job_error("workers",
-                    std::string("cannot create a process (") + std::strerror(errno) + ")");
-  }
+  if (pid < 0) throw cannot_create("process", errno);
   if (pid == 0) {
-    close(ends[0]);
-    serve(ends[1], item, options_, log_);
+    drop_descriptors(options_.keep_stderr, work.far_end(), control.far_end());
+    keep_worker(control.far_end(), [&] { serve(work.far_end(), item, options_, log_); });
   }
-  close(ends[1]);
-  fcntl(ends[0], F_SETFL, O_NONBLOCK);
-  pid_ = pid;
-  socket_ = ends[0];
+  keeper_ = pid;
+  socket_ = work.take_near_end();
+  control_ = control.take_near_end();
+  fcntl(socket_, F_SETFL, O_NONBLOCK);
+  disconnected_ = false;
   group_ = group;
   buffer_.clear();
 }
 
+bool WorkerProcess::is_sound() const {
+  return !is_readable(socket_, 0) && !is_readable(control_, 0);
+}
+
 void WorkerProcess::assign(std::size_t index) {
-  const std::uint64_t wire = index;
+  nonce_ = std::uint64_t{random_()} << 32U | random_();
+  const Request request = {nonce_, index};
   log_.clear();
   heartbeats_ = 0;
   item_ = index;
   busy_ = true;
   started_ = last_heartbeat_ = options_.clock();
   // The death of a worker is detected by the next receive().
-  send_all(socket_, reinterpret_cast<const char*>(&wire), sizeof wire);
+  send_all(socket_, reinterpret_cast<const char*>(&request), sizeof request);
+}
+
+void WorkerProcess::add_events(std::vector<pollfd>& events) const {
+  if (!busy_) return;
+  if (!disconnected_) events.push_back({socket_, POLLIN, 0});
+  events.push_back({control_, POLLIN, 0});
 }
 
 std::optional<WorkResult> WorkerProcess::receive() {
-  if (auto result = read_answer()) return result;
+  // In this order: a process may answer and then die.
+  const bool has_died = is_readable(control_, 0);
+  read_socket();
+  if (auto result = take_answer()) return result;
+  if (has_died) return describe_end();
   const std::string limit = exceeded_limit();
   if (limit.empty()) return std::nullopt;
-  kill(pid_, SIGKILL);
-  return end(Status::TimedOut, limit);
+  return kill_with(Status::TimedOut, limit);
 }
 
-std::optional<WorkResult> WorkerProcess::read_answer() {
+void WorkerProcess::read_socket() {
   char chunk[65536];
-  while (true) {
+  while (!disconnected_) {
     const ssize_t got = recv(socket_, chunk, sizeof chunk, 0);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) break;
-    if (got <= 0) return end(Status::Crashed, "");
-    buffer_.append(chunk, static_cast<std::size_t>(got));
+    disconnected_ = got <= 0;
+    if (got > 0) buffer_.append(chunk, static_cast<std::size_t>(got));
   }
-  if (buffer_.size() < kHeaderSize) return std::nullopt;
-  const char kind = buffer_[0];
-  std::uint64_t size = 0;
-  std::memcpy(&size, buffer_.data() + 1, sizeof size);
-  if ((kind != kDone && kind != kThrew && kind != kOutOfMemory) || size > kMaxPayload) {
-    kill(pid_, SIGKILL);
-    return end(Status::Crashed, "wrote invalid data to the worker's socket");
-  }
-  if (buffer_.size() < kHeaderSize + size) return std::nullopt;
-  std::string payload = buffer_.substr(kHeaderSize, size);
-  if (kind != kDone) {
-    kill(pid_, SIGKILL);
-    return end(kind == kThrew ? Status::Threw : Status::OutOfMemory, std::move(payload));
-  }
+}
+
+std::optional<WorkResult> WorkerProcess::take_answer() {
+  AnswerHeader header = {};
+  if (buffer_.size() < sizeof header) return std::nullopt;
+  std::memcpy(&header, buffer_.data(), sizeof header);
+  const bool is_known =
+      header.kind == kDone || header.kind == kThrew || header.kind == kOutOfMemory;
+  if (!is_known || header.size > kMaxPayload)
+    return kill_with(Status::Crashed, "wrote invalid data to the worker's socket");
+  if (header.request.nonce != nonce_ || header.request.index != item_)
+    return kill_with(Status::Crashed, "answered a request that had not been made");
+  if (buffer_.size() < sizeof header + header.size) return std::nullopt;
+  std::string payload = buffer_.substr(sizeof header, header.size);
+  if (header.kind == kThrew) return kill_with(Status::Threw, std::move(payload));
+  if (header.kind == kOutOfMemory) return kill_with(Status::OutOfMemory, std::move(payload));
+  const bool has_more = buffer_.size() > sizeof header + header.size;
   buffer_.clear();
   busy_ = false;
-  if (log_.is_retired()) kill_and_reap();
+  if (log_.is_retired() || has_more || disconnected_) kill_and_reap();
   return WorkResult{Status::Done, std::move(payload), "", ""};
 }
 
@@ -187,20 +232,32 @@ std::string WorkerProcess::exceeded_limit() {
   return "";
 }
 
-WorkResult WorkerProcess::end(Status status, std::string reason) {
-  const int wait_status = reap();
-  if (status == Status::Crashed && is_out_of_cpu_time(wait_status)) {
-    status = Status::TimedOut;
-    reason = "CPU time limit of " + format_number(options_.item_cpu_time) + " s exceeded";
-  }
-  if (reason.empty()) reason = describe_end(wait_status);
+WorkResult WorkerProcess::kill_with(Status status, std::string reason) {
+  kill_and_reap();
   return {status, "", std::move(reason), log_.contents()};
 }
 
+WorkResult WorkerProcess::describe_end() {
+  int status = 0;
+  const bool reported = recv(control_, &status, sizeof status, 0) == sizeof status;
+  if (!reported) return kill_with(Status::Killed, "its supervising process was killed");
+  if (status == kNoWorker) throw cannot_create("process", EAGAIN);
+  if (was_killed_by(status, SIGXCPU))
+    return kill_with(Status::TimedOut,
+                     "CPU time limit of " + format_number(options_.item_cpu_time) + " s exceeded");
+  if (was_killed_by(status, SIGKILL)) return kill_with(Status::Killed, describe_status(status));
+  if (log_.is_disconnected())
+    return kill_with(Status::Crashed, "closed the worker's connection to the simulator");
+  return kill_with(Status::Crashed, describe_status(status));
+}
+
 void WorkerProcess::kill_and_reap() {
-  if (pid_ <= 0) return;
-  kill(pid_, SIGKILL);
-  reap();
+  if (!alive()) return;
+  close(socket_);
+  close(control_);  // the keeper kills the worker and whatever it started, then exits
+  while (waitpid(keeper_, nullptr, 0) < 0 && errno == EINTR) continue;
+  keeper_ = socket_ = control_ = -1;
+  busy_ = false;
 }
 
 void WorkerProcess::request_end() {
@@ -208,29 +265,8 @@ void WorkerProcess::request_end() {
 }
 
 void WorkerProcess::await_end() {
-  if (!alive()) return;
-  pollfd end = {socket_, POLLIN, 0};
-  poll(&end, 1, static_cast<int>(kOrderlyEnd * 1000));
+  if (idle()) is_readable(control_, static_cast<int>(kOrderlyEnd * 1000));
   kill_and_reap();
-}
-
-int WorkerProcess::reap() {
-  close(socket_);
-  int status = 0;
-  // If the process is already terminating, prefer its own exit status to that of our signal.
-  pid_t reaped = 0;
-  for (int i = 0; i < 20 && reaped == 0; ++i) {
-    reaped = waitpid(pid_, &status, WNOHANG);
-    if (reaped == 0) usleep(500);
-  }
-  if (reaped == 0) {
-    kill(pid_, SIGKILL);
-    waitpid(pid_, &status, 0);
-  }
-  pid_ = -1;
-  socket_ = -1;
-  busy_ = false;
-  return status;
 }
 
 }  // namespace slalom

@@ -3,13 +3,17 @@
 #include <slalom/campaign/worker_pool.h>
 
 #include <optional>
+#include <poll.h>
+#include <random>
 #include <string>
 #include <sys/types.h>
+#include <vector>
 
 namespace slalom {
 
-/// A forked worker process and the socket to it. The parent sends an index, the worker replies with
-/// the payload.
+/// A worker process, its keeper (worker_keeper.h), and the sockets to both. The parent sends an
+/// index with a random number, the worker replies with both and the payload. Nothing that the
+/// worker sends is trusted.
 class WorkerProcess {
  public:
   explicit WorkerProcess(const PoolOptions& options) : options_(options), log_(options.log_size) {}
@@ -17,16 +21,21 @@ class WorkerProcess {
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-  bool alive() const { return pid_ > 0; }
+  bool alive() const { return keeper_ > 0; }
   bool busy() const { return busy_; }
   bool idle() const { return alive() && !busy_; }
   std::size_t group() const { return group_; }
   std::size_t last_item() const { return item_; }  ///< the current one if busy
-  int socket() const { return socket_; }
+
+  /// Of an idle process: it is alive and has sent nothing that was not asked for.
+  bool is_sound() const;
 
   /// Forks. Throws Error (Job) when no process or socket can be created.
   void start(const WorkItem& item, std::size_t group);
   void assign(std::size_t index);
+
+  /// Adds the descriptors that become readable when receive() is to be called.
+  void add_events(std::vector<pollfd>& events) const;
 
   /// The result when the work item is done, its process has died, or it was killed at a time limit.
   std::optional<WorkResult> receive();
@@ -41,18 +50,22 @@ class WorkerProcess {
  private:
   using Status = WorkResult::Status;
 
-  std::optional<WorkResult> read_answer();
+  void read_socket();
+  std::optional<WorkResult> take_answer();
   /// A description of the limit that was exceeded; empty if none.
   std::string exceeded_limit();
-  /// The result after the process has died or was killed. Empty `reason`: from its exit status.
-  WorkResult end(Status status, std::string reason);
-  int reap();  ///< waitpid's status
+  WorkResult kill_with(Status status, std::string reason);
+  WorkResult describe_end();  ///< of a process that has died
 
   PoolOptions options_;
   SharedTaskLog log_;
-  pid_t pid_ = -1;
-  int socket_ = -1;
+  std::random_device random_;
+  pid_t keeper_ = -1;
+  int socket_ = -1;            ///< to the worker
+  int control_ = -1;           ///< to the keeper
+  bool disconnected_ = false;  ///< the worker's end of the socket is closed
   std::size_t group_ = 0, item_ = 0;
+  std::uint64_t nonce_ = 0;  ///< of the current work item
   bool busy_ = false;
   double started_ = 0, last_heartbeat_ = 0;  ///< s, by the clock of the options
   std::uint64_t heartbeats_ = 0;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
+#include <clocale>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +15,9 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 
 namespace slalom {
@@ -30,6 +34,7 @@ class TestMethod : public Method {
 
   Command step(const Observation& observation) override {
     if (misbehaves_ && observation.time > 1.5) {
+      if (observation.time < 1.65) misbehave_once();
       if (kind_ == "nan" || kind_ == "infinite" || kind_ == "too_fast") return invalid_command();
       misbehave();
     }
@@ -46,12 +51,52 @@ class TestMethod : public Method {
     return {1.01 * robot_.max_v, 0};  // "too_fast"
   }
 
+  void misbehave_once() const {
+    static int runs = 0;  // in this process
+    ++runs;
+    if (kind_ == "rounding_first" && runs == 1) std::fesetround(FE_UPWARD);
+    if (kind_ == "spoil") spoil_process();
+    if (kind_ != "thread" && kind_ != "child") return;
+    if (runs > 1) throw std::runtime_error("not a fresh process");
+    if (kind_ == "thread") std::thread([] { pause(); }).detach();
+    if (kind_ == "child" && fork() == 0)
+      while (true) pause();
+  }
+
+  static void spoil_process() {
+    const auto expect = [](bool restored, const char* what) {
+      if (!restored) throw std::runtime_error(std::string(what) + " of the last run");
+    };
+    expect(std::fegetround() == FE_TONEAREST, "rounding mode");
+    std::fesetround(FE_DOWNWARD);
+    expect(std::signal(SIGUSR1, SIG_IGN) == SIG_DFL, "signal handler");
+    sigset_t blocked, before;
+    sigemptyset(&blocked);
+    sigaddset(&blocked, SIGUSR2);
+    sigprocmask(SIG_BLOCK, &blocked, &before);
+    expect(sigismember(&before, SIGUSR2) == 0, "signal mask");
+    expect(setlocale(LC_ALL, nullptr) == std::string("C"), "locale");
+    setlocale(LC_ALL, "C.UTF-8");
+    expect(std::filesystem::current_path() != "/proc", "folder");
+    std::filesystem::current_path("/proc");
+    expect(umask(0123) != 0123, "umask");
+    rlimit files = {};
+    getrlimit(RLIMIT_NOFILE, &files);
+    expect(files.rlim_cur != 77, "resource limit");
+    files.rlim_cur = 77;
+    setrlimit(RLIMIT_NOFILE, &files);
+    expect(getenv("SLALOM_TEST_SPOILED") == nullptr, "environment");
+    setenv("SLALOM_TEST_SPOILED", "1", 1);
+    expect(alarm(1000) == 0, "alarm");
+  }
+
   void misbehave() const {
     if (kind_ == "crash") {
       std::signal(SIGSEGV, SIG_DFL);  // sanitizers would catch it and exit
       std::raise(SIGSEGV);
     }
     if (kind_ == "abort") std::abort();
+    if (kind_ == "killed") std::raise(SIGKILL);
     if (kind_ == "throw_number") throw 42;
     if (kind_ == "greedy") exhaust_memory();
     if (kind_ == "rounding") std::fesetround(FE_UPWARD);
@@ -126,6 +171,7 @@ class CampaignTest : public testing::Test {
                       read_methods(ini, registry_)};
     campaign.recorder = recorder_;
     campaign.options.setup.clock = time_.clock();
+    campaign_ = &campaign;
     const auto progress = make_silent_progress();
     RecordingSink sink;
     const CampaignSummary summary = run_campaign(campaign, sink, {workers, *progress, nullptr});
@@ -135,6 +181,7 @@ class CampaignTest : public testing::Test {
   }
 
   ManualTime time_;  ///< shared by all workers: runs that advance it need a single worker
+  Campaign* campaign_ = nullptr;  ///< that is being run
   MethodRegistry registry_;
   std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> recorder_;
 };
@@ -309,6 +356,55 @@ TEST_F(CampaignTest, ResultsDoNotDependOnTheNumberOfWorkersOrOtherMethods) {
   EXPECT_EQ(alone, values_of_good(run({"good"}, 3)));
   EXPECT_EQ(alone, values_of_good(run({"crash", "good"}, 2)));
   EXPECT_EQ(alone, values_of_good(run({"rounding", "good"}, 1)));
+}
+
+TEST_F(CampaignTest, ARunDoesNotAffectTheNextOneOfItsMethod) {
+  const RecordingSink good = run({"good"}, 1), sink = run({"rounding_first", "spoil"}, 1);
+  ASSERT_EQ(good.runs[3].repetition, 1);
+  ASSERT_EQ(sink.runs[5].method, "rounding_first");
+  EXPECT_EQ(sink.runs[5].trajectory_hash, good.runs[3].trajectory_hash);
+  for (const RunRecord& r : sink.runs) {
+    if (r.method == "spoil") {
+      EXPECT_EQ(r.outcome, "success") << r.outcome_detail;
+    }
+  }
+}
+
+TEST_F(CampaignTest, AMethodThatLeavesThreadsOrChildrenGetsAFreshProcess) {
+  for (const RunRecord& r : run({"thread", "child"}, 1).runs)
+    EXPECT_EQ(r.outcome, "success") << r.method << ": " << r.outcome_detail;
+}
+
+TEST_F(CampaignTest, TheIdentityOfARunIsThatOfThePlan) {
+  class Impostor : public TestMethod {
+   public:
+    Impostor(const RobotModel& robot, ManualTime& time, Campaign& campaign)
+        : TestMethod("good", robot, time), campaign_(campaign) {}
+    void reset(const NavigationTask& task) override {
+      TestMethod::reset(task);
+      campaign_.scenarios[1] = free_field("high", 8);
+    }
+
+   private:
+    Campaign& campaign_;
+  };
+  registry_.add("impostor", [this](const IniFile&, const std::string&) {
+    return [this](const RobotModel& robot, const SensorModel&) -> std::unique_ptr<Method> {
+      return std::make_unique<Impostor>(robot, time_, *campaign_);
+    };
+  });
+  const IniFile ini =
+      IniFile::from_text("[campaign]\nmethods = it\n[method.it]\nadapter = impostor\n");
+  const RecordingSink sink = run(ini, 1);
+  EXPECT_EQ(sink.runs[0].outcome, "success");
+  EXPECT_EQ(sink.runs[1].outcome, "method_crash");
+  EXPECT_NE(sink.runs[1].outcome_detail.find("reply was corrupted"), std::string::npos);
+}
+
+TEST_F(CampaignTest, ARunWhoseProcessIsKilledFromOutsideTwiceIsAnInfrastructureError) {
+  const RecordingSink sink = run({"killed", "good"}, 2);
+  EXPECT_EQ(outcomes_of(sink, "killed"), std::set<std::string>{"infrastructure_error"});
+  EXPECT_EQ(outcomes_of(sink, "good"), std::set<std::string>{"success"});
 }
 
 TEST_F(CampaignTest, MethodsAreDestroyedWhenTheirWorkersAreNoLongerNeeded) {

@@ -6,10 +6,13 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <dirent.h>
+#include <fcntl.h>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <sys/socket.h>
 #include <unistd.h>
 #include <vector>
 
@@ -261,16 +264,158 @@ TEST(WorkerPool, AnInterruptKeepsTheResultsSoFar) {
   EXPECT_LT(received, 1000U);
 }
 
-std::size_t open_files() {
-  std::size_t count = 0;
+/// The open descriptors except the one that lists them.
+std::vector<int> open_files() {
+  std::vector<int> files;
   DIR* folder = opendir("/proc/self/fd");
-  while (readdir(folder) != nullptr) ++count;
+  while (const dirent* entry = readdir(folder)) {
+    const int file = std::atoi(entry->d_name);
+    if (entry->d_name[0] != '.' && file != dirfd(folder)) files.push_back(file);
+  }
   closedir(folder);
-  return count;
+  return files;
+}
+
+/// In a worker.
+int own_socket() {
+  return open_files().back();
+}
+
+/// Starts a process that has left the worker's process group, session and children.
+pid_t start_daemon() {
+  int ends[2];
+  EXPECT_EQ(pipe(ends), 0);
+  if (fork() == 0) {
+    setsid();
+    const pid_t daemon = fork();
+    if (daemon > 0 && write(ends[1], &daemon, sizeof daemon) > 0) _exit(0);
+    while (true) pause();
+  }
+  pid_t daemon = 0;
+  EXPECT_GT(read(ends[0], &daemon, sizeof daemon), 0);
+  return daemon;
+}
+
+TEST(WorkerPool, AProcessHasNoDescriptorsButItsSocket) {
+  const int files[] = {open("/dev/null", O_RDONLY), open("/dev/null", O_RDONLY)};
+  const auto results = run_all(4, with_workers(2), [](std::size_t, SharedTaskLog&) {
+    char input[64] = {};
+    const auto length = readlink("/proc/self/fd/0", input, sizeof input - 1);
+    return std::to_string(open_files().size()) + " " +
+           std::string(input, static_cast<std::size_t>(length));
+  });
+  for (const int file : files) close(file);
+  for (const WorkResult& result : results) EXPECT_EQ(result.payload, "4 /dev/null");
+}
+
+TEST(WorkerPool, OnlyTheAnswerToARequestIsTakenForIt) {
+  const auto results = run_all(5, with_workers(1), [](std::size_t i, SharedTaskLog&) {
+    const std::uint64_t forged[] = {1, i, 0, 'D'};  // the nonce, index, size and kind of an answer
+    if (i == 1) send(own_socket(), forged, sizeof forged, 0);
+    if (i == 3) send(own_socket(), std::string(99, 'x').data(), 99, 0);
+    return "item " + std::to_string(i);
+  });
+  EXPECT_EQ(results[1].status, Status::Crashed);
+  EXPECT_EQ(results[1].detail, "answered a request that had not been made");
+  EXPECT_EQ(results[3].detail, "wrote invalid data to the worker's socket");
+  for (const std::size_t i : {0U, 2U, 4U})
+    EXPECT_EQ(results[i].payload, "item " + std::to_string(i));
+}
+
+TEST(WorkerPool, WhatIsSentBetweenRequestsIsNotTakenForAnAnswer) {
+  const auto results = run_all(4, with_workers(1), [](std::size_t i, SharedTaskLog&) {
+    if (i == 1 && fork() == 0) {  // sends after the answer
+      usleep(2000);
+      const std::uint64_t forged[] = {1, i, 0, 'D'};
+      send(own_socket(), forged, sizeof forged, 0);
+      _exit(0);
+    }
+    if (i == 2) usleep(10000);
+    return "item " + std::to_string(i);
+  });
+  for (std::size_t i = 0; i < results.size(); ++i)
+    EXPECT_TRUE(results[i].payload == "item " + std::to_string(i) ||
+                (i > 1 && results[i].status == Status::Crashed));
+}
+
+TEST(WorkerPool, AWorkItemThatForksAnswersOnce) {
+  const auto results = run_all(6, with_workers(2), [](std::size_t i, SharedTaskLog&) {
+    if (i % 2 == 0 && fork() < 0) return std::string("cannot fork");
+    return "item " + std::to_string(i);
+  });
+  for (std::size_t i = 0; i < results.size(); ++i)
+    EXPECT_EQ(results[i].payload, "item " + std::to_string(i));
+}
+
+TEST(WorkerPool, ACrashIsSeenWhileAChildHoldsTheSocket) {
+  const auto results =
+      run_all(2, with_workers(1), [](std::size_t i, SharedTaskLog&) -> std::string {
+        if (i == 0 && fork() == 0)
+          while (true) pause();
+        if (i == 0) std::_Exit(3);
+        return "fine";
+      });
+  EXPECT_EQ(results[0].detail, "process exited with status 3");
+  EXPECT_EQ(results[1].payload, "fine");
+}
+
+TEST(WorkerPool, WhateverAProcessStartedDiesWithIt) {
+  PoolOptions options = with_workers(2);
+  options.log_size = sizeof(pid_t);
+  const auto results = run_all(2, options, [](std::size_t i, SharedTaskLog& log) {
+    const pid_t daemon = start_daemon();
+    log.append(&daemon, sizeof daemon);
+    if (i == 0) std::_Exit(1);
+    return std::string(reinterpret_cast<const char*>(&daemon), sizeof daemon);
+  });
+  for (const std::string& bytes : {results[0].log, results[1].payload}) {
+    pid_t daemon = 0;
+    ASSERT_EQ(bytes.size(), sizeof daemon);
+    std::memcpy(&daemon, bytes.data(), sizeof daemon);
+    EXPECT_EQ(kill(daemon, 0), -1) << "process " << daemon;
+  }
+}
+
+TEST(WorkerPool, AWorkItemKilledFromOutsideIsExecutedOnceMore) {
+  ManualTime killed;  // its seconds count
+  const auto results = run_all(3, with_workers(1), [&](std::size_t i, SharedTaskLog&) {
+    if (i == 2 || (i == 1 && killed.clock()() == 0)) {
+      killed.advance(1);
+      std::raise(SIGKILL);
+    }
+    return std::string("fine");
+  });
+  EXPECT_EQ(results[1].payload, "fine");
+  EXPECT_EQ(results[2].status, Status::Killed);
+  EXPECT_EQ(results[2].detail,
+            "killed by signal 9 (Killed) from outside, twice; perhaps the system is out of memory");
+  EXPECT_EQ(killed.clock()(), 3);
+}
+
+TEST(WorkerPool, AnItemThatClosesItsDescriptorsIsNamed) {
+  const auto results = run_all(2, with_workers(1), [](std::size_t i, SharedTaskLog&) {
+    if (i == 0)
+      for (const int file : open_files()) close(file);
+    return std::string("fine");
+  });
+  EXPECT_EQ(results[0].status, Status::Crashed);
+  EXPECT_EQ(results[0].detail, "closed the worker's connection to the simulator");
+  EXPECT_EQ(results[1].payload, "fine");
+}
+
+TEST(WorkerPool, SignalsThatEndTheProgramDoNotEndItsWorkItems) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    EXPECT_EQ(run_all(1, with_workers(1),
+                      [=](std::size_t, SharedTaskLog&) {
+                        kill(0, signal);  // its whole process group, which is not the program's
+                        return "fine";
+                      })[0]
+                  .payload,
+              "fine");
 }
 
 TEST(WorkerPool, LeavesNoOpenFilesBehind) {
-  const std::size_t before = open_files();
+  const std::vector<int> before = open_files();
   run_all(50, with_workers(3), [](std::size_t i, SharedTaskLog&) -> std::string {
     if (i % 2 == 0) std::_Exit(1);
     return "";

@@ -29,6 +29,10 @@ class SharedTaskLog {
   void retire_worker();
   bool is_retired() const;
 
+  /// By a worker that cannot send its answer.
+  void report_disconnected();
+  bool is_disconnected() const;
+
  private:
   struct Header;
   std::size_t capacity_;

@@ -15,8 +15,9 @@ struct WorkResult {
     Done,         ///< payload holds the returned bytes
     Threw,        ///< an exception was thrown; detail holds its message
     OutOfMemory,  ///< std::bad_alloc was thrown
-    Crashed,      ///< the process died; detail describes how
-    TimedOut      ///< the process was killed after a time limit; detail names the limit
+    Crashed,      ///< the process died or sent nonsense; detail describes how
+    TimedOut,     ///< the process was killed after a time limit; detail names the limit
+    Killed        ///< somebody else killed the process, twice; detail describes how
   };
   Status status = Status::Done;
   std::string payload;
@@ -52,12 +53,13 @@ using WorkItem = std::function<std::string(std::size_t index, SharedTaskLog& log
 
 /// Executes work items 0 .. count-1 in forked worker processes and passes each result to
 /// `on_result` in the order of the indexes, for any number of workers. A worker that dies or hangs
-/// is replaced, and only its current work item is lost. Work items are started in the order of
-/// their indexes; at most `workers` processes are busy. Idle ones are kept for the next items of
-/// their groups, in total `workers + groups` processes; beyond that the least recently used one is
-/// ended. Standard output of workers is discarded. `interrupted` is polled; when it returns true,
-/// the workers are killed, the results obtained so far are passed on, and the function returns
-/// false. Throws Error (Job) when no process can be created.
+/// is replaced, and only its current work item is lost; whatever it started is killed with it. A
+/// work item whose process was killed from outside (SIGKILL) is executed once more. Work items are
+/// started in the order of their indexes; at most `workers` processes are busy. Idle ones are kept
+/// for the next items of their groups, in total `workers + groups` processes; beyond that the least
+/// recently used one is ended. Standard output of workers is discarded. `interrupted` is polled;
+/// when it returns true, the workers are killed, the results obtained so far are passed on, and the
+/// function returns false. Throws Error (Job) when no process can be created.
 bool run_in_workers(std::size_t count, const PoolOptions& options, const WorkItem& item,
                     const std::function<void(std::size_t, WorkResult&&)>& on_result,
                     const std::function<bool()>& interrupted);

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <clocale>
+#include <csignal>
+#include <locale>
+#include <string>
+#include <sys/resource.h>
+#include <sys/types.h>
+#include <vector>
+
+namespace slalom {
+
+/// What a method can change in its process and what would affect its next run: signal handlers and
+/// mask, timers, locale, current folder, umask, resource limits, environment variables, threads and
+/// child processes. (The floating-point environment is not in it: the simulation restores it.)
+class ProcessState {
+ public:
+  ProcessState();  ///< the current state
+
+  /// Restores the state. Returns false if this is not possible, or if there are threads or child
+  /// processes that did not exist: the process is to be replaced.
+  bool restore() const;
+
+ private:
+  void restore_signals() const;
+  void restore_locale() const;
+  bool restore_limits() const;
+  void restore_environment() const;
+
+  std::array<struct sigaction, NSIG> actions_ = {};  ///< by signal
+  sigset_t blocked_;
+  std::string c_locale_;
+  locale_t thread_locale_;
+  std::locale cpp_locale_;
+  std::string folder_;
+  mode_t umask_;
+  std::array<rlimit, RLIMIT_NLIMITS> limits_ = {};  ///< by resource
+  std::vector<std::string> environment_;
+  std::size_t threads_;
+  std::vector<pid_t> children_;
+};
+
+}  // namespace slalom
