@@ -91,8 +91,7 @@ CampaignReport run_campaign_program(const CampaignConfig& config,
                                     std::vector<Scenario> scenarios,
                                     const std::string& results_path,
                                     const std::optional<StoppingRule>& rule) {
-  Manifest manifest = make_manifest(config, scenarios);
-  if (rule) manifest["until"] = rule->text;
+  const Manifest manifest = make_manifest(config, scenarios, rule);
   const auto planner = make_ompl_planner(config.reference, config.options.setup.robot);
   Campaign campaign{config.options, {}, config.methods, planner.get()};
   const bool rawlogs = config.options.record.rawlog != RecordedRuns::None;

@@ -2,26 +2,63 @@
 
 #include <slalom/core/hash.h>
 #include <slalom/core/read_file.h>
+#include <slalom/core/text.h>
 #include <slalom/core/version.h>
+#include <slalom/io/campaign_identity.h>
 #include <slalom/library/library_method.h>
+
+#include <algorithm>
 
 namespace slalom {
 namespace {
 
-std::string hash_of_scenarios(const std::vector<Scenario>& scenarios) {
+template <typename Text>
+std::string hash_of(const std::vector<Scenario>& scenarios, Text text) {
   Hasher hasher;
-  for (const Scenario& scenario : scenarios) hasher.add(scenario.hash());
+  for (const Scenario& scenario : scenarios) hasher.add(text(scenario));
   return hasher.hex();
+}
+
+std::string method_names(const CampaignConfig& config) {
+  std::vector<std::string> names;
+  for (const NamedMethod& method : config.methods) names.push_back(method.name);
+  std::sort(names.begin(), names.end());
+  return join(names, ", ");
+}
+
+/// Keys of methods that name files, whose contents are hashed instead, or places of the machine.
+bool is_place(const std::string& key) {
+  return contains({"plugin", "config", "url", "channel", "ptg_cache", "record_navlog"}, key);
+}
+
+/// All values that may change a result, with the defaults of absent keys, as an .ini. What only
+/// selects scenarios, tables or recordings is not part of it.
+IniFile effective_ini(const CampaignConfig& config) {
+  IniFile ini = campaign_ini(config.options, "");
+  ini.set("campaign", "methods", method_names(config));
+  ini.remove("limits", "method_errors");
+  ini.remove("record", "rawlog");
+  write_options(ini, "reference", config.reference, "");
+  for (const NamedMethod& method : config.methods) {
+    const std::string section = "method." + method.name;
+    for (const std::string& key : config.ini.keys(section))
+      if (!is_place(key)) ini.set(section, key, config.ini.get(section, key).value_or(""));
+  }
+  return ini;
 }
 
 }  // namespace
 
-Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>& scenarios) {
+Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>& scenarios,
+                       const std::optional<StoppingRule>& rule) {
   Manifest manifest = {
       {"campaign", config.options.name},
       {"campaign.ini", config.ini.canonical_text()},
+      {kEffectiveKey, effective_ini(config).canonical_text()},
       {"seed", std::to_string(config.options.seed)},
-      {"scenarios.hash", hash_of_scenarios(scenarios)},
+      {"scenarios.count", std::to_string(scenarios.size())},
+      {"scenarios.hash", hash_of(scenarios, [](const Scenario& s) { return s.hash(); })},
+      {"scenarios.names", hash_of(scenarios, [](const Scenario& s) { return s.name(); })},
       {"version.slalom", version()},
       {"version.mrpt", mrpt_version()},
       {"version.ompl", ompl_version()},
@@ -29,13 +66,20 @@ Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>
   };
   for (const NamedMethod& method : config.methods) {
     const std::string section = "method." + method.name;
-    const auto library = config.ini.get(section, "plugin");
-    if (!library) continue;
-    manifest[section + ".plugin_hash"] =
-        Hasher()
-            .add(read_file(resolve_plugin_path(config.ini, section, *library), "a library"))
-            .hex();
+    if (const auto library = config.ini.get(section, "plugin"))
+      manifest[section + ".plugin_hash"] =
+          Hasher()
+              .add(read_file(resolve_plugin_path(config.ini, section, *library), "a library"))
+              .hex();
+    if (const auto file = config.ini.get(section, "config"); file && !file->empty())
+      manifest[section + ".config_hash"] = Hasher().add(read_file(*file, "an .ini file")).hex();
   }
+  if (rule) {
+    manifest["until"] = rule->text;
+    manifest["until.max_runs"] = std::to_string(rule->max_runs);
+    manifest["until.confidence"] = format_number(config.analysis.confidence);
+  }
+  manifest[kIdentityKey] = campaign_identity(manifest);
   return manifest;
 }
 

@@ -6,7 +6,9 @@
 namespace slalom {
 
 /// The information needed to reproduce a campaign: its effective .ini and seed, the hash of its
-/// scenarios, the versions of its dependencies, the hash of every method's library.
-Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>& scenarios);
+/// scenarios, the versions of its dependencies, the hash of every method's library and .ini, the
+/// stopping rule, and the identity that follows from these (campaign_identity()).
+Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>& scenarios,
+                       const std::optional<StoppingRule>& rule);
 
 }  // namespace slalom
