@@ -2,6 +2,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -16,10 +17,17 @@ struct DatabaseKind {
   int oldest = 0;      ///< oldest version that can be upgraded; 0: none
 };
 
-/// Creates a file of that kind, replacing an existing one. Throws Error (Job) when it cannot be
-/// created.
-std::unique_ptr<SQLite::Database> create_database(const std::string& path,
-                                                  const DatabaseKind& kind);
+/// Throws Error (File) for an existing file of another kind; an empty one can be replaced.
+void expect_replaceable(const std::string& path, const DatabaseKind& kind);
+
+/// Creates a file of that kind with what `fill` adds, replacing an existing one of the same kind.
+/// Throws Error (Job) when it cannot be created, Error (File) for a file of another kind.
+std::unique_ptr<SQLite::Database> create_database(
+    const std::string& path, const DatabaseKind& kind,
+    const std::function<void(SQLite::Database&)>& fill = nullptr);
+
+/// Whether there is no file, or one without content, as left by an interrupted create_database().
+bool is_new_database(const std::string& path);
 
 /// Opens an existing file. Throws Error (File) when it is missing, of another kind or version, or
 /// damaged.

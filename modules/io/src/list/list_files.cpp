@@ -86,6 +86,7 @@ ScenarioList ScenarioList::create(const std::string& path) {
 }
 
 void ScenarioList::write(const std::string& path, const std::function<void(ScenarioList&)>& fill) {
+  expect_replaceable(path, kScenarioList);
   Draft draft(path);
   auto impl = std::make_unique<Impl>();
   impl->path = path;
@@ -117,6 +118,7 @@ ScenarioList ScenarioList::open(const std::string& path) {
 }
 
 void ScenarioList::save_as(const std::string& path) {
+  expect_replaceable(path, kScenarioList);
   Draft draft(path);
   writing(path, [&] {
     SQLite::Statement copy(*impl_->database, "VACUUM INTO ?");

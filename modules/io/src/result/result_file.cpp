@@ -2,6 +2,7 @@
 #include "compression.h"
 #include "database.h"
 #include "value_columns.h"
+#include "write_scope.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
@@ -11,6 +12,8 @@
 #include <slalom/trajectory/trajectory_codec.h>
 
 #include <nlohmann/json.hpp>
+
+#include <sqlite3.h>
 
 namespace slalom {
 namespace {
@@ -76,6 +79,51 @@ std::map<std::string, double> numbers_from_json(const std::string& text, const s
 
 constexpr const char* kIntact = "a file as it was written";
 
+void write_manifest(SQLite::Database& database, const Manifest& manifest) {
+  for (const auto& [key, text] : manifest) {
+    SQLite::Statement row(database, "INSERT INTO manifest VALUES (?, ?)");
+    row.bind(1, key);
+    row.bind(2, text);
+    row.exec();
+  }
+}
+
+void write_quantities(SQLite::Database& database, const std::string& kind,
+                      const std::vector<QuantityInfo>& infos) {
+  for (const QuantityInfo& info : infos) {
+    SQLite::Statement row(database,
+                          "INSERT INTO quantities (kind, id, version, name, unit, direction) "
+                          "VALUES (?, ?, ?, ?, ?, ?)");
+    row.bind(1, kind);
+    row.bind(2, info.id);
+    row.bind(3, info.version);
+    row.bind(4, info.name);
+    row.bind(5, info.unit);
+    row.bind(6, to_string(info.direction));
+    row.exec();
+  }
+}
+
+/// Checksum of the manifest and the quantities.
+std::int64_t header_checksum(SQLite::Database& database) {
+  RowChecksum checksum;
+  for (const auto& [sql, columns] :
+       {std::pair{"SELECT key, text FROM manifest ORDER BY key", 2},
+        std::pair{"SELECT kind, id, version, name, unit, direction FROM quantities "
+                  "ORDER BY position",
+                  6}}) {
+    SQLite::Statement rows(database, sql);
+    while (rows.executeStep()) checksum.add_columns(rows, 0, columns);
+  }
+  return checksum.value();
+}
+
+void write_header_checksum(SQLite::Database& database) {
+  SQLite::Statement row(database, "INSERT INTO header VALUES (?)");
+  row.bind(1, header_checksum(database));
+  row.exec();
+}
+
 void check_id(const QuantityInfo& info) {
   const bool plain =
       !info.id.empty() &&
@@ -89,35 +137,18 @@ void check_id(const QuantityInfo& info) {
 struct ResultFile::Impl {
   std::string path;
   std::unique_ptr<SQLite::Database> database;
-  std::unique_ptr<SQLite::Transaction> transaction;  ///< open while there are uncommitted changes
+  std::unique_ptr<WriteScope> transaction;  ///< open while there are uncommitted changes
   std::vector<QuantityInfo> descriptors, metrics;
 
+  /// Readers only delay the writer: it waits long for its lock, and keeps changes in memory while
+  /// it cannot get at the file.
   void begin() {
-    if (!transaction) transaction = std::make_unique<SQLite::Transaction>(*database);
-  }
-
-  void write_manifest(const Manifest& manifest) {
-    for (const auto& [key, text] : manifest) {
-      SQLite::Statement row(*database, "INSERT INTO manifest VALUES (?, ?)");
-      row.bind(1, key);
-      row.bind(2, text);
-      row.exec();
-    }
-  }
-
-  void write_quantities(const std::string& kind, const std::vector<QuantityInfo>& infos) {
-    for (const QuantityInfo& info : infos) {
-      SQLite::Statement row(*database,
-                            "INSERT INTO quantities (kind, id, version, name, unit, direction) "
-                            "VALUES (?, ?, ?, ?, ?, ?)");
-      row.bind(1, kind);
-      row.bind(2, info.id);
-      row.bind(3, info.version);
-      row.bind(4, info.name);
-      row.bind(5, info.unit);
-      row.bind(6, to_string(info.direction));
-      row.exec();
-    }
+    if (transaction) return;
+    constexpr int kPatienceMs = 3600 * 1000;
+    database->setBusyTimeout(kPatienceMs);
+    database->exec("PRAGMA cache_spill = OFF");
+    database->exec("PRAGMA journal_mode = DELETE");  // another one damages files on network drives
+    transaction = std::make_unique<WriteScope>(*database);
   }
 
   std::vector<QuantityInfo> read_quantities(const std::string& kind) const {
@@ -180,30 +211,9 @@ struct ResultFile::Impl {
     }
   }
 
-  /// Checksum of the manifest and the quantities.
-  std::int64_t header_checksum() const {
-    RowChecksum checksum;
-    for (const auto& [sql, columns] :
-         {std::pair{"SELECT key, text FROM manifest ORDER BY key", 2},
-          std::pair{"SELECT kind, id, version, name, unit, direction FROM quantities "
-                    "ORDER BY position",
-                    6}}) {
-      SQLite::Statement rows(*database, sql);
-      while (rows.executeStep()) checksum.add_columns(rows, 0, columns);
-    }
-    return checksum.value();
-  }
-
-  void write_header_checksum() {
-    database->exec("DELETE FROM header");
-    SQLite::Statement row(*database, "INSERT INTO header VALUES (?)");
-    row.bind(1, header_checksum());
-    row.exec();
-  }
-
   void expect_intact_header() const {
     SQLite::Statement row(*database, "SELECT checksum FROM header");
-    if (row.executeStep() && row.getColumn(0).getInt64() == header_checksum()) return;
+    if (row.executeStep() && row.getColumn(0).getInt64() == header_checksum(*database)) return;
     throw file_error(path, "is damaged (its manifest does not match its checksum)", kIntact);
   }
 
@@ -344,17 +354,18 @@ ResultFile ResultFile::create(const std::string& path, const Manifest& manifest,
   impl->path = path;
   impl->descriptors = descriptors;
   impl->metrics = metrics;
-  impl->database = create_database(path, kResults);
-  writing(path, [&] {
-    SQLite::Transaction transaction(*impl->database);
-    impl->database->exec(runs_schema(metrics));
-    impl->write_manifest(manifest);
-    impl->write_quantities("descriptor", descriptors);
-    impl->write_quantities("metric", metrics);
-    impl->write_header_checksum();
-    transaction.commit();
+  impl->database = create_database(path, kResults, [&](SQLite::Database& database) {
+    database.exec(runs_schema(metrics));
+    write_manifest(database, manifest);
+    write_quantities(database, "descriptor", descriptors);
+    write_quantities(database, "metric", metrics);
+    write_header_checksum(database);
   });
   return ResultFile(std::move(impl));
+}
+
+bool ResultFile::exists(const std::string& path) {
+  return !is_new_database(path);
 }
 
 ResultFile ResultFile::open(const std::string& path) {
@@ -411,10 +422,17 @@ void ResultFile::add_run(const RunRecord& run, const RunTiming& timing,
   });
 }
 
-void ResultFile::commit() {
-  if (!impl_->transaction) return;
-  writing(impl_->path, [&] { impl_->transaction->commit(); });
+bool ResultFile::commit(double patience) {
+  if (!impl_->transaction) return true;
+  impl_->database->setBusyTimeout(static_cast<int>(1000 * patience));
+  try {
+    impl_->transaction->commit();
+  } catch (const SQLite::Exception& e) {
+    if (e.getErrorCode() == SQLITE_BUSY) return false;  // the transaction goes on
+    throw_write_error(impl_->path, e);
+  }
   impl_->transaction.reset();
+  return true;
 }
 
 Manifest ResultFile::read_manifest() const {
@@ -435,6 +453,17 @@ bool ResultFile::has_scenario(const std::string& hash) const {
     SQLite::Statement row(*impl_->database, "SELECT 1 FROM scenarios WHERE hash = ?");
     row.bind(1, hash);
     return row.executeStep();
+  });
+}
+
+void ResultFile::for_each_key(const std::function<void(const std::string&, const std::string&, int,
+                                                       const std::string&)>& use) const {
+  reading(impl_->path, [&] {
+    SQLite::Statement rows(*impl_->database,
+                           "SELECT scenario, method, repetition, outcome FROM runs");
+    while (rows.executeStep())
+      use(rows.getColumn(0).getString(), rows.getColumn(1).getString(), rows.getColumn(2).getInt(),
+          rows.getColumn(3).getString());
   });
 }
 

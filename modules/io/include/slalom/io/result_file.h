@@ -22,12 +22,14 @@ using DamageHandler = std::function<void(const std::string& what)>;
 /// damaged is not returned. Errors are Error (File).
 class ResultFile {
  public:
-  /// Creates a file at `path`, replacing an existing one, with the given quantities. Throws Error
-  /// (Job) when it cannot be written.
+  /// Creates a file at `path` with the given quantities, replacing an existing result file. Throws
+  /// Error (Job) when it cannot be written, Error (File) when there is a file of another kind.
   static ResultFile create(const std::string& path, const Manifest& manifest,
                            const std::vector<QuantityInfo>& descriptors,
                            const std::vector<QuantityInfo>& metrics);
   static ResultFile open(const std::string& path);
+  /// Whether there is a file with content at `path`.
+  static bool exists(const std::string& path);
   ~ResultFile();
   ResultFile(ResultFile&&) noexcept;
   ResultFile& operator=(ResultFile&&) noexcept;
@@ -39,11 +41,16 @@ class ResultFile {
   void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
                     const References& references);
   void add_run(const RunRecord& run, const RunTiming& timing, const Trajectory& trajectory);
-  void commit();  ///< makes everything added so far durable
+  /// Makes everything added so far durable; false if the file is being read by a program that does
+  /// not release it within `patience` (s): it can be tried again.
+  bool commit(double patience = 10);
 
   Manifest read_manifest() const;
   std::vector<std::string> read_methods() const;  ///< of all runs, sorted, without duplicates
   bool has_scenario(const std::string& hash) const;
+  /// Calls `use` with scenario hash, method, repetition and outcome of each run, in any order.
+  void for_each_key(const std::function<void(const std::string&, const std::string&, int,
+                                             const std::string&)>& use) const;
   /// Calls `use` for each run, one by one, by scenario name, hash, method and repetition. Damaged
   /// runs are passed to `report`; without it they are errors.
   void for_each_run(const std::function<void(const RunRecord&)>& use,

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+namespace slalom {
+
+/// The right of one program to write a file, kept in a file PATH.lock that names its holder: host,
+/// process, job of a cluster. A lock is stale, and is replaced, when its process on this host is
+/// gone, or when its job was started again. It is not inherited by forked processes.
+class FileLock {
+ public:
+  /// Throws Error (Job), naming the holder, if another program has the lock. `take_over` takes the
+  /// lock of a program on another host, of which is not known whether it is gone.
+  explicit FileLock(const std::string& path, bool take_over = false);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  std::string path_;  ///< of the lock file
+  std::string text_;  ///< its content
+  int owner_;         ///< process id
+};
+
+/// The path of the lock file of an output file.
+std::string lock_path(const std::string& path);
+
+/// Who holds the lock of an output file ("process 4711 on node7, job 12"); "" if nobody does, or if
+/// the holder is known to be gone.
+std::string lock_holder(const std::string& path);
+
+}  // namespace slalom

@@ -1,0 +1,94 @@
+#include "error_text.h"
+#include "io_sample.h"
+
+#include <slalom/io/file_lock.h>
+#include <slalom/io/result_file.h>
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+namespace slalom {
+namespace {
+
+class FileLockTest : public testing::Test {
+ protected:
+  void write_lock(const std::string& text) const { write_file_atomically(lock_path(path_), text); }
+  /// The content of the lock of a process of this host that has ended.
+  std::string lock_of_dead_process() const {
+    const pid_t child = fork();
+    if (child == 0) {
+      const FileLock lock(path_);
+      _exit(0);  // as if it was killed
+    }
+    waitpid(child, nullptr, 0);
+    return read_file(lock_path(path_));
+  }
+
+  const TemporaryFolder folder_;
+  const std::string path_ = folder_ / "runs.results";
+};
+
+TEST_F(FileLockTest, ExistsUntilItsHolderReleasesIt) {
+  {
+    const FileLock lock(path_);
+    EXPECT_TRUE(mentions(lock_holder(path_), {"process " + std::to_string(getpid()) + " on "}));
+  }
+  EXPECT_EQ(lock_holder(path_), "");
+  EXPECT_FALSE(std::filesystem::exists(lock_path(path_)));
+}
+
+TEST_F(FileLockTest, ASecondProgramIsRefusedAndToldWhoHoldsIt) {
+  const FileLock lock(path_);
+  EXPECT_TRUE(throws_error(ErrorKind::Job, path_ + ": is being written by process ",
+                           {std::to_string(getpid())}, [&] { FileLock second(path_); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Job, path_, {}, [&] { FileLock second(path_, true); }));
+}
+
+TEST_F(FileLockTest, OfAProcessThatIsGoneIsReplaced) {
+  const std::string stale = lock_of_dead_process();
+  EXPECT_EQ(lock_holder(path_), "");
+  const FileLock lock(path_);
+  EXPECT_NE(read_file(lock_path(path_)), stale);
+}
+
+TEST_F(FileLockTest, OfAnotherHostIsTakenOverOnRequestOnly) {
+  write_lock("host = elsewhere\npid = 1\nstart = 2\nboot = x\njob = 12\n");
+  EXPECT_EQ(lock_holder(path_), "process 1 on elsewhere, job 12");
+  EXPECT_TRUE(throws_error(ErrorKind::Job, path_, {"process 1 on elsewhere, job 12", "--take-over"},
+                           [&] { FileLock lock(path_); }));
+  const FileLock lock(path_, true);
+  EXPECT_TRUE(mentions(lock_holder(path_), {std::to_string(getpid())}));
+}
+
+TEST_F(FileLockTest, OfAJobThatWasStartedAgainIsReplaced) {
+  write_lock("host = elsewhere\npid = 1\nstart = 2\nboot = x\njob = 12\nrestart =\n");
+  setenv("SLURM_JOB_ID", "12", 1);
+  setenv("SLURM_RESTART_COUNT", "1", 1);
+  EXPECT_EQ(lock_holder(path_), "");
+  { const FileLock lock(path_); }
+  unsetenv("SLURM_JOB_ID");
+  unsetenv("SLURM_RESTART_COUNT");
+}
+
+TEST_F(FileLockTest, AForkedProcessDoesNotReleaseIt) {
+  const FileLock lock(path_);
+  const pid_t child = fork();
+  if (child == 0) {
+    lock.~FileLock();
+    _exit(0);
+  }
+  waitpid(child, nullptr, 0);
+  EXPECT_NE(lock_holder(path_), "");
+}
+
+TEST_F(FileLockTest, ALockThatWasTakenOverIsNotReleasedByItsFirstHolder) {
+  {
+    const FileLock lock(path_);
+    write_lock("host = elsewhere\npid = 1\n");
+  }
+  EXPECT_EQ(lock_holder(path_), "process 1 on elsewhere");
+}
+
+}  // namespace
+}  // namespace slalom
