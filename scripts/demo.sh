@@ -6,4 +6,4 @@ cd "$(dirname "$0")/.."
 
 scripts/install_packages.sh
 scripts/build.sh release slalom-evaluate slalom_reactive_methods
-build/release/bin/slalom-evaluate configs/demo.ini -o out/demo -j 2
+build/release/bin/slalom-evaluate configs/demo.ini -o out/demo -j 2 --overwrite

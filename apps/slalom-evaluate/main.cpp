@@ -5,11 +5,13 @@
 #include <slalom/app/output_folder.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
+#include <slalom/io/file_lock.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/report/report.h>
 
+#include <filesystem>
 #include <iostream>
 
 namespace slalom {
@@ -22,11 +24,19 @@ struct Arguments {
   std::string output;
 };
 
+/// Keeps the list of a campaign that is continued, to which descriptors or tags may have been
+/// added.
 void write_scenarios(const std::vector<Scenario>& scenarios, const IniFile& ini,
                      const std::string& path) {
-  ScenarioList list = ScenarioList::create(path);
-  list.add_all(scenarios);
-  list.set_note("campaign.ini", ini.canonical_text());
+  if (std::filesystem::exists(path)) {
+    const ScenarioList list = ScenarioList::open(path);
+    if (list.size() == scenarios.size() && list.note("campaign.ini") == ini.canonical_text())
+      return;
+  }
+  ScenarioList::write(path, [&](ScenarioList& list) {
+    list.add_all(scenarios);
+    list.set_note("campaign.ini", ini.canonical_text());
+  });
 }
 
 /// Writes the tables to standard output and to files, and the report to a folder.
@@ -56,15 +66,18 @@ void evaluate(const Arguments& arguments) {
     rule = parse_stopping_rule(arguments.until, arguments.max_runs, config.options);
   make_output_folder(arguments.output);
   const std::string results = arguments.output + "/runs.results";
+  const FileLock lock(results, arguments.campaign.take_over);
   std::vector<Scenario> scenarios = campaign_scenarios(config, arguments.campaign);
+  ResultFile file = open_campaign_results(config, arguments.campaign, scenarios, results, rule);
   write_scenarios(scenarios, config.ini, arguments.output + "/campaign.scenarios");
   const CampaignReport report =
-      run_campaign_program(config, arguments.campaign, std::move(scenarios), results, rule);
+      run_campaign_program(config, arguments.campaign, std::move(scenarios), std::move(file), rule);
   if (rule) {
     write_file_atomically(arguments.output + "/until.txt", report.until);
     std::cout << report.until << "\n";
   }
-  if (!report.complete) throw Interrupted("finished runs are kept in " + results);
+  if (!report.complete)
+    throw Interrupted("finished runs are kept in " + results + "; the same command continues");
   write_tables_and_report(arguments, results, config.analysis.report);
   if (!report.problem.empty()) throw job_error(results, report.problem);
 }
@@ -97,6 +110,7 @@ void define(CLI::App& app) {
 
 int main(int argc, char** argv) {
   return slalom::run_program("slalom-evaluate",
-                             "Runs a complete campaign: scenarios, runs, tables, report.", argc,
-                             argv, slalom::define);
+                             "Runs a complete campaign: scenarios, runs, tables, report. The "
+                             "same command continues one that was interrupted.",
+                             argc, argv, slalom::define);
 }

@@ -2,6 +2,7 @@
 #include <slalom/app/campaign_program.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
+#include <slalom/io/file_lock.h>
 #include <slalom/io/scenario_list.h>
 
 #include <iostream>
@@ -23,16 +24,24 @@ void run(const RunArguments& arguments) {
     ini.set("scenarios", "list", arguments.scenarios);
   }
   const CampaignConfig config = read_campaign(ini);
-  const CampaignReport report = run_campaign_program(
-      config, arguments.campaign, campaign_scenarios(config, arguments.campaign), arguments.output);
-  if (!report.complete) throw Interrupted("finished runs are kept in " + arguments.output);
+  const FileLock lock(arguments.output, arguments.campaign.take_over);
+  std::vector<Scenario> scenarios = campaign_scenarios(config, arguments.campaign);
+  ResultFile results =
+      open_campaign_results(config, arguments.campaign, scenarios, arguments.output);
+  const CampaignReport report =
+      run_campaign_program(config, arguments.campaign, std::move(scenarios), std::move(results));
+  if (!report.complete)
+    throw Interrupted("finished runs are kept in " + arguments.output +
+                      "; the same command continues");
   if (!report.problem.empty()) throw job_error(arguments.output, report.problem);
   if (!arguments.campaign.quiet) std::cerr << "Results: " << arguments.output << "\n";
 }
 
 void define(CLI::App& app) {
   static RunArguments arguments;
-  CLI::App* verb = app.add_subcommand("run", "Run methods over scenarios into a result file");
+  CLI::App* verb = app.add_subcommand("run",
+                                      "Run methods over scenarios into a result file; the same "
+                                      "command continues one that was interrupted");
   add_argument(*verb, {"config", "-c,--config", "The campaign's .ini"}, arguments.campaign.config);
   verb->add_option("--scenarios", arguments.scenarios,
                    "A scenario list (.scenarios) instead of [scenarios]");

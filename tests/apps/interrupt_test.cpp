@@ -1,5 +1,7 @@
 #include "program_run.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
+
 namespace slalom {
 namespace {
 
@@ -25,6 +27,29 @@ TEST_F(Interrupt, ExitsWith130AndKeepsFinishedRuns) {
   EXPECT_NE(last_line(result.err).find("interrupted"), std::string::npos) << result.err;
   const std::string dump = run("slalom-analyze dump out/runs.results").out;
   EXPECT_GT(std::count(dump.begin(), dump.end(), '\n'), 0);
+}
+
+TEST_F(Interrupt, ARunIsContinuedByTheSameCommand) {
+  write("small.ini", kSmallCampaign);
+  const std::string command = "slalom-evaluate small.ini --set campaign.repetitions=3 ";
+  ASSERT_EQ(run(command + "--quiet -o undisturbed").status, 0);
+  ASSERT_EQ(run(command + "--quiet -o out").status, 0);
+  SQLite::Database((folder_ / "out/runs.results").string(), SQLite::OPEN_READWRITE)
+      .exec(
+          "DELETE FROM runs WHERE run % 4 > 0; DELETE FROM trajectories WHERE run % 4 > 0; "
+          "DELETE FROM run_timings WHERE run % 4 > 0");
+  ProgramResult result = run(command + "-o out --resume");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err.find("continues: 6 of 24 runs are there\n"), 0U) << result.err;
+  EXPECT_EQ(result.out.substr(0, result.out.find("Report: ")),
+            run(command + "-o undisturbed --quiet").out.substr(0, result.out.find("Report: ")));
+  EXPECT_EQ(run("slalom-analyze dump out/runs.results").out,
+            run("slalom-analyze dump undisturbed/runs.results").out);
+  result = run(command + "-o out");
+  EXPECT_EQ(result.err.find("all 24 runs are there\n"), 0U) << result.err;
+  expect_failure(command + "-o out --set robot.max_v=0.6", 3,
+                 {"out/runs.results", "robot.max_v is 0.6 here and 1 in", "--overwrite"});
+  expect_failure(command + "-o new --resume", 3, {"new/runs.results", "does not exist"});
 }
 
 TEST_F(Interrupt, ShowsHowFarTheRunsWere) {

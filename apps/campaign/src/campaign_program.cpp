@@ -52,6 +52,16 @@ std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> raw
   };
 }
 
+/// Says how much of the campaign an earlier execution has done.
+void notify_known_runs(std::size_t known, std::size_t total, bool sequential,
+                       const std::function<void(const std::string&)>& notify) {
+  if (known == 0) return;
+  const std::string count = std::to_string(known), all = std::to_string(total);
+  if (known == total) return notify("all " + all + " runs are there");
+  // How many runs a stopping rule requires is not known.
+  notify("continues: " + count + (sequential ? "" : " of " + all) + " runs are there");
+}
+
 }  // namespace
 
 IniFile load_campaign_ini(const CampaignArguments& arguments) {
@@ -86,17 +96,30 @@ std::vector<Scenario> campaign_scenarios(const CampaignConfig& config,
                            load_occupancy_grid, *progress);
 }
 
+ResultFile open_campaign_results(const CampaignConfig& config, const CampaignArguments& arguments,
+                                 const std::vector<Scenario>& scenarios,
+                                 const std::string& results_path,
+                                 const std::optional<StoppingRule>& rule) {
+  return open_results(results_path, make_manifest(config, scenarios, rule), config.options,
+                      arguments.existing);
+}
+
 CampaignReport run_campaign_program(const CampaignConfig& config,
                                     const CampaignArguments& arguments,
-                                    std::vector<Scenario> scenarios,
-                                    const std::string& results_path,
+                                    std::vector<Scenario> scenarios, ResultFile results,
                                     const std::optional<StoppingRule>& rule) {
-  const Manifest manifest = make_manifest(config, scenarios, rule);
   const auto planner = make_ompl_planner(config.reference, config.options.setup.robot);
   Campaign campaign{config.options, {}, config.methods, planner.get()};
+  const std::string results_path = results.path();
   const bool rawlogs = config.options.record.rawlog != RecordedRuns::None;
   if (rawlogs) campaign.recorder = rawlog_recorder(config.ini, results_path);
-  CampaignRecorder recorder(std::move(campaign), manifest, results_path);
+  const auto notify = [&arguments](const std::string& line) {
+    if (!arguments.quiet) std::cerr << line << std::endl;
+  };
+  const std::size_t total = scenarios.size() * config.methods.size() *
+                            static_cast<std::size_t>(config.options.repetitions);
+  CampaignRecorder recorder(std::move(campaign), std::move(results), {steady_seconds, notify});
+  notify_known_runs(recorder.known_runs(), total, rule.has_value(), notify);
   if (rawlogs) make_output_folder(rawlog_folder(results_path));
   const auto progress = make_terminal_progress(arguments.quiet);
   const InterruptGuard guard;

@@ -27,30 +27,49 @@ auto read_payload(const WorkResult& result, Read read)
   }
 }
 
+/// The plan without the runs that the sink already has.
+std::vector<RunSpec> remaining_plan(const Campaign& campaign, CampaignSink& sink) {
+  std::vector<RunSpec> plan = make_plan(campaign);
+  const auto is_known = [&](const RunSpec& spec) {
+    return sink.has_run(campaign.scenarios[spec.scenario], spec);
+  };
+  plan.erase(std::remove_if(plan.begin(), plan.end(), is_known), plan.end());
+  return plan;
+}
+
 /// First phase: descriptors and reference paths of every scenario.
 bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execution& execution,
                       std::vector<References>& references) {
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < campaign.scenarios.size(); ++i) {
+    if (auto known = sink.known_references(campaign.scenarios[i])) {
+      references[i] = std::move(*known);
+    } else {
+      missing.push_back(i);
+    }
+  }
   const WorkItem item = [&](std::size_t i, SharedTaskLog&) {
-    return to_wire(survey_scenario(campaign, campaign.scenarios[i]));
+    return to_wire(survey_scenario(campaign, campaign.scenarios[missing[i]]));
   };
-  std::size_t described = 0;
+  std::size_t done = campaign.scenarios.size() - missing.size();
   const auto receive = [&](std::size_t i, WorkResult&& result) {
-    const Scenario& scenario = campaign.scenarios[i];
+    const Scenario& scenario = campaign.scenarios[missing[i]];
     const auto findings = read_payload(result, scenario_findings_from_wire);
     if (!findings)
       throw job_error("scenario " + scenario.name(),
                       "its descriptors and references could not be computed: " + result.detail);
-    references[i] = findings->references;
+    references[missing[i]] = findings->references;
     sink.add_scenario(findings->record, scenario, findings->references);
-    execution.progress.advance(++described);
+    execution.progress.advance(++done);
   };
   execution.progress.start("Describing scenarios", campaign.scenarios.size());
+  if (done > 0) execution.progress.advance(done);
   PoolOptions pool;
   pool.workers = execution.workers;
   pool.fresh_process = true;
+  pool.ordered = false;
   pool.in_process = execution.in_process;
-  const bool complete =
-      run_in_workers(campaign.scenarios.size(), pool, item, receive, execution.interrupted);
+  const bool complete = run_in_workers(missing.size(), pool, item, receive, execution.interrupted);
   execution.progress.finish();
   return complete;
 }
@@ -94,6 +113,7 @@ PoolOptions pool_for_methods(const CampaignOptions& options, int workers, bool i
   PoolOptions pool;
   pool.workers = workers;
   pool.in_process = in_process;
+  pool.ordered = false;
   pool.clock = options.setup.clock;
   pool.item_wall_time = limits.run_wall_time;
   pool.item_cpu_time = limits.run_cpu_time;
@@ -114,7 +134,9 @@ std::size_t method_index(const Campaign& campaign, const std::string& name) {
 /// Second phase: every method in every scenario.
 bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& execution,
                  const std::vector<References>& references, CampaignSummary& summary) {
-  const std::vector<RunSpec> plan = make_plan(campaign);
+  const std::size_t total = make_plan(campaign).size();
+  const std::vector<RunSpec> plan = remaining_plan(campaign, sink);
+  std::size_t done = total - plan.size();
   RunExecutor executor(campaign, references,
                        !execution.in_process);  // each worker has its own copy after the fork
   const WorkItem item = [&](std::size_t i, SharedTaskLog& log) {
@@ -131,9 +153,10 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
     sink.add_run(findings.record, findings.timing, findings.trajectory);
     ++summary.runs;
     ++summary.outcomes[findings.record.outcome];
-    execution.progress.advance(summary.runs);
+    execution.progress.advance(++done);
   };
-  execution.progress.start("Running methods", plan.size());
+  execution.progress.start("Running methods", total);
+  if (done > 0) execution.progress.advance(done);
   PoolOptions pool = pool_for_methods(campaign.options, execution.workers, execution.in_process);
   pool.groups = campaign.methods.size();
   pool.group = [&](std::size_t i) { return method_index(campaign, plan[i].method); };

@@ -29,6 +29,17 @@ std::vector<std::string> read_ids(const IniFile& ini, const std::string& key,
   return ids;
 }
 
+/// Names of campaigns and methods become parts of file names.
+void check_name(const std::string& name, const std::string& where) {
+  constexpr std::size_t kMaxLength = 100;
+  const bool plain = name.find_first_not_of(
+                         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                         "0123456789_.+-") == std::string::npos;
+  if (!plain || name.empty() || name[0] == '.' || name.size() > kMaxLength)
+    throw usage_error(where, "invalid name '" + name.substr(0, kMaxLength) + "'",
+                      "at most 100 letters, digits, '_', '.', '+' and '-', not beginning with '.'");
+}
+
 template <typename Find>
 std::vector<QuantityInfo> infos_of(const std::vector<std::string>& ids, Find find) {
   std::vector<QuantityInfo> infos;
@@ -107,6 +118,7 @@ CampaignOptions read_measuring_options(const IniFile& ini) {
 
 CampaignOptions read_campaign_options(const IniFile& ini) {
   const auto campaign = read_options<CampaignSection>(ini, "campaign");
+  check_name(campaign.name, ini.where("campaign", "name"));
   CampaignOptions options = read_measuring_options(ini);
   options.name = campaign.name;
   options.seed = campaign.seed;
@@ -127,6 +139,7 @@ std::vector<NamedMethod> read_methods(const IniFile& ini, const MethodRegistry& 
     throw usage_error(where, "no method given", "names of [method.NAME] sections, comma-separated");
   std::vector<NamedMethod> methods;
   for (const std::string& name : names) {
+    check_name(name, where);
     if (std::count(names.begin(), names.end(), name) > 1)
       throw usage_error(where, "duplicate method '" + name + "'", "each method once");
     if (!ini.has_section("method." + name))

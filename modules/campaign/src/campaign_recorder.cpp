@@ -1,16 +1,49 @@
 #include <slalom/campaign/campaign_recorder.h>
+#include <slalom/core/error.h>
+#include <slalom/io/campaign_identity.h>
 
 namespace slalom {
-CampaignRecorder::CampaignRecorder(Campaign campaign, const Manifest& manifest,
-                                   const std::string& results_path)
-    : campaign_(std::move(campaign)),
-      file_(ResultFile::create(results_path, manifest, campaign_.options.descriptor_infos(),
-                               campaign_.options.metric_infos())) {}
+namespace {
+
+std::string key_of(const std::string& hash, const std::string& method, int repetition) {
+  return hash + "/" + method + "/" + std::to_string(repetition);
+}
+
+}  // namespace
+
+ResultFile open_results(const std::string& path, const Manifest& manifest,
+                        const CampaignOptions& options, ExistingResults existing) {
+  const bool exists = ResultFile::exists(path);
+  if (!exists && existing == ExistingResults::Require)
+    throw file_error(path, "does not exist", "a result file to continue, or no --resume");
+  if (!exists || existing == ExistingResults::Overwrite)
+    return ResultFile::create(path, manifest, options.descriptor_infos(), options.metric_infos());
+  ResultFile file = ResultFile::open(path);
+  expect_same_campaign(manifest, file.read_manifest(), path,
+                       "the same campaign, another output, or --overwrite to start over");
+  return file;
+}
+
+CampaignRecorder::CampaignRecorder(Campaign campaign, ResultFile file, RecorderOptions options)
+    : campaign_(std::move(campaign)), file_(std::move(file)), recording_(std::move(options)) {
+  file_.for_each_key([this](const std::string& hash, const std::string& method, int repetition,
+                            const std::string& outcome) {
+    known_runs_.insert(key_of(hash, method, repetition));
+    ++known_by_scenario_[hash];
+    if (outcome == to_string(Outcome::InfrastructureError)) ++errors_;
+  });
+}
 
 bool CampaignRecorder::run(std::vector<Scenario> scenarios, const Execution& execution) {
   campaign_.scenarios = std::move(scenarios);
-  const CampaignSummary summary = run_campaign(campaign_, *this, execution);
-  file_.commit();
+  // Polled all the time, also while no results come.
+  Execution committing = execution;
+  committing.interrupted = [&] {
+    commit_when_due();
+    return execution.is_interrupted();
+  };
+  const CampaignSummary summary = run_campaign(campaign_, *this, committing);
+  commit_finally();
   errors_ += summary.infrastructure_errors();
   return summary.complete;
 }
@@ -19,23 +52,60 @@ std::string CampaignRecorder::problem() const {
   return errors_ == 0 ? "" : std::to_string(errors_) + " runs ended as infrastructure_error";
 }
 
+std::optional<References> CampaignRecorder::known_references(const Scenario& scenario) {
+  const std::string& hash = scenario.hash();
+  if (!file_.has_scenario(hash)) return std::nullopt;
+  const auto runs = known_by_scenario_.find(hash);
+  const std::size_t all =
+      campaign_.methods.size() * static_cast<std::size_t>(campaign_.options.repetitions);
+  // Nothing needs the references of a scenario without missing runs.
+  if (runs != known_by_scenario_.end() && runs->second == all) return References();
+  return file_.read_references(hash);
+}
+
+bool CampaignRecorder::has_run(const Scenario& scenario, const RunSpec& spec) {
+  return known_runs_.count(key_of(scenario.hash(), spec.method, spec.repetition)) > 0;
+}
+
 void CampaignRecorder::add_scenario(const ScenarioRecord& record, const Scenario& scenario,
                                     const References& references) {
   file_.add_scenario(record, scenario, references);
-  count();
+  expect_commit();
 }
 
 void CampaignRecorder::add_run(const RunRecord& run, const RunTiming& timing,
                                const Trajectory& trajectory) {
   file_.add_run(run, timing, trajectory);
-  count();
+  expect_commit();
 }
 
-void CampaignRecorder::count() {
-  constexpr int kRecordsPerCommit = 64;
-  if (++pending_ < kRecordsPerCommit) return;
-  file_.commit();
-  pending_ = 0;
+void CampaignRecorder::expect_commit() {
+  if (!commit_at_) commit_at_ = recording_.clock() + kCommitInterval;
+}
+
+void CampaignRecorder::commit_when_due() {
+  constexpr double kPatience = 0.05, kRetry = 1;  // s
+  if (!commit_at_ || recording_.clock() < *commit_at_) return;
+  if (file_.commit(kPatience)) {
+    commit_at_.reset();
+    return;
+  }
+  commit_at_ = recording_.clock() + kRetry;
+  if (!delayed_ && recording_.notify)
+    recording_.notify(file_.path() +
+                      ": another program is reading it; results are stored when that ends");
+  delayed_ = true;
+}
+
+void CampaignRecorder::commit_finally() {
+  constexpr double kPatience = 10;  // s
+  constexpr int kTries = 360;
+  commit_at_ = recording_.clock();
+  commit_when_due();  // with a notice
+  for (int i = 0; commit_at_; ++i) {
+    if (file_.commit(kPatience)) return commit_at_.reset();
+    if (i == kTries) throw job_error(file_.path(), "is being read by another program for an hour");
+  }
 }
 
 }  // namespace slalom

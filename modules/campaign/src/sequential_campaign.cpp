@@ -6,6 +6,7 @@
 #include <slalom/io/read_results.h>
 
 #include <algorithm>
+#include <set>
 
 namespace slalom {
 namespace {
@@ -119,6 +120,19 @@ std::vector<std::string> ids_of(const PrecisionRule& rule) {
   return {rule.metric, rule.rows.descriptor};
 }
 
+/// Keeps only the runs in these scenarios: a file that is continued holds runs of later batches.
+void keep_scenarios(ResultTable& table, const std::set<std::string>& hashes) {
+  std::vector<std::size_t> kept;
+  for (std::size_t run = 0; run < table.size(); ++run)
+    if (hashes.count(table.scenario_hashes[table.scenario[run]]) > 0) kept.push_back(run);
+  if (kept.size() == table.size()) return;
+  for (auto* column : {&table.scenario, &table.method, &table.outcome, &table.repetition}) {
+    for (std::size_t i = 0; i < kept.size(); ++i) (*column)[i] = (*column)[kept[i]];
+    column->resize(kept.size());
+  }
+  for (ValueColumn& metric : table.metrics) metric.reorder(kept);
+}
+
 /// Whether each bin is open: some method has not reached the required precision.
 std::vector<bool> open_bins(const std::vector<PrecisionCell>& cells, std::size_t bins) {
   std::vector<bool> open(bins, false);
@@ -158,6 +172,7 @@ SequentialReport run_until(CampaignRecorder& recorder, const StoppingRule& rule,
   std::vector<PrecisionCell> cells;
   std::vector<bool> open(pool.bins().size(), true);
   std::string stop_reason;
+  std::set<std::string> taken;
   std::size_t runs = 0;
   int looks = 0;
   while (report.complete && stop_reason.empty()) {
@@ -168,7 +183,9 @@ SequentialReport run_until(CampaignRecorder& recorder, const StoppingRule& rule,
     }
     report.complete = recorder.run(batch, execution);
     if (!report.complete) break;
-    const ResultTable results = read_results(recorder.file().path(), ids_of(precision));
+    for (const Scenario& scenario : batch) taken.insert(scenario.hash());
+    ResultTable results = read_results(recorder.file().path(), ids_of(precision));
+    keep_scenarios(results, taken);
     runs = results.size();
     cells = precision_cells(results, precision, analysis, ++looks);
     open = open_bins(cells, pool.bins().size());

@@ -13,13 +13,14 @@
 namespace slalom {
 namespace {
 
-/// Forwards results in the order of their indexes.
+/// Forwards results in the order of their indexes, or as they come.
 class OrderedResults {
  public:
   using Receiver = std::function<void(std::size_t, WorkResult&&)>;
-  explicit OrderedResults(const Receiver& receiver) : receiver_(receiver) {}
+  OrderedResults(const Receiver& receiver, bool ordered) : receiver_(receiver), ordered_(ordered) {}
 
   void put(std::size_t index, WorkResult&& result) {
+    if (!ordered_) return receiver_(index, std::move(result));
     pending_.emplace(index, std::move(result));
     while (!pending_.empty() && pending_.begin()->first == next_) {
       receiver_(next_, std::move(pending_.begin()->second));
@@ -36,6 +37,7 @@ class OrderedResults {
 
  private:
   const Receiver& receiver_;
+  bool ordered_;
   std::map<std::size_t, WorkResult> pending_;
   std::size_t next_ = 0;
 };
@@ -172,7 +174,7 @@ bool run_in_workers(std::size_t count, const PoolOptions& options, const WorkIte
                     const std::function<void(std::size_t, WorkResult&&)>& on_result,
                     const std::function<bool()>& interrupted) {
   if (options.in_process) return run_here(count, options, item, on_result, interrupted);
-  OrderedResults results(on_result);
+  OrderedResults results(on_result, options.ordered);
   const bool complete = Pool(count, options, item, results).run(interrupted);
   results.flush();
   return complete;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <unistd.h>
 #include <utility>
 
@@ -24,6 +25,13 @@ std::string duration_text(double seconds) {
   return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
 }
 
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+/// What an earlier execution has done, by the first report.
+std::size_t done_earlier(std::size_t first_report) {
+  return first_report > 1 ? first_report : 0;
+}
+
 /// A line every 10 s, for log files. Lines are counted from the first stage on, so that a job of
 /// many short stages has them too.
 class LineProgress : public Progress {
@@ -34,13 +42,15 @@ class LineProgress : public Progress {
     what_ = printable_line(what);
     total_ = total;
     begin_ = clock_();
+    resumed_ = kNone;
   }
   void advance(std::size_t done) override {
     const double now = clock_();
-    if (done == 0 || done >= total_ || now - last_line_ < kInterval) return;
+    if (resumed_ == kNone) resumed_ = done_earlier(done);
+    if (done <= resumed_ || done >= total_ || now - last_line_ < kInterval) return;
     last_line_ = now;
     const double left =
-        (now - begin_) * static_cast<double>(total_ - done) / static_cast<double>(done);
+        (now - begin_) * static_cast<double>(total_ - done) / static_cast<double>(done - resumed_);
     std::fprintf(stderr, "%s: %zu/%zu (%zu %%), %s left\n", what_.c_str(), done, total_,
                  100 * done / total_, duration_text(left).c_str());
   }
@@ -51,7 +61,7 @@ class LineProgress : public Progress {
 
   WallClock clock_;
   std::string what_;
-  std::size_t total_ = 0;
+  std::size_t total_ = 0, resumed_ = kNone;
   double begin_ = 0, last_line_;
 };
 
@@ -64,10 +74,12 @@ class BarProgress : public Progress {
     total_ = total;
     begin_ = last_drawn_ = clock_();
     done_ = 0;
+    resumed_ = kNone;
     draw(State::Working);
   }
   void advance(std::size_t done) override {
     const double now = clock_();
+    if (resumed_ == kNone) resumed_ = done_earlier(done);
     done_ = done;
     if (done < total_ && now - last_drawn_ < kInterval) return;
     last_drawn_ = now;
@@ -96,8 +108,10 @@ class BarProgress : public Progress {
     const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
     std::fprintf(stderr, "\r%-22s [%s] %zu/%zu  %.0f s", what_.c_str(), bar.c_str(), done_, total_,
                  elapsed);
-    if (state == State::Working && done_ > 0 && done_ < total_)
-      std::fprintf(stderr, ", %.0f s left ", elapsed / fraction - elapsed);
+    if (state == State::Working && resumed_ != kNone && done_ > resumed_ && done_ < total_)
+      std::fprintf(
+          stderr, ", %.0f s left ",
+          elapsed * static_cast<double>(total_ - done_) / static_cast<double>(done_ - resumed_));
     else
       std::fputs("              ", stderr);
     std::fflush(stderr);
@@ -105,7 +119,7 @@ class BarProgress : public Progress {
 
   WallClock clock_;
   std::string what_;
-  std::size_t done_ = 0, total_ = 0;
+  std::size_t done_ = 0, total_ = 0, resumed_ = kNone;
   State state_ = State::Idle;
   double begin_ = 0, last_drawn_ = 0;
 };

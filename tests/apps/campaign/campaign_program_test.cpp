@@ -88,7 +88,8 @@ TEST_F(CampaignProgram, RejectsAnMrptConfigurationWithoutTheClassBeforeAnyRun) {
   const auto wrong = arguments({"method.nd.config=" + nd_ini});
   const CampaignConfig config = read_campaign(load_campaign_ini(wrong));
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "--set method.nd.config: ", {"CHolonomicND"}, [&] {
-    run_campaign_program(config, wrong, campaign_scenarios(config, wrong), path);
+    auto scenarios = campaign_scenarios(config, wrong);
+    open_campaign_results(config, wrong, scenarios, path);
   }));
   EXPECT_FALSE(std::filesystem::exists(path));
 }
@@ -103,7 +104,9 @@ TEST_F(CampaignProgram, ComputesReferencesAndRunsMethodsWithAllModulesLinked) {
   const CampaignConfig config = read_campaign(load_campaign_ini(plain));
   auto scenarios = campaign_scenarios(config, plain);
   const std::string hash = scenarios.front().hash(), path = folder_ + "/runs.results";
-  const CampaignReport report = run_campaign_program(config, plain, std::move(scenarios), path);
+  ResultFile results = open_campaign_results(config, plain, scenarios, path);
+  const CampaignReport report =
+      run_campaign_program(config, plain, std::move(scenarios), std::move(results));
   EXPECT_TRUE(report.complete);
   EXPECT_EQ(report.problem, "");
   const ResultFile file = ResultFile::open(path);
@@ -111,6 +114,41 @@ TEST_F(CampaignProgram, ComputesReferencesAndRunsMethodsWithAllModulesLinked) {
   ASSERT_TRUE(references.shortest && references.safest);
   EXPECT_GE(length(references.safest->path), references.shortest->certificate.lower_bound);
   ASSERT_EQ(file.read_runs(hash).size(), 1U);
+}
+
+TEST_F(CampaignProgram, RefusesResultsOfAnotherCampaignNamingWhatDiffers) {
+  const std::string path = folder_ + "/runs.results";
+  const auto open = [&](const std::vector<std::string>& overrides,
+                        ExistingResults existing = ExistingResults::Continue) {
+    auto given = arguments(overrides);
+    given.existing = existing;
+    const CampaignConfig config = read_campaign(load_campaign_ini(given));
+    return open_campaign_results(config, given, {}, path);
+  };
+  EXPECT_TRUE(throws_error(ErrorKind::File, path + ": does not exist", {"--resume"},
+                           [&] { open({}, ExistingResults::Require); }));
+  open({"robot.max_v=0.6"});
+  EXPECT_TRUE(throws_error(ErrorKind::File, path + ": holds another campaign: ",
+                           {"robot.max_v is 1 here and 0.6 in " + path, "--overwrite"},
+                           [&] { open({}); }));
+  // What changes no result may differ.
+  open({"robot.max_v=0.60", "record.rawlog=all", "analysis.rows=density:2"},
+       ExistingResults::Require);
+  open({}, ExistingResults::Overwrite);
+  open({});
+}
+
+TEST_F(CampaignProgram, NeverReplacesAFileThatHoldsNoResults) {
+  const std::string path = folder_ + "/stranger";
+  write_file_atomically(path, "a stranger's text");
+  auto given = arguments();
+  const CampaignConfig config = read_campaign(load_campaign_ini(given));
+  for (const auto existing : {ExistingResults::Continue, ExistingResults::Overwrite}) {
+    given.existing = existing;
+    EXPECT_TRUE(throws_error(ErrorKind::File, path + ": ", {"a result file (.results)"},
+                             [&] { open_campaign_results(config, given, {}, path); }));
+    EXPECT_EQ(read_file(path), "a stranger's text");
+  }
 }
 
 }  // namespace

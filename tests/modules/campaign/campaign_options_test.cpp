@@ -89,6 +89,18 @@ TEST(CampaignOptions, RejectsMethodsThatAreMissingOrDuplicate) {
   EXPECT_TRUE(refused_methods("[campaign]\nname = x\n", "c.ini", {"methods", "[method.NAME]"}));
 }
 
+TEST(CampaignOptions, RejectsNamesThatAreNoFileNames) {
+  for (const std::string name : {"../x", "a/b", ".hidden", "a b", "ümlaut"}) {
+    EXPECT_TRUE(refused_methods("[campaign]\nmethods = " + name + "\n",
+                                "c.ini:2: [campaign] methods: ", {"invalid name '" + name + "'"}));
+    EXPECT_TRUE(refused("[campaign]\nmethods = a\nname = " + name + "\n[method.a]\n",
+                        "c.ini:3: [campaign] name: ", {"invalid name '" + name + "'"}));
+  }
+  const std::string longest(100, 'x');
+  EXPECT_EQ(read_campaign_options(IniFile::from_text("[campaign]\nname = " + longest + "\n")).name,
+            longest);
+}
+
 TEST(CampaignOptions, AreTheSameAfterWritingAndReading) {
   CampaignOptions options;
   options.seed = 7;

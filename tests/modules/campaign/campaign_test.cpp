@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cfenv>
 #include <clocale>
 #include <csignal>
@@ -18,6 +19,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <thread>
+#include <tuple>
 #include <unistd.h>
 
 namespace slalom {
@@ -177,7 +179,20 @@ class CampaignTest : public testing::Test {
     const CampaignSummary summary = run_campaign(campaign, sink, {workers, *progress, nullptr});
     EXPECT_TRUE(summary.complete);
     EXPECT_EQ(summary.runs, sink.runs.size());
+    sort_by_plan(sink.runs, campaign);
     return sink;
+  }
+
+  /// Results arrive as they are obtained.
+  static void sort_by_plan(std::vector<RunRecord>& runs, const Campaign& campaign) {
+    std::map<std::string, std::size_t> rank;
+    for (const Scenario& scenario : campaign.scenarios) rank.emplace(scenario.name(), rank.size());
+    for (const NamedMethod& method : campaign.methods) rank.emplace(method.name, rank.size());
+    const auto key = [&](const RunRecord& run) {
+      return std::tuple(rank.at(run.scenario_name), rank.at(run.method), run.repetition);
+    };
+    std::sort(runs.begin(), runs.end(),
+              [&](const RunRecord& a, const RunRecord& b) { return key(a) < key(b); });
   }
 
   ManualTime time_;  ///< shared by all workers: runs that advance it need a single worker
@@ -194,7 +209,7 @@ std::set<std::string> outcomes_of(const RecordingSink& sink, const std::string& 
   return outcomes;
 }
 
-TEST_F(CampaignTest, RunsEveryMethodInEveryScenarioInPlanOrder) {
+TEST_F(CampaignTest, RunsEveryMethodInEveryScenario) {
   const RecordingSink sink = run({"good", "other"}, 2);
   ASSERT_EQ(sink.scenarios.size(), 2U);
   ASSERT_EQ(sink.runs.size(), 8U);  // 2 scenarios x 2 methods x 2 repetitions

@@ -2,6 +2,7 @@
 #include "io_sample.h"
 
 #include <slalom/campaign/sequential_campaign.h>
+#include <slalom/io/campaign_identity.h>
 #include <slalom/io/read_results.h>
 
 #include <gtest/gtest.h>
@@ -34,6 +35,16 @@ class SequentialCampaign : public testing::Test {
     return options;
   }
 
+  static CampaignRecorder make_recorder(const std::string& path) {
+    return CampaignRecorder(
+        {options(),
+         {},
+         {{"straight",
+           [](const RobotModel&, const SensorModel&) { return std::make_unique<Straight>(); },
+           ""}}},
+        open_results(path, {{kEffectiveKey, ""}}, options(), ExistingResults::Continue));
+  }
+
   SequentialReport run(const std::string& rule, std::size_t max_runs, int pool) {
     const StoppingRule parsed = parse_stopping_rule(rule, max_runs, recorder_.options());
     return run_until(recorder_, parsed, rooms(pool), 0.95, execution_);
@@ -46,13 +57,7 @@ class SequentialCampaign : public testing::Test {
   const std::unique_ptr<Progress> progress_ = make_silent_progress();
   bool interrupted_ = false;
   Execution execution_{2, *progress_, [this] { return interrupted_; }};
-  CampaignRecorder recorder_{
-      {options(),
-       {},
-       {{"straight",
-         [](const RobotModel&, const SensorModel&) { return std::make_unique<Straight>(); }, ""}}},
-      {},
-      path_};
+  CampaignRecorder recorder_ = make_recorder(path_);
 };
 
 TEST_F(SequentialCampaign, BatchesAreRecordedInOneFile) {
@@ -86,6 +91,34 @@ TEST_F(SequentialCampaign, StartsNoBatchAfterTheMaximumNumberOfRuns) {
   const SequentialReport report = run("interval(success) < 0.0001", 10, 30);
   EXPECT_EQ(recorded_runs(), 10U);
   EXPECT_TRUE(mentions(report.text, {"maximum number of runs reached"}));
+}
+
+TEST_F(SequentialCampaign, ContinuesWithTheSameDecisions) {
+  const std::string rule = "interval(success) < 0.0001";
+  const SequentialReport undisturbed = run(rule, 0, 15);
+  const std::string path = folder_ / "interrupted.results";
+  const StoppingRule parsed = parse_stopping_rule(rule, 0, options());
+  {
+    int polls = 0;  // ends in one of the batches, or after them
+    const Execution interrupted{2, *progress_, [&] { return ++polls > 20; }};
+    CampaignRecorder recorder = make_recorder(path);
+    run_until(recorder, parsed, rooms(15), 0.95, interrupted);
+  }
+  CampaignRecorder recorder = make_recorder(path);
+  const SequentialReport continued = run_until(recorder, parsed, rooms(15), 0.95, execution_);
+  EXPECT_TRUE(continued.complete);
+  EXPECT_EQ(continued.text, undisturbed.text);
+  EXPECT_EQ(dump(recorder.file()), dump(recorder_.file()));
+}
+
+TEST_F(SequentialCampaign, LooksOnlyAtTheBatchesSoFar) {
+  EXPECT_TRUE(recorder_.run(rooms(15), execution_));
+  CampaignRecorder continued = make_recorder(path_);
+  EXPECT_EQ(continued.known_runs(), 15U);
+  const SequentialReport report =
+      run_until(continued, parse_stopping_rule("interval(success) < 2", 0, options()), rooms(15),
+                0.95, execution_);
+  EXPECT_TRUE(mentions(report.text, {"reached after 10 runs and 1 looks"}));
 }
 
 TEST_F(SequentialCampaign, IsIncompleteIfInterruptedBeforeTheFirstRun) {

@@ -38,6 +38,24 @@ PoolOptions with_workers(int workers) {
   return options;
 }
 
+TEST(WorkerPool, UnorderedResultsArriveWhileAnEarlierWorkItemTakesLong) {
+  ManualTime time;  // shared memory: 1 s when item 1 has arrived
+  PoolOptions options = with_workers(2);
+  options.ordered = false;
+  const WallClock clock = time.clock();
+  const WorkItem item = [&](std::size_t i, SharedTaskLog&) {
+    while (i == 0 && clock() < 1) usleep(500);
+    return std::to_string(i);
+  };
+  std::vector<std::string> arrived;
+  const auto receive = [&](std::size_t, WorkResult&& result) {
+    arrived.push_back(result.payload);
+    time.advance(1);
+  };
+  EXPECT_TRUE(run_in_workers(2, options, item, receive, nullptr));
+  EXPECT_EQ(arrived, (std::vector<std::string>{"1", "0"}));
+}
+
 TEST(WorkerPool, ResultsArriveInOrderForAnyNumberOfWorkers) {
   const WorkItem item = [](std::size_t i, SharedTaskLog&) {
     usleep(i % 3 == 0 ? 3000 : 0);  // so that workers overtake each other

@@ -114,6 +114,19 @@ TEST(ProgressInAFile, IsALineEveryTenSecondsWithTheTimeLeft) {
   EXPECT_EQ(lines_of_work(2, 7500), "Working: 1/2 (50 %), 2 h 5 min left\n");
 }
 
+TEST(ProgressInAFile, DoesNotTakeTheSpeedFromWhatWasDoneEarlier) {
+  double now = 0;
+  testing::internal::CaptureStderr();
+  const auto progress = make_terminal_progress(false, [&now] { return now; });
+  progress->start("Working", 640);
+  progress->advance(412);  // at once
+  now += 10;
+  progress->advance(413);
+  progress->finish();
+  // 227 remain, 10 s each
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "Working: 413/640 (64 %), 38 min left\n");
+}
+
 TEST(ProgressInAFile, HasNoLinesForShortWorkAndIfQuiet) {
   EXPECT_EQ(lines_of_work(99, 0.1), "");
   EXPECT_EQ(lines_of_work(0, 1), "");

@@ -6,7 +6,8 @@
 
 namespace slalom {
 
-/// Adds the options of all programs that run campaigns: -j/--jobs, --seed, --set, --quiet.
+/// Adds the options of all programs that run campaigns: -j/--jobs, --seed, --set, --resume,
+/// --overwrite, --take-over, --quiet.
 void add_campaign_options(CLI::App& app, CampaignArguments& arguments);
 
 }  // namespace slalom

@@ -20,6 +20,8 @@ struct CampaignArguments {
   std::optional<std::uint64_t> seed;   ///< instead of [campaign] seed
   int jobs = 1;                        ///< worker processes, and threads for scenario generation
   bool quiet = false;
+  ExistingResults existing = ExistingResults::Continue;
+  bool take_over = false;  ///< see FileLock
 };
 
 /// Loads the campaign's .ini with the overrides of the command line. Throws Error (Usage) for
@@ -54,13 +56,19 @@ struct CampaignReport {
 std::vector<Scenario> campaign_scenarios(const CampaignConfig& config,
                                          const CampaignArguments& arguments);
 
-/// Runs the campaign over `scenarios`, or as many of them as the stopping rule requires, into a
-/// result file at `results_path`. SIGINT and SIGTERM interrupt it; finished runs are kept. Throws
-/// Error.
+/// The result file of the campaign over `scenarios`: an existing one is continued or replaced, as
+/// the arguments say. The caller holds its FileLock. Throws as open_results().
+ResultFile open_campaign_results(const CampaignConfig& config, const CampaignArguments& arguments,
+                                 const std::vector<Scenario>& scenarios,
+                                 const std::string& results_path,
+                                 const std::optional<StoppingRule>& rule = std::nullopt);
+
+/// Runs the campaign over `scenarios`, or as many of them as the stopping rule requires, into that
+/// file, except what it already holds. SIGINT and SIGTERM interrupt it; finished runs are kept.
+/// Throws Error.
 CampaignReport run_campaign_program(const CampaignConfig& config,
                                     const CampaignArguments& arguments,
-                                    std::vector<Scenario> scenarios,
-                                    const std::string& results_path,
+                                    std::vector<Scenario> scenarios, ResultFile results,
                                     const std::optional<StoppingRule>& rule = std::nullopt);
 
 }  // namespace slalom

@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,10 +37,14 @@ struct Campaign {
   std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> recorder = nullptr;
 };
 
-/// Receives the results of a campaign in the order of the plan (scenario, method, repetition).
+/// Receives the results of a campaign as they are obtained: scenarios before runs, each in any
+/// order. What it already has, from an earlier part of the same campaign, is not computed again.
 class CampaignSink {
  public:
   virtual ~CampaignSink() = default;
+  /// The references of a scenario that the sink has; none otherwise.
+  virtual std::optional<References> known_references(const Scenario&) { return std::nullopt; }
+  virtual bool has_run(const Scenario&, const RunSpec&) { return false; }
   virtual void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
                             const References& references) = 0;
   virtual void add_run(const RunRecord& run, const RunTiming& timing,
@@ -57,9 +62,9 @@ struct Execution {
 };
 
 struct CampaignSummary {
-  bool complete = false;  ///< false when interrupted
-  std::size_t runs = 0;
-  std::map<std::string, std::size_t> outcomes;  ///< runs by outcome
+  bool complete = false;                        ///< false when interrupted
+  std::size_t runs = 0;                         ///< that were executed
+  std::map<std::string, std::size_t> outcomes;  ///< these runs by outcome
   std::size_t infrastructure_errors() const;
 };
 
@@ -73,7 +78,8 @@ std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario_
 void check_methods(const Campaign& campaign);
 
 /// Computes the descriptors and references of every scenario (each in a new process), then runs
-/// every method on it in worker processes. The records do not depend on the number of workers.
+/// every method on it in worker processes, except what the sink already has. The records do not
+/// depend on the number of workers.
 CampaignSummary run_campaign(const Campaign& campaign, CampaignSink& sink,
                              const Execution& execution);
 

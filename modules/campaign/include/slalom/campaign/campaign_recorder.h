@@ -1,20 +1,45 @@
 #pragma once
 
 #include <slalom/campaign/campaign.h>
+#include <slalom/core/wall_clock.h>
 #include <slalom/io/result_file.h>
 
+#include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace slalom {
 
-/// Runs a campaign into one result file, in one or several batches of scenarios. Results are
-/// committed often, so that little work is lost if the program is killed.
+/// What happens to a result file that exists.
+enum class ExistingResults {
+  Continue,  ///< if there is one
+  Require,   ///< it must exist and is continued
+  Overwrite
+};
+
+/// The result file of a campaign with this manifest: the existing one, or a new one. Throws Error
+/// (File) for a file of another campaign, naming what differs, for any other file, and if it is
+/// required and missing; Error (Job) when it cannot be written.
+ResultFile open_results(const std::string& path, const Manifest& manifest,
+                        const CampaignOptions& options, ExistingResults existing);
+
+struct RecorderOptions {
+  WallClock clock = steady_seconds;
+  /// Receives one line when another program that reads the file delays storing; null: ignored.
+  std::function<void(const std::string&)> notify = nullptr;
+};
+
+/// Finished results are on disk after this time (s), also while further runs take long.
+constexpr double kCommitInterval = 2;
+
+/// Runs a campaign into one result file, in one or several batches of scenarios. What the file
+/// already holds is not run again. Results are stored as they are obtained.
 class CampaignRecorder : private CampaignSink {
  public:
-  /// Creates the result file; the scenarios of `campaign` are not used. Throws Error (Job) when the
-  /// file cannot be written.
-  CampaignRecorder(Campaign campaign, const Manifest& manifest, const std::string& results_path);
+  /// The scenarios of `campaign` are not used.
+  CampaignRecorder(Campaign campaign, ResultFile file, RecorderOptions options = {});
 
   /// Runs every method in these scenarios; false if interrupted. Finished runs are kept.
   bool run(std::vector<Scenario> scenarios, const Execution& execution);
@@ -22,19 +47,29 @@ class CampaignRecorder : private CampaignSink {
   /// One line about failures of the infrastructure; "" if there are none.
   std::string problem() const;
 
+  /// The runs that the file held before the first call of run().
+  std::size_t known_runs() const { return known_runs_.size(); }
   const CampaignOptions& options() const { return campaign_.options; }
   const ResultFile& file() const { return file_; }
 
  private:
+  std::optional<References> known_references(const Scenario& scenario) override;
+  bool has_run(const Scenario& scenario, const RunSpec& spec) override;
   void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
                     const References& references) override;
   void add_run(const RunRecord& run, const RunTiming& timing,
                const Trajectory& trajectory) override;
-  void count();
+  void expect_commit();
+  void commit_when_due();
+  void commit_finally();
 
   Campaign campaign_;
   ResultFile file_;
-  int pending_ = 0;  ///< records since the last commit
+  RecorderOptions recording_;
+  std::set<std::string> known_runs_;                      ///< "HASH/METHOD/REPETITION"
+  std::map<std::string, std::size_t> known_by_scenario_;  ///< number of runs by hash
+  std::optional<double> commit_at_;  ///< s, of the clock; none if everything is on disk
+  bool delayed_ = false;             ///< and a notice was given
   std::size_t errors_ = 0;
 };
 

@@ -35,7 +35,7 @@ struct SequentialReport {
 /// further one half as many as the bin has so far. Looks spend the error probability 1 -
 /// `confidence` according to look_confidence(). Stops if the required precision is reached, the
 /// pool is exhausted for the open bins, or max_runs is reached. Deterministic for any number of
-/// workers.
+/// workers, and if the recorder's file already holds a part of the runs.
 SequentialReport run_until(CampaignRecorder& recorder, const StoppingRule& rule,
                            std::vector<Scenario> pool, double confidence,
                            const Execution& execution);

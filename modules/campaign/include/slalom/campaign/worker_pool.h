@@ -34,6 +34,7 @@ struct PoolOptions {
   std::size_t log_size = 0;      ///< bytes, capacity of the shared log
   bool keep_stderr = false;      ///< do not discard the workers' standard error
   bool fresh_process = false;    ///< a new process for each work item
+  bool ordered = true;           ///< results in the order of the indexes, or as they are obtained
   bool in_process = false;       ///< execute work items in this process, without limits
   /// A process executes only work items of one of `groups` groups. Null: all are of one group.
   std::function<std::size_t(std::size_t index)> group = nullptr;
@@ -52,7 +53,7 @@ constexpr double kOrderlyEnd = 2;
 using WorkItem = std::function<std::string(std::size_t index, SharedTaskLog& log)>;
 
 /// Executes work items 0 .. count-1 in forked worker processes and passes each result to
-/// `on_result` in the order of the indexes, for any number of workers. A worker that dies or hangs
+/// `on_result`, unless `ordered` is false in the order of the indexes. A worker that dies or hangs
 /// is replaced, and only its current work item is lost; whatever it started is killed with it. A
 /// work item whose process was killed from outside (SIGKILL) is executed once more. Work items are
 /// started in the order of their indexes; at most `workers` processes are busy. Idle ones are kept

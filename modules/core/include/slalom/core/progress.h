@@ -13,8 +13,10 @@ class Progress {
  public:
   virtual ~Progress() = default;
   virtual void start(const std::string& what, std::size_t total) = 0;
-  virtual void advance(std::size_t done) = 0;  ///< `done` of `total` so far
-  virtual void finish() = 0;                   ///< the work ended, with all done or before
+  /// `done` of `total` so far. If that is more than one at the first call, it was done earlier and
+  /// tells nothing about the speed.
+  virtual void advance(std::size_t done) = 0;
+  virtual void finish() = 0;  ///< the work ended, with all done or before
 };
 
 /// No output.

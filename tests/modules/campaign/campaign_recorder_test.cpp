@@ -1,0 +1,105 @@
+#include "io_sample.h"
+#include "manual_time.h"
+
+#include <slalom/campaign/campaign_recorder.h>
+#include <slalom/io/campaign_identity.h>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+/// Moves straight ahead; in the scenario with the goal at 2 m only after `clock` shows 1 s.
+class PatientMethod : public Method {
+ public:
+  explicit PatientMethod(WallClock clock) : clock_(std::move(clock)) {}
+  void reset(const NavigationTask& task) override { waits_ = task.goal.x == 2; }
+  Command step(const Observation&) override {
+    while (waits_ && clock_() < 1) usleep(500);
+    return {1, 0};
+  }
+
+ private:
+  WallClock clock_;
+  bool waits_ = false;
+};
+
+Scenario room(double goal_x) {
+  return Scenario::continuous("to_" + std::to_string(goal_x), {0, 0, 5, 4}, Primitives(), {1, 2, 0},
+                              {goal_x, 2});
+}
+
+class CampaignRecorderTest : public testing::Test {
+ protected:
+  CampaignRecorder recorder(const RecorderOptions& recording = {}) const {
+    CampaignOptions options;
+    options.metrics = {"success", "time_to_goal"};
+    options.descriptors = {"density"};
+    const MethodFactory make = [clock = time_.clock()](const RobotModel&, const SensorModel&) {
+      return std::make_unique<PatientMethod>(clock);
+    };
+    return CampaignRecorder(
+        {options, {}, {{"patient", make, ""}}},
+        open_results(path_, {{kEffectiveKey, ""}}, options, ExistingResults::Continue), recording);
+  }
+
+  std::size_t stored_runs() const {
+    SQLite::Database database(path_);
+    return static_cast<std::size_t>(database.execAndGet("SELECT count(*) FROM runs").getInt());
+  }
+
+  const TemporaryFolder folder_;
+  const std::string path_ = folder_ / "runs.results";
+  const std::unique_ptr<Progress> progress_ = make_silent_progress();
+  const Execution execution_{2, *progress_, nullptr};
+  ManualTime time_;  ///< shared with the workers
+};
+
+TEST_F(CampaignRecorderTest, StoresFinishedRunsWhileTheFirstOneOfThePlanTakesLong) {
+  // A second passes between two readings. The first run ends when the second is stored.
+  double now = 0;
+  const WallClock clock = [&] {
+    if (stored_runs() == 1) time_.advance(1);
+    return ++now;
+  };
+  EXPECT_TRUE(recorder({clock, nullptr}).run({room(2), room(3)}, execution_));
+  EXPECT_EQ(stored_runs(), 2U);
+}
+
+TEST_F(CampaignRecorderTest, AReaderOnlyDelaysStoring) {
+  time_.advance(1);
+  std::vector<std::string> notices;
+  std::unique_ptr<SQLite::Database> reader;
+  CampaignRecorder slow = recorder({time_.clock(), [&](const std::string& notice) {
+                                      notices.push_back(notice);
+                                      reader.reset();
+                                    }});
+  reader = std::make_unique<SQLite::Database>(path_);
+  reader->exec("BEGIN; SELECT count(*) FROM runs");
+  EXPECT_TRUE(slow.run({room(2), room(3)}, execution_));
+  ASSERT_EQ(notices.size(), 1U);
+  EXPECT_NE(notices[0].find("another program is reading it"), std::string::npos);
+  EXPECT_EQ(stored_runs(), 2U);
+}
+
+TEST_F(CampaignRecorderTest, RunsOnlyWhatIsMissing) {
+  time_.advance(1);
+  EXPECT_TRUE(recorder().run({room(2)}, execution_));
+  CampaignRecorder continued = recorder();
+  EXPECT_EQ(continued.known_runs(), 1U);
+  std::size_t polls = 0;
+  const Execution counting{1, *progress_, [&] {
+                             ++polls;
+                             return false;
+                           }};
+  EXPECT_TRUE(continued.run({room(2), room(3)}, counting));
+  EXPECT_EQ(stored_runs(), 2U);
+  EXPECT_GT(polls, 0U);
+  polls = 0;
+  EXPECT_TRUE(recorder().run({room(2), room(3)}, counting));
+  EXPECT_EQ(polls, 0U);  // no work item at all
+}
+
+}  // namespace
+}  // namespace slalom
