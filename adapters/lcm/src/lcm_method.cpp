@@ -248,7 +248,7 @@ MethodFactory make_factory(const LcmOptions& options, const OptionLocation& wher
 }  // namespace
 
 MethodFactory lcm_method(const LcmOptions& options, const WallClock& clock) {
-  check_options(options, "lcm_method");
+  check_options(options, location_of("lcm_method"));
   return make_factory(options, location_of("lcm_method"), clock);
 }
 

@@ -203,7 +203,7 @@ void HolonomicOptions::visit(OptionVisitor& v) {
 }
 
 MethodFactory mrpt_holonomic(const HolonomicOptions& options) {
-  check_options(options, "mrpt_holonomic");
+  check_options(options, location_of("mrpt_holonomic"));
   return make_factory(options, location_of("mrpt_holonomic"));
 }
 

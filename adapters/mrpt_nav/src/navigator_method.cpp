@@ -160,7 +160,7 @@ void NavigatorOptions::visit(OptionVisitor& v) {
 }
 
 MethodFactory mrpt_navigator(const NavigatorOptions& options) {
-  check_options(options, "mrpt_navigator");
+  check_options(options, location_of("mrpt_navigator"));
   return make_factory(options, location_of("mrpt_navigator"));
 }
 

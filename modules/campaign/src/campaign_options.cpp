@@ -16,16 +16,20 @@ std::vector<std::string> ids_of(const Quantities& quantities) {
   return ids;
 }
 
+void check_ids(const std::vector<std::string>& ids, const std::vector<std::string>& known,
+               const std::string& where) {
+  for (const std::string& id : ids)
+    if (!contains(known, id))
+      throw usage_error(where, "unknown id '" + id + "'",
+                        expected_name(id, known, "all, or a list of " + join(known, ", ")));
+}
+
 /// Parses "all" or a list of ids from `known`.
-std::vector<std::string> read_ids(const IniFile& ini, const std::string& key,
-                                  const std::string& text, const std::vector<std::string>& known) {
+std::vector<std::string> parse_ids(const std::string& text, const std::vector<std::string>& known,
+                                   const std::string& where) {
   if (text == "all") return known;
   std::vector<std::string> ids = split(text, ',');
-  for (const std::string& id : ids) {
-    if (contains(known, id)) continue;
-    throw usage_error(ini.where("metrics", key), "unknown id '" + id + "'",
-                      expected_name(id, known, "all, or a list of " + join(known, ", ")));
-  }
+  check_ids(ids, known, where);
   return ids;
 }
 
@@ -45,6 +49,30 @@ std::vector<QuantityInfo> infos_of(const std::vector<std::string>& ids, Find fin
   std::vector<QuantityInfo> infos;
   for (const std::string& id : ids) infos.push_back(find(id).info);
   return infos;
+}
+
+/// Calls visit(name, values) for each section of a campaign's .ini with these options.
+template <typename Visit>
+void for_each_section(const CampaignOptions& options, Visit visit) {
+  CampaignSection campaign;
+  campaign.name = options.name;
+  campaign.seed = options.seed;
+  campaign.repetitions = options.repetitions;
+  MetricsSection metrics;
+  metrics.enabled = join(options.metrics, ",");
+  metrics.descriptors = join(options.descriptors, ",");
+  metrics.exact_confinement = options.exact_confinement;
+  metrics.safe_distance = options.safe_distance;
+  LimitsSection limits = options.limits;
+  limits.deadline = options.setup.deadline;
+  visit("campaign", campaign);
+  visit("metrics", metrics);
+  visit("limits", limits);
+  visit("record", options.record);
+  visit("robot", options.setup.robot);
+  visit("sensor", options.setup.sensor);
+  visit("odometry", options.setup.odometry);
+  visit("simulation", options.setup.simulation);
 }
 
 }  // namespace
@@ -106,13 +134,14 @@ bool RecordSection::wants(Outcome outcome) const {
 CampaignOptions read_measuring_options(const IniFile& ini) {
   const auto metrics = read_options<MetricsSection>(ini, "metrics");
   CampaignOptions options;
-  options.metrics = read_ids(ini, "enabled", metrics.enabled, all_metric_ids());
-  options.descriptors = read_ids(ini, "descriptors", metrics.descriptors, all_descriptor_ids());
+  options.metrics = parse_ids(metrics.enabled, all_metric_ids(), ini.where("metrics", "enabled"));
+  options.descriptors =
+      parse_ids(metrics.descriptors, all_descriptor_ids(), ini.where("metrics", "descriptors"));
   options.exact_confinement = metrics.exact_confinement;
   options.safe_distance = metrics.safe_distance;
   options.setup.robot = read_robot_model(ini);
   options.setup.simulation = read_options<SimulationOptions>(ini, "simulation");
-  options.setup.simulation.check(ini, "simulation");
+  options.setup.simulation.check(location_in(ini, "simulation"));
   return options;
 }
 
@@ -131,6 +160,35 @@ CampaignOptions read_campaign_options(const IniFile& ini) {
   return options;
 }
 
+CampaignOptions checked_options(CampaignOptions options, const std::string& origin) {
+  const auto keys_of = [&origin](const char* section) { return location_of(origin + section); };
+  check_ids(options.metrics, all_metric_ids(), keys_of("metrics")("enabled"));
+  check_ids(options.descriptors, all_descriptor_ids(), keys_of("metrics")("descriptors"));
+  for_each_section(options, [&](const char* section, const auto& values) {
+    check_options(values, keys_of(section));
+  });
+  options.setup.simulation.check(keys_of("simulation"));
+  options.setup.robot.set_radius_of_footprint(keys_of("robot")("footprint"));
+  return options;
+}
+
+void write_settings(const CampaignOptions& options, const SettingWriter& write) {
+  for_each_section(options, [&](const char* section, const auto& values) {
+    write_options(values, [&](const std::string& key, const std::string& text) {
+      write(section, key, text);
+    });
+  });
+}
+
+IniFile campaign_ini(const CampaignOptions& options, const std::string& origin) {
+  IniFile ini;
+  write_settings(options, [&](const std::string& section, const std::string& key,
+                              const std::string& text) { ini.set(section, key, text, origin); });
+  // A footprint determines the radius.
+  ini.remove("robot", options.setup.robot.footprint.empty() ? "footprint" : "radius");
+  return ini;
+}
+
 std::vector<NamedMethod> read_methods(const IniFile& ini, const MethodRegistry& registry) {
   const std::string where = ini.where("campaign", "methods");
   const std::vector<std::string> names =
@@ -147,32 +205,6 @@ std::vector<NamedMethod> read_methods(const IniFile& ini, const MethodRegistry& 
     methods.push_back(registry.read(ini, name));
   }
   return methods;
-}
-
-IniFile campaign_ini(const CampaignOptions& options, const std::string& origin) {
-  CampaignSection campaign;
-  campaign.name = options.name;
-  campaign.seed = options.seed;
-  campaign.repetitions = options.repetitions;
-  MetricsSection metrics;
-  metrics.enabled = join(options.metrics, ",");
-  metrics.descriptors = join(options.descriptors, ",");
-  metrics.exact_confinement = options.exact_confinement;
-  metrics.safe_distance = options.safe_distance;
-  LimitsSection limits = options.limits;
-  limits.deadline = options.setup.deadline;
-  IniFile ini;
-  write_options(ini, "campaign", campaign, origin);
-  write_options(ini, "metrics", metrics, origin);
-  write_options(ini, "limits", limits, origin);
-  write_options(ini, "record", options.record, origin);
-  write_options(ini, "robot", options.setup.robot, origin);
-  write_options(ini, "sensor", options.setup.sensor, origin);
-  write_options(ini, "odometry", options.setup.odometry, origin);
-  write_options(ini, "simulation", options.setup.simulation, origin);
-  // A footprint determines the radius.
-  ini.remove("robot", options.setup.robot.footprint.empty() ? "footprint" : "radius");
-  return ini;
 }
 
 }  // namespace slalom

@@ -3,11 +3,24 @@
 #include <slalom/core/text.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace slalom {
 namespace {
 
 constexpr char kSeedRange[] = "in [0, 9223372036854775807]";
+constexpr std::uint64_t kMaxSeed = std::numeric_limits<std::int64_t>::max();
+
+Error invalid_value(const std::string& where, const std::string& text,
+                    const std::string& expected) {
+  return usage_error(where, "'" + text + "' is not valid", expected);
+}
+
+void check_choice(const std::string& where, const std::string& text,
+                  const std::vector<std::string>& choices) {
+  if (!choices.empty() && !contains(choices, text))
+    throw invalid_value(where, text, "one of " + join(choices, ", "));
+}
 
 }  // namespace
 
@@ -33,8 +46,7 @@ void OptionReader::option(const std::string& key, double& value, const std::stri
   if (!text) return;
   double number = 0;
   if (!parse_number(*text, number) || !range.contains(number))
-    throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid",
-                      "a number " + range.text());
+    throw invalid_value(ini_.where(section_, key), *text, "a number " + range.text());
   value = number;
 }
 
@@ -46,8 +58,7 @@ void OptionReader::option(const std::string& key, int& value, const std::string&
   long long number = 0;
   if (!parse_integer(*text, number) || !range.contains(static_cast<double>(number)) ||
       number > std::numeric_limits<int>::max() || number < std::numeric_limits<int>::min())
-    throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid",
-                      "an integer " + range.text());
+    throw invalid_value(ini_.where(section_, key), *text, "an integer " + range.text());
   value = static_cast<int>(number);
 }
 
@@ -57,8 +68,7 @@ void OptionReader::option(const std::string& key, std::uint64_t& value, const st
   if (!text) return;
   long long number = 0;
   if (!parse_integer(*text, number) || number < 0)
-    throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid",
-                      std::string("an integer ") + kSeedRange);
+    throw invalid_value(ini_.where(section_, key), *text, std::string("an integer ") + kSeedRange);
   value = static_cast<std::uint64_t>(number);
 }
 
@@ -71,7 +81,7 @@ void OptionReader::option(const std::string& key, bool& value, const std::string
   } else if (*text == "false" || *text == "no" || *text == "off" || *text == "0") {
     value = false;
   } else {
-    throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid", "true or false");
+    throw invalid_value(ini_.where(section_, key), *text, "true or false");
   }
 }
 
@@ -80,9 +90,7 @@ void OptionReader::option(const std::string& key, std::string& value, const std:
   known_.push_back(key);
   const auto text = ini_.get(section_, key);
   if (!text) return;
-  if (!choices.empty() && !contains(choices, *text))
-    throw usage_error(ini_.where(section_, key), "'" + *text + "' is not valid",
-                      "one of " + join(choices, ", "));
+  check_choice(ini_.where(section_, key), *text, choices);
   value = *text;
 }
 
@@ -117,27 +125,62 @@ void OptionLister::option(const std::string& key, std::string& value, const std:
                     choices.empty() ? "text" : join(choices, " | "), help});
 }
 
-void SectionWriter::option(const std::string& key, double& value, const std::string&,
-                           const std::string&, Range) {
-  ini_.set(section_, key, format_number(value), origin_);
+OptionLocation location_in(const IniFile& ini, const std::string& section) {
+  return [ini, section](const std::string& key) {
+    return key.empty() ? ini.where(section) : ini.where(section, key);
+  };
 }
 
-void SectionWriter::option(const std::string& key, int& value, const std::string&,
-                           const std::string&, Range) {
-  ini_.set(section_, key, std::to_string(value), origin_);
+OptionLocation location_of(const std::string& maker) {
+  return [maker](const std::string& key) { return key.empty() ? maker : maker + "." + key; };
 }
 
-void SectionWriter::option(const std::string& key, std::uint64_t& value, const std::string&) {
-  ini_.set(section_, key, std::to_string(value), origin_);
+void OptionChecker::option(const std::string& key, double& value, const std::string&,
+                           const std::string&, Range range) {
+  if (!std::isfinite(value) || !range.contains(value))
+    throw invalid_value(where_(key), format_number(value), "a number " + range.text());
 }
 
-void SectionWriter::option(const std::string& key, bool& value, const std::string&) {
-  ini_.set(section_, key, value ? "true" : "false", origin_);
+void OptionChecker::option(const std::string& key, int& value, const std::string&,
+                           const std::string&, Range range) {
+  if (!range.contains(value))
+    throw invalid_value(where_(key), std::to_string(value), "an integer " + range.text());
 }
 
-void SectionWriter::option(const std::string& key, std::string& value, const std::string&,
-                           const std::vector<std::string>&) {
-  ini_.set(section_, key, value, origin_);
+void OptionChecker::option(const std::string& key, std::uint64_t& value, const std::string&) {
+  if (value > kMaxSeed)
+    throw invalid_value(where_(key), std::to_string(value),
+                        std::string("an integer ") + kSeedRange);
+}
+
+void OptionChecker::option(const std::string&, bool&, const std::string&) {}
+
+void OptionChecker::option(const std::string& key, std::string& value, const std::string&,
+                           const std::vector<std::string>& choices) {
+  check_choice(where_(key), value, choices);
+}
+
+void OptionWriter::option(const std::string& key, double& value, const std::string&,
+                          const std::string&, Range) {
+  write_(key, format_number(value));
+}
+
+void OptionWriter::option(const std::string& key, int& value, const std::string&,
+                          const std::string&, Range) {
+  write_(key, std::to_string(value));
+}
+
+void OptionWriter::option(const std::string& key, std::uint64_t& value, const std::string&) {
+  write_(key, std::to_string(value));
+}
+
+void OptionWriter::option(const std::string& key, bool& value, const std::string&) {
+  write_(key, value ? "true" : "false");
+}
+
+void OptionWriter::option(const std::string& key, std::string& value, const std::string&,
+                          const std::vector<std::string>&) {
+  write_(key, value);
 }
 
 std::string OptionLister::text() const {

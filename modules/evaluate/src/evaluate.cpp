@@ -30,8 +30,7 @@ class TableSink : public CampaignSink {
   TableBuilder builder_;
 };
 
-/// The options as sections of an .ini: for checking them, and for the manifest.
-IniFile ini_of(const Methods& methods, const Options& options) {
+CampaignOptions campaign_options(const Options& options) {
   CampaignOptions campaign;
   campaign.seed = options.seed;
   campaign.repetitions = options.repetitions;
@@ -39,17 +38,32 @@ IniFile ini_of(const Methods& methods, const Options& options) {
   campaign.descriptors = options.descriptors;
   campaign.exact_confinement = options.exact_confinement;
   campaign.safe_distance = options.safe_distance;
+  campaign.reference_gap = options.reference_gap;
   campaign.setup.robot = options.robot;
   campaign.setup.sensor = options.sensor;
   campaign.setup.odometry = options.odometry;
   campaign.setup.simulation = options.simulation;
   campaign.setup.deadline = options.limits.deadline;
   campaign.limits = options.limits;
-  IniFile ini = campaign_ini(campaign, "options ");
-  std::vector<std::string> names;
-  for (const NamedMethod& method : methods.list()) names.push_back(method.name);
-  ini.set("campaign", "methods", join(names, ", "));
-  return ini;
+  campaign.record.trajectories = StoredTrajectories::None;
+  return checked_options(std::move(campaign), "options ");
+}
+
+/// The settings by SECTION.KEY, and the versions.
+Manifest make_manifest(const Campaign& campaign) {
+  Manifest manifest = {{"campaign", campaign.options.name},
+                       {"seed", std::to_string(campaign.options.seed)},
+                       {"version.slalom", version()},
+                       {"version.mrpt", mrpt_version()},
+                       {"version.compiler", compiler_version()}};
+  write_settings(campaign.options,
+                 [&](const std::string& section, const std::string& key, const std::string& text) {
+                   manifest[section + "." + key] = text;
+                 });
+  std::vector<std::string> methods;
+  for (const NamedMethod& method : campaign.methods) methods.push_back(method.name);
+  manifest["campaign.methods"] = join(methods, ", ");
+  return manifest;
 }
 
 std::vector<Scenario> without_duplicates(const std::vector<Scenario>& scenarios) {
@@ -66,20 +80,14 @@ ResultTable evaluate(const Methods& methods, const std::vector<Scenario>& scenar
                      const Options& options) {
   if (methods.list().empty()) throw usage_error("evaluate", "no method given", "Methods::add()");
   if (scenarios.empty()) throw usage_error("evaluate", "no scenario given", "generate()");
-  const IniFile ini = ini_of(methods, options);
-  Campaign campaign{read_campaign_options(ini), without_duplicates(scenarios), methods.list(),
-                    options.planner.get()};
-  campaign.options.reference_gap = options.reference_gap;
-  campaign.options.record.trajectories = StoredTrajectories::None;
+  const Campaign campaign{campaign_options(options), without_duplicates(scenarios), methods.list(),
+                          options.planner.get()};
   if (!options.in_process) check_methods(campaign);
   TableSink sink(campaign.options);
   CallbackProgress progress(options);
   run_campaign(campaign, sink, {options.workers, progress, options.cancel, options.in_process});
   ResultTable table = sink.finish();
-  table.manifest = {
-      {"campaign", campaign.options.name},    {"campaign.ini", ini.canonical_text()},
-      {"seed", std::to_string(options.seed)}, {"version.slalom", version()},
-      {"version.mrpt", mrpt_version()},       {"version.compiler", compiler_version()}};
+  table.manifest = make_manifest(campaign);
   return table;
 }
 

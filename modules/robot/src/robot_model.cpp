@@ -27,13 +27,16 @@ Footprint RobotModel::shape() const {
   return footprint.empty() ? Footprint::disc(radius) : Footprint::parse(footprint);
 }
 
+void RobotModel::set_radius_of_footprint(const std::string& where) {
+  if (!footprint.empty()) radius = Footprint::parse(footprint, where).enclosing_radius();
+}
+
 RobotModel read_robot_model(const IniFile& ini) {
   auto robot = read_options<RobotModel>(ini, "robot");
-  if (robot.footprint.empty()) return robot;
   const std::string where = ini.where("robot", "footprint");
-  if (ini.get("robot", "radius"))
+  if (!robot.footprint.empty() && ini.get("robot", "radius"))
     throw usage_error(where, "radius is given too", "either radius or footprint");
-  robot.radius = Footprint::parse(robot.footprint, where).enclosing_radius();
+  robot.set_radius_of_footprint(where);
   return robot;
 }
 

@@ -31,19 +31,18 @@ void DeadlineOptions::visit(OptionVisitor& v) {
            "the robot stops, or the run fails");
 }
 
-void SimulationOptions::check(const IniFile& ini, const std::string& section) const {
+void SimulationOptions::check(const OptionLocation& where) const {
   constexpr double kMaxSteps = 1e5;
   constexpr double kMaxCycles = 1e7;  // each adds a sample
   const double ratio = control_period / step;
   const bool divides = ratio > 0.5 && ratio <= kMaxSteps + 0.5 &&
                        std::abs(ratio - std::round(ratio)) <= 1e-6 * ratio;
   if (!divides)
-    throw usage_error(ini.where(section, "step"),
-                      format_number(step) + " s does not divide the control period",
+    throw usage_error(where("step"), format_number(step) + " s does not divide the control period",
                       "control_period (" + format_number(control_period) +
                           " s) divided by an integer up to 100000");
   if (!(max_time / control_period <= kMaxCycles))
-    throw usage_error(ini.where(section, "max_time"),
+    throw usage_error(where("max_time"),
                       format_number(max_time) + " s has too many control periods of " +
                           format_number(control_period) + " s",
                       "at most " + format_number(kMaxCycles) + " control periods");

@@ -120,16 +120,20 @@ TEST(CampaignOptions, AreTheSameAfterWritingAndReading) {
   EXPECT_EQ(copy.setup.deadline.cycle_deadline, 0.5);
   EXPECT_EQ(copy.limits.run_wall_time, 12);
   EXPECT_EQ(campaign_ini(copy, "options ").canonical_text(), ini.canonical_text());
-  options.setup.simulation.step = 0.03;
-  EXPECT_TRUE(throws_error(ErrorKind::Usage, "options simulation.", {},
-                           [&] { read_campaign_options(campaign_ini(options, "options ")); }));
 }
 
-TEST(CampaignOptions, AFootprintDeterminesTheRadius) {
+TEST(CampaignOptions, OfAProgramAreCheckedLikeThoseOfAFile) {
+  const auto checked = [](const CampaignOptions& options) {
+    return checked_options(options, "options ");
+  };
   CampaignOptions options;
   options.setup.robot.footprint = "0.3,0.4; -0.3,0.4; -0.3,-0.4; 0.3,-0.4";
-  const CampaignOptions copy = read_campaign_options(campaign_ini(options, "options "));
-  EXPECT_DOUBLE_EQ(copy.setup.robot.radius, 0.5);
+  EXPECT_DOUBLE_EQ(checked(options).setup.robot.radius, 0.5);
+  EXPECT_DOUBLE_EQ(read_campaign_options(campaign_ini(options, "options ")).setup.robot.radius,
+                   0.5);
+  options.setup.simulation.step = 0.03;
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "options simulation.step: ", {"does not divide"},
+                           [&] { checked(options); }));
 }
 
 TEST(CampaignOptions, TheStepMustDivideTheControlPeriod) {

@@ -16,12 +16,14 @@ struct Sample {
   double radius = 0.25;
   int rays = 181;
   bool forward = true;
+  std::uint64_t seed = 1;
   Shape kind = Shape::Disc;
   std::optional<Shape> drawn;
   void visit(OptionVisitor& v) {
     v.option("radius", radius, "m", "radius of the robot", Range::positive());
     v.option("rays", rays, "-", "rays of a scan", Range::between(2, 1000));
     v.option("forward", forward, "forward only");
+    v.option("seed", seed, "seed of the noise");
     v.option("kind", kind, "kind of footprint");
     v.option("drawn", drawn, "as which it is drawn", "as_is");
   }
@@ -84,10 +86,32 @@ TEST(Options, AreWrittenAsTheyAreRead) {
 
 TEST(Options, OfAProgramAreCheckedLikeThoseOfAFile) {
   Sample sample;
-  EXPECT_NO_THROW(check_options(sample, "robot"));
+  const auto refused = [](const Sample& options, const std::string& where,
+                          std::initializer_list<std::string> words) {
+    return throws_error(ErrorKind::Usage, where, words,
+                        [&] { check_options(options, location_of("robot")); });
+  };
+  EXPECT_NO_THROW(check_options(sample, location_of("robot")));
   sample.radius = 0;
-  EXPECT_TRUE(throws_error(ErrorKind::Usage, "robot.radius: ", {"'0'", "expected a number > 0"},
-                           [&] { check_options(sample, "robot"); }));
+  EXPECT_TRUE(refused(sample, "robot.radius: ", {"'0'", "expected a number > 0"}));
+  sample.radius = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(refused(sample, "robot.radius: ", {"'inf'", "expected a number > 0"}));
+  sample.radius = 1;
+  sample.rays = 1;
+  EXPECT_TRUE(refused(sample, "robot.rays: ", {"'1'", "expected an integer in [2, 1000]"}));
+  sample.rays = 2;
+  sample.seed = 1ULL << 63;
+  EXPECT_TRUE(refused(sample, "robot.seed: ", {"'9223372036854775808'", "an integer in [0, "}));
+}
+
+TEST(OptionLocation, NamesTheLineOfAnIniOrTheFunctionOfAnOption) {
+  const IniFile ini = IniFile::from_text("[method.a]\nclass = X\n", "campaign.ini");
+  const OptionLocation in_file = location_in(ini, "method.a");
+  EXPECT_EQ(in_file("class"), "campaign.ini:2: [method.a] class");
+  EXPECT_EQ(in_file(""), "campaign.ini:1: [method.a]");
+  const OptionLocation in_program = location_of("mrpt_holonomic");
+  EXPECT_EQ(in_program("class"), "mrpt_holonomic.class");
+  EXPECT_EQ(in_program(""), "mrpt_holonomic");
 }
 
 TEST(Options, TheListerShowsDefaultUnitRangeAndHelp) {

@@ -1,5 +1,6 @@
 #include "error_text.h"
 
+#include <slalom/analysis/campaign_settings.h>
 #include <slalom/evaluate.h>
 
 #include <gtest/gtest.h>
@@ -57,7 +58,7 @@ TEST(Evaluate, RunsAFunctionInEveryScenario) {
   EXPECT_FALSE(find_descriptor(table, "density")->is_na(0));
   ASSERT_NE(find_metric(table, "cycle_time_mean"), nullptr);
   EXPECT_TRUE(find_metric(table, "cycle_time_mean")->wall_clock);
-  EXPECT_NE(table.manifest.at("campaign.ini").find("methods = mine"), std::string::npos);
+  EXPECT_EQ(table.manifest.at("campaign.methods"), "mine");
 }
 
 TEST(Evaluate, ResultsDoNotDependOnTheWorkers) {
@@ -144,6 +145,20 @@ TEST(Evaluate, RunsEqualScenariosOnce) {
   EXPECT_EQ(table.size(), 1U);
 }
 
+TEST(Evaluate, TheManifestHasTheOptionsUnderTheirNames) {
+  Options options;
+  options.sensor.noise_sigma = 0.02;
+  options.metrics = {"success"};
+  options.cancel = [] { return true; };
+  // The corners are 0.5 m from the center.
+  options.robot.footprint = "0.3,0.4; -0.3,0.4; -0.3,-0.4; 0.3,-0.4";
+  const Manifest manifest = evaluate(towards_goal_only(), two_fields(), options).manifest;
+  EXPECT_EQ(campaign_setting(manifest, "sensor.noise_sigma"), "0.02");
+  EXPECT_EQ(manifest.at("robot.radius"), "0.5");
+  EXPECT_EQ(manifest.at("robot.kinematics"), "diff_drive");
+  EXPECT_EQ(manifest.at("metrics.enabled"), "success");
+}
+
 testing::AssertionResult refused(const Options& options, const std::string& where,
                                  std::initializer_list<std::string> words) {
   return throws_error(ErrorKind::Usage, where, words,
@@ -155,11 +170,27 @@ TEST(Evaluate, RejectsInvalidOptionsWithTheirName) {
   options.metrics = {"sucess"};
   EXPECT_TRUE(refused(options, "options metrics.enabled: ", {"'sucess'", "expected 'success'"}));
   options = {};
+  options.descriptors = {"density", "clear"};
+  EXPECT_TRUE(refused(options, "options metrics.descriptors: ", {"'clear'"}));
+  options = {};
+  options.repetitions = 0;
+  EXPECT_TRUE(
+      refused(options, "options campaign.repetitions: ", {"'0'", "an integer in [1, 1000000]"}));
+  options = {};
+  options.seed = 1ULL << 63;
+  EXPECT_TRUE(refused(options, "options campaign.seed: ", {"an integer in [0, "}));
+  options = {};
+  options.limits.deadline.cycle_deadline = std::nan("");
+  EXPECT_TRUE(refused(options, "options limits.cycle_deadline: ", {"expected a number >= 0"}));
+  options = {};
   options.robot.radius = -1;
   EXPECT_TRUE(refused(options, "options robot.radius: ", {"'-1'", "expected a number > 0"}));
   options = {};
   options.simulation.step = 0.03;
   EXPECT_TRUE(refused(options, "options simulation.step: ", {"does not divide"}));
+  options = {};
+  options.robot.footprint = "0.3,0.4; -0.3,0.4";
+  EXPECT_TRUE(refused(options, "options robot.footprint: ", {"3 to 64 corners"}));
 }
 
 TEST(Evaluate, RejectsMissingAndDuplicateInput) {

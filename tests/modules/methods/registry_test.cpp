@@ -45,16 +45,6 @@ TEST(MethodRegistry, ListsItsAdapters) {
   EXPECT_EQ(registry_of_two().adapters(), (std::vector<std::string>{"broken", "still"}));
 }
 
-TEST(OptionLocation, NamesTheLineOfAnIniOrTheFunctionOfAnOption) {
-  const IniFile ini = IniFile::from_text("[method.a]\nclass = X\n", "campaign.ini");
-  const OptionLocation in_file = location_in(ini, "method.a");
-  EXPECT_EQ(in_file("class"), "campaign.ini:2: [method.a] class");
-  EXPECT_EQ(in_file(""), "campaign.ini:1: [method.a]");
-  const OptionLocation in_program = location_of("mrpt_holonomic");
-  EXPECT_EQ(in_program("class"), "mrpt_holonomic.class");
-  EXPECT_EQ(in_program(""), "mrpt_holonomic");
-}
-
 TEST(MethodRegistry, ReportsMissingSectionsAndAdapters) {
   EXPECT_TRUE(refused("[robot]\nradius = 1\n", "campaign.ini: ", {"'a'", "expected [method.a]"}));
   EXPECT_TRUE(refused("[method.a]\nclass = X\n", "campaign.ini:1: ", {"broken | still"}));

@@ -9,7 +9,7 @@ namespace {
 
 void check(const std::string& lines) {
   const IniFile ini = IniFile::from_text("[simulation]\n" + lines, "campaign.ini");
-  read_options<SimulationOptions>(ini, "simulation").check(ini, "simulation");
+  read_options<SimulationOptions>(ini, "simulation").check(location_in(ini, "simulation"));
 }
 
 /// Whether `lines` are refused at this line and key with these words.

@@ -35,10 +35,10 @@ double log_uniform(RandomEngine& engine, double low, double high) {
   return std::exp(uniform_real(engine, std::log(low), std::log(high)));
 }
 
-/// Writes random values for all options that are not set in the section.
-class OptionWriter : public OptionVisitor {
+/// Draws values for all options that are not set in the section.
+class OptionDrawer : public OptionVisitor {
  public:
-  OptionWriter(IniFile& ini, std::string section, const CoverageOptions& limits, double scale,
+  OptionDrawer(IniFile& ini, std::string section, const CoverageOptions& limits, double scale,
                double spread, RandomEngine& engine)
       : ini_(ini),
         section_(std::move(section)),
@@ -174,7 +174,7 @@ std::unique_ptr<Generator> OptionSampler::draw(RandomEngine& engine) const {
   for (const double spread : {0.7, 0.4, 0.2, 0.0}) {
     IniFile ini = section_of(plan_.ini, section);
     const double scale = draw_scale(plan_.options, family, plan_.ini, engine);
-    OptionWriter writer(ini, section, plan_.options, scale, spread, engine);
+    OptionDrawer writer(ini, section, plan_.options, scale, spread, engine);
     visit_generator_options(family, writer);
     writer.order_limits();
     try {

@@ -8,6 +8,7 @@
 #include <slalom/simulation/simulate.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -98,12 +99,21 @@ CampaignOptions read_measuring_options(const IniFile& ini);
 /// reference_gap, which is part of [reference].
 CampaignOptions read_campaign_options(const IniFile& ini);
 
-/// The methods that [campaign] names, in that order, from their sections. Throws Error (Usage) for
-/// none, a duplicate, or a section that is missing or invalid.
-std::vector<NamedMethod> read_methods(const IniFile& ini, const MethodRegistry& registry);
+/// The options of a program, checked in the same way, with the radius of a footprint. Throws Error
+/// (Usage), which names a value ORIGIN and SECTION.KEY.
+CampaignOptions checked_options(CampaignOptions options, const std::string& origin);
+
+/// Passes the options as texts, by section and key of a campaign's .ini.
+using SettingWriter = std::function<void(const std::string& section, const std::string& key,
+                                         const std::string& text)>;
+void write_settings(const CampaignOptions& options, const SettingWriter& write);
 
 /// The sections from which read_campaign_options() reads the same options. Errors about a value
 /// name it ORIGIN SECTION.KEY.
 IniFile campaign_ini(const CampaignOptions& options, const std::string& origin);
+
+/// The methods that [campaign] names, in that order, from their sections. Throws Error (Usage) for
+/// none, a duplicate, or a section that is missing or invalid.
+std::vector<NamedMethod> read_methods(const IniFile& ini, const MethodRegistry& registry);
 
 }  // namespace slalom

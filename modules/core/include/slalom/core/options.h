@@ -4,6 +4,7 @@
 #include <slalom/core/ini_file.h>
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -116,12 +117,20 @@ class OptionLister : public OptionVisitor {
   std::vector<Line> lines_;
 };
 
-/// Writes options to one section of an .ini as OptionReader reads them; `origin` as in
-/// IniFile::set(). Ranges are checked by reading.
-class SectionWriter : public OptionVisitor {
+/// The origin of an option for messages, by its key; by "" that of all options.
+using OptionLocation = std::function<std::string(const std::string& key)>;
+
+/// "FILE:LINE: [SECTION] KEY", for options read from an .ini.
+OptionLocation location_in(const IniFile& ini, const std::string& section);
+
+/// "MAKER.KEY", for options from C++; `maker` is the function that has them as parameter.
+OptionLocation location_of(const std::string& maker);
+
+/// Checks options that were not read from an .ini: throws Error (Usage) for the same values as
+/// OptionReader.
+class OptionChecker : public OptionVisitor {
  public:
-  SectionWriter(IniFile& ini, std::string section, std::string origin)
-      : ini_(ini), section_(std::move(section)), origin_(std::move(origin)) {}
+  explicit OptionChecker(OptionLocation where) : where_(std::move(where)) {}
 
   void option(const std::string& key, double& value, const std::string& unit,
               const std::string& help, Range range = Range::any()) override;
@@ -133,15 +142,48 @@ class SectionWriter : public OptionVisitor {
               const std::vector<std::string>& choices = {}) override;
 
  private:
-  IniFile& ini_;
-  std::string section_, origin_;
+  OptionLocation where_;
+};
+
+/// Throws Error (Usage) for a value out of range in options that were not read from an .ini.
+template <typename Options>
+void check_options(Options options, const OptionLocation& where) {
+  OptionChecker checker(where);
+  options.visit(checker);
+}
+
+/// Writes options as texts, as OptionReader reads them.
+class OptionWriter : public OptionVisitor {
+ public:
+  using Write = std::function<void(const std::string& key, const std::string& text)>;
+  explicit OptionWriter(Write write) : write_(std::move(write)) {}
+
+  void option(const std::string& key, double& value, const std::string& unit,
+              const std::string& help, Range range = Range::any()) override;
+  void option(const std::string& key, int& value, const std::string& unit, const std::string& help,
+              Range range = Range::any()) override;
+  void option(const std::string& key, std::uint64_t& value, const std::string& help) override;
+  void option(const std::string& key, bool& value, const std::string& help) override;
+  void option(const std::string& key, std::string& value, const std::string& help,
+              const std::vector<std::string>& choices = {}) override;
+
+ private:
+  Write write_;
 };
 
 template <typename Options>
-void write_options(IniFile& ini, const std::string& section, Options options,
-                   const std::string& origin) {
-  SectionWriter writer(ini, section, origin);
+void write_options(Options options, const OptionWriter::Write& write) {
+  OptionWriter writer(write);
   options.visit(writer);
+}
+
+/// The same to one section of an .ini; `origin` as in IniFile::set().
+template <typename Options>
+void write_options(IniFile& ini, const std::string& section, const Options& options,
+                   const std::string& origin) {
+  write_options(options, [&](const std::string& key, const std::string& text) {
+    ini.set(section, key, text, origin);
+  });
 }
 
 /// Reads all options of `options` from `section` and rejects unknown keys.
@@ -151,15 +193,6 @@ Options read_options(const IniFile& ini, const std::string& section, Options opt
   options.visit(reader);
   reader.reject_unknown_keys();
   return options;
-}
-
-/// Throws Error (Usage) for a value out of range in options that were not read from an .ini.
-/// `section` names them in the message, as in "SECTION.KEY: '-1' is not valid; expected ...".
-template <typename Options>
-void check_options(const Options& options, const std::string& section) {
-  IniFile ini;
-  write_options(ini, section, options, "");
-  read_options<Options>(ini, section);
 }
 
 }  // namespace slalom

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <slalom/core/ini_file.h>
+#include <slalom/core/options.h>
 #include <slalom/methods/method.h>
 
 #include <functional>
@@ -20,14 +20,5 @@ struct NamedMethod {
   MethodFactory make;
   std::string where;  ///< its origin for messages, e.g. "campaign.ini:7: [method.nd]"
 };
-
-/// The origin of a method's option for messages, by its key; by "" that of all options.
-using OptionLocation = std::function<std::string(const std::string& key)>;
-
-/// "FILE:LINE: [SECTION] KEY", for options read from an .ini.
-OptionLocation location_in(const IniFile& ini, const std::string& section);
-
-/// "MAKER.KEY", for options from C++; `maker` is the function that has them as parameter.
-OptionLocation location_of(const std::string& maker);
 
 }  // namespace slalom

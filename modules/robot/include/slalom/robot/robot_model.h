@@ -29,6 +29,9 @@ struct RobotModel {
   void visit(OptionVisitor& v);
   bool holonomic() const { return kinematics == Kinematics::Holonomic; }
   Footprint shape() const;
+  /// Sets the radius to that of the enclosing disc of a polygon. Throws Error (Usage) at `where`
+  /// for a text that is not a convex polygon around the center.
+  void set_radius_of_footprint(const std::string& where);
 };
 
 /// Reads section [robot]. Throws Error (Usage), also for a footprint that is not a convex polygon

@@ -24,8 +24,9 @@ struct SimulationOptions {
   double resolution = 0.05;     ///< m, cell size for scenarios that are not grids
 
   void visit(OptionVisitor& v);
-  void check(const IniFile& ini,
-             const std::string& section) const;  ///< step divides control_period
+  /// Throws Error (Usage) unless step divides control_period, and max_time has a feasible number of
+  /// control periods.
+  void check(const OptionLocation& where) const;
 };
 
 enum class DeadlinePolicy {
