@@ -26,16 +26,15 @@ struct Arguments {
 
 /// Keeps the list of a campaign that is continued, to which descriptors or tags may have been
 /// added.
-void write_scenarios(const std::vector<Scenario>& scenarios, const IniFile& ini,
+void write_scenarios(const std::vector<Scenario>& scenarios, const std::string& ini_text,
                      const std::string& path) {
   if (std::filesystem::exists(path)) {
     const ScenarioList list = ScenarioList::open(path);
-    if (list.size() == scenarios.size() && list.note("campaign.ini") == ini.canonical_text())
-      return;
+    if (list.size() == scenarios.size() && list.note("campaign.ini") == ini_text) return;
   }
   ScenarioList::write(path, [&](ScenarioList& list) {
     list.add_all(scenarios);
-    list.set_note("campaign.ini", ini.canonical_text());
+    list.set_note("campaign.ini", ini_text);
   });
 }
 
@@ -69,7 +68,7 @@ void evaluate(const Arguments& arguments) {
   const FileLock lock(results, arguments.campaign.take_over);
   std::vector<Scenario> scenarios = campaign_scenarios(config, arguments.campaign);
   ResultFile file = open_campaign_results(config, arguments.campaign, scenarios, results, rule);
-  write_scenarios(scenarios, config.ini, arguments.output + "/campaign.scenarios");
+  write_scenarios(scenarios, config.ini_text, arguments.output + "/campaign.scenarios");
   const CampaignReport report =
       run_campaign_program(config, arguments.campaign, std::move(scenarios), std::move(file), rule);
   if (rule) {

@@ -143,10 +143,10 @@ class RawlogRecorder : public RunObserver {
 
 }  // namespace
 
-RunManifest make_run_manifest(const IniFile& ini, const Scenario& scenario,
+RunManifest make_run_manifest(const std::string& campaign_ini, const Scenario& scenario,
                               const std::string& method, int repetition, std::uint64_t seed) {
   RunManifest manifest;
-  manifest.campaign_ini = ini.canonical_text();
+  manifest.campaign_ini = campaign_ini;
   manifest.scenario_name = scenario.name();
   manifest.scenario_hash = scenario.hash();
   manifest.scenario_yaml = scenario_to_yaml(scenario);

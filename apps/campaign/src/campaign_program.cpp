@@ -9,6 +9,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/rawlog_path.h>
+#include <slalom/library/library_method.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/metrics/cycle_time.h>
 #include <slalom/rawlog/run_recorder.h>
@@ -44,11 +45,11 @@ void check_analysis(const IniFile& ini, const AnalysisSection& section,
 /// Records runs as rawlogs beside the result file: runs.rawlogs/HASH8_METHOD_REPETITION.rawlog for
 /// runs.results.
 std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> rawlog_recorder(
-    const IniFile& ini, const std::string& results_path) {
-  return [ini, results_path](const Scenario& scenario, const RunSpec& spec) {
+    const std::string& ini_text, const std::string& results_path) {
+  return [ini_text, results_path](const Scenario& scenario, const RunSpec& spec) {
     return make_rawlog_recorder(
         rawlog_path(results_path, scenario.hash(), spec.method, spec.repetition),
-        make_run_manifest(ini, scenario, spec.method, spec.repetition, spec.seed));
+        make_run_manifest(ini_text, scenario, spec.method, spec.repetition, spec.seed));
   };
 }
 
@@ -60,6 +61,20 @@ void notify_known_runs(std::size_t known, std::size_t total, bool sequential,
   if (known == total) return notify("all " + all + " runs are there");
   // How many runs a stopping rule requires is not known.
   notify("continues: " + count + (sequential ? "" : " of " + all) + " runs are there");
+}
+
+/// The files of methods whose contents may change results.
+std::map<std::string, std::string> files_of(const IniFile& ini,
+                                            const std::vector<NamedMethod>& methods) {
+  std::map<std::string, std::string> files;
+  for (const NamedMethod& method : methods) {
+    const std::string section = "method." + method.name;
+    if (const auto plugin = ini.get(section, "plugin"); plugin && !plugin->empty())
+      files[section + ".plugin"] = resolve_plugin_path(ini, section, *plugin);
+    if (const auto file = ini.get(section, "config"); file && !file->empty())
+      files[section + ".config"] = *file;
+  }
+  return files;
 }
 
 }  // namespace
@@ -77,23 +92,30 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
 }
 
 CampaignConfig read_campaign(const IniFile& ini) {
-  CampaignConfig config{
-      ini, read_campaign_options(ini), read_options<OmplOptions>(ini, "reference"),
-      read_options<AnalysisSection>(ini, "analysis"), read_methods(ini, all_adapters())};
+  CampaignConfig config;
+  config.ini_text = ini.canonical_text();
+  config.options = read_campaign_options(ini);
+  config.reference = read_options<OmplOptions>(ini, "reference");
   config.options.reference_gap = config.reference.gap;
+  config.analysis = read_options<AnalysisSection>(ini, "analysis");
   check_analysis(ini, config.analysis, config.options);
+  config.methods = read_methods(ini, all_adapters());
+  config.method_files = files_of(ini, config.methods);
+  config.effective_ini = effective_ini(ini, config);
+  const RunSetup& setup = config.options.setup;
+  config.sources = read_scenario_sources(
+      ini, {setup.robot.radius, setup.simulation.resolution, config.options.seed},
+      load_occupancy_grid);
   return config;
 }
 
 std::vector<Scenario> campaign_scenarios(const CampaignConfig& config,
                                          const CampaignArguments& arguments) {
-  const CampaignOptions& options = config.options;
-  check_methods({options, {}, config.methods});
+  check_methods({config.options, {}, config.methods});
   const auto progress = make_terminal_progress(arguments.quiet);
-  return collect_scenarios(config.ini,
-                           {options.setup.robot.radius, options.setup.simulation.resolution,
-                            options.seed, arguments.jobs},
-                           load_occupancy_grid, *progress);
+  ScenarioSources sources = config.sources;
+  sources.context.jobs = arguments.jobs;
+  return collect_scenarios(sources, load_occupancy_grid, *progress);
 }
 
 ResultFile open_campaign_results(const CampaignConfig& config, const CampaignArguments& arguments,
@@ -112,7 +134,7 @@ CampaignReport run_campaign_program(const CampaignConfig& config,
   Campaign campaign{config.options, {}, config.methods, planner.get()};
   const std::string results_path = results.path();
   const bool rawlogs = config.options.record.rawlog != RecordedRuns::None;
-  if (rawlogs) campaign.recorder = rawlog_recorder(config.ini, results_path);
+  if (rawlogs) campaign.recorder = rawlog_recorder(config.ini_text, results_path);
   const auto notify = [&arguments](const std::string& line) {
     if (!arguments.quiet) std::cerr << line << std::endl;
   };

@@ -5,7 +5,6 @@
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
 #include <slalom/io/campaign_identity.h>
-#include <slalom/library/library_method.h>
 
 #include <algorithm>
 
@@ -31,30 +30,28 @@ bool is_place(const std::string& key) {
   return contains({"plugin", "config", "url", "channel", "ptg_cache", "record_navlog"}, key);
 }
 
-/// All values that may change a result, with the defaults of absent keys, as an .ini. What only
-/// selects scenarios, tables or recordings is not part of it.
-IniFile effective_ini(const CampaignConfig& config) {
-  IniFile ini = campaign_ini(config.options, "");
-  ini.set("campaign", "methods", method_names(config));
-  ini.remove("limits", "method_errors");
-  ini.remove("record", "rawlog");
-  write_options(ini, "reference", config.reference, "");
+}  // namespace
+
+std::string effective_ini(const IniFile& ini, const CampaignConfig& config) {
+  IniFile effective = campaign_ini(config.options, "");
+  effective.set("campaign", "methods", method_names(config));
+  effective.remove("limits", "method_errors");
+  effective.remove("record", "rawlog");
+  write_options(effective, "reference", config.reference, "");
   for (const NamedMethod& method : config.methods) {
     const std::string section = "method." + method.name;
-    for (const std::string& key : config.ini.keys(section))
-      if (!is_place(key)) ini.set(section, key, config.ini.get(section, key).value_or(""));
+    for (const std::string& key : ini.keys(section))
+      if (!is_place(key)) effective.set(section, key, ini.get(section, key).value_or(""));
   }
-  return ini;
+  return effective.canonical_text();
 }
-
-}  // namespace
 
 Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>& scenarios,
                        const std::optional<StoppingRule>& rule) {
   Manifest manifest = {
       {"campaign", config.options.name},
-      {"campaign.ini", config.ini.canonical_text()},
-      {kEffectiveKey, effective_ini(config).canonical_text()},
+      {"campaign.ini", config.ini_text},
+      {kEffectiveKey, config.effective_ini},
       {"seed", std::to_string(config.options.seed)},
       {"scenarios.count", std::to_string(scenarios.size())},
       {"scenarios.hash", hash_of(scenarios, [](const Scenario& s) { return s.hash(); })},
@@ -64,16 +61,8 @@ Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>
       {"version.ompl", ompl_version()},
       {"version.compiler", compiler_version()},
   };
-  for (const NamedMethod& method : config.methods) {
-    const std::string section = "method." + method.name;
-    if (const auto library = config.ini.get(section, "plugin"))
-      manifest[section + ".plugin_hash"] =
-          Hasher()
-              .add(read_file(resolve_plugin_path(config.ini, section, *library), "a library"))
-              .hex();
-    if (const auto file = config.ini.get(section, "config"); file && !file->empty())
-      manifest[section + ".config_hash"] = Hasher().add(read_file(*file, "an .ini file")).hex();
-  }
+  for (const auto& [key, path] : config.method_files)
+    manifest[key + "_hash"] = Hasher().add(read_file(path, "a file of a method")).hex();
   if (rule) {
     manifest["until"] = rule->text;
     manifest["until.max_runs"] = std::to_string(rule->max_runs);

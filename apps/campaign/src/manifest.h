@@ -5,6 +5,10 @@
 
 namespace slalom {
 
+/// The .ini with all values that may change a result, including the defaults of absent keys. What
+/// only selects scenarios, tables or recordings is not part of it.
+std::string effective_ini(const IniFile& ini, const CampaignConfig& config);
+
 /// The information needed to reproduce a campaign: its effective .ini and seed, the hash of its
 /// scenarios, the versions of its dependencies, the hash of every method's library and .ini, the
 /// stopping rule, and the identity that follows from these (campaign_identity()).

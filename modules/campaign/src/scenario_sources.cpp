@@ -132,23 +132,29 @@ void ScenariosSection::visit(OptionVisitor& v) {
            Range::positive());
 }
 
-void stream_scenarios(const IniFile& ini, const SourceContext& context, const MapLoader& load_map,
-                      Progress& progress, const GenerationSink& sink) {
+ScenarioSources read_scenario_sources(const IniFile& ini, const SourceContext& context,
+                                      const MapLoader& load_map) {
   const auto section = read_options<ScenariosSection>(ini, "scenarios");
   if (section.list.empty() && section.maps.empty() && section.generator.empty())
     throw usage_error(ini.where("scenarios"), "no scenario source given",
                       "list, maps or generator");
-  const std::vector<WeightedGenerator> mix = read_mix(ini, section, context, load_map);
-  if (!section.list.empty()) stream_list(section.list, sink);
-  for (const std::string& path : split(section.maps, ','))
-    stream_map(path, section, context, load_map, sink);
-  if (!mix.empty()) generate_mix(mix, mix_settings(section, context), progress, sink);
+  return {section, context, read_mix(ini, section, context, load_map)};
 }
 
-std::vector<Scenario> collect_scenarios(const IniFile& ini, const SourceContext& context,
-                                        const MapLoader& load_map, Progress& progress) {
+void stream_scenarios(const ScenarioSources& sources, const MapLoader& load_map, Progress& progress,
+                      const GenerationSink& sink) {
+  const ScenariosSection& section = sources.section;
+  if (!section.list.empty()) stream_list(section.list, sink);
+  for (const std::string& path : split(section.maps, ','))
+    stream_map(path, section, sources.context, load_map, sink);
+  if (!sources.families.empty())
+    generate_mix(sources.families, mix_settings(section, sources.context), progress, sink);
+}
+
+std::vector<Scenario> collect_scenarios(const ScenarioSources& sources, const MapLoader& load_map,
+                                        Progress& progress) {
   DistinctScenarios distinct;
-  stream_scenarios(ini, context, load_map, progress,
+  stream_scenarios(sources, load_map, progress,
                    [&](std::vector<GeneratedScenario>& part) { return distinct.add(part); });
   return distinct.take();
 }

@@ -84,7 +84,7 @@ std::optional<GeneratedBins> generate_list(ScenarioList& list, const IniFile& in
     keep_covered(list, bins->plan, bins->result);
   } else {
     stream_scenarios(
-        ini, source_context(ini, options), load_map, progress,
+        read_scenario_sources(ini, source_context(ini, options), load_map), load_map, progress,
         [&](std::vector<GeneratedScenario>& part) { return keep_generated(list, part); });
   }
   list.set_note("origin", "seed " + std::to_string(options.seed) + "\n" + ini.canonical_text());

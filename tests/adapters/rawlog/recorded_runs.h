@@ -81,8 +81,8 @@ inline SimulatedRun simulate_run(const std::string& path, Method& method, const 
                                  std::uint64_t seed = 7) {
   const World world(some_discs(), setup.simulation.resolution);
   const IniFile ini = IniFile::from_text("[campaign]\nseed = 3\nmethods = m\n[method.m]\nx = 1\n");
-  const auto recorder =
-      make_rawlog_recorder(path, make_run_manifest(ini, world.scenario(), "m", 2, seed));
+  const auto recorder = make_rawlog_recorder(
+      path, make_run_manifest(ini.canonical_text(), world.scenario(), "m", 2, seed));
   CapturingObserver observer(*recorder);
   SimulatedRun run;
   run.result = simulate(world, setup, seed, method, &observer);

@@ -121,8 +121,8 @@ TEST_F(RunRecorder, ARunThatCannotStartHasAResultAndNoCycles) {
   const Scenario blocked = testing::some_discs().with_start_goal({4, 5, 0}, {9, 5});  // in a disc
   const World world(blocked, 0.05);
   auto method = testing::constant_method(0.4, 0);
-  const auto recorder = make_rawlog_recorder(
-      path("run.rawlog"), make_run_manifest(IniFile::from_text(""), blocked, "m", 0, 1));
+  const auto recorder =
+      make_rawlog_recorder(path("run.rawlog"), make_run_manifest("", blocked, "m", 0, 1));
   const SimulationResult result = simulate(world, {}, 1, method, recorder.get());
   ASSERT_EQ(result.outcome, Outcome::UnsolvableScenario);
   const RecordedRun read = read_run(path("run.rawlog"));
@@ -146,8 +146,7 @@ TEST_F(RunRecorder, PreservesMultilineTexts) {
   for (const std::string detail :
        {"two\nlines", " blanks ", "\n", "", "ends\n", "key = value\n  = x"}) {
     const auto recorder = make_rawlog_recorder(
-        path("run.rawlog"),
-        make_run_manifest(IniFile::from_text(""), testing::some_discs(), "m", 0, 1));
+        path("run.rawlog"), make_run_manifest("", testing::some_discs(), "m", 0, 1));
     SimulationResult result;
     result.detail = detail;
     recorder->on_end(result);

@@ -2,6 +2,7 @@
 #include "io_sample.h"
 
 #include <slalom/campaign/scenario_sources.h>
+#include <slalom/generation/maze.h>
 #include <slalom/io/scenario_list.h>
 
 #include <gtest/gtest.h>
@@ -20,7 +21,8 @@ mrpt::maps::COccupancyGridMap2D empty_hall(const std::string&) {
 
 std::vector<Scenario> collect(const std::string& ini) {
   const auto progress = make_silent_progress();
-  return collect_scenarios(IniFile::from_text(ini, "c.ini"), {}, empty_hall, *progress);
+  return collect_scenarios(read_scenario_sources(IniFile::from_text(ini, "c.ini"), {}, empty_hall),
+                           empty_hall, *progress);
 }
 
 TEST(ScenarioSources, CombinesListMapsAndGeneratorInThisOrder) {
@@ -34,6 +36,16 @@ TEST(ScenarioSources, CombinesListMapsAndGeneratorInThisOrder) {
   EXPECT_EQ(scenarios[1].name(), "hall_0000");
   EXPECT_EQ(scenarios[2].name(), "hall_0001");
   EXPECT_EQ(scenarios[3].name(), "random_0000");
+}
+
+TEST(ScenarioSources, AreValuesThatAProgramCanFillIn) {
+  ScenarioSources sources;
+  sources.section.count = 2;
+  sources.families.push_back({make_generator(MazeOptions()), 1, 7, "m"});
+  const auto progress = make_silent_progress();
+  const auto scenarios = collect_scenarios(sources, {}, *progress);
+  ASSERT_EQ(scenarios.size(), 2U);
+  EXPECT_EQ(scenarios[1].name(), "m_0001");
 }
 
 TEST(ScenarioSources, MapsAreNamedAfterTheirFiles) {
@@ -75,7 +87,10 @@ TEST(ScenarioSources, FamiliesScaleWithTheRobot) {
   const auto width = [&](const std::string& scaled) {
     const IniFile ini =
         IniFile::from_text("[scenarios]\ngenerator = maze\ncount = 1\nscale_by_robot = " + scaled);
-    return collect_scenarios(ini, context, empty_hall, *progress).at(0).bounds().width();
+    return collect_scenarios(read_scenario_sources(ini, context, {}), {}, *progress)
+        .at(0)
+        .bounds()
+        .width();
   };
   // 8 cells of a passage and a wall; twice as large for a robot radius of 0.5 m.
   EXPECT_NEAR(width("false"), 8 * (1.2 + 0.15), 1e-9);

@@ -18,9 +18,9 @@ TEST(KeepGenerated, StoresScenariosWithOriginAndValues) {
   context.jobs = 3;
   context.describe = [&](const World& world) { return generated_values(world, options); };
   const auto progress = make_silent_progress();
-  stream_scenarios(ini, context, {}, *progress, [&](std::vector<GeneratedScenario>& part) {
-    return keep_generated(list, part);
-  });
+  stream_scenarios(
+      read_scenario_sources(ini, context, {}), {}, *progress,
+      [&](std::vector<GeneratedScenario>& part) { return keep_generated(list, part); });
   const auto entries = list.entries();
   ASSERT_EQ(entries.size(), 4U);
   EXPECT_EQ(entries[0].generator, "random");

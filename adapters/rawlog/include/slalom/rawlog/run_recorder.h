@@ -1,6 +1,5 @@
 #pragma once
 
-#include <slalom/core/ini_file.h>
 #include <slalom/results/run_record.h>
 #include <slalom/scenario/scenario.h>
 #include <slalom/simulation/run_observer.h>
@@ -23,7 +22,7 @@ struct RunManifest {
 };
 
 /// Creates a manifest; `more` contains the versions of Slalom, MRPT and the compiler.
-RunManifest make_run_manifest(const IniFile& ini, const Scenario& scenario,
+RunManifest make_run_manifest(const std::string& campaign_ini, const Scenario& scenario,
                               const std::string& method, int repetition, std::uint64_t seed);
 
 /// Observes one run and writes it at its end as a standard MRPT rawlog to `path` (atomically, gzip

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <slalom/analysis/analysis_section.h>
+#include <slalom/campaign/scenario_sources.h>
 #include <slalom/campaign/sequential_campaign.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/ompl/ompl_planner.h>
 #include <slalom/scenario/scenario.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,11 +32,15 @@ IniFile load_campaign_ini(const CampaignArguments& arguments);
 
 /// A campaign's .ini as values, read once per program.
 struct CampaignConfig {
-  IniFile ini;  ///< the scenario sources, and the text for manifests
+  std::string ini_text;       ///< IniFile::canonical_text(), for manifests
+  std::string effective_ini;  ///< the values that may change a result
+  ScenarioSources sources;
   CampaignOptions options;
   OmplOptions reference;
   AnalysisSection analysis;
   std::vector<NamedMethod> methods;
+  /// Files whose contents may change results: paths by "method.NAME.plugin", "method.NAME.config".
+  std::map<std::string, std::string> method_files;
 };
 
 /// Throws Error (Usage) for invalid values, and for ids in [analysis] that the campaign does not

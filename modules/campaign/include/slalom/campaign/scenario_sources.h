@@ -46,17 +46,27 @@ struct SourceContext {
   std::function<std::vector<KeyedValue>(const World&)> describe = {};
 };
 
-/// Passes all scenarios of [scenarios] to the sink: those of the list, then start and goal pairs on
+/// The sources of scenarios as values.
+struct ScenarioSources {
+  ScenariosSection section;
+  SourceContext context;
+  std::vector<WeightedGenerator> families;  ///< those of the section, with their options
+};
+
+/// Reads [scenarios] and [generator.NAME]. Throws Error: Usage for a missing or invalid source,
+/// File for a map of a family that cannot be read.
+ScenarioSources read_scenario_sources(const IniFile& ini, const SourceContext& context,
+                                      const MapLoader& load_map);
+
+/// Passes all scenarios of the sources to the sink: those of the list, then start and goal pairs on
 /// the maps, then generated ones. They are passed in batches, so that memory does not grow with
-/// their number. Every sampled or generated scenario is solvable for the robot. Throws Error: Usage
-/// for a missing or invalid source, File for a list or map that cannot be read, Job when no
-/// solvable scenarios are found. Invalid options are reported before the first scenario is
-/// generated.
-void stream_scenarios(const IniFile& ini, const SourceContext& context, const MapLoader& load_map,
-                      Progress& progress, const GenerationSink& sink);
+/// their number. Every sampled or generated scenario is solvable for the robot. Throws Error: File
+/// for a list or map that cannot be read, Job when no solvable scenarios are found.
+void stream_scenarios(const ScenarioSources& sources, const MapLoader& load_map, Progress& progress,
+                      const GenerationSink& sink);
 
 /// The same in one vector, without duplicates.
-std::vector<Scenario> collect_scenarios(const IniFile& ini, const SourceContext& context,
-                                        const MapLoader& load_map, Progress& progress);
+std::vector<Scenario> collect_scenarios(const ScenarioSources& sources, const MapLoader& load_map,
+                                        Progress& progress);
 
 }  // namespace slalom
