@@ -37,7 +37,6 @@ std::vector<ResultTable> read_inputs(const InterpretArguments& arguments,
 
 void interpret_verb(InterpretArguments arguments, const Interpreter& interpreter) {
   const std::vector<ResultTable> results = read_inputs(arguments, interpreter);
-  if (arguments.gate_on == "interval") arguments.request.gate_on = GateOn::Interval;
   AnalysisQuery query = make_query(arguments.request, interpreter, results[0]);
   query.rows = resolve_indexes(std::move(query.rows), arguments.scenarios);
   query.comparison.analysis.run_ids = arguments.json;

@@ -13,10 +13,9 @@ namespace slalom {
 struct InterpretArguments {
   AnalysisRequest request;
   std::vector<std::string> files;
-  std::string scenarios;             ///< list with the indexes of the rows
-  std::string csv_file;              ///< of --csv
-  std::string up, down;              ///< columns of CSV files
-  std::string gate_on = "estimate";  ///< or "interval"
+  std::string scenarios;  ///< list with the indexes of the rows
+  std::string csv_file;   ///< of --csv
+  std::string up, down;   ///< columns of CSV files
   std::string output;
   bool csv = false, json = false;
 };

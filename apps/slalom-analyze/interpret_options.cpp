@@ -1,5 +1,7 @@
 #include "interpret.h"
 
+#include <slalom/app/program.h>
+
 namespace slalom {
 namespace {
 
@@ -34,9 +36,8 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
     verb.add_option("--gate", a.request.gates,
                     "Exit status 1 unless METRIC OP NUMBER holds for the paired difference, e.g. "
                     "\"success >= -0.02\"; repeatable");
-    verb.add_option("--gate-on", a.gate_on, "Quantity that must satisfy the limit")
-        ->check(CLI::IsMember({"estimate", "interval"}))
-        ->capture_default_str();
+    add_choice(verb, "--gate-on", a.request.gate_on, "Quantity that must satisfy the limit")
+        ->default_str(to_string(a.request.gate_on));
   }
   if (id == "robustness") {
     verb.add_option("--parameter", a.request.parameter,

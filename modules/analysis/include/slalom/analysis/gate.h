@@ -21,6 +21,9 @@ enum class GateOn {
   Estimate,  ///< the mean paired difference
   Interval   ///< its entire confidence interval
 };
+constexpr auto enum_names(GateOn) {
+  return std::array{"estimate", "interval"};
+}
 
 /// Reads METRIC OP NUMBER with OP one of >= <= > <. Throws Error (Usage).
 Gate parse_gate(const std::string& text);
