@@ -115,20 +115,22 @@ void correct_family(RobustnessTable& table) {
 RobustnessTable build_robustness(const std::vector<ResultTable>& sweep,
                                  const std::string& parameter,
                                  const std::vector<std::string>& metrics,
-                                 const RobustnessOptions& options) {
+                                 const RobustnessOptions& options, const std::string& method) {
   const std::vector<Setting> settings = sorted_settings(sweep, parameter, options);
   RobustnessTable table;
   table.parameter = parameter;
   table.confidence = options.comparison.analysis.confidence;
   const ResultTable& first = *settings.front().table;
+  if (!method.empty()) index_of_method(first, method);
   for (const std::string& metric : metrics) {
-    for (const std::string& method : first.methods) {
+    for (const std::string& name : first.methods) {
+      if (!method.empty() && name != method) continue;
       RobustnessCurve& curve = table.curves.emplace_back();
-      curve.method = method;
+      curve.method = name;
       curve.column = resolve_columns(first, {metric})[0];
       for (const Setting& setting : settings) {
         curve.points.push_back(
-            point_of(setting, settings.front(), method, parameter, metric, options.comparison));
+            point_of(setting, settings.front(), name, parameter, metric, options.comparison));
       }
     }
   }

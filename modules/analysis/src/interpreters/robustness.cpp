@@ -42,9 +42,10 @@ Interpretation interpret_robustness(const std::vector<ResultTable>& results,
   }
   for (const ResultTable& result : results) selected_methods(result, query.method);
   RobustnessOptions options{query.comparison, query.values, query.allow_differences};
-  const RobustnessTable table = build_robustness(results, query.parameter, query.metrics, options);
+  const RobustnessTable table =
+      build_robustness(results, query.parameter, query.metrics, options, query.method);
   Interpretation found;
-  for (const RobustnessCurve& curve : of_method(table.curves, query.method)) {
+  for (const RobustnessCurve& curve : table.curves) {
     found.tables.push_back(curve_table(table, curve, results, true));
     found.views.push_back(curve_table(table, curve, results, false));
     for (const RobustnessPoint& point : curve.points) {

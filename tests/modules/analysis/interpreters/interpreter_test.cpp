@@ -260,7 +260,7 @@ Manifest campaign(const std::string& sigma) {
           {"scenarios.hash", "abc"}};
 }
 
-std::vector<ResultTable> sweep() {
+std::vector<ResultTable> sweep(const std::vector<std::string>& methods = {"a"}) {
   std::vector<ResultTable> results;
   for (const char* sigma : {"0.2", "0", "0.1"}) {
     ResultFixture fixture;
@@ -268,7 +268,8 @@ std::vector<ResultTable> sweep() {
     number = std::stod(sigma);
     for (int i = 0; i < 10; ++i) {
       const std::string hash = fixture.add_scenario(Value::of(0.1));
-      fixture.add_run(hash, "a", 0.9 - number - 0.001 * i);
+      for (const std::string& method : methods)
+        fixture.add_run(hash, method, 0.9 - number - 0.001 * i);
     }
     fixture.table.manifest = campaign(sigma);
     results.push_back(fixture.table);
@@ -287,6 +288,18 @@ TEST(Interpreter, RobustnessFollowsTheParameter) {
   EXPECT_FALSE(points[0].change);
   EXPECT_NEAR(*points[2].change->difference, -0.2, 1e-9);
   EXPECT_EQ(points[2].change->verdict, Verdict::Worse);
+}
+
+TEST(Interpreter, RobustnessCorrectsForTheChangesThatAreShown) {
+  // All ten differences of a change have the same sign: p = 2 / 2^10. A method has two changes.
+  const auto adjusted = [](const std::string& method) {
+    const RobustnessTable table =
+        build_robustness(sweep({"a", "b"}), "sensor.noise_sigma", {"optimality"}, {}, method);
+    EXPECT_EQ(table.curves.back().method, "b");
+    return table.curves.back().points.back().change->adjusted_p;
+  };
+  EXPECT_NEAR(adjusted(""), 4 * 2 / 1024.0, 1e-12);
+  EXPECT_NEAR(adjusted("b"), 2 * 2 / 1024.0, 1e-12);
 }
 
 TEST(Interpreter, RobustnessRejectsCampaignsWithOtherDifferences) {

@@ -35,11 +35,12 @@ struct RobustnessOptions {
   bool allow_differences = false;  ///< campaigns may differ in more than the parameter
 };
 
-/// Each metric of each method over a swept parameter, with one result set per value. Throws Error
-/// (Usage) if a value is unknown or duplicate, or the campaigns differ in other settings.
+/// Each metric of each method (or only of `method`) over a swept parameter, with one result set per
+/// value; all changes are one family. Throws Error (Usage) if the method or a value is unknown, a
+/// value duplicate, or the campaigns differ in other settings.
 RobustnessTable build_robustness(const std::vector<ResultTable>& sweep,
                                  const std::string& parameter,
                                  const std::vector<std::string>& metrics,
-                                 const RobustnessOptions& options);
+                                 const RobustnessOptions& options, const std::string& method = "");
 
 }  // namespace slalom
