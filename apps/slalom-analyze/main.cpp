@@ -77,10 +77,10 @@ void show_verb(const Arguments& arguments) {
 }
 
 void dump_verb(const Arguments& arguments) {
+  const ResultFile file = ResultFile::open(arguments.results);
   std::vector<std::string> damaged;
-  print_or_write(dump(ResultFile::open(arguments.results),
-                      [&](const std::string& what) { damaged.push_back(what); }),
-                 arguments.output);
+  const auto report = [&](const std::string& what) { damaged.push_back(what); };
+  print_or_write([&](std::ostream& out) { dump(file, out, report); }, arguments.output);
   warn_of_damage(arguments.results, damaged);
 }
 

@@ -2,17 +2,23 @@
 
 #include <slalom/io/result_file.h>
 
+#include <functional>
 #include <iostream>
 #include <string>
 
 namespace slalom {
 
-/// Writes `text` to the file `output`, or to the standard output if that is empty or "-".
-inline void print_or_write(const std::string& text, const std::string& output) {
+/// Passes the file `output` to `write`, or the standard output if that is empty or "-".
+inline void print_or_write(const std::function<void(std::ostream&)>& write,
+                           const std::string& output) {
   if (output.empty() || output == "-")
-    std::cout << text;
+    write(std::cout);
   else
-    write_file_atomically(output, text);
+    write_file_atomically(output, write);
+}
+
+inline void print_or_write(const std::string& text, const std::string& output) {
+  print_or_write([&text](std::ostream& out) { out << text; }, output);
 }
 
 }  // namespace slalom

@@ -9,35 +9,42 @@
 namespace slalom {
 namespace {
 
-/// Writes all bytes and syncs the file; on failure, returns false with errno set.
-bool write_and_sync(int file, const std::string& content) {
-  std::size_t done = 0;
-  while (done < content.size()) {
-    const ssize_t written = write(file, content.data() + done, content.size() - done);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    done += static_cast<std::size_t>(written);
-  }
-  return fsync(file) == 0;
+/// On failure, returns false with errno set.
+bool sync_file(const std::string& path) {
+  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool synced = fsync(file) == 0;
+  const int sync_errno = errno;
+  close(file);
+  errno = sync_errno;
+  return synced;
 }
 
 }  // namespace
 
-void write_file_atomically(const std::string& path, const std::string& content) {
+void write_file_atomically(const std::string& path,
+                           const std::function<void(std::ostream&)>& write) {
   const std::string temporary = path + ".tmp" + std::to_string(getpid());
   const auto fail = [&](const char* what) {
     const std::string reason = std::strerror(errno);
     unlink(temporary.c_str());
     return job_error(path, std::string(what) + " (" + reason + ")", "a writable path");
   };
-  const int file = open(temporary.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0644);
-  if (file < 0) throw fail("cannot be created");
-  const bool written = write_and_sync(file, content);
-  const int write_errno = errno;
-  close(file);
-  errno = write_errno;
-  if (!written) throw fail("cannot be written");
+  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+  if (!file) throw fail("cannot be created");
+  try {
+    write(file);
+  } catch (...) {
+    unlink(temporary.c_str());
+    throw;
+  }
+  file.close();
+  if (!file || !sync_file(temporary)) throw fail("cannot be written");
   if (rename(temporary.c_str(), path.c_str()) != 0) throw fail("cannot be replaced");
+}
+
+void write_file_atomically(const std::string& path, const std::string& content) {
+  write_file_atomically(path, [&content](std::ostream& out) { out << content; });
 }
 
 }  // namespace slalom

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <ostream>
+
 namespace slalom {
 namespace {
 
@@ -43,9 +45,8 @@ std::string dump_line(const std::string& campaign, const ScenarioRecord& scenari
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string dump(const ResultFile& file, const DamageHandler& report) {
+void dump(const ResultFile& file, std::ostream& out, const DamageHandler& report) {
   const std::string campaign = file.read_manifest()["campaign"];
-  std::string text;
   ScenarioRecord scenario;  // of the last run: runs are ordered by scenario
   file.for_each_run(
       [&](const RunRecord& run) {
@@ -53,14 +54,13 @@ std::string dump(const ResultFile& file, const DamageHandler& report) {
           if (!file.has_scenario(run.scenario_hash))
             throw file_error(file.path() + ": run " + run_id(run), "its scenario is missing");
           if (run.scenario_hash != scenario.hash) scenario = file.read_record(run.scenario_hash);
-          text += dump_line(campaign, scenario, run) + '\n';
+          out << dump_line(campaign, scenario, run) << '\n';
         } catch (const Error&) {
           if (!report) throw;
           report("scenario of run " + run_id(run));
         }
       },
       report);
-  return text;
 }
 
 }  // namespace slalom

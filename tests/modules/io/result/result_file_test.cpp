@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
 
 namespace slalom {
 namespace {
@@ -178,7 +181,9 @@ TEST_F(ResultFileTest, DumpIsSortedAndHasTheDescriptorsOfEachScenario) {
       expected +=
           dump_line("test", file.read_record(scenario.hash()), run_of(scenario, "nd", repetition)) +
           "\n";
-  EXPECT_EQ(dump(file), expected);
+  std::ostringstream dumped;
+  dump(file, dumped);
+  EXPECT_EQ(dumped.str(), expected);
 }
 
 TEST(Files, AreReplacedAtomically) {
@@ -188,6 +193,20 @@ TEST(Files, AreReplacedAtomically) {
   EXPECT_EQ(read_file(folder / "a"), "two");
   EXPECT_THROW(write_file_atomically(folder / "no/a", "x"), Error);
   EXPECT_THROW(read_file(folder / "missing"), Error);
+}
+
+TEST(Files, RemainAsTheyWereIfTheirWriterThrows) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder / "a", "one");
+  const auto fails = [](std::ostream& out) {
+    out << "two";
+    throw std::runtime_error("no more");
+  };
+  EXPECT_THROW(write_file_atomically(folder / "a", fails), std::runtime_error);
+  EXPECT_EQ(read_file(folder / "a"), "one");
+  const std::filesystem::directory_iterator files(
+      std::filesystem::path(folder / "a").parent_path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <slalom/trajectory/trajectory.h>
 
 #include <functional>
+#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <string>
@@ -79,11 +80,14 @@ class ResultFile {
 std::string dump_line(const std::string& campaign, const ScenarioRecord& scenario,
                       const RunRecord& run);
 
-/// All runs of a file as such lines. Damaged runs, and those of damaged scenarios, are passed to
-/// `report`; without it they are errors.
-std::string dump(const ResultFile& file, const DamageHandler& report = {});
+/// Writes all runs of a file as such lines, one at a time. Damaged runs, and those of damaged
+/// scenarios, are passed to `report`; without it they are errors.
+void dump(const ResultFile& file, std::ostream& out, const DamageHandler& report = {});
 
 /// Writes `content` to a temporary file next to `path` and renames it. Throws Error (Job).
 void write_file_atomically(const std::string& path, const std::string& content);
+/// The same with the content that `write` writes; if it throws, the file remains as it was.
+void write_file_atomically(const std::string& path,
+                           const std::function<void(std::ostream&)>& write);
 
 }  // namespace slalom
