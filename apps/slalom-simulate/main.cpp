@@ -1,3 +1,5 @@
+#include "verbs.h"
+
 #include <slalom/app/campaign_arguments.h>
 #include <slalom/app/campaign_program.h>
 #include <slalom/app/program.h>
@@ -47,8 +49,17 @@ void define(CLI::App& app) {
                    "A scenario list (.scenarios) instead of [scenarios]");
   verb->add_option("-o,--output", arguments.output, "The result file (.results) to write")
       ->required();
+  verb->add_option_function<std::string>(
+      "--shard",
+      [](const std::string& text) { arguments.campaign.shard = parse_shard(text, "--shard"); },
+      "Run only part I of N parts, I/N with I from 1 to N, such as 3/16; see slalom-simulate "
+      "merge");
   add_campaign_options(*verb, arguments.campaign);
   verb->callback([] { run(arguments); });
+  define_merge(app);
+  define_status(app);
+  define_slurm(app);
+  define_verify(app);
 }
 
 }  // namespace

@@ -35,6 +35,162 @@ TEST_F(Simulate, TakesTheConfigurationAsAnArgumentOrAnOption) {
   expect_failure("slalom-simulate run -o c.results", 2, {"config is required"});
 }
 
+TEST_F(Simulate, MergedShardsAreTheRunsOfTheCampaign) {
+  ASSERT_EQ(run("slalom-simulate run small.ini --quiet -o all.results").status, 0);
+  for (const std::string i : {"1", "2", "3", "4", "5"}) {  // of 4 scenarios: one shard is empty
+    const ProgramResult result =
+        run("mkdir -p 'shards é' && slalom-simulate run small.ini --quiet --shard " + i +
+            "/5 -o 'shards é/" + i + ".results'");
+    ASSERT_EQ(result.status, 0) << result.err;
+  }
+  EXPECT_EQ(run("slalom-analyze dump 'shards é/5.results'").out, "") << "an empty shard is valid";
+  const ProgramResult merged = run("slalom-simulate merge 'shards é' -o merged.results");
+  ASSERT_EQ(merged.status, 0) << merged.err;
+  EXPECT_EQ(merged.err, "merged.results: 8 of 8 runs from 5 files; complete\n");
+  EXPECT_EQ(run("slalom-analyze dump merged.results").out,
+            run("slalom-analyze dump all.results").out);
+  EXPECT_EQ(run("slalom-simulate merge -o merged.results 'shards é' merged.results").status, 2);
+  expect_failure("slalom-simulate run small.ini --shard 2/5 -o 'shards é/1.results'", 3,
+                 {"contains shard 1/5", "--overwrite"});
+
+  run("mv 'shards é/2.results' 'shards é/3.results' . && cp 'shards é/1.results' 'shards "
+      "é/b.results'");
+  expect_failure("slalom-simulate merge -o merged.results 'shards é'", 1,
+                 {"merged.results: 4 of 8 runs; missing: shards 2-3", "--allow-incomplete"});
+  EXPECT_EQ(run("slalom-analyze dump merged.results | wc -l").out, "8\n") << "kept";
+  EXPECT_EQ(run("slalom-simulate merge -o merged.results 'shards é' --allow-incomplete").err,
+            "merged.results: 4 of 8 runs from 4 files, 2 equal duplicates; missing: shards 2-3\n");
+  EXPECT_EQ(run("slalom-analyze dump merged.results | wc -l").out, "4\n");
+  expect_failure("slalom-simulate merge -o merged.results small.ini", 3, {"small.ini"});
+  expect_failure("slalom-simulate merge -o small.ini 3.results", 3, {"small.ini"});
+}
+
+TEST_F(Simulate, InvalidShardsAreRefused) {
+  for (const char* shard : {"0/4", "5/4", "a", "1/0"})
+    expect_failure("slalom-simulate run small.ini -o a.results --shard " + std::string(shard), 2,
+                   {"--shard", shard, "I/N with I from 1 to N"});
+  expect_failure("slalom-evaluate small.ini -o out --until 'interval(success) < 0.1' --shard 1/4",
+                 2, {"--shard"});
+}
+
+TEST_F(Simulate, StatusTellsWhichShardsAreMissingFromTheirFiles) {
+  expect_failure("slalom-simulate status .", 3, {"contains no result files"});
+  for (const char* i : {"1", "3"})
+    ASSERT_EQ(run("slalom-simulate run small.ini --quiet --shard " + std::string(i) + "/5 -o " + i +
+                  ".results")
+                  .status,
+              0);
+  EXPECT_EQ(run("slalom-simulate status .").out,
+            "4 of 8 runs in 5 shards\n  done: 1,3\n  missing: 2,4-5\n");
+  EXPECT_EQ(run("slalom-simulate status . --missing").out, "2,4-5\n");
+  run("sqlite3 1.results 'DELETE FROM runs WHERE run = 2'");
+  write("4.results", "SQLite format 3");
+  write("other.txt", "");
+  const ProgramResult status = run("slalom-simulate status .");
+  EXPECT_NE(status.out.find("3 of 8 runs in 5 shards\n  done: 3\n  failed: 1\n  missing: 2,4-5\n"
+                            "shard 1: 1 of 2 runs in ./1.results\n./4.results: "),
+            std::string::npos)
+      << status.out;
+  const std::string json = run("slalom-simulate status . --json").out;
+  for (const char* part : {R"("missing":"1-2,4-5")", R"("planned":8,)", R"("state":"failed")"})
+    EXPECT_NE(json.find(part), std::string::npos) << part << " in " << json;
+}
+
+TEST_F(Simulate, VerifyRunsASampleAgainAndNamesWhatIsDifferent) {
+  ASSERT_EQ(run("slalom-simulate run small.ini --quiet -o a.results").status, 0);
+  const ProgramResult same = run("slalom-simulate verify a.results --fraction 1 --quiet -j 2");
+  EXPECT_EQ(same.out, "8 runs in 4 scenarios are identical\n") << same.err;
+  EXPECT_EQ(run("slalom-simulate verify a.results --quiet").out,
+            "2 runs in 1 scenario are identical\n");
+  run("sqlite3 a.results \"UPDATE runs SET m_safety = m_safety + 1e-12 WHERE run = 3;"
+      "UPDATE manifest SET text = 'abacus' WHERE key = 'environment.processor'\"");
+  const ProgramResult changed = run("slalom-simulate verify a.results --fraction 1 --quiet");
+  EXPECT_EQ(changed.status, 1);
+  EXPECT_NE(changed.out.find("/metrics/safety/value was "), std::string::npos) << changed.out;
+  EXPECT_NE(changed.out.find("environment: environment.processor was abacus and is "),
+            std::string::npos);
+  EXPECT_NE(changed.err.find("1 differences in 8 runs"), std::string::npos) << changed.err;
+}
+
+/// Commands in the place of Slurm's.
+class Slurm : public Simulate {
+ protected:
+  void SetUp() override {
+    Simulate::SetUp();
+    ASSERT_EQ(run("slalom-scenarios generate small.ini -n 3 -o 'my list.scenarios'").status, 0);
+    provide("scontrol", "echo 'MaxArraySize = 4'");
+    provide("sbatch",
+            "pwd >> \"$HOME/calls\"; echo \"$@\" >> \"$HOME/calls\"; wc -l < \"$HOME/calls\"");
+  }
+  void provide(const std::string& name, const std::string& script) const {
+    std::filesystem::create_directories(folder_ / "bin");
+    write("bin/" + name, "#!/bin/sh\n" + script + "\n");
+    std::filesystem::permissions(folder_ / "bin" / name, std::filesystem::perms::all);
+  }
+  std::string command(const std::string& options) const {
+    return "env HOME=" + folder_.string() + " PATH=" + folder_.string() +
+           "/bin:\"$PATH\" slalom-simulate slurm -c small.ini --scenarios 'my list.scenarios' "
+           "-o 'é out' " +
+           options;
+  }
+};
+
+TEST_F(Slurm, WritesScriptsAndSubmitsThemOnlyOnRequest) {
+  write("site.txt", "#SBATCH --account=lab\n");
+  ASSERT_EQ(run(command("--shards 5 -j 2 --template site.txt")).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "calls"));
+  EXPECT_NE(read("é out/job.sbatch").find("#SBATCH --account=lab\n"), std::string::npos);
+  EXPECT_NE(read("é out/README.txt").find("--array=1-2 job.sbatch 3"), std::string::npos);
+  EXPECT_EQ(run("sh -n 'é out/merge.sbatch'").status, 0);
+  const ProgramResult result = run(command("--shards 5 --submit"));
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out, "submitted job 2: 1-3\nsubmitted job 4: 1-2 + 3\nsubmitted job 6: merge\n");
+  const std::string out = (folder_ / "é out").string() + "\n";
+  EXPECT_EQ(read("calls"), out + "--parsable --array=1-3 job.sbatch 0\n" + out +
+                               "--parsable --array=1-2 job.sbatch 3\n" + out +
+                               "--parsable --dependency=afterany:2:4 merge.sbatch\n");
+}
+
+TEST_F(Slurm, TheScriptsRunTheShardsAndOnlyWhatIsMissingIsSubmittedAgain) {
+  ASSERT_EQ(run(command("--shards 5")).status, 0);
+  for (const std::string i : {"1", "2"}) {
+    const ProgramResult task =
+        run("cd 'é out' && SLURM_ARRAY_TASK_ID=" + i + " bash job.sbatch 3 --quiet");
+    ASSERT_EQ(task.status, 0) << task.err;  // shards 4 and 5
+  }
+  EXPECT_EQ(run("slalom-simulate status 'é out' --missing").out, "1-3\n");
+  const ProgramResult merge = run("bash 'é out/merge.sbatch'");
+  EXPECT_EQ(merge.status, 1) << "no run is in shards 4 and 5";
+  EXPECT_NE(merge.err.find("missing: shards 1-3"), std::string::npos) << merge.err;
+  EXPECT_NE(merge.out.find(" --shards 5 -j 1 --submit"), std::string::npos) << merge.out;
+  EXPECT_EQ(run(command("--shards 5 --submit")).out,
+            "submitted job 2: 1-3\nsubmitted job 4: merge\n");
+  expect_failure(command("--shards 6"), 2, {"--shards 6", "expected 5"});
+  ASSERT_EQ(run("for i in 1 2 3; do SLURM_ARRAY_TASK_ID=$i bash 'é out/job.sbatch' 0; done && bash "
+                "'é out/merge.sbatch'")
+                .status,
+            0);
+  ASSERT_EQ(run("slalom-simulate run -c small.ini --scenarios 'my list.scenarios' -o whole.results")
+                .status,
+            0);
+  EXPECT_EQ(run("slalom-analyze dump 'é out/all.results'").out,
+            run("slalom-analyze dump whole.results").out);
+}
+
+TEST_F(Slurm, FailuresOfSlurmAreReported) {
+  provide("sbatch", "echo 'sbatch: error: Invalid account' >&2; exit 1");
+  expect_failure(command("--shards 2 --submit"), 1, {"exit status 1", "Invalid account"});
+  provide("sbatch", "exit 0");
+  expect_failure(command("--shards 2 --submit"), 1, {"sbatch: printed nothing"});
+  std::filesystem::remove(folder_ / "bin/sbatch");
+  provide("scontrol", "exit 1");
+  if (run("command -v sbatch").status != 0)
+    expect_failure(command("--shards 2 --submit"), 1, {"127", "sbatch"});
+  expect_failure(command("--shards 0"), 2, {"--shards"});
+  EXPECT_NE(read("é out/README.txt").find("--array=1-2 job.sbatch 0"), std::string::npos)
+      << "without scontrol the limit is 1001";
+}
+
 TEST_F(Simulate, AnExceptionOfMrptIsReportedByItsReasonOnly) {
   write("weights.ini", "[FULL_EVAL_CONFIG]\nfactorWeights = 0.1 0.5\n");  // not MRPT's section
   const std::string command =

@@ -8,6 +8,7 @@
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/io/merge_results.h>
 #include <slalom/io/rawlog_path.h>
 #include <slalom/library/library_method.h>
 #include <slalom/map_formats/map_import.h>
@@ -122,14 +123,21 @@ ResultFile open_campaign_results(const CampaignConfig& config, const CampaignArg
                                  const std::vector<Scenario>& scenarios,
                                  const std::string& results_path,
                                  const std::optional<StoppingRule>& rule) {
-  return open_results(results_path, make_manifest(config, scenarios, rule), config.options,
-                      arguments.existing);
+  Manifest manifest = make_manifest(config, scenarios, rule);
+  if (arguments.shard.count > 1) manifest[kShardKey] = to_string(arguments.shard);
+  ResultFile file = open_results(results_path, manifest, config.options, arguments.existing);
+  const std::string stored = file.read_manifest()[kShardKey];
+  if (stored != manifest[kShardKey])
+    throw file_error(results_path, "contains " + (stored.empty() ? "no shard" : "shard " + stored),
+                     "another file, or --overwrite to start over");
+  return file;
 }
 
 CampaignReport run_campaign_program(const CampaignConfig& config,
                                     const CampaignArguments& arguments,
                                     std::vector<Scenario> scenarios, ResultFile results,
                                     const std::optional<StoppingRule>& rule) {
+  scenarios = scenarios_of_shard(std::move(scenarios), arguments.shard);
   const auto planner = make_ompl_planner(config.reference, config.options.setup.robot);
   Campaign campaign{config.options, {}, config.methods, planner.get()};
   const std::string results_path = results.path();

@@ -60,6 +60,7 @@ Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>
       {"version.mrpt", mrpt_version()},
       {"version.ompl", ompl_version()},
       {"version.compiler", compiler_version()},
+      {"environment.processor", processor_name()},
   };
   for (const auto& [key, path] : config.method_files)
     manifest[key + "_hash"] = Hasher().add(read_file(path, "a file of a method")).hex();

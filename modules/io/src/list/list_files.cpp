@@ -1,76 +1,37 @@
+#include "draft_file.h"
 #include "list_schema.h"
 #include "scenario_list_impl.h"
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
-#include <filesystem>
 #include <sqlite3.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace slalom {
 namespace {
 
-/// A temporary file next to `path` for a new list; removed unless it was published.
-class Draft {
- public:
-  explicit Draft(const std::string& path) : path_(path), name_(path + ".XXXXXX") {
-    const int file = mkstemp(name_.data());
-    if (file < 0) throw failure("cannot be created");
-    fchmod(file, 0644);
-    close(file);
+/// The old list, locked, with incomplete transactions rolled back; null if there is no SQLite file.
+std::unique_ptr<SQLite::Database> lock_old(const std::string& path) {
+  constexpr int kLockTimeoutMs = 10000;
+  if (access(path.c_str(), F_OK) != 0) return nullptr;
+  try {
+    auto old = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE, kLockTimeoutMs);
+    old->exec("BEGIN EXCLUSIVE");
+    return old;
+  } catch (const SQLite::Exception& e) {
+    if (e.getErrorCode() == SQLITE_BUSY)
+      throw job_error(path, "is locked by another program", "that the program releases the list");
+    return nullptr;
   }
-  ~Draft() {
-    for (const char* suffix : {"", "-journal"}) unlink((name_ + suffix).c_str());
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
+}
 
-  const std::string& name() const { return name_; }
-
-  /// Replaces the old list while holding a lock on it: a program that waits for the lock then
-  /// detects that the file was replaced.
-  void publish() {
-    sync(name_);
-    const auto old = lock_old();
-    for (const char* suffix : {"-journal", "-wal", "-shm"}) unlink((path_ + suffix).c_str());
-    if (std::rename(name_.c_str(), path_.c_str()) != 0) throw failure("cannot be replaced");
-    const auto folder = std::filesystem::path(path_).parent_path();
-    sync(folder.empty() ? "." : folder.string());
-  }
-
- private:
-  Error failure(const std::string& what) const {
-    return job_error(path_, what + " (" + std::strerror(errno) + ")", "a writable path");
-  }
-
-  void sync(const std::string& path) const {
-    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool done = file >= 0 && fsync(file) == 0;
-    if (file >= 0) close(file);
-    if (!done) throw failure("cannot be written");
-  }
-
-  /// The old list, locked, with incomplete transactions rolled back; null if there is no SQLite
-  /// file.
-  std::unique_ptr<SQLite::Database> lock_old() const {
-    constexpr int kLockTimeoutMs = 10000;
-    if (access(path_.c_str(), F_OK) != 0) return nullptr;
-    try {
-      auto old = std::make_unique<SQLite::Database>(path_, SQLite::OPEN_READWRITE, kLockTimeoutMs);
-      old->exec("BEGIN EXCLUSIVE");
-      return old;
-    } catch (const SQLite::Exception& e) {
-      if (e.getErrorCode() == SQLITE_BUSY)
-        throw job_error(path_, "is locked by another program",
-                        "that the program releases the list");
-      return nullptr;
-    }
-  }
-
-  std::string path_, name_;
-};
+/// Replaces the old list while holding a lock on it: a program that waits for the lock then detects
+/// that the file was replaced.
+void publish(Draft& draft, const std::string& path) {
+  const auto old = lock_old(path);
+  draft.publish();
+}
 
 struct stat stat_of(const std::string& path) {
   struct stat found = {};
@@ -99,7 +60,7 @@ void ScenarioList::write(const std::string& path, const std::function<void(Scena
     ScenarioList list(std::move(impl));
     list.in_transaction([&] { fill(list); });
   }
-  draft.publish();
+  publish(draft, path);
 }
 
 ScenarioList ScenarioList::open(const std::string& path) {
@@ -127,7 +88,7 @@ void ScenarioList::save_as(const std::string& path) {
     copy.exec();
   });
   chmod(draft.name().c_str(), 0644);
-  draft.publish();
+  publish(draft, path);
 }
 
 void ScenarioList::remove_file(const std::string& path) {

@@ -3,6 +3,7 @@
 #include <slalom/analysis/analysis_section.h>
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/campaign/sequential_campaign.h>
+#include <slalom/campaign/shards.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/ompl/ompl_planner.h>
 #include <slalom/scenario/scenario.h>
@@ -24,6 +25,7 @@ struct CampaignArguments {
   bool quiet = false;
   ExistingResults existing = ExistingResults::Continue;
   bool take_over = false;  ///< see FileLock
+  Shard shard;             ///< the part of the campaign to run
 };
 
 /// Loads the campaign's .ini with the overrides of the command line. Throws Error (Usage) for

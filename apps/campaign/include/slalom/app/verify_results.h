@@ -1,0 +1,31 @@
+#pragma once
+
+#include <slalom/app/campaign_program.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// The part of the scenarios that is run again.
+struct VerifySample {
+  double fraction = 0.05;  ///< at least one scenario
+  std::uint64_t seed = 1;
+};
+
+struct VerifyReport {
+  bool complete = false;  ///< false if interrupted
+  std::size_t scenarios = 0, runs = 0;
+  std::vector<std::string> differences;  ///< one line per run or scenario that is not the same
+  std::vector<std::string> environment;  ///< what differs from the machine that made the file
+};
+
+/// Runs a sample of the scenarios of a result file again, all methods and repetitions, and compares
+/// descriptors, references, outcomes, metrics and trajectories bit by bit. The campaign is the one
+/// in the file, or `arguments.config` if it is not empty. Throws Error.
+VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
+                            const VerifySample& sample);
+
+}  // namespace slalom

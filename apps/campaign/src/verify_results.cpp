@@ -1,0 +1,118 @@
+#include "interrupt.h"
+#include "manifest.h"
+
+#include <slalom/app/verify_results.h>
+#include <slalom/core/error.h>
+#include <slalom/core/hash.h>
+#include <slalom/core/text.h>
+#include <slalom/io/read_results.h>
+#include <slalom/io/result_file.h>
+#include <slalom/references/reference_codec.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Compares the results of a campaign with those in a file.
+class ComparingSink : public CampaignSink {
+ public:
+  explicit ComparingSink(const ResultFile& file)
+      : file_(file), campaign_(file.read_manifest()["campaign"]) {}
+
+  void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
+                    const References& references) override {
+    record_[record.hash] = record;
+    ++report.scenarios;
+    if (to_bytes(references) != to_bytes(file_.read_references(record.hash)))
+      report.differences.push_back("scenario " + scenario.name() +
+                                   ": its reference paths are different");
+  }
+
+  void add_run(const RunRecord& run, const RunTiming&, const Trajectory&) override {
+    const auto recorded = file_.read_run(run.scenario_hash, run.method, run.repetition);
+    if (!recorded) return;  // of an incomplete campaign
+    ++report.runs;
+    const std::string before =
+        dump_line(campaign_, file_.read_record(run.scenario_hash), *recorded);
+    const std::string now = dump_line(campaign_, record_[run.scenario_hash], run);
+    if (before != now)
+      report.differences.push_back("run " + run_id(run) + ": " + difference(before, now));
+  }
+
+  VerifyReport report;
+
+ private:
+  static std::string difference(const std::string& before, const std::string& now) {
+    const Json old = Json::parse(before), found = Json::parse(now);
+    const Json changes = Json::diff(old, found);
+    const Json::json_pointer at(changes.at(0).at("path").get<std::string>());
+    const auto value = [&](const Json& json) {
+      return json.contains(at) ? json.at(at).dump() : std::string("absent");
+    };
+    const std::size_t more = changes.size() - 1;
+    return at.to_string() + " was " + value(old) + " and is " + value(found) +
+           (more == 0 ? "" : ", and " + std::to_string(more) + " more values");
+  }
+
+  const ResultFile& file_;
+  std::string campaign_;
+  std::map<std::string, ScenarioRecord> record_;
+};
+
+std::vector<Scenario> sample_scenarios(const ResultFile& file, const VerifySample& sample) {
+  std::vector<std::string> hashes = read_results(file.path(), {{"success"}}).scenario_hashes;
+  const auto order = [&](const std::string& hash) {
+    return Hasher().add(sample.seed).add(hash).hex();
+  };
+  std::sort(hashes.begin(), hashes.end(),
+            [&](const std::string& a, const std::string& b) { return order(a) < order(b); });
+  const double wanted = std::ceil(sample.fraction * static_cast<double>(hashes.size()));
+  hashes.resize(std::min(hashes.size(), static_cast<std::size_t>(std::max(1.0, wanted))));
+  std::vector<Scenario> scenarios;
+  for (const std::string& hash : hashes) scenarios.push_back(file.read_scenario(hash));
+  return scenarios;
+}
+
+std::vector<std::string> environment_differences(const Manifest& recorded, const Manifest& here) {
+  std::vector<std::string> differences;
+  for (const auto& [key, text] : here) {
+    const bool is_environment = starts_with(key, "version.") || starts_with(key, "environment.") ||
+                                starts_with(key, "method.");
+    const auto found = recorded.find(key);
+    if (!is_environment || found == recorded.end() || found->second == text) continue;
+    differences.push_back(key + " was " + found->second + " and is " + text);
+  }
+  return differences;
+}
+
+}  // namespace
+
+VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
+                            const VerifySample& sample) {
+  const ResultFile file = ResultFile::open(path);
+  Manifest manifest = file.read_manifest();
+  const CampaignConfig config =
+      read_campaign(arguments.config.empty() ? IniFile::from_text(manifest["campaign.ini"], path)
+                                             : load_campaign_ini(arguments));
+  const auto planner = make_ompl_planner(config.reference, config.options.setup.robot);
+  const Campaign campaign{config.options, sample_scenarios(file, sample), config.methods,
+                          planner.get()};
+  check_methods(campaign);
+  const auto progress = make_terminal_progress(arguments.quiet);
+  const InterruptGuard guard;
+  ComparingSink sink(file);
+  const CampaignSummary summary =
+      run_campaign(campaign, sink, {arguments.jobs, *progress, InterruptGuard::raised});
+  sink.report.complete = summary.complete;
+  sink.report.environment =
+      environment_differences(manifest, make_manifest(config, {}, std::nullopt));
+  return sink.report;
+}
+
+}  // namespace slalom

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace slalom {
+
+// Each adds one verb.
+void define_merge(CLI::App& app);
+void define_slurm(CLI::App& app);
+void define_status(CLI::App& app);
+void define_verify(CLI::App& app);
+
+}  // namespace slalom

@@ -1,0 +1,54 @@
+#include "verbs.h"
+
+#include <slalom/app/program.h>
+#include <slalom/app/verify_results.h>
+#include <slalom/core/error.h>
+
+#include <iostream>
+
+namespace slalom {
+namespace {
+
+struct VerifyArguments {
+  std::string results;
+  CampaignArguments campaign;
+  VerifySample sample;
+};
+
+void verify(const VerifyArguments& arguments) {
+  const VerifyReport report =
+      verify_results(arguments.results, arguments.campaign, arguments.sample);
+  for (const std::string& line : report.environment) std::cout << "environment: " << line << "\n";
+  for (const std::string& line : report.differences) std::cout << line << "\n";
+  if (!report.complete) throw Interrupted("nothing was changed");
+  const std::string what = std::to_string(report.runs) + " runs in " +
+                           std::to_string(report.scenarios) +
+                           (report.scenarios == 1 ? " scenario" : " scenarios");
+  if (!report.differences.empty())
+    throw job_error(arguments.results,
+                    std::to_string(report.differences.size()) + " differences in " + what,
+                    "identical results");
+  std::cout << what << " are identical\n";
+}
+
+}  // namespace
+
+void define_verify(CLI::App& app) {
+  static VerifyArguments arguments;
+  CLI::App* verb = app.add_subcommand("verify", "Run a sample again and compare it bit by bit");
+  verb->add_option("results", arguments.results, "A result file (.results)")->required();
+  verb->add_option("--fraction", arguments.sample.fraction, "Part of the scenarios")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  verb->add_option("--seed", arguments.sample.seed, "Seed of the choice of scenarios")
+      ->capture_default_str();
+  verb->add_option("-c,--config", arguments.campaign.config,
+                   "The campaign's .ini, if its files are elsewhere; default: that in the results");
+  verb->add_option("-j,--jobs", arguments.campaign.jobs, "Worker processes")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  verb->add_flag("--quiet", arguments.campaign.quiet, "No progress");
+  verb->callback([] { verify(arguments); });
+}
+
+}  // namespace slalom

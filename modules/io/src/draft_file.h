@@ -1,0 +1,29 @@
+#pragma once
+
+#include <slalom/core/error.h>
+
+#include <string>
+
+namespace slalom {
+
+/// An empty temporary file next to `path` for a new database; removed unless it was published.
+class Draft {
+ public:
+  explicit Draft(const std::string& path);  ///< throws Error (Job)
+  ~Draft();
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  /// Makes the file durable and replaces `path` with it. Throws Error (Job).
+  void publish();
+
+ private:
+  Error failure(const std::string& what) const;
+  void sync(const std::string& path) const;
+
+  std::string path_, name_;
+};
+
+}  // namespace slalom

@@ -1,0 +1,138 @@
+#include "error_text.h"
+#include "io_sample.h"
+
+#include <slalom/core/error.h>
+#include <slalom/io/campaign_identity.h>
+#include <slalom/io/merge_results.h>
+#include <slalom/io/result_file.h>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace slalom {
+namespace {
+
+const std::vector<QuantityInfo> kDescriptors = {{"density", 1, "Density", "-", Direction::None}};
+const std::vector<QuantityInfo> kMetrics = {{"optimality", 3, "Optimality", "-", Direction::Up}};
+
+class MergeResults : public testing::Test {
+ protected:
+  /// A result file with one run of each method in the scenario with this seed.
+  std::string write(const std::string& name, std::uint64_t scenario, double optimality = 0.5,
+                    const std::string& max_v = "0.5") const {
+    const std::string path = folder_ / name;
+    ResultFile file = ResultFile::create(
+        path,
+        {{"campaign", "test"}, {kEffectiveKey, "[robot]\nmax_v = " + max_v}, {"shard", "1/2"}},
+        kDescriptors, kMetrics);
+    add(file, sample_scenario(scenario), optimality);
+    file.commit();
+    return path;
+  }
+
+  static void add(ResultFile& file, const Scenario& scenario, double optimality) {
+    References references;
+    references.shortest_reason = "too narrow";
+    references.timing = {optimality, 0, 0};  // differs even where the results do not
+    file.add_scenario({scenario.hash(), scenario.name(), {{"density", {1, Value::of(0.1)}}}},
+                      scenario, references);
+    Trajectory trajectory;
+    trajectory.samples.push_back({0, {1, 1, 0}, 0, 0, 0, 0});
+    for (const char* method : {"nd", "gap"}) {
+      RunRecord run;
+      run.scenario_hash = scenario.hash();
+      run.scenario_name = scenario.name();
+      run.method = method;
+      run.outcome = "timeout";
+      run.trajectory_hash = trajectory.hash();
+      run.metrics["optimality"] = {3, Value::of(optimality)};
+      file.add_run(run, {1, {}}, trajectory);
+    }
+  }
+
+  std::string dump_of(const std::string& path) const { return dump(ResultFile::open(path)); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(MergeResults, TheMergedFileHasTheDumpAndTheBlobsOfOneFileWithAllRuns) {
+  const std::string first = write("1.results", 1), second = write("2.results", 2);
+  const std::string whole = write("whole.results", 1);
+  {
+    ResultFile file = ResultFile::open(whole);
+    add(file, sample_scenario(2), 0.5);
+    file.commit();
+  }
+  MergedResults merged(folder_ / "all.results", second);
+  EXPECT_EQ(merged.add(second), 2U);
+  EXPECT_EQ(merged.add(first), 2U);
+  EXPECT_EQ(merged.runs(), 4U);
+  EXPECT_EQ(merged.duplicates(), 0U);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "all.results")) << "before publish()";
+  merged.publish();
+  EXPECT_EQ(dump_of(folder_ / "all.results"), dump_of(whole));
+  const ResultFile file = ResultFile::open(folder_ / "all.results");
+  EXPECT_EQ(file.read_manifest().count("shard"), 0U);
+  file.for_each_run([&](const RunRecord& run) {
+    EXPECT_EQ(file.read_trajectory(run).hash(), run.trajectory_hash);
+    EXPECT_EQ(file.read_timing(run).wall_seconds, 1);
+    EXPECT_EQ(file.read_scenario(run.scenario_hash).hash(), run.scenario_hash);
+    EXPECT_EQ(file.read_references(run.scenario_hash).shortest_reason, "too narrow");
+  });
+}
+
+TEST_F(MergeResults, EqualDuplicatesAreCountedAndUnequalOnesAreRefused) {
+  const std::string first = write("1.results", 1);
+  MergedResults merged(folder_ / "all.results", first);
+  merged.add(first);
+  EXPECT_EQ(merged.add(write("again.results", 1)), 2U);
+  EXPECT_EQ(merged.runs(), 2U);
+  EXPECT_EQ(merged.duplicates(), 2U);
+  const std::string other = write("other.results", 1, 0.25);
+  EXPECT_TRUE(
+      throws_error(ErrorKind::File, other, {"runs: ", "/0 differs"}, [&] { merged.add(other); }));
+}
+
+TEST_F(MergeResults, OtherCampaignsAndDamagedFilesAreRefusedAndTheOutputIsKept) {
+  const std::string first = write("1.results", 1), output = write("all.results", 3);
+  const std::string before = dump_of(output);
+  {
+    MergedResults merged(output, first);
+    merged.add(first);
+    const std::string other = write("other.results", 2, 0.5, "0.6");
+    EXPECT_TRUE(throws_error(ErrorKind::File, other, {"robot.max_v is 0.5 here and 0.6"},
+                             [&] { merged.add(other); }));
+    const std::string cut = write("cut.results", 2);
+    std::filesystem::resize_file(cut, std::filesystem::file_size(cut) / 2);
+    EXPECT_TRUE(throws_error(ErrorKind::File, cut, {}, [&] { merged.add(cut); }));
+  }
+  EXPECT_EQ(dump_of(output), before);
+  std::ofstream(folder_ / "notes.txt") << "precious";
+  EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "notes.txt", {"result file"},
+                           [&] { MergedResults(folder_ / "notes.txt", first); }));
+  EXPECT_EQ(campaign_files(std::filesystem::path(first).parent_path()).size(), 4U)
+      << "no temporary file is left";
+}
+
+TEST_F(MergeResults, AFolderHasTheFilesOfItsShardsOrElseAllFiles) {
+  const std::string first = write("1.results", 1), second = write("2.results", 2);
+  const std::string folder = std::filesystem::path(first).parent_path();
+  {
+    MergedResults merged(folder_ / "all.results", first);
+    merged.add(first);
+    merged.publish();
+  }
+  EXPECT_EQ(campaign_files(folder), (std::vector<std::string>{first, second}));
+  std::filesystem::remove(first);
+  std::filesystem::remove(second);
+  EXPECT_EQ(campaign_files(folder), std::vector<std::string>{folder_ / "all.results"});
+  EXPECT_TRUE(throws_error(ErrorKind::File, "/no/folder", {"cannot be read"},
+                           [] { campaign_files("/no/folder"); }));
+  EXPECT_EQ(count_results(folder_ / "all.results").runs, 2U);
+  EXPECT_EQ(count_results(folder_ / "all.results").outcomes.at("timeout"), 2U);
+  EXPECT_EQ(count_results(folder_ / "all.results").wall_seconds, 2);
+}
+
+}  // namespace
+}  // namespace slalom
