@@ -161,8 +161,9 @@ TEST_F(ResultDamageTest, ADamagedRunIsNamedAndTheOthersAreRead) {
                            [&] { file.read_run(hash, "nd", 2); }));
   EXPECT_TRUE(throws_error(ErrorKind::File, path_ + ": " + id + ": ", {"is damaged"},
                            [&] { file.read_runs(hash); }));
-  EXPECT_TRUE(
-      throws_error(ErrorKind::File, path_ + ": " + id + ": ", {"is damaged"}, [&] { dump(file); }));
+  std::ostringstream lines;
+  EXPECT_TRUE(throws_error(ErrorKind::File, path_ + ": " + id + ": ", {"is damaged"},
+                           [&] { dump(file, lines); }));
   EXPECT_TRUE(file.read_run(hash, "nd", 1));
   const ResultTable table = read_results(path_);
   EXPECT_EQ(table.size(), kScenarios * kRuns - 1U);
