@@ -1,3 +1,4 @@
+#include "dump_text.h"
 #include "error_text.h"
 #include "io_sample.h"
 
@@ -108,7 +109,7 @@ TEST_F(SequentialCampaign, ContinuesWithTheSameDecisions) {
   const SequentialReport continued = run_until(recorder, parsed, rooms(15), 0.95, execution_);
   EXPECT_TRUE(continued.complete);
   EXPECT_EQ(continued.text, undisturbed.text);
-  EXPECT_EQ(dump(recorder.file()), dump(recorder_.file()));
+  EXPECT_EQ(dump_text(recorder.file()), dump_text(recorder_.file()));
 }
 
 TEST_F(SequentialCampaign, LooksOnlyAtTheBatchesSoFar) {

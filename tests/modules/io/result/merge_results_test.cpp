@@ -1,3 +1,4 @@
+#include "dump_text.h"
 #include "error_text.h"
 #include "io_sample.h"
 
@@ -51,7 +52,7 @@ class MergeResults : public testing::Test {
     }
   }
 
-  std::string dump_of(const std::string& path) const { return dump(ResultFile::open(path)); }
+  std::string dump_of(const std::string& path) const { return dump_text(ResultFile::open(path)); }
 
   TemporaryFolder folder_;
 };

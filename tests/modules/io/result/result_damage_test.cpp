@@ -1,3 +1,4 @@
+#include "dump_text.h"
 #include "error_text.h"
 #include "io_sample.h"
 
@@ -76,7 +77,7 @@ Content read_content(const std::string& path) {
     read_part(content.scenarios, content.damaged, "content of " + hash,
               [&] { return file.read_scenario(hash).hash(); });
   }
-  const std::string text = dump(file, report);
+  const std::string text = dump_text(file, report);
   for (std::size_t begin = 0; begin < text.size(); begin = text.find('\n', begin) + 1) {
     const std::string line = text.substr(begin, text.find('\n', begin) - begin);
     content.runs[line] = line;
@@ -161,15 +162,15 @@ TEST_F(ResultDamageTest, ADamagedRunIsNamedAndTheOthersAreRead) {
                            [&] { file.read_run(hash, "nd", 2); }));
   EXPECT_TRUE(throws_error(ErrorKind::File, path_ + ": " + id + ": ", {"is damaged"},
                            [&] { file.read_runs(hash); }));
-  std::ostringstream lines;
   EXPECT_TRUE(throws_error(ErrorKind::File, path_ + ": " + id + ": ", {"is damaged"},
-                           [&] { dump(file, lines); }));
+                           [&] { dump_text(file); }));
   EXPECT_TRUE(file.read_run(hash, "nd", 1));
   const ResultTable table = read_results(path_);
   EXPECT_EQ(table.size(), kScenarios * kRuns - 1U);
   EXPECT_EQ(table.damaged, std::vector<std::string>{id});
   std::vector<std::string> damaged;
-  const std::string text = dump(file, [&](const std::string& what) { damaged.push_back(what); });
+  const std::string text =
+      dump_text(file, [&](const std::string& what) { damaged.push_back(what); });
   EXPECT_EQ(damaged, std::vector<std::string>{id});
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), kScenarios * kRuns - 1);
 }

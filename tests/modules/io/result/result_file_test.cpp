@@ -1,3 +1,4 @@
+#include "dump_text.h"
 #include "io_sample.h"
 
 #include <slalom/core/error.h>
@@ -181,9 +182,7 @@ TEST_F(ResultFileTest, DumpIsSortedAndHasTheDescriptorsOfEachScenario) {
       expected +=
           dump_line("test", file.read_record(scenario.hash()), run_of(scenario, "nd", repetition)) +
           "\n";
-  std::ostringstream dumped;
-  dump(file, dumped);
-  EXPECT_EQ(dumped.str(), expected);
+  EXPECT_EQ(dump_text(file), expected);
 }
 
 TEST(Files, AreReplacedAtomically) {
