@@ -8,6 +8,9 @@ namespace slalom {
 namespace {
 
 constexpr double kMaxPoll = 0.01;  // s, maximum duration of one poll
+/// Messages of a channel that wait to be handled; LCM drops further ones. By default it keeps 30,
+/// so that a reply behind invalid messages would be lost.
+constexpr int kMaxWaiting = 100000;
 
 }  // namespace
 
@@ -16,9 +19,13 @@ MethodLink::MethodLink(const std::string& url, const std::string& prefix)
   if (!lcm_.good()) return;
   // Static functions, because GCC 12 with -fsanitize miscompiles LCM's calls of member functions.
   using Link = MethodLink;
-  good_ = lcm_.subscribeFunction(channels_.ready, receive<ready_t, &Link::on_ready>, this) &&
-          lcm_.subscribeFunction(channels_.command, receive<command_t, &Link::on_command>, this) &&
-          lcm_.subscribeFunction(channels_.error, receive<error_t, &Link::on_error>, this);
+  lcm::Subscription* const subscriptions[] = {
+      lcm_.subscribeFunction(channels_.ready, receive<ready_t, &Link::on_ready>, this),
+      lcm_.subscribeFunction(channels_.command, receive<command_t, &Link::on_command>, this),
+      lcm_.subscribeFunction(channels_.error, receive<error_t, &Link::on_error>, this)};
+  good_ = true;
+  for (lcm::Subscription* subscription : subscriptions)
+    good_ = good_ && subscription != nullptr && subscription->setQueueCapacity(kMaxWaiting) == 0;
 }
 
 void MethodLink::expect_replies_to(std::int64_t id) {

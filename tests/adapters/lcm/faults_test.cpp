@@ -80,6 +80,7 @@ TEST_F(Faults, ANanCommandIsInvalid) {
 
 TEST_F(Faults, MessagesThatAreNoReplyToTheObservationAreIgnored) {
   expect_ignored("garbled");
+  expect_ignored("flooded");
   expect_ignored("duplicate");
   expect_ignored("late");
   expect_ignored("chatty");
