@@ -4,6 +4,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/map_formats/map_import.h>
+#include <slalom/robot/robot_model.h>
 
 #include <nlohmann/json.hpp>
 
@@ -33,6 +34,8 @@ IniFile load_ini(const GenerateArguments& arguments) {
     ini.set(fills_bins ? "coverage" : "scenarios", fills_bins ? "per_bin" : "count",
             std::to_string(arguments.count));
   }
+  const std::string warning = sensor_warning(ini);
+  if (!warning.empty() && !arguments.quiet) std::cerr << "warning: " << warning << "\n";
   return ini;
 }
 

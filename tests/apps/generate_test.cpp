@@ -45,6 +45,17 @@ TEST_F(Generate, ValuesAgreeWithThoseOfDescribe) {
   EXPECT_EQ(values("a.scenarios"), values("b.scenarios"));
 }
 
+TEST_F(Generate, WarnsAboutAnApertureInRadians) {
+  const std::string command =
+      "slalom-scenarios generate -c mix.ini -n 1 -o a.scenarios --set sensor.aperture_deg=3.14";
+  const ProgramResult result = run(command);
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.err.find("warning: --set sensor.aperture_deg: 3.14 degrees looks like radians"),
+            std::string::npos)
+      << result.err;
+  EXPECT_EQ(run(command + " --quiet").err, "");
+}
+
 TEST_F(Generate, FailedGenerationKeepsTheOldList) {
   write("a.scenarios", "precious");
   expect_failure(
