@@ -1,6 +1,8 @@
 #include "private_network.h"
 #include "program_run.h"
 
+#include <slalom/core/text.h>
+
 #include <regex>
 #include <utility>
 #include <vector>
@@ -21,15 +23,6 @@ struct Step {
   Lines shown;
 };
 
-bool begins_with(const std::string& text, const std::string& prefix) {
-  return text.compare(0, prefix.size(), prefix) == 0;
-}
-
-bool ends_with(const std::string& text, const std::string& suffix) {
-  return text.size() >= suffix.size() &&
-         text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
-}
-
 Lines split_lines(const std::string& text) {
   Lines lines;
   std::istringstream stream(text);
@@ -37,7 +30,7 @@ Lines split_lines(const std::string& text) {
   return lines;
 }
 
-std::string join(const Lines& lines, const std::string& indent = "") {
+std::string text_of(const Lines& lines, const std::string& indent = "") {
   std::string text;
   for (const std::string& line : lines) text += indent + line + "\n";
   return text;
@@ -51,8 +44,8 @@ class DocumentParser {
   std::vector<Step> steps() {
     while (next_ < lines_.size()) {
       const std::string line = take();
-      if (begins_with(line, "```")) parse_block(line.substr(3));
-      if (begins_with(line, "<!-- $ ")) parse_comment(line.substr(7));
+      if (starts_with(line, "```")) parse_block(line.substr(3));
+      if (starts_with(line, "<!-- $ ")) parse_comment(line.substr(7));
     }
     return std::move(steps_);
   }
@@ -60,7 +53,7 @@ class DocumentParser {
  private:
   bool at_end() const { return next_ >= lines_.size(); }
   std::string take() { return at_end() ? "" : lines_[next_++]; }
-  bool in_block() const { return !at_end() && !begins_with(lines_[next_], "```"); }
+  bool in_block() const { return !at_end() && !starts_with(lines_[next_], "```"); }
 
   /// ```LANGUAGE FILE: a file. ```LANGUAGE no-run: ignored. All others: commands with their output.
   void parse_block(const std::string& info) {
@@ -71,7 +64,7 @@ class DocumentParser {
     bool is_shown = is_file;
     while (in_block()) {
       const std::string line = take();
-      if (word.empty() && begins_with(line, "$ ")) {
+      if (word.empty() && starts_with(line, "$ ")) {
         add_command(line.substr(2), "\\", true);
         is_shown = true;
       } else if (is_shown) {
@@ -184,7 +177,7 @@ class Documents : public ProgramTest, public testing::WithParamInterface<std::st
     for (std::size_t i = 0; i < steps.size(); ++i) {
       const std::string id = std::to_string(i);
       if (steps[i].command.empty())
-        write(steps[i].file, join(steps[i].shown));
+        write(steps[i].file, text_of(steps[i].shown));
       else
         script +=
             "{\n" + steps[i].command + "\n} >.out_" + id + " 2>&1\necho $? >.status_" + id + "\n";
@@ -203,8 +196,8 @@ class Documents : public ProgramTest, public testing::WithParamInterface<std::st
     if (problem.empty()) return;
     ADD_FAILURE() << "docs/" << GetParam() << ".md:" << step.line << ": $ " << step.command
                   << "\nexpected:\n"
-                  << join(step.shown, "  ") << "printed:\n"
-                  << join(printed, "  ") << problem;
+                  << text_of(step.shown, "  ") << "printed:\n"
+                  << text_of(printed, "  ") << problem;
   }
 
   inline static bool has_multicast_ = false;
@@ -214,7 +207,7 @@ class Documents : public ProgramTest, public testing::WithParamInterface<std::st
   static std::string difference(const Step& step, int status, const Lines& printed) {
     const bool expects_error =
         std::any_of(step.shown.begin(), step.shown.end(),
-                    [](const std::string& line) { return begins_with(line, "slalom-"); });
+                    [](const std::string& line) { return starts_with(line, "slalom-"); });
     if ((status != 0) != expects_error)
       return "exit status " + std::to_string(status) +
              (expects_error ? "; expected that of an error" : "; expected 0");
