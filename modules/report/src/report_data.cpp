@@ -1,5 +1,6 @@
 #include "report_data.h"
 
+#include <slalom/analysis/cell_json.h>
 #include <slalom/analysis/completion.h>
 #include <slalom/analysis/descriptor_map.h>
 #include <slalom/analysis/failure_taxonomy.h>
@@ -20,14 +21,6 @@ namespace {
 
 constexpr const char* kTime = "time_to_goal";
 
-OrderedJson number_or_null(const std::optional<double>& number) {
-  return number ? OrderedJson(*number) : OrderedJson(nullptr);
-}
-
-OrderedJson interval_json(const std::optional<Interval>& interval) {
-  return interval ? OrderedJson{interval->low, interval->high} : OrderedJson(nullptr);
-}
-
 OrderedJson quantity_json(const QuantityInfo& info) {
   return {{"id", info.id},
           {"version", info.version},
@@ -39,17 +32,6 @@ OrderedJson quantity_json(const QuantityInfo& info) {
 OrderedJson quantities_json(const std::vector<const ValueColumn*>& columns) {
   OrderedJson json = OrderedJson::array();
   for (const ValueColumn* column : columns) json.push_back(quantity_json(column->info()));
-  return json;
-}
-
-OrderedJson cell_json(const Cell& cell) {
-  OrderedJson json = {{"n", cell.available},
-                      {"na", OrderedJson::object()},
-                      {"mean", number_or_null(cell.estimate)},
-                      {"deviation", number_or_null(cell.deviation)},
-                      {"median", number_or_null(cell.median)},
-                      {"interval", interval_json(cell.interval)}};
-  for (const auto& [reason, n] : cell.na) json["na"][reason] = n;
   return json;
 }
 

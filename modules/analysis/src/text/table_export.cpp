@@ -1,3 +1,4 @@
+#include <slalom/analysis/cell_json.h>
 #include <slalom/analysis/table_export.h>
 #include <slalom/core/text.h>
 
@@ -44,24 +45,13 @@ std::string csv_line(const CrossTable& table, const CrossRow& row, std::size_t c
   return join(fields, ",") + "\n";
 }
 
-Json number_or_null(const std::optional<double>& number) {
-  return number ? Json(*number) : Json(nullptr);
-}
-
-Json cell_json(const Cell& cell, const Column& column) {
+Json field_json(const Cell& cell, const Column& column) {
   Json json = {{"metric", column.info.id},
                {"version", column.info.version},
                {"unit", column.info.unit},
                {"direction", to_string(column.info.direction)},
-               {"wall_clock", column.wall_clock},
-               {"n", cell.available},
-               {"na", Json::object()},
-               {"mean", number_or_null(cell.estimate)},
-               {"deviation", number_or_null(cell.deviation)},
-               {"median", number_or_null(cell.median)},
-               {"interval", nullptr}};
-  for (const auto& [reason, n] : cell.na) json["na"][reason] = n;
-  if (cell.interval) json["interval"] = {cell.interval->low, cell.interval->high};
+               {"wall_clock", column.wall_clock}};
+  json.update(cell_json(cell));
   return json;
 }
 
@@ -70,7 +60,7 @@ Json table_json(const CrossTable& table) {
   for (const CrossRow& row : table.rows) {
     Json cells = Json::array();
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
-      cells.push_back(cell_json(row.cells[column], table.columns[column]));
+      cells.push_back(field_json(row.cells[column], table.columns[column]));
     }
     rows.push_back({{"bin", row.bin.label()},
                     {"low", number_or_null(row.bin.low)},

@@ -1,0 +1,28 @@
+#include <slalom/analysis/cell_json.h>
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+
+using nlohmann::ordered_json;
+
+ordered_json number_or_null(const std::optional<double>& number) {
+  return number ? ordered_json(*number) : ordered_json(nullptr);
+}
+
+ordered_json interval_json(const std::optional<Interval>& interval) {
+  return interval ? ordered_json{interval->low, interval->high} : ordered_json(nullptr);
+}
+
+ordered_json cell_json(const Cell& cell) {
+  ordered_json json = {{"n", cell.available},
+                       {"na", ordered_json::object()},
+                       {"mean", number_or_null(cell.estimate)},
+                       {"deviation", number_or_null(cell.deviation)},
+                       {"median", number_or_null(cell.median)},
+                       {"interval", interval_json(cell.interval)}};
+  for (const auto& [reason, n] : cell.na) json["na"][reason] = n;
+  return json;
+}
+
+}  // namespace slalom
