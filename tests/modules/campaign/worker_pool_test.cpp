@@ -340,22 +340,6 @@ TEST(WorkerPool, OnlyTheAnswerToARequestIsTakenForIt) {
     EXPECT_EQ(results[i].payload, "item " + std::to_string(i));
 }
 
-TEST(WorkerPool, WhatIsSentBetweenRequestsIsNotTakenForAnAnswer) {
-  const auto results = run_all(4, with_workers(1), [](std::size_t i, SharedTaskLog&) {
-    if (i == 1 && fork() == 0) {  // sends after the answer
-      usleep(2000);
-      const std::uint64_t forged[] = {1, i, 0, 'D'};
-      send(own_socket(), forged, sizeof forged, 0);
-      _exit(0);
-    }
-    if (i == 2) usleep(10000);
-    return "item " + std::to_string(i);
-  });
-  for (std::size_t i = 0; i < results.size(); ++i)
-    EXPECT_TRUE(results[i].payload == "item " + std::to_string(i) ||
-                (i > 1 && results[i].status == Status::Crashed));
-}
-
 TEST(WorkerPool, AWorkItemThatForksAnswersOnce) {
   const auto results = run_all(6, with_workers(2), [](std::size_t i, SharedTaskLog&) {
     if (i % 2 == 0 && fork() < 0) return std::string("cannot fork");
