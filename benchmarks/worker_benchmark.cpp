@@ -6,7 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <csignal>
+#include <cstdlib>
 
 namespace slalom {
 namespace {
@@ -22,7 +22,7 @@ void run_tasks(benchmark::State& state, bool crash) {
     run_in_workers(
         kTasks, options,
         [&](std::size_t i, SharedTaskLog&) {
-          if (crash) std::raise(SIGKILL);
+          if (crash) std::_Exit(1);
           return std::string(1, tables[i]);
         },
         [](std::size_t, WorkResult&&) {}, nullptr);

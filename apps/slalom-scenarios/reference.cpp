@@ -48,6 +48,7 @@ void run(ReferenceArguments arguments) {
   for (const auto& entry : entries) scenarios.push_back(list.read(entry.hash));
   PoolOptions pool;
   pool.fresh_process = true;
+  pool.trusted = true;
   run_in_workers(
       entries.size(), pool,
       [&](std::size_t i, SharedTaskLog&) { return compute(arguments, entries[i], scenarios[i]); },

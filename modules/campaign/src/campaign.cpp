@@ -68,6 +68,7 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
   pool.workers = execution.workers;
   pool.fresh_process = true;
   pool.ordered = false;
+  pool.trusted = true;
   pool.in_process = execution.in_process;
   const bool complete = run_in_workers(missing.size(), pool, item, receive, execution.interrupted);
   execution.progress.finish();

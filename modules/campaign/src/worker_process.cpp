@@ -13,6 +13,7 @@
 #include <exception>
 #include <fcntl.h>
 #include <new>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -140,9 +141,13 @@ void WorkerProcess::start(const WorkItem& item, std::size_t group) {
   if (pid < 0) throw cannot_create("process", errno);
   if (pid == 0) {
     drop_descriptors(options_.keep_stderr, work.far_end(), control.far_end());
-    keep_worker(control.far_end(), [&] { serve(work.far_end(), item, options_, log_); });
+    const auto serve_items = [&] { serve(work.far_end(), item, options_, log_); };
+    if (!options_.trusted) keep_worker(control.far_end(), serve_items);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    serve_items();
+    _exit(0);
   }
-  keeper_ = pid;
+  child_ = pid;
   socket_ = work.take_near_end();
   control_ = control.take_near_end();
   fcntl(socket_, F_SETFL, O_NONBLOCK);
@@ -237,10 +242,19 @@ WorkResult WorkerProcess::kill_with(Status status, std::string reason) {
   return {status, "", std::move(reason), log_.contents()};
 }
 
-WorkResult WorkerProcess::describe_end() {
+std::optional<int> WorkerProcess::end_status() {
   int status = 0;
-  const bool reported = recv(control_, &status, sizeof status, 0) == sizeof status;
-  if (!reported) return kill_with(Status::Killed, "its supervising process was killed");
+  if (recv(control_, &status, sizeof status, 0) == sizeof status) return status;
+  if (!options_.trusted) return std::nullopt;
+  while (waitpid(child_, &status, 0) < 0 && errno == EINTR) continue;
+  child_ = -1;
+  return status;
+}
+
+WorkResult WorkerProcess::describe_end() {
+  const std::optional<int> ended = end_status();
+  if (!ended) return kill_with(Status::Killed, "its supervising process was killed");
+  const int status = *ended;
   if (status == kNoWorker) throw cannot_create("process", EAGAIN);
   if (was_killed_by(status, SIGXCPU))
     return kill_with(Status::TimedOut,
@@ -252,11 +266,12 @@ WorkResult WorkerProcess::describe_end() {
 }
 
 void WorkerProcess::kill_and_reap() {
-  if (!alive()) return;
+  if (socket_ < 0) return;
   close(socket_);
   close(control_);  // the keeper kills the worker and whatever it started, then exits
-  while (waitpid(keeper_, nullptr, 0) < 0 && errno == EINTR) continue;
-  keeper_ = socket_ = control_ = -1;
+  if (options_.trusted && child_ > 0) kill(child_, SIGKILL);
+  while (child_ > 0 && waitpid(child_, nullptr, 0) < 0 && errno == EINTR) continue;
+  child_ = socket_ = control_ = -1;
   busy_ = false;
 }
 

@@ -11,7 +11,8 @@
 
 namespace slalom {
 
-/// A worker process, its keeper (worker_keeper.h), and the sockets to both. The parent sends an
+/// A worker process, its keeper (worker_keeper.h; none for trusted work items), and the sockets to
+/// both. The parent sends an
 /// index with a random number, the worker replies with both and the payload. Nothing that the
 /// worker sends is trusted.
 class WorkerProcess {
@@ -21,7 +22,7 @@ class WorkerProcess {
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-  bool alive() const { return keeper_ > 0; }
+  bool alive() const { return child_ > 0; }
   bool busy() const { return busy_; }
   bool idle() const { return alive() && !busy_; }
   std::size_t group() const { return group_; }
@@ -56,13 +57,15 @@ class WorkerProcess {
   std::string exceeded_limit();
   WorkResult kill_with(Status status, std::string reason);
   WorkResult describe_end();  ///< of a process that has died
+  std::optional<int>
+  end_status();  ///< waitpid's status of the worker; none if the keeper was killed
 
   PoolOptions options_;
   SharedTaskLog log_;
   std::random_device random_;
-  pid_t keeper_ = -1;
+  pid_t child_ = -1;           ///< the keeper, or a trusted worker
   int socket_ = -1;            ///< to the worker
-  int control_ = -1;           ///< to the keeper
+  int control_ = -1;           ///< to the child: it is closed when the child ends
   bool disconnected_ = false;  ///< the worker's end of the socket is closed
   std::size_t group_ = 0, item_ = 0;
   std::uint64_t nonce_ = 0;  ///< of the current work item

@@ -81,18 +81,21 @@ TEST(WorkerPool, LargePayloadsArriveComplete) {
     EXPECT_TRUE(results[i].payload == std::string(5'000'000, static_cast<char>('a' + i)));
 }
 
-TEST(WorkerPool, ACrashAffectsOnlyItsOwnWorkItem) {
-  const auto results =
-      run_all(6, with_workers(2), [](std::size_t i, SharedTaskLog&) -> std::string {
-        if (i == 1) {
-          std::signal(SIGSEGV, SIG_DFL);  // sanitizers would catch it and exit
-          std::raise(SIGSEGV);
-        }
-        if (i == 2) std::abort();
-        if (i == 3) std::_Exit(7);
-        if (i == 4) throw std::runtime_error("no idea");
-        return "fine";
-      });
+class CrashOfAWorker : public testing::TestWithParam<bool> {};
+
+TEST_P(CrashOfAWorker, AffectsOnlyItsOwnWorkItem) {
+  PoolOptions options = with_workers(2);
+  options.trusted = GetParam();
+  const auto results = run_all(6, options, [](std::size_t i, SharedTaskLog&) -> std::string {
+    if (i == 1) {
+      std::signal(SIGSEGV, SIG_DFL);  // sanitizers would catch it and exit
+      std::raise(SIGSEGV);
+    }
+    if (i == 2) std::abort();
+    if (i == 3) std::_Exit(7);
+    if (i == 4) throw std::runtime_error("no idea");
+    return "fine";
+  });
   ASSERT_EQ(results.size(), 6U);
   EXPECT_EQ(results[0].payload, "fine");
   EXPECT_EQ(results[1].status, Status::Crashed);
@@ -103,6 +106,8 @@ TEST(WorkerPool, ACrashAffectsOnlyItsOwnWorkItem) {
   EXPECT_EQ(results[4].detail, "no idea");
   EXPECT_EQ(results[5].payload, "fine");
 }
+
+INSTANTIATE_TEST_SUITE_P(Trusted, CrashOfAWorker, testing::Bool());
 
 TEST(WorkerPool, AHangingWorkItemIsKilledAtTheTimeLimit) {
   ManualTime time;
@@ -195,7 +200,10 @@ TEST(WorkerPool, FreshProcessesDoNotShareState) {
   PoolOptions options = with_workers(2);
   const WorkItem item = [&state](std::size_t, SharedTaskLog&) { return std::to_string(++state); };
   options.fresh_process = true;
-  for (const WorkResult& result : run_all(5, options, item)) EXPECT_EQ(result.payload, "1");
+  for (const bool trusted : {false, true}) {
+    options.trusted = trusted;
+    for (const WorkResult& result : run_all(5, options, item)) EXPECT_EQ(result.payload, "1");
+  }
   EXPECT_EQ(state, 0) << "work items must not run in the calling process";
 }
 

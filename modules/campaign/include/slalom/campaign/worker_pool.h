@@ -35,6 +35,7 @@ struct PoolOptions {
   bool keep_stderr = false;      ///< do not discard the workers' standard error
   bool fresh_process = false;    ///< a new process for each work item
   bool ordered = true;           ///< results in the order of the indexes, or as they are obtained
+  bool trusted = false;          ///< work items start no processes: no keeper, which costs a fork
   bool in_process = false;       ///< execute work items in this process, without limits
   /// A process executes only work items of one of `groups` groups. Null: all are of one group.
   std::function<std::size_t(std::size_t index)> group = nullptr;
