@@ -1,30 +1,26 @@
 #include "map_writers.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/temporary_file.h>
 #include <slalom/map_formats/map_task.h>
 #include <slalom/scenario/occupancy.h>
 
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/serialization/CArchive.h>
 
-#include <cstdio>
-#include <unistd.h>
-
 namespace slalom {
 
 void write_gridmap(const mrpt::maps::COccupancyGridMap2D& map, const std::string& path) {
-  const std::string temporary = path + ".tmp" + std::to_string(getpid());
+  TemporaryFile temporary(path);
   try {
     mrpt::io::CFileGZOutputStream file;
-    if (!file.open(temporary)) throw std::runtime_error("cannot be created");
+    if (!file.open(temporary.name())) throw std::runtime_error("cannot be created");
     mrpt::serialization::archiveFrom(file) << map;
     file.close();
-    if (std::rename(temporary.c_str(), path.c_str()) != 0)
-      throw std::runtime_error("cannot be replaced");
   } catch (const std::exception& e) {
-    std::remove(temporary.c_str());
     throw job_error(path, "cannot be written (" + reason_of(e) + ")", "a writable path");
   }
+  temporary.publish();
 }
 
 void write_mrpt_map(const Scenario& scenario, const MapExportOptions& options,

@@ -1,10 +1,9 @@
 #include <slalom/core/error.h>
+#include <slalom/core/temporary_file.h>
 #include <slalom/core/text.h>
 #include <slalom/planner_arena/benchmark_database.h>
 
 #include <SQLiteCpp/SQLiteCpp.h>
-
-#include <cstdio>
 
 namespace slalom {
 namespace {
@@ -179,18 +178,14 @@ class Writer {
 }  // namespace
 
 void write_benchmark_database(const ResultTable& table, const std::string& path) {
-  const std::string temporary = path + ".tmp";
-  std::remove(temporary.c_str());
+  TemporaryFile temporary(path);
   try {
-    SQLite::Database database(temporary, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    SQLite::Database database(temporary.name(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     Writer(table, database).write();
   } catch (const SQLite::Exception& e) {
-    std::remove(temporary.c_str());
     throw job_error(path, std::string("cannot be written: ") + e.what());
   }
-  if (std::rename(temporary.c_str(), path.c_str()) == 0) return;
-  std::remove(temporary.c_str());
-  throw job_error(path, "cannot be written: renaming failed");
+  temporary.publish();
 }
 
 }  // namespace slalom

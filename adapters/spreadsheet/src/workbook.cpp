@@ -1,8 +1,8 @@
 #include <slalom/core/error.h>
+#include <slalom/core/temporary_file.h>
 #include <slalom/spreadsheet/workbook.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <set>
 #include <xlsxwriter.h>
 
@@ -101,20 +101,19 @@ void check_size(const DataTable& table) {
 
 void write_workbook(const std::vector<DataTable>& tables, const std::string& path) {
   for (const DataTable& table : tables) check_size(table);
-  const std::string temporary = path + ".tmp";
+  TemporaryFile temporary(path);
   lxw_workbook_options options = {};
   options.constant_memory = LXW_TRUE;
-  lxw_workbook* book = workbook_new_opt(temporary.c_str(), &options);
+  lxw_workbook* book = workbook_new_opt(temporary.name().c_str(), &options);
   if (!book) throw job_error(path, "cannot be written: out of memory");
   const Formats formats(book);
   std::set<std::string> used;
   for (const DataTable& table : tables)
     write_sheet(book, table, sheet_name(table.name, used), formats);
   const lxw_error error = workbook_close(book);
-  if (error == LXW_NO_ERROR && std::rename(temporary.c_str(), path.c_str()) == 0) return;
-  std::remove(temporary.c_str());
-  throw job_error(path, std::string("cannot be written: ") +
-                            (error == LXW_NO_ERROR ? "renaming failed" : lxw_strerror(error)));
+  if (error != LXW_NO_ERROR)
+    throw job_error(path, std::string("cannot be written: ") + lxw_strerror(error));
+  temporary.publish();
 }
 
 }  // namespace slalom

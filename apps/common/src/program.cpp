@@ -1,13 +1,17 @@
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
+#include <slalom/core/temporary_file.h>
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
 
+#include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <iostream>
 #include <new>
 #include <system_error>
+#include <unistd.h>
 #include <vector>
 
 namespace slalom {
@@ -81,6 +85,33 @@ void reject_separate_values(int argc, char** argv) {
   }
 }
 
+pid_t program_process = 0;
+
+/// Ends the program on a signal that it does not handle otherwise; its temporary files are removed.
+void end_interrupted(int signal) {
+  if (getpid() != program_process) {  // a worker: as without this handler
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+    return;
+  }
+  remove_temporary_files();
+  constexpr char kText[] = "interrupted\n";
+  if (write(STDERR_FILENO, kText, sizeof kText - 1) < 0) _exit(kInterrupted);
+  _exit(kInterrupted);
+}
+
+/// What every program needs before anything else: all three standard streams, so that no file takes
+/// the number of a closed one and is written to as such; an error instead of a signal when a file
+/// becomes too large; and no temporary files after a signal.
+void prepare_process() {
+  program_process = getpid();
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0) _exit(kJobFailed);
+  std::signal(SIGXFSZ, SIG_IGN);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, end_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
 /// Parses the command line and executes the callbacks; returns 0 or throws.
 int parse_and_execute(CLI::App& app, int argc, char** argv) {
   try {
@@ -127,6 +158,7 @@ void warn_of_damage(const std::string& path, const std::vector<std::string>& dam
 
 int run_program(const std::string& name, const std::string& description, int argc, char** argv,
                 const std::function<void(CLI::App&)>& define, bool needs_arguments) {
+  prepare_process();
   CLI::App app(description, name);
   try {
     app.set_version_flag("--version", name + " " + version(), "Print the version and exit");

@@ -1,31 +1,23 @@
 #include "draft_file.h"
 
 #include <cerrno>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace slalom {
 
-Draft::Draft(const std::string& path) : path_(path), name_(path + ".XXXXXX") {
-  const int file = mkstemp(name_.data());
+Draft::Draft(const std::string& path) : path_(path), file_(path) {
+  const int file = open(name().c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0644);
   if (file < 0) throw failure("cannot be created");
-  fchmod(file, 0644);
   close(file);
 }
 
-Draft::~Draft() {
-  for (const char* suffix : {"", "-journal"}) unlink((name_ + suffix).c_str());
-}
-
 void Draft::publish() {
-  sync(name_);
+  sync(name());
   for (const char* suffix : {"-journal", "-wal", "-shm"}) unlink((path_ + suffix).c_str());
-  if (std::rename(name_.c_str(), path_.c_str()) != 0) throw failure("cannot be replaced");
+  file_.publish();
   const auto folder = std::filesystem::path(path_).parent_path();
   sync(folder.empty() ? "." : folder.string());
 }

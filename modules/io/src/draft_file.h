@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/core/error.h>
+#include <slalom/core/temporary_file.h>
 
 #include <string>
 
@@ -10,11 +11,8 @@ namespace slalom {
 class Draft {
  public:
   explicit Draft(const std::string& path);  ///< throws Error (Job)
-  ~Draft();
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
 
-  const std::string& name() const { return name_; }
+  const std::string& name() const { return file_.name(); }
 
   /// Makes the file durable and replaces `path` with it. Throws Error (Job).
   void publish();
@@ -23,7 +21,8 @@ class Draft {
   Error failure(const std::string& what) const;
   void sync(const std::string& path) const;
 
-  std::string path_, name_;
+  std::string path_;
+  TemporaryFile file_;
 };
 
 }  // namespace slalom

@@ -1,9 +1,11 @@
 #include <slalom/core/error.h>
+#include <slalom/core/temporary_file.h>
 #include <slalom/io/result_file.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <unistd.h>
 
 namespace slalom {
@@ -24,23 +26,17 @@ bool sync_file(const std::string& path) {
 
 void write_file_atomically(const std::string& path,
                            const std::function<void(std::ostream&)>& write) {
-  const std::string temporary = path + ".tmp" + std::to_string(getpid());
+  TemporaryFile temporary(path);
   const auto fail = [&](const char* what) {
-    const std::string reason = std::strerror(errno);
-    unlink(temporary.c_str());
-    return job_error(path, std::string(what) + " (" + reason + ")", "a writable path");
+    return job_error(path, std::string(what) + " (" + std::strerror(errno) + ")",
+                     "a writable path");
   };
-  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+  std::ofstream file(temporary.name(), std::ios::binary | std::ios::trunc);
   if (!file) throw fail("cannot be created");
-  try {
-    write(file);
-  } catch (...) {
-    unlink(temporary.c_str());
-    throw;
-  }
+  write(file);
   file.close();
-  if (!file || !sync_file(temporary)) throw fail("cannot be written");
-  if (rename(temporary.c_str(), path.c_str()) != 0) throw fail("cannot be replaced");
+  if (!file || !sync_file(temporary.name())) throw fail("cannot be written");
+  temporary.publish();
 }
 
 void write_file_atomically(const std::string& path, const std::string& content) {

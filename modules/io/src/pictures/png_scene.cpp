@@ -1,14 +1,13 @@
 #include "svg_obstacles.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/temporary_file.h>
 #include <slalom/io/png_scene.h>
 #include <slalom/scenario/occupancy.h>
 
 #include <mrpt/img/CImage.h>
 
 #include <cmath>
-#include <cstdio>
-#include <unistd.h>
 
 namespace slalom {
 namespace {
@@ -78,10 +77,10 @@ class Canvas {
 }  // namespace
 
 void write_png(const CImage& image, const std::string& path) {
-  const std::string temporary = path + ".tmp" + std::to_string(getpid()) + ".png";
-  if (image.saveToFile(temporary) && std::rename(temporary.c_str(), path.c_str()) == 0) return;
-  std::remove(temporary.c_str());
-  throw job_error(path, "cannot be written", "a .png file in a writable folder");
+  TemporaryFile temporary(path, ".png");
+  if (!image.saveToFile(temporary.name()))
+    throw job_error(path, "cannot be written", "a .png file in a writable folder");
+  temporary.publish();
 }
 
 void render_png(const Scenario& scenario, const SceneOptions& options, const std::string& path) {
