@@ -14,7 +14,6 @@ struct DatabaseKind {
   int application_id;
   int version;
   const char* schema;  ///< SQL that creates the tables
-  int oldest = 0;      ///< oldest version that can be upgraded; 0: none
 };
 
 /// Throws Error (File) for an existing file of another kind; an empty one can be replaced.

@@ -52,6 +52,7 @@ void ScenarioList::replace(const std::string& hash, const Scenario& scenario) {
     row->bind(4, content.data(), static_cast<int>(content.size()));
     row->bind(5, hash);
     row->exec();
+    impl_->update_checksum(scenario.hash());
   });
 }
 
@@ -87,16 +88,18 @@ bool ScenarioList::copy_from(ScenarioList& source, const Entry& entry) {
   return impl_->write([&] {
     const bool added = impl_->insert(entry, content);
     StatementUse values = source.impl_->use(
-        "SELECT id, version, parameters, value, standard_error, reason FROM descriptor_values "
+        "SELECT id, version, parameters, value, standard_error, reason, checksum "
+        "FROM descriptor_values "
         "JOIN descriptor_keys USING (key) WHERE hash = ?");
     values->bind(1, entry.hash);
     while (values->executeStep()) {
       StatementUse row =
-          impl_->use("INSERT OR IGNORE INTO descriptor_values VALUES (?, ?, ?, ?, ?)");
+          impl_->use("INSERT OR IGNORE INTO descriptor_values VALUES (?, ?, ?, ?, ?, ?)");
       row->bind(1, entry.hash);
       row->bind(2, impl_->key_of({values->getColumn(0).getString(), values->getColumn(1).getInt(),
                                   values->getColumn(2).getString()}));
       bind_value(*row, 3, value_from_columns(*values, 3));
+      row->bind(6, values->getColumn(6).getInt64());
       row->exec();
     }
     return added;

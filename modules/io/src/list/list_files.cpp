@@ -71,7 +71,6 @@ ScenarioList ScenarioList::open(const std::string& path) {
   try {
     impl->database->exec("PRAGMA trusted_schema = OFF");
     refuse_foreign_schema(*impl->database, path);
-    upgrade_list(*impl->database, path);
   } catch (const SQLite::Exception& e) {
     throw_read_error(path, e);
   }

@@ -1,3 +1,4 @@
+#include "checked_row.h"
 #include "scenario_list_impl.h"
 
 #include <slalom/core/error.h>
@@ -23,8 +24,12 @@ ScenarioList::Entry ScenarioList::Impl::entry_of(SQLite::Statement& row) {
   entry.hash = row.getColumn(0).getString();
   entry.id = entry.hash.substr(0, kIdDigits);
   entry.name = row.getColumn(1).getString();
-  entry.representation =
-      from_stored_name<Representation>("representation", row.getColumn(2).getString());
+  const auto representation = from_name<Representation>(row.getColumn(2).getString());
+  if (!representation ||
+      RowChecksum().add_columns(row, 0, 5).value() != row.getColumn(5).getInt64())
+    throw file_error(path + ": scenario '" + entry.hash + "'",
+                     "is damaged (does not match its checksum)", "a list as it was written");
+  entry.representation = *representation;
   entry.generator = row.getColumn(3).getString();
   if (!row.getColumn(4).isNull())
     entry.seed = static_cast<std::uint64_t>(row.getColumn(4).getInt64());
@@ -34,16 +39,32 @@ ScenarioList::Entry ScenarioList::Impl::entry_of(SQLite::Statement& row) {
   return entry;
 }
 
+void ScenarioList::Impl::update_checksum(const std::string& hash) {
+  StatementUse row =
+      use("SELECT hash, name, representation, generator, seed FROM scenarios WHERE hash = ?");
+  row->bind(1, hash);
+  if (!row->executeStep()) return;
+  StatementUse update = use("UPDATE scenarios SET checksum = ? WHERE hash = ?");
+  update->bind(1, RowChecksum().add_columns(*row, 0, 5).value());
+  update->bind(2, hash);
+  update->exec();
+}
+
 bool ScenarioList::Impl::insert(const Entry& entry, const std::string& content) {
   StatementUse row =
-      use("INSERT OR IGNORE INTO scenarios (hash, name, representation, generator, seed, content) "
-          "VALUES (?, ?, ?, ?, ?, ?)");
+      use("INSERT OR IGNORE INTO scenarios (hash, name, representation, generator, seed, checksum, "
+          "content) VALUES (?, ?, ?, ?, ?, ?, ?)");
+  RowChecksum checksum;
+  checksum.add(entry.hash).add(entry.name).add(to_string(entry.representation));
   row->bind(1, entry.hash);
   row->bind(2, entry.name);
   row->bind(3, to_string(entry.representation));
   if (!entry.generator.empty()) row->bind(4, entry.generator);
+  entry.generator.empty() ? checksum.add_null() : checksum.add(entry.generator);
   if (entry.seed) row->bind(5, static_cast<std::int64_t>(*entry.seed));
-  row->bind(6, content.data(), static_cast<int>(content.size()));
+  entry.seed ? checksum.add(static_cast<std::int64_t>(*entry.seed)) : checksum.add_null();
+  row->bind(6, checksum.value());
+  row->bind(7, content.data(), static_cast<int>(content.size()));
   const bool added = row->exec() > 0;
   for (const std::string& tag : entry.tags) add_tag(entry.hash, tag);
   return added;

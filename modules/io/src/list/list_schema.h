@@ -6,13 +6,10 @@
 
 namespace slalom {
 
-/// The file format of scenario lists (.scenarios). Version 1 had no origins, tags and indexes; such
-/// files are upgraded when opened.
+/// The file format of scenario lists (.scenarios). The row of a scenario contains the checksum of
+/// its hash, name, representation, generator and seed; that of a value the checksum of the hash,
+/// the id, version and parameters of the descriptor, and the value.
 extern const DatabaseKind kScenarioList;
-
-/// Upgrades a list of an older version in one transaction. Throws Error (File) with the version
-/// when the file cannot be written.
-void upgrade_list(SQLite::Database& database, const std::string& path);
 
 /// Throws Error (File) when the file contains views or triggers, which lists do not have: they
 /// could execute code of unknown origin.

@@ -46,13 +46,14 @@ std::vector<ScenarioList::Entry> SelectedScenarios::next() {
   return reading(list_.path, [&] {
     std::vector<ScenarioList::Entry> entries;
     SQLite::Statement rows(
-        *list_.database, "SELECT hash, name, representation, generator, seed, rank FROM " + table_ +
-                             " JOIN scenarios USING (hash) WHERE rank > ? ORDER BY rank LIMIT ?");
+        *list_.database,
+        "SELECT hash, name, representation, generator, seed, checksum, rank FROM " + table_ +
+            " JOIN scenarios USING (hash) WHERE rank > ? ORDER BY rank LIMIT ?");
     rows.bind(1, rank_);
     rows.bind(2, kBatchSize);
     while (rows.executeStep()) {
       entries.push_back(list_.entry_of(rows));
-      rank_ = rows.getColumn(5).getInt64();
+      rank_ = rows.getColumn(6).getInt64();
     }
     return entries;
   });

@@ -1,9 +1,32 @@
+#include "checked_row.h"
 #include "scenario_list_impl.h"
 #include "value_columns.h"
 
 #include <algorithm>
 
 namespace slalom {
+
+namespace {
+
+std::int64_t value_checksum(const std::string& hash, const ValueKey& key, const Value& value) {
+  RowChecksum checksum;
+  checksum.add(hash).add(key.id).add(static_cast<std::int64_t>(key.version)).add(key.parameters);
+  value.is_na() ? checksum.add(value.reason()) : checksum.add(value.number());
+  if (value.standard_error()) checksum.add(*value.standard_error());
+  return checksum.value();
+}
+
+}  // namespace
+
+Value ScenarioList::Impl::value_of(SQLite::Statement& row, const std::string& hash) {
+  Value value = value_from_columns(row, 0);
+  const ValueKey key = {row.getColumn(4).getString(), row.getColumn(5).getInt(),
+                        row.getColumn(6).getString()};
+  if (value_checksum(hash, key, value) != row.getColumn(3).getInt64())
+    throw file_error(path + ": " + key.id + " of scenario " + hash,
+                     "is damaged (does not match its checksum)", "a list as it was written");
+  return value;
+}
 
 std::optional<std::int64_t> ScenarioList::Impl::known_key(const ValueKey& key) {
   StatementUse known =
@@ -63,27 +86,29 @@ std::string ScenarioList::Impl::key_condition(const std::vector<ValueKey>& keys)
 std::optional<Value> ScenarioList::find(const std::string& scenario_hash, const ValueKey& key) {
   return reading(impl_->path, [&]() -> std::optional<Value> {
     StatementUse row = impl_->use(
-        "SELECT value, standard_error, reason FROM descriptor_keys JOIN descriptor_values "
+        "SELECT value, standard_error, reason, checksum, id, version, parameters "
+        "FROM descriptor_keys JOIN descriptor_values "
         "USING (key) WHERE hash = ? AND id = ? AND version = ? AND parameters = ?");
     row->bind(1, scenario_hash);
     row->bind(2, key.id);
     row->bind(3, key.version);
     row->bind(4, key.parameters);
     if (!row->executeStep()) return std::nullopt;
-    return value_from_columns(*row, 0);
+    return impl_->value_of(*row, scenario_hash);
   });
 }
 
 std::optional<Value> ScenarioList::find(const std::string& scenario_hash,
                                         const std::vector<ValueKey>& keys) {
   return reading(impl_->path, [&]() -> std::optional<Value> {
-    SQLite::Statement row(*impl_->database,
-                          "SELECT value, standard_error, reason FROM descriptor_values "
-                          "WHERE hash = ? AND key " +
-                              impl_->key_condition(keys));
+    SQLite::Statement row(
+        *impl_->database,
+        "SELECT value, standard_error, reason, checksum, id, version, parameters "
+        "FROM descriptor_values JOIN descriptor_keys USING (key) WHERE hash = ? AND key " +
+            impl_->key_condition(keys));
     row.bind(1, scenario_hash);
     if (!row.executeStep()) return std::nullopt;
-    return value_from_columns(row, 0);
+    return impl_->value_of(row, scenario_hash);
   });
 }
 
@@ -91,10 +116,11 @@ void ScenarioList::store_value(const std::string& scenario_hash, const KeyedValu
   impl_->write([&] {
     const std::int64_t key = impl_->key_of(value.key);
     StatementUse row =
-        impl_->use("INSERT OR REPLACE INTO descriptor_values VALUES (?, ?, ?, ?, ?)");
+        impl_->use("INSERT OR REPLACE INTO descriptor_values VALUES (?, ?, ?, ?, ?, ?)");
     row->bind(1, scenario_hash);
     row->bind(2, key);
     bind_value(*row, 3, value.value);
+    row->bind(6, value_checksum(scenario_hash, value.key, value.value));
     row->exec();
   });
 }

@@ -20,7 +20,8 @@ std::vector<ScenarioList::Entry> ScenarioList::entries() const {
   return reading(impl_->path, [&] {
     std::vector<Entry> entries;
     StatementUse rows = impl_->use(
-        "SELECT hash, name, representation, generator, seed FROM scenarios ORDER BY position");
+        "SELECT hash, name, representation, generator, seed, checksum FROM scenarios ORDER BY "
+        "position");
     while (rows->executeStep()) entries.push_back(impl_->entry_of(*rows));
     return entries;
   });
@@ -45,12 +46,12 @@ ScenarioList::Entry ScenarioList::find_entry(const std::string& id_or_name) cons
   const auto found = reading(impl_->path, [&] {
     std::vector<Entry> matches;
     StatementUse exact = impl_->use(
-        "SELECT hash, name, representation, generator, seed FROM scenarios "
+        "SELECT hash, name, representation, generator, seed, checksum FROM scenarios "
         "WHERE hash = ?1 OR name = ?1 ORDER BY position LIMIT 1");
     exact->bind(1, id_or_name);
     if (exact->executeStep()) return std::vector<Entry>{impl_->entry_of(*exact)};
     StatementUse prefixed = impl_->use(
-        "SELECT hash, name, representation, generator, seed FROM scenarios "
+        "SELECT hash, name, representation, generator, seed, checksum FROM scenarios "
         "WHERE hash >= ?1 AND hash < ?1 || 'g' AND ?1 <> '' ORDER BY hash LIMIT 2");
     prefixed->bind(1, id_or_name);
     while (prefixed->executeStep()) matches.push_back(impl_->entry_of(*prefixed));

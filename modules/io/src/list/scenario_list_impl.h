@@ -40,14 +40,20 @@ struct ScenarioList::Impl {
   /// The prepared statement of a string literal, cached by its address.
   StatementUse use(const char* sql);
 
-  /// From the columns hash, name, representation, generator, seed.
+  /// From the columns hash, name, representation, generator, seed, checksum. Throws Error (File) if
+  /// they are damaged.
   Entry entry_of(SQLite::Statement& row);
+  void update_checksum(const std::string& hash);  ///< after a change of the row
   /// Returns false if the content already exists; tags are added in any case.
   bool insert(const Entry& entry, const std::string& content);
   bool add_tag(const std::string& hash, const std::string& tag);  ///< false if it already exists
   bool remove(const std::string& hash);                           ///< false if it does not exist
   std::string content(const std::string& hash);
   std::vector<std::string> names();
+
+  /// From the columns value, standard_error, reason, checksum, id, version, parameters. Throws
+  /// Error (File) if they are damaged.
+  Value value_of(SQLite::Statement& row, const std::string& hash);
 
   /// The number of a descriptor key; created if it does not exist.
   std::int64_t key_of(const ValueKey& key);

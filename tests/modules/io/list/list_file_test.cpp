@@ -3,6 +3,7 @@
 
 #include <slalom/io/result_file.h>
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -107,61 +108,50 @@ TEST(ListFile, RemovesOnlyLists) {
   EXPECT_EQ(files_in(folder), 1U);
 }
 
-/// Writes a list in the format of version 1, without origins, tags and indexes.
-void write_version_1(const std::string& path, int version = 1) {
-  SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  database.exec("PRAGMA application_id = " + std::to_string(0x534c534c));
-  database.exec("PRAGMA user_version = " + std::to_string(version));
-  database.exec(
-      "CREATE TABLE scenarios (position INTEGER PRIMARY KEY, hash TEXT NOT NULL UNIQUE, name TEXT "
-      "NOT NULL, representation TEXT NOT NULL, content BLOB NOT NULL);"
-      "CREATE TABLE descriptors (hash TEXT NOT NULL, id TEXT NOT NULL, version INTEGER NOT NULL, "
-      "parameters TEXT NOT NULL, value REAL, standard_error REAL, reason TEXT, "
-      "PRIMARY KEY (hash, id, version, parameters)) WITHOUT ROWID;"
-      "CREATE TABLE notes (key TEXT PRIMARY KEY, text TEXT NOT NULL);"
-      "INSERT INTO notes VALUES ('origin', 'long ago')");
-  for (std::uint64_t i = 1; i <= 3; ++i) {
-    const Scenario scenario = sample_scenario(i, "old_" + std::to_string(i));
-    SQLite::Statement row(database, "INSERT INTO scenarios VALUES (?, ?, ?, 'continuous', ?)");
-    const std::string content = serialize(scenario);
-    row.bind(1, static_cast<int>(10 - i));
-    row.bind(2, scenario.hash());
-    row.bind(3, scenario.name());
-    row.bind(4, content.data(), static_cast<int>(content.size()));
-    row.exec();
-  }
-  SQLite::Statement value(database,
-                          "INSERT INTO descriptors VALUES (?, 'density', 1, 'p=1', ?, NULL, NULL)");
-  value.bind(1, sample_scenario(2).hash());
-  value.bind(2, 0.1 + 0.2);
-  value.exec();
-}
-
-TEST(ListFile, Version1IsUpgraded) {
+TEST(ListFile, OtherVersionsAreRefused) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.scenarios";
-  write_version_1(path);
-  for (int time = 0; time < 2; ++time) {
-    ScenarioList list = ScenarioList::open(path);
-    ASSERT_EQ(list.size(), 3U);
-    EXPECT_EQ(list.entries()[0].name, "old_3");
-    EXPECT_EQ(list.read(list.entries()[2].hash).hash(), sample_scenario(1).hash());
-    EXPECT_EQ(list.find(sample_scenario(2).hash(), {"density", 1, "p=1"}), Value::of(0.1 + 0.2));
-    EXPECT_EQ(list.note("origin"), "long ago");
+  ScenarioList::create(path);
+  for (const int version : {0, 2, 4}) {
+    SQLite::Database(path, SQLite::OPEN_READWRITE)
+        .exec("PRAGMA user_version = " + std::to_string(version));
+    EXPECT_TRUE(throws_error(ErrorKind::File, path,
+                             {"version " + std::to_string(version),
+                              "expected a scenario list (.scenarios) of version 3"},
+                             [&] { ScenarioList::open(path); }));
   }
-  ScenarioList::open(path).save_as(folder / "b.scenarios");
-  EXPECT_EQ(ScenarioList::open(folder / "b.scenarios").size(), 3U);
 }
 
-TEST(ListFile, UnsupportedVersionsAreRejected) {
+TEST(ListFile, DamagedRowsAreNamed) {
   const TemporaryFolder folder;
-  write_version_1(folder / "new.scenarios", 3);
-  EXPECT_TRUE(throws_error(ErrorKind::File, folder / "new.scenarios",
-                           {"version 3", "expected a scenario list (.scenarios) of version 2"},
-                           [&] { ScenarioList::open(folder / "new.scenarios"); }));
-  write_version_1(folder / "none.scenarios", 0);
-  EXPECT_TRUE(throws_error(ErrorKind::File, folder / "none.scenarios", {"version 0"},
-                           [&] { ScenarioList::open(folder / "none.scenarios"); }));
+  const std::string path = folder / "a.scenarios";
+  std::vector<SampleRow> rows;
+  sample_list(path, 5, 1, rows);
+  const auto keys = sample_view().at("density");
+  std::string hash, other;  // with and without a damaged value
+  for (const SampleRow& row : rows)
+    if (ScenarioList::open(path).find(row.hash, keys)) (hash.empty() ? hash : other) = row.hash;
+  ASSERT_FALSE(other.empty());
+  const auto execute = [&](const std::string& sql) {
+    SQLite::Database(path, SQLite::OPEN_READWRITE).exec(sql + " WHERE hash = '" + hash + "'");
+  };
+  EXPECT_TRUE(ScenarioList::open(path).find_entry(hash).hash == hash);
+  execute("UPDATE descriptor_values SET value = coalesce(value, 0) + 0.5, reason = NULL");
+  EXPECT_TRUE(throws_error(ErrorKind::File, path + ": density of scenario " + hash + ": ",
+                           {"is damaged"}, [&] { ScenarioList::open(path).find(hash, keys); }));
+  ScenarioList::open(path).find(other, keys);
+  for (const char* change : {"name = name || 'x'", "generator = 'forest'", "seed = 77",
+                             "representation = 'grid'", "hash = 'f' || substr(hash, 2)"}) {
+    const TemporaryFolder copies;
+    std::filesystem::copy_file(path, copies / "b.scenarios");
+    SQLite::Database(copies / "b.scenarios", SQLite::OPEN_READWRITE)
+        .exec(std::string("UPDATE scenarios SET ") + change + " WHERE hash = '" + hash + "'");
+    const ScenarioList list = ScenarioList::open(copies / "b.scenarios");
+    EXPECT_TRUE(throws_error(ErrorKind::File, copies / "b.scenarios: scenario '", {"is damaged"},
+                             [&] { list.entries(); }))
+        << change;
+    EXPECT_EQ(list.find_entry(other).hash, other);
+  }
 }
 
 TEST(ListFile, AReadOnlyFileCanBeRead) {

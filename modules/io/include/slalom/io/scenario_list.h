@@ -35,7 +35,7 @@ class ScenarioList : public DescriptorStore {
   /// Creates a list with the contents written by `fill`, atomically: an existing file is replaced
   /// when the list is complete, and kept when `fill` throws.
   static void write(const std::string& path, const std::function<void(ScenarioList&)>& fill);
-  /// Opens an existing list; one of an older version is upgraded. Throws Error (File) when the file
+  /// Opens an existing list. Throws Error (File) when the file
   /// is missing, not a scenario list, or of an unsupported version.
   static ScenarioList open(const std::string& path);
   static void remove_file(const std::string& path);  ///< scenario lists only; errors as of open()
