@@ -45,6 +45,9 @@ void write_folder(const ExportData& data, const std::string& folder, const char*
   if (error)
     throw job_error(folder, "cannot create the folder: " + error.message(), "a writable path");
   for (const DataTable& table : data.tables()) {
+    if (table.name.find('/') != std::string::npos)
+      throw file_error(data.results.source, "contains the name '" + table.name + "'",
+                       "names without '/'");
     const auto path = std::filesystem::path(folder) / (table.name + ending);
     write_file_atomically(path.string(), render(table));
   }

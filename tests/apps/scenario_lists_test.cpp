@@ -54,6 +54,19 @@ TEST_F(ScenarioLists, SelectAgreesWithDescribe) {
   EXPECT_EQ(names("list b.scenarios"), (std::vector<std::string>{selected[0], selected[1]}));
 }
 
+TEST_F(ScenarioLists, NoOutputReplacesAnInputOrAFileOfAnotherKind) {
+  const std::string ini = read("generate.ini"), list = read("a.scenarios");
+  std::filesystem::create_symlink("a.scenarios", folder_ / "link.scenarios");
+  const std::string convert = "slalom-scenarios convert a.scenarios --to grid --resolution 0.1 -o ";
+  for (const std::string name : {"a.scenarios", "./a.scenarios", "link.scenarios"})
+    expect_failure(convert + name, 2, {"-o " + name, "is also an input", "different"});
+  expect_failure("slalom-scenarios generate -c generate.ini -n 2 -o generate.ini", 2,
+                 {"-o generate.ini", "is also an input"});
+  expect_failure(convert + "generate.ini", 3, {"generate.ini", "different kind", "not replaced"});
+  EXPECT_EQ(read("generate.ini"), ini);
+  EXPECT_EQ(read("a.scenarios"), list);
+}
+
 TEST_F(ScenarioLists, IndexesAreCreatedUsedShownAndDropped) {
   const std::string select = "select a.scenarios --where 'density >= 0.02 and density < 0.05'";
   const auto before = names(select);

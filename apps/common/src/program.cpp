@@ -112,6 +112,28 @@ void prepare_process() {
     if (std::signal(signal, end_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
+/// The verb that was given, or the program itself.
+const CLI::App& selected(const CLI::App& app) {
+  const CLI::App* verb = &app;
+  while (!verb->get_subcommands().empty()) verb = verb->get_subcommands().front();
+  return *verb;
+}
+
+/// Throws Error (Usage) if the file of -o is also an argument: it would be replaced.
+void refuse_output_over_input(const CLI::App& verb) {
+  const CLI::Option* output = verb.get_option_no_throw("--output");
+  if (output == nullptr || output->empty()) return;
+  for (const CLI::Option* option : verb.get_options()) {
+    if (option == output) continue;
+    for (const std::string& value : option->results()) {
+      std::error_code not_both_exist;
+      if (std::filesystem::equivalent(value, output->as<std::string>(), not_both_exist))
+        throw usage_error("-o " + output->as<std::string>(), "is also an input, " + value,
+                          "a different file");
+    }
+  }
+}
+
 /// Parses the command line and executes the callbacks; returns 0 or throws.
 int parse_and_execute(CLI::App& app, int argc, char** argv) {
   try {
@@ -163,7 +185,11 @@ int run_program(const std::string& name, const std::string& description, int arg
   try {
     app.set_version_flag("--version", name + " " + version(), "Print the version and exit");
     define(app);
-    if (!verbs(app).empty()) app.require_subcommand(1);
+    if (!verbs(app).empty()) {
+      app.require_subcommand(1);
+      // Before the callback of the verb.
+      app.parse_complete_callback([&app] { refuse_output_over_input(selected(app)); });
+    }
     if (argc < 2 && needs_arguments) {
       std::cerr << app.help();
       return kUsageError;
