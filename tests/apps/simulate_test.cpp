@@ -102,7 +102,8 @@ TEST_F(Simulate, VerifyRunsASampleAgainAndNamesWhatIsDifferent) {
   EXPECT_EQ(same.out, "8 runs in 4 scenarios are identical\n") << same.err;
   EXPECT_EQ(run("slalom-simulate verify a.results --quiet").out,
             "2 runs in 1 scenario are identical\n");
-  run("sqlite3 a.results \"UPDATE runs SET m_safety = m_safety + 1e-12 WHERE run = 3;"
+  run("sqlite3 a.results \"UPDATE runs SET m_safety = m_safety + 1e-12 WHERE run = (SELECT "
+      "min(run) FROM runs WHERE m_safety > 0);"
       "UPDATE manifest SET text = 'abacus' WHERE key = 'environment.processor'\"");
   const ProgramResult changed = run("slalom-simulate verify a.results --fraction 1 --quiet");
   EXPECT_EQ(changed.status, 1);
@@ -128,10 +129,11 @@ class Slurm : public Simulate {
     std::filesystem::permissions(folder_ / "bin" / name, std::filesystem::perms::all);
   }
   std::string command(const std::string& options) const {
-    return "env HOME=" + folder_.string() + " PATH=" + folder_.string() +
-           "/bin:\"$PATH\" slalom-simulate slurm -c small.ini --scenarios 'my list.scenarios' "
-           "-o 'é out' " +
-           options;
+    const std::string folder = folder_.string();
+    return "env HOME=" + folder + " sh -c 'PATH=\"" + folder +
+           "/bin:$PATH\" slalom-simulate slurm -c small.ini --scenarios \"my list.scenarios\" "
+           "-o \"é out\" " +
+           options + "'";
   }
 };
 
