@@ -3,6 +3,7 @@
 #include <slalom/analysis/cell.h>
 #include <slalom/app/campaign_program.h>
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 

@@ -1,6 +1,7 @@
 #include "error_text.h"
 #include "io_sample.h"
 
+#include <slalom/core/read_file.h>
 #include <slalom/io/file_lock.h>
 #include <slalom/io/result_file.h>
 
