@@ -120,12 +120,18 @@ TEST_F(ResultColumnsTest, EqualTheTableBuiltFromTheSameRecords) {
 }
 
 TEST_F(ResultColumnsTest, HaveAReasonForEachMissingDescriptor) {
+  const std::string path = folder_ / "reasons.results";
+  const std::vector<std::map<std::string, VersionedValue>> descriptors = {
+      {{"density", {0, Value::of(0.1)}}}, {{"density", {1, Value::na("no free space")}}}, {}};
   {
-    SQLite::Database database(path_, SQLite::OPEN_READWRITE);
-    database.exec("UPDATE descriptors SET version = 0 WHERE reason IS NULL AND value < 0.2");
-    database.exec("DELETE FROM descriptors WHERE value > 0.2");
+    ResultFile file = ResultFile::create(path, {}, kDescriptors, kMetrics);
+    for (std::size_t i = 0; i < descriptors.size(); ++i) {
+      const Scenario scenario = sample_scenario(i, "scenario" + std::to_string(i));
+      file.add_scenario({scenario.hash(), scenario.name(), descriptors[i]}, scenario, {});
+    }
+    file.commit();
   }
-  const ValueColumn density = read_results(path_).descriptors.at(0);
+  const ValueColumn density = read_results(path).descriptors.at(0);
   EXPECT_EQ(density.reason(0), "other version 0");
   EXPECT_EQ(density.reason(1), "no free space");
   EXPECT_EQ(density.reason(2), "not recorded");
