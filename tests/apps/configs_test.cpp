@@ -30,10 +30,11 @@ class Configs : public ProgramTest {
 
 TEST_F(Configs, EveryCampaignExampleRuns) {
   for (const auto& path : examples(false)) {
-    const ProgramResult result = run("slalom-evaluate '" + path.string() +
-                                     "' -o out -j 1 --quiet --set scenarios.count=2 --set "
-                                     "scenarios.maps= --set campaign.repetitions=1" +
-                                     shared_grids(read_text(path)));
+    const ProgramResult result =
+        run("slalom-evaluate '" + path.string() +
+            "' -o out --overwrite -j 1 --quiet --set scenarios.count=2 --set "
+            "scenarios.maps= --set campaign.repetitions=1" +
+            shared_grids(read_text(path)));
     EXPECT_EQ(result.status, 0) << path << "\n" << result.err;
     const std::string dump = run("slalom-analyze dump out/runs.results").out;
     EXPECT_NE(dump.find("\"outcome\":\"success\""), std::string::npos) << path;

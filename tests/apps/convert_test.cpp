@@ -63,24 +63,27 @@ points:
       "slalom-scenarios convert n.scenarios --to continuous --radius 0.2 -o c.scenarios";
   expect_failure(command, 1, {"near: ", "occupied goal", "continuous", "--skip-blocked"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "c.scenarios"));
-  write("c.scenarios", "precious");
+  const std::string precious = read("ring.scenarios");
+  write("c.scenarios", precious);
   EXPECT_EQ(run(command).status, 1);
-  EXPECT_EQ(read("c.scenarios"), "precious");
+  EXPECT_EQ(read("c.scenarios"), precious);
   const ProgramResult result = run(command + " --skip-blocked");
   EXPECT_EQ(result.status, 0);
   EXPECT_NE(result.err.find("near: occupied goal"), std::string::npos);
   EXPECT_NE(result.err.find("c.scenarios: 1 scenarios"), std::string::npos);
 }
 
-TEST_F(ConvertPrograms, ReplacesItsInputListAndKeepsTags) {
+TEST_F(ConvertPrograms, KeepsTagsAndDoesNotReplaceItsInput) {
   ASSERT_EQ(run("slalom-scenarios tag ring.scenarios --add round").status, 0);
+  expect_failure("slalom-scenarios convert ring.scenarios --to points -o ring.scenarios", 2,
+                 {"-o ring.scenarios", "is also an input"});
   const ProgramResult result =
-      run("slalom-scenarios convert ring.scenarios --to points -o ring.scenarios");
+      run("slalom-scenarios convert ring.scenarios --to points -o points.scenarios");
   ASSERT_EQ(result.status, 0) << result.err;
-  const std::string shown = run("slalom-scenarios show ring.scenarios --id ring").out;
+  const std::string shown = run("slalom-scenarios show points.scenarios --id ring").out;
   EXPECT_NE(shown.find("representation  points"), std::string::npos) << shown;
-  EXPECT_EQ(run("slalom-scenarios select ring.scenarios --where 'tag = round'").out,
-            run("slalom-scenarios list ring.scenarios").out);
+  EXPECT_EQ(run("slalom-scenarios select points.scenarios --where 'tag = round'").out,
+            run("slalom-scenarios list points.scenarios").out);
 }
 
 TEST_F(ConvertPrograms, ImportsWhatItExported) {

@@ -57,12 +57,13 @@ TEST_F(Generate, WarnsAboutAnApertureInRadians) {
 }
 
 TEST_F(Generate, FailedGenerationKeepsTheOldList) {
-  write("a.scenarios", "precious");
+  ASSERT_EQ(run("slalom-scenarios generate -c mix.ini -n 1 --quiet -o a.scenarios").status, 0);
+  const std::string precious = read("a.scenarios");
   expect_failure(
       "slalom-scenarios generate -c mix.ini -n 3 --quiet -o a.scenarios "
       "--set robot.radius=2",
       1, {"_0000", "no solvable scenario"});
-  EXPECT_EQ(read("a.scenarios"), "precious");
+  EXPECT_EQ(read("a.scenarios"), precious);
   expect_failure("slalom-scenarios generate -c mix.ini -n 3 -o b.scenarios --describe densty", 2,
                  {"densty", "density"});
   expect_failure(

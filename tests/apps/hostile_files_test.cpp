@@ -31,7 +31,7 @@ class HostileFiles : public ProgramTest {
     std::filesystem::create_directory(folder_ / "folder.results");
     write("huge.ini", "");
     std::filesystem::resize_file(folder_ / "huge.ini", std::uintmax_t{1} << 40U);
-    write("random.ini", kGeneration);
+    write("small.ini", kSmallCampaign);
   }
 
   void expect_refused(const std::string& command, const std::string& file, const std::string& type,
@@ -47,7 +47,7 @@ TEST_F(HostileFiles, AreRefusedInPlaceOfConfigurations) {
   expect_refused("slalom-evaluate folder.ini -o out", "folder.ini", "is a folder");
   expect_refused("slalom-evaluate huge.ini -o out", "huge.ini", "is too large");
   expect_refused("slalom-scenarios generate -c pipe.ini -o a.scenarios", "pipe.ini", "is a pipe");
-  expect_refused("slalom-simulate run -c random.ini --scenarios pipe.scenarios -o a.results",
+  expect_refused("slalom-simulate run -c small.ini --scenarios pipe.scenarios -o a.results",
                  "pipe.scenarios", "is a pipe");
 }
 
@@ -55,7 +55,7 @@ TEST_F(HostileFiles, AreRefusedInPlaceOfMaps) {
   for (const char* map :
        {"pipe.yaml", "pipe.gridmap", "pipe.simplemap.gz", "pipe.pgm", "pipe.map", "pipe.xyz"})
     expect_refused(std::string("slalom-scenarios import ") + map +
-                       " -o a.scenarios --image-resolution 0.1 --pairs 1 --seed 1",
+                       " -o a.scenarios --image-resolution 0.1 --cell-size 0.1 --pairs 1 --seed 1",
                    map, "is a pipe");
   expect_refused("slalom-scenarios import zero.xyz -o a.scenarios --pairs 1", "zero.xyz",
                  "is a device");
@@ -84,17 +84,17 @@ TEST_F(HostileFiles, AreRefusedInPlaceOfFilesOfMethods) {
                  "pipe.ini", "is a pipe", 2);
   expect_refused(campaign("adapter = mrpt_navigator\nconfig = pipe.ini\n"), "pipe.ini", "is a pipe",
                  2);
-  expect_refused(campaign("adapter = mrpt_holonomic\nclass = X\nplugin = ./pipe.so\n"), "pipe.so",
-                 "is a pipe", 2);
-  expect_failure("timeout 60 " + campaign("adapter = library\nplugin = pipe.so\n"), 2,
-                 {"library 'pipe.so' not found", "expected a file"});
+  for (const char* method : {"adapter = mrpt_holonomic\nclass = X\nplugin = pipe.so\n",
+                             "adapter = library\nplugin = pipe.so\n"})
+    expect_failure("timeout 60 " + campaign(method), 2,
+                   {"library 'pipe.so' not found", "expected a file"});
 }
 
 TEST_F(HostileFiles, NamesAreShownWithoutControlCharacters) {
-  write("a.yaml",
+  write("a.scenario.yaml",
         "name: \"a\\e]0;b\\x07\\u009b2J\"\nrepresentation: continuous\nbounds: [0, 0, 4, 4]\n"
         "start: [1, 1, 0]\ngoal: [3, 3]\ndiscs: []\npolygons: []\n");
-  const ProgramResult imported = run("slalom-scenarios import a.yaml -o a.scenarios");
+  const ProgramResult imported = run("slalom-scenarios import a.scenario.yaml -o a.scenarios");
   ASSERT_EQ(imported.status, 0) << imported.err;
   for (const char* verb : {"list", "describe --descriptors density"}) {
     const ProgramResult shown = run(std::string("slalom-scenarios ") + verb + " a.scenarios");
@@ -105,9 +105,9 @@ TEST_F(HostileFiles, NamesAreShownWithoutControlCharacters) {
 }
 
 TEST_F(HostileFiles, NamesMustBeUtf8) {
-  write("a.yaml", "name: caf\xe9\nrepresentation: continuous\n");
-  expect_failure("slalom-scenarios import a.yaml -o a.scenarios", 3,
-                 {"a.yaml:1: ", "not UTF-8", "expected"});
+  write("a.scenario.yaml", "name: caf\xe9\nrepresentation: continuous\n");
+  expect_failure("slalom-scenarios import a.scenario.yaml -o a.scenarios", 3,
+                 {"a.scenario.yaml:1: ", "not UTF-8", "expected"});
   write("b.ini", std::string("[campaign]\nname = caf\xe9\n") + kGeneration);
   expect_failure("slalom-evaluate b.ini -o out", 2, {"b.ini:2: ", "not UTF-8", "expected"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
