@@ -35,7 +35,7 @@ std::vector<ResultTable> read_inputs(const InterpretArguments& arguments,
   return results;
 }
 
-void interpret_verb(InterpretArguments arguments, const Interpreter& interpreter) {
+void interpret_verb(const InterpretArguments& arguments, const Interpreter& interpreter) {
   const std::vector<ResultTable> results = read_inputs(arguments, interpreter);
   AnalysisQuery query = make_query(arguments.request, interpreter, results[0]);
   query.rows = resolve_indexes(std::move(query.rows), arguments.scenarios);

@@ -27,7 +27,8 @@ std::string missing_reason(const ScenarioList& list, const std::string& hash) {
 
 }  // namespace
 
-ListCommandPtr make_rename_scenario(ScenarioList& list, std::string hash, std::string name) {
+ListCommandPtr make_rename_scenario(ScenarioList& list, const std::string& hash,
+                                    const std::string& name) {
   const std::string title = "Rename to " + name;
   return command(
       list, title, [&list, hash, name] { list.rename(hash, name); },
@@ -36,7 +37,8 @@ ListCommandPtr make_rename_scenario(ScenarioList& list, std::string hash, std::s
       });
 }
 
-ListCommandPtr make_edit_scenario(ScenarioList& list, std::string hash, Scenario scenario) {
+ListCommandPtr make_edit_scenario(ScenarioList& list, const std::string& hash,
+                                  const Scenario& scenario) {
   return command(
       list, "Edit " + scenario.name(), [&list, hash, scenario] { list.replace(hash, scenario); },
       [&list, hash, next = scenario.hash()] {
@@ -70,7 +72,7 @@ ListCommandPtr make_create_index(ScenarioList& list, ListIndex index) {
       });
 }
 
-ListCommandPtr make_drop_index(ScenarioList& list, std::string name) {
+ListCommandPtr make_drop_index(ScenarioList& list, const std::string& name) {
   const std::string title = "Drop index " + name;
   return command(
       list, title, [&list, name] { list.drop_index(name); },

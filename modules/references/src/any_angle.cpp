@@ -41,9 +41,12 @@ struct Cone {
   TPoint2D low, high;  ///< points on the limiting rays
 };
 
+/// In the order in which items of equal f are expanded.
+enum class Kind { Goal, Root, Cone };
+
 struct Item {
   double f = 0;
-  int kind = 0;  ///< 0 goal, 1 root, 2 cone: order of equal f
+  Kind kind = Kind::Goal;
   int index = 0;
   bool operator<(const Item& other) const {  // for a max-heap: the smallest f first
     return std::tie(f, kind, index) > std::tie(other.f, other.kind, other.index);
@@ -81,8 +84,8 @@ class AnyAngleSearch {
     while (!queue_.empty()) {
       const Item item = queue_.top();
       queue_.pop();
-      if (item.kind == kGoal) return path_to(item.index);
-      if (item.kind == kRoot) {
+      if (item.kind == Kind::Goal) return path_to(item.index);
+      if (item.kind == Kind::Root) {
         if (is_current(item.index)) expand_root(item.index);
       } else {
         const Cone cone = cones_[static_cast<std::size_t>(item.index)];
@@ -94,7 +97,6 @@ class AnyAngleSearch {
   }
 
  private:
-  enum Kind { kGoal = 0, kRoot = 1, kCone = 2 };
   static constexpr std::size_t kNoCorner = std::numeric_limits<std::size_t>::max();
 
   const Root& root(int i) const { return roots_[static_cast<std::size_t>(i)]; }
@@ -112,7 +114,7 @@ class AnyAngleSearch {
   }
 
   void reach_goal(int from) {
-    queue_.push({root(from).g + distance_between(root(from).at, goal_), kGoal, from});
+    queue_.push({root(from).g + distance_between(root(from).at, goal_), Kind::Goal, from});
   }
 
   /// Expands all directions that a taut path through the root may take.
@@ -212,7 +214,7 @@ class AnyAngleSearch {
       free_cones_.pop_back();
       cones_[static_cast<std::size_t>(index)] = cone;
     }
-    queue_.push({f, kCone, index});
+    queue_.push({f, Kind::Cone, index});
   }
 
   /// Propagates a cone through the next row of cells.
@@ -264,7 +266,7 @@ class AnyAngleSearch {
     if (g >= best_g_[corner]) return;
     best_g_[corner] = g;
     roots_.push_back({at, g, from, d, first + second > 0 ? 1 : -1, corner});
-    queue_.push({g + distance_between(at, goal_), kRoot, static_cast<int>(roots_.size()) - 1});
+    queue_.push({g + distance_between(at, goal_), Kind::Root, static_cast<int>(roots_.size()) - 1});
   }
 
   CellRows rows_;

@@ -43,7 +43,11 @@ std::optional<double> visibility(const BarnField& field, int row, int column, in
       length += ray.cells * std::hypot(dr, dc);
     }
   if (rays == 0) return std::nullopt;
-  return year == 2020 ? cells / rays : length / rays;
+  if (year == 2020) {
+    const int mean = cells / rays;  // rounded down, as published
+    return mean;
+  }
+  return length / rays;
 }
 
 }  // namespace

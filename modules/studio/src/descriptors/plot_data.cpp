@@ -247,7 +247,8 @@ std::vector<std::uint8_t> draw_dots(const Scatter& scatter, const PlotAxis& x, c
     for (int v = std::max(py - kDotRadius, 0); v <= std::min(py + kDotRadius, height - 1); ++v)
       for (int u = std::max(px - kDotRadius, 0); u <= std::min(px + kDotRadius, width - 1); ++u) {
         if (std::hypot(u - px, v - py) > kDotRadius + 0.3) continue;
-        std::uint8_t& count = counts[static_cast<std::size_t>(v * width + u)];
+        std::uint8_t& count = counts[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
+                                     static_cast<std::size_t>(u)];
         if (count < 255) ++count;
       }
   }

@@ -73,13 +73,15 @@ ListCommandPtr make_add_list(std::shared_ptr<ScenarioList> source, ScenarioList&
 /// A command that a background thread has already executed on `list`, its own handle of the file:
 /// for the history of the window that shows the file. Its execute() does nothing.
 ListCommandPtr make_already_executed(std::shared_ptr<ScenarioList> list, ListCommandPtr command);
-ListCommandPtr make_rename_scenario(ScenarioList& list, std::string hash, std::string name);
+ListCommandPtr make_rename_scenario(ScenarioList& list, const std::string& hash,
+                                    const std::string& name);
 /// Replaces a scenario by its edited version.
-ListCommandPtr make_edit_scenario(ScenarioList& list, std::string hash, Scenario scenario);
+ListCommandPtr make_edit_scenario(ScenarioList& list, const std::string& hash,
+                                  const Scenario& scenario);
 ListCommandPtr make_tag_scenarios(ScenarioList& list, ListSelection selection,
                                   std::vector<std::string> add, std::vector<std::string> remove);
 ListCommandPtr make_create_index(ScenarioList& list, ListIndex index);
-ListCommandPtr make_drop_index(ScenarioList& list, std::string name);
+ListCommandPtr make_drop_index(ScenarioList& list, const std::string& name);
 
 /// Removes near-duplicates, keeping the first in list order. Two scenarios are near-duplicates when
 /// they differ by less than the given amount (> 0) in every given descriptor; NA equals NA only.
