@@ -205,7 +205,7 @@ DisabledCheck needs_list(Studio& studio) {
 }
 
 DisabledCheck needs_another_list(Studio& studio, ListAction action) {
-  return [&studio, action, check = list_disabled_check(studio, action)]() -> std::string {
+  return [&studio, check = list_disabled_check(studio, action)]() -> std::string {
     if (!check().empty()) return check();
     return studio.documents().size() < 2 ? "no other list is open" : "";
   };

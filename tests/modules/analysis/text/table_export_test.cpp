@@ -48,7 +48,7 @@ TEST(TableExport, JsonContainsTheRuns) {
 }
 
 TEST(TableExport, JsonAcceptsNamesThatAreNotUtf8) {
-  EXPECT_NO_THROW(nlohmann::json::parse(render_json(tables("n\xff"))));
+  EXPECT_TRUE(nlohmann::json::accept(render_json(tables("n\xff"))));
 }
 
 }  // namespace
