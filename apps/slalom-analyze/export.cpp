@@ -1,8 +1,8 @@
 #include "export.h"
+#include "warnings.h"
 
 #include <slalom/analysis/data_table.h>
 #include <slalom/analysis/table_latex.h>
-#include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
@@ -92,7 +92,7 @@ constexpr Format kFormats[] = {
 void run(const ExportArguments& arguments) {
   ExportData data;
   data.results = read_detailed_results(arguments.results);
-  warn_of_damage(arguments.results, data.results.damaged);
+  warn_of_missing(arguments.results, data.results);
   const ReportOptions options = report_options(data.results);
   data.summary = build_summary(data.results, options.columns, options.analysis);
   data.cross_tables =
@@ -108,7 +108,9 @@ void run(const ExportArguments& arguments) {
 void define_export(CLI::App& app) {
   static ExportArguments arguments;
   CLI::App* verb = app.add_subcommand("export", "Export results for other programs");
-  verb->add_option("results", arguments.results, "A result file (.results)")->required();
+  verb->add_option("results", arguments.results,
+                   "A result file (.results), or a folder with the shards of a campaign")
+      ->required();
   std::vector<std::string> names;
   for (const Format& format : kFormats) names.emplace_back(format.name);
   verb->add_option("--format", arguments.format,

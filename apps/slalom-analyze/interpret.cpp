@@ -1,21 +1,20 @@
 #include "interpret.h"
 #include "output.h"
+#include "warnings.h"
 
-#include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/analysis_input.h>
-#include <slalom/io/read_results.h>
 
 #include <memory>
 
 namespace slalom {
 namespace {
 
-/// `--csv` without a file, or with a result file, selects CSV output; with any other file, that
+/// `--csv` without a file, or with results, selects CSV output; with any other file, that
 /// file is the CSV input.
 void resolve_csv_option(InterpretArguments& arguments) {
-  arguments.csv = arguments.csv_file.empty() || is_database(arguments.csv_file);
+  arguments.csv = arguments.csv_file.empty() || is_result_input(arguments.csv_file);
   if (!arguments.csv_file.empty()) {
     arguments.files.insert(arguments.files.begin(), arguments.csv_file);
   }
@@ -30,7 +29,7 @@ std::vector<ResultTable> read_inputs(const InterpretArguments& arguments,
   std::vector<ResultTable> results;
   for (const std::string& file : arguments.files) {
     results.push_back(read_analysis_input(file, columns, file == arguments.csv_file, options));
-    warn_of_damage(file, results.back().damaged);
+    warn_of_missing(file, results.back());
   }
   return results;
 }

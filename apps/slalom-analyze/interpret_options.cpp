@@ -53,7 +53,9 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
 
 void add_interpreter_options(CLI::App& verb, InterpretArguments& arguments,
                              const Interpreter& interpreter) {
-  verb.add_option("results", arguments.files, "Result files (.results), or tables (.csv)");
+  verb.add_option(
+      "results", arguments.files,
+      "Result files (.results), folders with the shards of a campaign, or tables (.csv)");
   add_choice_options(verb, arguments);
   add_special_options(verb, arguments, interpreter.id);
   verb.add_option("--csv", arguments.csv_file,

@@ -165,6 +165,33 @@ TEST_F(Analyze, BinsMayComeFromAnIndexOfTheList) {
   expect_failure(table + "@other --scenarios out/campaign.scenarios", 2, {"other"});
 }
 
+TEST_F(Analyze, AFolderOfShardsHasTheTablesOfTheMergedFile) {
+  write("small.ini", kSmallCampaign);
+  std::filesystem::create_directory(folder_ / "shards");
+  for (const std::string i : {"1", "2"})
+    ASSERT_EQ(run("slalom-simulate run -c small.ini --shard " + i + "/2 -o shards/" + i +
+                  ".results --quiet")
+                  .status,
+              0);
+  ASSERT_EQ(run("slalom-simulate merge shards -o all.results").status, 0);
+  for (const std::string verb : {"table", "table --csv", "compare --json", "failures"}) {
+    const ProgramResult folder = run("slalom-analyze " + verb + " shards");
+    EXPECT_EQ(folder.status, 0) << folder.err;
+    EXPECT_EQ(folder.out, run("slalom-analyze " + verb + " all.results").out) << verb;
+    EXPECT_EQ(folder.err, "") << "the campaign is complete";
+  }
+  for (const std::string from : {"shards", "all.results"})
+    ASSERT_EQ(run("slalom-analyze export " + from + " --format csv -o csv-" + from).status, 0);
+  EXPECT_EQ(run("diff -r csv-shards csv-all.results").out, "");
+  std::filesystem::remove(folder_ / "shards/2.results");
+  // 4 scenarios, 2 methods: the first shard has half of them.
+  EXPECT_EQ(run("slalom-analyze table shards").err, "shards: 4 of 8 runs in 1 file\n");
+  for (const std::string verb : {"dump", "show --run 00000000/nd/0", "report -o report"})
+    expect_failure("slalom-analyze " + verb + " shards", 3, {"shards", "slalom-simulate merge"});
+  write("shards/2.results", "no results");
+  expect_failure("slalom-analyze table shards", 3, {"shards/2.results"});
+}
+
 TEST_F(Analyze, RejectsInvalidResultFiles) {
   write("text.results", "no results");
   expect_failure("slalom-analyze table text.results", 3, {"text.results"});

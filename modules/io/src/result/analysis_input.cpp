@@ -5,12 +5,19 @@
 #include <slalom/io/read_results.h>
 #include <slalom/io/scenario_list.h>
 
+#include <filesystem>
+
 namespace slalom {
+
+bool is_result_input(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored) || is_database(path);
+}
 
 ResultTable read_analysis_input(const std::string& path,
                                 const std::optional<std::vector<std::string>>& ids, bool csv,
                                 const CsvColumnOptions& options) {
-  const bool is_table = !is_database(path) && (csv || ends_with(path, ".csv"));
+  const bool is_table = !is_result_input(path) && (csv || ends_with(path, ".csv"));
   return is_table ? columns_from_csv(read_file(path, "a table (.csv)"), path, options)
                   : read_results(path, ids);
 }

@@ -1,15 +1,18 @@
 #include "checked_row.h"
+#include "combined_results.h"
 #include "database.h"
 #include "value_columns.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
+#include <slalom/io/merge_results.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <set>
@@ -166,14 +169,12 @@ class ColumnReader {
 
   void read_details() { details_ = true; }
 
-  ResultTable read() {
+  FileRows read() {
     const ReadScope scope(database_);
     read_runs();
     if (timings_) read_timings();
     read_scenarios();
-    sort_rows(columns_);  // merged files have runs in any order
-    add_success(columns_);
-    return std::move(columns_);
+    return {std::move(columns_), std::move(checksums_), std::move(scenario_checksums_)};
   }
 
  private:
@@ -185,6 +186,7 @@ class ColumnReader {
   ResultTable columns_;
   std::vector<std::int64_t> keys_;       ///< of the runs, referenced by the timings
   std::vector<std::int64_t> checksums_;  ///< of the runs, contained in those of the timings
+  std::vector<std::optional<std::int64_t>> scenario_checksums_;  ///< none for a damaged one
 
   static void keep(std::vector<QuantityInfo>& infos, std::set<std::string>& requested) {
     std::vector<QuantityInfo> kept;
@@ -295,6 +297,7 @@ class ColumnReader {
                     "SELECT id, version, value, standard_error, reason, hash FROM descriptors "
                     "ORDER BY hash, id");
     std::vector<std::size_t> order(indexes.size(), kMissing);  // rows in the order of the hashes
+    scenario_checksums_.resize(indexes.size());
     std::size_t rank = 0;
     for (bool more = values.next(); scenarios.next(); ++rank) {
       const std::string hash = scenarios.text(0);
@@ -314,9 +317,11 @@ class ColumnReader {
         columns_.scenario_hashes.push_back(hash);
         columns_.scenario_names.emplace_back(scenarios.text(1));
         order.push_back(rank);
+        scenario_checksums_.emplace_back();
       } else {
         order[found->second] = rank;
       }
+      if (intact) scenario_checksums_[found->second] = checksum.value();
     }
     for (std::size_t i = 0; i < order.size(); ++i) {
       if (order[i] != kMissing) continue;
@@ -352,7 +357,7 @@ class ColumnReader {
 };
 
 template <typename Configure>
-ResultTable read_with(const std::string& path, Configure configure) {
+FileRows read_file_with(const std::string& path, Configure configure) {
   const ResultFile file = ResultFile::open(path);
   return reading(path, [&] {
     SQLite::Database database(path, SQLite::OPEN_READONLY, 10000);
@@ -360,6 +365,20 @@ ResultTable read_with(const std::string& path, Configure configure) {
     configure(reader);
     return reader.read();
   });
+}
+
+template <typename Configure>
+ResultTable read_with(const std::string& path, Configure configure) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(path, ignored))
+    return finish_table(read_file_with(path, configure).table);
+  const std::vector<std::string> files = campaign_files(path);
+  if (files.empty())
+    throw file_error(path, "contains no result files",
+                     "a folder with result files (.results) of a campaign");
+  CombinedResults combined(path);
+  for (const std::string& file : files) combined.add(read_file_with(file, configure));
+  return combined.finish();
 }
 
 }  // namespace

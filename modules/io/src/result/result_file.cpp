@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <sqlite3.h>
 
 namespace slalom {
@@ -369,6 +370,9 @@ bool ResultFile::exists(const std::string& path) {
 }
 
 ResultFile ResultFile::open(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw file_error(path, "is a folder", "one result file, as slalom-simulate merge makes of it");
   auto impl = std::make_unique<Impl>();
   impl->path = path;
   impl->database = open_database(path, kResults);

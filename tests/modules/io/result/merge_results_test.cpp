@@ -2,9 +2,11 @@
 #include "error_text.h"
 #include "io_sample.h"
 
+#include <slalom/analysis/data_table.h>
 #include <slalom/core/error.h>
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/merge_results.h>
+#include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 
 #include <gtest/gtest.h>
@@ -53,6 +55,15 @@ class MergeResults : public testing::Test {
   }
 
   std::string dump_of(const std::string& path) const { return dump_text(ResultFile::open(path)); }
+
+  /// What tables and exports are made of, as CSV, except the name of the source.
+  static std::string tables_of(const std::string& path) {
+    const ResultTable results = read_detailed_results(path);
+    std::string text;
+    for (const auto& table : {runs_table, scenarios_table, timings_table, manifest_table})
+      text += render_csv(table(results));
+    return text;
+  }
 
   TemporaryFolder folder_;
 };
@@ -114,6 +125,48 @@ TEST_F(MergeResults, OtherCampaignsAndDamagedFilesAreRefusedAndTheOutputIsKept) 
                            [&] { MergedResults(folder_ / "notes.txt", first); }));
   EXPECT_EQ(campaign_files(std::filesystem::path(first).parent_path()).size(), 4U)
       << "no temporary file is left";
+}
+
+TEST_F(MergeResults, ATableOfAFolderIsThatOfTheMergedFile) {
+  // The second file contains the run of the first one again.
+  const std::string first = write("2.results", 1), second = write("1.results", 2);
+  const std::string folder = std::filesystem::path(first).parent_path();
+  {
+    ResultFile file = ResultFile::open(second);
+    add(file, sample_scenario(1), 0.5);
+    file.commit();
+  }
+  MergedResults merged(folder_ / "all.results", second);
+  merged.add(second);
+  merged.add(first);
+  EXPECT_EQ(merged.duplicates(), 2U);
+  merged.publish();
+  EXPECT_EQ(tables_of(folder), tables_of(folder_ / "all.results"));
+  const ResultTable some = read_results(folder, std::vector<std::string>{"success"});
+  EXPECT_EQ(some.source, folder);
+  EXPECT_EQ(some.size(), 4U) << "2 scenarios, 2 methods";
+  EXPECT_EQ(some.metrics.size(), 1U) << "only the requested ones";
+}
+
+TEST_F(MergeResults, ATableOfAFolderRefusesOtherCampaignsDifferencesAndDamagedFiles) {
+  const std::string first = write("1.results", 1);
+  const std::string folder = std::filesystem::path(first).parent_path();
+  const auto refuses = [&](const std::string& file, std::initializer_list<std::string> words) {
+    const auto result = throws_error(ErrorKind::File, file, words, [&] { read_results(folder); });
+    std::filesystem::remove(file);
+    return result;
+  };
+  EXPECT_EQ(read_results(folder).size(), 2U);
+  EXPECT_TRUE(refuses(write("2.results", 2, 0.5, "0.6"), {"robot.max_v is 0.5 here and 0.6"}));
+  EXPECT_TRUE(refuses(write("2.results", 1, 0.25), {"run ", "/0 differs"}));
+  const std::string other = folder_ / "2.results";
+  std::ofstream(other) << "not a result file";
+  EXPECT_TRUE(refuses(other, {"result file"}));
+  EXPECT_TRUE(throws_error(ErrorKind::File, folder, {"is a folder", "slalom-simulate merge"},
+                           [&] { ResultFile::open(folder); }));
+  std::filesystem::remove(first);
+  EXPECT_TRUE(throws_error(ErrorKind::File, folder, {"contains no result files"},
+                           [&] { read_results(folder); }));
 }
 
 TEST_F(MergeResults, AFolderHasTheFilesOfItsShardsOrElseAllFiles) {

@@ -9,9 +9,12 @@
 
 namespace slalom {
 
-/// Reads runs for an analysis: a result file, of which only the columns in `ids` (see
-/// read_results()), or a table of numbers if the file is `csv` or its name ends with ".csv".
-/// Throws Error (File).
+/// Whether the file or folder is one for read_results(): a folder, or an SQLite database.
+bool is_result_input(const std::string& path);
+
+/// Reads runs for an analysis: a result file or a folder of them, of which only the columns in
+/// `ids` (see read_results()), or a table of numbers if the file is `csv` or its name ends with
+/// ".csv". Throws Error (File).
 ResultTable read_analysis_input(const std::string& path,
                                 const std::optional<std::vector<std::string>>& ids, bool csv,
                                 const CsvColumnOptions& options);

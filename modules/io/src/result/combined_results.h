@@ -1,0 +1,48 @@
+#pragma once
+
+#include <slalom/results/result_table.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// What was read from one result file: its table, in any order, and the checksums of the rows.
+struct FileRows {
+  ResultTable table;
+  std::vector<std::int64_t> runs;
+  std::vector<std::optional<std::int64_t>> scenarios;  ///< none for a damaged one
+};
+
+/// One table from the files of a campaign, the same as that of the file merged from them.
+class CombinedResults {
+ public:
+  /// `source`: of the table.
+  explicit CombinedResults(const std::string& source) { table_.source = source; }
+  CombinedResults(const CombinedResults&) = delete;
+  CombinedResults& operator=(const CombinedResults&) = delete;
+
+  /// Adds the rows of a file that are new; those that are not must be equal. Wall-clock figures are
+  /// those of the first file with the run. Throws Error (File), also for another campaign.
+  void add(FileRows part);
+
+  ResultTable finish();
+
+ private:
+  ResultTable table_;
+  std::size_t files_ = 0;
+  std::vector<std::int64_t> runs_;                      ///< checksums, as in FileRows
+  std::vector<std::optional<std::int64_t>> scenarios_;  ///< the same
+  NameIndex hashes_{table_.scenario_hashes}, methods_{table_.methods}, outcomes_{table_.outcomes};
+
+  bool add_scenarios(FileRows& part);
+  std::vector<std::size_t> find_new_runs(const FileRows& part) const;
+  void add_runs(FileRows& part, const std::vector<std::size_t>& rows);
+};
+
+/// Sorts the rows of a table that was read, and adds the success of runs.
+ResultTable finish_table(ResultTable table);
+
+}  // namespace slalom
