@@ -24,20 +24,9 @@ namespace {
 using Json = nlohmann::json;
 
 /// The columns of a run, followed by those of the metrics of the file and the checksum.
-enum RunColumn {
-  kRun,
-  kScenario,
-  kScenarioName,
-  kMethod,
-  kRepetition,
-  kSeed,
-  kOutcome,
-  kOutcomeDetail,
-  kTrajectoryHash,
-  kReasons,
-  kStandardErrors,
-  kFirstMetric
-};
+constexpr int kRun = 0, kScenario = 1, kScenarioName = 2, kMethod = 3, kRepetition = 4, kSeed = 5,
+              kOutcome = 6, kOutcomeDetail = 7, kTrajectoryHash = 8, kReasons = 9,
+              kFirstMetric = 11;
 
 std::vector<QuantityInfo> sorted_by_id(std::vector<QuantityInfo> infos) {
   std::sort(infos.begin(), infos.end(),
