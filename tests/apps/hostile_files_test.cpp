@@ -69,7 +69,8 @@ TEST_F(HostileFiles, AreRefusedInPlaceOfMaps) {
 TEST_F(HostileFiles, AreRefusedInPlaceOfListsAndResults) {
   expect_refused("slalom-scenarios list pipe.scenarios", "pipe.scenarios", "is a pipe");
   expect_refused("slalom-analyze table pipe.results", "pipe.results", "is a pipe");
-  expect_refused("slalom-analyze dump folder.results", "folder.results", "is a folder");
+  expect_failure("slalom-analyze dump folder.results", 3,
+                 {"folder.results: is a folder", "expected one result file", "merge"});
   expect_refused("slalom-analyze table pipe.csv", "pipe.csv", "is a pipe");
   expect_refused("slalom-replay check pipe.rawlog", "pipe.rawlog", "is a pipe");
 }
