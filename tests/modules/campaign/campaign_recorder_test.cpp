@@ -57,13 +57,14 @@ class CampaignRecorderTest : public testing::Test {
 };
 
 TEST_F(CampaignRecorderTest, StoresFinishedRunsWhileTheFirstOneOfThePlanTakesLong) {
-  // A second passes between two readings. The first run ends when the second is stored.
   double now = 0;
-  const WallClock clock = [&] {
-    if (stored_runs() == 1) time_.advance(1);
-    return ++now;
-  };
-  EXPECT_TRUE(recorder({clock, nullptr}).run({room(2), room(3)}, execution_));
+  const WallClock clock = [&now] { return ++now; };  // a second passes between two readings
+  // The first run ends when the second is stored.
+  const Execution polling{2, *progress_, [this] {
+                            if (stored_runs() == 1) time_.advance(1);
+                            return false;
+                          }};
+  EXPECT_TRUE(recorder({clock, nullptr}).run({room(2), room(3)}, polling));
   EXPECT_EQ(stored_runs(), 2U);
 }
 
