@@ -125,19 +125,20 @@ void take_drag(ScriptLine& line, ScriptCommand& command) {
   take_modifiers(line, command);
 }
 
-void take_wait(ScriptLine& line, ScriptCommand& command) {
-  if (line.take_if("idle")) return;
-  command.number = line.take_number("idle, or a number of seconds");
-  if (!(command.number > 0 && command.number <= 600))
-    line.fail("invalid waiting time", "more than 0 and at most 600 s");
-}
-
 void take_expectation(ScriptLine& line, ScriptCommand& command) {
   command.target.element = line.take("the id of an element");
   command.relation = line.take("contains, lacks or is");
   if (command.relation != "contains" && command.relation != "lacks" && command.relation != "is")
     line.fail("unknown relation '" + command.relation + "'", "contains, lacks or is");
   command.text = line.take("a text");
+}
+
+void take_wait(ScriptLine& line, ScriptCommand& command) {
+  if (line.take_if("idle")) return;
+  if (line.take_if("until")) return take_expectation(line, command);
+  command.number = line.take_number("idle, until ELEMENT contains TEXT, or a number of seconds");
+  if (!(command.number > 0 && command.number <= 600))
+    line.fail("invalid waiting time", "more than 0 and at most 600 s");
 }
 
 void take_frames(ScriptLine& line, ScriptCommand& command) {

@@ -57,6 +57,8 @@ TEST(StudioScript, ReportsTheLineOfAnError) {
                        "size, type, wait, wheel"}));
   EXPECT_TRUE(refuses("type \"open", "a.txt:1: ", {"quoted", "expected \""}));
   EXPECT_TRUE(refuses("wait a", "a.txt:1: ", {"'a'", "expected idle", "number of seconds"}));
+  EXPECT_TRUE(
+      refuses("wait until list has a", "a.txt:1: ", {"'has'", "expected contains, lacks or is"}));
   EXPECT_TRUE(refuses("size 10 10", "a.txt:1: ", {"size", "640 x 480 to 8192 x 8192 pixels"}));
   EXPECT_TRUE(refuses("click list row now",
                       "a.txt:1: ", {"'now'", "expected right, double, ctrl, shift or alt"}));

@@ -162,19 +162,24 @@ class ScriptPlayer {
       return true;  // at least one frame, which shows the effect of the previous command
     }
     const double waited = now - wait_start_;
-    const bool over = command.number > 0 ? waited >= command.number : host_.jobs->idle();
-    if (!over && waited > kMaxWait) fail("jobs did not end within 300 s");
+    const bool expects = !command.target.element.empty();
+    const bool over = command.number > 0 ? waited >= command.number
+                      : expects          ? holds(command)
+                                         : host_.jobs->idle();
+    if (!over && waited > kMaxWait)
+      expects ? expect(command) : fail("jobs did not end within 300 s");
     if (over) wait_start_ = -1;
     return !over;
   }
-  void expect(const ScriptCommand& command) {
+  bool holds(const ScriptCommand& command) const {
     const std::string text = shown_text(element(command.target));
     const bool contains = text.find(command.text) != std::string::npos;
-    const bool holds = command.relation == "is"         ? text == command.text
-                       : command.relation == "contains" ? contains
-                                                        : !contains;
-    if (!holds)
-      fail("'" + command.target.element + "' shows '" + text + "'",
+    return command.relation == "is" ? text == command.text
+                                    : contains == (command.relation == "contains");
+  }
+  void expect(const ScriptCommand& command) const {
+    if (!holds(command))
+      fail("'" + command.target.element + "' shows '" + shown_text(element(command.target)) + "'",
            "a text that " + command.relation + " '" + command.text + "'");
   }
   nanogui::Widget& element(const ScriptTarget& target) const {
@@ -214,10 +219,9 @@ class ScriptPlayer {
   std::string name_;
   ScriptHost host_;
   std::size_t next_ = 0;
-  double wait_start_ = -1;                            ///< s
+  double wait_start_ = -1, frames_start_ = 0;         ///< s
   std::vector<std::function<void()>> pending_moves_;  ///< of a drag, one per frame, last first
   int frames_ = 0, frames_left_ = 0;
-  double frames_start_ = 0;
 };
 
 }  // namespace

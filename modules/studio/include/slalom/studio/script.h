@@ -27,7 +27,7 @@ struct ScriptCommand {
     Type,        ///< type TEXT: into the focused element
     Key,         ///< key NAME, such as Ctrl+Z
     Drop,        ///< drop FILE...: like dropping files from a file manager
-    Wait,        ///< wait idle | wait SECONDS
+    Wait,        ///< wait idle | wait SECONDS | wait until ELEMENT contains|lacks|is TEXT
     Screenshot,  ///< screenshot FILE.png
     Expect,      ///< expect ELEMENT contains|lacks|is TEXT
     Print,       ///< print ELEMENT: writes its text to standard output
@@ -37,13 +37,12 @@ struct ScriptCommand {
   int line = 0;
   ScriptTarget target, drag_target;
   KeyStroke key;
-  std::string text;                ///< of Do, Type, Screenshot, Expect
-  std::string relation;            ///< of Expect
+  std::string text;                ///< of Do, Type, Screenshot, Expect, Wait
+  std::string relation;            ///< of Expect and Wait
   std::vector<std::string> files;  ///< of Drop
-  double number = 0;               ///< seconds (0: until idle), wheel steps or frames
-  int width = 0, height = 0;
+  double number = 0;               ///< seconds (0: until idle or `text`), wheel steps or frames
+  int width = 0, height = 0, modifiers = 0;
   bool right = false, double_click = false;
-  int modifiers = 0;
 };
 
 /// Parses a script: one command per line, '#' begins a comment, texts with spaces in double quotes
