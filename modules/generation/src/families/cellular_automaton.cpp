@@ -124,20 +124,20 @@ void CellularAutomatonOptions::visit(OptionVisitor& v) {
   start_goal.visit(v);
 }
 
-std::unique_ptr<Generator> make_cellular_automaton(const IniFile& ini,
-                                                   const GeneratorContext& context) {
-  const FamilySection section(ini, "cellular_automaton", context);
-  const auto options = section.read<CellularAutomatonOptions>();
-  section.expect_order("min_fill", options.min_fill, "max_fill", options.max_fill);
-  section.expect_order("min_smoothing", options.min_smoothing, "max_smoothing",
-                       options.max_smoothing);
-  section.expect(options.lead > 2 * options.start_goal.margin, "lead",
-                 "leaves no space for start and goal", "more than twice margin");
-  section.expect(options.lead / options.cell <= 4000, "lead", "is too long for such cells",
-                 "at most 4000 cells");
-  section.expect_start_goal_fit(options.start_goal,
-                                options.columns * options.cell + 2 * options.lead,
-                                options.rows * options.cell);
+std::unique_ptr<Generator> make_generator(const CellularAutomatonOptions& given,
+                                          const GeneratorContext& context) {
+  const FamilyChecks checks(CellularAutomatonOptions::kFamily, context);
+  const auto options = checks.scaled(given);
+  checks.expect_order("min_fill", options.min_fill, "max_fill", options.max_fill);
+  checks.expect_order("min_smoothing", options.min_smoothing, "max_smoothing",
+                      options.max_smoothing);
+  checks.expect(options.lead > 2 * options.start_goal.margin, "lead",
+                "leaves no space for start and goal", "more than twice margin");
+  checks.expect(options.lead / options.cell <= 4000, "lead", "is too long for such cells",
+                "at most 4000 cells");
+  checks.expect_start_goal_fit(options.start_goal,
+                               options.columns * options.cell + 2 * options.lead,
+                               options.rows * options.cell);
   return std::make_unique<CellularAutomaton>(options);
 }
 

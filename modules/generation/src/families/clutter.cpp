@@ -53,12 +53,13 @@ void ClutterOptions::visit(OptionVisitor& v) {
   start_goal.visit(v);
 }
 
-std::unique_ptr<Generator> make_clutter(const IniFile& ini, const GeneratorContext& context) {
-  const FamilySection section(ini, "clutter", context);
-  const auto options = section.read<ClutterOptions>();
-  section.expect_valid(options.obstacles);
+std::unique_ptr<Generator> make_generator(const ClutterOptions& given,
+                                          const GeneratorContext& context) {
+  const FamilyChecks checks(ClutterOptions::kFamily, context);
+  const auto options = checks.scaled(given);
+  checks.expect_valid(options.obstacles);
   return std::make_unique<Clutter>(options,
-                                   load_windows(section, options.window, options.start_goal));
+                                   load_windows(checks, options.window, options.start_goal));
 }
 
 }  // namespace slalom

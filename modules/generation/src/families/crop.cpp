@@ -34,10 +34,11 @@ void CropOptions::visit(OptionVisitor& v) {
   start_goal.visit(v);
 }
 
-std::unique_ptr<Generator> make_crop(const IniFile& ini, const GeneratorContext& context) {
-  const FamilySection section(ini, "crop", context);
-  const auto options = section.read<CropOptions>();
-  return std::make_unique<Crop>(options, load_windows(section, options.window, options.start_goal));
+std::unique_ptr<Generator> make_generator(const CropOptions& given,
+                                          const GeneratorContext& context) {
+  const FamilyChecks checks(CropOptions::kFamily, context);
+  const auto options = checks.scaled(given);
+  return std::make_unique<Crop>(options, load_windows(checks, options.window, options.start_goal));
 }
 
 }  // namespace slalom

@@ -30,16 +30,17 @@ class LengthScaler : public OptionVisitor {
   double factor_;
 };
 
-/// The section of one family in an .ini: reads and validates its options.
-class FamilySection {
+/// Checks the options of one family.
+class FamilyChecks {
  public:
-  FamilySection(const IniFile& ini, const std::string& family, const GeneratorContext& context)
-      : ini_(ini), name_("generator." + family), context_(context) {}
+  FamilyChecks(const std::string& family, const GeneratorContext& context)
+      : context_(context),
+        where_(context.where ? context.where : location_of("generator." + family)) {}
 
-  /// The options of the section, with lengths scaled.
+  /// The options with their lengths scaled. Throws Error (Usage) for a value out of range.
   template <typename Options>
-  Options read() const {
-    auto options = read_options<Options>(ini_, name_);
+  Options scaled(Options options) const {
+    check_options(options, where_);
     LengthScaler scaler(context_.length_scale);
     options.visit(scaler);
     return options;
@@ -48,7 +49,7 @@ class FamilySection {
   /// Throws Error (Usage) for `key` unless `valid`.
   void expect(bool valid, const std::string& key, const std::string& what,
               const std::string& expected) const {
-    if (!valid) throw usage_error(ini_.where(name_, key), what, expected);
+    if (!valid) throw usage_error(where_(key), what, expected);
   }
 
   /// Expects low_value <= high_value.
@@ -75,13 +76,11 @@ class FamilySection {
            "a larger workspace or smaller min_distance and margin");
   }
 
-  const IniFile& ini() const { return ini_; }
   const GeneratorContext& context() const { return context_; }
 
  private:
-  const IniFile& ini_;
-  std::string name_;
   const GeneratorContext& context_;
+  OptionLocation where_;
 };
 
 }  // namespace slalom

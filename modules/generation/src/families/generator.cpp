@@ -18,34 +18,35 @@ namespace {
 
 struct Family {
   const char* name;
-  std::unique_ptr<Generator> (*make)(const IniFile& ini, const GeneratorContext& context);
+  std::unique_ptr<Generator> (*make)(OptionVisitor& setter, const GeneratorContext& context);
   void (*visit)(OptionVisitor& visitor);
 };
 
-/// Visits the default options of a family.
 template <typename Options>
-void visit_defaults(OptionVisitor& visitor) {
-  Options options;
-  options.visit(visitor);
-}
-
-template <typename Options>
-constexpr Family family_of(std::unique_ptr<Generator> (*make)(const IniFile&,
-                                                              const GeneratorContext&)) {
-  return {Options::kFamily, make, visit_defaults<Options>};
+constexpr Family family_of() {
+  return {Options::kFamily,
+          [](OptionVisitor& setter, const GeneratorContext& context) {
+            Options options;
+            options.visit(setter);
+            return make_generator(options, context);
+          },
+          [](OptionVisitor& visitor) {
+            Options options;
+            options.visit(visitor);
+          }};
 }
 
 /// All families; a new one is registered here.
 constexpr Family kFamilies[] = {
-    family_of<CellularAutomatonOptions>(make_cellular_automaton),
-    family_of<ClutterOptions>(make_clutter),
-    family_of<CropOptions>(make_crop),
-    family_of<MazeOptions>(make_maze),
-    family_of<PerlinOptions>(make_perlin),
-    family_of<PoissonForestOptions>(make_poisson_forest),
-    family_of<RandomGeneratorOptions>(make_random_generator),
-    family_of<RoomsOptions>(make_rooms),
-    family_of<TrapsOptions>(make_traps),
+    family_of<CellularAutomatonOptions>(),
+    family_of<ClutterOptions>(),
+    family_of<CropOptions>(),
+    family_of<MazeOptions>(),
+    family_of<PerlinOptions>(),
+    family_of<PoissonForestOptions>(),
+    family_of<RandomGeneratorOptions>(),
+    family_of<RoomsOptions>(),
+    family_of<TrapsOptions>(),
 };
 
 const Family& family(const std::string& name, const std::string& where) {
@@ -63,9 +64,21 @@ std::vector<std::string> generator_names() {
   return names;
 }
 
+std::unique_ptr<Generator> make_generator(const std::string& name, OptionVisitor& setter,
+                                          const GeneratorContext& context) {
+  return family(name, "generator").make(setter, context);
+}
+
 std::unique_ptr<Generator> make_generator(const std::string& name, const IniFile& ini,
                                           const GeneratorContext& context) {
-  return family(name, ini.name()).make(ini, context);
+  const Family& named = family(name, ini.name());
+  const std::string section = "generator." + name;
+  OptionReader reader(ini, section);
+  named.visit(reader);
+  reader.reject_unknown_keys();
+  GeneratorContext located = context;
+  located.where = location_in(ini, section);
+  return named.make(reader, located);
 }
 
 std::uint64_t source_seed(std::uint64_t seed, const std::string& name) {

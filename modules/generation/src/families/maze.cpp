@@ -108,13 +108,14 @@ void MazeOptions::visit(OptionVisitor& v) {
   start_goal.visit(v);
 }
 
-std::unique_ptr<Generator> make_maze(const IniFile& ini, const GeneratorContext& context) {
-  const FamilySection section(ini, "maze", context);
-  const auto options = section.read<MazeOptions>();
-  section.expect(options.passage > 2 * options.start_goal.clear_radius, "clear_radius",
-                 "is too large for the passages", "less than half of passage");
+std::unique_ptr<Generator> make_generator(const MazeOptions& given,
+                                          const GeneratorContext& context) {
+  const FamilyChecks checks(MazeOptions::kFamily, context);
+  const auto options = checks.scaled(given);
+  checks.expect(options.passage > 2 * options.start_goal.clear_radius, "clear_radius",
+                "is too large for the passages", "less than half of passage");
   const double pitch = options.passage + options.wall;
-  section.expect_start_goal_fit(options.start_goal, options.columns * pitch, options.rows * pitch);
+  checks.expect_start_goal_fit(options.start_goal, options.columns * pitch, options.rows * pitch);
   return std::make_unique<MazeGenerator>(options);
 }
 

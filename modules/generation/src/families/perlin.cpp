@@ -112,16 +112,16 @@ void PerlinOptions::visit(OptionVisitor& v) {
   start_goal.visit(v);
 }
 
-std::unique_ptr<Generator> make_perlin(const IniFile& ini, const GeneratorContext& context) {
-  const FamilySection section(ini, "perlin", context);
-  const auto options = section.read<PerlinOptions>();
-  section.expect_order("min_fill", options.min_fill, "max_fill", options.max_fill);
-  section.expect(options.feature >= options.cell, "feature", "is less than a cell",
-                 "at least cell");
-  section.expect(
+std::unique_ptr<Generator> make_generator(const PerlinOptions& given,
+                                          const GeneratorContext& context) {
+  const FamilyChecks checks(PerlinOptions::kFamily, context);
+  const auto options = checks.scaled(given);
+  checks.expect_order("min_fill", options.min_fill, "max_fill", options.max_fill);
+  checks.expect(options.feature >= options.cell, "feature", "is less than a cell", "at least cell");
+  checks.expect(
       (options.width / options.cell + 1) * (options.height / options.cell + 1) <= kMaxCells, "cell",
       "is too small for the workspace", "at most 25 million cells");
-  section.expect_start_goal_fit(options.start_goal, options.width, options.height);
+  checks.expect_start_goal_fit(options.start_goal, options.width, options.height);
   return std::make_unique<Perlin>(options);
 }
 

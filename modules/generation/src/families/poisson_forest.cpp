@@ -124,18 +124,18 @@ void PoissonForestOptions::visit(OptionVisitor& v) {
   start_goal.visit(v);
 }
 
-std::unique_ptr<Generator> make_poisson_forest(const IniFile& ini,
-                                               const GeneratorContext& context) {
-  const FamilySection section(ini, "poisson_forest", context);
-  const auto options = section.read<PoissonForestOptions>();
-  section.expect_valid(options.trunks);
-  section.expect(options.spacing >= 2 * options.trunks.max_size, "spacing",
-                 "trunks of max_size would overlap", "at least twice max_size");
+std::unique_ptr<Generator> make_generator(const PoissonForestOptions& given,
+                                          const GeneratorContext& context) {
+  const FamilyChecks checks(PoissonForestOptions::kFamily, context);
+  const auto options = checks.scaled(given);
+  checks.expect_valid(options.trunks);
+  checks.expect(options.spacing >= 2 * options.trunks.max_size, "spacing",
+                "trunks of max_size would overlap", "at least twice max_size");
   const double squares =
       (options.width / options.spacing + 1) * (options.height / options.spacing + 1);
-  section.expect(squares <= kMaxPoints, "spacing", "is too small for the workspace",
-                 "at most 1000000 squares of that side in the workspace");
-  section.expect_start_goal_fit(options.start_goal, options.width, options.height);
+  checks.expect(squares <= kMaxPoints, "spacing", "is too small for the workspace",
+                "at most 1000000 squares of that side in the workspace");
+  checks.expect_start_goal_fit(options.start_goal, options.width, options.height);
   return std::make_unique<PoissonForest>(options);
 }
 

@@ -34,12 +34,12 @@ void RandomGeneratorOptions::visit(OptionVisitor& v) {
   start_goal.visit(v);
 }
 
-std::unique_ptr<Generator> make_random_generator(const IniFile& ini,
-                                                 const GeneratorContext& context) {
-  const FamilySection section(ini, "random", context);
-  const auto options = section.read<RandomGeneratorOptions>();
-  section.expect_valid(options.obstacles);
-  section.expect_start_goal_fit(options.start_goal, options.width, options.height);
+std::unique_ptr<Generator> make_generator(const RandomGeneratorOptions& given,
+                                          const GeneratorContext& context) {
+  const FamilyChecks checks(RandomGeneratorOptions::kFamily, context);
+  const auto options = checks.scaled(given);
+  checks.expect_valid(options.obstacles);
+  checks.expect_start_goal_fit(options.start_goal, options.width, options.height);
   return std::make_unique<RandomGenerator>(options);
 }
 

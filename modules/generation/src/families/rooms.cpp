@@ -161,21 +161,22 @@ void RoomsOptions::visit(OptionVisitor& v) {
   start_goal.visit(v);
 }
 
-std::unique_ptr<Generator> make_rooms(const IniFile& ini, const GeneratorContext& context) {
-  const FamilySection section(ini, "rooms", context);
-  const auto options = section.read<RoomsOptions>();
+std::unique_ptr<Generator> make_generator(const RoomsOptions& given,
+                                          const GeneratorContext& context) {
+  const FamilyChecks checks(RoomsOptions::kFamily, context);
+  const auto options = checks.scaled(given);
   // Any two parts along one line have in common at least the shorter of their first sides, so a
   // door of this width always fits somewhere.
   const double side =
       options.corridors > 0 ? std::min(options.min_room, options.corridor_width) : options.min_room;
-  section.expect(options.door_width + 2 * options.wall <= side, "door_width",
-                 "does not fit between the walls of a room or corridor",
-                 "at most min_room and corridor_width less twice wall");
+  checks.expect(options.door_width + 2 * options.wall <= side, "door_width",
+                "does not fit between the walls of a room or corridor",
+                "at most min_room and corridor_width less twice wall");
   const double squares =
       (options.width / options.min_room + 1) * (options.height / options.min_room + 1);
-  section.expect(squares <= kMaxRooms, "min_room", "is too small for the workspace",
-                 "at most 3000 squares of that side in the workspace");
-  section.expect_start_goal_fit(options.start_goal, options.width, options.height);
+  checks.expect(squares <= kMaxRooms, "min_room", "is too small for the workspace",
+                "at most 3000 squares of that side in the workspace");
+  checks.expect_start_goal_fit(options.start_goal, options.width, options.height);
   return std::make_unique<RoomsGenerator>(options);
 }
 

@@ -138,13 +138,14 @@ void TrapsOptions::visit(OptionVisitor& v) {
   start_goal.visit(v);
 }
 
-std::unique_ptr<Generator> make_traps(const IniFile& ini, const GeneratorContext& context) {
-  const FamilySection section(ini, "traps", context);
-  const auto options = section.read<TrapsOptions>();
-  section.expect_order("min_traps", options.min_traps, "max_traps", options.max_traps);
-  section.expect_order("min_depth", options.min_depth, "max_depth", options.max_depth);
-  section.expect_order("min_opening", options.min_opening, "max_opening", options.max_opening);
-  section.expect_start_goal_fit(options.start_goal, options.width, options.height);
+std::unique_ptr<Generator> make_generator(const TrapsOptions& given,
+                                          const GeneratorContext& context) {
+  const FamilyChecks checks(TrapsOptions::kFamily, context);
+  const auto options = checks.scaled(given);
+  checks.expect_order("min_traps", options.min_traps, "max_traps", options.max_traps);
+  checks.expect_order("min_depth", options.min_depth, "max_depth", options.max_depth);
+  checks.expect_order("min_opening", options.min_opening, "max_opening", options.max_opening);
+  checks.expect_start_goal_fit(options.start_goal, options.width, options.height);
   return std::make_unique<TrapsGenerator>(options);
 }
 

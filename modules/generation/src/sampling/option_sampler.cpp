@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <tuple>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -35,21 +37,23 @@ double log_uniform(RandomEngine& engine, double low, double high) {
   return std::exp(uniform_real(engine, std::log(low), std::log(high)));
 }
 
-/// Draws values for all options that are not set in the section.
+/// Reads the options that are set in the section, and draws values for all others.
 class OptionDrawer : public OptionVisitor {
  public:
-  OptionDrawer(IniFile& ini, std::string section, const CoverageOptions& limits, double scale,
-               double spread, RandomEngine& engine)
+  OptionDrawer(const IniFile& ini, const std::string& section, const CoverageOptions& limits,
+               double scale, double spread, RandomEngine& engine)
       : ini_(ini),
-        section_(std::move(section)),
+        section_(section),
+        given_(ini, section),
         limits_(limits),
         scale_(scale),
         spread_(spread),
         engine_(engine) {}
 
-  void option(const std::string& key, double& value, const std::string& unit, const std::string&,
-              Range range) override {
-    if (is_given(key) || key == "resolution") return;
+  void option(const std::string& key, double& value, const std::string& unit,
+              const std::string& help, Range range) override {
+    if (is_given(key)) return given_.option(key, value, unit, help, range);
+    if (key == "resolution") return;
     double drawn = value * (unit == "m" ? scale_ : 1);
     const bool is_fraction = range.low == 0 && range.high == 1;
     if (is_floor(key)) {
@@ -58,45 +62,44 @@ class OptionDrawer : public OptionVisitor {
     } else if (varies()) {
       drawn = is_fraction ? uniform_real(engine_, 0, 1) : drawn * factor();
     }
-    set(key, format_number(clamped(drawn, range)), drawn);
+    set(key, value, clamped(drawn, range), drawn);
   }
 
-  void option(const std::string& key, int& value, const std::string&, const std::string&,
+  void option(const std::string& key, int& value, const std::string& unit, const std::string& help,
               Range range) override {
-    if (is_given(key) || !varies()) return;
+    if (is_given(key)) return given_.option(key, value, unit, help, range);
+    if (!varies()) return;
     const double drawn = std::round(clamped(value == 0 ? value : value * factor(), range));
     const double whole = std::clamp(drawn, -1e9, 1e9);
-    set(key, std::to_string(static_cast<long long>(whole)), whole);
+    set(key, value, whole, whole);
   }
 
-  void option(const std::string&, std::uint64_t&, const std::string&) override {}
-
-  void option(const std::string& key, bool&, const std::string&) override {
-    if (is_given(key) || !varies()) return;
-    ini_.set(section_, key, uniform_int(engine_, 0, 1) == 1 ? "true" : "false");
+  void option(const std::string& key, std::uint64_t& value, const std::string& help) override {
+    given_.option(key, value, help);
   }
 
-  void option(const std::string& key, std::string&, const std::string&,
+  void option(const std::string& key, bool& value, const std::string& help) override {
+    if (is_given(key)) return given_.option(key, value, help);
+    if (varies()) value = uniform_int(engine_, 0, 1) == 1;
+  }
+
+  void option(const std::string& key, std::string& value, const std::string& help,
               const std::vector<std::string>& choices) override {
-    if (is_given(key) || choices.empty() || !varies()) return;
+    if (is_given(key)) return given_.option(key, value, help, choices);
+    if (choices.empty() || !varies()) return;
     const int last = static_cast<int>(choices.size()) - 1;
-    ini_.set(section_, key, choices[static_cast<std::size_t>(uniform_int(engine_, 0, last))]);
-  }
-
-  /// Swaps the values of min_X and max_X where they are in the wrong order.
-  void order_limits() {
-    for (const auto& [key, low] : numbers_) {
-      if (!starts_with(key, "min_")) continue;
-      const std::string other = "max_" + key.substr(4);
-      const auto high = numbers_.find(other);
-      if (high == numbers_.end() || low <= high->second) continue;
-      const std::string low_text = *ini_.get(section_, key), high_text = *ini_.get(section_, other);
-      ini_.set(section_, key, high_text);
-      ini_.set(section_, other, low_text);
-    }
+    value = choices[static_cast<std::size_t>(uniform_int(engine_, 0, last))];
   }
 
  private:
+  template <typename Number>
+  struct Minimum {
+    double drawn;
+    Number* value;
+  };
+  template <typename Number>
+  using Minima = std::map<std::string, Minimum<Number>>;
+
   bool is_given(const std::string& key) const { return ini_.get(section_, key).has_value(); }
   static bool is_floor(const std::string& key) { return key == "width" || key == "height"; }
   bool varies() { return uniform_real(engine_, 0, 1) < spread_; }
@@ -105,25 +108,26 @@ class OptionDrawer : public OptionVisitor {
     const double low = range.low_open ? range.low + 1e-3 : range.low;
     return std::clamp(value, std::min(low, range.high), range.high);
   }
-  void set(const std::string& key, const std::string& text, double number) {
-    ini_.set(section_, key, text);
-    numbers_[key] = number;
+  /// Swaps the values of min_X and max_X where they are in the wrong order; min_X is visited first.
+  template <typename Number>
+  void set(const std::string& key, Number& value, double valid, double drawn) {
+    value = static_cast<Number>(valid);
+    auto& minima = std::get<Minima<Number>>(minima_);
+    if (starts_with(key, "min_")) minima[key.substr(4)] = {drawn, &value};
+    if (!starts_with(key, "max_")) return;
+    const auto minimum = minima.find(key.substr(4));
+    if (minimum != minima.end() && minimum->second.drawn > drawn)
+      std::swap(*minimum->second.value, value);
   }
 
-  IniFile& ini_;
+  const IniFile& ini_;
   std::string section_;
+  OptionReader given_;
   const CoverageOptions& limits_;
   double scale_, spread_;
   RandomEngine& engine_;
-  std::map<std::string, double> numbers_;
+  std::tuple<Minima<double>, Minima<int>> minima_;
 };
-
-/// Copies only the family's own section, to save time.
-IniFile section_of(const IniFile& ini, const std::string& section) {
-  IniFile part = IniFile::from_text("", ini.name());
-  for (const std::string& key : ini.keys(section)) part.set(section, key, *ini.get(section, key));
-  return part;
-}
 
 double draw_scale(const CoverageOptions& limits, const std::string& family, const IniFile& ini,
                   RandomEngine& engine) {
@@ -172,13 +176,10 @@ std::unique_ptr<Generator> OptionSampler::draw(RandomEngine& engine) const {
       plan_.families[static_cast<std::size_t>(uniform_int(engine, 0, last))];
   const std::string section = "generator." + family;
   for (const double spread : {0.7, 0.4, 0.2, 0.0}) {
-    IniFile ini = section_of(plan_.ini, section);
     const double scale = draw_scale(plan_.options, family, plan_.ini, engine);
-    OptionDrawer writer(ini, section, plan_.options, scale, spread, engine);
-    visit_generator_options(family, writer);
-    writer.order_limits();
+    OptionDrawer drawer(plan_.ini, section, plan_.options, scale, spread, engine);
     try {
-      return make_generator(family, ini, {1, load_map_});
+      return make_generator(family, drawer, {1, load_map_});
     } catch (const Error&) {
       // Contradictory options: retry closer to the defaults.
     }

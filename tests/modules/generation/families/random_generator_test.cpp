@@ -8,9 +8,15 @@ namespace slalom {
 namespace {
 
 TEST(RandomGenerator, RespectsItsOptions) {
-  const auto generator = make_random_generator(IniFile::from_text(
-      "[generator.random]\nwidth = 8\nheight = 6\nmin_obstacles = 5\nmax_obstacles = 9\n"
-      "min_size = 0.2\nmax_size = 0.4\nclear_radius = 0.5\nmin_distance = 4\nmargin = 0.6\n"));
+  RandomGeneratorOptions options;
+  options.width = 8;
+  options.height = 6;
+  options.obstacles.min_obstacles = 5;
+  options.obstacles.max_obstacles = 9;
+  options.obstacles.size.min_size = 0.2;
+  options.obstacles.size.max_size = 0.4;
+  options.start_goal = {0.5, 4, 0.6};
+  const auto generator = make_generator(options);
   RandomEngine engine(1);
   bool polygons = false, discs = false;
   for (int i = 0; i < 100; ++i) {
@@ -33,11 +39,12 @@ TEST(RandomGenerator, RespectsItsOptions) {
 
 TEST(RandomGenerator, PolygonFractionSelectsTheKindOfObstacles) {
   RandomEngine engine(1);
-  const auto only_discs =
-      make_random_generator(IniFile::from_text("[generator.random]\npolygon_fraction = 0\n"));
+  RandomGeneratorOptions options;
+  options.obstacles.polygon_fraction = 0;
+  const auto only_discs = make_generator(options);
   EXPECT_TRUE(only_discs->generate("x", engine).primitives().polygons.empty());
-  const auto only_polygons =
-      make_random_generator(IniFile::from_text("[generator.random]\npolygon_fraction = 1\n"));
+  options.obstacles.polygon_fraction = 1;
+  const auto only_polygons = make_generator(options);
   EXPECT_TRUE(only_polygons->generate("x", engine).primitives().discs.empty());
 }
 

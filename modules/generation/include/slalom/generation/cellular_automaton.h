@@ -38,8 +38,8 @@ struct CellularAutomatonOptions {
 
 /// Cells filled at random (first and last row completely), then smoothed. The start lies before the
 /// field, the goal behind it.
-std::unique_ptr<Generator> make_cellular_automaton(const IniFile& ini,
-                                                   const GeneratorContext& context = {});
+std::unique_ptr<Generator> make_generator(const CellularAutomatonOptions& options,
+                                          const GeneratorContext& context = {});
 
 /// Cells of the automaton, row-major; 1: filled.
 struct AutomatonCells {

@@ -19,6 +19,7 @@ struct ClutterOptions {
 
 /// A random window of the map as a grid, with random discs and polygons centered at free points;
 /// start and goal in free space.
-std::unique_ptr<Generator> make_clutter(const IniFile& ini, const GeneratorContext& context = {});
+std::unique_ptr<Generator> make_generator(const ClutterOptions& options,
+                                          const GeneratorContext& context = {});
 
 }  // namespace slalom

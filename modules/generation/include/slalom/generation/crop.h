@@ -16,6 +16,7 @@ struct CropOptions {
 };
 
 /// A random window of the map as a grid; start and goal in its free space.
-std::unique_ptr<Generator> make_crop(const IniFile& ini, const GeneratorContext& context = {});
+std::unique_ptr<Generator> make_generator(const CropOptions& options,
+                                          const GeneratorContext& context = {});
 
 }  // namespace slalom

@@ -31,24 +31,19 @@ using MapLoader = std::function<mrpt::maps::COccupancyGridMap2D(const std::strin
 struct GeneratorContext {
   /// Factor for all lengths (options in m) of the generator.
   double length_scale = 1;
-  MapLoader load_map = {};  ///< required by generators on real maps
+  MapLoader load_map = {};    ///< required by generators on real maps
+  OptionLocation where = {};  ///< of the options, for errors; empty: "generator.FAMILY.KEY"
 };
 
 /// Creates a generator from section "generator.NAME" of an .ini. Throws Error (Usage) with section
 /// and key, or Error (File) for an unreadable map.
 std::unique_ptr<Generator> make_generator(const std::string& name, const IniFile& ini,
                                           const GeneratorContext& context = {});
+/// Creates a generator from its default options, as changed by `setter`. A C++ program passes the
+/// options themselves: make_generator(MazeOptions()), in maze.h.
+std::unique_ptr<Generator> make_generator(const std::string& name, OptionVisitor& setter,
+                                          const GeneratorContext& context = {});
 std::vector<std::string> generator_names();
-
-/// Creates a generator from the options of a family, such as MazeOptions. Throws Error (Usage).
-template <typename FamilyOptions>
-std::unique_ptr<Generator> make_generator(const FamilyOptions& options,
-                                          const GeneratorContext& context = {}) {
-  const std::string family = FamilyOptions::kFamily;
-  IniFile ini;
-  write_options(ini, "generator." + family, options, "");
-  return make_generator(family, ini, context);
-}
 
 /// Visits the options of a generator with their defaults and ranges. Throws Error (Usage).
 void visit_generator_options(const std::string& name, OptionVisitor& visitor);

@@ -20,7 +20,8 @@ struct MazeOptions {
 };
 
 /// A perfect maze with some walls opened to form loops; start and goal anywhere between the walls.
-std::unique_ptr<Generator> make_maze(const IniFile& ini, const GeneratorContext& context = {});
+std::unique_ptr<Generator> make_generator(const MazeOptions& options,
+                                          const GeneratorContext& context = {});
 
 /// Which walls of a maze are open. Cells are numbered row by row.
 class Maze {

@@ -23,7 +23,8 @@ struct PerlinOptions {
 
 /// Layered value noise (Perlin-like), thresholded such that the required fraction of cells is
 /// occupied.
-std::unique_ptr<Generator> make_perlin(const IniFile& ini, const GeneratorContext& context = {});
+std::unique_ptr<Generator> make_generator(const PerlinOptions& options,
+                                          const GeneratorContext& context = {});
 
 /// Values of layered noise at the centers of cells, row-major: random values on the points of a
 /// square lattice, feature_cells apart in the first layer, with smooth interpolation.

@@ -21,8 +21,8 @@ struct PoissonForestOptions {
 
 /// Discs whose centers come from Poisson-disc sampling; those closer than clear_radius to start or
 /// goal are omitted.
-std::unique_ptr<Generator> make_poisson_forest(const IniFile& ini,
-                                               const GeneratorContext& context = {});
+std::unique_ptr<Generator> make_generator(const PoissonForestOptions& options,
+                                          const GeneratorContext& context = {});
 
 /// Points of the rectangle, pairwise at least `spacing` (m) apart and nearly maximal: Bridson,
 /// "Fast Poisson disk sampling in arbitrary dimensions" (SIGGRAPH 2007), 30 candidates around each

@@ -18,7 +18,7 @@ struct RandomGeneratorOptions {
 
 /// Random discs and polygons, uniformly distributed; start and goal anywhere, at least min_distance
 /// apart.
-std::unique_ptr<Generator> make_random_generator(const IniFile& ini,
-                                                 const GeneratorContext& context = {});
+std::unique_ptr<Generator> make_generator(const RandomGeneratorOptions& options,
+                                          const GeneratorContext& context = {});
 
 }  // namespace slalom

@@ -26,7 +26,8 @@ struct RoomsOptions {
 
 /// The workspace is subdivided by corridors, then by walls; doors connect all rooms. Start and goal
 /// anywhere clear of the walls.
-std::unique_ptr<Generator> make_rooms(const IniFile& ini, const GeneratorContext& context = {});
+std::unique_ptr<Generator> make_generator(const RoomsOptions& options,
+                                          const GeneratorContext& context = {});
 
 /// A wall between two rooms.
 struct RoomWall {

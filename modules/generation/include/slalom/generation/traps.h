@@ -25,7 +25,8 @@ struct TrapsOptions {
 };
 
 /// U-shaped traps and dead ends; the center of the first lies on the line from start to goal.
-std::unique_ptr<Generator> make_traps(const IniFile& ini, const GeneratorContext& context = {});
+std::unique_ptr<Generator> make_generator(const TrapsOptions& options,
+                                          const GeneratorContext& context = {});
 
 /// A trap: three walls around a pocket that is open at one side.
 struct Trap {
