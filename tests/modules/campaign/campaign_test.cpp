@@ -29,7 +29,7 @@ namespace {
 /// goal has y > 5.
 class TestMethod : public Method {
  public:
-  TestMethod(std::string kind, RobotModel robot, ManualTime& time)
+  TestMethod(std::string kind, const RobotModel& robot, ManualTime& time)
       : kind_(std::move(kind)), robot_(robot), time_(time) {}
 
   void reset(const NavigationTask& task) override { misbehaves_ = task.goal.y > 5; }

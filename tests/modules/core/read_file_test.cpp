@@ -18,7 +18,7 @@ class ReadFile : public ::testing::Test {
     std::string name = (fs::temp_directory_path() / "slalom_read_XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
     folder_ = name;
-    std::ofstream(path("sparse"));
+    std::ofstream(path("sparse")).close();
     fs::resize_file(path("sparse"), 3 * kMegabyte);
     mkfifo(path("pipe").c_str(), 0600);
   }

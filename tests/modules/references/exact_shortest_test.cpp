@@ -82,8 +82,9 @@ double lattice_length(const World& world, double radius, int per_meter) {
   const int size_x = static_cast<int>(bounds.width() * per_meter) + 1;
   const int size_y = static_cast<int>(bounds.height() * per_meter) + 1;
   const auto point = [&](int i) {
-    return TPoint2D(bounds.x_min + (i % size_x) / static_cast<double>(per_meter),
-                    bounds.y_min + (i / size_x) / static_cast<double>(per_meter));
+    const int column = i % size_x, row = i / size_x;
+    return TPoint2D(bounds.x_min + column / static_cast<double>(per_meter),
+                    bounds.y_min + row / static_cast<double>(per_meter));
   };
   const auto nearest = [&](const TPoint2D& p) {
     return static_cast<int>(std::lround((p.y - bounds.y_min) * per_meter)) * size_x +

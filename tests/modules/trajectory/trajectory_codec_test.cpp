@@ -25,7 +25,7 @@ TEST(TrajectoryCodec, RestoresEveryBit) {
 
 TEST(TrajectoryCodec, KeepsTheFormatOfResultFiles) {
   const std::string bytes = to_bytes(two_samples());
-  ASSERT_EQ(bytes.size(), 1 + 8 + 2 * 10 * sizeof(double));
+  ASSERT_EQ(bytes.size(), 1 + 8 + 2 * (10 * sizeof(double)));
   EXPECT_EQ(bytes.substr(0, 9), std::string("\3\2\0\0\0\0\0\0\0", 9));        // version, count
   EXPECT_EQ(bytes.substr(9 + 8, 8), std::string("\0\0\0\0\0\0\xf0\x3f", 8));  // x = 1
 }

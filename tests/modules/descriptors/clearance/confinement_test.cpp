@@ -60,10 +60,12 @@ double confinement_by_lattice(const World& world, double range) {
   for (int cy = 0; cy < cells.size_y(); ++cy)
     for (int cx = 0; cx < cells.size_x(); ++cx) {
       if (cells.occupied(cx, cy)) continue;
-      for (int i = 0; i < kPerCell * kPerCell; ++i, count += kDirections / 60)
-        for (int d = i % 60; d < kDirections; d += 60)
-          sum += meets(cx + (i % kPerCell + 0.5) / kPerCell, cy + (i / kPerCell + 0.5) / kPerCell,
+      for (int i = 0; i < kPerCell * kPerCell; ++i) {
+        const int column = i % kPerCell, row = i / kPerCell;
+        for (int d = i % 60; d < kDirections; d += 60, ++count)
+          sum += meets(cx + (column + 0.5) / kPerCell, cy + (row + 0.5) / kPerCell,
                        2 * M_PI * d / kDirections);
+      }
     }
   return sum / count;
 }
