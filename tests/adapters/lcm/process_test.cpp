@@ -16,9 +16,9 @@ class Process : public LcmTest {
   void TearDown() override { std::remove(file_.c_str()); }
 
   std::unique_ptr<Method> launch(const std::string& fault, const std::string& keys = kLongDeadlines,
-                                 WallClock clock = steady_seconds) const {
+                                 const WallClock& clock = steady_seconds) const {
     return make("launch = echo $$ >" + file_ + "; exec " FAULTY_PROCESS " " + fault + "\n" + keys,
-                std::move(clock));
+                clock);
   }
   pid_t process_id() const {
     pid_t pid = 0;

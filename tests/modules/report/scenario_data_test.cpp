@@ -63,7 +63,7 @@ class ScenarioData : public testing::Test {
   static nlohmann::json argument(const std::string& script, const std::string& function) {
     EXPECT_EQ(script.rfind(function + "(", 0), 0u) << script.substr(0, 40);
     const std::size_t from = function.size() + 1;
-    return nlohmann::json::parse(script.substr(from, script.rfind(")") - from));
+    return nlohmann::json::parse(script.substr(from, script.rfind(')') - from));
   }
 
   static std::vector<std::int64_t> sums(const nlohmann::json& differences) {
