@@ -23,7 +23,7 @@ Cells small_world() {
 
 /// BARN's map of a grid: 30 x 66 pixels, x is the row, column c in line 33 + c from below.
 std::string map_of(const Cells& grid) {
-  std::string pixels(30 * 66, '\xFF');
+  std::string pixels(std::size_t{30} * 66, '\xFF');
   for (std::size_t row = 0; row < 30; ++row)
     for (std::size_t column = 0; column < 30; ++column)
       if (grid[row * 30 + column] == 1) pixels[(65 - 33 - column) * 30 + row] = '\0';

@@ -56,7 +56,8 @@ double dijkstra(const Map& map, const MovingAiProblem& problem) {
         if (is_free(map, x + dx, y + dy) && is_free(map, x + dx, y) && is_free(map, x, y + dy))
           open.push({length + std::hypot(dx, dy), cell + dy * width + dx});
   }
-  return best[static_cast<std::size_t>(problem.goal_y * width + problem.goal_x)];
+  const int goal = problem.goal_y * width + problem.goal_x;
+  return best[static_cast<std::size_t>(goal)];
 }
 
 TEST(MovingAiMap, ReadsTheTopRowFirstWithAnyLineEnds) {

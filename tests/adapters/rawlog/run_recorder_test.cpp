@@ -4,7 +4,7 @@
 
 #include <mrpt/obs/CRawlog.h>
 
-#include <cstring>
+#include <cmath>
 #include <error_text.h>
 
 namespace slalom {
@@ -16,7 +16,7 @@ using testing::SimulatedRun;
 class RunRecorder : public testing::RecordedRunTest {};
 
 bool same_bits(double a, double b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+  return a == b ? std::signbit(a) == std::signbit(b) : std::isnan(a) && std::isnan(b);
 }
 
 void expect_same_cycle(const RecordedCycle& read, const testing::ObservedCycle& observed) {

@@ -54,12 +54,13 @@ TEST(SlurmScripts, TheLimitIsReadFromTheConfiguration) {
 
 TEST(SlurmScripts, TheJobRunsOneShardAndPassesSignalsOn) {
   const std::string script = job_script(campaign());
+  constexpr char command[] =
+      "'/opt/slalom/bin/slalom-simulate' run '-c' '/home/ö k/it'\\''s.ini' '--set' 'robot.max_v=1' "
+      "-j 4 --shard \"$shard/16\" -o \"$output\" \"${@:2}\" &\n";
   for (const char* part :
        {"#!/bin/bash\n", "#SBATCH --requeue\n", "#SBATCH --open-mode=append\n",
         "#SBATCH --signal=B:TERM@120\n", "#SBATCH --cpus-per-task=4\n", "#SBATCH --account=lab\n",
-        "module load gcc\n", "cd -- '/home/ö k' || exit\n",
-        "'/opt/slalom/bin/slalom-simulate' run '-c' '/home/ö k/it'\\''s.ini' '--set' "
-        "'robot.max_v=1' -j 4 --shard \"$shard/16\" -o \"$output\" \"${@:2}\" &\n",
+        "module load gcc\n", "cd -- '/home/ö k' || exit\n", command,
         "output='/scratch/ö k/$run'/$(printf 'shard-%05d.results' \"$shard\")\n"})
     EXPECT_NE(script.find(part), std::string::npos) << part << "\nin\n" << script;
   EXPECT_LT(script.find("#SBATCH --account"), script.find("cd --")) << "options come first";

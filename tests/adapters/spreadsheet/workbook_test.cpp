@@ -12,7 +12,7 @@
 namespace slalom {
 namespace {
 
-DataTable table_of(const std::string& name, std::vector<Field> fields) {
+DataTable table_of(const std::string& name, const std::vector<Field>& fields) {
   std::vector<std::string> columns;
   for (std::size_t i = 0; i < fields.size(); ++i) columns.push_back("c" + std::to_string(i));
   return {name, name, columns, 1,
