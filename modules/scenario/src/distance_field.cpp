@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -122,26 +123,27 @@ DistanceField::DistanceField(const Occupancy& occupancy)
     : size_x_(occupancy.size_x()),
       size_y_(occupancy.size_y()),
       resolution_(occupancy.resolution()),
-      origin_(occupancy.origin()),
-      at_center_(occupancy.cells().size()),
-      to_left_(occupancy.cells().size()),
-      to_right_(occupancy.cells().size()) {
+      origin_(occupancy.origin()) {
   fill_rows(occupancy);
-  fill_centers();
+  at_center_ = SharedArray<float>(distances_at_centers());
 }
 
 void DistanceField::fill_rows(const Occupancy& occupancy) {
+  std::vector<std::int32_t> to_left(occupancy.cells().size()), to_right(to_left.size());
   for (int cy = 0; cy < size_y_; ++cy) {
     std::int32_t steps = 0;  // from the border of the row
     for (int cx = 0; cx < size_x_; ++cx)
-      to_left_[index(cx, cy)] = steps = occupancy.occupied(cx, cy) ? 0 : steps + 1;
+      to_left[index(cx, cy)] = steps = occupancy.occupied(cx, cy) ? 0 : steps + 1;
     steps = 0;
     for (int cx = size_x_ - 1; cx >= 0; --cx)
-      to_right_[index(cx, cy)] = steps = occupancy.occupied(cx, cy) ? 0 : steps + 1;
+      to_right[index(cx, cy)] = steps = occupancy.occupied(cx, cy) ? 0 : steps + 1;
   }
+  to_left_ = SharedArray<std::int32_t>(std::move(to_left));
+  to_right_ = SharedArray<std::int32_t>(std::move(to_right));
 }
 
-void DistanceField::fill_centers() {
+std::vector<float> DistanceField::distances_at_centers() const {
+  std::vector<float> distances(to_left_.size());
   ColumnEnvelope envelope(size_y_);
   std::vector<std::int64_t> columns(static_cast<std::size_t>(size_y_) * kBlock);
   for (int first = 0; first < size_x_; first += kBlock) {
@@ -159,9 +161,10 @@ void DistanceField::fill_centers() {
     for (int i = 0; i < count; ++i) envelope.transform(&entry(i, 0));
     for (int cy = 0; cy < size_y_; ++cy)
       for (int i = 0; i < count; ++i)
-        at_center_[index(first + i, cy)] =
+        distances[index(first + i, cy)] =
             static_cast<float>(0.5 * resolution_ * std::sqrt(static_cast<double>(entry(i, cy))));
   }
+  return distances;
 }
 
 TPoint2D DistanceField::to_cells(const TPoint2D& q) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace slalom {
@@ -62,14 +63,18 @@ RayCaster::RayCaster(const Occupancy& occupancy)
       stride_(static_cast<std::size_t>(size_x_) + 2),
       plane_(stride_ * (static_cast<std::size_t>(size_y_) + 2)),
       resolution_(occupancy.resolution()),
-      origin_(occupancy.origin()),
-      squares_(4 * plane_ + 1, 0) {  // one more, so that a word can be read at the last cell
+      origin_(occupancy.origin()) {
+  // One more, so that a word can be read at the last cell.
+  std::vector<std::uint16_t> squares(4 * plane_ + 1, 0);
   for (const bool left : {false, true})
-    for (const bool down : {false, true}) fill(occupancy, left, down);
+    for (const bool down : {false, true})
+      fill(occupancy, left, down, squares.data() + plane_of(left, down));
+  squares_ = SharedArray<std::uint16_t>(std::move(squares));
 }
 
-void RayCaster::fill(const Occupancy& occupancy, bool left, bool down) {
-  std::uint16_t* squares = squares_.data() + plane_of(left, down);
+/// Fills one plane.
+void RayCaster::fill(const Occupancy& occupancy, bool left, bool down,
+                     std::uint16_t* squares) const {
   for (int y = size_y_ - 1; y >= 0; --y) {
     const std::uint8_t* cells = occupancy.cells().data() +
                                 occupancy.index(left ? 0 : size_x_ - 1, down ? size_y_ - 1 - y : y);

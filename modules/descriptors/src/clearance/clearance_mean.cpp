@@ -4,7 +4,7 @@ namespace slalom::descriptors {
 
 /// Mean of d over F_C.
 Value clearance_mean(const DescriptorContext& context) {
-  const std::vector<float>& distances = context.world.distance_field().centers();
+  const SharedArray<float>& distances = context.world.distance_field().centers();
   const FreeHeadings space = free_headings(context);
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < distances.size(); ++i) {

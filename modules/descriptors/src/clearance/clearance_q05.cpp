@@ -6,7 +6,7 @@ namespace slalom::descriptors {
 
 /// 5 % quantile of d over F_C: the smallest distance not exceeded by at least 5 % of F_C.
 Value clearance_q05(const DescriptorContext& context) {
-  const std::vector<float>& distances = context.world.distance_field().centers();
+  const SharedArray<float>& distances = context.world.distance_field().centers();
   const FreeHeadings space = free_headings(context);
   std::vector<float> sample;
   sample.reserve(distances.size());

@@ -7,7 +7,7 @@ namespace slalom::descriptors {
 /// (1/area F) integral over F of min(d(q), R)/R: the mean over the centers of free cells.
 Value clearness(const DescriptorContext& context) {
   const std::vector<std::uint8_t>& cells = context.world.occupancy().cells();
-  const std::vector<float>& distances = context.world.distance_field().centers();
+  const SharedArray<float>& distances = context.world.distance_field().centers();
   const double range = context.sensor_range;
   double sum = 0;
   std::size_t free_cells = 0;

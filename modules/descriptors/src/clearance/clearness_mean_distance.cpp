@@ -5,7 +5,7 @@ namespace slalom::descriptors {
 /// Mean of d over F, at the centers of free cells.
 Value clearness_mean_distance(const DescriptorContext& context) {
   const std::vector<std::uint8_t>& cells = context.world.occupancy().cells();
-  const std::vector<float>& distances = context.world.distance_field().centers();
+  const SharedArray<float>& distances = context.world.distance_field().centers();
   double sum = 0;
   std::size_t free_cells = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -101,7 +101,7 @@ FreeHeadings free_headings(const DescriptorContext& context) {
   const auto reached = [](double radius) {
     return static_cast<float>((radius - kTouch) * (1 - 1e-7));
   };
-  const std::vector<float>& distances = context.world.distance_field().centers();
+  const SharedArray<float>& distances = context.world.distance_field().centers();
   FreeHeadings result;
   result.headings = context.robot.is_disc() ? 1 : kHeadings;
   result.free.resize(distances.size());

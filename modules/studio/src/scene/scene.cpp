@@ -151,7 +151,7 @@ ScenePtr compute_next_step(const ScenePtr& scene, Progress& progress) {
 }
 
 CellPyramid clearance_pyramid(const Occupancy& cells, const DistanceField& field) {
-  const std::vector<float>& centers = field.centers();
+  const SharedArray<float>& centers = field.centers();
   const float max = *std::max_element(centers.begin(), centers.end());
   std::vector<std::uint8_t> values;
   values.reserve(centers.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <slalom/core/shared_array.h>
 #include <slalom/scenario/occupancy.h>
 
 #include <cstdint>
@@ -16,7 +17,7 @@ class DistanceField {
   /// d at the center of a cell (m): distance to the nearest occupied closed square; 0 if occupied.
   double at_center(int cx, int cy) const { return at_center_[index(cx, cy)]; }
   /// The distances at all cell centers, row-major (m).
-  const std::vector<float>& centers() const { return at_center_; }
+  const SharedArray<float>& centers() const { return at_center_; }
 
   /// d(q) (m) at any point; 0 on or in an occupied square and outside the workspace.
   double clearance(const mrpt::math::TPoint2D& q) const;
@@ -39,7 +40,7 @@ class DistanceField {
            static_cast<std::size_t>(cx);
   }
   void fill_rows(const Occupancy& occupancy);
-  void fill_centers();
+  std::vector<float> distances_at_centers() const;
   mrpt::math::TPoint2D to_cells(const mrpt::math::TPoint2D& q) const;
   /// Distance (cells) to the border of the grid; 0 on it and outside.
   double wall_distance(const mrpt::math::TPoint2D& at) const;
@@ -49,10 +50,10 @@ class DistanceField {
   int size_x_, size_y_;
   double resolution_;
   mrpt::math::TPoint2D origin_;
-  std::vector<float> at_center_;
+  SharedArray<float> at_center_;
   /// Per cell: number of cells to the nearest occupied cell of its row on the left (right); 0 if
   /// the cell is occupied itself.
-  std::vector<std::int32_t> to_left_, to_right_;
+  SharedArray<std::int32_t> to_left_, to_right_;
 };
 
 }  // namespace slalom

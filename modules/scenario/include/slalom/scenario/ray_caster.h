@@ -1,10 +1,10 @@
 #pragma once
 
+#include <slalom/core/shared_array.h>
 #include <slalom/scenario/occupancy.h>
 
 #include <cmath>
 #include <cstdint>
-#include <vector>
 
 namespace slalom {
 
@@ -51,7 +51,7 @@ class RayCaster {
     const std::uint16_t* squares = nullptr;
   };
 
-  void fill(const Occupancy& occupancy, bool left, bool down);
+  void fill(const Occupancy& occupancy, bool left, bool down, std::uint16_t* squares) const;
   Ray make_ray(const mrpt::math::TPoint2D& origin, double cosine, double sine) const;
   bool starts_free(const Ray& ray) const;
   /// Range (cells), at most limit, of a ray that starts free.
@@ -75,7 +75,7 @@ class RayCaster {
   /// Four planes (rays to the right or left, up or down), each the grid mirrored so that rays go up
   /// and to the right: the side of the free square whose lower left cell this is, 0 where occupied;
   /// with a border of occupied cells.
-  std::vector<std::uint16_t> squares_;
+  SharedArray<std::uint16_t> squares_;
 };
 
 }  // namespace slalom
