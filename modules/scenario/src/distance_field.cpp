@@ -119,13 +119,26 @@ double distance_to_cell(const TPoint2D& a, const TPoint2D& b, int cx, int cy) {
 
 }  // namespace
 
-DistanceField::DistanceField(const Occupancy& occupancy)
+DistanceField::DistanceField(const Occupancy& occupancy, ArrayReader* written)
     : size_x_(occupancy.size_x()),
       size_y_(occupancy.size_y()),
       resolution_(occupancy.resolution()),
       origin_(occupancy.origin()) {
+  if (written != nullptr) {
+    const std::size_t cells = occupancy.cells().size();
+    at_center_ = written->read<float>(cells);
+    to_left_ = written->read<std::int32_t>(cells);
+    to_right_ = written->read<std::int32_t>(cells);
+    return;
+  }
   fill_rows(occupancy);
   at_center_ = SharedArray<float>(distances_at_centers());
+}
+
+void DistanceField::write(ArrayWriter& writer) const {
+  writer.write(at_center_);
+  writer.write(to_left_);
+  writer.write(to_right_);
 }
 
 void DistanceField::fill_rows(const Occupancy& occupancy) {

@@ -4,6 +4,7 @@
 #include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/occupancy.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -79,6 +80,12 @@ Occupancy from_grid(const COccupancyGridMap2D& map) {
   return cells;
 }
 
+/// As written for other processes.
+struct Geometry {
+  int size_x, size_y;
+  double resolution, x, y;
+};
+
 }  // namespace
 
 Occupancy::Occupancy(int size_x, int size_y, double resolution, TPoint2D origin)
@@ -87,6 +94,21 @@ Occupancy::Occupancy(int size_x, int size_y, double resolution, TPoint2D origin)
     throw usage_error("grid", std::to_string(size_x) + " x " + std::to_string(size_y) + " cells",
                       "1 to 400 million cells");
   cells_.assign(static_cast<std::size_t>(size_x) * static_cast<std::size_t>(size_y), 0);
+}
+
+void Occupancy::write(ArrayWriter& writer) const {
+  const Geometry geometry = {size_x_, size_y_, resolution_, origin_.x, origin_.y};
+  writer.write(&geometry, 1);
+  writer.write(cells_.data(), cells_.size());
+}
+
+Occupancy Occupancy::read(ArrayReader& reader) {
+  const Geometry geometry = reader.read<Geometry>(1)[0];
+  Occupancy occupancy(geometry.size_x, geometry.size_y, geometry.resolution,
+                      {geometry.x, geometry.y});
+  const auto cells = reader.read<std::uint8_t>(occupancy.cells_.size());
+  std::copy(cells.begin(), cells.end(), occupancy.cells_.begin());
+  return occupancy;
 }
 
 Bounds Occupancy::bounds() const {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace slalom {
@@ -57,19 +56,26 @@ bool near_integer(double x) {
 
 }  // namespace
 
-RayCaster::RayCaster(const Occupancy& occupancy)
+RayCaster::RayCaster(const Occupancy& occupancy, ArrayReader* written)
     : size_x_(occupancy.size_x()),
       size_y_(occupancy.size_y()),
       stride_(static_cast<std::size_t>(size_x_) + 2),
       plane_(stride_ * (static_cast<std::size_t>(size_y_) + 2)),
       resolution_(occupancy.resolution()),
-      origin_(occupancy.origin()) {
-  // One more, so that a word can be read at the last cell.
-  std::vector<std::uint16_t> squares(4 * plane_ + 1, 0);
+      origin_(occupancy.origin()),
+      squares_(written != nullptr ? written->read<std::uint16_t>(table_size())
+                                  : SharedArray<std::uint16_t>(free_squares(occupancy))) {}
+
+std::vector<std::uint16_t> RayCaster::free_squares(const Occupancy& occupancy) const {
+  std::vector<std::uint16_t> squares(table_size(), 0);
   for (const bool left : {false, true})
     for (const bool down : {false, true})
       fill(occupancy, left, down, squares.data() + plane_of(left, down));
-  squares_ = SharedArray<std::uint16_t>(std::move(squares));
+  return squares;
+}
+
+void RayCaster::write(ArrayWriter& writer) const {
+  writer.write(squares_);
 }
 
 /// Fills one plane.

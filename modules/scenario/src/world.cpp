@@ -16,6 +16,22 @@ const T& make_once(std::unique_ptr<T>& kept, Make make) {
 World::World(Scenario scenario, double resolution)
     : scenario_(std::move(scenario)), resolution_(resolution) {}
 
+World::World(Scenario scenario, double resolution, const SharedArray<std::byte>& tables)
+    : World(std::move(scenario), resolution) {
+  ArrayReader reader(tables);
+  occupancy_ = std::make_unique<Occupancy>(Occupancy::read(reader));
+  distance_field_ = std::make_unique<DistanceField>(*occupancy_, &reader);
+  ray_caster_ = std::make_unique<RayCaster>(*occupancy_, &reader);
+  reader.expect_end();
+}
+
+void World::write_tables(const ArrayWriter::Sink& sink) const {
+  ArrayWriter writer(sink);
+  occupancy().write(writer);
+  distance_field().write(writer);
+  ray_caster().write(writer);
+}
+
 const Occupancy& World::occupancy() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return make_once(occupancy_, [&] { return make_occupancy(scenario_, resolution_); });

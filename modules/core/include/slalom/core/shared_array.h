@@ -23,6 +23,7 @@ class SharedArray {
       : data_(std::move(data)), size_(size) {}
 
   const T* data() const { return data_.get(); }
+  const std::shared_ptr<const T>& owner() const { return data_; }  ///< keeps the memory alive
   std::size_t size() const { return size_; }
   const T& operator[](std::size_t i) const { return data()[i]; }
   const T* begin() const { return data(); }

@@ -12,7 +12,10 @@ namespace slalom {
 /// the workspace).
 class DistanceField {
  public:
-  explicit DistanceField(const Occupancy& occupancy);
+  /// Computes the field, or uses the tables that write() wrote for this occupancy, where they are.
+  /// Throws Error (Job) when these are malformed.
+  explicit DistanceField(const Occupancy& occupancy, ArrayReader* written = nullptr);
+  void write(ArrayWriter& writer) const;
 
   /// d at the center of a cell (m): distance to the nearest occupied closed square; 0 if occupied.
   double at_center(int cx, int cy) const { return at_center_[index(cx, cy)]; }

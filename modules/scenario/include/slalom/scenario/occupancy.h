@@ -1,5 +1,6 @@
 #pragma once
 
+#include <slalom/core/array_stream.h>
 #include <slalom/scenario/scenario.h>
 
 #include <cstdint>
@@ -19,6 +20,10 @@ class Occupancy {
   double resolution() const { return resolution_; }
   const mrpt::math::TPoint2D& origin() const { return origin_; }  ///< lower left corner, m
   Bounds bounds() const;
+
+  /// For other processes; reading makes a copy. Throws Error when what was written is malformed.
+  void write(ArrayWriter& writer) const;
+  static Occupancy read(ArrayReader& reader);
 
   bool inside(int cx, int cy) const { return cx >= 0 && cy >= 0 && cx < size_x_ && cy < size_y_; }
   bool occupied(int cx, int cy) const { return !inside(cx, cy) || cells_[index(cx, cy)] != 0; }

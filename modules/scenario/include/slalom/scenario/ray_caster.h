@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace slalom {
 
@@ -32,7 +33,10 @@ struct ScanGeometry {
 /// accumulating steps.
 class RayCaster {
  public:
-  explicit RayCaster(const Occupancy& occupancy);
+  /// Computes the tables, or uses those that write() wrote for this occupancy, where they are.
+  /// Throws Error (Job) when these are malformed.
+  explicit RayCaster(const Occupancy& occupancy, ArrayReader* written = nullptr);
+  void write(ArrayWriter& writer) const;
 
   /// Range (m) of one ray, at most max_range; 0 when the origin lies in or on an occupied cell, on
   /// the border of the workspace or outside, or is not finite.
@@ -51,6 +55,9 @@ class RayCaster {
     const std::uint16_t* squares = nullptr;
   };
 
+  /// Elements of `squares_`: one more, so that a word can be read at the last cell.
+  std::size_t table_size() const { return 4 * plane_ + 1; }
+  std::vector<std::uint16_t> free_squares(const Occupancy& occupancy) const;
   void fill(const Occupancy& occupancy, bool left, bool down, std::uint16_t* squares) const;
   Ray make_ray(const mrpt::math::TPoint2D& origin, double cosine, double sine) const;
   bool starts_free(const Ray& ray) const;

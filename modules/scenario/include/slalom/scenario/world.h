@@ -17,6 +17,12 @@ class World {
  public:
   /// `resolution` (m) is the cell size for scenarios that are not grids themselves.
   World(Scenario scenario, double resolution);
+  /// With tables that another process wrote for the same scenario and resolution. Those of the
+  /// distance field and ray caster stay where they are. Throws Error when `tables` is malformed.
+  World(Scenario scenario, double resolution, const SharedArray<std::byte>& tables);
+
+  /// Writes all tables for other processes, after computing those that are missing.
+  void write_tables(const ArrayWriter::Sink& sink) const;
 
   const Scenario& scenario() const { return scenario_; }
   double requested_resolution() const { return resolution_; }
