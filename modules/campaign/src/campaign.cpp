@@ -15,13 +15,11 @@
 namespace slalom {
 namespace {
 
-/// The findings in the payload of a work item; nullopt when incomplete (corrupted process).
+/// The findings in the payload of a work item; nullopt when malformed (corrupted process).
 template <typename Read>
-auto read_payload(const WorkResult& result, Read read)
-    -> std::optional<decltype(read(result.payload))> {
-  if (result.status != WorkResult::Status::Done) return std::nullopt;
+auto read_payload(const std::string& payload, Read read) -> std::optional<decltype(read(payload))> {
   try {
-    return read(result.payload);
+    return read(payload);
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -54,7 +52,9 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
   std::size_t done = campaign.scenarios.size() - missing.size();
   const auto receive = [&](std::size_t i, WorkResult&& result) {
     const Scenario& scenario = campaign.scenarios[missing[i]];
-    const auto findings = read_payload(result, scenario_findings_from_wire);
+    const auto findings = result.status == WorkResult::Status::Done
+                              ? read_payload(result.payload, scenario_findings_from_wire)
+                              : std::nullopt;
     if (!findings)
       throw job_error("scenario " + scenario.name(),
                       "its descriptors and references could not be computed: " + result.detail);
@@ -97,16 +97,13 @@ bool is_record_of(const Campaign& campaign, const RunSpec& spec, const RunRecord
                      [&](const std::string& id) { return record.metrics.count(id) == 1; });
 }
 
-RunFindings findings_of(const Campaign& campaign, const RunSpec& spec, const WorkResult& result,
-                        RunExecutor& executor) {
-  auto findings = read_payload(result, run_findings_from_wire);
-  if (findings && is_record_of(campaign, spec, findings->record)) return std::move(*findings);
+/// The findings of a run that was not completed.
+RunFindings findings_of_failure(const Campaign& campaign, const RunSpec& spec,
+                                const WorkResult& result, RunExecutor& executor) {
   const Outcome outcome = outcome_of(result);
   if (outcome == Outcome::InfrastructureError)
     return findings_without_run(campaign, spec, outcome, result.detail);
-  const bool damaged = result.status == WorkResult::Status::Done;
-  return executor.reconstruct(spec, result.log, outcome,
-                              damaged ? "the worker's reply was corrupted" : result.detail);
+  return executor.reconstruct(spec, result.log, outcome, result.detail);
 }
 
 PoolOptions pool_for_methods(const CampaignOptions& options, int workers, bool in_process = false) {
@@ -147,8 +144,15 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
                        : findings_without_run(campaign, plan[i], Outcome::UnsolvableScenario,
                                               known.shortest_reason));
   };
+  std::optional<RunFindings> answer;  // of the run that is received next
+  const auto is_valid = [&](std::size_t i, const std::string& payload) {
+    answer = read_payload(payload, run_findings_from_wire);
+    return answer && is_record_of(campaign, plan[i], answer->record);
+  };
   const auto receive = [&](std::size_t i, WorkResult&& result) {
-    RunFindings findings = findings_of(campaign, plan[i], result, executor);
+    RunFindings findings = result.status == WorkResult::Status::Done
+                               ? std::move(*answer)
+                               : findings_of_failure(campaign, plan[i], result, executor);
     if (campaign.options.record.trajectories == StoredTrajectories::None)
       findings.trajectory.samples.clear();
     sink.add_run(findings.record, findings.timing, findings.trajectory);
@@ -161,6 +165,7 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
   PoolOptions pool = pool_for_methods(campaign.options, execution.workers, execution.in_process);
   pool.groups = campaign.methods.size();
   pool.group = [&](std::size_t i) { return method_index(campaign, plan[i].method); };
+  pool.is_valid = is_valid;
   pool.at_end = [&] { executor.destroy_methods(); };
   const bool complete = run_in_workers(plan.size(), pool, item, receive, execution.interrupted);
   execution.progress.finish();

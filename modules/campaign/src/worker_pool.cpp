@@ -159,6 +159,8 @@ bool run_here(std::size_t count, const PoolOptions& options, const WorkItem& ite
     WorkResult result;
     try {
       result.payload = item(i, log);
+      if (options.is_valid && !options.is_valid(i, result.payload))
+        result = {WorkResult::Status::Crashed, "", kInvalidPayload, log.contents()};
     } catch (const std::exception& error) {
       result.status = WorkResult::Status::Threw;
       result.detail = reason_of(error);

@@ -214,6 +214,8 @@ std::optional<WorkResult> WorkerProcess::take_answer() {
   std::string payload = buffer_.substr(sizeof header, header.size);
   if (header.kind == kThrew) return kill_with(Status::Threw, std::move(payload));
   if (header.kind == kOutOfMemory) return kill_with(Status::OutOfMemory, std::move(payload));
+  if (options_.is_valid && !options_.is_valid(item_, payload))
+    return kill_with(Status::Crashed, kInvalidPayload);
   const bool has_more = buffer_.size() > sizeof header + header.size;
   buffer_.clear();
   busy_ = false;

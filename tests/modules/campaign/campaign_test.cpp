@@ -414,6 +414,7 @@ TEST_F(CampaignTest, TheIdentityOfARunIsThatOfThePlan) {
   EXPECT_EQ(sink.runs[0].outcome, "success");
   EXPECT_EQ(sink.runs[1].outcome, "method_crash");
   EXPECT_NE(sink.runs[1].outcome_detail.find("reply was corrupted"), std::string::npos);
+  EXPECT_GT(sink.runs[1].metrics.at("path_length").value.number(), 0.05) << "from the log";
 }
 
 TEST_F(CampaignTest, ARunWhoseProcessIsKilledFromOutsideTwiceIsAnInfrastructureError) {

@@ -195,6 +195,33 @@ TEST(WorkerPool, ARetiredWorkerIsReplaced) {
   EXPECT_EQ(results[3].payload, "2");
 }
 
+TEST(WorkerPool, AWorkerWhosePayloadIsNotValidIsReplaced) {
+  int executed = 0;
+  PoolOptions options = with_workers(1);
+  options.log_size = 10;
+  std::vector<std::size_t> checked;
+  options.is_valid = [&](std::size_t i, const std::string& payload) {
+    checked.push_back(i);
+    return payload != "2";
+  };
+  const WorkItem item = [&executed](std::size_t, SharedTaskLog& log) {
+    log.append("log", 3);
+    return std::to_string(++executed);
+  };
+  for (const bool in_process : {false, true}) {
+    options.in_process = in_process;
+    checked.clear();
+    const auto results = run_all(3, options, item);
+    EXPECT_EQ(checked, (std::vector<std::size_t>{0, 1, 2}));
+    EXPECT_EQ(results[0].payload, "1");
+    EXPECT_EQ(results[1].status, Status::Crashed);
+    EXPECT_EQ(results[1].detail, kInvalidPayload);
+    EXPECT_EQ(results[1].log, "log");
+    EXPECT_EQ(results[1].payload, "");
+    EXPECT_EQ(results[2].payload, in_process ? "3" : "1") << "a new process";
+  }
+}
+
 TEST(WorkerPool, FreshProcessesDoNotShareState) {
   int state = 0;
   PoolOptions options = with_workers(2);

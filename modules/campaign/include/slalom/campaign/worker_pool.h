@@ -40,12 +40,18 @@ struct PoolOptions {
   /// A process executes only work items of one of `groups` groups. Null: all are of one group.
   std::function<std::size_t(std::size_t index)> group = nullptr;
   std::size_t groups = 1;
+  /// In the calling process, of the payload of a work item that is done, before it is passed on.
+  /// When it is false the item has crashed, and its process is replaced. Null: all are valid.
+  std::function<bool(std::size_t index, const std::string& payload)> is_valid = nullptr;
   /// Executed in a worker process that is no longer needed, before it exits. It has kOrderlyEnd
   /// to complete. Not executed when the process is killed or replaced.
   std::function<void()> at_end = nullptr;
   /// For item_wall_time and heartbeat_timeout; read in the parent process.
   WallClock clock = steady_seconds;
 };
+
+/// The detail of a work item whose payload was not valid.
+constexpr char kInvalidPayload[] = "the worker's reply was corrupted";
 
 /// Time for PoolOptions::at_end, after which the process is killed; s.
 constexpr double kOrderlyEnd = 2;
