@@ -129,6 +129,29 @@ std::size_t method_index(const Campaign& campaign, const std::string& name) {
   return static_cast<std::size_t>(named - campaign.methods.begin());
 }
 
+/// The tables of scenarios, for runs that several processes execute.
+SharedInputs shared_tables(const Campaign& campaign, const std::vector<RunSpec>& plan,
+                           const std::vector<References>& references, int workers,
+                           RunExecutor& executor) {
+  SharedInputs tables;
+  if (campaign.methods.size() < 2 && workers < 2) return tables;
+  tables.of = [&](std::size_t i) -> std::optional<std::size_t> {
+    const std::size_t scenario = plan[i].scenario;
+    const bool has_others = (i > 0 && plan[i - 1].scenario == scenario) ||
+                            (i + 1 < plan.size() && plan[i + 1].scenario == scenario);
+    if (!has_others || !references[scenario].shortest) return std::nullopt;
+    return scenario;
+  };
+  tables.make = [&](std::size_t scenario, const ArrayWriter::Sink& sink) {
+    World(campaign.scenarios[scenario], campaign.options.setup.simulation.resolution)
+        .write_tables(sink);
+  };
+  tables.use = [&](std::size_t scenario, const SharedArray<std::byte>& memory) {
+    executor.use_tables(scenario, memory);
+  };
+  return tables;
+}
+
 /// Second phase: every method in every scenario.
 bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& execution,
                  const std::vector<References>& references, CampaignSummary& summary) {
@@ -165,6 +188,7 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
   PoolOptions pool = pool_for_methods(campaign.options, execution.workers, execution.in_process);
   pool.groups = campaign.methods.size();
   pool.group = [&](std::size_t i) { return method_index(campaign, plan[i].method); };
+  pool.inputs = shared_tables(campaign, plan, references, execution.workers, executor);
   pool.is_valid = is_valid;
   pool.at_end = [&] { executor.destroy_methods(); };
   const bool complete = run_in_workers(plan.size(), pool, item, receive, execution.interrupted);

@@ -169,6 +169,14 @@ const World& RunExecutor::world(std::size_t scenario) {
   return *world_;
 }
 
+void RunExecutor::use_tables(std::size_t scenario, const SharedArray<std::byte>& tables) {
+  if (world_ && world_scenario_ == scenario) return;
+  world_.reset();
+  world_ = std::make_unique<World>(campaign_.scenarios[scenario],
+                                   campaign_.options.setup.simulation.resolution, tables);
+  world_scenario_ = scenario;
+}
+
 Method& RunExecutor::method(const std::string& name) {
   std::unique_ptr<Method>& method = methods_[name];
   if (!method) {

@@ -29,6 +29,9 @@ class RunExecutor {
   /// process in a state that cannot be restored.
   RunFindings execute(const RunSpec& spec, SharedTaskLog& log);
 
+  /// Uses tables of World::write_tables() for the runs in a scenario that follow.
+  void use_tables(std::size_t scenario, const SharedArray<std::byte>& tables);
+
   /// Ends the life of all methods that execute() has constructed.
   void destroy_methods() { methods_.clear(); }
 

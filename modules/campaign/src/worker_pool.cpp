@@ -1,3 +1,4 @@
+#include "shared_inputs.h"
 #include "worker_process.h"
 
 #include <slalom/campaign/worker_pool.h>
@@ -49,7 +50,8 @@ class Pool {
         max_busy_(static_cast<std::size_t>(std::max(1, options.workers))),
         options_(options),
         item_(item),
-        results_(results) {}
+        results_(results),
+        inputs_(count, options) {}
 
   bool run(const std::function<bool()>& interrupted) {
     while (finished_ < count_) {
@@ -66,12 +68,21 @@ class Pool {
   using Worker = std::unique_ptr<WorkerProcess>;
 
   void assign_items() {
-    while (count(&WorkerProcess::busy) < max_busy_ && (!again_.empty() || next_ < count_)) {
+    while (count(&WorkerProcess::busy) + inputs_.busy() < max_busy_ &&
+           (!again_.empty() || next_ < count_)) {
       const bool again = !again_.empty();
-      const std::size_t index = again ? again_.back() : next_++;
-      if (again) again_.pop_back();
+      const std::size_t index = again ? again_.back() : next_;
+      if (inputs_.is_awaited(index)) {
+        if (inputs_.make_next()) continue;
+        return;
+      }
+      if (again)
+        again_.pop_back();
+      else
+        ++next_;
       const std::size_t group = options_.group ? options_.group(index) : 0;
-      worker_for(group, again || options_.fresh_process).assign(index);
+      worker_for(group, again || options_.fresh_process)
+          .assign(index, inputs_.descriptor_for(index));
     }
   }
 
@@ -92,9 +103,10 @@ class Pool {
     if (count(&WorkerProcess::idle) >= options_.groups + max_busy_) end_least_recently_used();
     const auto dead = std::find_if(workers_.begin(), workers_.end(),
                                    [](const Worker& worker) { return !worker->alive(); });
-    WorkerProcess& worker = dead == workers_.end()
-                                ? *workers_.emplace_back(std::make_unique<WorkerProcess>(options_))
-                                : **dead;
+    WorkerProcess& worker =
+        dead == workers_.end()
+            ? *workers_.emplace_back(std::make_unique<WorkerProcess>(options_, inputs_.receiver()))
+            : **dead;
     worker.start(item_, group);
     return worker;
   }
@@ -118,11 +130,13 @@ class Pool {
   void wait_for_answers() const {
     std::vector<pollfd> events;
     for (const Worker& worker : workers_) worker->add_events(events);
+    inputs_.add_events(events);
     constexpr int kPollMs = 20;  // maximum latency of time limits and interrupts
     poll(events.data(), events.size(), kPollMs);
   }
 
   void collect() {
+    inputs_.collect();
     for (Worker& worker : workers_) {
       if (!worker->busy()) continue;
       const std::size_t index = worker->last_item();
@@ -136,6 +150,7 @@ class Pool {
       result.detail += " from outside, twice; perhaps the system is out of memory";
     }
     ++finished_;
+    inputs_.release(index);
     results_.put(index, std::move(result));
   }
 
@@ -143,6 +158,7 @@ class Pool {
   PoolOptions options_;
   const WorkItem& item_;
   OrderedResults& results_;
+  InputStore inputs_;
   std::vector<Worker> workers_;
   std::size_t next_ = 0, finished_ = 0;
   std::set<std::size_t> killed_;    ///< work items whose process was killed from outside

@@ -1,11 +1,11 @@
 #include "worker_keeper.h"
 #include "worker_limits.h"
 #include "worker_process.h"
+#include "worker_socket.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
@@ -22,49 +22,19 @@
 namespace slalom {
 namespace {
 
-constexpr char kDone = 'D';
-constexpr char kThrew = 'E';
-constexpr char kOutOfMemory = 'M';
 /// Larger than any valid payload; a larger size means corrupted data.
 constexpr std::uint64_t kMaxPayload = std::uint64_t{1} << 30;
-
-/// The random number is in the answer, so that only the answer to this request is taken for it.
-struct Request {
-  std::uint64_t nonce, index;
-};
-
-struct AnswerHeader {
-  Request request;
-  std::uint64_t size;  ///< of the payload that follows
-  std::uint64_t kind;
-};
-
-bool send_all(int socket, const char* data, std::size_t size) {
-  while (size > 0) {
-    const ssize_t sent = send(socket, data, size, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) return false;
-    data += sent;
-    size -= static_cast<std::size_t>(sent);
-  }
-  return true;
-}
-
-bool receive_request(int socket, Request& request) {
-  ssize_t got = 0;
-  do {
-    got = recv(socket, &request, sizeof request, MSG_WAITALL);
-  } while (got < 0 && errno == EINTR);
-  return got == static_cast<ssize_t>(sizeof request);
-}
 
 struct Answer {
   char kind;
   std::string payload;
 };
 
-Answer execute(const WorkItem& item, std::size_t index, SharedTaskLog& log) {
+Answer execute(const WorkItem& item, std::size_t index, SharedTaskLog& log, FileDescriptor file,
+               const FileReceiver& receive_file) {
   try {
+    if (file) receive_file(index, file.number());
+    file = FileDescriptor();
     return {kDone, item(index, log)};
   } catch (const std::bad_alloc&) {
     return {kOutOfMemory, "out of memory"};
@@ -74,20 +44,19 @@ Answer execute(const WorkItem& item, std::size_t index, SharedTaskLog& log) {
 }
 
 /// The main loop of a worker process.
-void serve(int socket, const WorkItem& item, const PoolOptions& options, SharedTaskLog& log) {
+void serve(int socket, const WorkItem& item, const PoolOptions& options,
+           const FileReceiver& receive_file, SharedTaskLog& log) {
   // Interrupts are handled by the parent.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
   limit_memory(static_cast<std::size_t>(options.memory_mb * 1024 * 1024));
   const pid_t self = getpid();
   Request request = {};
-  while (receive_request(socket, request)) {
+  FileDescriptor file;
+  while (receive_request(socket, request, file)) {
     limit_cpu_time(options.item_cpu_time);
-    const Answer answer = execute(item, request.index, log);
+    const Answer answer = execute(item, request.index, log, std::move(file), receive_file);
     if (getpid() != self) return;  // a copy, made by a method that forked
-    const AnswerHeader header = {request, answer.payload.size(),
-                                 static_cast<unsigned char>(answer.kind)};
-    if (!send_all(socket, reinterpret_cast<const char*>(&header), sizeof header) ||
-        !send_all(socket, answer.payload.data(), answer.payload.size()))
+    if (!send_answer(socket, request, answer.kind, answer.payload))
       return log.report_disconnected();
   }
   if (options.at_end) options.at_end();
@@ -104,35 +73,6 @@ bool was_killed_by(int status, int signal) {
   return WIFSIGNALED(status) && WTERMSIG(status) == signal;
 }
 
-bool is_readable(int socket, int milliseconds) {
-  pollfd event = {socket, POLLIN, 0};
-  return poll(&event, 1, milliseconds) > 0;
-}
-
-Error cannot_create(const std::string& what, int error) {
-  return job_error("workers", "cannot create a " + what + " (" + std::strerror(error) + ")");
-}
-
-/// Two connected sockets, closed unless they are taken.
-class SocketPair {
- public:
-  SocketPair() {
-    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends_.data()) != 0)
-      throw cannot_create("socket", errno);
-  }
-  ~SocketPair() {
-    for (const int end : ends_)
-      if (end >= 0) close(end);
-  }
-  SocketPair(const SocketPair&) = delete;
-  SocketPair& operator=(const SocketPair&) = delete;
-  int far_end() const { return ends_[1]; }
-  int take_near_end() { return std::exchange(ends_[0], -1); }
-
- private:
-  std::array<int, 2> ends_ = {-1, -1};
-};
-
 }  // namespace
 
 void WorkerProcess::start(const WorkItem& item, std::size_t group) {
@@ -140,16 +80,17 @@ void WorkerProcess::start(const WorkItem& item, std::size_t group) {
   const pid_t pid = fork();
   if (pid < 0) throw cannot_create("process", errno);
   if (pid == 0) {
-    drop_descriptors(options_.keep_stderr, work.far_end(), control.far_end());
-    const auto serve_items = [&] { serve(work.far_end(), item, options_, log_); };
-    if (!options_.trusted) keep_worker(control.far_end(), serve_items);
+    const int socket = work.far_end.number(), keeper = control.far_end.number();
+    drop_descriptors(options_.keep_stderr, socket, keeper);
+    const auto serve_items = [&] { serve(socket, item, options_, receive_file_, log_); };
+    if (!options_.trusted) keep_worker(keeper, serve_items);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     serve_items();
     _exit(0);
   }
   child_ = pid;
-  socket_ = work.take_near_end();
-  control_ = control.take_near_end();
+  socket_ = work.near_end.take();
+  control_ = control.near_end.take();
   fcntl(socket_, F_SETFL, O_NONBLOCK);
   disconnected_ = false;
   group_ = group;
@@ -160,7 +101,7 @@ bool WorkerProcess::is_sound() const {
   return !is_readable(socket_, 0) && !is_readable(control_, 0);
 }
 
-void WorkerProcess::assign(std::size_t index) {
+void WorkerProcess::assign(std::size_t index, int file) {
   nonce_ = std::uint64_t{random_()} << 32U | random_();
   const Request request = {nonce_, index};
   log_.clear();
@@ -169,7 +110,7 @@ void WorkerProcess::assign(std::size_t index) {
   busy_ = true;
   started_ = last_heartbeat_ = options_.clock();
   // The death of a worker is detected by the next receive().
-  send_all(socket_, reinterpret_cast<const char*>(&request), sizeof request);
+  send_request(socket_, request, file);
 }
 
 void WorkerProcess::add_events(std::vector<pollfd>& events) const {

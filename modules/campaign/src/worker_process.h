@@ -2,22 +2,27 @@
 
 #include <slalom/campaign/worker_pool.h>
 
+#include <functional>
 #include <optional>
 #include <poll.h>
 #include <random>
 #include <string>
 #include <sys/types.h>
+#include <utility>
 #include <vector>
 
 namespace slalom {
 
+/// Executed in a worker before a work item that was assigned with a descriptor. It is closed after.
+using FileReceiver = std::function<void(std::size_t index, int file)>;
+
 /// A worker process, its keeper (worker_keeper.h; none for trusted work items), and the sockets to
-/// both. The parent sends an
-/// index with a random number, the worker replies with both and the payload. Nothing that the
-/// worker sends is trusted.
+/// both. The parent sends an index with a random number, the worker replies with both and the
+/// payload. Nothing that the worker sends is trusted.
 class WorkerProcess {
  public:
-  explicit WorkerProcess(const PoolOptions& options) : options_(options), log_(options.log_size) {}
+  explicit WorkerProcess(const PoolOptions& options, FileReceiver receive_file = nullptr)
+      : options_(options), receive_file_(std::move(receive_file)), log_(options.log_size) {}
   ~WorkerProcess() { kill_and_reap(); }
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
@@ -33,7 +38,8 @@ class WorkerProcess {
 
   /// Forks. Throws Error (Job) when no process or socket can be created.
   void start(const WorkItem& item, std::size_t group);
-  void assign(std::size_t index);
+  /// With a descriptor for the FileReceiver, or -1. It stays open here.
+  void assign(std::size_t index, int file = -1);
 
   /// Adds the descriptors that become readable when receive() is to be called.
   void add_events(std::vector<pollfd>& events) const;
@@ -61,6 +67,7 @@ class WorkerProcess {
   end_status();  ///< waitpid's status of the worker; none if the keeper was killed
 
   PoolOptions options_;
+  FileReceiver receive_file_;
   SharedTaskLog log_;
   std::random_device random_;
   pid_t child_ = -1;           ///< the keeper, or a trusted worker

@@ -9,18 +9,22 @@
 #include <cfenv>
 #include <clocale>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <thread>
 #include <tuple>
 #include <unistd.h>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -32,7 +36,11 @@ class TestMethod : public Method {
   TestMethod(std::string kind, const RobotModel& robot, ManualTime& time)
       : kind_(std::move(kind)), robot_(robot), time_(time) {}
 
-  void reset(const NavigationTask& task) override { misbehaves_ = task.goal.y > 5; }
+  void reset(const NavigationTask& task) override {
+    misbehaves_ = task.goal.y > 5;
+    if (kind_ == "mapped" && shared_tables().empty()) throw std::runtime_error("own tables");
+    if (kind_ == "overwrite" && misbehaves_) overwrite_shared_tables();
+  }
 
   Command step(const Observation& observation) override {
     if (misbehaves_ && observation.time > 1.5) {
@@ -107,6 +115,27 @@ class TestMethod : public Method {
     if (kind_ == "exit") std::exit(0);
     if (kind_ == "throw") throw std::runtime_error("path lost");
     while (kind_ == "hang") time_.advance(0.01);
+  }
+
+  /// The memory of this process that is shared with others as tables of scenarios.
+  static std::vector<std::pair<char*, std::size_t>> shared_tables() {
+    std::vector<std::pair<char*, std::size_t>> tables;
+    std::ifstream mappings("/proc/self/maps");
+    for (std::string line; std::getline(mappings, line);) {
+      if (line.find("slalom tables") == std::string::npos) continue;
+      char* end = nullptr;
+      const std::uintptr_t first = std::strtoull(line.c_str(), &end, 16);
+      const std::uintptr_t last = std::strtoull(end + 1, nullptr, 16);
+      tables.emplace_back(reinterpret_cast<char*>(first), last - first);
+    }
+    return tables;
+  }
+
+  static void overwrite_shared_tables() {
+    for (const auto& [bytes, size] : shared_tables()) {
+      if (mprotect(bytes, size, PROT_READ | PROT_WRITE) != 0) continue;
+      std::memset(bytes, 0, size);
+    }
   }
 
   static void exhaust_memory() {
@@ -222,6 +251,45 @@ TEST_F(CampaignTest, RunsEveryMethodInEveryScenario) {
     EXPECT_EQ(r.outcome, "success") << r.outcome_detail;
     EXPECT_EQ(r.metrics.at("success").value.number(), 1);
   }
+}
+
+bool same_run(const RunRecord& a, const RunRecord& b) {
+  const auto values = [](const RunRecord& run) {
+    std::vector<std::pair<std::string, Value>> metrics;
+    for (const auto& [id, value] : run.metrics) metrics.emplace_back(id, value.value);
+    return metrics;
+  };
+  return a.scenario_hash == b.scenario_hash && a.method == b.method && a.seed == b.seed &&
+         a.outcome == b.outcome && a.outcome_detail == b.outcome_detail &&
+         a.trajectory_hash == b.trajectory_hash && values(a) == values(b);
+}
+
+TEST_F(CampaignTest, SharedTablesGiveTheSameRuns) {
+  // A single worker for a single method computes its tables itself.
+  std::vector<RunRecord> expected;
+  for (const char* kind : {"good", "crash", "throw"})
+    for (const RunRecord& run : run({kind}, 1).runs) expected.push_back(run);
+  EXPECT_EQ(outcomes_of(run({"mapped"}, 1), "mapped"), std::set<std::string>{"method_error"});
+  for (const int workers : {1, 3}) {
+    const RecordingSink sink = run({"good", "crash", "throw", "mapped"}, workers);
+    EXPECT_EQ(outcomes_of(sink, "mapped"), std::set<std::string>{"success"}) << "shared tables";
+    for (const RunRecord& one : expected)
+      EXPECT_EQ(std::count_if(sink.runs.begin(), sink.runs.end(),
+                              [&](const RunRecord& other) { return same_run(one, other); }),
+                1)
+          << one.method << " " << one.scenario_name << " " << one.repetition;
+  }
+}
+
+TEST_F(CampaignTest, AMethodThatOverwritesTheSharedTablesHarmsOnlyItself) {
+  const RecordingSink alone = run({"good", "other"}, 1);
+  const RecordingSink together = run({"overwrite", "good", "other"}, 1);
+  EXPECT_EQ(outcomes_of(together, "overwrite").count("success"), 0U);
+  for (const RunRecord& one : alone.runs)
+    EXPECT_EQ(std::count_if(together.runs.begin(), together.runs.end(),
+                            [&](const RunRecord& other) { return same_run(one, other); }),
+              1)
+        << one.method << " " << one.scenario_name << " " << one.repetition;
 }
 
 TEST_F(CampaignTest, MethodsGetTheSameSeedsInTheSameScenario) {

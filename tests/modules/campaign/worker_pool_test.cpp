@@ -1,4 +1,5 @@
 #include "manual_time.h"
+#include "open_files.h"
 
 #include <slalom/campaign/worker_pool.h>
 
@@ -7,7 +8,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <dirent.h>
 #include <fcntl.h>
 #include <map>
 #include <set>
@@ -315,18 +315,6 @@ TEST(WorkerPool, AnInterruptKeepsTheResultsSoFar) {
   EXPECT_FALSE(complete);
   EXPECT_GE(received, 10U);
   EXPECT_LT(received, 1000U);
-}
-
-/// The open descriptors except the one that lists them.
-std::vector<int> open_files() {
-  std::vector<int> files;
-  DIR* folder = opendir("/proc/self/fd");
-  while (const dirent* entry = readdir(folder)) {
-    const int file = std::atoi(entry->d_name);
-    if (entry->d_name[0] != '.' && file != dirfd(folder)) files.push_back(file);
-  }
-  closedir(folder);
-  return files;
 }
 
 /// In a worker.

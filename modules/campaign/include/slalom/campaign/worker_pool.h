@@ -1,10 +1,13 @@
 #pragma once
 
 #include <slalom/campaign/shared_task_log.h>
+#include <slalom/core/array_stream.h>
+#include <slalom/core/shared_array.h>
 #include <slalom/core/wall_clock.h>
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace slalom {
@@ -25,6 +28,19 @@ struct WorkResult {
   std::string log;  ///< contents of the shared log, unless Done
 };
 
+/// Bytes that several work items use, such as the tables of a scenario. Each input is made once, in
+/// a process that executes no work items, at most `workers` of them ahead of their work items. The
+/// processes of these map it read-only; none can change it for another. It is released when the
+/// last of its work items is finished. Work items with the same input follow each other.
+struct SharedInputs {
+  /// The input of a work item, if it uses one. Null: none does.
+  std::function<std::optional<std::size_t>(std::size_t index)> of = nullptr;
+  /// Writes an input. When it fails, or the system cannot share memory, there is none.
+  std::function<void(std::size_t input, const ArrayWriter::Sink& sink)> make = nullptr;
+  /// Executed in the process of a work item before it, if there is an input.
+  std::function<void(std::size_t input, const SharedArray<std::byte>& memory)> use = nullptr;
+};
+
 struct PoolOptions {
   int workers = 1;
   double item_wall_time = 0;     ///< s; a work item that takes longer is killed; 0: unlimited
@@ -40,6 +56,7 @@ struct PoolOptions {
   /// A process executes only work items of one of `groups` groups. Null: all are of one group.
   std::function<std::size_t(std::size_t index)> group = nullptr;
   std::size_t groups = 1;
+  SharedInputs inputs = {};
   /// In the calling process, of the payload of a work item that is done, before it is passed on.
   /// When it is false the item has crashed, and its process is replaced. Null: all are valid.
   std::function<bool(std::size_t index, const std::string& payload)> is_valid = nullptr;

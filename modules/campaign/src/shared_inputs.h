@@ -1,0 +1,57 @@
+#pragma once
+
+#include "file_descriptor.h"
+#include "worker_process.h"
+
+#include <slalom/campaign/worker_pool.h>
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <poll.h>
+#include <vector>
+
+namespace slalom {
+
+/// The SharedInputs of a pool: makes them in processes of their own, ahead of the work items that
+/// use them, and holds the descriptors of their memory until all of these are finished.
+class InputStore {
+ public:
+  /// `count`: number of work items.
+  InputStore(std::size_t count, const PoolOptions& options);
+
+  /// Whether a work item has to wait for its input.
+  bool is_awaited(std::size_t item) const;
+  /// Starts a process that makes the next input. False when enough are there or being made.
+  bool make_next();
+  /// Of the input of a work item that starts; -1 if there is none.
+  int descriptor_for(std::size_t item);
+  /// After the last execution of a work item.
+  void release(std::size_t item);
+
+  std::size_t busy() const;  ///< processes that make an input
+  void add_events(std::vector<pollfd>& events) const;
+  void collect();  ///< the inputs that have been made
+
+  /// For the processes of work items.
+  FileReceiver receiver() const;
+
+ private:
+  struct Input {
+    std::size_t items = 0;  ///< that are not finished
+    bool is_made = false, is_used = false;
+    FileDescriptor memory;  ///< none: the input cannot be made
+  };
+
+  std::optional<std::size_t> input_of(std::size_t item) const;
+  WorkerProcess& idle_maker();
+
+  std::size_t count_;
+  PoolOptions options_;
+  WorkItem nothing_;                     ///< of the makers: all is done by their FileReceiver
+  std::size_t ahead_ = 0;                ///< inputs of work items before this one have been started
+  std::map<std::size_t, Input> inputs_;  ///< of work items that are not finished
+  std::vector<std::unique_ptr<WorkerProcess>> makers_;
+};
+
+}  // namespace slalom
