@@ -142,7 +142,10 @@ CampaignReport run_campaign_program(const CampaignConfig& config,
   Campaign campaign{config.options, {}, config.methods, planner.get()};
   const std::string results_path = results.path();
   const bool rawlogs = config.options.record.rawlog != RecordedRuns::None;
-  if (rawlogs) campaign.recorder = rawlog_recorder(config.ini_text, results_path);
+  if (rawlogs) {
+    campaign.recorder = rawlog_recorder(config.ini_text, results_path);
+    campaign.recording_folder = rawlog_folder(results_path);
+  }
   const auto notify = [&arguments](const std::string& line) {
     if (!arguments.quiet) std::cerr << line << std::endl;
   };

@@ -2,6 +2,7 @@
 #include "run_executor.h"
 #include "scenario_survey.h"
 #include "wire.h"
+#include "worker_sandbox.h"
 
 #include <slalom/campaign/campaign.h>
 #include <slalom/campaign/worker_pool.h>
@@ -108,6 +109,9 @@ RunFindings findings_of_failure(const Campaign& campaign, const RunSpec& spec,
 
 PoolOptions pool_for_methods(const CampaignOptions& options, int workers, bool in_process = false) {
   const LimitsSection& limits = options.limits;
+  if (limits.sandbox && !can_sandbox())
+    throw usage_error("limits.sandbox", "the kernel cannot confine processes",
+                      "false, or Linux 5.13 or later with Landlock");
   PoolOptions pool;
   pool.workers = workers;
   pool.in_process = in_process;
@@ -117,6 +121,7 @@ PoolOptions pool_for_methods(const CampaignOptions& options, int workers, bool i
   pool.item_cpu_time = limits.run_cpu_time;
   pool.memory_mb = limits.memory_mb;
   pool.keep_stderr = limits.method_errors;
+  pool.sandbox = limits.sandbox;
   pool.log_size = CommandJournal::size_for(options.setup.simulation);
   if (limits.deadline.deadline_policy == DeadlinePolicy::Fail)
     pool.heartbeat_timeout = limits.deadline.cycle_deadline;
@@ -186,6 +191,7 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
   execution.progress.start("Running methods", total);
   if (done > 0) execution.progress.advance(done);
   PoolOptions pool = pool_for_methods(campaign.options, execution.workers, execution.in_process);
+  if (!campaign.recording_folder.empty()) pool.writable = {campaign.recording_folder};
   pool.groups = campaign.methods.size();
   pool.group = [&](std::size_t i) { return method_index(campaign, plan[i].method); };
   pool.inputs = shared_tables(campaign, plan, references, execution.workers, executor);

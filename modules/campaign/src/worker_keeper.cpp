@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
+#include <filesystem>
 #include <fstream>
 #include <poll.h>
 #include <string>
@@ -74,7 +75,7 @@ void drop_descriptors(bool keep_stderr, int kept, int also_kept) {
   close_range_of_descriptors(high + 1, ~0U);
 }
 
-void keep_worker(int control, const std::function<void()>& serve) {
+void keep_worker(int control, const std::string& scratch, const std::function<void()>& serve) {
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   sigset_t all, before;
   sigfillset(&all);
@@ -101,6 +102,8 @@ void keep_worker(int control, const std::function<void()>& serve) {
     watch(worker, control, signalfd(-1, &child, 0));
     status = kill_all(worker);
   }
+  std::error_code ignored;
+  if (!scratch.empty()) std::filesystem::remove_all(scratch, ignored);
   send(control, &status, sizeof status, MSG_NOSIGNAL);
   _exit(0);
 }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 namespace slalom {
 
@@ -17,7 +18,9 @@ void drop_descriptors(bool keep_stderr, int kept, int also_kept);
 /// the worker started, also what left its process group and session. Forks the worker, which
 /// executes `serve` without `control`. When the worker ends, or when the other end of `control` is
 /// closed (also by the death of its process), the keeper kills whatever is left of the worker; then
-/// it sends the worker's status and exits. It stays clean: no code of a method runs in it.
-[[noreturn]] void keep_worker(int control, const std::function<void()>& serve);
+/// it removes `scratch`, a folder unless it is empty, sends the worker's status and exits. It stays
+/// clean: no code of a method runs in it.
+[[noreturn]] void keep_worker(int control, const std::string& scratch,
+                              const std::function<void()>& serve);
 
 }  // namespace slalom

@@ -1,6 +1,7 @@
 #include "worker_keeper.h"
 #include "worker_limits.h"
 #include "worker_process.h"
+#include "worker_sandbox.h"
 #include "worker_socket.h"
 
 #include <slalom/core/error.h>
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <fcntl.h>
@@ -62,6 +64,13 @@ void serve(int socket, const WorkItem& item, const PoolOptions& options,
   if (options.at_end) options.at_end();
 }
 
+/// A worker without its sandbox must not run a method.
+void enter_sandbox(const std::string& scratch, std::vector<std::string> writable) {
+  writable.push_back(scratch);
+  setenv("TMPDIR", scratch.c_str(), 1);
+  if (!confine_writing_to(writable)) _exit(EXIT_FAILURE);
+}
+
 std::string describe_status(int status) {
   if (WIFSIGNALED(status))
     return "killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
@@ -77,13 +86,18 @@ bool was_killed_by(int status, int signal) {
 
 void WorkerProcess::start(const WorkItem& item, std::size_t group) {
   SocketPair work, control;
+  const std::string scratch = options_.sandbox ? make_scratch_folder() : "";
+  if (options_.sandbox && scratch.empty()) throw cannot_create("folder for temporary files", errno);
   const pid_t pid = fork();
   if (pid < 0) throw cannot_create("process", errno);
   if (pid == 0) {
     const int socket = work.far_end.number(), keeper = control.far_end.number();
     drop_descriptors(options_.keep_stderr, socket, keeper);
-    const auto serve_items = [&] { serve(socket, item, options_, receive_file_, log_); };
-    if (!options_.trusted) keep_worker(keeper, serve_items);
+    const auto serve_items = [&] {
+      if (options_.sandbox) enter_sandbox(scratch, options_.writable);
+      serve(socket, item, options_, receive_file_, log_);
+    };
+    if (!options_.trusted) keep_worker(keeper, scratch, serve_items);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     serve_items();
     _exit(0);

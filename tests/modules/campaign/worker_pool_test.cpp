@@ -1,7 +1,11 @@
+#include "io_sample.h"
 #include "manual_time.h"
 #include "open_files.h"
+#include "worker_sandbox.h"
 
 #include <slalom/campaign/worker_pool.h>
+#include <slalom/core/read_file.h>
+#include <slalom/io/result_file.h>
 
 #include <gtest/gtest.h>
 
@@ -9,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -426,6 +431,79 @@ TEST(WorkerPool, AnItemThatClosesItsDescriptorsIsNamed) {
   EXPECT_EQ(results[0].status, Status::Crashed);
   EXPECT_EQ(results[0].detail, "closed the worker's connection to the simulator");
   EXPECT_EQ(results[1].payload, "fine");
+}
+
+class Sandbox : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!can_sandbox()) GTEST_SKIP() << "needs a kernel with Landlock (Linux 5.13)";
+  }
+
+  /// The result of one work item in a sandbox.
+  static WorkResult run_confined(const WorkItem& item,
+                                 const std::vector<std::string>& writable = {}) {
+    PoolOptions options = with_workers(1);
+    options.sandbox = true;
+    options.writable = writable;
+    return run_all(1, options, item)[0];
+  }
+
+  /// "" or why the file cannot be opened in the way of fopen().
+  static std::string cannot_open(const std::string& path, const char* mode) {
+    FILE* file = fopen(path.c_str(), mode);
+    if (file == nullptr) return std::strerror(errno);
+    fclose(file);
+    return "";
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Sandbox, FilesOutsideAreReadButNotChanged) {
+  const std::string kept = folder_ / "kept";
+  write_file_atomically(kept, "content");
+  for (const char* mode : {"w", "a", "r+"})
+    EXPECT_EQ(
+        run_confined([&](std::size_t, SharedTaskLog&) { return cannot_open(kept, mode); }).payload,
+        std::strerror(EACCES));
+  const WorkResult others = run_confined([&](std::size_t, SharedTaskLog&) {
+    std::string done;
+    if (unlink(kept.c_str()) == 0) done += "unlink ";
+    if (rename(kept.c_str(), (kept + "2").c_str()) == 0) done += "rename ";
+    if (mkdir((kept + "3").c_str(), 0700) == 0) done += "mkdir ";
+    if (symlink("/", (kept + "4").c_str()) == 0) done += "symlink ";
+    if (std::system(("rm -f " + kept).c_str()) == 0) done += "rm ";
+    return done + cannot_open(kept, "r") + cannot_open("/dev/null", "w");
+  });
+  EXPECT_EQ(others.payload, "");
+  EXPECT_EQ(read_file(kept), "content");
+}
+
+TEST_F(Sandbox, ItsOwnFolderAndThoseAllowedCanBeWrittenTo) {
+  const std::string allowed = folder_ / "allowed";
+  const std::string here = std::filesystem::temp_directory_path().string();
+  const WorkResult result = run_confined(
+      [&](std::size_t, SharedTaskLog&) {
+        const std::string own = std::filesystem::temp_directory_path().string();
+        return cannot_open(own + "/a", "w") + cannot_open(allowed, "w") + own;
+      },
+      {folder_ / ""});
+  EXPECT_EQ(result.payload.rfind(here + "/slalom-worker-", 0), 0U) << result.payload;
+  EXPECT_FALSE(std::filesystem::exists(result.payload)) << "it is removed with its worker";
+  EXPECT_TRUE(std::filesystem::exists(allowed));
+}
+
+TEST_F(Sandbox, OfAWorkerThatIsKilledIsRemoved) {
+  PoolOptions options = with_workers(1);
+  options.sandbox = true;
+  options.log_size = 200;
+  const WorkResult result = run_all(1, options, [](std::size_t, SharedTaskLog& log) -> std::string {
+    const std::string own = std::filesystem::temp_directory_path().string();
+    log.append(own.data(), own.size());
+    std::abort();
+  })[0];
+  EXPECT_NE(result.log, "");
+  EXPECT_FALSE(std::filesystem::exists(result.log)) << result.log;
 }
 
 TEST(WorkerPool, SignalsThatEndTheProgramDoNotEndItsWorkItems) {

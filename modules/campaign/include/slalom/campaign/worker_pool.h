@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace slalom {
 
@@ -52,7 +53,11 @@ struct PoolOptions {
   bool fresh_process = false;    ///< a new process for each work item
   bool ordered = true;           ///< results in the order of the indexes, or as they are obtained
   bool trusted = false;          ///< work items start no processes: no keeper, which costs a fork
-  bool in_process = false;       ///< execute work items in this process, without limits
+  /// Workers can change files only in a folder of their own for temporary files, TMPDIR, and in
+  /// `writable`. Requires that the kernel can do it; not for trusted work items.
+  bool sandbox = false;
+  std::vector<std::string> writable = {};
+  bool in_process = false;  ///< execute work items in this process, without limits
   /// A process executes only work items of one of `groups` groups. Null: all are of one group.
   std::function<std::size_t(std::size_t index)> group = nullptr;
   std::size_t groups = 1;

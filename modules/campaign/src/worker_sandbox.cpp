@@ -1,0 +1,84 @@
+#include "worker_sandbox.h"
+
+#include <cstdint>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <linux/landlock.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace slalom {
+namespace {
+
+/// The attributes of newer kernels than the header's: it may lack the last two.
+struct Ruleset {
+  std::uint64_t files, network, scope;
+};
+constexpr std::uint64_t kTruncate = 1U << 14, kScopeSignals = 1U << 1;
+constexpr int kAbiOfRefer = 2, kAbiOfTruncate = 3, kAbiOfScope = 6;
+
+/// 0 if there is none.
+int landlock_abi() {
+  const long abi =
+      syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
+  return abi < 0 ? 0 : static_cast<int>(abi);
+}
+
+/// Everything that changes files, as far as the kernel knows it.
+std::uint64_t write_access(int abi) {
+  std::uint64_t access = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
+                         LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_CHAR |
+                         LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_MAKE_REG |
+                         LANDLOCK_ACCESS_FS_MAKE_SOCK | LANDLOCK_ACCESS_FS_MAKE_FIFO |
+                         LANDLOCK_ACCESS_FS_MAKE_BLOCK | LANDLOCK_ACCESS_FS_MAKE_SYM;
+  if (abi >= kAbiOfRefer) access |= LANDLOCK_ACCESS_FS_REFER;
+  if (abi >= kAbiOfTruncate) access |= kTruncate;
+  return access;
+}
+
+/// The size of the attributes that a kernel knows; larger ones are an error.
+std::size_t size_for(int abi) {
+  return abi >= kAbiOfScope ? sizeof(Ruleset) : sizeof(std::uint64_t);
+}
+
+bool allow(int ruleset, const std::string& path, std::uint64_t access) {
+  const int file = open(path.c_str(), O_PATH | O_CLOEXEC);
+  if (file < 0) return false;
+  landlock_path_beneath_attr rule = {access, file};
+  const bool allowed =
+      syscall(SYS_landlock_add_rule, ruleset, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) == 0;
+  close(file);
+  return allowed;
+}
+
+}  // namespace
+
+bool can_sandbox() {
+  return landlock_abi() > 0;
+}
+
+bool confine_writing_to(const std::vector<std::string>& folders) {
+  const int abi = landlock_abi();
+  const std::uint64_t access = write_access(abi);
+  const Ruleset rules = {access, 0, abi >= kAbiOfScope ? kScopeSignals : 0};
+  const int ruleset =
+      static_cast<int>(syscall(SYS_landlock_create_ruleset, &rules, size_for(abi), 0));
+  if (ruleset < 0) return false;
+  bool confined = allow(ruleset, "/dev/null", LANDLOCK_ACCESS_FS_WRITE_FILE);
+  for (const std::string& folder : folders) confined = confined && allow(ruleset, folder, access);
+  confined = confined && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+             syscall(SYS_landlock_restrict_self, ruleset, 0) == 0;
+  close(ruleset);
+  return confined;
+}
+
+std::string make_scratch_folder() {
+  std::error_code error;
+  std::string path =
+      (std::filesystem::temp_directory_path(error) / "slalom-worker-XXXXXX").string();
+  return mkdtemp(path.data()) == nullptr ? "" : path;
+}
+
+}  // namespace slalom
