@@ -23,7 +23,8 @@ bool is_method_failure(Outcome outcome) {
 /// ends, the simulator reports method_error, whatever the original outcome was.)
 class OutcomeOverride : public RunObserver {
  public:
-  OutcomeOverride(Outcome outcome, RunObserver* next) : outcome_(outcome), next_(next) {}
+  OutcomeOverride(Outcome outcome, std::string detail, RunObserver* next)
+      : outcome_(outcome), detail_(std::move(detail)), next_(next) {}
 
   void on_start(const NavigationTask& task) override {
     if (next_ != nullptr) next_->on_start(task);
@@ -39,11 +40,16 @@ class OutcomeOverride : public RunObserver {
     next_->on_end(overridden);
   }
   void apply(SimulationResult& result) const {
-    if (result.outcome == Outcome::MethodError) result.outcome = outcome_;
+    if (result.outcome == outcome_) return;
+    // A worker may also have failed when the simulation had ended.
+    if (result.outcome != Outcome::MethodError)
+      result.detail = detail_ + ", after the end of the run";
+    result.outcome = outcome_;
   }
 
  private:
   Outcome outcome_;
+  std::string detail_;
   RunObserver* next_;
 };
 
@@ -140,7 +146,7 @@ SimulationResult RunExecutor::replay(const RunSpec& spec, const std::string& log
   RunSetup setup = campaign_.options.setup;
   setup.deadline = {};  // deadlines applied to the original run only
   ScriptedMethod script(CommandJournal::read(log, setup.robot), detail);
-  OutcomeOverride outcome_override(outcome, observer);
+  OutcomeOverride outcome_override(outcome, detail, observer);
   SimulationResult result =
       simulate(world(spec.scenario), setup, spec.seed, script, &outcome_override);
   outcome_override.apply(result);

@@ -112,6 +112,8 @@ class TestMethod : public Method {
     if (kind_ == "rounding") std::fesetround(FE_UPWARD);
     if (kind_ == "chatty") std::cout << std::string(100000, '#') << std::endl;
     if (kind_ == "slow") time_.advance(0.15);
+    if (kind_ == "disconnect")
+      for (int descriptor = 3; descriptor < 1024; ++descriptor) close(descriptor);
     if (kind_ == "exit") std::exit(0);
     if (kind_ == "throw") throw std::runtime_error("path lost");
     while (kind_ == "hang") time_.advance(0.01);
@@ -338,6 +340,20 @@ TEST_F(CampaignTest, ACrashedRunIsReconstructedUpToTheCrash) {
   EXPECT_EQ(hashes["crash"].size(), 1U);
   for (const char* method : {"hang", "nan"}) EXPECT_EQ(hashes[method], hashes["crash"]) << method;
   EXPECT_EQ(hashes["throw"], hashes["crash"]);
+}
+
+/// The simulation ends as if nothing had happened, but the worker cannot answer.
+TEST_F(CampaignTest, ACrashIsNamedAlsoIfTheRunHadEnded) {
+  const RecordingSink good = run({"good"}, 1), sink = run({"disconnect"}, 1);
+  for (std::size_t i = 0; i < sink.runs.size(); ++i) {
+    const RunRecord& r = sink.runs[i];
+    EXPECT_EQ(r.trajectory_hash, good.runs[i].trajectory_hash);
+    if (r.scenario_name == "low") continue;
+    EXPECT_EQ(r.outcome, "method_crash");
+    EXPECT_EQ(r.outcome_detail,
+              "closed the worker's connection to the simulator, after the end of the run");
+    EXPECT_EQ(r.metrics.at("success").value, Value::of(0));
+  }
 }
 
 #if !defined(SLALOM_SANITIZE)
