@@ -4,12 +4,14 @@
 #
 #   scripts/faults.sh [SECONDS [GROUP...]]
 #
-# SECONDS (default 60) is the time of the repeated cases of each group. A group is a script tests/faults/GROUP.sh: it
+# SECONDS (default 60) is the time of the repeated cases of each group; `scripts/faults.sh 600 resume` ends campaigns about
+# 1,000 times. A group is a script tests/faults/GROUP.sh: it
 # runs in an empty folder with the programs on PATH, gets SECONDS as its argument and prints a line
 # "case<TAB>expected<TAB>seen" for each case.
 set -u
 root=$(cd "$(dirname "$0")/.." && pwd)
 export PATH="${SLALOM_BIN:-$root/build/release/bin}:$PATH"
+export SLALOM_FAULTY="${SLALOM_FAULTY:-$root/build/release/tests/faults/libfaulty_method.so}"
 seconds=${1:-60}
 [ $# -gt 0 ] && shift
 groups=("$@")
@@ -20,7 +22,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 failed=0
-printf '%-52s %-30s %s\n' case expected seen
+printf '%-60s %-40s %s\n' case expected seen
 for group in "${groups[@]}"; do
   script="$root/tests/faults/$group.sh"
   [ -f "$script" ] || { echo "faults.sh: no group '$group' in tests/faults" >&2; exit 2; }
@@ -30,7 +32,7 @@ for group in "${groups[@]}"; do
     cases=$((cases + 1))
     mark=
     [ "$expected" = "$seen" ] || { failed=1; mark='   <-- differs'; }
-    printf '%-52s %-30s %s\n' "$group: $name" "$expected" "$seen$mark"
+    printf '%-60s %-40s %s\n' "$group: $name" "$expected" "$seen$mark"
   done < <(cd "$folder/$group" && bash "$script" "$seconds")
   [ $cases -gt 0 ] || { failed=1; echo "$group: no case was run"; }
 done

@@ -141,7 +141,7 @@ task=$(running_task)
 [ -z "$task" ] || scontrol requeue "$task" || true
 await_task
 task=$(running_task)
-[ -z "$task" ] || scancel --batch --signal=TERM "$task" || true # as the time limit does
+[ -z "$task" ] || scancel --batch --signal=TERM "$task" || true # as the time limit does, whose unit is a minute
 await_task
 pid=$(pgrep -f "slalom-simulate run .*$folder/small.ini" | head -n 1 || true)
 [ -z "$pid" ] || kill -9 "$pid" || true

@@ -3,11 +3,15 @@
 set -u
 seconds=$1
 RANDOM=7
+plugin=${SLALOM_FAULTY:?the library of tests/faults/plugins}
 
-repetitions=$((15 + seconds))  # the more time, the longer the campaigns
+# Many campaigns at the same time, whose runs mostly wait, so that few processors see many ends in little time.
+repetitions=$((seconds < 30 ? 10 : 20))
+lanes=$((seconds < 30 ? 1 : 4)) # for each way
+ends=$((seconds < 30 ? 3 : 20)) # of each campaign
 cat >campaign.ini <<INI
 [campaign]
-methods = nd, gap
+methods = nd, slow
 seed = 5
 repetitions = $repetitions
 [scenarios]
@@ -24,21 +28,22 @@ descriptors = density
 [method.nd]
 adapter = mrpt_holonomic
 class = CHolonomicND
-[method.gap]
+[method.slow]
 adapter = library
-plugin = libslalom_follow_the_gap.so
+plugin = $plugin
+fault = slow
 INI
 total=$((8 * repetitions))
 simulate="slalom-simulate run campaign.ini -j 2"
 
 report() { printf '%s\t%s\t%s\n' "$1" "$2" "$3"; }
-runs_in() { slalom-analyze dump "$1" 2>/dev/null | wc -l; }
+# Also rolls back what a killed program had not completed, as the next one would.
+runs_in() { sqlite3 "$1" 'SELECT count(*) FROM runs' 2>/dev/null || echo 0; }
 # The digest of all values, and whether any run is there twice.
 digest() { slalom-analyze dump "$1" | md5sum | cut -d' ' -f1; }
+milliseconds() { echo $(($(date +%s%N) / 1000000)); }
 
-began=$(date +%s%N)
 $simulate -o whole.results --quiet || exit 1
-duration=$(( ($(date +%s%N) - began) / 1000000 ))  # ms
 whole=$(digest whole.results)
 
 # Starts the campaign in a process group of its own; sets pid.
@@ -47,49 +52,74 @@ start() {
   pid=$!
 }
 
-# Any part of the time that a campaign takes.
-pause() { sleep "$(printf '%d.%03d' $((at / 1000)) $((at % 1000)))"; }
+# Mostly up to 4 s, since results are written every 2 s, and sometimes up to 10 s.
+pause() { sleep "$(printf '%d.%03d' $((RANDOM % (RANDOM % 4 ? 4 : 10))) $((RANDOM % 1000)))"; }
 
-# Ends a campaign at random moments in the given way until it is complete.
-# Sets lost: runs that were stored before it was ended and were not there afterwards.
+# Ends a campaign at a random moment in the given way. Counts runs that were stored before and are not there afterwards,
+# and ends more than 5 s after results were last written.
 end_at_random() {
-  local way=$1 file=$2 before=0 after
-  lost=0
-  for _ in 1 2 3; do
-    start "$file"
-    at=$(( (RANDOM * 32768 + RANDOM) % duration ))
-    pause
-    case $way in
-      parent) kill -9 $pid ;;
-      group) kill -9 -- -$pid ;;
-      worker) pkill -9 -P $pid ;;
-      term) kill -TERM $pid ;;
-    esac 2>/dev/null
-    wait $pid 2>/dev/null
-    after=$(runs_in "$file")
-    [ "$after" -gt 0 ] && [ "$after" -lt $total ] && partial=$((partial + 1))
-    [ "$after" -ge "$before" ] || lost=$((lost + before - after))
-    before=$after
-  done
-  $simulate -o "$file" --quiet
+  local way=$1 file=$2 began now after
+  began=$(milliseconds)
+  start "$file"
+  pause
+  now=$(milliseconds)
+  case $way in
+    parent) kill -9 $pid ;;
+    group) kill -9 -- -$pid ;;
+    worker)
+      until pgrep -P $pid || ! kill -0 $pid; do sleep 0.02; done >/dev/null
+      pkill -9 -P $pid
+      ;;
+    term) kill -TERM $pid ;;
+    usr1) kill -USR1 -- -$pid ;;
+  esac 2>/dev/null && kills=$((kills + 1))
+  wait $pid 2>/dev/null
+  after=$(runs_in "$file")
+  [ "$after" -gt "$before" ] && [ "$after" -lt $total ] && partial=$((partial + 1))
+  [ "$after" -ge "$before" ] || lost=$((lost + before - after))
+  if [ "$after" -lt $total ] && [ $way != worker ]; then
+    local written=$(($(stat -c %Y "$file" 2>/dev/null || echo 0) * 1000 + 999))
+    [ $written -gt $began ] || written=$began
+    [ $((now - written)) -le 5000 ] || late=$((late + 1))
+  fi
+  before=$after
 }
 
-for way in parent group worker term; do
-  rounds=0 lost_all=0 wrong=0 missing=0 partial=0
-  end=$((SECONDS + (seconds + 3) / 4))
+# Ends campaigns until they are complete, up to $ends times each, and starts over until the time is over.
+lane() {
+  local way=$1 file=$2.results
+  local kills=0 partial=0 lost=0 late=0 missing=0 wrong=0 before
   while :; do
-    rm -f run.results*
-    end_at_random $way run.results || wrong=$((wrong + 1))
-    rounds=$((rounds + 1))
-    lost_all=$((lost_all + lost))
-    [ "$(runs_in run.results)" -eq $total ] || missing=$((missing + 1))
-    # A worker that is killed from outside may be taken for a crash of its method.
-    [ $way = worker ] || [ "$(digest run.results)" = "$whole" ] || wrong=$((wrong + 1))
-    [ $SECONDS -lt $end ] || break
+    rm -f "$file"*
+    before=0
+    for _ in $(seq $ends); do
+      end_at_random "$way" "$file"
+      [ "$before" -lt $total ] || break
+    done
+    $simulate -o "$file" --quiet 2>>"$file.log" || wrong=$((wrong + 1))
+    [ "$(runs_in "$file")" -eq $total ] || missing=$((missing + 1))
+    [ "$(digest "$file")" = "$whole" ] || wrong=$((wrong + 1))
+    [ $SECONDS -lt "$seconds" ] || break
   done
-  report "$way ended 3 times, x$rounds, $partial partial" "0 lost, 0 incomplete, 0 other" \
-    "$lost_all lost, $missing incomplete, $wrong other"
+  echo "$kills $partial $lost $late $missing $wrong" >"$2.counts"
+}
+
+SECONDS=0
+for way in parent group worker term usr1; do
+  for i in $(seq $lanes); do
+    (
+      RANDOM=$((i + ${#way} * 100))
+      lane $way $way$i
+    ) &
+  done
 done
+wait
+for way in parent group worker term usr1; do
+  cat $way?.counts | awk -v way="$way" '{for (i = 1; i <= 6; ++i) n[i] += $i} END {
+    printf "ended %d times by %s, %d with new runs\t0 lost, 0 late, 0 incomplete, 0 other\t", n[1], way, n[2]
+    printf "%d lost, %d late, %d incomplete, %d other\n", n[3], n[4], n[5], n[6]}'
+done
+report "ends in total: $(cat ./*.counts | awk '{n += $1} END {print n}')" "" ""
 
 # A full disk: files may not grow beyond 64 KB.
 rm -f run.results*

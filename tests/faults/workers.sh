@@ -1,0 +1,83 @@
+#!/bin/bash
+# Methods that harm their process, and the innocent method beside them: see scripts/faults.sh.
+set -u
+plugin=${SLALOM_FAULTY:?the library of tests/faults/plugins}
+
+cat >base.ini <<INI
+[campaign]
+seed = 5
+repetitions = 2
+[scenarios]
+generator = random
+count = 2
+[generator.random]
+width = 6
+height = 6
+min_distance = 4
+min_obstacles = 1
+max_obstacles = 2
+max_size = 0.2
+[metrics]
+descriptors = density
+[limits]
+run_wall_time = 5
+memory_mb = 500
+[method.faulty]
+adapter = library
+plugin = $plugin
+[method.gap]
+adapter = library
+plugin = libslalom_follow_the_gap.so
+INI
+
+report() { printf '%s\t%s\t%s\n' "$1" "$2" "$3"; }
+# The lines of one method in a dump.
+lines_of() { slalom-analyze dump "$2" | grep "\"method\":\"$1\""; }
+outcomes() { lines_of faulty "$1" | grep -o '"outcome":"[a-z_]*"' | sort -u | cut -d'"' -f4 | paste -sd' '; }
+# Starts a campaign of the faulty method before the innocent one, on one worker.
+run() {
+  slalom-simulate run base.ini --set campaign.methods=faulty,gap "--set=method.faulty.fault=$1" "${@:2}" -j 1 \
+    --quiet --overwrite -o run.results 2>run.log
+}
+
+slalom-simulate run base.ini --set campaign.methods=faulty,gap --quiet -o alone.results || exit 1
+lines_of gap alone.results >gap.lines
+[ "$(wc -l <gap.lines)" = 4 ] || exit 1
+good=$(outcomes alone.results)
+
+# The first column: what the method does; then its outcomes and the exit status.
+while IFS='|' read -r fault outcome status; do
+  run "$fault"
+  seen="status $?, $(outcomes run.results)"
+  cmp -s gap.lines <(lines_of gap run.results) || seen="$seen, gap differs"
+  report "a method's $fault" "status $status, ${outcome:-$good}" "$seen"
+done <<'CASES'
+rounding||0
+signals||0
+limits||0
+thread||0
+late_crash||0
+daemon||0
+returns_twice||0
+kill_group||0
+close|method_crash|0
+garbage|method_crash|0
+forge|method_crash|0
+crash|method_crash|0
+exit|method_crash|0
+memory|method_crash|0
+kill|infrastructure_error|1
+CASES
+report "processes left over" 0 "$(pgrep -cf "[r]un base.ini")"
+
+# What a method may destroy as the same user, it may not in a sandbox.
+echo content >innocent
+run destroy "--set=method.faulty.file=$PWD/innocent" --set limits.sandbox=true
+status=$?
+if grep -q "cannot confine" run.log; then
+  report "sandbox refused" "status 2, nothing run" "status $status, $([ -s innocent ] && echo nothing run)"
+else
+  report "a method that destroys a file, in a sandbox" "status 0, content, $good" \
+    "status $status, $(cat innocent), $(outcomes run.results)"
+  report "folders of sandboxes left over" "" "$(find "${TMPDIR:-/tmp}" -maxdepth 1 -name 'slalom-worker-*' -newer base.ini)"
+fi
