@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes the file readers: scripts/fuzz.sh [SECONDS per target] [TARGET...]
+# Fuzzes the readers of files and messages: scripts/fuzz.sh [SECONDS per target] [TARGET...]
 # Requires clang-14 and libclang-rt-14-dev. Findings are written to build/fuzz/found; inputs of fixed defects belong in
 # tests/fuzz/corpus/TARGET, which every test run replays.
 set -euo pipefail
@@ -11,6 +11,7 @@ cmake --preset fuzz --log-level=WARNING
 cmake --build --preset fuzz --target fuzz
 mkdir -p build/fuzz/found
 failed=0
+total=0
 for folder in tests/fuzz/corpus/*/; do
   target=$(basename "$folder")
   [ $# -eq 0 ] || [[ " $* " == *" $target "* ]] || continue
@@ -19,6 +20,9 @@ for folder in tests/fuzz/corpus/*/; do
   "build/fuzz/bin/fuzz_$target" -max_total_time="$seconds" -rss_limit_mb=2048 -timeout=10 -print_final_stats=1 \
     -artifact_prefix="build/fuzz/found/$target-" "build/fuzz/found/$target" "$folder" \
     2>"build/fuzz/found/$target.log" || { failed=1; tail -n 40 "build/fuzz/found/$target.log"; }
-  grep -E "number_of_executed_units|DONE" "build/fuzz/found/$target.log" || true
+  inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "build/fuzz/found/$target.log")
+  echo "   ${inputs:-0} inputs"
+  total=$((total + ${inputs:-0}))
 done
+echo "$total inputs in total"
 exit $failed

@@ -2,15 +2,27 @@
 set(MODULES ${PROJECT_SOURCE_DIR}/modules)
 set(FORMATS ${PROJECT_SOURCE_DIR}/adapters/map_formats/src)
 file(GLOB FUZZED_SOURCES CONFIGURE_DEPENDS
-  ${MODULES}/core/src/*.cpp ${MODULES}/scenario/src/*.cpp ${MODULES}/trajectory/src/*.cpp)
+  ${MODULES}/core/src/*.cpp ${MODULES}/scenario/src/*.cpp ${MODULES}/trajectory/src/*.cpp
+  ${MODULES}/results/src/*.cpp)
 add_library(slalom_fuzzed STATIC
   ${FUZZED_SOURCES}
+  ${MODULES}/campaign/src/wire.cpp
+  ${MODULES}/io/src/checked_row.cpp
   ${MODULES}/io/src/compression.cpp
-  ${MODULES}/io/src/result/derived_speeds.cpp
+  ${MODULES}/io/src/database.cpp
+  ${MODULES}/io/src/draft_file.cpp
   ${MODULES}/io/src/file_access.cpp
+  ${MODULES}/io/src/result/campaign_identity.cpp
+  ${MODULES}/io/src/result/combined_results.cpp
+  ${MODULES}/io/src/result/derived_speeds.cpp
+  ${MODULES}/io/src/result/dump.cpp
+  ${MODULES}/io/src/result/merge_results.cpp
+  ${MODULES}/io/src/result/read_results.cpp
+  ${MODULES}/io/src/result/result_file.cpp
   ${MODULES}/io/src/scenario/scenario_codec.cpp
   ${MODULES}/io/src/scenario/scenario_yaml.cpp
   ${MODULES}/io/src/result/trajectory_file.cpp
+  ${MODULES}/io/src/write_scope.cpp
   ${MODULES}/references/src/reference_codec.cpp
   ${FORMATS}/gray_image.cpp
   ${FORMATS}/image_size.cpp
@@ -21,15 +33,17 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/point_map.cpp
   ${FORMATS}/ros_map.cpp
   ${FORMATS}/rotated_grid.cpp)
-foreach(module core scenario io map_formats)
+foreach(module core scenario io campaign map_formats)
   target_include_directories(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},INCLUDE_DIRECTORIES>)
   target_compile_definitions(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},COMPILE_DEFINITIONS>)
 endforeach()
-target_include_directories(slalom_fuzzed PUBLIC ${FORMATS} ${MODULES}/io/src ${MODULES}/scenario/src)
+target_include_directories(slalom_fuzzed PUBLIC ${FORMATS} ${MODULES}/campaign/src ${MODULES}/io/src
+                                                ${MODULES}/scenario/src)
 target_compile_options(slalom_fuzzed PUBLIC -fsanitize=fuzzer-no-link,address,undefined
                        -fno-sanitize-recover=undefined -fno-sanitize=vptr -fno-omit-frame-pointer)
 target_link_libraries(slalom_fuzzed PUBLIC mrpt::config mrpt::math mrpt::maps mrpt::obs mrpt::img mrpt::poses
-  mrpt::kinematics PkgConfig::xxhash PkgConfig::highway PkgConfig::zstd fmt::fmt yaml-cpp Boost::headers)
+  mrpt::kinematics PkgConfig::xxhash PkgConfig::highway PkgConfig::zstd fmt::fmt yaml-cpp Boost::headers
+  SQLiteCpp SQLite::SQLite3 nlohmann_json::nlohmann_json)
 
 add_custom_target(fuzz)
 foreach(target IN LISTS SLALOM_FUZZ_TARGETS)

@@ -86,14 +86,18 @@ Outcome outcome_of(const WorkResult& result) {
   return Outcome::MethodCrash;
 }
 
-/// Whether a worker's record is one of the planned run. A method may have damaged its process.
-bool is_record_of(const Campaign& campaign, const RunSpec& spec, const RunRecord& record) {
+/// Whether a worker's findings are those of the planned run. A method may have damaged its process.
+bool are_findings_of(const Campaign& campaign, const RunSpec& spec, const RunFindings& findings) {
+  const RunRecord& record = findings.record;
   const RunRecord planned = make_run_record(campaign, spec);
   const std::vector<std::string>& metrics = campaign.options.metrics;
+  const bool has_not_run = record.trajectory_hash.empty() && findings.trajectory.samples.empty();
   return record.scenario_hash == planned.scenario_hash &&
          record.scenario_name == planned.scenario_name && record.method == planned.method &&
          record.repetition == planned.repetition && record.seed == planned.seed &&
-         from_name<Outcome>(record.outcome) && record.metrics.size() == metrics.size() &&
+         from_name<Outcome>(record.outcome) &&
+         (has_not_run || record.trajectory_hash == findings.trajectory.hash()) &&
+         record.metrics.size() == metrics.size() &&
          std::all_of(metrics.begin(), metrics.end(),
                      [&](const std::string& id) { return record.metrics.count(id) == 1; });
 }
@@ -175,7 +179,7 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
   std::optional<RunFindings> answer;  // of the run that is received next
   const auto is_valid = [&](std::size_t i, const std::string& payload) {
     answer = read_payload(payload, run_findings_from_wire);
-    return answer && is_record_of(campaign, plan[i], answer->record);
+    return answer && are_findings_of(campaign, plan[i], *answer);
   };
   const auto receive = [&](std::size_t i, WorkResult&& result) {
     RunFindings findings = result.status == WorkResult::Status::Done

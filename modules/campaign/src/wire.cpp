@@ -1,9 +1,12 @@
 #include "wire.h"
 
+#include <slalom/core/error.h>
 #include <slalom/references/reference_codec.h>
 #include <slalom/trajectory/trajectory_codec.h>
 
 #include <nlohmann/json.hpp>
+
+#include <cmath>
 
 namespace slalom {
 namespace {
@@ -45,9 +48,40 @@ std::string bytes_of(const Json& json) {
   return {bytes.begin(), bytes.end()};
 }
 
+// MessagePack: unlike CBOR its strings are not nested, so that the reader recurses in containers
+// only.
 std::string pack(const Json& json) {
-  const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
+  const std::vector<std::uint8_t> bytes = Json::to_msgpack(json);
   return {bytes.begin(), bytes.end()};
+}
+
+/// Refuses values that are nested more deeply than those of pack(): they would exhaust the stack.
+class ShallowParser : public nlohmann::detail::json_sax_dom_parser<Json> {
+  using Base = nlohmann::detail::json_sax_dom_parser<Json>;
+  static constexpr int kMaxDepth = 8;
+  int depth_ = 0;
+
+ public:
+  using Base::Base;
+  bool start_object(std::size_t size) { return ++depth_ <= kMaxDepth && Base::start_object(size); }
+  bool start_array(std::size_t size) { return ++depth_ <= kMaxDepth && Base::start_array(size); }
+  bool end_object() { return --depth_, Base::end_object(); }
+  bool end_array() { return --depth_, Base::end_array(); }
+};
+
+Json unpack(const std::string& bytes) {
+  Json json;
+  ShallowParser parser(json);
+  if (!Json::sax_parse(bytes, &parser, Json::input_format_t::msgpack))
+    throw file_error("a worker", "sent values that are nested too deeply");
+  return json;
+}
+
+/// Throws for a time that cannot be stored.
+double seconds_from(const Json& json) {
+  const double seconds = json.get<double>();
+  if (!std::isfinite(seconds)) throw file_error("a worker", "sent a time that is not finite");
+  return seconds;
 }
 
 }  // namespace
@@ -62,14 +96,14 @@ std::string to_wire(const ScenarioFindings& findings) {
 }
 
 ScenarioFindings scenario_findings_from_wire(const std::string& bytes) {
-  const Json json = Json::from_cbor(bytes);
+  const Json json = unpack(bytes);
   ScenarioFindings findings = {
       {json.at("hash").get<std::string>(), json.at("name").get<std::string>(),
        values_from(json.at("descriptors"))},
       references_from_bytes(bytes_of(json.at("references")), "a worker")};
   const Json& timing = json.at("timing");
-  findings.references.timing = {timing.at(0).get<double>(), timing.at(1).get<double>(),
-                                timing.at(2).get<double>()};
+  findings.references.timing = {seconds_from(timing.at(0)), seconds_from(timing.at(1)),
+                                seconds_from(timing.at(2))};
   return findings;
 }
 
@@ -90,7 +124,7 @@ std::string to_wire(const RunFindings& findings) {
 }
 
 RunFindings run_findings_from_wire(const std::string& bytes) {
-  const Json json = Json::from_cbor(bytes);
+  const Json json = unpack(bytes);
   RunFindings findings;
   RunRecord& r = findings.record;
   r.scenario_hash = json.at("scenario_hash").get<std::string>();
@@ -102,7 +136,7 @@ RunFindings run_findings_from_wire(const std::string& bytes) {
   r.outcome_detail = json.at("outcome_detail").get<std::string>();
   r.trajectory_hash = json.at("trajectory_hash").get<std::string>();
   r.metrics = values_from(json.at("metrics"));
-  findings.timing.wall_seconds = json.at("wall_seconds").get<double>();
+  findings.timing.wall_seconds = seconds_from(json.at("wall_seconds"));
   findings.timing.values = json.at("timing").get<std::map<std::string, double>>();
   findings.trajectory = trajectory_from_bytes(bytes_of(json.at("trajectory")), "a worker");
   return findings;

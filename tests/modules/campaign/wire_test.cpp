@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace slalom {
 namespace {
 
@@ -67,6 +69,27 @@ TEST(Wire, RejectsDamagedBytes) {
   for (std::size_t size = 0; size < bytes.size(); size += 97)
     EXPECT_THROW(run_findings_from_wire(bytes.substr(0, size)), std::exception);
   EXPECT_THROW(run_findings_from_wire("garbage"), std::exception);
+}
+
+/// A hundred thousand arrays in each other: a reader that recurses without a limit exhausts the
+/// stack.
+TEST(Wire, RejectsDeeplyNestedBytes) {
+  constexpr char kArrayOfOne = '\x91', kMapOfOne = '\x81', kTextOfOne = '\xa1';  // of MessagePack
+  std::string arrays(100'000, kArrayOfOne), maps;
+  for (int i = 0; i < 100'000; ++i) maps += {kMapOfOne, kTextOfOne, 'a'};
+  for (const std::string& bytes : {arrays, maps}) {
+    EXPECT_THROW(run_findings_from_wire(bytes), std::exception);
+    EXPECT_THROW(scenario_findings_from_wire(bytes), std::exception);
+  }
+}
+
+TEST(Wire, RejectsTimesThatCannotBeStored) {
+  RunFindings run = sample_run();
+  run.timing.wall_seconds = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(run_findings_from_wire(to_wire(run)), std::exception);
+  ScenarioFindings scenario;
+  scenario.references.timing.planner = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(scenario_findings_from_wire(to_wire(scenario)), std::exception);
 }
 
 }  // namespace

@@ -78,6 +78,13 @@ std::map<std::string, double> numbers_from_json(const std::string& text, const s
   return numbers;
 }
 
+/// Why a value is missing, by the JSON object of a row; does not trust its contents.
+std::string reason_in(const Json& reasons, const std::string& id) {
+  const auto found = reasons.find(id);
+  const bool known = found != reasons.end() && found->is_string();
+  return known ? found->get<std::string>() : kNotRecorded;
+}
+
 constexpr const char* kIntact = "a file as it was written";
 
 void write_manifest(SQLite::Database& database, const Manifest& manifest) {
@@ -273,7 +280,7 @@ struct ResultFile::Impl {
       const std::string& id = metrics[i].id;
       const SQLite::Column column = row.getColumn(kFixedColumns + static_cast<int>(i));
       const auto error = errors.find(id);
-      Value value = column.isNull()         ? Value::na(reasons.value(id, kNotRecorded))
+      Value value = column.isNull()         ? Value::na(reason_in(reasons, id))
                     : error == errors.end() ? Value::of(column.getDouble())
                                             : Value::of(column.getDouble(), error->second);
       run.metrics[id] = {metrics[i].version, std::move(value)};
@@ -421,7 +428,7 @@ void ResultFile::add_run(const RunRecord& run, const RunTiming& timing,
     CheckedInsert(*impl_->database, "INSERT INTO run_timings VALUES (?, ?, ?, ?)", checksum)
         .add_key(id)
         .add(timing.wall_seconds)
-        .add(Json(timing.values).dump())
+        .add(Json(timing.values).dump(-1, ' ', false, Json::error_handler_t::replace))
         .exec();
   });
 }

@@ -137,6 +137,15 @@ TEST_F(ResultFileTest, RunsAreSortedIndependentlyOfInsertionOrder) {
   EXPECT_EQ(ids, (std::vector<std::string>{"a0", "a1", "z0", "z1"}));
 }
 
+/// They come from a process in which a method ran.
+TEST_F(ResultFileTest, FiguresWithNamesThatAreNotUtf8AreStored) {
+  ResultFile file = create("a.results");
+  const RunRecord run = run_of(scenario_, "nd", 0);
+  file.add_run(run, {1.5, {{"caf\xe9", 2}, {"cycle_time_mean", 3}}}, Trajectory());
+  ASSERT_TRUE(file.commit());
+  EXPECT_EQ(file.read_timing(run).values.at("cycle_time_mean"), 3);
+}
+
 TEST_F(ResultFileTest, DropsUncommittedRuns) {
   {
     ResultFile file = create("a.results");

@@ -1,0 +1,27 @@
+#include "fuzz_target.h"
+#include "wire.h"
+
+namespace {
+
+/// The bytes of what was read are those that are read again.
+template <typename Read>
+void read_twice(const std::string& bytes, Read read) {
+  std::string written;
+  try {
+    written = slalom::to_wire(read(bytes));
+  } catch (const std::exception&) {  // the campaign takes it for a crash of the method
+    return;
+  }
+  slalom::fuzz::expect(slalom::to_wire(read(written)) == written,
+                       "findings do not change when sent again");
+}
+
+}  // namespace
+
+/// What a worker process answers: findings of a run or of a scenario.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string bytes = slalom::fuzz::text_of(data, size);
+  read_twice(bytes, slalom::run_findings_from_wire);
+  read_twice(bytes, slalom::scenario_findings_from_wire);
+  return 0;
+}
