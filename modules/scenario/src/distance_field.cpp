@@ -1,3 +1,5 @@
+#include "center_distances.h"
+
 #include <slalom/scenario/distance_field.h>
 
 #include <algorithm>
@@ -157,6 +159,9 @@ void DistanceField::fill_rows(const Occupancy& occupancy) {
 
 std::vector<float> DistanceField::distances_at_centers() const {
   std::vector<float> distances(to_left_.size());
+  if (fill_center_distances(to_left_.data(), to_right_.data(), size_x_, size_y_, resolution_,
+                            distances.data()))
+    return distances;
   ColumnEnvelope envelope(size_y_);
   std::vector<std::int64_t> columns(static_cast<std::size_t>(size_y_) * kBlock);
   for (int first = 0; first < size_x_; first += kBlock) {

@@ -1,3 +1,4 @@
+#include "one_target.h"
 #include "random_worlds.h"
 
 #include <slalom/scenario/distance_field.h>
@@ -36,6 +37,49 @@ TEST(DistanceField, IsExactAtTheCentersOfRandomGrids) {
         ASSERT_FLOAT_EQ(static_cast<float>(field.at_center(cx, cy)), static_cast<float>(expected));
         ASSERT_EQ(field.centers()[cells.index(cx, cy)], field.at_center(cx, cy));
       }
+  }
+}
+
+/// Square of twice the distance (cells) from the center of a cell to the nearest occupied square or
+/// the border.
+long long squared_doubled_distance(const Occupancy& cells, bool empty, int cx, int cy) {
+  const auto gap = [](long long a, long long b) { return a == b ? 0 : 2 * std::abs(a - b) - 1; };
+  const long long wall = std::min(std::min(gap(cx, -1), gap(cx, cells.size_x())),
+                                  std::min(gap(cy, -1), gap(cy, cells.size_y())));
+  long long nearest = wall * wall;
+  if (empty) return nearest;
+  for (int y = 0; y < cells.size_y(); ++y)
+    for (int x = 0; x < cells.size_x(); ++x)
+      if (cells.occupied(x, y))
+        nearest = std::min(nearest, gap(cx, x) * gap(cx, x) + gap(cy, y) * gap(cy, y));
+  return nearest;
+}
+
+/// Small grids, and sizes at which the largest squares just fit into 16 bits, and do not.
+std::vector<Occupancy> grids_up_to_large_distances() {
+  RandomEngine random(14);
+  std::vector<Occupancy> grids;
+  for (int n = 0; n < 60; ++n) grids.push_back(testing::random_occupancy(random, 70));
+  for (const int size : {255, 256, 257, 280})
+    grids.emplace_back(size, size + 20, 0.05, TPoint2D(0, 0));
+  return grids;
+}
+
+TEST(DistanceField, IsExactToTheBitWithEveryInstructionSet) {
+  for (const Occupancy& cells : grids_up_to_large_distances()) {
+    const bool empty = cells.count_occupied() == 0;
+    std::vector<float> expected;
+    for (int cy = 0; cy < cells.size_y(); ++cy)
+      for (int cx = 0; cx < cells.size_x(); ++cx) {
+        const auto square = static_cast<double>(squared_doubled_distance(cells, empty, cx, cy));
+        expected.push_back(static_cast<float>(0.5 * cells.resolution() * std::sqrt(square)));
+      }
+    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+      const testing::OneTarget target(left & -left);
+      const DistanceField field(cells);
+      ASSERT_TRUE(std::equal(expected.begin(), expected.end(), field.centers().begin()))
+          << hwy::TargetName(left & -left) << ' ' << cells.size_x() << " x " << cells.size_y();
+    }
   }
 }
 
