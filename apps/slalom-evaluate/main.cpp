@@ -59,7 +59,11 @@ void write_tables_and_report(const Arguments& arguments, const std::string& resu
 }
 
 void evaluate(const Arguments& arguments) {
-  const CampaignConfig config = read_campaign(load_campaign_ini(arguments.campaign));
+  const IniFile ini = load_campaign_ini(arguments.campaign);
+  for (const char* name :
+       {"/campaign.scenarios", "/runs.results", "/tables.txt", "/tables.csv", "/until.txt"})
+    refuse_output_over_inputs(arguments.output + name, ini);
+  const CampaignConfig config = read_campaign(ini);
   std::optional<StoppingRule> rule;
   if (!arguments.until.empty())
     rule = parse_stopping_rule(arguments.until, arguments.max_runs, config.options);

@@ -1,5 +1,6 @@
 #include "generate.h"
 
+#include <slalom/app/program.h>
 #include <slalom/commands/generate_list.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -68,6 +69,7 @@ void print_bins(const GeneratedBins& generated, const GenerateArguments& argumen
 
 void generate(const GenerateArguments& arguments) {
   const IniFile ini = load_ini(arguments);
+  refuse_output_over_inputs(arguments.output, ini);
   if (ini.has_section("coverage") && !arguments.descriptors.empty())
     throw usage_error("--describe", "cannot be combined with [coverage]",
                       "descriptors in that section");

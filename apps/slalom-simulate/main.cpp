@@ -25,6 +25,7 @@ void run(const RunArguments& arguments) {
     for (const std::string& key : ini.keys("scenarios")) ini.remove("scenarios", key);
     ini.set("scenarios", "list", arguments.scenarios);
   }
+  refuse_output_over_inputs(arguments.output, ini);
   const CampaignConfig config = read_campaign(ini);
   const FileLock lock(arguments.output, arguments.campaign.take_over);
   std::vector<Scenario> scenarios = campaign_scenarios(config, arguments.campaign);

@@ -119,7 +119,10 @@ void submit_all(const SlurmCampaign& campaign, const std::vector<std::size_t>& s
 
 void write_slurm(const SlurmArguments& arguments) {
   // Errors are found here, not in a thousand tasks.
-  read_campaign(load_campaign_ini(arguments.campaign));
+  const IniFile ini = load_campaign_ini(arguments.campaign);
+  for (const char* name : {"/job.sbatch", "/merge.sbatch", "/README.txt"})
+    refuse_output_over_inputs(arguments.output + name, ini);
+  read_campaign(ini);
   ScenarioList::open(arguments.scenarios);
   make_output_folder(arguments.output);
   const SlurmCampaign campaign = slurm_campaign(arguments);

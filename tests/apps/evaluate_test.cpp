@@ -56,6 +56,16 @@ TEST_F(Evaluate, AddingAMethodDoesNotChangeOtherMethods) {
   EXPECT_EQ(expected, alone.str());
 }
 
+TEST_F(Evaluate, DoesNotReplaceAListThatTheConfigurationNames) {
+  ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet").status, 0);
+  ASSERT_EQ(run("slalom-scenarios tag out/campaign.scenarios --add mine --quiet").status, 0);
+  const std::string list = read("out/campaign.scenarios");
+  expect_failure(
+      "slalom-evaluate small.ini -o out --overwrite --set scenarios.list=./out/campaign.scenarios",
+      2, {"out/campaign.scenarios", "is also an input", "scenarios.list"});
+  EXPECT_EQ(read("out/campaign.scenarios"), list);
+}
+
 TEST_F(Evaluate, OmitsTrajectoriesAndReportOnRequest) {
   const std::string command = "slalom-evaluate small.ini --quiet ";
   ASSERT_EQ(run(command + "-o all").status, 0);

@@ -62,6 +62,9 @@ TEST_F(ScenarioLists, NoOutputReplacesAnInputOrAFileOfAnotherKind) {
     expect_failure(convert + name, 2, {"-o " + name, "is also an input", "different"});
   expect_failure("slalom-scenarios generate -c generate.ini -n 2 -o generate.ini", 2,
                  {"-o generate.ini", "is also an input"});
+  write("copy.ini", "[scenarios]\nlist = ./a.scenarios\n");
+  expect_failure("slalom-scenarios generate -c copy.ini -o a.scenarios", 2,
+                 {"-o a.scenarios", "is also an input", "copy.ini:2", "list = ./a.scenarios"});
   expect_failure(convert + "generate.ini", 3, {"generate.ini", "different kind", "not replaced"});
   EXPECT_EQ(read("generate.ini"), ini);
   EXPECT_EQ(read("a.scenarios"), list);

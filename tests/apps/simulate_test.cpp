@@ -26,6 +26,16 @@ TEST_F(Simulate, RejectsInvalidListsAndVerbs) {
   expect_failure("slalom-simulate fly", 2, {"unknown verb 'fly'", "run"});
 }
 
+TEST_F(Simulate, NoOutputReplacesAFileThatTheConfigurationNames) {
+  std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_follow_the_gap.so",
+                             folder_ / "gap.so");
+  const std::string plugin = read("gap.so");
+  expect_failure(
+      "slalom-simulate run small.ini --set method.gap.plugin=./gap.so -o gap.so --overwrite", 2,
+      {"-o gap.so", "is also an input", "method.gap.plugin", "./gap.so"});
+  EXPECT_EQ(read("gap.so"), plugin);
+}
+
 TEST_F(Simulate, TakesTheConfigurationAsAnArgumentOrAnOption) {
   EXPECT_EQ(run("slalom-simulate run small.ini --quiet -o a.results").status, 0);
   EXPECT_EQ(run("slalom-simulate run -c small.ini --quiet -o b.results").status, 0);

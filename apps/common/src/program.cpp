@@ -119,18 +119,22 @@ const CLI::App& selected(const CLI::App& app) {
   return *verb;
 }
 
+/// Throws Error (Usage) if both are the same file; `name` is that of the input in the message.
+void refuse_output_over_input(const std::string& output, const std::string& input,
+                              const std::string& name) {
+  std::error_code not_both_exist;
+  if (std::filesystem::equivalent(input, output, not_both_exist))
+    throw usage_error("-o " + output, "is also an input, " + name, "a different file");
+}
+
 /// Throws Error (Usage) if the file of -o is also an argument: it would be replaced.
-void refuse_output_over_input(const CLI::App& verb) {
+void refuse_output_over_arguments(const CLI::App& verb) {
   const CLI::Option* output = verb.get_option_no_throw("--output");
   if (output == nullptr || output->empty()) return;
   for (const CLI::Option* option : verb.get_options()) {
     if (option == output) continue;
-    for (const std::string& value : option->results()) {
-      std::error_code not_both_exist;
-      if (std::filesystem::equivalent(value, output->as<std::string>(), not_both_exist))
-        throw usage_error("-o " + output->as<std::string>(), "is also an input, " + value,
-                          "a different file");
-    }
+    for (const std::string& value : option->results())
+      refuse_output_over_input(output->as<std::string>(), value, value);
   }
 }
 
@@ -165,6 +169,14 @@ void add_argument(CLI::App& app, const Argument& argument, std::string& value) {
   });
 }
 
+void refuse_output_over_inputs(const std::string& output, const IniFile& ini) {
+  refuse_output_over_input(output, ini.name(), ini.name());
+  for (const std::string& section : ini.sections())
+    for (const std::string& key : ini.keys(section))
+      for (const std::string& value : split(ini.get(section, key).value_or(""), ','))
+        refuse_output_over_input(output, value, ini.where(section, key) + " = " + value);
+}
+
 void warn_of_damage(const std::string& path, const std::vector<std::string>& damaged) {
   constexpr std::size_t kMaxNamed = 20;
   if (damaged.empty()) return;
@@ -188,7 +200,7 @@ int run_program(const std::string& name, const std::string& description, int arg
     if (!verbs(app).empty()) {
       app.require_subcommand(1);
       // Before the callback of the verb.
-      app.parse_complete_callback([&app] { refuse_output_over_input(selected(app)); });
+      app.parse_complete_callback([&app] { refuse_output_over_arguments(selected(app)); });
     }
     if (argc < 2 && needs_arguments) {
       std::cerr << app.help();

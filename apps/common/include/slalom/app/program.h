@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/core/enum_names.h>
+#include <slalom/core/ini_file.h>
 
 #include <CLI/CLI.hpp>
 
@@ -36,6 +37,10 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
   return app.add_option_function<std::string>(name, set, help)
       ->check(CLI::IsMember(names_of<Enum>()));
 }
+
+/// Throws Error (Usage) if `output` is the .ini or a file that a value in it names: it would be
+/// replaced.
+void refuse_output_over_inputs(const std::string& output, const IniFile& ini);
 
 /// Warns on standard error of what was damaged in a file and therefore skipped.
 void warn_of_damage(const std::string& path, const std::vector<std::string>& damaged);
