@@ -1,7 +1,8 @@
 #include "generate.h"
 
+#include <slalom/app/existing_options.h>
 #include <slalom/app/program.h>
-#include <slalom/commands/generate_list.h>
+#include <slalom/commands/generation_file.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/map_formats/map_import.h>
@@ -21,6 +22,8 @@ struct GenerateArguments {
   std::vector<std::string> overrides;
   int count = 0, jobs = 1;
   std::uint64_t seed = 1;
+  ExistingResults existing = ExistingResults::Continue;
+  bool take_over = false;
   bool quiet = false, json = false;
 };
 
@@ -76,14 +79,14 @@ void generate(const GenerateArguments& arguments) {
   const GenerationOptions order = {arguments.seed, arguments.jobs,
                                    split(arguments.descriptors, ',')};
   const auto progress = make_terminal_progress(arguments.quiet);
-  std::optional<GeneratedBins> bins;
-  std::size_t size = 0;
-  ScenarioList::write(arguments.output, [&](ScenarioList& list) {
-    bins = generate_list(list, ini, order, load_occupancy_grid, *progress);
-    size = list.size();
-  });
+  const auto notify = [&](const std::string& line) {
+    if (!arguments.quiet) std::cerr << line << std::endl;
+  };
+  const GenerationFile file = {arguments.output, arguments.existing, arguments.take_over, notify};
+  const auto bins = generate_file(file, ini, order, load_occupancy_grid, *progress);
   if (bins) print_bins(*bins, arguments);
-  if (!arguments.quiet) std::cerr << arguments.output << ": " << size << " scenarios\n";
+  notify(arguments.output + ": " + std::to_string(ScenarioList::open(arguments.output).size()) +
+         " scenarios");
 }
 
 }  // namespace
@@ -107,6 +110,7 @@ void add_generate_verb(CLI::App& app) {
   verb->add_option("-o,--output", arguments.output, "The list to write (.scenarios)")->required();
   verb->add_option("--set", arguments.overrides, "Override a key of the .ini: SECTION.KEY=VALUE")
       ->allow_extra_args(false);
+  add_existing_options(*verb, arguments.existing, arguments.take_over);
   verb->add_flag("--json", arguments.json, "Print the table of [coverage] as a JSON object");
   verb->add_flag("--quiet", arguments.quiet, "No progress and no messages");
   verb->callback([] { generate(arguments); });

@@ -183,10 +183,28 @@ TEST_F(Analyze, AFolderOfShardsHasTheTablesOfTheMergedFile) {
   for (const std::string from : {"shards", "all.results"})
     ASSERT_EQ(run("slalom-analyze export " + from + " --format csv -o csv-" + from).status, 0);
   EXPECT_EQ(run("diff -r csv-shards csv-all.results").out, "");
+  // Wall-clock figures are not in the tables of a report.
+  const std::string report = "slalom-analyze report --columns success,optimality -o ";
+  for (const std::string from : {"shards", "all.results"})
+    ASSERT_EQ(run(report + "report-" + from + " " + from).err,
+              "report: report-" + from + "/index.html\n");
+  EXPECT_EQ(run("diff -r report-shards report-all.results").out, "");
+  // A shard that is divided by method: its scenarios are in two files.
+  run("cp shards/1.results shards/3.results && "
+      "sqlite3 shards/1.results \"DELETE FROM runs WHERE method = 'gap'\" && "
+      "sqlite3 shards/3.results \"DELETE FROM runs WHERE method = 'nd'\"");
+  ASSERT_EQ(run(report + "divided shards").err, "report: divided/index.html\n");
+  EXPECT_EQ(run("diff -r report-shards divided").out, "");
+  run("mv shards/3.results . && cp shards/2.results shards/1.results");
   std::filesystem::remove(folder_ / "shards/2.results");
   // 4 scenarios, 2 methods: the first shard has half of them.
   EXPECT_EQ(run("slalom-analyze table shards").err, "shards: 4 of 8 runs in 1 file\n");
-  for (const std::string verb : {"dump", "show --run 00000000/nd/0", "report -o report"})
+  EXPECT_EQ(run(report + "part shards").err,
+            "shards: 4 of 8 runs in 1 file\nreport: part/index.html\n");
+  EXPECT_NE(read("part/index.html").find("<b>4 of 8</b><span>runs</span>"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(read("part/report.json"))["planned_runs"], 8);
+  EXPECT_NE(read("report-shards/index.html").find("<b>8</b><span>runs</span>"), std::string::npos);
+  for (const std::string verb : {"dump", "show --run 00000000/nd/0"})
     expect_failure("slalom-analyze " + verb + " shards", 3, {"shards", "slalom-simulate merge"});
   write("shards/2.results", "no results");
   expect_failure("slalom-analyze table shards", 3, {"shards/2.results"});

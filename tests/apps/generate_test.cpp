@@ -56,14 +56,78 @@ TEST_F(Generate, WarnsAboutAnApertureInRadians) {
   EXPECT_EQ(run(command + " --quiet").err, "");
 }
 
+TEST_F(Generate, AGenerationThatWasKilledContinuesToTheSameBytes) {
+  const std::string generate =
+      "slalom-scenarios generate -c mix.ini -n 600 --describe density,clearness -o ";
+  ASSERT_EQ(run(generate + "whole.scenarios -j 2 --quiet").status, 0);
+  std::size_t before = 0;
+  for (int kill = 0; kill < 2; ++kill) {
+    // Killed as soon as the partial list contains more than before.
+    const ProgramResult killed =
+        run("sh -c '" + generate +
+            "a.scenarios & until [ $(sqlite3 -readonly a.scenarios.partial \"SELECT "
+            "count(*) FROM scenarios\" 2>/dev/null || echo 0) -gt " +
+            std::to_string(before) +
+            " ]; do sleep 0.02; kill -0 $! || exit 9; done; kill -9 $!; wait $!'");
+    ASSERT_EQ(killed.status, 128 + 9) << killed.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.scenarios")) << "never incomplete";
+    const std::string listed = run("slalom-scenarios list a.scenarios.partial").out;
+    before = static_cast<std::size_t>(std::count(listed.begin(), listed.end(), '\n'));
+    EXPECT_LT(before, 600U);
+  }
+  expect_failure(generate + "a.scenarios --seed 2", 3,
+                 {"another generation", "generation.seed is 2 here and 1", "--overwrite"});
+  const ProgramResult continued = run(generate + "a.scenarios -j 3");
+  ASSERT_EQ(continued.status, 0) << continued.err;
+  EXPECT_NE(continued.err.find("continues: " + std::to_string(before) + " scenarios are there"),
+            std::string::npos)
+      << continued.err;
+  EXPECT_TRUE(read("a.scenarios") == read("whole.scenarios")) << "byte for byte";
+  for (const char* left : {"a.scenarios.partial", "a.scenarios.lock"})
+    EXPECT_FALSE(std::filesystem::exists(folder_ / left)) << left;
+}
+
+TEST_F(Generate, AListIsReplacedOnlyOnRequest) {
+  const std::string generate = "slalom-scenarios generate -c mix.ini -o a.scenarios ";
+  expect_failure(generate + "--resume", 3, {"a.scenarios", "does not exist"});
+  ASSERT_EQ(run(generate + "-n 2 --quiet").status, 0);
+  const std::string list = read("a.scenarios");
+  EXPECT_EQ(run(generate + "-n 2 --resume").err,
+            "all 2 scenarios are there\na.scenarios: 2 scenarios\n");
+  expect_failure(generate + "-n 3", 3,
+                 {"another generation", "scenarios.count is 3 here and 2 in a.scenarios"});
+  write("mix.ini", read("mix.ini") + "[robot]\nmax_v = 0.7\n");
+  EXPECT_EQ(run(generate + "-n 2").status, 0) << "does not matter";
+  EXPECT_EQ(read("a.scenarios"), list);
+  EXPECT_EQ(run(generate + "-n 3 --overwrite").err, "a.scenarios: 3 scenarios\n");
+  ASSERT_EQ(run("slalom-scenarios create made.scenarios").status, 0);
+  expect_failure("slalom-scenarios generate -c mix.ini -o made.scenarios", 3,
+                 {"does not tell by which command", "--overwrite"});
+  expect_failure("slalom-scenarios generate -c mix.ini --overwrite -o .err", 3, {"different kind"});
+}
+
+TEST_F(Generate, AnotherMapUnderTheSameNameIsAnotherGeneration) {
+  ASSERT_EQ(run("slalom-scenarios generate -c mix.ini -n 2 --quiet -o a.scenarios").status, 0);
+  write("copy.ini", "[scenarios]\nlist = a.scenarios\n");
+  const std::string copy = "slalom-scenarios generate -c copy.ini -o b.scenarios --quiet";
+  ASSERT_EQ(run(copy).status, 0);
+  ASSERT_EQ(run("slalom-scenarios describe a.scenarios --descriptors density").status, 0);
+  EXPECT_EQ(run(copy).status, 0) << "values do not matter";
+  ASSERT_EQ(
+      run("slalom-scenarios generate -c mix.ini -n 1 --quiet --overwrite -o a.scenarios").status,
+      0);
+  expect_failure(copy, 3, {"files.a.scenarios is "});
+}
+
 TEST_F(Generate, FailedGenerationKeepsTheOldList) {
   ASSERT_EQ(run("slalom-scenarios generate -c mix.ini -n 1 --quiet -o a.scenarios").status, 0);
   const std::string precious = read("a.scenarios");
   expect_failure(
-      "slalom-scenarios generate -c mix.ini -n 3 --quiet -o a.scenarios "
+      "slalom-scenarios generate -c mix.ini -n 3 --quiet -o a.scenarios --overwrite "
       "--set robot.radius=2",
       1, {"_0000", "no solvable scenario"});
   EXPECT_EQ(read("a.scenarios"), precious);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.scenarios.partial")) << "nothing was stored";
   expect_failure("slalom-scenarios generate -c mix.ini -n 3 -o b.scenarios --describe densty", 2,
                  {"densty", "density"});
   expect_failure(

@@ -1,11 +1,9 @@
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
-#include <slalom/io/scenario_list.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 
 namespace slalom {
 namespace {
@@ -14,42 +12,6 @@ namespace {
 std::string map_name(const std::string& path) {
   const std::filesystem::path file(path);
   return (file.extension() == ".gz" ? file.stem() : file).stem().string();
-}
-
-GenerationSettings generation_settings(const SourceContext& context, int count,
-                                       const std::string& name) {
-  GenerationSettings settings;
-  settings.count = count;
-  settings.seed = source_seed(context.seed, name);
-  settings.robot_radius = context.robot_radius;
-  settings.resolution = context.resolution;
-  settings.name_prefix = name;
-  return settings;
-}
-
-void stream_list(const std::string& path, const GenerationSink& sink) {
-  const ScenarioList list = ScenarioList::open(path);
-  constexpr std::size_t kBatchSize = 128;
-  std::vector<GeneratedScenario> part;
-  for (const auto& entry : list.entries()) {
-    part.push_back({list.read(entry.hash), entry.generator, entry.seed});
-    if (part.size() < kBatchSize) continue;
-    sink(part);
-    part.clear();
-  }
-  sink(part);
-}
-
-void stream_map(const std::string& path, const ScenariosSection& section,
-                const SourceContext& context, const MapLoader& load_map,
-                const GenerationSink& sink) {
-  const Scenario map = map_scenario(path, load_map(path));
-  const GenerationSettings settings =
-      generation_settings(context, section.pairs_per_map, map.name());
-  std::vector<GeneratedScenario> part;
-  for (Scenario& scenario : sample_tasks(map, settings, section.min_distance))
-    part.push_back({std::move(scenario), "", std::nullopt});
-  sink(part);
 }
 
 std::vector<double> read_weights(const IniFile& ini, const ScenariosSection& section,
@@ -92,19 +54,9 @@ std::vector<WeightedGenerator> read_mix(const IniFile& ini, const ScenariosSecti
       throw usage_error(ini.where("scenarios", "generator"), "duplicate family '" + names[i] + "'",
                         "each family once");
     mix.push_back({make_generator(names[i], ini, families), weights[i],
-                   generation_settings(context, section.count, names[i]).seed, names[i]});
+                   source_seed(context.seed, names[i]), names[i]});
   }
   return mix;
-}
-
-MixSettings mix_settings(const ScenariosSection& section, const SourceContext& context) {
-  MixSettings settings;
-  settings.each = generation_settings(context, section.count, "");
-  settings.jobs = context.jobs;
-  settings.representation = section.representation;
-  settings.conversion_resolution = section.resolution;
-  settings.describe = context.describe;
-  return settings;
 }
 
 }  // namespace
@@ -139,24 +91,6 @@ ScenarioSources read_scenario_sources(const IniFile& ini, const SourceContext& c
     throw usage_error(ini.where("scenarios"), "no scenario source given",
                       "list, maps or generator");
   return {section, context, read_mix(ini, section, context, load_map)};
-}
-
-void stream_scenarios(const ScenarioSources& sources, const MapLoader& load_map, Progress& progress,
-                      const GenerationSink& sink) {
-  const ScenariosSection& section = sources.section;
-  if (!section.list.empty()) stream_list(section.list, sink);
-  for (const std::string& path : split(section.maps, ','))
-    stream_map(path, section, sources.context, load_map, sink);
-  if (!sources.families.empty())
-    generate_mix(sources.families, mix_settings(section, sources.context), progress, sink);
-}
-
-std::vector<Scenario> collect_scenarios(const ScenarioSources& sources, const MapLoader& load_map,
-                                        Progress& progress) {
-  DistinctScenarios distinct;
-  stream_scenarios(sources, load_map, progress,
-                   [&](std::vector<GeneratedScenario>& part) { return distinct.add(part); });
-  return distinct.take();
 }
 
 }  // namespace slalom

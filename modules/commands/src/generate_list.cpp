@@ -1,3 +1,5 @@
+#include "generation_state.h"
+
 #include <slalom/campaign/describe_scenario.h>
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/commands/generate_list.h>
@@ -53,6 +55,21 @@ SourceContext source_context(const IniFile& ini, const GenerationOptions& option
   return context;
 }
 
+void fill_from_sources(ScenarioList& list, const ScenarioSources& sources,
+                       const MapLoader& load_map, Progress& progress) {
+  ScenarioStream stream(sources, load_map, read_source_state(list));
+  while (!stream.finished()) {
+    const std::vector<GeneratedScenario> part = stream.next(progress);
+    list.in_transaction([&] {
+      stream.settle(keep_generated(list, part));
+      store_source_state(list, stream.state());
+    });
+    if (stream.state().mix.begun > 0)
+      progress.advance(static_cast<std::size_t>(stream.state().mix.done()));
+  }
+  if (!sources.families.empty()) progress.finish();
+}
+
 /// Builds each generator without reading its map: a request for the map means that all other
 /// options are valid.
 void check_families(const std::vector<std::string>& families, const IniFile& ini,
@@ -80,14 +97,19 @@ std::optional<GeneratedBins> generate_list(ScenarioList& list, const IniFile& in
   if (ini.has_section("coverage")) {
     bins.emplace();
     bins->plan = read_coverage_plan(ini, families_of(ini));
-    bins->result = cover(bins->plan, coverage_settings(ini, options, load_map), progress);
+    CoverageSettings settings = coverage_settings(ini, options, load_map);
+    settings.known = read_evaluations(list);
+    settings.keep = [&](const std::string& evaluations) { store_evaluations(list, evaluations); };
+    bins->result = cover(bins->plan, settings, progress);
     keep_covered(list, bins->plan, bins->result);
   } else {
-    stream_scenarios(
-        read_scenario_sources(ini, source_context(ini, options), load_map), load_map, progress,
-        [&](std::vector<GeneratedScenario>& part) { return keep_generated(list, part); });
+    fill_from_sources(list, read_scenario_sources(ini, source_context(ini, options), load_map),
+                      load_map, progress);
   }
-  list.set_note("origin", "seed " + std::to_string(options.seed) + "\n" + ini.canonical_text());
+  list.in_transaction([&] {
+    store_end_of_generation(list);
+    list.set_note("origin", "seed " + std::to_string(options.seed) + "\n" + ini.canonical_text());
+  });
   return bins;
 }
 

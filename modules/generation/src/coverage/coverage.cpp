@@ -3,6 +3,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/parallel.h>
+#include <slalom/core/wall_clock.h>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,10 @@ namespace {
 /// Candidates per batch. Independent of the number of threads, so that the result is, too: the
 /// archive is updated between batches.
 constexpr std::size_t kBatch = 24;
+
+/// Of an evaluation that was interrupted: whether the candidate was of use.
+constexpr char kUseful = '+', kUseless = '-';
+constexpr double kKeepSeconds = 1;
 
 /// Samples mutations according to their success rates.
 class MutationChoice {
@@ -66,6 +71,7 @@ class CoverageSearch {
     progress_.start("Covering bins", wanted);
     while (result_.stopped.empty()) {
       run_batch();
+      keep_when_due();
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
       result_.stopped = reason_to_stop(spent.count());
     }
@@ -128,6 +134,9 @@ class CoverageSearch {
     while (archive_.any_open() && proposals.size() < std::min(kBatch, left))
       proposals.push_back(propose());
     const auto elites = parallel_map(proposals.size(), settings_.jobs, [&](std::size_t i) {
+      const std::size_t evaluation = evaluations_.size() + i;
+      if (evaluation < settings_.known.size() && settings_.known[evaluation] == kUseless)
+        return std::optional<Elite>();
       return evaluation_.evaluate(proposals[i], archive_);
     });
     for (std::size_t i = 0; i < proposals.size(); ++i) record(proposals[i], elites[i]);
@@ -140,6 +149,7 @@ class CoverageSearch {
   void record(const Proposal& proposal, const std::optional<Elite>& elite) {
     using OfferResult = CoverageArchive::OfferResult;
     ++result_.evaluations;
+    evaluations_ += elite ? kUseful : kUseless;
     ++since_success_[proposal.target];
     const OfferResult result =
         elite ? archive_.offer(*elite, proposal.target) : OfferResult::Rejected;
@@ -149,6 +159,14 @@ class CoverageSearch {
     }
     choice_.record(proposal.mutations,
                    result == OfferResult::Accepted || result == OfferResult::Closer);
+  }
+
+  void keep_when_due() {
+    if (!settings_.keep || evaluations_.size() <= settings_.known.size() ||
+        steady_seconds() < keep_at_)
+      return;
+    settings_.keep(evaluations_);
+    keep_at_ = steady_seconds() + kKeepSeconds;
   }
 
   std::string reason_to_stop(double seconds) {
@@ -198,6 +216,8 @@ class CoverageSearch {
   RandomEngine engine_;
   std::vector<int> since_success_;  ///< evaluations per bin since its last accepted scenario
   std::uint64_t candidates_ = 0;
+  std::string evaluations_;  ///< a letter for each
+  double keep_at_ = 0;       ///< steady_seconds()
   std::size_t found_ = 0;
   CoverageResult result_;
 };

@@ -6,23 +6,21 @@
 
 #include <algorithm>
 #include <mutex>
+#include <stdexcept>
 
 namespace slalom {
 namespace {
 
-/// Batch size: large enough to keep all threads busy, small enough for memory.
-constexpr int kBatch = 128;
+/// Scenarios of a round: large enough to keep all threads busy, small enough for memory.
+constexpr int kRound = 128;
+constexpr double kPartSeconds = 1;
 
-/// A scenario to generate, and the number of its first attempt.
-struct Draw {
-  WeightedRoundRobin::Slot slot = {};
-  int attempt = 0;
-};
+constexpr const char* kOtherMix = "the state of another mix of generators";
 
-/// Thread-safe progress within a batch, so that long batches report progress and can be canceled.
-class BatchProgress {
+/// Thread-safe progress within a part, so that slow parts report progress and can be canceled.
+class PartProgress {
  public:
-  BatchProgress(Progress& progress, int done) : progress_(progress), done_(done) {}
+  PartProgress(Progress& progress, int done) : progress_(progress), done_(done) {}
   void item_done() {
     const std::lock_guard<std::mutex> lock(mutex_);
     progress_.advance(static_cast<std::size_t>(++done_));
@@ -32,46 +30,6 @@ class BatchProgress {
   Progress& progress_;
   std::mutex mutex_;
   int done_;
-};
-
-class Mixer {
- public:
-  Mixer(const std::vector<WeightedGenerator>& mix, const MixSettings& settings)
-      : mix_(mix), settings_(settings), search_(settings.each) {}
-
-  /// Stores the number of the successful attempt in `draw`.
-  GeneratedScenario make(Draw& draw) const {
-    const WeightedRoundRobin::Slot slot = draw.slot;
-    const WeightedGenerator& entry = mix_[slot.generator];
-    const std::string name = scenario_name(entry.name_prefix, slot.index);
-    const auto candidate = [&](int attempt, std::string&) {
-      RandomEngine engine(seed_of(slot, attempt));
-      return std::make_optional(to_representation(entry.generator->generate(name, engine)));
-    };
-    const SolvableWorld found = search_.find(name, candidate, draw.attempt);
-    draw.attempt = found.attempt;
-    GeneratedScenario generated{found.world->scenario(), entry.generator->name(),
-                                seed_of(slot, found.attempt)};
-    if (settings_.describe) generated.values = settings_.describe(*found.world);
-    return generated;
-  }
-
- private:
-  std::uint64_t seed_of(const WeightedRoundRobin::Slot& slot, int attempt) const {
-    const WeightedGenerator& entry = mix_[slot.generator];
-    const std::uint64_t scenario_seed = derive_seed(
-        entry.seed, "scenario/" + entry.generator->name(), static_cast<std::uint64_t>(slot.index));
-    return derive_seed(scenario_seed, "attempt", static_cast<std::uint64_t>(attempt));
-  }
-
-  Scenario to_representation(Scenario scenario) const {
-    if (!settings_.representation) return scenario;
-    return convert(scenario, *settings_.representation, settings_.conversion_resolution);
-  }
-
-  const std::vector<WeightedGenerator>& mix_;
-  const MixSettings& settings_;
-  SolvableSearch search_;
 };
 
 std::vector<double> weights_of(const std::vector<WeightedGenerator>& mix) {
@@ -101,29 +59,127 @@ WeightedRoundRobin::Slot WeightedRoundRobin::next() {
   return {most_underserved, counts_[most_underserved]++};
 }
 
+struct MixStream::Impl {
+  Impl(std::vector<WeightedGenerator> generators, MixSettings mix_settings, MixState start,
+       WallClock wall_clock)
+      : mix(std::move(generators)),
+        settings(std::move(mix_settings)),
+        state(std::move(start)),
+        clock(std::move(wall_clock)),
+        schedule(weights_of(mix)),
+        search(settings.each) {
+    expect_valid(state.round);
+    expect_valid(state.redraws);
+    if (state.begun > settings.each.count) throw std::invalid_argument(kOtherMix);
+    for (int i = 0; i < state.begun; ++i) schedule.next();
+  }
+
+  std::vector<WeightedGenerator> mix;
+  MixSettings settings;
+  MixState state;
+  WallClock clock;
+  WeightedRoundRobin schedule;
+  SolvableSearch search;
+  std::vector<MixDraw> part;  ///< with the successful attempts
+
+  /// Stores the number of the successful attempt in `draw`.
+  GeneratedScenario make(MixDraw& draw) const {
+    const WeightedGenerator& entry = mix[draw.generator];
+    const std::string name = scenario_name(entry.name_prefix, draw.index);
+    const auto candidate = [&](int attempt, std::string&) {
+      RandomEngine engine(seed_of(draw, attempt));
+      return std::make_optional(to_representation(entry.generator->generate(name, engine)));
+    };
+    const SolvableWorld found = search.find(name, candidate, draw.attempt);
+    draw.attempt = found.attempt;
+    GeneratedScenario generated{found.world->scenario(), entry.generator->name(),
+                                seed_of(draw, found.attempt)};
+    if (settings.describe) generated.values = settings.describe(*found.world);
+    return generated;
+  }
+
+  std::uint64_t seed_of(const MixDraw& draw, int attempt) const {
+    const WeightedGenerator& entry = mix[draw.generator];
+    const std::uint64_t scenario_seed = derive_seed(
+        entry.seed, "scenario/" + entry.generator->name(), static_cast<std::uint64_t>(draw.index));
+    return derive_seed(scenario_seed, "attempt", static_cast<std::uint64_t>(attempt));
+  }
+
+  Scenario to_representation(Scenario scenario) const {
+    if (!settings.representation) return scenario;
+    return convert(scenario, *settings.representation, settings.conversion_resolution);
+  }
+
+  void expect_valid(const std::vector<MixDraw>& draws) const {
+    for (const MixDraw& draw : draws)
+      if (draw.generator >= mix.size()) throw std::invalid_argument(kOtherMix);
+  }
+
+  void begin_round() {
+    state.round.swap(state.redraws);
+    if (!state.round.empty()) return;
+    for (int i = std::min(kRound, settings.each.count - state.begun); i > 0; --i, ++state.begun) {
+      const WeightedRoundRobin::Slot slot = schedule.next();
+      state.round.push_back({slot.generator, slot.index, 0});
+    }
+  }
+};
+
+MixStream::MixStream(std::vector<WeightedGenerator> mix, MixSettings settings, MixState state,
+                     WallClock clock)
+    : impl_(std::make_unique<Impl>(std::move(mix), std::move(settings), std::move(state),
+                                   std::move(clock))) {}
+MixStream::~MixStream() = default;
+MixStream::MixStream(MixStream&&) noexcept = default;
+
+bool MixStream::finished() const {
+  return impl_->state.done() >= impl_->settings.each.count;
+}
+
+std::vector<GeneratedScenario> MixStream::next(Progress& progress) {
+  if (impl_->state.round.empty()) impl_->begin_round();
+  PartProgress part_progress(progress, impl_->state.done());
+  const double end = impl_->clock() + kPartSeconds;
+  impl_->part = impl_->state.round;
+  std::vector<std::optional<GeneratedScenario>> made(impl_->part.size());
+  parallel_for(made.size(), impl_->settings.jobs, [&](std::size_t i) {
+    if (i > 0 && impl_->clock() >= end) return;
+    made[i].emplace(impl_->make(impl_->part[i]));
+    part_progress.item_done();
+  });
+  std::vector<GeneratedScenario> part;
+  for (std::size_t i = 0; i < made.size() && made[i]; ++i) part.push_back(std::move(*made[i]));
+  impl_->part.resize(part.size());
+  return part;
+}
+
+void MixStream::settle(const std::vector<std::size_t>& duplicates) {
+  MixState& state = impl_->state;
+  for (const std::size_t i : duplicates) {
+    state.redraws.push_back(impl_->part[i]);
+    ++state.redraws.back().attempt;
+  }
+  state.round.erase(state.round.begin(),
+                    state.round.begin() + static_cast<std::ptrdiff_t>(impl_->part.size()));
+  impl_->part.clear();
+}
+
+const MixState& MixStream::state() const {
+  return impl_->state;
+}
+
+int MixStream::count() const {
+  return impl_->settings.each.count;
+}
+
 void generate_mix(const std::vector<WeightedGenerator>& mix, const MixSettings& settings,
                   Progress& progress, const GenerationSink& sink) {
-  const Mixer mixer(mix, settings);
-  WeightedRoundRobin schedule(weights_of(mix));
+  MixStream stream(mix, settings);
   progress.start("Generating scenarios", static_cast<std::size_t>(settings.each.count));
-  for (int done = 0; done < settings.each.count;) {
-    std::vector<Draw> draws(static_cast<std::size_t>(std::min(kBatch, settings.each.count - done)));
-    for (Draw& draw : draws) draw = {schedule.next(), 0};
-    while (!draws.empty()) {
-      BatchProgress batch_progress(progress, done);
-      std::vector<GeneratedScenario> batch =
-          parallel_map(draws.size(), settings.jobs, [&](std::size_t i) {
-            GeneratedScenario made = mixer.make(draws[i]);
-            batch_progress.item_done();
-            return made;
-          });
-      std::vector<Draw> redraws;
-      for (const std::size_t i : sink(batch))
-        redraws.push_back({draws[i].slot, draws[i].attempt + 1});
-      done += static_cast<int>(draws.size() - redraws.size());
-      draws = std::move(redraws);
-      progress.advance(static_cast<std::size_t>(done));
-    }
+  while (!stream.finished()) {
+    std::vector<GeneratedScenario> part = stream.next(progress);
+    stream.settle(sink(part));
+    progress.advance(static_cast<std::size_t>(stream.state().done()));
   }
   progress.finish();
 }

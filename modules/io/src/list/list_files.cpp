@@ -47,7 +47,7 @@ ScenarioList ScenarioList::create(const std::string& path) {
 }
 
 void ScenarioList::write(const std::string& path, const std::function<void(ScenarioList&)>& fill) {
-  expect_replaceable(path, kScenarioList);
+  expect_replaceable(path);
   Draft draft(path);
   auto impl = std::make_unique<Impl>();
   impl->path = path;
@@ -78,7 +78,7 @@ ScenarioList ScenarioList::open(const std::string& path) {
 }
 
 void ScenarioList::save_as(const std::string& path) {
-  expect_replaceable(path, kScenarioList);
+  expect_replaceable(path);
   Draft draft(path);
   writing(path, [&] {
     SQLite::Statement copy(*impl_->database, "VACUUM INTO ?");
@@ -88,6 +88,10 @@ void ScenarioList::save_as(const std::string& path) {
   });
   chmod(draft.name().c_str(), 0644);
   publish(draft, path);
+}
+
+void ScenarioList::expect_replaceable(const std::string& path) {
+  slalom::expect_replaceable(path, kScenarioList);
 }
 
 void ScenarioList::remove_file(const std::string& path) {

@@ -94,7 +94,10 @@ bool ScenarioList::remove(const std::string& hash) {
 
 void ScenarioList::set_note(const std::string& key, const std::string& text) {
   impl_->write([&] {
-    SQLite::Statement row(*impl_->database, "INSERT OR REPLACE INTO notes VALUES (?, ?)");
+    // Keeps the row of an existing note: the bytes of a list do not tell how often it was written.
+    SQLite::Statement row(*impl_->database,
+                          "INSERT INTO notes VALUES (?, ?) "
+                          "ON CONFLICT (key) DO UPDATE SET text = excluded.text");
     row.bind(1, key);
     row.bind(2, text);
     row.exec();

@@ -89,6 +89,66 @@ TEST(GenerateMix, ReplacesDuplicates) {
   EXPECT_EQ(again[0].substr(32), "random_0001");
 }
 
+/// A sink that takes one in four contents for duplicates.
+std::vector<std::size_t> collect(std::vector<GeneratedScenario>& part,
+                                 std::vector<std::string>& kept) {
+  std::vector<std::size_t> duplicates;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const std::string hash = part[i].scenario.hash();
+    if (hash[0] < '4') {
+      duplicates.push_back(i);
+    } else {
+      kept.push_back(hash + part[i].scenario.name());
+    }
+  }
+  return duplicates;
+}
+
+TEST(GenerateMix, AMixThatIsInterruptedAfterEachPartContinuesAsIfItWereNot) {
+  const auto progress = make_silent_progress();
+  std::vector<std::string> complete, interrupted;
+  generate_mix(sample_mix(), settings_of(140, 2), *progress,
+               [&](std::vector<GeneratedScenario>& part) { return collect(part, complete); });
+  MixState state;
+  std::size_t parts = 0;
+  for (; state.done() < 140; ++parts) {
+    double now = 0;  // each look at the clock takes 0.1 s, so that parts have about 10 scenarios
+    MixStream stream(sample_mix(), settings_of(140), state, [&] { return now += 0.1; });
+    std::vector<GeneratedScenario> part = stream.next(*progress);
+    ASSERT_LE(part.size(), 10U);
+    stream.next(*progress);  // what was not settled is lost
+    MixStream again(sample_mix(), settings_of(140), state, [&] { return now += 0.1; });
+    part = again.next(*progress);
+    again.settle(collect(part, interrupted));
+    state = again.state();
+  }
+  EXPECT_GT(parts, 14U);
+  EXPECT_EQ(complete.size(), 140U);
+  EXPECT_EQ(interrupted, complete);
+}
+
+TEST(GenerateMix, APartHasAtLeastOneScenarioHoweverLongItTakes) {
+  double now = 0;
+  MixStream stream(sample_mix(), settings_of(3), {}, [&] { return now += 100; });
+  const auto progress = make_silent_progress();
+  for (int i = 1; i <= 3; ++i) {
+    EXPECT_EQ(stream.next(*progress).size(), 1U);
+    stream.settle({});
+    EXPECT_EQ(stream.state().done(), i);
+  }
+  EXPECT_TRUE(stream.finished());
+}
+
+TEST(GenerateMix, TheStateOfAnotherMixIsRefused) {
+  MixState state;
+  state.begun = 1;
+  state.round = {{3, 0, 0}};  // a fourth generator
+  EXPECT_THROW(MixStream(sample_mix(), settings_of(3), state), std::invalid_argument);
+  state.round.clear();
+  state.begun = 4;
+  EXPECT_THROW(MixStream(sample_mix(), settings_of(3), state), std::invalid_argument);
+}
+
 TEST(GenerateMix, CertifiesCandidatesInTheRequestedRepresentation) {
   for (const auto representation : {Representation::Grid, Representation::Points}) {
     MixSettings settings = settings_of(2);

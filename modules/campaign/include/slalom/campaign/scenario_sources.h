@@ -4,9 +4,11 @@
 #include <slalom/core/options.h>
 #include <slalom/core/progress.h>
 #include <slalom/generation/generate_mix.h>
+#include <slalom/io/scenario_list.h>
 #include <slalom/scenario/scenario.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,6 +59,43 @@ struct ScenarioSources {
 /// File for a map of a family that cannot be read.
 ScenarioSources read_scenario_sources(const IniFile& ini, const SourceContext& context,
                                       const MapLoader& load_map);
+
+/// Where the scenarios of the sources were interrupted.
+struct SourceState {
+  std::size_t given = 0;   ///< of the list and the maps: those that are finished
+  std::size_t passed = 0;  ///< scenarios of the next one that were passed
+  MixState mix;            ///< of the families
+};
+
+/// The scenarios of the sources part by part, from the beginning or from where they were
+/// interrupted: those of the list, then start and goal pairs on the maps, then generated ones. The
+/// sources must outlive it.
+class ScenarioStream {
+ public:
+  ScenarioStream(const ScenarioSources& sources, const MapLoader& load_map, SourceState state = {});
+
+  bool finished() const;
+  /// The next scenarios; throws as stream_scenarios() does.
+  std::vector<GeneratedScenario> next(Progress& progress);
+  /// To be called after next(), with the indexes of the duplicates in that part.
+  void settle(const std::vector<std::size_t>& duplicates);
+  const SourceState& state() const { return state_; }
+
+ private:
+  const ScenarioSources& sources_;
+  MapLoader load_map_;
+  SourceState state_;
+  std::vector<std::string> given_;      ///< paths: the list, if there is one, and the maps
+  std::unique_ptr<ScenarioList> list_;  ///< the list of the sources, once it is open
+  std::vector<ScenarioList::Entry> entries_;
+  std::optional<MixStream> mix_;  ///< once the given sources are finished
+  std::size_t part_ = 0;          ///< size of the last part of a given source
+  bool ends_given_ = false;       ///< whether it was the last part
+
+  std::vector<GeneratedScenario> next_of_list();
+  std::vector<GeneratedScenario> next_of_map();
+  std::vector<GeneratedScenario> next_of_mix(Progress& progress);
+};
 
 /// Passes all scenarios of the sources to the sink: those of the list, then start and goal pairs on
 /// the maps, then generated ones. They are passed in batches, so that memory does not grow with

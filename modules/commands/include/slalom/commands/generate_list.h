@@ -29,7 +29,9 @@ struct GeneratedBins {
 /// Appends the scenarios of the .ini to `list`: those of [scenarios], see stream_scenarios(), or
 /// those of a coverage generation if there is a section [coverage]; for [robot] and [sensor].
 /// Stores the seed and the .ini as note "origin". Throws the errors of these, and any exception
-/// that `progress` throws to cancel; the list then contains part of the scenarios.
+/// that `progress` throws to cancel; the list then contains part of the scenarios. They are stored
+/// about every second, with a note of where the generation is: it is continued if it is called with
+/// that list and the same .ini and options again, and the result is the same.
 std::optional<GeneratedBins> generate_list(ScenarioList& list, const IniFile& ini,
                                            const GenerationOptions& options,
                                            const MapLoader& load_map, Progress& progress);

@@ -58,6 +58,11 @@ struct CoverageSettings {
   double resolution = 0.05;    ///< m
   int jobs = 1;
   MapLoader load_map = {};
+  /// A search that was interrupted, as `keep` got it; it is repeated without the evaluations that
+  /// gave nothing.
+  std::string known = {};
+  /// Called about every second, between batches of 24 candidates, with a letter for each of them.
+  std::function<void(const std::string& evaluations)> keep = {};
 };
 
 /// A certified scenario and its bin.

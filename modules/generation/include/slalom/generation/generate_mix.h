@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/core/value.h>
+#include <slalom/core/wall_clock.h>
 #include <slalom/generation/generator.h>
 #include <slalom/scenario/world.h>
 
@@ -47,6 +48,44 @@ struct MixSettings {
 /// content was consumed before); they are replaced in a further batch.
 using GenerationSink =
     std::function<std::vector<std::size_t>(std::vector<GeneratedScenario>& batch)>;
+
+/// A scenario of a mix: number `index` of a generator, and the first attempt to make it.
+struct MixDraw {
+  std::size_t generator = 0;
+  int index = 0, attempt = 0;
+};
+
+/// Where a mix was interrupted.
+struct MixState {
+  int begun = 0;                 ///< scenarios of the weighted round robin so far
+  std::vector<MixDraw> round;    ///< of those: not generated yet
+  std::vector<MixDraw> redraws;  ///< of those: duplicates that the next round replaces
+
+  int done() const { return begun - static_cast<int>(round.size() + redraws.size()); }
+};
+
+/// The scenarios of a mix part by part, from the beginning or from where it was interrupted. Their
+/// order depends only on the weights and on the duplicates.
+class MixStream {
+ public:
+  /// `clock` limits a part to about a second, or to one scenario that takes longer.
+  MixStream(std::vector<WeightedGenerator> mix, MixSettings settings, MixState state = {},
+            WallClock clock = steady_seconds);
+  ~MixStream();
+  MixStream(MixStream&&) noexcept;
+
+  bool finished() const;
+  /// The next scenarios; throws as generate_solvable() does.
+  std::vector<GeneratedScenario> next(Progress& progress);
+  /// To be called after next(), with the indexes of the duplicates in that part.
+  void settle(const std::vector<std::size_t>& duplicates);
+  const MixState& state() const;
+  int count() const;  ///< scenarios in total
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 /// Generates settings.each.count certified scenarios and passes them to the sink in an order that
 /// depends only on the weights (weighted round robin). Memory does not grow with the count. Throws

@@ -38,6 +38,8 @@ class ScenarioList : public DescriptorStore {
   /// Opens an existing list. Throws Error (File) when the file
   /// is missing, not a scenario list, or of an unsupported version.
   static ScenarioList open(const std::string& path);
+  /// Throws Error (File) if there is a file of another kind, which write() would not replace.
+  static void expect_replaceable(const std::string& path);
   static void remove_file(const std::string& path);  ///< scenario lists only; errors as of open()
   ~ScenarioList() override;
   ScenarioList(ScenarioList&&) noexcept;
