@@ -117,7 +117,7 @@ void count_memory(benchmark::State& state) {
 
 AnalysisOptions without_ids() {
   AnalysisOptions options;
-  options.run_ids = false;
+  options.run_ids = options.medians = false;
   return options;
 }
 

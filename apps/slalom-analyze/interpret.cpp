@@ -1,5 +1,6 @@
 #include "interpret.h"
 #include "output.h"
+#include "shard_tables.h"
 #include "warnings.h"
 
 #include <slalom/core/error.h>
@@ -34,13 +35,20 @@ std::vector<ResultTable> read_inputs(const InterpretArguments& arguments,
   return results;
 }
 
-void interpret_verb(const InterpretArguments& arguments, const Interpreter& interpreter) {
+Interpretation interpret(const InterpretArguments& arguments, const Interpreter& interpreter) {
+  if (auto tables = tables_of_shards(arguments, interpreter)) return std::move(*tables);
   const std::vector<ResultTable> results = read_inputs(arguments, interpreter);
   AnalysisQuery query = make_query(arguments.request, interpreter, results[0]);
   query.rows = resolve_indexes(std::move(query.rows), arguments.scenarios);
-  query.comparison.analysis.run_ids = arguments.json;
+  AnalysisOptions& analysis = query.comparison.analysis;
+  analysis.run_ids = arguments.json;
+  analysis.medians = arguments.json || interpreter.id != "table";
   query.summary = !arguments.csv && !arguments.json;
-  const Interpretation found = interpreter.interpret(results, query);
+  return interpreter.interpret(results, query);
+}
+
+void interpret_verb(const InterpretArguments& arguments, const Interpreter& interpreter) {
+  const Interpretation found = interpret(arguments, interpreter);
   print_or_write(arguments.csv    ? render_csv(found)
                  : arguments.json ? render_json(found)
                                   : render_text(found),

@@ -3,6 +3,7 @@
 #include "metrics.h"
 #include "output.h"
 #include "show.h"
+#include "warnings.h"
 
 #include <slalom/app/program.h>
 #include <slalom/core/text.h>
@@ -45,6 +46,7 @@ void add_table_options(CLI::App& verb, Arguments& arguments) {
 /// The options of the campaign, overridden by the command line.
 ReportOptions effective_options(const ResultTable& runs, const Arguments& arguments) {
   ReportOptions options = report_options(runs);
+  options.planned_runs = planned_runs(runs);
   if (!arguments.rows.empty()) options.rows = parse_bin_specs(arguments.rows, "--rows");
   if (!arguments.columns.empty()) options.columns = split(arguments.columns, ',');
   if (arguments.confidence > 0) options.analysis.confidence = arguments.confidence;
@@ -52,10 +54,9 @@ ReportOptions effective_options(const ResultTable& runs, const Arguments& argume
 }
 
 void report_verb(const Arguments& arguments) {
-  const ResultFile file = ResultFile::open(arguments.results);
   const ResultTable runs = read_results(arguments.results);
-  warn_of_damage(arguments.results, runs.damaged);
-  write_report(file, runs, effective_options(runs, arguments), arguments.output);
+  warn_of_missing(arguments.results, runs);
+  write_report(arguments.results, runs, effective_options(runs, arguments), arguments.output);
   if (arguments.quiet) return;
   const std::filesystem::path index = std::filesystem::path(arguments.output) / "index.html";
   std::cerr << "report: " << index.string() << "\n";
@@ -85,7 +86,10 @@ void dump_verb(const Arguments& arguments) {
 }
 
 void define_report(CLI::App& app, Arguments& arguments) {
-  CLI::App* verb = add_verb(app, "report", "Write a self-contained HTML report", arguments);
+  CLI::App* verb = app.add_subcommand("report", "Write a self-contained HTML report");
+  verb->add_option("results", arguments.results,
+                   "A result file (.results), or a folder with the shards of a campaign")
+      ->required();
   add_table_options(*verb, arguments);
   verb->add_option("-o,--output", arguments.output, "Folder to write to")->required();
   verb->add_flag("--quiet", arguments.quiet, "No messages");

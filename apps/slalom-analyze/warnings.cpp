@@ -9,28 +9,27 @@
 #include <iostream>
 
 namespace slalom {
-namespace {
 
-/// 0 if it is not known.
-std::size_t planned_runs(const std::string& path, const Manifest& manifest) {
+std::size_t planned_runs(const ResultTable& runs) {
   try {
-    return plan_of(manifest, path).runs();
+    return plan_of(runs.manifest, runs.source).runs();
   } catch (const Error&) {
-    return 0;  // a campaign with a stopping rule
+    return 0;
   }
 }
 
-}  // namespace
+void warn_of_missing_runs(const std::string& folder, std::size_t runs, std::size_t planned) {
+  if (runs >= planned) return;
+  const std::size_t files = campaign_files(folder).size();
+  std::cerr << folder << ": " << runs << " of " << planned << " runs in " << files
+            << (files == 1 ? " file" : " files") << "\n";
+}
 
 void warn_of_missing(const std::string& path, const ResultTable& runs) {
   warn_of_damage(path, runs.damaged);
   std::error_code ignored;
-  if (!std::filesystem::is_directory(path, ignored)) return;
-  const std::size_t planned = planned_runs(path, runs.manifest);
-  if (runs.size() >= planned) return;
-  const std::size_t files = campaign_files(path).size();
-  std::cerr << path << ": " << runs.size() << " of " << planned << " runs in " << files
-            << (files == 1 ? " file" : " files") << "\n";
+  if (std::filesystem::is_directory(path, ignored))
+    warn_of_missing_runs(path, runs.size(), planned_runs(runs));
 }
 
 }  // namespace slalom

@@ -41,7 +41,6 @@ void write_scenarios(const std::vector<Scenario>& scenarios, const std::string& 
 /// Writes the tables to standard output and to files, and the report to a folder.
 void write_tables_and_report(const Arguments& arguments, const std::string& results_path,
                              bool with_report) {
-  const ResultFile file = ResultFile::open(results_path);
   const ResultTable runs = read_results(results_path);
   warn_of_damage(results_path, runs.damaged);
   const ReportOptions options = report_options(runs);
@@ -54,7 +53,7 @@ void write_tables_and_report(const Arguments& arguments, const std::string& resu
   std::cout << text;
   if (!with_report) return;
   const std::string report = arguments.output + "/report";
-  write_report(file, runs, options, report);
+  write_report(results_path, runs, options, report);
   std::cout << "\nReport: " << report << "/index.html\n";
 }
 

@@ -20,6 +20,11 @@ Markup fact(std::size_t number, const std::string& what) {
   return fact(std::to_string(number), what);
 }
 
+std::string number_of_runs(const ReportInput& input) {
+  const std::size_t runs = input.runs.size(), planned = input.options.planned_runs;
+  return std::to_string(runs) + (runs < planned ? " of " + std::to_string(planned) : "");
+}
+
 Markup facts(const ReportInput& input) {
   const ResultTable& runs = input.runs;
   std::size_t successes = 0;
@@ -27,9 +32,9 @@ Markup facts(const ReportInput& input) {
     const auto found = method.outcomes.find("success");
     successes += found == method.outcomes.end() ? 0 : found->second;
   }
-  std::vector<Markup> figures = {fact(runs.methods.size(), "methods"),
-                                 fact(runs.scenario_hashes.size(), "scenarios"),
-                                 fact(runs.size(), "runs"), fact(successes, "successful runs")};
+  std::vector<Markup> figures = {
+      fact(runs.methods.size(), "methods"), fact(runs.scenario_hashes.size(), "scenarios"),
+      fact(number_of_runs(input), "runs"), fact(successes, "successful runs")};
   const auto slalom = runs.manifest.find("version.slalom");
   if (slalom != runs.manifest.end()) figures.push_back(fact(slalom->second, "Slalom version"));
   return element("div", figures, "facts");
@@ -80,7 +85,7 @@ Markup cross_table(const CrossTable& cross) {
   std::vector<Markup> rows;
   for (const CrossRow& row : cross.rows) {
     std::vector<Markup> cells = {element("th", {row.bin.label()}),
-                                 element("td", {count_text(row.runs.size(), "run")})};
+                                 element("td", {count_text(row.n, "run")})};
     for (std::size_t column = 0; column < cross.columns.size(); ++column)
       cells.push_back(
           cell_markup(row.cells[column], cross.columns[column], column_digits(cross, column)));

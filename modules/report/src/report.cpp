@@ -7,6 +7,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/core/text.h>
+#include <slalom/io/result_files.h>
 #include <slalom/report/report.h>
 
 #include <algorithm>
@@ -50,8 +51,8 @@ std::vector<std::string> default_columns(const ResultTable& runs) {
 /// number: "scenarios" and "runs".
 class ScenarioFiles {
  public:
-  ScenarioFiles(const ResultFile& file, const ReportInput& input, const std::string& directory)
-      : file_(file), input_(input), runs_(input.runs), directory_(directory) {
+  ScenarioFiles(const std::string& results, const ReportInput& input, const std::string& directory)
+      : files_(results), input_(input), runs_(input.runs), directory_(directory) {
     for (const std::string& outcome : runs_.outcomes) {
       const auto& names = input.summary.outcomes;
       outcomes_.push_back(std::find(names.begin(), names.end(), outcome) - names.begin());
@@ -68,7 +69,7 @@ class ScenarioFiles {
   }
 
  private:
-  const ResultFile& file_;
+  ResultFiles files_;
   const ReportInput& input_;
   const ResultTable& runs_;
   std::filesystem::path directory_;
@@ -84,10 +85,10 @@ class ScenarioFiles {
     const std::size_t first = entries_.size();
     std::vector<std::string> details;
     std::string picture;
-    if (file_.has_scenario(hash)) {
-      const ScenarioRuns content = read_scenario_runs(file_, runs_, scenario, first);
+    if (const auto files = files_.with_scenario(hash); !files.empty()) {
+      const ScenarioRuns content = read_scenario_runs(files, runs_, scenario, first);
       write_file_atomically((directory_ / "data" / ("s-" + hash.substr(0, 8) + ".js")).string(),
-                            scenario_script(input_, content, file_.path(), directory_.string()));
+                            scenario_script(input_, content, directory_.string()));
       picture = scenario_picture(input_, content);
       for (const RunRecord& run : content.records) details.push_back(run.outcome_detail);
     }
@@ -159,13 +160,13 @@ ReportOptions report_options(const ResultTable& runs) {
   return options;
 }
 
-void write_report(const ResultFile& file, const ResultTable& runs, const ReportOptions& options,
+void write_report(const std::string& results, const ResultTable& runs, const ReportOptions& options,
                   const std::string& directory) {
   const ReportInput input = make_report_input(runs, options);
   std::vector<RunGroup> groups;
   const std::string summary = json_text(report_data(input, groups));
   make_directory(directory);
-  OrderedJson lists = ScenarioFiles(file, input, directory).write();
+  OrderedJson lists = ScenarioFiles(results, input, directory).write();
   lists["groups"] = groups_json(groups);
   const std::string runs_text = json_text(lists);
   const auto write = [&directory](const std::string& name, const std::string& text) {

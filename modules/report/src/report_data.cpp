@@ -339,6 +339,7 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
                       {"columns", make.columns()},
                       {"metrics", quantities_json(repeatable_metrics(runs))},
                       {"descriptors", quantities_json(descriptors)}};
+  if (input.options.planned_runs > 0) json["planned_runs"] = input.options.planned_runs;
   json["summary"] = make.summary();
   json["tables"] = make.tables();
   json["outcome_fractions"] = make.outcome_fractions();

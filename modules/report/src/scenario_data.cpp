@@ -13,6 +13,8 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <numeric>
+#include <tuple>
 
 namespace slalom {
 namespace {
@@ -165,10 +167,8 @@ std::string url_path(const std::string& path) {
   return url;
 }
 
-/// The link from the report's folder to the rawlog of a run; empty if it was not recorded.
-std::string rawlog_link(const std::string& results, const RunRecord& run,
-                        const std::string& directory) {
-  const std::string path = rawlog_path(results, run.scenario_hash, run.method, run.repetition);
+/// The link from the report's folder to a rawlog; empty if it was not recorded.
+std::string rawlog_link(const std::string& path, const std::string& directory) {
   std::error_code none;
   if (!std::filesystem::exists(path, none)) return "";
   return url_path(std::filesystem::relative(path, directory, none).generic_string());
@@ -195,29 +195,59 @@ Trajectory trajectory_or_note(const ResultFile& file, RunRecord& run) {
   }
 }
 
+/// Adds the runs of a file that are not in `content` yet.
+void add_runs(const ResultFile& file, const std::string& hash, ScenarioRuns& content) {
+  for (RunRecord& run :
+       file.read_runs(hash, [](const std::string&) {})) {  // not in the table either
+    const bool is_known =
+        std::any_of(content.records.begin(), content.records.end(), [&](const RunRecord& known) {
+          return known.method == run.method && known.repetition == run.repetition;
+        });
+    if (is_known) continue;
+    content.trajectories.push_back(trajectory_or_note(file, run));
+    content.rawlogs.push_back(rawlog_path(file.path(), hash, run.method, run.repetition));
+    content.records.push_back(std::move(run));
+  }
+}
+
+/// Sorts the runs of several files by method and repetition.
+void sort_runs(ScenarioRuns& content) {
+  std::vector<std::size_t> order(content.records.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const RunRecord &first = content.records[a], &second = content.records[b];
+    return std::tie(first.method, first.repetition) < std::tie(second.method, second.repetition);
+  });
+  ScenarioRuns sorted{
+      content.scenario, content.first_run, content.content, content.references, {}, {}, {}};
+  for (const std::size_t i : order) {
+    sorted.records.push_back(std::move(content.records[i]));
+    sorted.trajectories.push_back(std::move(content.trajectories[i]));
+    sorted.rawlogs.push_back(std::move(content.rawlogs[i]));
+  }
+  content = std::move(sorted);
+}
+
 }  // namespace
 
-ScenarioRuns read_scenario_runs(const ResultFile& file, const ResultTable& runs,
-                                std::size_t scenario, std::size_t first_run) {
+ScenarioRuns read_scenario_runs(const std::vector<const ResultFile*>& files,
+                                const ResultTable& runs, std::size_t scenario,
+                                std::size_t first_run) {
   const std::string& hash = runs.scenario_hashes[scenario];
-  ScenarioRuns content{scenario,
-                       first_run,
-                       file.read_scenario(hash),
-                       file.read_references(hash),
-                       file.read_runs(hash, [](const std::string&) {}),  // not in `runs` either
-                       {}};
+  const ResultFile& file = *files.at(0);
+  ScenarioRuns content{
+      scenario, first_run, file.read_scenario(hash), file.read_references(hash), {}, {}, {}};
+  for (const ResultFile* one : files) add_runs(*one, hash, content);
+  if (files.size() > 1) sort_runs(content);
   const auto first = runs.scenario.begin() + static_cast<std::ptrdiff_t>(first_run);
   const auto last = std::upper_bound(first, runs.scenario.end(), scenario);  // sorted by scenario
   if (static_cast<std::size_t>(last - first) != content.records.size())
     throw file_error(file.path() + ": scenario " + hash, "is damaged (runs are missing)");
-  for (RunRecord& run : content.records) {
-    content.trajectories.push_back(trajectory_or_note(file, run));
-  }
   return content;
 }
 
 std::string scenario_script(const ReportInput& input, const ScenarioRuns& content,
-                            const std::string& results, const std::string& directory) {
+                            const std::string& directory) {
   const ResultTable& runs = input.runs;
   const World world(content.content, input.options.resolution);
   const Footprint footprint = input.options.robot.shape();
@@ -233,7 +263,7 @@ std::string scenario_script(const ReportInput& input, const ScenarioRuns& conten
                         {"outcome", run.outcome},
                         {"detail", run.outcome_detail},
                         {"seed", std::to_string(run.seed)},
-                        {"rawlog", rawlog_link(results, run, directory)},
+                        {"rawlog", rawlog_link(content.rawlogs[i], directory)},
                         {"values", values_json(metrics, content.first_run + i, reasons)}};
     add_track(world, footprint, content.trajectories[i], line);
     json["runs"].push_back(std::move(line));

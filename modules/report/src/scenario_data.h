@@ -2,9 +2,11 @@
 
 #include "report_data.h"
 
+#include <slalom/io/result_file.h>
+
 namespace slalom {
 
-/// A scenario with its runs, as stored in the result file.
+/// A scenario with its runs, as stored in the result files.
 struct ScenarioRuns {
   std::size_t scenario = 0;   ///< index into the scenarios of the columns
   std::size_t first_run = 0;  ///< index of the first record in the runs of the columns
@@ -12,20 +14,22 @@ struct ScenarioRuns {
   References references;
   std::vector<RunRecord> records;
   std::vector<Trajectory> trajectories;  ///< parallel to `records`
+  std::vector<std::string> rawlogs;  ///< parallel to `records`: paths, whether they exist or not
 };
 
-/// Throws Error (File).
-ScenarioRuns read_scenario_runs(const ResultFile& file, const ResultTable& runs,
-                                std::size_t scenario, std::size_t first_run);
+/// From the files that contain the scenario, at least one. Throws Error (File).
+ScenarioRuns read_scenario_runs(const std::vector<const ResultFile*>& files,
+                                const ResultTable& runs, std::size_t scenario,
+                                std::size_t first_run);
 
 constexpr std::size_t kMaxSamples = 80;
 
 /// data/s-HASH8.js: a scenario with its references and runs, as a call of slalomScenario().
 /// Trajectories are reduced to at most kMaxSamples samples, in integer millimeters, milliseconds
-/// and milliradians; the safest path is simplified with a tolerance of one cell. `results`: the
-/// result file, next to which rawlogs are; `directory`: of the report, for links to them.
+/// and milliradians; the safest path is simplified with a tolerance of one cell.
+/// `directory`: of the report, for links to rawlogs.
 std::string scenario_script(const ReportInput& input, const ScenarioRuns& content,
-                            const std::string& results, const std::string& directory);
+                            const std::string& directory);
 
 /// The scenario with its reference paths and all trajectories as an <svg> element.
 std::string scenario_picture(const ReportInput& input, const ScenarioRuns& content);

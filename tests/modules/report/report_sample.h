@@ -3,6 +3,7 @@
 #include "memory_folder.h"
 
 #include <slalom/io/read_results.h>
+#include <slalom/io/result_file.h>
 #include <slalom/report/report.h>
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ class ReportTest : public testing::Test {
   ReportOptions options() const { return report_options(read_results(results_path())); }
 
   void write(const ResultFile& file, const ReportOptions& options) const {
-    write_report(file, read_results(results_path()), options, report_folder().string());
+    write_report(file.path(), read_results(file.path()), options, report_folder().string());
   }
   void write(const ResultFile& file) const { write(file, options()); }
 

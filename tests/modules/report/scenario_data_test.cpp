@@ -50,7 +50,7 @@ class ScenarioData : public testing::Test {
     options.columns = {"success"};
     options.resolution = 0.5;
     const ReportInput input = make_report_input(runs, options);
-    return argument(scenario_script(input, read_scenario_runs(file, runs, 0, 0), path,
+    return argument(scenario_script(input, read_scenario_runs({&file}, runs, 0, 0),
                                     (folder_ / "report").string()),
                     "slalomScenario");
   }

@@ -11,9 +11,6 @@
 namespace slalom {
 namespace {
 
-constexpr std::size_t kMinForBootstrap = 20;
-constexpr std::size_t kMaxForBootstrap = 500;
-
 double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
@@ -23,15 +20,9 @@ double count(const GroupSums& groups) {
 }
 
 /// Variance of the mean over all values, estimated from the variation between groups.
-double variance_of_mean(const GroupSums& groups) {
-  const double m = mean_of_groups(groups);
-  double squares = 0;
-  for (std::size_t i = 0; i < groups.groups(); ++i) {
-    const double residual = groups.sums[i] - m * groups.sizes[i];
-    squares += residual * residual;
-  }
-  const double k = static_cast<double>(groups.groups()), n = count(groups);
-  return k / (k - 1) * squares / (n * n);
+double variance_of_mean(const GroupMoments& groups) {
+  const double k = groups.groups, n = groups.values;
+  return k / (k - 1) * groups.residuals / (n * n);
 }
 
 /// Random integers in [0, end), two of 32 bits from each draw of the engine. Their nonuniformity,
@@ -131,23 +122,39 @@ Interval wilson_interval(double rate, double n, double confidence) {
           rate == 1 ? 1.0 : std::min(1.0, center + half)};
 }
 
-double effective_sample_size(const GroupSums& groups) {
-  const double k = static_cast<double>(groups.groups()), n = count(groups);
+GroupMoments moments_of(const GroupSums& groups) {
+  GroupMoments moments{static_cast<double>(groups.groups()), count(groups), mean_of_groups(groups),
+                       0};
+  for (std::size_t i = 0; i < groups.groups(); ++i) {
+    const double residual = groups.sums[i] - moments.mean * groups.sizes[i];
+    moments.residuals += residual * residual;
+  }
+  return moments;
+}
+
+double effective_sample_size(const GroupMoments& groups) {
+  const double k = groups.groups, n = groups.values, rate = groups.mean;
   if (k == n || k < 2) return k;
-  const double rate = mean_of_groups(groups);
   const double between = variance_of_mean(groups);
   if (rate <= 0 || rate >= 1) return k;
   if (between <= 0) return n;
   return std::clamp(rate * (1 - rate) / between, k, n);
 }
 
-std::optional<Interval> t_interval(const GroupSums& groups, double confidence) {
-  if (groups.groups() < 2) return std::nullopt;
-  const boost::math::students_t distribution(static_cast<double>(groups.groups() - 1));
+double effective_sample_size(const GroupSums& groups) {
+  return effective_sample_size(moments_of(groups));
+}
+
+std::optional<Interval> t_interval(const GroupMoments& groups, double confidence) {
+  if (groups.groups < 2) return std::nullopt;
+  const boost::math::students_t distribution(groups.groups - 1);
   const double half = boost::math::quantile(distribution, 0.5 + confidence / 2) *
                       std::sqrt(variance_of_mean(groups));
-  const double m = mean_of_groups(groups);
-  return Interval{m - half, m + half};
+  return Interval{groups.mean - half, groups.mean + half};
+}
+
+std::optional<Interval> t_interval(const GroupSums& groups, double confidence) {
+  return t_interval(moments_of(groups), confidence);
 }
 
 std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confidence,
@@ -177,9 +184,13 @@ Interval clip_to_range(const ValueRange& range, Interval interval) {
 
 std::optional<Interval> mean_interval(const GroupSums& groups, double confidence,
                                       RandomEngine& engine) {
-  if (groups.groups() < kMinForBootstrap || groups.groups() > kMaxForBootstrap) {
-    return t_interval(groups, confidence);
-  }
+  return mean_interval(moments_of(groups), groups, confidence, engine);
+}
+
+std::optional<Interval> mean_interval(const GroupMoments& moments, const GroupSums& groups,
+                                      double confidence, RandomEngine& engine) {
+  if (moments.groups < kMinForBootstrap || moments.groups > kMaxForBootstrap)
+    return t_interval(moments, confidence);
   return bootstrap_interval(groups, confidence, engine);
 }
 

@@ -205,9 +205,8 @@ DataTable cross_data(const CrossTable& table) {
   data.at = [&table, basics](std::size_t row, std::size_t column) -> Field {
     const CrossRow& line = table.rows[row];
     if (column >= basics) return cell_field(line.cells, column - basics);
-    const Field fields[] = {
-        table.method,           table.descriptor.id,     line.bin.label(),
-        field_of(line.bin.low), field_of(line.bin.high), integer(line.runs.size())};
+    const Field fields[] = {table.method,           table.descriptor.id,     line.bin.label(),
+                            field_of(line.bin.low), field_of(line.bin.high), integer(line.n)};
     return fields[column];
   };
   return data;

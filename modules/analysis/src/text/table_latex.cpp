@@ -64,7 +64,7 @@ std::string render_latex(const SummaryTable& table) {
 std::string render_latex(const CrossTable& table) {
   std::vector<std::vector<std::string>> rows;
   for (const CrossRow& line : table.rows) {
-    std::vector<std::string> row = {latex_text(line.bin.label()), std::to_string(line.runs.size())};
+    std::vector<std::string> row = {latex_text(line.bin.label()), std::to_string(line.n)};
     for (std::size_t column = 0; column < table.columns.size(); ++column)
       row.push_back(cell_latex(line.cells[column], column_digits(table, column)));
     rows.push_back(std::move(row));

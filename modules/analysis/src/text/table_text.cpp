@@ -86,7 +86,7 @@ std::string render_cross_table_text(const CrossTable& table) {
       printable_line(table.title) + ", " + confidence_text(table.confidence) + "\n\n";
   TextGrid grid(headers(table.descriptor.id, table.columns));
   for (const CrossRow& row : table.rows) {
-    std::vector<TextGrid::Lines> cells = {{row.bin.label(), count_text(row.runs.size(), "run")}};
+    std::vector<TextGrid::Lines> cells = {{row.bin.label(), count_text(row.n, "run")}};
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
       const int digits = column_digits(table, column);
       cells.push_back(cell_lines(row.cells[column], table.columns[column], digits));
@@ -103,7 +103,7 @@ std::string render_cross_table_text(const CrossTable& table) {
 std::string render_tables_text(const ResultTable& table, const std::vector<BinSpec>& rows,
                                const std::vector<std::string>& columns, double confidence) {
   AnalysisOptions options;
-  options.run_ids = false;
+  options.run_ids = options.medians = false;
   options.confidence = confidence;
   std::string text = render_summary_text(build_summary(table, columns, options));
   for (const CrossTable& cross : build_cross_tables(table, rows, columns, options)) {

@@ -16,6 +16,16 @@ struct FileRows {
   std::vector<std::optional<std::int64_t>> scenarios;  ///< none for a damaged one
 };
 
+/// What is read of a file, see read_results().
+struct RowsToRead {
+  std::optional<std::vector<std::string>> ids;
+  bool details = false;
+};
+FileRows read_file_rows(const std::string& path, const RowsToRead& wanted);
+
+/// The campaign_files() of a folder. Throws Error (File) if there are none.
+std::vector<std::string> shards_in(const std::string& folder);
+
 /// One table from the files of a campaign, the same as that of the file merged from them.
 class CombinedResults {
  public:

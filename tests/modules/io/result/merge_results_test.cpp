@@ -8,6 +8,8 @@
 #include <slalom/io/merge_results.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
+#include <slalom/io/result_files.h>
+#include <slalom/io/result_parts.h>
 
 #include <gtest/gtest.h>
 
@@ -186,6 +188,48 @@ TEST_F(MergeResults, AFolderHasTheFilesOfItsShardsOrElseAllFiles) {
   EXPECT_EQ(count_results(folder_ / "all.results").runs, 2U);
   EXPECT_EQ(count_results(folder_ / "all.results").outcomes.at("timeout"), 2U);
   EXPECT_EQ(count_results(folder_ / "all.results").wall_seconds, 2);
+}
+
+TEST_F(MergeResults, AFolderIsReadFileByFile) {
+  write("1.results", 1, 0.25);
+  write("2.results", 2, 0.75);
+  const std::string folder = folder_ / "";
+  ResultParts parts(folder);
+  EXPECT_TRUE(parts.are_disjoint());
+  EXPECT_EQ(parts.outline().size(), 0U);
+  EXPECT_EQ(parts.outline().manifest.count("shard"), 0U);
+  EXPECT_NE(find_metric(parts.outline(), "success"), nullptr);
+  parts.read_values("density");
+  parts.read_values("density");
+  const ValueColumn& density = *find_descriptor(parts.outline(), "density");
+  ASSERT_EQ(density.size(), 2U) << "once for each scenario";
+  EXPECT_EQ(density.number(1), 0.1);
+  std::vector<double> values;
+  parts.for_each({"optimality"}, [&](const ResultTable& part) {
+    EXPECT_EQ(part.size(), 2U);
+    for (const std::size_t run : {0, 1}) values.push_back(part.metrics[0].number(run));
+  });
+  EXPECT_EQ(values, (std::vector<double>{0.25, 0.25, 0.75, 0.75}));
+  write("3.results", 1, 0.25);
+  EXPECT_FALSE(ResultParts(folder).are_disjoint());
+  write("4.results", 4, 0.5, "0.6");
+  EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "4.results",
+                           {"another campaign", "robot.max_v"},
+                           [&] { ResultParts parts_of_two(folder); }));
+}
+
+TEST_F(MergeResults, ScenariosAreFoundInTheFilesOfAFolder) {
+  write("1.results", 1);
+  write("2.results", 2);
+  write("3.results", 2);
+  ResultFiles files(folder_ / "");
+  const auto first = files.with_scenario(sample_scenario(1).hash());
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_EQ(first[0]->read_scenario(sample_scenario(1).hash()).hash(), sample_scenario(1).hash());
+  EXPECT_EQ(files.with_scenario(sample_scenario(2).hash()).size(), 2U);
+  EXPECT_TRUE(files.with_scenario(sample_scenario(3).hash()).empty());
+  ResultFiles one(folder_ / "2.results");
+  EXPECT_EQ(one.with_scenario(sample_scenario(2).hash()).size(), 1U);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <slalom/analysis/cell_sums.h>
 #include <slalom/analysis/statistics.h>
+#include <slalom/core/error.h>
 #include <slalom/results/result_table.h>
 
 #include <cstdint>
@@ -16,6 +18,7 @@ struct AnalysisOptions {
   double confidence = 0.95;  ///< of intervals, in (0, 1)
   std::uint64_t seed = 1;    ///< of the bootstrap
   bool run_ids = true;       ///< store the run ids of each row; expensive for millions of runs
+  bool medians = true;       ///< in cross tables: medians and interquartile means
 };
 
 /// Throws Error (Usage) if the confidence is not in (0, 1).
@@ -46,15 +49,22 @@ struct Cell {
 /// (Usage) with the nearest name for an unknown id.
 std::vector<Column> resolve_columns(const ResultTable& table, const std::vector<std::string>& ids);
 
+/// Error (Usage) that there is no such metric, with the nearest name.
+Error unknown_metric(const std::string& id, const std::vector<std::string>& known);
+
+/// A cell from its sums, without median and interquartile mean. `rank_of`: see CellSums::groups().
+Cell make_cell(const CellSums& sums, std::size_t runs, std::size_t failures, const Column& column,
+               const AnalysisOptions& options, const std::string& label,
+               const std::function<std::size_t(std::uint32_t)>& rank_of = nullptr);
+
+/// The values of those of the runs that have one.
+std::vector<double> numbers_of(const ValueColumn& values, const std::vector<std::size_t>& runs);
+void add_medians(Cell& cell, std::vector<double> values);  ///< both, if there are values
+
 /// Summarizes `values` over `runs` (indexes into `table`). `label` identifies the cell and seeds
 /// the bootstrap, so that a cell does not depend on which other cells are computed.
 Cell make_cell(const ResultTable& table, const std::vector<std::size_t>& runs,
                const ValueColumn& values, const AnalysisOptions& options, const std::string& label);
-
-/// The same with the number of failures given, to count them once for many columns.
-Cell make_cell(const ResultTable& table, const std::vector<std::size_t>& runs, std::size_t failures,
-               const ValueColumn& values, const AnalysisOptions& options, const std::string& label);
-std::size_t count_failures(const ResultTable& table, const std::vector<std::size_t>& runs);
 
 /// The bounds of a metric or descriptor by its definition; none for unknown ids.
 ValueRange range_of(const std::string& id);

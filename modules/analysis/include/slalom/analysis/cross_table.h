@@ -11,6 +11,7 @@ namespace slalom {
 /// One row of a cross table: the runs of a method in the scenarios of one bin.
 struct CrossRow {
   Bin bin;
+  std::size_t n = 0;                 ///< number of runs
   std::vector<std::size_t> runs;     ///< indexes into the table's runs, in their order
   std::vector<std::string> run_ids;  ///< their ids, if AnalysisOptions::run_ids
   std::vector<Cell> cells;           ///< one per column
@@ -28,11 +29,6 @@ struct CrossTable {
   std::vector<std::string> notes;  ///< text for both; empty if no run is left out
   double confidence = 0.95;
 };
-
-/// The cross table of one method. Throws Error (Usage) for an unknown method or descriptor.
-CrossTable build_cross_table(const ResultTable& table, const std::string& method,
-                             const BinSpec& spec, const std::vector<Column>& columns,
-                             const AnalysisOptions& options);
 
 /// One cross table per specification and method (`method` empty: all methods), specifications
 /// outermost. Throws Error (Usage) with the nearest name for unknown ids.

@@ -27,6 +27,14 @@ struct GroupSums {
 };
 GroupSums sums_of(const ScenarioGroups& groups);
 
+/// What the variance of the mean over all values of such groups depends on.
+struct GroupMoments {
+  double groups = 0, values = 0;  ///< their numbers
+  double mean = 0;                ///< over all values
+  double residuals = 0;           ///< sum over groups of (sum - mean size)^2
+};
+GroupMoments moments_of(const GroupSums& groups);  ///< requires at least one value
+
 /// The level of tests that goes with a confidence: 0.05 with 0.95, where the difference of the two
 /// doubles would be 0.050000000000000044.
 double test_level(double confidence);
@@ -53,11 +61,13 @@ Interval wilson_interval(double rate, double n, double confidence);
 /// Effective number of independent runs of the 0/1 values of `groups` (Kish's design effect, the
 /// ratio of the between-scenario variance of the rate to the binomial one). n if each scenario has
 /// one run; at least the number of scenarios, and equal to it if all values are equal.
+double effective_sample_size(const GroupMoments& groups);
 double effective_sample_size(const GroupSums& groups);
 
 /// Student's t interval of the mean over all values with the cluster-robust standard error (k
 /// groups, k - 1 degrees of freedom; the usual interval if each group has one value). None for
 /// fewer than two groups.
+std::optional<Interval> t_interval(const GroupMoments& groups, double confidence);
 std::optional<Interval> t_interval(const GroupSums& groups, double confidence);
 
 /// Percentile bootstrap interval of the mean over all values: scenarios are resampled with all
@@ -71,9 +81,14 @@ struct ValueRange {
 };
 Interval clip_to_range(const ValueRange& range, Interval interval);
 
+constexpr std::size_t kMinForBootstrap = 20, kMaxForBootstrap = 500;
+
 /// The interval used in tables: bootstrap for 20 to 500 scenarios; the t interval for fewer, where
 /// the percentile bootstrap is too narrow, and for more, where both agree and t is cheaper.
 std::optional<Interval> mean_interval(const GroupSums& groups, double confidence,
                                       RandomEngine& engine);
+/// The same; `groups` may be empty if there are more than 500.
+std::optional<Interval> mean_interval(const GroupMoments& moments, const GroupSums& groups,
+                                      double confidence, RandomEngine& engine);
 
 }  // namespace slalom

@@ -1,0 +1,82 @@
+#include "combined_results.h"
+#include "database.h"
+#include "value_columns.h"
+
+#include <slalom/core/error.h>
+#include <slalom/io/campaign_identity.h>
+#include <slalom/io/merge_results.h>
+#include <slalom/io/result_file.h>
+#include <slalom/io/result_parts.h>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+std::vector<ValueColumn> columns_of(const std::vector<QuantityInfo>& infos) {
+  std::vector<ValueColumn> columns;
+  for (const QuantityInfo& info : infos) columns.emplace_back(info).rate = info.id == "success";
+  return columns;
+}
+
+/// Calls `use` with each row of a query over the file.
+template <typename Use>
+void for_each_row(const std::string& path, const std::string& sql, const std::string& argument,
+                  Use use) {
+  reading(path, [&] {
+    SQLite::Database database(path, SQLite::OPEN_READONLY, 10000);
+    SQLite::Statement rows(database, sql);
+    if (!argument.empty()) rows.bind(1, argument);
+    while (rows.executeStep()) use(rows);
+  });
+}
+
+}  // namespace
+
+ResultParts::ResultParts(const std::string& folder) : files_(shards_in(folder)) {
+  outline_.source = folder;
+  for (const std::string& path : files_) {
+    const ResultFile file = ResultFile::open(path);
+    Manifest manifest = file.read_manifest();
+    if (path == files_.front()) {
+      manifest.erase(kShardKey);
+      outline_.manifest = manifest;
+      outline_.metrics = columns_of(file.metrics());
+      outline_.descriptors = columns_of(file.descriptors());
+      add_success(outline_);
+    }
+    expect_same_campaign(outline_.manifest, manifest, path, "results of the same campaign");
+  }
+  check_disjoint();
+}
+
+void ResultParts::check_disjoint() {
+  std::vector<std::uint64_t> hashes;  // half of each: 8 bytes per scenario
+  for (const std::string& path : files_)
+    for_each_row(path, "SELECT hash FROM scenarios", "", [&](SQLite::Statement& row) {
+      hashes.push_back(
+          std::strtoull(row.getColumn(0).getString().substr(0, 16).c_str(), nullptr, 16));
+    });
+  std::sort(hashes.begin(), hashes.end());
+  disjoint_ = std::adjacent_find(hashes.begin(), hashes.end()) == hashes.end();
+}
+
+void ResultParts::read_values(const std::string& descriptor) {
+  for (ValueColumn& column : outline_.descriptors) {
+    if (column.info().id != descriptor || column.size() > 0) continue;
+    for (const std::string& path : files_)
+      for_each_row(
+          path, "SELECT version, value, standard_error, reason FROM descriptors WHERE id = ?",
+          descriptor, [&](SQLite::Statement& row) {
+            column.add(value_of_version({row.getColumn(0).getInt(), value_from_columns(row, 1)},
+                                        column.info().version));
+          });
+  }
+}
+
+void ResultParts::for_each(const std::vector<std::string>& ids,
+                           const std::function<void(const ResultTable&)>& use) const {
+  for (const std::string& path : files_) use(finish_table(read_file_rows(path, {ids}).table));
+}
+
+}  // namespace slalom
