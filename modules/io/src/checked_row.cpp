@@ -9,9 +9,9 @@ namespace {
 
 template <typename T>
 void append_raw(std::string& bytes, char type, T number) {
-  char raw[sizeof number];  // little-endian, as are the supported machines
-  std::memcpy(raw, &number, sizeof number);
-  bytes += type;
+  char raw[1 + sizeof number];  // little-endian, as are the supported machines
+  raw[0] = type;
+  std::memcpy(raw + 1, &number, sizeof number);
   bytes.append(raw, sizeof raw);
 }
 

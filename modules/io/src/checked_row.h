@@ -22,6 +22,7 @@ class RowChecksum {
   RowChecksum& add_columns(SQLite::Statement& row, int begin, int end);
 
   std::int64_t value() const;
+  void clear() { bytes_.clear(); }  ///< keeps its memory
 
  private:
   std::string bytes_;

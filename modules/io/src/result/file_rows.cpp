@@ -51,8 +51,15 @@ class FastRows {
   double number(int column) { return sqlite3_column_double(statement_, column); }
   std::int64_t integer(int column) { return sqlite3_column_int64(statement_, column); }
   /// Whether the column after the first `columns` is the checksum of those from `begin` on.
-  bool is_intact(int begin, int columns, RowChecksum checksum = {}) {
-    return checksum.add_columns(statement_, begin, columns).value() == integer(columns);
+  bool is_intact(int begin, int columns) {
+    checksum_.clear();
+    return checksum_.add_columns(statement_, begin, columns).value() == integer(columns);
+  }
+  /// The same for a row that belongs to the row with the checksum `owner`.
+  bool is_intact(int begin, int columns, std::int64_t owner) {
+    checksum_.clear();
+    checksum_.add(owner);
+    return checksum_.add_columns(statement_, begin, columns).value() == integer(columns);
   }
   RowChecksum& add_to(RowChecksum& checksum, int begin, int end) {
     return checksum.add_columns(statement_, begin, end);
@@ -65,6 +72,7 @@ class FastRows {
  private:
   sqlite3_stmt* statement_ = nullptr;
   sqlite3* handle_ = nullptr;
+  RowChecksum checksum_;  ///< reused, for its memory
 };
 
 /// Looks up the index of a name, caching that of the previous row.
@@ -245,8 +253,7 @@ class ColumnReader {
       const std::int64_t run = rows.integer(0);
       while (row < keys_.size() && keys_[row] < run) ++row;
       if (row == keys_.size()) break;
-      if (keys_[row] != run || !rows.is_intact(1, kChecksum, RowChecksum().add(checksums_[row])))
-        continue;
+      if (keys_[row] != run || !rows.is_intact(1, kChecksum, checksums_[row])) continue;
       found[row] = true;
       if (details_) columns_.details[row].wall_seconds = rows.number(kWallSeconds);
       const Json json = Json::parse(rows.text(kFigures), nullptr, false);
@@ -345,7 +352,8 @@ class ColumnReader {
 FileRows read_file_rows(const std::string& path, const RowsToRead& wanted) {
   const ResultFile file = ResultFile::open(path);
   return reading(path, [&] {
-    SQLite::Database database(path, SQLite::OPEN_READONLY, 10000);
+    // Without SQLite's locks, which are taken for every value: one thread uses the connection.
+    SQLite::Database database(path, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX, 10000);
     ColumnReader reader(file, database);
     if (wanted.ids) reader.select(*wanted.ids);
     if (wanted.details) reader.read_details();
