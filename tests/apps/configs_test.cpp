@@ -46,7 +46,8 @@ TEST_F(Configs, EveryGenerationExampleRuns) {
   for (const auto& path : examples(true)) {
     const bool fills_bins = read_text(path).find("[coverage]") != std::string::npos;
     const ProgramResult result =
-        run("slalom-scenarios generate -c '" + path.string() + "' -n 2 -o a.scenarios --quiet" +
+        run("slalom-scenarios generate -c '" + path.string() +
+            "' -n 2 -o a.scenarios --overwrite --quiet" +
             (fills_bins ? " -j 2 --set coverage.budget_evaluations=60" : ""));
     EXPECT_EQ(result.status, 0) << path << "\n" << result.err;
   }

@@ -103,7 +103,9 @@ TEST_F(Generate, AListIsReplacedOnlyOnRequest) {
   ASSERT_EQ(run("slalom-scenarios create made.scenarios").status, 0);
   expect_failure("slalom-scenarios generate -c mix.ini -o made.scenarios", 3,
                  {"does not tell by which command", "--overwrite"});
-  expect_failure("slalom-scenarios generate -c mix.ini --overwrite -o .err", 3, {"different kind"});
+  write("text.scenarios", "a stranger's text\n");
+  expect_failure("slalom-scenarios generate -c mix.ini --overwrite -o text.scenarios", 3,
+                 {"different kind"});
 }
 
 TEST_F(Generate, AnotherMapUnderTheSameNameIsAnotherGeneration) {
