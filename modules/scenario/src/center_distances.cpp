@@ -47,13 +47,14 @@ void fill_gaps(const std::int32_t* to_left, const std::int32_t* to_right, int co
 /// are the border. Row y +- d is 2 d - 1 away.
 hn::Vec<Words> nearest_squares(const std::uint16_t* gaps, int y, int size_y) {
   const Words words;
-  const std::uint16_t* here = gaps + static_cast<std::ptrdiff_t>(y) * kColumns;
+  constexpr std::ptrdiff_t row = kColumns;
+  const std::uint16_t* here = gaps + y * row;
   auto best = hn::Load(words, here);
   for (int d = 1; d <= kMaxRows; ++d) {
     const auto away = hn::Set(words, static_cast<std::uint16_t>((2 * d - 1) * (2 * d - 1)));
     if (hn::AllFalse(words, hn::Gt(best, away))) break;
-    const auto above = hn::Load(words, here + std::min(d, size_y - y) * kColumns);
-    const auto below = hn::Load(words, here - std::min(d, y + 1) * kColumns);
+    const auto above = hn::Load(words, here + std::min(d, size_y - y) * row);
+    const auto below = hn::Load(words, here - std::min(d, y + 1) * row);
     best = hn::Min(best, hn::SaturatedAdd(away, hn::Min(above, below)));
   }
   return best;
