@@ -65,7 +65,7 @@ TEST_F(Coverage, ASearchThatWasKilledContinuesToTheSameBytes) {
       run("sh -c '" + search +
           "a.scenarios & until sqlite3 -readonly a.scenarios.partial \"SELECT text FROM notes\" "
           "2>/dev/null | "
-          "grep -q evaluations; do sleep 0.02; kill -0 $! || exit 9; done; kill -9 $!; wait $!'");
+          "grep -q evaluations.:; do sleep 0.02; kill -0 $! || exit 9; done; kill -9 $!; wait $!'");
   ASSERT_EQ(killed.status, 128 + 9) << killed.err;
   const ProgramResult continued = run(search + "a.scenarios -j 2");
   ASSERT_EQ(continued.status, 0) << continued.err;
