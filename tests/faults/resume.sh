@@ -9,6 +9,7 @@ plugin=${SLALOM_FAULTY:?the library of tests/faults/plugins}
 repetitions=$((seconds < 30 ? 10 : 20))
 lanes=$((seconds < 30 ? 1 : 4)) # for each way
 ends=$((seconds < 30 ? 3 : 20)) # of each campaign
+limit=$((seconds < 30 ? 8000 : 5000)) # ms without a result on disk; a test may share its processors
 cat >campaign.ini <<INI
 [campaign]
 methods = nd, slow
@@ -56,7 +57,7 @@ start() {
 pause() { sleep "$(printf '%d.%03d' $((RANDOM % (RANDOM % 4 ? 4 : 10))) $((RANDOM % 1000)))"; }
 
 # Ends a campaign at a random moment in the given way. Counts runs that were stored before and are not there afterwards,
-# and ends more than 5 s after results were last written.
+# and ends later than the limit after results were last written.
 end_at_random() {
   local way=$1 file=$2 began now after
   began=$(milliseconds)
@@ -80,7 +81,7 @@ end_at_random() {
   if [ "$after" -lt $total ] && [ $way != worker ]; then
     local written=$(($(stat -c %Y "$file" 2>/dev/null || echo 0) * 1000 + 999))
     [ $written -gt $began ] || written=$began
-    [ $((now - written)) -le 5000 ] || late=$((late + 1))
+    [ $((now - written)) -le $limit ] || late=$((late + 1))
   fi
   before=$after
 }
