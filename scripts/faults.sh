@@ -4,8 +4,8 @@
 #
 #   scripts/faults.sh [SECONDS [GROUP...]]
 #
-# SECONDS (default 60) is the time of the repeated cases of each group; `scripts/faults.sh 600 resume` ends campaigns about
-# 1,000 times. A group is a script tests/faults/GROUP.sh: it
+# SECONDS (default 60) is the time of the repeated cases of each group; `scripts/faults.sh 600 resume` ends campaigns more
+# than 1,000 times. A group is a script tests/faults/GROUP.sh: it
 # runs in an empty folder with the programs on PATH, gets SECONDS as its argument and prints a line
 # "case<TAB>expected<TAB>seen" for each case.
 set -u

@@ -102,7 +102,7 @@ std::optional<GeneratedBins> generate_file(const GenerationFile& file, const Ini
   try {
     ScenarioList list = ScenarioList::open(partial);
     bins = generate_list(list, ini, options, load_map, progress);
-    list.save_as(file.path);  // rewritten, so that its bytes do not tell of interruptions
+    list.save_as(file.path);  // rewritten: its bytes do not depend on interruptions
   } catch (...) {
     if (!is_begun(ScenarioList::open(partial))) ScenarioList::remove_file(partial);
     throw;

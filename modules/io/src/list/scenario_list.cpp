@@ -94,7 +94,8 @@ bool ScenarioList::remove(const std::string& hash) {
 
 void ScenarioList::set_note(const std::string& key, const std::string& text) {
   impl_->write([&] {
-    // Keeps the row of an existing note: the bytes of a list do not tell how often it was written.
+    // Keeps the row of an existing note: the bytes of a list do not depend on how often it was
+    // written.
     SQLite::Statement row(*impl_->database,
                           "INSERT INTO notes VALUES (?, ?) "
                           "ON CONFLICT (key) DO UPDATE SET text = excluded.text");
