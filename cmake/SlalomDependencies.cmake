@@ -36,3 +36,11 @@ if(NOT TARGET LCM::LCM)
   target_include_directories(LCM::LCM SYSTEM INTERFACE ${SLALOM_LCM_INCLUDE_DIR})
   target_link_libraries(LCM::LCM INTERFACE ${SLALOM_LCM_LIBRARY})
 endif()
+
+# The distribution's interpreter, for which its packages (NumPy) are made, before others on the path.
+if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python_EXECUTABLE /usr/bin/python3)
+endif()
+set(PYBIND11_FINDPYTHON ON)
+find_package(Python REQUIRED COMPONENTS Interpreter Development)
+find_package(pybind11 REQUIRED)

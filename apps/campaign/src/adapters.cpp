@@ -3,6 +3,7 @@
 #include <slalom/library/library_method.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
 #include <slalom/mrpt_nav/navigator_method.h>
+#include <slalom/python/python_method.h>
 
 namespace slalom {
 
@@ -14,6 +15,7 @@ MethodRegistry all_adapters() {
   registry.add("library", read_library_method);
   registry.add("mrpt_holonomic", read_holonomic_method);
   registry.add("mrpt_navigator", read_navigator_method);
+  registry.add("python", read_python_method);
   return registry;
 }
 

@@ -6,6 +6,7 @@
 #include <slalom/library/library_method.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
 #include <slalom/mrpt_nav/navigator_method.h>
+#include <slalom/python/python_method.h>
 
 namespace slalom {
 namespace {
@@ -41,6 +42,7 @@ std::string campaign_options_help() {
   list_section<HolonomicOptions>(text, "method.NAME");
   list_section<NavigatorOptions>(text, "method.NAME");
   list_section<LibraryOptions>(text, "method.NAME");
+  list_section<PythonOptions>(text, "method.NAME");
   list_section<LcmOptions>(text, "method.NAME");
   return text;
 }

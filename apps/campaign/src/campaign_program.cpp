@@ -13,8 +13,10 @@
 #include <slalom/library/library_method.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/metrics/cycle_time.h>
+#include <slalom/python/python_method.h>
 #include <slalom/rawlog/run_recorder.h>
 
+#include <filesystem>
 #include <iostream>
 
 namespace slalom {
@@ -72,6 +74,11 @@ std::map<std::string, std::string> files_of(const IniFile& ini,
     const std::string section = "method." + method.name;
     if (const auto plugin = ini.get(section, "plugin"); plugin && !plugin->empty())
       files[section + ".plugin"] = resolve_plugin_path(ini, section, *plugin);
+    const auto module = ini.get(section, "module");
+    if (ini.get(section, "adapter") == "python" && module && !module->empty())
+      files[section + ".module"] =
+          resolve_module_path(*module, std::filesystem::path(ini.name()).parent_path().string(),
+                              ini.where(section, "module"));
     if (const auto file = ini.get(section, "config"); file && !file->empty())
       files[section + ".config"] = *file;
   }

@@ -27,7 +27,8 @@ std::string method_names(const CampaignConfig& config) {
 
 /// Keys of methods that name files, whose contents are hashed instead, or places of the machine.
 bool is_place(const std::string& key) {
-  return contains({"plugin", "config", "url", "channel", "ptg_cache", "record_navlog"}, key);
+  return contains({"plugin", "module", "config", "url", "channel", "ptg_cache", "record_navlog"},
+                  key);
 }
 
 }  // namespace

@@ -1,0 +1,73 @@
+#include "interpreter.h"
+
+#include <slalom/core/text.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+namespace slalom {
+namespace {
+
+/// Environments of Python are found through the path of their interpreter.
+std::string interpreter_path() {
+  const char* environment = std::getenv("VIRTUAL_ENV");
+  if (environment == nullptr || *environment == '\0') return SLALOM_PYTHON_EXECUTABLE;
+  return (std::filesystem::path(environment) / "bin" / "python3").string();
+}
+
+void require(const PyStatus& status) {
+  if (PyStatus_Exception(status))
+    throw std::runtime_error(std::string("Python does not start: ") +
+                             (status.err_msg != nullptr ? status.err_msg : "no reason given"));
+}
+
+struct Config : PyConfig {
+  Config() { PyConfig_InitPythonConfig(this); }
+  ~Config() { PyConfig_Clear(this); }
+  Config(const Config&) = delete;
+  Config& operator=(const Config&) = delete;
+};
+
+}  // namespace
+
+void start_interpreter() {
+  if (Py_IsInitialized() != 0) return;
+  // Threads of numerical libraries would change the order of additions, and outlive runs.
+  for (const char* name : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"})
+    setenv(name, "1", 0);
+  Config config;
+  config.install_signal_handlers = 0;
+  config.write_bytecode = 0;
+  config.use_hash_seed = 1;
+  config.hash_seed = 0;
+  const std::string path = interpreter_path();
+  require(PyConfig_SetBytesString(&config, &config.program_name, path.c_str()));
+  require(PyConfig_SetBytesString(&config, &config.executable, path.c_str()));
+  require(Py_InitializeFromConfig(&config));
+  PyEval_SaveThread();
+}
+
+std::string describe(const pybind11::error_already_set& error) {
+  namespace py = pybind11;
+  py::module_::import("traceback")
+      .attr("print_exception")(error.type(), error.value(), error.trace());
+  std::string text = py::str(error.type().attr("__name__"));
+  const std::string message = py::str(error.value());
+  if (!message.empty()) text += ": " + message;
+  std::string places;
+  if (error.trace())
+    for (const py::handle frame :
+         py::module_::import("traceback").attr("extract_tb")(error.trace())) {
+      const std::filesystem::path file = py::str(frame.attr("filename")).cast<std::string>();
+      if (starts_with(file.string(), "<frozen")) continue;  // of Python itself
+      places += (places.empty() ? "" : ", ") + file.filename().string() + ":" +
+                std::string(py::str(frame.attr("lineno"))) + " in " +
+                std::string(py::str(frame.attr("name")));
+    }
+  for (char& c : text)
+    if (c == '\n') c = ' ';
+  return places.empty() ? text : text + " (" + places + ")";
+}
+
+}  // namespace slalom

@@ -1,0 +1,119 @@
+#include "interpreter.h"
+#include "python_class.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace slalom {
+namespace {
+
+namespace py = pybind11;
+
+/// The declaration of an option in the class.
+struct Declaration {
+  std::string key;
+  py::object default_value;
+};
+
+std::vector<Declaration> read_declarations(const py::object& type, const OptionLocation& where) {
+  const std::string expected = "options = {\"NAME\": (DEFAULT, \"UNIT\", \"HELP\"), ...}";
+  const py::object options = py::getattr(type, "options", py::dict());
+  if (!py::isinstance<py::dict>(options))
+    throw usage_error(where("class"), "options of the class are not a dict", expected);
+  std::vector<Declaration> declarations;
+  for (const auto& [key, value] : options.cast<py::dict>()) {
+    const bool valid =
+        py::isinstance<py::str>(key) && py::isinstance<py::tuple>(value) && py::len(value) == 3;
+    if (!valid)
+      throw usage_error(where("class"), "malformed option " + std::string(py::repr(key)), expected);
+    declarations.push_back({key.cast<std::string>(), value.cast<py::tuple>()[0]});
+  }
+  return declarations;
+}
+
+/// The value of an option as the type of its default; `where` as for an .ini.
+py::object convert(const Declaration& declaration, const std::string& text,
+                   const std::string& where) {
+  const auto invalid = [&](const char* expected) {
+    return usage_error(where, "'" + text + "' is not valid", expected);
+  };
+  const py::object& given = declaration.default_value;
+  if (py::isinstance<py::bool_>(given)) {
+    if (text != "true" && text != "false") throw invalid("true or false");
+    return py::bool_(text == "true");
+  }
+  if (py::isinstance<py::int_>(given)) {
+    long long number = 0;
+    if (!parse_integer(text, number)) throw invalid("an integer");
+    return py::int_(number);
+  }
+  if (py::isinstance<py::float_>(given)) {
+    double number = 0;
+    if (!parse_number(text, number)) throw invalid("a number");
+    return py::float_(number);
+  }
+  return py::str(text);
+}
+
+}  // namespace
+
+py::module_ import_module(const std::string& path, const std::string& where) {
+  const std::filesystem::path file(path);
+  try {
+    py::module_::import("sys").attr("path").attr("insert")(0, file.parent_path().string());
+    const py::module_ util = py::module_::import("importlib.util");
+    const py::object spec = util.attr("spec_from_file_location")(file.stem().string(), path);
+    if (spec.is_none()) throw usage_error(where, path + " is not a Python module", "a .py file");
+    const py::object module = util.attr("module_from_spec")(spec);
+    py::module_::import("sys").attr("modules")[py::str(file.stem().string())] = module;
+    spec.attr("loader").attr("exec_module")(module);
+    return module.cast<py::module_>();
+  } catch (const py::error_already_set& error) {
+    throw usage_error(where, path + " cannot be imported: " + describe(error));
+  }
+}
+
+py::object find_class(const py::module_& module, const std::string& name,
+                      const std::string& where) {
+  std::vector<std::string> classes;
+  for (const auto& [key, value] : module.attr("__dict__").cast<py::dict>())
+    if (PyType_Check(value.ptr())) classes.push_back(py::str(key));
+  if (!contains(classes, name))
+    throw usage_error(where, "no class '" + name + "' in the module",
+                      expected_name(name, classes, "a class with reset() and step()"));
+  const py::object type = module.attr(name.c_str());
+  for (const char* function : {"reset", "step"})
+    if (!py::hasattr(type, function) || PyCallable_Check(type.attr(function).ptr()) == 0)
+      throw usage_error(where, "class " + name + " has no " + function + "()",
+                        "reset(task) and step(observation)");
+  return type;
+}
+
+py::object read_class_options(const py::object& type,
+                              const std::vector<std::pair<std::string, std::string>>& values,
+                              const OptionLocation& where) {
+  const std::vector<Declaration> declarations = read_declarations(type, where);
+  const py::object options = py::module_::import("types").attr("SimpleNamespace")();
+  std::vector<std::string> known;
+  for (const Declaration& declaration : declarations) {
+    known.push_back(declaration.key);
+    py::setattr(options, declaration.key.c_str(), declaration.default_value);
+  }
+  for (const auto& [key, text] : values) {
+    const auto declared = std::find(known.begin(), known.end(), key);
+    if (declared == known.end())
+      throw usage_error(
+          where(key), "unknown option of the class",
+          expected_name(key, known,
+                        known.empty() ? "no keys except adapter, module and class" : ""));
+    const Declaration& declaration =
+        declarations[static_cast<std::size_t>(declared - known.begin())];
+    py::setattr(options, key.c_str(), convert(declaration, text, where(key)));
+  }
+  return options;
+}
+
+}  // namespace slalom

@@ -1,0 +1,218 @@
+#include "interpreter.h"
+#include "python_class.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/python/python_method.h>
+
+#include <filesystem>
+#include <pybind11/numpy.h>
+#include <system_error>
+
+namespace slalom {
+namespace {
+
+namespace py = pybind11;
+
+/// The robot and its sensor, with the names of slalom_method.h.
+py::object describe_robot(const RobotModel& robot, const SensorModel& sensor) {
+  const Footprint footprint = robot.shape();
+  py::list corners;
+  for (const auto& corner : footprint.corners()) corners.append(py::make_tuple(corner.x, corner.y));
+  return py::module_::import("types").attr("SimpleNamespace")(
+      py::arg("radius") = robot.radius, py::arg("footprint") = corners,
+      py::arg("holonomic") = robot.holonomic(), py::arg("forward_only") = robot.forward_only,
+      py::arg("max_v") = robot.max_v, py::arg("max_w") = robot.max_w,
+      py::arg("max_accel_v") = robot.max_accel_v, py::arg("max_accel_w") = robot.max_accel_w,
+      py::arg("rays") = sensor.rays, py::arg("aperture") = sensor.aperture(),
+      py::arg("max_range") = sensor.max_range);
+}
+
+/// Ranges of the current scan. Python has a view of them, which later scans overwrite.
+class Ranges {
+ public:
+  py::object set(const mrpt::obs::CObservation2DRangeScan& scan) {
+    const std::size_t count = scan.getScanSize();
+    if (!array_ || static_cast<std::size_t>(array_.size()) != count) {
+      array_ = py::array_t<float>(static_cast<py::ssize_t>(count));
+      data_ = array_.mutable_data();
+      py::setattr(array_.attr("flags"), "writeable", py::bool_(false));
+    }
+    for (std::size_t i = 0; i < count; ++i) data_[i] = scan.getScanRange(i);
+    return array_;
+  }
+
+ private:
+  py::array_t<float> array_ = py::reinterpret_steal<py::array_t<float>>(nullptr);
+  float* data_ = nullptr;
+};
+
+/// Names of attributes, made once.
+struct Names {
+  py::str time{"time"}, x{"x"}, y{"y"}, phi{"phi"}, v{"v"}, vy{"vy"}, w{"w"}, goal_x{"goal_x"},
+      goal_y{"goal_y"}, ranges{"ranges"};
+};
+
+/// The objects of Python that belong to a method. Made, used and destroyed by a thread that holds
+/// the interpreter's lock.
+class PythonObject {
+ public:
+  explicit PythonObject(const py::object& object)
+      : reset_(object.attr("reset")),
+        step_(object.attr("step")),
+        finish_(py::getattr(object, "finish", py::none())),
+        make_namespace_(py::module_::import("types").attr("SimpleNamespace")) {}
+
+  void reset(const NavigationTask& task) {
+    reset_(make_namespace_(
+        py::arg("start_x") = task.start.x, py::arg("start_y") = task.start.y,
+        py::arg("start_phi") = task.start.phi, py::arg("goal_x") = task.goal.x,
+        py::arg("goal_y") = task.goal.y, py::arg("goal_tolerance") = task.goal_tolerance,
+        py::arg("control_period") = task.control_period, py::arg("seed") = task.seed));
+  }
+
+  Command step(const Observation& observation) {
+    const py::object input = make_namespace_();
+    const auto set = [&](const py::str& name, double value) {
+      py::setattr(input, name, py::float_(value));
+    };
+    set(names_.time, observation.time);
+    set(names_.x, observation.odometry.x);
+    set(names_.y, observation.odometry.y);
+    set(names_.phi, observation.odometry.phi);
+    set(names_.v, observation.v);
+    set(names_.vy, observation.vy);
+    set(names_.w, observation.w);
+    set(names_.goal_x, observation.goal_in_robot.x);
+    set(names_.goal_y, observation.goal_in_robot.y);
+    py::setattr(input, names_.ranges, ranges_.set(*observation.scan));
+    return to_command(step_(input));
+  }
+
+  void finish(const std::string& outcome) {
+    if (!finish_.is_none()) finish_(outcome);
+  }
+
+ private:
+  static Command to_command(const py::object& output) {
+    const bool sequence = PySequence_Check(output.ptr()) != 0 && !py::isinstance<py::str>(output);
+    const std::size_t size = sequence ? py::len(output) : 0;
+    Command command;
+    try {
+      if (size != 2 && size != 3) throw py::cast_error("size");
+      command.v = output[py::int_(0)].cast<double>();
+      command.w = output[py::int_(1)].cast<double>();
+      if (size == 3) command.vy = output[py::int_(2)].cast<double>();
+    } catch (const py::cast_error&) {
+      throw MethodError("step() returned " + std::string(py::repr(output)) +
+                        "; expected (v, w) or (v, w, vy)");
+    }
+    return command;
+  }
+
+  py::object reset_, step_, finish_, make_namespace_;
+  Names names_;
+  Ranges ranges_;
+};
+
+class PythonMethod : public Method {
+ public:
+  /// The caller holds the interpreter's lock.
+  explicit PythonMethod(const py::object& object)
+      : object_(std::make_unique<PythonObject>(object)) {}
+  ~PythonMethod() override {
+    const py::gil_scoped_acquire lock;
+    object_.reset();
+  }
+  PythonMethod(const PythonMethod&) = delete;
+  PythonMethod& operator=(const PythonMethod&) = delete;
+
+  void reset(const NavigationTask& task) override {
+    call([&] { object_->reset(task); });
+  }
+  Command step(const Observation& observation) override {
+    Command command;
+    call([&] { command = object_->step(observation); });
+    return command;
+  }
+  void finish(const std::string& outcome) override {
+    call([&] { object_->finish(outcome); });
+  }
+
+ private:
+  template <typename Action>
+  static void call(Action action) {
+    const py::gil_scoped_acquire lock;
+    try {
+      action();
+    } catch (const py::error_already_set& error) {
+      throw MethodError(describe(error));
+    }
+  }
+
+  std::unique_ptr<PythonObject> object_;
+};
+
+std::unique_ptr<Method> load(const PythonOptions& options, const OptionLocation& where,
+                             const RobotModel& robot, const SensorModel& sensor) {
+  if (options.module.empty()) throw usage_error(where(""), "missing module", "module = FILE.py");
+  const std::string path = resolve_module_path(options.module, options.folder, where("module"));
+  try {
+    start_interpreter();
+  } catch (const std::runtime_error& error) {
+    throw usage_error(where(""), error.what());
+  }
+  const py::gil_scoped_acquire lock;
+  const py::object type =
+      find_class(import_module(path, where("module")), options.class_name, where("class"));
+  const py::object class_options = read_class_options(type, options.parameters, where);
+  try {
+    py::module_::import("numpy");
+    return std::make_unique<PythonMethod>(type(describe_robot(robot, sensor), class_options));
+  } catch (const py::error_already_set& error) {
+    throw usage_error(where("class"),
+                      options.class_name + " cannot be created: " + describe(error));
+  }
+}
+
+MethodFactory make_factory(const PythonOptions& options, const OptionLocation& where) {
+  return [options, where](const RobotModel& robot, const SensorModel& sensor) {
+    return load(options, where, robot, sensor);
+  };
+}
+
+}  // namespace
+
+std::string resolve_module_path(const std::string& module, const std::string& folder,
+                                const std::string& where) {
+  namespace fs = std::filesystem;
+  const fs::path path = fs::absolute(fs::path(folder) / module).lexically_normal();
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored))
+    throw usage_error(where, "module '" + module + "' not found", "a file at " + path.string());
+  return path.string();
+}
+
+void PythonOptions::visit(OptionVisitor& v) {
+  std::string adapter = "python";
+  v.option("adapter", adapter, "adapter of this method", {"python"});
+  v.option("module", module, "file of the Python module");
+  v.option("class", class_name, "class of the module, with reset() and step()");
+}
+
+MethodFactory python_method(const PythonOptions& options) {
+  return make_factory(options, location_of("python_method"));
+}
+
+MethodFactory read_python_method(const IniFile& ini, const std::string& section) {
+  PythonOptions options;
+  OptionReader reader(ini, section);
+  options.visit(reader);
+  options.folder = std::filesystem::path(ini.name()).parent_path().string();
+  for (const std::string& key : ini.keys(section))
+    if (!contains(reader.known_keys(), key))
+      options.parameters.emplace_back(key, *ini.get(section, key));
+  return make_factory(options, location_in(ini, section));
+}
+
+}  // namespace slalom

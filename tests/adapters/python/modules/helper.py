@@ -1,0 +1,6 @@
+def command():
+    return 0.125, 0.5
+
+
+def fail():
+    raise KeyError("no such\nplan")

@@ -1,0 +1,141 @@
+#include "program_run.h"
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A method that moves to the goal, except for what `fault` says.
+constexpr char kModule[] = R"(
+import math, os, sys, threading, time
+
+class Method:
+    options = {"fault": ("none", "-", "")}
+
+    def __init__(self, robot, options):
+        self.robot, self.fault = robot, options.fault
+
+    def reset(self, task):
+        self.cycles = 0
+
+    def step(self, o):
+        self.cycles += 1
+        if self.cycles == 5:
+            getattr(self, self.fault)()
+        w = max(-self.robot.max_w, min(self.robot.max_w, math.atan2(o.goal_y, o.goal_x)))
+        return min(self.robot.max_v, 0.5), w
+
+    def none(self): pass
+    def error(self): raise RuntimeError("lost")
+    def kill(self): os.abort()
+    def leave(self): os._exit(3)
+    def hang(self):
+        while True: pass
+    def thread(self): threading.Thread(target=time.sleep, args=(60,), daemon=True).start()
+    def package(self):
+        import only_here
+        raise RuntimeError(only_here.TEXT)
+)";
+
+class PythonProgramTest : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("method.py", kModule);
+    std::string text = kSmallCampaign;
+    text.replace(text.find("nd, gap"), 7, "gap, mine");
+    write("small.ini",
+          text + "[method.mine]\nadapter = python\nmodule = method.py\nclass = Method\n");
+  }
+
+  /// The records of the runs of method mine.
+  std::vector<Json> runs(const std::string& fault, const std::string& arguments = "",
+                         const std::string& environment = "") const {
+    const ProgramResult result =
+        run("env " + environment +
+            " slalom-simulate run -c small.ini --overwrite -o runs.results --quiet " +
+            "--set method.mine.fault=" + fault + " " + arguments);
+    EXPECT_LE(result.status, 1) << result.err;
+    std::istringstream lines(run("slalom-analyze dump runs.results").out);
+    std::vector<Json> records;
+    for (std::string line; std::getline(lines, line);)
+      if (Json record = Json::parse(line); record.at("method") == "mine") records.push_back(record);
+    EXPECT_EQ(records.size(), 4U);
+    return records;
+  }
+
+  void expect_outcome(const std::string& outcome, const std::string& detail,
+                      const std::vector<Json>& records) const {
+    for (const Json& record : records) {
+      EXPECT_EQ(record.at("outcome"), outcome) << record.dump();
+      EXPECT_NE(record.dump().find(detail), std::string::npos) << record.dump();
+    }
+  }
+};
+
+TEST_F(PythonProgramTest, ResultsDoNotDependOnTheNumberOfWorkers) {
+  runs("none", "-j 1");
+  const std::string one = run("slalom-analyze dump runs.results").out;
+  runs("none", "-j 2");
+  EXPECT_EQ(run("slalom-analyze dump runs.results").out, one);
+}
+
+TEST_F(PythonProgramTest, AnExceptionEndsItsRunWithTheTraceback) {
+  expect_outcome("method_error", "RuntimeError: lost (method.py:", runs("error"));
+}
+
+TEST_F(PythonProgramTest, AnInterpreterThatCrashesOrExitsEndsItsRun) {
+  expect_outcome("method_crash", "", runs("kill"));
+  expect_outcome("method_crash", "status 3", runs("leave"));
+}
+
+TEST_F(PythonProgramTest, AnInterpreterThatHangsEndsItsRunAtTheDeadline) {
+  expect_outcome("method_deadline", "", runs("hang", "-j 2 --set limits.run_wall_time=0.5"));
+}
+
+TEST_F(PythonProgramTest, AThreadThatGoesOnDoesNotChangeLaterRuns) {
+  const auto expected = runs("none");
+  EXPECT_EQ(runs("thread"), expected);
+}
+
+TEST_F(PythonProgramTest, WritesNothingToTheFolderOfTheModule) {
+  runs("none");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "__pycache__"));
+}
+
+TEST_F(PythonProgramTest, PackagesOfAnActivatedEnvironmentCanBeImported) {
+  ASSERT_EQ(run(PYTHON " -m venv --without-pip --system-site-packages env").status, 0);
+  const ProgramResult packages = run(
+      "env/bin/python3 -c 'import sysconfig; print(sysconfig.get_path(\"purelib\"), end=\"\")'");
+  std::ofstream(std::filesystem::path(packages.out) / "only_here.py") << "TEXT = 'found'\n";
+  expect_outcome("method_error", "RuntimeError: found",
+                 runs("package", "", "VIRTUAL_ENV=" + (folder_ / "env").string()));
+  expect_outcome("method_error", "ModuleNotFoundError", runs("package", "", "-u VIRTUAL_ENV"));
+}
+
+TEST_F(PythonProgramTest, AnotherModuleIsAnotherCampaign) {
+  ASSERT_EQ(run("slalom-simulate run -c small.ini -o runs.results --quiet").status, 0);
+  write("method.py", std::string(kModule) + "# changed\n");
+  expect_failure("slalom-simulate run -c small.ini -o runs.results", 3, {"method.mine.module"});
+}
+
+TEST_F(PythonProgramTest, AMissingModuleStopsBeforeTheFirstRun) {
+  expect_failure(
+      "slalom-simulate run -c small.ini -o runs.results --set method.mine.module=none.py", 2,
+      {"method.mine.module", "'none.py' not found"});
+}
+
+TEST_F(PythonProgramTest, TheExampleIsTheOneInTheDocuments) {
+  const std::string source = SLALOM_SOURCE;
+  const std::string document = read_text(source + "/docs/methods.md");
+  const std::string module = read_text(source + "/examples/python_method/my_method.py");
+  std::string ini = read_text(source + "/examples/python_method/campaign.ini");
+  ini.erase(0, ini.find('\n') + 1);  // the comment that says how to run it
+  EXPECT_NE(document.find("```python my_method.py\n" + module + "```\n"), std::string::npos);
+  EXPECT_NE(document.find("```ini python.ini\n" + ini + "```\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace slalom
