@@ -35,8 +35,10 @@ std::vector<Declaration> read_declarations(const py::object& type, const OptionL
 }
 
 /// The value of an option as the type of its default; `where` as for an .ini.
-py::object convert(const Declaration& declaration, const std::string& text,
+py::object convert(const Declaration& declaration, const py::object& value,
                    const std::string& where) {
+  if (!py::isinstance<py::str>(value)) return value;
+  const auto text = value.cast<std::string>();
   const auto invalid = [&](const char* expected) {
     return usage_error(where, "'" + text + "' is not valid", expected);
   };
@@ -84,16 +86,19 @@ py::object find_class(const py::module_& module, const std::string& name,
   if (!contains(classes, name))
     throw usage_error(where, "no class '" + name + "' in the module",
                       expected_name(name, classes, "a class with reset() and step()"));
-  const py::object type = module.attr(name.c_str());
-  for (const char* function : {"reset", "step"})
-    if (!py::hasattr(type, function) || PyCallable_Check(type.attr(function).ptr()) == 0)
-      throw usage_error(where, "class " + name + " has no " + function + "()",
-                        "reset(task) and step(observation)");
-  return type;
+  return module.attr(name.c_str());
 }
 
-py::object read_class_options(const py::object& type,
-                              const std::vector<std::pair<std::string, std::string>>& values,
+void check_class(const py::object& type, const std::string& where) {
+  for (const char* function : {"reset", "step"})
+    if (!py::hasattr(type, function) || PyCallable_Check(type.attr(function).ptr()) == 0)
+      throw usage_error(where,
+                        std::string(py::str(py::getattr(type, "__name__", py::str("object")))) +
+                            " has no " + function + "()",
+                        "a class with reset(task) and step(observation)");
+}
+
+py::object make_class_options(const py::object& type, const py::dict& values,
                               const OptionLocation& where) {
   const std::vector<Declaration> declarations = read_declarations(type, where);
   const py::object options = py::module_::import("types").attr("SimpleNamespace")();
@@ -102,16 +107,15 @@ py::object read_class_options(const py::object& type,
     known.push_back(declaration.key);
     py::setattr(options, declaration.key.c_str(), declaration.default_value);
   }
-  for (const auto& [key, text] : values) {
+  for (const auto& [name, value] : values) {
+    const auto key = name.cast<std::string>();
     const auto declared = std::find(known.begin(), known.end(), key);
     if (declared == known.end())
-      throw usage_error(
-          where(key), "unknown option of the class",
-          expected_name(key, known,
-                        known.empty() ? "no keys except adapter, module and class" : ""));
-    const Declaration& declaration =
-        declarations[static_cast<std::size_t>(declared - known.begin())];
-    py::setattr(options, key.c_str(), convert(declaration, text, where(key)));
+      throw usage_error(where(key), "unknown option of the class",
+                        expected_name(key, known, known.empty() ? "no options" : ""));
+    const auto& declaration = declarations[static_cast<std::size_t>(declared - known.begin())];
+    py::setattr(options, key.c_str(),
+                convert(declaration, py::reinterpret_borrow<py::object>(value), where(key)));
   }
   return options;
 }

@@ -13,15 +13,18 @@ namespace slalom {
 /// Throws Error (Usage) at `where`.
 pybind11::module_ import_module(const std::string& path, const std::string& where);
 
-/// The class of the module. Throws Error (Usage) at `where` unless it has reset() and step().
+/// The class of the module. Throws Error (Usage) at `where` if there is none.
 pybind11::object find_class(const pybind11::module_& module, const std::string& name,
                             const std::string& where);
 
-/// An object with the options that the class declares as attributes: the given values, of the type
-/// of their defaults, else the defaults. Throws Error (Usage) for an option that is not declared,
-/// or whose value does not have this type, and for a declaration that is not (default, unit, help).
-pybind11::object read_class_options(const pybind11::object& type,
-                                    const std::vector<std::pair<std::string, std::string>>& values,
+/// Throws Error (Usage) at `where` for a class without reset() or step().
+void check_class(const pybind11::object& type, const std::string& where);
+
+/// An object with the options that the class declares as attributes: the given values, else the
+/// defaults. Texts are converted to the type of the default. Throws Error (Usage) for an option
+/// that is not declared, or whose text does not have this type, and for a declaration that is not
+/// (default, unit, help).
+pybind11::object make_class_options(const pybind11::object& type, const pybind11::dict& values,
                                     const OptionLocation& where);
 
 }  // namespace slalom

@@ -153,6 +153,19 @@ class PythonMethod : public Method {
   std::unique_ptr<PythonObject> object_;
 };
 
+/// The caller holds the interpreter's lock.
+std::unique_ptr<Method> create(const py::object& type, const py::object& options,
+                               const std::string& where, const RobotModel& robot,
+                               const SensorModel& sensor) {
+  try {
+    py::module_::import("numpy");
+    return std::make_unique<PythonMethod>(type(describe_robot(robot, sensor), options));
+  } catch (const py::error_already_set& error) {
+    throw usage_error(where, std::string(py::str(type.attr("__name__"))) +
+                                 " cannot be created: " + describe(error));
+  }
+}
+
 std::unique_ptr<Method> load(const PythonOptions& options, const OptionLocation& where,
                              const RobotModel& robot, const SensorModel& sensor) {
   if (options.module.empty()) throw usage_error(where(""), "missing module", "module = FILE.py");
@@ -165,15 +178,39 @@ std::unique_ptr<Method> load(const PythonOptions& options, const OptionLocation&
   const py::gil_scoped_acquire lock;
   const py::object type =
       find_class(import_module(path, where("module")), options.class_name, where("class"));
-  const py::object class_options = read_class_options(type, options.parameters, where);
-  try {
-    py::module_::import("numpy");
-    return std::make_unique<PythonMethod>(type(describe_robot(robot, sensor), class_options));
-  } catch (const py::error_already_set& error) {
-    throw usage_error(where("class"),
-                      options.class_name + " cannot be created: " + describe(error));
-  }
+  check_class(type, where("class"));
+  py::dict values;
+  for (const auto& [key, text] : options.parameters) values[py::str(key)] = text;
+  return create(type, make_class_options(type, values, where), where("class"), robot, sensor);
 }
+
+/// A class with its options, which a forked process uses too.
+class PythonClass {
+ public:
+  PythonClass(const py::object& type, const py::object& options, std::string where)
+      : type_(type), options_(options), where_(std::move(where)), process_(getpid()) {}
+  ~PythonClass() {
+    const py::gil_scoped_acquire lock;
+    type_ = py::object();
+    options_ = py::object();
+  }
+  PythonClass(const PythonClass&) = delete;
+  PythonClass& operator=(const PythonClass&) = delete;
+
+  std::unique_ptr<Method> create_method(const RobotModel& robot, const SensorModel& sensor) {
+    if (getpid() != process_) PyOS_AfterFork_Child();
+    process_ = getpid();
+    const py::gil_scoped_acquire lock;
+    // A copy, so that no method changes the options of the next.
+    const py::object options = py::module_::import("copy").attr("copy")(options_);
+    return create(type_, options, where_, robot, sensor);
+  }
+
+ private:
+  py::object type_, options_;
+  std::string where_;
+  pid_t process_;
+};
 
 MethodFactory make_factory(const PythonOptions& options, const OptionLocation& where) {
   return [options, where](const RobotModel& robot, const SensorModel& sensor) {
@@ -202,6 +239,17 @@ void PythonOptions::visit(OptionVisitor& v) {
 
 MethodFactory python_method(const PythonOptions& options) {
   return make_factory(options, location_of("python_method"));
+}
+
+MethodFactory python_method(const py::object& type, const py::dict& options,
+                            const std::string& where) {
+  check_class(type, where);
+  const OptionLocation locate = [where](const std::string& key) { return where + " " + key; };
+  const auto shared =
+      std::make_shared<PythonClass>(type, make_class_options(type, options, locate), where);
+  return [shared](const RobotModel& robot, const SensorModel& sensor) {
+    return shared->create_method(robot, sensor);
+  };
 }
 
 MethodFactory read_python_method(const IniFile& ini, const std::string& section) {

@@ -15,19 +15,22 @@ namespace {
 /// Collects the records of a campaign in a table.
 class TableSink : public CampaignSink {
  public:
-  explicit TableSink(const CampaignOptions& options)
-      : builder_(options.descriptor_infos(), options.metric_infos()) {}
+  TableSink(const CampaignOptions& campaign, const Options& options)
+      : builder_(campaign.descriptor_infos(), campaign.metric_infos()), options_(options) {}
 
   void add_scenario(const ScenarioRecord& record, const Scenario&, const References&) override {
     builder_.add_scenario(record);
   }
-  void add_run(const RunRecord& run, const RunTiming& timing, const Trajectory&) override {
+  void add_run(const RunRecord& run, const RunTiming& timing,
+               const Trajectory& trajectory) override {
     builder_.add_run(run, timing);
+    if (options_.observer) options_.observer(run, trajectory);
   }
   ResultTable finish() { return builder_.finish(); }
 
  private:
   TableBuilder builder_;
+  const Options& options_;
 };
 
 CampaignOptions campaign_options(const Options& options) {
@@ -45,7 +48,8 @@ CampaignOptions campaign_options(const Options& options) {
   campaign.setup.simulation = options.simulation;
   campaign.setup.deadline = options.limits.deadline;
   campaign.limits = options.limits;
-  campaign.record.trajectories = StoredTrajectories::None;
+  campaign.record.trajectories =
+      options.observer ? StoredTrajectories::All : StoredTrajectories::None;
   return checked_options(std::move(campaign), "options ");
 }
 
@@ -83,7 +87,7 @@ ResultTable evaluate(const Methods& methods, const std::vector<Scenario>& scenar
   const Campaign campaign{campaign_options(options), without_duplicates(scenarios), methods.list(),
                           options.planner.get()};
   if (!options.in_process) check_methods(campaign);
-  TableSink sink(campaign.options);
+  TableSink sink(campaign.options, options);
   CallbackProgress progress(options);
   run_campaign(campaign, sink, {options.workers, progress, options.cancel, options.in_process});
   ResultTable table = sink.finish();

@@ -187,8 +187,8 @@ TEST(PythonMethod, IsRefusedWithoutAModuleThatCanBeImported) {
 TEST(PythonMethod, IsRefusedWithoutAClassThatIsComplete) {
   EXPECT_TRUE(refuses(section_for("echo.py", "Ecko"), "4: [method.a] class",
                       {"no class 'Ecko'", "'Echo'"}));
-  EXPECT_TRUE(refuses(section_for("echo.py", "NoStep"), "4: [method.a] class",
-                      {"class NoStep has no step()"}));
+  EXPECT_TRUE(
+      refuses(section_for("echo.py", "NoStep"), "4: [method.a] class", {"NoStep has no step()"}));
   EXPECT_TRUE(refuses(section_for("echo.py", "BadOptions"), "4: [method.a] class",
                       {"malformed option 'gain'"}));
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace slalom {
@@ -44,6 +45,20 @@ std::vector<double> values_of(const ResultTable& table, const std::string& id) {
 
 std::string outcome_of(const ResultTable& table, std::size_t run) {
   return table.outcomes[table.outcome[run]];
+}
+
+TEST(Evaluate, ShowsEachRunWithItsTrajectoryToTheObserver) {
+  std::map<std::string, std::string> hashes;  // of trajectories, by run
+  Options options;
+  options.observer = [&](const RunRecord& run, const Trajectory& trajectory) {
+    EXPECT_EQ(trajectory.hash(), run.trajectory_hash);
+    EXPECT_GT(trajectory.samples.size(), 1U);
+    hashes[run_id(run)] = trajectory.hash();
+  };
+  const ResultTable table = evaluate(towards_goal_only(), two_fields(), options);
+  ASSERT_EQ(hashes.size(), table.size());
+  for (std::size_t run = 0; run < table.size(); ++run)
+    EXPECT_EQ(hashes.count(run_id(table, run)), 1U);
 }
 
 TEST(Evaluate, RunsAFunctionInEveryScenario) {

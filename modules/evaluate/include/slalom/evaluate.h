@@ -13,6 +13,7 @@
 #include <slalom/references/reference.h>
 #include <slalom/results/result_table.h>
 #include <slalom/scenario/scenario.h>
+#include <slalom/trajectory/trajectory.h>
 
 #include <cstdint>
 #include <functional>
@@ -62,6 +63,9 @@ struct Options {
   bool in_process = false;  ///< without workers and limits, to debug a method
   /// Called with the current phase, and the number of its steps that are done and in total.
   std::function<void(const std::string& phase, std::size_t done, std::size_t total)> progress = {};
+  /// Called with each run and its trajectory, in an order that may depend on the workers; null:
+  /// trajectories stay in the workers.
+  std::function<void(const RunRecord& run, const Trajectory& trajectory)> observer = {};
   /// Polled; when it returns true the evaluation ends, and finished runs are returned.
   std::function<bool()> cancel = {};
 };

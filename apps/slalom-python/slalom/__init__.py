@@ -1,0 +1,142 @@
+"""Automatic evaluation of obstacle avoidance methods for mobile robots.
+
+    import slalom
+
+    scenarios = slalom.generate("random", 100, seed=1)
+    results = slalom.evaluate({"mine": MyMethod, "nd": slalom.mrpt_holonomic("CHolonomicND")}, scenarios)
+    print(results.table("density:4", ["success", "optimality"]))
+
+A method is a class as described in docs/methods.md. Lengths are in m, angles in rad, times in s.
+"""
+
+import os
+
+from ._slalom import Error, Scenario, __version__, read_scenarios, write_scenarios
+from . import _slalom
+
+__all__ = [
+    "Error",
+    "Results",
+    "Scenario",
+    "TRAJECTORY_COLUMNS",
+    "evaluate",
+    "generate",
+    "mrpt_holonomic",
+    "plugin",
+    "read_scenarios",
+    "write_scenarios",
+]
+
+#: Columns of the arrays in Results.trajectories.
+TRAJECTORY_COLUMNS = ("t", "x", "y", "phi", "v", "w", "command_v", "command_w", "vy", "command_vy")
+
+
+class Results(dict):
+    """The results by column, one value per run, in the order of scenario, method and repetition.
+
+    pandas.DataFrame(results) is a data frame. Metrics and descriptors are float64 arrays, NaN where
+    a value is not available; `reasons[column][row]` says why. `timing` has columns of
+    wall-clock figures, which differ from run to run. `trajectories` has for each run an
+    array of samples with TRAJECTORY_COLUMNS, or is None.
+    """
+
+    def __init__(self, columns, timing, reasons, trajectories, table):
+        super().__init__(columns)
+        self.timing = timing
+        self.reasons = reasons
+        self.trajectories = trajectories
+        self._table = table
+
+    @property
+    def manifest(self):
+        """The settings by "SECTION.KEY", and the versions of the software, as texts."""
+        return self._table.manifest
+
+    def table(self, rows, columns, confidence=0.95):
+        """Tables of metrics in bins of a descriptor, one per method, as text. `rows` is "all",
+        "density:4" (bins of equal width), "density:q4" (with equal numbers of scenarios) or
+        "density:0,0.1,0.2" (edges)."""
+        return _slalom.cross_table(self._table, rows, columns, confidence)
+
+
+def generate(family, count, seed=1, *, workers=1, robot=None, simulation=None, **options):
+    """Generates distinct scenarios that are solvable for the robot.
+
+    `family` is the name of a generator ("random", "maze", ...), `options` are the keys of its section
+    in an .ini; `robot` and `simulation` are dicts of the keys of theirs.
+    """
+    sections = {"robot": robot, "simulation": simulation, "generator." + family: options}
+    return _slalom.generate(family, count, seed, workers, sections)
+
+
+def evaluate(
+    methods,
+    scenarios,
+    *,
+    robot=None,
+    sensor=None,
+    odometry=None,
+    simulation=None,
+    limits=None,
+    metrics=None,
+    descriptors=None,
+    seed=1,
+    repetitions=1,
+    workers=1,
+    in_process=False,
+    trajectories=False,
+    progress=None,
+):
+    """Runs every method in every scenario and computes metrics and descriptors.
+
+    `methods` is a dict from names to classes, pairs of a class and a dict of its options, or what
+    mrpt_holonomic() and plugin() return. `robot`, `sensor`, `odometry`, `simulation` and `limits` are
+    dicts of the keys of these sections in a campaign's .ini. Methods run in worker processes, unless
+    `in_process`. `progress(phase, done, total)` is called meanwhile. Raises Error for invalid
+    arguments, and KeyboardInterrupt after Ctrl-C.
+    """
+    sections = {
+        "robot": robot,
+        "sensor": sensor,
+        "odometry": odometry,
+        "simulation": simulation,
+        "limits": limits,
+    }
+    return Results(
+        *_slalom.evaluate(
+            methods,
+            list(scenarios),
+            sections,
+            metrics,
+            descriptors,
+            seed,
+            repetitions,
+            workers,
+            in_process,
+            trajectories,
+            progress,
+        )
+    )
+
+
+def mrpt_holonomic(class_name, plugin="", **options):
+    """A method of MRPT's holonomic interface, such as "CHolonomicND", or a class of a plug-in."""
+    method = {"adapter": "mrpt_holonomic", "class": class_name, **options}
+    if plugin:
+        method["plugin"] = _find_plugin(plugin)
+    return method
+
+
+def plugin(library, **options):
+    """A compiled method: a path, or the name of a shipped one, such as "libslalom_mppi.so"."""
+    return {"adapter": "library", "plugin": _find_plugin(library), **options}
+
+
+def _find_plugin(library):
+    """The path of a library: as given, or in the folders where Slalom's methods are."""
+    package = os.path.dirname(os.path.abspath(__file__))
+    for folder in ("", "../../slalom", "../../../slalom"):  # built, installed
+        path = os.path.abspath(os.path.join(package if folder else "", folder, library))
+        if os.path.isfile(path):
+            return path
+    return library

@@ -1,0 +1,56 @@
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+
+import numpy
+
+__version__: str
+
+class Error(ValueError): ...
+
+class Scenario:
+    """One obstacle avoidance problem: a workspace, its obstacles, a start pose and a goal."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def hash(self) -> str:
+        """Of the content, 32 hexadecimal digits."""
+    @property
+    def start(self) -> Tuple[float, float, float]:
+        """x, y (m) and heading (rad)."""
+    @property
+    def goal(self) -> Tuple[float, float]:
+        """x, y (m)."""
+    @property
+    def bounds(self) -> Tuple[float, float, float, float]:
+        """x_min, y_min, x_max, y_max (m)."""
+    def occupancy(self, resolution: float = 0.05) -> "numpy.ndarray[Any, numpy.dtype[numpy.bool_]]":
+        """Cells [row, column], row 0 at y_min; True where occupied. Grids keep their own cells."""
+    def _repr_svg_(self) -> str: ...
+
+class ResultTable:
+    @property
+    def manifest(self) -> Dict[str, str]: ...
+
+def read_scenarios(path: str) -> List[Scenario]: ...
+def write_scenarios(path: str, scenarios: Sequence[Scenario]) -> None: ...
+def generate(
+    family: str, count: int, seed: int, workers: int, sections: Dict[str, Any]
+) -> List[Scenario]: ...
+def evaluate(
+    methods: Dict[str, Any],
+    scenarios: Sequence[Scenario],
+    sections: Dict[str, Any],
+    metrics: Optional[Sequence[str]],
+    descriptors: Optional[Sequence[str]],
+    seed: int,
+    repetitions: int,
+    workers: int,
+    in_process: bool,
+    trajectories: bool,
+    progress: Optional[Callable[[str, int, int], None]],
+) -> Tuple[
+    Dict[str, Any], Dict[str, Any], Dict[str, Dict[int, str]], Optional[List[Any]], ResultTable
+]: ...
+def cross_table(
+    table: ResultTable, rows: str, columns: Sequence[str], confidence: float
+) -> str: ...

@@ -1,0 +1,237 @@
+"""The Python package slalom."""
+
+import math
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+
+import numpy as np
+import slalom
+
+
+class Direct:
+    """Moves towards the goal."""
+
+    options = {"speed": (0.5, "m/s", "linear velocity")}
+
+    def __init__(self, robot, options):
+        self.robot, self.speed = robot, options.speed
+
+    def reset(self, task):
+        self.cycles = 0
+
+    def step(self, o):
+        self.cycles += 1
+        turn = math.atan2(o.goal_y, o.goal_x)
+        return self.speed, float(np.clip(turn, -self.robot.max_w, self.robot.max_w))
+
+
+class Fails(Direct):
+    def step(self, o):
+        raise RuntimeError("lost")
+
+
+class Crashes(Direct):
+    def step(self, o):
+        os.abort()
+
+
+class Seeded(Direct):
+    """Draws random numbers without a seed of its own."""
+
+    def step(self, o):
+        return self.speed, float(np.clip(o.goal_y, -1, 1))
+
+
+def small(count=3, **options):
+    return slalom.generate("random", count, seed=5, width=6, height=6, min_distance=3, max_obstacles=10, **options)
+
+
+QUICK = dict(metrics=["success", "optimality", "time_to_goal"], descriptors=["density"])
+
+
+class Package(unittest.TestCase):
+    def test_results_are_columns_with_one_value_per_run(self):
+        results = slalom.evaluate({"direct": Direct, "fails": Fails}, small(), **QUICK)
+        self.assertEqual(results["method"], ["direct", "fails"] * 3)
+        self.assertEqual(results["outcome"][1::2], ["method_error"] * 3)
+        for name in QUICK["metrics"] + QUICK["descriptors"]:
+            self.assertEqual(results[name].dtype, np.float64)
+            self.assertEqual(len(results[name]), 6)
+        self.assertEqual(results["success"][1], 0)
+        self.assertTrue(np.isnan(results["optimality"][1]))
+        self.assertEqual(results.reasons["optimality"][1], "outcome: method_error")
+        self.assertEqual(results["density"][0], results["density"][1])
+        self.assertIsNone(results.trajectories)
+        self.assertEqual(len(results.timing["cycle_time_mean"]), 6)
+        self.assertNotIn("cycle_time_mean", results)
+
+    def test_workers_do_not_change_results(self):
+        columns = [
+            slalom.evaluate({"a": Direct, "b": Seeded}, small(4), workers=workers, repetitions=2, **QUICK)
+            for workers in (1, 2)
+        ]
+        self.assertEqual(list(columns[0]), list(columns[1]))
+        for name in columns[0]:
+            np.testing.assert_array_equal(columns[0][name], columns[1][name], err_msg=name)
+
+    def test_options_of_a_class_are_given_beside_it(self):
+        methods = {"slow": (Direct, {"speed": 0.25}), "fast": Direct}
+        results = slalom.evaluate(methods, small(1), trajectories=True, **QUICK)
+        speeds = {
+            name: trajectory[:, slalom.TRAJECTORY_COLUMNS.index("command_v")].max()
+            for name, trajectory in zip(results["method"], results.trajectories)
+        }
+        self.assertEqual(speeds, {"slow": 0.25, "fast": 0.5})
+
+    def test_trajectories_are_arrays_from_start_on(self):
+        scenarios = small(2)
+        results = slalom.evaluate({"direct": Direct}, scenarios, trajectories=True, **QUICK)
+        starts = {scenario.hash: scenario.start for scenario in scenarios}
+        for row, trajectory in enumerate(results.trajectories):
+            self.assertEqual(trajectory.shape[1], len(slalom.TRAJECTORY_COLUMNS))
+            self.assertEqual(tuple(trajectory[0, 1:4]), starts[results["scenario_hash"][row]])
+            self.assertEqual(list(trajectory[:, 0]), sorted(trajectory[:, 0]))
+            if results["success"][row]:
+                self.assertEqual(results["time_to_goal"][row], trajectory[-1, 0])
+
+    def test_a_crash_ends_only_its_runs(self):
+        results = slalom.evaluate({"crashes": Crashes, "direct": Direct}, small(2), **QUICK)
+        self.assertEqual(results["outcome"][0::2], ["method_crash"] * 2)
+        self.assertNotIn("method_crash", results["outcome"][1::2])
+
+    def test_methods_may_be_in_process(self):
+        seen = []
+
+        class Observed(Direct):
+            def step(self, o):
+                seen.append(o.time)
+                return super().step(o)
+
+        inside = slalom.evaluate({"a": Observed}, small(1), in_process=True, **QUICK)
+        self.assertGreater(len(seen), 1)
+        outside = slalom.evaluate({"a": Observed}, small(1), **QUICK)
+        self.assertEqual(inside["outcome"], outside["outcome"])
+        np.testing.assert_array_equal(inside["time_to_goal"], outside["time_to_goal"])
+
+    def test_mrpts_and_compiled_methods_take_part(self):
+        methods = {
+            "nd": slalom.mrpt_holonomic("CHolonomicND"),
+            "gap": slalom.plugin("libslalom_follow_the_gap.so", look_ahead=2.0),
+        }
+        results = slalom.evaluate(methods, small(2), **QUICK)
+        self.assertEqual(results["method"], ["gap", "nd"] * 2)
+        self.assertFalse(any(outcome.startswith("method_") for outcome in results["outcome"]))
+
+    def test_the_robot_is_set_by_the_keys_of_its_section(self):
+        footprint = [(0.3, 0.2), (-0.3, 0.2), (-0.3, -0.2), (0.3, -0.2)]
+
+        class Checks(Direct):
+            def __init__(self, robot, options):
+                super().__init__(robot, options)
+                assert robot.footprint == footprint and robot.rays == 91, robot
+
+        results = slalom.evaluate(
+            {"a": Checks}, small(1), robot={"footprint": footprint}, sensor={"rays": 91}, **QUICK
+        )
+        self.assertNotEqual(results["outcome"], ["method_error"])
+        self.assertEqual(results.manifest["sensor.rays"], "91")
+
+    def test_tables_are_texts(self):
+        text = slalom.evaluate({"direct": Direct}, small(), **QUICK).table("all", ["success"])
+        self.assertIn("direct by all", text)
+
+    def test_progress_is_reported(self):
+        calls = []
+        slalom.evaluate({"a": Direct}, small(2), progress=lambda *call: calls.append(call), **QUICK)
+        self.assertEqual(calls[-1][1:], (2, 2))
+
+    def test_invalid_arguments_are_errors(self):
+        for message, call in {
+            "unknown key; expected 'radius'": lambda: slalom.evaluate({"a": Direct}, small(1), robot={"raduis": 1}),
+            "no method given": lambda: slalom.evaluate({}, small(1)),
+            "no scenario given": lambda: slalom.evaluate({"a": Direct}, []),
+            "has no reset()": lambda: slalom.evaluate({"a": object}, small(1)),
+            "unknown option of the class; expected 'speed'": lambda: slalom.evaluate(
+                {"a": (Direct, {"sped": 1})}, small(1)
+            ),
+            "unknown holonomic method class": lambda: slalom.evaluate({"a": slalom.mrpt_holonomic("X")}, small(1)),
+            "unknown generator": lambda: slalom.generate("randm", 1),
+            "max_size": lambda: slalom.generate("random", 1, max_size="many"),
+        }.items():
+            with self.assertRaises(slalom.Error, msg=message) as raised:
+                call()
+            self.assertIn(message, str(raised.exception))
+
+    def test_a_constructor_that_raises_is_an_error(self):
+        class Refuses(Direct):
+            def __init__(self, robot, options):
+                raise ValueError("too small")
+
+        with self.assertRaisesRegex(slalom.Error, "Refuses cannot be created: ValueError: too small"):
+            slalom.evaluate({"a": Refuses}, small(1))
+
+    def test_other_threads_do_not_block_workers(self):
+        stop = threading.Event()
+        thread = threading.Thread(target=lambda: [None for _ in iter(stop.is_set, True)])
+        thread.start()
+        try:
+            results = slalom.evaluate({"direct": Direct}, small(1), **QUICK)
+        finally:
+            stop.set()
+            thread.join()
+        self.assertNotIn("deadline", results["outcome"][0])
+
+    def test_ctrl_c_is_a_keyboard_interrupt(self):
+        program = (
+            "import slalom, sys\n"
+            "class Waits:\n"
+            "    def __init__(self, robot, options): pass\n"
+            "    def reset(self, task): pass\n"
+            "    def step(self, o):\n"
+            "        while True: pass\n"
+            "scenarios = slalom.generate('random', 1)\n"
+            "def progress(phase, done, total):\n"
+            "    print(phase, flush=True)\n"
+            "try: slalom.evaluate({'a': Waits}, scenarios, progress=progress)\n"
+            "except KeyboardInterrupt: sys.exit(7)\n"
+        )
+        process = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE)
+        process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=100), 7)
+        process.stdout.close()
+
+
+class Scenarios(unittest.TestCase):
+    def test_generation_is_repeatable(self):
+        self.assertEqual(small(), small())
+        self.assertEqual(len({scenario.hash for scenario in small()}), 3)
+
+    def test_lists_keep_scenarios(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "made.scenarios")
+            slalom.write_scenarios(path, small())
+            self.assertEqual(slalom.read_scenarios(path), small())
+            with self.assertRaisesRegex(slalom.Error, "none.scenarios"):
+                slalom.read_scenarios(os.path.join(folder, "none.scenarios"))
+
+    def test_occupancy_has_rows_from_the_bottom(self):
+        scenario = small(1)[0]
+        cells = scenario.occupancy(0.1)
+        x_min, y_min, x_max, y_max = scenario.bounds
+        self.assertEqual(cells.dtype, np.bool_)
+        self.assertEqual(cells.shape, (round((y_max - y_min) / 0.1), round((x_max - x_min) / 0.1)))
+        for x, y in (scenario.start[:2], scenario.goal):
+            self.assertFalse(cells[int((y - y_min) / 0.1), int((x - x_min) / 0.1)])
+
+    def test_notebooks_show_a_drawing(self):
+        self.assertTrue(small(1)[0]._repr_svg_().startswith("<svg"))
+
+
+if __name__ == "__main__":
+    unittest.main()
