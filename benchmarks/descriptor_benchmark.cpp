@@ -27,7 +27,7 @@ KnownPath path_in(const World& world) {
   const auto& start = world.scenario().start();
   std::string reason;
   const auto path =
-      exact_shortest_path({world, 0.25, {start.x, start.y}, world.scenario().goal()}, 0.01, reason);
+      exact_shortest_path({world, 0.25, {start.x, start.y}, world.scenario().goal()}, reason);
   return path ? KnownPath{path->path, path->length, ""} : KnownPath{{}, 0, reason};
 }
 

@@ -64,7 +64,6 @@ void run(ReferenceArguments arguments) {
 
 void add_reference_verb(CLI::App& app) {
   static ReferenceArguments arguments;
-  arguments.planner.planner = kExactPlanner;
   CLI::App* verb = add_list_verb(
       app, "reference",
       "Print the length of the shortest path with its certificate, and the safest path",

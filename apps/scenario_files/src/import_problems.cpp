@@ -13,7 +13,7 @@ bool is_solvable(const Scenario& scenario, double robot_radius, std::string& rea
   const World world(scenario, 0.05);
   const auto& start = scenario.start();
   const PlanningProblem problem{world, robot_radius, {start.x, start.y}, scenario.goal()};
-  return exact_shortest_path(problem, 1, reason).has_value();
+  return exact_shortest_path(problem, reason).has_value();
 }
 
 namespace {

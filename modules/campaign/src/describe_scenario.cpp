@@ -5,11 +5,10 @@ namespace slalom {
 namespace {
 
 KnownPath shortest_path(const World& world, double robot_radius) {
-  constexpr double kGap = 0.01;
   const auto& start = world.scenario().start();
   std::string reason;
   const auto shortest = exact_shortest_path(
-      {world, robot_radius, {start.x, start.y}, world.scenario().goal()}, kGap, reason);
+      {world, robot_radius, {start.x, start.y}, world.scenario().goal()}, reason);
   return shortest ? KnownPath{shortest->path, shortest->length, ""} : KnownPath{{}, 0, reason};
 }
 

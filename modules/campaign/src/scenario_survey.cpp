@@ -18,7 +18,7 @@ KnownPath exact_path(const CampaignOptions& options, const World& world,
                                           options.setup.robot.shape().inscribed_radius(),
                                           {scenario.start().x, scenario.start().y},
                                           scenario.goal()},
-                                         options.reference_gap, reason);
+                                         reason);
   return exact ? KnownPath{exact->path, exact->length, ""} : KnownPath{{}, 0, reason};
 }
 

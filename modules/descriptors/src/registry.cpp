@@ -9,28 +9,28 @@
   DESCRIPTOR(clearness, 1, "Clearness", "-", {sensor_range, resolution})                         \
   DESCRIPTOR(clearness_mean_distance, 1, "Mean distance to obstacles", "m", {resolution})        \
   DESCRIPTOR(confinement, 1, "Confinement", "-", {sensor_range, resolution, confinement_method}) \
-  DESCRIPTOR(confinement_path, 1, "Confinement along the shortest path", "-",                    \
+  DESCRIPTOR(confinement_path, 2, "Confinement along the shortest path", "-",                    \
              {sensor_range, robot, resolution})                                                  \
   DESCRIPTOR(bottleneck_width, 1, "Bottleneck width", "m", {robot, resolution})                  \
-  DESCRIPTOR(narrow_fraction, 1, "Narrow-passage fraction", "-", {robot, resolution})            \
+  DESCRIPTOR(narrow_fraction, 2, "Narrow-passage fraction", "-", {robot, resolution})            \
   DESCRIPTOR(clearance_mean, 1, "Mean clearance", "m", {robot, resolution})                      \
   DESCRIPTOR(clearance_q05, 1, "Clearance, 5 % quantile", "m", {robot, resolution})              \
-  DESCRIPTOR(detour_ratio, 1, "Detour ratio", "-", {robot, resolution})                          \
-  DESCRIPTOR(turn_density, 2, "Turn density", "rad/m", {robot, resolution})                      \
+  DESCRIPTOR(detour_ratio, 2, "Detour ratio", "-", {robot, resolution})                          \
+  DESCRIPTOR(turn_density, 3, "Turn density", "rad/m", {robot, resolution})                      \
   DESCRIPTOR(trap_fraction, 1, "Local-minimum traps", "-", {robot, resolution})                  \
   DESCRIPTOR(obstacle_count, 1, "Obstacle components", "count", {resolution})                    \
   DESCRIPTOR(clustering, 1, "Clustering index", "-", {quadrats, resolution})                     \
   DESCRIPTOR(occupancy_entropy, 1, "Occupancy entropy", "bit", {block, resolution})              \
-  DESCRIPTOR(goal_visibility, 1, "Goal visibility", "-", {robot, resolution})                    \
-  DESCRIPTOR(traversability, 1, "Traversability", "-", {robot, resolution})                      \
-  DESCRIPTOR(barn_closest_distance, 1, "BARN: distance to closest obstacle", "cells",            \
+  DESCRIPTOR(goal_visibility, 2, "Goal visibility", "-", {robot, resolution})                    \
+  DESCRIPTOR(traversability, 2, "Traversability", "-", {robot, resolution})                      \
+  DESCRIPTOR(barn_closest_distance, 2, "BARN: distance to closest obstacle", "cells",            \
              {averaged_path})                                                                    \
-  DESCRIPTOR(barn_visibility, 1, "BARN: average visibility", "cells",                            \
+  DESCRIPTOR(barn_visibility, 2, "BARN: average visibility", "cells",                            \
              {averaged_path, barn_version})                                                      \
-  DESCRIPTOR(barn_dispersion, 1, "BARN: dispersion", "-", {averaged_path})                       \
-  DESCRIPTOR(barn_characteristic_dimension, 1, "BARN: characteristic dimension", "cells",        \
+  DESCRIPTOR(barn_dispersion, 2, "BARN: dispersion", "-", {averaged_path})                       \
+  DESCRIPTOR(barn_characteristic_dimension, 2, "BARN: characteristic dimension", "cells",        \
              {averaged_path})                                                                    \
-  DESCRIPTOR(barn_tortuosity, 1, "BARN: tortuosity", "-", {averaged_path})                       \
+  DESCRIPTOR(barn_tortuosity, 2, "BARN: tortuosity", "-", {averaged_path})                       \
   DESCRIPTOR(dynamic_density, 1, "Moving-obstacle density", "-", {})
 
 namespace slalom {

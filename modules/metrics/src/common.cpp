@@ -29,8 +29,12 @@ std::optional<Value> na_without_time(const MetricContext& context) {
 
 std::optional<Value> na_without_shortest(const MetricContext& context) {
   if (!context.references.shortest) return Value::na(context.references.shortest_reason);
-  if (context.references.shortest->length > 0) return std::nullopt;
+  if (best_length(context) > 0) return std::nullopt;
   return Value::na("start and goal coincide");
+}
+
+double best_length(const MetricContext& context) {
+  return context.references.shortest->certificate.lower_bound;
 }
 
 double area_between(const Path& traveled, const Path& reference) {

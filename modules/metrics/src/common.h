@@ -23,6 +23,10 @@ std::optional<Value> na_without_time(const MetricContext& context);
 /// NA with the reason unless there is a shortest path of positive length.
 std::optional<Value> na_without_shortest(const MetricContext& context);
 
+/// L* (m): the certified lower bound, which is the optimum for a disc that can rotate in place. No
+/// robot's path is shorter. Requires a shortest path.
+double best_length(const MetricContext& context);
+
 /// Length (m) of the trajectory extended by the straight line from its end to the goal. A run ends
 /// within goal_tolerance of the goal; without this segment it could be shorter than the shortest
 /// path.

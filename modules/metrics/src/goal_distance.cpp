@@ -1,6 +1,6 @@
 #include "common.h"
 
-#include <slalom/references/exact_shortest.h>
+#include <slalom/references/disc_path.h>
 
 #include <algorithm>
 
@@ -31,13 +31,11 @@ Value closest_distance(const MetricContext& context) {
 }
 
 /// 1 - geodesic(p_end, g) / L*: the completed fraction of the path, negative if the remaining path
-/// is longer than L*. The geodesic is computed as the references are: for the inscribed disc, as
-/// the straight line if that is free, else by the exact search to 1 %.
+/// is longer than L*. The geodesic is the exact shortest path of the inscribed disc, as L*.
 Value progress(const MetricContext& context) {
   // Maximum penetration (m) at a contact that ends a run; the geodesic is then that of a robot with
   // a radius reduced by it.
   constexpr double kContactDepth = 1e-3;
-  constexpr double kGap = 0.01;
   if (const auto na = na_without_verdict(context)) return *na;
   if (const auto na = na_without_samples(context)) return *na;
   if (const auto na = na_without_shortest(context)) return *na;
@@ -46,13 +44,10 @@ Value progress(const MetricContext& context) {
   const double robot_radius = context.robot.shape().inscribed_radius();
   const double radius = std::min(robot_radius, context.world.distance_field().clearance(from));
   if (radius < robot_radius - kContactDepth) return Value::na("the run ends inside an obstacle");
-  const double best = context.references.shortest->length;
-  if (is_free(context.world, {from, goal}, radius))
-    return Value::of(1 - length({from, goal}) / best);
   std::string reason;
-  const auto rest = exact_shortest_path({context.world, radius, from, goal}, kGap, reason);
+  const auto rest = shortest_disc_path(context.world.occupancy(), radius, from, goal, reason);
   if (!rest) return Value::na("from the final pose: " + reason);
-  return Value::of(1 - rest->length / best);
+  return Value::of(1 - rest->length / best_length(context));
 }
 
 }  // namespace slalom::metrics

@@ -16,7 +16,7 @@ Value optisafe(const MetricContext& context) {
   const double widest =
       context.references.safest->bottleneck - context.robot.shape().inscribed_radius();
   if (widest <= 0) return Value::na("the safest path has no clearance");
-  const double best = context.references.shortest->length;
+  const double best = best_length(context);
   const double nearest = *std::min_element(context.clearances.begin(), context.clearances.end());
   const double o = retained_fraction((closed_length(context) - best) / best);
   const double s = retained_fraction((widest - nearest) / widest);

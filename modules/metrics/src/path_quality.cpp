@@ -10,14 +10,13 @@ Value path_length(const MetricContext& context) {
   return Value::of(length(context.trajectory.path()));
 }
 
-/// L* / L, with L = closed_length() and L* the length of the path found, which exceeds the minimum
-/// by at most its certified gap; so the value exceeds 1 by at most that.
+/// L* / L, L = closed_length().
 Value optimality(const MetricContext& context) {
   if (const auto na = na_unless_reached(context)) return *na;
   if (!context.references.shortest) return Value::na(context.references.shortest_reason);
   const double traveled = closed_length(context);
   if (traveled <= 0) return Value::na("start and goal coincide");
-  return Value::of(context.references.shortest->length / traveled);
+  return Value::of(best_length(context) / traveled);
 }
 
 /// Success weighted by path length (Anderson et al. 2018): S L* / max(L, L*), L = closed_length().
@@ -26,7 +25,7 @@ Value spl(const MetricContext& context) {
   if (context.outcome != Outcome::Success) return Value::of(0);
   if (const auto na = na_without_samples(context)) return *na;
   if (!context.references.shortest) return Value::na(context.references.shortest_reason);
-  const double best = context.references.shortest->length;
+  const double best = best_length(context);
   const double longer = std::max(closed_length(context), best);
   return longer > 0 ? Value::of(best / longer) : Value::na("start and goal coincide");
 }
@@ -35,17 +34,16 @@ Value spl(const MetricContext& context) {
 /// cells).
 Value optimality_area(const MetricContext& context) {
   if (const auto na = na_unless_reached(context)) return *na;
-  if (!context.references.shortest) return Value::na(context.references.shortest_reason);
-  const ShortestPath& best = *context.references.shortest;
-  if (best.length <= 0) return Value::na("start and goal coincide");
-  return Value::of(area_between(context.trajectory.path(), best.path) / best.length);
+  if (const auto na = na_without_shortest(context)) return *na;
+  return Value::of(area_between(context.trajectory.path(), context.references.shortest->path) /
+                   best_length(context));
 }
 
 /// (L - L*) / L*, L = closed_length().
 Value path_excess(const MetricContext& context) {
   if (const auto na = na_unless_reached(context)) return *na;
   if (const auto na = na_without_shortest(context)) return *na;
-  return Value::of(closed_length(context) / context.references.shortest->length - 1);
+  return Value::of(closed_length(context) / best_length(context) - 1);
 }
 
 }  // namespace slalom::metrics

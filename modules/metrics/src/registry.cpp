@@ -4,26 +4,26 @@
 /// function of a metric is slalom::metrics::ID, in a source of this folder.
 #define SLALOM_METRICS(METRIC)                                                 \
   METRIC(success, 1, "Success", "-", Up)                                       \
-  METRIC(optimality, 1, "Optimality", "-", Up)                                 \
-  METRIC(optimality_area, 1, "Optimality area", "m", Down)                     \
+  METRIC(optimality, 2, "Optimality", "-", Up)                                 \
+  METRIC(optimality_area, 2, "Optimality area", "m", Down)                     \
   METRIC(safety, 1, "Safety", "-", Up)                                         \
   METRIC(safety_area, 1, "Safety area", "m", Down)                             \
-  METRIC(optisafe, 1, "Optimality and safety", "-", Up)                        \
-  METRIC(spl, 1, "Success weighted by path length", "-", Up)                   \
-  METRIC(soft_spl, 1, "Soft success weighted by path length", "-", Up)         \
-  METRIC(barn_score_v2, 1, "BARN challenge score", "-", Up)                    \
+  METRIC(optisafe, 2, "Optimality and safety", "-", Up)                        \
+  METRIC(spl, 2, "Success weighted by path length", "-", Up)                   \
+  METRIC(soft_spl, 2, "Soft success weighted by path length", "-", Up)         \
+  METRIC(barn_score_v2, 2, "BARN challenge score", "-", Up)                    \
   METRIC(path_length, 1, "Path length", "m", Down)                             \
-  METRIC(path_excess, 1, "Path excess", "-", Down)                             \
+  METRIC(path_excess, 2, "Path excess", "-", Down)                             \
   METRIC(time_to_goal, 1, "Time to goal", "s", Down)                           \
   METRIC(par2_time, 1, "Time, failures penalized", "s", Down)                  \
-  METRIC(time_ratio, 1, "Time ratio", "-", Down)                               \
+  METRIC(time_ratio, 2, "Time ratio", "-", Down)                               \
   METRIC(min_clearance, 1, "Minimum clearance", "m", Up)                       \
   METRIC(mean_clearance, 1, "Mean clearance", "m", Up)                         \
   METRIC(risk_time_ratio, 1, "Time at risk", "-", Down)                        \
   METRIC(inverse_clearance, 1, "Inverse clearance", "1/m", Down)               \
   METRIC(impact_speed, 1, "Impact speed", "m/s", Down)                         \
   METRIC(min_time_to_collision, 1, "Minimum time to collision", "s", Up)       \
-  METRIC(progress, 1, "Progress", "-", Up)                                     \
+  METRIC(progress, 2, "Progress", "-", Up)                                     \
   METRIC(final_distance, 1, "Final distance to the goal", "m", Down)           \
   METRIC(closest_distance, 1, "Closest distance to the goal", "m", Down)       \
   METRIC(mean_speed, 1, "Mean speed", "m/s", Up)                               \
@@ -32,7 +32,7 @@
   METRIC(angle_over_length, 1, "Angle over length", "rad/m", Down)             \
   METRIC(bending_energy, 1, "Bending energy", "1/m^2", Down)                   \
   METRIC(max_curvature, 1, "Maximum curvature", "1/m", Down)                   \
-  METRIC(path_irregularity, 1, "Path irregularity", "rad/m", Down)             \
+  METRIC(path_irregularity, 2, "Path irregularity", "rad/m", Down)             \
   METRIC(rms_linear_acceleration, 1, "Linear acceleration", "m/s^2", Down)     \
   METRIC(rms_angular_acceleration, 1, "Angular acceleration", "rad/s^2", Down) \
   METRIC(rms_linear_jerk, 1, "Linear jerk", "m/s^3", Down)                     \
@@ -42,8 +42,8 @@
   METRIC(command_variation_v, 1, "Linear command variation", "m/s", Down)      \
   METRIC(command_variation_w, 1, "Angular command variation", "rad/s", Down)   \
   METRIC(oscillation_count, 1, "Oscillations", "count", Down)                  \
-  METRIC(frechet_to_reference, 1, "Frechet distance to P*", "m", Down)         \
-  METRIC(hausdorff_to_reference, 1, "Hausdorff distance to P*", "m", Down)
+  METRIC(frechet_to_reference, 2, "Frechet distance to P*", "m", Down)         \
+  METRIC(hausdorff_to_reference, 2, "Hausdorff distance to P*", "m", Down)
 
 namespace slalom {
 namespace metrics {

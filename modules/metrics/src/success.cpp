@@ -23,7 +23,7 @@ Value soft_spl(const MetricContext& context) {
   const double straight = length({{start.x, start.y}, goal});
   if (straight <= 0) return Value::na("start and goal coincide");
   const double approached = std::max(0.0, 1 - length({path.back(), goal}) / straight);
-  const double best = context.references.shortest->length;
+  const double best = best_length(context);
   return Value::of(approached * best / std::max(length(path), best));
 }
 
@@ -33,7 +33,7 @@ Value barn_score_v2(const MetricContext& context) {
   if (context.outcome != Outcome::Success) return Value::of(0);
   if (const auto na = na_without_samples(context)) return *na;
   if (const auto na = na_without_shortest(context)) return *na;
-  const double best = context.references.shortest->length / context.robot.max_v;
+  const double best = best_length(context) / context.robot.max_v;
   return Value::of(best / std::clamp(context.trajectory.duration(), 2 * best, 8 * best));
 }
 

@@ -21,8 +21,7 @@ Value time_ratio(const MetricContext& context) {
   if (const auto na = na_unless_reached(context)) return *na;
   if (const auto na = na_without_time(context)) return *na;
   if (const auto na = na_without_shortest(context)) return *na;
-  return Value::of(context.trajectory.duration() * context.robot.max_v /
-                   context.references.shortest->length);
+  return Value::of(context.trajectory.duration() * context.robot.max_v / best_length(context));
 }
 
 }  // namespace slalom::metrics

@@ -6,9 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 
 namespace slalom {
 namespace {
@@ -39,7 +37,6 @@ void use_shortest(const ReferencePlanner& planner, const PlanningProblem& proble
   best.path = *path;
   best.length = path_length;
   best.planner = planner.name();
-  best.certificate.upper_bound = std::min(best.certificate.upper_bound, path_length);
 }
 
 void use_safest(const ReferencePlanner& planner, const PlanningProblem& problem,
@@ -98,8 +95,7 @@ References compute_references(const PlanningProblem& problem, const ReferencePla
                               double gap, std::uint64_t seed) {
   References references;
   references.timing.exact = timed(
-      [&] { references.shortest = exact_shortest_path(problem, gap, references.shortest_reason); });
-  if (references.shortest) references.shortest->exact_length = references.shortest->length;
+      [&] { references.shortest = exact_shortest_path(problem, references.shortest_reason); });
   references.timing.safest =
       timed([&] { references.safest = safest_path(problem, references.safest_reason); });
   if (planner != nullptr)

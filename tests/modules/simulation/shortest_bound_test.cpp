@@ -51,8 +51,8 @@ TEST(Simulate, IsNeverShorterThanTheCertifiedShortestPath) {
     PlanningProblem wider = problem;
     wider.robot_radius = robot.radius + 0.04;
     std::string reason;
-    const auto shortest = exact_shortest_path(problem, 0.01, reason);
-    const auto guide = exact_shortest_path(wider, 0.01, reason);
+    const auto shortest = exact_shortest_path(problem, reason);
+    const auto guide = exact_shortest_path(wider, reason);
     if (!shortest || !guide) continue;
     PathFollower method(guide->path, robot);
     const SimulationResult result = run(world, method);

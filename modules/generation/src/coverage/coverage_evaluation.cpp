@@ -1,4 +1,5 @@
 #include "coverage_evaluation.h"
+#include "sampling/solvable.h"
 
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
@@ -27,14 +28,12 @@ PlanningProblem problem_in(const World& world, double robot_radius) {
 }
 
 KnownPath find_path(const World& world, double robot_radius) {
-  constexpr double kGap = 0.01;  // as in the descriptors of scenario lists
   std::string reason;
-  const auto found = exact_shortest_path(problem_in(world, robot_radius), kGap, reason);
+  const auto found = exact_shortest_path(problem_in(world, robot_radius), reason);
   return found ? KnownPath{found->path, found->length, ""} : KnownPath{{}, 0, reason};
 }
 
-/// A path for a robot of this radius only crosses cells that are completely free for the real
-/// robot, so that the search finds it.
+/// A path for a robot of this radius only crosses cells whose centers are free for the real robot.
 double inflated_radius(double robot_radius, double resolution) {
   return robot_radius + 1.5 * resolution;
 }
@@ -163,7 +162,7 @@ bool CandidateEvaluation::is_certified(const World& world, double robot_radius) 
   const double inflated = inflated_radius(robot_radius, world.occupancy().resolution());
   if (is_free(world, {problem.start, problem.goal}, inflated)) return true;
   std::string reason;
-  return exact_shortest_path(problem, 1, reason).has_value();
+  return slalom::is_certified(problem, reason);
 }
 
 }  // namespace slalom

@@ -103,9 +103,7 @@ class TaskFilter {
         limits_.min_length <= any.min_length && limits_.max_length >= any.max_length &&
         limits_.min_detour <= any.min_detour && limits_.max_detour >= any.max_detour;
     if (any_path) return true;
-    constexpr double kGap = 0.01;
-    const auto path =
-        exact_shortest_path({map_, settings_.robot_radius, start, goal}, kGap, reason);
+    const auto path = exact_shortest_path({map_, settings_.robot_radius, start, goal}, reason);
     if (!path) return false;
     const double detour = path->length / distance_between(goal, start);
     if (path->length < limits_.min_length || path->length > limits_.max_length) {

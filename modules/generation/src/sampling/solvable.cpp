@@ -1,13 +1,24 @@
 #include "solvable.h"
 
 #include <slalom/core/error.h>
-#include <slalom/references/exact_shortest.h>
+#include <slalom/references/disc_path.h>
+#include <slalom/scenario/widest_path.h>
 
 #include <fmt/format.h>
 
 #include <map>
 
 namespace slalom {
+
+bool is_certified(const PlanningProblem& problem, std::string& reason) {
+  const World& world = problem.world;
+  if (!shortest_disc_path(world.occupancy(), problem.robot_radius, problem.start, problem.goal,
+                          reason))
+    return false;
+  if (widest_bottleneck(world, problem.start, problem.goal) >= problem.robot_radius) return true;
+  reason = "no path over cell centers is wide enough for the robot";
+  return false;
+}
 
 SolvableWorld SolvableSearch::find(const std::string& name, const Draw& draw,
                                    int first_attempt) const {
@@ -17,7 +28,10 @@ SolvableWorld SolvableSearch::find(const std::string& name, const Draw& draw,
     std::string reason;
     if (std::optional<Scenario> candidate = draw(attempt, reason)) {
       auto world = std::make_unique<const World>(std::move(*candidate), settings_.resolution);
-      if (is_certified(*world, reason)) return {std::move(world), attempt};
+      const auto& start = world->scenario().start();
+      const PlanningProblem problem{
+          *world, settings_.robot_radius, {start.x, start.y}, world->scenario().goal()};
+      if (is_certified(problem, reason)) return {std::move(world), attempt};
     }
     ++reasons[reason];
   }
@@ -28,15 +42,6 @@ SolvableWorld SolvableSearch::find(const std::string& name, const Draw& draw,
                   fmt::format("no solvable scenario for a robot of radius {} m in {} attempts ({})",
                               settings_.robot_radius, settings_.attempts_per_scenario, counts),
                   "fewer or smaller obstacles, or a smaller robot");
-}
-
-bool SolvableSearch::is_certified(const World& world, std::string& reason) const {
-  constexpr double kAnyGap = 1;  // any path suffices
-  const Scenario& candidate = world.scenario();
-  const auto& start = candidate.start();
-  const PlanningProblem problem{
-      world, settings_.robot_radius, {start.x, start.y}, candidate.goal()};
-  return exact_shortest_path(problem, kAnyGap, reason).has_value();
 }
 
 std::string scenario_name(const std::string& prefix, int index) {

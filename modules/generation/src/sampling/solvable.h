@@ -1,7 +1,7 @@
 #pragma once
 
 #include <slalom/generation/generator.h>
-#include <slalom/scenario/world.h>
+#include <slalom/references/reference.h>
 
 #include <functional>
 #include <memory>
@@ -9,6 +9,11 @@
 #include <string>
 
 namespace slalom {
+
+/// Whether the robot has a path, and also one over cell centers: a passage that it fits through to
+/// rounding errors only would make a scenario solvable that no method can solve, and that has no
+/// safest path and no bottleneck width.
+bool is_certified(const PlanningProblem& problem, std::string& reason);
 
 /// A certified scenario with its world model.
 struct SolvableWorld {
@@ -30,8 +35,6 @@ class SolvableSearch {
   SolvableWorld find(const std::string& name, const Draw& draw, int first_attempt = 0) const;
 
  private:
-  bool is_certified(const World& world, std::string& reason) const;
-
   const GenerationSettings& settings_;
 };
 

@@ -49,7 +49,7 @@ TEST(Coverage, FillsFeasibleBinsWithCertifiedScenarios) {
     const auto& start = covered.scenario.start();
     std::string reason;
     EXPECT_TRUE(
-        exact_shortest_path({world, 0.25, {start.x, start.y}, covered.scenario.goal()}, 1, reason))
+        exact_shortest_path({world, 0.25, {start.x, start.y}, covered.scenario.goal()}, reason))
         << covered.scenario.name() << ": " << reason;
   }
 }

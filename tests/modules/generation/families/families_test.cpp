@@ -53,7 +53,7 @@ TEST_P(Families, ScenariosAreSolvableForRobotsOfSeveralSizes) {
       const auto& start = one.scenario.start();
       std::string reason;
       EXPECT_TRUE(
-          exact_shortest_path({world, radius, {start.x, start.y}, one.scenario.goal()}, 1, reason))
+          exact_shortest_path({world, radius, {start.x, start.y}, one.scenario.goal()}, reason))
           << one.scenario.name() << ": " << reason;
     }
 }

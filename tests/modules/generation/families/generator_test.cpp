@@ -31,8 +31,8 @@ TEST(GenerateSolvable, EveryScenarioHasAPathForTheRobot) {
     const World world(scenario, 0.05);
     const auto& start = scenario.start();
     std::string reason;
-    EXPECT_TRUE(exact_shortest_path({world, 0.25, {start.x, start.y}, scenario.goal()}, 1, reason)
-                    .has_value())
+    EXPECT_TRUE(
+        exact_shortest_path({world, 0.25, {start.x, start.y}, scenario.goal()}, reason).has_value())
         << scenario.name() << ": " << reason;
   }
 }
@@ -76,6 +76,42 @@ TEST(GenerateSolvable, ReportsTheReasonsIfNoCandidateIsSolvable) {
         << what;
     EXPECT_NE(what.find("times:"), std::string::npos);
   }
+}
+
+/// A wall with a door, in cells of 1/16 m, whose width (cells) is always the same.
+class Door : public Generator {
+ public:
+  explicit Door(int width) : width_(width) {}
+  std::string name() const override { return "door"; }
+  Scenario generate(const std::string& scenario_name, RandomEngine&) const override {
+    constexpr float kCell = 0.0625F;  // m, exact in single precision
+    mrpt::maps::COccupancyGridMap2D map(0, 64 * kCell, 0, 40 * kCell, kCell);
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 64; ++x) {
+        const bool is_wall = (x == 32 || x == 33) && (y < 16 || y >= 16 + width_);
+        map.setCell(x, y, is_wall ? 0.0F : 1.0F);
+      }
+    return Scenario::grid(scenario_name, map, {0.6, 0.6, 0}, {3.4, 0.6});
+  }
+
+ private:
+  int width_;
+};
+
+TEST(GenerateSolvable, RefusesAPassageOfExactlyTheRobotsDiameter) {
+  // 8 cells are 0.5 m: the exact path exists, but no cell center in the door is 0.25 m away from
+  // both its sides. In 9 cells the middle one is 4.5 cells away.
+  RandomEngine engine(1);
+  const World exact(Door(8).generate("exact", engine), 0.05);
+  std::string reason;
+  EXPECT_TRUE(exact_shortest_path({exact, 0.25, {0.6, 0.6}, {3.4, 0.6}}, reason)) << reason;
+  const auto progress = make_silent_progress();
+  GenerationSettings settings = small_settings(1);
+  settings.attempts_per_scenario = 1;
+  EXPECT_TRUE(throws_error(ErrorKind::Job, "random_0000:",
+                           {"1 times: no path over cell centers is wide enough for the robot"},
+                           [&] { generate_solvable(Door(8), settings, *progress); }));
+  EXPECT_EQ(generate_solvable(Door(9), settings, *progress).size(), 1U);
 }
 
 /// Collects the numeric defaults.

@@ -37,7 +37,7 @@ TEST(SampleTasks, PairsAreSolvableDistinctAndFarEnoughApart) {
     EXPECT_GE(std::hypot(s.goal().x - s.start().x, s.goal().y - s.start().y), 6);
     const World world(s, 0.1);
     std::string reason;
-    EXPECT_TRUE(exact_shortest_path({world, 0.25, {s.start().x, s.start().y}, s.goal()}, 1, reason)
+    EXPECT_TRUE(exact_shortest_path({world, 0.25, {s.start().x, s.start().y}, s.goal()}, reason)
                     .has_value())
         << reason;
   }
@@ -56,8 +56,7 @@ double straight(const Scenario& s) {
 double shortest(const Scenario& s) {
   const World world(s, 0.1);
   std::string reason;
-  return exact_shortest_path({world, 0.25, {s.start().x, s.start().y}, s.goal()}, 0.01, reason)
-      ->length;
+  return exact_shortest_path({world, 0.25, {s.start().x, s.start().y}, s.goal()}, reason)->length;
 }
 
 TEST(SampleTasks, RespectsTheRangeOfDistances) {

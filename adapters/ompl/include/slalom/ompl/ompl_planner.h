@@ -12,7 +12,7 @@ namespace slalom {
 
 /// Section [reference].
 struct OmplOptions {
-  std::string planner = "InformedRRTstar";  ///< one of planner_names()
+  std::string planner = kExactPlanner;  ///< one of planner_names()
   ReferencePlanner::Objective objective = ReferencePlanner::Objective::Length;
   double gap = 0.01;               ///< relative gap to the bound of the exact search
   int max_iterations = 20000;      ///< maximum iterations of the planner

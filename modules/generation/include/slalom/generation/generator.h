@@ -61,9 +61,10 @@ struct GenerationSettings {
   std::string name_prefix;  ///< names are PREFIX_0000, PREFIX_0001, ...
 };
 
-/// `count` distinct scenarios, each with a certified path for the robot. Scenario i depends only on
-/// the generator, the seed and i. Throws Error (Job) with the number and the reasons of the failed
-/// attempts if attempts_per_scenario do not suffice.
+/// `count` distinct scenarios, each with a certified path for the robot, and one over cell centers:
+/// none is solvable to rounding errors only. Scenario i depends only on the generator, the seed and
+/// i. Throws Error (Job) with the number and the reasons of the failed attempts if
+/// attempts_per_scenario do not suffice.
 std::vector<Scenario> generate_solvable(const Generator& generator,
                                         const GenerationSettings& settings, Progress& progress);
 
@@ -75,8 +76,8 @@ struct TaskConstraints {
 };
 
 /// Samples `count` distinct pairs of start pose and goal on a map, each with a collision-free path
-/// and within the limits. The length of P* is that of the exact search, to 1 %. Attempts and errors
-/// as in generate_solvable(); Error (Usage) for contradictory limits.
+/// and within the limits. Attempts and errors as in generate_solvable(); Error (Usage) for
+/// contradictory limits.
 std::vector<Scenario> sample_tasks(const Scenario& map, const GenerationSettings& settings,
                                    const TaskConstraints& limits);
 

@@ -7,14 +7,10 @@
 
 namespace slalom {
 
-/// Exact any-angle search for the shortest path of a disc among the closed squares of an occupancy.
-/// The lower bound is the exact any-angle optimum on cells that may contain a free configuration
-/// (outer approximation of F_C), the upper bound is the one on cells all of whose points are free
-/// (inner approximation), shortened by string pulling in the exact model. Cells are subdivided
-/// until the gap is at most `target_gap` or `max_subdivision` is reached. If no such cells connect
-/// start and goal, the upper bound is the safest path, shortened by string pulling. nullopt with
-/// `reason` if start or goal is not free or no path exists (or none could be certified).
-std::optional<ShortestPath> exact_shortest_path(const PlanningProblem& problem, double target_gap,
-                                                std::string& reason, int max_subdivision = 4);
+/// The shortest path of a disc by shortest_disc_path(), as a polyline that is free in the model of
+/// collision checking and at most 1e-6 (relative) longer. Length and both bounds are the optimum.
+/// nullopt with `reason` if start or goal is not free or there is no path, which is then proved.
+std::optional<ShortestPath> exact_shortest_path(const PlanningProblem& problem,
+                                                std::string& reason);
 
 }  // namespace slalom

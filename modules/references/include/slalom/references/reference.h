@@ -13,21 +13,25 @@ namespace slalom {
 /// The name of the exact search among the planners.
 constexpr char kExactPlanner[] = "exact";
 
-/// Proven bounds of the shortest path: lower_bound <= L* <= upper_bound (m).
+/// Proven bounds of the length of the shortest path (m). Equal for a disc that can rotate in place;
+/// for any other robot the lower bound is the optimum of its inscribed disc.
 struct Certificate {
   double lower_bound = 0;
   double upper_bound = 0;
-  double gap() const { return (upper_bound - lower_bound) / lower_bound; }  ///< relative
+  /// Relative; 0 where start and goal coincide.
+  double gap() const {
+    return upper_bound > lower_bound ? (upper_bound - lower_bound) / lower_bound : 0;
+  }
 };
 
 /// The shortest path found for a disc robot, free in the model used for collision checking.
 struct ShortestPath {
   Path path;
-  double length = 0;        ///< m, >= certificate.lower_bound
-  Certificate certificate;  ///< upper_bound is the length of the best path known
+  double length = 0;        ///< m; of the exact path the optimum, which its chords exceed by 1e-6
+  Certificate certificate;  ///< its lower bound is L* in metrics
   std::string planner;      ///< kExactPlanner, "BITstar", ...
   std::string note;         ///< e.g. why the planner's path was not used
-  double exact_length = 0;  ///< m, of the exact search's path, independent of the planner
+  double exact_length = 0;  ///< m, the optimum of the exact search, independent of the planner
   std::optional<double> planner_length = std::nullopt;  ///< m, of the planner's path, used or not
 };
 
