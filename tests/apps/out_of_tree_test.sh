@@ -32,3 +32,6 @@ build_example library_cpp
 diff <(block cpp) main.cpp
 ./build/my_evaluation >output
 diff <(block text) output
+
+build_example ompl_benchmark
+"$source/tests/adapters/ompl/ompl_benchmark_test.sh" ./build/ompl_benchmark

@@ -1,4 +1,5 @@
 #include "error_text.h"
+#include "ompl_worlds.h"
 
 #include <slalom/core/hash.h>
 #include <slalom/core/text.h>
@@ -15,27 +16,6 @@
 
 namespace slalom {
 namespace {
-
-constexpr double kRadius = 0.25;  // m
-
-/// Four discs between the corners of a room of 8 m.
-World disc_world() {
-  Primitives obstacles;
-  obstacles.discs = {{{2.5, 2.2}, 0.6}, {{4.2, 4.4}, 0.8}, {{5.8, 3.4}, 0.5}, {{3.0, 5.8}, 0.5}};
-  return {Scenario::continuous("discs", {0, 0, 8, 8}, obstacles, {0.6, 0.6, 0}, {7.4, 7.4}), 0.05};
-}
-
-/// A wall from side to side between start and goal.
-World divided_world() {
-  Primitives wall;
-  wall.polygons.push_back({{{0, 3.8}, {8, 3.8}, {8, 4.2}, {0, 4.2}}});
-  return {Scenario::continuous("parted", {0, 0, 8, 8}, wall, {1, 1, 0}, {7, 7}), 0.05};
-}
-
-PlanningProblem problem_of(const World& world) {
-  const auto& start = world.scenario().start();
-  return {world, kRadius, {start.x, start.y}, world.scenario().goal()};
-}
 
 References exact_of(const World& world) {
   const References exact = compute_references(problem_of(world), nullptr, 0.01, 1);
