@@ -93,16 +93,15 @@ Cell make_cell(const ResultTable& table, const std::vector<std::size_t>& runs,
   std::stable_sort(by_scenario.begin(), by_scenario.end(), [&](std::size_t a, std::size_t b) {
     return table.scenario[a] < table.scenario[b];
   });
-  CellSums sums;
+  RowSums sums(1);
+  std::vector<double> value(RowSums::padded(1));
   for (const std::size_t run : by_scenario) {
-    if (values.is_na(run)) {
-      sums.add_na(values.reason(run));
-    } else {
-      sums.add(values.number(run), table.scenario[run]);
-    }
+    value[0] = values.number(run);
+    if (values.is_na(run)) sums.add_na(0, values.reason(run));
+    sums.add(value.data(), table.scenario[run]);
   }
   sums.end_part([](std::uint32_t scenario) { return scenario; });
-  Cell cell = make_cell(sums, runs.size(), count_failures(table, runs),
+  Cell cell = make_cell(sums.cell(0), runs.size(), count_failures(table, runs),
                         {values.info(), values.rate, values.wall_clock}, options, label);
   add_medians(cell, numbers_of(values, runs));
   return cell;

@@ -1,3 +1,5 @@
+#include "sums_kernel.h"
+
 #include <slalom/analysis/cell_sums.h>
 
 #include <algorithm>
@@ -8,38 +10,6 @@ namespace {
 constexpr double kRounding = 0x1p-80;
 
 }  // namespace
-
-void CellSums::add_na(const std::string& reason) {
-  for (auto& [known, count] : part_na_)
-    if (known == &reason) {
-      ++count;
-      return;
-    }
-  part_na_.emplace_back(&reason, 1);
-}
-
-void CellSums::close_scenario() {
-  if (size_ == 0) return;
-  available_ += static_cast<std::size_t>(size_);
-  ++scenarios_;
-  scenario_squares_.add_product(scenario_sum_, scenario_sum_);
-  scenario_products_.add_product(scenario_sum_, size_);
-  size_squares_ += size_ * size_;
-  if (scenarios_ <= kMaxForBootstrap) {
-    groups_.push_back({scenario_, scenario_sum_, size_});
-  } else if (!groups_.empty()) {
-    groups_ = {};
-    named_ = 0;
-  }
-  scenario_sum_ = size_ = 0;
-}
-
-void CellSums::end_part(const std::function<std::uint32_t(std::uint32_t)>& key_of) {
-  close_scenario();
-  for (; named_ < groups_.size(); ++named_) groups_[named_].key = key_of(groups_[named_].key);
-  for (const auto& [reason, count] : part_na_) na_[*reason] += count;
-  part_na_.clear();
-}
 
 double CellSums::mean() const {
   return sum_.value() / static_cast<double>(available_);
@@ -79,6 +49,86 @@ GroupSums CellSums::groups(const std::function<std::size_t(std::uint32_t)>& rank
     sums.sizes.push_back(group.size);
   }
   return sums;
+}
+
+std::size_t RowSums::padded(std::size_t cells) {
+  return (cells + SumArrays::kLanes - 1) / SumArrays::kLanes * SumArrays::kLanes;
+}
+
+RowSums::RowSums(std::size_t cells)
+    : sums_(SumArrays::kKinds * padded(cells), 0.0), lists_(cells) {}
+
+void RowSums::add(const double* values, std::uint32_t scenario) {
+  if (scenario != scenario_) close_scenario();
+  scenario_ = scenario;
+  is_open_ = true;
+  add_to_sums(values, padded(lists_.size()), sums_.data());
+}
+
+void RowSums::add_na(std::size_t cell, const std::string& reason) {
+  auto& counts = lists_[cell].part_na;
+  for (auto& [known, count] : counts)
+    if (known == &reason) {
+      ++count;
+      return;
+    }
+  counts.emplace_back(&reason, 1);
+}
+
+void RowSums::close_scenario() {
+  if (!is_open_) return;
+  if (has_groups_) add_groups();
+  close_scenario_of_sums(padded(lists_.size()), sums_.data());
+  is_open_ = false;
+}
+
+/// Those of the scenario, before it is closed.
+void RowSums::add_groups() {
+  const std::size_t stride = padded(lists_.size());
+  has_groups_ = false;
+  for (std::size_t i = 0; i < lists_.size(); ++i) {
+    const double size = sums_[SumArrays::ScenarioSize * stride + i];
+    const auto scenarios =
+        static_cast<std::size_t>(sums_[SumArrays::Scenarios * stride + i]) + (size > 0 ? 1 : 0);
+    Lists& lists = lists_[i];
+    if (scenarios > kMaxForBootstrap) {
+      lists.groups = {};
+      lists.named = 0;
+      continue;
+    }
+    has_groups_ = true;
+    if (size > 0)
+      lists.groups.push_back({scenario_, sums_[SumArrays::ScenarioSum * stride + i], size});
+  }
+}
+
+void RowSums::end_part(const std::function<std::uint32_t(std::uint32_t)>& key_of) {
+  close_scenario();
+  for (Lists& lists : lists_) {
+    for (; lists.named < lists.groups.size(); ++lists.named)
+      lists.groups[lists.named].key = key_of(lists.groups[lists.named].key);
+    for (const auto& [reason, count] : lists.part_na) lists.na[*reason] += count;
+    lists.part_na.clear();
+  }
+}
+
+CellSums RowSums::cell(std::size_t index) const {
+  const auto sum = [&](SumArrays::Kind kind) {
+    return sums_[kind * padded(lists_.size()) + index];
+  };
+  CellSums cell;
+  cell.available_ = static_cast<std::size_t>(sum(SumArrays::Available));
+  cell.scenarios_ = static_cast<std::size_t>(sum(SumArrays::Scenarios));
+  cell.sum_ = {sum(SumArrays::SumHigh), sum(SumArrays::SumLow)};
+  cell.squares_ = {sum(SumArrays::SquaresHigh), sum(SumArrays::SquaresLow)};
+  cell.scenario_squares_ = {sum(SumArrays::ScenarioSquaresHigh),
+                            sum(SumArrays::ScenarioSquaresLow)};
+  cell.scenario_products_ = {sum(SumArrays::ScenarioProductsHigh),
+                             sum(SumArrays::ScenarioProductsLow)};
+  cell.size_squares_ = sum(SumArrays::SizeSquares);
+  cell.groups_ = lists_[index].groups;
+  cell.na_ = lists_[index].na;
+  return cell;
 }
 
 }  // namespace slalom

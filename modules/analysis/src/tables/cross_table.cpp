@@ -8,22 +8,27 @@
 namespace slalom {
 namespace {
 
-/// Adds the runs of each row, and the medians of its cells.
-void add_runs(CrossTable& cross, const ResultTable& table, const RunRows& row_of,
+/// Adds the runs of each row, and the medians of its cells, to the tables of the methods.
+void add_runs(CrossTable* begin, CrossTable* end, const ResultTable& table, const RunRows& row_of,
               const AnalysisOptions& options) {
-  const std::uint32_t method = index_of_method(table, cross.method);
-  for (CrossRow& row : cross.rows) row.runs.reserve(row.n);
+  std::vector<CrossTable*> of_method(table.methods.size(), nullptr);
+  for (CrossTable* cross = begin; cross != end; ++cross) {
+    of_method[index_of_method(table, cross->method)] = cross;
+    for (CrossRow& row : cross->rows) row.runs.reserve(row.n);
+  }
   for (std::size_t run = 0; run < table.size(); ++run) {
+    CrossTable* cross = of_method[table.method[run]];
     const std::size_t row = row_of(run);
-    if (table.method[run] == method && row < cross.rows.size()) cross.rows[row].runs.push_back(run);
+    if (cross != nullptr && row < cross->rows.size()) cross->rows[row].runs.push_back(run);
   }
-  for (CrossRow& row : cross.rows) {
-    if (options.run_ids)
-      for (const std::size_t run : row.runs) row.run_ids.push_back(run_id(table, run));
-    for (std::size_t i = 0; options.medians && i < row.cells.size(); ++i)
-      add_medians(row.cells[i],
-                  numbers_of(*find_metric(table, cross.columns[i].info.id), row.runs));
-  }
+  for (CrossTable* cross = begin; cross != end; ++cross)
+    for (CrossRow& row : cross->rows) {
+      if (options.run_ids)
+        for (const std::size_t run : row.runs) row.run_ids.push_back(run_id(table, run));
+      for (std::size_t i = 0; options.medians && i < row.cells.size(); ++i)
+        add_medians(row.cells[i],
+                    numbers_of(*find_metric(table, cross->columns[i].info.id), row.runs));
+    }
 }
 
 }  // namespace
@@ -52,9 +57,8 @@ std::vector<CrossTable> build_cross_tables(const ResultTable& table,
   std::vector<CrossTable> tables = sums.cross_tables(options);
   const std::size_t methods = tables.size() / std::max<std::size_t>(rows.size(), 1);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const RunRows row_of(rows[i], table);
-    for (std::size_t m = 0; m < methods; ++m)
-      add_runs(tables[i * methods + m], table, row_of, options);
+    CrossTable* const first = tables.data() + i * methods;
+    add_runs(first, first + methods, table, RunRows(rows[i], table), options);
   }
   return tables;
 }

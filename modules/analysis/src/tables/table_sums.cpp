@@ -4,6 +4,7 @@
 #include <slalom/core/text.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -95,7 +96,7 @@ std::vector<TableSums::Method*> TableSums::methods_of(const ResultTable& part) {
       method.tables.resize(rows_.size());
       for (std::size_t table = 0; table < rows_.size(); ++table)
         method.tables[table].rows.assign(rows_[table].bins.size(),
-                                         {0, 0, std::vector<CellSums>(metrics_.size())});
+                                         {0, 0, RowSums(metrics_.size())});
     }
     methods.push_back(&method);
   }
@@ -119,8 +120,7 @@ void TableSums::add_table(std::size_t table, const ResultTable& part,
   const std::size_t rows = rows_[table].bins.size();
   std::vector<bool> failure;
   for (const std::string& outcome : part.outcomes) failure.push_back(is_failure(outcome));
-  // The runs that are in a row, and its number among those of all methods.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> used;
+  std::vector<RunInRow> used;
   used.reserve(part.size());
   for (std::size_t i = 0; i < part.size(); ++i) {
     const std::size_t run = order.empty() ? i : order[i];
@@ -132,25 +132,39 @@ void TableSums::add_table(std::size_t table, const ResultTable& part,
     if (row >= rows) continue;
     ++sums.rows[row].runs;
     sums.rows[row].failures += failure[part.outcome[run]] ? 1 : 0;
-    used.emplace_back(static_cast<std::uint32_t>(run),
-                      static_cast<std::uint32_t>(part.method[run] * rows + row));
+    used.push_back({static_cast<std::uint32_t>(run),
+                    static_cast<std::uint32_t>(part.method[run] * rows + row)});
   }
-  std::vector<CellSums*> cells(methods.size() * rows, nullptr);
+  add_values(table, part, methods, used);
+}
+
+/// Block by block: values are read by metric and added by run.
+void TableSums::add_values(std::size_t table, const ResultTable& part,
+                           const std::vector<Method*>& methods, const std::vector<RunInRow>& runs) {
+  constexpr std::size_t kBlock = 64;
   static const std::string kMissing = kNotRecorded;
-  for (std::size_t metric = 0; metric < metrics_.size(); ++metric) {
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      if (methods[i / rows] != nullptr)
-        cells[i] = &methods[i / rows]->tables[table].rows[i % rows].cells[metric];
-    const ValueColumn* values = find_metric(part, metrics_[metric]);
-    for (const auto& [run, cell] : used) {
-      if (values == nullptr) {
-        cells[cell]->add_na(kMissing);
-      } else if (values->is_na(run)) {
-        cells[cell]->add_na(values->reason(run));
-      } else {
-        cells[cell]->add(values->number(run), part.scenario[run]);
+  const std::size_t stride = RowSums::padded(metrics_.size()), rows = rows_[table].bins.size();
+  std::vector<RowSums*> sums(methods.size() * rows, nullptr);
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (methods[i / rows] != nullptr)
+      sums[i] = &methods[i / rows]->tables[table].rows[i % rows].cells;
+  std::vector<const ValueColumn*> columns;
+  for (const std::string& id : metrics_) columns.push_back(find_metric(part, id));
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> block(kBlock * stride, kNone);
+  for (std::size_t begin = 0; begin < runs.size(); begin += kBlock) {
+    const std::size_t size = std::min(kBlock, runs.size() - begin);
+    for (std::size_t metric = 0; metric < columns.size(); ++metric) {
+      const ValueColumn* values = columns[metric];
+      for (std::size_t i = 0; i < size; ++i) {
+        const auto [run, row] = runs[begin + i];
+        const bool is_na = values == nullptr || values->is_na(run);
+        block[i * stride + metric] = is_na ? kNone : values->number(run);
+        if (is_na) sums[row]->add_na(metric, values == nullptr ? kMissing : values->reason(run));
       }
     }
+    for (std::size_t i = 0; i < size; ++i)
+      sums[runs[begin + i].row]->add(&block[i * stride], part.scenario[runs[begin + i].run]);
   }
 }
 
@@ -166,8 +180,7 @@ void TableSums::end_part(const ResultTable& part, const std::vector<Method*>& me
   for (Method* method : methods) {
     if (method == nullptr) continue;
     for (Rows& rows : method->tables)
-      for (Row& row : rows.rows)
-        for (CellSums& cell : row.cells) cell.end_part(key_of);
+      for (Row& row : rows.rows) row.cells.end_part(key_of);
   }
 }
 
@@ -190,10 +203,10 @@ std::vector<Cell> TableSums::cells_of(const Row& row, const std::vector<std::str
     rank_of = [&](std::uint32_t key) { return ranks[key]; };
   }
   std::vector<Cell> cells;
-  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+  for (std::size_t i = 0; i < metrics_.size(); ++i) {
     std::vector<std::string> parts = label;
     parts.push_back(metrics_[i]);
-    cells.push_back(make_cell(row.cells[i], row.runs, row.failures, *columns_[i], options,
+    cells.push_back(make_cell(row.cells.cell(i), row.runs, row.failures, *columns_[i], options,
                               join(parts, "/"), rank_of));
   }
   return cells;

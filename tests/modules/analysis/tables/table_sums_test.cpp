@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace slalom {
 namespace {
@@ -32,17 +33,34 @@ TEST(PreciseSum, DoesNotDependOnTheOrderOfItsTerms) {
   EXPECT_EQ(squares.value(), squares_reversed.value());
 }
 
+/// The sums of a row with one cell.
+class OneCell {
+ public:
+  void add(double value, std::uint32_t scenario) {
+    values_[0] = value;
+    row_.add(values_.data(), scenario);
+  }
+  CellSums sums() {
+    row_.end_part([](std::uint32_t scenario) { return scenario; });
+    return row_.cell(0);
+  }
+
+ private:
+  RowSums row_{1};
+  std::vector<double> values_ = std::vector<double>(RowSums::padded(1));
+};
+
 TEST(CellSums, EqualValuesHaveNoDeviation) {
-  CellSums sums;
-  for (std::uint32_t i = 0; i < 1000; ++i) sums.add(0.1, i / 3);
-  sums.end_part([](std::uint32_t scenario) { return scenario; });
+  OneCell cell;
+  for (std::uint32_t i = 0; i < 1000; ++i) cell.add(0.1, i / 3);
+  const CellSums sums = cell.sums();
   EXPECT_EQ(sums.mean(), 0.1);
   EXPECT_EQ(*sums.deviation(), 0);
 }
 
 TEST(CellSums, AgreesWithTheFormulasOverAllValues) {
   RandomEngine engine(3);
-  CellSums sums;
+  OneCell cell;
   std::vector<double> values;
   ScenarioGroups groups;
   for (std::uint32_t i = 0; i < 40; ++i) {
@@ -50,10 +68,10 @@ TEST(CellSums, AgreesWithTheFormulasOverAllValues) {
     for (std::uint32_t r = 0; r <= i % 3; ++r) {
       values.push_back(1000 + uniform_real(engine, 0, 1));
       groups.back().push_back(values.back());
-      sums.add(values.back(), i);
+      cell.add(values.back(), i);
     }
   }
-  sums.end_part([](std::uint32_t scenario) { return scenario; });
+  const CellSums sums = cell.sums();
   EXPECT_EQ(sums.available(), values.size());
   EXPECT_NEAR(sums.mean(), mean(values), 1e-10);
   EXPECT_NEAR(*sums.deviation(), *standard_deviation(values), 1e-10);
@@ -62,6 +80,43 @@ TEST(CellSums, AgreesWithTheFormulasOverAllValues) {
   EXPECT_EQ(moments.values, expected.values);
   EXPECT_NEAR(moments.residuals, expected.residuals, 1e-9);
   EXPECT_EQ(sums.groups().sums, sums_of(groups).sums);
+}
+
+TEST(RowSums, HasTheSumsOfEachCellAlone) {
+  constexpr std::size_t kCells = 11;  // more than a vector has lanes, and no multiple of it
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  RandomEngine engine(7);
+  RowSums row(kCells);
+  PreciseSum sums[kCells], squares[kCells];
+  std::size_t available[kCells] = {}, scenarios[kCells] = {};
+  std::vector<double> values(RowSums::padded(kCells), none);
+  for (std::uint32_t scenario = 0; scenario < 300; ++scenario) {
+    bool seen[kCells] = {};
+    for (std::uint32_t run = 0; run <= scenario % 4; ++run) {
+      for (std::size_t i = 0; i < kCells; ++i) {
+        const bool is_na = uniform_real(engine, 0, 1) * kCells < static_cast<double>(i);
+        values[i] = is_na ? none : std::pow(10, uniform_real(engine, -6, 6));
+        if (is_na) continue;
+        sums[i].add(values[i]);
+        squares[i].add_product(values[i], values[i]);
+        ++available[i];
+        scenarios[i] += seen[i] ? 0 : 1;
+        seen[i] = true;
+      }
+      row.add(values.data(), scenario);
+    }
+  }
+  row.end_part([](std::uint32_t scenario) { return scenario; });
+  for (std::size_t i = 0; i < kCells; ++i) {
+    const CellSums cell = row.cell(i);
+    const auto n = static_cast<double>(available[i]);
+    ASSERT_EQ(cell.available(), available[i]);
+    EXPECT_EQ(cell.mean(), sums[i].value() / n);
+    EXPECT_EQ(cell.moments().groups, static_cast<double>(scenarios[i]));
+    // The sum of squares by definition; the deviations from the mean lose none of its digits here.
+    const double variance = (squares[i].value() - sums[i].value() * cell.mean()) / (n - 1);
+    EXPECT_NEAR(*cell.deviation(), std::sqrt(variance), 1e-9 * std::sqrt(variance));
+  }
 }
 
 /// The same random results as one table and as parts by scenario.

@@ -15,6 +15,9 @@ namespace slalom {
 /// its terms.
 class PreciseSum {
  public:
+  PreciseSum() = default;
+  PreciseSum(double high, double low) : high_(high), low_(low) {}
+
   void add(double term) {  // Knuth's exact sum of two numbers
     const double sum = high_ + term, part = sum - high_;
     low_ += (high_ - (sum - part)) + (term - part);
@@ -39,29 +42,9 @@ class PreciseSum {
   double high_ = 0, low_ = 0;
 };
 
-/// The values of a cell of a table, as sums over the runs and over their scenarios: results of any
-/// number of runs are added one after the other, part by part.
+/// The values of a cell of a table, as sums over the runs and over their scenarios.
 class CellSums {
  public:
-  /// The runs of a scenario, an index, must follow each other.
-  void add(double value, std::uint32_t scenario) {
-    if (scenario != scenario_ || size_ == 0) {
-      close_scenario();
-      scenario_ = scenario;
-    }
-    scenario_sum_ += value;
-    ++size_;
-    sum_.add(value);
-    squares_.add_product(value, value);
-  }
-  void add_na(const std::string& reason);  ///< which must exist until the end of the part
-
-  /// To be called at the end of a part. No other part contains its scenarios. `key_of` names a
-  /// scenario by a number that is the same in all parts.
-  void end_part(const std::function<std::uint32_t(std::uint32_t scenario)>& key_of);
-
-  // After the end of a part.
-
   std::size_t available() const { return available_; }
   const std::map<std::string, std::size_t>& na() const { return na_; }
   double mean() const;                      ///< requires a value
@@ -72,24 +55,62 @@ class CellSums {
   GroupSums groups(const std::function<std::size_t(std::uint32_t key)>& rank_of = nullptr) const;
 
  private:
+  friend class RowSums;
   struct Group {
     std::uint32_t key;
     double sum, size;
   };
 
-  std::uint32_t scenario_ = 0;  ///< whose runs are being added
-  double scenario_sum_ = 0, size_ = 0;
   std::size_t available_ = 0, scenarios_ = 0;
   PreciseSum sum_, squares_;                         ///< of values
   PreciseSum scenario_squares_, scenario_products_;  ///< of sums; of sums and numbers of runs
   double size_squares_ = 0;
   std::vector<Group> groups_;
-  std::size_t named_ = 0;  ///< groups whose key is not of the current part
-  std::vector<std::pair<const std::string*, std::size_t>> part_na_;
   std::map<std::string, std::size_t> na_;
 
-  void close_scenario();
   double residuals(const PreciseSum& squares, const PreciseSum& products, double sizes) const;
+};
+
+/// The sums of the cells of a row: results of any number of runs are added one after the other,
+/// part by part.
+class RowSums {
+ public:
+  explicit RowSums(std::size_t cells);
+
+  /// The number of values that add() reads: that of the cells, rounded up. Those beyond are
+  /// ignored.
+  static std::size_t padded(std::size_t cells);
+
+  /// A value per cell, NaN where the run has none. The runs of a scenario, an index, must follow
+  /// each other.
+  void add(const double* values, std::uint32_t scenario);
+  /// Why a cell has no value of a run. The text must exist until the end of the part.
+  void add_na(std::size_t cell, const std::string& reason);
+
+  /// To be called at the end of a part. No other part contains its scenarios. `key_of` names a
+  /// scenario by a number that is the same in all parts.
+  void end_part(const std::function<std::uint32_t(std::uint32_t scenario)>& key_of);
+
+  /// After the end of a part.
+  CellSums cell(std::size_t index) const;
+
+ private:
+  /// What is not a sum.
+  struct Lists {
+    std::vector<CellSums::Group> groups;
+    std::size_t named = 0;  ///< groups whose key is not of the current part
+    std::vector<std::pair<const std::string*, std::size_t>> part_na;
+    std::map<std::string, std::size_t> na;
+  };
+
+  std::vector<double> sums_;    ///< as in sums_kernel.h
+  std::vector<Lists> lists_;    ///< one per cell
+  std::uint32_t scenario_ = 0;  ///< whose runs are being added
+  bool is_open_ = false;        ///< there are runs of it
+  bool has_groups_ = true;      ///< a cell has few enough scenarios
+
+  void close_scenario();
+  void add_groups();
 };
 
 }  // namespace slalom

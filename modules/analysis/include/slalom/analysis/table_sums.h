@@ -55,7 +55,11 @@ class TableSums {
  private:
   struct Row {
     std::size_t runs = 0, failures = 0;
-    std::vector<CellSums> cells;  ///< one per metric
+    RowSums cells;  ///< one per metric
+  };
+  /// A run, and its row, counted over all methods.
+  struct RunInRow {
+    std::uint32_t run, row;
   };
   struct Rows {
     std::size_t outside = 0, undescribed = 0;
@@ -78,6 +82,8 @@ class TableSums {
 
   std::vector<Method*> methods_of(const ResultTable& part);
   void count_outcomes(const ResultTable& part, const std::vector<Method*>& methods);
+  void add_values(std::size_t table, const ResultTable& part, const std::vector<Method*>& methods,
+                  const std::vector<RunInRow>& runs);
   void add_table(std::size_t table, const ResultTable& part, const std::vector<Method*>& methods,
                  const std::vector<std::uint32_t>& order);
   void end_part(const ResultTable& part, const std::vector<Method*>& methods);
