@@ -7,58 +7,87 @@
 namespace slalom {
 namespace {
 
+/// The size of a number or the length of a text with its type.
+constexpr std::size_t kNumber = 1 + sizeof(std::int64_t);
+
 template <typename T>
-void append_raw(std::string& bytes, char type, T number) {
-  char raw[1 + sizeof number];  // little-endian, as are the supported machines
-  raw[0] = type;
-  std::memcpy(raw + 1, &number, sizeof number);
-  bytes.append(raw, sizeof raw);
+char* put(char* to, char type, T number) {
+  static_assert(1 + sizeof number == kNumber, "little-endian, as are the supported machines");
+  *to = type;
+  std::memcpy(to + 1, &number, sizeof number);
+  return to + kNumber;
+}
+
+/// -0.0 as 0, as SQLite stores it.
+char* put_real(char* to, double number) {
+  return put(to, 'f', number == 0 ? 0.0 : number);
 }
 
 }  // namespace
 
+/// Room for `size` more bytes, of which those up to the argument of set_end() are used.
+char* RowChecksum::make_room(std::size_t size) {
+  if (bytes_.size() - size_ < size) bytes_.resize(2 * bytes_.size() + size);
+  return bytes_.data() + size_;
+}
+
+void RowChecksum::set_end(const char* end) {
+  size_ = static_cast<std::size_t>(end - bytes_.data());
+}
+
+void RowChecksum::add_bytes(const void* bytes, std::size_t size) {
+  char* end = put(make_room(kNumber + size), 't', static_cast<std::uint64_t>(size));
+  if (size > 0) std::memcpy(end, bytes, size);
+  set_end(end + size);
+}
+
 RowChecksum& RowChecksum::add(const std::string& bytes) {
-  append_raw(bytes_, 't', static_cast<std::uint64_t>(bytes.size()));
-  bytes_ += bytes;
+  add_bytes(bytes.data(), bytes.size());
   return *this;
 }
 
 RowChecksum& RowChecksum::add(std::int64_t number) {
-  append_raw(bytes_, 'i', number);
+  set_end(put(make_room(kNumber), 'i', number));
   return *this;
 }
 
 RowChecksum& RowChecksum::add(double number) {
-  if (number != number) return add_null();  // SQLite stores NaN as NULL, and -0.0 as 0
-  append_raw(bytes_, 'f', number == 0 ? 0.0 : number);
+  if (number != number) return add_null();  // as SQLite stores NaN
+  set_end(put_real(make_room(kNumber), number));
   return *this;
 }
 
 RowChecksum& RowChecksum::add_null() {
-  bytes_ += 'n';
+  *make_room(1) = 'n';
+  ++size_;
   return *this;
 }
 
-RowChecksum& RowChecksum::add_columns(sqlite3_stmt* row, int begin, int end) {
-  for (int column = begin; column < end; ++column) {
-    switch (sqlite3_column_type(row, column)) {
+RowChecksum& RowChecksum::add_values(sqlite3_value* const* begin, sqlite3_value* const* end) {
+  const auto room = [&](sqlite3_value* const* value) {
+    return make_room(kNumber * static_cast<std::size_t>(end - value));
+  };
+  char* to = room(begin);
+  for (sqlite3_value* const* value = begin; value < end; ++value) {
+    switch (sqlite3_value_type(*value)) {
       case SQLITE_INTEGER:
-        add(static_cast<std::int64_t>(sqlite3_column_int64(row, column)));
+        to = put(to, 'i', static_cast<std::int64_t>(sqlite3_value_int64(*value)));
         break;
       case SQLITE_FLOAT:
-        add(sqlite3_column_double(row, column));
+        to = put_real(to, sqlite3_value_double(*value));
         break;
       case SQLITE_NULL:
-        add_null();
+        *to++ = 'n';
         break;
       default: {
-        const void* bytes = sqlite3_column_blob(row, column);
-        const auto size = static_cast<std::size_t>(sqlite3_column_bytes(row, column));
-        append_raw(bytes_, 't', static_cast<std::uint64_t>(size));
-        if (size > 0) bytes_.append(static_cast<const char*>(bytes), size);
+        set_end(to);
+        const void* bytes = sqlite3_value_blob(*value);
+        add_bytes(bytes, static_cast<std::size_t>(sqlite3_value_bytes(*value)));
+        to = room(value);
       }
     }
   }
+  set_end(to);
   return *this;
 }
 
@@ -78,7 +107,7 @@ RowChecksum& RowChecksum::add_columns(SQLite::Statement& row, int begin, int end
 }
 
 std::int64_t RowChecksum::value() const {
-  return static_cast<std::int64_t>(XXH3_64bits(bytes_.data(), bytes_.size()));
+  return static_cast<std::int64_t>(XXH3_64bits(bytes_.data(), size_));
 }
 
 }  // namespace slalom

@@ -57,6 +57,30 @@ void reorder_scenarios(ResultTable& columns, const std::vector<std::size_t>& ord
   for (std::uint32_t& scenario : columns.scenario) scenario = index[scenario];
 }
 
+/// The runs by the rank of their scenario, method and repetition; empty if they are in that order.
+std::vector<std::size_t> order_of_runs(const ResultTable& columns,
+                                       const std::vector<std::size_t>& rank) {
+  const auto key = [&](std::size_t run) {
+    return std::tuple(rank[columns.scenario[run]], columns.method[run], columns.repetition[run]);
+  };
+  const auto before = [&](std::size_t a, std::size_t b) { return key(a) < key(b); };
+  std::vector<std::size_t> order(columns.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (std::is_sorted(order.begin(), order.end(), before)) return {};
+  // By counting, then within each scenario: much faster than sorting all runs.
+  std::vector<std::size_t> ends(rank.size() + 1, 0);
+  for (const std::uint32_t scenario : columns.scenario) ++ends[rank[scenario] + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  for (std::size_t run = 0; run < columns.size(); ++run)
+    order[ends[rank[columns.scenario[run]]]++] = run;
+  const auto run_at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
+  for (std::size_t i = 0; i < rank.size(); ++i) {
+    const auto begin = run_at(i == 0 ? 0 : ends[i - 1]), end = run_at(ends[i]);
+    if (!std::is_sorted(begin, end, before)) std::sort(begin, end, before);
+  }
+  return order;
+}
+
 /// Sorts names, and updates the indexes into them.
 template <typename Less>
 void sort_by(Less less, std::vector<std::string>& names, std::vector<std::uint32_t>& indexes) {
@@ -133,22 +157,14 @@ void sort_names(ResultTable& columns) {
 void sort_rows(ResultTable& columns) {
   sort_names(columns);
   const std::size_t scenarios = columns.scenario_hashes.size();
-  std::vector<std::size_t> by_name(scenarios), rank(scenarios), order(columns.size());
+  std::vector<std::size_t> by_name(scenarios), rank(scenarios);
   std::iota(by_name.begin(), by_name.end(), std::size_t{0});
   std::sort(by_name.begin(), by_name.end(), [&](std::size_t a, std::size_t b) {
     return std::tie(columns.scenario_names[a], columns.scenario_hashes[a]) <
            std::tie(columns.scenario_names[b], columns.scenario_hashes[b]);
   });
   for (std::size_t i = 0; i < scenarios; ++i) rank[by_name[i]] = i;
-  const auto key = [&](std::size_t run) {
-    return std::tuple(rank[columns.scenario[run]], columns.method[run], columns.repetition[run]);
-  };
-  const auto before = [&](std::size_t a, std::size_t b) { return key(a) < key(b); };
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  if (!std::is_sorted(order.begin(), order.end(), before)) {
-    std::sort(order.begin(), order.end(), before);
-    reorder_runs(columns, order);
-  }
+  if (const auto order = order_of_runs(columns, rank); !order.empty()) reorder_runs(columns, order);
   reorder_scenarios(columns, by_name);
 }
 

@@ -29,14 +29,14 @@ std::vector<QuantityInfo> sorted_by_id(std::vector<QuantityInfo> infos) {
   return infos;
 }
 
-/// A thin wrapper of an SQLite statement for reading millions of rows.
+/// A thin wrapper of an SQLite statement for reading millions of rows. Its connection must be
+/// without SQLite's locks, so that the values of a row can be used without asking for each again.
 class FastRows {
  public:
-  FastRows(SQLite::Database& database, const std::string& sql) {
-    const int error =
-        sqlite3_prepare_v2(database.getHandle(), sql.c_str(), -1, &statement_, nullptr);
-    if (error != SQLITE_OK) throw SQLite::Exception(database.getHandle(), error);
-    handle_ = database.getHandle();
+  FastRows(SQLite::Database& database, const std::string& sql) : handle_(database.getHandle()) {
+    const int error = sqlite3_prepare_v2(handle_, sql.c_str(), -1, &statement_, nullptr);
+    if (error != SQLITE_OK) throw SQLite::Exception(handle_, error);
+    values_.resize(static_cast<std::size_t>(sqlite3_column_count(statement_)));
   }
   ~FastRows() { sqlite3_finalize(statement_); }
   FastRows(const FastRows&) = delete;
@@ -45,54 +45,61 @@ class FastRows {
   bool next() {
     const int result = sqlite3_step(statement_);
     if (result != SQLITE_ROW && result != SQLITE_DONE) throw SQLite::Exception(handle_, result);
-    return result == SQLITE_ROW;
+    if (result == SQLITE_DONE) return false;
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      values_[i] = sqlite3_column_value(statement_, static_cast<int>(i));
+    return true;
   }
-  bool is_null(int column) { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
-  double number(int column) { return sqlite3_column_double(statement_, column); }
-  std::int64_t integer(int column) { return sqlite3_column_int64(statement_, column); }
+  bool is_null(int column) const { return sqlite3_value_type(at(column)) == SQLITE_NULL; }
+  double number(int column) const { return sqlite3_value_double(at(column)); }
+  std::int64_t integer(int column) const { return sqlite3_value_int64(at(column)); }
   /// Whether the column after the first `columns` is the checksum of those from `begin` on.
   bool is_intact(int begin, int columns) {
     checksum_.clear();
-    return checksum_.add_columns(statement_, begin, columns).value() == integer(columns);
+    return add_to(checksum_, begin, columns).value() == integer(columns);
   }
   /// The same for a row that belongs to the row with the checksum `owner`.
   bool is_intact(int begin, int columns, std::int64_t owner) {
     checksum_.clear();
     checksum_.add(owner);
-    return checksum_.add_columns(statement_, begin, columns).value() == integer(columns);
+    return add_to(checksum_, begin, columns).value() == integer(columns);
   }
-  RowChecksum& add_to(RowChecksum& checksum, int begin, int end) {
-    return checksum.add_columns(statement_, begin, end);
+  RowChecksum& add_to(RowChecksum& checksum, int begin, int end) const {
+    return checksum.add_values(values_.data() + begin, values_.data() + end);
   }
-  const char* text(int column) {
-    const auto* bytes = sqlite3_column_text(statement_, column);
+  const char* text(int column) const {
+    const auto* bytes = sqlite3_value_text(at(column));
     return bytes == nullptr ? "" : reinterpret_cast<const char*>(bytes);
   }
 
  private:
+  sqlite3* handle_;
   sqlite3_stmt* statement_ = nullptr;
-  sqlite3* handle_ = nullptr;
-  RowChecksum checksum_;  ///< reused, for its memory
+  std::vector<sqlite3_value*> values_;  ///< of the current row
+  RowChecksum checksum_;                ///< reused, for its memory
+
+  sqlite3_value* at(int column) const { return values_[static_cast<std::size_t>(column)]; }
 };
 
-/// Looks up the index of a name, caching that of the previous row.
+/// Looks up the index of a name: mostly that of the previous row, or the one after it.
 class CachedNameIndex {
  public:
-  explicit CachedNameIndex(std::vector<std::string>& names) : names_(names) {}
+  explicit CachedNameIndex(std::vector<std::string>& names) : names_(names), index_(names) {}
   std::uint32_t index_of(const char* name) {
-    if (empty_ || last_ != name) {
-      last_ = name;
-      last_index_ = names_.index_of(last_);
-      empty_ = false;
-    }
-    return last_index_;
+    if (is_name(last_, name)) return last_;
+    const std::uint32_t next = last_ + 1 < names_.size() ? last_ + 1 : 0;
+    last_ = is_name(next, name) ? next : index_.index_of(name);
+    return last_;
   }
 
  private:
-  NameIndex names_;
-  std::string last_;
-  std::uint32_t last_index_ = 0;
-  bool empty_ = true;
+  std::vector<std::string>& names_;
+  NameIndex index_;
+  std::uint32_t last_ = 0;
+
+  bool is_name(std::uint32_t index, const char* name) const {
+    return index < names_.size() && names_[index] == name;
+  }
 };
 
 /// Reasons of missing values. Caches the parsed JSON, since few different texts occur.
