@@ -18,6 +18,7 @@ struct InterpretArguments {
   std::string up, down;   ///< columns of CSV files
   std::string output;
   bool csv = false, json = false;
+  int jobs = 1;  ///< threads that read shards
 };
 
 /// Adds the options of the verb.

@@ -2,6 +2,9 @@
 
 #include <slalom/app/program.h>
 
+#include <algorithm>
+#include <thread>
+
 namespace slalom {
 namespace {
 
@@ -30,6 +33,11 @@ void add_comparison_options(CLI::App& verb, InterpretArguments& a) {
       ->capture_default_str();
 }
 
+/// Each thread has a file in memory.
+int default_jobs() {
+  return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U));
+}
+
 void add_special_options(CLI::App& verb, InterpretArguments& a, const std::string& id) {
   if (id == "compare") {
     verb.add_option("--baseline", a.request.baseline, "Compare all other methods with this one");
@@ -45,6 +53,13 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
     verb.add_option("--values", a.request.values, "Its values, one per file, comma-separated");
     verb.add_flag("--allow-differences", a.request.allow_differences,
                   "Accept campaigns that differ in other settings");
+  }
+  if (id == "table") {
+    a.jobs = default_jobs();
+    verb.add_option("-j,--jobs", a.jobs,
+                    "Threads that read the shards of a folder (default: the processors, at most "
+                    "8); tables do not depend on their number")
+        ->check(CLI::Range(1, 1024));
   }
   if (id == "compare" || id == "robustness") add_comparison_options(verb, a);
 }

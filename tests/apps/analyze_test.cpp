@@ -180,6 +180,9 @@ TEST_F(Analyze, AFolderOfShardsHasTheTablesOfTheMergedFile) {
     EXPECT_EQ(folder.out, run("slalom-analyze " + verb + " all.results").out) << verb;
     EXPECT_EQ(folder.err, "") << "the campaign is complete";
   }
+  const std::string table = run("slalom-analyze table shards -j 1").out;
+  EXPECT_EQ(table, run("slalom-analyze table shards -j 3").out);
+  expect_failure("slalom-analyze table shards -j 0", 2, {"--jobs"});
   for (const std::string from : {"shards", "all.results"})
     ASSERT_EQ(run("slalom-analyze export " + from + " --format csv -o csv-" + from).status, 0);
   EXPECT_EQ(run("diff -r csv-shards csv-all.results").out, "");

@@ -65,4 +65,41 @@ void parallel_for(std::size_t count, int jobs, const std::function<void(std::siz
   shared.rethrow();
 }
 
+bool Turns::take(std::size_t number, const std::function<void()>& act) {
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait(lock, [&] { return next_ == number; });
+    if (failed_) {
+      lock.unlock();
+      end(true);
+      return false;
+    }
+  }
+  try {
+    act();
+  } catch (...) {
+    end(true);
+    throw;
+  }
+  end(false);
+  return true;
+}
+
+void Turns::fail(std::size_t number) {
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait(lock, [&] { return next_ == number; });
+  }
+  end(true);
+}
+
+void Turns::end(bool failed) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    failed_ = failed_ || failed;
+    ++next_;
+  }
+  changed_.notify_all();
+}
+
 }  // namespace slalom

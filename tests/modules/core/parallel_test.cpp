@@ -44,5 +44,43 @@ TEST(Parallel, RethrowsTheFailureOfTheSmallestIndex) {
     }
 }
 
+TEST(Parallel, ResultsAreUsedInOrder) {
+  for (const int jobs : {1, 2, 5}) {
+    std::vector<std::size_t> used;
+    std::atomic<int> existing{0};
+    const auto make = [&](std::size_t i) {
+      EXPECT_LE(++existing, jobs);
+      if (i % 3 == 0) std::this_thread::yield();
+      return i;
+    };
+    parallel_in_order(100, jobs, make, [&](std::size_t i) {
+      used.push_back(i);
+      --existing;
+    });
+    ASSERT_EQ(used.size(), 100U);
+    for (std::size_t i = 0; i < used.size(); ++i) EXPECT_EQ(used[i], i);
+  }
+}
+
+TEST(Parallel, NothingIsUsedAfterAFailure) {
+  for (const bool makes : {true, false})
+    for (const int jobs : {1, 2, 5}) {
+      std::vector<std::size_t> used;
+      const auto fail_at_seven = [](std::size_t i, bool fails) {
+        if (fails && i >= 7) throw std::runtime_error(std::to_string(i));
+        return i;
+      };
+      try {
+        parallel_in_order(
+            50, jobs, [&](std::size_t i) { return fail_at_seven(i, makes); },
+            [&](std::size_t i) { used.push_back(fail_at_seven(i, !makes)); });
+        FAIL() << "nothing was thrown";
+      } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "7");
+      }
+      EXPECT_EQ(used.size(), 7U);
+    }
+}
+
 }  // namespace
 }  // namespace slalom

@@ -3,6 +3,7 @@
 #include "value_columns.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/parallel.h>
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/merge_results.h>
 #include <slalom/io/result_file.h>
@@ -33,7 +34,8 @@ void for_each_row(const std::string& path, const std::string& sql, const std::st
 
 }  // namespace
 
-ResultParts::ResultParts(const std::string& folder) : files_(shards_in(folder)) {
+ResultParts::ResultParts(const std::string& folder, int jobs)
+    : files_(shards_in(folder)), jobs_(jobs) {
   outline_.source = folder;
   for (const std::string& path : files_) {
     const ResultFile file = ResultFile::open(path);
@@ -51,32 +53,48 @@ ResultParts::ResultParts(const std::string& folder) : files_(shards_in(folder)) 
 }
 
 void ResultParts::check_disjoint() {
-  std::vector<std::uint64_t> hashes;  // half of each: 8 bytes per scenario
-  for (const std::string& path : files_)
-    for_each_row(path, "SELECT hash FROM scenarios", "", [&](SQLite::Statement& row) {
-      hashes.push_back(
-          std::strtoull(row.getColumn(0).getString().substr(0, 16).c_str(), nullptr, 16));
-    });
-  std::sort(hashes.begin(), hashes.end());
-  disjoint_ = std::adjacent_find(hashes.begin(), hashes.end()) == hashes.end();
+  std::vector<std::uint64_t> all;  // half of each hash: 8 bytes per scenario
+  const auto read_hashes = [&](std::size_t file) {
+    std::vector<std::uint64_t> hashes;
+    for_each_row(files_[file], "SELECT substr(hash, 1, 16) FROM scenarios", "",
+                 [&](SQLite::Statement& row) {
+                   hashes.push_back(std::strtoull(row.getColumn(0).getText(), nullptr, 16));
+                 });
+    return hashes;
+  };
+  parallel_in_order(files_.size(), jobs_, read_hashes, [&](std::vector<std::uint64_t> hashes) {
+    all.insert(all.end(), hashes.begin(), hashes.end());
+  });
+  std::sort(all.begin(), all.end());
+  disjoint_ = std::adjacent_find(all.begin(), all.end()) == all.end();
 }
 
 void ResultParts::read_values(const std::string& descriptor) {
   for (ValueColumn& column : outline_.descriptors) {
     if (column.info().id != descriptor || column.size() > 0) continue;
-    for (const std::string& path : files_)
-      for_each_row(
-          path, "SELECT version, value, standard_error, reason FROM descriptors WHERE id = ?",
-          descriptor, [&](SQLite::Statement& row) {
-            column.add(value_of_version({row.getColumn(0).getInt(), value_from_columns(row, 1)},
-                                        column.info().version));
-          });
+    const int version = column.info().version;
+    const auto read_file = [&](std::size_t file) {
+      std::vector<Value> values;
+      for_each_row(files_[file],
+                   "SELECT version, value, standard_error, reason FROM descriptors WHERE id = ?",
+                   descriptor, [&](SQLite::Statement& row) {
+                     values.push_back(value_of_version(
+                         {row.getColumn(0).getInt(), value_from_columns(row, 1)}, version));
+                   });
+      return values;
+    };
+    parallel_in_order(files_.size(), jobs_, read_file, [&](const std::vector<Value>& values) {
+      for (const Value& value : values) column.add(value);
+    });
   }
 }
 
 void ResultParts::for_each(const std::vector<std::string>& ids,
                            const std::function<void(const ResultTable&)>& use) const {
-  for (const std::string& path : files_) use(finish_table(read_file_rows(path, {ids}).table));
+  const auto read = [&](std::size_t file) {
+    return finish_table(read_file_rows(files_[file], {ids}).table);
+  };
+  parallel_in_order(files_.size(), jobs_, read, use);
 }
 
 }  // namespace slalom

@@ -204,12 +204,14 @@ TEST_F(MergeResults, AFolderIsReadFileByFile) {
   const ValueColumn& density = *find_descriptor(parts.outline(), "density");
   ASSERT_EQ(density.size(), 2U) << "once for each scenario";
   EXPECT_EQ(density.number(1), 0.1);
-  std::vector<double> values;
-  parts.for_each({"optimality"}, [&](const ResultTable& part) {
-    EXPECT_EQ(part.size(), 2U);
-    for (const std::size_t run : {0, 1}) values.push_back(part.metrics[0].number(run));
-  });
-  EXPECT_EQ(values, (std::vector<double>{0.25, 0.25, 0.75, 0.75}));
+  for (const int jobs : {1, 2, 5}) {
+    std::vector<double> values;
+    ResultParts(folder, jobs).for_each({"optimality"}, [&](const ResultTable& part) {
+      EXPECT_EQ(part.size(), 2U);
+      for (const std::size_t run : {0, 1}) values.push_back(part.metrics[0].number(run));
+    });
+    EXPECT_EQ(values, (std::vector<double>{0.25, 0.25, 0.75, 0.75}));
+  }
   write("3.results", 1, 0.25);
   EXPECT_FALSE(ResultParts(folder).are_disjoint());
   write("4.results", 4, 0.5, "0.6");

@@ -12,8 +12,9 @@ namespace slalom {
 /// the number of runs.
 class ResultParts {
  public:
-  /// Throws Error (File) if there are none, and for files of different campaigns.
-  explicit ResultParts(const std::string& folder);
+  /// Files are read on up to `jobs` threads; the results do not depend on their number. Throws
+  /// Error (File) if there are none, and for files of different campaigns.
+  explicit ResultParts(const std::string& folder, int jobs = 1);
 
   /// The campaign without runs and scenarios, with the infos of all columns but wall-clock figures.
   /// Its descriptors have the values that read_values() read, in any order.
@@ -24,13 +25,14 @@ class ResultParts {
   /// Reads the values of a descriptor in all scenarios, 8 bytes each.
   void read_values(const std::string& descriptor);
 
-  /// Calls `use` with the results of each file, as read_results() returns them. Throws Error
-  /// (File).
+  /// Calls `use` with the results of each file, one after the other, as read_results() returns
+  /// them. At most `jobs` of them are in memory. Throws Error (File).
   void for_each(const std::vector<std::string>& ids,
                 const std::function<void(const ResultTable&)>& use) const;
 
  private:
   std::vector<std::string> files_;
+  int jobs_;
   ResultTable outline_;
   bool disjoint_ = true;
 
