@@ -2,10 +2,10 @@
 
 #include "coverage_archive.h"
 #include "coverage_limits.h"
-#include "mutation/mutation.h"
 #include "sampling/option_sampler.h"
 
 #include <slalom/descriptors/descriptor.h>
+#include <slalom/generation/mutation.h>
 
 namespace slalom {
 

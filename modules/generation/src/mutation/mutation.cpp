@@ -1,5 +1,4 @@
-#include "mutation.h"
-#include "scene.h"
+#include "scene_mutation.h"
 
 #include <slalom/core/distance.h>
 

@@ -1,4 +1,4 @@
-#include "scene.h"
+#include "scene_mutation.h"
 
 #include <slalom/scenario/occupancy.h>
 

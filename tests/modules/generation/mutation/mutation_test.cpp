@@ -1,6 +1,6 @@
-#include "mutation/mutation.h"
 #include "mutation/scenario_sketch.h"
 
+#include <slalom/generation/mutation.h>
 #include <slalom/scenario/grid_map.h>
 
 #include <gtest/gtest.h>

@@ -1,32 +1,13 @@
 #pragma once
 
-#include "mutation.h"
-
-#include <slalom/scenario/geometry.h>
+#include <slalom/generation/mutation.h>
+#include <slalom/generation/scene.h>
 
 #include <algorithm>
-#include <variant>
+#include <optional>
 #include <vector>
 
 namespace slalom {
-
-/// A mutable continuous scenario, with obstacles of both kinds in one list.
-struct Scene {
-  using Obstacle = std::variant<Disc, Polygon>;
-
-  explicit Scene(const Scenario& scenario);
-  Scenario scenario(const std::string& name) const;
-  /// Removes the obstacles that satisfy the condition.
-  template <typename Condition>
-  void remove_if(Condition condition) {
-    obstacles.erase(std::remove_if(obstacles.begin(), obstacles.end(), condition), obstacles.end());
-  }
-
-  Bounds bounds;
-  std::vector<Obstacle> obstacles;
-  mrpt::math::TPose2D start;
-  mrpt::math::TPoint2D goal;
-};
 
 inline double shorter_side(const Scene& scene) {
   return std::min(scene.bounds.width(), scene.bounds.height());
@@ -36,12 +17,6 @@ inline double clearance_margin(const MutationLimits& limits) {
   return limits.robot_radius + 1.5 * limits.resolution;
 }
 
-mrpt::math::TPoint2D center_of(
-    const Scene::Obstacle& obstacle);  ///< of a polygon: mean of its vertices
-void translate(Scene::Obstacle& obstacle, double dx, double dy);
-void scale(Scene::Obstacle& obstacle, double factor);               ///< about its center
-void scale_about_origin(Scene::Obstacle& obstacle, double factor);  ///< about the world origin
-double distance(const mrpt::math::TPoint2D& p, const Scene::Obstacle& obstacle);
 Polygon make_block(double x_min, double y_min, double x_max, double y_max);
 
 /// A random polyline from start to goal with up to two intermediate points within the bounds.
