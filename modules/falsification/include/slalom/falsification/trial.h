@@ -1,0 +1,55 @@
+#pragma once
+
+#include <slalom/campaign/campaign_options.h>
+#include <slalom/methods/method_factory.h>
+#include <slalom/scenario/world.h>
+#include <slalom/simulation/simulate.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// The method whose failures are searched, and how it is run: as in a campaign with these settings
+/// and this seed, repetition 0.
+struct TestBench {
+  RunSetup setup;
+  LimitsSection limits;
+  std::uint64_t seed = 1;
+  NamedMethod method;
+  /// A failure counts only where one of these reaches the goal: it proves that the scenario can be
+  /// solved.
+  std::vector<NamedMethod> witnesses;
+
+  /// 0: the method; then the witnesses.
+  const NamedMethod& method_at(std::size_t index) const {
+    return index == 0 ? method : witnesses.at(index - 1);
+  }
+};
+
+/// What is kept of a run.
+struct Trial {
+  Outcome outcome = Outcome::InfrastructureError;
+  std::string detail;
+  std::string trajectory_hash;  ///< empty if the method's process died
+  /// Poses (m, rad) of the robot, evenly distributed in time, with the first and the last one;
+  /// empty if the method's process died.
+  std::vector<mrpt::math::TPose2D> waypoints;
+  double clearance = 0;  ///< m, smallest distance of the robot's enclosing disc to obstacles; <= 0
+                         ///< in contact. 0 if the method's process died
+};
+
+constexpr std::size_t kWaypoints = 24;  ///< at most, of a trial
+
+/// Runs a method in this process.
+Trial run_trial(const World& world, const TestBench& bench, Method& method);
+
+/// Whether both are the same run, to the last bit of the trajectory.
+bool is_same_run(const Trial& a, const Trial& b);
+
+std::string to_bytes(const Trial& trial);
+/// Throws Error (File) at `where` for malformed bytes.
+Trial trial_from_bytes(const std::string& bytes, const std::string& where);
+
+}  // namespace slalom

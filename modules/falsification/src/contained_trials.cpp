@@ -1,0 +1,168 @@
+#include "contained_trials.h"
+
+#include <slalom/core/byte_stream.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+namespace slalom {
+namespace {
+
+constexpr std::size_t kLogSize = 4U << 20U;  // bytes
+constexpr std::size_t kMaxLogged = kLogSize / 2;
+constexpr char kLogName[] = "log of trials";
+
+std::string key_of(const Scenario& scenario, std::size_t method) {
+  return scenario.hash() + "/" + std::to_string(method);
+}
+
+/// Trials as they were begun and ended: a key, and then the trial itself.
+void append(SharedTaskLog& log, const std::string& text, std::size_t& logged) {
+  const std::string bytes = ByteWriter().text(text).take();
+  log.append(bytes.data(), bytes.size());
+  logged += bytes.size();
+}
+
+struct LogIsFull {};
+
+class LoggedTrials : public TrialSource {
+ public:
+  LoggedTrials(const TestBench& bench, std::map<std::string, Trial> known, SharedTaskLog& log)
+      : methods_(bench), known_(std::move(known)), log_(log) {}
+
+  const Trial& trial(const World& world, std::size_t method) override {
+    const std::string key = key_of(world.scenario(), method);
+    if (const auto found = known_.find(key); found != known_.end()) return found->second;
+    if (logged_ > kMaxLogged) throw LogIsFull();
+    log_.heartbeat();
+    append(log_, key, logged_);
+    const Trial& result = known_[key] = methods_.run(world, method);
+    append(log_, to_bytes(result), logged_);
+    return result;
+  }
+
+ private:
+  BenchMethods methods_;
+  std::map<std::string, Trial> known_;
+  SharedTaskLog& log_;
+  std::size_t logged_ = 0;
+};
+
+class KnownTrials : public TrialSource {
+ public:
+  explicit KnownTrials(const std::map<std::string, Trial>& known) : known_(known) {}
+  const Trial& trial(const World& world, std::size_t method) override {
+    return known_.at(key_of(world.scenario(), method));
+  }
+
+ private:
+  const std::map<std::string, Trial>& known_;
+};
+
+bool is_method_failure(Outcome outcome) {
+  return outcome == Outcome::MethodError || outcome == Outcome::MethodInvalidCommand ||
+         outcome == Outcome::MethodDeadline;
+}
+
+}  // namespace
+
+PoolOptions pool_of_trials(const TestBench& bench) {
+  PoolOptions pool;
+  pool.heartbeat_timeout = bench.limits.run_wall_time;
+  pool.memory_mb = bench.limits.memory_mb;
+  pool.keep_stderr = bench.limits.method_errors;
+  pool.sandbox = bench.limits.sandbox;
+  pool.clock = bench.setup.clock;
+  pool.log_size = kLogSize;
+  return pool;
+}
+
+Method& BenchMethods::method(std::size_t index) {
+  std::unique_ptr<Method>& method = methods_[index];
+  if (!method) method = bench_.method_at(index).make(bench_.setup.robot, bench_.setup.sensor);
+  return *method;
+}
+
+Trial BenchMethods::run(const World& world, std::size_t index) {
+  // All tables before a method can change the floating-point environment.
+  world.distance_field();
+  world.ray_caster();
+  Trial trial;
+  try {
+    trial = run_trial(world, bench_, method(index));
+  } catch (const Error& error) {
+    trial.outcome = Outcome::MethodError;
+    trial.detail = error.what();
+  }
+  if (is_method_failure(trial.outcome)) methods_.erase(index);
+  return trial;
+}
+
+bool ContainedTrials::execute(const TrialJob& job) {
+  for (bool complete = false; !complete;)
+    if (!extend(job, complete)) return false;
+  KnownTrials known(known_);
+  job(known);
+  return true;
+}
+
+/// Executes the job in a worker as far as it gets.
+bool ContainedTrials::extend(const TrialJob& job, bool& complete) {
+  const WorkItem item = [&](std::size_t, SharedTaskLog& log) -> std::string {
+    LoggedTrials trials(bench_, known_, log);
+    try {
+      job(trials);
+    } catch (const LogIsFull&) {
+      return "again" + log.contents();
+    }
+    return "done." + log.contents();
+  };
+  return run_in_workers(
+      1, pool_of_trials(bench_), item,
+      [&](std::size_t, WorkResult&& result) {
+        const bool done = result.status == WorkResult::Status::Done;
+        complete = done && starts_with(result.payload, "done.");
+        read_log(done ? result.payload.substr(5) : result.log, result);
+      },
+      interrupted_);
+}
+
+void ContainedTrials::read_log(const std::string& log, const WorkResult& result) {
+  ByteReader reader(log, kLogName);
+  std::string begun;
+  for (std::size_t position = 0; position < log.size();) {
+    const std::string text = reader.text();
+    position += sizeof(std::uint64_t) + text.size();
+    if (begun.empty()) {
+      begun = text;
+    } else {
+      known_[begun] = trial_from_bytes(text, kLogName);
+      begun.clear();
+    }
+  }
+  if (result.status == WorkResult::Status::Done) return;
+  Trial trial = trial_of_dead_process(result);
+  if (begun.empty()) throw job_error("a run of the method", result.detail);
+  known_[begun] = std::move(trial);
+}
+
+Trial trial_of_dead_process(const WorkResult& result) {
+  using Status = WorkResult::Status;
+  if (result.status == Status::Threw) throw Error(ErrorKind::Job, result.detail);
+  if (result.status == Status::Killed) throw job_error("a run of the method", result.detail);
+  Trial trial;
+  trial.outcome =
+      result.status == Status::TimedOut ? Outcome::MethodDeadline : Outcome::MethodCrash;
+  trial.detail = result.detail;
+  return trial;
+}
+
+Trial run_alone(const TestBench& bench, const Scenario& scenario, std::size_t method) {
+  const World world(scenario, bench.setup.simulation.resolution);
+  Trial trial;
+  ContainedTrials(bench, nullptr).execute([&](TrialSource& source) {
+    trial = source.trial(world, method);
+  });
+  return trial;
+}
+
+}  // namespace slalom

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <slalom/campaign/worker_pool.h>
+#include <slalom/falsification/trial.h>
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace slalom {
+
+/// The limits of processes in which methods run, for work items that are many runs.
+PoolOptions pool_of_trials(const TestBench& bench);
+
+/// Creates the methods of a bench when they are needed, and again after a failure that may have
+/// damaged them.
+class BenchMethods {
+ public:
+  explicit BenchMethods(const TestBench& bench) : bench_(bench) {}
+  /// An error of the method's construction is the outcome method_error.
+  Trial run(const World& world, std::size_t method);
+  Method& method(std::size_t index);
+
+ private:
+  const TestBench& bench_;
+  std::map<std::size_t, std::unique_ptr<Method>> methods_;
+};
+
+/// Where a job gets its trials.
+class TrialSource {
+ public:
+  virtual ~TrialSource() = default;
+  /// `method` as in TestBench::method_at().
+  virtual const Trial& trial(const World& world, std::size_t method) = 0;
+};
+
+/// A computation that depends only on trials: the same trials, the same computation.
+using TrialJob = std::function<void(TrialSource& source)>;
+
+/// Executes jobs whose trials may crash. A job runs in a worker process; each trial is logged in
+/// memory that this process shares. When the worker dies, the trial that it had begun is a crash,
+/// and the job is repeated in a new worker with the trials that are known. In the end it is
+/// executed in this process, with all trials known, for its results.
+class ContainedTrials {
+ public:
+  ContainedTrials(const TestBench& bench, std::function<bool()> interrupted)
+      : bench_(bench), interrupted_(std::move(interrupted)) {}
+
+  /// False when interrupted. Throws Error (Job) when the job throws.
+  bool execute(const TrialJob& job);
+  std::size_t count() const { return known_.size(); }  ///< trials so far
+
+ private:
+  bool extend(const TrialJob& job, bool& complete);
+  void read_log(const std::string& log, const WorkResult& result);
+
+  const TestBench& bench_;
+  std::function<bool()> interrupted_;
+  std::map<std::string, Trial> known_;  ///< by key
+};
+
+/// The outcome of a trial whose process died. Throws Error (Job) if that was not its doing.
+Trial trial_of_dead_process(const WorkResult& result);
+
+/// One trial in a new process.
+Trial run_alone(const TestBench& bench, const Scenario& scenario, std::size_t method);
+
+}  // namespace slalom

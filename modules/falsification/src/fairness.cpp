@@ -1,0 +1,70 @@
+#include "contained_trials.h"
+
+#include <slalom/core/distance.h>
+#include <slalom/core/text.h>
+#include <slalom/falsification/fairness.h>
+#include <slalom/scenario/widest_path.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+/// widest_bottleneck() is that of points at most a cell's diagonal apart, and the distance to
+/// obstacles changes by at most the distance traveled: between two of them it is less by at most
+/// half of that.
+double certified_bottleneck(const World& world) {
+  const Scenario& scenario = world.scenario();
+  const double widest =
+      widest_bottleneck(world, {scenario.start().x, scenario.start().y}, scenario.goal());
+  return std::max(0.0, widest - world.occupancy().resolution() * M_SQRT1_2);
+}
+
+std::string below(const char* what, double value, double limit, const char* unit) {
+  return std::string(what) + " " + format_fixed(value, 3) + " " + unit + ", less than " +
+         format_fixed(limit, 3);
+}
+
+}  // namespace
+
+GeometryReport judge_geometry(const World& world, const RobotModel& robot,
+                              const FairnessOptions& options) {
+  const Scenario& scenario = world.scenario();
+  const auto& start = scenario.start();
+  const double radius = robot.shape().enclosing_radius();
+  GeometryReport report;
+  report.distance = distance_between(scenario.goal(), start);
+  report.start_clearance = world.distance_field().clearance({start.x, start.y}) - radius;
+  report.bottleneck = certified_bottleneck(world) / radius;
+  constexpr double kRounding = 1e-9;
+  if (report.distance < options.min_distance - kRounding)
+    report.violation = below("distance to the goal", report.distance, options.min_distance, "m");
+  else if (report.start_clearance < options.min_start_clearance - kRounding)
+    report.violation =
+        below("clearance at the start", report.start_clearance, options.min_start_clearance, "m");
+  else if (report.bottleneck < options.min_bottleneck - kRounding)
+    report.violation =
+        below("bottleneck", report.bottleneck, options.min_bottleneck, "robot widths");
+  return report;
+}
+
+FairnessReport judge_failure(const TestBench& bench, const Scenario& scenario, const Trial& failure,
+                             const FairnessOptions& options) {
+  FairnessReport report;
+  const World world(scenario, bench.setup.simulation.resolution);
+  report.geometry = judge_geometry(world, bench.setup.robot, options);
+  if (!report.geometry.violation.empty()) report.violations.push_back(report.geometry.violation);
+  for (std::size_t i = 1; i <= bench.witnesses.size() && report.witness.empty(); ++i)
+    if (run_alone(bench, scenario, i).outcome == Outcome::Success)
+      report.witness = bench.method_at(i).name;
+  if (options.witness && report.witness.empty())
+    report.violations.emplace_back(bench.witnesses.empty() ? "no witness is named"
+                                                           : "no witness reaches the goal");
+  report.repeatable = is_same_run(failure, run_alone(bench, scenario, 0));
+  if (options.repeatable && !report.repeatable)
+    report.violations.emplace_back("a new process does not repeat the run");
+  return report;
+}
+
+}  // namespace slalom

@@ -1,0 +1,92 @@
+#include "obstacle_parts.h"
+#include "shrinker.h"
+
+#include <slalom/core/distance.h>
+#include <slalom/core/error.h>
+#include <slalom/falsification/shrink.h>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+constexpr int kMaxRounds = 5;
+
+/// The conditions that the smallest scenario must meet: those of the options, but not more than the
+/// original does, or nothing could be changed.
+FairnessOptions attainable(const FairnessOptions& wanted, const GeometryReport& original,
+                           bool witness_succeeds) {
+  FairnessOptions options = wanted;
+  options.min_bottleneck = std::min(wanted.min_bottleneck, original.bottleneck);
+  options.min_start_clearance = std::min(wanted.min_start_clearance, original.start_clearance);
+  options.min_distance = std::min(wanted.min_distance, original.distance);
+  options.witness = wanted.witness && witness_succeeds;
+  return options;
+}
+
+bool any_witness_succeeds(TrialSource& trials, const TestBench& bench, const World& world) {
+  for (std::size_t i = 1; i <= bench.witnesses.size(); ++i)
+    if (trials.trial(world, i).outcome == Outcome::Success) return true;
+  return false;
+}
+
+bool one_round(Shrinker& shrinker) {
+  bool changed = remove_obstacles(shrinker);
+  changed |= move_start_and_goal(shrinker);
+  changed |= crop_workspace(shrinker);
+  changed |= remove_obstacles(shrinker);
+  changed |= simplify_shapes(shrinker);
+  changed |= round_numbers(shrinker);
+  return changed;
+}
+
+double distance_of_ends(const Trial& a, const Trial& b) {
+  if (a.waypoints.empty() || b.waypoints.empty()) return 0;
+  return distance_between(a.waypoints.back(), b.waypoints.back());
+}
+
+std::size_t count_parts(const Scenario& scenario, double resolution) {
+  return ObstacleParts(scenario, 0, resolution).size();
+}
+
+/// The computation, which depends only on trials.
+ShrinkResult shrink_with(TrialSource& trials, const TestBench& bench, const Scenario& original,
+                         const ShrinkOptions& options) {
+  const World world(original, bench.setup.simulation.resolution);
+  const Trial failure = trials.trial(world, 0);
+  if (failure.outcome == Outcome::Success)
+    throw job_error("scenario " + original.name(), bench.method.name + " reaches the goal in it",
+                    "a scenario in which it fails");
+  const GeometryReport geometry = judge_geometry(world, bench.setup.robot, options.fairness);
+  const bool witness = any_witness_succeeds(trials, bench, world);
+  FailureTest test(trials, bench, failure.outcome, attainable(options.fairness, geometry, witness),
+                   options.max_runs);
+  Shrinker shrinker(test, original, bench);
+  for (int round = 0; round < kMaxRounds && one_round(shrinker); ++round) continue;
+  const RemovalRound last = remove_each_once(shrinker);
+  ShrinkResult result{shrinker.scenario(), shrinker.trial()};
+  for (const auto& [part, verdict] : last.removals)
+    result.removals.push_back({part, verdict.reason});
+  result.minimal = last.minimal;
+  result.parts_before = count_parts(original, shrinker.resolution());
+  result.parts_after = count_parts(result.scenario, shrinker.resolution());
+  result.runs = test.runs();
+  result.unfair = test.unfair();
+  result.moved = distance_of_ends(failure, result.trial);
+  return result;
+}
+
+}  // namespace
+
+std::optional<ShrinkResult> shrink(const TestBench& bench, const Scenario& scenario,
+                                   const ShrinkOptions& options) {
+  std::optional<ShrinkResult> result;
+  ContainedTrials trials(bench, options.interrupted);
+  if (!trials.execute(
+          [&](TrialSource& source) { result = shrink_with(source, bench, scenario, options); }))
+    return std::nullopt;
+  result->fairness = judge_failure(bench, result->scenario, result->trial, options.fairness);
+  return result;
+}
+
+}  // namespace slalom

@@ -1,0 +1,109 @@
+#include "planted_methods.h"
+
+#include <slalom/falsification/fairness.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+/// A wall across the workspace with a door of this width (m), on multiples of the cell.
+Scenario door(double width) {
+  Primitives obstacles;
+  const double low = 3 - width / 2, high = 3 + width / 2;
+  obstacles.polygons = {{{{2.975, -1}, {3.025, -1}, {3.025, low}, {2.975, low}}},
+                        {{{2.975, high}, {3.025, high}, {3.025, 7}, {2.975, 7}}}};
+  return Scenario::continuous("door", {0, 0, 6, 6}, obstacles, {1, 3, 0}, {5, 3});
+}
+
+GeometryReport judge(const Scenario& scenario, const FairnessOptions& options = {}) {
+  return judge_geometry(World(scenario, 0.05), RobotModel(), options);
+}
+
+TEST(Fairness, TheBottleneckIsCertified) {
+  // A robot of 0.5 m. A closed polygon also occupies the cells that it only touches: the door is up
+  // to 0.1 m narrower. Its axis is half a cell from cell centers, which costs another 0.05 m, and
+  // the certificate 2 * 0.0354 m.
+  for (const double width : {0.8, 1.0, 1.2}) {
+    const double bottleneck = judge(door(width)).bottleneck * 0.5;
+    EXPECT_LE(bottleneck, width);
+    EXPECT_GE(bottleneck, width - 0.15 - 0.0708 - 1e-9);
+  }
+}
+
+TEST(Fairness, ANarrowPassageIsUnfairUnlessSwitchedOff) {
+  EXPECT_NE(judge(door(0.7)).violation.find("bottleneck"), std::string::npos);
+  EXPECT_EQ(judge(door(1.0)).violation, "");
+  FairnessOptions options;
+  options.min_bottleneck = 0;
+  EXPECT_EQ(judge(door(0.7), options).violation, "");
+}
+
+TEST(Fairness, AStartAtAnObstacleIsUnfairUnlessSwitchedOff) {
+  Primitives obstacles;
+  obstacles.discs = {{{1, 3.6}, 0.27}};  // 0.33 m from the center, 0.08 m or less from the robot
+  const Scenario scenario =
+      Scenario::continuous("start", {0, 0, 6, 6}, obstacles, {1, 3, 0}, {5, 3});
+  FairnessOptions options;
+  options.min_bottleneck = 0;
+  const GeometryReport report = judge(scenario, options);
+  EXPECT_LE(report.start_clearance, 0.08);
+  EXPECT_GE(report.start_clearance, 0.08 - 0.0708);
+  EXPECT_NE(report.violation.find("clearance at the start"), std::string::npos);
+  options.min_start_clearance = 0;
+  EXPECT_EQ(judge(scenario, options).violation, "");
+}
+
+TEST(Fairness, AGoalAtTheStartIsUnfairUnlessSwitchedOff) {
+  const Scenario scenario = Scenario::continuous("near", {0, 0, 6, 6}, {}, {3, 3, 0}, {3.5, 3});
+  EXPECT_NE(judge(scenario).violation.find("distance to the goal"), std::string::npos);
+  FairnessOptions options;
+  options.min_distance = 0;
+  EXPECT_EQ(judge(scenario, options).violation, "");
+}
+
+Trial squeeze_trial(const TestBench& bench) {
+  const auto method = bench.method.make(bench.setup.robot, bench.setup.sensor);
+  return run_trial(World(passage(), 0.05), bench, *method);
+}
+
+TEST(Fairness, AWitnessProvesThatTheScenarioCanBeSolved) {
+  TestBench bench = planted_bench("squeeze");
+  const Trial failure = squeeze_trial(bench);
+  EXPECT_TRUE(judge_failure(bench, passage(), failure, {}).fair());
+  bench.witnesses = {planted("squeeze"), planted("none")};
+  EXPECT_EQ(judge_failure(bench, passage(), failure, {}).witness, "base");
+  bench.witnesses = {planted("squeeze")};
+  EXPECT_FALSE(judge_failure(bench, passage(), failure, {}).fair());
+  FairnessOptions options;
+  options.witness = false;
+  EXPECT_TRUE(judge_failure(bench, passage(), failure, options).fair());
+}
+
+TEST(Fairness, ARunThatANewProcessDoesNotRepeatIsUnfair) {
+  const TestBench bench = planted_bench("squeeze");
+  Trial failure = squeeze_trial(bench);
+  failure.trajectory_hash.back() = failure.trajectory_hash.back() == '0' ? '1' : '0';
+  const FairnessReport report = judge_failure(bench, passage(), failure, {});
+  EXPECT_FALSE(report.repeatable);
+  ASSERT_EQ(report.violations.size(), 1U);
+  EXPECT_NE(report.violations[0].find("does not repeat"), std::string::npos);
+  FairnessOptions options;
+  options.repeatable = false;
+  EXPECT_TRUE(judge_failure(bench, passage(), failure, options).fair());
+}
+
+TEST(Fairness, TrialsAreReadAsTheyWereWritten) {
+  const Trial trial = squeeze_trial(planted_bench("squeeze"));
+  EXPECT_LE(trial.clearance, 0.01);
+  EXPECT_EQ(trial.waypoints.size(), kWaypoints);
+  const std::string bytes = to_bytes(trial);
+  EXPECT_EQ(to_bytes(trial_from_bytes(bytes, "test")), bytes);
+  EXPECT_THROW(trial_from_bytes(bytes.substr(1), "test"), Error);
+  EXPECT_THROW(trial_from_bytes(bytes + "x", "test"), Error);
+}
+
+}  // namespace
+}  // namespace slalom
