@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   benchmark.addPlanner(std::make_shared<og::BITstar>(setup.getSpaceInformation()));
   ompl::tools::Benchmark::Request request(/*maxTime=*/0.2, /*maxMem=*/1000, /*runCount=*/3);
   request.displayProgress = false;
+  request.saveConsoleOutput = false;
   benchmark.benchmark(request);
   benchmark.saveResultsToFile(argc > 1 ? argv[1] : "ompl_benchmark.log");
 

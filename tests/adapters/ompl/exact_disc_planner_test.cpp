@@ -76,6 +76,7 @@ TEST(ExactDiscPlanner, OmplsBenchmarkFindsNoPlannerWithAShorterSolution) {
   benchmark.addPlanner(std::make_shared<og::BITstar>(space));
   ompl::tools::Benchmark::Request request(0.3, 1000, 2);
   request.displayProgress = false;
+  request.saveConsoleOutput = false;
   benchmark.benchmark(request);
   const auto& planners = benchmark.getRecordedExperimentData().planners;
   ASSERT_EQ(planners.size(), 3U);
