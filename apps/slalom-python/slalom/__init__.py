@@ -9,7 +9,10 @@
 A method is a class as described in docs/methods.md. Lengths are in m, angles in rad, times in s.
 """
 
+from __future__ import annotations
+
 import os
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from ._slalom import Error, Scenario, __version__, read_scenarios, write_scenarios
 from . import _slalom
@@ -31,7 +34,11 @@ __all__ = [
 TRAJECTORY_COLUMNS = ("t", "x", "y", "phi", "v", "w", "command_v", "command_w", "vy", "command_vy")
 
 
-class Results(dict):
+#: A class, a class and its options, or keys as in an .ini: see docs/methods.md.
+Method = Union[type, Tuple[type, Dict[str, Any]], Dict[str, Any]]
+
+
+class Results(Dict[str, Any]):
     """The results by column, one value per run, in the order of scenario, method and repetition.
 
     pandas.DataFrame(results) is a data frame. Metrics and descriptors are float64 arrays, NaN where
@@ -40,7 +47,14 @@ class Results(dict):
     array of samples with TRAJECTORY_COLUMNS, or is None.
     """
 
-    def __init__(self, columns, timing, reasons, trajectories, table):
+    def __init__(
+        self,
+        columns: Dict[str, Any],
+        timing: Dict[str, Any],
+        reasons: Dict[str, Dict[int, str]],
+        trajectories: Optional[List[Any]],
+        table: _slalom.ResultTable,
+    ) -> None:
         super().__init__(columns)
         self.timing = timing
         self.reasons = reasons
@@ -48,18 +62,27 @@ class Results(dict):
         self._table = table
 
     @property
-    def manifest(self):
+    def manifest(self) -> Dict[str, str]:
         """The settings by "SECTION.KEY", and the versions of the software, as texts."""
         return self._table.manifest
 
-    def table(self, rows, columns, confidence=0.95):
+    def table(self, rows: str, columns: Sequence[str], confidence: float = 0.95) -> str:
         """Tables of metrics in bins of a descriptor, one per method, as text. `rows` is "all",
         "density:4" (bins of equal width), "density:q4" (with equal numbers of scenarios) or
         "density:0,0.1,0.2" (edges)."""
         return _slalom.cross_table(self._table, rows, columns, confidence)
 
 
-def generate(family, count, seed=1, *, workers=1, robot=None, simulation=None, **options):
+def generate(
+    family: str,
+    count: int,
+    seed: int = 1,
+    *,
+    workers: int = 1,
+    robot: Optional[Dict[str, Any]] = None,
+    simulation: Optional[Dict[str, Any]] = None,
+    **options: Any,
+) -> List[Scenario]:
     """Generates distinct scenarios that are solvable for the robot.
 
     `family` is the name of a generator ("random", "maze", ...), `options` are the keys of its section
@@ -70,23 +93,23 @@ def generate(family, count, seed=1, *, workers=1, robot=None, simulation=None, *
 
 
 def evaluate(
-    methods,
-    scenarios,
+    methods: Mapping[str, Method],
+    scenarios: Sequence[Scenario],
     *,
-    robot=None,
-    sensor=None,
-    odometry=None,
-    simulation=None,
-    limits=None,
-    metrics=None,
-    descriptors=None,
-    seed=1,
-    repetitions=1,
-    workers=1,
-    in_process=False,
-    trajectories=False,
-    progress=None,
-):
+    robot: Optional[Dict[str, Any]] = None,
+    sensor: Optional[Dict[str, Any]] = None,
+    odometry: Optional[Dict[str, Any]] = None,
+    simulation: Optional[Dict[str, Any]] = None,
+    limits: Optional[Dict[str, Any]] = None,
+    metrics: Optional[Sequence[str]] = None,
+    descriptors: Optional[Sequence[str]] = None,
+    seed: int = 1,
+    repetitions: int = 1,
+    workers: int = 1,
+    in_process: bool = False,
+    trajectories: bool = False,
+    progress: Optional[Callable[[str, int, int], None]] = None,
+) -> Results:
     """Runs every method in every scenario and computes metrics and descriptors.
 
     `methods` is a dict from names to classes, pairs of a class and a dict of its options, or what
@@ -104,7 +127,7 @@ def evaluate(
     }
     return Results(
         *_slalom.evaluate(
-            methods,
+            dict(methods),
             list(scenarios),
             sections,
             metrics,
@@ -119,7 +142,7 @@ def evaluate(
     )
 
 
-def mrpt_holonomic(class_name, plugin="", **options):
+def mrpt_holonomic(class_name: str, plugin: str = "", **options: Any) -> Dict[str, Any]:
     """A method of MRPT's holonomic interface, such as "CHolonomicND", or a class of a plug-in."""
     method = {"adapter": "mrpt_holonomic", "class": class_name, **options}
     if plugin:
@@ -127,12 +150,12 @@ def mrpt_holonomic(class_name, plugin="", **options):
     return method
 
 
-def plugin(library, **options):
+def plugin(library: str, **options: Any) -> Dict[str, Any]:
     """A compiled method: a path, or the name of a shipped one, such as "libslalom_mppi.so"."""
     return {"adapter": "library", "plugin": _find_plugin(library), **options}
 
 
-def _find_plugin(library):
+def _find_plugin(library: str) -> str:
     """The path of a library: as given, or in the folders where Slalom's methods are."""
     package = os.path.dirname(os.path.abspath(__file__))
     for folder in ("", "../../slalom", "../../../slalom"):  # built, installed
