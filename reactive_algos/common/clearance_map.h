@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/geometry.h"
+#include "common/map_kernels.h"
 
 #include <cstddef>
 #include <vector>
@@ -17,25 +18,28 @@ class ClearanceMap {
   void build(const Point& center, const std::vector<Point>& points);
 
   double at(const Point& p) const;  ///< m; `band` outside the square
-  int side() const { return side_; }
-  double resolution() const { return resolution_; }
+  /// The same at `count` positions (x, y). Arrays have padded(count) elements.
+  void at(const double* x, const double* y, std::size_t count, double* clearances) const {
+    interpolate(frame_, band_, cells_.data(), x, y, count, clearances);
+  }
+  int side() const { return frame_.side; }
+  double resolution() const { return frame_.resolution; }
   double band() const { return band_; }
   float cell(int x, int y) const { return cells_[index(x, y)]; }
+  const std::vector<float>& cells() const { return cells_; }  ///< by index(), and unused ones
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(side_) +
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.side) +
            static_cast<std::size_t>(x);
   }
   Point center_of(int x, int y) const {
-    return {origin_.x + (x + 0.5) * resolution_, origin_.y + (y + 0.5) * resolution_};
+    return {frame_.origin.x + (x + 0.5) * frame_.resolution,
+            frame_.origin.y + (y + 0.5) * frame_.resolution};
   }
   bool cell_at(const Point& p, int& x, int& y) const;  ///< false outside the square
 
  private:
-  void stamp(const Point& p);
-
-  double resolution_, band_;
-  int side_;
-  Point origin_;  ///< lower left corner
+  double band_;
+  GridFrame frame_;
   std::vector<float> cells_;
 };
 

@@ -1,80 +1,105 @@
 #include "common/cost_to_go.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
-#include <utility>
 
 namespace reactive {
 namespace {
 
-constexpr std::int32_t kInfinite = std::numeric_limits<std::int32_t>::max();
-constexpr std::int32_t kUnit = 10;                      // weights are in tenths
-constexpr std::int32_t kStraight = 10, kDiagonal = 14;  // of a step, in tenths of a cell
-constexpr std::int32_t kMaxWeight = 20 * kUnit;         // weight of cells too close to obstacles
-constexpr double kEscapeRange = 0.3;  // m around the robot where these are allowed
-// Not wider than the cheapest step, so the order within a bucket is irrelevant (Denardo and Fox
-// 1979).
-constexpr std::int32_t kBucketWidth = kStraight * kUnit;
+constexpr std::int32_t kUnit = Wavefront::kMinWeight;  // weights are in tenths
+constexpr std::int32_t kMaxWeight = 20 * kUnit;        // weight of cells too close to obstacles
+constexpr double kEscapeRange = 0.3;                   // m around the robot where these are allowed
 
 }  // namespace
 
 void CostToGo::compute(const ClearanceMap& map, const Point& goal, const Point& robot,
                        const PathCosts& costs, double slack) {
   map_ = &map;
-  const auto cells = static_cast<std::size_t>(map.side()) * static_cast<std::size_t>(map.side());
-  cost_.assign(cells, kInfinite);
-  weight_.resize(cells);
-  for (auto& bucket : buckets_) bucket.clear();
+  if (front_.side != map.side() || resolution_ != map.resolution()) {
+    front_.resize(map.side());
+    resolution_ = map.resolution();
+    target_ = kNoCell;
+  }
+  front_.clear();
+  int x = 0, y = 0;
+  const bool inside = map.cell_at(robot, x, y);
   weigh(robot, costs);
+  if (!inside || map.index(x, y) != target_) bound_ahead(inside, x, y);
   seed(goal);
-  spread(robot, slack);
+  const std::size_t everywhere = std::numeric_limits<std::size_t>::max();
+  if (inside) front_.spread_to(target_);
+  const bool reached = inside && front_.costs[target_] != Wavefront::kUnreached;
+  end_ = reached ? front_.next_bucket + static_cast<std::size_t>(slack / map.resolution())
+                 : everywhere;
+  if (!inside) front_.spread_before(everywhere);
 }
 
 void CostToGo::weigh(const Point& robot, const PathCosts& costs) {
-  const int side = map_->side();
   const double span = std::max(1e-6, costs.comfort - costs.clearance);
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      const double clearance = map_->cell(x, y);
-      const double deficit = std::clamp((costs.comfort - clearance) / span, 0.0, 1.0);
-      std::int32_t weight =
-          kUnit + static_cast<std::int32_t>(costs.comfort_weight * deficit * kUnit);
-      if (clearance < costs.clearance)
-        weight = distance(map_->center_of(x, y), robot) < kEscapeRange ? kMaxWeight : 0;
-      weight_[map_->index(x, y)] = std::min(weight, kMaxWeight);
+  fill_weights({costs.clearance, costs.comfort, span, costs.comfort_weight, kUnit},
+               map_->cells().data(), map_->index(0, map_->side()), kMaxWeight, Wavefront::kBlocked,
+               Wavefront::kUnreached, front_.weights.data(), front_.costs.data());
+  int cx = 0, cy = 0;
+  if (!map_->cell_at(robot, cx, cy)) return;
+  const int reach = static_cast<int>(kEscapeRange / map_->resolution()) + 1;
+  const int last = map_->side() - 1;
+  for (int y = std::max(0, cy - reach); y <= std::min(last, cy + reach); ++y)
+    for (int x = std::max(0, cx - reach); x <= std::min(last, cx + reach); ++x) {
+      const std::size_t cell = map_->index(x, y);
+      if (front_.weights[cell] > 0 || distance(map_->center_of(x, y), robot) >= kEscapeRange)
+        continue;
+      front_.weights[cell] = kMaxWeight;
+      front_.costs[cell] = Wavefront::kUnreached;
     }
 }
 
-void CostToGo::push(std::int32_t cell, std::int32_t cost) {
-  std::int32_t& known = cost_[static_cast<std::size_t>(cell)];
-  if (cost >= known) return;
-  known = cost;
-  const auto bucket = static_cast<std::size_t>(cost / kBucketWidth);
-  if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
-  buckets_[bucket].push_back({cell, cost});
+/// The cost of a path in free space to the cells within reach of the robot, measured as such a
+/// path: 1.08 is more than the ratio of its length to the distance; 3 cells are for interpolation.
+void CostToGo::bound_ahead(bool inside, int robot_x, int robot_y) {
+  const int side = map_->side(), last = side - 1;
+  target_ = inside ? map_->index(robot_x, robot_y) : kNoCell;
+  std::fill(front_.ahead.begin(), front_.ahead.end(), Wavefront::kBorder);
+  const double disc = Wavefront::kBucketWidth * (1.08 * reach_ / map_->resolution() + 3);
+  const double everywhere = 1.0 * Wavefront::kDiagonal * kUnit * side;
+  const auto within = static_cast<std::int32_t>(inside ? std::min(disc, everywhere) : everywhere);
+  for (int y = 1; y < last; ++y)
+    for (int x = 1; x < last; ++x) {
+      const int dx = std::abs(x - robot_x), dy = std::abs(y - robot_y);
+      const std::int32_t path = Wavefront::kStraight * std::max(dx, dy) +
+                                (Wavefront::kDiagonal - Wavefront::kStraight) * std::min(dx, dy);
+      front_.ahead[map_->index(x, y)] = std::max(0, kUnit * path - within);
+    }
 }
 
 void CostToGo::seed(const Point& goal) {
   const int last = map_->side() - 1;
   int x = 0, y = 0;
   const bool inside = map_->cell_at(goal, x, y) && std::min(x, y) > 0 && std::max(x, y) < last;
-  if (inside)
-    push(static_cast<std::int32_t>(map_->index(x, y)), 0);
-  else
+  if (!inside) {
     seed_border(goal);
+    return;
+  }
+  front_.costs[map_->index(x, y)] = Wavefront::kUnreached;  // also of a blocked cell
+  front_.improve(map_->index(x, y), 0);
 }
 
 /// Beyond the map paths are straight: the border starts with its distances to the goal, minus their
-/// minimum.
+/// minimum, and the cells inside the border with a diagonal step from there.
 void CostToGo::seed_border(const Point& goal) {
+  struct Seed {
+    std::size_t cell, inner;
+    double goal_distance;
+  };
   const int last = map_->side() - 1;
-  std::vector<std::pair<double, std::int32_t>> border;
+  std::vector<Seed> border;
   double nearest = HUGE_VAL;
   const auto add = [&](int x, int y) {
     const std::size_t cell = map_->index(x, y);
-    if (weight_[cell] == 0) return;
-    border.emplace_back(distance(map_->center_of(x, y), goal), static_cast<std::int32_t>(cell));
-    nearest = std::min(nearest, border.back().first);
+    if (front_.weights[cell] == 0) return;
+    const std::size_t inner = map_->index(std::clamp(x, 1, last - 1), std::clamp(y, 1, last - 1));
+    border.push_back({cell, inner, distance(map_->center_of(x, y), goal)});
+    nearest = std::min(nearest, border.back().goal_distance);
   };
   for (int i = 0; i <= last; ++i) {
     add(i, 0);
@@ -82,62 +107,41 @@ void CostToGo::seed_border(const Point& goal) {
     add(0, i);
     add(last, i);
   }
-  for (const auto& [goal_distance, cell] : border)
-    push(cell,
-         static_cast<std::int32_t>((goal_distance - nearest) / map_->resolution() * kBucketWidth));
-}
-
-void CostToGo::expand(const Entry& entry) {
-  const int side = map_->side();
-  const int x = entry.cell % side, y = entry.cell / side;
-  if (x == 0 || y == 0 || x == side - 1 || y == side - 1) {
-    // Border cells propagate the wavefront inwards only.
-    const int ix = std::clamp(x, 1, side - 2), iy = std::clamp(y, 1, side - 2);
-    const std::size_t inner = map_->index(ix, iy);
-    if (weight_[inner] > 0)
-      push(static_cast<std::int32_t>(inner), entry.cost + kDiagonal * weight_[inner]);
-    return;
-  }
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx) {
-      const std::size_t next = map_->index(x + dx, y + dy);
-      if (weight_[next] == 0) continue;
-      const std::int32_t step = dx != 0 && dy != 0 ? kDiagonal : kStraight;
-      push(static_cast<std::int32_t>(next), entry.cost + step * weight_[next]);
-    }
-}
-
-void CostToGo::spread(const Point& robot, double slack) {
-  int x = 0, y = 0;
-  const bool inside = map_->cell_at(robot, x, y);
-  const std::size_t robot_cell = inside ? map_->index(x, y) : 0;
-  const double further = slack / map_->resolution();  // cells, one bucket each
-  std::size_t end = std::numeric_limits<std::size_t>::max();
-  for (std::size_t b = 0; b < buckets_.size() && b < end; ++b) {
-    // Expanding appends only to later buckets, because each step costs at least one bucket.
-    for (std::size_t i = 0; i < buckets_[b].size(); ++i) {
-      const Entry entry = buckets_[b][i];
-      if (entry.cost == cost_[static_cast<std::size_t>(entry.cell)]) expand(entry);
-    }
-    if (inside && end == std::numeric_limits<std::size_t>::max() &&
-        cost_[robot_cell] != kInfinite &&
-        static_cast<std::size_t>(cost_[robot_cell] / kBucketWidth) <= b)
-      end = b + 1 + static_cast<std::size_t>(further);
+  for (const Seed& seed : border) {
+    const auto cost = static_cast<std::int32_t>((seed.goal_distance - nearest) /
+                                                map_->resolution() * Wavefront::kBucketWidth);
+    front_.improve(seed.cell, cost);
+    front_.improve(seed.inner, cost + Wavefront::kDiagonal * front_.weights[seed.inner]);
   }
 }
 
 double CostToGo::cell_cost(int x, int y) const {
   if (x < 0 || y < 0 || x >= map_->side() || y >= map_->side()) return kUnreached;
-  const std::int32_t cost = cost_[map_->index(x, y)];
-  return cost == kInfinite ? kUnreached : cost * map_->resolution() / kBucketWidth;
+  const std::int32_t cost = front_.costs[map_->index(x, y)];
+  if (cost == Wavefront::kUnreached || cost == Wavefront::kBlocked) return kUnreached;
+  return cost * map_->resolution() / Wavefront::kBucketWidth;
 }
 
-double CostToGo::at(const Point& p) const {
+/// Spreads the wavefront to the four cells around an interpolated position.
+void CostToGo::settle(int x, int y) {
+  constexpr std::size_t kMore = 5;  // buckets, each a cell's side wide
+  const auto settled = [&](int column, int row) {
+    if (std::min(column, row) < 0 || std::max(column, row) >= map_->side()) return true;
+    const std::int32_t cost = front_.costs[map_->index(column, row)];
+    return cost == Wavefront::kBlocked || front_.is_final(cost);
+  };
+  while (front_.next_bucket < std::min(end_, front_.buckets.size()) &&
+         !(settled(x, y) && settled(x + 1, y) && settled(x, y + 1) && settled(x + 1, y + 1)))
+    front_.spread_before(std::min(end_, front_.next_bucket + kMore));
+}
+
+double CostToGo::at(const Point& p) {
   int x = 0, y = 0;
   if (!map_->cell_at(p, x, y)) return kUnreached;
   const Point center = map_->center_of(x, y);
   const double r = map_->resolution();
   const int ix = p.x < center.x ? x - 1 : x, iy = p.y < center.y ? y - 1 : y;
+  settle(ix, iy);
   const Point low = map_->center_of(ix, iy);
   const double fx = (p.x - low.x) / r, fy = (p.y - low.y) / r;
   double sum = 0, weight = 0;

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "common/clearance_map.h"
+#include "common/wavefront.h"
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 namespace reactive {
@@ -19,37 +20,45 @@ struct PathCosts {
 /// Dijkstra's algorithm). Unseen cells count as free. Beyond the map, paths are straight lines.
 class CostToGo {
  public:
-  /// Expands the wavefront from `goal` until `slack` meters beyond `robot`. If the robot is too
-  /// close to an obstacle, the cells around it can be entered at a high cost.
+  /// Values are read at most `reach` (m) from the robot. There they equal those of a wavefront in
+  /// all directions: cells are expanded in the order of their cost plus a lower bound of that of
+  /// the path from them to there (A*; Hart, Nilsson and Raphael 1968).
+  explicit CostToGo(double reach = HUGE_VAL) : reach_(reach) {}
+
+  /// Expands the wavefront from `goal` to `robot`; at() expands it on demand until `slack` meters
+  /// beyond. If the robot is too close to an obstacle, the cells around it can be entered at a high
+  /// cost. `map` is used until the next call.
   void compute(const ClearanceMap& map, const Point& goal, const Point& robot,
                const PathCosts& costs, double slack = 2);
 
   /// Remaining path length, m; kUnreached if not reached.
-  double at(const Point& p) const;
-  bool reached(const Point& p) const { return at(p) < kUnreached; }
+  double at(const Point& p);
+  bool reached(const Point& p) { return at(p) < kUnreached; }
   /// Cells from `from` along the descent to the goal or the border, at most `length` meters.
+  /// Requires a reach of at least kPathReach * length.
   std::vector<Point> path(const Point& from, double length) const;
 
   static constexpr double kUnreached = 1e6;
+  /// A step of a path is at most 1.4 cells long and reduces the cost by that of one cell or more.
+  static constexpr double kPathReach = 0.4;
 
  private:
-  struct Entry {
-    std::int32_t cell;
-    std::int32_t cost;
-  };
+  static constexpr std::size_t kNoCell = static_cast<std::size_t>(-1);
+
   void weigh(const Point& robot, const PathCosts& costs);
+  void bound_ahead(bool inside, int robot_x, int robot_y);
   void seed(const Point& goal);
   void seed_border(const Point& goal);
-  void spread(const Point& robot, double slack);
-  void expand(const Entry& entry);
-  void push(std::int32_t cell, std::int32_t cost);
   double cell_cost(int x, int y) const;  ///< m; kUnreached if not reached
+  void settle(int x, int y);
   bool nearest_reached(const Point& from, int& x, int& y) const;
 
+  double reach_;
   const ClearanceMap* map_ = nullptr;
-  std::vector<std::int32_t> cost_;    ///< in hundredths of a cell
-  std::vector<std::int32_t> weight_;  ///< cost factor of a cell, in tenths; 0: blocked
-  std::vector<std::vector<Entry>> buckets_;
+  Wavefront front_;               ///< costs in hundredths of a cell, weights in tenths
+  std::size_t end_ = 0;           ///< the first bucket beyond the slack
+  double resolution_ = 0;         ///< m, of the wavefront's cells
+  std::size_t target_ = kNoCell;  ///< the robot's cell, for which `front_.ahead` was computed
 };
 
 /// Whether a disc of `clearance` can move straight from a to b.

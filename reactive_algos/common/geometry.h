@@ -23,17 +23,32 @@ inline double distance(const Point& a, const Point& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
+/// Transforms points between the robot frame at a pose and the frame of that pose.
+class Transform {
+ public:
+  explicit Transform(const Pose& pose)
+      : x_(pose.x), y_(pose.y), cosine_(std::cos(pose.phi)), sine_(std::sin(pose.phi)) {}
+
+  Point to_world(const Point& p) const {
+    return {x_ + cosine_ * p.x - sine_ * p.y, y_ + sine_ * p.x + cosine_ * p.y};
+  }
+  Point to_robot(const Point& p) const {
+    const double dx = p.x - x_, dy = p.y - y_;
+    return {cosine_ * dx + sine_ * dy, -sine_ * dx + cosine_ * dy};
+  }
+
+ private:
+  double x_, y_, cosine_, sine_;
+};
+
 /// Transforms a point from the robot frame to the frame of `pose`.
 inline Point to_world(const Pose& pose, const Point& p) {
-  const double c = std::cos(pose.phi), s = std::sin(pose.phi);
-  return {pose.x + c * p.x - s * p.y, pose.y + s * p.x + c * p.y};
+  return Transform(pose).to_world(p);
 }
 
 /// Transforms a point from the frame of `pose` to the robot frame.
 inline Point to_robot(const Pose& pose, const Point& p) {
-  const double c = std::cos(pose.phi), s = std::sin(pose.phi);
-  const double dx = p.x - pose.x, dy = p.y - pose.y;
-  return {c * dx + s * dy, -s * dx + c * dy};
+  return Transform(pose).to_robot(p);
 }
 
 }  // namespace reactive

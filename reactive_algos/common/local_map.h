@@ -14,6 +14,15 @@ struct MapOptions {
   double band = 0.8;         ///< m: maximum distance that is computed
 };
 
+/// A band of a map of this resolution for costs of the clearance up to `comfort` and checks up to
+/// `margin` beyond the robot's radius. Cells beyond the band do not change interpolated values
+/// below either of these, for the centers of interpolated cells are less than 1.5 cells apart.
+inline double clearance_band(const Robot& robot, double margin, double comfort,
+                             double resolution = MapOptions().resolution) {
+  constexpr double kMinMargin = 0.01;  // m, of checks
+  return robot.radius + std::max(margin + kMinMargin, comfort) + 1.5 * resolution;
+}
+
 /// Local obstacle map: points of past scans in the odometry frame, and the distances to them.
 class LocalMap {
  public:
@@ -40,13 +49,14 @@ struct Waypoint {
 class LocalPlanner {
  public:
   /// Clearances from costs.clearance down to `min_clearance` are tried, so that small map errors do
-  /// not close narrow passages.
-  explicit LocalPlanner(const PathCosts& costs, double min_clearance)
-      : costs_(costs), min_clearance_(min_clearance) {}
+  /// not close narrow passages. Costs to go are read within `reach` m of the robot.
+  LocalPlanner(const PathCosts& costs, double min_clearance, double reach)
+      : costs_(costs), min_clearance_(min_clearance), cost_to_go_(reach) {}
 
-  /// Plans a path to `goal` (odometry frame); the waypoint is at most `look_ahead` meters along it.
+  /// Plans a path to `goal` (odometry frame); the waypoint is at most `look_ahead` meters along it,
+  /// for which the reach is at least CostToGo::kPathReach * look_ahead.
   Waypoint find(const LocalMap& map, const Pose& pose, const Point& goal, double look_ahead);
-  const CostToGo& cost_to_go() const { return cost_to_go_; }
+  CostToGo& cost_to_go() { return cost_to_go_; }
 
  private:
   PathCosts costs_;

@@ -1,17 +1,23 @@
+#include "common/arcs.h"
 #include "common/motion.h"
 
 #include <algorithm>
 
 namespace reactive {
 
-Pose integrate(const Pose& pose, const Twist& twist, double time) {
-  const double turn = twist.w * time;
+Turn turn_from(double phi, double w, double time) {
+  const double turn = w * time;
   // The chord of an arc: its direction is the middle heading, its length that of the arc times
   // sin(a) / a of half the turn.
   const double half = 0.5 * turn;
-  const double chord = twist.v * time * (std::abs(half) < 1e-6 ? 1.0 : std::sin(half) / half);
-  return {pose.x + chord * std::cos(pose.phi + half), pose.y + chord * std::sin(pose.phi + half),
-          pose.phi + turn};
+  return {std::abs(half) < 1e-6 ? 1.0 : std::sin(half) / half, std::cos(phi + half),
+          std::sin(phi + half), phi + turn};
+}
+
+Pose integrate(const Pose& pose, const Twist& twist, double time) {
+  const Turn turn = turn_from(pose.phi, twist.w, time);
+  const double chord = twist.v * time * turn.sinc;
+  return {pose.x + chord * turn.cosine, pose.y + chord * turn.sine, turn.phi};
 }
 
 Twist apply_acceleration_limits(const Twist& from, const Twist& to, const Robot& robot,
@@ -20,19 +26,59 @@ Twist apply_acceleration_limits(const Twist& from, const Twist& to, const Robot&
   return {std::clamp(to.v, from.v - dv, from.v + dv), std::clamp(to.w, from.w - dw, from.w + dw)};
 }
 
-double free_arc_length(const ClearanceMap& map, const Pose& pose, const Twist& twist, double radius,
-                       double limit) {
-  if (twist.v <= 0) return limit;
-  constexpr double kMinStep = 0.02;  // m
-  double length = 0;
-  while (length < limit) {
-    // Contact is not possible within the current clearance.
-    const Pose at = integrate(pose, twist, length / twist.v);
-    const double gap = map.at({at.x, at.y}) - radius;
-    if (gap < 0) return length;
-    length += std::max(gap, kMinStep);
+namespace {
+
+/// The arcs that are still free, each at the end of its free length so far.
+struct OpenArcs {
+  PoseBatch poses;
+  std::vector<double> curvatures, lengths, steps, turns, clearances;
+  std::vector<std::size_t> numbers;  ///< of their twists
+
+  OpenArcs(const Pose& pose, const std::vector<Twist>& twists) {
+    poses.assign(twists.size(), pose);
+    for (std::vector<double>* column : {&curvatures, &lengths, &steps, &turns, &clearances})
+      column->resize(padded(twists.size()));
+    for (std::size_t i = 0; i < twists.size(); ++i) {
+      if (twists[i].v <= 0) continue;
+      curvatures[numbers.size()] = twists[i].w / twists[i].v;
+      numbers.push_back(i);
+    }
   }
-  return limit;
+
+  void move(std::size_t from, std::size_t to) {
+    for (std::vector<double>* column :
+         {&poses.x, &poses.y, &poses.cosine, &poses.sine, &curvatures, &lengths, &clearances})
+      (*column)[to] = (*column)[from];
+    numbers[to] = numbers[from];
+  }
+};
+
+}  // namespace
+
+std::vector<double> free_arc_lengths(const ClearanceMap& map, const Pose& pose,
+                                     const std::vector<Twist>& twists, double radius,
+                                     double limit) {
+  constexpr double kMinStep = 0.02;  // m
+  std::vector<double> result(twists.size(), limit);
+  OpenArcs open(pose, twists);
+  while (!open.numbers.empty()) {
+    map.at(open.poses.x.data(), open.poses.y.data(), open.numbers.size(), open.clearances.data());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < open.numbers.size(); ++i) {
+      // Contact is not possible within the current clearance.
+      const double gap = open.clearances[i] - radius, step = std::max(gap, kMinStep);
+      if (gap < 0) result[open.numbers[i]] = open.lengths[i];
+      if (gap < 0 || open.lengths[i] + step >= limit) continue;
+      open.move(i, count);
+      open.lengths[count] += step;
+      open.steps[count] = step;
+      open.turns[count] = step * open.curvatures[count];
+      ++count;
+    }
+    open.numbers.resize(count);
+    move_along_arcs(open.steps.data(), open.turns.data(), count, open.poses);
+  }
+  return result;
 }
 
 double clearance_radius(const ClearanceMap& map, const Pose& pose, const Robot& robot,

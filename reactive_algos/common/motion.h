@@ -3,7 +3,18 @@
 #include "common/clearance_map.h"
 #include "common/robot.h"
 
+#include <vector>
+
 namespace reactive {
+
+/// What an arc does to the heading: it depends on the angular velocity only.
+struct Turn {
+  double sinc = 1;              ///< length of the chord per length of the arc
+  double cosine = 1, sine = 0;  ///< of the chord's direction
+  double phi = 0;               ///< heading at the end, rad
+};
+/// The turn from heading `phi` during `time` s.
+Turn turn_from(double phi, double w, double time);
 
 /// The pose after `time` s at constant velocities, along an arc.
 Pose integrate(const Pose& pose, const Twist& twist, double time);
@@ -12,10 +23,10 @@ Pose integrate(const Pose& pose, const Twist& twist, double time);
 Twist apply_acceleration_limits(const Twist& from, const Twist& to, const Robot& robot,
                                 double time);
 
-/// Length (m) of the arc of `twist` that a disc of `radius` can move before contact, at most
-/// `limit`. Rotation in place is always free.
-double free_arc_length(const ClearanceMap& map, const Pose& pose, const Twist& twist, double radius,
-                       double limit);
+/// For each twist the length (m) of its arc that a disc of `radius` can move before contact, at
+/// most `limit`. Rotation in place is always free.
+std::vector<double> free_arc_lengths(const ClearanceMap& map, const Pose& pose,
+                                     const std::vector<Twist>& twists, double radius, double limit);
 
 /// The radius to keep clear: robot radius plus margin, or the current clearance if that is less, so
 /// that a robot that is too close to an obstacle can still move.

@@ -22,8 +22,8 @@ void RollingMemory::clear() {
 }
 
 std::int64_t RollingMemory::cell_of(double coordinate) const {
-  const auto cell = static_cast<std::int64_t>(std::floor(coordinate / resolution_));
-  return ((cell % cells_) + cells_) % cells_;
+  const auto cell = static_cast<std::int64_t>(std::floor(coordinate / resolution_)) % cells_;
+  return cell < 0 ? cell + cells_ : cell;
 }
 
 std::size_t RollingMemory::slot_of(const Point& p) const {
@@ -49,10 +49,9 @@ void RollingMemory::remove(std::size_t index) {
   index_[slot_of(last)] = static_cast<std::int32_t>(index);
 }
 
-bool RollingMemory::sees_through(const Pose& pose, const Point& p,
-                                 const std::vector<double>& ranges, const Robot& robot) const {
+bool RollingMemory::sees_through(const Point& local, const std::vector<double>& ranges,
+                                 const Robot& robot) {
   constexpr double kBeyond = 0.15;  // m: minimum distance behind a point
-  const Point local = to_robot(pose, p);
   const double step = robot.aperture / static_cast<double>(ranges.size() - 1);
   const double at = (std::atan2(local.y, local.x) + 0.5 * robot.aperture) / step;
   const double range = std::hypot(local.x, local.y) + kBeyond;
@@ -65,18 +64,30 @@ bool RollingMemory::sees_through(const Pose& pose, const Point& p,
   return true;
 }
 
+/// Computes the directions of the rays, unless they are known.
+void RollingMemory::aim(std::size_t rays, double aperture) {
+  if (rays_.size() == rays && aperture_ == aperture) return;
+  rays_.clear();
+  aperture_ = aperture;
+  for (std::size_t i = 0; i < rays; ++i) {
+    const double angle = ray_angle(i, rays, aperture);
+    rays_.push_back({std::cos(angle), std::sin(angle)});
+  }
+}
+
 void RollingMemory::update(const Pose& pose, const std::vector<double>& ranges,
                            const Robot& robot) {
+  const Transform frame(pose);
+  aim(ranges.size(), robot.aperture);
   for (std::size_t i = points_.size(); i-- > 0;) {
     const Point& p = points_[i];
     const bool outside =
         std::max(std::abs(p.x - pose.x), std::abs(p.y - pose.y)) > half_size_ - resolution_;
-    if (outside || (ranges.size() > 4 && sees_through(pose, p, ranges, robot))) remove(i);
+    if (outside || (ranges.size() > 4 && sees_through(frame.to_robot(p), ranges, robot))) remove(i);
   }
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (!(ranges[i] < 0.999 * robot.max_range)) continue;  // no obstacle
-    const double angle = ray_angle(i, ranges.size(), robot.aperture);
-    const Point p = to_world(pose, {ranges[i] * std::cos(angle), ranges[i] * std::sin(angle)});
+    const Point p = frame.to_world({ranges[i] * rays_[i].x, ranges[i] * rays_[i].y});
     if (std::max(std::abs(p.x - pose.x), std::abs(p.y - pose.y)) < half_size_ - resolution_)
       insert(p);
   }

@@ -30,13 +30,16 @@ class RollingMemory {
   std::size_t slot_of(const Point& p) const;
   void insert(const Point& p);
   void remove(std::size_t index);
-  bool sees_through(const Pose& pose, const Point& p, const std::vector<double>& ranges,
-                    const Robot& robot) const;
+  static bool sees_through(const Point& local, const std::vector<double>& ranges,
+                           const Robot& robot);
+  void aim(std::size_t rays, double aperture);
 
   double half_size_, resolution_;
   std::int64_t cells_;               ///< along one side of the window
   std::vector<std::int32_t> index_;  ///< of the point in each cell, -1 for none; wraps around
   std::vector<Point> points_;
+  std::vector<Point> rays_;  ///< unit vectors of the rays, robot frame
+  double aperture_ = 0;      ///< of these
 };
 
 }  // namespace reactive

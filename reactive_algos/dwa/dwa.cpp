@@ -68,7 +68,7 @@ Dwa::Dwa(const Parameters& parameters, const Robot& robot)
       robot_(robot),
       map_({parameters.memory, 0.05, 0.8 + robot.radius}, robot),
       local_planner_({robot.radius + parameters.margin, 2 * robot.radius + parameters.margin, 2.0},
-                     robot.radius + 0.01),
+                     robot.radius + 0.01, CostToGo::kPathReach * parameters.look_ahead),
       turn_(parameters.turn_in_place, 0.5) {}
 
 void Dwa::reset(const NavigationTask& task) {
@@ -90,20 +90,23 @@ void Dwa::evaluate(const Observation& observation, const Point& target, double t
   const double top = std::max(window.low.v, std::min(window.high.v, top_speed));
   const double radius =
       clearance_radius(map_.clearance(), observation.pose, robot_, parameters_.margin);
-  candidates_.clear();
+  std::vector<Twist> twists;
   for (int i = 0; i < rows; ++i)
-    for (int k = 0; k < columns; ++k) {
-      Candidate c;
-      c.twist = {window.low.v + (top - window.low.v) * i / (rows - 1),
-                 window.low.w + (window.high.w - window.low.w) * k / (columns - 1)};
-      const double free_distance =
-          free_arc_length(map_.clearance(), observation.pose, c.twist, radius, parameters_.horizon);
-      c.admissible = can_stop(c.twist, free_distance, robot_, task_.control_period);
-      c.clearance = free_distance / parameters_.horizon;
-      c.velocity = c.twist.v / robot_.max_v;
-      c.heading = heading_term(observation.pose, c.twist, target, robot_, task_.control_period);
-      candidates_.push_back(c);
-    }
+    for (int k = 0; k < columns; ++k)
+      twists.push_back({window.low.v + (top - window.low.v) * i / (rows - 1),
+                        window.low.w + (window.high.w - window.low.w) * k / (columns - 1)});
+  const std::vector<double> free_distances =
+      free_arc_lengths(map_.clearance(), observation.pose, twists, radius, parameters_.horizon);
+  candidates_.clear();
+  for (std::size_t i = 0; i < twists.size(); ++i) {
+    Candidate c;
+    c.twist = twists[i];
+    c.admissible = can_stop(c.twist, free_distances[i], robot_, task_.control_period);
+    c.clearance = free_distances[i] / parameters_.horizon;
+    c.velocity = c.twist.v / robot_.max_v;
+    c.heading = heading_term(observation.pose, c.twist, target, robot_, task_.control_period);
+    candidates_.push_back(c);
+  }
 }
 
 /// Eq. (13), smoothed over adjacent velocities in the window: inadmissible neighbors lower the

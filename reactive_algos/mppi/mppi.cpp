@@ -1,6 +1,6 @@
 #include "mppi/mppi.h"
 
-#include <boost/random/normal_distribution.hpp>
+#include <numeric>
 
 namespace mppi {
 
@@ -8,8 +8,15 @@ using namespace reactive;
 
 namespace {
 
-constexpr double kCollisionCost = 100;     // m of path length, cost of a collision
 constexpr double kHeadingLookAhead = 0.3;  // m ahead of the robot, to include its heading
+constexpr double kLookAhead = 1.5;         // m along the path to the intermediate target
+
+LocalPlanner local_planner_of(const Parameters& parameters, const Robot& robot, double period) {
+  const double reach = robot.max_v * parameters.steps * period + kHeadingLookAhead;
+  return {{robot.radius + parameters.margin + 0.01, robot.radius + parameters.comfort, 2.0},
+          robot.radius + 0.01,
+          std::max(reach, CostToGo::kPathReach * kLookAhead)};
+}
 
 }  // namespace
 
@@ -63,107 +70,55 @@ std::vector<double> importance_weights(const std::vector<double>& costs, double 
   return weights;
 }
 
-void Noise::seed(std::uint64_t seed) {
-  engine_.seed(seed);
-}
-
-void Noise::draw(std::vector<Twist>& out, std::size_t rollouts, std::size_t steps, std::size_t hold,
-                 double sigma_v, double sigma_w) {
-  boost::random::normal_distribution<double> normal;
-  out.resize(rollouts * steps);
-  for (std::size_t k = 0; k < rollouts; ++k)
-    for (std::size_t t = 0; t < steps; ++t) {
-      Twist& twist = out[k * steps + t];
-      if (t % hold == 0)
-        twist = {sigma_v * normal(engine_), sigma_w * normal(engine_)};
-      else
-        twist = out[k * steps + t - 1];
-    }
-}
-
 Mppi::Mppi(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
       robot_(robot),
-      map_({parameters.memory, 0.05, robot.radius + std::max(0.8, parameters.comfort)}, robot),
-      local_planner_(
-          {robot.radius + parameters.margin + 0.01, robot.radius + parameters.comfort, 2.0},
-          robot.radius + 0.01),
+      map_({parameters.memory, 0.05, clearance_band(robot, parameters.margin, parameters.comfort)},
+           robot),
+      local_planner_(local_planner_of(parameters, robot, task_.control_period)),
       turn_(parameters.turn_in_place, 0.4) {}
 
 void Mppi::reset(const NavigationTask& task) {
   task_ = task;
+  local_planner_ = local_planner_of(parameters_, robot_, task.control_period);
   map_.clear();
   turn_.reset();
   noise_.seed(task.seed);
   plan_.assign(static_cast<std::size_t>(parameters_.steps), {0, 0});
 }
 
-double Mppi::remaining_distance(const Pose& pose, const Waypoint& target) const {
-  const Point ahead = to_world(pose, {heading_look_ahead_, 0});
-  if (!target.reachable) return distance(ahead, target.position);
-  const double distance_ahead = local_planner_.cost_to_go().at(ahead);
-  return distance_ahead < CostToGo::kUnreached
-             ? distance_ahead
-             : std::min(kCollisionCost,
-                        local_planner_.cost_to_go().at({pose.x, pose.y}) + heading_look_ahead_);
-}
-
-/// Cost S of a rollout, Algorithm 2: state costs, control term gamma u^T Sigma^-1 epsilon, and
-/// terminal cost.
-double Mppi::rollout_cost(const Observation& observation, const Waypoint& target, double top_speed,
-                          double radius, const Twist* noise) {
-  const double period = task_.control_period;
+CostRule Mppi::cost_rule(const Observation& observation, double top_speed) const {
+  CostRule rule;
+  rule.period = task_.control_period;
+  rule.top_speed = top_speed;
+  rule.radius = clearance_radius(map_.clearance(), observation.pose, robot_, parameters_.margin);
+  rule.span = std::max(1e-3, robot_.radius + parameters_.comfort - rule.radius);
+  rule.obstacle_weight = parameters_.obstacle_weight;
+  rule.goal_weight = parameters_.goal_weight;
   const double gamma = parameters_.control_cost * parameters_.lambda;
-  const double vv = std::max(1e-9, parameters_.noise_v * parameters_.noise_v);
-  const double ww = std::max(1e-9, parameters_.noise_w * parameters_.noise_w);
-  const double span = std::max(1e-3, robot_.radius + parameters_.comfort - radius);
-  Pose pose = observation.pose;
-  Twist now = observation.measured;
-  double cost = 0, nearest = kCollisionCost;
-  for (std::size_t t = 0; t < plan_.size(); ++t) {
-    const Twist& mean = plan_[t];
-    Twist desired = clamp_to_limits({mean.v + noise[t].v, mean.w + noise[t].w}, robot_);
-    desired.v = std::min(desired.v, top_speed);
-    const Twist next = apply_acceleration_limits(now, desired, robot_, period);
-    pose = integrate(pose, {0.5 * (now.v + next.v), 0.5 * (now.w + next.w)}, period);
-    now = next;
-    nearest = std::min(nearest, distance({pose.x, pose.y}, target.position));
-    const double gap = map_.clearance().at({pose.x, pose.y}) - radius;
-    if (gap < 0)
-      return cost +
-             kCollisionCost * (2 - static_cast<double>(t) / static_cast<double>(plan_.size()));
-    const double deficit = std::max(0.0, 1 - gap / span);
-    cost += parameters_.obstacle_weight * period * deficit * deficit;
-    cost += gamma * (mean.v * noise[t].v / vv + mean.w * noise[t].w / ww);
-  }
-  // If the goal is visible, the closest approach counts instead of the end of the rollout.
-  return cost +
-         parameters_.goal_weight * (target.is_goal ? nearest : remaining_distance(pose, target));
+  rule.control_v = gamma / std::max(1e-9, parameters_.noise_v * parameters_.noise_v);
+  rule.control_w = gamma / std::max(1e-9, parameters_.noise_w * parameters_.noise_w);
+  // Near the goal the point ahead must not lie beyond it: the robot would stop too early.
+  rule.look_ahead =
+      std::min(kHeadingLookAhead, 0.5 * std::hypot(observation.goal.x, observation.goal.y));
+  return rule;
 }
 
 void Mppi::optimize(const Observation& observation, const Waypoint& target, double top_speed) {
-  const std::size_t steps = plan_.size();
-  const auto samples = static_cast<std::size_t>(parameters_.samples);
-  const double radius =
-      clearance_radius(map_.clearance(), observation.pose, robot_, parameters_.margin);
-  noise_.draw(disturbance_, samples, steps, static_cast<std::size_t>(parameters_.hold),
+  const auto hold = static_cast<std::size_t>(parameters_.hold);
+  noise_.draw(static_cast<std::size_t>(parameters_.samples), plan_.size(), hold,
               parameters_.noise_v, parameters_.noise_w);
-  // The first rollout is the unchanged plan, the second one brakes.
-  for (std::size_t t = 0; t < steps; ++t) {
-    disturbance_[t] = {0, 0};
-    disturbance_[steps + t] = {-plan_[t].v, 0};
-  }
-  std::vector<double> costs(samples);
-  for (std::size_t k = 0; k < samples; ++k)
-    costs[k] = rollout_cost(observation, target, top_speed, radius, &disturbance_[k * steps]);
-  const std::vector<double> weights = importance_weights(costs, parameters_.lambda);
-  for (std::size_t t = 0; t < steps; ++t) {
-    Twist change;
-    for (std::size_t k = 0; k < samples; ++k) {
-      change.v += weights[k] * disturbance_[k * steps + t].v;
-      change.w += weights[k] * disturbance_[k * steps + t].w;
-    }
-    plan_[t] = clamp_to_limits({plan_[t].v + change.v, plan_[t].w + change.w}, robot_);
+  const std::vector<double> weights = importance_weights(
+      rollout_costs(cost_rule(observation, top_speed), robot_, observation, plan_, noise_,
+                    map_.clearance(), target, local_planner_.cost_to_go()),
+      parameters_.lambda);
+  Twist mean;  // of the noise
+  for (std::size_t t = 0; t < plan_.size(); ++t) {
+    if (t % hold == 0)
+      mean = {std::inner_product(weights.begin(), weights.end(), noise_.v(t), 0.0),
+              std::inner_product(weights.begin(), weights.end(), noise_.w(t), 0.0)};
+    const double v = plan_[t].v * (1 - weights[kBraking]) + mean.v;
+    plan_[t] = clamp_to_limits({v, plan_[t].w + mean.w}, robot_);
     plan_[t].v = std::min(plan_[t].v, top_speed);
   }
 }
@@ -175,10 +130,7 @@ void Mppi::shift() {
 Twist Mppi::step(const Observation& observation) {
   map_.update(observation);
   const Point goal = to_world(observation.pose, observation.goal);
-  // Near the goal the point ahead must not lie beyond it: the robot would stop too early.
-  heading_look_ahead_ =
-      std::min(kHeadingLookAhead, 0.5 * std::hypot(observation.goal.x, observation.goal.y));
-  const Waypoint target = local_planner_.find(map_, observation.pose, goal, 1.5);
+  const Waypoint target = local_planner_.find(map_, observation.pose, goal, kLookAhead);
   const Point seen = to_robot(observation.pose, target.position);
   const double bearing = std::atan2(seen.y, seen.x);
   if (turn_.update(bearing)) {

@@ -2,8 +2,7 @@
 
 #include "common/local_map.h"
 #include "common/motion.h"
-
-#include <boost/random/mersenne_twister.hpp>
+#include "mppi/rollouts.h"
 
 #include <vector>
 
@@ -32,19 +31,6 @@ struct Parameters {
 /// Normalized weights of rollouts with these costs, Algorithm 2: exp(-(S - min S) / lambda).
 std::vector<double> importance_weights(const std::vector<double>& costs, double lambda);
 
-/// Normally distributed noise of both velocities. Each sample is held for `hold` steps: independent
-/// steps would average out over a rollout, so that no rollout would contain a turn.
-class Noise {
- public:
-  void seed(std::uint64_t seed);
-  /// `rollouts` rows of `steps`.
-  void draw(std::vector<reactive::Twist>& out, std::size_t rollouts, std::size_t steps,
-            std::size_t hold, double sigma_v, double sigma_w);
-
- private:
-  boost::random::mt19937_64 engine_;
-};
-
 class Mppi {
  public:
   using Parameters = mppi::Parameters;
@@ -58,9 +44,7 @@ class Mppi {
  private:
   void optimize(const reactive::Observation& observation, const reactive::Waypoint& target,
                 double top_speed);
-  double rollout_cost(const reactive::Observation& observation, const reactive::Waypoint& target,
-                      double top_speed, double radius, const reactive::Twist* noise);
-  double remaining_distance(const reactive::Pose& pose, const reactive::Waypoint& target) const;
+  CostRule cost_rule(const reactive::Observation& observation, double top_speed) const;
   void shift();
 
   Parameters parameters_;
@@ -69,10 +53,8 @@ class Mppi {
   reactive::LocalMap map_;
   reactive::LocalPlanner local_planner_;
   reactive::RotateInPlace turn_;
-  double heading_look_ahead_ = 0;  ///< m ahead of a trajectory's end where its cost is evaluated
   Noise noise_;
-  std::vector<reactive::Twist> plan_;         ///< mean controls, one per step
-  std::vector<reactive::Twist> disturbance_;  ///< K rows of T
+  std::vector<reactive::Twist> plan_;  ///< mean controls, one per step
 };
 
 }  // namespace mppi

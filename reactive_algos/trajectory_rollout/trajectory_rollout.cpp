@@ -12,9 +12,63 @@ constexpr double kTimeStep = 0.05;  // s, of simulated trajectories
 constexpr double kHeadingLookAhead = 0.3;
 
 double distance_to_path(const Point& p, const std::vector<Point>& path) {
-  double nearest = HUGE_VAL;
-  for (const Point& q : path) nearest = std::min(nearest, distance(p, q));
-  return path.empty() ? 0 : nearest;
+  Point nearest = p;
+  double squared = HUGE_VAL;
+  for (const Point& q : path) {
+    const double dx = p.x - q.x, dy = p.y - q.y;
+    if (dx * dx + dy * dy >= squared) continue;
+    squared = dx * dx + dy * dy;
+    nearest = q;
+  }
+  return distance(p, nearest);
+}
+
+/// All rollouts at the same time. v depends on the row, w and the heading on the column.
+class Simulation {
+ public:
+  Simulation(const Pose& pose, const Twist& now, const VelocityGrid& desired)
+      : desired_(desired),
+        v_(desired.v.size(), now.v),
+        w_(desired.w.size(), now.w),
+        headings_(desired.w.size(), pose.phi),
+        turns_(desired.w.size()),
+        x_(padded(size()), pose.x),
+        y_(padded(size()), pose.y) {}
+
+  std::size_t size() const { return v_.size() * w_.size(); }
+  const double* x() const { return x_.data(); }
+  const double* y() const { return y_.data(); }
+  Pose pose(std::size_t i) const { return {x_[i], y_[i], headings_[i % w_.size()]}; }
+  void advance(const Robot& robot);
+
+ private:
+  const VelocityGrid& desired_;
+  std::vector<double> v_, w_, headings_;
+  std::vector<Turn> turns_;  ///< of columns, in the last time step
+  std::vector<double> x_, y_;
+};
+
+void Simulation::advance(const Robot& robot) {
+  for (std::size_t k = 0; k < w_.size(); ++k) {
+    const double next =
+        apply_acceleration_limits({0, w_[k]}, {0, desired_.w[k]}, robot, kTimeStep).w;
+    turns_[k] = turn_from(headings_[k], 0.5 * (w_[k] + next), kTimeStep);
+    headings_[k] = turns_[k].phi;
+    w_[k] = next;
+  }
+  std::size_t i = 0;
+  for (std::size_t row = 0; row < v_.size(); ++row) {
+    const double next =
+        apply_acceleration_limits({v_[row], 0}, {desired_.v[row], 0}, robot, kTimeStep).v;
+    const double length = 0.5 * (v_[row] + next) * kTimeStep;
+    v_[row] = next;
+    for (const Turn& turn : turns_) {
+      const double chord = length * turn.sinc;
+      x_[i] += chord * turn.cosine;
+      y_[i] += chord * turn.sine;
+      ++i;
+    }
+  }
 }
 
 }  // namespace
@@ -50,32 +104,38 @@ const TrajectoryRollout::Settings& TrajectoryRollout::settings() {
   return kSettings;
 }
 
-Rollout roll_out(const ClearanceMap& map, const Pose& pose, const Twist& now, const Twist& desired,
-                 const Robot& robot, double radius, double horizon) {
-  Rollout result{pose, map.at({pose.x, pose.y}), horizon, false};
-  Twist twist = now;
+std::vector<Rollout> roll_out(const ClearanceMap& map, const Pose& pose, const Twist& now,
+                              const VelocityGrid& desired, const Robot& robot, double radius,
+                              double horizon) {
+  Simulation simulation(pose, now, desired);
+  std::vector<Rollout> result(simulation.size(), {pose, map.at({pose.x, pose.y}), horizon, false});
+  std::vector<double> clearances(padded(result.size()));
   for (double t = 0; t < horizon; t += kTimeStep) {
-    const Twist next = apply_acceleration_limits(twist, desired, robot, kTimeStep);
-    result.end =
-        integrate(result.end, {0.5 * (twist.v + next.v), 0.5 * (twist.w + next.w)}, kTimeStep);
-    twist = next;
-    const double here = map.at({result.end.x, result.end.y});
-    result.clearance = std::min(result.clearance, here);
-    if (here >= radius) continue;
-    result.collides = true;
-    result.until_contact = t;
-    return result;
+    simulation.advance(robot);
+    map.at(simulation.x(), simulation.y(), result.size(), clearances.data());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      Rollout& rollout = result[i];
+      if (rollout.collides) continue;
+      rollout.clearance = std::min(rollout.clearance, clearances[i]);
+      if (clearances[i] >= radius) continue;
+      rollout.collides = true;
+      rollout.until_contact = t;
+    }
   }
+  for (std::size_t i = 0; i < result.size(); ++i) result[i].end = simulation.pose(i);
   return result;
 }
 
 TrajectoryRollout::TrajectoryRollout(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
       robot_(robot),
-      map_({parameters.memory, 0.05, robot.radius + std::max(0.8, parameters.comfort)}, robot),
+      map_({parameters.memory, 0.05, clearance_band(robot, parameters.margin, parameters.comfort)},
+           robot),
       local_planner_(
           {robot.radius + parameters.margin + 0.01, robot.radius + parameters.comfort, 2.0},
-          robot.radius + 0.01),
+          robot.radius + 0.01,
+          std::max(robot.max_v * parameters.horizon + kHeadingLookAhead,
+                   CostToGo::kPathReach * parameters.look_ahead)),
       turn_(parameters.turn_in_place, 0.4) {}
 
 void TrajectoryRollout::reset(const NavigationTask& task) {
@@ -85,7 +145,7 @@ void TrajectoryRollout::reset(const NavigationTask& task) {
 }
 
 double TrajectoryRollout::cost(const Rollout& rollout, const Twist& desired,
-                               const Waypoint& target) const {
+                               const Waypoint& target) {
   const double gap = rollout.clearance - robot_.radius;
   const double deficit = std::clamp(1 - gap / std::max(1e-3, parameters_.comfort), 0.0, 1.0);
   const Point end{rollout.end.x, rollout.end.y};
@@ -104,32 +164,33 @@ double TrajectoryRollout::cost(const Rollout& rollout, const Twist& desired,
 
 Twist TrajectoryRollout::best(const Observation& observation, const Waypoint& target,
                               double top_speed) {
+  VelocityGrid desired;
   const auto rows = static_cast<int>(parameters_.v_samples);
   const auto columns = static_cast<int>(parameters_.w_samples);
-  const Twist& now = observation.measured;
+  for (int i = 0; i < rows; ++i) desired.v.push_back(top_speed * i / (rows - 1));
+  for (int k = 0; k < columns; ++k)
+    desired.w.push_back(robot_.max_w * (-1 + 2.0 * k / (columns - 1)));
   const double radius =
       clearance_radius(map_.clearance(), observation.pose, robot_, parameters_.margin);
+  const std::vector<Rollout> rollouts =
+      roll_out(map_.clearance(), observation.pose, observation.measured, desired, robot_, radius,
+               parameters_.horizon);
   Twist best{0, 0};
   double best_cost = HUGE_VAL, latest_contact = -1;
-  for (int i = 0; i < rows; ++i)
-    for (int k = 0; k < columns; ++k) {
-      const Twist desired = {top_speed * i / (rows - 1),
-                             robot_.max_w * (-1 + 2.0 * k / (columns - 1))};
-      const Rollout rollout = roll_out(map_.clearance(), observation.pose, now, desired, robot_,
-                                       radius, parameters_.horizon);
-      // If all trajectories collide, brake on the one with the latest contact.
-      if (rollout.collides && best_cost < HUGE_VAL) continue;
-      if (rollout.collides) {
-        if (rollout.until_contact <= latest_contact) continue;
-        latest_contact = rollout.until_contact;
-        best = {0, desired.w};
-        continue;
-      }
-      const double value = cost(rollout, desired, target);
-      if (value >= best_cost) continue;
-      best_cost = value;
-      best = desired;
+  for (std::size_t i = 0; i < rollouts.size(); ++i) {
+    const Twist twist = {desired.v[i / desired.w.size()], desired.w[i % desired.w.size()]};
+    // If all trajectories collide, brake on the one with the latest contact.
+    if (rollouts[i].collides) {
+      if (best_cost < HUGE_VAL || rollouts[i].until_contact <= latest_contact) continue;
+      latest_contact = rollouts[i].until_contact;
+      best = {0, twist.w};
+      continue;
     }
+    const double value = cost(rollouts[i], twist, target);
+    if (value >= best_cost) continue;
+    best_cost = value;
+    best = twist;
+  }
   return best;
 }
 

@@ -35,11 +35,16 @@ struct Rollout {
   bool collides = false;
 };
 
-/// Simulates the motion from `pose` with velocity `now`, towards `desired` within the acceleration
-/// limits, for `horizon` s.
-Rollout roll_out(const reactive::ClearanceMap& map, const reactive::Pose& pose,
-                 const reactive::Twist& now, const reactive::Twist& desired,
-                 const reactive::Robot& robot, double radius, double horizon);
+/// Velocities that are combined with each other.
+struct VelocityGrid {
+  std::vector<double> v, w;  ///< m/s; rad/s
+};
+
+/// Simulates the motions from `pose` with velocity `now`, towards each pair of `desired` velocities
+/// (rows of equal v) within the acceleration limits, for `horizon` s.
+std::vector<Rollout> roll_out(const reactive::ClearanceMap& map, const reactive::Pose& pose,
+                              const reactive::Twist& now, const VelocityGrid& desired,
+                              const reactive::Robot& robot, double radius, double horizon);
 
 class TrajectoryRollout {
  public:
@@ -55,7 +60,7 @@ class TrajectoryRollout {
   reactive::Twist best(const reactive::Observation& observation, const reactive::Waypoint& target,
                        double top_speed);
   double cost(const Rollout& rollout, const reactive::Twist& desired,
-              const reactive::Waypoint& target) const;
+              const reactive::Waypoint& target);
 
   Parameters parameters_;
   reactive::Robot robot_;

@@ -1,10 +1,16 @@
 #include "common/clearance_map.h"
 #include "common/cost_to_go.h"
 #include "observations.h"
+#include "one_target.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace reactive {
+
+using slalom::testing::OneTarget;
+
 namespace {
 
 TEST(ClearanceMap, IsTheDistanceToTheClosestPoint) {
@@ -27,59 +33,57 @@ TEST(ClearanceMap, IsLimitedToItsBandAlsoOutside) {
   EXPECT_NEAR(map.at({50, 0}), 0.6, 1e-6);
 }
 
-CostToGo cost_to_goal(const ClearanceMap& map, const Point& goal, const Point& robot,
-                      double clearance) {
-  CostToGo result;
-  result.compute(map, goal, robot, {clearance, clearance, 0}, 100);
-  return result;
+TEST(ClearanceMap, HasTheSameBitsWithEveryInstructionSet) {
+  ClearanceMap map(2, 0.05, 0.6);
+  std::vector<Point> points;
+  for (int i = 0; i < 60; ++i) points.push_back({2.1 * std::sin(i), 2.1 * std::cos(1.7 * i)});
+  map.build({0.1, 0}, points);
+  const std::vector<float> chosen = map.cells();
+  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+    const OneTarget target(left & -left);
+    map.build({0.1, 0}, points);
+    EXPECT_EQ(map.cells(), chosen) << hwy::TargetName(left & -left);
+  }
 }
 
-TEST(CostToGo, IsThePathLengthInFreeSpace) {
-  ClearanceMap map(4, 0.05, 0.5);
-  map.build({0, 0}, {});
-  const CostToGo cost = cost_to_goal(map, {3, 0.025}, {-3, 0}, 0.25);
-  EXPECT_NEAR(cost.at({-3, 0.025}), 6, 0.05);
-  // Also along a diagonal: a step counts as 1.4 cells instead of 1.414.
-  EXPECT_NEAR(cost.at({0.025, -2.95}), 2.975 * 1.4, 0.06);
+TEST(ClearanceMap, HasTheSameValuesAtManyPositionsAsAtEach) {
+  ClearanceMap map(2, 0.05, 0.6);
+  map.build({0.1, 0}, {{0.31, 0.2}, {-0.4, -0.7}, {1.02, 0.77}, {-1.9, 1.9}});
+  std::vector<double> x, y;  // also outside, at the border and where there is no number
+  for (int i = 0; i < 1001; ++i) {
+    x.push_back(i == 500 ? NAN : 2.2 * std::sin(i));
+    y.push_back(2.2 * std::cos(1.7 * i));
+  }
+  x.resize(padded(1001));
+  y.resize(padded(1001));
+  std::vector<double> clearances(padded(1001));
+  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+    const OneTarget target(left & -left);
+    map.at(x.data(), y.data(), 1001, clearances.data());
+    for (std::size_t i = 0; i < 1001; ++i)
+      ASSERT_EQ(clearances[i], map.at({x[i], y[i]})) << hwy::TargetName(left & -left) << ' ' << i;
+  }
 }
 
-TEST(CostToGo, LeadsAroundAWall) {
-  const LocalMap map = map_of({{1.5, -1, 1.5, 1}});
-  const CostToGo cost = cost_to_goal(map.clearance(), {3, 0}, {0, 0}, 0.3);
-  // Around an end at (1.5, 1) with 0.3 m clearance: not shorter than two straight lines via that
-  // point.
-  EXPECT_GT(cost.at({0, 0}), 2 * std::hypot(1.5, 1.0));
-  EXPECT_LT(cost.at({0, 0}), 2 * std::hypot(1.5, 1.3) * 1.09 + 0.1);
-  for (const Point& p : cost.path({0, 0}, 10)) EXPECT_GE(map.clearance().at(p), 0.29);
-}
-
-TEST(CostToGo, PassesOnlyDoorsThatAreWideEnough) {
-  // A wall across the whole map with a door of 0.8 m.
-  const LocalMap map = map_of({{1, -7.5, 1, -0.4}, {1, 0.4, 1, 7.5}});
-  const CostToGo narrow = cost_to_goal(map.clearance(), {2.5, 0}, {0, 0}, 0.35);
-  EXPECT_TRUE(narrow.reached({0, 0}));
-  EXPECT_LT(narrow.at({0, 0}), 3);
-  const CostToGo wide = cost_to_goal(map.clearance(), {2.5, 0}, {0, 0}, 0.45);
-  EXPECT_TRUE(!wide.reached({0, 0}) || wide.at({0, 0}) > 6);
-}
-
-TEST(CostToGo, LeadsToTheBorderTowardsADistantGoal) {
-  ClearanceMap map(2, 0.05, 0.5);
-  map.build({0, 0}, {});
-  const CostToGo cost = cost_to_goal(map, {20, 0}, {0, 0}, 0.25);
-  const auto path = cost.path({0, 0}, 10);
-  ASSERT_FALSE(path.empty());
-  EXPECT_GT(path.back().x, 1.8);
-  EXPECT_NEAR(path.back().y, 0, 0.5);
-}
-
-TEST(CostToGo, AClearanceCostLeadsThroughTheMiddle) {
-  const LocalMap map = map_of({{-1, -0.9, 4, -0.9}, {-1, 0.9, 4, 0.9}});
-  CostToGo cost;
-  cost.compute(map.clearance(), {4, 0}, {0, 0.5}, {0.3, 0.85, 4}, 100);
-  const auto path = cost.path({0, 0.5}, 3);
-  ASSERT_GT(path.size(), 20U);
-  EXPECT_LT(std::abs(path.back().y), 0.2);
+TEST(ClearanceBand, DoesNotChangeValuesBelowTheComfort) {
+  const Robot robot;
+  constexpr double kComfort = 0.3;
+  ClearanceMap wide(2, 0.05, 1.5), narrow(2, 0.05, clearance_band(robot, 0.04, kComfort));
+  std::vector<Point> points;
+  for (int i = 0; i < 12; ++i) points.push_back({2.1 * std::sin(i), 2.1 * std::cos(1.7 * i)});
+  wide.build({0, 0}, points);
+  narrow.build({0, 0}, points);
+  int below = 0;
+  for (double x = -1.9; x < 1.9; x += 0.013)
+    for (double y = -1.9; y < 1.9; y += 0.017) {
+      const double expected = wide.at({x, y}), limit = robot.radius + kComfort;
+      if (expected < limit)
+        ASSERT_EQ(narrow.at({x, y}), expected);
+      else
+        ASSERT_GE(narrow.at({x, y}), limit);
+      below += expected < limit ? 1 : 0;
+    }
+  EXPECT_GT(below, 1000);
 }
 
 TEST(LineIsFree, DetectsPostsBesideIt) {
@@ -91,7 +95,7 @@ TEST(LineIsFree, DetectsPostsBesideIt) {
 
 TEST(LocalPlanner, SelectsAVisibleGoal) {
   LocalMap map = map_of({});
-  LocalPlanner planner({0.3, 0.5, 2}, 0.26);
+  LocalPlanner planner({0.3, 0.5, 2}, 0.26, 2);
   const Waypoint waypoint = planner.find(map, {0, 0, 0}, {2, 1}, 5);
   EXPECT_TRUE(waypoint.is_goal);
   EXPECT_DOUBLE_EQ(waypoint.position.x, 2);
@@ -99,7 +103,7 @@ TEST(LocalPlanner, SelectsAVisibleGoal) {
 
 TEST(LocalPlanner, SelectsTheEndOfABlockingWall) {
   LocalMap map = map_of({{1.5, -4, 1.5, 1}});
-  LocalPlanner planner({0.3, 0.5, 2}, 0.26);
+  LocalPlanner planner({0.3, 0.5, 2}, 0.26, 2);
   const Waypoint waypoint = planner.find(map, {0, 0, 0}, {3, 0}, 5);
   EXPECT_FALSE(waypoint.is_goal);
   EXPECT_GT(std::atan2(waypoint.position.y, waypoint.position.x), std::atan2(1.0, 1.5));
@@ -111,7 +115,7 @@ TEST(LocalPlanner, ReportsAnUnreachableGoal) {
   Observation behind = observe({{1, -1, 1, 1}, {-1, 1, 1, 1}, {-1, -1, 1, -1}}, {});
   behind.pose.phi = M_PI;
   map.update(behind);
-  LocalPlanner planner({0.3, 0.5, 2}, 0.26);
+  LocalPlanner planner({0.3, 0.5, 2}, 0.26, 2);
   const Waypoint waypoint = planner.find(map, {0, 0, 0}, {3, 0}, 5);
   EXPECT_FALSE(waypoint.reachable);
   EXPECT_DOUBLE_EQ(waypoint.position.x, 3);

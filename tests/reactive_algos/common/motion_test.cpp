@@ -24,11 +24,33 @@ TEST(Integrate, FollowsACircle) {
 
 TEST(FreeArcLength, EndsAtContact) {
   const LocalMap map = map_of({{2, -4, 2, 4}});
+  const std::vector<double> lengths =
+      free_arc_lengths(map.clearance(), {}, {{0.5, 0}, {0.5, 0.5}, {0, 1}}, 0.25, 5);
   // Straight ahead the disc of 0.25 m touches after 1.75 m.
-  EXPECT_NEAR(free_arc_length(map.clearance(), {}, {0.5, 0}, 0.25, 5), 1.75, 0.03);
+  EXPECT_NEAR(lengths[0], 1.75, 0.03);
   // On a circle of radius 1 m to the left the center reaches only x = 1: 0.75 m remain.
-  EXPECT_NEAR(free_arc_length(map.clearance(), {}, {0.5, 0.5}, 0.25, 5), 5, 1e-9);
-  EXPECT_NEAR(free_arc_length(map.clearance(), {}, {0, 1}, 0.25, 5), 5, 1e-9);
+  EXPECT_EQ(lengths[1], 5);
+  EXPECT_EQ(lengths[2], 5);
+}
+
+TEST(FreeArcLength, OfManyArcsIsThatOfEachAlone) {
+  const LocalMap map = map_of({{2, -4, 2, 0.3}, {1, 0.9, 1.5, 4}});
+  const Pose pose = {0.1, -0.2, 0.4};
+  std::vector<Twist> twists;
+  for (int i = 0; i < 300; ++i) twists.push_back({0.1 * (i % 8), 0.02 * (i - 150)});
+  const std::vector<double> lengths = free_arc_lengths(map.clearance(), pose, twists, 0.25, 3);
+  for (std::size_t i = 0; i < twists.size(); ++i) {
+    // Steps of the clearance, at least of 0.02 m, until the disc touches.
+    double length = 0;
+    while (twists[i].v > 0 && length < 3) {
+      const Pose at = integrate(pose, twists[i], length / twists[i].v);
+      const double gap = map.clearance().at({at.x, at.y}) - 0.25;
+      if (gap < 0) break;
+      length += std::max(gap, 0.02);
+    }
+    const double expected = twists[i].v > 0 ? std::min(length, 3.0) : 3;
+    EXPECT_NEAR(lengths[i], expected, 1e-9) << i;
+  }
 }
 
 TEST(ClearanceRadius, IsReducedCloseToObstacles) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace mppi {
@@ -36,22 +37,22 @@ TEST(ImportanceWeights, DoNotOverflowAndDoNotDependOnAConstant) {
 }
 
 TEST(Noise, IsNormalAndFollowsItsSeed) {
-  Noise noise;
-  std::vector<Twist> first, again, other;
+  constexpr std::size_t kRollouts = 2000 + kFixedRollouts, kSteps = 10;
+  Noise noise, again, other;
   noise.seed(5);
-  noise.draw(first, 2000, 10, 1, 0.2, 0.6);
-  noise.seed(5);
-  noise.draw(again, 2000, 10, 1, 0.2, 0.6);
-  noise.seed(6);
-  noise.draw(other, 2000, 10, 1, 0.2, 0.6);
+  again.seed(5);
+  other.seed(6);
+  for (Noise* each : {&noise, &again, &other}) each->draw(kRollouts, kSteps, 1, 0.2, 0.6);
   double mean = 0, square_v = 0, square_w = 0;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    ASSERT_EQ(first[i].v, again[i].v);
-    mean += first[i].v / 20000;
-    square_v += first[i].v * first[i].v / 20000;
-    square_w += first[i].w * first[i].w / 20000;
-  }
-  EXPECT_NE(first[0].v, other[0].v);
+  for (std::size_t t = 0; t < kSteps; ++t)
+    for (std::size_t k = kFixedRollouts; k < kRollouts; ++k) {
+      const double v = noise.v(t)[k], w = noise.w(t)[k];
+      ASSERT_EQ(v, again.v(t)[k]);
+      mean += v / 20000;
+      square_v += v * v / 20000;
+      square_w += w * w / 20000;
+    }
+  EXPECT_NE(noise.v(0)[kFixedRollouts], other.v(0)[kFixedRollouts]);
   // Four standard errors: 4 * 0.2 / sqrt(20000); variances 4 * sqrt(2 / 20000) of themselves.
   EXPECT_NEAR(mean, 0, 0.0057);
   EXPECT_NEAR(square_v, 0.04, 0.04 * 0.04);
@@ -60,12 +61,80 @@ TEST(Noise, IsNormalAndFollowsItsSeed) {
 
 TEST(Noise, IsHeldForTheGivenSteps) {
   Noise noise;
-  std::vector<Twist> drawn;
   noise.seed(5);
-  noise.draw(drawn, 2, 6, 4, 0.2, 0.6);
-  EXPECT_EQ(drawn[0].w, drawn[3].w);
-  EXPECT_NE(drawn[3].w, drawn[4].w);
-  EXPECT_NE(drawn[5].w, drawn[6].w);
+  noise.draw(kFixedRollouts + 1, 6, 4, 0.2, 0.6);
+  EXPECT_EQ(noise.w(0)[kFixedRollouts], noise.w(3)[kFixedRollouts]);
+  EXPECT_NE(noise.w(3)[kFixedRollouts], noise.w(4)[kFixedRollouts]);
+  EXPECT_EQ(noise.w(4)[kFixedRollouts], noise.w(5)[kFixedRollouts]);
+}
+
+TEST(Noise, IsZeroInTheFixedRollouts) {
+  Noise noise;
+  noise.seed(5);
+  noise.draw(4, 3, 1, 0.2, 0.6);
+  for (std::size_t t = 0; t < 3; ++t)
+    for (const FixedRollout k : {kUnchanged, kBraking}) {
+      EXPECT_EQ(noise.v(t)[k], 0);
+      EXPECT_EQ(noise.w(t)[k], 0);
+    }
+}
+
+/// Algorithm 2 for one rollout, step by step.
+double cost_of(std::size_t k, const CostRule& rule, const Observation& start,
+               const std::vector<Twist>& plan, const Noise& noise, const ClearanceMap& map,
+               const Waypoint& target, CostToGo& cost_to_go) {
+  const Robot robot;
+  Pose pose = start.pose;
+  Twist now = start.measured;
+  double cost = 0, nearest = 100;
+  for (std::size_t t = 0; t < plan.size(); ++t) {
+    const Twist change = {k == kBraking ? -plan[t].v : noise.v(t)[k], noise.w(t)[k]};
+    Twist desired = clamp_to_limits({plan[t].v + change.v, plan[t].w + change.w}, robot);
+    desired.v = std::min(desired.v, rule.top_speed);
+    const Twist next = apply_acceleration_limits(now, desired, robot, rule.period);
+    pose = integrate(pose, {0.5 * (now.v + next.v), 0.5 * (now.w + next.w)}, rule.period);
+    now = next;
+    nearest = std::min(nearest, distance({pose.x, pose.y}, target.position));
+    const double gap = map.at({pose.x, pose.y}) - rule.radius;
+    if (gap < 0)
+      return cost + 100 * (2 - static_cast<double>(t) / static_cast<double>(plan.size()));
+    const double deficit = std::max(0.0, 1 - gap / rule.span);
+    cost += rule.obstacle_weight * rule.period * deficit * deficit +
+            rule.control_v * plan[t].v * change.v + rule.control_w * plan[t].w * change.w;
+  }
+  if (target.is_goal) return cost + rule.goal_weight * nearest;
+  const double ahead = cost_to_go.at(to_world(pose, {rule.look_ahead, 0}));
+  const double end = cost_to_go.at({pose.x, pose.y}) + rule.look_ahead;
+  return cost + rule.goal_weight * (ahead < CostToGo::kUnreached ? ahead : std::min(100.0, end));
+}
+
+TEST(RolloutCosts, AreThoseOfEachRolloutAlone) {
+  const LocalMap map = map_of({{1.4, -4, 1.4, 0.1}});
+  CostToGo cost_to_go;
+  cost_to_go.compute(map.clearance(), {4, 0}, {0, 0}, {0.3, 0.55, 2}, 100);
+  Observation start;
+  start.measured = {0.5, 0.2};
+  std::vector<Twist> plan;
+  for (int t = 0; t < 20; ++t) plan.push_back({0.6 + 0.02 * t, 0.6 - 0.05 * t});
+  Noise noise;
+  noise.seed(3);
+  noise.draw(101, plan.size(), 4, 0.3, 0.8);
+  CostRule rule;
+  rule.top_speed = 0.9;
+  rule.control_v = 0.15;
+  rule.control_w = 0.02;
+  for (const bool is_goal : {false, true}) {
+    const Waypoint target = {{1.2, 0.8}, is_goal, true};
+    const std::vector<double> costs =
+        rollout_costs(rule, {}, start, plan, noise, map.clearance(), target, cost_to_go);
+    ASSERT_EQ(costs.size(), 101U);
+    for (std::size_t k = 0; k < costs.size(); ++k)
+      EXPECT_NEAR(costs[k],
+                  cost_of(k, rule, start, plan, noise, map.clearance(), target, cost_to_go), 1e-9)
+          << k;
+    EXPECT_GT(*std::max_element(costs.begin(), costs.end()), 100);  // some collide, some do not
+    EXPECT_LT(*std::min_element(costs.begin(), costs.end()), 100);
+  }
 }
 
 TEST(Mppi, MovesToAGoalInFreeSpace) {

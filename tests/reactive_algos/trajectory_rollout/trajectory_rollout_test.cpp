@@ -15,7 +15,38 @@ Twist decide(const std::vector<Wall>& walls, const Point& goal, const Twist& now
 }
 
 Rollout run_rollout(const std::vector<Wall>& walls, const Twist& now, const Twist& desired) {
-  return roll_out(map_of(walls).clearance(), {}, now, desired, {}, 0.29, 1.5);
+  return roll_out(map_of(walls).clearance(), {}, now, {{desired.v}, {desired.w}}, {}, 0.29, 1.5)
+      .front();
+}
+
+TEST(RollOut, OfAGridIsThatOfEachPair) {
+  const LocalMap map = map_of({{1.2, -4, 1.2, 0.3}});
+  const Twist now = {0.4, -0.3};
+  const Robot robot;
+  const VelocityGrid grid = {{0, 0.5, 1}, {-1.5, -0.2, 0, 0.7}};
+  const auto rollouts = roll_out(map.clearance(), {0.1, 0.2, 0.3}, now, grid, robot, 0.29, 1.5);
+  ASSERT_EQ(rollouts.size(), 12U);
+  int collisions = 0;
+  for (std::size_t i = 0; i < rollouts.size(); ++i) {
+    const Twist desired = {grid.v[i / 4], grid.w[i % 4]};
+    // 30 steps of 0.05 s, each with the mean of its first and last velocity.
+    Pose pose = {0.1, 0.2, 0.3};
+    Twist twist = now;
+    bool collides = false;
+    for (int step = 0; step < 30; ++step) {
+      const Twist next = apply_acceleration_limits(twist, desired, robot, 0.05);
+      pose = integrate(pose, {0.5 * (twist.v + next.v), 0.5 * (twist.w + next.w)}, 0.05);
+      twist = next;
+      collides = collides || map.clearance().at({pose.x, pose.y}) < 0.29;
+    }
+    EXPECT_EQ(rollouts[i].collides, collides) << i;
+    EXPECT_EQ(rollouts[i].end.x, pose.x) << i;
+    EXPECT_EQ(rollouts[i].end.y, pose.y) << i;
+    EXPECT_EQ(rollouts[i].end.phi, pose.phi) << i;
+    collisions += collides ? 1 : 0;
+  }
+  EXPECT_GT(collisions, 0);
+  EXPECT_LT(collisions, 12);
 }
 
 TEST(RollOut, ObeysTheRobotsAccelerations) {
