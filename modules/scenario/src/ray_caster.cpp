@@ -1,3 +1,4 @@
+#include "free_rectangles.h"
 #include "scan_kernel.h"
 
 #include <slalom/scenario/ray_caster.h>
@@ -13,7 +14,10 @@ namespace {
 /// A ray that passes a corner within this distance (cells) touches it: far above the rounding of
 /// coordinates on any map that fits in memory, far below the resolution of any sensor.
 constexpr double kTouch = 1e-9;
-constexpr int kMaxSquare = 65535;
+
+/// Direction components below this are rounding errors of sine and cosine: the ray is parallel to
+/// an axis.
+constexpr double kParallel = 1e-14;
 
 /// Offsets (bytes) in vectors have 32 bits.
 constexpr std::size_t kMaxOffset = std::numeric_limits<std::int32_t>::max();
@@ -22,32 +26,23 @@ constexpr std::size_t kMaxOffset = std::numeric_limits<std::int32_t>::max();
 struct Directions {
   int count = 0;
   double aperture = 0;
-  std::vector<double> cosine, sine;
+  std::vector<double> cosine, sine;  ///< in complete chunks, the last one repeated
 };
 
 /// Caches the directions of the last geometry: a sensor's geometry hardly ever changes.
 const Directions& directions_of(const ScanGeometry& geometry) {
   thread_local Directions cached;
   if (cached.count == geometry.count && cached.aperture == geometry.aperture) return cached;
-  cached = {geometry.count, geometry.aperture, {}, {}};
-  for (int i = 0; i < geometry.count; ++i) {
-    cached.cosine.push_back(std::cos(geometry.angle(i)));
-    cached.sine.push_back(std::sin(geometry.angle(i)));
+  const int chunks = (std::max(0, geometry.count) + RayChunk::kSize - 1) / RayChunk::kSize;
+  const auto size = static_cast<std::size_t>(chunks) * RayChunk::kSize;
+  const std::vector<double> empty(size);
+  cached = {geometry.count, geometry.aperture, empty, empty};
+  for (std::size_t i = 0; i < size; ++i) {
+    const double angle = geometry.angle(std::min(static_cast<int>(i), geometry.count - 1));
+    cached.cosine[i] = std::cos(angle);
+    cached.sine[i] = std::sin(angle);
   }
   return cached;
-}
-
-/// Directions first..first+count-1 rotated by a heading; the rest of the chunk repeats the last
-/// one.
-void rotate(const Directions& directions, int first, int count, double cosine, double sine,
-            RayChunk& rays) {
-  const double *c = directions.cosine.data() + first, *s = directions.sine.data() + first;
-  for (int i = 0; i < count; ++i) {
-    rays.cosine[i] = cosine * c[i] - sine * s[i];
-    rays.sine[i] = sine * c[i] + cosine * s[i];
-  }
-  std::fill(rays.cosine + count, rays.cosine + RayChunk::kSize, rays.cosine[count - 1]);
-  std::fill(rays.sine + count, rays.sine + RayChunk::kSize, rays.sine[count - 1]);
 }
 
 bool near_integer(double x) {
@@ -63,37 +58,21 @@ RayCaster::RayCaster(const Occupancy& occupancy, ArrayReader* written)
       plane_(stride_ * (static_cast<std::size_t>(size_y_) + 2)),
       resolution_(occupancy.resolution()),
       origin_(occupancy.origin()),
-      squares_(written != nullptr ? written->read<std::uint16_t>(table_size())
-                                  : SharedArray<std::uint16_t>(free_squares(occupancy))) {}
+      rectangles_(written != nullptr ? written->read<std::uint8_t>(table_size())
+                                     : SharedArray<std::uint8_t>(free_rectangles(occupancy))) {}
 
-std::vector<std::uint16_t> RayCaster::free_squares(const Occupancy& occupancy) const {
-  std::vector<std::uint16_t> squares(table_size(), 0);
+std::vector<std::uint8_t> RayCaster::free_rectangles(const Occupancy& occupancy) const {
+  std::vector<std::uint8_t> rectangles(table_size(), 0);
   for (const bool left : {false, true})
     for (const bool down : {false, true})
-      fill(occupancy, left, down, squares.data() + plane_of(left, down));
-  return squares;
+      fill_free_rectangles(occupancy.cells().data(), size_x_, size_y_, left, down,
+                           static_cast<std::ptrdiff_t>(stride_),
+                           rectangles.data() + plane_of(left, down) + index(0, 0));
+  return rectangles;
 }
 
 void RayCaster::write(ArrayWriter& writer) const {
-  writer.write(squares_);
-}
-
-/// Fills one plane.
-void RayCaster::fill(const Occupancy& occupancy, bool left, bool down,
-                     std::uint16_t* squares) const {
-  for (int y = size_y_ - 1; y >= 0; --y) {
-    const std::uint8_t* cells = occupancy.cells().data() +
-                                occupancy.index(left ? 0 : size_x_ - 1, down ? size_y_ - 1 - y : y);
-    std::uint16_t* here = squares + index(size_x_ - 1, y);
-    int right = 0, above_right = 0;  // in registers: faster than loads
-    for (int x = size_x_ - 1; x >= 0; --x, --here, cells += left ? 1 : -1) {
-      const int above = here[stride_];
-      const int side = std::min({right, above, above_right}) + 1;
-      above_right = above;
-      right = *cells != 0 ? 0 : std::min(side, kMaxSquare);
-      *here = static_cast<std::uint16_t>(right);
-    }
-  }
+  writer.write(rectangles_);
 }
 
 RayCaster::Ray RayCaster::make_ray(const mrpt::math::TPoint2D& origin, double cosine,
@@ -105,7 +84,7 @@ RayCaster::Ray RayCaster::make_ray(const mrpt::math::TPoint2D& origin, double co
   if (sine < 0) ray.y = size_y_ - ray.y;
   ray.dx = std::abs(cosine) < kParallel ? 0 : std::abs(cosine);
   ray.dy = std::abs(sine) < kParallel ? 0 : std::abs(sine);
-  ray.squares = squares_.data() + plane_of(cosine < 0, sine < 0);
+  ray.rectangles = rectangles_.data() + plane_of(cosine < 0, sine < 0);
   return ray;
 }
 
@@ -114,24 +93,29 @@ bool RayCaster::starts_free(const Ray& ray) const {
   if (!inside || !std::isfinite(ray.dx)) return false;
   for (const double x : {ray.x - kTouch, ray.x + kTouch})
     for (const double y : {ray.y - kTouch, ray.y + kTouch})
-      if (ray.squares[index(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)))] == 0)
+      if (ray.rectangles[index(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)))] ==
+          0)
         return false;
   return true;
 }
 
 double RayCaster::trace(const Ray& ray, double limit) const {
-  if (ray.dx == 0) return std::min(limit, trace_parallel(ray.squares, ray.y, ray.x, stride_, 1));
-  if (ray.dy == 0) return std::min(limit, trace_parallel(ray.squares, ray.x, ray.y, 1, stride_));
+  if (ray.dx == 0)
+    return std::min(limit, trace_parallel(ray.rectangles, ray.y, ray.x, stride_, 1, 4));
+  if (ray.dy == 0)
+    return std::min(limit, trace_parallel(ray.rectangles, ray.x, ray.y, 1, stride_, 0));
   return trace_oblique(ray, limit);
 }
 
-double RayCaster::trace_parallel(const std::uint16_t* squares, double along, double across,
-                                 std::size_t step_along, std::size_t step_across) const {
+double RayCaster::trace_parallel(const std::uint8_t* rectangles, double along, double across,
+                                 std::size_t step_along, std::size_t step_across,
+                                 int extent_shift) const {
   double nearest = size_x_ + size_y_;
   for (const double side : {across - kTouch, across + kTouch}) {  // both rows when on their border
     const std::size_t row = (static_cast<std::size_t>(side) + 1) * step_across;
     std::size_t cell = static_cast<std::size_t>(along);
-    while (const std::uint16_t free = squares[row + (cell + 1) * step_along]) cell += free;
+    while (const std::uint8_t codes = rectangles[row + (cell + 1) * step_along])
+      cell += kExtents[codes >> extent_shift & 15];
     nearest = std::min(nearest, static_cast<double>(cell) - along);
   }
   return nearest;
@@ -141,26 +125,29 @@ double RayCaster::trace_oblique(const Ray& ray, double limit) const {
   const double per_x = 1 / ray.dx, per_y = 1 / ray.dy;
   int cx = static_cast<int>(ray.x), cy = static_cast<int>(ray.y);
   double t = 0;
-  while (const int free = ray.squares[index(cx, cy)]) {
-    const double tx = (cx + free - ray.x) * per_x, ty = (cy + free - ray.y) * per_y;
+  while (const unsigned codes = ray.rectangles[index(cx, cy)]) {
+    const int far_x = cx + kExtents[codes & 15], far_y = cy + kExtents[codes >> 4];
+    const double tx = (far_x - ray.x) * per_x, ty = (far_y - ray.y) * per_y;
     const bool through_x = tx < ty;
     t = through_x ? tx : ty;
     if (t >= limit) return limit;
     const double other = through_x ? ray.y + t * ray.dy : ray.x + t * ray.dx;
     const int other_cell = static_cast<int>(other);
-    cx = through_x ? cx + free : other_cell;
-    cy = through_x ? other_cell : cy + free;
+    // Never back: at corners rounding could, and the ray would go around them forever.
+    cx = through_x ? far_x : std::max(cx, other_cell);
+    cy = through_x ? std::max(cy, other_cell) : far_y;
     if (near_integer(other)) {
       const int corner = static_cast<int>(std::lround(other));
-      if (touches_corner(ray.squares, through_x ? cx : corner, through_x ? corner : cy)) return t;
+      if (touches_corner(ray.rectangles, through_x ? cx : corner, through_x ? corner : cy))
+        return std::min(t, through_x ? (corner - ray.y) * per_y : (corner - ray.x) * per_x);
     }
   }
   return t;
 }
 
-bool RayCaster::touches_corner(const std::uint16_t* squares, int x, int y) const {
-  const std::uint16_t* above = squares + index(x, y);
-  const std::uint16_t* below = above - stride_;
+bool RayCaster::touches_corner(const std::uint8_t* rectangles, int x, int y) const {
+  const std::uint8_t* above = rectangles + index(x, y);
+  const std::uint8_t* below = above - stride_;
   return above[0] == 0 || above[-1] == 0 || below[0] == 0 || below[-1] == 0;
 }
 
@@ -170,7 +157,7 @@ double RayCaster::cast(const mrpt::math::TPoint2D& origin, double angle, double 
   return std::min(max_range, resolution_ * trace(ray, max_range / resolution_));
 }
 
-ScanOrigin RayCaster::scan_origin(const Ray& ray, double limit) const {
+ScanOrigin RayCaster::scan_origin(const Ray& ray, double heading, double max_range) const {
   ScanOrigin origin{};
   for (const int mirrored : {0, 1}) {
     origin.x[mirrored] = mirrored ? size_x_ - ray.x : ray.x;
@@ -182,9 +169,15 @@ ScanOrigin RayCaster::scan_origin(const Ray& ray, double limit) const {
     origin.column[mirrored] = static_cast<std::int32_t>(column);
     origin.row[mirrored] = static_cast<std::int32_t>(row);
   }
-  origin.limit = limit;
-  origin.squares = squares_.data();
+  origin.cosine = std::cos(heading);
+  origin.sine = std::sin(heading);
+  origin.limit = max_range / resolution_;
+  origin.max_range = max_range;
+  origin.resolution = resolution_;
   origin.stride = static_cast<std::int32_t>(stride_);
+  origin.size_x = size_x_;
+  origin.size_y = size_y_;
+  origin.rectangles = rectangles_.size() < kMaxOffset ? rectangles_.data() : nullptr;
   return origin;
 }
 
@@ -196,24 +189,19 @@ void RayCaster::cast_scan(const mrpt::math::TPose2D& pose, const ScanGeometry& g
     std::fill_n(ranges, std::max(0, geometry.count), 0.0F);
     return;
   }
-  const ScanOrigin origin = scan_origin(straight, geometry.max_range / resolution_);
+  const ScanOrigin origin = scan_origin(straight, pose.phi, geometry.max_range);
   const Directions& directions = directions_of(geometry);
-  const double cosine = std::cos(pose.phi), sine = std::sin(pose.phi);
-  const bool fits = squares_.size() < kMaxOffset / sizeof(std::uint16_t);
   RayChunk rays;
   for (int first = 0; first < geometry.count; first += RayChunk::kSize) {
     const int count = std::min(geometry.count - first, RayChunk::kSize);
-    rotate(directions, first, count, cosine, sine, rays);
-    if (fits)
-      cast_rays(origin, count, rays);
-    else
-      std::fill_n(rays.range, count, RayChunk::kUncertain);
-    for (int i = 0; i < count; ++i) {
-      double range = rays.range[i];
-      if (range == RayChunk::kUncertain)
-        range = trace(make_ray(position, rays.cosine[i], rays.sine[i]), origin.limit);
-      ranges[first + i] = static_cast<float>(std::min(geometry.max_range, resolution_ * range));
-    }
+    const bool uncertain = cast_rays(origin, directions.cosine.data() + first,
+                                     directions.sine.data() + first, count, rays);
+    std::copy_n(rays.range, count, ranges + first);
+    for (int i = 0; uncertain && i < count; ++i)
+      if (rays.range[i] == RayChunk::kUncertain) {
+        const double t = trace(make_ray(position, rays.cosine[i], rays.sine[i]), origin.limit);
+        ranges[first + i] = static_cast<float>(std::min(geometry.max_range, resolution_ * t));
+      }
   }
 }
 

@@ -4,47 +4,42 @@
 
 namespace slalom {
 
-/// Direction components below this are rounding errors of sine and cosine: the ray is parallel to
-/// an axis.
-constexpr double kParallel = 1e-14;
-
-/// A sensor's position in the four mirrored frames of a RayCaster (index 1: mirrored), in cells.
+/// A sensor's pose and range, in cells where nothing else is said; positions are given in the
+/// mirrored frames of a RayCaster (index 1: mirrored).
 struct ScanOrigin {
   double x[2], y[2];
-  std::int32_t column[2], row[2];  ///< their sum is the index of the origin's cell in `squares`
-  double limit;                    ///< maximum range
-  const std::uint16_t* squares;    ///< readable one element beyond the last cell
+  double cosine, sine;             ///< of the heading
+  double limit, max_range;         ///< the same in cells and in m
+  double resolution;               ///< m
+  std::int32_t column[2], row[2];  ///< their sum is the index of the origin's cell in the table
   std::int32_t stride;
+  int size_x, size_y;  ///< of the grid
+  /// The table, readable three elements beyond the last cell; null if it has more than 2^31
+  /// elements: then no ray is certain.
+  const std::uint8_t* rectangles;
 };
 
 /// Rays that are cast in parallel (SIMD).
 struct RayChunk {
   static constexpr int kSize = 192;
-  // Directions (world), all filled.
-  alignas(64) double cosine[kSize];
+  static constexpr float kUncertain = -1;
+  alignas(64) double cosine[kSize];  ///< of the directions (world)
   alignas(64) double sine[kSize];
-  // Scratch space of the kernel: origins within their cell, directions and their inverses.
-  alignas(64) float x[kSize];
-  alignas(64) float y[kSize];
-  alignas(64) float dx[kSize];
-  alignas(64) float dy[kSize];
-  alignas(64) float per_x[kSize];
-  alignas(64) float per_y[kSize];
-  alignas(64) std::int32_t cell[kSize];
-  // The face that stops the ray, in columns (positive) or rows (negative) from the origin's cell.
+  alignas(64) float range[kSize];  ///< m; kUncertain where single precision does not suffice
+  // Scratch: the face that stops the ray, in columns (positive) or rows (negative) from the
+  // origin's cell.
   alignas(64) std::int32_t face[kSize];
-  // Result: ranges in cells, at most the limit; kUncertain where single precision does not suffice.
-  alignas(64) double range[kSize];
-
   static constexpr std::int32_t kNothing = 0;  ///< the limit is reached before any face
   static constexpr std::int32_t kUndecided = INT32_MIN;
-  static constexpr double kUncertain = -1;
 };
 
-/// Casts the first `count` rays with the widest vectors of this processor. The traversal from
-/// square to square uses single precision with an error bound, the range to the face found uses
-/// double precision: the result is bit-identical with every instruction set. Cases that the bound
-/// cannot decide (a crossing close to a corner, a ray parallel to an axis) are left to the caller.
-void cast_rays(const ScanOrigin& origin, int count, RayChunk& rays);
+/// Casts the first `count` rays with the widest vectors of this processor; true if some of the
+/// ranges are uncertain. `cosine` and `sine` are kSize directions relative to the heading. The walk
+/// from rectangle to rectangle uses single precision with an error bound, the range to the face
+/// found uses double precision: the result is bit-identical with every instruction set. Cases that
+/// the bound cannot decide (a crossing close to a corner, a ray almost parallel to an axis) are
+/// left to the caller.
+bool cast_rays(const ScanOrigin& origin, const double* cosine, const double* sine, int count,
+               RayChunk& rays);
 
 }  // namespace slalom

@@ -3,10 +3,7 @@
 #include <slalom/scenario/ray_caster.h>
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
-#include <cstdint>
-#include <cstring>
 #include <limits>
 
 namespace slalom {
@@ -158,68 +155,6 @@ TEST(RayCaster, IsInvariantUnderReflection) {
                   mirror.cast(cells.to_world(cells.size_x() - at.x, at.y), M_PI - angle, 100),
                   1e-9);
     }
-  }
-}
-
-struct ScanSetup {
-  mrpt::math::TPose2D pose;
-  ScanGeometry geometry;
-};
-
-/// Half of the scans are taken where many rays pass through corners and along borders.
-ScanSetup random_scan(RandomEngine& random, const Occupancy& cells) {
-  const TPoint2D at = testing::random_point(random, cells.bounds(), cells.resolution());
-  const ScanGeometry geometry{uniform_int(random, 1, 400), uniform_real(random, 0.1, 2 * M_PI),
-                              uniform_real(random, 0.5, 9)};
-  const TPoint2D corner = cells.to_world(0.5 * uniform_int(random, 0, 2 * cells.size_x()),
-                                         0.5 * uniform_int(random, 0, 2 * cells.size_y()));
-  if (uniform_int(random, 0, 1) == 0) return {{at.x, at.y, uniform_real(random, -4, 4)}, geometry};
-  return {{corner.x, corner.y, M_PI / 4 * uniform_int(random, -4, 4)},
-          {uniform_int(random, 0, 1) ? 181 : 9, M_PI, geometry.max_range}};
-}
-
-TEST(RayCaster, CastsAScanLikeItsSingleRays) {
-  RandomEngine random(23);
-  for (int n = 0; n < 6000; ++n) {
-    const Occupancy cells = testing::random_occupancy(random, 60);
-    const RayCaster caster(cells);
-    const auto [pose, geometry] = random_scan(random, cells);
-    std::vector<float> ranges(static_cast<std::size_t>(geometry.count), -1.0F);
-    caster.cast_scan(pose, geometry, ranges.data());
-    for (int i = 0; i < geometry.count; ++i) {
-      const double range =
-          caster.cast({pose.x, pose.y}, pose.phi + geometry.angle(i), geometry.max_range);
-      ASSERT_NEAR(ranges[static_cast<std::size_t>(i)], range, 1e-6) << i;
-    }
-  }
-}
-
-/// Scans of random grids, with one instruction set.
-std::vector<float> scans_with(std::int64_t target) {
-  hwy::SetSupportedTargetsForTest(target);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  RandomEngine random(24);
-  std::vector<float> all;
-  for (int n = 0; n < 1500; ++n) {
-    const Occupancy cells = testing::random_occupancy(random, 80);
-    const RayCaster caster(cells);
-    const auto [pose, geometry] = random_scan(random, cells);
-    all.resize(all.size() + static_cast<std::size_t>(geometry.count));
-    caster.cast_scan(pose, geometry, all.data() + all.size() - geometry.count);
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  return all;
-}
-
-TEST(RayCaster, GivesTheSameBitsWithEveryInstructionSet) {
-  const std::int64_t supported = hwy::SupportedTargets();
-  const std::vector<float> expected = scans_with(supported);
-  for (std::int64_t left = supported; left != 0; left &= left - 1) {
-    const std::vector<float> ranges = scans_with(left & -left);
-    ASSERT_EQ(ranges.size(), expected.size());
-    EXPECT_EQ(std::memcmp(ranges.data(), expected.data(), expected.size() * sizeof(float)), 0)
-        << hwy::TargetName(left & -left);
   }
 }
 

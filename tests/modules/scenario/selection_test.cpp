@@ -18,8 +18,8 @@ SelectionPtr parse(const std::string& text) {
 }
 
 /// Whether `text` is refused at a character (from 1) with these words.
-testing::AssertionResult refused(const std::string& text, int character,
-                                 std::initializer_list<std::string> words) {
+::testing::AssertionResult refused(const std::string& text, int character,
+                                   std::initializer_list<std::string> words) {
   return throws_error(ErrorKind::Usage, "selection, character " + std::to_string(character) + ": ",
                       words, [&] { parse(text); });
 }

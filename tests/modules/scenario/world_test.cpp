@@ -13,13 +13,13 @@
 namespace slalom {
 namespace {
 
-Scenario sample() {
-  return Scenario::continuous("sample", {0, 0, 4, 3}, {{{{2, 1.5}, 0.5}}, {}}, {0.5, 0.5, 0},
+Scenario disc_room() {
+  return Scenario::continuous("disc room", {0, 0, 4, 3}, {{{{2, 1.5}, 0.5}}, {}}, {0.5, 0.5, 0},
                               {3.5, 2.5});
 }
 
 TEST(World, ComputesEachTableOnce) {
-  const World world(sample(), 0.05);
+  const World world(disc_room(), 0.05);
   const Occupancy* cells = &world.occupancy();
   const DistanceField* field = &world.distance_field();
   const RayCaster* caster = &world.ray_caster();
@@ -29,8 +29,8 @@ TEST(World, ComputesEachTableOnce) {
 }
 
 TEST(World, UsesOneModelForAllTables) {
-  const World world(sample(), 0.05);
-  EXPECT_EQ(world.occupancy().cells(), make_occupancy(sample(), 0.05).cells());
+  const World world(disc_room(), 0.05);
+  EXPECT_EQ(world.occupancy().cells(), make_occupancy(disc_room(), 0.05).cells());
   EXPECT_EQ(world.distance_field().clearance({2, 1.5}), 0);
   // The nearest cell's face is at most a cell before the rim at x = 1.5.
   EXPECT_NEAR(world.ray_caster().cast({0.5, 1.52}, 0, 10), 1.0, 0.05 + 1e-9);
@@ -38,7 +38,7 @@ TEST(World, UsesOneModelForAllTables) {
 }
 
 TEST(World, IsThreadSafe) {
-  const World world(sample(), 0.05);
+  const World world(disc_room(), 0.05);
   const RayCaster* seen[2] = {};
   std::thread first([&] { seen[0] = &world.ray_caster(); });
   std::thread second([&] { seen[1] = &world.ray_caster(); });
@@ -98,15 +98,15 @@ TEST(World, AnswersFromTheTablesOfAnotherProcessAsFromItsOwn) {
 }
 
 TEST(World, TablesThatAreNotCompleteAreRefused) {
-  const SharedArray<std::byte> tables = tables_of(World(sample(), 0.5));
+  const SharedArray<std::byte> tables = tables_of(World(disc_room(), 0.5));
   for (std::size_t size = 0; size < tables.size(); size += 8)
-    EXPECT_THROW(World(sample(), 0.5, {tables.owner(), size}), Error) << size;
-  EXPECT_NO_THROW(World(sample(), 0.5, tables));
+    EXPECT_THROW(World(disc_room(), 0.5, {tables.owner(), size}), Error) << size;
+  EXPECT_NO_THROW(World(disc_room(), 0.5, tables));
 }
 
 TEST(World, ReportsAnInvalidResolutionOnFirstUse) {
-  const World world(sample(), 0);
-  EXPECT_EQ(world.scenario().name(), "sample");
+  const World world(disc_room(), 0);
+  EXPECT_EQ(world.scenario().name(), "disc room");
   EXPECT_THROW(world.occupancy(), Error);
   EXPECT_THROW(world.ray_caster(), Error);
 }

@@ -23,14 +23,15 @@ struct ScanGeometry {
   }
 };
 
-/// Exact ray casting on an Occupancy by free-square jumps: tables hold for each cell and quadrant
-/// the side of the largest free square that starts there; a ray crosses such a square in one step.
+/// Exact ray casting on an Occupancy from one free rectangle to the next: a table holds for each
+/// cell and quadrant a free rectangle that starts there; a ray crosses it in one step.
 /// The range is the smallest t >= 0 at which the ray is on or in an occupied closed square or the
 /// border of the grid: a ray that only touches a corner, or that runs along the border of an
 /// occupied cell, is blocked there. Touching is tested with a tolerance of 1e-9 cells at corners,
 /// so that rays at special angles do not depend on rounding; a ray that passes closer than that
 /// without touching may be blocked or not. Crossings are computed from cell indexes, not by
-/// accumulating steps.
+/// accumulating steps; at a corner the range is that to the nearer of its lines. So ranges do not
+/// depend on the choice of rectangles.
 class RayCaster {
  public:
   /// Computes the tables, or uses those that write() wrote for this occupancy, where they are.
@@ -52,22 +53,21 @@ class RayCaster {
   struct Ray {
     double x = 0, y = 0;    ///< origin
     double dx = 0, dy = 0;  ///< direction, not negative
-    const std::uint16_t* squares = nullptr;
+    const std::uint8_t* rectangles = nullptr;
   };
 
-  /// Elements of `squares_`: one more, so that a word can be read at the last cell.
-  std::size_t table_size() const { return 4 * plane_ + 1; }
-  std::vector<std::uint16_t> free_squares(const Occupancy& occupancy) const;
-  void fill(const Occupancy& occupancy, bool left, bool down, std::uint16_t* squares) const;
+  /// Elements of `rectangles_`: three more, so that a word can be read at the last cell.
+  std::size_t table_size() const { return 4 * plane_ + 3; }
+  std::vector<std::uint8_t> free_rectangles(const Occupancy& occupancy) const;
   Ray make_ray(const mrpt::math::TPoint2D& origin, double cosine, double sine) const;
   bool starts_free(const Ray& ray) const;
   /// Range (cells), at most limit, of a ray that starts free.
   double trace(const Ray& ray, double limit) const;
   double trace_oblique(const Ray& ray, double limit) const;
-  double trace_parallel(const std::uint16_t* squares, double along, double across,
-                        std::size_t step_along, std::size_t step_across) const;
-  bool touches_corner(const std::uint16_t* squares, int x, int y) const;
-  ScanOrigin scan_origin(const Ray& straight, double limit) const;
+  double trace_parallel(const std::uint8_t* rectangles, double along, double across,
+                        std::size_t step_along, std::size_t step_across, int extent_shift) const;
+  bool touches_corner(const std::uint8_t* rectangles, int x, int y) const;
+  ScanOrigin scan_origin(const Ray& straight, double heading, double max_range) const;
   std::size_t plane_of(bool left, bool down) const {
     return plane_ * ((left ? 1U : 0U) + (down ? 2U : 0U));
   }
@@ -80,9 +80,9 @@ class RayCaster {
   double resolution_;
   mrpt::math::TPoint2D origin_;
   /// Four planes (rays to the right or left, up or down), each the grid mirrored so that rays go up
-  /// and to the right: the side of the free square whose lower left cell this is, 0 where occupied;
-  /// with a border of occupied cells.
-  SharedArray<std::uint16_t> squares_;
+  /// and to the right: the codes (free_rectangles.h) of the width and height of a free rectangle
+  /// whose lower left cell this is, 0 where occupied; with a border of occupied cells.
+  SharedArray<std::uint8_t> rectangles_;
 };
 
 }  // namespace slalom

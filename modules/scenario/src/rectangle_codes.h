@@ -1,0 +1,47 @@
+#pragma once
+
+#include "free_rectangles.h"
+
+namespace slalom {
+
+constexpr std::size_t kCodes = kExtents.size();
+
+/// A run of an extent is free when two of extent `half` are, the second `offset` cells on.
+struct Doubling {
+  std::size_t half = 0;
+  int offset = 0;
+};
+
+constexpr std::array<Doubling, kCodes> make_doublings() {
+  std::array<Doubling, kCodes> doublings = {};
+  for (std::size_t code = 2; code < kCodes; ++code) {
+    std::size_t half = 1;
+    while (2 * kExtents[half] < kExtents[code]) ++half;
+    doublings[code] = {half, kExtents[code] - kExtents[half]};
+  }
+  return doublings;
+}
+constexpr std::array<Doubling, kCodes> kDoublings = make_doublings();
+
+/// How many rows of runs of an extent are needed to find those of the others, a power of two.
+constexpr unsigned kept_rows(std::size_t code) {
+  unsigned rows = 1;
+  for (const Doubling& doubling : kDoublings)
+    while (doubling.half == code && rows <= static_cast<unsigned>(doubling.offset)) rows *= 2;
+  return rows;
+}
+
+/// Where the rows of an extent begin, in rows of all extents.
+constexpr std::size_t first_row(std::size_t code) {
+  std::size_t rows = 0;
+  for (std::size_t i = 1; i < code; ++i) rows += kept_rows(i);
+  return rows;
+}
+
+/// Which of the rectangles with these codes of height and width is better: 1 to 127, 0 when empty.
+struct RectangleScores {
+  alignas(16) std::int8_t score[kCodes][kCodes] = {};
+  RectangleScores();
+};
+
+}  // namespace slalom
