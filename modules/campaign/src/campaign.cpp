@@ -67,7 +67,9 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
   if (done > 0) execution.progress.advance(done);
   PoolOptions pool;
   pool.workers = execution.workers;
-  pool.fresh_process = true;
+  // Planners may have a state of their process, such as OMPL's random generators; the rest of a
+  // survey has none, and no method runs there.
+  pool.fresh_process = campaign.planner != nullptr;
   pool.ordered = false;
   pool.trusted = true;
   pool.in_process = execution.in_process;

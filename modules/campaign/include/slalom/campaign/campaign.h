@@ -79,7 +79,7 @@ std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario_
 /// reported before the first run. Throws Error (Usage) with the method's origin.
 void check_methods(const Campaign& campaign);
 
-/// Computes the descriptors and references of every scenario (each in a new process), then runs
+/// Computes the descriptors and references of every scenario (in processes of their own), then runs
 /// every method on it in worker processes, except what the sink already has. The records do not
 /// depend on the number of workers.
 CampaignSummary run_campaign(const Campaign& campaign, CampaignSink& sink,
