@@ -1,6 +1,8 @@
 #include "shared_inputs.h"
 #include "shared_memory.h"
 
+#include <slalom/core/error.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -15,6 +17,30 @@ PoolOptions for_makers(PoolOptions options) {
   options.at_end = nullptr;
   return options;
 }
+
+/// Writes inputs, in the process of a maker.
+class InputWriter {
+ public:
+  explicit InputWriter(const SharedInputs& inputs) : inputs_(inputs) {}
+
+  void write(std::size_t input, int file) {
+    SharedWriter& memory = memory_of(file);
+    memory.clear();
+    inputs_.make(input,
+                 [&](const void* data, std::size_t size) { memory.append(file, data, size); });
+    memory.finish();
+  }
+
+ private:
+  SharedInputs inputs_;
+  std::vector<SharedWriter> memories_;
+
+  SharedWriter& memory_of(int file) {
+    for (SharedWriter& memory : memories_)
+      if (memory.writes(file)) return memory;
+    return memories_.emplace_back(file);
+  }
+};
 
 }  // namespace
 
@@ -43,26 +69,31 @@ bool InputStore::make_next() {
   const std::size_t key = *input_of(ahead_);
   Input& input = inputs_[key];
   for (; ahead_ < count_ && input_of(ahead_) == key; ++ahead_) ++input.items;
-  input.memory = create_shared_memory();
+  const std::shared_ptr<Maker> maker = idle_maker();
+  if (maker->free_memory.empty()) {
+    input.memory = create_shared_memory();
+  } else {
+    input.memory = std::move(maker->free_memory.back());
+    maker->free_memory.pop_back();
+  }
+  input.maker = maker;
   input.is_made = !input.memory;
-  if (input.memory) idle_maker().assign(key, input.memory.number());
+  if (input.memory) maker->process->assign(key, input.memory.number());
   return true;
 }
 
-WorkerProcess& InputStore::idle_maker() {
+std::shared_ptr<InputStore::Maker> InputStore::idle_maker() {
   for (const auto& maker : makers_)
-    if (maker->idle() && maker->is_sound()) return *maker;
-  const auto& make = options_.inputs.make;
-  const auto write = [make](std::size_t key, int file) {
-    make(key,
-         [file](const void* data, std::size_t size) { append_to_shared_memory(file, data, size); });
-  };
+    if (maker->process->idle() && maker->process->is_sound()) return maker;
   for (auto& maker : makers_)
-    if (!maker->busy()) maker.reset();
+    if (!maker->process->busy()) maker.reset();
   makers_.erase(std::remove(makers_.begin(), makers_.end(), nullptr), makers_.end());
-  makers_.push_back(std::make_unique<WorkerProcess>(options_, write));
-  makers_.back()->start(nothing_, 0);
-  return *makers_.back();
+  const auto writer = std::make_shared<InputWriter>(options_.inputs);
+  makers_.push_back(std::make_shared<Maker>());
+  makers_.back()->process = std::make_unique<WorkerProcess>(
+      options_, [writer](std::size_t key, int file) { writer->write(key, file); });
+  makers_.back()->process->start(nothing_, 0);
+  return makers_.back();
 }
 
 int InputStore::descriptor_for(std::size_t item) {
@@ -76,35 +107,43 @@ int InputStore::descriptor_for(std::size_t item) {
 void InputStore::release(std::size_t item) {
   const auto key = input_of(item);
   const auto input = key ? inputs_.find(*key) : inputs_.end();
-  if (input != inputs_.end() && --input->second.items == 0) inputs_.erase(input);
+  if (input == inputs_.end() || --input->second.items > 0) return;
+  const std::shared_ptr<Maker> maker = input->second.maker.lock();
+  if (maker && input->second.memory) maker->free_memory.push_back(std::move(input->second.memory));
+  inputs_.erase(input);
 }
 
 std::size_t InputStore::busy() const {
-  return static_cast<std::size_t>(std::count_if(makers_.begin(), makers_.end(),
-                                                [](const auto& maker) { return maker->busy(); }));
+  return static_cast<std::size_t>(std::count_if(
+      makers_.begin(), makers_.end(), [](const auto& maker) { return maker->process->busy(); }));
 }
 
 void InputStore::add_events(std::vector<pollfd>& events) const {
-  for (const auto& maker : makers_) maker->add_events(events);
+  for (const auto& maker : makers_) maker->process->add_events(events);
 }
 
 void InputStore::collect() {
   for (const auto& maker : makers_) {
-    if (!maker->busy()) continue;
-    const auto result = maker->receive();
+    if (!maker->process->busy()) continue;
+    const auto result = maker->process->receive();
     if (!result) continue;
-    Input& input = inputs_.at(maker->last_item());
+    Input& input = inputs_.at(maker->process->last_item());
     input.is_made = true;
     const bool is_complete = result->status == WorkResult::Status::Done;
-    if (!is_complete || !seal_shared_memory(input.memory.number())) input.memory = FileDescriptor();
+    if (!is_complete || !is_sealed(input.memory.number())) input.memory = FileDescriptor();
   }
 }
 
 FileReceiver InputStore::receiver() const {
-  const SharedInputs inputs = options_.inputs;
-  return [inputs](std::size_t item, int file) {
-    const SharedArray<std::byte> memory = map_shared_memory(file);
-    if (memory.size() > 0) inputs.use(*inputs.of(item), memory);
+  const auto reader = std::make_shared<SharedReader>();  // each process has its own after the fork
+  return [inputs = options_.inputs, reader](std::size_t item, int file) {
+    const SharedArray<std::byte> memory = reader->read(file);
+    if (memory.size() == 0) return;
+    try {
+      inputs.use(*inputs.of(item), memory);
+    } catch (const Error&) {
+      // A method has mapped something else over it: the work item does without it.
+    }
   };
 }
 

@@ -14,7 +14,8 @@
 namespace slalom {
 
 /// The SharedInputs of a pool: makes them in processes of their own, ahead of the work items that
-/// use them, and holds the descriptors of their memory until all of these are finished.
+/// use them, and holds the descriptors of their memory until all of these are finished; then the
+/// process that wrote it uses it again.
 class InputStore {
  public:
   /// `count`: number of work items.
@@ -37,21 +38,26 @@ class InputStore {
   FileReceiver receiver() const;
 
  private:
+  struct Maker {
+    std::unique_ptr<WorkerProcess> process;
+    std::vector<FileDescriptor> free_memory;  ///< that it has written, in no use
+  };
   struct Input {
     std::size_t items = 0;  ///< that are not finished
     bool is_made = false, is_used = false;
-    FileDescriptor memory;  ///< none: the input cannot be made
+    FileDescriptor memory;         ///< none: the input cannot be made
+    std::weak_ptr<Maker> maker{};  ///< the process that can write the memory again
   };
 
   std::optional<std::size_t> input_of(std::size_t item) const;
-  WorkerProcess& idle_maker();
+  std::shared_ptr<Maker> idle_maker();
 
   std::size_t count_;
   PoolOptions options_;
   WorkItem nothing_;                     ///< of the makers: all is done by their FileReceiver
   std::size_t ahead_ = 0;                ///< inputs of work items before this one have been started
   std::map<std::size_t, Input> inputs_;  ///< of work items that are not finished
-  std::vector<std::unique_ptr<WorkerProcess>> makers_;
+  std::vector<std::shared_ptr<Maker>> makers_;
 };
 
 }  // namespace slalom

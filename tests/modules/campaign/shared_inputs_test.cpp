@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <unistd.h>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -135,6 +136,28 @@ TEST_F(Inputs, AreOnlyMadeForWorkItemsThatUseOne) {
   for (std::size_t i = 0; i < payloads.size(); ++i)
     EXPECT_EQ(payloads[i], i % 10 < 5 ? "none" : "input " + std::to_string(i / 10)) << i;
   EXPECT_EQ(made_.clock()(), 3);
+}
+
+TEST_F(Inputs, OfAnySizeFollowEachOther) {
+  options_.inputs.make = [](std::size_t input, const ArrayWriter::Sink& sink) {
+    const std::string text(1 + input * 7919 % 200000, static_cast<char>('a' + input % 26));
+    sink(text.data(), text.size() / 2);
+    sink(text.data() + text.size() / 2, text.size() - text.size() / 2);
+  };
+  for (const int workers : {1, 3}) {
+    options_.workers = workers;
+    options_.groups = 3;
+    options_.group = [](std::size_t i) { return i % 3; };
+    const auto payloads = run(100 * kItemsPerInput, [&](std::size_t, SharedTaskLog&) {
+      return text_ ? *std::exchange(text_, std::nullopt) : "none";
+    });
+    for (std::size_t i = 0; i < payloads.size(); ++i) {
+      const std::size_t input = i / kItemsPerInput;
+      EXPECT_EQ(payloads[i],
+                std::string(1 + input * 7919 % 200000, static_cast<char>('a' + input % 26)))
+          << i;
+    }
+  }
 }
 
 TEST_F(Inputs, OfAnInterruptedPoolAreReleased) {

@@ -33,7 +33,7 @@ class ArrayWriter {
 };
 
 /// Arrays in memory that an ArrayWriter wrote, in the same order. They keep the memory, which must
-/// be aligned like a page; nothing is copied.
+/// be aligned like a cache line; nothing is copied.
 class ArrayReader {
  public:
   explicit ArrayReader(SharedArray<std::byte> memory) : memory_(std::move(memory)) {}
