@@ -1,6 +1,9 @@
 #include "planning_space.h"
+#include "pose_roadmap.h"
+#include "pose_smoothing.h"
 
 #include <slalom/ompl/ompl_planner.h>
+#include <slalom/references/turning_bound.h>
 
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/objectives/MaximizeMinClearanceObjective.h>
@@ -25,6 +28,10 @@ namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
+using mrpt::math::TPose2D;
+
+/// The planner of poses if only the exact search is asked for, which plans for discs.
+constexpr char kPosePlanner[] = "RRTstar";
 
 using PlannerMaker = std::function<ob::PlannerPtr(const ob::SpaceInformationPtr&)>;
 
@@ -71,41 +78,103 @@ ob::PlannerTerminationCondition make_termination_condition(int iterations, doubl
   });
 }
 
+/// The planner's exact solution in a space; null if it has none.
+ob::PathPtr solve(const PlanningSpace& space, const ob::OptimizationObjectivePtr& objective,
+                  const std::string& planner_name, const ob::PlannerTerminationCondition& stop) {
+  const auto definition = std::make_shared<ob::ProblemDefinition>(space.information);
+  ob::ScopedState<> start(space.information);
+  space.set_start(start.get());
+  if (!space.information->isValid(start.get())) return nullptr;
+  definition->addStartState(start);
+  definition->setGoal(space.goal);
+  definition->setOptimizationObjective(objective);
+  const ob::PlannerPtr planner = planners().at(planner_name)(space.information);
+  planner->setProblemDefinition(definition);
+  planner->setup();
+  planner->solve(stop);
+  return definition->hasExactSolution() ? definition->getSolutionPath() : nullptr;
+}
+
+void prepare_ompl(std::uint64_t seed) {
+  ompl::msg::noOutputHandler();
+  // OMPL seeds have 32 bits, and 0 means a seed from the clock.
+  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed % 0xfffffffeU) + 1);
+}
+
+/// For a disc that can rotate in place.
 class OmplPlanner : public ReferencePlanner {
  public:
-  OmplPlanner(OmplOptions options, RobotModel robot)
-      : options_(std::move(options)), robot_(std::move(robot)) {}
+  explicit OmplPlanner(OmplOptions options) : options_(std::move(options)) {}
 
   std::string name() const override { return options_.planner; }
   Objective objective() const override { return options_.objective; }
 
   std::optional<Path> plan(const PlanningProblem& problem, const References& exact,
                            std::uint64_t seed) const override {
-    ompl::msg::noOutputHandler();
-    // OMPL seeds have 32 bits, and 0 means a seed from the clock.
-    ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed % 0xfffffffeU) + 1);
-    const PlanningSpace space =
-        plans_poses(robot_) ? make_pose_space(problem, robot_) : make_point_space(problem);
-    const auto definition = std::make_shared<ob::ProblemDefinition>(space.information);
-    ob::ScopedState<> start(space.information);
-    space.set_start(start.get());
-    if (!space.information->isValid(start.get())) return std::nullopt;
-    definition->addStartState(start);
-    definition->setGoal(space.goal);
-    definition->setOptimizationObjective(make_objective(space, options_, exact));
-    const ob::PlannerPtr planner = planners().at(options_.planner)(space.information);
-    planner->setProblemDefinition(definition);
-    planner->setup();
-    planner->solve(make_termination_condition(
-        plans_poses(robot_) ? options_.max_pose_iterations : options_.max_iterations,
-        options_.max_time));
-    if (!definition->hasExactSolution()) return std::nullopt;
-    return space.to_path(definition->getSolutionPath());
+    prepare_ompl(seed);
+    const PlanningSpace space = make_point_space(problem);
+    const ob::PathPtr path =
+        solve(space, make_objective(space, options_, exact), options_.planner,
+              make_termination_condition(options_.max_iterations, options_.max_time));
+    if (!path) return std::nullopt;
+    return space.to_path(path);
   }
 
  private:
-  static bool plans_poses(const RobotModel& robot) {
-    return robot.min_turning_radius > 0 || !robot.shape().is_disc();
+  OmplOptions options_;
+};
+
+/// For robots whose heading matters: from the roadmap along exact shortest paths of discs; by OMPL
+/// if that is not within the gap. Both are smoothed.
+class PosePlanner : public ReferencePlanner {
+ public:
+  PosePlanner(OmplOptions options, RobotModel robot)
+      : options_(std::move(options)), robot_(std::move(robot)) {
+    if (options_.planner == kExactPlanner) options_.planner = kPosePlanner;
+  }
+
+  std::string name() const override { return options_.planner; }
+  Objective objective() const override { return options_.objective; }
+
+  std::optional<double> lower_bound(const PlanningProblem& problem,
+                                    const ShortestPath& exact) const override {
+    if (robot_.min_turning_radius == 0) return exact.certificate.lower_bound;
+    return turning_lower_bound(problem, exact, robot_.min_turning_radius, !robot_.forward_only);
+  }
+
+  std::optional<Path> plan(const PlanningProblem& problem, const References& exact,
+                           std::uint64_t seed) const override {
+    const auto motions = make_pose_motions(problem.world, robot_);
+    std::vector<TPose2D> poses;
+    if (options_.objective == Objective::Length) {
+      poses = smooth(*motions, path_on_roadmap(problem, *motions));
+      const double enough = (1 + options_.gap) * exact.shortest->certificate.lower_bound;
+      if (poses.empty() || length(*motions, poses) > enough) {
+        std::vector<TPose2D> others =
+            smooth(*motions, planned(problem, exact, seed, *motions, poses));
+        if (poses.empty() ||
+            (!others.empty() && length(*motions, others) < length(*motions, poses)))
+          poses = std::move(others);
+      }
+    } else {
+      poses = planned(problem, exact, seed, *motions, {});
+    }
+    if (poses.empty()) return std::nullopt;
+    return positions_along(*motions, poses);
+  }
+
+ private:
+  /// By OMPL; empty if it finds no path.
+  std::vector<TPose2D> planned(const PlanningProblem& problem, const References& exact,
+                               std::uint64_t seed, const PoseMotions& motions,
+                               const std::vector<TPose2D>& seeds) const {
+    prepare_ompl(seed);
+    const PlanningSpace space =
+        make_pose_space(problem, motions, goal_poses(problem, motions), seeds);
+    const ob::PathPtr path =
+        solve(space, make_objective(space, options_, exact), options_.planner,
+              make_termination_condition(options_.max_pose_iterations, options_.max_time));
+    return path ? poses_of(path) : std::vector<TPose2D>();
   }
 
   OmplOptions options_;
@@ -134,8 +203,10 @@ std::vector<std::string> planner_names() {
 
 std::unique_ptr<ReferencePlanner> make_ompl_planner(const OmplOptions& options,
                                                     const RobotModel& robot) {
+  if (robot.min_turning_radius > 0 || !robot.shape().is_disc())
+    return std::make_unique<PosePlanner>(options, robot);
   if (options.planner == kExactPlanner) return nullptr;
-  return std::make_unique<OmplPlanner>(options, robot);
+  return std::make_unique<OmplPlanner>(options);
 }
 
 /// Composed of its parts, because OMPL_VERSION is empty in Debian's package.

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "pose_motions.h"
+
 #include <slalom/references/reference.h>
-#include <slalom/robot/robot_model.h>
 
 #include <ompl/base/Goal.h>
 #include <ompl/base/Path.h>
@@ -10,7 +11,7 @@
 #include <ompl/base/spaces/RealVectorBounds.h>
 
 #include <functional>
-#include <memory>
+#include <vector>
 
 namespace slalom {
 
@@ -30,10 +31,13 @@ ompl::base::RealVectorBounds planning_bounds(const World& world);
 /// the collision model of the simulation, without sampling of motions.
 PlanningSpace make_point_space(const PlanningProblem& problem);
 
-/// Poses (x, y, heading) for a robot whose heading matters: SE(2) for a polygon that can rotate in
-/// place, Dubins curves for a forward-only robot with a minimum turning radius, Reeds-Shepp curves
-/// if it can reverse. The goal has 16 headings. Motions are checked along chords of at most half a
-/// cell, with the collision test of the simulation.
-PlanningSpace make_pose_space(const PlanningProblem& problem, const RobotModel& robot);
+/// Poses (x, y, heading) for a robot whose heading matters, with its motions, which must outlive
+/// the space: SE(2), Dubins or Reeds-Shepp curves. The planner samples the poses `seeds` first.
+/// Solutions are converted by poses_of(), not by to_path.
+PlanningSpace make_pose_space(const PlanningProblem& problem, const PoseMotions& motions,
+                              const std::vector<mrpt::math::TPose2D>& goals,
+                              const std::vector<mrpt::math::TPose2D>& seeds);
+
+std::vector<mrpt::math::TPose2D> poses_of(const ompl::base::PathPtr& solution);
 
 }  // namespace slalom

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace slalom {
 namespace {
@@ -29,6 +31,9 @@ void use_shortest(const ReferencePlanner& planner, const PlanningProblem& proble
   }
   const double path_length = length(*path);
   best.planner_length = path_length;
+  // Chords along the arcs of a car are shorter than these by about 1e-6.
+  best.certificate.upper_bound =
+      std::max(best.certificate.lower_bound, std::min(best.certificate.upper_bound, path_length));
   if (path_length > (1 + gap) * best.certificate.lower_bound) {
     best.note = fmt::format("{} found {:.4f} m, not within the gap of {}", planner.name(),
                             path_length, gap);
@@ -37,6 +42,14 @@ void use_shortest(const ReferencePlanner& planner, const PlanningProblem& proble
   best.path = *path;
   best.length = path_length;
   best.planner = planner.name();
+}
+
+/// Bounds of the robot for which the planner plans, if it is not the disc: the disc's path is none
+/// of its paths.
+void use_bounds_of_robot(const ReferencePlanner& planner, const PlanningProblem& problem,
+                         ShortestPath& best) {
+  const std::optional<double> lower = planner.lower_bound(problem, best);
+  if (lower) best.certificate = {*lower, std::numeric_limits<double>::infinity()};
 }
 
 void use_safest(const ReferencePlanner& planner, const PlanningProblem& problem,
@@ -57,6 +70,7 @@ void query_planner(const ReferencePlanner& planner, const PlanningProblem& probl
                    std::uint64_t seed, References& references) {
   const bool shortest = planner.objective() == ReferencePlanner::Objective::Length;
   if (shortest ? !references.shortest : !references.safest) return;
+  if (shortest) use_bounds_of_robot(planner, problem, *references.shortest);
   const std::optional<Path> path = planner.plan(problem, references, seed);
   if (shortest)
     use_shortest(planner, problem, path, gap, *references.shortest);

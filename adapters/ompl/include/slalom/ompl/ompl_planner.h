@@ -25,13 +25,21 @@ struct OmplOptions {
 /// kExactPlanner and the planners of OMPL.
 std::vector<std::string> planner_names();
 
-/// Creates the OMPL planner with this name for a robot. For a disc that can rotate in place it
-/// plans in R^2, with exact checks of states and motions. For other robots it plans poses: Dubins
-/// or Reeds-Shepp curves with a minimum turning radius, SE(2) for polygons. The objective is the
-/// path length or the bottleneck clearance; the planner stops when its path is within the gap of
-/// the bound of the exact search. Returns null for kExactPlanner. Repeatable if each plan() is
-/// called in a process that has not used OMPL before: its random generators are seeded once per
-/// process.
+/// Creates the planner with this name for a robot.
+///
+/// For a disc that can rotate in place: null for kExactPlanner, whose path is already the shortest;
+/// else OMPL's planner in R^2, with exact checks of states and motions.
+///
+/// For other robots it plans poses: Dubins or Reeds-Shepp curves with a minimum turning radius;
+/// polygons rotate in place and drive straight, holonomic ones while they rotate. First the
+/// shortest path on a roadmap along exact shortest paths of discs, smoothed. If that is not within
+/// the gap of lower_bound(), OMPL's planner (RRTstar for kExactPlanner), which samples the poses of
+/// that path first; its path is smoothed too, and the shorter one returned. lower_bound() is
+/// turning_lower_bound(), or for polygons that rotate in place that of the inscribed disc.
+///
+/// The objective is the path length or the bottleneck clearance; the planner stops when its path is
+/// within the gap of the bound. Repeatable if each plan() is called in a process that has not used
+/// OMPL before: its random generators are seeded once per process.
 std::unique_ptr<ReferencePlanner> make_ompl_planner(const OmplOptions& options,
                                                     const RobotModel& robot = {});
 

@@ -13,11 +13,12 @@ namespace slalom {
 /// The name of the exact search among the planners.
 constexpr char kExactPlanner[] = "exact";
 
-/// Proven bounds of the length of the shortest path (m). Equal for a disc that can rotate in place;
-/// for any other robot the lower bound is the optimum of its inscribed disc.
+/// Proven bounds of the length of the shortest path (m): lower_bound <= minimum <= upper_bound. Equal
+/// for a disc that can rotate in place. With a planner whose robot is another one
+/// (ReferencePlanner::lower_bound()) they are those of its robot.
 struct Certificate {
   double lower_bound = 0;
-  double upper_bound = 0;
+  double upper_bound = 0;  ///< infinite if no path of such a robot was found
   /// Relative; 0 where start and goal coincide.
   double gap() const {
     return upper_bound > lower_bound ? (upper_bound - lower_bound) / lower_bound : 0;
@@ -74,6 +75,12 @@ class ReferencePlanner {
   virtual std::string name() const = 0;
   /// Which of the two references it plans.
   virtual Objective objective() const { return Objective::Length; }
+  /// A proven lower bound (m) of the paths of its robot, if that is not the disc: its paths are
+  /// longer because of its turning radius or its polygon. `exact` is the disc's.
+  virtual std::optional<double> lower_bound(const PlanningProblem& /*problem*/,
+                                            const ShortestPath& /*exact*/) const {
+    return std::nullopt;
+  }
   /// A free path within the gap of the best (length at most (1 + gap) times the certified lower
   /// bound; bottleneck at least (1 - gap) times the widest), or the best found so far; nullopt if
   /// it found none. `exact` has the reference of its objective.
