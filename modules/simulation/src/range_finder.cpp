@@ -26,7 +26,9 @@ const mrpt::obs::CObservation2DRangeScan& RangeFinder::sense(const mrpt::math::T
   if (sensor_.noise_sigma > 0) add_noise();
   if (sensor_.dropout_ratio > 0) drop_rays();
   if (sensor_.quantum > 0) round_ranges();
-  for (std::size_t i = 0; i < ranges_.size(); ++i) valid_[i] = ranges_[i] < scan_.maxRange ? 1 : 0;
+  const float max_range = scan_.maxRange;  // a copy, which characters cannot alias
+  std::transform(ranges_.begin(), ranges_.end(), valid_.begin(),
+                 [max_range](float range) { return static_cast<char>(range < max_range); });
   scan_.loadFromVectors(ranges_.size(), ranges_.data(), valid_.data());
   scan_.clear_points();
   scan_.timestamp = time;
