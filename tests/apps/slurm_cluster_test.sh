@@ -3,6 +3,8 @@
 # slurm_cluster_test.sh BIN_FOLDER. A task is requeued, one is killed, one gets the signal of the time limit, and the node
 # goes down. What is missing is submitted again. The merged results are those of one run.
 set -euo pipefail
+# shellcheck source=../faults/common/campaign.sh
+source "$(dirname "$0")/../faults/common/campaign.sh"
 PATH=$1:$PATH:/usr/sbin
 
 skip() {
@@ -86,30 +88,18 @@ done
 
 # The campaign, and its results from one run.
 cd "$folder"
-cat >small.ini <<'END'
+cat >small.ini <<END
 [campaign]
 name        = cluster
 methods     = nd, gap
 repetitions = 3
 [sensor]
 noise_sigma = 0.01
-[scenarios]
-generator = random
-count     = 20
-[generator.random]
-width         = 6
-height        = 6
-min_distance  = 3
-max_obstacles = 10
-max_size      = 0.4
+$(small_scenarios 20)
 [metrics]
 descriptors = density
-[method.nd]
-adapter = mrpt_holonomic
-class   = CHolonomicND
-[method.gap]
-adapter = library
-plugin  = libslalom_follow_the_gap.so
+$(method_section nd)
+$(method_section gap)
 END
 slalom-scenarios generate -c small.ini -o all.scenarios >/dev/null
 slalom-simulate run -c small.ini --scenarios all.scenarios -o whole.results --quiet -j 2

@@ -4,29 +4,19 @@ set -u
 seconds=$1
 RANDOM=7
 
-cat >campaign.ini <<'INI'
+source "$(dirname "$0")/common/campaign.sh"
+
+cat >campaign.ini <<INI
 [campaign]
 methods = gap
 seed = 5
 repetitions = 2
-[scenarios]
-generator = random
-count = 4
-[generator.random]
-width = 6
-height = 6
-min_distance = 3
-max_obstacles = 10
-max_size = 0.4
+$(small_scenarios 4)
 [metrics]
 descriptors = density
-[method.gap]
-adapter = library
-plugin = libslalom_follow_the_gap.so
+$(method_section gap)
 INI
 
-report() { printf '%s\t%s\t%s\n' "$1" "$2" "$3"; }
-digest() { slalom-analyze dump "$1" 2>/dev/null | md5sum | cut -d' ' -f1; }
 run() { slalom-simulate run campaign.ini --quiet "$@"; }
 scenarios() { slalom-scenarios "$@"; }
 analyze() { slalom-analyze "$@"; }

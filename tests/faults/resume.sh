@@ -3,6 +3,7 @@
 set -u
 seconds=$1
 RANDOM=7
+source "$(dirname "$0")/common/campaign.sh"
 plugin=${SLALOM_FAULTY:?the library of tests/faults/plugins}
 
 # Many campaigns at the same time, whose runs mostly wait, so that few processors see many ends in little time.
@@ -15,20 +16,10 @@ cat >campaign.ini <<INI
 methods = nd, slow
 seed = 5
 repetitions = $repetitions
-[scenarios]
-generator = random
-count = 4
-[generator.random]
-width = 6
-height = 6
-min_distance = 3
-max_obstacles = 10
-max_size = 0.4
+$(small_scenarios 4)
 [metrics]
 descriptors = density
-[method.nd]
-adapter = mrpt_holonomic
-class = CHolonomicND
+$(method_section nd)
 [method.slow]
 adapter = library
 plugin = $plugin
@@ -37,11 +28,8 @@ INI
 total=$((8 * repetitions))
 simulate="slalom-simulate run campaign.ini -j 2"
 
-report() { printf '%s\t%s\t%s\n' "$1" "$2" "$3"; }
 # Also rolls back what a killed program had not completed, as the next one would.
 runs_in() { sqlite3 "$1" 'SELECT count(*) FROM runs' 2>/dev/null || echo 0; }
-# The digest of all values, and whether any run is there twice.
-digest() { slalom-analyze dump "$1" | md5sum | cut -d' ' -f1; }
 milliseconds() { echo $(($(date +%s%N) / 1000000)); }
 
 $simulate -o whole.results --quiet || exit 1

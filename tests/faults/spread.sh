@@ -2,35 +2,20 @@
 # Campaigns in shards whose files are missing, damaged, doubled or of another campaign: see scripts/faults.sh.
 set -u
 seconds=$1
+source "$(dirname "$0")/common/campaign.sh"
 plugin=${SLALOM_FAULTY:?the library of tests/faults/plugins}
 
-cat >campaign.ini <<'INI'
+cat >campaign.ini <<INI
 [campaign]
 methods = nd, gap
 seed = 5
 [metrics]
 descriptors = density
-[method.nd]
-adapter = mrpt_holonomic
-class = CHolonomicND
-[method.gap]
-adapter = library
-plugin = libslalom_follow_the_gap.so
+$(method_section nd)
+$(method_section gap)
 INI
-cat >generate.ini <<'INI'
-[scenarios]
-generator = random
-count = 4
-[generator.random]
-width = 6
-height = 6
-min_distance = 3
-max_obstacles = 10
-max_size = 0.4
-INI
+small_scenarios 4 >generate.ini
 
-report() { printf '%s\t%s\t%s\n' "$1" "$2" "$3"; }
-digest() { slalom-analyze dump "$1" 2>/dev/null | md5sum | cut -d' ' -f1; }
 run() { slalom-simulate run campaign.ini --scenarios "${list:-all.scenarios}" --quiet "$@" 2>run.log; }
 merge() { slalom-simulate merge -o merged.results --quiet "$@" 2>merge.log; }
 # "status N" of the last command, and the word if its log has it.

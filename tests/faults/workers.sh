@@ -1,6 +1,7 @@
 #!/bin/bash
 # Methods that harm their process, and the innocent method beside them: see scripts/faults.sh.
 set -u
+source "$(dirname "$0")/common/campaign.sh"
 plugin=${SLALOM_FAULTY:?the library of tests/faults/plugins}
 export TMPDIR=$PWD/temporary
 mkdir "$TMPDIR"
@@ -27,12 +28,9 @@ memory_mb = 500
 [method.faulty]
 adapter = library
 plugin = $plugin
-[method.gap]
-adapter = library
-plugin = libslalom_follow_the_gap.so
+$(method_section gap)
 INI
 
-report() { printf '%s\t%s\t%s\n' "$1" "$2" "$3"; }
 # The lines of one method in a dump.
 lines_of() { slalom-analyze dump "$2" | grep "\"method\":\"$1\""; }
 outcomes() { lines_of faulty "$1" | grep -o '"outcome":"[a-z_]*"' | sort -u | cut -d'"' -f4 | paste -sd' '; }
