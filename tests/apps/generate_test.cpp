@@ -102,7 +102,7 @@ TEST_F(Generate, AListIsReplacedOnlyOnRequest) {
   EXPECT_EQ(run(generate + "-n 3 --overwrite").err, "a.scenarios: 3 scenarios\n");
   ASSERT_EQ(run("slalom-scenarios create made.scenarios").status, 0);
   expect_failure("slalom-scenarios generate -c mix.ini -o made.scenarios", 3,
-                 {"does not tell by which command", "--overwrite"});
+                 {"was not written by slalom-scenarios generate", "--overwrite"});
   write("text.scenarios", "a stranger's text\n");
   expect_failure("slalom-scenarios generate -c mix.ini --overwrite -o text.scenarios", 3,
                  {"different kind"});

@@ -54,7 +54,7 @@ void expect_same_generation(const ScenarioList& list, const std::string& identit
   constexpr const char* kRemedy = "the same generation, another output, or --overwrite";
   const auto stored = list.note(kGenerationNote);
   if (!stored)
-    throw file_error(list.path(), "does not tell by which command it was generated", kRemedy);
+    throw file_error(list.path(), "was not written by slalom-scenarios generate", kRemedy);
   const auto differences =
       identity_differences({{kEffectiveKey, identity}}, {{kEffectiveKey, *stored}}, list.path());
   if (!differences.empty())
