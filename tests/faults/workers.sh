@@ -45,10 +45,12 @@ lines_of gap alone.results >gap.lines
 [ "$(wc -l <gap.lines)" = 4 ] || exit 1
 good=$(outcomes alone.results)
 
-# The first column: what the method does; then its outcomes and the exit status.
+# The first column: what the method does; then its outcomes and the exit status. "any": whether a thread crashes before
+# its run has ended depends on the speed of the machine.
 while IFS='|' read -r fault outcome status; do
   run "$fault"
   seen="status $?, $(outcomes run.results)"
+  [ "$outcome" = any ] && seen="${seen%%,*}, any"
   cmp -s gap.lines <(lines_of gap run.results) || seen="$seen, gap differs"
   report "a method's $fault" "status $status, ${outcome:-$good}" "$seen"
 done <<'CASES'
@@ -56,7 +58,7 @@ rounding||0
 signals||0
 limits||0
 thread||0
-late_crash||0
+late_crash|any|0
 daemon||0
 returns_twice||0
 kill_group||0
