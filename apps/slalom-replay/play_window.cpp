@@ -4,6 +4,7 @@
 #include <slalom/core/read_file.h>
 #include <slalom/gui/panel_window.h>
 #include <slalom/gui/replay_window.h>
+#include <slalom/metrics/metric.h>
 #include <slalom/rawlog/run_scene.h>
 
 #include <algorithm>
@@ -17,8 +18,9 @@ std::map<std::string, VersionedValue> trajectory_metrics(const RecordedRun& run)
   const bool success = run.outcome == Outcome::Success;
   const Value time = success ? Value::of(run.trajectory.duration())
                              : Value::na("outcome: " + to_string(run.outcome));
-  return {{"path_length", {1, Value::of(length(run.trajectory.path()))}},
-          {"time_to_goal", {1, time}}};
+  return {
+      {"path_length", {metric("path_length").info.version, Value::of(run.trajectory.traveled())}},
+      {"time_to_goal", {metric("time_to_goal").info.version, time}}};
 }
 
 ReplayContent content_of(const RecordedRun& run, const CampaignOptions& options,

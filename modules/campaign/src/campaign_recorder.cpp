@@ -49,7 +49,9 @@ bool CampaignRecorder::run(std::vector<Scenario> scenarios, const Execution& exe
 }
 
 std::string CampaignRecorder::problem() const {
-  return errors_ == 0 ? "" : std::to_string(errors_) + " runs ended as infrastructure_error";
+  if (errors_ == 0) return "";
+  return std::to_string(errors_) + " runs ended as infrastructure_error" +
+         (first_error_.empty() ? "" : "; the first: " + first_error_);
 }
 
 std::optional<References> CampaignRecorder::known_references(const Scenario& scenario) {
@@ -76,6 +78,8 @@ void CampaignRecorder::add_scenario(const ScenarioRecord& record, const Scenario
 void CampaignRecorder::add_run(const RunRecord& run, const RunTiming& timing,
                                const Trajectory& trajectory) {
   file_.add_run(run, timing, trajectory);
+  if (first_error_.empty() && run.outcome == to_string(Outcome::InfrastructureError))
+    first_error_ = run_id(run) + ": " + run.outcome_detail;
   expect_commit();
 }
 

@@ -3,6 +3,17 @@
 #include <slalom/metrics/metric.h>
 
 namespace slalom {
+namespace {
+
+MetricContext context_of(const CampaignOptions& options, const World& world,
+                         const References& references, const Trajectory& trajectory,
+                         Outcome outcome) {
+  return make_metric_context(world, options.setup.robot, trajectory, outcome, references,
+                             options.setup.simulation.max_time,
+                             options.setup.simulation.goal_tolerance, options.safe_distance);
+}
+
+}  // namespace
 
 References find_references(const CampaignOptions& options, const ReferencePlanner* planner,
                            const World& world) {
@@ -18,13 +29,16 @@ References find_references(const CampaignOptions& options, const ReferencePlanne
                             derive_seed(options.seed, "reference/" + scenario.hash()));
 }
 
+std::string bound_violation(const CampaignOptions& options, const World& world,
+                            const References& references, const Trajectory& trajectory,
+                            Outcome outcome) {
+  return bound_violation(context_of(options, world, references, trajectory, outcome));
+}
+
 std::map<std::string, VersionedValue> measure_run(const CampaignOptions& options,
                                                   const World& world, const References& references,
                                                   const Trajectory& trajectory, Outcome outcome) {
-  const MetricContext context =
-      make_metric_context(world, options.setup.robot, trajectory, outcome, references,
-                          options.setup.simulation.max_time,
-                          options.setup.simulation.goal_tolerance, options.safe_distance);
+  const MetricContext context = context_of(options, world, references, trajectory, outcome);
   std::map<std::string, VersionedValue> values;
   for (const std::string& id : options.metrics) {
     const Metric& enabled = metric(id);

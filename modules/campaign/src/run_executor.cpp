@@ -53,6 +53,16 @@ class OutcomeOverride : public RunObserver {
   RunObserver* next_;
 };
 
+/// The commands that repeat a run alone, from the list and the .ini of its campaign.
+std::string reproduction(const Campaign& campaign, const RunSpec& spec) {
+  return "slalom-scenarios select LIST.scenarios --ids " +
+         campaign.scenarios[spec.scenario].hash() +
+         " -o one.scenarios && slalom-simulate run CAMPAIGN.ini --scenarios one.scenarios"
+         " -o one.results --seed " +
+         std::to_string(campaign.options.seed) + " --set campaign.methods=" + spec.method +
+         " --set campaign.repetitions=" + std::to_string(spec.repetition + 1);
+}
+
 }  // namespace
 
 std::vector<RunSpec> make_plan(const Campaign& campaign) {
@@ -194,6 +204,12 @@ Method& RunExecutor::method(const std::string& name) {
 }
 
 RunFindings RunExecutor::evaluate(const RunSpec& spec, const SimulationResult& result) {
+  const std::string violation =
+      bound_violation(campaign_.options, world(spec.scenario), references_[spec.scenario],
+                      result.trajectory, result.outcome);
+  if (!violation.empty())
+    return findings_without_run(campaign_, spec, Outcome::InfrastructureError,
+                                violation + "; to reproduce: " + reproduction(campaign_, spec));
   RunFindings findings;
   findings.record = make_run_record(campaign_, spec);
   RunRecord& record = findings.record;

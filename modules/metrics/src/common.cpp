@@ -1,6 +1,9 @@
 #include "common.h"
 #include "path_distance.h"
 
+#include <slalom/core/text.h>
+#include <slalom/references/disc_path.h>
+
 namespace slalom {
 
 std::optional<Value> na_unless_reached(const MetricContext& context) {
@@ -34,7 +37,16 @@ std::optional<Value> na_without_shortest(const MetricContext& context) {
 }
 
 double best_length(const MetricContext& context) {
-  return context.references.shortest->certificate.lower_bound;
+  return context.references.shortest->exact_length;
+}
+
+std::string bound_violation(const MetricContext& context) {
+  if (na_unless_reached(context) || !context.references.shortest) return "";
+  const Value closed = closed_length(context);
+  const double best = best_length(context);
+  if (closed.is_na() || closed.number() >= best) return "";
+  return "the run is shorter than possible: " + format_number(closed.number()) +
+         " m with the rest to the goal, shortest path " + format_number(best) + " m";
 }
 
 double area_between(const Path& traveled, const Path& reference) {
@@ -42,10 +54,29 @@ double area_between(const Path& traveled, const Path& reference) {
   return integrate_along(traveled, [&](const mrpt::math::TPoint2D& p) { return distance(p); });
 }
 
-double closed_length(const MetricContext& context) {
-  Path path = context.trajectory.path();
-  path.push_back(context.world.scenario().goal());
-  return length(path);
+std::optional<double> geodesic(const MetricContext& context, double radius,
+                               const mrpt::math::TPoint2D& from, const mrpt::math::TPoint2D& to,
+                               std::string& reason) {
+  if (is_free(context.world, {from, to}, radius)) return distance_between(from, to);
+  const auto path = shortest_disc_path(context.world.occupancy(), radius, from, to, reason);
+  if (!path) return std::nullopt;
+  return path->length;
+}
+
+Value closed_length(const MetricContext& context) {
+  constexpr double kRounding = 1e-9;  // relative
+  const Scenario& scenario = context.world.scenario();
+  const double radius = context.robot.shape().inscribed_radius();
+  const mrpt::math::TPoint2D start(scenario.start()),
+      first(context.trajectory.samples.front().pose), last(context.trajectory.samples.back().pose);
+  std::string reason;
+  const auto before = geodesic(context, radius, start, first, reason);
+  if (!before) return Value::na("to the first pose: " + reason);
+  const auto after = geodesic(context, radius, last, scenario.goal(), reason);
+  if (!after) return Value::na("from the final pose: " + reason);
+  const double closed = *before + context.trajectory.traveled() + *after;
+  const double best = best_length(context);
+  return Value::of(closed < best && closed >= best * (1 - kRounding) ? best : closed);
 }
 
 }  // namespace slalom

@@ -23,14 +23,21 @@ std::optional<Value> na_without_time(const MetricContext& context);
 /// NA with the reason unless there is a shortest path of positive length.
 std::optional<Value> na_without_shortest(const MetricContext& context);
 
-/// L* (m): the certified lower bound, which is the optimum for a disc that can rotate in place. No
-/// robot's path is shorter. Requires a shortest path.
+/// L* (m): the optimum of the inscribed disc, whatever the planner. No robot's path is shorter,
+/// with the geodesics of that disc that extend it to the goal. Requires a shortest path.
 double best_length(const MetricContext& context);
 
-/// Length (m) of the trajectory extended by the straight line from its end to the goal. A run ends
-/// within goal_tolerance of the goal; without this segment it could be shorter than the shortest
-/// path.
-double closed_length(const MetricContext& context);
+/// Length (m) of the exact shortest path of a disc; nullopt with the reason if there is none.
+std::optional<double> geodesic(const MetricContext& context, double radius,
+                               const mrpt::math::TPoint2D& from, const mrpt::math::TPoint2D& to,
+                               std::string& reason);
+
+/// L_closed (m): the length of the trajectory, extended to start and goal by geodesics of the
+/// inscribed disc. A run ends within goal_tolerance of the goal, and a log may begin beside the
+/// start; without these it could be shorter than the shortest path. A length below L* by no more
+/// than rounding errors is L*. NA with the reason if there is no such path, as from inside an
+/// obstacle. Requires a shortest path.
+Value closed_length(const MetricContext& context);
 
 /// Integral along the traveled path of the distance to `reference` (m^2), which must not be empty.
 double area_between(const Path& traveled, const Path& reference);

@@ -1,7 +1,5 @@
 #include "common.h"
 
-#include <slalom/references/disc_path.h>
-
 #include <algorithm>
 
 namespace slalom::metrics {
@@ -45,9 +43,9 @@ Value progress(const MetricContext& context) {
   const double radius = std::min(robot_radius, context.world.distance_field().clearance(from));
   if (radius < robot_radius - kContactDepth) return Value::na("the run ends inside an obstacle");
   std::string reason;
-  const auto rest = shortest_disc_path(context.world.occupancy(), radius, from, goal, reason);
+  const auto rest = geodesic(context, radius, from, goal, reason);
   if (!rest) return Value::na("from the final pose: " + reason);
-  return Value::of(1 - rest->length / best_length(context));
+  return Value::of(1 - *rest / best_length(context));
 }
 
 }  // namespace slalom::metrics

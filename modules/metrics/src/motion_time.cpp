@@ -6,7 +6,7 @@ namespace slalom::metrics {
 /// L / T.
 Value mean_speed(const MetricContext& context) {
   if (const auto na = na_without_time(context)) return *na;
-  return Value::of(length(context.trajectory.path()) / context.trajectory.duration());
+  return Value::of(context.trajectory.traveled() / context.trajectory.duration());
 }
 
 /// Time with |v| < 0.01 m/s and |w| < 0.02 rad/s.

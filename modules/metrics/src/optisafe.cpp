@@ -16,9 +16,11 @@ Value optisafe(const MetricContext& context) {
   const double widest =
       context.references.safest->bottleneck - context.robot.shape().inscribed_radius();
   if (widest <= 0) return Value::na("the safest path has no clearance");
+  const Value closed = closed_length(context);
+  if (closed.is_na()) return closed;
   const double best = best_length(context);
   const double nearest = *std::min_element(context.clearances.begin(), context.clearances.end());
-  const double o = retained_fraction((closed_length(context) - best) / best);
+  const double o = retained_fraction((closed.number() - best) / best);
   const double s = retained_fraction((widest - nearest) / widest);
   return Value::of((1 - std::abs(o - s)) * std::hypot(o, s) / std::sqrt(2.0));
 }

@@ -4,19 +4,19 @@
 
 namespace slalom::metrics {
 
-/// L: length of the traveled path (positions only).
+/// L: length of the path driven (positions only).
 Value path_length(const MetricContext& context) {
   if (const auto na = na_without_samples(context)) return *na;
-  return Value::of(length(context.trajectory.path()));
+  return Value::of(context.trajectory.traveled());
 }
 
 /// L* / L, L = closed_length().
 Value optimality(const MetricContext& context) {
   if (const auto na = na_unless_reached(context)) return *na;
-  if (!context.references.shortest) return Value::na(context.references.shortest_reason);
-  const double traveled = closed_length(context);
-  if (traveled <= 0) return Value::na("start and goal coincide");
-  return Value::of(best_length(context) / traveled);
+  if (const auto na = na_without_shortest(context)) return *na;
+  const Value closed = closed_length(context);
+  if (closed.is_na()) return closed;
+  return Value::of(best_length(context) / closed.number());
 }
 
 /// Success weighted by path length (Anderson et al. 2018): S L* / max(L, L*), L = closed_length().
@@ -24,10 +24,11 @@ Value spl(const MetricContext& context) {
   if (const auto na = na_without_verdict(context)) return *na;
   if (context.outcome != Outcome::Success) return Value::of(0);
   if (const auto na = na_without_samples(context)) return *na;
-  if (!context.references.shortest) return Value::na(context.references.shortest_reason);
+  if (const auto na = na_without_shortest(context)) return *na;
+  const Value closed = closed_length(context);
+  if (closed.is_na()) return closed;
   const double best = best_length(context);
-  const double longer = std::max(closed_length(context), best);
-  return longer > 0 ? Value::of(best / longer) : Value::na("start and goal coincide");
+  return Value::of(best / std::max(closed.number(), best));
 }
 
 /// (1/L*) integral along the trajectory of the distance to P* (the framework paper integrates over
@@ -43,7 +44,9 @@ Value optimality_area(const MetricContext& context) {
 Value path_excess(const MetricContext& context) {
   if (const auto na = na_unless_reached(context)) return *na;
   if (const auto na = na_without_shortest(context)) return *na;
-  return Value::of(closed_length(context) / best_length(context) - 1);
+  const Value closed = closed_length(context);
+  if (closed.is_na()) return closed;
+  return Value::of(closed.number() / best_length(context) - 1);
 }
 
 }  // namespace slalom::metrics

@@ -4,16 +4,16 @@
 /// function of a metric is slalom::metrics::ID, in a source of this folder.
 #define SLALOM_METRICS(METRIC)                                                 \
   METRIC(success, 1, "Success", "-", Up)                                       \
-  METRIC(optimality, 2, "Optimality", "-", Up)                                 \
+  METRIC(optimality, 3, "Optimality", "-", Up)                                 \
   METRIC(optimality_area, 2, "Optimality area", "m", Down)                     \
   METRIC(safety, 1, "Safety", "-", Up)                                         \
   METRIC(safety_area, 1, "Safety area", "m", Down)                             \
-  METRIC(optisafe, 2, "Optimality and safety", "-", Up)                        \
-  METRIC(spl, 2, "Success weighted by path length", "-", Up)                   \
-  METRIC(soft_spl, 2, "Soft success weighted by path length", "-", Up)         \
+  METRIC(optisafe, 3, "Optimality and safety", "-", Up)                        \
+  METRIC(spl, 3, "Success weighted by path length", "-", Up)                   \
+  METRIC(soft_spl, 3, "Soft success weighted by path length", "-", Up)         \
   METRIC(barn_score_v2, 2, "BARN challenge score", "-", Up)                    \
-  METRIC(path_length, 1, "Path length", "m", Down)                             \
-  METRIC(path_excess, 2, "Path excess", "-", Down)                             \
+  METRIC(path_length, 2, "Path length", "m", Down)                             \
+  METRIC(path_excess, 3, "Path excess", "-", Down)                             \
   METRIC(time_to_goal, 1, "Time to goal", "s", Down)                           \
   METRIC(par2_time, 1, "Time, failures penalized", "s", Down)                  \
   METRIC(time_ratio, 2, "Time ratio", "-", Down)                               \
@@ -26,13 +26,13 @@
   METRIC(progress, 2, "Progress", "-", Up)                                     \
   METRIC(final_distance, 1, "Final distance to the goal", "m", Down)           \
   METRIC(closest_distance, 1, "Closest distance to the goal", "m", Down)       \
-  METRIC(mean_speed, 1, "Mean speed", "m/s", Up)                               \
+  METRIC(mean_speed, 2, "Mean speed", "m/s", Up)                               \
   METRIC(time_stopped, 1, "Time stopped", "s", Down)                           \
   METRIC(cumulative_heading_change, 1, "Heading change", "rad", Down)          \
-  METRIC(angle_over_length, 1, "Angle over length", "rad/m", Down)             \
+  METRIC(angle_over_length, 2, "Angle over length", "rad/m", Down)             \
   METRIC(bending_energy, 1, "Bending energy", "1/m^2", Down)                   \
   METRIC(max_curvature, 1, "Maximum curvature", "1/m", Down)                   \
-  METRIC(path_irregularity, 2, "Path irregularity", "rad/m", Down)             \
+  METRIC(path_irregularity, 3, "Path irregularity", "rad/m", Down)             \
   METRIC(rms_linear_acceleration, 1, "Linear acceleration", "m/s^2", Down)     \
   METRIC(rms_angular_acceleration, 1, "Angular acceleration", "rad/s^2", Down) \
   METRIC(rms_linear_jerk, 1, "Linear jerk", "m/s^3", Down)                     \

@@ -17,14 +17,14 @@ Value soft_spl(const MetricContext& context) {
   if (const auto na = na_without_verdict(context)) return *na;
   if (const auto na = na_without_samples(context)) return *na;
   if (const auto na = na_without_shortest(context)) return *na;
-  const Path path = context.trajectory.path();
+  const auto& end = context.trajectory.samples.back().pose;
   const auto& start = context.world.scenario().start();
   const auto& goal = context.world.scenario().goal();
   const double straight = length({{start.x, start.y}, goal});
   if (straight <= 0) return Value::na("start and goal coincide");
-  const double approached = std::max(0.0, 1 - length({path.back(), goal}) / straight);
+  const double approached = std::max(0.0, 1 - length({{end.x, end.y}, goal}) / straight);
   const double best = best_length(context);
-  return Value::of(approached * best / std::max(length(path), best));
+  return Value::of(approached * best / std::max(context.trajectory.traveled(), best));
 }
 
 /// The score of the BARN challenge since 2023: S OT / clip(T, 2 OT, 8 OT), OT = L* / v_max.

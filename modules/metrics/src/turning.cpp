@@ -31,7 +31,7 @@ Value cumulative_heading_change(const MetricContext& context) {
 Value angle_over_length(const MetricContext& context) {
   const Path path = context.trajectory.path();
   if (const auto na = na_without_motion(context, path)) return *na;
-  return Value::of(rotation(path) / length(path));
+  return Value::of(rotation(path) / context.trajectory.traveled());
 }
 
 /// max(0, rotation of the traveled path - rotation of P*) / L (Guzzi et al. 2013).
@@ -41,7 +41,7 @@ Value path_irregularity(const MetricContext& context) {
   const Path path = context.trajectory.path();
   if (const auto na = na_without_motion(context, path)) return *na;
   const double excess = rotation(path) - rotation(context.references.shortest->path);
-  return Value::of(std::max(0.0, excess) / length(path));
+  return Value::of(std::max(0.0, excess) / context.trajectory.traveled());
 }
 
 }  // namespace slalom::metrics

@@ -48,7 +48,9 @@ Velocity Vehicle::delayed_command(double dt) {
 void Vehicle::internal_simulControlStep(const double dt) {
   const Velocity before = velocity_;
   velocity_ = apply_acceleration_limits(before, delayed_command(dt), dt);
-  m_GT_pose = integrate(m_GT_pose, mean(before, velocity_), dt);
+  const Velocity driven = mean(before, velocity_);
+  m_GT_pose = integrate(m_GT_pose, driven, dt);
+  step_length_ = std::hypot(driven.v, driven.vy) * dt;
   const double c = std::cos(m_GT_pose.phi), s = std::sin(m_GT_pose.phi);
   m_GT_vel = {velocity_.v * c - velocity_.vy * s, velocity_.v * s + velocity_.vy * c, velocity_.w};
   m_odometry = m_GT_pose;
@@ -57,6 +59,7 @@ void Vehicle::internal_simulControlStep(const double dt) {
 
 void Vehicle::internal_clear() {
   velocity_ = effective_command_ = {};
+  step_length_ = 0;
   pending_commands_.clear();
 }
 

@@ -26,6 +26,7 @@ Sample between(const Sample& from, const Sample& to, double fraction) {
   sample.v = mix(from.v, to.v);
   sample.w = mix(from.w, to.w);
   sample.vy = mix(from.vy, to.vy);
+  sample.traveled = mix(from.traveled, to.traveled);
   return sample;
 }
 

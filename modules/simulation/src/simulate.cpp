@@ -181,6 +181,7 @@ class Run {
     double fraction = 1;
     const bool contact = checker_.find_contact(before, now, fraction);
     time_ = begin + fraction * options_.step;
+    traveled_ += fraction * vehicle_->step_length();
     odometry_.move(before, now);
     history_.add(time_, now);
     if (contact) {
@@ -195,7 +196,7 @@ class Run {
 
   void record() {
     result_.trajectory.samples.push_back({time_, pose(), vehicle_->v(), vehicle_->w(), command_.v,
-                                          command_.w, vehicle_->vy(), command_.vy});
+                                          command_.w, vehicle_->vy(), command_.vy, traveled_});
   }
 
   /// Records the final state, unless it coincides with the sample of the control cycle.
@@ -222,6 +223,7 @@ class Run {
   int steps_per_cycle_;
   int cycle_ = 0;
   double time_ = 0;
+  double traveled_ = 0;  ///< m, along the arcs of the motion steps
   Command command_;
   bool started_ = false, finished_ = false;
   SimulationResult result_;

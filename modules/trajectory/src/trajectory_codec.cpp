@@ -4,7 +4,7 @@
 namespace slalom {
 namespace {
 
-constexpr std::uint8_t kVersion = 3;
+constexpr std::uint8_t kVersion = 4;
 
 }  // namespace
 

@@ -1,3 +1,4 @@
+#include "error_text.h"
 #include "io_sample.h"
 #include "manual_time.h"
 
@@ -32,16 +33,21 @@ Scenario room(double goal_x) {
 
 class CampaignRecorderTest : public testing::Test {
  protected:
-  CampaignRecorder recorder(const RecorderOptions& recording = {}) const {
+  static CampaignOptions options() {
     CampaignOptions options;
     options.metrics = {"success", "time_to_goal"};
     options.descriptors = {"density"};
+    return options;
+  }
+
+  CampaignRecorder recorder(const RecorderOptions& recording = {}) const {
     const MethodFactory make = [clock = time_.clock()](const RobotModel&, const SensorModel&) {
       return std::make_unique<PatientMethod>(clock);
     };
     return CampaignRecorder(
-        {options, {}, {{"patient", make, ""}}},
-        open_results(path_, {{kEffectiveKey, ""}}, options, ExistingResults::Continue), recording);
+        {options(), {}, {{"patient", make, ""}}},
+        open_results(path_, {{kEffectiveKey, ""}}, options(), ExistingResults::Continue),
+        recording);
   }
 
   std::size_t stored_runs() const {
@@ -55,6 +61,32 @@ class CampaignRecorderTest : public testing::Test {
   const Execution execution_{2, *progress_, nullptr};
   ManualTime time_;  ///< shared with the workers
 };
+
+TEST_F(CampaignRecorderTest, ReportsARunThatIsShorterThanItsBoundWithItsReproduction) {
+  const Scenario scenario = room(3);  // 2 m from its start
+  {
+    References forged;
+    forged.shortest = ShortestPath{};
+    forged.shortest->path = {{1, 2}, {3, 2}};
+    forged.shortest->length = forged.shortest->exact_length = 2.125;
+    forged.shortest->certificate = {2.125, 2.125};
+    ResultFile file = ResultFile::create(path_, {{kEffectiveKey, ""}}, options().descriptor_infos(),
+                                         options().metric_infos());
+    file.add_scenario({scenario.hash(), scenario.name(), {{"density", {1, Value::of(0)}}}},
+                      scenario, forged);
+    ASSERT_TRUE(file.commit());
+  }
+  CampaignRecorder campaign = recorder();
+  EXPECT_TRUE(campaign.run({scenario, room(3.5)}, execution_));
+  EXPECT_TRUE(mentions(campaign.problem(),
+                       {"1 runs ended as infrastructure_error",
+                        scenario.hash().substr(0, 8) + "/patient/0: ", "is shorter than possible",
+                        "shortest path 2.125 m", "--ids " + scenario.hash(), "--seed 1 ",
+                        "--set campaign.methods=patient", "--set campaign.repetitions=1"}));
+  const auto stored = campaign.file().read_run(scenario.hash(), "patient", 0);
+  ASSERT_TRUE(stored.has_value());
+  EXPECT_EQ(stored->metrics.at("time_to_goal").value.reason(), "outcome: infrastructure_error");
+}
 
 TEST_F(CampaignRecorderTest, StoresFinishedRunsWhileTheFirstOneOfThePlanTakesLong) {
   double now = 0;

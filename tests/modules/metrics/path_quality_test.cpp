@@ -34,6 +34,52 @@ TEST(Optimality, IncludesTheLastSegmentToTheGoal) {
   EXPECT_DOUBLE_EQ(run.number("spl"), 1);
 }
 
+TEST(Optimality, MeasuresThePathAsDriven) {
+  MeasuredRun run({{2, 5}, {8, 5}});
+  run.trajectory.samples[0].traveled = 1;
+  run.trajectory.samples[1].traveled = 9;
+  EXPECT_DOUBLE_EQ(run.number("path_length"), 8);
+  EXPECT_DOUBLE_EQ(run.number("mean_speed"), 80);
+  EXPECT_DOUBLE_EQ(run.number("optimality"), 0.75);
+}
+
+TEST(Optimality, ClosesTheRunAroundWhatStandsBeforeTheGoal) {
+  // A wall from y = 3 upwards occupies x = 7..7.5; the run ends above its lower end, 1.5 m before
+  // the goal at (8, 5). A robot at (6.5, 5) has to go around the corners (7, 3) and (7.5, 3) at
+  // 0.25 m: to the first one sqrt(0.5^2 + 2^2 - r^2), and so on.
+  const double r = 0.25 - 1e-9;
+  Primitives wall;
+  wall.polygons.push_back({{{7.01, 3.01}, {7.49, 3.01}, {7.49, 9.99}, {7.01, 9.99}}});
+  MeasuredRun run({{2, 5}, {6.5, 5}}, wall);
+  const double leg = std::hypot(0.5, 2);
+  const double rest =
+      2 * (std::sqrt(leg * leg - r * r) + r * (std::atan2(2, 0.5) + std::asin(r / leg))) + 0.5;
+  EXPECT_NEAR(run.number("optimality"), 6 / (4.5 + rest), 1e-9);
+  EXPECT_NEAR(run.number("path_excess"), (4.5 + rest) / 6 - 1, 1e-9);
+  EXPECT_NEAR(run.number("spl"), 6 / (4.5 + rest), 1e-9);
+}
+
+TEST(Optimality, IncludesThePathFromTheStartToWhereALogBegins) {
+  EXPECT_NEAR(MeasuredRun({{2, 6}, {8, 6}, {8, 5}}).number("optimality"), 6.0 / 8, 1e-12);
+}
+
+TEST(Optimality, IsNaForARunThatEndsInsideAnObstacle) {
+  Primitives block;
+  block.polygons.push_back({{{7, 4.5}, {7.5, 4.5}, {7.5, 5.5}, {7, 5.5}}});
+  const MeasuredRun run({{2, 5}, {7.2, 5}}, block);
+  for (const std::string id : {"optimality", "path_excess", "spl"})
+    EXPECT_EQ(run.reason(id),
+              "from the final pose: start is closer to an obstacle than the robot's radius")
+        << id;
+}
+
+TEST(Optimality, OfALengthBelowTheBoundByRoundingErrorsIsOne) {
+  MeasuredRun run({{2, 5}, {8, 5}});
+  run.references.shortest->exact_length = 6 * (1 + 1e-12);
+  EXPECT_EQ(run.number("optimality"), 1);
+  EXPECT_EQ(run.number("path_excess"), 0);
+}
+
 TEST(Optimality, IsTheRatioToTheShortestLength) {
   // Two sides of sqrt(3^2 + 1^2) m instead of 6 m.
   const MeasuredRun run({{2, 5}, {5, 6}, {8, 5}});

@@ -121,9 +121,9 @@ double lattice_length(const World& world, double radius, int per_meter) {
 }
 
 #if defined(SLALOM_SANITIZE)
-constexpr int kWorlds = 100, kRandomGrids = 200;
+constexpr int kWorlds = 100, kRandomGrids = 100;
 #else
-constexpr int kWorlds = 300, kRandomGrids = 2000;
+constexpr int kWorlds = 300, kRandomGrids = 500;
 #endif
 
 TEST(ExactShortest, IsNeverLongerThanALatticeSearchInManyWorlds) {

@@ -28,6 +28,21 @@ TEST(Vehicle, IsChosenByTheRobotsKinematics) {
   EXPECT_EQ(vehicle->vy(), 0.5);
 }
 
+TEST(Vehicle, StepLengthIsThatOfTheArcNotOfItsChord) {
+  const auto vehicle = make_vehicle(agile());
+  vehicle->command(1, 1.5);
+  vehicle->advance(0.1);
+  EXPECT_NEAR(vehicle->step_length(), 0.05, 1e-12) << "0.5 m/s on average";
+  const auto before = vehicle->getCurrentGTPose();
+  vehicle->advance(0.1);
+  const auto after = vehicle->getCurrentGTPose();
+  EXPECT_NEAR(vehicle->step_length(), 0.1, 1e-12);
+  EXPECT_NEAR(std::hypot(after.x - before.x, after.y - before.y),
+              2 / 1.5 * std::sin(0.5 * 1.5 * 0.1), 1e-12);
+  vehicle->start_at({});
+  EXPECT_EQ(vehicle->step_length(), 0);
+}
+
 TEST(Vehicle, AppliesACommandAfterItsDelay) {
   RobotModel robot = agile();
   robot.delay = 0.25;

@@ -22,7 +22,7 @@ TEST(Simulate, GivesThisTrajectoryToTheBit) {
   RandomEngine random(1);
   const World world = random_cells(random, 0.01);
   RandomMethod method{RobotModel()};
-  EXPECT_EQ(run(world, method).trajectory.hash(), "82581dbbb1b4af94fad005900071a849");
+  EXPECT_EQ(run(world, method).trajectory.hash(), "4ec59820de265203eb389f17e5cc90d2");
 }
 
 TEST(Simulate, DoesNotDependOnTheRunsBefore) {

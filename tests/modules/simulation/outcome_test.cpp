@@ -32,6 +32,26 @@ TEST(Simulate, RecordsOneSamplePerControlCycleAndTheFinalOne) {
   EXPECT_GT(samples.back().t, samples[samples.size() - 2].t);
 }
 
+TEST(Simulate, RecordsTheDistanceDrivenAlongArcs) {
+  // A circle of 0.5 m at 0.5 m/s for 3 s, less half of the step in which it accelerates.
+  RobotModel agile;
+  agile.max_accel_v = agile.max_accel_w = 1e6;
+  SimulationOptions options;
+  options.max_time = 3;
+  FunctionMethod circle = constant_method(0.5, 1);
+  const Trajectory driven = run(square_world({5, 5, 0}, {9, 9}), circle, options, agile).trajectory;
+  EXPECT_EQ(driven.samples.front().traveled, 0);
+  EXPECT_NEAR(driven.samples.back().traveled, 0.5 * (3 - 0.005), 1e-9);
+  EXPECT_LT(length(driven.path()), driven.traveled() - 1e-4) << "chords between control cycles";
+}
+
+TEST(Simulate, RecordsTheDistanceDrivenUpToTheContact) {
+  FunctionMethod forward = constant_method(1, 0);
+  const SimulationResult result = run(square_world({5, 5, 0}, {5, 9}), forward);
+  EXPECT_EQ(result.outcome, Outcome::Collision);
+  EXPECT_NEAR(result.trajectory.traveled(), 10 - 0.25 - 5, 1e-8);
+}
+
 TEST(Simulate, KeepsVelocitiesAndAccelerationsWithinTheLimits) {
   const World world = square_world({5, 5, 0}, {9.9, 9.9});
   const RobotModel robot;

@@ -26,15 +26,26 @@ TEST(Trajectory, PathHasThePositionsOnly) {
   EXPECT_EQ(length(spinning.path()), 2);
 }
 
+TEST(Trajectory, IsAsLongAsRecordedElseStraightBetweenSamples) {
+  Trajectory trajectory = three_samples();
+  EXPECT_EQ(trajectory.traveled(), 2);
+  trajectory.samples[0].traveled = 0.5;
+  EXPECT_EQ(trajectory.traveled(), 2) << "not known at the end";
+  trajectory.samples[2].traveled = 2.75;
+  EXPECT_EQ(trajectory.traveled(), 2.25);
+  EXPECT_EQ(Trajectory().traveled(), 0);
+}
+
 TEST(Trajectory, HashDependsOnEveryField) {
   std::set<std::string> hashes = {three_samples().hash()};
   for (double Sample::*field : {&Sample::t, &Sample::v, &Sample::w, &Sample::vy, &Sample::command_v,
-                                &Sample::command_w, &Sample::command_vy}) {
+                                &Sample::command_w, &Sample::command_vy, &Sample::traveled}) {
     Trajectory changed = three_samples();
+    changed.samples[1].traveled = 0;
     changed.samples[1].*field += 1e-9;
     hashes.insert(changed.hash());
   }
-  EXPECT_EQ(hashes.size(), 8U);
+  EXPECT_EQ(hashes.size(), 9U);
   EXPECT_EQ(three_samples().hash(), three_samples().hash());
 }
 

@@ -71,6 +71,7 @@ class CampaignRecorder : private CampaignSink {
   std::optional<double> commit_at_;  ///< s, of the clock; none if everything is on disk
   bool delayed_ = false;             ///< and a notice was given
   std::size_t errors_ = 0;
+  std::string first_error_;  ///< of these, with its run
 };
 
 }  // namespace slalom

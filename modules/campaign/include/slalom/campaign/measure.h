@@ -21,4 +21,9 @@ std::map<std::string, VersionedValue> measure_run(const CampaignOptions& options
                                                   const World& world, const References& references,
                                                   const Trajectory& trajectory, Outcome outcome);
 
+/// bound_violation() of a run.
+std::string bound_violation(const CampaignOptions& options, const World& world,
+                            const References& references, const Trajectory& trajectory,
+                            Outcome outcome);
+
 }  // namespace slalom

@@ -40,6 +40,10 @@ MetricContext make_metric_context(const World& world, const RobotModel& robot,
                                   const References& references, double max_time,
                                   double goal_tolerance, double safe_distance = kSafeDistance);
 
+/// How a successful run contradicts its references, or "": its length, extended to start and goal,
+/// is below the optimum of the inscribed disc. That is impossible, so it is a defect of Slalom.
+std::string bound_violation(const MetricContext& context);
+
 /// A scalar result of a run: what it is, and the function that computes it. Called trajectory
 /// descriptor in "Advances in the Framework for Automatic Evaluation of Obstacle Avoidance
 /// Methods".

@@ -28,11 +28,11 @@ struct Certificate {
 /// The shortest path found for a disc robot, free in the model used for collision checking.
 struct ShortestPath {
   Path path;
-  double length = 0;        ///< m; of the exact path the optimum, which its chords exceed by 1e-6
-  Certificate certificate;  ///< its lower bound is L* in metrics
+  double length = 0;  ///< m; of the exact path the optimum, which its chords exceed by 1e-6
+  Certificate certificate;
   std::string planner;      ///< kExactPlanner, "BITstar", ...
   std::string note;         ///< e.g. why the planner's path was not used
-  double exact_length = 0;  ///< m, the optimum of the exact search, independent of the planner
+  double exact_length = 0;  ///< m, the optimum of the disc, L* in metrics, whatever the planner
   std::optional<double> planner_length = std::nullopt;  ///< m, of the planner's path, used or not
 };
 

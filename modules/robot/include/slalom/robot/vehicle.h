@@ -30,6 +30,9 @@ class Vehicle : public mrpt::kinematics::CVehicleSimulVirtualBase {
   double v() const { return velocity_.v; }
   double w() const { return velocity_.w; }
   double vy() const { return velocity_.vy; }
+  double step_length() const {
+    return step_length_;
+  }  ///< m, driven in the last step, along its arc
 
  protected:
   const RobotModel& robot() const { return robot_; }
@@ -56,6 +59,7 @@ class Vehicle : public mrpt::kinematics::CVehicleSimulVirtualBase {
 
   RobotModel robot_;
   Velocity velocity_, effective_command_;
+  double step_length_ = 0;
   std::deque<PendingCommand> pending_commands_;
 };
 

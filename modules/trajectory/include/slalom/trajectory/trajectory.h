@@ -6,6 +6,7 @@
 #include <mrpt/math/TPose2D.h>
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,11 @@ struct Sample {
          command_w = 0;           ///< of the method, in effect until the next sample;
                                   ///< NaN if a log does not have it
   double vy = 0, command_vy = 0;  ///< the same to the left; 0 for a differential drive
+  /// m, driven up to here along the true motion; NaN if it is not known, as in a log.
+  double traveled = std::numeric_limits<double>::quiet_NaN();
 
   /// The fields in the order of their declaration, for writing, reading and hashing.
-  static constexpr std::size_t kNumbers = 10;
+  static constexpr std::size_t kNumbers = 11;
   std::array<double, kNumbers> numbers() const;
   static Sample from_numbers(const std::array<double, kNumbers>& numbers);
 };
@@ -33,6 +36,8 @@ struct Trajectory {
 
   double duration() const;  ///< t_N - t_1; 0 with fewer than two samples
   Path path() const;
+  /// m, from the first to the last sample: as recorded, else straight between samples.
+  double traveled() const;
   std::string hash() const;  ///< of the bits of all samples
 };
 
