@@ -8,67 +8,62 @@
 namespace slalom::descriptors {
 namespace {
 
-/// Steepest descent of the distance to the goal from each cell.
+/// Steepest descent of the distance to the goal from each cell. No step leads away from the goal in
+/// either coordinate: in rows and columns outwards from the goal, the next cell's result is known.
 class SteepestDescent {
  public:
   /// `free` is above 0 for each cell in F_C; the goal's cell is set free.
   SteepestDescent(const Occupancy& cells, std::vector<std::uint8_t> free, int goal_x, int goal_y)
-      : cells_(cells), free_(std::move(free)), goal_x_(goal_x), goal_y_(goal_y) {
-    result_.resize(free_.size(), DescentResult::Unknown);
+      : cells_(cells),
+        free_(std::move(free)),
+        gets_stuck_(free_.size(), 0),
+        goal_x_(goal_x),
+        goal_y_(goal_y) {
     free_[cells.index(goal_x, goal_y)] = 1;
-    result_[cells.index(goal_x, goal_y)] = DescentResult::ReachesGoal;
   }
 
   /// Fraction of F_C from which the descent gets stuck before the goal.
   double stuck_fraction() {
+    const std::vector<int> columns = outwards(goal_x_, cells_.size_x());
     std::size_t all = 0, stuck = 0;
-    for (int y = 0; y < cells_.size_y(); ++y)
-      for (int x = 0; x < cells_.size_x(); ++x) {
-        if (!free(x, y)) continue;
+    for (const int y : outwards(goal_y_, cells_.size_y()))
+      for (const int x : columns) {
+        const std::size_t here = cells_.index(x, y);
+        if (free_[here] == 0) continue;
         ++all;
-        stuck += follow(x, y) == DescentResult::GetsStuck ? 1 : 0;
+        gets_stuck_[here] = descend(x, y, here);
+        stuck += gets_stuck_[here];
       }
     return static_cast<double>(stuck) / static_cast<double>(all);
   }
 
  private:
-  enum class DescentResult : std::uint8_t { Unknown, ReachesGoal, GetsStuck };
-
-  bool free(int x, int y) const { return free_[cells_.index(x, y)] != 0; }
-
-  /// Descends to a cell with a known result and assigns it to all visited cells.
-  DescentResult follow(int x, int y) {
-    path_.clear();
-    std::size_t here = cells_.index(x, y);
-    while (result_[here] == DescentResult::Unknown) {
-      path_.push_back(here);
-      if (!step_down(x, y)) {
-        result_[here] = DescentResult::GetsStuck;
-        break;
-      }
-      here = cells_.index(x, y);
-    }
-    for (const std::size_t visited : path_) result_[visited] = result_[here];
-    return result_[here];
+  /// The goal and the cells after it, then those before it, downwards.
+  static std::vector<int> outwards(int goal, int size) {
+    std::vector<int> order;
+    for (int i = goal; i < size; ++i) order.push_back(i);
+    for (int i = goal - 1; i >= 0; --i) order.push_back(i);
+    return order;
   }
 
-  /// Moves to the lowest free neighbor that is lower. Diagonal steps need both adjacent cells free,
-  /// so one that reduces only one coordinate is never lower than the step in that coordinate.
-  bool step_down(int& x, int& y) const {
+  /// Moves to the lowest free neighbor that is lower, and returns 1 if there is none or it gets
+  /// stuck from there. Diagonal steps need both adjacent cells free, so one that reduces only one
+  /// coordinate is never lower than the step in that coordinate.
+  std::uint8_t descend(int x, int y, std::size_t here) const {
     const int right = goal_x_ - x, up = goal_y_ - y;
-    const int dx = right > 0 ? 1 : right < 0 ? -1 : 0, dy = up > 0 ? 1 : up < 0 ? -1 : 0;
-    const bool across = dx != 0 && free(x + dx, y), along = dy != 0 && free(x, y + dy);
-    const bool diagonal = across && along && free(x + dx, y + dy);
+    const std::ptrdiff_t dx = right > 0 ? 1 : -1, dy = up > 0 ? cells_.size_x() : -cells_.size_x();
+    const auto at = static_cast<std::ptrdiff_t>(here);
+    const auto free = [&](std::ptrdiff_t i) { return free_[static_cast<std::size_t>(i)] != 0; };
+    const bool across = right != 0 && free(at + dx), along = up != 0 && free(at + dy);
+    if (!across && !along) return right != 0 || up != 0 ? 1 : 0;
+    const bool diagonal = across && along && free(at + dx + dy);
     const bool x_first = across && (!along || std::abs(right) >= std::abs(up));
-    if (diagonal || x_first) x += dx;
-    if (diagonal || (along && !x_first)) y += dy;
-    return across || along;
+    const std::ptrdiff_t step = diagonal ? dx + dy : x_first ? dx : dy;
+    return gets_stuck_[static_cast<std::size_t>(at + step)];
   }
 
   const Occupancy& cells_;
-  std::vector<std::uint8_t> free_;
-  std::vector<DescentResult> result_;
-  std::vector<std::size_t> path_;
+  std::vector<std::uint8_t> free_, gets_stuck_;
   int goal_x_, goal_y_;
 };
 
