@@ -7,6 +7,7 @@
 
 #include <slalom/app/program.h>
 #include <slalom/core/text.h>
+#include <slalom/io/find_run.h>
 #include <slalom/io/rawlog_path.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>

@@ -1,9 +1,9 @@
-#include "interrupt.h"
 #include "manifest.h"
 
 #include <slalom/analysis/bins.h>
 #include <slalom/app/adapters.h>
 #include <slalom/app/campaign_program.h>
+#include <slalom/app/interrupt.h>
 #include <slalom/app/output_folder.h>
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/error.h>

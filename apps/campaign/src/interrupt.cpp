@@ -1,4 +1,4 @@
-#include "interrupt.h"
+#include <slalom/app/interrupt.h>
 
 namespace slalom {
 namespace {

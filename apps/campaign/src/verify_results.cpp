@@ -1,6 +1,6 @@
-#include "interrupt.h"
 #include "manifest.h"
 
+#include <slalom/app/interrupt.h>
 #include <slalom/app/verify_results.h>
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>

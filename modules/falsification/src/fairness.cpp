@@ -55,9 +55,12 @@ FairnessReport judge_failure(const TestBench& bench, const Scenario& scenario, c
   const World world(scenario, bench.setup.simulation.resolution);
   report.geometry = judge_geometry(world, bench.setup.robot, options);
   if (!report.geometry.violation.empty()) report.violations.push_back(report.geometry.violation);
-  for (std::size_t i = 1; i <= bench.witnesses.size() && report.witness.empty(); ++i)
-    if (run_alone(bench, scenario, i).outcome == Outcome::Success)
-      report.witness = bench.method_at(i).name;
+  for (std::size_t i = 1; i <= bench.witnesses.size() && report.witness.empty(); ++i) {
+    Trial run = run_alone(bench, scenario, i);
+    if (run.outcome != Outcome::Success) continue;
+    report.witness = bench.method_at(i).name;
+    report.witness_run = std::move(run);
+  }
   if (options.witness && report.witness.empty())
     report.violations.emplace_back(bench.witnesses.empty() ? "no witness is named"
                                                            : "no witness reaches the goal");

@@ -2,6 +2,7 @@
 
 #include <slalom/generation/scene.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,7 +12,7 @@ namespace {
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
-constexpr std::array kUnits = {1.0, 0.5, 0.25, 0.1, 0.05};  // m
+constexpr std::array kUnits = {1.0, 0.5, 0.25, 0.1, 0.05, 0.01, 0.001};  // m
 
 /// Decimal numbers are the nearest to what a person types: 0.3, not 3 * 0.1.
 double rounded(double value, double unit) {
@@ -22,10 +23,11 @@ TPoint2D rounded(const TPoint2D& point, double unit) {
   return {rounded(point.x, unit), rounded(point.y, unit)};
 }
 
-/// Radii are not rounded to nothing.
-Scene::Obstacle rounded(const Scene::Obstacle& obstacle, double unit) {
+/// Radii are not rounded below `min_radius` (m): discs smaller than a cell look alike.
+Scene::Obstacle rounded(const Scene::Obstacle& obstacle, double unit, double min_radius) {
   if (const Disc* disc = std::get_if<Disc>(&obstacle))
-    return Disc{rounded(disc->center, unit), std::max(unit, rounded(disc->radius, unit))};
+    return Disc{rounded(disc->center, unit),
+                std::max({unit, min_radius, rounded(disc->radius, unit)})};
   Polygon polygon = std::get<Polygon>(obstacle);
   for (TPoint2D& vertex : polygon.vertices) vertex = rounded(vertex, unit);
   return polygon;
@@ -43,24 +45,23 @@ Scenario with_rounded_task(const Scenario& scenario, double unit, bool start, bo
                                   goal ? rounded(scenario.goal(), unit) : scenario.goal());
 }
 
-Rounding of_obstacle(std::size_t obstacle) {
-  return [obstacle](const Scenario& scenario, double unit) {
+Rounding of_obstacle(std::size_t obstacle, double cell) {
+  return [obstacle, cell](const Scenario& scenario, double unit) {
     Scene scene(scenario);
-    scene.obstacles[obstacle] = rounded(scene.obstacles[obstacle], unit);
+    scene.obstacles[obstacle] = rounded(scene.obstacles[obstacle], unit, cell);
     return scene.scenario(scenario.name());
   };
 }
 
-Scenario round_all(const Scenario& scenario, double unit) {
+Scenario round_all(const Scenario& scenario, double unit, double cell) {
   Scene scene(scenario);
-  for (Scene::Obstacle& obstacle : scene.obstacles) obstacle = rounded(obstacle, unit);
+  for (Scene::Obstacle& obstacle : scene.obstacles) obstacle = rounded(obstacle, unit, cell);
   return with_rounded_task(scene.scenario(scenario.name()), unit, true, true);
 }
 
-/// To the coarsest unit that is accepted; none below a cell, where all look alike.
+/// To the coarsest unit that is accepted.
 bool round_to_units(Shrinker& shrinker, const Rounding& rounding) {
   for (const double unit : kUnits) {
-    if (unit < shrinker.resolution() * (1 - 1e-9)) return false;
     const Scenario before = shrinker.scenario();
     if (shrinker.accept([&] { return rounding(before, unit); })) return true;
   }
@@ -71,7 +72,7 @@ bool round_to_units(Shrinker& shrinker, const Rounding& rounding) {
 bool round_heading(Shrinker& shrinker) {
   const Scenario& scenario = shrinker.scenario();
   const TPose2D start = scenario.start();
-  for (const double unit : {90.0, 45.0, 15.0, 5.0, 1.0}) {
+  for (const double unit : {90.0, 45.0, 15.0, 5.0, 1.0, 0.01}) {
     const double degrees = std::round(start.phi * 180 / M_PI / unit) * unit;
     const double phi = std::round(degrees * M_PI / 180 * 1e4) / 1e4;
     if (phi == start.phi) return false;
@@ -88,9 +89,13 @@ bool round_heading(Shrinker& shrinker) {
 bool round_numbers(Shrinker& shrinker) {
   bool changed = false;
   if (shrinker.scenario().representation() == Representation::Continuous) {
-    changed |= round_to_units(shrinker, round_all);
+    const double cell = shrinker.resolution();
+    changed |= round_to_units(shrinker, [cell](const Scenario& scenario, double unit) {
+      return round_all(scenario, unit, cell);
+    });
     const std::size_t obstacles = Scene(shrinker.scenario()).obstacles.size();
-    for (std::size_t i = 0; i < obstacles; ++i) changed |= round_to_units(shrinker, of_obstacle(i));
+    for (std::size_t i = 0; i < obstacles; ++i)
+      changed |= round_to_units(shrinker, of_obstacle(i, cell));
   }
   changed |= round_to_units(shrinker, [](const Scenario& scenario, double unit) {
     return with_rounded_task(scenario, unit, true, false);

@@ -123,7 +123,7 @@ bool move_start_and_goal(Shrinker& shrinker) {
 }
 
 bool crop_workspace(Shrinker& shrinker) {
-  constexpr std::array kMargins = {0.5, 1.0, 1.5, 2.0, 3.0};  // m
+  constexpr std::array kMargins = {1.5, 2.0, 3.0};  // m; walls nearer than that replace obstacles
   constexpr unsigned kAll = 15;
   bool changed = false;
   for (const unsigned sides : {kAll, 1U, 2U, 4U, 8U}) {

@@ -19,8 +19,9 @@ std::vector<mrpt::math::TPose2D> waypoints_of(const Trajectory& trajectory) {
 }  // namespace
 
 Trial run_trial(const World& world, const TestBench& bench, Method& method) {
-  const SimulationResult result = simulate(
-      world, bench.setup, run_seed(bench.seed, world.scenario().hash(), 0), method, nullptr);
+  const SimulationResult result =
+      simulate(world, bench.setup, run_seed(bench.seed, world.scenario().hash(), bench.repetition),
+               method, nullptr);
   Trial trial{result.outcome, result.detail, result.trajectory.hash(),
               waypoints_of(result.trajectory)};
   trial.clearance = bench.setup.sensor.max_range;

@@ -1,5 +1,8 @@
 // Follow-the-gap with a planted defect that begins in rare situations, so that tests know what a
 // search has to find. Key defect: none, squeeze, tie or crash.
+//
+// Measured in the random half of a search with the version without defect as the witness, seed 1,
+// cells of 5 cm: squeeze 349 fair failures in 6,000 runs, tie 20 in 6,000, crash 67 in 800.
 #include "follow_the_gap.h"
 
 #include <slalom/methods/slalom_method.h>

@@ -35,6 +35,7 @@ GeometryReport judge_geometry(const World& world, const RobotModel& robot,
 /// All conditions of a failure.
 struct FairnessReport {
   GeometryReport geometry;
+  Trial witness_run;                    ///< of the witness that reaches the goal, if there is one
   std::string witness;                  ///< the one that reaches the goal; empty if none does
   bool repeatable = false;              ///< as checked, even if it is not required
   std::vector<std::string> violations;  ///< of the conditions that are required

@@ -11,12 +11,13 @@
 
 namespace slalom {
 
-/// The method whose failures are searched, and how it is run: as in a campaign with these settings
-/// and this seed, repetition 0.
+/// The method whose failures are searched, and how it is run: as in a campaign with these settings,
+/// this seed and this repetition.
 struct TestBench {
   RunSetup setup;
   LimitsSection limits;
   std::uint64_t seed = 1;
+  int repetition = 0;
   NamedMethod method;
   /// A failure counts only where one of these reaches the goal: it proves that the scenario can be
   /// solved.
@@ -40,7 +41,7 @@ struct Trial {
                          ///< in contact. 0 if the method's process died
 };
 
-constexpr std::size_t kWaypoints = 24;  ///< at most, of a trial
+constexpr std::size_t kWaypoints = 48;  ///< at most, of a trial
 
 /// Runs a method in this process.
 Trial run_trial(const World& world, const TestBench& bench, Method& method);

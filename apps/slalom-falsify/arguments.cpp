@@ -1,0 +1,89 @@
+#include "arguments.h"
+
+#include <slalom/campaign/campaign.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+/// The names of the method and its witnesses.
+std::vector<std::string> method_names(const IniFile& ini, const FalsifyArguments& arguments) {
+  std::vector<std::string> names = {arguments.method};
+  const std::vector<std::string> others =
+      arguments.witnesses.empty() ? split_nonempty(ini.get("campaign", "methods").value_or(""), ',')
+                                  : arguments.witnesses;
+  for (const std::string& name : others) {
+    if (!contains(names, name)) names.push_back(name);
+    if (!arguments.witnesses.empty() && name == arguments.method)
+      throw usage_error("--witness " + name, "is the method that is tested", "another method");
+  }
+  return names;
+}
+
+/// Throws for a name that is no method of the .ini.
+void require_method(const IniFile& ini, const std::string& option, const std::string& name) {
+  if (ini.has_section("method." + name)) return;
+  std::vector<std::string> known;
+  for (const std::string& section : ini.sections())
+    if (starts_with(section, "method.")) known.push_back(section.substr(7));
+  throw usage_error(option + " " + name, "no section [method." + name + "] in " + ini.name(),
+                    expected_name(name, known));
+}
+
+}  // namespace
+
+void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
+  app.add_option("-o,--output", arguments.output, "Folder for the failures")->required();
+  app.add_option("--witness", arguments.witnesses,
+                 "A method that must reach the goal, which proves that the scenario can be solved; "
+                 "of several, any. Default: the other methods of the campaign")
+      ->take_all()
+      ->allow_extra_args(false);
+  FairnessOptions& fairness = arguments.fairness;
+  app.add_option("--min-bottleneck", fairness.min_bottleneck,
+                 "Certified width of the widest path, in robot widths; 0: any")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--min-clearance", fairness.min_start_clearance,
+                 "Free distance around the robot at the start, m; 0: any")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--min-distance", fairness.min_distance,
+                 "Straight-line distance from start to goal, m; 0: any")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_flag_callback(
+      "--no-witness", [&fairness] { fairness.witness = false; },
+      "Accept failures where no witness reaches the goal");
+  app.add_flag_callback(
+      "--no-repeat", [&fairness] { fairness.repeatable = false; },
+      "Accept failures that a new process does not repeat bit for bit");
+  app.add_option("--max-runs", arguments.max_runs, "Runs to shrink one failure")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--set", arguments.campaign.overrides,
+                 "Override a key of the .ini: SECTION.KEY=VALUE")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_flag("--quiet", arguments.campaign.quiet, "No progress and no messages, except errors");
+}
+
+FalsifyCampaign read_falsify_campaign(IniFile ini, const FalsifyArguments& arguments) {
+  require_method(ini, "--method", arguments.method);
+  for (const std::string& witness : arguments.witnesses) require_method(ini, "--witness", witness);
+  ini.set("campaign", "methods", join(method_names(ini, arguments), ", "));
+  CampaignConfig config = read_campaign(ini);
+  check_methods({config.options, {}, config.methods});
+  TestBench bench;
+  bench.setup = config.options.setup;
+  bench.limits = config.options.limits;
+  bench.seed = config.options.seed;
+  bench.method = config.methods.front();
+  bench.witnesses.assign(config.methods.begin() + 1, config.methods.end());
+  return {std::move(ini), std::move(config), std::move(bench)};
+}
+
+}  // namespace slalom

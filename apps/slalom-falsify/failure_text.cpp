@@ -1,0 +1,53 @@
+#include "failure_files.h"
+
+#include <slalom/core/text.h>
+#include <slalom/io/rawlog_path.h>
+
+namespace slalom {
+namespace {
+
+std::string fairness_text(const FairnessReport& fairness) {
+  std::string text =
+      fairness.fair() ? "fair: " : "NOT fair (" + join(fairness.violations, "; ") + "): ";
+  text += "bottleneck " + format_fixed(fairness.geometry.bottleneck, 2) + " robot widths, " +
+          format_fixed(fairness.geometry.start_clearance, 2) + " m free at the start, ";
+  text += fairness.witness.empty() ? "no witness reaches the goal"
+                                   : fairness.witness + " reaches the goal";
+  return text + (fairness.repeatable ? ", repeated bit for bit" : ", not repeated");
+}
+
+std::string size_text(const Bounds& bounds) {
+  return format_fixed(bounds.width(), 2) + " m x " + format_fixed(bounds.height(), 2) + " m";
+}
+
+}  // namespace
+
+std::string failure_text(const Failure& failure, const TestBench& bench) {
+  const ShrinkResult& small = failure.small;
+  const std::string before = std::to_string(small.parts_before);
+  const std::string after = std::to_string(small.parts_after);
+  std::string text = small.scenario.name() + ": " + bench.method.name + " ends as " +
+                     to_string(small.trial.outcome) + "\n";
+  text += "  found      " + failure.origin + "\n";
+  text += "  shrunk     " + before + " -> " + after + " obstacles, " +
+          size_text(failure.original.bounds()) + " -> " + size_text(small.scenario.bounds()) +
+          ", " + std::to_string(small.runs) + " runs, end moved " + format_fixed(small.moved, 2) +
+          " m\n";
+  text += "  " + fairness_text(small.fairness) + "\n";
+  text += small.minimal ? "  minimal: each obstacle was removed alone\n"
+                        : "  not proven minimal: the limit of runs is reached\n";
+  for (const Removal& removal : small.removals)
+    text += "    without " + removal.part + ": " + removal.verdict + "\n";
+  return text;
+}
+
+std::string show_command(const Failure& failure, const TestBench& bench,
+                         const std::string& folder) {
+  const std::string results = folder + "/check/runs.results";
+  return "slalom-evaluate " + folder + "/failures.ini -o " + folder +
+         "/check && slalom-replay play " +
+         rawlog_path(results, failure.small.scenario.hash(), bench.method.name, bench.repetition) +
+         " --gui";
+}
+
+}  // namespace slalom

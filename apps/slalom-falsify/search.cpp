@@ -1,0 +1,230 @@
+#include "failure_files.h"
+#include "verbs.h"
+
+#include <slalom/app/existing_options.h>
+#include <slalom/app/interrupt.h>
+#include <slalom/app/output_folder.h>
+#include <slalom/app/program.h>
+#include <slalom/core/error.h>
+#include <slalom/core/hash.h>
+#include <slalom/core/progress.h>
+#include <slalom/core/read_file.h>
+#include <slalom/core/text.h>
+#include <slalom/falsification/search.h>
+#include <slalom/io/file_lock.h>
+#include <slalom/io/result_file.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <set>
+
+namespace slalom {
+namespace {
+
+struct SearchArguments {
+  FalsifyArguments common;
+  std::string against;  ///< a library of the method's earlier version, or a method
+  SearchOptions search;
+  bool all_outcomes = false;
+  std::optional<std::size_t> runs;
+};
+
+constexpr char kReference[] = "reference";
+constexpr std::size_t kDefaultRuns = 10000;
+
+/// Adds the earlier version of a compiled method as method "reference"; returns the witness's name.
+std::string add_reference(IniFile& ini, const SearchArguments& arguments) {
+  if (!ends_with(arguments.against, ".so")) return arguments.against;
+  const std::string tested = "method." + arguments.common.method;
+  const std::string section = std::string("method.") + kReference;
+  for (const std::string& key : ini.keys(tested))
+    ini.set(section, key, ini.get(tested, key).value_or(""));
+  ini.set(section, "adapter", "library");
+  ini.set(section, "plugin", std::filesystem::absolute(arguments.against).string());
+  return kReference;
+}
+
+/// What the search depends on: a state of another search is not continued.
+std::string identity(const FalsifyCampaign& campaign, const SearchArguments& arguments) {
+  const FairnessOptions& fairness = arguments.common.fairness;
+  Hasher hasher;
+  hasher.add(campaign.config.effective_ini).add(arguments.search.seed);
+  hasher.add(fairness.min_bottleneck).add(fairness.min_start_clearance).add(fairness.min_distance);
+  hasher.add(std::uint64_t{fairness.witness}).add(std::uint64_t{arguments.all_outcomes});
+  hasher.add(std::uint64_t{arguments.search.max_failures});
+  return hasher.hex();
+}
+
+/// The rounds of an interrupted search, after the identity of the search that made them.
+class StateFile {
+ public:
+  StateFile(const std::string& folder, std::string search)
+      : path_(folder + "/search.state"), search_(std::move(search)) {}
+
+  SearchState load(ExistingResults existing) const {
+    const bool exists = std::filesystem::exists(path_);
+    if (existing == ExistingResults::Require && !exists)
+      throw usage_error("--resume", "there is no search to continue in " + path_);
+    if (existing == ExistingResults::Overwrite || !exists) return {};
+    const std::string bytes = read_file(path_, "the state of a search");
+    if (bytes.compare(0, search_.size(), search_) != 0)
+      throw usage_error(path_, "is of a search with other settings",
+                        "another folder, or --overwrite to start over");
+    return search_state_from_bytes(bytes.substr(search_.size()), path_);
+  }
+  void save(const SearchState& state) const {
+    write_file_atomically(path_, search_ + to_bytes(state));
+  }
+
+ private:
+  std::string path_, search_;
+};
+
+std::string tally_text(const SearchTally& tally) {
+  std::vector<std::string> parts;
+  for (const auto& [outcome, runs] : tally.outcomes)
+    parts.push_back(std::to_string(runs) + " " + outcome);
+  return std::to_string(tally.failures) + " failures in " + std::to_string(tally.runs) + " runs (" +
+         join(parts, ", ") +
+         (tally.unsolved > 0 ? "; " + std::to_string(tally.unsolved) + " failures without a witness"
+                             : "") +
+         ")";
+}
+
+std::string search_text(const SearchResult& result) {
+  const SearchState& state = result.state;
+  std::string text = "random    " + tally_text(state.random) + "\n";
+  if (state.random.failures == 0 && state.random.runs > 0)
+    text += "          0 of " + std::to_string(state.random.runs) +
+            ": with 95 % confidence the method fails in at most " +
+            format_number(std::round(state.random.rule_of_three() * 1e6) / 1e6) +
+            " of such scenarios\n";
+  return text + "adaptive  " + tally_text(state.adaptive) + "\nended     " + result.stopped + "\n";
+}
+
+nlohmann::json tally_json(const SearchTally& tally) {
+  return {{"runs", tally.runs},
+          {"failures", tally.failures},
+          {"without_witness", tally.unsolved},
+          {"outcomes", tally.outcomes}};
+}
+
+std::string search_json(const SearchArguments& arguments, const SearchResult& result) {
+  nlohmann::json json = {{"seed", arguments.search.seed},
+                         {"random", tally_json(result.state.random)},
+                         {"adaptive", tally_json(result.state.adaptive)},
+                         {"ended", result.stopped}};
+  if (result.state.random.failures == 0 && result.state.random.runs > 0)
+    json["upper_limit_95"] = result.state.random.rule_of_three();
+  return json.dump();
+}
+
+/// The smallest scenarios of what was found, each once; those that are not fair are left out.
+std::vector<Failure> shrink_found(const SearchResult& result, const FalsifyCampaign& campaign,
+                                  const FalsifyArguments& arguments) {
+  std::vector<Failure> failures;
+  std::set<std::string> hashes;
+  const auto progress = make_terminal_progress(arguments.campaign.quiet);
+  progress->start("Shrinking failures", result.state.failures.size());
+  std::size_t done = 0;
+  for (const FoundFailure& found : result.state.failures) {
+    auto small = shrink(campaign.bench, found.scenario,
+                        {arguments.fairness, arguments.max_runs, InterruptGuard::raised});
+    if (!small) throw Interrupted("the same command continues");
+    const std::string origin =
+        to_string(found.half) + " candidate " + std::to_string(found.index) + " of the search";
+    const bool fair = small->fairness.fair();
+    if (!fair)
+      std::cerr << origin << ": left out, " << join(small->fairness.violations, "; ") << "\n";
+    if (fair && hashes.insert(small->scenario.hash()).second)
+      failures.push_back({origin, found.scenario, std::move(*small)});
+    progress->advance(++done);
+  }
+  progress->finish();
+  return failures;
+}
+
+void search_verb(SearchArguments& arguments) {
+  FalsifyArguments& common = arguments.common;
+  SearchOptions& options = arguments.search;
+  IniFile ini = load_campaign_ini(common.campaign);
+  if (!arguments.against.empty()) common.witnesses = {add_reference(ini, arguments)};
+  refuse_output_over_inputs(common.output, ini);
+  const FalsifyCampaign campaign = read_falsify_campaign(ini, common);
+  if (campaign.bench.witnesses.empty() && common.fairness.witness)
+    throw usage_error("--witness", "there is no other method in the campaign",
+                      "--witness METHOD, or --no-witness");
+  make_output_folder(common.output);
+  const FileLock lock(common.output + "/search.state", common.campaign.take_over);
+  options.seed = common.campaign.seed.value_or(campaign.bench.seed);
+  options.runs = arguments.runs.value_or(options.minutes > 0 ? 0 : kDefaultRuns);
+  options.workers = common.campaign.jobs;
+  options.fairness = common.fairness;
+  options.outcomes = severe_outcomes();
+  if (arguments.all_outcomes)
+    options.outcomes.insert(options.outcomes.end(), {Outcome::Stuck, Outcome::Timeout});
+  const StateFile file(common.output, identity(campaign, arguments));
+  options.known = file.load(common.campaign.existing);
+  const InterruptGuard guard;
+  const auto progress = make_terminal_progress(common.campaign.quiet);
+  progress->start("Searching", options.runs);
+  options.interrupted = InterruptGuard::raised;
+  options.save = [&](const SearchState& state) {
+    file.save(state);
+    progress->advance(state.runs());
+  };
+  const SearchResult result = search(campaign.bench, options);
+  progress->finish();
+  if (!result.complete)
+    throw Interrupted(std::to_string(result.state.runs()) +
+                      " runs are kept; the same command continues");
+  std::vector<Failure> failures = shrink_found(result, campaign, common);
+  name_failures(failures, common.method);
+  write_failures(failures, campaign, common.output, search_json(arguments, result));
+  std::cout << search_text(result);
+  for (const Failure& failure : failures)
+    std::cout << "\n" << failure_text(failure, campaign.bench);
+  if (!failures.empty())
+    std::cout << "\nshow one  " << show_command(failures[0], campaign.bench, common.output) << "\n";
+}
+
+}  // namespace
+
+void define_search(CLI::App& app) {
+  static SearchArguments arguments;
+  CampaignArguments& campaign = arguments.common.campaign;
+  CLI::App* verb = app.add_subcommand(
+      "search",
+      "Search scenarios in which the method fails and a witness reaches the goal; the "
+      "same command continues a search that was interrupted");
+  add_argument(*verb, {"config", "-c,--config", "The campaign's .ini"}, campaign.config);
+  verb->add_option("--method", arguments.common.method, "The method that is tested")->required();
+  add_falsify_options(*verb, arguments.common);
+  verb->add_option("--against", arguments.against,
+                   "The only witness: a method, or a library (.so) with an earlier version of a "
+                   "compiled method and the same parameters")
+      ->excludes("--witness");
+  verb->add_flag("--all-outcomes", arguments.all_outcomes,
+                 "Also stuck and timeout are failures, which are frequent");
+  verb->add_option("--failures", arguments.search.max_failures,
+                   "End after the round in which so many failures were found")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  CLI::Option* runs =
+      verb->add_option("--runs", arguments.runs, "Budget: runs of the method (default 10000)")
+          ->check(CLI::PositiveNumber);
+  verb->add_option("--minutes", arguments.search.minutes, "Budget: wall-clock time")
+      ->check(CLI::PositiveNumber)
+      ->excludes(runs);
+  verb->add_option("--seed", campaign.seed, "Seed instead of [campaign] seed");
+  verb->add_option("-j,--jobs", campaign.jobs, "Worker processes")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  add_existing_options(*verb, campaign.existing, campaign.take_over);
+  verb->callback([] { search_verb(arguments); });
+}
+
+}  // namespace slalom

@@ -1,0 +1,101 @@
+#include "failure_files.h"
+#include "verbs.h"
+
+#include <slalom/app/interrupt.h>
+#include <slalom/app/program.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/io/find_run.h>
+#include <slalom/io/scenario_yaml.h>
+
+#include <iostream>
+
+namespace slalom {
+namespace {
+
+struct ShrinkArguments {
+  FalsifyArguments common;
+  std::string input, run;
+};
+
+/// What is to be shrunk.
+struct ShrinkInput {
+  IniFile ini;
+  Scenario scenario;
+  std::string origin;
+  int repetition = 0;
+  std::optional<RunRecord> recorded;
+};
+
+IniFile ini_of(const ResultFile& file, const FalsifyArguments& arguments) {
+  if (!arguments.campaign.config.empty()) return load_campaign_ini(arguments.campaign);
+  IniFile ini = IniFile::from_text(file.read_manifest()["campaign.ini"], file.path());
+  for (const std::string& assignment : arguments.campaign.overrides) ini.override_key(assignment);
+  return ini;
+}
+
+ShrinkInput input_of_run(ShrinkArguments& arguments) {
+  const ResultFile file = ResultFile::open(arguments.input);
+  const RunRecord run = find_run(file, arguments.run);
+  std::string& method = arguments.common.method;
+  if (!method.empty() && method != run.method)
+    throw usage_error("--method " + method, "is not the method of run " + run_id(run), run.method);
+  method = run.method;
+  return {ini_of(file, arguments.common), file.read_scenario(run.scenario_hash),
+          "run " + run_id(run) + " of " + arguments.input, run.repetition, run};
+}
+
+ShrinkInput read_input(ShrinkArguments& arguments) {
+  if (!arguments.run.empty()) return input_of_run(arguments);
+  if (ends_with(arguments.input, ".results"))
+    throw usage_error(arguments.input, "no run is named", "--run ID, as in reports");
+  if (arguments.common.campaign.config.empty())
+    throw usage_error(arguments.input, "no campaign is named", "-c campaign.ini");
+  if (arguments.common.method.empty())
+    throw usage_error(arguments.input, "no method is named", "--method NAME");
+  return {load_campaign_ini(arguments.common.campaign), load_scenario_yaml(arguments.input),
+          "scenario " + arguments.input, 0, std::nullopt};
+}
+
+void shrink_verb(ShrinkArguments& arguments) {
+  const ShrinkInput input = read_input(arguments);
+  const FalsifyArguments& common = arguments.common;
+  refuse_output_over_inputs(common.output, input.ini);
+  FalsifyCampaign campaign = read_falsify_campaign(input.ini, common);
+  campaign.bench.repetition = input.repetition;
+  const InterruptGuard guard;
+  ShrinkOptions options{common.fairness, common.max_runs, InterruptGuard::raised};
+  auto small = shrink(campaign.bench, input.scenario, options);
+  if (!small) throw Interrupted("nothing was written");
+  std::vector<Failure> failures = {{input.origin, input.scenario, std::move(*small)}};
+  name_failures(failures, common.method);
+  write_failures(failures, campaign, common.output);
+  std::cout << failure_text(failures[0], campaign.bench) << "  show it    "
+            << show_command(failures[0], campaign.bench, common.output) << "\n";
+  const Trial& trial = failures[0].small.trial;
+  if (input.recorded && input.recorded->outcome != to_string(trial.outcome))
+    throw job_error(input.origin,
+                    "ended as " + input.recorded->outcome + ", now as " + to_string(trial.outcome),
+                    "the method with which it was recorded");
+  if (!failures[0].small.fairness.fair())
+    throw job_error(failures[0].small.scenario.name(),
+                    "not fair: " + join(failures[0].small.fairness.violations, "; "));
+}
+
+}  // namespace
+
+void define_shrink(CLI::App& app) {
+  static ShrinkArguments arguments;
+  CLI::App* verb = app.add_subcommand(
+      "shrink", "Shrink a failure to the smallest scenario in which the method fails alike");
+  verb->add_option("input", arguments.input, "A result file (.results) or a .scenario.yaml")
+      ->required();
+  verb->add_option("--run", arguments.run, "The run of the result file: HASH8/METHOD/REPETITION");
+  verb->add_option("-c,--config", arguments.common.campaign.config,
+                   "The campaign's .ini; default: that in the result file");
+  verb->add_option("--method", arguments.common.method, "The method; default: that of the run");
+  add_falsify_options(*verb, arguments.common);
+  verb->callback([] { shrink_verb(arguments); });
+}
+
+}  // namespace slalom

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <slalom/falsification/fairness.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// The two halves of a search. Only of the random one, whose scenarios are drawn independently of
+/// all results, follows a bound of the probability of failures.
+enum class SearchHalf {
+  Random,   ///< scenarios of the mix
+  Adaptive  ///< changed scenarios in which the method came close to obstacles, or probed ones
+};
+constexpr auto enum_names(SearchHalf) {
+  return std::array{"random", "adaptive"};
+}
+
+/// A fair failure, except for its repetition.
+struct FoundFailure {
+  SearchHalf half = SearchHalf::Random;
+  std::uint64_t index = 0;  ///< of the candidate in its half
+  Scenario scenario;
+  Trial trial;
+};
+
+/// What was done in one half.
+struct SearchTally {
+  std::size_t runs = 0;  ///< of the method, each in a scenario that meets the geometric conditions
+  std::size_t failures = 0;  ///< with one of the outcomes searched for, where a witness arrives
+  std::size_t unsolved = 0;  ///< the same, but no witness arrives: they do not count
+  std::map<std::string, std::size_t> outcomes;  ///< runs by outcome
+
+  /// Upper limit (95 %) of the probability of a failure, if there was none: 3 / runs (rule of
+  /// three: Hanley and Lippman-Hand, "If nothing goes wrong, is everything all right?", JAMA 1983).
+  double rule_of_three() const { return 3.0 / static_cast<double>(runs); }
+};
+
+/// Where a search was interrupted: at the end of a round.
+struct SearchState {
+  std::uint64_t rounds = 0;
+  SearchTally random, adaptive;
+  std::vector<FoundFailure> failures;  ///< in the order of their candidates
+  struct CloseCall {
+    Scenario scenario;
+    double clearance = 0;  ///< m, of a run that reached the goal
+  };
+  std::vector<CloseCall> close_calls;  ///< by clearance; parents of adaptive candidates
+
+  std::size_t runs() const { return random.runs + adaptive.runs; }
+};
+
+std::string to_bytes(const SearchState& state);
+/// Throws Error (File) at `where` for malformed bytes.
+SearchState search_state_from_bytes(const std::string& bytes, const std::string& where);
+
+struct SearchOptions {
+  std::uint64_t seed = 1;
+  std::size_t runs = 10000;       ///< of the method, in both halves; 0: unlimited
+  double minutes = 0;             ///< wall-clock time; 0: unlimited
+  std::size_t max_failures = 10;  ///< the search ends after the round in which so many were found
+  int workers = 1;                ///< processes; with a budget in runs, results do not depend on it
+  FairnessOptions fairness;
+  std::vector<Outcome> outcomes;  ///< that count as failures
+  SearchState known = {};         ///< continues this search
+  /// Called after each round.
+  std::function<void(const SearchState&)> save = {};
+  std::function<bool()> interrupted = {};  ///< polled; the search then ends with the last round
+};
+
+/// Collisions, leaving the workspace, and failures of the method itself: what is severe and rare.
+std::vector<Outcome> severe_outcomes();
+
+struct SearchResult {
+  SearchState state;
+  bool complete = false;  ///< false when interrupted
+  std::string stopped;    ///< why the search ended
+};
+
+/// Searches scenarios in which the method of the bench fails although a witness reaches the goal.
+/// Half of the runs are in scenarios drawn at random from a CandidateMix, half in changed ones
+/// (mutate()) of those in which the robot came closest to obstacles. Runs are in batches, each in a
+/// worker process; when the method crashes, that run is a failure, and the rest of the batch is
+/// executed in another process. Throws Error (Usage) if there is no budget.
+SearchResult search(const TestBench& bench, const SearchOptions& options);
+
+}  // namespace slalom

@@ -1,0 +1,165 @@
+#include "search_batch.h"
+
+#include <slalom/core/error.h>
+#include <slalom/io/scenario_list.h>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+constexpr std::uint64_t kBatch = 100;  // candidates
+constexpr std::uint64_t kRound = 400;  // candidates of each half
+constexpr std::size_t kMaxCloseCalls = 64;
+
+SearchTally& tally_of(SearchState& state, SearchHalf half) {
+  return half == SearchHalf::Random ? state.random : state.adaptive;
+}
+
+/// Executes the batches of one round.
+class SearchRound {
+ public:
+  SearchRound(const TestBench& bench, const SearchOptions& options, SearchState& state)
+      : bench_(bench), options_(options), state_(state), runner_(bench, options) {
+    runner_.set_parents(state.close_calls);
+  }
+
+  /// False when interrupted; the state is then as before.
+  bool execute() {
+    for (const SearchHalf half : enum_values<SearchHalf>()) {
+      const std::uint64_t begin = tally_of(state_, half).runs, end = begin + candidates();
+      for (std::uint64_t i = begin; i < end; i += kBatch)
+        batches_.push_back({half, i, std::min(i + kBatch, end)});
+    }
+    while (!batches_.empty())
+      if (!execute_batches()) return false;
+    finish();
+    return true;
+  }
+
+ private:
+  struct Found {
+    SearchHalf half;
+    CandidateRun run;
+  };
+
+  /// Of each half, within the budget.
+  std::uint64_t candidates() const {
+    if (options_.runs == 0) return kRound;
+    return std::min<std::uint64_t>(kRound, (options_.runs - state_.runs() + 1) / 2);
+  }
+
+  /// Batches whose process died continue after the run in which it did.
+  bool execute_batches() {
+    const std::vector<SearchBatch> batches = std::move(batches_);
+    batches_.clear();
+    const WorkItem item = [&](std::size_t i, SharedTaskLog& log) -> std::string {
+      runner_.execute(batches[i], log);
+      return log.contents();
+    };
+    const auto receive = [&](std::size_t i, WorkResult&& result) {
+      const bool done = result.status == WorkResult::Status::Done;
+      std::vector<CandidateRun> runs = read_batch_log(done ? result.payload : result.log);
+      if (!done) continue_after_death(batches[i], runs, result);
+      for (CandidateRun& run : runs) found_.push_back({batches[i].half, std::move(run)});
+    };
+    PoolOptions pool = pool_of_trials(bench_);
+    pool.workers = options_.workers;
+    return run_in_workers(batches.size(), pool, item, receive, options_.interrupted);
+  }
+
+  void continue_after_death(const SearchBatch& batch, std::vector<CandidateRun>& runs,
+                            const WorkResult& result) {
+    const Trial dead = trial_of_dead_process(result);
+    if (runs.empty() || runs.back().complete)
+      throw job_error("search", "a worker process died between two runs: " + result.detail);
+    CandidateRun& last = runs.back();
+    last.trial = dead;
+    last.witnessed = runner_.is_failure(dead.outcome) && has_witness_alone(last);
+    if (last.index + 1 < batch.end) batches_.push_back({batch.half, last.index + 1, batch.end});
+  }
+
+  bool has_witness_alone(const CandidateRun& run) const {
+    const Scenario scenario = deserialize_scenario(run.scenario, "search");
+    for (std::size_t i = 1; i <= bench_.witnesses.size(); ++i)
+      if (run_alone(bench_, scenario, i).outcome == Outcome::Success) return true;
+    return false;
+  }
+
+  /// Adds the runs of the round to the state, in an order that does not depend on processes.
+  void finish() {
+    std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+      return std::make_pair(a.half, a.run.index) < std::make_pair(b.half, b.run.index);
+    });
+    for (const Found& found : found_) add(found.half, found.run);
+    ++state_.rounds;
+  }
+
+  void add(SearchHalf half, const CandidateRun& run) {
+    SearchTally& tally = tally_of(state_, half);
+    ++tally.runs;
+    ++tally.outcomes[to_string(run.trial.outcome)];
+    if (run.trial.outcome == Outcome::Success) {
+      if (half == SearchHalf::Random) add_close_call(run);
+    } else if (runner_.is_failure(run.trial.outcome)) {
+      const bool counts = run.witnessed || !options_.fairness.witness;
+      ++(counts ? tally.failures : tally.unsolved);
+      if (counts && state_.failures.size() < options_.max_failures)
+        state_.failures.push_back(
+            {half, run.index, deserialize_scenario(run.scenario, "search"), run.trial});
+    }
+  }
+
+  void add_close_call(const CandidateRun& run) {
+    auto& calls = state_.close_calls;
+    if (calls.size() >= kMaxCloseCalls && run.trial.clearance >= calls.back().clearance) return;
+    calls.push_back({deserialize_scenario(run.scenario, "search"), run.trial.clearance});
+    std::stable_sort(calls.begin(), calls.end(),
+                     [](const auto& a, const auto& b) { return a.clearance < b.clearance; });
+    if (calls.size() > kMaxCloseCalls) calls.pop_back();
+  }
+
+  const TestBench& bench_;
+  const SearchOptions& options_;
+  SearchState& state_;
+  BatchRunner runner_;
+  std::vector<SearchBatch> batches_;
+  std::vector<Found> found_;
+};
+
+std::string limit_reached(const SearchState& state, const SearchOptions& options, double began) {
+  if (state.failures.size() >= options.max_failures)
+    return std::to_string(state.failures.size()) + " failures were found";
+  if (options.runs > 0 && state.runs() >= options.runs)
+    return std::to_string(state.runs()) + " runs were made";
+  if (options.minutes > 0 && steady_seconds() - began >= 60 * options.minutes)
+    return "the time is over";
+  return "";
+}
+
+}  // namespace
+
+std::vector<Outcome> severe_outcomes() {
+  return {Outcome::Collision,      Outcome::LeftWorkspace,        Outcome::MethodCrash,
+          Outcome::MethodDeadline, Outcome::MethodInvalidCommand, Outcome::MethodError};
+}
+
+SearchResult search(const TestBench& bench, const SearchOptions& options) {
+  if (options.runs == 0 && options.minutes <= 0)
+    throw usage_error("search", "no budget", "a number of runs or of minutes");
+  const double began = steady_seconds();
+  SearchResult result;
+  result.state = options.known;
+  while ((result.stopped = limit_reached(result.state, options, began)).empty()) {
+    SearchRound round(bench, options, result.state);
+    if (!round.execute()) {
+      result.stopped = "interrupted";
+      return result;
+    }
+    if (options.save) options.save(result.state);
+  }
+  result.complete = true;
+  return result;
+}
+
+}  // namespace slalom

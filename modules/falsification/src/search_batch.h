@@ -1,0 +1,54 @@
+#pragma once
+
+#include "contained_trials.h"
+
+#include <slalom/falsification/candidates.h>
+#include <slalom/falsification/search.h>
+
+#include <vector>
+
+namespace slalom {
+
+/// Consecutive candidates of one half, executed in one process.
+struct SearchBatch {
+  SearchHalf half = SearchHalf::Random;
+  std::uint64_t begin = 0, end = 0;  ///< indexes
+};
+
+/// A candidate that was run.
+struct CandidateRun {
+  std::uint64_t index = 0;
+  std::string scenario;  ///< serialized
+  Trial trial;
+  bool complete = false;   ///< false: the process died during this run
+  bool witnessed = false;  ///< a witness reaches the goal; only of failures
+};
+
+/// Draws and runs the candidates of batches. A worker process has a copy of its own.
+class BatchRunner {
+ public:
+  BatchRunner(const TestBench& bench, const SearchOptions& options);
+
+  /// Adaptive candidates are changed ones of these; the reference must remain valid.
+  void set_parents(const std::vector<SearchState::CloseCall>& parents) { parents_ = &parents; }
+  /// Logs the beginning and the end of each run.
+  void execute(const SearchBatch& batch, SharedTaskLog& log);
+
+  bool is_failure(Outcome outcome) const;
+
+ private:
+  std::unique_ptr<World> draw(SearchHalf half, std::uint64_t index) const;
+  std::unique_ptr<World> draw_changed(std::uint64_t index) const;
+  bool has_witness(const World& world);
+
+  const TestBench& bench_;
+  const SearchOptions& options_;
+  CandidateMix mix_;
+  BenchMethods methods_;
+  const std::vector<SearchState::CloseCall>* parents_ = nullptr;
+};
+
+/// The runs in the log of a batch.
+std::vector<CandidateRun> read_batch_log(const std::string& log);
+
+}  // namespace slalom

@@ -1,0 +1,164 @@
+#include "program_run.h"
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr char kCampaign[] = R"([campaign]
+name    = planted
+seed    = 1
+methods = squeeze, base
+[scenarios]
+generator = random
+[simulation]
+max_time = 40
+[method.squeeze]
+adapter = library
+plugin  = )" PLANTED_PLUGIN R"(
+defect  = squeeze
+[method.base]
+adapter = library
+plugin  = )" PLANTED_PLUGIN "\n";
+
+/// A wall with a door that triggers the defect, and obstacles that do not matter.
+constexpr char kPassage[] = R"(name: "passage"
+representation: continuous
+bounds: [0, 0, 10, 10]
+start: [1.53, 5, 0.02]
+goal: [8.47, 5]
+discs:
+  - [1.3, 8.7, 0.21]
+  - [2.8, 8.7, 0.21]
+  - [7.1, 8.7, 0.21]
+  - [2.2, 1.3, 0.3]
+polygons:
+  - [[4.9, 0.5], [5.12, 0.5], [5.12, 4.45], [4.9, 4.45]]
+  - [[4.9, 5.55], [5.12, 5.55], [5.12, 9.5], [4.9, 9.5]]
+)";
+
+class Falsify : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("planted.ini", kCampaign);
+    write("passage.scenario.yaml", kPassage);
+  }
+  Json failures(const std::string& folder) const {
+    return Json::parse(read(folder + "/failures.json"));
+  }
+};
+
+constexpr char kShrink[] =
+    "slalom-falsify shrink passage.scenario.yaml -c planted.ini --method squeeze -o out";
+
+TEST_F(Falsify, ShrinkWritesTheSmallestScenarioItsProofAndACampaignThatRepeatsIt) {
+  const ProgramResult result = run(kShrink);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("squeeze_collision_1: squeeze ends as collision"), std::string::npos);
+  EXPECT_NE(result.out.find("base reaches the goal, repeated bit for bit"), std::string::npos);
+  const Json failure = failures("out").at("failures").at(0);
+  EXPECT_EQ(failure["shrinking"]["parts_before"], 6);
+  EXPECT_LE(failure["shrinking"]["parts_after"], 3);
+  EXPECT_EQ(failure["shrinking"]["minimal"], true);
+  EXPECT_EQ(failure["shrinking"]["removals"].size(), failure["shrinking"]["parts_after"]);
+  EXPECT_EQ(failure["fairness"]["fair"], true);
+  EXPECT_EQ(failure["fairness"]["witness"], "base");
+  EXPECT_TRUE(failure["descriptors"].contains("density"));
+  EXPECT_NE(read("out/squeeze_collision_1.svg").find("<svg"), std::string::npos);
+  EXPECT_NE(read("out/squeeze_collision_1.scenario.yaml").find("polygons"), std::string::npos);
+  ASSERT_EQ(run("slalom-evaluate out/failures.ini -o check --quiet").status, 0);
+  const std::string runs = run("slalom-analyze dump check/runs.results").out;
+  EXPECT_NE(runs.find(R"("method":"base","metrics")"), std::string::npos);
+  EXPECT_NE(runs.find(R"("outcome":"collision")"), std::string::npos);
+  EXPECT_NE(runs.find(R"("outcome":"success")"), std::string::npos);
+  EXPECT_NE(runs.find(failure["trajectory"].get<std::string>()), std::string::npos);
+}
+
+TEST_F(Falsify, ShrinksARunOfAResultFile) {
+  ASSERT_EQ(run("slalom-scenarios import passage.scenario.yaml -o passage.scenarios").status, 0);
+  ASSERT_EQ(run("slalom-simulate run -c planted.ini --scenarios passage.scenarios -o runs.results "
+                "--quiet")
+                .status,
+            0);
+  const std::string dump = run("slalom-analyze dump runs.results").out;
+  const std::string hash = Json::parse(dump.substr(0, dump.find('\n')))["scenario"]["hash"];
+  const std::string id = hash.substr(0, 8) + "/squeeze/0";
+  const ProgramResult result = run("slalom-falsify shrink runs.results --run " + id + " -o out");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("run " + id + " of runs.results"), std::string::npos);
+  // The same scenario as from the file with the scenario.
+  const std::string shrunk = failures("out")["failures"][0]["scenario"];
+  ASSERT_EQ(run(kShrink).status, 0);
+  EXPECT_EQ(failures("out")["failures"][0]["scenario"], shrunk);
+  expect_failure("slalom-falsify shrink runs.results --run " + hash.substr(0, 8) + "/base/0 -o out",
+                 1, {"base reaches the goal"});
+  expect_failure("slalom-falsify shrink runs.results --run 01234567/base/0 -o out", 2,
+                 {"no such run"});
+  expect_failure("slalom-falsify shrink runs.results -o out", 2, {"no run is named", "--run ID"});
+}
+
+TEST_F(Falsify, SearchFindsShrinksAndReportsFailuresTheSameForAnyNumberOfWorkers) {
+  const std::string search =
+      "slalom-falsify search planted.ini --method squeeze --runs 200 --failures 2 --quiet ";
+  const ProgramResult one = run(search + "-o one -j 1");
+  ASSERT_EQ(one.status, 0) << one.err;
+  ASSERT_EQ(run(search + "-o two -j 2").status, 0);
+  const Json found = failures("one");
+  EXPECT_GE(found["failures"].size(), 1U);
+  EXPECT_EQ(found["search"]["random"]["runs"], 100);
+  EXPECT_EQ(found["search"]["adaptive"]["runs"], 100);
+  for (const Json& failure : found["failures"]) {
+    EXPECT_EQ(failure["fairness"]["fair"], true);
+    EXPECT_LE(failure["shrinking"]["parts_after"], 4);
+  }
+  Json other = failures("two");
+  for (std::size_t i = 0; i < found["failures"].size(); ++i)
+    EXPECT_EQ(other["failures"][i]["scenario"], found["failures"][i]["scenario"]);
+  EXPECT_EQ(other["search"], found["search"]);
+  expect_failure(search + "--seed 2 -o one", 2, {"other settings", "--overwrite"});
+}
+
+TEST_F(Falsify, NothingFoundIsABoundAndNotAProofOfSafety) {
+  // The method without defect against itself: no failure has a witness.
+  write("same.ini", read("planted.ini") +
+                        "[method.twin]\nadapter = library\nplugin = " + PLANTED_PLUGIN + "\n");
+  const ProgramResult result =
+      run("slalom-falsify search same.ini --method base --against twin --runs 60 -o out --quiet");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("0 of 30: with 95 % confidence"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("at most 0.1 of such scenarios"), std::string::npos) << result.out;
+  EXPECT_TRUE(failures("out")["failures"].empty());
+}
+
+TEST_F(Falsify, AnEarlierVersionOfTheLibraryIsAWitness) {
+  const ProgramResult result =
+      run("slalom-falsify search planted.ini --method base --against " PLANTED_PLUGIN
+          " --runs 20 -o out --quiet");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(read("out/failures.ini").find("[method.reference]"), std::string::npos);
+}
+
+TEST_F(Falsify, ReportsWrongArguments) {
+  expect_failure("slalom-falsify search planted.ini --method squeze --runs 10 -o out", 2,
+                 {"--method squeze", "'squeeze'"});
+  expect_failure("slalom-falsify search planted.ini --method squeeze --witness bas -o out", 2,
+                 {"--witness bas", "'base'"});
+  expect_failure("slalom-falsify search planted.ini --method squeeze --witness squeeze -o out", 2,
+                 {"is the method that is tested"});
+  expect_failure("slalom-falsify search missing.ini --method squeeze -o out", 3, {"missing.ini"});
+  expect_failure("slalom-falsify search planted.ini --method squeeze -o out --resume", 2,
+                 {"no search to continue"});
+  expect_failure("slalom-falsify shrink passage.scenario.yaml --method squeeze -o out", 2,
+                 {"no campaign is named", "-c campaign.ini"});
+  expect_failure(
+      "slalom-falsify shrink missing.scenario.yaml -c planted.ini --method squeeze -o out", 3,
+      {"missing.scenario.yaml"});
+  expect_failure("slalom-falsify shrink passage.scenario.yaml -c planted.ini --method base -o out",
+                 1, {"base reaches the goal"});
+}
+
+}  // namespace
+}  // namespace slalom

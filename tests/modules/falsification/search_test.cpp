@@ -1,0 +1,148 @@
+#include "error_text.h"
+#include "planted_methods.h"
+
+#include <slalom/core/distance.h>
+#include <slalom/falsification/candidates.h>
+#include <slalom/falsification/search.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+SearchOptions options_of(std::size_t runs) {
+  SearchOptions options;
+  options.runs = runs;
+  options.max_failures = 1000;
+  options.outcomes = severe_outcomes();
+  options.workers = 2;
+  return options;
+}
+
+Outcome outcome_here(const Scenario& scenario, const TestBench& bench, const NamedMethod& method) {
+  const auto made = method.make(bench.setup.robot, bench.setup.sensor);
+  return run_trial(World(scenario, bench.setup.simulation.resolution), bench, *made).outcome;
+}
+
+TEST(Candidates, MicroWorldsAreSmallWithOneToSixObstaclesAboutAStraightTask) {
+  RandomEngine engine(3);
+  for (int i = 0; i < 300; ++i) {
+    const Scenario world = draw_micro_world(engine, 2);
+    EXPECT_EQ(world.bounds().width(), 12);
+    const Primitives& obstacles = world.primitives();
+    const std::size_t count = obstacles.discs.size() + obstacles.polygons.size();
+    EXPECT_GE(count, 1U);
+    EXPECT_LE(count, 6U);
+    const double distance = distance_between(world.goal(), world.start());
+    EXPECT_GE(distance, 6 - 1e-9);
+    EXPECT_LE(distance, 9.2);
+    for (const Disc& disc : obstacles.discs) {
+      EXPECT_GE(disc.radius, 0.06 - 1e-9);
+      EXPECT_LE(disc.radius, 1);
+    }
+  }
+}
+
+TEST(Candidates, AreFairAndDependOnSeedAndIndexOnly) {
+  const TestBench bench = planted_bench("none");
+  const CandidateMix mix(bench.setup.robot);
+  std::set<std::string> hashes;
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    const auto world = draw_fair_world(mix, bench, {}, 7, index);
+    EXPECT_EQ(judge_geometry(*world, bench.setup.robot, {}).violation, "");
+    EXPECT_EQ(draw_fair_world(mix, bench, {}, 7, index)->scenario().hash(),
+              world->scenario().hash());
+    hashes.insert(world->scenario().hash());
+  }
+  EXPECT_EQ(hashes.size(), 20U);
+  FairnessOptions impossible;
+  impossible.min_bottleneck = 1000;
+  EXPECT_TRUE(throws_error(ErrorKind::Job, "search", {"geometric conditions"},
+                           [&] { draw_fair_world(mix, bench, impossible, 7, 0); }));
+}
+
+TEST(Search, FindsScenariosInWhichThePlantedDefectCollides) {
+  const TestBench bench = planted_bench("squeeze");
+  const SearchResult result = search(bench, options_of(300));
+  ASSERT_TRUE(result.complete);
+  EXPECT_EQ(result.state.random.runs, 150U);
+  EXPECT_EQ(result.state.adaptive.runs, 150U);
+  ASSERT_GE(result.state.failures.size(), 1U);
+  EXPECT_EQ(result.state.failures.size(),
+            result.state.random.failures + result.state.adaptive.failures);
+  for (const FoundFailure& found : result.state.failures) {
+    EXPECT_EQ(outcome_here(found.scenario, bench, bench.method), found.trial.outcome);
+    EXPECT_EQ(outcome_here(found.scenario, bench, bench.witnesses[0]), Outcome::Success);
+    EXPECT_EQ(judge_geometry(World(found.scenario, 0.05), bench.setup.robot, {}).violation, "");
+  }
+}
+
+TEST(Search, ResultsDoNotDependOnTheWorkers) {
+  const TestBench bench = planted_bench("crash");
+  SearchOptions options = options_of(120);
+  const std::string two = to_bytes(search(bench, options).state);
+  options.workers = 1;
+  EXPECT_EQ(to_bytes(search(bench, options).state), two);
+  options.seed = 2;
+  EXPECT_NE(to_bytes(search(bench, options).state), two);
+}
+
+TEST(Search, AnInterruptedSearchContinues) {
+  const TestBench bench = planted_bench("tie");
+  SearchOptions options = options_of(900);  // two rounds, of 800 and 100 runs
+  const std::string complete = to_bytes(search(bench, options).state);
+  bool stop = false;
+  SearchState saved;
+  options.save = [&](const SearchState& state) {
+    saved = search_state_from_bytes(to_bytes(state), "test");
+    stop = true;
+  };
+  options.interrupted = [&] { return stop; };
+  EXPECT_FALSE(search(bench, options).complete);
+  EXPECT_EQ(saved.runs(), 800U);
+  options.known = saved;
+  options.interrupted = nullptr;
+  const SearchResult continued = search(bench, options);
+  EXPECT_TRUE(continued.complete);
+  EXPECT_EQ(to_bytes(continued.state), complete);
+}
+
+TEST(Search, ACrashIsAFailureAndCostsNoOtherRun) {
+  const SearchResult result = search(planted_bench("crash"), options_of(120));
+  EXPECT_EQ(result.state.runs(), 120U);
+  std::size_t crashes = 0;
+  for (const FoundFailure& found : result.state.failures)
+    crashes += found.trial.outcome == Outcome::MethodCrash ? 1 : 0;
+  EXPECT_GE(crashes, 1U);
+}
+
+TEST(Search, AFailureThatNoWitnessAvoidsIsNone) {
+  TestBench bench = planted_bench("squeeze");
+  bench.witnesses = {planted("squeeze")};
+  const SearchResult result = search(bench, options_of(300));
+  EXPECT_TRUE(result.state.failures.empty());
+  EXPECT_GE(result.state.random.unsolved, 1U);
+  EXPECT_EQ(result.state.random.failures, 0U);
+  EXPECT_DOUBLE_EQ(result.state.random.rule_of_three(), 3.0 / 150);
+}
+
+TEST(Search, EndsWhenEnoughWasFound) {
+  SearchOptions options = options_of(100000);
+  options.max_failures = 1;
+  const SearchResult result = search(planted_bench("squeeze"), options);
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.state.failures.size(), 1U);
+  EXPECT_LT(result.state.runs(), 100000U);
+}
+
+TEST(Search, RefusesAnEmptyBudgetAndMalformedStates) {
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "search", {"no budget", "minutes"},
+                           [] { search(planted_bench("none"), options_of(0)); }));
+  const std::string bytes = to_bytes(search(planted_bench("squeeze"), options_of(200)).state);
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 100)
+    EXPECT_THROW(search_state_from_bytes(bytes.substr(0, size), "state"), Error);
+  EXPECT_THROW(search_state_from_bytes(bytes + "x", "state"), Error);
+}
+
+}  // namespace
+}  // namespace slalom
