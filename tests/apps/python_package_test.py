@@ -95,7 +95,9 @@ class Package(unittest.TestCase):
         for row, trajectory in enumerate(results.trajectories):
             self.assertEqual(trajectory.shape[1], len(slalom.TRAJECTORY_COLUMNS))
             self.assertEqual(tuple(trajectory[0, 1:4]), starts[results["scenario_hash"][row]])
-            self.assertEqual(list(trajectory[:, 0]), sorted(trajectory[:, 0]))
+            for column in ("t", "traveled"):
+                values = list(trajectory[:, slalom.TRAJECTORY_COLUMNS.index(column)])
+                self.assertEqual(values, sorted(values))
             if results["success"][row]:
                 self.assertEqual(results["time_to_goal"][row], trajectory[-1, 0])
 

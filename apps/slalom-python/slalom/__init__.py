@@ -31,7 +31,19 @@ __all__ = [
 ]
 
 #: Columns of the arrays in Results.trajectories.
-TRAJECTORY_COLUMNS = ("t", "x", "y", "phi", "v", "w", "command_v", "command_w", "vy", "command_vy")
+TRAJECTORY_COLUMNS = (
+    "t",
+    "x",
+    "y",
+    "phi",
+    "v",
+    "w",
+    "command_v",
+    "command_w",
+    "vy",
+    "command_vy",
+    "traveled",
+)
 
 
 #: A class, a class and its options, or keys as in an .ini: see docs/methods.md.

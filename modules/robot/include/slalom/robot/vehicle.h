@@ -30,9 +30,8 @@ class Vehicle : public mrpt::kinematics::CVehicleSimulVirtualBase {
   double v() const { return velocity_.v; }
   double w() const { return velocity_.w; }
   double vy() const { return velocity_.vy; }
-  double step_length() const {
-    return step_length_;
-  }  ///< m, driven in the last step, along its arc
+  /// Distance traveled in the last step, along its arc (m).
+  double step_length() const { return step_length_; }
 
  protected:
   const RobotModel& robot() const { return robot_; }
