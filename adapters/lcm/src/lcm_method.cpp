@@ -4,6 +4,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/lcm/lcm_method.h>
+#include <slalom/methods/registry.h>
 
 #include <filesystem>
 #include <iomanip>
@@ -259,8 +260,8 @@ MethodFactory read_lcm_method(const IniFile& ini, const std::string& section,
   options.visit(reader);
   options.name = section.substr(section.find('.') + 1);
   options.folder = std::filesystem::absolute(ini.name()).parent_path().string();
-  for (const std::string& key : ini.keys(section)) options.settings[key] = *ini.get(section, key);
-  for (const std::string& key : reader.known_keys()) options.settings.erase(key);
+  for (const auto& [key, value] : method_parameters(ini, section, reader.known_keys()))
+    options.settings[key] = value;
   return make_factory(options, location_in(ini, section), clock);
 }
 

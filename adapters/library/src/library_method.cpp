@@ -3,6 +3,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
+#include <slalom/methods/registry.h>
 #include <slalom/methods/slalom_method.h>
 
 #include <filesystem>
@@ -200,9 +201,7 @@ MethodFactory read_library_method(const IniFile& ini, const std::string& section
   OptionReader reader(ini, section);
   options.visit(reader);
   options.folder = std::filesystem::path(ini.name()).parent_path().string();
-  for (const std::string& key : ini.keys(section))
-    if (!contains(reader.known_keys(), key))
-      options.parameters.emplace_back(key, *ini.get(section, key));
+  options.parameters = method_parameters(ini, section, reader.known_keys());
   return make_factory(options, location_in(ini, section));
 }
 

@@ -2,7 +2,6 @@
 #include "python_class.h"
 
 #include <slalom/core/error.h>
-#include <slalom/core/text.h>
 #include <slalom/python/python_method.h>
 
 #include <filesystem>
@@ -257,9 +256,7 @@ MethodFactory read_python_method(const IniFile& ini, const std::string& section)
   OptionReader reader(ini, section);
   options.visit(reader);
   options.folder = std::filesystem::path(ini.name()).parent_path().string();
-  for (const std::string& key : ini.keys(section))
-    if (!contains(reader.known_keys(), key))
-      options.parameters.emplace_back(key, *ini.get(section, key));
+  options.parameters = method_parameters(ini, section, reader.known_keys());
   return make_factory(options, location_in(ini, section));
 }
 

@@ -20,6 +20,14 @@ std::string out_of_limits(const std::string& name, double value, double low, dou
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> method_parameters(
+    const IniFile& ini, const std::string& section, const std::vector<std::string>& adapter_keys) {
+  std::vector<std::pair<std::string, std::string>> parameters;
+  for (const std::string& key : ini.keys(section))
+    if (!contains(adapter_keys, key)) parameters.emplace_back(key, *ini.get(section, key));
+  return parameters;
+}
+
 void MethodRegistry::add(const std::string& adapter, MethodReader reader) {
   readers_[adapter] = std::move(reader);
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace slalom {
@@ -31,6 +32,16 @@ MethodRegistry registry_of_two() {
                                    std::initializer_list<std::string> words) {
   const IniFile ini = IniFile::from_text(ini_text, "campaign.ini");
   return throws_error(ErrorKind::Usage, where, words, [&] { registry_of_two().read(ini, "a"); });
+}
+
+TEST(MethodParameters, AreTheKeysThatAreNotOfTheAdapter) {
+  const IniFile ini =
+      IniFile::from_text("[method.a]\nadapter = x\ngain = 2\nplugin = y\nname = z\n");
+  const std::vector<std::pair<std::string, std::string>> expected = {{"gain", "2"}, {"name", "z"}};
+  auto parameters = method_parameters(ini, "method.a", {"adapter", "plugin"});
+  std::sort(parameters.begin(), parameters.end());
+  EXPECT_EQ(parameters, expected);
+  EXPECT_TRUE(method_parameters(ini, "method.none", {}).empty());
 }
 
 TEST(MethodRegistry, ReadsTheMethodOfTheSection) {

@@ -1,5 +1,6 @@
 // Scans, which vectors of rays compute in single precision, against single rays in double
 // precision, from cell to cell.
+#include "one_target.h"
 #include "random_worlds.h"
 
 #include <slalom/scenario/ray_caster.h>
@@ -109,21 +110,6 @@ ScanSetup random_scan(RandomEngine& random, const Occupancy& cells) {
           {uniform_int(random, 0, 1) ? 181 : 9, M_PI, geometry.max_range}};
 }
 
-/// Uses one instruction set while it lives.
-class InstructionSet {
- public:
-  explicit InstructionSet(std::int64_t target) { select(target); }
-  ~InstructionSet() { select(0); }
-  InstructionSet(const InstructionSet&) = delete;
-  InstructionSet& operator=(const InstructionSet&) = delete;
-
- private:
-  static void select(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
-
 /// Those of this machine that the program is compiled for.
 std::vector<std::int64_t> instruction_sets() {
   std::vector<std::int64_t> sets;
@@ -137,7 +123,7 @@ void expect_reference_scans(const Occupancy& cells, const std::vector<ScanSetup>
   for (const ScanSetup& scan : scans)
     expected.push_back(reference_scan(cells, scan.pose, scan.geometry));
   for (const std::int64_t set : instruction_sets()) {
-    const InstructionSet used(set);
+    const testing::OneTarget used(set);
     const RayCaster caster(cells);
     for (std::size_t n = 0; n < scans.size(); ++n) {
       std::vector<float> ranges(expected[n].size(), -1);

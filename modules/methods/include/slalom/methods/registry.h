@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace slalom {
@@ -26,6 +27,11 @@ class MethodRegistry {
  private:
   std::map<std::string, MethodReader> readers_;
 };
+
+/// The keys of a section with their values, except those of the adapter: parameters of the method
+/// itself.
+std::vector<std::pair<std::string, std::string>> method_parameters(
+    const IniFile& ini, const std::string& section, const std::vector<std::string>& adapter_keys);
 
 /// Whether the command is finite and within the robot's limits (with a tolerance of 1e-9);
 /// otherwise `reason` names the violation.
