@@ -55,6 +55,7 @@ std::string identity(const FalsifyCampaign& campaign, const SearchArguments& arg
   hasher.add(fairness.min_bottleneck).add(fairness.min_start_clearance).add(fairness.min_distance);
   hasher.add(std::uint64_t{fairness.witness}).add(std::uint64_t{arguments.all_outcomes});
   hasher.add(std::uint64_t{arguments.search.max_failures});
+  hasher.add(std::uint64_t{!arguments.against.empty()});
   return hasher.hex();
 }
 
@@ -163,6 +164,7 @@ void search_verb(SearchArguments& arguments) {
   options.runs = arguments.runs.value_or(options.minutes > 0 ? 0 : kDefaultRuns);
   options.workers = common.campaign.jobs;
   options.fairness = common.fairness;
+  options.probe = !arguments.against.empty();
   options.outcomes = severe_outcomes();
   if (arguments.all_outcomes)
     options.outcomes.insert(options.outcomes.end(), {Outcome::Stuck, Outcome::Timeout});

@@ -71,11 +71,18 @@ class SearchRound {
   void continue_after_death(const SearchBatch& batch, std::vector<CandidateRun>& runs,
                             const WorkResult& result) {
     const Trial dead = trial_of_dead_process(result);
-    if (runs.empty() || runs.back().complete)
-      throw job_error("search", "a worker process died between two runs: " + result.detail);
+    const bool is_probed = runs.empty() || runs.back().complete;
+    if (is_probed) {
+      if (!options_.probe)
+        throw job_error("search", "a worker process died between two runs: " + result.detail);
+      // In a single step, of which there is no scenario to keep.
+      const std::uint64_t index = runs.empty() ? batch.begin : runs.back().index + 1;
+      runs.emplace_back();
+      runs.back().index = index;
+    }
     CandidateRun& last = runs.back();
     last.trial = dead;
-    last.witnessed = runner_.is_failure(dead.outcome) && has_witness_alone(last);
+    last.witnessed = !is_probed && runner_.is_failure(dead.outcome) && has_witness_alone(last);
     if (last.index + 1 < batch.end) batches_.push_back({batch.half, last.index + 1, batch.end});
   }
 
@@ -102,7 +109,7 @@ class SearchRound {
     if (run.trial.outcome == Outcome::Success) {
       if (half == SearchHalf::Random) add_close_call(run);
     } else if (runner_.is_failure(run.trial.outcome)) {
-      const bool counts = run.witnessed || !options_.fairness.witness;
+      const bool counts = !run.scenario.empty() && (run.witnessed || !options_.fairness.witness);
       ++(counts ? tally.failures : tally.unsolved);
       if (counts && state_.failures.size() < options_.max_failures)
         state_.failures.push_back(
@@ -147,6 +154,8 @@ std::vector<Outcome> severe_outcomes() {
 SearchResult search(const TestBench& bench, const SearchOptions& options) {
   if (options.runs == 0 && options.minutes <= 0)
     throw usage_error("search", "no budget", "a number of runs or of minutes");
+  if (options.probe && bench.witnesses.empty())
+    throw usage_error("search", "no reference to compare single steps with", "a witness");
   const double began = steady_seconds();
   SearchResult result;
   result.state = options.known;

@@ -37,10 +37,13 @@ bool BatchRunner::is_failure(Outcome outcome) const {
          options_.outcomes.end();
 }
 
-std::unique_ptr<World> BatchRunner::draw(SearchHalf half, std::uint64_t index) const {
+std::unique_ptr<World> BatchRunner::draw(SearchHalf half, std::uint64_t index) {
   const std::string label = to_string(half);
-  if (half == SearchHalf::Adaptive && !parents_->empty())
+  if (half == SearchHalf::Adaptive && options_.probe) {
+    if (auto world = draw_probed(index)) return world;
+  } else if (half == SearchHalf::Adaptive && !parents_->empty()) {
     if (auto world = draw_changed(index)) return world;
+  }
   return draw_fair_world(mix_, bench_, options_.fairness, derive_seed(options_.seed, label), index);
 }
 
@@ -58,6 +61,26 @@ std::unique_ptr<World> BatchRunner::draw_changed(std::uint64_t index) const {
       return world;
   }
   return nullptr;
+}
+
+/// Consecutive candidates approach the same difference. None if there is none in a few worlds, or
+/// no fair start.
+std::unique_ptr<World> BatchRunner::draw_probed(std::uint64_t index) {
+  constexpr std::uint64_t kGroup = 10, kWorlds = 5;
+  const std::uint64_t group = index / kGroup;
+  if (!probed_ || probed_->first != group) {
+    probed_.emplace(group, std::nullopt);
+    const std::uint64_t seed = derive_seed(options_.seed, "probed", group);
+    StepProbe probe(bench_, methods_);
+    for (std::uint64_t i = 0; i < kWorlds && !probed_->second; ++i) {
+      RandomEngine engine(derive_seed(seed, "poses", i));
+      probed_->second =
+          probe.find(draw_fair_world(mix_, bench_, options_.fairness, seed, i), engine);
+    }
+  }
+  if (!probed_->second) return nullptr;
+  RandomEngine engine(derive_seed(options_.seed, "approach", index));
+  return approach(*probed_->second, bench_, options_.fairness, engine);
 }
 
 bool BatchRunner::has_witness(const World& world) {

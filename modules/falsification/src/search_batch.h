@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contained_trials.h"
+#include "probing.h"
 
 #include <slalom/falsification/candidates.h>
 #include <slalom/falsification/search.h>
@@ -37,7 +38,8 @@ class BatchRunner {
   bool is_failure(Outcome outcome) const;
 
  private:
-  std::unique_ptr<World> draw(SearchHalf half, std::uint64_t index) const;
+  std::unique_ptr<World> draw(SearchHalf half, std::uint64_t index);
+  std::unique_ptr<World> draw_probed(std::uint64_t index);
   std::unique_ptr<World> draw_changed(std::uint64_t index) const;
   bool has_witness(const World& world);
 
@@ -45,6 +47,8 @@ class BatchRunner {
   const SearchOptions& options_;
   CandidateMix mix_;
   BenchMethods methods_;
+  /// The difference that the last candidates approach, by the number of their group.
+  std::optional<std::pair<std::uint64_t, std::optional<CommandDifference>>> probed_;
   const std::vector<SearchState::CloseCall>* parents_ = nullptr;
 };
 

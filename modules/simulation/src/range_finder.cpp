@@ -1,4 +1,4 @@
-#include "range_finder.h"
+#include <slalom/simulation/range_finder.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
 #include "odometry.h"
 #include "pose_history.h"
-#include "range_finder.h"
 #include "simulated_clock.h"
 #include "termination_checker.h"
 
@@ -8,6 +7,7 @@
 #include <slalom/core/text.h>
 #include <slalom/methods/registry.h>
 #include <slalom/robot/vehicle.h>
+#include <slalom/simulation/range_finder.h>
 #include <slalom/simulation/run_observer.h>
 #include <slalom/simulation/simulate.h>
 

@@ -135,9 +135,46 @@ TEST(Search, EndsWhenEnoughWasFound) {
   EXPECT_LT(result.state.runs(), 100000U);
 }
 
+TEST(Search, ProbingAReferenceFindsARareDefectMoreOften) {
+  // tie: 20 failures in 6,000 random runs. At that rate 800 runs have ten or more with a
+  // probability of less than 0.001; measured by probing: 18.
+  const TestBench bench = planted_bench("tie");
+  SearchOptions options = options_of(1600);
+  options.probe = true;
+  const SearchResult result = search(bench, options);
+  EXPECT_EQ(result.state.adaptive.runs, 800U);
+  EXPECT_GE(result.state.adaptive.failures, 10U);
+  for (const FoundFailure& found : result.state.failures) {
+    EXPECT_EQ(outcome_here(found.scenario, bench, bench.method), found.trial.outcome);
+    EXPECT_EQ(outcome_here(found.scenario, bench, bench.witnesses[0]), Outcome::Success);
+    EXPECT_EQ(judge_geometry(World(found.scenario, 0.05), bench.setup.robot, {}).violation, "");
+  }
+}
+
+TEST(Search, ProbingDoesNotDependOnTheWorkers) {
+  SearchOptions options = options_of(300);  // of each half two batches
+  options.probe = true;
+  const std::string two = to_bytes(search(planted_bench("tie"), options).state);
+  options.workers = 1;
+  EXPECT_EQ(to_bytes(search(planted_bench("tie"), options).state), two);
+}
+
+TEST(Search, ACrashInAProbedStepEndsNeitherTheSearchNorTheBatch) {
+  SearchOptions options = options_of(40);
+  options.probe = true;
+  EXPECT_EQ(search(planted_bench("crash"), options).state.runs(), 40U);
+}
+
 TEST(Search, RefusesAnEmptyBudgetAndMalformedStates) {
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "search", {"no budget", "minutes"},
                            [] { search(planted_bench("none"), options_of(0)); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "search", {"no reference", "a witness"}, [] {
+    TestBench bench = planted_bench("none");
+    bench.witnesses.clear();
+    SearchOptions options = options_of(10);
+    options.probe = true;
+    search(bench, options);
+  }));
   const std::string bytes = to_bytes(search(planted_bench("squeeze"), options_of(200)).state);
   for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 100)
     EXPECT_THROW(search_state_from_bytes(bytes.substr(0, size), "state"), Error);

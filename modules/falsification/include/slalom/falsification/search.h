@@ -65,6 +65,9 @@ struct SearchOptions {
   std::size_t max_failures = 10;  ///< the search ends after the round in which so many were found
   int workers = 1;                ///< processes; with a budget in runs, results do not depend on it
   FairnessOptions fairness;
+  /// The first witness is a reference, such as the method's last version: adaptive candidates start
+  /// near poses in which single steps of both give different commands.
+  bool probe = false;
   std::vector<Outcome> outcomes;  ///< that count as failures
   SearchState known = {};         ///< continues this search
   /// Called after each round.
@@ -83,9 +86,10 @@ struct SearchResult {
 
 /// Searches scenarios in which the method of the bench fails although a witness reaches the goal.
 /// Half of the runs are in scenarios drawn at random from a CandidateMix, half in changed ones
-/// (mutate()) of those in which the robot came closest to obstacles. Runs are in batches, each in a
-/// worker process; when the method crashes, that run is a failure, and the rest of the batch is
-/// executed in another process. Throws Error (Usage) if there is no budget.
+/// (mutate()) of those in which the robot came closest to obstacles, or in probed ones. Runs are in
+/// batches, each in a worker process; when the method crashes, that run is a failure, and the rest
+/// of the batch is executed in another process. Throws Error (Usage) if there is no budget, or
+/// nothing to compare single steps with.
 SearchResult search(const TestBench& bench, const SearchOptions& options);
 
 }  // namespace slalom

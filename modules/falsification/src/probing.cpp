@@ -1,0 +1,97 @@
+#include "probing.h"
+
+#include <slalom/core/error.h>
+#include <slalom/simulation/range_finder.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+
+constexpr int kProbes = 300;  // in one world
+
+TPoint2D draw_point(const Bounds& bounds, RandomEngine& engine) {
+  const double x = uniform_real(engine, bounds.x_min, bounds.x_max);
+  return {x, uniform_real(engine, bounds.y_min, bounds.y_max)};
+}
+
+bool are_same(const Command& a, const Command& b) {
+  constexpr double kTolerance = 1e-9;
+  return std::abs(a.v - b.v) <= kTolerance && std::abs(a.w - b.w) <= kTolerance &&
+         std::abs(a.vy - b.vy) <= kTolerance;
+}
+
+}  // namespace
+
+bool StepProbe::draw(const World& world, RandomEngine& engine, CommandDifference& probe) const {
+  constexpr double kNear = 0.9, kFree = 0.03, kGoalFree = 0.1;  // m
+  const double radius = bench_.setup.robot.shape().enclosing_radius();
+  const TPoint2D at = draw_point(world.scenario().bounds(), engine);
+  const double heading = uniform_real(engine, -M_PI, M_PI);
+  const double bearing = heading + uniform_real(engine, -2, 2);
+  const double distance = uniform_real(engine, 1, 5);
+  probe.pose = {at.x, at.y, heading};
+  probe.goal = at + TPoint2D(std::cos(bearing), std::sin(bearing)) * distance;
+  const double clearance = world.distance_field().clearance(at);
+  return clearance >= radius + kFree && clearance <= kNear + radius &&
+         world.scenario().bounds().contains(probe.goal) &&
+         world.distance_field().clearance(probe.goal) > radius + kGoalFree;
+}
+
+Command StepProbe::command(std::size_t index, const CommandDifference& probe, double speed,
+                           const mrpt::obs::CObservation2DRangeScan& scan) {
+  Method& method = methods_.method(index);
+  const SimulationOptions& simulation = bench_.setup.simulation;
+  method.reset(
+      {probe.pose, probe.goal, simulation.goal_tolerance, simulation.control_period, bench_.seed});
+  Observation observation;
+  observation.odometry = probe.pose;
+  observation.v = speed;
+  observation.goal_in_robot = probe.pose.inverseComposePoint(probe.goal);
+  observation.scan = &scan;
+  return method.step(observation);
+}
+
+std::optional<CommandDifference> StepProbe::find(std::shared_ptr<const World> world,
+                                                 RandomEngine& engine) {
+  RangeFinder sensor(*world, bench_.setup.sensor, bench_.seed);
+  CommandDifference probe{world, {}, {}};
+  for (int i = 0; i < kProbes; ++i) {
+    const bool is_near = draw(*world, engine, probe);
+    const double speed = uniform_real(engine, 0, bench_.setup.robot.max_v);
+    if (!is_near) continue;
+    const auto& scan = sensor.sense(probe.pose, mrpt::Clock::time_point());
+    try {
+      if (!are_same(command(0, probe, speed, scan), command(1, probe, speed, scan))) return probe;
+    } catch (const std::exception&) {
+      return probe;  // a run shows whether it is the method that fails
+    }
+  }
+  return std::nullopt;
+}
+
+std::unique_ptr<World> approach(const CommandDifference& difference, const TestBench& bench,
+                                const FairnessOptions& fairness, RandomEngine& engine) {
+  constexpr int kMaxAttempts = 30;
+  const TPose2D& pose = difference.pose;
+  for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+    const bool is_exact = uniform_int(engine, 0, 1) == 0;
+    const double back = uniform_real(engine, 0, 1.2);
+    const double turn = normal(engine, 0, 0.1), shift = normal(engine, 0, 0.03);
+    const double aside = is_exact ? 0 : shift;
+    const TPose2D start(pose.x - std::cos(pose.phi) * back - std::sin(pose.phi) * aside,
+                        pose.y - std::sin(pose.phi) * back + std::cos(pose.phi) * aside,
+                        pose.phi + (is_exact ? 0 : turn));
+    if (!difference.world->scenario().bounds().contains({start.x, start.y})) continue;
+    auto world = std::make_unique<World>(
+        difference.world->scenario().with_start_goal(start, difference.goal),
+        bench.setup.simulation.resolution);
+    if (judge_geometry(*world, bench.setup.robot, fairness).violation.empty()) return world;
+  }
+  return nullptr;
+}
+
+}  // namespace slalom
