@@ -13,8 +13,8 @@ namespace slalom {
 /// The name of the exact search among the planners.
 constexpr char kExactPlanner[] = "exact";
 
-/// Proven bounds of the length of the shortest path (m): lower_bound <= minimum <= upper_bound. Equal
-/// for a disc that can rotate in place. With a planner whose robot is another one
+/// Proven bounds of the length of the shortest path (m): lower_bound <= minimum <= upper_bound.
+/// Equal for a disc that can rotate in place. With a planner whose robot is another one
 /// (ReferencePlanner::lower_bound()) they are those of its robot.
 struct Certificate {
   double lower_bound = 0;
