@@ -2,11 +2,14 @@
 #include "python_class.h"
 
 #include <slalom/core/error.h>
+#include <slalom/methods/registry.h>
+#include <slalom/python/python_class_method.h>
 #include <slalom/python/python_method.h>
 
 #include <filesystem>
 #include <pybind11/numpy.h>
 #include <system_error>
+#include <unistd.h>
 
 namespace slalom {
 namespace {
