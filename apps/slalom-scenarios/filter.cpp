@@ -1,5 +1,6 @@
 #include "filter.h"
 
+#include <slalom/app/interrupt.h>
 #include <slalom/core/printable.h>
 
 #include <nlohmann/json.hpp>
@@ -45,13 +46,13 @@ void add_order_options(CLI::App& verb, FilterArguments& arguments) {
 
 DescriptorView describe_all(ScenarioList& list, const ListArguments& arguments,
                             const std::vector<std::string>& ids, bool quiet) {
-  return describe_list(list, describe_options(arguments), ids, *make_terminal_progress(quiet));
+  return describe_list(list, describe_options(arguments), ids, *make_interruptible_progress(quiet));
 }
 
 ListSelection select_scenarios(ScenarioList& list, const FilterArguments& arguments) {
   ListSelection selection =
       select_scenarios(list, arguments.selection, describe_options(arguments.list),
-                       *make_terminal_progress(arguments.quiet));
+                       *make_interruptible_progress(arguments.quiet));
   if (!arguments.quiet && arguments.selection.has_condition() && list.count(selection) == 0)
     std::cerr << list.path() << ": no scenario matches " << condition_text(arguments.selection)
               << "\n";

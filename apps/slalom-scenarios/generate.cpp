@@ -1,6 +1,7 @@
 #include "generate.h"
 
 #include <slalom/app/existing_options.h>
+#include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
 #include <slalom/commands/generation_file.h>
 #include <slalom/core/error.h>
@@ -78,7 +79,7 @@ void generate(const GenerateArguments& arguments) {
                       "descriptors in that section");
   const GenerationOptions order = {arguments.seed, arguments.jobs,
                                    split(arguments.descriptors, ',')};
-  const auto progress = make_terminal_progress(arguments.quiet);
+  const auto progress = make_interruptible_progress(arguments.quiet);
   const auto notify = [&](const std::string& line) {
     if (!arguments.quiet) std::cerr << line << std::endl;
   };

@@ -82,7 +82,7 @@ TEST(OmplPlanner, TheSameSeedInTwoProcessesGivesTheSamePath) {
 TEST(OmplPlanner, StopsWithinTheGapOfTheLowerBound) {
   const World world = disc_world();
   const References exact = exact_of(world);
-  OmplOptions options;
+  OmplOptions options = options_of("InformedRRTstar");
   options.gap = 0.05;
   const std::string answer = in_child([&] {
     const auto path = make_ompl_planner(options)->plan(problem_of(world), exact, 3);

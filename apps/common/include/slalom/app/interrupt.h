@@ -1,6 +1,9 @@
 #pragma once
 
+#include <slalom/core/progress.h>
+
 #include <csignal>
+#include <memory>
 
 namespace slalom {
 
@@ -19,5 +22,9 @@ class InterruptGuard {
   struct sigaction old_int_ {};
   struct sigaction old_term_ {};
 };
+
+/// make_terminal_progress() for jobs that the same command continues. During its lifetime, SIGINT
+/// and SIGTERM make its next advance() throw Interrupted, so that transactions and locks are ended.
+std::unique_ptr<Progress> make_interruptible_progress(bool quiet);
 
 }  // namespace slalom

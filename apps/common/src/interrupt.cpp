@@ -1,0 +1,52 @@
+#include <slalom/app/interrupt.h>
+#include <slalom/app/program.h>
+
+namespace slalom {
+namespace {
+
+volatile std::sig_atomic_t interrupt_flag = 0;
+
+void raise_flag(int) {
+  interrupt_flag = 1;
+}
+
+class InterruptibleProgress : public Progress {
+ public:
+  explicit InterruptibleProgress(std::unique_ptr<Progress> shown) : shown_(std::move(shown)) {}
+
+  void start(const std::string& what, std::size_t total) override { shown_->start(what, total); }
+  void advance(std::size_t done) override {
+    if (InterruptGuard::raised()) throw Interrupted("the same command continues");
+    shown_->advance(done);
+  }
+  void finish() override { shown_->finish(); }
+
+ private:
+  InterruptGuard guard_;
+  std::unique_ptr<Progress> shown_;
+};
+
+}  // namespace
+
+InterruptGuard::InterruptGuard() {
+  interrupt_flag = 0;
+  struct sigaction action {};
+  action.sa_handler = raise_flag;
+  sigaction(SIGINT, &action, &old_int_);
+  sigaction(SIGTERM, &action, &old_term_);
+}
+
+InterruptGuard::~InterruptGuard() {
+  sigaction(SIGINT, &old_int_, nullptr);
+  sigaction(SIGTERM, &old_term_, nullptr);
+}
+
+bool InterruptGuard::raised() {
+  return interrupt_flag != 0;
+}
+
+std::unique_ptr<Progress> make_interruptible_progress(bool quiet) {
+  return std::make_unique<InterruptibleProgress>(make_terminal_progress(quiet));
+}
+
+}  // namespace slalom
