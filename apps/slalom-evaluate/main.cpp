@@ -2,6 +2,7 @@
 #include <slalom/analysis/table_text.h>
 #include <slalom/app/campaign_arguments.h>
 #include <slalom/app/campaign_program.h>
+#include <slalom/app/interrupt.h>
 #include <slalom/app/output_folder.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
@@ -68,6 +69,7 @@ void evaluate(const Arguments& arguments) {
     rule = parse_stopping_rule(arguments.until, arguments.max_runs, config.options);
   make_output_folder(arguments.output);
   const std::string results = arguments.output + "/runs.results";
+  const InterruptGuard guard;  // from before the lock, which must not remain
   const FileLock lock(results, arguments.campaign.take_over);
   std::vector<Scenario> scenarios = campaign_scenarios(config, arguments.campaign);
   ResultFile file = open_campaign_results(config, arguments.campaign, scenarios, results, rule);
@@ -78,7 +80,7 @@ void evaluate(const Arguments& arguments) {
     write_file_atomically(arguments.output + "/until.txt", report.until);
     std::cout << report.until << "\n";
   }
-  if (!report.complete)
+  if (!report.complete || InterruptGuard::raised())
     throw Interrupted("finished runs are kept in " + results + "; the same command continues");
   write_tables_and_report(arguments, results, config.analysis.report);
   if (!report.problem.empty()) throw job_error(results, report.problem);

@@ -2,6 +2,7 @@
 
 #include <slalom/app/campaign_arguments.h>
 #include <slalom/app/campaign_program.h>
+#include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/io/file_lock.h>
@@ -27,6 +28,7 @@ void run(const RunArguments& arguments) {
   }
   refuse_output_over_inputs(arguments.output, ini);
   const CampaignConfig config = read_campaign(ini);
+  const InterruptGuard guard;  // from before the lock, which must not remain
   const FileLock lock(arguments.output, arguments.campaign.take_over);
   std::vector<Scenario> scenarios = campaign_scenarios(config, arguments.campaign);
   ResultFile results =

@@ -120,7 +120,7 @@ CampaignConfig read_campaign(const IniFile& ini) {
 std::vector<Scenario> campaign_scenarios(const CampaignConfig& config,
                                          const CampaignArguments& arguments) {
   check_methods({config.options, {}, config.methods});
-  const auto progress = make_terminal_progress(arguments.quiet);
+  const auto progress = make_interruptible_progress(arguments.quiet);
   ScenarioSources sources = config.sources;
   sources.context.jobs = arguments.jobs;
   return collect_scenarios(sources, load_occupancy_grid, *progress);

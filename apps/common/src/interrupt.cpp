@@ -5,6 +5,7 @@ namespace slalom {
 namespace {
 
 volatile std::sig_atomic_t interrupt_flag = 0;
+int guards = 0;
 
 void raise_flag(int) {
   interrupt_flag = 1;
@@ -29,7 +30,7 @@ class InterruptibleProgress : public Progress {
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
-  interrupt_flag = 0;
+  if (guards++ == 0) interrupt_flag = 0;
   struct sigaction action {};
   action.sa_handler = raise_flag;
   sigaction(SIGINT, &action, &old_int_);
@@ -37,6 +38,7 @@ InterruptGuard::InterruptGuard() {
 }
 
 InterruptGuard::~InterruptGuard() {
+  --guards;
   sigaction(SIGINT, &old_int_, nullptr);
   sigaction(SIGTERM, &old_term_, nullptr);
 }

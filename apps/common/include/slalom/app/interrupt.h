@@ -8,7 +8,7 @@
 namespace slalom {
 
 /// During its lifetime, SIGINT and SIGTERM only set a flag, so that a campaign can stop and keep
-/// its state.
+/// its state. In the main thread; an inner guard keeps the flag of the outer one.
 class InterruptGuard {
  public:
   InterruptGuard();
