@@ -122,6 +122,8 @@ class PythonMethod : public Method {
   /// The caller holds the interpreter's lock.
   explicit PythonMethod(const py::object& object)
       : object_(std::make_unique<PythonObject>(object)) {}
+  // Without memory for the lock the process ends.
+  // NOLINTNEXTLINE(bugprone-exception-escape)
   ~PythonMethod() override {
     const py::gil_scoped_acquire lock;
     object_.reset();
@@ -191,6 +193,8 @@ class PythonClass {
  public:
   PythonClass(const py::object& type, const py::object& options, std::string where)
       : type_(type), options_(options), where_(std::move(where)), process_(getpid()) {}
+  // Without memory for the lock the process ends.
+  // NOLINTNEXTLINE(bugprone-exception-escape)
   ~PythonClass() {
     const py::gil_scoped_acquire lock;
     type_ = py::object();

@@ -55,7 +55,7 @@ Command StepProbe::command(std::size_t index, const CommandDifference& probe, do
   return method.step(observation);
 }
 
-std::optional<CommandDifference> StepProbe::find(std::shared_ptr<const World> world,
+std::optional<CommandDifference> StepProbe::find(const std::shared_ptr<const World>& world,
                                                  RandomEngine& engine) {
   RangeFinder sensor(*world, bench_.setup.sensor, bench_.seed);
   CommandDifference probe{world, {}, {}};

@@ -25,7 +25,8 @@ class StepProbe {
   StepProbe(const TestBench& bench, BenchMethods& methods) : bench_(bench), methods_(methods) {}
 
   /// The first difference at the poses that are drawn in this world.
-  std::optional<CommandDifference> find(std::shared_ptr<const World> world, RandomEngine& engine);
+  std::optional<CommandDifference> find(const std::shared_ptr<const World>& world,
+                                        RandomEngine& engine);
 
  private:
   bool draw(const World& world, RandomEngine& engine, CommandDifference& probe) const;
