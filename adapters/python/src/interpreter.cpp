@@ -55,19 +55,19 @@ std::string describe(const pybind11::error_already_set& error) {
   std::string text = py::str(error.type().attr("__name__"));
   const std::string message = py::str(error.value());
   if (!message.empty()) text += ": " + message;
-  std::string places;
+  std::string frames;
   if (error.trace())
     for (const py::handle frame :
          py::module_::import("traceback").attr("extract_tb")(error.trace())) {
       const std::filesystem::path file = py::str(frame.attr("filename")).cast<std::string>();
       if (starts_with(file.string(), "<frozen")) continue;  // of Python itself
-      places += (places.empty() ? "" : ", ") + file.filename().string() + ":" +
+      frames += (frames.empty() ? "" : ", ") + file.filename().string() + ":" +
                 std::string(py::str(frame.attr("lineno"))) + " in " +
                 std::string(py::str(frame.attr("name")));
     }
   for (char& c : text)
     if (c == '\n') c = ' ';
-  return places.empty() ? text : text + " (" + places + ")";
+  return frames.empty() ? text : text + " (" + frames + ")";
 }
 
 }  // namespace slalom
