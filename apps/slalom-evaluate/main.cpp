@@ -66,7 +66,7 @@ void evaluate(const Arguments& arguments) {
   const CampaignConfig config = read_campaign(ini);
   std::optional<StoppingRule> rule;
   if (!arguments.until.empty())
-    rule = parse_stopping_rule(arguments.until, arguments.max_runs, config.options);
+    rule = parse_stopping_rule(arguments.until, arguments.max_runs, config.options, config.methods);
   make_output_folder(arguments.output);
   const std::string results = arguments.output + "/runs.results";
   const InterruptGuard guard;  // from before the lock, which must not remain
@@ -94,8 +94,10 @@ void define(CLI::App& app) {
       ->required();
   add_campaign_options(app, arguments.campaign);
   CLI::Option* until = app.add_option("--until", arguments.until,
-                                      "Run until a required precision is reached: "
-                                      "\"interval(success) < 0.1 in density:10\"");
+                                      "Run until a precision is reached, \"interval(success) < "
+                                      "0.1 in density:10\", or a comparison is decided, "
+                                      "\"compare(success, mine, nd) decided\", \"compare(success, "
+                                      "mine, nd) no worse than 0.02\"");
   app.add_option("--max-runs", arguments.max_runs,
                  "With --until: no further batch after this number of runs")
       ->needs(until);

@@ -15,13 +15,12 @@ class Until : public ProgramTest {
 };
 
 TEST_F(Until, StopsWhenEveryCellHasTheRequiredPrecision) {
-  // At the first look 10 scenarios at 97.5 %: the widest Wilson interval, of 5 in 10, is 0.579.
+  // At the first look 10 scenarios at 97 %: the widest Wilson interval, of 5 in 10, is 0.566.
   const std::string command = "slalom-evaluate small.ini -o out --quiet --set scenarios.count=40 ";
   const ProgramResult result = run(command + "--until 'interval(success) < 0.6'");
   ASSERT_EQ(result.status, 0) << result.err;
-  EXPECT_NE(
-      result.out.find("2 of 2 cells reached after 20 runs and 1 looks: required precision reached"),
-      std::string::npos)
+  EXPECT_NE(result.out.find("2 of 2 cells reached after 20 runs and 1 look: the rule is met"),
+            std::string::npos)
       << result.out;
   EXPECT_EQ(lines(run("slalom-analyze dump out/runs.results").out), 20u);
 }
@@ -38,7 +37,7 @@ TEST_F(Until, ReportsAnExhaustedPool) {
 TEST_F(Until, IsTheSameWithManyWorkersAndAddsRunsOnlyToOpenBins) {
   const std::string command =
       "slalom-evaluate small.ini --quiet --set scenarios.count=60 --until "
-      "'interval(success) < 0.58 in density:3' ";
+      "'interval(success) < 0.55 in density:3' ";
   ASSERT_EQ(run(command + "-o one -j 1").status, 0);
   ASSERT_EQ(run(command + "-o three -j 3").status, 0);
   const std::string dump = run("slalom-analyze dump one/runs.results").out;
@@ -52,9 +51,19 @@ TEST_F(Until, StopsAtTheMaximumNumberOfRuns) {
       run("slalom-evaluate small.ini -o out --quiet --set scenarios.count=40 "
           "--until 'interval(success) < 0.01' --max-runs 20");
   ASSERT_EQ(result.status, 0) << result.err;
-  EXPECT_NE(result.out.find("after 20 runs and 1 looks: maximum number of runs reached"),
+  EXPECT_NE(result.out.find("after 20 runs and 1 look: maximum number of runs reached"),
             std::string::npos)
       << result.out;
+}
+
+TEST_F(Until, StopsWhenAComparisonIsDecidedOrThePoolIsExhausted) {
+  const ProgramResult result =
+      run("slalom-evaluate small.ini -o out --quiet --set scenarios.count=12 "
+          "--until 'compare(success, gap, nd) no worse than 0.9'");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find(" in success: mean advantage "), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.substr(0, result.out.find("\n\n")),
+            read("out/until.txt").substr(0, result.out.find("\n\n")));
 }
 
 TEST_F(Until, RejectsInvalidRules) {
@@ -67,6 +76,8 @@ TEST_F(Until, RejectsInvalidRules) {
                  {"--until 'density'", "density:q4"});
   expect_failure(command + "--until 'interval(success) < 0.1 in density:@by_density'", 2,
                  {"--until", "@by_density"});
+  expect_failure(command + "--until 'compare(success, gap, dn) decided'", 2, {"--until", "'dn'"});
+  expect_failure(command + "--until 'compare(success, gap) decided'", 2, {"--until", "compare("});
   expect_failure(command + "--max-runs 5", 2, {"--until"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out")) << "checked before anything is made";
 }

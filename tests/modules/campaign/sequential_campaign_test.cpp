@@ -18,6 +18,19 @@ class Straight : public Method {
   Command step(const Observation&) override { return {1, 0}; }
 };
 
+/// Does not move.
+class Standing : public Method {
+ public:
+  void reset(const NavigationTask&) override {}
+  Command step(const Observation&) override { return {0, 0}; }
+};
+
+template <typename Driver>
+NamedMethod method_named(const std::string& name) {
+  return {name, [](const RobotModel&, const SensorModel&) { return std::make_unique<Driver>(); },
+          ""};
+}
+
 /// Rooms of width 4 m, 4.1 m, ... with the goal 0.5 m ahead.
 std::vector<Scenario> rooms(int count) {
   std::vector<Scenario> scenarios;
@@ -33,21 +46,21 @@ class SequentialCampaign : public testing::Test {
     CampaignOptions options;
     options.metrics = {"success"};
     options.descriptors = {"density"};
+    options.setup.simulation.max_time = 5;
     return options;
   }
 
-  static CampaignRecorder make_recorder(const std::string& path) {
+  static std::vector<NamedMethod> methods() { return {method_named<Straight>("straight")}; }
+
+  static CampaignRecorder make_recorder(const std::string& path,
+                                        const std::vector<NamedMethod>& compared = methods()) {
     return CampaignRecorder(
-        {options(),
-         {},
-         {{"straight",
-           [](const RobotModel&, const SensorModel&) { return std::make_unique<Straight>(); },
-           ""}}},
+        {options(), {}, compared},
         open_results(path, {{kEffectiveKey, ""}}, options(), ExistingResults::Continue));
   }
 
   SequentialReport run(const std::string& rule, std::size_t max_runs, int pool) {
-    const StoppingRule parsed = parse_stopping_rule(rule, max_runs, recorder_.options());
+    const StoppingRule parsed = parse_stopping_rule(rule, max_runs, recorder_.options(), methods());
     return run_until(recorder_, parsed, rooms(pool), 0.95, execution_);
   }
 
@@ -76,7 +89,7 @@ TEST_F(SequentialCampaign, StopsAtTheFirstLookIfThePrecisionIsReached) {
   EXPECT_TRUE(report.complete);
   EXPECT_TRUE(report.reached);
   EXPECT_EQ(recorded_runs(), kFirstBatch);
-  EXPECT_TRUE(mentions(report.text, {"1 of 1 cells reached after 10 runs and 1 looks"}));
+  EXPECT_TRUE(mentions(report.text, {"1 of 1 cells reached after 10 runs and 1 look"}));
 }
 
 TEST_F(SequentialCampaign, TakesHalfAsManyMoreUntilThePoolIsExhausted) {
@@ -98,7 +111,7 @@ TEST_F(SequentialCampaign, ContinuesWithTheSameDecisions) {
   const std::string rule = "interval(success) < 0.0001";
   const SequentialReport undisturbed = run(rule, 0, 15);
   const std::string path = folder_ / "interrupted.results";
-  const StoppingRule parsed = parse_stopping_rule(rule, 0, options());
+  const StoppingRule parsed = parse_stopping_rule(rule, 0, options(), methods());
   {
     int polls = 0;  // ends in one of the batches, or after them
     const Execution interrupted{2, *progress_, [&] { return ++polls > 20; }};
@@ -117,9 +130,9 @@ TEST_F(SequentialCampaign, LooksOnlyAtTheBatchesSoFar) {
   CampaignRecorder continued = make_recorder(path_);
   EXPECT_EQ(continued.known_runs(), 15U);
   const SequentialReport report =
-      run_until(continued, parse_stopping_rule("interval(success) < 2", 0, options()), rooms(15),
-                0.95, execution_);
-  EXPECT_TRUE(mentions(report.text, {"reached after 10 runs and 1 looks"}));
+      run_until(continued, parse_stopping_rule("interval(success) < 2", 0, options(), methods()),
+                rooms(15), 0.95, execution_);
+  EXPECT_TRUE(mentions(report.text, {"reached after 10 runs and 1 look"}));
 }
 
 TEST_F(SequentialCampaign, IsIncompleteIfInterruptedBeforeTheFirstRun) {
@@ -128,12 +141,41 @@ TEST_F(SequentialCampaign, IsIncompleteIfInterruptedBeforeTheFirstRun) {
   EXPECT_EQ(recorded_runs(), 0U);
 }
 
+TEST_F(SequentialCampaign, StopsWhenAComparisonIsDecided) {
+  const std::vector<NamedMethod> both = {method_named<Straight>("straight"),
+                                         method_named<Standing>("standing")};
+  const std::string path = folder_ / "decided.results";
+  CampaignRecorder recorder = make_recorder(path, both);
+  const SequentialReport report = run_until(
+      recorder,
+      parse_stopping_rule("compare(success, standing, straight) decided", 0, options(), both),
+      rooms(100), 0.95, execution_);
+  EXPECT_TRUE(report.reached);
+  EXPECT_TRUE(mentions(report.text, {"standing is worse than straight in success",
+                                     "mean advantage -1.000", "the rule is met"}));
+  const std::size_t runs = read_results(path).size();
+  EXPECT_LT(runs, 2U * 100);
+  EXPECT_EQ(runs % (2 * kFirstBatch), 0U) << "batches of ten scenarios";
+}
+
+TEST_F(SequentialCampaign, RejectsComparisonsOfOtherMethods) {
+  for (const char* rule :
+       {"compare(success, straight, nd) decided", "compare(success, straight, straight) decided",
+        "compare(spl, straight, nd) decided"})
+    EXPECT_TRUE(throws_error(ErrorKind::Usage, "--until", {""}, [&] {
+      parse_stopping_rule(rule, 0, options(), methods());
+    })) << rule;
+}
+
 TEST_F(SequentialCampaign, RejectsRulesWithIdsThatAreNotComputed) {
-  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--until: ", {"'optimality' is not computed"},
-                           [] { parse_stopping_rule("interval(optimality) < 1", 0, options()); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--until: ", {"'optimality' is not computed"}, [] {
+    parse_stopping_rule("interval(optimality) < 1", 0, options(), methods());
+  }));
   EXPECT_TRUE(throws_error(
       ErrorKind::Usage, "--until: ", {"'clearness' is not computed", "expected one of density"},
-      [] { parse_stopping_rule("interval(success) < 1 in clearness:2", 0, options()); }));
+      [] {
+        parse_stopping_rule("interval(success) < 1 in clearness:2", 0, options(), methods());
+      }));
 }
 
 }  // namespace

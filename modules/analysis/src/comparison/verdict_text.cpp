@@ -17,10 +17,6 @@ std::string short_number(double number) {
   return format_fixed(number, digits_of(number));
 }
 
-std::string p_text(double p) {
-  return p < 0.0001 ? "p < 0.0001" : "p = " + format_fixed(p, 4);
-}
-
 std::string statistics_text(const PairedComparison& c) {
   const int digits = digits_of(std::max(std::abs(*c.mean_a), std::abs(*c.mean_b)));
   std::string text = format_fixed(*c.mean_b, digits) + " against " +

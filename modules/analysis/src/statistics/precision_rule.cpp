@@ -34,14 +34,14 @@ PrecisionRule parse_precision_rule(const std::string& text) {
   return rule;
 }
 
-double look_confidence(double confidence, int look) {
-  return 1 - (1 - confidence) / (static_cast<double>(look) * (look + 1));
+double look_confidence(double confidence) {
+  return 1 - 0.6 * test_level(confidence);
 }
 
 std::vector<PrecisionCell> precision_cells(const ResultTable& runs, const PrecisionRule& rule,
-                                           const AnalysisOptions& options, int look) {
+                                           const AnalysisOptions& options) {
   AnalysisOptions at_look = options;
-  at_look.confidence = look_confidence(options.confidence, look);
+  at_look.confidence = look_confidence(options.confidence);
   std::vector<PrecisionCell> cells;
   for (const CrossTable& table : build_cross_tables(runs, {rule.rows}, {rule.metric}, at_look)) {
     for (const CrossRow& row : table.rows) {

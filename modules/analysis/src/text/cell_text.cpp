@@ -103,4 +103,8 @@ std::string pad_right(const std::string& text, std::size_t width) {
   return text + std::string(used < width ? width - used : 0, ' ');
 }
 
+std::string p_text(double p) {
+  return p < 0.0001 ? "p < 0.0001" : "p = " + format_fixed(p, 4);
+}
+
 }  // namespace slalom

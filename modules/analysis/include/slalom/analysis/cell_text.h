@@ -42,4 +42,7 @@ std::size_t display_width(const std::string& text);
 std::string pad_left(const std::string& text, std::size_t width);
 std::string pad_right(const std::string& text, std::size_t width);
 
+/// "p = 0.0123", or "p < 0.0001".
+std::string p_text(double p);
+
 }  // namespace slalom

@@ -19,11 +19,11 @@ struct PrecisionRule {
 /// Error (Usage).
 PrecisionRule parse_precision_rule(const std::string& text);
 
-/// The confidence of intervals at the `look`-th interim analysis (from 1): 1 - (1 - confidence) /
-/// (look (look + 1)). The error probabilities of all looks sum to at most 1 - confidence (1/2 + 1/6
-/// + 1/12 + ... = 1), so that intervals have at least `confidence` whenever the campaign stops
-/// (Bonferroni; alpha spending, Lan and DeMets 1983).
-double look_confidence(double confidence, int look);
+/// The confidence of intervals at each interim analysis (look): 1 - 0.6 (1 - confidence). Stopping
+/// when an interval is narrow depends on the variance, hardly on the mean (Chow and Robbins 1965,
+/// Ann. Math. Stat. 36:457-462), so that this small correction keeps `confidence` for rates
+/// whenever the campaign stops; docs/campaigns.md has the coverage by rate, width and distribution.
+double look_confidence(double confidence);
 
 /// One method in one bin, and whether the required precision is reached.
 struct PrecisionCell {
@@ -36,7 +36,7 @@ struct PrecisionCell {
 /// The cells of a rule at one look, methods outermost. `rule.rows` must be of kind Edges or All:
 /// edges of other kinds depend on the results so far.
 std::vector<PrecisionCell> precision_cells(const ResultTable& runs, const PrecisionRule& rule,
-                                           const AnalysisOptions& options, int look);
+                                           const AnalysisOptions& options);
 
 /// A specification with the edges of these bins.
 BinSpec with_edges(const std::string& descriptor, const std::vector<Bin>& bins);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <slalom/analysis/decision_rule.h>
 #include <slalom/analysis/precision_rule.h>
 #include <slalom/campaign/campaign_recorder.h>
 
 #include <cstddef>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace slalom {
@@ -12,30 +14,37 @@ namespace slalom {
 /// When a sequential campaign stops.
 struct StoppingRule {
   std::string text;  ///< as given: "interval(success) < 0.1 in density:10"
-  PrecisionRule precision;
+  std::variant<PrecisionRule, DecisionRule> rule;
   std::size_t max_runs = 0;  ///< no further batch after this number of runs; 0: no limit
 };
 
-/// Throws Error (Usage) for a malformed rule, and for ids that the campaign does not compute.
+/// Reads either kind. Throws Error (Usage) for a malformed rule, and for ids that the campaign does
+/// not compute or methods that are not among `methods`.
 StoppingRule parse_stopping_rule(const std::string& text, std::size_t max_runs,
-                                 const CampaignOptions& options);
+                                 const CampaignOptions& options,
+                                 const std::vector<NamedMethod>& methods);
 
 /// The result of a sequential campaign.
 struct SequentialReport {
   bool complete = false;  ///< false if interrupted
-  bool reached = false;   ///< every cell has the required precision
-  std::string text;       ///< the cells, and the reason for stopping
+  bool reached = false;   ///< every cell has the required precision, or the decision is made
+  std::string text;       ///< the cells or the decision, and the reason for stopping
 };
 
-/// Runs a campaign in batches until each method's interval is narrow enough in each bin. The
-/// descriptors of the `pool` are computed first, so that bins are fixed before any run. Each
-/// interim analysis (look) is followed by a batch of scenarios from the open bins, those without
-/// the required precision, in the order of the pool. All methods run in all scenarios of a batch,
-/// so that comparisons are paired. The first batch has kFirstBatch scenarios of each bin, each
-/// further one half as many as the bin has so far. Looks spend the error probability 1 -
-/// `confidence` according to look_confidence(). Stops if the required precision is reached, the
-/// pool is exhausted for the open bins, or max_runs is reached. Deterministic for any number of
-/// workers, and if the recorder's file already holds a part of the runs.
+/// Runs a campaign in batches until its rule is met. All methods run in all scenarios of a batch,
+/// so that comparisons are paired; batches follow the order of the pool. The first one has
+/// kFirstBatch scenarios of each bin, and each is followed by an interim analysis (look).
+///
+/// Precision: each method's interval, of look_confidence(), is narrow enough in each bin. The
+/// descriptors of the `pool` are computed first, so that bins are fixed before any run. The next
+/// batch takes half as many scenarios as the bin has so far, from the open bins, those without the
+/// required precision.
+///
+/// Decision: see decide(). The next batch takes a tenth of the scenarios so far, at least
+/// kFirstBatch: looks cost nothing, scenarios behind the decision do.
+///
+/// Stops also if the pool is exhausted for the open bins, or max_runs is reached. Deterministic for
+/// any number of workers, and if the recorder's file already holds a part of the runs.
 SequentialReport run_until(CampaignRecorder& recorder, const StoppingRule& rule,
                            std::vector<Scenario> pool, double confidence,
                            const Execution& execution);

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <slalom/results/result_table.h>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// Stopping rule of a campaign that compares two methods in a metric: it is known which one is
+/// better, or that they differ by less than `relevant`; or, with `no_worse`, whether the method is
+/// worse than the reference by `relevant` or more.
+struct DecisionRule {
+  std::string metric, method, reference;
+  double relevant = 0.05;  ///< smallest difference of interest, of a mean over scenarios
+  bool no_worse = false;
+};
+
+/// Reads "compare(success, mine, nd) decided", "compare(success, mine, nd) decided within 0.1" or
+/// "compare(success, mine, nd) no worse than 0.02". Throws Error (Usage), also for a metric that is
+/// not bounded on both sides (range_of).
+DecisionRule parse_decision_rule(const std::string& text);
+
+/// What is known of the method, compared with the reference.
+enum class Decision { Open, Better, Worse, NoRelevantDifference, NoWorse };
+
+struct DecisionState {
+  Decision decision = Decision::Open;
+  std::size_t scenarios = 0;  ///< up to the decision; all of them while it is open
+  double advantage = 0;       ///< mean over these; 0 without scenarios
+  double p = 1;               ///< of the decision, valid however often one looks
+};
+
+/// Decides by `advantages` (how much better the method is than the reference, one value per
+/// scenario, in the order in which these were run). A wrong decision has a probability of at most
+/// 1 - confidence: tests by betting (BettingTest), Better and Worse each at half of that level; the
+/// two that make NoRelevantDifference, and both tests with no_worse, each at that level. Values
+/// behind the decision do not change it.
+DecisionState decide(const DecisionRule& rule, const std::vector<double>& advantages,
+                     double confidence);
+
+/// The method's mean minus the reference's in each scenario, or the opposite where less is better,
+/// in the order of `hashes`; scenarios in which one of them has no value are left out. Throws Error
+/// (Usage) for a metric without a better direction and for unknown names.
+std::vector<double> scenario_advantages(const ResultTable& runs, const DecisionRule& rule,
+                                        const std::vector<std::string>& hashes);
+
+/// A sentence: "mine is better than nd in success, by 0.217 in the mean of 46 scenarios, p =
+/// 0.019".
+std::string decision_sentence(const DecisionRule& rule, const DecisionState& state);
+
+}  // namespace slalom

@@ -1,0 +1,174 @@
+#include "error_text.h"
+#include "result_fixture.h"
+
+#include <slalom/analysis/decision_rule.h>
+#include <slalom/core/error.h>
+#include <slalom/core/random.h>
+
+#include <boost/math/distributions/normal.hpp>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace slalom {
+namespace {
+
+const DecisionRule kDecided = parse_decision_rule("compare(success, mine, nd) decided");
+const DecisionRule kNoWorse = parse_decision_rule("compare(success, mine, nd) no worse than 0.05");
+
+TEST(DecisionRule, IsParsed) {
+  EXPECT_EQ(kDecided.metric, "success");
+  EXPECT_EQ(kDecided.method, "mine");
+  EXPECT_EQ(kDecided.reference, "nd");
+  EXPECT_EQ(kDecided.relevant, 0.05);
+  EXPECT_FALSE(kDecided.no_worse);
+  EXPECT_EQ(parse_decision_rule(" compare( spl ,a,b )decided  within 0.1 ").relevant, 0.1);
+  EXPECT_TRUE(kNoWorse.no_worse);
+  EXPECT_EQ(parse_decision_rule("compare(success,a,b) no worse than 0.02").relevant, 0.02);
+}
+
+TEST(DecisionRule, ThatIsMalformedIsRejectedWithTheExpectedForm) {
+  for (const char* text :
+       {"compare", "compare(success, mine) decided", "compare(success, mine, nd)",
+        "compare(success, mine, nd) decided within x",
+        "compare(success, mine, nd) decided within 0",
+        "compare(success, mine, nd) no worse than -1", "compare(success, a, b) decided in density"})
+    EXPECT_TRUE(throws_error(ErrorKind::Usage, "--until",
+                             {"compare(METRIC, METHOD, REFERENCE) decided"},
+                             [&] { parse_decision_rule(text); }))
+        << text;
+}
+
+TEST(DecisionRule, RefusesMetricsWithoutBoundsAndDifferencesThatCannotBe) {
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--until",
+                           {"'time_to_goal' is not bounded", "success"},
+                           [] { parse_decision_rule("compare(time_to_goal, a, b) decided"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--until", {"less than 1"},
+                           [] { parse_decision_rule("compare(success, a, b) decided within 1"); }));
+}
+
+TEST(Decision, IsMadeByEqualResultsOnlyForNoRelevantDifference) {
+  const std::vector<double> equal(1000, 0.0);
+  const DecisionState state = decide(kDecided, equal, 0.95);
+  EXPECT_EQ(state.decision, Decision::NoRelevantDifference);
+  EXPECT_LT(state.scenarios, 1000U);
+  EXPECT_LE(state.p, 0.05);
+  EXPECT_EQ(decide(kNoWorse, equal, 0.95).decision, Decision::NoWorse);
+  EXPECT_EQ(decide(kDecided, {}, 0.95).decision, Decision::Open);
+}
+
+TEST(Decision, IsNotChangedByWhatComesAfterIt) {
+  std::vector<double> advantages(60, 1.0);
+  const DecisionState state = decide(kDecided, advantages, 0.95);
+  EXPECT_EQ(state.decision, Decision::Better);
+  ASSERT_LT(state.scenarios, 60U);
+  advantages.insert(advantages.end(), 500, -1.0);
+  EXPECT_EQ(decide(kDecided, advantages, 0.95).scenarios, state.scenarios);
+  EXPECT_EQ(decide(kDecided, std::vector<double>(60, -1.0), 0.95).decision, Decision::Worse);
+  EXPECT_EQ(decide(kNoWorse, std::vector<double>(60, -1.0), 0.95).decision, Decision::Worse);
+}
+
+/// A campaign of two methods whose successes differ in a fraction `different` of the scenarios and
+/// by `advantage` in the mean.
+std::vector<double> made_up_campaign(RandomEngine& engine, double different, double advantage,
+                                     std::size_t scenarios) {
+  std::vector<double> advantages;
+  for (std::size_t i = 0; i < scenarios; ++i) {
+    const double u = uniform_real(engine, 0, 1);
+    advantages.push_back(u < (different + advantage) / 2 ? 1 : u < different ? -1 : 0);
+  }
+  return advantages;
+}
+
+struct Simulated {
+  double better = 0, worse = 0, equal = 0;  ///< fractions of campaigns
+  double scenarios = 0;                     ///< mean
+};
+
+constexpr int kCampaigns = 1000;
+
+Simulated simulate(const DecisionRule& rule, double different, double advantage, std::size_t pool) {
+  RandomEngine engine(7);
+  Simulated result;
+  for (int i = 0; i < kCampaigns; ++i) {
+    const DecisionState state =
+        decide(rule, made_up_campaign(engine, different, advantage, pool), 0.95);
+    result.better += state.decision == Decision::Better || state.decision == Decision::NoWorse;
+    result.worse += state.decision == Decision::Worse;
+    result.equal += state.decision == Decision::NoRelevantDifference;
+    result.scenarios += static_cast<double>(state.scenarios);
+  }
+  for (double* value : {&result.better, &result.worse, &result.equal, &result.scenarios})
+    *value /= kCampaigns;
+  return result;
+}
+
+/// Pairs of a test of a fixed size, at 0.05 two-sided, with this power.
+double fixed_size(double different, double advantage, double power) {
+  const boost::math::normal normal;
+  const double z = quantile(normal, 0.975) + quantile(normal, power);
+  return z * z * (different - advantage * advantage) / (advantage * advantage);
+}
+
+// Three standard errors of 1,000 campaigns above 0.05.
+constexpr double kMaxErrors = 0.05 + 3 * 0.0069;
+
+TEST(Decision, IsWrongInAtMostFivePercentOfCampaignsWithoutADifference) {
+  for (const double different : {0.1, 0.4}) {
+    const Simulated result = simulate(kDecided, different, 0, 6000);
+    EXPECT_LE(result.better + result.worse, kMaxErrors) << different;
+    EXPECT_GE(result.equal, 0.9) << different;
+  }
+}
+
+TEST(Decision, TakesAtMostSeventyPercentOfTheRunsOfAFixedSizeAndFarFewerForLargerDifferences) {
+  for (const double different : {0.1, 0.4}) {
+    const Simulated at_relevant = simulate(kDecided, different, 0.05, 6000);
+    EXPECT_GE(at_relevant.better, 0.9);
+    EXPECT_LE(at_relevant.worse + at_relevant.equal, kMaxErrors);
+    const double fixed = fixed_size(different, 0.05, at_relevant.better);
+    EXPECT_LE(at_relevant.scenarios, 0.7 * fixed) << different;
+    const Simulated twice = simulate(kDecided, different, 0.1, 6000);
+    EXPECT_GE(twice.better, 0.99);
+    EXPECT_LE(twice.scenarios, 0.3 * fixed) << different;
+  }
+}
+
+TEST(Decision, ThatAMethodIsNoWorseIsWrongInAtMostFivePercentAtTheMargin) {
+  EXPECT_LE(simulate(kNoWorse, 0.2, -0.05, 3000).better, kMaxErrors);
+  EXPECT_GE(simulate(kNoWorse, 0.2, 0, 3000).better, 0.9);
+  EXPECT_GE(simulate(kNoWorse, 0.2, -0.1, 3000).worse, 0.9);
+}
+
+TEST(ScenarioAdvantages, ArePairedAndInTheOrderOfTheHashes) {
+  ResultFixture fixture;
+  std::vector<std::string> hashes;
+  for (const double mine : {1.0, -1.0, 1.0}) {  // -1: no success
+    const auto scenario = fixture.add_scenario(Value::of(0.1));
+    fixture.add_run(scenario, "mine", mine);
+    fixture.add_run(scenario, "nd", hashes.size() == 2 ? 1.0 : -1.0);
+    hashes.push_back(fixture.table.scenario_hashes.back());
+  }
+  EXPECT_EQ(scenario_advantages(fixture.table, kDecided, hashes), (std::vector<double>{1, 0, 0}));
+  EXPECT_EQ(scenario_advantages(fixture.table, kDecided, {hashes[2], hashes[0], "unknown"}),
+            (std::vector<double>{0, 1}));
+  DecisionRule unknown = kDecided;
+  unknown.method = "mien";
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "", {"mien", "'mine'"},
+                           [&] { scenario_advantages(fixture.table, unknown, hashes); }));
+}
+
+TEST(DecisionSentence, SaysWhatIsKnown) {
+  EXPECT_EQ(
+      decision_sentence(kDecided, {Decision::Better, 46, 0.217, 0.019}),
+      "mine is better than nd in success: mean advantage +0.217 over 46 scenarios, p = 0.0190");
+  EXPECT_EQ(
+      decision_sentence(kNoWorse, {Decision::NoWorse, 90, -0.01, 0.04}),
+      "mine is not worse than nd by 0.05 in success: mean advantage -0.010 over 90 scenarios, "
+      "p = 0.0400");
+  EXPECT_EQ(decision_sentence(kDecided, {Decision::Open, 9, 0, 1}),
+            "not decided between mine and nd in success: mean advantage +0.000 over 9 scenarios");
+}
+
+}  // namespace
+}  // namespace slalom
