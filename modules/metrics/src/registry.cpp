@@ -6,8 +6,8 @@
   METRIC(success, 1, "Success", "-", Up)                                       \
   METRIC(optimality, 3, "Optimality", "-", Up)                                 \
   METRIC(optimality_area, 2, "Optimality area", "m", Down)                     \
-  METRIC(safety, 1, "Safety", "-", Up)                                         \
-  METRIC(safety_area, 1, "Safety area", "m", Down)                             \
+  METRIC(safety, 2, "Safety", "-", Up)                                         \
+  METRIC(safety_area, 2, "Safety area", "m", Down)                             \
   METRIC(optisafe, 3, "Optimality and safety", "-", Up)                        \
   METRIC(spl, 3, "Success weighted by path length", "-", Up)                   \
   METRIC(soft_spl, 3, "Soft success weighted by path length", "-", Up)         \

@@ -1,6 +1,7 @@
 #include <slalom/scenario/widest_path.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -10,36 +11,96 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
+struct GridIndex {
+  int x, y;
+  bool operator==(const GridIndex& other) const { return x == other.x && y == other.y; }
+};
+
 /// Cells ordered by the bottleneck of the best path to them, widest first. Cells that do not reduce
 /// the bottleneck need no ordering: they are kept on a stack.
 class Frontier {
  public:
-  void push(double bottleneck, double current, std::size_t cell) {
-    if (bottleneck >= current)
-      level_.push_back(cell);
+  /// A cell that does not reduce the bottleneck.
+  void push_level(GridIndex cell) { level_.push_back(cell); }
+
+  void push(float width, double current, GridIndex cell) {
+    if (width >= current)
+      push_level(cell);
     else
-      narrower_.emplace(bottleneck, cell);
+      narrower_.push({width, cell});
   }
 
   bool empty() const { return level_.empty() && narrower_.empty(); }
 
   /// Takes the next cell; `current` becomes its bottleneck.
-  std::size_t pop(double& current) {
-    std::size_t cell = 0;
+  GridIndex pop(double& current) {
+    GridIndex cell{};
     if (!level_.empty()) {
       cell = level_.back();
       level_.pop_back();
     } else {
-      current = narrower_.top().first;
-      cell = narrower_.top().second;
+      current = narrower_.top().width;
+      cell = narrower_.top().cell;
       narrower_.pop();
     }
     return cell;
   }
 
  private:
-  std::vector<std::size_t> level_;
-  std::priority_queue<std::pair<double, std::size_t>> narrower_;
+  struct Narrower {
+    float width;
+    GridIndex cell;
+    bool operator<(const Narrower& other) const { return width < other.width; }
+  };
+  std::vector<GridIndex> level_;
+  std::priority_queue<Narrower> narrower_;
+};
+
+/// What is known of each cell, with a border of occupied cells: no step needs a test of bounds.
+class Marks {
+ public:
+  Marks(const Occupancy& cells, const DistanceField& field, double limit)
+      : stride_(static_cast<std::size_t>(cells.size_x()) + 2),
+        marks_(stride_ * (static_cast<std::size_t>(cells.size_y()) + 2), kOccupied) {
+    const auto size_x = static_cast<std::size_t>(cells.size_x());
+    for (int y = 0; y < cells.size_y(); ++y) {
+      const float* const d = field.centers().begin() + cells.index(0, y);
+      const std::uint8_t* const occupied = cells.cells().data() + cells.index(0, y);
+      std::uint8_t* const row = &marks_[index({0, y})];
+      for (std::size_t x = 0; x < size_x; ++x)
+        row[x] = occupied[x] != 0 ? kOccupied : double{d[x]} >= limit ? kWide : kNarrow;
+    }
+  }
+
+  void reach(GridIndex cell) { marks_[index(cell)] = kReached; }
+
+  /// Calls `reach(neighbor, wide)` for each free neighbor that was not reached and is not around an
+  /// occupied corner, and marks it as reached; `wide`: d is at least the limit at its center. Those
+  /// towards `target` come last.
+  template <typename Reach>
+  void reach_neighbors(GridIndex cell, GridIndex target, const Reach& reach) {
+    std::uint8_t* const here = &marks_[index(cell)];
+    const int towards_x = target.x < cell.x ? -1 : 1, towards_y = target.y < cell.y ? -1 : 1;
+    const auto stride = static_cast<std::ptrdiff_t>(stride_);
+    for (int dy = -towards_y, i = 0; i < 3; ++i, dy += towards_y) {
+      std::uint8_t* const row = here + dy * stride;
+      if (row[-1] >= kReached && row[0] >= kReached && row[1] >= kReached) continue;
+      for (int dx = -towards_x, j = 0; j < 3; ++j, dx += towards_x) {
+        const std::uint8_t mark = row[dx];
+        if (mark >= kReached || here[dx] == kOccupied || row[0] == kOccupied) continue;
+        row[dx] = kReached;
+        reach(GridIndex{cell.x + dx, cell.y + dy}, mark == kWide);
+      }
+    }
+  }
+
+ private:
+  static constexpr std::uint8_t kWide = 0, kNarrow = 1, kReached = 2, kOccupied = 3;
+  std::size_t index(GridIndex cell) const {
+    return static_cast<std::size_t>(cell.y + 1) * stride_ + static_cast<std::size_t>(cell.x + 1);
+  }
+  std::size_t stride_;
+  std::vector<std::uint8_t> marks_;
 };
 
 }  // namespace
@@ -51,29 +112,25 @@ double widest_bottleneck(const World& world, const TPoint2D& start, const TPoint
   if (limit == 0) return 0;
   const auto cell_of = [&](const TPoint2D& p) {
     const TPoint2D at = cells.to_cells(p);
-    return cells.index(static_cast<int>(at.x), static_cast<int>(at.y));
+    return GridIndex{static_cast<int>(at.x), static_cast<int>(at.y)};
   };
-  const std::size_t source = cell_of(start), target = cell_of(goal);
+  const GridIndex source = cell_of(start), target = cell_of(goal);
   // A cell is settled with its best bottleneck when it is first reached, as in Prim's algorithm.
-  std::vector<bool> reached(cells.cells().size(), false);
+  Marks marks(cells, field, limit);
   Frontier frontier;
   double bottleneck = limit;
-  reached[source] = true;
-  frontier.push(limit, limit, source);
+  marks.reach(source);
+  frontier.push_level(source);
   while (!frontier.empty()) {
-    const std::size_t cell = frontier.pop(bottleneck);
+    const GridIndex cell = frontier.pop(bottleneck);
     if (cell == target) return bottleneck;
-    const int x = static_cast<int>(cell % static_cast<std::size_t>(cells.size_x()));
-    const int y = static_cast<int>(cell / static_cast<std::size_t>(cells.size_x()));
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        if (cells.occupied(x + dx, y + dy)) continue;
-        const std::size_t next = cells.index(x + dx, y + dy);
-        if (reached[next] || cells.occupied(x + dx, y) || cells.occupied(x, y + dy)) continue;
-        reached[next] = true;
-        const double width = next == target ? limit : field.at_center(x + dx, y + dy);
-        frontier.push(std::min(bottleneck, width), bottleneck, next);
-      }
+    marks.reach_neighbors(cell, target, [&](GridIndex next, bool wide) {
+      // The goal's clearance is that of its exact position, in `limit`.
+      if (wide || next == target)
+        frontier.push_level(next);
+      else
+        frontier.push(field.centers()[cells.index(next.x, next.y)], bottleneck, next);
+    });
   }
   return 0;
 }

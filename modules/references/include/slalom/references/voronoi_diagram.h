@@ -7,9 +7,10 @@
 
 namespace slalom {
 
-/// Whether a free cell lies on the generalized Voronoi diagram of an occupancy: the ridge of its
-/// distance field, on which the safest path runs.
-bool is_on_ridge(const Occupancy& cells, const DistanceField& field, int cx, int cy);
+/// Which cells of row `y` lie on the ridge of the distance field, on which the generalized Voronoi
+/// diagram lies: `ridge` is set to 1 there, to 0 elsewhere, for all cells of the row. It means
+/// nothing for occupied cells.
+void find_ridge(const DistanceField& field, const Occupancy& cells, int y, std::uint8_t* ridge);
 
 /// The cells of the diagram, row-major, 1 on it, 0 elsewhere: those on the ridge with at least
 /// `min_clearance` (m) at their center. Closer than about two cells to obstacles the corners of
