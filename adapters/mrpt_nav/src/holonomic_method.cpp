@@ -65,6 +65,7 @@ class HolonomicMethod : public Method {
     configure();
     // Without slow-down near the target CHolonomicVFF always returns speed 0.
     method_->enableApproachTargetSlowDown(true);
+    clearance_.clear();
   }
 
   Command step(const Observation& observation) override {
@@ -75,9 +76,8 @@ class HolonomicMethod : public Method {
     input.maxObstacleDist = 1.0;
     input.maxRobotSpeed = 1.0;
     input.targets.push_back(target(observation.goal_in_robot));
-    mrpt::nav::ClearanceDiagram clearance;
-    fill_clearance(input.obstacles, clearance);
-    input.clearance = &clearance;
+    fill_clearance(input.obstacles, clearance_);
+    input.clearance = &clearance_;
     CAbstractHolonomicReactiveMethod::NavOutput output;
     method_->navigate(input, output);
     return to_command(output.desiredDirection, output.desiredSpeed, points);
@@ -118,7 +118,7 @@ class HolonomicMethod : public Method {
   static void fill_clearance(const std::vector<double>& obstacles,
                              mrpt::nav::ClearanceDiagram& clearance) {
     const std::size_t count = obstacles.size();
-    clearance.resize(count, count);
+    if (clearance.empty()) clearance.resize(count, count);
     for (std::size_t k = 0; k < count; ++k) {
       const double mean =
           (obstacles[(k + count - 1) % count] + obstacles[k] + obstacles[(k + 1) % count]) / 3;
@@ -166,6 +166,7 @@ class HolonomicMethod : public Method {
   RobotModel robot_;
   double aperture_;
   CAbstractHolonomicReactiveMethod::Ptr method_;
+  mrpt::nav::ClearanceDiagram clearance_;  ///< of the last step; its maps are used again
 };
 
 MethodFactory make_factory(const HolonomicOptions& options, const OptionLocation& where) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace slalom {
-namespace {}  // namespace
 
 std::vector<mrpt::math::TPoint2D> obstacle_points(const mrpt::obs::CObservation2DRangeScan& scan) {
   const std::size_t count = scan.getScanSize();
@@ -28,7 +27,8 @@ double free_distance(const std::vector<mrpt::math::TPoint2D>& points, double dir
   for (const auto& p : points) {
     const double along = p.x * ux + p.y * uy;
     const double lateral = p.x * uy - p.y * ux;
-    if (along <= 0 || std::abs(lateral) >= radius) continue;
+    // Contact is not closer than radius before the point: most points need no root.
+    if (along <= 0 || along - radius >= distance || std::abs(lateral) >= radius) continue;
     distance = std::min(distance, along - std::sqrt(radius * radius - lateral * lateral));
   }
   return std::max(0.0, distance);
