@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <limits>
 #include <stdexcept>
@@ -69,8 +70,8 @@ void run(const std::string& path, double radius) {
 
 int main(int argc, char** argv) try {
   if (argc < 3) throw std::invalid_argument("usage: exact_path_benchmark RADIUS LIST...");
-  const double radius = std::stod(argv[1]);
-  if (!(radius > 0)) throw std::invalid_argument("RADIUS (m) must be positive");
+  const double radius = std::strtod(argv[1], nullptr);
+  if (!(radius > 0)) throw std::invalid_argument("RADIUS must be a positive number of meters");
   fmt::print(
       "| list | solved | median, ms | 90 %, ms | maximum, ms | no path | maximum, ms "
       "|\n|---|---|---|---|---|---|---|\n");
