@@ -1,3 +1,4 @@
+#include "fork_memory.h"
 #include "shared_inputs.h"
 #include "worker_process.h"
 
@@ -107,6 +108,7 @@ class Pool {
         dead == workers_.end()
             ? *workers_.emplace_back(std::make_unique<WorkerProcess>(options_, inputs_.receiver()))
             : **dead;
+    memory_.collapse();
     worker.start(item_, group);
     return worker;
   }
@@ -159,6 +161,7 @@ class Pool {
   const WorkItem& item_;
   OrderedResults& results_;
   InputStore inputs_;
+  ForkMemory memory_;
   std::vector<Worker> workers_;
   std::size_t next_ = 0, finished_ = 0;
   std::set<std::size_t> killed_;    ///< work items whose process was killed from outside
