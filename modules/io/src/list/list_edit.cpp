@@ -31,6 +31,7 @@ std::size_t ScenarioList::tag(const ListSelection& selection, const std::vector<
         changed = row->exec() > 0 || changed;
       }
       for (const std::string& tag : add) changed = impl_->add_tag(entry.hash, tag) || changed;
+      if (changed) impl_->update_checksum(entry.hash);
       if (changed) ++touched;
       return true;
     });
@@ -43,6 +44,7 @@ void ScenarioList::replace(const std::string& hash, const Scenario& scenario) {
   const std::string content = serialize(scenario);
   impl_->write([&] {
     read(hash);  // throws if it does not exist
+    impl_->expect_undamaged(hash);
     if (!same_content) change_content(hash, scenario.hash());
     StatementUse row = impl_->use(
         "UPDATE scenarios SET hash = ?, name = ?, representation = ?, content = ? WHERE hash = ?");

@@ -11,6 +11,20 @@ namespace {
 constexpr std::size_t kIdDigits = 12;
 constexpr std::size_t kMaxTagLength = 100;
 
+/// Of the columns hash, name, representation, generator and seed, and of the tags.
+std::int64_t checksum_of(SQLite::Statement& row, const std::vector<std::string>& tags) {
+  RowChecksum checksum;
+  checksum.add_columns(row, 0, 5);
+  for (const std::string& tag : tags) checksum.add(tag);
+  return checksum.value();
+}
+
+/// In lists of earlier versions of Slalom the checksum does not contain the tags.
+bool has_checksum(SQLite::Statement& row, const std::vector<std::string>& tags,
+                  std::int64_t checksum) {
+  return checksum == checksum_of(row, tags) || checksum == checksum_of(row, {});
+}
+
 }  // namespace
 
 StatementUse ScenarioList::Impl::use(const char* sql) {
@@ -19,24 +33,36 @@ StatementUse ScenarioList::Impl::use(const char* sql) {
   return StatementUse(*statement);
 }
 
+std::vector<std::string> ScenarioList::Impl::tags_of(const std::string& hash) {
+  std::vector<std::string> tags;
+  StatementUse rows = use("SELECT tag FROM tags WHERE hash = ? ORDER BY tag");
+  rows->bind(1, hash);
+  while (rows->executeStep()) tags.push_back(rows->getColumn(0).getString());
+  return tags;
+}
+
 ScenarioList::Entry ScenarioList::Impl::entry_of(SQLite::Statement& row) {
   Entry entry;
   entry.hash = row.getColumn(0).getString();
   entry.id = entry.hash.substr(0, kIdDigits);
   entry.name = row.getColumn(1).getString();
+  entry.tags = tags_of(entry.hash);
   const auto representation = from_name<Representation>(row.getColumn(2).getString());
-  if (!representation ||
-      RowChecksum().add_columns(row, 0, 5).value() != row.getColumn(5).getInt64())
+  if (!representation || !has_checksum(row, entry.tags, row.getColumn(5).getInt64()))
     throw file_error(path + ": scenario '" + entry.hash + "'",
                      "is damaged (does not match its checksum)", "a list as it was written");
   entry.representation = *representation;
   entry.generator = row.getColumn(3).getString();
   if (!row.getColumn(4).isNull())
     entry.seed = static_cast<std::uint64_t>(row.getColumn(4).getInt64());
-  StatementUse tags = use("SELECT tag FROM tags WHERE hash = ? ORDER BY tag");
-  tags->bind(1, entry.hash);
-  while (tags->executeStep()) entry.tags.push_back(tags->getColumn(0).getString());
   return entry;
+}
+
+void ScenarioList::Impl::expect_undamaged(const std::string& hash) {
+  StatementUse row = use(
+      "SELECT hash, name, representation, generator, seed, checksum FROM scenarios WHERE hash = ?");
+  row->bind(1, hash);
+  if (row->executeStep()) entry_of(*row);
 }
 
 void ScenarioList::Impl::update_checksum(const std::string& hash) {
@@ -45,7 +71,7 @@ void ScenarioList::Impl::update_checksum(const std::string& hash) {
   row->bind(1, hash);
   if (!row->executeStep()) return;
   StatementUse update = use("UPDATE scenarios SET checksum = ? WHERE hash = ?");
-  update->bind(1, RowChecksum().add_columns(*row, 0, 5).value());
+  update->bind(1, checksum_of(*row, tags_of(hash)));
   update->bind(2, hash);
   update->exec();
 }
@@ -66,7 +92,10 @@ bool ScenarioList::Impl::insert(const Entry& entry, const std::string& content) 
   row->bind(6, checksum.value());
   row->bind(7, content.data(), static_cast<int>(content.size()));
   const bool added = row->exec() > 0;
+  if (entry.tags.empty()) return added;
+  if (!added) expect_undamaged(entry.hash);
   for (const std::string& tag : entry.tags) add_tag(entry.hash, tag);
+  update_checksum(entry.hash);
   return added;
 }
 

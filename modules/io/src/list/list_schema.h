@@ -7,8 +7,8 @@
 namespace slalom {
 
 /// The file format of scenario lists (.scenarios). The row of a scenario contains the checksum of
-/// its hash, name, representation, generator and seed; that of a value the checksum of the hash,
-/// the id, version and parameters of the descriptor, and the value.
+/// its hash, name, representation, generator, seed and tags; that of a value the checksum of the
+/// hash, the id, version and parameters of the descriptor, and the value.
 extern const DatabaseKind kScenarioList;
 
 /// Throws Error (File) when the file contains views or triggers, which lists do not have: they

@@ -41,13 +41,18 @@ struct ScenarioList::Impl {
   StatementUse use(const char* sql);
 
   /// From the columns hash, name, representation, generator, seed, checksum. Throws Error (File) if
-  /// they are damaged.
+  /// they or the tags are damaged.
   Entry entry_of(SQLite::Statement& row);
-  void update_checksum(const std::string& hash);  ///< after a change of the row
+  std::vector<std::string> tags_of(const std::string& hash);  ///< in their order
+  /// Throws Error (File) if the row or the tags of a scenario are damaged. Before
+  /// update_checksum(), which would make damage valid.
+  void expect_undamaged(const std::string& hash);
+  void update_checksum(const std::string& hash);  ///< after a change of the row or the tags
   /// Returns false if the content already exists; tags are added in any case.
   bool insert(const Entry& entry, const std::string& content);
-  bool add_tag(const std::string& hash, const std::string& tag);  ///< false if it already exists
-  bool remove(const std::string& hash);                           ///< false if it does not exist
+  /// Returns false if it already exists. The caller updates the checksum.
+  bool add_tag(const std::string& hash, const std::string& tag);
+  bool remove(const std::string& hash);  ///< false if it does not exist
   std::string content(const std::string& hash);
   std::vector<std::string> names();
 

@@ -154,6 +154,62 @@ TEST(ListFile, DamagedRowsAreNamed) {
   }
 }
 
+TEST(ListFile, DamagedTagsAreNamed) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  const Scenario tagged = sample_scenario(1), other = sample_scenario(2);
+  {
+    ScenarioList list = ScenarioList::create(path);
+    list.add(tagged, {"", {}, {"hard", "maze"}});
+    list.add(other, {"", {}, {"easy"}});
+    list.add(tagged, {"", {}, {"again"}});  // known scenario, one more tag
+    list.tag({}, {"all"}, {"maze"});
+    list.rename(tagged.hash(), "renamed");
+  }
+  const std::string hash = ScenarioList::open(path).find_entry("renamed").hash;
+  EXPECT_EQ(ScenarioList::open(path).find_entry(hash).tags,
+            (std::vector<std::string>{"again", "all", "hard"}));
+  for (const char* change :
+       {"UPDATE tags SET tag = 'hart' WHERE tag = 'hard'", "DELETE FROM tags WHERE tag = 'hard'",
+        "UPDATE tags SET hash = 'f' || substr(hash, 2) WHERE tag = 'hard'"}) {
+    const TemporaryFolder copies;
+    const std::string copy = copies / "b.scenarios";
+    std::filesystem::copy_file(path, copy);
+    SQLite::Database(copy, SQLite::OPEN_READWRITE).exec(change);
+    ScenarioList list = ScenarioList::open(copy);
+    const auto is_refused = [&](const std::function<void()>& use) {
+      return throws_error(ErrorKind::File, copy + ": scenario '" + hash + "'", {"is damaged"}, use);
+    };
+    EXPECT_TRUE(is_refused([&] { list.find_entry(hash); })) << change;
+    // No change makes the damage valid.
+    EXPECT_TRUE(is_refused([&] { list.tag({}, {"new"}, {}); })) << change;
+    EXPECT_TRUE(is_refused([&] { list.rename(hash, "other"); })) << change;
+    EXPECT_TRUE(is_refused([&] { list.add(list.read(hash), {"", {}, {"new"}}); })) << change;
+    EXPECT_TRUE(is_refused([&] { list.find_entry(hash); })) << change;
+    EXPECT_EQ(list.find_entry(other.hash()).tags, (std::vector<std::string>{"all", "easy"}));
+  }
+}
+
+TEST(ListFile, TagsOfEarlierVersionsAreRead) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  const Scenario scenario = sample_scenario(1);
+  {
+    ScenarioList list = ScenarioList::create(path);
+    list.add(scenario, {});
+  }
+  // An earlier version did not change the checksum of the row when it added a tag.
+  SQLite::Database(path, SQLite::OPEN_READWRITE)
+      .exec("INSERT INTO tags SELECT hash, 'old' FROM scenarios");
+  ScenarioList list = ScenarioList::open(path);
+  EXPECT_EQ(list.find_entry(scenario.hash()).tags, std::vector<std::string>{"old"});
+  EXPECT_EQ(list.tag({}, {"new"}, {}), 1U);
+  EXPECT_EQ(list.find_entry(scenario.hash()).tags, (std::vector<std::string>{"new", "old"}));
+  SQLite::Database(path, SQLite::OPEN_READWRITE).exec("DELETE FROM tags WHERE tag = 'old'");
+  EXPECT_TRUE(throws_error(ErrorKind::File, path, {"is damaged"},
+                           [&] { list.find_entry(scenario.hash()); }));
+}
+
 TEST(ListFile, AReadOnlyFileCanBeRead) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.scenarios";
