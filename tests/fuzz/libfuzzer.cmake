@@ -7,6 +7,8 @@ file(GLOB FUZZED_SOURCES CONFIGURE_DEPENDS
 add_library(slalom_fuzzed STATIC
   ${FUZZED_SOURCES}
   ${MODULES}/campaign/src/wire.cpp
+  ${MODULES}/falsification/src/search_state.cpp
+  ${MODULES}/falsification/src/trial_codec.cpp
   ${MODULES}/io/src/checked_row.cpp
   ${MODULES}/io/src/compression.cpp
   ${MODULES}/io/src/database.cpp
@@ -33,7 +35,7 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/point_map.cpp
   ${FORMATS}/ros_map.cpp
   ${FORMATS}/rotated_grid.cpp)
-foreach(module core scenario io campaign map_formats)
+foreach(module core scenario io campaign falsification map_formats)
   target_include_directories(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},INCLUDE_DIRECTORIES>)
   target_compile_definitions(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},COMPILE_DEFINITIONS>)
 endforeach()
