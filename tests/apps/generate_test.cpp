@@ -87,6 +87,40 @@ TEST_F(Generate, AGenerationThatWasKilledContinuesToTheSameBytes) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / left)) << left;
 }
 
+TEST_F(Generate, ADescriptionThatWasKilledContinuesToTheSameBytes) {
+  ASSERT_EQ(run("slalom-scenarios generate -c mix.ini -n 100 -o a.scenarios --quiet").status, 0);
+  ASSERT_EQ(run("cp a.scenarios whole.scenarios").status, 0);
+  const std::string what = " --descriptors density,clearness,confinement";
+  const ProgramResult whole = run("slalom-scenarios describe whole.scenarios" + what);
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  const auto stored = [&] {
+    const std::string count =
+        run("sqlite3 a.scenarios 'SELECT count(DISTINCT hash) FROM descriptor_values'").out;
+    return std::stoul("0" + count);
+  };
+  unsigned long before = 0;
+  for (int kill = 0; kill < 2; ++kill) {
+    // Killed as soon as the list contains values of more scenarios than before.
+    const ProgramResult killed =
+        run("sh -c 'slalom-scenarios describe a.scenarios" + what +
+            " & until [ $(sqlite3 -readonly a.scenarios \"SELECT count(DISTINCT hash) FROM "
+            "descriptor_values\" 2>/dev/null || echo 0) -gt " +
+            std::to_string(before) +
+            " ]; do sleep 0.02; kill -0 $! || exit 9; done; kill -9 $!; wait $!'");
+    ASSERT_EQ(killed.status, 128 + 9) << killed.err;
+    const unsigned long now = stored();
+    EXPECT_GT(now, before);
+    EXPECT_LT(now, 100U);
+    EXPECT_EQ(whole.out.rfind(killed.out.substr(0, killed.out.rfind('\n') + 1), 0), 0U)
+        << "what it printed is what it stored";
+    before = now;
+  }
+  const ProgramResult continued = run("slalom-scenarios describe a.scenarios" + what);
+  ASSERT_EQ(continued.status, 0) << continued.err;
+  EXPECT_EQ(continued.out, whole.out);
+  EXPECT_TRUE(read("a.scenarios") == read("whole.scenarios")) << "byte for byte";
+}
+
 TEST_F(Generate, AListIsReplacedOnlyOnRequest) {
   const std::string generate = "slalom-scenarios generate -c mix.ini -o a.scenarios ";
   expect_failure(generate + "--resume", 3, {"a.scenarios", "does not exist"});
