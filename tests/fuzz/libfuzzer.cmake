@@ -18,6 +18,7 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/io/src/result/combined_results.cpp
   ${MODULES}/io/src/result/derived_speeds.cpp
   ${MODULES}/io/src/result/dump.cpp
+  ${MODULES}/io/src/result/file_rows.cpp
   ${MODULES}/io/src/result/merge_results.cpp
   ${MODULES}/io/src/result/read_results.cpp
   ${MODULES}/io/src/result/result_file.cpp
