@@ -93,7 +93,7 @@ TEST_F(Generate, ADescriptionThatWasKilledContinuesToTheSameBytes) {
   const std::string what = " --descriptors density,clearness";
   const ProgramResult whole = run("slalom-scenarios describe whole.scenarios" + what);
   ASSERT_EQ(whole.status, 0) << whole.err;
-  // Its output, 100 kB, goes into a pipe of 64 KiB that nobody reads: it cannot end before it is
+  // Its output does not fit into the pipe of 64 KiB that nobody reads: it cannot end before it is
   // killed, as soon as the list contains values.
   const ProgramResult killed = run(
       "sh -c 'mkfifo pipe; slalom-scenarios describe a.scenarios --json" + what +
