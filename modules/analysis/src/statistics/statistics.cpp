@@ -1,3 +1,4 @@
+#include <slalom/analysis/quantile.h>
 #include <slalom/analysis/statistics.h>
 
 #include <boost/math/distributions/normal.hpp>
@@ -43,19 +44,18 @@ class FastIndex {
   bool full_ = false;  ///< the lower half has not been used yet
 };
 
-/// Quantile by linear interpolation between order statistics.
-double quantile(const std::vector<double>& sorted, double fraction) {
-  const double position = fraction * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(position);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 }  // namespace
 
 double test_level(double confidence) {
   const double level = 1 - confidence, rounded = std::round(level * 1e12) / 1e12;
   return rounded > 0 ? rounded : level;
+}
+
+double quantile(const std::vector<double>& sorted, double fraction) {
+  const double position = fraction * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(position);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
 double mean(const std::vector<double>& values) {
