@@ -1,4 +1,5 @@
-// Draws index.html (the whole campaign) and method.html#INDEX (one method, from 1) from the data of report.json.
+// Draws index.html (the whole campaign), method.html#INDEX (one method, from 1) and, with clusters.js, cluster.html from
+// the data of report.json.
 "use strict";
 
 // ---- cells of tables ---------------------------------------------------------------------------
@@ -295,8 +296,10 @@ function figureOf(scenario, runs) {
 
 // Called by data/pictures-PAGE.js: the pictures of the scenarios of a page, in their order.
 function slalomPictures(page, pictures) {
-  const places = document.querySelectorAll(`.gallery[data-page="${page}"] .picture`);
-  pictures.forEach((picture, i) => { if (places[i]) places[i].innerHTML = picture; });
+  report.scenarios.filter((scenario) => scenario.page === page).forEach(({ hash }, i) => {
+    const figure = element("s-" + hash);
+    if (figure) figure.querySelector(".picture").innerHTML = pictures[i];
+  });
   if (location.hash.startsWith("#s-")) location.replace(location.hash);  // the pictures have moved the scenario
 }
 
@@ -336,7 +339,7 @@ function showSections(sections) {
 
 function showCampaign() {
   const shown = showSections([
-    ["summary", "Summary", summarySection(null)], ["findings", "Findings", findingsSection()],
+    ["clusters", "Failures", clustersSection()], ["summary", "Summary", summarySection(null)], ["findings", "Findings", findingsSection()],
     ["tables", "Cross tables", tablesSection(null)], ["comparisons", "Pairwise comparisons", comparisonSection(null)],
     ["completion", "Completion", completionSection()], ["ranks", "Ranks and profiles", rankingSection()],
     ["maps", "Maps", mapSection(null)], ["scenarios", "Scenarios", gallerySection()],
@@ -366,6 +369,9 @@ if (!report.summary || !report.runs) {
   element("problem").hidden = false;
 } else if (element("navigation")) {
   showCampaign();
+} else if (element("report").dataset.page === "cluster") {
+  showCluster();
+  window.addEventListener("hashchange", showCluster);
 } else {
   showMethod();
   window.addEventListener("hashchange", showMethod);

@@ -177,7 +177,8 @@ void write_report(const std::string& results, const ResultTable& runs, const Rep
   // One object with the fields of both.
   write("report.json", summary.substr(0, summary.size() - 1) + "," + runs_text.substr(1) + "\n");
   for (const auto& [name, text] : report_pages())
-    write(name, name == "index.html" ? index_page(text, input) : text);
+    if (name != "cluster.html" || !options.clusters.empty())
+      write(name, name == "index.html" ? index_page(text, input) : text);
 }
 
 }  // namespace slalom

@@ -349,6 +349,7 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
   json["profiles"] = make.profiles();
   json["maps"] = make.maps();
   json["validity"] = make.validity();
+  json["clusters"] = clusters_json(input.options.clusters);
   json["manifest"] = runs.manifest;
   return json;
 }

@@ -36,6 +36,9 @@ ReportInput make_report_input(const ResultTable& runs, const ReportOptions& opti
 /// report.json except "scenarios", "runs" and "groups". Extends `groups`.
 OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups);
 
+/// "clusters" of report.json.
+OrderedJson clusters_json(const std::vector<ReportedCluster>& clusters);
+
 /// "campaign" if it has no name.
 std::string campaign_name(const Manifest& manifest);
 

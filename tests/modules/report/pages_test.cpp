@@ -137,6 +137,35 @@ TEST_F(ReportPages, CompareMethodsAndHaveAPagePerMethod) {
   }
 }
 
+TEST_F(ReportPages, TheIndexListsClustersOfFailures) {
+  const ResultFile file = make_results(3);
+  write(file, options_with_cluster());
+  const std::string clusters = section(open("index.html"), "clusters");
+  EXPECT_EQ(count(clusters, "<a href=\"cluster.html#1\">2 failures: collision, &lt;sharp&gt;</a>"),
+            1u);
+  EXPECT_EQ(count(clusters, "7 of 7 have a higher Depth &amp; co than their neighbors"), 1u);
+}
+
+TEST_F(ReportPages, AClusterHasAReplayACommandContrastsAndPictures) {
+  const ResultFile file = make_results(3);
+  write(file, options_with_cluster());
+  const std::string page = open("cluster.html#1");
+  EXPECT_EQ(count(page, "<h1 id=\"title\">2 failures: collision, &lt;sharp&gt;</h1>"), 1u);
+  EXPECT_EQ(count(section(page, "statements"), "class=\"finding shown\">7 of 7 have"), 1u);
+  const auto frames = all_matches(section(page, "replay"), "<iframe[^>]* src=\"([^\"]*)\"");
+  ASSERT_EQ(frames.size(), 1u);
+  EXPECT_EQ(count(open(frames[0]), "<h1 id=\"title\">room 0: &lt;bad&gt;/0</h1>"), 1u);
+  EXPECT_EQ(count(section(page, "command"), "slalom-replay play &lt;here&gt;</pre>"), 1u);
+  const std::string contrasts = section(page, "contrasts");
+  EXPECT_EQ(count(contrasts, "<tr class=\"holds\"><th>Depth &amp; co [m]"), 1u);
+  EXPECT_EQ(count(contrasts, "<td>4.5 to 7.5</td><td>1 to 1</td><td>5 ["), 1u);
+  const std::string members = section(page, "members");
+  EXPECT_EQ(count(members, "<figure id=\"s-"), 2u);
+  EXPECT_EQ(count(members, "<svg xmlns"), 2u) << "the pictures of both scenarios";
+  EXPECT_EQ(all_matches(members, "<td><a href=\"run\\.html#[0-9a-f]{8}/(good)/0\">").size(), 1u);
+  EXPECT_EQ(count(open("cluster.html#7"), "does not contain this cluster"), 1u);
+}
+
 TEST_F(ReportPages, HandleResultsWithoutRuns) {
   write(make_results(0), report_options({}));
   EXPECT_EQ(count(open("index.html"), "No bins to compare."), 1u);

@@ -54,6 +54,27 @@ class ReportTest : public testing::Test {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
+  /// The options with a cluster of failures of "<bad>" in room 0 and room 1 (runs 0 and 2): the
+  /// second is compared with the runs of "good" in rooms 0 and 1.
+  ReportOptions options_with_cluster() const {
+    ReportOptions made = options();
+    ReportedCluster cluster;
+    cluster.name = "collision, <sharp>";
+    cluster.basis = "7 of 2 failures compared";
+    const MatchedValues depth = {{"depth", 1, "Depth & co", "m", Direction::None},
+                                 {3, 4, 5, 6, 7, 8, 9},
+                                 {1, 1, 1, 1, 1, 1, 1}};
+    MatchedValues width = depth;
+    width.quantity = {"width", 1, "Width", "m", Direction::None};
+    width.reference = {1, 8, 1, 8, 9, 8, 9};
+    cluster.scenarios = contrast_matched({width, depth}, 0.95);
+    cluster.statements = {contrast_sentence(cluster.scenarios[0], "neighbors")};
+    cluster.members = {{0, "candidate 1", "slalom-replay play <here>", 0, {}},
+                       {2, "candidate 2", "slalom-replay play there", 2, {1, 3}}};
+    made.clusters = {cluster};
+    return made;
+  }
+
   nlohmann::json report_json() const { return nlohmann::json::parse(read("report.json")); }
 
   std::filesystem::path folder_;

@@ -102,6 +102,31 @@ TEST_F(Report, EveryNumberOfATableHasItsRuns) {
   EXPECT_EQ(runs_of(json["outcome_fractions"][0]), nlohmann::json::parse("[0, 2, 4]"));
 }
 
+TEST_F(Report, ListsClustersOfFailuresWithTheirContrastsAndRuns) {
+  const ResultFile file = make_results(3);
+  write(file, options_with_cluster());
+  const auto json = report_json();
+  ASSERT_EQ(json["clusters"].size(), 1u);
+  const auto& cluster = json["clusters"][0];
+  EXPECT_EQ(cluster["name"], "collision, <sharp>");
+  ASSERT_EQ(cluster["scenarios"].size(), 2u);
+  // The one that holds is first: seven differences of 2 to 8, p = 2 / 2^7, twice that by Holm.
+  EXPECT_EQ(cluster["scenarios"][0]["id"], "depth");
+  EXPECT_EQ(cluster["scenarios"][0]["holds"], true);
+  EXPECT_EQ(cluster["scenarios"][0]["adjusted_p"], 2 * 2.0 / 128);
+  EXPECT_EQ(cluster["scenarios"][0]["failures"], nlohmann::json::parse("[4.5, 7.5]"));
+  EXPECT_EQ(cluster["scenarios"][1]["holds"], false);
+  EXPECT_EQ(cluster["members"][1]["run"], 2);
+  EXPECT_EQ(cluster["members"][1]["neighbors"], nlohmann::json::parse("[1, 3]"));
+  EXPECT_TRUE(std::filesystem::exists(report_folder() / "cluster.html"));
+}
+
+TEST_F(Report, WithoutClustersHasNoPageForThem) {
+  write(make_results(1));
+  EXPECT_TRUE(report_json()["clusters"].empty());
+  EXPECT_FALSE(std::filesystem::exists(report_folder() / "cluster.html"));
+}
+
 TEST_F(Report, ReportsMissingValuesAndSkippedComparisons) {
   write(make_results(12));
   const auto json = report_json();

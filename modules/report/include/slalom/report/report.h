@@ -2,6 +2,7 @@
 
 #include <slalom/analysis/bins.h>
 #include <slalom/analysis/cell.h>
+#include <slalom/report/reported_cluster.h>
 #include <slalom/results/result_table.h>
 #include <slalom/robot/robot_model.h>
 
@@ -15,10 +16,11 @@ struct ReportOptions {
   std::vector<BinSpec> rows;         ///< one set of cross tables per entry
   std::vector<std::string> columns;  ///< metric ids
   AnalysisOptions analysis;
-  RobotModel robot;              ///< drawn at start and goal, and along runs
-  SensorModel sensor;            ///< for the drawn scan
-  double resolution = 0.05;      ///< m, cell size of the simulation
-  std::size_t planned_runs = 0;  ///< of the complete campaign; 0 if it is not known
+  RobotModel robot;                            ///< drawn at start and goal, and along runs
+  SensorModel sensor;                          ///< for the drawn scan
+  double resolution = 0.05;                    ///< m, cell size of the simulation
+  std::size_t planned_runs = 0;                ///< of the complete campaign; 0 if it is not known
+  std::vector<ReportedCluster> clusters = {};  ///< of failures, each with a page
 };
 
 /// The options from the sections [analysis] and [robot] of the campaign in the manifest. Defaults:
@@ -28,11 +30,11 @@ ReportOptions report_options(const ResultTable& runs);
 
 /// Writes a report that works offline into `directory`: report.json with all numbers, the same data
 /// as scripts in data/, and the static pages that draw it (index.html, method.html, runs.html,
-/// run.html); docs/report.md documents them. Without scripts, index.html shows the summary and the
-/// cross tables. `results`: a result file, or a folder with the shards of a campaign; `runs`: those
-/// in it, with all quantities. The output is deterministic, except
-/// for wall-clock columns. Throws Error (Usage) for unknown descriptors or metrics, Error (Job)
-/// when it cannot write.
+/// run.html, and cluster.html if there are clusters); docs/report.md documents them. Without
+/// scripts, index.html shows the summary and the cross tables. `results`: a result file, or a
+/// folder with the shards of a campaign; `runs`: those in it, with all quantities. The output is
+/// deterministic, except for wall-clock columns. Throws Error (Usage) for unknown descriptors or
+/// metrics, Error (Job) when it cannot write.
 void write_report(const std::string& results, const ResultTable& runs, const ReportOptions& options,
                   const std::string& directory);
 
