@@ -1,0 +1,73 @@
+#pragma once
+
+#include <slalom/core/enum_names.h>
+#include <slalom/robot/robot_model.h>
+#include <slalom/scenario/world.h>
+#include <slalom/trajectory/trajectory.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// Where the nearest obstacle is at the end of a run, relative to the robot's heading: within 45
+/// degrees of it, beyond 135 degrees, or between.
+enum class ObstacleSide { Front, Side, Back };
+constexpr auto enum_names(ObstacleSide) {
+  return std::array{"nearest obstacle in front", "nearest obstacle at the side",
+                    "nearest obstacle behind"};
+}
+
+/// What the robot did in the last kEndWindow of a run.
+enum class EndMotion {
+  Fast,     ///< ended above half of the maximum speed
+  Slow,     ///< ended below it; of collisions and failures of the method
+  Stopped,  ///< of the other failures: drove less than one radius, turned less than 90 degrees
+  Turning,  ///< drove less than one radius, turned more
+  Driving   ///< drove more than one radius
+};
+constexpr auto enum_names(EndMotion) {
+  return std::array{"above half of the maximum speed", "below half of the maximum speed", "stops",
+                    "turns in place", "keeps driving"};
+}
+
+constexpr double kEndWindow = 5;  ///< s
+
+/// What is measured of a failing run, for clusters.
+struct FailureFacts {
+  Outcome outcome = Outcome::Collision;
+  ObstacleSide side = ObstacleSide::Front;
+  EndMotion motion = EndMotion::Fast;
+  bool faces_goal = true;       ///< at the end: the goal is within 90 degrees of the heading
+  std::size_t obstacles = 0;    ///< of the smallest scenario
+  double bottleneck_width = 0;  ///< robot widths, of the scenario
+};
+
+/// The facts of a run in `world`; `obstacles` and `bottleneck_width` are left to the caller. The
+/// nearest obstacle may be the border. Requires at least one sample.
+FailureFacts measure_end(const World& world, const RobotModel& robot, Outcome outcome,
+                         const Trajectory& trajectory);
+
+/// Each fact in words, in the order in which clusters are divided by them: outcome, side of the
+/// nearest obstacle, motion, direction of the goal, number of obstacles (1, 2 to 3, more),
+/// bottleneck (below 2, below 4 robot widths, more).
+std::vector<std::string> facts_in_words(const FailureFacts& facts);
+
+/// Failures that are alike.
+struct FailureCluster {
+  std::string name;                  ///< the facts that all members share, the outcome first
+  std::vector<std::size_t> members;  ///< indexes into the failures, ascending
+};
+
+/// Of fewer failures no contrast in 24 descriptors can hold (min_pairs_to_hold()).
+constexpr std::size_t kMinCluster = 10;
+
+/// Divides failures into clusters: by outcome, then fact by fact. A value of a fact becomes a
+/// cluster of its own if at least kMinCluster members have it; the members with rarer values stay
+/// together. Sorted by size, the largest first, then by name and first member. Which failures are
+/// together depends on what they are, not on their order.
+std::vector<FailureCluster> cluster_failures(const std::vector<FailureFacts>& failures);
+
+}  // namespace slalom

@@ -1,0 +1,142 @@
+#include <slalom/core/text.h>
+#include <slalom/falsification/clusters.h>
+
+#include <mrpt/math/wrap2pi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace slalom {
+namespace {
+
+/// The bearing of the nearest obstacle, where the clearance decreases most: of two equal ones that
+/// closer to the heading.
+double bearing_of_obstacle(const World& world, const mrpt::math::TPose2D& pose, double step) {
+  constexpr int kDirections = 72;
+  double nearest = std::numeric_limits<double>::infinity(), bearing = 0;
+  for (int i = 0; i < kDirections; ++i) {
+    const double offset = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) * 2 * M_PI / kDirections;
+    const double clearance = world.distance_field().clearance(
+        {pose.x + step * std::cos(pose.phi + offset), pose.y + step * std::sin(pose.phi + offset)});
+    if (clearance >= nearest - 1e-9) continue;
+    nearest = clearance;
+    bearing = std::abs(offset);
+  }
+  return bearing;
+}
+
+ObstacleSide side_of(double bearing) {
+  if (bearing <= M_PI / 4) return ObstacleSide::Front;
+  return bearing < 3 * M_PI / 4 ? ObstacleSide::Side : ObstacleSide::Back;
+}
+
+EndMotion motion_without_contact(const std::vector<Sample>& samples, double radius) {
+  double driven = 0, turned = 0;
+  for (std::size_t i = samples.size() - 1; i > 0; --i) {
+    const mrpt::math::TPose2D &a = samples[i - 1].pose, &b = samples[i].pose;
+    if (samples[i - 1].t < samples.back().t - kEndWindow - 1e-9) break;
+    driven += std::hypot(b.x - a.x, b.y - a.y);
+    turned += std::abs(mrpt::math::wrapToPi(b.phi - a.phi));
+  }
+  if (driven >= radius) return EndMotion::Driving;
+  return turned < M_PI / 2 ? EndMotion::Stopped : EndMotion::Turning;
+}
+
+EndMotion end_motion(Outcome outcome, const std::vector<Sample>& samples, const RobotModel& robot) {
+  if (outcome == Outcome::Stuck || outcome == Outcome::Timeout)
+    return motion_without_contact(samples, robot.shape().enclosing_radius());
+  const double speed = std::hypot(samples.back().v, samples.back().vy);
+  return speed > robot.max_v / 2 ? EndMotion::Fast : EndMotion::Slow;
+}
+
+using Members = std::vector<std::size_t>;
+
+/// Divides failures by their facts in words.
+class Divider {
+ public:
+  explicit Divider(const std::vector<FailureFacts>& failures) {
+    for (const FailureFacts& facts : failures) words_.push_back(facts_in_words(facts));
+  }
+
+  std::vector<FailureCluster> clusters() {
+    std::map<std::string, Members> by_outcome;
+    for (std::size_t i = 0; i < words_.size(); ++i) by_outcome[words_[i].front()].push_back(i);
+    for (const auto& [outcome, members] : by_outcome) divide(members, 1);
+    std::sort(clusters_.begin(), clusters_.end(), [](const auto& a, const auto& b) {
+      if (a.members.size() != b.members.size()) return a.members.size() > b.members.size();
+      return a.name != b.name ? a.name < b.name : a.members < b.members;
+    });
+    return std::move(clusters_);
+  }
+
+ private:
+  std::vector<std::vector<std::string>> words_;
+  std::vector<FailureCluster> clusters_;
+
+  void divide(const Members& members, std::size_t fact) {
+    if (fact == words_[members.front()].size()) {
+      clusters_.push_back({name_of(members), members});
+      return;
+    }
+    std::map<std::string, Members> by_value;
+    for (const std::size_t member : members) by_value[words_[member][fact]].push_back(member);
+    Members rest;
+    for (const auto& [value, having] : by_value) {
+      if (having.size() >= kMinCluster)
+        divide(having, fact + 1);
+      else
+        rest.insert(rest.end(), having.begin(), having.end());
+    }
+    std::sort(rest.begin(), rest.end());
+    if (!rest.empty()) divide(rest, fact + 1);
+  }
+
+  std::string name_of(const Members& members) const {
+    std::vector<std::string> shared;
+    const std::vector<std::string>& first = words_[members.front()];
+    for (std::size_t fact = 0; fact < first.size(); ++fact)
+      if (std::all_of(members.begin(), members.end(),
+                      [&](std::size_t i) { return words_[i][fact] == first[fact]; }))
+        shared.push_back(first[fact]);
+    return join(shared, ", ");
+  }
+};
+
+}  // namespace
+
+FailureFacts measure_end(const World& world, const RobotModel& robot, Outcome outcome,
+                         const Trajectory& trajectory) {
+  const mrpt::math::TPose2D& pose = trajectory.samples.back().pose;
+  const mrpt::math::TPoint2D& goal = world.scenario().goal();
+  FailureFacts facts;
+  facts.outcome = outcome;
+  const double radius = robot.shape().enclosing_radius();
+  facts.side = side_of(bearing_of_obstacle(world, pose, radius / 2));
+  facts.motion = end_motion(outcome, trajectory.samples, robot);
+  const double to_goal = std::atan2(goal.y - pose.y, goal.x - pose.x);
+  facts.faces_goal = std::abs(mrpt::math::wrapToPi(to_goal - pose.phi)) <= M_PI / 2;
+  return facts;
+}
+
+std::vector<std::string> facts_in_words(const FailureFacts& facts) {
+  const char* obstacles = facts.obstacles <= 1   ? "at most 1 obstacle needed"
+                          : facts.obstacles <= 3 ? "2 to 3 obstacles needed"
+                                                 : "more than 3 obstacles needed";
+  const char* bottleneck = facts.bottleneck_width < 2   ? "bottleneck below 2 robot widths"
+                           : facts.bottleneck_width < 4 ? "bottleneck of 2 to 4 robot widths"
+                                                        : "bottleneck of at least 4 robot widths";
+  return {to_string(facts.outcome),
+          to_string(facts.side),
+          to_string(facts.motion),
+          facts.faces_goal ? "faces the goal" : "faces away from the goal",
+          obstacles,
+          bottleneck};
+}
+
+std::vector<FailureCluster> cluster_failures(const std::vector<FailureFacts>& failures) {
+  return Divider(failures).clusters();
+}
+
+}  // namespace slalom

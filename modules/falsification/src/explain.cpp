@@ -1,0 +1,182 @@
+#include <slalom/analysis/statistics.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/falsification/clusters.h>
+#include <slalom/falsification/explain.h>
+
+#include <array>
+#include <map>
+#include <optional>
+
+namespace slalom {
+namespace {
+
+/// Metrics that say whether, where or when a run ended: they differ between failures and successes
+/// by definition.
+constexpr std::array kOutcomeMetrics = {
+    "success",       "spl",          "soft_spl",     "barn_score_v2",    "par2_time",
+    "path_length",   "progress",     "impact_speed", "final_distance",   "closest_distance",
+    "min_clearance", "time_to_goal", "time_stopped", "oscillation_count"};
+
+bool follows_from_outcome(const ValueColumn& metric) {
+  for (const char* id : kOutcomeMetrics)
+    if (metric.info().id == id) return true;
+  return metric.wall_clock;
+}
+
+/// The runs of the tested method by scenario.
+class TestedRuns {
+ public:
+  TestedRuns(const ResultTable& runs, const TestBench& bench) : runs_(runs) {
+    for (std::size_t run = 0; run < runs.size(); ++run)
+      if (runs.methods[runs.method[run]] == bench.method.name &&
+          runs.repetition[run] == static_cast<std::uint32_t>(bench.repetition))
+        by_scenario_[runs.scenario_hashes[runs.scenario[run]]] = run;
+  }
+  std::size_t at(const std::string& hash) const {
+    const auto found = by_scenario_.find(hash);
+    if (found == by_scenario_.end()) throw job_error(runs_.source, "no run in scenario " + hash);
+    return found->second;
+  }
+  bool is_success(std::size_t run) const { return runs_.outcomes[runs_.outcome[run]] == "success"; }
+
+ private:
+  const ResultTable& runs_;
+  std::map<std::string, std::size_t> by_scenario_;
+};
+
+class Explainer {
+ public:
+  Explainer(const ResultFile& file, const ResultTable& runs, const TestBench& bench,
+            const std::vector<ExaminedFailure>& failures, double confidence)
+      : file_(file),
+        runs_(runs),
+        bench_(bench),
+        failures_(failures),
+        confidence_(confidence),
+        tested_(runs, bench) {
+    for (const ExaminedFailure& failure : failures) reported_.push_back(reported(failure));
+  }
+
+  std::vector<ReportedCluster> clusters() const {
+    std::vector<FailureFacts> facts;
+    for (const ExaminedFailure& failure : failures_) facts.push_back(facts_of(failure));
+    std::vector<ReportedCluster> clusters;
+    for (const FailureCluster& cluster : cluster_failures(facts))
+      clusters.push_back(explained(cluster));
+    return clusters;
+  }
+
+ private:
+  const ResultFile& file_;
+  const ResultTable& runs_;
+  const TestBench& bench_;
+  const std::vector<ExaminedFailure>& failures_;
+  double confidence_;
+  TestedRuns tested_;
+  std::vector<ReportedFailure> reported_;  ///< parallel to the failures
+
+  ReportedFailure reported(const ExaminedFailure& failure) const {
+    ReportedFailure report;
+    report.run = tested_.at(failure.smallest);
+    report.compared = tested_.at(failure.compared);
+    report.found = failure.found;
+    report.command = failure.command;
+    for (const std::string& hash : failure.neighbors)
+      if (const std::size_t run = tested_.at(hash); tested_.is_success(run))
+        report.neighbors.push_back(run);
+    return report;
+  }
+
+  FailureFacts facts_of(const ExaminedFailure& failure) const {
+    const auto run = file_.read_run(failure.smallest, bench_.method.name, bench_.repetition);
+    if (!run) throw job_error(file_.path(), "no run in scenario " + failure.smallest);
+    const World world(file_.read_scenario(failure.smallest), bench_.setup.simulation.resolution);
+    Trajectory trajectory = file_.read_trajectory(*run);
+    if (trajectory.samples.empty()) {  // the method ended its process before the first cycle
+      trajectory.samples.emplace_back();
+      trajectory.samples.back().pose = world.scenario().start();
+    }
+    const auto outcome = from_name<Outcome>(run->outcome);
+    if (!outcome) throw file_error(file_.path(), "unknown outcome " + run->outcome);
+    FailureFacts facts = measure_end(world, bench_.setup.robot, *outcome, trajectory);
+    facts.obstacles = failure.obstacles;
+    facts.bottleneck_width = failure.bottleneck_width;
+    return facts;
+  }
+
+  ReportedCluster explained(const FailureCluster& cluster) const {
+    ReportedCluster report;
+    report.name = cluster.name;
+    std::vector<const ReportedFailure*> pairs;
+    for (const std::size_t member : cluster.members) {
+      report.members.push_back(reported_[member]);
+      if (failures_[member].independent && !reported_[member].neighbors.empty())
+        pairs.push_back(&reported_[member]);
+    }
+    report.scenarios = contrasts(runs_.descriptors, pairs, true);
+    report.runs = contrasts(runs_.metrics, pairs, false);
+    for (const Contrast& contrast : report.scenarios)
+      if (contrast.holds)
+        report.statements.push_back(contrast_sentence(contrast, "successful neighbors"));
+    report.basis = basis_of(report, pairs.size());
+    return report;
+  }
+
+  std::vector<Contrast> contrasts(const std::vector<ValueColumn>& columns,
+                                  const std::vector<const ReportedFailure*>& pairs,
+                                  bool of_scenarios) const {
+    std::vector<MatchedValues> family;
+    for (const ValueColumn& column : columns) {
+      if (!of_scenarios && follows_from_outcome(column)) continue;
+      MatchedValues values{column.info(), {}, {}};
+      for (const ReportedFailure* pair : pairs) {
+        const auto failing = value_of(column, pair->compared, of_scenarios);
+        const auto successful = median_of(column, pair->neighbors, of_scenarios);
+        if (!failing || !successful) continue;
+        values.group.push_back(*failing);
+        values.reference.push_back(*successful);
+      }
+      family.push_back(std::move(values));
+    }
+    return contrast_matched(family, confidence_);
+  }
+
+  std::optional<double> value_of(const ValueColumn& column, std::size_t run,
+                                 bool of_scenario) const {
+    const std::size_t row = of_scenario ? runs_.scenario[run] : run;
+    if (column.is_na(row)) return std::nullopt;
+    return column.number(row);
+  }
+
+  std::optional<double> median_of(const ValueColumn& column, const std::vector<std::size_t>& runs,
+                                  bool of_scenarios) const {
+    std::vector<double> values;
+    for (const std::size_t run : runs)
+      if (const auto value = value_of(column, run, of_scenarios)) values.push_back(*value);
+    if (values.empty()) return std::nullopt;
+    return median(values);
+  }
+
+  std::string basis_of(const ReportedCluster& cluster, std::size_t pairs) const {
+    if (pairs == 0) return "No failure has successful neighbors to compare with.";
+    const std::size_t needed = min_pairs_to_hold(cluster.scenarios.size(), confidence_);
+    std::string text = std::to_string(pairs) + " of " + std::to_string(cluster.members.size()) +
+                       " failures compared with their successful neighbors in " +
+                       std::to_string(cluster.scenarios.size()) + " descriptors";
+    if (pairs < needed)
+      return text + ": too few, a difference can hold with " + std::to_string(needed) + ".";
+    return text + (cluster.statements.empty() ? ": no difference holds." : ".");
+  }
+};
+
+}  // namespace
+
+std::vector<ReportedCluster> explain_failures(const ResultFile& file, const ResultTable& runs,
+                                              const TestBench& bench,
+                                              const std::vector<ExaminedFailure>& failures,
+                                              double confidence) {
+  return Explainer(file, runs, bench, failures, confidence).clusters();
+}
+
+}  // namespace slalom
