@@ -90,27 +90,27 @@ Json failure_json(const Failure& failure, const FalsifyCampaign& campaign,
           {"show", show_command(failure, campaign.bench, folder)}};
 }
 
-/// The campaign's .ini with the list of failures as its only source of scenarios.
-std::string failures_ini(const FalsifyCampaign& campaign, const std::string& folder) {
+}  // namespace
+
+IniFile ini_of_list(const FalsifyCampaign& campaign, const std::string& list_path,
+                    RecordedRuns rawlogs) {
   IniFile ini = campaign.ini;
   for (const std::string& section : campaign.ini.sections())
     if (section == "scenarios" || starts_with(section, "generator."))
       for (const std::string& key : campaign.ini.keys(section)) ini.remove(section, key);
-  const auto list = std::filesystem::absolute(folder + "/failures.scenarios").lexically_normal();
+  const auto list = std::filesystem::absolute(list_path).lexically_normal();
   ini.set("scenarios", "list", list.string());
   ini.set("campaign", "repetitions", std::to_string(campaign.bench.repetition + 1));
-  ini.set("record", "rawlog", "all");
-  // Files that were found where the .ini is or in the current folder, which failures.ini may not
-  // be.
+  ini.set("record", "rawlog", to_string(rawlogs));
+  ini.set("record", "trajectories", to_string(StoredTrajectories::All));
+  // Files that were found where the .ini is or in the current folder, where the copy may not be.
   for (const auto& [key, path] : campaign.config.method_files)
     if (std::filesystem::exists(path)) {
       const std::size_t dot = key.rfind('.');
       ini.set(key.substr(0, dot), key.substr(dot + 1), std::filesystem::absolute(path).string());
     }
-  return ini.canonical_text();
+  return ini;
 }
-
-}  // namespace
 
 void name_failures(std::vector<Failure>& failures, const std::string& method) {
   std::map<std::string, int> counts;
@@ -137,7 +137,8 @@ void write_failures(const std::vector<Failure>& failures, const FalsifyCampaign&
       write_file_atomically(path + ".svg", picture(failure, campaign.bench) + "\n");
     }
   });
-  write_file_atomically(folder + "/failures.ini", failures_ini(campaign, folder));
+  const IniFile ini = ini_of_list(campaign, folder + "/failures.scenarios", RecordedRuns::All);
+  write_file_atomically(folder + "/failures.ini", ini.canonical_text());
   write_file_atomically(folder + "/failures.json", document.dump(2) + "\n");
 }
 

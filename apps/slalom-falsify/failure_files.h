@@ -14,6 +14,11 @@ struct Failure {
   std::string origin;  ///< where it was found: "run 0123abcd/mine/0", "candidate 17"
   Scenario original;
   ShrinkResult small;
+  /// Where the method reaches the goal, though the failing scenario is similar: successful ones of
+  /// the mix, similar to the original, or the smallest scenario without each of its obstacles.
+  std::vector<Scenario> neighbors = {};
+  bool is_original_compared = false;  ///< with the neighbors; else the smallest scenario
+  bool independent = true;            ///< see ExaminedFailure
 };
 
 /// Names the smallest scenarios METHOD_OUTCOME_1, ...
@@ -24,6 +29,10 @@ void name_failures(std::vector<Failure>& failures, const std::string& method);
 /// `search` is added to failures.json under "search", unless empty: JSON. Throws Error (Job).
 void write_failures(const std::vector<Failure>& failures, const FalsifyCampaign& campaign,
                     const std::string& folder, const std::string& search = "");
+
+/// The campaign's .ini with the list in `list_path` as its only source of scenarios.
+IniFile ini_of_list(const FalsifyCampaign& campaign, const std::string& list_path,
+                    RecordedRuns rawlogs);
 
 /// What was found, why it is fair, and the proof that all of it is needed; for people.
 std::string failure_text(const Failure& failure, const TestBench& bench);

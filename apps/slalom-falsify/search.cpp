@@ -1,3 +1,4 @@
+#include "cluster_report.h"
 #include "failure_files.h"
 #include "verbs.h"
 
@@ -10,6 +11,7 @@
 #include <slalom/core/progress.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
+#include <slalom/falsification/neighbors.h>
 #include <slalom/falsification/search.h>
 #include <slalom/io/file_lock.h>
 #include <slalom/io/result_file.h>
@@ -141,11 +143,27 @@ std::vector<Failure> shrink_found(const SearchResult& result, const FalsifyCampa
     if (!fair)
       std::cerr << origin << ": left out, " << join(small->fairness.violations, "; ") << "\n";
     if (fair && hashes.insert(small->scenario.hash()).second)
-      failures.push_back({origin, found.scenario, std::move(*small)});
+      failures.push_back(
+          {origin, found.scenario, std::move(*small), {}, true, found.half == SearchHalf::Random});
     progress->advance(++done);
   }
   progress->finish();
   return failures;
+}
+
+/// Gives each failure its successful neighbors in the mix.
+void find_neighbors(std::vector<Failure>& failures, const FalsifyCampaign& campaign,
+                    const SearchOptions& search) {
+  NeighborOptions options;
+  options.fairness = search.fairness;
+  options.seed = search.seed;
+  options.interrupted = InterruptGuard::raised;
+  std::vector<Scenario> originals;
+  for (const Failure& failure : failures) originals.push_back(failure.original);
+  auto neighbors = successful_neighbors(campaign.bench, originals, options);
+  if (!neighbors) throw Interrupted("the same command continues");
+  for (std::size_t i = 0; i < failures.size(); ++i)
+    failures[i].neighbors = std::move((*neighbors)[i]);
 }
 
 void search_verb(SearchArguments& arguments) {
@@ -186,11 +204,14 @@ void search_verb(SearchArguments& arguments) {
   std::vector<Failure> failures = shrink_found(result, campaign, common);
   name_failures(failures, common.method);
   write_failures(failures, campaign, common.output, search_json(arguments, result));
+  find_neighbors(failures, campaign, options);
+  const std::vector<ReportedCluster> clusters = write_cluster_report(failures, campaign, common);
   std::cout << search_text(result);
   for (const Failure& failure : failures)
     std::cout << "\n" << failure_text(failure, campaign.bench);
   if (!failures.empty())
-    std::cout << "\nshow one  " << show_command(failures[0], campaign.bench, common.output) << "\n";
+    std::cout << clusters_text(clusters, common.output) << "\nshow one  "
+              << show_command(failures[0], campaign.bench, common.output) << "\n";
 }
 
 }  // namespace

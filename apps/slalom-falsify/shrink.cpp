@@ -1,3 +1,4 @@
+#include "cluster_report.h"
 #include "failure_files.h"
 #include "verbs.h"
 
@@ -5,10 +6,13 @@
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/falsification/neighbors.h>
 #include <slalom/io/find_run.h>
 #include <slalom/io/scenario_yaml.h>
 
+#include <filesystem>
 #include <iostream>
+#include <system_error>
 
 namespace slalom {
 namespace {
@@ -61,6 +65,9 @@ void shrink_verb(ShrinkArguments& arguments) {
   const ShrinkInput input = read_input(arguments);
   const FalsifyArguments& common = arguments.common;
   refuse_output_over_inputs(common.output, input.ini);
+  std::error_code ignored;
+  if (std::filesystem::equivalent(arguments.input, common.output + kExaminedResults, ignored))
+    throw usage_error("-o " + common.output, "would replace " + arguments.input, "another folder");
   FalsifyCampaign campaign = read_falsify_campaign(input.ini, common);
   campaign.bench.repetition = input.repetition;
   const InterruptGuard guard;
@@ -69,9 +76,13 @@ void shrink_verb(ShrinkArguments& arguments) {
   if (!small) throw Interrupted("nothing was written");
   std::vector<Failure> failures = {{input.origin, input.scenario, std::move(*small)}};
   name_failures(failures, common.method);
+  failures[0].neighbors =
+      one_removal_variants(failures[0].small.scenario, campaign.bench.setup.simulation.resolution);
   write_failures(failures, campaign, common.output);
+  const std::vector<ReportedCluster> clusters = write_cluster_report(failures, campaign, common);
   std::cout << failure_text(failures[0], campaign.bench) << "  show it    "
-            << show_command(failures[0], campaign.bench, common.output) << "\n";
+            << show_command(failures[0], campaign.bench, common.output) << "\n"
+            << clusters_text(clusters, common.output);
   const Trial& trial = failures[0].small.trial;
   if (input.recorded && input.recorded->outcome != to_string(trial.outcome))
     throw job_error(input.origin,

@@ -1,3 +1,4 @@
+#include "browser.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
@@ -49,6 +50,9 @@ class Falsify : public ProgramTest {
   Json failures(const std::string& folder) const {
     return Json::parse(read(folder + "/failures.json"));
   }
+  Json report(const std::string& folder) const {
+    return Json::parse(read(folder + "/report.json"));
+  }
 };
 
 constexpr char kShrink[] =
@@ -75,6 +79,44 @@ TEST_F(Falsify, ShrinkWritesTheSmallestScenarioItsProofAndACampaignThatRepeatsIt
   EXPECT_NE(runs.find(R"("outcome":"collision")"), std::string::npos);
   EXPECT_NE(runs.find(R"("outcome":"success")"), std::string::npos);
   EXPECT_NE(runs.find(failure["trajectory"].get<std::string>()), std::string::npos);
+}
+
+TEST_F(Falsify, ShrinkWritesAReportWithTheVariantsThatPassAsNeighbors) {
+  const ProgramResult result = run(kShrink);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("1 failure: collision, "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("Report: out/index.html"), std::string::npos);
+  const Json removals = failures("out")["failures"][0]["shrinking"]["removals"];
+  const Json page = report("out");
+  ASSERT_EQ(page["clusters"].size(), 1U);
+  const Json& cluster = page["clusters"][0];
+  ASSERT_EQ(cluster["members"].size(), 1U);
+  const Json& member = cluster["members"][0];
+  EXPECT_EQ(member["compared"], member["run"]);
+  EXPECT_NE(member["command"].get<std::string>().find("slalom-replay play"), std::string::npos);
+  // The proof of shrinking says of each removal how the run without the obstacle ends.
+  std::size_t passed = 0;
+  for (const Json& removal : removals) passed += removal["verdict"] == "squeeze: success" ? 1 : 0;
+  EXPECT_GE(passed, 1U);
+  EXPECT_EQ(member["neighbors"].size(), passed);
+  EXPECT_TRUE(cluster["statements"].empty()) << "one failure shows no difference";
+  if (!has_browser()) GTEST_SKIP() << "needs the package chromium";
+  const auto open = [&](const std::string& name) {
+    return open_in_browser((folder_ / "out" / name).string(), folder_);
+  };
+  EXPECT_EQ(all_matches(open("index.html"), "href=\"(cluster\\.html#1)\"").size(), 1U);
+  const auto frames = all_matches(open("cluster.html#1"), "<iframe[^>]* src=\"([^\"]*)\"");
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_NE(open(frames[0]).find("data-ready=\"squeeze/0\""), std::string::npos);
+}
+
+TEST_F(Falsify, ShrinkDoesNotReplaceItsInput) {
+  ASSERT_EQ(run(kShrink).status, 0);
+  const std::string hash = failures("out")["failures"][0]["scenario"];
+  const std::string id = hash.substr(0, 8) + "/squeeze/0";
+  expect_failure("slalom-falsify shrink out/examined.results --run " + id + " -o out", 2,
+                 {"would replace out/examined.results", "another folder"});
+  EXPECT_EQ(run("slalom-falsify shrink out/examined.results --run " + id + " -o again").status, 0);
 }
 
 TEST_F(Falsify, ShrinksARunOfAResultFile) {
@@ -118,6 +160,20 @@ TEST_F(Falsify, SearchFindsShrinksAndReportsFailuresTheSameForAnyNumberOfWorkers
   for (std::size_t i = 0; i < found["failures"].size(); ++i)
     EXPECT_EQ(other["failures"][i]["scenario"], found["failures"][i]["scenario"]);
   EXPECT_EQ(other["search"], found["search"]);
+  const Json page = report("one"), other_page = report("two");
+  EXPECT_EQ(other_page["runs"], page["runs"]);
+  std::size_t members = 0;
+  for (std::size_t i = 0; i < page["clusters"].size(); ++i) {
+    const Json &cluster = page["clusters"][i], &same = other_page["clusters"][i];
+    EXPECT_EQ(same["name"], cluster["name"]);
+    EXPECT_EQ(same["scenarios"], cluster["scenarios"]);
+    for (const Json& member : cluster["members"]) {
+      EXPECT_EQ(member["neighbors"].size(), 3U);
+      EXPECT_NE(member["run"], member["compared"]) << "the original is compared";
+    }
+    members += cluster["members"].size();
+  }
+  EXPECT_EQ(members, found["failures"].size());
   expect_failure(search + "--seed 2 -o one", 2, {"other settings", "--overwrite"});
 }
 

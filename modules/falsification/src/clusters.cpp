@@ -83,12 +83,17 @@ class Divider {
     std::map<std::string, Members> by_value;
     for (const std::size_t member : members) by_value[words_[member][fact]].push_back(member);
     Members rest;
-    for (const auto& [value, having] : by_value) {
-      if (having.size() >= kMinCluster)
-        divide(having, fact + 1);
-      else
+    for (auto value = by_value.begin(); value != by_value.end();) {
+      const Members& having = value->second;
+      if (having.size() < kMinCluster) {
         rest.insert(rest.end(), having.begin(), having.end());
+        value = by_value.erase(value);
+      } else {
+        ++value;
+      }
     }
+    if (!rest.empty() && rest.size() < kMinCluster) return divide(members, fact + 1);
+    for (const auto& [value, having] : by_value) divide(having, fact + 1);
     std::sort(rest.begin(), rest.end());
     if (!rest.empty()) divide(rest, fact + 1);
   }

@@ -64,10 +64,11 @@ struct FailureCluster {
 /// Of fewer failures no contrast in 24 descriptors can hold (min_pairs_to_hold()).
 constexpr std::size_t kMinCluster = 10;
 
-/// Divides failures into clusters: by outcome, then fact by fact. A value of a fact becomes a
-/// cluster of its own if at least kMinCluster members have it; the members with rarer values stay
-/// together. Sorted by size, the largest first, then by name and first member. Which failures are
-/// together depends on what they are, not on their order.
+/// Divides failures into clusters: by outcome, then fact by fact. Each value of a fact that at
+/// least kMinCluster members have becomes a cluster of its own, and the others together another
+/// one; if these are fewer than kMinCluster, the cluster is not divided by this fact. Sorted by
+/// size, the largest first, then by name and first member. Which failures are together depends on
+/// what they are, not on their order.
 std::vector<FailureCluster> cluster_failures(const std::vector<FailureFacts>& failures);
 
 }  // namespace slalom

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "failure_files.h"
+
+#include <slalom/report/reported_cluster.h>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+constexpr char kExaminedResults[] = "/examined.results";  ///< in the output folder
+
+/// Runs the method and its witnesses in the smallest scenarios, the originals and the neighbors
+/// (examined.scenarios, examined.results), and writes the report of these runs (index.html) with a
+/// page for each cluster of failures. Does nothing without failures. Throws Interrupted, Error.
+std::vector<ReportedCluster> write_cluster_report(const std::vector<Failure>& failures,
+                                                  const FalsifyCampaign& campaign,
+                                                  const FalsifyArguments& arguments);
+
+/// What distinguishes each cluster, and where the report is; for people.
+std::string clusters_text(const std::vector<ReportedCluster>& clusters, const std::string& folder);
+
+}  // namespace slalom
