@@ -1,12 +1,8 @@
+#include <slalom/app/adapters.h>
 #include <slalom/app/campaign_program.h>
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/options.h>
 #include <slalom/generation/generator.h>
-#include <slalom/lcm/lcm_method.h>
-#include <slalom/library/library_method.h>
-#include <slalom/mrpt_nav/holonomic_method.h>
-#include <slalom/mrpt_nav/navigator_method.h>
-#include <slalom/python/python_method.h>
 
 namespace slalom {
 namespace {
@@ -39,12 +35,7 @@ std::string campaign_options_help() {
   list_section<LimitsSection>(text, "limits");
   list_section<RecordSection>(text, "record");
   list_section<AnalysisSection>(text, "analysis");
-  list_section<HolonomicOptions>(text, "method.NAME");
-  list_section<NavigatorOptions>(text, "method.NAME");
-  list_section<LibraryOptions>(text, "method.NAME");
-  list_section<PythonOptions>(text, "method.NAME");
-  list_section<LcmOptions>(text, "method.NAME");
-  return text;
+  return text + adapter_options_help();
 }
 
 }  // namespace slalom
