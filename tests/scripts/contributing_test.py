@@ -1,0 +1,82 @@
+"""The diffs in CONTRIBUTING.md apply to the tree, one after another, and their sources compile:
+contributing_test.py SOURCES BUILD"""
+
+import json
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+# A target with the flags for new sources below a folder; the adapters and methods are new targets there.
+TARGETS = {
+    "modules/metrics/": "slalom_metrics",
+    "modules/analysis/": "slalom_analysis",
+    "modules/descriptors/": "slalom_descriptors",
+    "modules/generation/": "slalom_generation",
+    "adapters/": "slalom_library",
+    "apps/campaign/": "slalom_app_campaign",
+    "reactive_algos/": "slalom_go_to_goal_parts",
+    "tests/modules/metrics/": "metrics_test",
+    "tests/modules/descriptors/": "descriptors_test",
+}
+FOLDERS = ("adapters", "apps", "docs", "lcm_types", "modules", "reactive_algos", "tests")
+
+
+def diffs(text):
+    return re.findall(r"^```diff\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+
+
+def flags(build, target):
+    """The compiler and its options for the sources of a target, without precompiled headers."""
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        if f"/{target}.dir/" in entry["command"]:
+            break
+    else:
+        raise SystemExit(f"no source of {target} in compile_commands.json")
+    words = shlex.split(entry["command"])
+    del words[words.index("-o") :]
+    for option in ("-include", "-Winvalid-pch"):
+        while option in words:
+            at = words.index(option)
+            del words[at : at + (2 if option == "-include" else 1)]
+    return words
+
+
+def moved(word, sources, build, tree):
+    """A path of the sources, but not of the build folder in them, becomes one of the tree."""
+    if str(build) in word:
+        return word
+    return word.replace(str(sources), str(tree))
+
+
+def main():
+    sources, build = (pathlib.Path(path).resolve() for path in sys.argv[1:])
+    found = diffs((sources / "CONTRIBUTING.md").read_text())
+    assert len(found) >= 5, f"{len(found)} diffs in CONTRIBUTING.md"
+    failed = False
+    with tempfile.TemporaryDirectory() as folder:
+        tree = pathlib.Path(folder)
+        for name in FOLDERS:
+            shutil.copytree(sources / name, tree / name, ignore=shutil.ignore_patterns("corpus", "*.png"))
+        for number, diff in enumerate(found, 1):
+            applied = subprocess.run(["git", "apply", "-"], input=diff, text=True, cwd=tree)
+            if applied.returncode != 0:
+                print(f"diff {number} of CONTRIBUTING.md does not apply")
+                failed = True
+        files = [name for diff in found for name in re.findall(r"^\+\+\+ b/(\S+\.cpp)$", diff, re.MULTILINE)]
+        for name in files:
+            target = next(target for start, target in TARGETS.items() if name.startswith(start))
+            command = [moved(word, sources, build, tree) for word in flags(build, target)]
+            command += [f"-I{path}" for path in sorted(tree.glob("adapters/*/include"))]
+            command += ["-O0", "-fsyntax-only", str(tree / name)]
+            if subprocess.run(command).returncode != 0:
+                print(f"{name} of CONTRIBUTING.md does not compile")
+                failed = True
+    sys.exit(failed)
+
+
+if __name__ == "__main__":
+    main()
