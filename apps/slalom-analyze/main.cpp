@@ -1,8 +1,10 @@
 #include "export.h"
+#include "figure.h"
 #include "interpret.h"
 #include "metrics.h"
 #include "output.h"
 #include "show.h"
+#include "trajectories.h"
 #include "warnings.h"
 
 #include <slalom/app/program.h>
@@ -125,6 +127,8 @@ int main(int argc, char** argv) {
                        define_show(app, arguments);
                        define_dump(app, arguments);
                        define_export(app);
+                       define_trajectories(app);
+                       define_figure(app);
                        define_metrics(app);
                      });
 }

@@ -1,3 +1,4 @@
+#include "occurrences.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,10 @@ class Export : public ResultsTest {
  protected:
   static bool has_program(const std::string& name) {
     return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
+  }
+  nlohmann::json first_run() const {
+    const std::string dump = run("slalom-analyze dump runs.results").out;
+    return nlohmann::json::parse(dump.substr(0, dump.find('\n')));
   }
 };
 
@@ -48,6 +53,108 @@ TEST_F(Export, WorkbookHasASheetPerTable) {
 TEST_F(Export, PlannerArenaDatabaseContainsEveryRun) {
   ASSERT_EQ(run("slalom-analyze export runs.results --format plannerarena -o arena.db").status, 0);
   EXPECT_EQ(read("arena.db").substr(0, 15), "SQLite format 3");
+}
+
+/// The numbers of a column of CSV text.
+std::vector<double> csv_column(const std::string& text, const std::string& name) {
+  std::istringstream lines(text);
+  std::string line, field;
+  std::getline(lines, line);
+  std::size_t column = 0;
+  std::istringstream header(line);
+  while (std::getline(header, field, ',') && field != name) ++column;
+  std::vector<double> numbers;
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    for (std::size_t i = 0; i <= column; ++i) std::getline(fields, field, ',');
+    numbers.push_back(std::stod(field));
+  }
+  return numbers;
+}
+
+TEST_F(Export, ClearancesOfTrajectoriesAreThoseOfTheMetrics) {
+  ASSERT_EQ(run("slalom-analyze trajectories runs.results -o paths --quiet").status, 0);
+  std::istringstream dump(run("slalom-analyze dump runs.results").out);
+  std::size_t runs = 0;
+  for (std::string line; std::getline(dump, line); ++runs) {
+    const auto run = nlohmann::json::parse(line);
+    const auto& metrics = run["metrics"];
+    const std::string csv =
+        read("paths/" + run["scenario"]["hash"].get<std::string>().substr(0, 8) + "_" +
+             run["method"].get<std::string>() + "_0.csv");
+    const std::vector<double> clearances = csv_column(csv, "clearance");
+    ASSERT_FALSE(clearances.empty()) << line;
+    EXPECT_EQ(*std::min_element(clearances.begin(), clearances.end()),
+              metrics["min_clearance"]["value"].get<double>());
+    EXPECT_EQ(csv_column(csv, "traveled").back(), metrics["path_length"]["value"].get<double>());
+  }
+  EXPECT_EQ(runs, 2 * 4U);  // two methods, four scenarios
+}
+
+TEST_F(Export, OneTrajectoryIsPrintedInEitherFormat) {
+  const auto first = first_run();
+  const std::string id = first["scenario"]["hash"].get<std::string>().substr(0, 8) + "/" +
+                         first["method"].get<std::string>() + "/0";
+  const std::string command = "slalom-analyze trajectories runs.results --run " + id;
+  const std::string csv = run(command).out;
+  const auto json = nlohmann::json::parse(run(command + " --format json").out);
+  EXPECT_EQ(json["name"], id);
+  const std::vector<double> angular = csv_column(csv, "command_w");
+  ASSERT_EQ(json["rows"].size(), angular.size());
+  ASSERT_EQ(json["columns"][8], "command_w");
+  for (std::size_t i = 0; i < angular.size(); ++i)
+    EXPECT_EQ(json["rows"][i][8].get<double>(), angular[i]);
+  ASSERT_EQ(run(command + " -o one.csv").status, 0);
+  EXPECT_EQ(read("one.csv"), csv);
+}
+
+TEST_F(Export, TrajectoriesRejectInvalidArguments) {
+  expect_failure("slalom-analyze trajectories runs.results", 2, {"--output", "folder"});
+  expect_failure("slalom-analyze trajectories runs.results --run 00000000/nd/0", 2,
+                 {"no such run"});
+  expect_failure("slalom-analyze trajectories none.results -o x", 3, {"none.results"});
+  write("file", "");
+  expect_failure("slalom-analyze trajectories runs.results -o file/x", 1, {"file/x"});
+}
+
+TEST_F(Export, FiguresOfEachKindAreDrawn) {
+  const auto first = first_run();
+  const std::string hash = first["scenario"]["hash"].get<std::string>().substr(0, 8);
+  const auto draw = [this](const std::string& options) {
+    EXPECT_EQ(run("slalom-analyze figure runs.results " + options + " -o figure.svg --quiet").err,
+              "");
+    return read("figure.svg");
+  };
+  EXPECT_EQ(count(draw("--scenario " + hash), "class=\"trajectory\""), 2U);
+  EXPECT_EQ(count(draw("--scenario " + hash + " --method nd"), "class=\"trajectory\""), 1U);
+  EXPECT_EQ(count(draw("--cell density:0,1"), "class=\"scene\""), 4U);
+  EXPECT_EQ(count(draw("--cell density:0,1 --count 3 --method gap"), "class=\"trajectory\""), 3U);
+  EXPECT_EQ(count(draw("--animate " + hash + "/nd/0"), "<animateTransform"), 2U);
+  EXPECT_EQ(count(draw("--profile path_length"), "<polyline"), 2U);
+  EXPECT_NE(draw("--ranks path_length").find("CD = "), std::string::npos);
+}
+
+TEST_F(Export, FiguresAsPdfAreThoseOfRsvgConvert) {
+  if (!has_program("rsvg-convert")) GTEST_SKIP() << "needs the package librsvg2-bin";
+  const ProgramResult result =
+      run("slalom-analyze figure runs.results --ranks path_length -o figure.pdf --quiet");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(read("figure.pdf").substr(0, 5), "%PDF-");
+  EXPECT_EQ(run("find . -name '*figure*'").out, "./figure.pdf\n") << "without temporary files";
+}
+
+TEST_F(Export, FiguresRejectInvalidArguments) {
+  const std::string figure = "slalom-analyze figure runs.results ";
+  expect_failure(figure + "-o x.svg", 2, {"--scenario"});
+  expect_failure(figure + "--ranks success -o x.png", 2, {"--output", ".svg or .pdf"});
+  expect_failure(figure + "--ranks sucess -o x.svg", 2, {"success"});
+  expect_failure(figure + "--cell density:0,0.1,0.2 -o x.svg", 2, {"--cell", "LOW,HIGH"});
+  expect_failure(figure + "--cell density:2,3 -o x.svg", 2, {"--cell", "no runs"});
+  expect_failure(figure + "--scenario none -o x.svg", 2, {"--scenario", "no such scenario"});
+  expect_failure(figure + "--cell density:0,1 --method dn -o x.svg", 2, {"--method", "nd"});
+  expect_failure(figure + "--animate 00000000/nd/0 -o x.pdf", 2, {"--output", "animation"});
+  expect_failure("PATH=\"" SLALOM_BIN "\" " + figure + "--ranks path_length -o x.pdf", 1,
+                 {"rsvg-convert", "librsvg2-bin"});
 }
 
 TEST_F(Export, RejectsInvalidArguments) {

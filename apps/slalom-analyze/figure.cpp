@@ -1,0 +1,172 @@
+#include "figure.h"
+#include "figure_file.h"
+#include "warnings.h"
+
+#include <slalom/analysis/bins.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/io/find_run.h>
+#include <slalom/io/read_results.h>
+#include <slalom/io/result_file.h>
+#include <slalom/io/svg_animation.h>
+#include <slalom/report/figures.h>
+#include <slalom/report/report.h>
+
+#include <algorithm>
+#include <iostream>
+#include <set>
+
+namespace slalom {
+namespace {
+
+struct FigureArguments {
+  std::string results, output, profile, ranks, cell, scenario, animate, method;
+  int count = 12, columns = 3, pixels = 320;
+  bool quiet = false;
+};
+
+/// Draws runs of a result file.
+class RunFigures {
+ public:
+  explicit RunFigures(const FigureArguments& arguments)
+      : arguments_(arguments),
+        file_(ResultFile::open(arguments.results)),
+        runs_(read_results(arguments.results)),
+        robot_radius_(report_options(runs_).robot.shape().enclosing_radius()) {
+    if (!arguments.method.empty() && !contains(runs_.methods, arguments.method))
+      throw usage_error("--method", "no runs of '" + arguments.method + "'",
+                        expected_name(arguments.method, runs_.methods));
+  }
+
+  std::string of_scenario() const {
+    std::set<std::uint32_t> chosen;
+    for (std::uint32_t i = 0; i < runs_.scenario_hashes.size(); ++i)
+      if (runs_.scenario_names[i] == arguments_.scenario ||
+          (arguments_.scenario.size() >= 4 &&
+           starts_with(runs_.scenario_hashes[i], arguments_.scenario)))
+        chosen.insert(i);
+    if (chosen.size() != 1)
+      throw usage_error("--scenario", chosen.empty() ? "no such scenario" : "ambiguous",
+                        "the name of a scenario, or the first digits of its id");
+    return pictures(chosen);
+  }
+
+  std::string of_cell() const {
+    const BinSpec spec = parse_bin_spec(arguments_.cell, "--cell");
+    if (spec.kind != BinSpec::Kind::Edges || spec.edges.size() != 2)
+      throw usage_error("--cell", "is not one bin", "DESCRIPTOR:LOW,HIGH");
+    const Bin bin = make_bins(spec, runs_).front();
+    const RunValues values(runs_, spec.descriptor);
+    std::set<std::uint32_t> chosen;
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+      if (chosen.size() == static_cast<std::size_t>(arguments_.count)) break;
+      if (is_drawn(run) && !values.is_na(run) && bin.contains(values(run)))
+        chosen.insert(runs_.scenario[run]);
+    }
+    if (chosen.empty()) throw usage_error("--cell", "contains no runs", "a bin with runs");
+    return pictures(chosen);
+  }
+
+  std::string animated() const {
+    const RunRecord run = find_run(file_, arguments_.animate);
+    const Trajectory trajectory = file_.read_trajectory(run);
+    const References references = file_.read_references(run.scenario_hash);
+    SceneOptions options = scene_options();
+    options.references = &references;
+    options.trajectories.push_back(drawn(run));
+    return render_animated_svg(file_.read_scenario(run.scenario_hash), options, trajectory) + "\n";
+  }
+
+ private:
+  bool is_drawn(std::size_t run) const {
+    return arguments_.method.empty() || runs_.methods[runs_.method[run]] == arguments_.method;
+  }
+
+  SceneOptions scene_options() const {
+    SceneOptions options;
+    options.max_pixels = arguments_.pixels;
+    options.robot_radius = robot_radius_;
+    return options;
+  }
+
+  /// A run in the color of its method in reports.
+  SceneTrajectory drawn(const RunRecord& run) const {
+    const auto method = std::find(runs_.methods.begin(), runs_.methods.end(), run.method);
+    return {run.method, file_.read_trajectory(run).path(),
+            from_stored_name<Outcome>("outcome", run.outcome),
+            method_color(static_cast<std::size_t>(method - runs_.methods.begin()))};
+  }
+
+  std::string pictures(const std::set<std::uint32_t>& chosen) const {
+    std::vector<References> references;
+    references.reserve(chosen.size());  // the figures refer to them
+    std::vector<ScenarioFigure> figures;
+    for (const std::uint32_t index : chosen) {
+      const std::string& hash = runs_.scenario_hashes[index];
+      references.push_back(file_.read_references(hash));
+      figures.push_back({file_.read_scenario(hash), scene_options()});
+      figures.back().options.references = &references.back();
+      for (const RunRecord& run : file_.read_runs(hash))
+        if (arguments_.method.empty() || run.method == arguments_.method)
+          figures.back().options.trajectories.push_back(drawn(run));
+    }
+    return scenario_figure(figures, static_cast<std::size_t>(arguments_.columns));
+  }
+
+  const FigureArguments& arguments_;
+  ResultFile file_;
+  ResultTable runs_;
+  double robot_radius_;
+};
+
+std::string figure(const FigureArguments& arguments) {
+  if (!arguments.scenario.empty()) return RunFigures(arguments).of_scenario();
+  if (!arguments.cell.empty()) return RunFigures(arguments).of_cell();
+  if (!arguments.animate.empty()) return RunFigures(arguments).animated();
+  const ResultTable runs = read_results(arguments.results);
+  warn_of_missing(arguments.results, runs);
+  if (!arguments.profile.empty()) return profile_figure(build_profiles(runs, arguments.profile));
+  return rank_figure(build_method_ranks(runs, arguments.ranks, report_options(runs).analysis));
+}
+
+void run(const FigureArguments& arguments) {
+  if (!arguments.animate.empty() && !ends_with(arguments.output, ".svg"))
+    throw usage_error("--output", "an animation is an SVG", "FILE.svg");
+  write_figure(figure(arguments), arguments.output);
+  if (!arguments.quiet) std::cerr << arguments.output << ": written\n";
+}
+
+}  // namespace
+
+void define_figure(CLI::App& app) {
+  static FigureArguments arguments;
+  CLI::App* verb = app.add_subcommand("figure", "Draw a figure for a paper as SVG or PDF");
+  verb->add_option("results", arguments.results, "A result file (.results)")->required();
+  CLI::Option_group* kind = verb->add_option_group("What is drawn");
+  kind->add_option("--scenario", arguments.scenario,
+                   "The runs in a scenario: its name or the first digits of its id");
+  kind->add_option("--cell", arguments.cell,
+                   "The runs of a cell: a picture per scenario of DESCRIPTOR:LOW,HIGH");
+  kind->add_option("--animate", arguments.animate,
+                   "A run as an animated SVG: HASH8/METHOD/REPETITION");
+  kind->add_option("--profile", arguments.profile, "Performance profiles of this metric");
+  kind->add_option("--ranks", arguments.ranks, "Critical-difference diagram of this metric");
+  kind->require_option(1);
+  verb->add_option("--method", arguments.method, "With --scenario or --cell: only this method");
+  verb->add_option("--count", arguments.count, "With --cell: at most this number of scenarios")
+      ->check(CLI::Range(1, 200))
+      ->capture_default_str();
+  verb->add_option("--columns", arguments.columns, "With --cell: pictures per row")
+      ->check(CLI::Range(1, 20))
+      ->capture_default_str();
+  verb->add_option("--pixels", arguments.pixels, "Longer side of a scenario, pixels")
+      ->check(CLI::Range(16, 10000))
+      ->capture_default_str();
+  verb->add_option("-o,--output", arguments.output,
+                   "A .svg file, or .pdf (needs rsvg-convert of the package librsvg2-bin)")
+      ->required();
+  verb->add_flag("--quiet", arguments.quiet, "No messages");
+  verb->callback([] { run(arguments); });
+}
+
+}  // namespace slalom

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace slalom {
+
+/// Adds the verb `figure`.
+void define_figure(CLI::App& app);
+
+}  // namespace slalom

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace slalom {
+
+/// Adds the verb `trajectories`.
+void define_trajectories(CLI::App& app);
+
+}  // namespace slalom

@@ -1,0 +1,45 @@
+#include "io_sample.h"
+#include "occurrences.h"
+
+#include <slalom/io/svg_animation.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+Sample at(double t, double x, double y, double phi) {
+  Sample sample;
+  sample.t = t;
+  sample.pose = {x, y, phi};
+  return sample;
+}
+
+TEST(SvgAnimation, TheRobotIsAtEachSampleAtItsTimeAndThenPauses) {
+  const Scenario scenario = Scenario::continuous("s", {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3});
+  SceneOptions options;
+  options.max_pixels = 400;  // 50 pixels per meter
+  const std::string svg =
+      render_animated_svg(scenario, options, {{at(2, 1, 3, 0), at(3, 2, 3, 0), at(5, 4, 1, 0)}});
+  // 3 s and a pause of 1 s: samples at 0, 1/4 and 3/4 of the repetition.
+  EXPECT_EQ(count(svg, "dur=\"4.000s\""), 2U);
+  EXPECT_EQ(count(svg, "keyTimes=\"0.000000;0.250000;0.750000;1\""), 2U);
+  EXPECT_EQ(count(svg, "values=\"50.0 50.0;100.0 50.0;200.0 150.0;200.0 150.0\""), 1U);
+  EXPECT_EQ(svg.compare(svg.size() - 6, 6, "</svg>"), 0);
+}
+
+TEST(SvgAnimation, HeadingsDoNotJumpByATurn) {
+  const Scenario scenario = Scenario::continuous("s", {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3});
+  const double pi = 3.14159265358979323846;
+  const std::string svg = render_animated_svg(
+      scenario, {}, {{at(0, 1, 1, 0.75 * pi), at(1, 1, 1, pi), at(2, 1, 1, -0.75 * pi)}});
+  EXPECT_EQ(count(svg, "values=\"-135.0;-180.0;-225.0;-225.0\""), 1U) << svg;  // y points down
+}
+
+TEST(SvgAnimation, WithoutMotionItIsThePicture) {
+  const Scenario scenario = sample_scenario(1, "s");
+  EXPECT_EQ(render_animated_svg(scenario, {}, {}), render_svg(scenario, {}));
+}
+
+}  // namespace
+}  // namespace slalom
