@@ -26,6 +26,12 @@ SCRIPT
 chmod +x "$work/bin/apt-cache"
 PATH="$work/bin:$PATH"
 source "$sources/scripts/apt.sh"
+# The citation is of this version, with the keys that its format requires.
+version=$(sed -n 's/^project(slalom VERSION \([0-9.]*\).*/\1/p' "$sources/CMakeLists.txt")
+expect_text "CITATION.cff cites this version" "version: $version" "$sources/CITATION.cff"
+for key in cff-version message title authors; do
+  expect "CITATION.cff has $key" grep -q "^$key:" "$sources/CITATION.cff"
+done
 always_available() { for _ in {1..20}; do is_available present || return 1; done; }
 expect "a package that the distribution has is available, each time" always_available
 expect "a package without a candidate is not" not is_available absent

@@ -16,7 +16,7 @@ struct SlurmCampaign {
   std::string folder;                    ///< of scripts, logs and result files, absolute
   std::size_t shards = 1;
   int jobs = 1;                  ///< worker processes, and processors of a task
-  std::string template_text;     ///< lines for both scripts: #SBATCH options, modules to load
+  std::string template_text;     ///< lines for both scripts: `#SBATCH` options, modules to load
   std::string resubmit_command;  ///< the command that submits what is missing
 };
 

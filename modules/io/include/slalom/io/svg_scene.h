@@ -32,7 +32,7 @@ struct SceneOptions {
   std::vector<SceneTrajectory> trajectories;
 };
 
-/// A scenario to scale as one self-contained <svg> element. Grids become merged rectangles (runs of
+/// A scenario to scale as one self-contained `svg` element. Grids become merged rectangles (runs of
 /// cells).
 std::string render_svg(const Scenario& scenario, const SceneOptions& options);
 

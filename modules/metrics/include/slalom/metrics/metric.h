@@ -29,8 +29,8 @@ struct MetricContext {
   std::vector<double> clearances;
 };
 
-/// Clearance (m) of the footprint at a pose: d(p) - radius for a disc, distance from the
-/// outline for a polygon.
+/// Clearance (m) of the footprint at a pose: \f$d(p) - r\f$ for a disc of radius r, with the distance
+/// d to the nearest obstacle; for a polygon the distance from its outline.
 double footprint_clearance(const World& world, const Footprint& footprint,
                            const mrpt::math::TPose2D& pose);
 

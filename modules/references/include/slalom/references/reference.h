@@ -19,7 +19,8 @@ constexpr char kExactPlanner[] = "exact";
 struct Certificate {
   double lower_bound = 0;
   double upper_bound = 0;  ///< infinite if no path of such a robot was found
-  /// Relative; 0 where start and goal coincide.
+  /// Relative, \f$(U - L) / L\f$ of the upper bound U and the lower bound L; 0 where start and goal
+  /// coincide.
   double gap() const {
     return upper_bound > lower_bound ? (upper_bound - lower_bound) / lower_bound : 0;
   }
