@@ -27,3 +27,9 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/slalomConfigVersion.cmake
   COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/slalomConfig.cmake ${PROJECT_BINARY_DIR}/slalomConfigVersion.cmake
         DESTINATION ${SLALOM_PACKAGE_DIR})
+
+# Completion for zsh, in the folder that Debian's zsh searches below /usr.
+get_property(SLALOM_APPS GLOBAL PROPERTY SLALOM_APPS)
+list(JOIN SLALOM_APPS " " SLALOM_PROGRAM_NAMES)
+configure_file(${PROJECT_SOURCE_DIR}/apps/completion/_slalom.in ${PROJECT_BINARY_DIR}/completion/_slalom @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/completion/_slalom DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)

@@ -18,13 +18,28 @@ function(slalom_add_module NAME)
   endif()
 endfunction()
 
-# slalom_app(NAME SOURCES ... DEPENDS module ... LIBRARIES target ...): a program in build/.../bin.
+# slalom_app(NAME SOURCES ... DEPENDS module ... LIBRARIES target ...): a program in build/.../bin, its manual page in
+# build/.../man, and its completion.
 function(slalom_app NAME)
   cmake_parse_arguments(APP "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
   add_executable(${NAME} ${APP_SOURCES})
   list(TRANSFORM APP_DEPENDS PREPEND slalom_)
   target_link_libraries(${NAME} PRIVATE ${APP_DEPENDS} ${APP_LIBRARIES})
   install(TARGETS ${NAME} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  set_property(GLOBAL APPEND PROPERTY SLALOM_APPS ${NAME})
+  configure_file(${PROJECT_SOURCE_DIR}/apps/completion/slalom.bash.in ${CMAKE_BINARY_DIR}/completion/${NAME} @ONLY)
+  install(FILES ${CMAKE_BINARY_DIR}/completion/${NAME} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  if(SLALOM_SANITIZE)
+    return()
+  endif()
+  set(page ${CMAKE_BINARY_DIR}/man/${NAME}.1)
+  add_custom_command(OUTPUT ${page}.gz
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/man
+    COMMAND sh -c "'$<TARGET_FILE:${NAME}>' --man-page > '${page}' && gzip -9nf '${page}'"
+    DEPENDS ${NAME} VERBATIM)
+  add_custom_target(${NAME}-man ALL DEPENDS ${page}.gz)
+  # Optional, as a build of single programs has no pages.
+  install(FILES ${page}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
 endfunction()
 
 # slalom_test(NAME SOURCES ... DEPENDS module ... LIBRARIES target ...): a GoogleTest program, one per module, and one

@@ -1,6 +1,8 @@
 #include "interpret.h"
 
+#include <slalom/app/campaign_names.h>
 #include <slalom/app/program.h>
+#include <slalom/campaign/campaign_options.h>
 
 #include <algorithm>
 #include <thread>
@@ -9,14 +11,19 @@ namespace slalom {
 namespace {
 
 void add_choice_options(CLI::App& verb, InterpretArguments& a) {
-  verb.add_option(
-      "--rows", a.request.rows,
-      "Bins of a scenario descriptor or metric: all, ID:EDGE,EDGE,..., ID:COUNT (equal "
-      "width), ID:qCOUNT (quantiles) or ID:@INDEX, such as density:0,0.1,0.2 or density:q4; "
-      "several separated by ';'");
+  complete_with(
+      verb.add_option(
+          "--rows", a.request.rows,
+          "Bins of a scenario descriptor or metric: all, ID:EDGE,EDGE,..., ID:COUNT (equal "
+          "width), ID:qCOUNT (quantiles) or ID:@INDEX, such as density:0,0.1,0.2 or density:q4; "
+          "several separated by ';'"),
+      [](const Words&) { return all_descriptor_ids(); });
   verb.add_option("--scenarios", a.scenarios, "Scenario list with the indexes of --rows");
-  verb.add_option("--columns,--metric", a.request.metrics, "Metric ids, comma-separated");
-  verb.add_option("--method", a.request.method, "Restrict to this method");
+  complete_with(
+      verb.add_option("--columns,--metric", a.request.metrics, "Metric ids, comma-separated"),
+      [](const Words&) { return all_metric_ids(); });
+  complete_with(verb.add_option("--method", a.request.method, "Restrict to this method"),
+                known_methods);
   verb.add_option("--confidence", a.request.confidence,
                   "Confidence of intervals, e.g. 0.95; the level of tests is 1 - confidence")
       ->check(CLI::Range(0.5, 0.9999));
@@ -40,10 +47,14 @@ int default_jobs() {
 
 void add_special_options(CLI::App& verb, InterpretArguments& a, const std::string& id) {
   if (id == "compare") {
-    verb.add_option("--baseline", a.request.baseline, "Compare all other methods with this one");
-    verb.add_option("--gate", a.request.gates,
-                    "Exit status 1 unless METRIC OP NUMBER holds for the paired difference, e.g. "
-                    "\"success >= -0.02\"; repeatable");
+    complete_with(verb.add_option("--baseline", a.request.baseline,
+                                  "Compare all other methods with this one"),
+                  known_methods);
+    complete_with(verb.add_option(
+                      "--gate", a.request.gates,
+                      "Exit status 1 unless METRIC OP NUMBER holds for the paired difference, e.g. "
+                      "\"success >= -0.02\"; repeatable"),
+                  [](const Words&) { return all_metric_ids(); });
     add_choice(verb, "--gate-on", a.request.gate_on, "Quantity that must satisfy the limit")
         ->default_str(to_string(a.request.gate_on));
   }

@@ -7,7 +7,9 @@
 #include "trajectories.h"
 #include "warnings.h"
 
+#include <slalom/app/completion.h>
 #include <slalom/app/program.h>
+#include <slalom/campaign/campaign_options.h>
 #include <slalom/core/text.h>
 #include <slalom/io/find_run.h>
 #include <slalom/io/rawlog_path.h>
@@ -36,12 +38,15 @@ CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& he
 }
 
 void add_table_options(CLI::App& verb, Arguments& arguments) {
-  verb.add_option("--rows", arguments.rows,
-                  "Bins of a scenario descriptor: all, ID:EDGE,EDGE,..., ID:COUNT (equal width) "
-                  "or ID:qCOUNT (quantiles), such as density:0,0.1,0.2 or density:q4; several "
-                  "separated by ';' (default: the campaign's [analysis])");
-  verb.add_option("--columns", arguments.columns,
-                  "Metric ids, comma-separated (default: the campaign's [analysis])");
+  complete_with(verb.add_option(
+                    "--rows", arguments.rows,
+                    "Bins of a scenario descriptor: all, ID:EDGE,EDGE,..., ID:COUNT (equal width) "
+                    "or ID:qCOUNT (quantiles), such as density:0,0.1,0.2 or density:q4; several "
+                    "separated by ';' (default: the campaign's [analysis])"),
+                [](const Words&) { return all_descriptor_ids(); });
+  complete_with(verb.add_option("--columns", arguments.columns,
+                                "Metric ids, comma-separated (default: the campaign's [analysis])"),
+                [](const Words&) { return all_metric_ids(); });
   verb.add_option("--confidence", arguments.confidence, "Confidence of intervals, e.g. 0.95")
       ->check(CLI::Range(0.5, 0.9999));
 }

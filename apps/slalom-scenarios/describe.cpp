@@ -1,6 +1,8 @@
 #include "verbs.h"
 
+#include <slalom/app/completion.h>
 #include <slalom/campaign/describe_scenario.h>
+#include <slalom/commands/describe_list.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_list.h>
@@ -116,8 +118,9 @@ void add_describe_verb(CLI::App& app) {
   CLI::App* verb = add_list_verb(
       app, "describe", "Print descriptors; computes missing values and stores them in the list",
       arguments.list);
-  verb->add_option("--descriptors", arguments.descriptors,
-                   "Descriptor ids, comma-separated (default: all)");
+  complete_with(verb->add_option("--descriptors", arguments.descriptors,
+                                 "Descriptor ids, comma-separated (default: all)"),
+                [](const Words&) { return descriptor_ids(); });
   add_robot_options(*verb, arguments.list);
   verb->add_option("--footprint", arguments.footprint,
                    "Convex polygon x,y; x,y; ... (m) instead of the disc");

@@ -1,6 +1,8 @@
 #include "filter.h"
 
+#include <slalom/app/completion.h>
 #include <slalom/app/interrupt.h>
+#include <slalom/commands/describe_list.h>
 #include <slalom/core/printable.h>
 
 #include <nlohmann/json.hpp>
@@ -24,9 +26,11 @@ DescribeOptions describe_options(const ListArguments& arguments) {
 CLI::App* add_filter_verb(CLI::App& app, const std::string& name, const std::string& help,
                           FilterArguments& arguments) {
   CLI::App* verb = add_list_verb(app, name, help, arguments.list);
-  verb->add_option(
-      "--where", arguments.selection.where,
-      "Scenarios that satisfy a condition, such as \"density < 0.2 and tag = narrow\"");
+  complete_with(
+      verb->add_option(
+          "--where", arguments.selection.where,
+          "Scenarios that satisfy a condition, such as \"density < 0.2 and tag = narrow\""),
+      [](const Words&) { return descriptor_ids(); });
   verb->add_option("--ids", arguments.selection.ids,
                    "Scenarios with these ids or names, comma-separated");
   add_robot_options(*verb, arguments.list);
@@ -38,8 +42,10 @@ CLI::App* add_filter_verb(CLI::App& app, const std::string& name, const std::str
 }
 
 void add_order_options(CLI::App& verb, FilterArguments& arguments) {
-  verb.add_option("--order-by", arguments.selection.order_by,
-                  "Sort order, such as \"density desc, name\" (default: order of the list)");
+  complete_with(
+      verb.add_option("--order-by", arguments.selection.order_by,
+                      "Sort order, such as \"density desc, name\" (default: order of the list)"),
+      [](const Words&) { return descriptor_ids(); });
   verb.add_option("--limit", arguments.selection.limit, "Maximum number of scenarios")
       ->check(CLI::NonNegativeNumber);
 }

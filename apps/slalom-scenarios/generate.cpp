@@ -1,11 +1,14 @@
 #include "generate.h"
 
+#include <slalom/app/completion.h>
 #include <slalom/app/existing_options.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
+#include <slalom/commands/describe_list.h>
 #include <slalom/commands/generation_file.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/generation/generator.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/robot/robot_model.h>
 
@@ -90,6 +93,15 @@ void generate(const GenerateArguments& arguments) {
          " scenarios");
 }
 
+/// The candidates for --set.
+Words generator_settings(const Words& words) {
+  SettingNames names;
+  names.add_names("scenarios.generator", generator_names());
+  for (const std::string& family : generator_names())
+    visit_generator_options(family, *names.collector("generator." + family));
+  return names.matching(words.back());
+}
+
 }  // namespace
 
 void add_generate_verb(CLI::App& app) {
@@ -106,11 +118,14 @@ void add_generate_verb(CLI::App& app) {
   verb->add_option("-j,--jobs", arguments.jobs, "Threads; the list does not depend on their number")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  verb->add_option("--describe", arguments.descriptors,
-                   "Descriptors to compute and store, comma-separated");
+  complete_with(verb->add_option("--describe", arguments.descriptors,
+                                 "Descriptors to compute and store, comma-separated"),
+                [](const Words&) { return descriptor_ids(); });
   verb->add_option("-o,--output", arguments.output, "The list to write (.scenarios)")->required();
-  verb->add_option("--set", arguments.overrides, "Override a key of the .ini: SECTION.KEY=VALUE")
-      ->allow_extra_args(false);
+  complete_with(verb->add_option("--set", arguments.overrides,
+                                 "Override a key of the .ini: SECTION.KEY=VALUE")
+                    ->allow_extra_args(false),
+                generator_settings);
   add_existing_options(*verb, arguments.existing, arguments.take_over);
   verb->add_flag("--json", arguments.json, "Print the table of [coverage] as a JSON object");
   verb->add_flag("--quiet", arguments.quiet, "No progress and no messages");

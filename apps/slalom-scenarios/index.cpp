@@ -1,5 +1,7 @@
 #include "filter.h"
 
+#include <slalom/app/completion.h>
+#include <slalom/commands/describe_list.h>
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
@@ -82,7 +84,9 @@ void add_index_verbs(CLI::App& app) {
 
   CLI::App* verb =
       add_named(*group, "create", "Create an index; computes missing descriptors", created);
-  verb->add_option("--descriptor", created.descriptor, "Id of the descriptor")->required();
+  complete_with(
+      verb->add_option("--descriptor", created.descriptor, "Id of the descriptor")->required(),
+      [](const Words&) { return descriptor_ids(); });
   verb->add_option("--edges", created.edges, "Edges of the ranges, comma-separated")->required();
   add_robot_options(*verb, created.list);
   verb->add_option("--sensor-range", created.list.sensor_range, "Maximum range of the sensor, m")

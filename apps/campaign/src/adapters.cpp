@@ -12,15 +12,12 @@ namespace {
 struct Adapter {
   const char* name;
   MethodFactory (*read)(const IniFile& ini, const std::string& section);
-  std::string (*options)();  ///< help
+  void (*visit_options)(OptionVisitor& visitor);
 };
 
 template <typename Options>
-std::string options_of() {
-  Options options;
-  OptionLister lister;
-  options.visit(lister);
-  return lister.text();
+void options_of(OptionVisitor& visitor) {
+  Options().visit(visitor);
 }
 
 MethodFactory read_lcm(const IniFile& ini, const std::string& section) {
@@ -44,10 +41,9 @@ MethodRegistry all_adapters() {
   return registry;
 }
 
-std::string adapter_options_help() {
-  std::string text;
-  for (const Adapter& adapter : kAdapters) text += "\n[method.NAME]\n" + adapter.options();
-  return text;
+void visit_adapter_options(
+    const std::function<void(const std::function<void(OptionVisitor&)>&)>& visit) {
+  for (const Adapter& adapter : kAdapters) visit(adapter.visit_options);
 }
 
 }  // namespace slalom

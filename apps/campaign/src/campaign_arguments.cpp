@@ -1,4 +1,5 @@
 #include <slalom/app/campaign_arguments.h>
+#include <slalom/app/campaign_names.h>
 #include <slalom/app/existing_options.h>
 
 namespace slalom {
@@ -9,9 +10,11 @@ void add_campaign_options(CLI::App& app, CampaignArguments& arguments) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option("--seed", arguments.seed, "Seed instead of [campaign] seed");
-  app.add_option("--set", arguments.overrides, "Override a key of the .ini: SECTION.KEY=VALUE")
-      ->take_all()
-      ->allow_extra_args(false);
+  CLI::Option* set =
+      app.add_option("--set", arguments.overrides, "Override a key of the .ini: SECTION.KEY=VALUE")
+          ->take_all()
+          ->allow_extra_args(false);
+  complete_with(set, setting_names);
   add_existing_options(app, arguments.existing, arguments.take_over);
   app.add_flag("--quiet", arguments.quiet, "No progress and no messages, except errors");
 }

@@ -1,41 +1,84 @@
 #include <slalom/app/adapters.h>
+#include <slalom/app/campaign_names.h>
 #include <slalom/app/campaign_program.h>
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/options.h>
+#include <slalom/core/text.h>
 #include <slalom/generation/generator.h>
+#include <slalom/io/result_file.h>
+
+#include <functional>
 
 namespace slalom {
 namespace {
 
+/// Takes a section and the function that visits its options.
+using SectionVisitor =
+    std::function<void(const std::string& section, const std::function<void(OptionVisitor&)>&)>;
+
 template <typename Options>
-void list_section(std::string& text, const std::string& section) {
-  Options options;
-  OptionLister lister;
-  options.visit(lister);
-  text += (text.empty() ? "[" : "\n[") + section + "]\n" + lister.text();
+void visit_section(const SectionVisitor& visit, const std::string& section) {
+  visit(section, [](OptionVisitor& visitor) { Options().visit(visitor); });
+}
+
+void visit_campaign_options(const SectionVisitor& visit) {
+  visit_section<CampaignSection>(visit, "campaign");
+  visit_section<ScenariosSection>(visit, "scenarios");
+  for (const std::string& family : generator_names())
+    visit("generator." + family,
+          [&](OptionVisitor& visitor) { visit_generator_options(family, visitor); });
+  visit_section<RobotModel>(visit, "robot");
+  visit_section<SensorModel>(visit, "sensor");
+  visit_section<OdometryModel>(visit, "odometry");
+  visit_section<SimulationOptions>(visit, "simulation");
+  visit_section<OmplOptions>(visit, "reference");
+  visit_section<MetricsSection>(visit, "metrics");
+  visit_section<LimitsSection>(visit, "limits");
+  visit_section<RecordSection>(visit, "record");
+  visit_section<AnalysisSection>(visit, "analysis");
+  visit_adapter_options([&](const std::function<void(OptionVisitor&)>& visit_options) {
+    visit("method.NAME", visit_options);
+  });
 }
 
 }  // namespace
 
 std::string campaign_options_help() {
   std::string text;
-  list_section<CampaignSection>(text, "campaign");
-  list_section<ScenariosSection>(text, "scenarios");
-  for (const std::string& family : generator_names()) {
+  visit_campaign_options([&](const std::string& section, const auto& visit_options) {
     OptionLister lister;
-    visit_generator_options(family, lister);
-    text += "\n[generator." + family + "]\n" + lister.text();
+    visit_options(lister);
+    text += (text.empty() ? "[" : "\n[") + section + "]\n" + lister.text();
+  });
+  return text;
+}
+
+Words setting_names(const Words& words) {
+  const Words methods = known_methods(words);
+  SettingNames names;
+  visit_campaign_options([&](const std::string& section, const auto& visit_options) {
+    const bool of_method = section == "method.NAME";
+    for (const std::string& name : of_method ? methods : Words{""})
+      visit_options(*names.collector(of_method ? "method." + name : section));
+  });
+  names.add_names("campaign.methods", methods);
+  names.add_names("scenarios.generator", generator_names());
+  names.add_names("metrics.enabled", all_metric_ids());
+  names.add_names("metrics.descriptors", all_descriptor_ids());
+  names.add_names("analysis.columns", all_metric_ids());
+  names.add_names("analysis.rows", all_descriptor_ids());
+  return names.matching(words.back());
+}
+
+Words known_methods(const Words& words) {
+  Words names;
+  for (const std::string& word : words) {
+    if (ends_with(word, ".results")) names = ResultFile::open(word).read_methods();
+    if (!ends_with(word, ".ini")) continue;
+    for (const std::string& section : IniFile::load(word).sections())
+      if (starts_with(section, "method.")) names.push_back(section.substr(7));
   }
-  list_section<RobotModel>(text, "robot");
-  list_section<SensorModel>(text, "sensor");
-  list_section<OdometryModel>(text, "odometry");
-  list_section<SimulationOptions>(text, "simulation");
-  list_section<OmplOptions>(text, "reference");
-  list_section<MetricsSection>(text, "metrics");
-  list_section<LimitsSection>(text, "limits");
-  list_section<RecordSection>(text, "record");
-  list_section<AnalysisSection>(text, "analysis");
-  return text + adapter_options_help();
+  return names;
 }
 
 }  // namespace slalom

@@ -1,3 +1,5 @@
+#include <slalom/app/completion.h>
+#include <slalom/app/man_page.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
@@ -151,6 +153,23 @@ int parse_and_execute(CLI::App& app, int argc, char** argv) {
   return 0;
 }
 
+/// Arguments that are not in the help, as people do not type them: --man-page for the build, and
+/// "--complete WORD..." for the completion of shells. False for all others.
+bool print_description(const CLI::App& app, const std::vector<std::string>& arguments) {
+  if (arguments == std::vector<std::string>{"--man-page"}) {
+    std::cout << man_page(app, "Slalom " + version());
+    return true;
+  }
+  if (arguments.empty() || arguments[0] != "--complete") return false;
+  try {
+    for (const std::string& word : complete(app, {arguments.begin() + 1, arguments.end()}))
+      std::cout << word << "\n";
+  } catch (
+      const std::exception&) {  // such as a file on the line that cannot be read: no candidates
+  }
+  return true;
+}
+
 }  // namespace
 
 void add_argument(CLI::App& app, const Argument& argument, std::string& value) {
@@ -202,6 +221,7 @@ int run_program(const std::string& name, const std::string& description, int arg
       // Before the callback of the verb.
       app.parse_complete_callback([&app] { refuse_output_over_arguments(selected(app)); });
     }
+    if (print_description(app, {argv + 1, argv + argc})) return 0;
     if (argc < 2 && needs_arguments) {
       std::cerr << app.help();
       return kUsageError;

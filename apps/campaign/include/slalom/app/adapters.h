@@ -1,15 +1,17 @@
 #pragma once
 
+#include <slalom/core/options.h>
 #include <slalom/methods/registry.h>
 
-#include <string>
+#include <functional>
 
 namespace slalom {
 
 /// All adapters, by name.
 MethodRegistry all_adapters();
 
-/// The keys of [method.NAME] of all adapters, as for `--options`.
-std::string adapter_options_help();
+/// Calls `visit` for each adapter with the function that visits its keys in [method.NAME].
+void visit_adapter_options(
+    const std::function<void(const std::function<void(OptionVisitor&)>& visit_options)>& visit);
 
 }  // namespace slalom

@@ -29,8 +29,8 @@ struct MetricContext {
   std::vector<double> clearances;
 };
 
-/// Clearance (m) of the footprint at a pose: \f$d(p) - r\f$ for a disc of radius r, with the distance
-/// d to the nearest obstacle; for a polygon the distance from its outline.
+/// Clearance (m) of the footprint at a pose: \f$d(p) - r\f$ for a disc of radius r, with the
+/// distance d to the nearest obstacle; for a polygon the distance from its outline.
 double footprint_clearance(const World& world, const Footprint& footprint,
                            const mrpt::math::TPose2D& pose);
 
