@@ -98,7 +98,7 @@ std::unique_ptr<World> draw_fair_world(const CandidateMix& mix, const TestBench&
     Scenario drawn = mix.draw(engine);
     if (!may_be_fair(drawn, bench.setup.robot.shape().enclosing_radius(), fairness)) continue;
     auto world = std::make_unique<World>(std::move(drawn), bench.setup.simulation.resolution);
-    if (judge_geometry(*world, bench.setup.robot, fairness).violation.empty()) return world;
+    if (has_fair_geometry(*world, bench.setup.robot, fairness)) return world;
   }
   throw job_error("search",
                   "none of " + std::to_string(kMaxAttempts) +

@@ -11,14 +11,18 @@
 namespace slalom {
 namespace {
 
-/// widest_bottleneck() is that of points at most a cell's diagonal apart, and the distance to
-/// obstacles changes by at most the distance traveled: between two of them it is less by at most
-/// half of that.
-double certified_bottleneck(const World& world) {
-  const Scenario& scenario = world.scenario();
-  const double widest =
-      widest_bottleneck(world, {scenario.start().x, scenario.start().y}, scenario.goal());
-  return std::max(0.0, widest - world.occupancy().resolution() * M_SQRT1_2);
+constexpr double kRounding = 1e-9;
+
+/// In robot widths. widest_bottleneck() is that of points at most a cell's diagonal apart, and the
+/// distance to obstacles changes by at most the distance traveled: between two of them it is less
+/// by at most half of that.
+double certified(double widest, const World& world, double radius) {
+  return std::max(0.0, widest - world.occupancy().resolution() * M_SQRT1_2) / radius;
+}
+
+double start_clearance(const World& world, double radius) {
+  const auto& start = world.scenario().start();
+  return world.distance_field().clearance({start.x, start.y}) - radius;
 }
 
 std::string below(const char* what, double value, double limit, const char* unit) {
@@ -35,9 +39,9 @@ GeometryReport judge_geometry(const World& world, const RobotModel& robot,
   const double radius = robot.shape().enclosing_radius();
   GeometryReport report;
   report.distance = distance_between(scenario.goal(), start);
-  report.start_clearance = world.distance_field().clearance({start.x, start.y}) - radius;
-  report.bottleneck = certified_bottleneck(world) / radius;
-  constexpr double kRounding = 1e-9;
+  report.start_clearance = start_clearance(world, radius);
+  report.bottleneck =
+      certified(widest_bottleneck(world, {start.x, start.y}, scenario.goal()), world, radius);
   if (report.distance < options.min_distance - kRounding)
     report.violation = below("distance to the goal", report.distance, options.min_distance, "m");
   else if (report.start_clearance < options.min_start_clearance - kRounding)
@@ -47,6 +51,26 @@ GeometryReport judge_geometry(const World& world, const RobotModel& robot,
     report.violation =
         below("bottleneck", report.bottleneck, options.min_bottleneck, "robot widths");
   return report;
+}
+
+bool has_fair_geometry(const World& world, const RobotModel& robot,
+                       const FairnessOptions& options) {
+  const Scenario& scenario = world.scenario();
+  const auto& start = scenario.start();
+  const double radius = robot.shape().enclosing_radius();
+  if (distance_between(scenario.goal(), start) < options.min_distance - kRounding) return false;
+  if (start_clearance(world, radius) < options.min_start_clearance - kRounding) return false;
+  const auto suffices = [&](double widest) {
+    return certified(widest, world, radius) >= options.min_bottleneck - kRounding;
+  };
+  if (suffices(0)) return true;
+  // The smallest number that suffices, so that both functions agree to the last bit.
+  double width =
+      (options.min_bottleneck - kRounding) * radius + world.occupancy().resolution() * M_SQRT1_2;
+  const auto next = [&width](double towards) { return std::nextafter(width, towards); };
+  while (!suffices(width)) width = next(2 * width);
+  while (suffices(next(0))) width = next(0);
+  return has_bottleneck(world, {start.x, start.y}, scenario.goal(), width);
 }
 
 FairnessReport judge_failure(const TestBench& bench, const Scenario& scenario, const Trial& failure,

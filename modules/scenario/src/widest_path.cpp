@@ -103,18 +103,38 @@ class Marks {
   std::vector<std::uint8_t> marks_;
 };
 
+GridIndex cell_of(const Occupancy& cells, const TPoint2D& p) {
+  const TPoint2D at = cells.to_cells(p);
+  return {static_cast<int>(at.x), static_cast<int>(at.y)};
+}
+
 }  // namespace
+
+bool has_bottleneck(const World& world, const TPoint2D& start, const TPoint2D& goal, double width) {
+  const Occupancy& cells = world.occupancy();
+  const DistanceField& field = world.distance_field();
+  if (std::min(field.clearance(start), field.clearance(goal)) < width) return false;
+  const GridIndex target = cell_of(cells, goal);
+  Marks marks(cells, field, width);
+  std::vector<GridIndex> open = {cell_of(cells, start)};
+  marks.reach(open.front());
+  while (!open.empty()) {
+    const GridIndex cell = open.back();
+    open.pop_back();
+    if (cell == target) return true;
+    marks.reach_neighbors(cell, target, [&](GridIndex next, bool wide) {
+      if (wide || next == target) open.push_back(next);
+    });
+  }
+  return false;
+}
 
 double widest_bottleneck(const World& world, const TPoint2D& start, const TPoint2D& goal) {
   const Occupancy& cells = world.occupancy();
   const DistanceField& field = world.distance_field();
   const double limit = std::min(field.clearance(start), field.clearance(goal));
   if (limit == 0) return 0;
-  const auto cell_of = [&](const TPoint2D& p) {
-    const TPoint2D at = cells.to_cells(p);
-    return GridIndex{static_cast<int>(at.x), static_cast<int>(at.y)};
-  };
-  const GridIndex source = cell_of(start), target = cell_of(goal);
+  const GridIndex source = cell_of(cells, start), target = cell_of(cells, goal);
   // A cell is settled with its best bottleneck when it is first reached, as in Prim's algorithm.
   Marks marks(cells, field, limit);
   Frontier frontier;

@@ -1,10 +1,12 @@
 #include "planted_methods.h"
 
+#include <slalom/falsification/candidates.h>
 #include <slalom/falsification/fairness.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace slalom {
 namespace {
@@ -67,6 +69,28 @@ TEST(Fairness, AGoalAtTheStartIsUnfairUnlessSwitchedOff) {
 Trial squeeze_trial(const TestBench& bench) {
   const auto method = bench.method.make(bench.setup.robot, bench.setup.sensor);
   return run_trial(World(passage(), 0.05), bench, *method);
+}
+
+TEST(Fairness, TheFastDecisionIsThatOfTheReport) {
+  RandomEngine engine(5);
+  const RobotModel robot;
+  const CandidateMix mix(robot);
+  std::size_t fair = 0;
+  for (int i = 0; i < 60; ++i) {
+    const World world(mix.draw(engine), 0.05);
+    FairnessOptions options;
+    const double bottleneck = judge_geometry(world, robot, options).bottleneck;
+    // Also at the bottleneck itself, with the tolerance for rounding of 1e-9.
+    for (const double least : {0.0, 1.5, 3.0, bottleneck, bottleneck + 0.9e-9, bottleneck + 1.1e-9,
+                               std::nextafter(bottleneck + 1e-9, 0.0), bottleneck + 1e-9}) {
+      options.min_bottleneck = least;
+      const bool expected = judge_geometry(world, robot, options).violation.empty();
+      EXPECT_EQ(has_fair_geometry(world, robot, options), expected) << i << ": " << least;
+      fair += expected ? 1 : 0;
+    }
+  }
+  EXPECT_GT(fair, 100U);
+  EXPECT_LT(fair, 480U - 100U);
 }
 
 TEST(Fairness, AWitnessProvesThatTheScenarioCanBeSolved) {

@@ -32,6 +32,9 @@ struct GeometryReport {
 GeometryReport judge_geometry(const World& world, const RobotModel& robot,
                               const FairnessOptions& options);
 
+/// Whether judge_geometry() finds no violation, without the values, which takes less time.
+bool has_fair_geometry(const World& world, const RobotModel& robot, const FairnessOptions& options);
+
 /// All conditions of a failure.
 struct FairnessReport {
   GeometryReport geometry;

@@ -10,4 +10,9 @@ namespace slalom {
 double widest_bottleneck(const World& world, const mrpt::math::TPoint2D& start,
                          const mrpt::math::TPoint2D& goal);
 
+/// Whether widest_bottleneck() is at least `width` (m, above 0). Much faster where it is: the
+/// search goes towards the goal and ends there.
+bool has_bottleneck(const World& world, const mrpt::math::TPoint2D& start,
+                    const mrpt::math::TPoint2D& goal, double width);
+
 }  // namespace slalom
