@@ -24,6 +24,39 @@ bool are_same(const Command& a, const Command& b) {
          std::abs(a.vy - b.vy) <= kTolerance;
 }
 
+/// A method; another one gets the same observations until its command is a different one.
+class Shadowed : public Method {
+ public:
+  Shadowed(Method& method, Method& shadow) : method_(method), shadow_(shadow) {}
+  void reset(const NavigationTask& task) override {
+    method_.reset(task);
+    compare([&] {
+      shadow_.reset(task);
+      return true;
+    });
+  }
+  Command step(const Observation& observation) override {
+    const Command command = method_.step(observation);
+    if (!differs_) compare([&] { return are_same(command, shadow_.step(observation)); });
+    return command;
+  }
+  bool differs() const { return differs_; }
+
+ private:
+  template <typename Same>
+  void compare(Same same) {
+    try {
+      differs_ = !same();
+    } catch (const std::exception&) {
+      differs_ = true;  // a run shows whether it is the method that fails
+    }
+  }
+
+  Method& method_;
+  Method& shadow_;
+  bool differs_ = false;
+};
+
 }  // namespace
 
 bool StepProbe::draw(const World& world, RandomEngine& engine, CommandDifference& probe) const {
@@ -57,6 +90,20 @@ Command StepProbe::command(std::size_t index, const CommandDifference& probe, do
 
 std::optional<CommandDifference> StepProbe::find(const std::shared_ptr<const World>& world,
                                                  RandomEngine& engine) {
+  auto difference = find_in_steps(world, engine);
+  return difference ? difference : find_in_run(world);
+}
+
+std::optional<CommandDifference> StepProbe::find_in_run(const std::shared_ptr<const World>& world) {
+  Shadowed both(methods_.method(1), methods_.method(0));
+  run_trial(*world, bench_, both);
+  const Scenario& scenario = world->scenario();
+  if (!both.differs()) return std::nullopt;
+  return CommandDifference{world, scenario.start(), scenario.goal(), true};
+}
+
+std::optional<CommandDifference> StepProbe::find_in_steps(const std::shared_ptr<const World>& world,
+                                                          RandomEngine& engine) {
   RangeFinder sensor(*world, bench_.setup.sensor, bench_.seed);
   CommandDifference probe{world, {}, {}};
   for (int i = 0; i < kProbes; ++i) {
@@ -89,7 +136,7 @@ std::unique_ptr<World> approach(const CommandDifference& difference, const TestB
     auto world = std::make_unique<World>(
         difference.world->scenario().with_start_goal(start, difference.goal),
         bench.setup.simulation.resolution);
-    if (judge_geometry(*world, bench.setup.robot, fairness).violation.empty()) return world;
+    if (has_fair_geometry(*world, bench.setup.robot, fairness)) return world;
   }
   return nullptr;
 }

@@ -15,20 +15,24 @@ struct CommandDifference {
   std::shared_ptr<const World> world;
   mrpt::math::TPose2D pose;
   mrpt::math::TPoint2D goal;
+  bool in_run = false;  ///< it comes in the run from this pose, not in the first step
 };
 
-/// Compares single steps of the method and of the first witness, its reference, at random poses
-/// near obstacles, each after a reset. Finds differences that depend on one observation; those that
-/// depend on earlier ones are not seen.
+/// Compares commands of the method and of the first witness, its reference.
 class StepProbe {
  public:
   StepProbe(const TestBench& bench, BenchMethods& methods) : bench_(bench), methods_(methods) {}
 
-  /// The first difference at the poses that are drawn in this world.
+  /// The first difference in this world: in single steps at random poses near obstacles, each after
+  /// a reset, or else in the run of the reference, whose observations the method gets as well, so
+  /// that its memory is that of a run.
   std::optional<CommandDifference> find(const std::shared_ptr<const World>& world,
                                         RandomEngine& engine);
 
  private:
+  std::optional<CommandDifference> find_in_steps(const std::shared_ptr<const World>& world,
+                                                 RandomEngine& engine);
+  std::optional<CommandDifference> find_in_run(const std::shared_ptr<const World>& world);
   bool draw(const World& world, RandomEngine& engine, CommandDifference& probe) const;
   Command command(std::size_t method, const CommandDifference& probe, double speed,
                   const mrpt::obs::CObservation2DRangeScan& scan);

@@ -73,9 +73,9 @@ class SearchRound {
     const Trial dead = trial_of_dead_process(result);
     const bool is_probed = runs.empty() || runs.back().complete;
     if (is_probed) {
-      if (!options_.probe)
+      if (!options_.probe && !bench_.relative)
         throw job_error("search", "a worker process died between two runs: " + result.detail);
-      // In a single step, of which there is no scenario to keep.
+      // In a single step or a run of the relative, of which there is no scenario to keep.
       const std::uint64_t index = runs.empty() ? batch.begin : runs.back().index + 1;
       runs.emplace_back();
       runs.back().index = index;

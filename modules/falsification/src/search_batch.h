@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contained_trials.h"
-#include "probing.h"
+#include "probe_hunt.h"
 
 #include <slalom/falsification/candidates.h>
 #include <slalom/falsification/search.h>
@@ -34,12 +34,16 @@ class BatchRunner {
   void set_parents(const std::vector<SearchState::CloseCall>& parents) { parents_ = &parents; }
   /// Logs the beginning and the end of each run.
   void execute(const SearchBatch& batch, SharedTaskLog& log);
+  /// One candidate; a probed one depends on those since the last batch began. Whether it is a
+  /// failure, and a witness reaches the goal.
+  bool run(SearchHalf half, std::uint64_t index, SharedTaskLog& log);
 
   bool is_failure(Outcome outcome) const;
 
  private:
-  std::unique_ptr<World> draw(SearchHalf half, std::uint64_t index);
-  std::unique_ptr<World> draw_probed(std::uint64_t index);
+  std::unique_ptr<World> draw(SearchHalf half, std::uint64_t index, SharedTaskLog& log);
+  std::unique_ptr<World> draw_adaptive(std::uint64_t index, SharedTaskLog& log);
+  std::unique_ptr<World> draw_of_relative(std::uint64_t index, SharedTaskLog& log);
   std::unique_ptr<World> draw_changed(std::uint64_t index) const;
   bool has_witness(const World& world);
 
@@ -47,8 +51,7 @@ class BatchRunner {
   const SearchOptions& options_;
   CandidateMix mix_;
   BenchMethods methods_;
-  /// The difference that the last candidates approach, by the number of their group.
-  std::optional<std::pair<std::uint64_t, std::optional<CommandDifference>>> probed_;
+  ProbeHunt hunt_;
   const std::vector<SearchState::CloseCall>* parents_ = nullptr;
 };
 

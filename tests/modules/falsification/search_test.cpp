@@ -151,6 +151,30 @@ TEST(Search, ProbingAReferenceFindsARareDefectMoreOften) {
   }
 }
 
+TEST(Search, ProbingARunOfTheReferenceFindsADefectWithMemory) {
+  // The defect begins after 60 cycles beside a wall: no single step after a reset shows it.
+  SearchOptions options = options_of(400);
+  options.probe = true;
+  const SearchResult result = search(planted_bench("beside_wall"), options);
+  EXPECT_GT(result.state.adaptive.failures, result.state.random.failures);
+}
+
+TEST(Search, CandidatesAreScenariosInWhichARelativeFails) {
+  TestBench bench = planted_bench("squeeze");
+  bench.relative = planted("squeeze");
+  const SearchResult result = search(bench, options_of(40));
+  // What is tested is its own relative: it fails in each of its candidates, as both are
+  // deterministic. In some of them the witness fails as well.
+  EXPECT_EQ(result.state.adaptive.runs, 20U);
+  EXPECT_EQ(result.state.adaptive.failures + result.state.adaptive.unsolved, 20U);
+}
+
+TEST(Search, ACrashOfTheRelativeDoesNotEndTheSearch) {
+  TestBench bench = planted_bench("none");
+  bench.relative = planted("crash");
+  EXPECT_EQ(search(bench, options_of(20)).state.runs(), 20U);
+}
+
 TEST(Search, ProbingDoesNotDependOnTheWorkers) {
   SearchOptions options = options_of(300);  // of each half two batches
   options.probe = true;

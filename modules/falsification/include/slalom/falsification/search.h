@@ -13,8 +13,10 @@ namespace slalom {
 /// The two halves of a search. Only of the random one, whose scenarios are drawn independently of
 /// all results, follows a bound of the probability of failures.
 enum class SearchHalf {
-  Random,   ///< scenarios of the mix
-  Adaptive  ///< changed scenarios in which the method came close to obstacles, or probed ones
+  Random,  ///< scenarios of the mix
+  /// Changed scenarios in which the method came close to obstacles, probed ones, or those in which
+  /// a relative of the method fails.
+  Adaptive
 };
 constexpr auto enum_names(SearchHalf) {
   return std::array{"random", "adaptive"};
@@ -66,7 +68,9 @@ struct SearchOptions {
   int workers = 1;                ///< processes; with a budget in runs, results do not depend on it
   FairnessOptions fairness;
   /// The first witness is a reference, such as the method's last version: adaptive candidates start
-  /// near poses in which single steps of both give different commands.
+  /// where both give different commands: in single steps at poses near obstacles, or to the same
+  /// observations of a run of the reference. From such a one the search climbs towards less
+  /// clearance.
   bool probe = false;
   std::vector<Outcome> outcomes;  ///< that count as failures
   SearchState known = {};         ///< continues this search
@@ -86,10 +90,11 @@ struct SearchResult {
 
 /// Searches scenarios in which the method of the bench fails although a witness reaches the goal.
 /// Half of the runs are in scenarios drawn at random from a CandidateMix, half in changed ones
-/// (mutate()) of those in which the robot came closest to obstacles, or in probed ones. Runs are in
-/// batches, each in a worker process; when the method crashes, that run is a failure, and the rest
-/// of the batch is executed in another process. Throws Error (Usage) if there is no budget, or
-/// nothing to compare single steps with.
+/// (mutate()) of those in which the robot came closest to obstacles, in probed ones, or, if the
+/// bench has a relative, in those random ones in which that fails. Runs are in batches, each in a
+/// worker process; when the method crashes, that run is a failure, and the rest of the batch is
+/// executed in another process. Throws Error (Usage) if there is no budget, or nothing to compare
+/// single steps with.
 SearchResult search(const TestBench& bench, const SearchOptions& options);
 
 }  // namespace slalom

@@ -6,6 +6,7 @@
 #include <slalom/simulation/simulate.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,15 @@ struct TestBench {
   /// solved.
   std::vector<NamedMethod> witnesses;
 
-  /// 0: the method; then the witnesses.
+  /// A light method that fails in similar scenarios: see SearchOptions.
+  std::optional<NamedMethod> relative = {};
+
+  /// 0: the method; then the witnesses, and the relative.
   const NamedMethod& method_at(std::size_t index) const {
-    return index == 0 ? method : witnesses.at(index - 1);
+    if (index == 0) return method;
+    return index <= witnesses.size() ? witnesses[index - 1] : relative.value();
   }
+  std::size_t relative_index() const { return witnesses.size() + 1; }
 };
 
 /// What is kept of a run.

@@ -1,0 +1,78 @@
+#include "probe_hunt.h"
+
+#include <slalom/generation/mutation.h>
+
+#include <array>
+
+namespace slalom {
+namespace {
+
+constexpr int kApproaches = 10;
+constexpr int kCandidates = 50;  // of one difference
+
+/// Of obstacles and of the task; those that change much, or the workspace, lead away from the
+/// parent.
+constexpr std::array kMutations = {Mutation::Move,      Mutation::Resize, Mutation::Remove,
+                                   Mutation::Duplicate, Mutation::Add,    Mutation::MoveStartGoal};
+
+std::optional<Scenario> changed(const Scenario& parent, const TestBench& bench,
+                                RandomEngine& engine) {
+  MutationLimits limits;
+  limits.robot_radius = bench.setup.robot.shape().enclosing_radius();
+  limits.resolution = bench.setup.simulation.resolution;
+  limits.min_distance = 4 * limits.robot_radius;
+  const int which = uniform_int(engine, 0, static_cast<int>(kMutations.size()) - 1);
+  return mutate(parent, kMutations[static_cast<std::size_t>(which)], limits, engine);
+}
+
+}  // namespace
+
+std::unique_ptr<World> draw_changed_world(const Scenario& parent, const TestBench& bench,
+                                          const FairnessOptions& fairness, RandomEngine& engine) {
+  const auto child = changed(parent, bench, engine);
+  if (!child) return nullptr;
+  auto world = std::make_unique<World>(*child, bench.setup.simulation.resolution);
+  return has_fair_geometry(*world, bench.setup.robot, fairness) ? std::move(world) : nullptr;
+}
+
+void ProbeHunt::find_difference(std::uint64_t index, const std::function<void()>& alive) {
+  constexpr std::uint64_t kWorlds = 20;
+  difference_.reset();
+  best_.reset();
+  candidates_ = 0;
+  const std::uint64_t seed = derive_seed(options_.seed, "probed", index);
+  for (std::uint64_t i = 0; i < kWorlds && !difference_; ++i) {
+    alive();
+    RandomEngine engine(derive_seed(seed, "poses", i));
+    difference_ = probe_.find(draw_fair_world(mix_, bench_, options_.fairness, seed, i), engine);
+  }
+}
+
+std::unique_ptr<World> ProbeHunt::draw(std::uint64_t index, const std::function<void()>& alive) {
+  const bool is_over =
+      candidates_ >= kCandidates || (candidates_ >= kApproaches && !best_.has_value());
+  if (!difference_ || is_over) find_difference(index, alive);
+  if (!difference_) return nullptr;
+  RandomEngine engine(derive_seed(options_.seed, "approach", index));
+  ++candidates_;
+  if (difference_->in_run && candidates_ == 1)
+    return std::make_unique<World>(difference_->world->scenario(),
+                                   bench_.setup.simulation.resolution);
+  if (!difference_->in_run && candidates_ <= kApproaches)
+    return approach(*difference_, bench_, options_.fairness, engine);
+  constexpr int kAttempts = 20;
+  for (int attempt = 0; attempt < kAttempts && best_; ++attempt)
+    if (auto world = draw_changed_world(*best_, bench_, options_.fairness, engine)) return world;
+  difference_.reset();
+  return nullptr;
+}
+
+void ProbeHunt::report(const Scenario& scenario, const Trial& method, const Trial& reference) {
+  if (!difference_ || is_same_run(method, reference)) return;
+  const double loss = reference.clearance - method.clearance;
+  if (best_ && loss < best_loss_) return;
+  best_ = scenario;
+  best_loss_ = loss;
+}
+
+}  // namespace slalom
