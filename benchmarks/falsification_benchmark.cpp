@@ -1,0 +1,162 @@
+// Searches for planted defects (tests/modules/falsification/plugins/planted.cpp), as tables in
+// Markdown: how often each is hit in random candidates, and when probing finds it. Times are of the
+// processor, of one core.
+//   falsification_benchmark random CANDIDATES [SEED]
+//   falsification_benchmark probe RUNS SEEDS
+#include "planted_methods.h"
+#include "search_batch.h"
+
+#include <slalom/core/random.h>
+#include <slalom/falsification/candidates.h>
+#include <slalom/falsification/search.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <dlfcn.h>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace slalom {
+namespace {
+
+struct Planting {
+  const char* defect;
+  bool has_memory;
+};
+
+/// In the order of the bits of planted_defects_begun.
+constexpr std::array kPlantings = {
+    Planting{"squeeze", false},       Planting{"tie", false},
+    Planting{"fine_tie", false},      Planting{"fine_squeeze", false},
+    Planting{"fast_and_near", false}, Planting{"goal_behind", false},
+    Planting{"beside_wall", true},    Planting{"overflow", true},
+    Planting{"after_turn", true},     Planting{"cycle_128", true}};
+
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return NAN;
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+SearchOptions options_of(std::uint64_t seed) {
+  SearchOptions options;
+  options.seed = seed;
+  options.outcomes = severe_outcomes();
+  return options;
+}
+
+bool is_severe(Outcome outcome) {
+  const auto severe = severe_outcomes();
+  return std::find(severe.begin(), severe.end(), outcome) != severe.end();
+}
+
+unsigned& defects_begun() {
+  void* library = dlopen(PLANTED_PLUGIN, RTLD_NOW);
+  auto* begun = library == nullptr ? nullptr : dlsym(library, "planted_defects_begun");
+  if (begun == nullptr) throw std::runtime_error("no planted_defects_begun in " PLANTED_PLUGIN);
+  return *static_cast<unsigned*>(begun);
+}
+
+/// Until its defect begins, a method is the one without: one run of that shows in which candidates
+/// which defects are to be run.
+void print_random(std::uint64_t candidates, std::uint64_t seed) {
+  const TestBench bench = planted_bench("watch");
+  const CandidateMix mix(bench.setup.robot);
+  const unsigned& begun = defects_begun();
+  BenchMethods watch(bench);
+  std::vector<TestBench> benches;
+  for (const Planting& planting : kPlantings) benches.push_back(planted_bench(planting.defect));
+  std::array<std::size_t, kPlantings.size()> begins{}, hits{};
+  double base_seconds = 0;
+  for (std::uint64_t index = 0; index < candidates; ++index) {
+    const double began = cpu_seconds();
+    const auto world = draw_fair_world(mix, bench, {}, derive_seed(seed, "random"), index);
+    const bool arrives = watch.run(*world, 0).outcome == Outcome::Success;
+    base_seconds += cpu_seconds() - began;
+    for (std::size_t i = 0; i < kPlantings.size(); ++i) {
+      if ((begun >> i & 1U) == 0) continue;
+      ++begins[i];
+      if (arrives && is_severe(BenchMethods(benches[i]).run(*world, 0).outcome)) ++hits[i];
+    }
+  }
+  fmt::print("{} candidates, {:.0f} a minute (processor time)\n\n", candidates,
+             60 * static_cast<double>(candidates) / base_seconds);
+  fmt::print(
+      "| defect | memory | begins | hits | rate | median runs | median s "
+      "|\n|---|---|---|---|---|---|---|\n");
+  const double n = static_cast<double>(candidates);
+  for (std::size_t i = 0; i < kPlantings.size(); ++i) {
+    const double rate = static_cast<double>(hits[i]) / n;
+    const double runs = hits[i] == 0 ? NAN : std::max(1.0, std::log(0.5) / std::log1p(-rate));
+    fmt::print("| {} | {} | {} | {} | {:.1e} | {:.0f} | {:.2f} |\n", kPlantings[i].defect,
+               kPlantings[i].has_memory ? "yes" : "no", begins[i], hits[i], rate, runs,
+               runs * base_seconds / n);
+  }
+}
+
+/// Of one seed; NAN if there was none.
+struct FirstHit {
+  double runs = NAN;  ///< of the method
+  double seconds = NAN;
+};
+
+FirstHit probe_until_hit(const char* defect, std::uint64_t runs, std::uint64_t seed) {
+  const TestBench bench = planted_bench(defect);
+  SearchOptions options = options_of(seed);
+  options.probe = true;
+  BatchRunner runner(bench, options);
+  SharedTaskLog log(1U << 22U);
+  const double began = cpu_seconds();
+  for (std::uint64_t index = 0; index < runs; ++index) {
+    log.clear();
+    if (runner.run(SearchHalf::Adaptive, index, log))
+      return {static_cast<double>(index + 1), cpu_seconds() - began};
+  }
+  return {};
+}
+
+void print_probing(std::uint64_t runs, std::uint64_t seeds) {
+  fmt::print("| defect | memory | found | median runs | median s |\n|---|---|---|---|---|\n");
+  for (const Planting& planting : kPlantings) {
+    std::vector<double> needed, seconds;
+    std::size_t found = 0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      const FirstHit hit = probe_until_hit(planting.defect, runs, seed);
+      found += std::isnan(hit.runs) ? 0 : 1;
+      needed.push_back(std::isnan(hit.runs) ? INFINITY : hit.runs);
+      seconds.push_back(std::isnan(hit.runs) ? INFINITY : hit.seconds);
+    }
+    fmt::print("| {} | {} | {} of {} | {:.0f} | {:.2f} |\n", planting.defect,
+               planting.has_memory ? "yes" : "no", found, seeds, median(needed), median(seconds));
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace slalom
+
+int main(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "";
+  const auto number = [&](int i, std::uint64_t otherwise) {
+    return argc > i ? std::strtoull(argv[i], nullptr, 10) : otherwise;
+  };
+  if (what == "random")
+    slalom::print_random(number(2, 10000), number(3, 1));
+  else if (what == "probe")
+    slalom::print_probing(number(2, 500), number(3, 10));
+  else
+    fmt::print(stderr,
+               "usage: falsification_benchmark random CANDIDATES [SEED] | probe RUNS SEEDS\n");
+  return what == "random" || what == "probe" ? 0 : 2;
+}
