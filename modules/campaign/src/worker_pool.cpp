@@ -1,4 +1,3 @@
-#include "fork_memory.h"
 #include "shared_inputs.h"
 #include "worker_process.h"
 
@@ -67,9 +66,6 @@ class Pool {
 
  private:
   using Worker = std::unique_ptr<WorkerProcess>;
-  /// Putting memory into huge pages takes the time of about so many starts of workers from small
-  /// ones: a pool of a few workers, none of which crashes, does without.
-  static constexpr std::size_t kCheapStarts = 3;
 
   void assign_items() {
     while (count(&WorkerProcess::busy) + inputs_.busy() < max_busy_ &&
@@ -111,7 +107,6 @@ class Pool {
         dead == workers_.end()
             ? *workers_.emplace_back(std::make_unique<WorkerProcess>(options_, inputs_.receiver()))
             : **dead;
-    if (++started_ > kCheapStarts) memory_.collapse();
     worker.start(item_, group);
     return worker;
   }
@@ -164,8 +159,6 @@ class Pool {
   const WorkItem& item_;
   OrderedResults& results_;
   InputStore inputs_;
-  ForkMemory memory_;
-  std::size_t started_ = 0;  ///< workers
   std::vector<Worker> workers_;
   std::size_t next_ = 0, finished_ = 0;
   std::set<std::size_t> killed_;    ///< work items whose process was killed from outside
