@@ -22,9 +22,15 @@ std::string compiler_version() {
 }
 
 std::string mrpt_version() {
-  // 0xMNP: one hexadecimal digit each for major, minor and patch.
-  return std::to_string(MRPT_VERSION >> 8) + "." + std::to_string((MRPT_VERSION >> 4) & 15) + "." +
-         std::to_string(MRPT_VERSION & 15);
+  return mrpt_version(MRPT_VERSION);
+}
+
+std::string mrpt_version(unsigned code) {
+  // 0xMNP, a hexadecimal digit each; two digits each in later versions: 2.5.8 is 0x258, 2.14.7
+  // 0x20e07.
+  const unsigned bits = code < 0x1000 ? 4 : 8, mask = (1U << bits) - 1;
+  return std::to_string(code >> (2 * bits)) + "." + std::to_string((code >> bits) & mask) + "." +
+         std::to_string(code & mask);
 }
 
 std::string processor_name() {
