@@ -7,7 +7,7 @@ find_package(mrpt-obs REQUIRED)
 find_package(mrpt-img REQUIRED)
 find_package(mrpt-kinematics REQUIRED)
 find_package(mrpt-nav REQUIRED)
-find_package(Boost REQUIRED)
+find_package(Boost REQUIRED CONFIG)
 find_package(Threads REQUIRED)
 find_package(SQLiteCpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
@@ -21,10 +21,15 @@ pkg_check_modules(xlsxwriter REQUIRED IMPORTED_TARGET xlsxwriter)
 pkg_check_modules(highway REQUIRED IMPORTED_TARGET libhwy)
 find_package(fmt REQUIRED)
 
-# OMPL's package defines variables only; a target keeps its include folders out of all other modules.
+# OMPL's package defines variables only; a target keeps its include folders out of all other modules. Debian 13's lists
+# folders of packages that it does not require (HDF5), which CMake refuses in a target where they are missing.
 if(NOT TARGET OMPL::OMPL)
   add_library(OMPL::OMPL INTERFACE IMPORTED)
-  target_include_directories(OMPL::OMPL SYSTEM INTERFACE ${OMPL_INCLUDE_DIRS})
+  foreach(folder IN LISTS OMPL_INCLUDE_DIRS)
+    if(IS_DIRECTORY "${folder}")
+      target_include_directories(OMPL::OMPL SYSTEM INTERFACE "${folder}")
+    endif()
+  endforeach()
   target_link_libraries(OMPL::OMPL INTERFACE ${OMPL_LIBRARIES})
 endif()
 

@@ -167,11 +167,8 @@ void check_pose_extent(const mrpt::maps::CSimpleMap& map, double resolution,
                        const std::string& path) {
   double x_min = 0, x_max = 0, y_min = 0, y_max = 0;
   bool finite = true;
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    mrpt::poses::CPose3DPDF::ConstPtr pose;
-    mrpt::obs::CSensoryFrame::ConstPtr frame;
-    map.get(i, pose, frame);
-    const mrpt::poses::CPose3D at = pose->getMeanVal();
+  for (const auto& keyframe : map) {
+    const mrpt::poses::CPose3D at = keyframe.pose->getMeanVal();
     finite = finite && std::isfinite(at.x()) && std::isfinite(at.y());
     x_min = std::min(x_min, at.x());
     x_max = std::max(x_max, at.x());

@@ -75,7 +75,8 @@ class HolonomicMethod : public Method {
     input.obstacles = sector_distances(points, radius);
     input.maxObstacleDist = 1.0;
     input.maxRobotSpeed = 1.0;
-    input.targets.push_back(target(observation.goal_in_robot));
+    // Points in MRPT 2.5; poses, made from a point here, since 2.14.3.
+    input.targets.emplace_back(target(observation.goal_in_robot));
     fill_clearance(input.obstacles, clearance_);
     input.clearance = &clearance_;
     CAbstractHolonomicReactiveMethod::NavOutput output;
