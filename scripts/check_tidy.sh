@@ -1,9 +1,14 @@
 #!/usr/bin/env bash
 # Runs clang-tidy (.clang-tidy; every finding is an error) on sources: scripts/check_tidy.sh [--all | FILE...]. Without
 # arguments on those that changed since SLALOM_TIDY_BASE (origin/main, or where that is HEAD itself 20 commits before it),
-# the latest change first, for at most SLALOM_TIDY_SECONDS (150); it prints how many were checked.
+# the latest change first, for at most SLALOM_TIDY_SECONDS (150); it prints how many were checked. Checks nothing with
+# another version than Debian 12's, which finds other things.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+if ! clang-tidy --version 2>/dev/null | grep 'version 14\.' >/dev/null; then
+  echo "clang-tidy: sources not checked, needs version 14" >&2
+  exit 0
+fi
 seconds=${SLALOM_TIDY_SECONDS:-150}
 
 base() {

@@ -20,6 +20,7 @@ cd "$folder/lcm_method_cpp"
 cmake -S . -B build -DCMAKE_PREFIX_PATH="$folder/installed" >/dev/null
 cmake --build build >/dev/null
 check "C++"
+lua5.2 -e 'require("lcm")' 2>/dev/null || { echo "Skipped: the example in Lua needs the package liblcm-lua"; exit 77; }
 cd "$folder/lcm_method_lua"
 lcm-gen --lua --lpath types "$folder"/installed/share/slalom/lcm_types/*.lcm
 check "Lua"
