@@ -1,3 +1,4 @@
+#include "full_eval.h"
 #include "navigator_config.h"
 #include "plugin_module.h"
 #include "sectors.h"
@@ -63,6 +64,7 @@ class HolonomicMethod : public Method {
     method_ = create_by_name(options_.class_name);
     if (!method_) throw MethodError("class " + options_.class_name + " cannot be created");
     configure();
+    paths_ = complete_full_eval(*method_, static_cast<std::size_t>(options_.sectors));
     // Without slow-down near the target CHolonomicVFF always returns speed 0.
     method_->enableApproachTargetSlowDown(true);
     clearance_.clear();
@@ -166,6 +168,7 @@ class HolonomicMethod : public Method {
   HolonomicOptions options_;
   RobotModel robot_;
   double aperture_;
+  std::unique_ptr<mrpt::nav::CParameterizedTrajectoryGenerator> paths_;  ///< used by method_
   CAbstractHolonomicReactiveMethod::Ptr method_;
   mrpt::nav::ClearanceDiagram clearance_;  ///< of the last step; its maps are used again
 };
