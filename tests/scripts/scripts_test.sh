@@ -69,4 +69,20 @@ expect_text "reasons of other programs too" "Network.IsPrivate: neither a privat
 
 sed -i 's/package absent/package present/' "$log"
 expect "a package that the distribution has is not" not run_report
+
+check_platform() { "$sources/scripts/check_platform.sh" "$@" >"$work/out" 2>"$work/err"; }
+refuses() {
+  local text=$1
+  shift
+  check_platform "$@"
+  [ $? -eq 2 ] && grep -qF -- "$text" "$work/err"
+}
+expect "the check of a platform explains itself" check_platform --help
+expect_text "by its options" "[--folder DIR]" "$work/out"
+expect_text "to the last line" "select (\`-R Golden\`)." "$work/out"
+expect "it refuses a missing name" refuses "expected the code name"
+expect "it refuses a path for a name" refuses "../trixie: expected the code name" ../trixie
+expect "it refuses no processes" refuses "--jobs 0: expected a number of processes" --jobs 0 trixie
+expect "it refuses an option without its value" refuses "--folder: expected a value" --folder
+expect "it refuses an unknown option" refuses "unknown option --fodler" --fodler /tmp trixie
 exit "$failed"
