@@ -2,6 +2,7 @@
 
 import math
 import os
+import pathlib
 import signal
 import subprocess
 import sys
@@ -11,6 +12,8 @@ import unittest
 
 import numpy as np
 import slalom
+
+EXAMPLE = pathlib.Path(__file__).parents[2] / "examples/python/evaluate_my_method.py"
 
 
 class Direct:
@@ -207,6 +210,16 @@ class Package(unittest.TestCase):
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(timeout=100), 7)
         process.stdout.close()
+
+    def test_the_example_runs_and_draws_a_failure(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = subprocess.run([sys.executable, EXAMPLE], cwd=folder, capture_output=True, text=True)
+            self.assertEqual(program.returncode, 0, program.stderr)
+            self.assertIn("nd by confinement", program.stdout)
+            failure = program.stdout.splitlines()[-1]
+            self.assertRegex(failure, r"^random_\d+: \w+ after [\d.]+ s, [\d.]+ m from the goal$")
+            drawing = pathlib.Path(folder, failure.split(":")[0] + ".svg")
+            self.assertTrue(drawing.read_text().startswith("<svg"))
 
 
 class Scenarios(unittest.TestCase):
