@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the C++ example method against an installed Slalom, generates the messages of the Lua example,
-# and runs both in a campaign: lcm_examples_test.sh SOURCE_FOLDER BUILD_FOLDER
+# Builds the C++ example method against an installed Slalom, generates the messages of the Lua and the Java example, and
+# runs each in a campaign: lcm_examples_test.sh SOURCE_FOLDER BUILD_FOLDER
 set -euo pipefail
 source=$1 build=$2
 folder=$(mktemp -d)
@@ -15,7 +15,7 @@ check() {
 }
 
 cmake --install "$build" --prefix "$folder/installed" >/dev/null
-cp -r "$source/examples/lcm_method_cpp" "$source/examples/lcm_method_lua" "$folder"
+cp -r "$source"/examples/lcm_method_{cpp,java,lua} "$folder"
 cd "$folder/lcm_method_cpp"
 cmake -S . -B build -DCMAKE_PREFIX_PATH="$folder/installed" >/dev/null
 cmake --build build >/dev/null
@@ -24,3 +24,14 @@ lua5.2 -e 'require("lcm")' 2>/dev/null || { echo "Skipped: the example in Lua ne
 cd "$folder/lcm_method_lua"
 lcm-gen --lua --lpath types "$folder"/installed/share/slalom/lcm_types/*.lcm
 check "Lua"
+
+cd "$folder/lcm_method_java"
+skip() {
+  echo "Skipped: $1"
+  exit 77
+}
+command -v javac >/dev/null || skip "needs the package default-jdk-headless"
+[ -e /usr/share/java/lcm.jar ] || skip "needs the package liblcm-java"
+lcm-gen --java --jpath types "$folder"/installed/share/slalom/lcm_types/*.lcm
+javac -cp /usr/share/java/lcm.jar -d classes MyMethod.java types/slalom/*.java
+check "Java"
