@@ -15,9 +15,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <dlfcn.h>
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -146,7 +148,7 @@ void print_probing(std::uint64_t runs, std::uint64_t seeds) {
 }  // namespace
 }  // namespace slalom
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   const std::string what = argc > 1 ? argv[1] : "";
   const auto number = [&](int i, std::uint64_t otherwise) {
     return argc > i ? std::strtoull(argv[i], nullptr, 10) : otherwise;
@@ -159,4 +161,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr,
                "usage: falsification_benchmark random CANDIDATES [SEED] | probe RUNS SEEDS\n");
   return what == "random" || what == "probe" ? 0 : 2;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
 }

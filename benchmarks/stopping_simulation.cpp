@@ -10,7 +10,9 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
@@ -99,6 +101,9 @@ void print_table(int campaigns) {
 }  // namespace
 }  // namespace slalom
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   slalom::print_table(argc > 1 ? std::atoi(argv[1]) : 2000);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
 }
