@@ -10,23 +10,24 @@ get_property(modules GLOBAL PROPERTY SLALOM_MODULES)
 list(REMOVE_ITEM modules gui)
 foreach(module ${modules})
   get_target_property(folder slalom_${module} SOURCE_DIR)
-  install(DIRECTORY ${folder}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(DIRECTORY ${folder}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
   set_target_properties(slalom_${module} PROPERTIES EXPORT_NAME ${module})
-  install(TARGETS slalom_${module} EXPORT slalomLibraries ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(TARGETS slalom_${module} EXPORT slalomLibraries ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          COMPONENT development)
 endforeach()
 install(TARGETS slalom_lcm_types EXPORT slalomLibraries)
-install(EXPORT slalomLibraries NAMESPACE slalom:: DESTINATION ${SLALOM_PACKAGE_DIR})
+install(EXPORT slalomLibraries NAMESPACE slalom:: DESTINATION ${SLALOM_PACKAGE_DIR} COMPONENT development)
 install(TARGETS slalom_method_api EXPORT slalomTargets)
-install(EXPORT slalomTargets NAMESPACE slalom:: DESTINATION ${SLALOM_PACKAGE_DIR})
+install(EXPORT slalomTargets NAMESPACE slalom:: DESTINATION ${SLALOM_PACKAGE_DIR} COMPONENT development)
 install(FILES ${PROJECT_SOURCE_DIR}/cmake/SlalomMethod.cmake ${PROJECT_SOURCE_DIR}/cmake/SlalomDependencies.cmake
-        DESTINATION ${SLALOM_PACKAGE_DIR})
+        DESTINATION ${SLALOM_PACKAGE_DIR} COMPONENT development)
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/slalomConfig.cmake.in
   ${PROJECT_BINARY_DIR}/slalomConfig.cmake INSTALL_DESTINATION ${SLALOM_PACKAGE_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/slalomConfigVersion.cmake
   COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/slalomConfig.cmake ${PROJECT_BINARY_DIR}/slalomConfigVersion.cmake
-        DESTINATION ${SLALOM_PACKAGE_DIR})
+        DESTINATION ${SLALOM_PACKAGE_DIR} COMPONENT development)
 
 # Completion for zsh, in the folder that Debian's zsh searches below /usr.
 get_property(SLALOM_APPS GLOBAL PROPERTY SLALOM_APPS)
