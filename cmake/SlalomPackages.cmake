@@ -47,6 +47,11 @@ math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
 string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
        "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), "
        "python3 (<< ${Python_VERSION_MAJOR}.${next_minor}), python3-numpy, slalom (= ${PROJECT_VERSION}-1)")
+# Python writes compiled modules beside those of the package.
+file(CONFIGURE OUTPUT ${legal}/prerm
+     CONTENT "#!/bin/sh\nset -e\nrm -rf /usr/lib/python3/dist-packages/slalom/__pycache__\n")
+file(CHMOD ${legal}/prerm PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${legal}/prerm)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "python3-numpy")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "libslalom-dev, python3-slalom, slalom-doc")
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_DEPENDS "libjs-mathjax")

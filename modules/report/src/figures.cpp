@@ -103,8 +103,8 @@ class RankDiagram {
     std::string content = axis() + critical_difference();
     for (std::size_t place = 0; place < order_.size(); ++place) content += method(place);
     for (std::size_t i = 0; i < ranks_.test.groups.size(); ++i) content += group(i);
-    const double lines = static_cast<double>((order_.size() + 1) / 2);
-    return document(2 * kSide + kWidth, first_line() + kLine * lines, content);
+    const std::size_t lines = (order_.size() + 1) / 2;
+    return document(2 * kSide + kWidth, first_line() + kLine * static_cast<double>(lines), content);
   }
 
  private:
