@@ -1,5 +1,6 @@
 #include "../contact.h"
 #include "cones.h"
+#include "connection.h"
 
 #include <slalom/core/distance.h>
 #include <slalom/references/disc_path.h>
@@ -31,6 +32,10 @@ DiscPath path_through(const Roots& roots, int last, const Occupancy& cells) {
   return path;
 }
 
+/// Taken from the queue before open cells are filled: most searches have ended by then, and the
+/// others take longer than to fill.
+constexpr int kItemsBeforeFill = 1000;
+
 /// The shortest path if there is one, with its length in cells.
 std::optional<DiscPath> search(SearchSpace& space, const Occupancy& cells) {
   Queue queue;
@@ -38,7 +43,9 @@ std::optional<DiscPath> search(SearchSpace& space, const Occupancy& cells) {
   ConeExpansion cones(space, roots, queue);
   roots.offer_goal(0);
   if (queue.empty()) cones.expand_start();
-  while (!queue.empty()) {
+  for (int taken = 0; !queue.empty(); ++taken) {
+    if (taken == kItemsBeforeFill && !may_connect(space.open, space.start, space.goal))
+      return std::nullopt;
     const Queue::Item item = queue.pop();
     if (item.kind == Kind::Goal) {
       DiscPath path = path_through(roots, item.index, cells);

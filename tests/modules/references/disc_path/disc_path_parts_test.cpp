@@ -1,12 +1,16 @@
 // The parts of the search for the shortest path of a disc, each against its definition.
 #include "disc_path/arcs.h"
+#include "disc_path/connection.h"
 #include "disc_path/open_rows.h"
 #include "disc_problems.h"
 #include "tangent_graph.h"
 
+#include <slalom/references/disc_path.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 namespace slalom::disc_path {
 namespace {
@@ -75,6 +79,69 @@ TEST(OpenRows, HoldEveryCellWithAFreePoint) {
         ASSERT_TRUE(run->first <= x && x < run->last);
       }
   }
+}
+
+/// The cells that a chain of open cells, touching at sides or corners, joins to (x, y).
+std::set<std::pair<int, int>> joined_cells(const OpenRows& open, int x, int y) {
+  std::set<std::pair<int, int>> joined{{x, y}};
+  std::vector<std::pair<int, int>> front{{x, y}};
+  while (!front.empty()) {
+    const auto [at_x, at_y] = front.back();
+    front.pop_back();
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        if (open.find(at_x + dx, at_y + dy) != nullptr &&
+            joined.emplace(at_x + dx, at_y + dy).second)
+          front.emplace_back(at_x + dx, at_y + dy);
+  }
+  return joined;
+}
+
+TEST(MayConnect, IsTrueIfAChainOfOpenCellsJoinsThePoints) {
+  RandomEngine engine(35);
+  int joined_pairs = 0, separate_pairs = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const DiscProblem problem = random_problem(engine);
+    const OccupiedRows occupied(problem.cells);
+    const OpenRows open(occupied, problem.radius);
+    std::vector<std::pair<int, int>> cells;
+    for (int y = 0; y < problem.cells.size_y(); ++y)
+      for (int x = 0; x < problem.cells.size_x(); ++x)
+        if (open.find(x, y) != nullptr) cells.emplace_back(x, y);
+    if (cells.empty()) continue;
+    for (int pair = 0; pair < 10; ++pair) {
+      const auto cell = [&] {
+        return cells[static_cast<std::size_t>(
+            uniform_int(engine, 0, static_cast<int>(cells.size()) - 1))];
+      };
+      const auto from = cell(), to = cell();
+      const bool expected = joined_cells(open, from.first, from.second).count(to) == 1;
+      ASSERT_EQ(may_connect(open, {from.first + 0.5, from.second + 0.5},
+                            {to.first + 0.5, to.second + 0.5}),
+                expected)
+          << trial;
+      ++(expected ? joined_pairs : separate_pairs);
+    }
+  }
+  EXPECT_GT(joined_pairs, kTrials);
+  EXPECT_GT(separate_pairs, kTrials / 3);
+}
+
+TEST(MayConnect, NeverDeniesAPathThatExists) {
+  RandomEngine engine(36);
+  int denied = 0;
+  for (int trial = 0; trial < 10 * kTrials; ++trial) {
+    const DiscProblem problem = random_problem(engine);
+    const OccupiedRows occupied(problem.cells);
+    const OpenRows open(occupied, problem.radius);
+    if (may_connect(open, problem.start, problem.goal)) continue;
+    ++denied;
+    std::string reason;
+    ASSERT_FALSE(shortest_disc_path(problem.cells, problem.radius * kCellSize,
+                                    problem.start * kCellSize, problem.goal * kCellSize, reason))
+        << trial;
+  }
+  EXPECT_GT(denied, 30);
 }
 
 TEST(OpenRows, AreExactNextToAWall) {
