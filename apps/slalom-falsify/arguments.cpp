@@ -36,7 +36,9 @@ void require_method(const IniFile& ini, const std::string& option, const std::st
 }  // namespace
 
 void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
-  app.add_option("-o,--output", arguments.output, "Folder for the failures")->required();
+  app.add_option("-o,--output", arguments.output,
+                 "Folder for the failures and the report of them (index.html)")
+      ->required();
   app.add_option("--witness", arguments.witnesses,
                  "A method that must reach the goal, which proves that the scenario can be solved; "
                  "of several, any. Default: the other methods of the campaign")

@@ -9,10 +9,13 @@
 #include <slalom/io/scenario_list.h>
 #include <slalom/report/report.h>
 
+#include <filesystem>
 #include <set>
 
 namespace slalom {
 namespace {
+
+constexpr char kExaminedScenarios[] = "/examined.scenarios";  // in the output folder
 
 /// The scenarios to run, each once, and their roles in the failures.
 class Examination {
@@ -66,7 +69,7 @@ class Examination {
 
 ResultTable run_examination(const Examination& examination, const FalsifyCampaign& campaign,
                             const FalsifyArguments& arguments, const std::string& results) {
-  const std::string list = arguments.output + "/examined.scenarios";
+  const std::string list = arguments.output + kExaminedScenarios;
   examination.write(list);
   const CampaignConfig config = read_campaign(ini_of_list(campaign, list, RecordedRuns::None));
   CampaignArguments run = arguments.campaign;
@@ -86,9 +89,15 @@ ResultTable run_examination(const Examination& examination, const FalsifyCampaig
 std::vector<ReportedCluster> write_cluster_report(const std::vector<Failure>& failures,
                                                   const FalsifyCampaign& campaign,
                                                   const FalsifyArguments& arguments) {
-  if (failures.empty()) return {};
   const std::string& folder = arguments.output;
   const std::string results = folder + kExaminedResults;
+  if (failures.empty()) {
+    remove_report(folder);
+    std::error_code not_there;
+    for (const std::string& file : {results, folder + kExaminedScenarios})
+      std::filesystem::remove(file, not_there);
+    return {};
+  }
   const Examination examination(failures, campaign.bench, folder);
   const ResultTable runs = run_examination(examination, campaign, arguments, results);
   ReportOptions options = report_options(runs);

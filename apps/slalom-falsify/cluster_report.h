@@ -13,7 +13,8 @@ constexpr char kExaminedResults[] = "/examined.results";  ///< in the output fol
 
 /// Runs the method and its witnesses in the smallest scenarios, the originals and the neighbors
 /// (examined.scenarios, examined.results), and writes the report of these runs (index.html) with a
-/// page for each cluster of failures. Does nothing without failures. Throws Interrupted, Error.
+/// page for each cluster of failures. Without failures it removes these files of an earlier search.
+/// Throws Interrupted, Error.
 std::vector<ReportedCluster> write_cluster_report(const std::vector<Failure>& failures,
                                                   const FalsifyCampaign& campaign,
                                                   const FalsifyArguments& arguments);

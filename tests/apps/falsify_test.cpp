@@ -189,6 +189,23 @@ TEST_F(Falsify, NothingFoundIsABoundAndNotAProofOfSafety) {
   EXPECT_TRUE(failures("out")["failures"].empty());
 }
 
+TEST_F(Falsify, ASearchThatFindsNothingLeavesNoReportOfAnotherOne) {
+  ASSERT_EQ(run(kShrink).status, 0);
+  const std::vector<std::string> files = {
+      "index.html",         "cluster.html",     "report.json",
+      "run.html",           "data/runs.js",     "data/summary.js",
+      "data/pictures-1.js", "examined.results", "examined.scenarios"};
+  for (const std::string& file : files)
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / file)) << file;
+  const ProgramResult result =
+      run("slalom-falsify search planted.ini --method base --witness squeeze --runs 4 --overwrite "
+          "-o out --quiet");
+  ASSERT_EQ(result.status, 0) << result.err;
+  ASSERT_TRUE(failures("out")["failures"].empty());
+  for (const std::string& file : files)
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / file)) << file;
+}
+
 TEST_F(Falsify, AnEarlierVersionOfTheLibraryIsAWitness) {
   const ProgramResult result =
       run("slalom-falsify search planted.ini --method base --against " PLANTED_PLUGIN

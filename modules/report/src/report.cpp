@@ -20,6 +20,11 @@ namespace {
 constexpr std::size_t kMaxPicturesPerPage = 200;
 constexpr std::size_t kMaxBytesPerPage = 6u << 20u;
 
+/// The file with the pictures of a page, from 1.
+std::string pictures_file(std::size_t page) {
+  return "data/pictures-" + std::to_string(page) + ".js";
+}
+
 /// The campaign .ini from the manifest; empty if it cannot be parsed.
 IniFile campaign_ini(const Manifest& manifest) {
   const auto found = manifest.find("campaign.ini");
@@ -125,9 +130,9 @@ class ScenarioFiles {
   }
 
   void write_pictures() const {
-    const std::string page = std::to_string(page_);
-    write_file_atomically((directory_ / "data" / ("pictures-" + page + ".js")).string(),
-                          "slalomPictures(" + page + "," + json_text(pictures_) + ");\n");
+    write_file_atomically(
+        (directory_ / pictures_file(page_)).string(),
+        "slalomPictures(" + std::to_string(page_) + "," + json_text(pictures_) + ");\n");
   }
 };
 
@@ -179,6 +184,19 @@ void write_report(const std::string& results, const ResultTable& runs, const Rep
   for (const auto& [name, text] : report_pages())
     if (name != "cluster.html" || !options.clusters.empty())
       write(name, name == "index.html" ? index_page(text, input) : text);
+}
+
+void remove_report(const std::string& directory) {
+  const auto removed = [&directory](const std::string& name) {
+    std::error_code error;
+    const auto path = std::filesystem::path(directory) / name;
+    if (std::filesystem::remove(path, error)) return true;
+    if (error) throw job_error(path.string(), "cannot be removed: " + error.message());
+    return false;
+  };
+  for (const std::string name : {"data/summary.js", "data/runs.js", "report.json"}) removed(name);
+  for (std::size_t page = 1; removed(pictures_file(page));) ++page;
+  for (const auto& [name, text] : report_pages()) removed(name);
 }
 
 }  // namespace slalom

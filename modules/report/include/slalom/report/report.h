@@ -38,4 +38,7 @@ ReportOptions report_options(const ResultTable& runs);
 void write_report(const std::string& results, const ResultTable& runs, const ReportOptions& options,
                   const std::string& directory);
 
+/// Removes what write_report() has written into `directory`, if anything. Throws Error (Job).
+void remove_report(const std::string& directory);
+
 }  // namespace slalom
