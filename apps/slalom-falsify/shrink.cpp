@@ -5,6 +5,7 @@
 #include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
+#include <slalom/core/progress.h>
 #include <slalom/core/text.h>
 #include <slalom/falsification/neighbors.h>
 #include <slalom/io/find_run.h>
@@ -71,8 +72,12 @@ void shrink_verb(ShrinkArguments& arguments) {
   FalsifyCampaign campaign = read_falsify_campaign(input.ini, common);
   campaign.bench.repetition = input.repetition;
   const InterruptGuard guard;
-  ShrinkOptions options{common.fairness, common.max_runs, InterruptGuard::raised};
+  const auto progress = make_terminal_progress(common.campaign.quiet);
+  progress->start("Shrinking", common.max_runs);
+  ShrinkOptions options{common.fairness, common.max_runs, InterruptGuard::raised,
+                        [&progress](std::size_t runs) { progress->advance(runs); }};
   auto small = shrink(campaign.bench, input.scenario, options);
+  progress->finish();
   if (!small) throw Interrupted("nothing was written");
   std::vector<Failure> failures = {{input.origin, input.scenario, std::move(*small)}};
   name_failures(failures, common.method);

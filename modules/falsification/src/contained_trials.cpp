@@ -26,14 +26,16 @@ struct LogIsFull {};
 
 class LoggedTrials : public TrialSource {
  public:
-  LoggedTrials(const TestBench& bench, std::map<std::string, Trial> known, SharedTaskLog& log)
-      : methods_(bench), known_(std::move(known)), log_(log) {}
+  LoggedTrials(const TestBench& bench, std::map<std::string, Trial> known, SharedTaskLog& log,
+               SharedTaskLog& begun)
+      : methods_(bench), known_(std::move(known)), log_(log), begun_(begun) {}
 
   const Trial& trial(const World& world, std::size_t method) override {
     const std::string key = key_of(world.scenario(), method);
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
     if (logged_ > kMaxLogged) throw LogIsFull();
     log_.heartbeat();
+    begun_.heartbeat();
     append(log_, key, logged_);
     const Trial& result = known_[key] = methods_.run(world, method);
     append(log_, to_bytes(result), logged_);
@@ -43,7 +45,7 @@ class LoggedTrials : public TrialSource {
  private:
   BenchMethods methods_;
   std::map<std::string, Trial> known_;
-  SharedTaskLog& log_;
+  SharedTaskLog &log_, &begun_;
   std::size_t logged_ = 0;
 };
 
@@ -108,7 +110,7 @@ bool ContainedTrials::execute(const TrialJob& job) {
 /// Executes the job in a worker as far as it gets.
 bool ContainedTrials::extend(const TrialJob& job, bool& complete) {
   const WorkItem item = [&](std::size_t, SharedTaskLog& log) -> std::string {
-    LoggedTrials trials(bench_, known_, log);
+    LoggedTrials trials(bench_, known_, log, begun_);
     try {
       job(trials);
     } catch (const LogIsFull&) {

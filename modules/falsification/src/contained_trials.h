@@ -49,6 +49,8 @@ class ContainedTrials {
   /// False when interrupted. Throws Error (Job) when the job throws.
   bool execute(const TrialJob& job);
   std::size_t count() const { return known_.size(); }  ///< trials so far
+  /// The same during execute(), with those of the running worker.
+  std::size_t begun() const { return begun_.heartbeats(); }
 
  private:
   bool extend(const TrialJob& job, bool& complete);
@@ -56,6 +58,7 @@ class ContainedTrials {
 
   const TestBench& bench_;
   std::function<bool()> interrupted_;
+  SharedTaskLog begun_{0};              ///< a heartbeat for each trial
   std::map<std::string, Trial> known_;  ///< by key
 };
 

@@ -81,7 +81,11 @@ ShrinkResult shrink_with(TrialSource& trials, const TestBench& bench, const Scen
 std::optional<ShrinkResult> shrink(const TestBench& bench, const Scenario& scenario,
                                    const ShrinkOptions& options) {
   std::optional<ShrinkResult> result;
-  ContainedTrials trials(bench, options.interrupted);
+  std::size_t begun = 0;
+  ContainedTrials trials(bench, [&] {
+    if (options.on_runs && trials.begun() > begun) options.on_runs(begun = trials.begun());
+    return options.interrupted && options.interrupted();
+  });
   if (!trials.execute(
           [&](TrialSource& source) { result = shrink_with(source, bench, scenario, options); }))
     return std::nullopt;

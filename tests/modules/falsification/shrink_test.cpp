@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace slalom {
 namespace {
@@ -135,6 +137,19 @@ TEST(Shrink, EndsAtTheLimitOfRunsWithoutAProof) {
   ASSERT_TRUE(small);
   EXPECT_LE(small->runs, 11U);
   EXPECT_FALSE(small->minimal);
+}
+
+TEST(Shrink, ReportsTheNumberOfRunsWhileItWorks) {
+  std::vector<std::size_t> reported;
+  ShrinkOptions options;
+  options.on_runs = [&](std::size_t runs) { reported.push_back(runs); };
+  // Ends after 20 runs, however many of them were seen one by one.
+  options.interrupted = [&] { return !reported.empty() && reported.back() >= 20; };
+  EXPECT_FALSE(shrink(planted_bench("squeeze"), passage(), options));
+  ASSERT_FALSE(reported.empty());
+  EXPECT_GE(reported.back(), 20U);
+  EXPECT_TRUE(std::adjacent_find(reported.begin(), reported.end(), std::greater_equal<>()) ==
+              reported.end());
 }
 
 TEST(Shrink, IsInterrupted) {

@@ -15,6 +15,8 @@ struct ShrinkOptions {
   std::size_t max_runs = 5000;  ///< of the method and the witnesses
   /// Polled; when it returns true, shrinking ends without a result.
   std::function<bool()> interrupted = {};
+  /// Called when more runs were begun, with their number so far.
+  std::function<void(std::size_t runs)> on_runs = {};
 };
 
 /// The removal of one part of the obstacles of the smallest scenario.
