@@ -1,5 +1,6 @@
 #include <slalom/core/printable.h>
 #include <slalom/core/progress.h>
+#include <slalom/core/progress_line.h>
 
 #include <cmath>
 #include <cstdio>
@@ -125,6 +126,19 @@ class BarProgress : public Progress {
 };
 
 }  // namespace
+
+std::optional<ProgressLine> parse_progress_line(const std::string& line) {
+  const std::size_t end = line.rfind(": ");
+  ProgressLine progress;
+  int length = 0;  // set if the text is complete up to the percentage
+  if (end == std::string::npos ||
+      std::sscanf(line.c_str() + end, ": %zu/%zu (%*u %%), %n", &progress.done, &progress.total,
+                  &length) != 2 ||
+      length == 0)
+    return std::nullopt;
+  progress.what = line.substr(0, end);
+  return progress;
+}
 
 std::unique_ptr<Progress> make_silent_progress() {
   return std::make_unique<SilentProgress>();

@@ -1,4 +1,5 @@
 #include <slalom/core/progress.h>
+#include <slalom/core/progress_line.h>
 
 #include <gtest/gtest.h>
 
@@ -125,6 +126,18 @@ TEST(ProgressInAFile, DoesNotTakeTheSpeedFromWhatWasDoneEarlier) {
   progress->finish();
   // 227 remain, 10 s each
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "Working: 413/640 (64 %), 38 min left\n");
+}
+
+TEST(ProgressInAFile, IsReadAgain) {
+  const std::string lines = lines_of_work(30, 1);
+  const auto first = parse_progress_line(lines.substr(0, lines.find('\n')));
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->what, "Working");
+  EXPECT_EQ(first->done, 10U);
+  EXPECT_EQ(first->total, 30U);
+  for (const char* other : {"", "Working", "Working: 10 of 30", "a: 1/2", "a: 1/2 (half)",
+                            "slalom-falsify: interrupted: nothing was written"})
+    EXPECT_FALSE(parse_progress_line(other)) << other;
 }
 
 TEST(ProgressInAFile, HasNoLinesForShortWorkAndIfQuiet) {
