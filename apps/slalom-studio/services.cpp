@@ -1,8 +1,14 @@
 #include "services.h"
 
 #include <slalom/app/import_scenarios.h>
+#include <slalom/core/child_process.h>
+#include <slalom/core/error.h>
 #include <slalom/core/options.h>
+#include <slalom/core/progress_line.h>
+#include <slalom/core/text.h>
 #include <slalom/map_formats/map_export.h>
+
+#include <filesystem>
 
 namespace slalom {
 namespace {
@@ -31,6 +37,38 @@ void export_to(const Scenario& scenario, const std::string& format, double resol
   export_scenario(scenario, format, options, path);
 }
 
+/// Runs slalom-falsify, since methods run in processes that the window must not fork: only the
+/// thread that forks exists in them, and what the others have locked stays so.
+std::string shrink_run(const StudioServices::ShrinkRequest& request, Progress& progress) {
+  const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  std::vector<std::string> command = {(program / "slalom-falsify").string(),
+                                      "shrink",
+                                      request.results,
+                                      "--run",
+                                      request.run,
+                                      "--output",
+                                      request.folder,
+                                      "--max-runs",
+                                      request.max_runs};
+  if (!request.requires_witness) command.emplace_back("--no-witness");
+  std::string output, last;
+  ProgressLine now;
+  const auto read_line = [&](const std::string& line) {
+    if (const auto shown = parse_progress_line(line)) {
+      now = *shown;
+      return progress.start(now.what, now.total);
+    }
+    output += line + "\n";
+    if (!line.empty()) last = line;
+  };
+  const int status = execute_program(command, read_line, [&] { progress.advance(now.done); });
+  if (status == 0) return output;
+  const std::string prefix = "slalom-falsify: ";
+  if (!starts_with(last, prefix))
+    throw job_error("slalom-falsify", "ended with status " + std::to_string(status));
+  throw Error(ErrorKind::Job, last.substr(prefix.size()));
+}
+
 }  // namespace
 
 StudioServices make_services() {
@@ -43,6 +81,7 @@ StudioServices make_services() {
   for (const ExportFormat& format : export_formats())
     services.export_formats.push_back({format.name, format.ending, format.content});
   services.export_scenario = export_to;
+  services.shrink_run = shrink_run;
   return services;
 }
 

@@ -1,4 +1,5 @@
 #include "browser.h"
+#include "planted_failure.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
@@ -8,44 +9,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr char kCampaign[] = R"([campaign]
-name    = planted
-seed    = 1
-methods = squeeze, base
-[scenarios]
-generator = random
-[simulation]
-max_time = 40
-[method.squeeze]
-adapter = library
-plugin  = )" PLANTED_PLUGIN R"(
-defect  = squeeze
-[method.base]
-adapter = library
-plugin  = )" PLANTED_PLUGIN "\n";
-
-/// A wall with a door that triggers the defect, and obstacles that do not matter.
-constexpr char kPassage[] = R"(name: "passage"
-representation: continuous
-bounds: [0, 0, 10, 10]
-start: [1.53, 5, 0.02]
-goal: [8.47, 5]
-discs:
-  - [1.3, 8.7, 0.21]
-  - [2.8, 8.7, 0.21]
-  - [7.1, 8.7, 0.21]
-  - [2.2, 1.3, 0.3]
-polygons:
-  - [[4.9, 0.5], [5.12, 0.5], [5.12, 4.45], [4.9, 4.45]]
-  - [[4.9, 5.55], [5.12, 5.55], [5.12, 9.5], [4.9, 9.5]]
-)";
-
 class Falsify : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    write("planted.ini", kCampaign);
-    write("passage.scenario.yaml", kPassage);
+    write("planted.ini", kPlantedCampaign);
+    write("passage.scenario.yaml", kPlantedPassage);
   }
   Json failures(const std::string& folder) const {
     return Json::parse(read(folder + "/failures.json"));

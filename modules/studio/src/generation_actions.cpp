@@ -121,9 +121,19 @@ void open_export_form(Studio& studio) {
   studio.notices().show_form(std::move(form));
 }
 
-/// Only one generation or import runs at a time.
+/// Only one generation, import or shrinking runs at a time.
 std::string busy_reason(Studio& studio) {
-  return studio.jobs().is_pending("make") ? "scenarios are being generated or imported" : "";
+  return studio.jobs().is_pending("make") ? "scenarios are being generated, imported or shrunk"
+                                          : "";
+}
+
+/// An unused folder beside the result file.
+std::string new_shrink_folder(const std::string& results, const RunRecord& run) {
+  std::string name = "shrunk_" + run_id(run);
+  std::replace(name.begin(), name.end(), '/', '_');
+  fs::path folder = fs::path(results).parent_path() / name;
+  for (int i = 2; fs::exists(folder); ++i) folder.replace_filename(name + "_" + std::to_string(i));
+  return folder.string();
 }
 
 void open_import_form(Studio& studio, const std::vector<std::string>& files) {
@@ -138,6 +148,27 @@ void open_import_form(Studio& studio, const std::vector<std::string>& files) {
 }
 
 }  // namespace
+
+std::string shrink_disabled_reason(Studio& studio) {
+  if (!studio.services().shrink_run) return "this program does not shrink runs";
+  const RunRecord* run = studio.results().overlay().selected();
+  if (run == nullptr) return "no run of a result file is selected";
+  if (run->outcome == "success") return "the robot reached the goal in this run";
+  return studio.active() == nullptr ? "no list is open" : busy_reason(studio);
+}
+
+void open_shrink_form(Studio& studio) {
+  const std::string results = studio.results().overlay().source().path;
+  const RunRecord run = *studio.results().overlay().selected();
+  FormDescription form = shrink_form(run, new_shrink_folder(results, run));
+  form.accepted = [&studio, results, run](const FormValues& values) {
+    start_job(studio, "Shrink " + run_id(run),
+              [&studio, request = read_shrink(results, run, values)](Progress& progress) {
+                return shrink_into_list(studio.services(), request, progress);
+              });
+  };
+  studio.notices().show_form(std::move(form));
+}
 
 /// Sorted by name, so that the order of the files has no effect.
 void open_files(Studio& studio, std::vector<std::string> files) {
@@ -188,6 +219,10 @@ void add_generate_actions(Actions& actions, Studio& studio) {
                                       read_bins_generation);
                },
                disabled_check});
+  actions.add({"generate.shrink", "Generate", "Shrink run...", "",
+               "Finds the smallest scenario in which the selected run fails alike.",
+               [&studio] { open_shrink_form(studio); },
+               [&studio] { return shrink_disabled_reason(studio); }});
 }
 
 }  // namespace slalom

@@ -1,6 +1,8 @@
 #include "views/panels.h"
 #include "widgets/drawing.h"
-#include "widgets/table.h"
+#include "widgets/menu.h"
+
+#include <slalom/studio/actions.h>
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
@@ -11,6 +13,7 @@ namespace {
 
 constexpr double kRunRowHeight = 24, kRunHeaderHeight = 24, kDetailHeight = 40, kRunMargin = 6;
 constexpr double kIndent = 14, kSwatch = 14;  ///< pixels
+constexpr double kRunMenuWidth = 300, kMinRunMenuHeight = 76;
 constexpr float kSize = draw::kSmallTextSize + 1;
 
 std::string shown_value(const Value& value) {
@@ -25,15 +28,18 @@ ScreenRect in_middle(const ScreenRect& row, double left, double size) {
 }
 
 /// The recorded runs, one per row: a checkbox for its visibility, the color of its method, the
-/// outcome as color and text, length and time. Keys when it has the focus: those of
-/// Table, Space (show or hide), A (all or none).
+/// outcome as color and text, length and time. A click with the right button opens the menu of a
+/// run. Keys when it has the focus: those of Table, Space (show or hide), A (all or none).
 ///
-/// Parts: "all" (the checkbox of all runs), "row 0", "row 1", ..., or by the label: "row nd 3".
+/// Parts: "all" (the checkbox of all runs), "row 0", "row 1", ..., or by the label: "row nd 3". The
+/// menu is the element "run_menu".
 class RunTable : public Table {
  public:
   RunTable(nanogui::Widget* parent, Studio& studio)
       : Table(parent, "runs", {kRunHeaderHeight, kRunRowHeight, kDetailHeight}, Focus::OnPress),
-        results_(studio.results()) {
+        studio_(studio),
+        results_(studio.results()),
+        menu_(new Menu(this, "run_menu", this)) {
     studio.notices().observe({Change::Runs}, [this] { refresh(); });
   }
   std::string text() const override {
@@ -60,9 +66,12 @@ class RunTable : public Table {
  protected:
   std::size_t row_count() const override { return rows_.size(); }
   std::size_t cursor() const override { return cursor_; }
-  void set_cursor(std::size_t row, int /*modifiers*/) override { cursor_ = row; }
-  void choose(std::size_t row, int /*modifiers*/) override {
+  void set_cursor(std::size_t row, int /*modifiers*/) override {
     cursor_ = row;
+    select_run();
+  }
+  void choose(std::size_t row, int modifiers) override {
+    set_cursor(row, modifiers);
     results_.toggle(rows_[row]);
   }
   void paint_row(NVGcontext* ctx, std::size_t index, const ScreenRect& rect) override {
@@ -108,7 +117,21 @@ class RunTable : public Table {
     results_.show_all(!any_shown());
     return true;
   }
+  void press_right(const Point& at) override {
+    const auto row = row_at(at);
+    if (!row || !studio_.services().shrink_run) return;
+    set_cursor(*row, 0);
+    const double wide = std::min(kRunMenuWidth, area().width);
+    const Point corner(std::min(at.x, area().width - wide),
+                       std::max(std::min(at.y, area().height - kMinRunMenuHeight), 0.0));
+    menu_->open(
+        corner, wide, area().height,
+        {{"shrink", "Shrink...", "", "Finds the smallest scenario in which the method fails alike.",
+          shrink_disabled_reason(studio_)}},
+        0, [this](std::size_t) { open_shrink_form(studio_); });
+  }
   bool key(int key, int modifiers) override {
+    if (menu_->visible()) return menu_->key(key, modifiers);
     if (modifiers != 0) return false;
     if (key == GLFW_KEY_SPACE && !rows_.empty()) choose(cursor_, 0);
     if (key == GLFW_KEY_A) results_.show_all(!any_shown());
@@ -125,6 +148,12 @@ class RunTable : public Table {
     rows_ = results_.overlay().rows();
     cursor_ = std::min(cursor_, rows_.empty() ? 0 : rows_.size() - 1);
     clear_hovered();
+    menu_->close();
+    select_run();
+  }
+  void select_run() {
+    const bool one = !rows_.empty() && rows_[cursor_].runs.size() == 1;
+    results_.overlay().select(one ? std::optional(rows_[cursor_].runs.front()) : std::nullopt);
   }
   Columns columns_of_row() const {
     Columns at;
@@ -169,7 +198,9 @@ class RunTable : public Table {
     title(at.time, at.number_width, "Time s", draw::Align::Right);
   }
 
+  Studio& studio_;
   ResultsLoader& results_;
+  Menu* menu_;
   std::vector<OverlayRow> rows_;
   std::size_t cursor_ = 0;
 };

@@ -68,6 +68,7 @@ bool Element::mouseButtonEvent(const nanogui::Vector2i& p, int button, bool down
     if ((*child)->visible() && (*child)->contains(inside) &&
         (*child)->mouseButtonEvent(inside, button, down, modifiers))
       return true;
+  if (button == GLFW_MOUSE_BUTTON_RIGHT && down) press_right(local(p));
   if (button != GLFW_MOUSE_BUTTON_LEFT) return true;
   if (down) return press(local(p), modifiers);
   release(local(p));

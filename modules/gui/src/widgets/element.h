@@ -71,6 +71,7 @@ class Element : public nanogui::Widget {
   /// Draws what is below the children, clipped to the element.
   virtual void paint(NVGcontext*) {}
   virtual bool press(const Point& at, int /*modifiers*/);  ///< the left button
+  virtual void press_right(const Point&) {}                ///< the right button
   virtual void release(const Point&) {}
   virtual void drag(const Point&) {}
   virtual void hover(const std::optional<Point>&) {}  ///< none: the mouse has left

@@ -66,6 +66,7 @@ class Table : public Element {
   /// Scrolls to the row and returns its rectangle; requires row < row_count().
   ScreenRect bring_into_view(std::size_t row) const;
   std::vector<std::size_t> visible_rows() const;
+  std::optional<std::size_t> row_at(const Point& at) const;
 
   void paint(NVGcontext* ctx) override;
   bool press(const Point& at, int modifiers) override;
@@ -80,7 +81,6 @@ class Table : public Element {
   void update_scroll() const;
   ScreenRect view() const;  ///< between header and footer
   ScreenRect row_rect(std::size_t row) const;
-  std::optional<std::size_t> row_at(const Point& at) const;
 
   Heights heights_;
   mutable Scroll scroll_;

@@ -5,6 +5,7 @@
 #include <slalom/core/ini_file.h>
 #include <slalom/core/options.h>
 #include <slalom/io/scenario_list.h>
+#include <slalom/results/run_record.h>
 #include <slalom/studio/form.h>
 #include <slalom/studio/services.h>
 
@@ -103,6 +104,15 @@ FileImport read_import(const StudioServices& services, const FormValues& values)
 /// Imports the files; may run in any thread. Cancels like generate().
 MadeList import_into_list(const StudioServices& services, const FileImport& request,
                           Progress& progress);
+
+/// Form to shrink a run, with a proposed folder.
+FormDescription shrink_form(const RunRecord& run, const std::string& folder);
+/// Throws Error (Usage) when the folder exists.
+StudioServices::ShrinkRequest read_shrink(const std::string& results, const RunRecord& run,
+                                          const FormValues& values);
+/// Shrinks the run; may run in any thread. When `progress` throws, what was begun is ended.
+MadeList shrink_into_list(const StudioServices& services,
+                          const StudioServices::ShrinkRequest& request, Progress& progress);
 
 /// Form for format, resolution and file of an exported scenario.
 FormDescription export_form(const StudioServices& services, const Scenario& scenario,

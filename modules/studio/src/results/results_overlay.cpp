@@ -100,6 +100,7 @@ void ResultsOverlay::set_source(OverlaySource source) {
 
 void ResultsOverlay::set_runs(std::vector<OverlayRun> runs) {
   runs_ = std::move(runs);
+  selected_.reset();
   clock_.pause();
   update_duration();
   clock_.seek(clock_.duration());

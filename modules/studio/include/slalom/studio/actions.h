@@ -78,6 +78,10 @@ void add_help_actions(Actions& actions, Studio& studio);
 
 /// Import and export, of the menu File.
 void add_import_export_actions(Actions& actions, Studio& studio);
+/// Shrinking the selected run, of the menu Generate: why it is not possible (empty if it is), and
+/// its form.
+std::string shrink_disabled_reason(Studio& studio);
+void open_shrink_form(Studio& studio);
 /// Opens lists and results, and the import form for other files.
 void open_files(Studio& studio, std::vector<std::string> files);
 

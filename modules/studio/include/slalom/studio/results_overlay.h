@@ -141,6 +141,10 @@ class ResultsOverlay {
   void toggle(const OverlayRow& row);
   void show_all(bool shown);
 
+  /// The run that actions apply to; none for a method with several runs, and after set_runs().
+  void select(std::optional<std::size_t> run) { selected_ = run; }
+  const RunRecord* selected() const { return selected_ ? &runs_[*selected_].record : nullptr; }
+
   ReplayClock& clock() { return clock_; }
   const ReplayClock& clock() const { return clock_; }
 
@@ -161,6 +165,7 @@ class ResultsOverlay {
 
   OverlaySource source_;
   std::vector<OverlayRun> runs_;
+  std::optional<std::size_t> selected_;
   std::set<std::pair<std::string, int>> hidden_;  ///< method and repetition
   ReplayClock clock_;
 };

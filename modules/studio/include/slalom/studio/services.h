@@ -42,6 +42,16 @@ struct StudioServices {
   std::function<void(const Scenario& scenario, const std::string& format, double resolution,
                      const std::string& path)>
       export_scenario;
+
+  struct ShrinkRequest {
+    std::string results, run;  ///< a result file, and the id of a run that failed
+    std::string folder;        ///< for all that is written
+    std::string max_runs;
+    bool requires_witness = true;
+  };
+  /// Writes the smallest scenario in which the method fails alike to the list failures.scenarios in
+  /// the folder. Returns a summary for the user. Null if the program cannot shrink.
+  std::function<std::string(const ShrinkRequest& request, Progress& progress)> shrink_run;
 };
 
 }  // namespace slalom

@@ -1,0 +1,78 @@
+#include "planted_failure.h"
+#include "studio_fixture.h"
+
+namespace slalom {
+namespace {
+
+/// A run that collides and one that reaches the goal, of a list with one scenario.
+class StudioShrink : public StudioTest {
+ protected:
+  void SetUp() override {
+    StudioTest::SetUp();
+    if (IsSkipped()) return;
+    write("planted.ini", kPlantedCampaign);
+    write("passage.scenario.yaml", kPlantedPassage);
+    ASSERT_EQ(run("slalom-scenarios import passage.scenario.yaml -o passage.scenarios").status, 0);
+    ASSERT_EQ(
+        run("slalom-evaluate planted.ini --set scenarios.list=passage.scenarios -o out --quiet")
+            .status,
+        0);
+  }
+  ProgramResult shrink(const std::string& script) const {
+    return play("wait idle\n" + script, "passage.scenarios --results out/runs.results");
+  }
+};
+
+TEST_F(StudioShrink, AddsTheSmallestScenarioOfAFailedRunUndoably) {
+  const ProgramResult result = shrink(
+      "click runs \"row squeeze\" right\n"
+      "expect run_menu contains Shrink...\n"
+      "expect run_menu lacks (\n"
+      "click run_menu shrink\n"
+      "expect dialog contains \"squeeze ends as collision\"\n"
+      "click dialog \"field folder\"\n"
+      "key Ctrl+A\n"
+      "type small\n"
+      "click dialog ok\n"
+      "wait idle\n"
+      "expect dialog contains \"minimal: each obstacle was removed alone\"\n"
+      "expect dialog contains \"Report: small/index.html\"\n"
+      "click dialog ok\n"
+      "expect status contains \"1 scenario added to passage.scenarios\"\n"
+      "expect list contains \"squeeze_collision_1\"\n"
+      "expect list contains \"tags collision\"\n"
+      "key Ctrl+Z\n"
+      "expect list lacks \"squeeze_collision_1\"\n"
+      "key Ctrl+Y\n");
+  ASSERT_EQ(result.status, 0) << result.err << result.out;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "small/index.html"));
+  EXPECT_EQ(run("slalom-scenarios show passage.scenarios squeeze_collision_1").status, 0);
+}
+
+TEST_F(StudioShrink, IsDisabledForARunThatReachedTheGoal) {
+  const ProgramResult result = shrink(
+      "click runs \"row base\" right\n"
+      "expect run_menu contains \"the robot reached the goal in this run\"\n"
+      "key Escape\n"
+      "click menu Generate\n"
+      "expect popup contains \"Shrink run... (the robot reached the goal in this run)\"\n");
+  EXPECT_EQ(result.status, 0) << result.err;
+}
+
+TEST_F(StudioShrink, ShowsTheErrorOfTheOtherProgram) {
+  const ProgramResult result = shrink(
+      "click runs \"row squeeze\" right\n"
+      "click run_menu shrink\n"
+      "click dialog \"field folder\"\n"
+      "key Ctrl+A\n"
+      "type passage.scenarios/small\n"  // below a file
+      "click dialog ok\n"
+      "wait idle\n"
+      "expect dialog contains \"passage.scenarios/small\"\n"
+      "click dialog ok\n"
+      "expect list lacks squeeze_collision\n");
+  EXPECT_EQ(result.status, 0) << result.err;
+}
+
+}  // namespace
+}  // namespace slalom
