@@ -12,12 +12,6 @@ function clustersSection() {
   return report.clusters.map(item);
 }
 
-// The address of the page of a run.
-function runAddress(index) {
-  const [scenario, method, repetition] = report.runs[index];
-  return "run.html#" + runId(report.scenarios[scenario].hash, report.methods[method].name, repetition);
-}
-
 const runLink = (index) => html("a", { href: runAddress(index) }, report.scenarios[report.runs[index][0]].name);
 
 // Three significant digits, without an exponent where that is short.
@@ -25,12 +19,11 @@ const short = (number) => String(Number(number.toPrecision(3)));
 const rangeText = ([low, high]) => `${short(low)} to ${short(high)}`;
 
 function contrastRow(one) {
-  const unit = one.unit === "-" ? "" : ` [${one.unit}]`;
   const interval = one.interval ? ` [${short(one.interval[0])}, ${short(one.interval[1])}]` : "";
   const fields = [rangeText(one.failures), rangeText(one.neighbors), short(one.difference) + interval,
                   `${one.higher} / ${one.lower} of ${one.pairs}`, short(one.adjusted_p)];
   return html("tr", { class: one.holds ? "holds" : null },
-    html("th", {}, one.name + unit, html("br"), html("code", {}, one.id)), fields.map((text) => html("td", {}, text)));
+    html("th", {}, one.name + unitText(one), html("br"), html("code", {}, one.id)), fields.map((text) => html("td", {}, text)));
 }
 
 function contrastsTable(contrasts) {
@@ -78,11 +71,11 @@ function showCluster() {
   element("campaign").textContent = "Report of " + report.campaign;
   const first = cluster.members[0];
   showSections([
-    ["statements", "What distinguishes them", [statements(cluster), soft(cluster.basis)]],
-    ["replay", "A run: " + report.scenarios[report.runs[first.run][0]].name, replay(first.run)],
-    ["command", "The command that repeats it", html("pre", { class: "command" }, first.command)],
-    ["contrasts", "Failures against successful neighbors", contrastsSection(cluster)],
-    ["members", "Smallest scenarios", membersSection(cluster)]]);
+    ["statements", "What distinguishes them", [statements(cluster), soft(cluster.basis)], true],
+    ["replay", "A run: " + report.scenarios[report.runs[first.run][0]].name, replay(first.run), true],
+    ["command", "The command that repeats it", commandLine(first.command), true],
+    ["contrasts", "Failures against successful neighbors", contrastsSection(cluster), true],
+    ["members", "Smallest scenarios", membersSection(cluster), true]]);
   const pages = new Set(cluster.members.map(({ run }) => report.scenarios[report.runs[run][0]].page));
   for (const page of pages) loadScript(`data/pictures-${page}.js`);
 }

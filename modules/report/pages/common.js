@@ -36,15 +36,47 @@ function loadScript(source, failed) {
 // "HASH8/METHOD/REPETITION", encoded for an address.
 const runId = (hash, method, repetition) => `${hash.slice(0, 8)}/${encodeURIComponent(method)}/${repetition}`;
 
-function outcomeClass(outcome) {
-  if (outcome === "success") return "good";
-  if (outcome === "collision" || outcome === "left_workspace") return "hit";
-  if (outcome === "timeout" || outcome === "stuck") return "late";
-  return outcome.startsWith("method_") ? "fault" : "odd";
-}
+// The kind of an outcome, a class of the style sheet: each kind has its own color, symbol and pattern of bars.
+const OUTCOME_KINDS = { success: "good", collision: "hit", left_workspace: "left", timeout: "late", stuck: "stuck" };
+const outcomeKind = (outcome) => OUTCOME_KINDS[outcome] || (outcome.startsWith("method_") ? "fault" : "odd");
 
 // With a symbol, so that color is not the only cue.
 function outcomeChip(outcome, count, title) {
-  const kind = outcomeClass(outcome), sign = { good: "✓", hit: "✕", late: "◷", fault: "!", odd: "?" }[kind];
+  const kind = outcomeKind(outcome);
+  const sign = { good: "✓", hit: "✕", left: "↦", late: "◷", stuck: "‖", fault: "!", odd: "?" }[kind];
   return html("span", { class: "chip " + kind, title: title || null }, sign + " " + outcome + (count ? " " + count : ""));
+}
+
+const unitText = (quantity) => (quantity.unit === "-" ? "" : ` [${quantity.unit}]`);
+
+// The address after "#" is a place and settings, each of which may be missing: "cell-12&filter=stuck&sort=density".
+function readAddress() {
+  const parts = location.hash.slice(1).split("&").filter(Boolean), settings = {};
+  const place = parts.length > 0 && !parts[0].includes("=") ? parts.shift() : "";
+  for (const part of parts) {
+    const [key, ...rest] = part.split("=");
+    try { settings[key] = decodeURIComponent(rest.join("=")); } catch (error) { settings[key] = ""; }
+  }
+  return { place, settings };
+}
+
+// Settings that are empty are left out.
+function addressOf(place, settings) {
+  const set = Object.entries(settings).filter(([, value]) => value !== "");
+  return "#" + [place, ...set.map(([key, value]) => key + "=" + encodeURIComponent(value))].filter(Boolean).join("&");
+}
+
+// So that the address of the page can be shared; not a step of the browser's history.
+const writeAddress = (place, settings) => history.replaceState(null, "", addressOf(place, settings));
+
+// A command for a terminal, with a button that copies it.
+function commandLine(text) {
+  const code = html("pre", { class: "command" }, text);
+  const button = html("button", { class: "copy" }, "Copy");
+  button.addEventListener("click", async () => {
+    getSelection().selectAllChildren(code);  // stays selected where the clipboard is not accessible
+    const done = navigator.clipboard ? await navigator.clipboard.writeText(text).then(() => true, () => false) : false;
+    button.textContent = done || document.execCommand("copy") ? "Copied" : "Press Ctrl+C";
+  });
+  return html("div", { class: "copied" }, code, button);
 }

@@ -1,79 +1,95 @@
-// The page of many runs: those of one number of a table (runs.html#cell-12) or all (runs.html), as a sortable and
-// filterable table.
+// The page of many runs: those of one number of a table (runs.html#cell-12) or all (runs.html), as a table that can be
+// sorted, filtered and extended by any metric or descriptor. The address has the choices.
 "use strict";
 
-const LIMIT = 500;  // maximum number of displayed rows
-const view = { runs: [], column: 0, descending: false };
+const STEP = 200;  // rows that are displayed at first, and more at a time
+const TEXT_COLUMNS = ["scenario", "method", "repetition", "outcome"];
+const view = { place: "", runs: [], filter: "", sort: "scenario", down: false, columns: [], limit: STEP };
+const collator = new Intl.Collator("en", { numeric: true });
 
-// The value of a run in column `column`: texts first, then numbers; null if not available.
-function fieldOf(run, column) {
-  const [scenario, method, repetition, outcome, , ...values] = run;
-  if (column === 0) return report.scenarios[scenario].name;
-  if (column === 1) return report.methods[method].name;
-  if (column === 2) return repetition;
-  if (column === 3) return report.outcomes[outcome];
-  return typeof values[column - 4] === "number" ? values[column - 4] : null;
+// Numbers before missing values, in both directions.
+function compareFields(a, b, sign) {
+  const numbers = (typeof b === "number") - (typeof a === "number");
+  if (numbers !== 0) return numbers;
+  return sign * (typeof a === "number" ? a - b : collator.compare(a, b));
 }
 
-function compare(a, b) {
-  if (a === null || b === null) return (a === null) - (b === null);
-  return typeof a === "number" ? a - b : a.localeCompare(b, "en", { numeric: true });
+function shownRuns() {
+  const runs = filterRuns(view.runs, view.filter), values = field(view.sort), sign = view.down ? -1 : 1;
+  return runs.sort((a, b) => compareFields(values[a], values[b], sign) || a - b);
 }
 
-function shown() {
-  const words = element("filter").value.toLowerCase().split(/\s+/).filter(Boolean);
-  const text = (run) => [0, 1, 2, 3].map((column) => fieldOf(run, column)).join(" ").toLowerCase();
-  const runs = view.runs.filter((run) => words.every((word) => text(run).includes(word)));
-  const sign = view.descending ? -1 : 1;
-  return runs.sort((a, b) => sign * compare(fieldOf(a, view.column), fieldOf(b, view.column)));
+function valueNode(run, id) {
+  const value = field(id)[run];
+  return typeof value === "number" ? html("td", {}, String(value)) : html("td", { class: "na" }, "NA: " + value);
 }
 
 function rowOf(run) {
-  const id = runId(report.scenarios[run[0]].hash, report.methods[run[1]].name, run[2]);
-  const field = (column) => {
-    const value = fieldOf(run, column);
-    return value === null ? html("td", { class: "na", title: run[column + 1] }, "NA") : html("td", {}, String(value));
-  };
-  const columns = Array.from({ length: 3 + report.columns.length }, (_, i) => i + 1);
-  return html("tr", {}, html("th", {}, html("a", { href: "run.html#" + id }, fieldOf(run, 0))), columns.map(field));
+  return html("tr", {}, html("th", {}, html("a", { href: runAddress(run) }, field("scenario")[run])),
+    html("td", {}, field("method")[run]), html("td", {}, String(field("repetition")[run])),
+    html("td", {}, outcomeChip(field("outcome")[run], 0, field("detail")[run])), view.columns.map((id) => valueNode(run, id)));
+}
+
+function headerOf(id) {
+  const quantity = quantityOf(id), isSorted = view.sort === id, arrow = isSorted ? (view.down ? " ▼" : " ▲") : "";
+  const button = html("button", { "data-sort": id }, id + (quantity ? unitText(quantity) : ""), html("span", { class: "arrow" }, arrow));
+  button.addEventListener("click", () => {
+    view.down = isSorted && !view.down;
+    view.sort = id;
+    show();
+    document.querySelector(`[data-sort="${id}"]`).focus();
+  });
+  return html("th", { "aria-sort": isSorted ? (view.down ? "descending" : "ascending") : null, title: quantity && quantity.name }, button);
 }
 
 function show() {
-  const runs = shown();
-  element("rows").replaceChildren(...runs.slice(0, LIMIT).map(rowOf));
-  element("count").textContent =
-    runs.length + " runs" + (runs.length > LIMIT ? ", showing the first " + LIMIT : "");
+  let runs = [], problem = "";
+  try { runs = shownRuns(); } catch (text) { problem = String(text); }
+  element("header").replaceChildren(...[...TEXT_COLUMNS, ...view.columns].map(headerOf));
+  element("rows").replaceChildren(...runs.slice(0, view.limit).map(rowOf));
+  element("count").textContent = problem || plural(runs.length, "run") +
+    (runs.length > view.limit ? ", showing the first " + view.limit : "");
+  element("more").hidden = runs.length <= view.limit;
   document.body.dataset.ready = String(runs.length);
+  const columns = view.columns.join() === report.columns.map(({ id }) => id).join() ? "" : view.columns.join() || "none";
+  writeAddress(view.place, { filter: view.filter, sort: view.sort === "scenario" ? "" : view.sort, down: view.down ? "1" : "", columns });
 }
 
-function headerOf(name, column) {
-  const button = html("button", {}, name);
-  button.addEventListener("click", () => {
-    view.descending = view.column === column && !view.descending;
-    view.column = column;
-    show();
-  });
-  return html("th", {}, button);
+// The columns named in the address, as far as they exist.
+function columnsOf(text) {
+  if (!text) return report.columns.map(({ id }) => id);
+  return text.split(",").filter((id) => quantityOf(id));
 }
 
 function selectRuns() {
-  const found = /^#cell-(\d+)$/.exec(location.hash), cell = found ? report.groups[Number(found[1])] : null;
-  if (found && !cell) {
-    element("title").textContent = "This report does not contain this cell";
-    view.runs = [];
-  } else {
-    element("title").textContent = cell ? cell.title : "All runs";
-    view.runs = cell ? cell.runs.map((index) => report.runs[index]) : report.runs.slice();
-  }
+  const { place, settings } = readAddress(), found = /^cell-(\d+)$/.exec(place), cell = found ? report.groups[Number(found[1])] : null;
+  const all = found && !cell ? [] : cell ? cell.runs : report.runs.map((_, index) => index);
+  const title = found && !cell ? "This report does not contain this cell" : cell ? cell.title : "All runs";
+  element("title").textContent = title;
+  document.title = title + " - Slalom";
+  const sort = settings.sort && field(settings.sort) ? settings.sort : "scenario";
+  Object.assign(view, { place, runs: all, filter: settings.filter || "", sort, down: settings.down === "1",
+                        columns: columnsOf(settings.columns), limit: STEP });
+  element("filter").value = view.filter;
   show();
 }
 
-if (!report.columns || !report.runs) {
-  element("title").textContent = "The data folder of this report is missing";
-} else {
-  const names = ["scenario", "method", "repetition", "outcome", ...report.columns.map((column) => column.id)];
-  element("header").replaceChildren(...names.map(headerOf));
-  element("filter").addEventListener("input", show);
+// Adds or removes a column.
+function chooseColumn(event) {
+  const id = event.target.value;
+  view.columns = view.columns.includes(id) ? view.columns.filter((one) => one !== id) : [...view.columns, id];
+  event.target.value = "";
+  show();
+}
+
+function startPage() {
+  element("filter").addEventListener("input", (event) => { view.filter = event.target.value; view.limit = STEP; show(); });
+  element("more").addEventListener("click", () => { view.limit += STEP; show(); });
+  element("columns").append(...[...allQuantities().values()].map(({ id, name }) => html("option", { value: id, title: name }, id)));
+  element("columns").addEventListener("change", chooseColumn);
   window.addEventListener("hashchange", selectRuns);
   selectRuns();
 }
+
+if (report.columns && report.runs && report.values) startPage();
+else element("title").textContent = "The data folder of this report is missing";

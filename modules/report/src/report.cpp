@@ -2,6 +2,7 @@
 #include "pages.h"
 #include "report_data.h"
 #include "scenario_data.h"
+#include "value_data.h"
 
 #include <slalom/analysis/analysis_section.h>
 #include <slalom/core/error.h>
@@ -173,14 +174,18 @@ void write_report(const std::string& results, const ResultTable& runs, const Rep
   make_directory(directory);
   OrderedJson lists = ScenarioFiles(results, input, directory).write();
   lists["groups"] = groups_json(groups);
-  const std::string runs_text = json_text(lists);
+  lists["results"] = std::filesystem::path(results).lexically_normal().filename().string();
+  const std::string runs_text = json_text(lists), values = json_text(value_data(runs));
   const auto write = [&directory](const std::string& name, const std::string& text) {
     write_file_atomically((std::filesystem::path(directory) / name).string(), text);
   };
   write("data/summary.js", "slalomReport(" + summary + ");\n");
   write("data/runs.js", "slalomReport(" + runs_text + ");\n");
-  // One object with the fields of both.
-  write("report.json", summary.substr(0, summary.size() - 1) + "," + runs_text.substr(1) + "\n");
+  write("data/values.js", "slalomReport(" + values + ");\n");
+  // One object with the fields of all.
+  write("report.json", summary.substr(0, summary.size() - 1) + "," +
+                           runs_text.substr(1, runs_text.size() - 2) + "," + values.substr(1) +
+                           "\n");
   for (const auto& [name, text] : report_pages())
     if (name != "cluster.html" || !options.clusters.empty())
       write(name, name == "index.html" ? index_page(text, input) : text);

@@ -1,4 +1,5 @@
 #include "scenario_data.h"
+#include "value_data.h"
 
 #include <slalom/core/error.h>
 #include <slalom/io/path_simplify.h>
@@ -20,21 +21,6 @@ namespace slalom {
 namespace {
 
 constexpr int kPicturePixels = 480;
-
-/// Assigns indexes to names in order of first occurrence.
-class Names {
- public:
-  std::size_t index(const std::string& name) {
-    const auto [found, is_new] = indexes_.emplace(name, names_.size());
-    if (is_new) names_.push_back(name);
-    return found->second;
-  }
-  const std::vector<std::string>& all() const { return names_; }
-
- private:
-  std::map<std::string, std::size_t> indexes_;
-  std::vector<std::string> names_;
-};
 
 /// A sequence of numbers as differences in thousandths, which is compact.
 class DeltaEncoder {
@@ -178,9 +164,7 @@ std::string rawlog_link(const std::string& path, const std::string& directory) {
 OrderedJson values_json(const std::vector<const ValueColumn*>& metrics, std::size_t run,
                         Names& reasons) {
   OrderedJson values = OrderedJson::array();
-  for (const ValueColumn* metric : metrics)
-    values.push_back(metric->is_na(run) ? OrderedJson::array({reasons.index(metric->reason(run))})
-                                        : rounded_json(metric->number(run)));
+  for (const ValueColumn* metric : metrics) values.push_back(value_json(*metric, run, reasons));
   return values;
 }
 

@@ -52,8 +52,9 @@ TEST_F(ReportPages, TheIndexLinksToItsSectionsAndToRuns) {
   EXPECT_EQ(targets, (std::vector<std::string>{"summary", "findings", "tables", "comparisons",
                                                "ranks", "scenarios", "repeat"}));
   EXPECT_GT(count(page, "href=\"runs.html#cell-"), 0u);
-  EXPECT_GT(count(page, "href=\"run.html#"), 0u);
   EXPECT_EQ(count(page, "<h2>Summary</h2>"), 0u) << "the plain tables are replaced";
+  EXPECT_EQ(count(page, "href=\"run.html#"), 0u) << "the gallery is made when it is opened";
+  EXPECT_EQ(count(open("index.html#scenarios"), "href=\"run.html#"), 24u);
 }
 
 TEST_F(ReportPages, TakeNamesLiterally) {
@@ -77,7 +78,7 @@ TEST_F(ReportPages, ARunOfAnyNameIsLinked) {
 
 TEST_F(ReportPages, ShowThePictureTheOutcomesAndTheDescriptorsOfEveryScenario) {
   write(make_results(3));
-  const std::string gallery = section(open("index.html"), "scenarios");
+  const std::string gallery = section(open("index.html#scenarios"), "scenarios");
   EXPECT_EQ(count(gallery, "<figure id=\"s-"), 3u);
   EXPECT_EQ(count(gallery, "<svg xmlns"), 3u);
   EXPECT_EQ(count(gallery, "class=\"trajectory\""), 6u);
@@ -137,6 +138,47 @@ TEST_F(ReportPages, CompareMethodsAndHaveAPagePerMethod) {
   }
 }
 
+TEST_F(ReportPages, TheListOfRunsIsFilteredSortedAndExtendedByItsAddress) {
+  write(make_results(12));
+  const std::string all = open("runs.html");
+  EXPECT_EQ(all_matches(all, "data-ready=\"([0-9]+)\""), std::vector<std::string>{"24"});
+  EXPECT_EQ(count(all, "<td class=\"na\">NA: collision</td>"), 12u) << "reasons, not only NA";
+  // Densities are 0, 0.001, ... 0.011; two of "good" are above 0.009.
+  const std::string page = open(
+      "runs.html#filter=density%3E0.009%20method%3D%22good%22&sort=density&down=1&columns=density");
+  EXPECT_EQ(all_matches(page, "data-ready=\"([0-9]+)\""), std::vector<std::string>{"2"});
+  EXPECT_EQ(count(page, "aria-sort=\"descending\""), 1u);
+  EXPECT_EQ(count(page, "<span class=\"arrow\"> ▼</span>"), 1u);
+  EXPECT_EQ(all_matches(page, "<td>(0\\.0[0-9]+)</td>"),
+            (std::vector<std::string>{"0.011", "0.01"}));
+  EXPECT_EQ(count(page, "optimality</button>"), 0u) << "the columns are those of the address";
+  const std::string wrong = open("runs.html#filter=width%3C2");
+  EXPECT_EQ(count(wrong, "There is no width; expected scenario, method, repetition"), 1u);
+}
+
+TEST_F(ReportPages, AnyMetricByAnyDescriptorLeadsToItsRuns) {
+  write(make_results(12));
+  const std::string page = open("explore.html#metric=optimality&by=density");
+  EXPECT_EQ(count(page, "<h4>Optimality by Density</h4>"), 1u);
+  EXPECT_EQ(count(page, "NA: 12 collision"), 1u) << "of <bad>, over all bins";
+  EXPECT_EQ(count(page, "NA: 3 collision"), 4u) << "of <bad>, in each quarter";
+  EXPECT_EQ(count(page, "<span class=\"interval\">0.900 · 0.900 · 0.900</span>"), 5u) << "of good";
+  EXPECT_EQ(
+      count(page, "slalom-analyze table runs.results --rows \"density:q4\" --columns optimality"),
+      1u);
+  // The densities 0, 0.001, ... 0.011: the first quarter is below 0.00275.
+  const auto links = all_matches(page, "href=\"(runs\\.html#[^\"]*method[^\"]*good[^\"]*)\"");
+  ASSERT_EQ(links.size(), 5u) << "four quarters and all";
+  std::string address = links.front();
+  for (std::size_t at; (at = address.find("&amp;")) != std::string::npos;)
+    address.replace(at, 5, "&");
+  const std::string runs = open(address);
+  EXPECT_EQ(all_matches(runs, "data-ready=\"([0-9]+)\""), std::vector<std::string>{"3"});
+  EXPECT_EQ(count(runs, "<td>good</td>"), 3u);
+  const std::string dots = all_matches(page, "class=\"dots\" d=\"([^\"]*)\"").at(0);
+  EXPECT_EQ(count(dots, "h0"), 12u) << "a point per run of good; the others are crosses";
+}
+
 TEST_F(ReportPages, TheIndexListsClustersOfFailures) {
   const ResultFile file = make_results(3);
   write(file, options_with_cluster());
@@ -162,7 +204,8 @@ TEST_F(ReportPages, AClusterHasAReplayACommandContrastsAndPictures) {
   const std::string members = section(page, "members");
   EXPECT_EQ(count(members, "<figure id=\"s-"), 2u);
   EXPECT_EQ(count(members, "<svg xmlns"), 2u) << "the pictures of both scenarios";
-  EXPECT_EQ(all_matches(members, "<td><a href=\"run\\.html#[0-9a-f]{8}/(good)/0\">").size(), 1u);
+  EXPECT_EQ(all_matches(members, "<td><a href=\"run\\.html#[0-9a-f]{8}/(good)/0\"[^>]*>").size(),
+            1u);
   EXPECT_EQ(count(open("cluster.html#7"), "does not contain this cluster"), 1u);
 }
 

@@ -1,5 +1,6 @@
 #include "error_text.h"
 #include "occurrences.h"
+#include "pages.h"
 #include "report_sample.h"
 
 #include <regex>
@@ -16,7 +17,7 @@ TEST_F(Report, ReferencesOnlyFilesOfItsFolder) {
   write(make_results(3));
   const std::regex reference("(?:src|href)=\"([^\"#]+)");
   std::set<std::string> files;
-  for (const char* name : {"index.html", "method.html", "run.html", "runs.html"}) {
+  for (const char* name : {"index.html", "method.html", "run.html", "runs.html", "explore.html"}) {
     const std::string page = read(name);
     for (std::sregex_iterator it(page.begin(), page.end(), reference), end; it != end; ++it) {
       EXPECT_TRUE(fs::exists(report_folder() / (*it)[1].str())) << name << ": " << (*it)[1];
@@ -25,9 +26,9 @@ TEST_F(Report, ReferencesOnlyFilesOfItsFolder) {
   }
   for (const char* name : {"report.css", "report.js", "data/summary.js", "data/runs.js"})
     EXPECT_EQ(files.count(name), 1u) << name;
-  for (const char* name : {"report.css", "common.js", "chart.js", "report.js", "run.js", "runs.js"})
+  for (const auto& [name, text] : report_pages())
     for (const char* foreign : {"https:", "@import", "url(", "fetch("})
-      EXPECT_EQ(count(read(name), foreign), 0u) << name << " " << foreign;
+      EXPECT_EQ(count(text, foreign), 0u) << name << " " << foreign;
 }
 
 TEST_F(Report, TheIndexHasTheSummaryAndTheTablesAsPlainTables) {
@@ -53,7 +54,7 @@ TEST_F(Report, EscapesNames) {
 TEST_F(Report, TheScriptsHaveTheFieldsOfTheJsonFile) {
   write(make_results(3));
   nlohmann::json fields;
-  for (const char* name : {"data/summary.js", "data/runs.js"}) {
+  for (const char* name : {"data/summary.js", "data/runs.js", "data/values.js"}) {
     const std::string script = read(name);
     const std::string start = "slalomReport(";
     ASSERT_EQ(script.rfind(start, 0), 0u);
@@ -87,6 +88,25 @@ TEST_F(Report, ListsEveryScenarioAndEveryRun) {
   EXPECT_EQ(json["runs"][2],
             nlohmann::json::parse(R"([1, 0, 0, 1, "with a \"disc\"", 0.0, "collision"])"));
   EXPECT_EQ(json["runs"][3], nlohmann::json::parse(R"([1, 1, 0, 0, "", 1.0, 0.9])"));
+}
+
+TEST_F(Report, HasEveryMetricOfEveryRunAndTheQuartilesOfAllQuantities) {
+  write(make_results(3));
+  const auto json = report_json();
+  EXPECT_EQ(json["metrics"][0]["id"], "optimality");
+  EXPECT_EQ(json["reasons"], nlohmann::json::parse(R"(["collision"])"));
+  EXPECT_EQ(
+      json["values"],
+      nlohmann::json::parse("[[[0], 0.9, [0], 0.9, [0], 0.9], [0.0, 1.0, 0.0, 1.0, 0.0, 1.0]]"));
+  // Densities 0, 0.001 and 0.002: their quartiles are 0.0005, 0.001 and 0.0015.
+  const auto bins = json["bins"]["density"];
+  ASSERT_EQ(bins.size(), 4u);
+  EXPECT_EQ(bins[1], nlohmann::json({{"bin", "[0.0005, 0.001)"},
+                                     {"low", 0.0005},
+                                     {"high", 0.001},
+                                     {"high_included", false}}));
+  EXPECT_EQ(bins[3]["high_included"], true);
+  EXPECT_EQ(json["results"], "runs.results");
 }
 
 TEST_F(Report, EveryNumberOfATableHasItsRuns) {

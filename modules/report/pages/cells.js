@@ -1,0 +1,80 @@
+// Cells of tables: digits, shades, whiskers, reasons of missing values; small builders of cards and texts.
+"use strict";
+
+// Cells with fewer values get neither shade nor whisker: they would dominate the column's scale.
+const enoughToDraw = (cell) => cell.n >= 5 && cell.interval !== null;
+
+// Three significant digits of the largest number.
+function digitsOf(cells, column) {
+  const largest = Math.max(0, ...cells.map((cell) => Math.abs(cell.mean || 0)));
+  return column.rate || largest === 0 ? 2 : Math.min(4, Math.max(0, 2 - Math.floor(Math.log10(largest))));
+}
+
+// The common scale of the cells of a column: `low` and `high` of whiskers, `worst` and `best` of shades.
+function scaleOf(column, cells) {
+  const scale = { column, digits: digitsOf(cells, column), low: 0, high: 1, worst: 0, best: 1 };
+  const drawn = cells.filter(enoughToDraw), means = drawn.map((cell) => cell.mean);
+  if (column.rate || drawn.length === 0) return scale;
+  scale.low = Math.min(...drawn.map((cell) => cell.interval[0]));
+  scale.high = Math.max(...drawn.map((cell) => cell.interval[1]));
+  const ends = [Math.min(...means), Math.max(...means)];
+  [scale.worst, scale.best] = column.direction === "down" ? ends.reverse() : ends;
+  return scale;
+}
+
+const goodness = (mean, { worst, best }) => (best === worst ? 0.5 : (mean - worst) / (best - worst));
+const numberText = (number, digits) => (Math.abs(number) < 1e9 ? fixed(number, digits) : String(number));
+const intervalText = (interval, digits) =>
+  interval ? `[${numberText(interval[0], digits)}, ${numberText(interval[1], digits)}]` : "";
+const missing = (cell) => Object.values(cell.na).reduce((sum, n) => sum + n, 0);
+const valuesText = (cell) => "n=" + cell.n + (missing(cell) ? " NA=" + missing(cell) : "");
+const reasonsText = (na) => Object.entries(na).map(([reason, n]) => n + " " + reason).join(", ");
+const support = (...children) => html("span", { class: "support" }, ...children);
+
+function supportText(cell, column, digits) {
+  if (column.rate && cell.mean !== null)
+    return Math.round(cell.mean * cell.n) + "/" + cell.n + (missing(cell) ? " NA=" + missing(cell) : "");
+  return (cell.deviation === null ? "" : "±" + numberText(cell.deviation, digits) + " ") + valuesText(cell);
+}
+
+// The mean as a dot on its interval.
+function whisker(cell, { low, high }) {
+  if (!enoughToDraw(cell) || high <= low) return null;
+  const x = (value) => (4 + (112 * (value - low)) / (high - low)).toFixed(1);
+  const bar = (name, from, to) => svg("line", { class: name, x1: from, x2: to, y1: 4.5, y2: 4.5 });
+  return svg("svg", { class: "whisker", viewBox: "0 0 120 9", preserveAspectRatio: "xMinYMid", "aria-hidden": "true" },
+    bar("axis", 4, 116), bar(null, x(cell.interval[0]), x(cell.interval[1])),
+    svg("circle", { cx: x(cell.mean), cy: 4.5, r: 3 }));
+}
+
+const runsLink = (group) => "runs.html#cell-" + group;
+
+// `shade` from 0 to 1, null for none.
+function cellNode(cell, group, digits, shade, below) {
+  const title = missing(cell) ? "missing: " + reasonsText(cell.na) : null;
+  return html("td", { class: cell.mean === null ? "cell na" : "cell", title,
+                      style: shade === null ? null : "--g:" + shade.toFixed(2) },
+    html("a", { class: "big", href: runsLink(group) }, cell.mean === null ? "–" : numberText(cell.mean, digits)),
+    html("span", { class: "interval" }, intervalText(cell.interval, digits)), below);
+}
+
+function tableCell(cell, scale, group) {
+  const shaded = scale.column.direction !== "none" && cell.mean !== null && enoughToDraw(cell);
+  return cellNode(cell, group, scale.digits, shaded ? goodness(cell.mean, scale) : null,
+                  [whisker(cell, scale), support(supportText(cell, scale.column, scale.digits))]);
+}
+
+function headerCell(column) {
+  const arrow = { up: " ↑", down: " ↓", none: "" }[column.direction];
+  return html("th", {}, html("a", { href: "explore.html" + addressOf("", { metric: column.id }) }, column.name), arrow + unitText(column),
+              html("br"), html("code", {}, column.id),
+              column.wall_clock ? [html("br"), "wall clock"] : null);
+}
+
+const tableOf = (attributes, header, rows) =>
+  oneTabStop(html("table", attributes, html("thead", {}, html("tr", {}, header)), html("tbody", {}, rows)));
+const card = (...children) => html("div", { class: "card" }, ...children);
+const soft = (...children) => html("p", { class: "soft" }, ...children);
+const heading = (text) => html("th", {}, text);
+const methodName = (index) => [swatch(report.methods[index].color), report.methods[index].name];
+const finding = (text, shown) => html("p", { class: shown ? "finding shown" : "finding soft" }, text);

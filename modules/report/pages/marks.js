@@ -1,0 +1,61 @@
+// Runs as points of a chart: drawn as one path per method and kind, found by the pointer or by keys, opened by a click.
+"use strict";
+
+const DOT = (x, y) => `M${x} ${y}h0`, CROSS = (x, y) => `M${x - 3} ${y - 3}l6 6m0 -6l-6 6`;
+
+// `points`: { x, y } in coordinates of the chart, and `run`. A dot is a success, a cross a failure.
+function drawMarks(points) {
+  const paths = new Map();
+  for (const { x, y, run } of points) {
+    const isDot = field("outcome")[run] === "success", key = report.runs[run][1] + (isDot ? "." : "x");
+    if (!paths.has(key)) paths.set(key, { color: report.methods[report.runs[run][1]].color, isDot, d: [] });
+    paths.get(key).d.push((isDot ? DOT : CROSS)(Number(x.toFixed(1)), Number(y.toFixed(1))));
+  }
+  return [...paths.values()].map(({ color, isDot, d }) => svg("path", { class: isDot ? "dots" : "crosses", d: d.join(""), stroke: color }));
+}
+
+// Shows the nearest point under the pointer, or the next one by arrow keys, in `note`; a click or Enter opens its run.
+function pickMarks(picture, points, note, textOf) {
+  const ring = svg("circle", { class: "ring", r: 7, visibility: "hidden" });
+  let at = -1;
+  const order = points.slice().sort((a, b) => a.x - b.x || a.y - b.y);
+  const show = (index) => {
+    at = index;
+    ring.setAttribute("visibility", at < 0 ? "hidden" : "visible");
+    picture.style.cursor = at < 0 ? "" : "pointer";
+    if (at < 0) return;
+    ring.setAttribute("cx", order[at].x);
+    ring.setAttribute("cy", order[at].y);
+    note.replaceChildren(html("a", { href: runAddress(order[at].run), tabindex: "-1" }, textOf(order[at].run)));
+  };
+  const nearest = (event) => {
+    const box = picture.getBoundingClientRect(), scale = CHART.width / box.width;
+    const x = (event.clientX - box.left) * scale, y = (event.clientY - box.top) * scale;
+    let found = -1, least = 15 * 15;  // square pixels
+    order.forEach((point, i) => {
+      const distance = (point.x - x) ** 2 + (point.y - y) ** 2;
+      if (distance < least) [found, least] = [i, distance];
+    });
+    return found;
+  };
+  const open = () => { if (at >= 0) location.href = runAddress(order[at].run); };
+  picture.addEventListener("pointermove", (event) => show(nearest(event)));
+  picture.addEventListener("click", (event) => { show(nearest(event)); open(); });
+  picture.addEventListener("keydown", (event) => {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (event.key === "Enter") open();
+    if (!step || order.length === 0) return;
+    event.preventDefault();
+    show((at + step + order.length) % order.length);
+  });
+  picture.setAttribute("tabindex", "0");
+  picture.append(ring);
+}
+
+// A chart of points with the text of the chosen one below it.
+function markChart(picture, points, textOf) {
+  const note = html("p", { class: "support", role: "status" }, "Point at a run, or move with the arrow keys; a click or Enter opens it.");
+  picture.append(...drawMarks(points));
+  pickMarks(picture, points, note, textOf);
+  return [picture, note];
+}

@@ -1,0 +1,76 @@
+// The picture of a run: the scenario, the reference paths, and layers for scan, tracks and robot.
+"use strict";
+
+const toX = (scenario, x) => (x - scenario.bounds[0]) * scenario.scale;
+const toY = (scenario, y) => (scenario.bounds[3] - y) * scenario.scale;
+
+function pathOf(scenario, xs, ys) {
+  return xs.map((x, i) => (i ? "L" : "M") + toX(scenario, x).toFixed(1) + " " + toY(scenario, ys[i]).toFixed(1)).join("");
+}
+
+function pathOfPoints(scenario, points) {
+  const xs = points.filter((_, i) => i % 2 === 0), ys = points.filter((_, i) => i % 2 === 1);
+  return pathOf(scenario, xs, ys);
+}
+
+function gridPath(scenario) {
+  const grid = scenario.grid, size = grid.resolution * scenario.scale;
+  let path = "";
+  for (let row = 0; row < grid.ny; ++row) {
+    for (let column = 0; column < grid.nx; ++column) {
+      if (!grid.cells[row * grid.nx + column]) continue;
+      const first = column;
+      while (column < grid.nx && grid.cells[row * grid.nx + column]) ++column;
+      const x = toX(scenario, grid.x + first * grid.resolution), y = toY(scenario, grid.y + row * grid.resolution);
+      path += `M${x.toFixed(2)} ${y.toFixed(2)}h${((column - first) * size).toFixed(2)}v${(-size).toFixed(2)}h${(-(column - first) * size).toFixed(2)}z`;
+    }
+  }
+  return path;
+}
+
+function drawScenario(scenario) {
+  const width = (scenario.bounds[2] - scenario.bounds[0]) * scenario.scale;
+  const height = (scenario.bounds[3] - scenario.bounds[1]) * scenario.scale;
+  const disc = ([x, y, r]) => svg("circle", { cx: toX(scenario, x), cy: toY(scenario, y), r: r * scenario.scale });
+  const polygon = (points) => svg("path", { d: pathOfPoints(scenario, points) + "z" });
+  const reference = (points, dash, title) => (points ? svg("path", { d: pathOfPoints(scenario, points), fill: "none",
+    stroke: "#333", "stroke-width": 1.3, "stroke-dasharray": dash }, svg("title", {}, title)) : null);
+  const gx = toX(scenario, scenario.goal[0]), gy = toY(scenario, scenario.goal[1]), r = Math.max(4, scenario.radius * scenario.scale);
+  const layers = { scan: svg("path", { fill: "#f0b429", "fill-opacity": 0.25, stroke: "#c98a00", "stroke-width": 0.8 }),
+                   others: svg("g", { fill: "none", "stroke-width": 1.6, opacity: 0.55 }),
+                   track: svg("path", { fill: "none", "stroke-width": 2.4 }),
+                   robot: svg("path", { "fill-opacity": 0.35, "stroke-width": 1.8 }) };
+  scenario.layers = layers;
+  element("scene").setAttribute("viewBox", `0 0 ${width.toFixed(0)} ${height.toFixed(0)}`);
+  element("scene").replaceChildren(svg("rect", { width, height, fill: "#ffffff" }),
+    svg("g", { fill: "#8a8f98" }, scenario.discs.map(disc), scenario.polygons.map(polygon),
+        scenario.grid ? svg("path", { d: gridPath(scenario), "shape-rendering": "crispEdges" }) : null),
+    svg("g", {}, reference(scenario.safest, "2 3", "safest path"), reference(scenario.shortest, "7 3", "shortest path")),
+    svg("g", { stroke: "#b00020", "stroke-width": 1.8, fill: "none" }, svg("circle", { cx: gx, cy: gy, r }),
+        svg("path", { d: `M${gx - r} ${gy}h${2 * r}M${gx} ${gy - r}v${2 * r}` })),
+    layers.scan, layers.others, layers.track, layers.robot);
+}
+
+function robotPath(scenario, x, y, heading) {
+  const cos = Math.cos(heading), sin = Math.sin(heading), at = (px, py) => [x + px * cos - py * sin, y + px * sin + py * cos];
+  const outline = scenario.footprint.length ? scenario.footprint : null;
+  const nose = at(scenario.radius, 0), arrow = `M${toX(scenario, x)} ${toY(scenario, y)}L${toX(scenario, nose[0])} ${toY(scenario, nose[1])}`;
+  if (!outline) {
+    const r = scenario.radius * scenario.scale, left = toX(scenario, x) - r;
+    return `M${left} ${toY(scenario, y)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0` + arrow;
+  }
+  const points = [];
+  for (let i = 0; i < outline.length; i += 2) points.push(...at(outline[i], outline[i + 1]));
+  return pathOfPoints(scenario, points) + "z" + arrow;
+}
+
+function drawScan(scenario, x, y, heading) {
+  if (!element("scan").checked) return scenario.layers.scan.setAttribute("d", "");
+  const { rays, aperture, range } = scenario.sensor, points = [x, y];
+  for (let i = 0; i < rays; ++i) {
+    const angle = heading + (rays > 1 ? -aperture / 2 + (aperture * i) / (rays - 1) : 0);
+    const distance = rayRange(scenario, x, y, angle, range);
+    points.push(x + distance * Math.cos(angle), y + distance * Math.sin(angle));
+  }
+  scenario.layers.scan.setAttribute("d", pathOfPoints(scenario, points) + "z");
+}

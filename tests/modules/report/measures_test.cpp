@@ -1,0 +1,101 @@
+#include "browser.h"
+#include "campaign_sample.h"
+#include "page_probe.h"
+#include "report_sample.h"
+
+namespace slalom {
+namespace {
+
+/// Measures of the pages of a made-up campaign in a browser.
+class PageMeasures : public ReportTest {
+ protected:
+  void SetUp() override {
+    if (!has_browser()) GTEST_SKIP() << "needs the package chromium";
+  }
+
+  void make_report(const CampaignSize& size) const {
+    CampaignSample(size).write(results_path());
+    const ResultTable runs = read_results(results_path());
+    write_report(results_path(), runs, report_options(runs), report_folder().string());
+  }
+
+  /// What a script calls show() with. It follows page_probe.h and sees `frames`, the loaded pages.
+  nlohmann::json probe(const std::vector<std::string>& pages, int width, const std::string& script,
+                       const std::string& options = "") const {
+    std::ofstream page(report_folder() / "probe.html");
+    page << "<!DOCTYPE html><meta charset=\"utf-8\"><body>";
+    for (const std::string& name : pages)
+      page << "<iframe style=\"border:0;height:900px;width:" << width << "px\" src=\"" << name
+           << "\"></iframe>";
+    page << "<script>" << kPageProbe
+         << "const frames = () => [...document.querySelectorAll('iframe')].map((frame) => "
+            "frame.contentDocument);\n"
+         << script << "</script>";
+    page.close();
+    const std::string document =
+        open_in_browser((report_folder() / "probe.html").string(), folder_,
+                        "--allow-file-access-from-files --disable-lcd-text " + options);
+    const auto body = all_matches(document, "<body>([^<]*)</body>");
+    EXPECT_EQ(body.size(), 1u) << document.substr(0, 2000);
+    return body.empty() ? nlohmann::json() : nlohmann::json::parse(body.front());
+  }
+
+  /// The measures of pages, with all sections open or as they are at first.
+  nlohmann::json measures(const std::vector<std::string>& pages, int width, bool open_all,
+                          const std::string& options = "") const {
+    const std::string open =
+        "for (const page of frames()) for (const fold of page.querySelectorAll('.fold')) "
+        "fold.unfold();";
+    return probe(pages, width,
+                 "onload = () => setTimeout(() => {" + (open_all ? open : "") +
+                     "setTimeout(() => show(frames().map(measure)), 500); }, 500);",
+                 options);
+  }
+
+  static std::vector<std::string> all_pages(const nlohmann::json& report) {
+    const std::string hash = report["scenarios"][0]["hash"];
+    return {"index.html", "method.html#2", "runs.html", "explore.html#metric=safety",
+            "run.html#" + hash.substr(0, 8) + "/method%200/0"};
+  }
+};
+
+TEST_F(PageMeasures, TheDemosReportIsShortAndHasFewTabStops) {
+  make_report({});
+  const nlohmann::json index = measures({"index.html"}, 1280, false)[0];
+  EXPECT_LT(index["height"], 6000) << index;
+  EXPECT_GT(index["height"], 1000) << index;
+  EXPECT_LE(index["stops"], 150) << index;
+  EXPECT_GE(index["stops"], 15) << "the links of the navigation, and one per table: " << index;
+}
+
+TEST_F(PageMeasures, EveryTextHasContrastAndNoPageOfAPhoneScrollsSideways) {
+  make_report({});
+  const auto pages = all_pages(report_json());
+  const std::string dark = "--blink-settings=preferredColorScheme=0";
+  const std::pair<int, std::string> views[] = {{1280, ""}, {400, dark}};
+  for (const auto& [width, options] : views) {
+    const nlohmann::json found = measures(pages, width, true, options);
+    ASSERT_EQ(found.size(), pages.size());
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+      EXPECT_GE(found[i]["contrast"], 4.5) << pages[i] << " " << options << found[i];
+      EXPECT_GE(found[i]["texts"], 30) << pages[i] << found[i];
+      EXPECT_LE(found[i]["width"], width) << pages[i] << found[i];
+      EXPECT_LE(found[i]["stops"], i == 2 ? 250 : 150) << pages[i] << found[i];
+    }
+  }
+}
+
+TEST_F(PageMeasures, TheDemosReportIsPrintedOnAtMostEightPages) {
+  make_report({});
+  const std::filesystem::path pdf = folder_ / "index.pdf";
+  open_in_browser((report_folder() / "index.html").string(), folder_,
+                  "--print-to-pdf='" + pdf.string() + "'");
+  std::ifstream stream(pdf, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const auto pages = all_matches(text, "/Type /(Page)\\s");
+  EXPECT_GE(pages.size(), 2u);
+  EXPECT_LE(pages.size(), 8u);
+}
+
+}  // namespace
+}  // namespace slalom
