@@ -120,7 +120,9 @@ void ObstacleParts::divide_cells(int block) {
   }
   for (const auto& group : cells) {
     const auto center = mean_of(group);
-    descriptions_.push_back(std::to_string(group.size()) + " cells" + at(center.x, center.y));
+    const std::string what = block == 0 ? "group of " : "block of ";
+    descriptions_.push_back(what + std::to_string(group.size()) + " cells" +
+                            at(center.x, center.y));
   }
 }
 

@@ -47,6 +47,21 @@ std::vector<int> block_sides(const Scenario& scenario) {
   return {0, 32, 16, 8, kFinestBlock};
 }
 
+/// Those of the parts of which each is needed at last.
+std::vector<int> removed_alone(const Scenario& scenario) {
+  const std::vector<int> sides = block_sides(scenario);
+  return sides.size() > 1 ? std::vector<int>{sides.front(), sides.back()} : sides;
+}
+
+/// A group that is one block is tried once.
+bool removes(Shrinker& shrinker, const ObstacleParts& parts, std::size_t part,
+             RemovalRound& round) {
+  const Scenario candidate = parts.without(part);
+  if (!round.hashes.insert(candidate.hash()).second) return false;
+  round.removals.emplace_back(parts.description(part), shrinker.test().judge(candidate));
+  return shrinker.accept([&] { return candidate; });
+}
+
 }  // namespace
 
 bool Shrinker::accept(const std::function<Scenario()>& make) {
@@ -71,14 +86,12 @@ bool remove_obstacles(Shrinker& shrinker) {
 
 RemovalRound remove_each_once(Shrinker& shrinker) {
   for (;;) {
-    const ObstacleParts parts(shrinker.scenario(), block_sides(shrinker.scenario()).back(),
-                              shrinker.resolution());
     RemovalRound round;
     bool removed = false;
-    for (std::size_t i = 0; i < parts.size() && !removed; ++i) {
-      const Scenario candidate = parts.without(i);
-      round.removals.emplace_back(parts.description(i), shrinker.test().judge(candidate));
-      removed = shrinker.accept([&] { return candidate; });
+    for (const int block : removed_alone(shrinker.scenario())) {
+      const ObstacleParts parts(shrinker.scenario(), block, shrinker.resolution());
+      for (std::size_t i = 0; i < parts.size() && !removed; ++i)
+        removed = removes(shrinker, parts, i, round);
     }
     round.minimal = !removed && !shrinker.test().exhausted();
     if (!removed) return round;

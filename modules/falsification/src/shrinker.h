@@ -3,7 +3,10 @@
 #include "failure_test.h"
 
 #include <functional>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace slalom {
 
@@ -37,9 +40,11 @@ bool crop_workspace(Shrinker& shrinker);
 bool simplify_shapes(Shrinker& shrinker);
 bool round_numbers(Shrinker& shrinker);
 
-/// The removals of single obstacles of the smallest scenario.
+/// The removals of single obstacles of the smallest scenario; of maps, of connected groups of cells
+/// (of points: their squares) and of the finest blocks.
 struct RemovalRound {
   std::vector<std::pair<std::string, Verdict>> removals;  ///< description of the part, verdict
+  std::set<std::string> hashes;                           ///< of the scenarios without these parts
   bool minimal = false;  ///< none was accepted, and all could be run
 };
 /// Removes each obstacle alone, again from the beginning after a removal that is accepted.

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -109,6 +111,100 @@ TEST(Shrink, AMapIsShrunkByGroupsOfCells) {
   EXPECT_EQ(outcome_in(small->scenario, bench, bench.method), Outcome::Collision);
   EXPECT_TRUE(small->minimal);
   EXPECT_TRUE(small->fairness.fair());
+}
+
+/// The obstacles of passage() inside a wall that connects them all, as cells of 5 cm.
+Scenario connected_map() {
+  Primitives obstacles = passage().primitives();
+  for (Disc& disc : obstacles.discs) disc.center.y = 9.75;
+  for (Polygon& polygon : obstacles.polygons)
+    for (auto& vertex : polygon.vertices) {
+      if (vertex.y == 0.5 || vertex.y == 1.23) vertex.y = 0;
+      if (vertex.y == 9.5) vertex.y = 10;
+    }
+  for (const Bounds& wall : {Bounds{0, 0, 10, 0.1}, Bounds{0, 9.9, 10, 10}, Bounds{0, 0, 0.1, 10},
+                             Bounds{9.9, 0, 10, 10}})
+    obstacles.polygons.push_back({{{wall.x_min, wall.y_min},
+                                   {wall.x_max, wall.y_min},
+                                   {wall.x_max, wall.y_max},
+                                   {wall.x_min, wall.y_max}}});
+  const Scenario drawn = Scenario::continuous("map", passage().bounds(), obstacles,
+                                              passage().start(), passage().goal());
+  return convert(drawn, Representation::Grid, 0.05);
+}
+
+TEST(Shrink, OfAMapWithConnectedWallsNoGroupAndNoBlockCanBeRemoved) {
+  const TestBench bench = planted_bench("squeeze");
+  const Scenario map = connected_map();
+  ASSERT_EQ(outcome_in(map, bench, bench.method), Outcome::Collision);
+  const auto small = shrink(bench, map);
+  ASSERT_TRUE(small);
+  EXPECT_EQ(small->parts_before, 1U);
+  EXPECT_TRUE(small->minimal);
+  const auto& cells = *small->scenario.grid_map();
+  constexpr int kBlock = 4;  // cells, of the finest division
+  const int size_x = static_cast<int>(cells.getSizeX()),
+            size_y = static_cast<int>(cells.getSizeY());
+  std::size_t blocks = 0, occupied = 0;
+  for (int by = 0; by < size_y; by += kBlock)
+    for (int bx = 0; bx < size_x; bx += kBlock) {
+      auto without = cells;
+      std::size_t removed = 0;
+      for (int y = by; y < std::min(by + kBlock, size_y); ++y)
+        for (int x = bx; x < std::min(bx + kBlock, size_x); ++x) {
+          removed += cells.getCell(x, y) < 0.5F ? 1 : 0;
+          without.setCell(x, y, 1.0F);
+        }
+      if (removed == 0) continue;
+      ++blocks;
+      occupied += removed;
+      const Scenario rest =
+          Scenario::grid("without", without, small->scenario.start(), small->scenario.goal());
+      EXPECT_FALSE(outcome_in(rest, bench, bench.method) == Outcome::Collision &&
+                   outcome_in(rest, bench, bench.witnesses[0]) == Outcome::Success)
+          << "the block at " << bx << ", " << by << " is not needed";
+    }
+  EXPECT_GE(blocks, 1U);
+  EXPECT_LE(occupied, 200U) << "of about 6,000";
+  // The proof: each group, and each block that is not a group.
+  EXPECT_GE(small->removals.size(), std::max(blocks, small->parts_after));
+  EXPECT_LE(small->removals.size(), blocks + small->parts_after);
+}
+
+TEST(Shrink, APointMapIsShrunkBySquaresOfPoints) {
+  const TestBench bench = planted_bench("squeeze");
+  const Scenario points =
+      convert(convert(passage(), Representation::Grid, 0.05), Representation::Points, 0.05);
+  ASSERT_EQ(outcome_in(points, bench, bench.method), Outcome::Collision);
+  const auto small = shrink(bench, points);
+  ASSERT_TRUE(small);
+  EXPECT_TRUE(small->minimal);
+  EXPECT_TRUE(small->fairness.fair());
+  EXPECT_EQ(outcome_in(small->scenario, bench, bench.method), Outcome::Collision);
+  const auto& map = *small->scenario.point_map();
+  EXPECT_LE(map.size(), points.point_map()->size() / 10);
+  constexpr double kSquare = 0.2;  // m, four times the resolution
+  const auto square_of = [&](std::size_t i) {
+    float x = 0, y = 0;
+    map.getPoint(i, x, y);
+    return std::make_pair(std::floor(static_cast<double>(x) / kSquare),
+                          std::floor(static_cast<double>(y) / kSquare));
+  };
+  std::set<std::pair<double, double>> squares;
+  for (std::size_t i = 0; i < map.size(); ++i) squares.insert(square_of(i));
+  for (const auto& square : squares) {
+    mrpt::maps::CSimplePointsMap rest;
+    for (std::size_t i = 0; i < map.size(); ++i) {
+      float x = 0, y = 0;
+      map.getPoint(i, x, y);
+      if (square_of(i) != square) rest.insertPoint(x, y);
+    }
+    const Scenario without = Scenario::points("without", small->scenario.bounds(), rest,
+                                              small->scenario.start(), small->scenario.goal());
+    EXPECT_FALSE(outcome_in(without, bench, bench.method) == Outcome::Collision &&
+                 outcome_in(without, bench, bench.witnesses[0]) == Outcome::Success)
+        << "the square at " << square.first << ", " << square.second << " is not needed";
+  }
 }
 
 TEST(Shrink, AnUnfairFailureStaysAsFairAsItIs) {
