@@ -1,5 +1,6 @@
 #include "arguments.h"
 
+#include <slalom/app/campaign_names.h>
 #include <slalom/campaign/campaign.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -33,17 +34,36 @@ void require_method(const IniFile& ini, const std::string& option, const std::st
                     expected_name(name, known));
 }
 
+/// The campaign of the light relative alone: the one that repeats the failures does not run it.
+CampaignConfig read_relative(IniFile ini, const FalsifyArguments& arguments,
+                             const TestBench& bench) {
+  const std::string option = "--relative " + arguments.relative;
+  if (arguments.relative == arguments.method)
+    throw usage_error(option, "is the method that is tested", "another method");
+  if (arguments.fairness.witness && bench.witnesses.size() == 1 &&
+      bench.witnesses.front().name == arguments.relative)
+    throw usage_error(option, "is the only witness, and fails in all these scenarios",
+                      "another method, or --witness METHOD");
+  ini.set("campaign", "methods", arguments.relative);
+  CampaignConfig config = read_campaign(ini);
+  check_methods({config.options, {}, config.methods});
+  return config;
+}
+
 }  // namespace
 
 void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
   app.add_option("-o,--output", arguments.output,
                  "Folder for the failures and the report of them (index.html)")
       ->required();
-  app.add_option("--witness", arguments.witnesses,
-                 "A method that must reach the goal, which proves that the scenario can be solved; "
-                 "of several, any. Default: the other methods of the campaign")
-      ->take_all()
-      ->allow_extra_args(false);
+  complete_with(
+      app.add_option(
+             "--witness", arguments.witnesses,
+             "A method that must reach the goal, which proves that the scenario can be solved; "
+             "of several, any. Default: the other methods of the campaign")
+          ->take_all()
+          ->allow_extra_args(false),
+      known_methods);
   FairnessOptions& fairness = arguments.fairness;
   app.add_option("--min-bottleneck", fairness.min_bottleneck,
                  "Certified width of the widest path, in robot widths; 0: any")
@@ -76,6 +96,7 @@ void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
 FalsifyCampaign read_falsify_campaign(IniFile ini, const FalsifyArguments& arguments) {
   require_method(ini, "--method", arguments.method);
   for (const std::string& witness : arguments.witnesses) require_method(ini, "--witness", witness);
+  if (!arguments.relative.empty()) require_method(ini, "--relative", arguments.relative);
   ini.set("campaign", "methods", join(method_names(ini, arguments), ", "));
   CampaignConfig config = read_campaign(ini);
   check_methods({config.options, {}, config.methods});
@@ -85,7 +106,12 @@ FalsifyCampaign read_falsify_campaign(IniFile ini, const FalsifyArguments& argum
   bench.seed = config.options.seed;
   bench.method = config.methods.front();
   bench.witnesses.assign(config.methods.begin() + 1, config.methods.end());
-  return {std::move(ini), std::move(config), std::move(bench)};
+  CampaignConfig relative;
+  if (!arguments.relative.empty()) {
+    relative = read_relative(ini, arguments, bench);
+    bench.relative = relative.methods.front();
+  }
+  return {std::move(ini), std::move(config), std::move(bench), std::move(relative)};
 }
 
 }  // namespace slalom

@@ -1,15 +1,15 @@
 #include "cluster_report.h"
 #include "failure_files.h"
+#include "search_files.h"
 #include "verbs.h"
 
+#include <slalom/app/campaign_names.h>
 #include <slalom/app/existing_options.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/app/output_folder.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
-#include <slalom/core/hash.h>
 #include <slalom/core/progress.h>
-#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/falsification/neighbors.h>
 #include <slalom/falsification/search.h>
@@ -48,43 +48,6 @@ std::string add_reference(IniFile& ini, const SearchArguments& arguments) {
   ini.set(section, "plugin", std::filesystem::absolute(arguments.against).string());
   return kReference;
 }
-
-/// What the search depends on: a state of another search is not continued.
-std::string identity(const FalsifyCampaign& campaign, const SearchArguments& arguments) {
-  const FairnessOptions& fairness = arguments.common.fairness;
-  Hasher hasher;
-  hasher.add(campaign.config.effective_ini).add(arguments.search.seed);
-  hasher.add(fairness.min_bottleneck).add(fairness.min_start_clearance).add(fairness.min_distance);
-  hasher.add(std::uint64_t{fairness.witness}).add(std::uint64_t{arguments.all_outcomes});
-  hasher.add(std::uint64_t{arguments.search.max_failures});
-  hasher.add(std::uint64_t{!arguments.against.empty()});
-  return hasher.hex();
-}
-
-/// The rounds of an interrupted search, after the identity of the search that made them.
-class StateFile {
- public:
-  StateFile(const std::string& folder, std::string search)
-      : path_(folder + "/search.state"), search_(std::move(search)) {}
-
-  SearchState load(ExistingResults existing) const {
-    const bool exists = std::filesystem::exists(path_);
-    if (existing == ExistingResults::Require && !exists)
-      throw usage_error("--resume", "there is no search to continue in " + path_);
-    if (existing == ExistingResults::Overwrite || !exists) return {};
-    const std::string bytes = read_file(path_, "the state of a search");
-    if (bytes.compare(0, search_.size(), search_) != 0)
-      throw usage_error(path_, "is of a search with other settings",
-                        "another folder, or --overwrite to start over");
-    return search_state_from_bytes(bytes.substr(search_.size()), path_);
-  }
-  void save(const SearchState& state) const {
-    write_file_atomically(path_, search_ + to_bytes(state));
-  }
-
- private:
-  std::string path_, search_;
-};
 
 std::string tally_text(const SearchTally& tally) {
   std::vector<std::string> parts;
@@ -125,17 +88,26 @@ std::string search_json(const SearchArguments& arguments, const SearchResult& re
   return json.dump();
 }
 
+/// nullopt when interrupted.
+std::optional<ShrinkResult> shrink_once(const FoundFailure& found, const TestBench& bench,
+                                        const FalsifyArguments& arguments, ShrunkFile& shrunk) {
+  if (const ShrinkResult* known = shrunk.find(found)) return *known;
+  auto small = shrink(bench, found.scenario,
+                      {arguments.fairness, arguments.max_runs, InterruptGuard::raised});
+  if (small) shrunk.save(found, *small);
+  return small;
+}
+
 /// The smallest scenarios of what was found, each once; those that are not fair are left out.
-std::vector<Failure> shrink_found(const SearchResult& result, const FalsifyCampaign& campaign,
-                                  const FalsifyArguments& arguments) {
+std::vector<Failure> shrink_found(const SearchResult& result, const TestBench& bench,
+                                  const FalsifyArguments& arguments, ShrunkFile shrunk) {
   std::vector<Failure> failures;
   std::set<std::string> hashes;
   const auto progress = make_terminal_progress(arguments.campaign.quiet);
   progress->start("Shrinking failures", result.state.failures.size());
   std::size_t done = 0;
   for (const FoundFailure& found : result.state.failures) {
-    auto small = shrink(campaign.bench, found.scenario,
-                        {arguments.fairness, arguments.max_runs, InterruptGuard::raised});
+    auto small = shrink_once(found, bench, arguments, shrunk);
     if (!small) throw Interrupted("the same command continues");
     const std::string origin =
         to_string(found.half) + " candidate " + std::to_string(found.index) + " of the search";
@@ -186,7 +158,8 @@ void search_verb(SearchArguments& arguments) {
   options.outcomes = severe_outcomes();
   if (arguments.all_outcomes)
     options.outcomes.insert(options.outcomes.end(), {Outcome::Stuck, Outcome::Timeout});
-  const StateFile file(common.output, identity(campaign, arguments));
+  const std::string identity = search_identity(campaign, options);
+  const StateFile file(common.output, identity);
   options.known = file.load(common.campaign.existing);
   const InterruptGuard guard;
   const auto progress = make_terminal_progress(common.campaign.quiet);
@@ -201,7 +174,8 @@ void search_verb(SearchArguments& arguments) {
   if (!result.complete)
     throw Interrupted(std::to_string(result.state.runs()) +
                       " runs are kept; the same command continues");
-  std::vector<Failure> failures = shrink_found(result, campaign, common);
+  std::vector<Failure> failures =
+      shrink_found(result, campaign.bench, common, ShrunkFile(common.output, identity, common));
   name_failures(failures, common.method);
   write_failures(failures, campaign, common.output, search_json(arguments, result));
   find_neighbors(failures, campaign, options);
@@ -224,12 +198,21 @@ void define_search(CLI::App& app) {
       "Search scenarios in which the method fails and a witness reaches the goal; the "
       "same command continues a search that was interrupted");
   add_argument(*verb, {"config", "-c,--config", "The campaign's .ini"}, campaign.config);
-  verb->add_option("--method", arguments.common.method, "The method that is tested")->required();
+  complete_with(verb->add_option("--method", arguments.common.method, "The method that is tested")
+                    ->required(),
+                known_methods);
   add_falsify_options(*verb, arguments.common);
-  verb->add_option("--against", arguments.against,
-                   "The only witness: a method, or a library (.so) with an earlier version of a "
-                   "compiled method and the same parameters")
-      ->excludes("--witness");
+  CLI::Option* relative = verb->add_option(
+      "--relative", arguments.common.relative,
+      "A light method that fails in similar scenarios as a heavy one: adaptive runs are in random "
+      "scenarios in which it fails");
+  complete_with(relative, known_methods);
+  CLI::Option* against = verb->add_option(
+      "--against", arguments.against,
+      "The only witness: a method, or a library (.so) with an earlier version of a compiled method "
+      "and the same parameters");
+  against->excludes("--witness")->excludes(relative);
+  complete_with(against, known_methods);
   verb->add_flag("--all-outcomes", arguments.all_outcomes,
                  "Also stuck and timeout are failures, which are frequent");
   verb->add_option("--failures", arguments.search.max_failures,

@@ -2,6 +2,7 @@
 #include "failure_files.h"
 #include "verbs.h"
 
+#include <slalom/app/campaign_names.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
@@ -109,7 +110,9 @@ void define_shrink(CLI::App& app) {
   verb->add_option("--run", arguments.run, "The run of the result file: HASH8/METHOD/REPETITION");
   verb->add_option("-c,--config", arguments.common.campaign.config,
                    "The campaign's .ini; default: that in the result file");
-  verb->add_option("--method", arguments.common.method, "The method; default: that of the run");
+  complete_with(
+      verb->add_option("--method", arguments.common.method, "The method; default: that of the run"),
+      known_methods);
   add_falsify_options(*verb, arguments.common);
   verb->callback([] { shrink_verb(arguments); });
 }

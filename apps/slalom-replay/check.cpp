@@ -2,6 +2,7 @@
 #include "verbs.h"
 
 #include <slalom/app/adapters.h>
+#include <slalom/app/campaign_names.h>
 #include <slalom/core/error.h>
 #include <slalom/rawlog/re_execution.h>
 
@@ -47,7 +48,8 @@ void define_check(CLI::App& app) {
   verb->add_option("log", arguments.log, "The run (.rawlog)")->required();
   verb->add_option("-c,--config", arguments.config,
                    "Campaign .ini to use instead of the recorded one");
-  verb->add_option("--method", arguments.method, "Use another method of the .ini");
+  complete_with(verb->add_option("--method", arguments.method, "Use another method of the .ini"),
+                known_methods);
   verb->add_option("--set", arguments.overrides, "Override a key of the .ini: SECTION.KEY=VALUE")
       ->take_all()
       ->allow_extra_args(false);

@@ -1,6 +1,7 @@
 #include "verbs.h"
 
 #include <slalom/app/adapters.h>
+#include <slalom/app/campaign_names.h>
 #include <slalom/app/campaign_program.h>
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/core/error.h>
@@ -59,7 +60,9 @@ void define_openloop(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "openloop", "Pass each 2D scan of any rawlog to a method and predict contacts");
   verb->add_option("log", arguments.log, "Rawlog with CObservation2DRangeScan")->required();
-  verb->add_option("--method", arguments.method, "Method of the campaign .ini")->required();
+  complete_with(
+      verb->add_option("--method", arguments.method, "Method of the campaign .ini")->required(),
+      known_methods);
   verb->add_option("-c,--config", arguments.campaign.config,
                    "Campaign .ini: robot, sensor, methods")
       ->required();

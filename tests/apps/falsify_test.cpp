@@ -111,6 +111,24 @@ TEST_F(Falsify, ShrinksARunOfAResultFile) {
   expect_failure("slalom-falsify shrink runs.results -o out", 2, {"no run is named", "--run ID"});
 }
 
+TEST_F(Falsify, SearchRunsTheMethodWhereARelativeFails) {
+  write("relative.ini", read("planted.ini") + "[method.twin]\nadapter = library\nplugin = " +
+                            PLANTED_PLUGIN + "\ndefect = squeeze\n");
+  const std::string search = "slalom-falsify search relative.ini --method squeeze --quiet -o out ";
+  const ProgramResult result = run(search + "--runs 40 --failures 1 --relative twin");
+  ASSERT_EQ(result.status, 0) << result.err;
+  // The twin has the same defect: each adaptive run fails, some without a witness.
+  const Json adaptive = failures("out")["search"]["adaptive"];
+  EXPECT_EQ(adaptive["runs"], 20);
+  EXPECT_EQ(adaptive["failures"].get<int>() + adaptive["without_witness"].get<int>(), 20);
+  EXPECT_EQ(read("out/failures.ini").find("methods = squeeze, twin"), std::string::npos);
+  expect_failure(search + "--runs 40", 2, {"other settings"});
+  expect_failure(search + "--relative other", 2, {"no section [method.other]"});
+  expect_failure(search + "--relative squeeze", 2, {"is the method that is tested"});
+  expect_failure(search + "--relative base", 2, {"is the only witness", "--witness METHOD"});
+  expect_failure(search + "--relative twin --against base", 2, {"--relative", "--against"});
+}
+
 TEST_F(Falsify, SearchFindsShrinksAndReportsFailuresTheSameForAnyNumberOfWorkers) {
   const std::string search =
       "slalom-falsify search planted.ini --method squeeze --runs 200 --failures 2 --quiet ";
@@ -144,6 +162,34 @@ TEST_F(Falsify, SearchFindsShrinksAndReportsFailuresTheSameForAnyNumberOfWorkers
   }
   EXPECT_EQ(members, found["failures"].size());
   expect_failure(search + "--seed 2 -o one", 2, {"other settings", "--overwrite"});
+}
+
+TEST_F(Falsify, TheSameCommandShrinksNothingAgain) {
+  const std::string search =
+      "slalom-falsify search planted.ini --method squeeze --runs 100 --failures 1 --quiet -o out ";
+  const ProgramResult first = run(search);
+  ASSERT_EQ(first.status, 0) << first.err;
+  ASSERT_GE(failures("out")["failures"].size(), 1U);
+  const std::string shrunk = read("out/search.shrunk");
+  // What is kept is reported: here with a mark that no new result would have.
+  std::string marked = shrunk;
+  const std::size_t verdict = marked.find("squeeze: success");
+  ASSERT_NE(verdict, std::string::npos);
+  marked.replace(verdict, 7, "SQUEEZE");
+  write("out/search.shrunk", marked);
+  const ProgramResult second = run(search);
+  ASSERT_EQ(second.status, 0) << second.err;
+  EXPECT_EQ(first.out.find("SQUEEZE: success"), std::string::npos);
+  EXPECT_NE(second.out.find("SQUEEZE: success"), std::string::npos);
+  write("out/search.shrunk", shrunk.substr(0, shrunk.size() / 2));
+  expect_failure(search, 3, {"search.shrunk", "unexpected end of data"});
+  // Other limits of shrinking: those results are not used.
+  EXPECT_EQ(run(search + "--max-runs 20").status, 0);
+  EXPECT_NE(read("out/search.shrunk"), shrunk);
+  expect_failure(
+      "slalom-falsify search planted.ini --method base --witness squeeze --runs 100 "
+      "--failures 1 --quiet -o out",
+      2, {"other settings", "--overwrite"});
 }
 
 TEST_F(Falsify, NothingFoundIsABoundAndNotAProofOfSafety) {

@@ -248,6 +248,32 @@ TEST(Shrink, ReportsTheNumberOfRunsWhileItWorks) {
               reported.end());
 }
 
+TEST(Shrink, ResultsAreReadAsTheyWereWritten) {
+  const auto small = shrink(planted_bench("squeeze"), passage());
+  ASSERT_TRUE(small);
+  const std::string bytes = to_bytes(*small);
+  const ShrinkResult read = shrink_result_from_bytes(bytes, "shrunk");
+  EXPECT_EQ(to_bytes(read), bytes);
+  EXPECT_EQ(read.scenario.hash(), small->scenario.hash());
+  EXPECT_TRUE(is_same_run(read.trial, small->trial));
+  EXPECT_EQ(read.parts_before, small->parts_before);
+  EXPECT_EQ(read.parts_after, small->parts_after);
+  EXPECT_EQ(read.runs, small->runs);
+  EXPECT_EQ(read.unfair, small->unfair);
+  EXPECT_EQ(read.moved, small->moved);
+  EXPECT_EQ(read.minimal, small->minimal);
+  ASSERT_EQ(read.removals.size(), small->removals.size());
+  EXPECT_EQ(read.removals[0].part, small->removals[0].part);
+  EXPECT_EQ(read.removals[0].verdict, small->removals[0].verdict);
+  EXPECT_EQ(read.fairness.geometry.bottleneck, small->fairness.geometry.bottleneck);
+  EXPECT_EQ(read.fairness.witness, "base");
+  EXPECT_TRUE(is_same_run(read.fairness.witness_run, small->fairness.witness_run));
+  EXPECT_TRUE(read.fairness.repeatable);
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 100)
+    EXPECT_THROW(shrink_result_from_bytes(bytes.substr(0, size), "shrunk"), Error);
+  EXPECT_THROW(shrink_result_from_bytes(bytes + "x", "shrunk"), Error);
+}
+
 TEST(Shrink, IsInterrupted) {
   ShrinkOptions options;
   options.interrupted = [] { return true; };

@@ -40,6 +40,10 @@ struct ShrinkResult {
   FairnessReport fairness = {};
 };
 
+std::string to_bytes(const ShrinkResult& result);
+/// Throws Error (File) at `where` for malformed bytes.
+ShrinkResult shrink_result_from_bytes(const std::string& bytes, const std::string& where);
+
 /// Shrinks a failure: a scenario in which `bench.method` does not reach the goal. The result fails
 /// with the same outcome; a witness reaches its goal, if one does in the original; no geometric
 /// condition is violated more than in the original, and the workspace does not grow. Obstacles are

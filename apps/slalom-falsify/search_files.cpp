@@ -1,0 +1,83 @@
+#include "search_files.h"
+
+#include <slalom/core/byte_stream.h>
+#include <slalom/core/error.h>
+#include <slalom/core/hash.h>
+#include <slalom/core/read_file.h>
+
+#include <filesystem>
+
+namespace slalom {
+namespace {
+
+std::string key_of(const FoundFailure& found) {
+  return to_string(found.half) + " " + std::to_string(found.index);
+}
+
+}  // namespace
+
+std::string search_identity(const FalsifyCampaign& campaign, const SearchOptions& options) {
+  Hasher hasher;
+  for (const CampaignConfig* config : {&campaign.config, &campaign.relative}) {
+    hasher.add(config->effective_ini);
+    for (const auto& [key, path] : config->method_files)
+      hasher.add(key).add(read_file(path, "a file of a method"));
+  }
+  hasher.add(campaign.bench.method.name);
+  for (const NamedMethod& witness : campaign.bench.witnesses) hasher.add(witness.name);
+  const FairnessOptions& fairness = options.fairness;
+  hasher.add(fairness.min_bottleneck).add(fairness.min_start_clearance).add(fairness.min_distance);
+  hasher.add(std::uint64_t{fairness.witness}).add(std::uint64_t{options.probe});
+  hasher.add(options.seed).add(std::uint64_t{options.max_failures});
+  for (const Outcome outcome : options.outcomes) hasher.add(to_string(outcome));
+  return hasher.hex();
+}
+
+SearchState StateFile::load(ExistingResults existing) const {
+  const bool exists = std::filesystem::exists(path_);
+  if (existing == ExistingResults::Require && !exists)
+    throw usage_error("--resume", "there is no search to continue in " + path_);
+  if (existing == ExistingResults::Overwrite || !exists) return {};
+  const std::string bytes = read_file(path_, "the state of a search");
+  if (bytes.compare(0, search_.size(), search_) != 0)
+    throw usage_error(path_, "is of a search with other settings",
+                      "another folder, or --overwrite to start over");
+  return search_state_from_bytes(bytes.substr(search_.size()), path_);
+}
+
+void StateFile::save(const SearchState& state) const {
+  write_file_atomically(path_, search_ + to_bytes(state));
+}
+
+ShrunkFile::ShrunkFile(const std::string& folder, const std::string& search,
+                       const FalsifyArguments& arguments)
+    : path_(folder + "/search.shrunk") {
+  Hasher hasher;
+  hasher.add(search).add(std::uint64_t{arguments.max_runs});
+  identity_ = hasher.add(std::uint64_t{arguments.fairness.repeatable}).hex();
+  const bool is_new = arguments.campaign.existing == ExistingResults::Overwrite;
+  if (is_new || !std::filesystem::exists(path_)) return;
+  const std::string bytes = read_file(path_, "shrunk failures");
+  ByteReader reader(bytes, path_);
+  if (reader.text() != identity_) return;
+  for (std::size_t left = reader.count(2 * sizeof(std::uint64_t)); left > 0; --left) {
+    const std::string key = reader.text();
+    known_.emplace(key, shrink_result_from_bytes(reader.text(), path_));
+  }
+  reader.expect_end();
+}
+
+const ShrinkResult* ShrunkFile::find(const FoundFailure& found) const {
+  const auto known = known_.find(key_of(found));
+  return known == known_.end() ? nullptr : &known->second;
+}
+
+void ShrunkFile::save(const FoundFailure& found, const ShrinkResult& small) {
+  known_.emplace(key_of(found), small);
+  ByteWriter writer;
+  writer.text(identity_).u64(known_.size());
+  for (const auto& [key, result] : known_) writer.text(key).text(to_bytes(result));
+  write_file_atomically(path_, writer.take());
+}
+
+}  // namespace slalom
