@@ -10,7 +10,9 @@
 #include <slalom/app/completion.h>
 #include <slalom/app/program.h>
 #include <slalom/campaign/campaign_options.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
+#include <slalom/falsification/explain.h>
 #include <slalom/io/find_run.h>
 #include <slalom/io/rawlog_path.h>
 #include <slalom/io/read_results.h>
@@ -61,10 +63,26 @@ ReportOptions effective_options(const ResultTable& runs, const Arguments& argume
   return options;
 }
 
-void report_verb(const Arguments& arguments) {
+/// Which failures slalom-falsify has examined in these results; empty if it did not write them.
+std::string examined_path(const std::filesystem::path& results) {
+  std::filesystem::path path = results;
+  if (std::filesystem::is_directory(path)) path /= "examined.results";
+  path.replace_extension(".json");
+  return path.filename() == "examined.json" && std::filesystem::exists(path) ? path.string() : "";
+}
+
+void report_verb(Arguments& arguments) {
+  const std::string examined = examined_path(arguments.results);
+  if (!examined.empty() && std::filesystem::is_directory(arguments.results))
+    arguments.results += "/examined.results";
   const ResultTable runs = read_results(arguments.results);
   warn_of_missing(arguments.results, runs);
-  write_report(arguments.results, runs, effective_options(runs, arguments), arguments.output);
+  ReportOptions options = effective_options(runs, arguments);
+  if (!examined.empty())
+    options.clusters = explain_failures(
+        ResultFile::open(arguments.results), runs, options,
+        examined_failures_from_json(read_file(examined, "examined failures"), examined));
+  write_report(arguments.results, runs, options, arguments.output);
   if (arguments.quiet) return;
   const std::filesystem::path index = std::filesystem::path(arguments.output) / "index.html";
   std::cerr << "report: " << index.string() << "\n";
@@ -95,8 +113,10 @@ void dump_verb(const Arguments& arguments) {
 
 void define_report(CLI::App& app, Arguments& arguments) {
   CLI::App* verb = app.add_subcommand("report", "Write a self-contained HTML report");
-  verb->add_option("results", arguments.results,
-                   "A result file (.results), or a folder with the shards of a campaign")
+  verb->add_option(
+          "results", arguments.results,
+          "A result file (.results), a folder with the shards of a campaign, or a folder of "
+          "slalom-falsify, whose clusters of failures are reported as well")
       ->required();
   add_table_options(*verb, arguments);
   verb->add_option("-o,--output", arguments.output, "Folder to write to")->required();

@@ -15,17 +15,20 @@
 namespace slalom {
 namespace {
 
-constexpr char kExaminedScenarios[] = "/examined.scenarios";  // in the output folder
+// In the output folder.
+constexpr char kExaminedScenarios[] = "/examined.scenarios";
+constexpr char kExaminedFailures[] = "/examined.json";
 
 /// The scenarios to run, each once, and their roles in the failures.
 class Examination {
  public:
   Examination(const std::vector<Failure>& failures, const TestBench& bench,
-              const std::string& folder) {
+              const std::string& folder)
+      : examined_{bench.method.name, bench.repetition, {}} {
     for (const Failure& failure : failures) add(failure, bench, folder);
   }
   const std::vector<Scenario>& scenarios() const { return scenarios_; }
-  const std::vector<ExaminedFailure>& failures() const { return failures_; }
+  const ExaminedFailures& examined() const { return examined_; }
 
   void write(const std::string& path) const {
     ScenarioList::write(path, [this](ScenarioList& list) {
@@ -38,7 +41,7 @@ class Examination {
   std::vector<Scenario> scenarios_;
   std::vector<std::string> roles_;  ///< tags, parallel to the scenarios
   std::set<std::string> hashes_;
-  std::vector<ExaminedFailure> failures_;
+  ExaminedFailures examined_;
 
   void add(const Failure& failure, const TestBench& bench, const std::string& folder) {
     const Scenario& smallest = failure.small.scenario;
@@ -57,7 +60,7 @@ class Examination {
       examined.neighbors.push_back(failure.neighbors[i].hash());
       add_scenario(failure.neighbors[i].renamed(name), "neighbor");
     }
-    failures_.push_back(std::move(examined));
+    examined_.failures.push_back(std::move(examined));
   }
 
   void add_scenario(Scenario scenario, const std::string& role) {
@@ -94,15 +97,17 @@ std::vector<ReportedCluster> write_cluster_report(const std::vector<Failure>& fa
   if (failures.empty()) {
     remove_report(folder);
     std::error_code not_there;
-    for (const std::string& file : {results, folder + kExaminedScenarios})
+    for (const std::string& file :
+         {results, folder + kExaminedFailures, folder + kExaminedScenarios})
       std::filesystem::remove(file, not_there);
     return {};
   }
   const Examination examination(failures, campaign.bench, folder);
   const ResultTable runs = run_examination(examination, campaign, arguments, results);
   ReportOptions options = report_options(runs);
-  options.clusters = explain_failures(ResultFile::open(results), runs, campaign.bench,
-                                      examination.failures(), options.analysis.confidence);
+  options.clusters =
+      explain_failures(ResultFile::open(results), runs, options, examination.examined());
+  write_file_atomically(folder + kExaminedFailures, to_json(examination.examined()));
   write_report(results, runs, options, folder);
   return options.clusters;
 }

@@ -79,6 +79,21 @@ TEST_F(Falsify, ShrinkWritesAReportWithTheVariantsThatPassAsNeighbors) {
   EXPECT_NE(open(frames[0]).find("data-ready=\"squeeze/0\""), std::string::npos);
 }
 
+TEST_F(Falsify, AnalyzeReportsTheSameClustersOfAFolderOfFailures) {
+  ASSERT_EQ(run(kShrink).status, 0);
+  const Json written = report("out");
+  ASSERT_EQ(written["clusters"].size(), 1U);
+  for (const char* input : {"out", "out/examined.results"}) {
+    const ProgramResult result =
+        run(std::string("slalom-analyze report ") + input + " -o again --quiet");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(report("again")["clusters"], written["clusters"]);
+    EXPECT_EQ(read("again/index.html"), read("out/index.html"));
+  }
+  write("out/examined.json", "{}");
+  expect_failure("slalom-analyze report out -o again", 3, {"out/examined.json", "slalom-falsify"});
+}
+
 TEST_F(Falsify, ShrinkDoesNotReplaceItsInput) {
   ASSERT_EQ(run(kShrink).status, 0);
   const std::string hash = failures("out")["failures"][0]["scenario"];
@@ -207,9 +222,9 @@ TEST_F(Falsify, NothingFoundIsABoundAndNotAProofOfSafety) {
 TEST_F(Falsify, ASearchThatFindsNothingLeavesNoReportOfAnotherOne) {
   ASSERT_EQ(run(kShrink).status, 0);
   const std::vector<std::string> files = {
-      "index.html",         "cluster.html",     "report.json",
-      "run.html",           "data/runs.js",     "data/summary.js",
-      "data/pictures-1.js", "examined.results", "examined.scenarios"};
+      "index.html",         "cluster.html",    "report.json",        "run.html",
+      "data/runs.js",       "data/summary.js", "data/pictures-1.js", "examined.results",
+      "examined.scenarios", "examined.json"};
   for (const std::string& file : files)
     EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / file)) << file;
   const ProgramResult result =

@@ -27,10 +27,10 @@ bool follows_from_outcome(const ValueColumn& metric) {
 /// The runs of the tested method by scenario.
 class TestedRuns {
  public:
-  TestedRuns(const ResultTable& runs, const TestBench& bench) : runs_(runs) {
+  TestedRuns(const ResultTable& runs, const ExaminedFailures& examined) : runs_(runs) {
     for (std::size_t run = 0; run < runs.size(); ++run)
-      if (runs.methods[runs.method[run]] == bench.method.name &&
-          runs.repetition[run] == static_cast<std::uint32_t>(bench.repetition))
+      if (runs.methods[runs.method[run]] == examined.method &&
+          runs.repetition[run] == static_cast<std::uint32_t>(examined.repetition))
         by_scenario_[runs.scenario_hashes[runs.scenario[run]]] = run;
   }
   std::size_t at(const std::string& hash) const {
@@ -47,15 +47,16 @@ class TestedRuns {
 
 class Explainer {
  public:
-  Explainer(const ResultFile& file, const ResultTable& runs, const TestBench& bench,
-            const std::vector<ExaminedFailure>& failures, double confidence)
+  Explainer(const ResultFile& file, const ResultTable& runs, const ReportOptions& options,
+            const ExaminedFailures& examined)
       : file_(file),
         runs_(runs),
-        bench_(bench),
-        failures_(failures),
-        confidence_(confidence),
-        tested_(runs, bench) {
-    for (const ExaminedFailure& failure : failures) reported_.push_back(reported(failure));
+        options_(options),
+        examined_(examined),
+        failures_(examined.failures),
+        confidence_(options.analysis.confidence),
+        tested_(runs, examined) {
+    for (const ExaminedFailure& failure : failures_) reported_.push_back(reported(failure));
   }
 
   std::vector<ReportedCluster> clusters() const {
@@ -70,7 +71,8 @@ class Explainer {
  private:
   const ResultFile& file_;
   const ResultTable& runs_;
-  const TestBench& bench_;
+  const ReportOptions& options_;
+  const ExaminedFailures& examined_;
   const std::vector<ExaminedFailure>& failures_;
   double confidence_;
   TestedRuns tested_;
@@ -89,9 +91,9 @@ class Explainer {
   }
 
   FailureFacts facts_of(const ExaminedFailure& failure) const {
-    const auto run = file_.read_run(failure.smallest, bench_.method.name, bench_.repetition);
+    const auto run = file_.read_run(failure.smallest, examined_.method, examined_.repetition);
     if (!run) throw job_error(file_.path(), "no run in scenario " + failure.smallest);
-    const World world(file_.read_scenario(failure.smallest), bench_.setup.simulation.resolution);
+    const World world(file_.read_scenario(failure.smallest), options_.resolution);
     Trajectory trajectory = file_.read_trajectory(*run);
     if (trajectory.samples.empty()) {  // the method ended its process before the first cycle
       trajectory.samples.emplace_back();
@@ -99,7 +101,7 @@ class Explainer {
     }
     const auto outcome = from_name<Outcome>(run->outcome);
     if (!outcome) throw file_error(file_.path(), "unknown outcome " + run->outcome);
-    FailureFacts facts = measure_end(world, bench_.setup.robot, *outcome, trajectory);
+    FailureFacts facts = measure_end(world, options_.robot, *outcome, trajectory);
     facts.obstacles = failure.obstacles;
     facts.bottleneck_width = failure.bottleneck_width;
     return facts;
@@ -173,10 +175,9 @@ class Explainer {
 }  // namespace
 
 std::vector<ReportedCluster> explain_failures(const ResultFile& file, const ResultTable& runs,
-                                              const TestBench& bench,
-                                              const std::vector<ExaminedFailure>& failures,
-                                              double confidence) {
-  return Explainer(file, runs, bench, failures, confidence).clusters();
+                                              const ReportOptions& options,
+                                              const ExaminedFailures& examined) {
+  return Explainer(file, runs, options, examined).clusters();
 }
 
 }  // namespace slalom

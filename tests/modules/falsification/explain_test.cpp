@@ -1,3 +1,4 @@
+#include "error_text.h"
 #include "memory_folder.h"
 
 #include <slalom/core/error.h>
@@ -20,7 +21,6 @@ const QuantityInfo kProgress = {"progress", 1, "Progress", "-", Direction::Up};
 /// A result file with made-up runs of the method "mine".
 class Explain : public testing::Test {
  protected:
-  Explain() { bench_.method.name = "mine"; }
   ~Explain() override { std::filesystem::remove_all(folder_); }
   static std::filesystem::path make_folder() {
     std::string pattern = (memory_folder() / "slalom_explain_XXXXXX").string();
@@ -67,7 +67,8 @@ class Explain : public testing::Test {
 
   std::vector<ReportedCluster> explain(const std::vector<ExaminedFailure>& failures) {
     file_.commit();
-    return explain_failures(ResultFile::open(path()), read_results(path()), bench_, failures, 0.95);
+    return explain_failures(ResultFile::open(path()), read_results(path()), {},
+                            {"mine", 0, failures});
   }
 
   /// `n` failures of higher density than their neighbors; half of them are wider.
@@ -79,7 +80,6 @@ class Explain : public testing::Test {
   }
 
   const std::filesystem::path folder_ = make_folder();
-  TestBench bench_;
   ResultFile file_ = ResultFile::create(path(), {}, {kDensity, kWidth}, {kSpeed, kProgress});
   int count_ = 0;
 };
@@ -154,6 +154,36 @@ TEST_F(Explain, RefusesResultsWithoutTheRuns) {
   ExaminedFailure failure = add_failure(0.3, 1);
   failure.smallest = "missing";
   EXPECT_THROW(explain({failure}), Error);
+}
+
+TEST(ExaminedFailures, AreReadAsTheyWereWritten) {
+  ExaminedFailure failure;
+  failure.found = "random candidate 3 of the search";
+  failure.command = "slalom-evaluate \"out a/failures.ini\"";
+  failure.smallest = "01";
+  failure.compared = "02";
+  failure.neighbors = {"03", "04"};
+  failure.obstacles = 2;
+  failure.bottleneck_width = 2.7000000000000002;
+  failure.independent = false;
+  const std::string text = to_json(ExaminedFailures{"mine", 3, {failure, {}}});
+  const ExaminedFailures read = examined_failures_from_json(text, "examined.json");
+  EXPECT_EQ(to_json(read), text);
+  EXPECT_EQ(read.method, "mine");
+  EXPECT_EQ(read.repetition, 3);
+  ASSERT_EQ(read.failures.size(), 2U);
+  EXPECT_EQ(read.failures[0].command, failure.command);
+  EXPECT_EQ(read.failures[0].neighbors, failure.neighbors);
+  EXPECT_EQ(read.failures[0].bottleneck_width, failure.bottleneck_width);
+  EXPECT_FALSE(read.failures[0].independent);
+  EXPECT_TRUE(read.failures[1].independent);
+}
+
+TEST(ExaminedFailures, RefuseMalformedText) {
+  for (const char* text : {"", "[]", "{\"method\": \"mine\"}", "{\"method\": 1}"})
+    EXPECT_TRUE(throws_error(ErrorKind::File, "examined.json", {"slalom-falsify"}, [&] {
+      examined_failures_from_json(text, "examined.json");
+    })) << text;
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <slalom/falsification/trial.h>
 #include <slalom/io/result_file.h>
-#include <slalom/report/reported_cluster.h>
+#include <slalom/report/report.h>
 #include <slalom/results/result_table.h>
 
 #include <cstddef>
@@ -25,15 +24,26 @@ struct ExaminedFailure {
   bool independent = true;
 };
 
+/// What was examined: the failures of one method.
+struct ExaminedFailures {
+  std::string method;
+  int repetition = 0;
+  std::vector<ExaminedFailure> failures;
+};
+
+/// JSON, to explain the same failures again.
+std::string to_json(const ExaminedFailures& examined);
+/// Throws Error (File) at `where` for malformed text.
+ExaminedFailures examined_failures_from_json(const std::string& text, const std::string& where);
+
 /// Clusters of failures (cluster_failures() of the runs in the smallest scenarios), and how the
 /// compared runs of each differ from their neighbors: every descriptor and every metric, against
 /// the median over the neighbors, by contrast_matched(). Statements are the contrasts of
 /// descriptors that hold: what differed before the run began. Metrics whose value follows from the
 /// outcome are left out. Throws Error (File) for damaged results, Error (Job) where a run is
-/// missing.
+/// missing. Of the options it uses robot, resolution and confidence.
 std::vector<ReportedCluster> explain_failures(const ResultFile& file, const ResultTable& runs,
-                                              const TestBench& bench,
-                                              const std::vector<ExaminedFailure>& failures,
-                                              double confidence);
+                                              const ReportOptions& options,
+                                              const ExaminedFailures& examined);
 
 }  // namespace slalom
