@@ -21,25 +21,29 @@ void verify(const VerifyArguments& arguments) {
   for (const std::string& line : report.environment) std::cout << "environment: " << line << "\n";
   for (const std::string& line : report.differences) std::cout << line << "\n";
   if (!report.complete) throw Interrupted("nothing was changed");
-  const std::string what = std::to_string(report.runs) + " runs in " +
-                           std::to_string(report.scenarios) +
-                           (report.scenarios == 1 ? " scenario" : " scenarios");
+  const std::string what =
+      std::to_string(report.runs) + (report.runs == 1 ? " run in " : " runs in ") +
+      std::to_string(report.scenarios) + (report.scenarios == 1 ? " scenario" : " scenarios");
   if (!report.differences.empty())
     throw job_error(arguments.results,
                     std::to_string(report.differences.size()) + " differences in " + what,
                     "identical results");
-  std::cout << what << " are identical\n";
+  std::cout << what << (report.runs == 1 ? " is identical\n" : " are identical\n");
 }
 
 }  // namespace
 
 void define_verify(CLI::App& app) {
   static VerifyArguments arguments;
-  CLI::App* verb = app.add_subcommand("verify", "Run a sample again and compare it bit by bit");
+  CLI::App* verb =
+      app.add_subcommand("verify", "Run a sample or one run again and compare it bit by bit");
   verb->add_option("results", arguments.results, "A result file (.results)")->required();
-  verb->add_option("--fraction", arguments.sample.fraction, "Part of the scenarios")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+  CLI::Option* fraction =
+      verb->add_option("--fraction", arguments.sample.fraction, "Part of the scenarios")
+          ->check(CLI::Range(0.0, 1.0))
+          ->capture_default_str();
+  verb->add_option("--run", arguments.sample.run, "Only this run: HASH8/METHOD/REPETITION")
+      ->excludes(fraction);
   verb->add_option("--seed", arguments.sample.seed, "Seed of the choice of scenarios")
       ->capture_default_str();
   verb->add_option("-c,--config", arguments.campaign.config,

@@ -121,6 +121,15 @@ TEST_F(Simulate, VerifyRunsASampleAgainAndNamesWhatIsDifferent) {
   EXPECT_EQ(same.out, "8 runs in 4 scenarios are identical\n") << same.err;
   EXPECT_EQ(run("slalom-simulate verify a.results --quiet").out,
             "2 runs in 1 scenario are identical\n");
+  const std::string dump = run("slalom-analyze dump a.results").out;
+  const std::string key = "\"hash\":\"";
+  const std::string id = dump.substr(dump.find(key) + key.size(), 8) + "/gap/0";
+  EXPECT_EQ(run("slalom-simulate verify a.results --quiet --run " + id).out,
+            "1 run in 1 scenario is identical\n")
+      << id;
+  const ProgramResult unknown = run("slalom-simulate verify a.results --quiet --run 0/gap/0");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("no such run in these results"), std::string::npos) << unknown.err;
   // Another method under the name of the library that the campaign used.
   std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_go_to_goal.so",
                              folder_ / "gap.so", std::filesystem::copy_options::overwrite_existing);

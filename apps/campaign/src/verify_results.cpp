@@ -5,6 +5,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
 #include <slalom/core/text.h>
+#include <slalom/io/find_run.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 #include <slalom/references/reference_codec.h>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace slalom {
 namespace {
@@ -22,8 +24,11 @@ using Json = nlohmann::json;
 /// Compares the results of a campaign with those in a file.
 class ComparingSink : public CampaignSink {
  public:
-  explicit ComparingSink(const ResultFile& file)
-      : file_(file), campaign_(file.read_manifest()["campaign"]) {}
+  /// `first_repetition`: earlier ones are not compared.
+  ComparingSink(const ResultFile& file, int first_repetition)
+      : file_(file),
+        campaign_(file.read_manifest()["campaign"]),
+        first_repetition_(first_repetition) {}
 
   void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
                     const References& references) override {
@@ -35,6 +40,7 @@ class ComparingSink : public CampaignSink {
   }
 
   void add_run(const RunRecord& run, const RunTiming&, const Trajectory&) override {
+    if (run.repetition < first_repetition_) return;
     const auto recorded = file_.read_run(run.scenario_hash, run.method, run.repetition);
     if (!recorded) return;  // of an incomplete campaign
     ++report.runs;
@@ -62,6 +68,7 @@ class ComparingSink : public CampaignSink {
 
   const ResultFile& file_;
   std::string campaign_;
+  int first_repetition_;
   std::map<std::string, ScenarioRecord> record_;
 };
 
@@ -77,6 +84,22 @@ std::vector<Scenario> sample_scenarios(const ResultFile& file, const VerifySampl
   std::vector<Scenario> scenarios;
   for (const std::string& hash : hashes) scenarios.push_back(file.read_scenario(hash));
   return scenarios;
+}
+
+/// The campaign of one run: its scenario is returned; other methods and later repetitions are left
+/// out.
+std::vector<Scenario> restrict_to_run(const ResultFile& file, const RunRecord& run,
+                                      CampaignConfig& config) {
+  auto& methods = config.methods;
+  methods.erase(
+      std::remove_if(methods.begin(), methods.end(),
+                     [&](const NamedMethod& method) { return method.name != run.method; }),
+      methods.end());
+  if (methods.empty())
+    throw usage_error("method '" + run.method + "'", "is not in the campaign",
+                      "the campaign's .ini");
+  config.options.repetitions = run.repetition + 1;
+  return {file.read_scenario(run.scenario_hash)};
 }
 
 std::vector<std::string> environment_differences(const Manifest& recorded, const Manifest& here) {
@@ -97,16 +120,19 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
                             const VerifySample& sample) {
   const ResultFile file = ResultFile::open(path);
   Manifest manifest = file.read_manifest();
-  const CampaignConfig config =
+  CampaignConfig config =
       read_campaign(arguments.config.empty() ? IniFile::from_text(manifest["campaign.ini"], path)
                                              : load_campaign_ini(arguments));
   const auto planner = make_ompl_planner(config.reference, config.options.setup.robot);
-  const Campaign campaign{config.options, sample_scenarios(file, sample), config.methods,
-                          planner.get()};
+  const std::optional<RunRecord> only =
+      sample.run.empty() ? std::nullopt : std::optional(find_run(file, sample.run));
+  const std::vector<Scenario> scenarios =
+      only ? restrict_to_run(file, *only, config) : sample_scenarios(file, sample);
+  const Campaign campaign{config.options, scenarios, config.methods, planner.get()};
   check_methods(campaign);
   const auto progress = make_terminal_progress(arguments.quiet);
   const InterruptGuard guard;
-  ComparingSink sink(file);
+  ComparingSink sink(file, only ? only->repetition : 0);
   const CampaignSummary summary =
       run_campaign(campaign, sink, {arguments.jobs, *progress, InterruptGuard::raised});
   sink.report.complete = summary.complete;

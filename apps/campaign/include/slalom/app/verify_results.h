@@ -9,10 +9,11 @@
 
 namespace slalom {
 
-/// The part of the scenarios that is run again.
+/// The part of the scenarios that is run again, or one run.
 struct VerifySample {
   double fraction = 0.05;  ///< at least one scenario
   std::uint64_t seed = 1;
+  std::string run;  ///< HASH8/METHOD/REPETITION; empty: all runs of the scenarios of the sample
 };
 
 struct VerifyReport {
@@ -22,9 +23,9 @@ struct VerifyReport {
   std::vector<std::string> environment;  ///< what differs from the machine that made the file
 };
 
-/// Runs a sample of the scenarios of a result file again, all methods and repetitions, and compares
-/// descriptors, references, outcomes, metrics and trajectories bit by bit. The campaign is the one
-/// in the file, or `arguments.config` if it is not empty. Throws Error.
+/// Runs a sample of the scenarios of a result file again, all methods and repetitions, or one run,
+/// and compares descriptors, references, outcomes, metrics and trajectories bit by bit. The
+/// campaign is the one in the file, or `arguments.config` if it is not empty. Throws Error.
 VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
                             const VerifySample& sample);
 
