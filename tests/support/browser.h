@@ -16,16 +16,21 @@ inline bool has_browser() {
   return std::system("command -v chromium >/dev/null 2>&1") == 0;
 }
 
+/// Whether the page's timers end at once, or its clock is real and what follows its load is not
+/// waited for.
+enum class PageTime { Virtual, Real };
+
 /// The document of a local file (with a fragment or without) after its scripts have run, which must
 /// not report errors. `folder` takes temporary files. `options` of the browser.
 inline std::string open_in_browser(const std::string& file, const std::filesystem::path& folder,
-                                   const std::string& options = "") {
+                                   const std::string& options = "",
+                                   PageTime time = PageTime::Virtual) {
   const auto path = [&folder](const char* name) { return (folder / name).string(); };
   const std::string command =
-      "chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr "
-      "--virtual-time-budget=3000 --user-data-dir='" +
-      path(".profile") + "' " + options + " --dump-dom 'file://" + file + "' >'" + path(".dom") +
-      "' 2>'" + path(".log") + "' </dev/null";
+      "chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr " +
+      std::string(time == PageTime::Virtual ? "--virtual-time-budget=3000 " : "") +
+      "--user-data-dir='" + path(".profile") + "' " + options + " --dump-dom 'file://" + file +
+      "' >'" + path(".dom") + "' 2>'" + path(".log") + "' </dev/null";
   EXPECT_EQ(std::system(command.c_str()), 0) << file;
   std::ifstream log(path(".log"));
   for (std::string line; std::getline(log, line);)

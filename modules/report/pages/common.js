@@ -69,6 +69,9 @@ function addressOf(place, settings) {
 // So that the address of the page can be shared; not a step of the browser's history.
 const writeAddress = (place, settings) => history.replaceState(null, "", addressOf(place, settings));
 
+// A word of a command for a shell.
+const shellWord = (text) => (/^[\w.\/@:+-]+$/.test(text) ? text : "'" + text.replaceAll("'", "'\\''") + "'");
+
 // A command for a terminal, with a button that copies it.
 function commandLine(text) {
   const code = html("pre", { class: "command" }, text);

@@ -141,6 +141,8 @@ function showRun(run) {
   element("outcome").textContent = run.outcome + (run.detail ? ": " + run.detail : "");
   element("id").textContent = scenario.id + "/" + runKey(run);
   element("seed").textContent = run.seed;
+  element("command").replaceChildren(commandLine(
+    `slalom-simulate verify ${shellWord(report.results)} --run ${shellWord(scenario.id + "/" + runKey(run))}`));
   element("method").href = "method.html#" + (report.methods.findIndex(({ name }) => name === run.method) + 1);
   const rawlog = element("rawlog");
   rawlog.hidden = !run.rawlog;

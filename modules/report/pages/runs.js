@@ -2,21 +2,26 @@
 // sorted, filtered and extended by any metric or descriptor. The address has the choices.
 "use strict";
 
-const STEP = 200;  // rows that are displayed at first, and more at a time
+const STEP = 100;  // rows that are displayed at first, and more at a time
 const TEXT_COLUMNS = ["scenario", "method", "repetition", "outcome"];
 const view = { place: "", runs: [], filter: "", sort: "scenario", down: false, columns: [], limit: STEP };
 const collator = new Intl.Collator("en", { numeric: true });
 
-// Numbers before missing values, in both directions.
-function compareFields(a, b, sign) {
-  const numbers = (typeof b === "number") - (typeof a === "number");
-  if (numbers !== 0) return numbers;
-  return sign * (typeof a === "number" ? a - b : collator.compare(a, b));
+// Numbers in whose order the runs are sorted by a field: places of texts, values, and NaN for missing ones.
+const keys = new Map();
+function sortKeys(id) {
+  if (keys.has(id)) return keys.get(id);
+  const values = field(id), isText = Object.hasOwn(TEXT_FIELDS, id) && id !== "repetition";
+  const places = new Map(isText ? [...new Set(values)].sort(collator.compare).map((text, place) => [text, place]) : []);
+  keys.set(id, values.map((value) => (isText ? places.get(value) : typeof value === "number" ? value : NaN)));
+  return keys.get(id);
 }
 
+// Missing values are last in both directions.
 function shownRuns() {
-  const runs = filterRuns(view.runs, view.filter), values = field(view.sort), sign = view.down ? -1 : 1;
-  return runs.sort((a, b) => compareFields(values[a], values[b], sign) || a - b);
+  const order = sortKeys(view.sort), sign = view.down ? -1 : 1;
+  const compare = (a, b) => Number.isNaN(order[a]) - Number.isNaN(order[b]) || sign * (order[a] - order[b]) || a - b;
+  return filterRuns(view.runs, view.filter).sort(compare);
 }
 
 function valueNode(run, id) {

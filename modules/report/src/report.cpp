@@ -170,11 +170,12 @@ void write_report(const std::string& results, const ResultTable& runs, const Rep
                   const std::string& directory) {
   const ReportInput input = make_report_input(runs, options);
   std::vector<RunGroup> groups;
-  const std::string summary = json_text(report_data(input, groups));
+  OrderedJson data = report_data(input, groups);
+  data["results"] = std::filesystem::path(results).lexically_normal().filename().string();
+  const std::string summary = json_text(data);
   make_directory(directory);
   OrderedJson lists = ScenarioFiles(results, input, directory).write();
   lists["groups"] = groups_json(groups);
-  lists["results"] = std::filesystem::path(results).lexically_normal().filename().string();
   const std::string runs_text = json_text(lists), values = json_text(value_data(runs));
   const auto write = [&directory](const std::string& name, const std::string& text) {
     write_file_atomically((std::filesystem::path(directory) / name).string(), text);

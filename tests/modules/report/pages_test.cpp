@@ -73,7 +73,11 @@ TEST_F(ReportPages, ARunOfAnyNameIsLinked) {
   const auto links =
       all_matches(open("runs.html"), "href=\"(run\\.html#[0-9a-f]{8}/%3Cbad%3E/0)\"");
   ASSERT_EQ(links.size(), 1u);
-  EXPECT_EQ(count(open(links.front()), "<h1 id=\"title\">room 0: &lt;bad&gt;/0</h1>"), 1u);
+  const std::string run = open(links.front());
+  EXPECT_EQ(count(run, "<h1 id=\"title\">room 0: &lt;bad&gt;/0</h1>"), 1u);
+  const std::string id = links.front().substr(std::string("run.html#").size(), 8);
+  EXPECT_EQ(
+      count(run, "slalom-simulate verify runs.results --run '" + id + "/&lt;bad&gt;/0'</pre>"), 1u);
 }
 
 TEST_F(ReportPages, ShowThePictureTheOutcomesAndTheDescriptorsOfEveryScenario) {
