@@ -64,9 +64,10 @@ function tableCell(cell, scale, group) {
                   [whisker(cell, scale), support(supportText(cell, scale.column, scale.digits))]);
 }
 
-function headerCell(column) {
+// Leads to the page that explores the metric, by the quantity `by` if it is not empty.
+function headerCell(column, by) {
   const arrow = { up: " ↑", down: " ↓", none: "" }[column.direction];
-  return html("th", {}, html("a", { href: "explore.html" + addressOf("", { metric: column.id }) }, column.name), arrow + unitText(column),
+  return html("th", {}, html("a", { href: "explore.html" + addressOf("", { metric: column.id, by }) }, column.name), arrow + unitText(column),
               html("br"), html("code", {}, column.id),
               column.wall_clock ? [html("br"), "wall clock"] : null);
 }

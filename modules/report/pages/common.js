@@ -40,11 +40,11 @@ const runId = (hash, method, repetition) => `${hash.slice(0, 8)}/${encodeURIComp
 const OUTCOME_KINDS = { success: "good", collision: "hit", left_workspace: "left", timeout: "late", stuck: "stuck" };
 const outcomeKind = (outcome) => OUTCOME_KINDS[outcome] || (outcome.startsWith("method_") ? "fault" : "odd");
 
-// With a symbol, so that color is not the only cue.
-function outcomeChip(outcome, count, title) {
+// With a symbol, so that color is not the only cue; `href` of its runs.
+function outcomeChip(outcome, count, title, href) {
   const kind = outcomeKind(outcome);
   const sign = { good: "✓", hit: "✕", left: "↦", late: "◷", stuck: "‖", fault: "!", odd: "?" }[kind];
-  return html("span", { class: "chip " + kind, title: title || null }, sign + " " + outcome + (count ? " " + count : ""));
+  return html(href ? "a" : "span", { class: "chip " + kind, title: title || null, href: href || null }, sign + " " + outcome + (count ? " " + count : ""));
 }
 
 const unitText = (quantity) => (quantity.unit === "-" ? "" : ` [${quantity.unit}]`);

@@ -15,8 +15,6 @@ function runText(run) {
 // The address of the list of the runs for which the words hold besides the filter.
 const listAddress = (...words) => "runs.html" + addressOf("", { filter: [choice.filter, ...words].filter(Boolean).join(" "),
                                                                 sort: choice.metric, columns: choice.metric + "," + choice.by });
-const methodWord = (method) => "method=" + JSON.stringify(report.methods[method].name);
-
 function wordsOf(bin) {
   const words = bin.low === null ? [] : [`${choice.by}>=${bin.low}`];
   return bin.high === null ? words : [...words, `${choice.by}${bin.high_included ? "<=" : "<"}${bin.high}`];
@@ -63,7 +61,7 @@ function showChoice() {
   element("report").replaceChildren(choiceTable(runs, quantity, across, methods),
     html("div", { class: "charts" },
       chartCard("Runs over " + across.name, markChart(scatter.picture, scatter.points, runText), legend(groups.map(({ method }) =>
-        ({ color: report.methods[method].color, label: report.methods[method].name }))), support("● success, ✕ failure; in the strip NA: runs without a value.")),
+        ({ color: report.methods[method].color, label: report.methods[method].name }))), markLegend(), support("In the strip NA: runs without a value.")),
       chartCard("Distribution by method", markChart(box.picture, box.points, runText),
         support("Box: quartiles; line: 5 % to 95 % of the values; below, every run.")),
       chartCard("Cumulative distribution", cumulativeChart(quantity, groups))));

@@ -74,3 +74,7 @@ const runAddress = (index) => {
   const [scenario, method, repetition] = report.runs[index];
   return "run.html#" + runId(report.scenarios[scenario].hash, report.methods[method].name, repetition);
 };
+
+// Words of filters.
+const methodWord = (method) => "method=" + JSON.stringify(report.methods[method].name);
+const listOf = (...words) => "runs.html" + addressOf("", { filter: words.join(" ") });

@@ -1,17 +1,31 @@
-// Runs as points of a chart: drawn as one path per method and kind, found by the pointer or by keys, opened by a click.
+// Runs as points of a chart: drawn as one path per method and kind of outcome, found by the pointer or by keys, opened by a click.
 "use strict";
 
-const DOT = (x, y) => `M${x} ${y}h0`, CROSS = (x, y) => `M${x - 3} ${y - 3}l6 6m0 -6l-6 6`;
+// The marks of the kinds of outcomes.
+const MARKS = {
+  good: (x, y) => `M${x} ${y}h0`, hit: (x, y) => `M${x - 3} ${y - 3}l6 6m0 -6l-6 6`, left: (x, y) => `M${x - 4} ${y}h8m-3 -3l3 3l-3 3`,
+  late: (x, y) => `M${x - 3} ${y - 3}h6l-6 6h6z`, stuck: (x, y) => `M${x - 2} ${y - 4}v8m4 0v-8`,
+  fault: (x, y) => `M${x} ${y - 4}v8m-4 -4h8`, odd: (x, y) => `M${x - 3} ${y - 3}h6v6h-6z`,
+};
 
-// `points`: { x, y } in coordinates of the chart, and `run`. A dot is a success, a cross a failure.
+// The marks of the outcomes that occur, with their names.
+function markLegend() {
+  const item = (outcome) => html("span", {},
+    svg("svg", { class: "chart mark", viewBox: "-6 -6 12 12" }, svg("path", { class: markClass(outcomeKind(outcome)), d: MARKS[outcomeKind(outcome)](0, 0) })),
+    outcome);
+  return html("div", { class: "legend" }, report.outcomes.map(item));
+}
+const markClass = (kind) => (kind === "good" ? "dots" : "crosses");
+
+// `points`: { x, y } in coordinates of the chart, and `run`.
 function drawMarks(points) {
   const paths = new Map();
   for (const { x, y, run } of points) {
-    const isDot = field("outcome")[run] === "success", key = report.runs[run][1] + (isDot ? "." : "x");
-    if (!paths.has(key)) paths.set(key, { color: report.methods[report.runs[run][1]].color, isDot, d: [] });
-    paths.get(key).d.push((isDot ? DOT : CROSS)(Number(x.toFixed(1)), Number(y.toFixed(1))));
+    const kind = outcomeKind(field("outcome")[run]), key = report.runs[run][1] + kind;
+    if (!paths.has(key)) paths.set(key, { color: report.methods[report.runs[run][1]].color, kind, d: [] });
+    paths.get(key).d.push(MARKS[kind](Number(x.toFixed(1)), Number(y.toFixed(1))));
   }
-  return [...paths.values()].map(({ color, isDot, d }) => svg("path", { class: isDot ? "dots" : "crosses", d: d.join(""), stroke: color }));
+  return [...paths.values()].map(({ color, kind, d }) => svg("path", { class: markClass(kind), d: d.join(""), stroke: color }));
 }
 
 // Shows the nearest point under the pointer, or the next one by arrow keys, in `note`; a click or Enter opens its run.

@@ -34,7 +34,7 @@ function showMethod() {
   document.title = report.campaign + ": " + name;
   element("title").textContent = name;
   element("campaign").textContent = "Report of " + report.campaign;
-  element("runs").href = "runs.html" + addressOf("", { filter: "method=" + JSON.stringify(name) });
+  element("runs").href = listOf(methodWord(index));
   element("others").replaceChildren(...report.methods.map((other, i) =>
     i === index ? "" : [" · ", html("a", { href: "method.html#" + (i + 1) }, other.name)]).flat().filter(Boolean));
   showSections([

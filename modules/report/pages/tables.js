@@ -4,7 +4,8 @@
 function outcomeCell(method) {
   const parts = report.outcomes.map((outcome, i) => [outcome, method.outcomes[i]]).filter(([, n]) => n > 0);
   const bar = ([outcome, n]) => html("i", { class: outcomeKind(outcome), style: "flex:" + n, title: outcome + " " + n });
-  return html("td", {}, html("div", { class: "bar" }, parts.map(bar)), parts.map(([outcome, n]) => outcomeChip(outcome, n)));
+  return html("td", {}, html("div", { class: "bar" }, parts.map(bar)), parts.map(([outcome, n]) =>
+    outcomeChip(outcome, n, null, listOf(methodWord(method.method), "outcome=" + outcome))));
 }
 
 // The reasons of missing values of the columns over all rows.
@@ -24,9 +25,9 @@ function summarySection(method) {
   const line = (row) => html("tr", {},
     html("th", { class: "name" }, swatch(report.methods[row.method].color),
          html("a", { href: "method.html#" + (row.method + 1) }, report.methods[row.method].name)),
-    html("td", {}, String(row.n)), outcomeCell(row), scales.map((scale, i) => tableCell(row.cells[i], scale, row.runs)));
+    html("td", {}, html("a", { href: runsLink(row.runs) }, String(row.n))), outcomeCell(row), scales.map((scale, i) => tableCell(row.cells[i], scale, row.runs)));
   const percent = Number((100 * report.confidence).toPrecision(12));
-  return [card(tableOf({}, [["Method", "Runs", "Outcomes"].map(heading), report.columns.map(headerCell)], rows.map(line)),
+  return [card(tableOf({}, [["Method", "Runs", "Outcomes"].map(heading), report.columns.map((column) => headerCell(column, ""))], rows.map(line)),
                missingNote(rows)),
           method !== null ? null : soft(`Each cell: the mean (for success the fraction of runs) with its ${percent} % ` +
             "confidence interval, drawn below on the column's scale; then the standard deviation and the number n of values. " +
@@ -49,7 +50,7 @@ function crossTable(table, descriptor, scales) {
   const line = (row) => html("tr", {}, html("th", {}, row.bin, runsOf(row)),
                              scales.map((scale, i) => tableCell(row.cells[i], scale, row.runs)));
   return card(html("h4", {}, methodName(table.method)),
-    tableOf({ class: "even", style: width }, [heading(descriptor.name + unitText(descriptor)), report.columns.map(headerCell)], table.rows.map(line)),
+    tableOf({ class: "even", style: width }, [heading(descriptor.name + unitText(descriptor)), report.columns.map((column) => headerCell(column, descriptor.id))], table.rows.map(line)),
     missingNote(table.rows), table.notes.map((note) => html("p", { class: "support" }, note)));
 }
 
@@ -103,7 +104,8 @@ function validitySection(method) {
   const field = (descriptor, metric) => {
     const { rho, interval } = all.find((one) => one.descriptor === descriptor && one.metric === metric);
     if (rho === null) return html("td", { class: "na" }, "–");
-    return html("td", {}, fixed(rho, 2), html("span", { class: "interval" }, intervalText(interval, 2)));
+    const explore = "explore.html" + addressOf("", { metric, by: descriptor, filter: methodWord(method) });
+    return html("td", {}, html("a", { href: explore }, fixed(rho, 2)), html("span", { class: "interval" }, intervalText(interval, 2)));
   };
   const line = (descriptor) => html("tr", {}, heading(descriptor), metrics.map((metric) => field(descriptor, metric)));
   return [soft("Spearman's rank correlation of each scenario descriptor with the performance of the method, with intervals."),

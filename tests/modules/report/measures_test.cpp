@@ -96,6 +96,34 @@ TEST_F(PageMeasures, TheDemosReportIsPrintedOnAtMostEightPages) {
   EXPECT_LE(pages.size(), 8u);
 }
 
+TEST_F(PageMeasures, ArrowKeysMoveBetweenTheLinksOfATableAndOutcomesHavePatterns) {
+  make_report({});
+  const nlohmann::json found = probe({"index.html"}, 1280, R"js(
+    onload = () => setTimeout(() => {
+      const page = frames()[0], view = page.defaultView, table = page.querySelector("table[data-keys]");
+      const press = (key) => {
+        page.activeElement.dispatchEvent(new view.KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+        return page.activeElement.textContent;
+      };
+      const links = [...table.querySelectorAll("a[href]")];
+      links[0].focus();
+      const texts = ["End", "Home", "ArrowRight", "ArrowDown"].map(press);
+      const bars = [...page.querySelectorAll(".bar i")].map((bar) => {
+        const style = view.getComputedStyle(bar);
+        return bar.className + ": " + style.backgroundImage + style.backgroundColor;
+      });
+      show({ texts, expected: [links[links.length - 1], links[0], links[1], table.rows[1].cells[4].querySelector("a")].map((link) =>
+               link.textContent), stops: table.querySelectorAll("[tabindex='0']").length, links: links.length,
+             looks: new Set(bars.map((bar) => bar.split(": ")[1])).size, kinds: new Set(bars.map((bar) => bar.split(": ")[0])).size });
+    }, 500);
+  )js");
+  EXPECT_EQ(found["texts"], found["expected"]);
+  EXPECT_EQ(found["stops"], 1) << found;
+  EXPECT_GT(found["links"], 20) << found;
+  EXPECT_EQ(found["kinds"], 5) << "success, collision, left_workspace, timeout, stuck: " << found;
+  EXPECT_EQ(found["looks"], 5) << found;
+}
+
 // Ten times the times that are aimed at: 1 s to the first paint, 0.1 s for what the reader does
 // (the machine of a test may be busy). docs/report.md has measured times.
 TEST_F(PageMeasures, TenThousandRunsAreDrawnAndFilteredWithoutDelay) {
