@@ -3,10 +3,13 @@
 #include <slalom/app/completion.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/commands/describe_list.h>
+#include <slalom/core/error.h>
 #include <slalom/core/printable.h>
+#include <slalom/io/result_fields.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -21,6 +24,21 @@ DescribeOptions describe_options(const ListArguments& arguments) {
   return options;
 }
 
+/// Descriptors, and the results in the file after --results.
+Words field_names(const Words& words) {
+  Words names = descriptor_ids();
+  const auto option = std::find(words.begin(), words.end(), "--results");
+  if (words.end() - option < 3) return names;
+  try {
+    const ResultFields results(*(option + 1));
+    for (const std::string& method : results.methods())
+      for (const std::string& field : results.of_method(method)) names.push_back(field);
+  } catch (const Error&) {
+    // There is no such file yet.
+  }
+  return names;
+}
+
 }  // namespace
 
 CLI::App* add_filter_verb(CLI::App& app, const std::string& name, const std::string& help,
@@ -30,7 +48,11 @@ CLI::App* add_filter_verb(CLI::App& app, const std::string& name, const std::str
       verb->add_option(
           "--where", arguments.selection.where,
           "Scenarios that satisfy a condition, such as \"density < 0.2 and tag = narrow\""),
-      [](const Words&) { return descriptor_ids(); });
+      field_names);
+  verb->add_option("--results", arguments.selection.results,
+                   "Results of these scenarios (.results, or a folder of shards): fields of "
+                   "--where and --order-by such as outcome.METHOD, success.METHOD, "
+                   "path_length.METHOD");
   verb->add_option("--ids", arguments.selection.ids,
                    "Scenarios with these ids or names, comma-separated");
   add_robot_options(*verb, arguments.list);
@@ -45,7 +67,7 @@ void add_order_options(CLI::App& verb, FilterArguments& arguments) {
   complete_with(
       verb.add_option("--order-by", arguments.selection.order_by,
                       "Sort order, such as \"density desc, name\" (default: order of the list)"),
-      [](const Words&) { return descriptor_ids(); });
+      field_names);
   verb.add_option("--limit", arguments.selection.limit, "Maximum number of scenarios")
       ->check(CLI::NonNegativeNumber);
 }

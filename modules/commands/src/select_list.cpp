@@ -2,6 +2,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>
+#include <slalom/io/result_fields.h>
 
 #include <algorithm>
 
@@ -26,11 +27,13 @@ void complete_indexes(ScenarioList& list, const std::string& where, const Descri
 }
 
 /// Descriptors in the condition and the order, sorted.
-std::vector<std::string> used_descriptors(const ListSelection& selection,
-                                          const SelectionVocabulary& vocabulary) {
-  std::vector<std::string> ids = number_fields(selection.where, vocabulary);
+std::vector<std::string> used_descriptors(const ListSelection& selection) {
+  const std::vector<std::string> known = descriptor_ids();
+  std::vector<std::string> ids;
+  for (const std::string& field : used_fields(selection.where))
+    if (contains(known, field)) ids.push_back(field);
   for (const SelectionOrder& order : selection.order)
-    if (contains(vocabulary.numbers, order.field)) ids.push_back(order.field);
+    if (contains(known, order.field)) ids.push_back(order.field);
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
@@ -47,6 +50,7 @@ std::string origin_text(const SelectionRequest& request) {
   std::string text;
   if (!request.where.empty()) text += " where " + request.where;
   if (!request.ids.empty()) text += " ids " + request.ids;
+  if (!request.results.empty()) text += " results " + request.results;
   if (!request.order_by.empty()) text += " order by " + request.order_by;
   if (request.limit >= 0) text += " limit " + std::to_string(request.limit);
   return text;
@@ -63,7 +67,9 @@ DescriptorView describe_list(ScenarioList& list, DescribeOptions options,
 ListSelection select_scenarios(ScenarioList& list, const SelectionRequest& request,
                                const DescribeOptions& options, Progress& progress) {
   ListSelection selection;
-  const SelectionVocabulary vocabulary = list.vocabulary(descriptor_ids());
+  SelectionVocabulary vocabulary = list.vocabulary(descriptor_ids());
+  std::optional<ResultFields> results;
+  if (!request.results.empty()) results.emplace(request.results).add_to(vocabulary);
   if (!request.where.empty()) selection.where = parse_selection(request.where, vocabulary);
   if (!request.order_by.empty())
     selection.order = parse_selection_order(request.order_by, vocabulary);
@@ -73,7 +79,8 @@ ListSelection select_scenarios(ScenarioList& list, const SelectionRequest& reque
       selection.hashes->push_back(list.find_entry(id).hash);
   }
   if (request.limit >= 0) selection.limit = static_cast<std::size_t>(request.limit);
-  selection.view = describe_list(list, options, used_descriptors(selection, vocabulary), progress);
+  if (results) results->provide(selection);
+  selection.view = describe_list(list, options, used_descriptors(selection), progress);
   complete_indexes(list, request.where, options, progress);
   return selection;
 }

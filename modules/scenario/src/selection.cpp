@@ -1,5 +1,6 @@
 #include "selection_parser.h"
 
+#include <slalom/core/text.h>
 #include <slalom/scenario/selection.h>
 
 #include <algorithm>
@@ -22,10 +23,19 @@ void collect(const Node& node, std::set<std::string>& fields) {
     fields.insert(among->field);
   } else if (const auto* na = std::get_if<Node::IsNa>(&node.what)) {
     fields.insert(na->field);
+  } else if (const auto* texts = std::get_if<Node::TextInSet>(&node.what)) {
+    fields.insert(texts->field);
+  } else if (const auto* matches = std::get_if<Node::Matches>(&node.what)) {
+    fields.insert(matches->field);
   }
 }
 
 }  // namespace
+
+void name_field(SelectionVocabulary& vocabulary, const std::string& name,
+                const std::string& field) {
+  vocabulary.names[lower_case(name)] = field;
+}
 
 SelectionPtr parse_selection(const std::string& text, const SelectionVocabulary& vocabulary) {
   return SelectionParser(tokenize_selection(text), vocabulary).parse_expression();
@@ -36,12 +46,20 @@ std::vector<SelectionOrder> parse_selection_order(const std::string& text,
   return SelectionParser(tokenize_selection(text), vocabulary).parse_order();
 }
 
-std::vector<std::string> number_fields(const SelectionPtr& selection,
-                                       const SelectionVocabulary& vocabulary) {
+std::vector<std::string> used_fields(const SelectionPtr& selection) {
   std::set<std::string> fields;
   if (selection) collect(*selection, fields);
-  for (const std::string& text : vocabulary.texts) fields.erase(text);
   return {fields.begin(), fields.end()};
+}
+
+std::vector<std::string> number_fields(const SelectionPtr& selection,
+                                       const SelectionVocabulary& vocabulary) {
+  std::vector<std::string> fields = used_fields(selection);
+  fields.erase(
+      std::remove_if(fields.begin(), fields.end(),
+                     [&](const std::string& field) { return contains(vocabulary.texts, field); }),
+      fields.end());
+  return fields;
 }
 
 }  // namespace slalom

@@ -131,6 +131,12 @@ std::vector<SelectionToken> tokenize_selection(const std::string& text) {
   return Lexer(text).tokens();
 }
 
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
 Error selection_error(std::size_t position, const std::string& what, const std::string& expected) {
   return usage_error("selection, character " + std::to_string(position), what, expected);
 }

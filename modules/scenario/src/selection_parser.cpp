@@ -8,6 +8,7 @@ namespace {
 // SQLite refuses deeper and larger expressions with an unhelpful message.
 constexpr std::size_t kMaxDepth = 100;
 constexpr std::size_t kMaxConditions = 400;
+constexpr std::size_t kMaxNameWords = 8;
 
 }  // namespace
 
@@ -47,7 +48,8 @@ SelectionPtr SelectionParser::negation() {
 }
 
 SelectionPtr SelectionParser::condition() {
-  const SelectionToken token = take();
+  const std::optional<SelectionToken> named = accept_field_name();
+  const SelectionToken token = named ? *named : take();
   if (token.kind == SelectionToken::Kind::Number) return comparison(token.number);
   if (token.kind != SelectionToken::Kind::Word) {
     if (token.kind != SelectionToken::Kind::End) --at_;
@@ -196,6 +198,7 @@ bool SelectionParser::is_text_field(const std::string& name) const {
 }
 
 std::string SelectionParser::field(const char* expected) {
+  if (const auto named = accept_field_name()) return named->text;
   if (current().kind != SelectionToken::Kind::Word) throw unexpected(expected);
   const SelectionToken token = take();
   if (!is_number_field(token.text) && !is_text_field(token.text)) throw unknown_field(token);
@@ -207,7 +210,33 @@ double SelectionParser::number() {
   return take().number;
 }
 
+std::optional<SelectionToken> SelectionParser::accept_field_name() {
+  const SelectionToken first = current();
+  std::string words;
+  std::optional<SelectionToken> found;
+  std::size_t end = at_;
+  for (std::size_t at = at_; at < tokens_.size() && at < at_ + kMaxNameWords; ++at) {
+    const bool quoted = tokens_[at].kind == SelectionToken::Kind::Quoted;
+    if ((quoted && at > at_) || (!quoted && tokens_[at].kind != SelectionToken::Kind::Word)) break;
+    words += (at > at_ ? " " : "") + lower_case(tokens_[at].text);
+    if (const auto known = vocabulary_.names.find(words); known != vocabulary_.names.end()) {
+      found = SelectionToken{SelectionToken::Kind::Word, known->second, 0, first.position};
+      end = at + 1;
+    } else if (quoted && (is_number_field(first.text) || is_text_field(first.text))) {
+      found = SelectionToken{SelectionToken::Kind::Word, first.text, 0, first.position};
+      end = at + 1;
+    }
+    if (quoted) break;
+  }
+  at_ = end;
+  return found;
+}
+
 SelectionOperand SelectionParser::operand() {
+  const std::size_t begin = at_;
+  if (const auto named = accept_field_name(); named && is_number_field(named->text))
+    return named->text;
+  at_ = begin;
   if (current().kind == SelectionToken::Kind::Number) return take().number;
   if (current().kind != SelectionToken::Kind::Word) throw unexpected("a number or a field");
   if (!is_number_field(current().text)) {

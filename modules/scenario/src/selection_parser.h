@@ -32,6 +32,8 @@ class SelectionParser {
   SelectionPtr texts_after_in(const std::string& field);
 
   const SelectionToken& current() const { return tokens_[at_]; }
+  /// Takes a field that is called by its name, or in quotes; none if the tokens are not one.
+  std::optional<SelectionToken> accept_field_name();
   SelectionToken take() { return tokens_[at_ + 1 < tokens_.size() ? at_++ : at_]; }
   bool accept_symbol(const char* symbol);
   bool accept_keyword(const char* word);

@@ -87,6 +87,28 @@ TEST(Selection, TextsMayBeQuotedOrNot) {
   EXPECT_FALSE(as<Node::Matches>(parse("name LIKE 'a%'")).glob);
 }
 
+TEST(Selection, FieldsMayBeCalledByTheirNames) {
+  SelectionVocabulary named = kVocabulary;
+  name_field(named, "Mean clearance", "clearness");
+  name_field(named, "Confinement, 5 % quantile", "confinement");
+  name_field(named, "Density", "density");
+  const auto fields = [&](const std::string& text) {
+    return used_fields(parse_selection(text, named));
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(fields("mean Clearance > 1"), Names{"clearness"});
+  EXPECT_EQ(fields("0.1 <= Density < mean clearance"), (Names{"clearness", "density"}));
+  EXPECT_EQ(fields("density > mean clearance and name = 'mean clearance'"),
+            (Names{"clearness", "density", "name"}));
+  EXPECT_EQ(fields("\"Confinement, 5 % quantile\" in [0, 1)"), Names{"confinement"});
+  EXPECT_EQ(fields("'density' is na"), Names{"density"});
+  EXPECT_EQ(parse_selection_order("mean clearance desc, name", named)[0].field, "clearness");
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "selection, character 1: ", {"'mean'"},
+                           [&] { fields("mean density > 1"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "selection, character 1: ", {"'no field'"},
+                           [&] { fields("'no field' > 1"); }));
+}
+
 TEST(Selection, RangesOfIndexesAreCountedFromZero) {
   EXPECT_EQ(as<Node::InRange>(parse("by_density[2]")).range, 2U);
   EXPECT_TRUE(refused("by_density[3]", 12, {"'3'", "range of 'by_density'", "expected 0 to 2"}));

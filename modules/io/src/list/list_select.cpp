@@ -2,6 +2,7 @@
 #include "selection_sql.h"
 
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 
 #include <algorithm>
 
@@ -10,10 +11,49 @@ namespace {
 
 constexpr int kBatchSize = 64;
 
-SelectionSql sql_of(ScenarioList::Impl& list, const ListSelection& selection) {
+/// The fields of a selection that are not in the list, as temporary tables.
+class FieldTables {
+ public:
+  FieldTables(ScenarioList::Impl& list, const ListSelection& selection) : list_(list) {
+    for (const auto& [name, field] : selection.fields) create(name, *field);
+  }
+  ~FieldTables() {
+    for (const auto& [field, table] : tables_)
+      list_.database->tryExec("DROP TABLE IF EXISTS " + table);
+  }
+  FieldTables(const FieldTables&) = delete;
+  FieldTables& operator=(const FieldTables&) = delete;
+  std::string of(const std::string& field) const { return tables_.at(field); }
+
+ private:
+  void create(const std::string& name, const ListField& field) {
+    const std::string table = "temp.field_" + std::to_string(tables_.size());
+    tables_[name] = table;
+    list_.database->exec("CREATE TABLE " + table +
+                         " (hash TEXT, value, PRIMARY KEY (hash, value)) WITHOUT ROWID");
+    SQLite::Statement insert(*list_.database, "INSERT INTO " + table + " VALUES (?, ?)");
+    const auto add = [&](const std::string& hash, const auto& value) {
+      insert.reset();
+      insert.bind(1, hash);
+      insert.bind(2, value);
+      insert.exec();
+    };
+    for (const auto& [hash, value] : field.numbers)
+      if (!value.is_na()) add(hash, value.number());
+    for (const auto& [hash, texts] : field.texts)
+      for (const std::string& text : texts) add(hash, text);
+  }
+
+  ScenarioList::Impl& list_;
+  std::map<std::string, std::string> tables_;  ///< by field
+};
+
+SelectionSql sql_of(ScenarioList::Impl& list, const ListSelection& selection,
+                    const FieldTables& fields) {
   return translate_selection(selection,
                              {[&](const auto& keys) { return list.key_condition(keys); },
-                              [&](const std::string& name) { return list.index(name); }});
+                              [&](const std::string& name) { return list.index(name); },
+                              [&](const std::string& field) { return fields.of(field); }});
 }
 
 }  // namespace
@@ -21,7 +61,8 @@ SelectionSql sql_of(ScenarioList::Impl& list, const ListSelection& selection) {
 SelectedScenarios::SelectedScenarios(ScenarioList::Impl& list, const ListSelection& selection)
     : list_(list), table_("temp.selected_" + std::to_string(++list.selections)) {
   reading(list_.path, [&] {
-    const SelectionSql sql = sql_of(list_, selection);
+    const FieldTables fields(list_, selection);
+    const SelectionSql sql = sql_of(list_, selection, fields);
     list_.database->exec("CREATE TABLE " + table_ +
                          " (rank INTEGER PRIMARY KEY, hash TEXT NOT NULL UNIQUE)");
     SQLite::Statement insert(*list_.database,
@@ -63,6 +104,9 @@ SelectionVocabulary ScenarioList::vocabulary(std::vector<std::string> numbers) c
   SelectionVocabulary vocabulary{
       std::move(numbers), {"name", "id", "tag", "generator", "representation"}, {}};
   for (const ListIndex& index : indexes()) vocabulary.indexes[index.name] = index.ranges();
+  for (const Descriptor& descriptor : all_descriptors())
+    if (contains(vocabulary.numbers, descriptor.info.id))
+      name_field(vocabulary, descriptor.info.name, descriptor.info.id);
   return vocabulary;
 }
 
@@ -89,7 +133,8 @@ std::size_t ScenarioList::count(const ListSelection& selection) const {
 
 std::string ScenarioList::query_plan(const ListSelection& selection) const {
   return reading(impl_->path, [&] {
-    const SelectionSql sql = sql_of(*impl_, selection);
+    const FieldTables fields(*impl_, selection);
+    const SelectionSql sql = sql_of(*impl_, selection, fields);
     SQLite::Statement rows(*impl_->database, "EXPLAIN QUERY PLAN " + sql.text);
     sql.bind(rows);
     std::string plan;

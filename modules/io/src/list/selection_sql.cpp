@@ -69,18 +69,21 @@ class Translator {
       return "(" + list + ")";
     }
     for (const std::string& text : among.values) list += (list.empty() ? "" : ", ") + bound(text);
+    if (is_text(among.field)) return any_text(among.field, "value IN (" + list + ")");
     if (among.field == "tag") return tagged("tag IN (" + list + ")");
     return text_column(among.field) + " IN (" + list + ")";
   }
 
   std::string write(const Node::Matches& m) {
     const std::string like = (m.glob ? " GLOB " : " LIKE ") + bound(m.pattern);
+    if (is_text(m.field)) return any_text(m.field, "value" + like);
     return m.field == "tag" ? tagged("tag" + like) : text_column(m.field) + like;
   }
 
   std::string write(const Node::IsNa& na) {
     if (na.field == "tag") return "s.hash NOT IN (SELECT hash FROM tags)";
-    if (selection_.view.count(na.field) > 0) return column(selection_.view, na.field) + " IS NULL";
+    if (is_text(na.field)) return any_text(na.field, "1") + " IS NULL";
+    if (is_number(na.field)) return column(selection_.view, na.field) + " IS NULL";
     return text_column(na.field) + " IS NULL";
   }
 
@@ -131,9 +134,9 @@ class Translator {
   std::string order_by() {
     std::string text;
     for (const SelectionOrder& order : selection_.order) {
-      const std::string value = selection_.view.count(order.field) > 0
-                                    ? column(selection_.view, order.field)
-                                    : text_column(order.field);
+      const std::string value = is_number(order.field) ? column(selection_.view, order.field)
+                                : is_text(order.field) ? any_text(order.field, "value")
+                                                       : text_column(order.field);
       text += value + " IS NULL, " + value + (order.descending ? " DESC, " : ", ");
     }
     return text + "s.position";
@@ -144,7 +147,25 @@ class Translator {
     return column(selection_.view, std::get<std::string>(operand));
   }
 
+  /// Whether it is a text that is not in the list.
+  bool is_text(const std::string& field) const {
+    const auto found = selection_.fields.find(field);
+    return found != selection_.fields.end() && found->second->is_text;
+  }
+  bool is_number(const std::string& field) const {
+    return selection_.view.count(field) > 0 ||
+           (selection_.fields.count(field) > 0 && !is_text(field));
+  }
+
+  /// The largest result over the texts of a scenario: NULL if it has none.
+  std::string any_text(const std::string& field, const std::string& expression) const {
+    return "(SELECT MAX(" + expression + ") FROM " + sources_.table(field) +
+           " WHERE hash = s.hash)";
+  }
+
   std::string column(const DescriptorView& view, const std::string& field) {
+    if (selection_.fields.count(field) > 0)
+      return "(SELECT value FROM " + sources_.table(field) + " WHERE hash = s.hash)";
     const auto keys = view.find(field);
     if (keys == view.end())
       throw usage_error("selection", "unknown field '" + field + "'", "a descriptor");

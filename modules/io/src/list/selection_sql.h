@@ -26,6 +26,8 @@ struct SelectionSources {
   /// of the index of these keys, or SQLite does not use the index.
   std::function<std::string(const std::vector<ValueKey>&)> key_condition;
   std::function<ListIndex(const std::string& name)> index;
+  /// The table (hash, value) of a field that is not in the list; "" if there is none.
+  std::function<std::string(const std::string& field)> table;
 };
 
 SelectionSql translate_selection(const ListSelection& selection, const SelectionSources& sources);

@@ -145,6 +145,100 @@ TEST(ListSelect, MatchesTheReferenceImplementation) {
   EXPECT_LT(matches, 600U * 135);
 }
 
+/// A field of random numbers, and one of up to two outcomes, that are not in the list.
+struct OuterFields {
+  std::shared_ptr<ListField> number = std::make_shared<ListField>(),
+                             text = std::make_shared<ListField>();
+  OuterFields(const std::vector<SampleRow>& rows, RandomEngine& engine) {
+    text->is_text = true;
+    for (const SampleRow& row : rows) {
+      const int kind = uniform_int(engine, 0, 5);  // 0: no value, 1: NA
+      if (kind > 0)
+        number->numbers[row.hash] = kind == 1 ? Value::na("why") : Value::of(kind / 4.0);
+      for (int run = uniform_int(engine, 0, 2); run > 0; --run)
+        text->texts[row.hash].insert(uniform_int(engine, 0, 1) == 0 ? "success" : "stuck");
+    }
+  }
+  std::optional<double> number_of(const SampleRow& row) const {
+    const auto found = number->numbers.find(row.hash);
+    if (found == number->numbers.end() || found->second.is_na()) return std::nullopt;
+    return found->second.number();
+  }
+  Truth has(const SampleRow& row, const std::string& outcome) const {
+    const auto found = text->texts.find(row.hash);
+    return found == text->texts.end() ? std::nullopt : Truth(found->second.count(outcome) > 0);
+  }
+};
+
+TEST(ListSelect, UsesFieldsThatAreNotInTheList) {
+  const TemporaryFolder folder;
+  std::vector<SampleRow> rows;
+  const ScenarioList list = sample_list(folder / "a.scenarios", 80, 9, rows);
+  RandomEngine engine(12);
+  const OuterFields outer(rows, engine);
+  const auto below = [&](double limit) {
+    return [&outer, limit](const SampleRow& row) -> Truth {
+      const auto number = outer.number_of(row);
+      return number ? Truth(*number < limit) : std::nullopt;
+    };
+  };
+  const auto has = [&](const std::string& outcome) {
+    return [&outer, outcome](const SampleRow& row) { return outer.has(row, outcome); };
+  };
+  const auto inverse = [](auto holds) {
+    return [holds](const SampleRow& row) {
+      const Truth truth = holds(row);
+      return truth ? Truth(!*truth) : truth;
+    };
+  };
+  const std::vector<Expression> expressions = {
+      {"success.nd < 1", below(1)},
+      {"not success.nd < 1", inverse(below(1))},
+      {"Success.ND in [0, 1)", below(1)},
+      {"success.nd is na",
+       [&](const SampleRow& row) -> Truth { return !outer.number_of(row).has_value(); }},
+      {"outcome.nd = stuck", has("stuck")},
+      {"outcome.nd != stuck", inverse(has("stuck"))},
+      {"outcome.nd like 'SUCC%'", has("success")},
+      {"outcome.nd is na",
+       [&](const SampleRow& row) -> Truth { return outer.text->texts.count(row.hash) == 0; }},
+      {"success.nd < density", [&](const SampleRow& row) -> Truth {
+         const auto number = outer.number_of(row), density = row.values.at("density");
+         return number && density ? Truth(*number < *density) : std::nullopt;
+       }}};
+  SelectionVocabulary vocabulary = list.vocabulary({"density"});
+  vocabulary.numbers.emplace_back("success.nd");
+  vocabulary.texts.emplace_back("outcome.nd");
+  name_field(vocabulary, "Success.nd", "success.nd");
+  ListSelection selection;
+  selection.view = sample_view();
+  selection.fields = {{"success.nd", outer.number}, {"outcome.nd", outer.text}};
+  for (const Expression& expression : expressions) {
+    selection.where = parse_selection(expression.text, vocabulary);
+    std::vector<std::string> expected;
+    for (const SampleRow& row : rows)
+      if (expression.holds(row) == true) expected.push_back(row.name);
+    EXPECT_FALSE(expected.empty()) << expression.text;
+    EXPECT_LT(expected.size(), rows.size()) << expression.text;
+    EXPECT_EQ(names(list, selection), expected) << expression.text;
+  }
+  EXPECT_NE(list.query_plan(selection), "");
+  selection.where = nullptr;
+  selection.order = parse_selection_order("success.nd desc, outcome.nd", vocabulary);
+  std::stable_sort(rows.begin(), rows.end(), [&](const SampleRow& a, const SampleRow& b) {
+    const auto key = [&](const SampleRow& row) {
+      const auto number = outer.number_of(row);
+      const Truth success = outer.has(row, "success");
+      // "success" follows "stuck": a scenario with both outcomes counts as the later one.
+      return std::make_tuple(!number, number ? -*number : 0, !success, success.value_or(false));
+    };
+    return key(a) < key(b);
+  });
+  std::vector<std::string> expected;
+  for (const SampleRow& row : rows) expected.push_back(row.name);
+  EXPECT_EQ(names(list, selection), expected);
+}
+
 TEST(ListSelect, OrdersWithNaLastAndAppliesTheLimit) {
   const TemporaryFolder folder;
   std::vector<SampleRow> rows;

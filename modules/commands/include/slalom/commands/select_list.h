@@ -14,6 +14,7 @@ struct SelectionRequest {
   std::string ids;       ///< ids or names, comma-separated
   std::string order_by;  ///< see parse_selection_order()
   long long limit = -1;  ///< maximum number of scenarios; negative: none
+  std::string results;   ///< a result file, whose ResultFields can be used; may be empty
 
   bool has_condition() const { return !where.empty() || !ids.empty(); }
 };
@@ -30,7 +31,7 @@ DescriptorView describe_list(ScenarioList& list, DescribeOptions options,
 
 /// Parses the request; computes and stores the missing values that it requires. Throws Error
 /// (Usage) for malformed texts and unknown ids, and if the options are not those of an index that
-/// is used.
+/// is used; Error (File) if the results cannot be read.
 ListSelection select_scenarios(ScenarioList& list, const SelectionRequest& request,
                                const DescribeOptions& options, Progress& progress);
 

@@ -5,7 +5,9 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,13 +18,24 @@ namespace slalom {
 /// differs between scenarios.
 using DescriptorView = std::map<std::string, std::vector<ValueKey>>;
 
+/// The values of a field that is not stored in the list, such as a result of runs, by the hash of a
+/// scenario. A scenario without a value is NA.
+struct ListField {
+  bool is_text = false;
+  std::string unit = "-";
+  std::map<std::string, Value> numbers;
+  /// All texts of a scenario; a condition is fulfilled if it is by one of them.
+  std::map<std::string, std::set<std::string>> texts;
+};
+
 /// A subset of a list and its order. The default selection is the complete list.
 struct ListSelection {
   SelectionPtr where;                              ///< none: all
   std::optional<std::vector<std::string>> hashes;  ///< none: all
   std::vector<SelectionOrder> order;               ///< NA last; ties in list order
   std::optional<std::size_t> limit;                ///< maximum number of scenarios
-  DescriptorView view;                             ///< keys of the numeric fields
+  DescriptorView view;                             ///< keys of the descriptors
+  std::map<std::string, std::shared_ptr<const ListField>> fields = {};  ///< others, by name
 };
 
 /// An index of a list: speeds up selections by a descriptor and divides its values into ranges.

@@ -63,7 +63,8 @@ class ScenarioList : public DescriptorStore {
   /// suggestion.
   Entry find_entry(const std::string& id_or_name) const;
 
-  /// The fields of selection expressions for this list; `numbers` are the ids of descriptors.
+  /// The fields of selection expressions for this list; `numbers` are the ids of descriptors, whose
+  /// names are accepted too.
   SelectionVocabulary vocabulary(std::vector<std::string> numbers) const;
   /// Visits the selected scenarios one by one until `visit` returns false. Needs memory for a few
   /// of them only. The list may be changed meanwhile; removed scenarios are skipped.

@@ -17,7 +17,12 @@ struct SelectionVocabulary {
   std::vector<std::string> numbers;            ///< numeric fields, such as descriptors
   std::vector<std::string> texts;              ///< text fields, such as name
   std::map<std::string, std::size_t> indexes;  ///< number of ranges of each index, by name
+  /// Other names of fields, such as "mean clearance", to the fields: see name_field().
+  std::map<std::string, std::string> names = {};
 };
+
+/// Lets expressions call a field by another name, ignoring case.
+void name_field(SelectionVocabulary& vocabulary, const std::string& name, const std::string& field);
 
 /// An operand of a comparison: a number, or the name of a numeric field.
 using SelectionOperand = std::variant<double, std::string>;
@@ -86,8 +91,10 @@ using SelectionPtr = std::shared_ptr<const SelectionNode>;
 ///
 /// `between` includes both ends; parentheses after `in` enclose a list; a bracket on either side
 /// makes it an interval. Texts are in single or double quotes (doubled within), or unquoted if they
-/// are one word. Keywords are case-insensitive. Throws Error (Usage) with the character position,
-/// what was expected and the nearest name.
+/// are one word. Fields may be called by their names: mean clearance > 0.5, with quotes where a
+/// name has other characters than words: "Clearance, 5 % quantile" > 0.3. Keywords are
+/// case-insensitive. Throws Error (Usage) with the character position, what was expected and the
+/// nearest name.
 SelectionPtr parse_selection(const std::string& text, const SelectionVocabulary& vocabulary);
 
 struct SelectionOrder {
@@ -98,6 +105,9 @@ struct SelectionOrder {
 /// Parses "density desc, name". Throws Error (Usage) like parse_selection().
 std::vector<SelectionOrder> parse_selection_order(const std::string& text,
                                                   const SelectionVocabulary& vocabulary);
+
+/// All fields used in an expression, sorted, without duplicates and without indexes.
+std::vector<std::string> used_fields(const SelectionPtr& selection);
 
 /// Names of the numeric fields used in an expression, sorted, without duplicates and without
 /// indexes.
