@@ -6,6 +6,7 @@
 #include <slalom/app/output_folder.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/io/file_lock.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
@@ -36,6 +37,28 @@ void write_scenarios(const std::vector<Scenario>& scenarios, const std::string& 
   ScenarioList::write(path, [&](ScenarioList& list) {
     list.add_all(scenarios);
     list.set_note("campaign.ini", ini_text);
+  });
+}
+
+/// Stores the descriptors of the results in the list, for programs that show it.
+void store_descriptors(const CampaignOptions& options, const std::string& results,
+                       const std::string& path) {
+  const ResultFile file = ResultFile::open(results);
+  ScenarioList list = ScenarioList::open(path);
+  const auto store = [&](const std::string& hash) {
+    const World world(list.read(hash), options.setup.simulation.resolution);
+    const DescriptorContext context{world, options.setup.robot.shape(),
+                                    options.setup.sensor.max_range,
+                                    search_once([] { return KnownPath{}; }),  // keys need no path
+                                    options.exact_confinement};
+    for (const auto& [id, value] : file.read_record(hash).descriptors) {
+      const ValueKey key = descriptor(id).key(context);
+      if (value.version == key.version && !list.find(hash, key))
+        list.store_value(hash, {key, value.value});
+    }
+  };
+  list.in_transaction([&] {
+    for (const ScenarioList::Entry& entry : list.entries()) store(entry.hash);
   });
 }
 
@@ -82,6 +105,7 @@ void evaluate(const Arguments& arguments) {
   }
   if (!report.complete || InterruptGuard::raised())
     throw Interrupted("finished runs are kept in " + results + "; the same command continues");
+  store_descriptors(config.options, results, arguments.output + "/campaign.scenarios");
   write_tables_and_report(arguments, results, config.analysis.report);
   if (!report.problem.empty()) throw job_error(results, report.problem);
 }

@@ -1,5 +1,6 @@
 #include "program_run.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <nlohmann/json.hpp>
 
 namespace slalom {
@@ -34,6 +35,41 @@ TEST_F(Evaluate, TheSameSeedGivesIdenticalResultsForAnyNumberOfWorkers) {
   EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 8);
   EXPECT_EQ(one, run("slalom-analyze dump two/runs.results").out);
   EXPECT_EQ(read("one/tables.csv"), read("two/tables.csv"));
+}
+
+TEST_F(Evaluate, TheListHasTheDescriptorsOfTheResultsAndIsSelectedByThem) {
+  ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet --set robot.radius=0.2").status, 0);
+  const auto values = [this] {
+    return SQLite::Database((folder_ / "out/campaign.scenarios").string())
+        .execAndGet("SELECT COUNT(*) FROM descriptor_values")
+        .getInt();
+  };
+  const int stored = values();
+  EXPECT_GE(stored, 4);
+  const std::string ids = "--descriptors density,clearance_mean --robot-radius 0.2";
+  ASSERT_EQ(run("slalom-scenarios describe out/campaign.scenarios " + ids).status, 0);
+  EXPECT_EQ(values(), stored) << "they were not computed again";
+
+  std::istringstream runs(run("slalom-analyze dump out/runs.results").out);
+  std::ptrdiff_t successes = 0;
+  for (std::string line; std::getline(runs, line);) {
+    const auto record = nlohmann::json::parse(line);
+    if (record["method"] == "nd" && record["outcome"] == "success") ++successes;
+  }
+  const auto selected = [this](const std::string& condition) {
+    const ProgramResult result =
+        run("slalom-scenarios select out/campaign.scenarios --results out/runs.results --where '" +
+            condition + "'");
+    EXPECT_EQ(result.status, 0) << result.err;
+    return std::count(result.out.begin(), result.out.end(), '\n');
+  };
+  EXPECT_EQ(selected("outcome.nd = success"), successes);
+  EXPECT_EQ(selected("Success.ND < 1"), 4 - successes);
+  EXPECT_EQ(selected("path length.nd is not na"), 4);
+  expect_failure(
+      "slalom-scenarios select out/campaign.scenarios --results out/runs.results --where "
+      "'sucess.nd = 1'",
+      2, {"selection, character 1", "'sucess.nd'", "expected 'success.nd'"});
 }
 
 TEST_F(Evaluate, AnotherSeedGivesOtherScenarios) {
