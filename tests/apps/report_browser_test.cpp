@@ -119,6 +119,29 @@ TEST_F(ReportInABrowser, PlotsOfARunAreDrawnOnTheScaleThatTheirLabelsName) {
   }
 }
 
+/// Width and height in the header of a PNG.
+std::pair<unsigned, unsigned> png_size(const std::string& bytes) {
+  const auto number = [&](std::size_t at) {
+    unsigned value = 0;
+    for (std::size_t i = at; i < at + 4; ++i)
+      value = value << 8U | static_cast<unsigned char>(bytes.at(i));
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST_F(ReportInABrowser, ThePictureInTheReadmeIsMadeByItsScript) {
+  const std::string script = SLALOM_SOURCE "/scripts/report_picture.sh ";
+  const ProgramResult made = run(script + "out/report made.png");
+  ASSERT_EQ(made.status, 0) << made.err;
+  const std::string picture = read("made.png");
+  EXPECT_EQ(png_size(picture), png_size(read_text(SLALOM_SOURCE "/docs/images/report.png")));
+  EXPECT_GT(picture.size(), 20000U) << "an empty page takes 5 kB";
+  ASSERT_EQ(run(script + "out/report again.png").status, 0);
+  EXPECT_EQ(picture, read("again.png")) << "the same report gives the same picture";
+  expect_failure(script + "nothing made.png", 1, {"nothing: no report", "scripts/demo.sh"});
+}
+
 TEST_F(ReportInABrowser, AnInvalidAddressShowsAnError) {
   EXPECT_NE(open("run.html#nothing").find("The address contains no run"), std::string::npos);
   EXPECT_NE(open("runs.html#cell-9999").find("does not contain this cell"), std::string::npos);
