@@ -1,3 +1,4 @@
+#include <slalom/app/completion.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/lcm/lcm_method.h>
@@ -62,9 +63,10 @@ void replay(const HostArguments& arguments, const IniFile& ini) {
 
 void define(CLI::App& app) {
   static HostArguments arguments;
-  app.add_option("-p,--plugin", arguments.plugin,
-                 "Shared library of the method (see slalom_method.h)")
-      ->required();
+  complete_with(app.add_option("-p,--plugin", arguments.plugin,
+                               "Shared library of the method (see slalom_method.h)")
+                    ->required(),
+                [](const Words&) { return shipped_plugins(); });
   app.add_option("--set", arguments.settings, "Parameter of the method: KEY=VALUE")
       ->allow_extra_args(false);
   app.add_option("--url", arguments.url, "LCM provider URL")

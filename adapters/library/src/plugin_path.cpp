@@ -4,6 +4,7 @@
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <vector>
@@ -29,6 +30,18 @@ std::string resolve_plugin_path(const std::string& plugin, const std::string& fo
   }
   throw usage_error(where, "library '" + plugin + "' not found",
                     "a file at " + join(tried, " or "));
+}
+
+std::vector<std::string> shipped_plugins() {
+  namespace fs = std::filesystem;
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator file(fs::path(program_folder()) / "../lib/slalom", error), end;
+       !error && file != end; file.increment(error))
+    if (file->path().extension() == ".so" || file->path().extension() == ".dll")
+      names.push_back(file->path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 std::string resolve_plugin_path(const IniFile& ini, const std::string& section,

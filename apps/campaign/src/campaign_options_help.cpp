@@ -6,6 +6,7 @@
 #include <slalom/core/text.h>
 #include <slalom/generation/generator.h>
 #include <slalom/io/result_file.h>
+#include <slalom/library/library_method.h>
 
 #include <functional>
 
@@ -61,6 +62,8 @@ Words setting_names(const Words& words) {
     for (const std::string& name : of_method ? methods : Words{""})
       visit_options(*names.collector(of_method ? "method." + name : section));
   });
+  for (const std::string& name : methods)
+    names.add_names("method." + name + ".plugin", shipped_plugins());
   names.add_names("campaign.methods", methods);
   names.add_names("scenarios.generator", generator_names());
   names.add_names("metrics.enabled", all_metric_ids());

@@ -40,4 +40,8 @@ std::string resolve_plugin_path(const std::string& plugin, const std::string& fo
 std::string resolve_plugin_path(const IniFile& ini, const std::string& section,
                                 const std::string& plugin);
 
+/// The libraries that are shipped with the programs, by the names under which resolve_plugin_path()
+/// finds them; sorted.
+std::vector<std::string> shipped_plugins();
+
 }  // namespace slalom
