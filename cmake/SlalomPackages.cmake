@@ -28,6 +28,8 @@ set(legal ${PROJECT_BINARY_DIR}/packages)
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
 string(REGEX REPLACE "\n\n+" "\n.\n" license "${license}")
 string(REGEX REPLACE "\n([^\n])" "\n \\1" license " ${license}")
+# The project states no address. Whoever distributes packages gives theirs.
+set(SLALOM_MAINTAINER "The Slalom authors <slalom@packages.invalid>" CACHE STRING "Maintainer of the packages: NAME <ADDRESS>")
 configure_file(${CMAKE_CURRENT_LIST_DIR}/copyright.in ${legal}/copyright @ONLY)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/changelog.in ${legal}/changelog.Debian @ONLY)
 execute_process(COMMAND gzip -9nkf ${legal}/changelog.Debian)
@@ -62,7 +64,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_COMPONENTS_ALL ${SLALOM_COMPONENTS})
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_PACKAGE_CONTACT "Slalom authors <slalom@packages.invalid>")
+set(CPACK_PACKAGE_CONTACT "${SLALOM_MAINTAINER}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "evaluation of obstacle avoidance methods for mobile robots")
 string(CONCAT about
        "Slalom simulates a mobile robot under each of several obstacle avoidance\n"
