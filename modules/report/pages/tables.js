@@ -41,7 +41,14 @@ function findingsSection() {
                "intervals do not overlap; overlapping intervals do not prove that there is no difference."),
           groups.length === 0 ? html("p", {}, "No bins to compare.") : null,
           groups.map((group) => [html("h3", {}, "By " + group.descriptor.name),
-            card(group.methods.map((table) => table.findings.map((one) => finding(one.text, one.difference))))])];
+            findingsCard(group.methods.flatMap((table) => table.findings))])];
+}
+
+// Differences; what shows none is folded below.
+function findingsCard(findings) {
+  const others = findings.filter((one) => !one.difference), sentence = (one) => finding(one.text, one.difference);
+  return card(findings.filter((one) => one.difference).map(sentence), others.length === 0 ? null
+    : html("details", {}, html("summary", {}, plural(others.length, "finding") + " without a difference shown"), others.map(sentence)));
 }
 
 function crossTable(table, descriptor, scales) {
