@@ -59,7 +59,7 @@ std::unique_ptr<World> ProbeHunt::draw(std::uint64_t index, const std::function<
     return std::make_unique<World>(difference_->world->scenario(),
                                    bench_.setup.simulation.resolution);
   if (!difference_->in_run && candidates_ <= kApproaches)
-    return approach(*difference_, bench_, options_.fairness, engine);
+    return approach(*difference_, bench_, options_.fairness, candidates_, engine);
   constexpr int kAttempts = 20;
   for (int attempt = 0; attempt < kAttempts && best_; ++attempt)
     if (auto world = draw_changed_world(*best_, bench_, options_.fairness, engine)) return world;

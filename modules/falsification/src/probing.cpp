@@ -121,12 +121,13 @@ std::optional<CommandDifference> StepProbe::find_in_steps(const std::shared_ptr<
 }
 
 std::unique_ptr<World> approach(const CommandDifference& difference, const TestBench& bench,
-                                const FairnessOptions& fairness, RandomEngine& engine) {
+                                const FairnessOptions& fairness, int number, RandomEngine& engine) {
   constexpr int kMaxAttempts = 30;
+  constexpr int kExact = 5;  // of the first ones
   const TPose2D& pose = difference.pose;
   for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
-    const bool is_exact = uniform_int(engine, 0, 1) == 0;
-    const double back = uniform_real(engine, 0, 1.2);
+    const bool is_here = number == 1 && attempt == 0, is_exact = number <= kExact;
+    const double drawn = uniform_real(engine, 0.1, 1.2), back = is_here ? 0 : drawn;
     const double turn = normal(engine, 0, 0.1), shift = normal(engine, 0, 0.03);
     const double aside = is_exact ? 0 : shift;
     const TPose2D start(pose.x - std::cos(pose.phi) * back - std::sin(pose.phi) * aside,

@@ -41,9 +41,10 @@ class StepProbe {
   BenchMethods& methods_;
 };
 
-/// A scenario in which the robot comes to the pose by itself: the start is up to 1.2 m behind it,
-/// sometimes turned and shifted a little. None if no such start is fair.
+/// A scenario in which the robot comes to the pose by itself, the one of this number from 1. The
+/// first one starts at the pose, if that is fair, the others up to 1.2 m behind it; from the sixth
+/// on they are turned and shifted a little. None if no such start is fair.
 std::unique_ptr<World> approach(const CommandDifference& difference, const TestBench& bench,
-                                const FairnessOptions& fairness, RandomEngine& engine);
+                                const FairnessOptions& fairness, int number, RandomEngine& engine);
 
 }  // namespace slalom
