@@ -2,13 +2,20 @@
 // Markdown: how often each is hit in random candidates, and when probing finds it. Times are of the
 // processor, of one core.
 //   falsification_benchmark random CANDIDATES [SEED]
-//   falsification_benchmark probe RUNS SEEDS
+//   falsification_benchmark probe RUNS SEEDS [DEFECT]
+//   falsification_benchmark shrink FAILURES [DEFECT]
+// The last one shrinks up to FAILURES of each defect, and counts how many kinds of them are
+// different in the facts of which clusters are made.
 #include "planted_methods.h"
 #include "search_batch.h"
 
+#include <slalom/campaign/campaign.h>
 #include <slalom/core/random.h>
+#include <slalom/core/text.h>
 #include <slalom/falsification/candidates.h>
+#include <slalom/falsification/clusters.h>
 #include <slalom/falsification/search.h>
+#include <slalom/falsification/shrink.h>
 
 #include <fmt/format.h>
 
@@ -17,11 +24,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <dlfcn.h>
 #include <exception>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <sys/resource.h>
 #include <vector>
 
 namespace slalom {
@@ -33,15 +41,27 @@ struct Planting {
 };
 
 /// In the order of the bits of planted_defects_begun.
-constexpr std::array kPlantings = {
-    Planting{"squeeze", false},       Planting{"tie", false},
-    Planting{"fine_tie", false},      Planting{"fine_squeeze", false},
-    Planting{"fast_and_near", false}, Planting{"goal_behind", false},
-    Planting{"beside_wall", true},    Planting{"overflow", true},
-    Planting{"after_turn", true},     Planting{"cycle_128", true}};
+constexpr std::array kPlantings = {Planting{"tie", false},
+                                   Planting{"fine_tie", false},
+                                   Planting{"narrow_squeeze", false},
+                                   Planting{"fine_squeeze", false},
+                                   Planting{"fast_and_near", false},
+                                   Planting{"goal_behind", false},
+                                   Planting{"beside_wall", true},
+                                   Planting{"overflow", true},
+                                   Planting{"after_turn", true},
+                                   Planting{"cycle_128", true}};
 
+/// Of this process and of its workers that ended.
 double cpu_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  double seconds = 0;
+  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    getrusage(who, &usage);
+    for (const timeval& time : {usage.ru_utime, usage.ru_stime})
+      seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
+  return seconds;
 }
 
 double median(std::vector<double> values) {
@@ -128,9 +148,10 @@ FirstHit probe_until_hit(const char* defect, std::uint64_t runs, std::uint64_t s
   return {};
 }
 
-void print_probing(std::uint64_t runs, std::uint64_t seeds) {
+void print_probing(std::uint64_t runs, std::uint64_t seeds, const std::string& only) {
   fmt::print("| defect | memory | found | median runs | median s |\n|---|---|---|---|---|\n");
   for (const Planting& planting : kPlantings) {
+    if (!only.empty() && only != planting.defect) continue;
     std::vector<double> needed, seconds;
     std::size_t found = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -145,6 +166,71 @@ void print_probing(std::uint64_t runs, std::uint64_t seeds) {
   }
 }
 
+/// What is printed of the shrunk failures of one defect.
+struct ShrinkTable {
+  std::vector<double> before, after, runs, seconds, moved;
+  std::size_t minimal = 0, fair = 0;
+  std::set<std::string> kinds;  ///< facts of the last moments, that clusters are made of
+
+  void add(const TestBench& bench, const FoundFailure& found) {
+    const double began = cpu_seconds();
+    const auto small = shrink(bench, found.scenario);
+    seconds.push_back(cpu_seconds() - began);
+    before.push_back(static_cast<double>(small->parts_before));
+    after.push_back(static_cast<double>(small->parts_after));
+    runs.push_back(static_cast<double>(small->runs));
+    moved.push_back(small->moved);
+    minimal += small->minimal && small->trial.outcome == found.trial.outcome ? 1 : 0;
+    fair += small->fairness.fair() ? 1 : 0;
+    kinds.insert(kind_of(bench, *small));
+  }
+
+  void print(const char* defect) const {
+    fmt::print(
+        "| {} | {} | {:g} ({:g}) -> {:g} ({:g}) | {:g} ({:g}) | {:.2f} ({:.2f}) "
+        "| {:.2f} ({:.2f}) | {} | {} | {} |\n",
+        defect, runs.size(), median(before), largest(before), median(after), largest(after),
+        median(runs), largest(runs), median(seconds), largest(seconds), median(moved),
+        largest(moved), minimal, fair, kinds.size());
+    std::fflush(stdout);
+  }
+
+ private:
+  static double largest(const std::vector<double>& values) {
+    return values.empty() ? NAN : *std::max_element(values.begin(), values.end());
+  }
+  static std::string kind_of(const TestBench& bench, const ShrinkResult& small) {
+    const World world(small.scenario, bench.setup.simulation.resolution);
+    const auto method = bench.method.make(bench.setup.robot, bench.setup.sensor);
+    const std::uint64_t seed = run_seed(bench.seed, small.scenario.hash(), bench.repetition);
+    const SimulationResult run = simulate(world, bench.setup, seed, *method, nullptr);
+    FailureFacts facts = measure_end(world, bench.setup.robot, run.outcome, run.trajectory);
+    facts.obstacles = small.parts_after;
+    facts.bottleneck_width = small.fairness.geometry.bottleneck;
+    return join(facts_in_words(facts), ", ");
+  }
+};
+
+/// The first failures that a search finds of each defect.
+void print_shrinking(std::size_t failures, const std::string& only) {
+  constexpr std::size_t kRuns = 800;
+  fmt::print(
+      "Medians (maxima).\n\n"
+      "| defect | failures | obstacles | runs | s | end moved, m | 1-minimal, same outcome "
+      "| fair | kinds |\n|---|---|---|---|---|---|---|---|---|\n");
+  for (const Planting& planting : kPlantings) {
+    if (!only.empty() && only != planting.defect) continue;
+    const TestBench bench = planted_bench(planting.defect);
+    SearchOptions options = options_of(1);
+    options.probe = true;
+    options.runs = kRuns;
+    options.max_failures = failures;
+    ShrinkTable table;
+    for (const FoundFailure& found : search(bench, options).state.failures) table.add(bench, found);
+    table.print(planting.defect);
+  }
+}
+
 }  // namespace
 }  // namespace slalom
 
@@ -156,11 +242,14 @@ int main(int argc, char** argv) try {
   if (what == "random")
     slalom::print_random(number(2, 10000), number(3, 1));
   else if (what == "probe")
-    slalom::print_probing(number(2, 500), number(3, 10));
+    slalom::print_probing(number(2, 500), number(3, 10), argc > 4 ? argv[4] : "");
+  else if (what == "shrink")
+    slalom::print_shrinking(number(2, 20), argc > 3 ? argv[3] : "");
   else
     fmt::print(stderr,
-               "usage: falsification_benchmark random CANDIDATES [SEED] | probe RUNS SEEDS\n");
-  return what == "random" || what == "probe" ? 0 : 2;
+               "usage: falsification_benchmark random CANDIDATES [SEED] | probe RUNS SEEDS "
+               "[DEFECT] | shrink FAILURES [DEFECT]\n");
+  return what == "random" || what == "probe" || what == "shrink" ? 0 : 2;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;
