@@ -6,6 +6,8 @@
 #include <slalom/core/read_file.h>
 #include <slalom/gui/panel_window.h>
 #include <slalom/gui/studio_window.h>
+#include <slalom/io/result_file.h>
+#include <slalom/simulation/simulate.h>
 
 #include <cstdlib>
 
@@ -14,6 +16,7 @@ namespace {
 
 struct StudioArguments {
   std::vector<std::string> lists;
+  double scale = 0;  ///< 0: as in the settings
   std::string results, config, script, settings;
   std::vector<std::string> assignments;
 };
@@ -31,13 +34,27 @@ std::string settings_file(const StudioArguments& arguments) {
   return default_settings_file();
 }
 
+/// The .ini of the campaign in a result file; an empty one where it has none.
+IniFile campaign_ini(const std::string& results) {
+  const Manifest manifest = ResultFile::open(results).read_manifest();
+  const auto text = manifest.find("campaign.ini");
+  return IniFile::from_text(text == manifest.end() ? "" : text->second, results + ": campaign.ini");
+}
+
+/// Robot and sensor: of the configuration, else of the results.
+IniFile base_ini(const StudioArguments& arguments) {
+  if (!arguments.config.empty()) return IniFile::load(arguments.config);
+  if (!arguments.results.empty()) return campaign_ini(arguments.results);
+  return IniFile::from_text("", "--set");
+}
+
 SceneSettings scene_settings(const StudioArguments& arguments) {
-  IniFile ini =
-      arguments.config.empty() ? IniFile::from_text("", "--set") : IniFile::load(arguments.config);
+  IniFile ini = base_ini(arguments);
   for (const std::string& assignment : arguments.assignments) ini.override_key(assignment);
   SceneSettings settings;
   settings.robot = read_robot_model(ini);
   settings.sensor = read_options<SensorModel>(ini, "sensor");
+  settings.resolution = read_options<SimulationOptions>(ini, "simulation").resolution;
   return settings;
 }
 
@@ -64,7 +81,11 @@ void show_window(const StudioArguments& arguments) {
                                    arguments.script);
   const std::string file = settings_file(arguments);
   std::string warning;
-  StudioWindow window(scene_settings(arguments), read_settings(file, warning), make_services());
+  StudioSettings settings = read_settings(file, warning);
+  if (arguments.scale > 0) settings.scale = arguments.scale;
+  // Scripts do not depend on the desktop.
+  if (settings.scale == 0 && !arguments.script.empty()) settings.scale = 1;
+  StudioWindow window(scene_settings(arguments), settings, make_services());
   open_files(window, arguments);
   if (!warning.empty())
     window.studio().notices().show_status("The default layout is used: " + warning, true);
@@ -77,9 +98,15 @@ void define(CLI::App& app) {
   app.add_option("lists", arguments.lists, "Scenario lists to open (.scenarios)");
   app.add_option("--results", arguments.results,
                  "Results to show on top of the scenarios (.results)");
-  app.add_option("-c,--config", arguments.config,
-                 "An .ini with the robot and the sensor: sections [robot], [sensor]");
+  app.add_option(
+      "-c,--config", arguments.config,
+      "An .ini with the robot and the sensor: sections [robot], [sensor] (default: those "
+      "of the results)");
   app.add_option("--set", arguments.assignments, "Override a key of the .ini: SECTION.KEY=VALUE");
+  app.add_option("--scale", arguments.scale,
+                 "Screen pixels per pixel of the window, to enlarge texts and all else (default: "
+                 "that of the desktop; 1 with --script)")
+      ->check(CLI::Range(kMinScale, kMaxScale));
   app.add_option("--script", arguments.script,
                  "Plays the user input of a script file, then exits (docs/studio.md)");
   app.add_option("--settings", arguments.settings,

@@ -130,6 +130,23 @@ TEST_F(StudioList, GivesTheFilterNeitherTheKeyThatGoesThereNorItsOwnKeysToTheLis
       "a.scenarios");
 }
 
+TEST_F(StudioList, HasKeysForDirectionGroupsAndTabs) {
+  make_list(2);
+  make_list(3, "b.scenarios", 8);
+  expect_played(
+      "wait idle\n"
+      "click list \"row 1\"\n"
+      "key D\n"
+      "expect list contains \"list order, descending\"\n"
+      "key Ctrl+PageUp\n"
+      "expect list contains \"a.scenarios, active\"\n"
+      "key Ctrl+PageDown\n"
+      "expect list contains \"b.scenarios, active\"\n"
+      "key G\n"
+      "expect choices contains \"no groups\"\n",
+      "a.scenarios b.scenarios");
+}
+
 TEST_F(StudioList, StaysAtTheEditedScenarioWhenTheEditIsUndone) {
   make_list(5);
   // Nothing is computed yet; the scenario that is looked at is computed first, and its row goes up.

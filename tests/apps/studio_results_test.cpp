@@ -102,6 +102,29 @@ TEST_F(StudioResults, AreShownAndHiddenByMouseAndKeys) {
       "expect view contains \"trajectory vff 0\"\n");
 }
 
+TEST_F(StudioResults, FilterAndSortTheListAndAreReplayedFromItsMenu) {
+  expect_overlaid(
+      "wait idle\n"
+      "click filter\n"
+      "type \"Success.nd >= 0 and outcome.vff is not na\"\n"
+      "key Enter\n"
+      "expect list contains \", 2 scenarios\"\n"
+      "click list sort\n"
+      "click choices \"choice results of nd...\"\n"
+      "click choices \"choice outcome.nd\"\n"
+      "expect list contains \"sort: outcome.nd, ascending\"\n"
+      "expect rows contains \", outcome.nd \"\n"
+      "click list \"row 1\" right\n"
+      "expect popup contains \"Replay runs\"\n"
+      "expect rows contains \"current, selected\"\n"
+      "click popup list.replay\n"
+      "wait until replay contains playing\n"
+      "do file.close_results\n"
+      "wait idle\n"
+      "expect list contains \"unknown field\"\n"
+      "expect list contains \"sort: list order\"\n");
+}
+
 TEST_F(StudioResults, AreReplayedByTheSliderAndThePlots) {
   const std::string slid = expect_overlaid(
       "wait idle\n"

@@ -51,7 +51,8 @@ TEST_F(Studio, ReportsWhyAnActionIsDisabled) {
       "expect dialog contains \"no list is open\"\n"
       "key Enter\n"
       "key F1\n"
-      "expect dialog contains \"Ctrl+Z\"\n");
+      "expect dialog contains \"Ctrl+Z\"\n"
+      "expect dialog contains \"F, S, D, G\"\n");
 }
 
 TEST_F(Studio, RestoresItsLayout) {

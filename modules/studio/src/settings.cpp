@@ -12,6 +12,9 @@ constexpr const char* kWindowSection = "window";
 }  // namespace
 
 void StudioSettings::visit(OptionVisitor& v) {
+  v.option("scale", scale, "-",
+           "screen pixels per pixel of the window, 0.5 to 4; 0: that of the desktop",
+           Range::between(0, kMaxScale));
   v.option("width", width, "pixels", "of the window", Range::between(640, 8192));
   v.option("height", height, "pixels", "of the window", Range::between(480, 8192));
   v.option("list_width", list_width, "pixels", "of list and descriptors at the left",

@@ -35,7 +35,11 @@ Studio::Studio(SceneSettings settings, StudioServices services, std::function<vo
       descriptors_(jobs_, notices_, describe_options_,
                    [this](const std::string& hash, const std::vector<KeyedValue>& values) {
                      for (const auto& document : documents_) document->store_values(hash, values);
-                   }) {}
+                   }) {
+  notices_.observe({Change::Runs}, [this] {
+    for (const auto& document : documents_) document->set_results(results_.fields());
+  });
+}
 
 ListDocument* Studio::active() const {
   return documents_.empty() ? nullptr : documents_[active_].get();
@@ -48,6 +52,7 @@ void Studio::open_list(const std::string& path) {
   }
   auto document = std::make_unique<ListDocument>(path, &jobs_);
   document->set_describe_options(describe_options());
+  document->set_results(results_.fields());
   document->observe([this, source = document.get()](Change change) {
     if (source != active()) return;
     if (change == Change::Current) return current_changed();

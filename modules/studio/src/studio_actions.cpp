@@ -220,10 +220,18 @@ std::string with_title(const std::string& word, const std::string& title) {
   return title.empty() ? word : word + ": " + title;
 }
 
+/// Headings, and lines of two columns with a tab between them.
 std::string key_lines(const Actions& actions) {
-  std::string text;
+  std::string text, heading;
+  const auto add = [&](const std::string& below, const std::string& keys, const std::string& help) {
+    if (below != heading) text += (text.empty() ? "" : "\n") + below + "\n";
+    heading = below;
+    text += keys + "\t" + help + "\n";
+  };
   for (const Action& action : actions.all())
-    if (!action.shortcut.empty()) text += action.shortcut + "  " + action.title + "\n";
+    if (!action.shortcut.empty()) add("Menu " + action.menu, action.shortcut, action.title);
+  for (const PanelKey& key : panel_keys())
+    add("In the panel '" + key.panel + "'", join(key.keys, ", "), key.help);
   return text;
 }
 
@@ -294,6 +302,10 @@ void add_list_actions(Actions& actions, Studio& studio) {
                "Keeps only one of scenarios that hardly differ in a descriptor.",
                opens(studio, deduplicate_form),
                list_disabled_check(studio, ListAction::Deduplicate)});
+  actions.add({"list.replay", "List", "Replay runs", "",
+               "Plays the recorded runs of the current scenario from their start.",
+               [&studio] { studio.results().replay(); },
+               [&studio] { return studio.results().replay_disabled_reason(); }});
   actions.add({"list.describe", "List", "Compute all descriptors", "F5",
                "Computes the missing values of all scenarios and stores them in the list.",
                [&studio] { studio.describe_list(); }, needs_list(studio)});

@@ -52,6 +52,26 @@ TEST_F(Menus, ChooseByAClick) {
   EXPECT_EQ(chosen_, 2U);
 }
 
+TEST(MenuBars, OpenTheMenuOfAScenarioWithinTheWindow) {
+  Actions actions;
+  std::string run;
+  actions.add({"a.b", "A", "First", "", "Does.", [] {}});
+  actions.add({"a.c", "A", "Second", "", "Does.", [] {}});
+  nanogui::ref<nanogui::Widget> window = new nanogui::Widget(nullptr);
+  window->setSize({800, 600});
+  auto* bar = new MenuBar(window.get(), actions, [&run](const std::string& id) { run = id; });
+  bar->open_context({790, 595}, {"a.c", "a.b"});
+  EXPECT_EQ(bar->popup().text(), "> Second\nFirst\n");
+  EXPECT_LE(bar->popup().position().x() + bar->popup().width(), 800);
+  EXPECT_LE(bar->popup().position().y() + bar->popup().height(), 600);
+  EXPECT_FALSE(bar->popup_key(GLFW_KEY_RIGHT, 0)) << "it has no neighbors, and closes";
+  EXPECT_FALSE(bar->popup().visible());
+  bar->open_context({100, 100}, {"a.c", "a.b"});
+  EXPECT_EQ(bar->popup().position(), nanogui::Vector2i(100, 100));
+  bar->popup_key(GLFW_KEY_ENTER, 0);
+  EXPECT_EQ(run, "a.c");
+}
+
 TEST_F(Menus, ScrollToALineWhereTheyDoNotFit) {
   menu_->open({0, 0}, 100, 60, {{"a", "1"}, {"b", "2"}, {"c", "3"}, {"d", "4"}}, 0, {});
   const ScreenRect last = *menu_->rect_of("d");

@@ -5,7 +5,10 @@
 #include "views/scenario_view.h"
 #include "window/script_player.h"
 
+#include <slalom/studio/actions.h>
+
 #include <GLFW/glfw3.h>
+#include <map>
 
 namespace slalom {
 namespace {
@@ -93,6 +96,44 @@ TEST_F(Panels, OfTheScenarioShowLayersAndTools) {
   auto look = make_view(ScenarioView::Mode::Look);
   EXPECT_TRUE(view->rect_of("tool disc"));
   EXPECT_FALSE(look->rect_of("tool disc"));
+}
+
+/// Every key that the help lists is handled by its panel, and so is not passed on.
+TEST_F(Panels, HandleTheKeysOfTheHelp) {
+  write_overlay_sample(folder_ / "a.results", {});
+  const std::string path = make_list("a.scenarios", 3);
+  ScenarioList list = ScenarioList::open(path);
+  list.add(overlay_room());
+  list.create_index(
+      {"by_density", "density", descriptor_view({"density"}, {}).at("density"), {0, 1}});
+  studio_.open_list(path);
+  studio_.active()->set_group_by("by_density");
+  studio_.active()->set_current(overlay_room().hash());
+  studio_.results().open(folder_ / "a.results");
+  auto rows = sized(make_list_rows(nullptr, studio_));
+  auto descriptors = sized(make_descriptor_panel(nullptr, studio_));
+  auto view = make_view(ScenarioView::Mode::Edit);
+  auto results = sized(make_results_panel(nullptr, studio_));
+  const std::map<std::string, nanogui::Widget*> panels = {{"list", rows.get()},
+                                                          {"descriptors", descriptors.get()},
+                                                          {"view", view.get()},
+                                                          {"results", results.get()}};
+  finish();
+  key(*descriptors, GLFW_KEY_TAB);
+  key(*descriptors, GLFW_KEY_TAB);  // the scatter plot has keys for both axes
+  std::size_t handled = 0;
+  for (const PanelKey& keys : panel_keys())
+    for (const std::string& name : keys.keys) {
+      // Those of the panel around the rows need a window: studio_list_test presses them.
+      if (keys.keys.front() == "F" || keys.keys.front() == "Ctrl+PageUp") continue;
+      const KeyStroke stroke = key_stroke_of(name);
+      studio_.active()->select_all();  // which Escape undoes
+      EXPECT_TRUE(panels.at(keys.panel)->keyboardEvent(stroke.key, 0, GLFW_PRESS, stroke.modifiers))
+          << name << " in " << keys.panel << ": " << keys.help;
+      ++handled;
+    }
+  EXPECT_GT(handled, 40U);
+  EXPECT_FALSE(key(*results, GLFW_KEY_B)) << "one that is not listed";
 }
 
 TEST_F(Panels, OfTheStatusShowTheMessageAndTheRunningJob) {

@@ -61,13 +61,30 @@ TEST(ViewLayout, FindsThePartAtAPosition) {
   EXPECT_EQ(layout.at(100, 300), nullptr);
 }
 
-TEST(ViewLayout, HidesRowsOfALegendThatIsClosedOrDoesNotFit) {
+TEST(ViewLayout, HidesTheRowsOfAClosedLegend) {
   EXPECT_EQ(ViewLayout(800, 500, kButtons, {}).find("layer voronoi"), nullptr);
-  // 34 pixels of tools, 4 of gap, 24 of title, 22 per row, 24 of status: two rows in 140.
-  const ViewLayout low(800, 140, kButtons, kLayers);
-  EXPECT_NE(low.find("layer voronoi"), nullptr);
-  EXPECT_EQ(low.find("layer start_goal"), nullptr);
-  expect_apart_and_inside(low, 800, 140);
+}
+
+TEST(ViewLayout, NeverCutsTheLegend) {
+  const std::vector<std::string> layers = {"a", "b", "c", "d", "e", "f", "g", "h", "i"};
+  // The canvas of the smallest window, 640 x 480, with results is about 380 x 140 pixels.
+  for (const double width : {380.0, 500.0, 1500.0})
+    for (const double height : {160.0, 200.0, 250.0, 900.0}) {
+      const ViewLayout layout(width, height, kButtons, layers);
+      for (const std::string& layer : layers) {
+        const Element::Part* row = layout.find("layer " + layer);
+        ASSERT_NE(row, nullptr) << layer << " in " << width << " x " << height;
+        EXPECT_GE(row->rect.height, 15);
+        EXPECT_LE(row->rect.bottom(), layout.canvas.bottom());
+      }
+      expect_apart_and_inside(layout, width, height);
+    }
+  // 24 pixels of title, nine rows of 22: one column in 900 pixels, as wide as is asked for.
+  const ViewLayout tall(1500, 900, kButtons, layers, 320);
+  EXPECT_DOUBLE_EQ(tall.legend.width, 320);
+  EXPECT_DOUBLE_EQ(tall.legend.height, 24 + 9 * 22);
+  // 34 of tools, 24 of status, 8 of gaps and 24 of title leave 70 of 160: at most 4 rows of 15.
+  EXPECT_DOUBLE_EQ(ViewLayout(1500, 160, kButtons, layers).legend.width, 3 * 250);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "list_files.h"
 
+#include <slalom/io/result_file.h>
 #include <slalom/studio/list_view.h>
 
 namespace slalom {
@@ -74,6 +75,44 @@ TEST_F(ListViews, RefuseInvalidFilters) {
   const std::string deep = std::string(200000, '(') + "density > 1" + std::string(200000, ')');
   EXPECT_NE(error_text(ErrorKind::Usage, [&] { shown(request(deep)); }), "(no error)");
   EXPECT_EQ(shown({}).size(), 12U);
+}
+
+TEST_F(ListViews, FilterAndSortByResults) {
+  const std::string results = folder_ / "a.results";
+  ResultFile file = ResultFile::create(results, {}, {}, {});
+  for (const int number : {1, 4, 7}) {
+    const Scenario scenario = make_scenario(number);
+    file.add_scenario({scenario.hash(), scenario.name(), {}}, scenario, {});
+    RunRecord run;
+    run.scenario_hash = scenario.hash();
+    run.scenario_name = scenario.name();
+    run.method = "nd";
+    run.outcome = number == 4 ? "collision" : "success";
+    file.add_run(run, {}, {});
+  }
+  file.commit();
+  const auto fields = std::make_shared<const ResultFields>(results);
+  const auto with_results = [&](ListViewRequest request) {
+    request.results = fields;
+    return request;
+  };
+  EXPECT_EQ(shown(with_results(request("outcome.nd = collision"))), (Numbers{4}));
+  EXPECT_EQ(shown(with_results(request("Success.nd = 1 and Density > 0.2"))), (Numbers{7}));
+  EXPECT_EQ(shown(with_results(request("success.nd is not na", "success.nd"))), (Numbers{4, 1, 7}));
+  EXPECT_NE(error_text(ErrorKind::Usage, [&] { shown(request("success.nd < 1")); }), "(no error)");
+  ListDocument document(path_);
+  document.set_filter("outcome.nd = success");
+  EXPECT_NE(document.filter_error(), "");
+  document.set_results(fields);
+  EXPECT_EQ(document.filter_error(), "") << "the filter is tried again";
+  EXPECT_EQ(document.view().hashes, (std::vector<std::string>{hash_of(1), hash_of(7)}));
+  document.set_sort("success.nd", true);
+  EXPECT_EQ(document.row(hash_of(7))->value, Value::of(1));
+  document.set_sort("outcome.nd", false);
+  EXPECT_EQ(document.row(hash_of(7))->outcomes, "success");
+  document.set_results(nullptr);
+  EXPECT_EQ(document.request().sort, "");
+  EXPECT_NE(document.filter_error(), "") << "there are no results any more";
 }
 
 TEST_F(ListViews, RefuseAnUnknownSortField) {

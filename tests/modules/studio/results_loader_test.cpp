@@ -78,6 +78,34 @@ TEST_F(ResultsLoaderTest, AReadErrorLeavesTheOpenFile) {
   EXPECT_TRUE(overlay_.runs().empty());
 }
 
+TEST_F(ResultsLoaderTest, ReplaysRunsAsSoonAsTheyAreRead) {
+  EXPECT_EQ("no results are open", loader_.replay_disabled_reason());
+  loader_.open(folder_ + "/a.results");
+  wait();
+  EXPECT_EQ("no run of this scenario is shown", loader_.replay_disabled_reason());
+  loader_.show(overlay_room().hash());
+  EXPECT_EQ("", loader_.replay_disabled_reason());
+  loader_.replay();
+  EXPECT_FALSE(overlay_.clock().playing());
+  wait();
+  EXPECT_TRUE(overlay_.clock().playing());
+  EXPECT_EQ(0, overlay_.clock().time());
+  loader_.show(overlay_room("other", 8).hash());
+  wait();
+  EXPECT_FALSE(overlay_.clock().playing()) << "it was asked for the other scenario";
+  loader_.replay();
+  EXPECT_TRUE(overlay_.clock().playing());
+}
+
+TEST_F(ResultsLoaderTest, OpensItsFieldsAndClosesThem) {
+  loader_.open(folder_ + "/a.results");
+  wait();
+  ASSERT_TRUE(loader_.fields());
+  EXPECT_TRUE(loader_.fields()->contains("outcome.ptg"));
+  loader_.close();
+  EXPECT_FALSE(loader_.fields());
+}
+
 TEST_F(ResultsLoaderTest, ClosingClearsEverything) {
   loader_.show(overlay_room().hash());
   loader_.open(folder_ + "/a.results");

@@ -54,8 +54,10 @@ class FormPanel : public Element {
     context_ = ctx;
     const FormDescription& form = model_.description();
     const double width = std::min<double>(FormLayout::preferred_width(form), max_size.x());
-    intro_height_ =
-        form.intro.empty() ? 0 : draw::wrapped_height(ctx, form.intro, width - 2 * kMargin) + 10;
+    intro_height_ = form.intro.empty() ? 0
+                    : has_columns()    ? draw::two_columns_height(form.intro)
+                                       : draw::wrapped_height(ctx, form.intro, width - 2 * kMargin);
+    if (intro_height_ > 0) intro_height_ += 10;
     setWidth(static_cast<int>(width));
     lay_out();
     const double preferred = kTitleHeight + intro_height_ + layout_.height() + footer_height();
@@ -133,9 +135,11 @@ class FormPanel : public Element {
                          form.intro, palette().faint_text);
     nvgSave(ctx);
     draw::clip(ctx, visible);
-    if (is_message())
-      draw::wrapped_text(ctx, to_panel({kMargin, 0, visible.width - 2 * kMargin, intro_height_}),
-                         form.intro, palette().text);
+    const ScreenRect message = to_panel({kMargin, 0, visible.width - 2 * kMargin, intro_height_});
+    if (is_message() && has_columns())
+      draw::two_columns(ctx, message, form.intro, palette().text);
+    else if (is_message())
+      draw::wrapped_text(ctx, message, form.intro, palette().text);
     for (const FormLine& line : layout_.lines()) {
       const double top = line.top - scroll_.offset();
       if (top + line.height > 0 && top < visible.height) draw_line(ctx, line);
@@ -214,6 +218,9 @@ class FormPanel : public Element {
     return kind == FieldKind::Text || kind == FieldKind::Number || kind == FieldKind::Integer;
   }
   bool is_message() const { return model_.fields().empty(); }
+  bool has_columns() const {
+    return is_message() && model_.description().intro.find('\t') != std::string::npos;
+  }
   /// After fields were shown or hidden.
   void lay_out() {
     if (context_ == nullptr) return;

@@ -15,6 +15,7 @@ namespace {
 
 const char* const kListOrder = "list order";
 const char* const kNoGroups = "no groups";
+const std::string kResultsOf = "results of ";
 
 constexpr double kListMargin = 6, kControlHeight = 28, kTabBarHeight = 32, kListFooterHeight = 26;
 constexpr double kMinTabWidth = 90, kMaxTabWidth = 200, kCloseWidth = 22;
@@ -233,8 +234,20 @@ class ListPanel : public Element {
   void choose_sort() {
     std::vector<std::string> choices = {kListOrder, "name"};
     for (const std::string& id : descriptor_ids()) choices.push_back(id);
-    open_choices("sort", choices, sort_text(), [this, choices](std::size_t choice) {
+    const std::size_t first_method = choices.size();
+    const auto results = document()->request().results;
+    if (results)
+      for (const std::string& method : results->methods())
+        choices.push_back(kResultsOf + method + "...");
+    open_choices("sort", choices, sort_text(), [=](std::size_t choice) {
+      if (choice >= first_method) return choose_result(results->methods()[choice - first_method]);
       document()->set_sort(choice == 0 ? "" : choices[choice], document()->request().descending);
+    });
+  }
+  void choose_result(const std::string& method) {
+    const auto choices = document()->request().results->of_method(method);
+    open_choices("sort", choices, sort_text(), [this, choices](std::size_t choice) {
+      document()->set_sort(choices[choice], document()->request().descending);
     });
   }
   void choose_group() {

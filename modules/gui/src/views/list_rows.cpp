@@ -27,6 +27,7 @@ std::optional<std::size_t> number_after(const std::string& prefix, const std::st
 
 /// The sort value of a row.
 std::string value_text(const ListRow& row, const std::string& unit) {
+  if (!row.outcomes.empty()) return row.outcomes;
   if (!row.value) return "not computed";
   if (row.value->is_na()) return "NA";
   const std::string number = format_fixed(row.value->number(), 3);
@@ -37,10 +38,10 @@ std::string value_text(const ListRow& row, const std::string& unit) {
 /// group headers.
 ///
 /// Mouse: click, Ctrl+click and Shift+click select, wheel and scroll bar scroll; a click on a
-/// header opens or closes the group. Keys: Up, Down, Page Up, Page Down, Home, End move to a
-/// scenario and select it, with Shift the range up to it, with Ctrl without selecting; Space
-/// toggles the selection (on a header: the group), Left and Right close and open the group, Ctrl+A
-/// selects all, Escape none.
+/// header opens or closes the group; the right button opens the menu of the scenario. Keys: Up,
+/// Down, Page Up, Page Down, Home, End move to a scenario and select it, with Shift the range up to
+/// it, with Ctrl without selecting; Space toggles the selection (on a header: the group), Left and
+/// Right close and open the group, Ctrl+A selects all, Escape none.
 ///
 /// Parts: "row 3" (index in the view, from 0) and "group 2", which scroll into view when queried.
 class ListRows : public Table {
@@ -154,8 +155,21 @@ class ListRows : public Table {
     const ListLines::Line item = lines().at(*hovered());
     const ListRow* row =
         item.group ? nullptr : document()->row(document()->view().hashes[item.index]);
-    const bool has_reason = row != nullptr && row->value && row->value->is_na();
+    const bool has_reason =
+        row != nullptr && row->outcomes.empty() && row->value && row->value->is_na();
     setTooltip(has_reason ? "NA: " + row->value->reason() : "");
+  }
+  /// The right button selects the row, unless it is one of several that are selected.
+  bool mouseButtonEvent(const nanogui::Vector2i& p, int button, bool down, int modifiers) override {
+    const bool opens = button == GLFW_MOUSE_BUTTON_RIGHT && down;
+    const auto row = opens ? row_at(local(p)) : std::nullopt;
+    if (row && !lines().at(*row).group) {
+      const std::size_t index = lines().at(*row).index;
+      if (!document()->is_selected(index)) document()->select_only(index);
+      document()->set_current(document()->view().hashes[index]);
+      scrolled_to_ = document()->current();
+    }
+    return Table::mouseButtonEvent(p, button, down, modifiers);
   }
   bool key(int key, int modifiers) override {
     if (row_count() == 0 || (modifiers & GLFW_MOD_ALT) != 0) return false;
@@ -220,7 +234,8 @@ class ListRows : public Table {
     const std::string& sort = document()->request().sort;
     if (!sort.empty() && sort != "name") {
       text += ", " + sort + " " + value_text(*row, document()->sort_unit());
-      if (row->value && row->value->is_na()) text += " (" + row->value->reason() + ")";
+      if (row->outcomes.empty() && row->value && row->value->is_na())
+        text += " (" + row->value->reason() + ")";
     }
     if (document()->view().hashes[index] == document()->current()) text += ", current";
     if (document()->is_selected(index)) text += ", selected";

@@ -17,6 +17,8 @@ using mrpt::math::TPose2D;
 namespace {
 
 constexpr double kDegree = M_PI / 180;
+constexpr double kBorder = 3;                                     // pixels
+constexpr double kRowIndent = 48, kRowMargin = 8, kNoteGap = 10;  // pixels, in the legend
 const std::string kNoScene = "No scenario is selected";
 
 std::vector<ViewLayout::Button> buttons(bool editable) {
@@ -50,7 +52,7 @@ ViewLayout ScenarioView::make_layout() const {
   if (legend_open_)
     for (const auto& layer : layers_) names.push_back(layer.id);
   return {static_cast<double>(width()), static_cast<double>(height()), buttons(mode_ == Mode::Edit),
-          names};
+          names, legend_width_};
 }
 
 void ScenarioView::adjust_to_size() {
@@ -215,6 +217,7 @@ std::optional<ScreenRect> ScenarioView::rect_of(const std::string& part) const {
 
 void ScenarioView::paint(NVGcontext* ctx) {
   trajectories_ = studio_.results().overlay().trajectories();
+  legend_width_ = measure_legend(ctx);
   adjust_to_size();
   draw_scene(ctx);
   if (scene_) draw_legend(ctx);
@@ -235,6 +238,7 @@ void ScenarioView::draw_scene(NVGcontext* ctx) {
   draw::clip(ctx, canvas);
   const LayerContext context{ctx, *scene_, view_, trajectories_, scan_pose()};
   draw_background(context);
+  draw_border(ctx);
   for (const auto& layer : layers_)
     if (layer.on) layer.draw(context);
   draw_preview(ctx);
@@ -257,6 +261,19 @@ void ScenarioView::draw_background(const LayerContext& context) {
                           static_cast<double>(screen()->height()), screen()->pixelRatio()};
   tiles_.draw(pictures, palette().free_space, palette().outside, workspace, layout_.canvas, view_,
               viewport);
+}
+
+/// The border of the workspace, which is an obstacle; outside of it, so that it hides no cells.
+void ScenarioView::draw_border(NVGcontext* ctx) const {
+  const Bounds& bounds = scene_->scenario().bounds();
+  const Point low = view_.to_screen({bounds.x_min, bounds.y_min});
+  const Point high = view_.to_screen({bounds.x_max, bounds.y_max});
+  const Color& color = palette().obstacle;
+  draw::fill(ctx, {low.x - kBorder, high.y - kBorder, high.x - low.x + 2 * kBorder, kBorder},
+             color);
+  draw::fill(ctx, {low.x - kBorder, low.y, high.x - low.x + 2 * kBorder, kBorder}, color);
+  draw::fill(ctx, {low.x - kBorder, high.y, kBorder, low.y - high.y}, color);
+  draw::fill(ctx, {high.x, high.y, kBorder, low.y - high.y}, color);
 }
 
 void ScenarioView::draw_preview(NVGcontext* ctx) const {
@@ -334,16 +351,38 @@ void ScenarioView::draw_row(NVGcontext* ctx, const ScreenRect& rect,
                             const SceneLayer& layer) const {
   if (hovered_ == "layer " + layer.id) draw::fill(ctx, rect, palette().hover);
   draw::check_box(ctx, rect.inset(7), layer.on);
-  const ScreenRect sample{rect.left + 26, rect.top + 8, 16, 6};
+  const ScreenRect sample{rect.left + 26, rect.center().y - 3, 16, 6};
   draw::fill(ctx, sample, layer.color);
   draw::frame(ctx, sample, palette().faint_text);
   const bool missing = !layer.missing_reason(*scene_, trajectories_).empty();
-  const std::string note = missing ? "NA" : layer.note(*scene_);
-  const double wide = note.empty() ? 0 : draw::text_width(ctx, note, draw::kSmallTextSize) + 8;
-  draw::text(ctx, {rect.left + 48, rect.top, rect.width - 56 - wide, rect.height}, layer.title,
-             missing ? palette().faint_text : palette().text, draw::kSmallTextSize);
-  draw::text(ctx, rect.inset(8), note, palette().faint_text, draw::kSmallTextSize,
+  const double space = rect.width - kRowIndent - kRowMargin;
+  const double wide = draw::text_width(ctx, layer.title, draw::kSmallTextSize);
+  const float size =
+      wide > space ? draw::kSmallTextSize * static_cast<float>(space / wide) : draw::kSmallTextSize;
+  draw::text(ctx, {rect.left + kRowIndent, rect.top, space + 1, rect.height}, layer.title,
+             missing ? palette().faint_text : palette().text, size);
+  const std::string note = note_of(layer);
+  // A note that has no space is in the status line, when the mouse is over the row.
+  if (wide + kNoteGap + draw::text_width(ctx, note, draw::kSmallTextSize) > space) return;
+  draw::text(ctx, rect.inset(kRowMargin), note, palette().faint_text, draw::kSmallTextSize,
              draw::Align::Right);
+}
+
+std::string ScenarioView::note_of(const SceneLayer& layer) const {
+  return layer.missing_reason(*scene_, trajectories_).empty() ? layer.note(*scene_) : "NA";
+}
+
+/// The width of a row that has space for all titles and notes.
+double ScenarioView::measure_legend(NVGcontext* ctx) const {
+  double width = ViewLayout::kLegendWidth;
+  if (!scene_) return width;
+  const auto measure = [ctx](const std::string& text) {
+    return draw::text_width(ctx, text, draw::kSmallTextSize);
+  };
+  for (const auto& layer : layers_)
+    width = std::max(width, std::ceil(kRowIndent + measure(layer.title) + kNoteGap +
+                                      measure(note_of(layer)) + kRowMargin));
+  return width;
 }
 
 void ScenarioView::draw_status(NVGcontext* ctx) const {

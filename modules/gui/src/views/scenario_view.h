@@ -87,12 +87,15 @@ class ScenarioView : public Element {
 
   void draw_scene(NVGcontext* ctx);
   void draw_background(const LayerContext& context);
+  void draw_border(NVGcontext* ctx) const;
   void draw_preview(NVGcontext* ctx) const;
   void draw_pointer(NVGcontext* ctx) const;
   void draw_scale_bar(NVGcontext* ctx) const;
   void draw_tools(NVGcontext* ctx) const;
   void draw_legend(NVGcontext* ctx) const;
   void draw_row(NVGcontext* ctx, const ScreenRect& rect, const SceneLayer& layer) const;
+  std::string note_of(const SceneLayer& layer) const;
+  double measure_legend(NVGcontext* ctx) const;
   void draw_status(NVGcontext* ctx) const;
 
   Studio& studio_;
@@ -102,6 +105,7 @@ class ScenarioView : public Element {
   std::vector<SceneLayer> layers_;
   TileImages tiles_;
   bool legend_open_ = true;
+  double legend_width_ = ViewLayout::kLegendWidth;  ///< pixels that the texts of a row need
 
   ViewLayout layout_;
   ViewTransform view_;

@@ -11,6 +11,9 @@ namespace slalom {
 namespace {
 
 constexpr int kDigits = 3;  ///< decimals of values at the marker
+// Of the legend, pixels:
+constexpr double kSampleWidth = 14, kSampleGap = 4, kEntryGap = 12;
+constexpr float kSmallLegendSize = 11;
 
 /// Lines over the time of a replay, whose time is moved by clicking and dragging. Parts: "plot",
 /// "marker".
@@ -110,19 +113,39 @@ class TimePlot : public Plot {
     draw::stroke_path(ctx, series.color, 2);
     nvgRestore(ctx);
   }
+  /// The series beside the title. Entries are drawn completely: smaller or without their values
+  /// where there is little space, and the rest as a number, "+3".
   void draw_legend(NVGcontext* ctx, const PlotFrame& frame) const {
-    constexpr double kSample = 14, kGap = 12;
+    const double title = draw::text_width(ctx, y_title_, draw::kSmallTextSize);
+    const double left = frame.area.left + title, space = frame.area.right() - left;
+    for (const bool values : {true, false})
+      for (const float size : {draw::kSmallTextSize, kSmallLegendSize}) {
+        double wide = 0;
+        for (const LineSeries& series : series_)
+          wide += entry_width(ctx, values ? legend_of(series) : series.name, size);
+        if (wide - kEntryGap <= space) return draw_entries(ctx, frame, left, values, size);
+      }
+    draw_entries(ctx, frame, left, false, kSmallLegendSize);
+  }
+  static double entry_width(NVGcontext* ctx, const std::string& entry, float size) {
+    return kSampleWidth + kSampleGap + draw::text_width(ctx, entry, size) + 1 + kEntryGap;
+  }
+  void draw_entries(NVGcontext* ctx, const PlotFrame& frame, double left, bool values,
+                    float size) const {
     const double right = frame.area.right(), top = frame.area.top;
-    double left = frame.area.left + draw::text_width(ctx, y_title_, draw::kSmallTextSize);
-    for (const LineSeries& series : series_) {
-      const std::string legend = legend_of(series);
-      const double wide = draw::text_width(ctx, legend, draw::kSmallTextSize) + 1;
-      if (left + kSample + 4 + 20 > right) return;
-      draw::line(ctx, left, top - 10, left + kSample, top - 10, series.color, 3);
-      left += kSample + 4;
-      draw::text(ctx, {left, top - 19, std::min(wide, right - left), 18}, legend, palette().text,
-                 draw::kSmallTextSize);
-      left += wide + kGap;
+    const double more = draw::text_width(ctx, "+" + std::to_string(series_.size()), size) + 1;
+    for (std::size_t i = 0; i < series_.size(); ++i) {
+      const std::string entry = values ? legend_of(series_[i]) : series_[i].name;
+      const double wide = entry_width(ctx, entry, size);
+      const double needed = wide - kEntryGap + (i + 1 < series_.size() && !values ? more : 0);
+      if (left + needed > right && !values && size == kSmallLegendSize)
+        return draw::text(ctx, {right - more, top - 19, more, 18},
+                          "+" + std::to_string(series_.size() - i), palette().faint_text, size,
+                          draw::Align::Right);
+      draw::line(ctx, left, top - 10, left + kSampleWidth, top - 10, series_[i].color, 3);
+      const double text = left + kSampleWidth + kSampleGap;
+      draw::text(ctx, {text, top - 19, wide, 18}, entry, palette().text, size);
+      left += wide;
     }
   }
   std::string legend_of(const LineSeries& series) const {

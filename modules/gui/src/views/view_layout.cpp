@@ -8,10 +8,28 @@ namespace slalom {
 namespace {
 
 constexpr double kButtonHeight = 26, kGap = 4, kPositionHeight = 24;
-constexpr double kLegendWidth = 250, kLegendRowHeight = 22, kLegendTitleHeight = 24;
+constexpr double kLegendRowHeight = 22, kMinLegendRowHeight = 15, kLegendTitleHeight = 24;
 constexpr double kClosedLegendWidth = 92, kScaleBarWidth = 220;
 /// Upper bound of the width of a character, and the padding of a button (pixels).
 constexpr double kCharacterWidth = 8, kPadding = 16;
+
+struct LegendColumns {
+  std::size_t count, rows;
+  double width, row_height;
+};
+
+/// As few columns as possible in which all rows are in the canvas and readable.
+LegendColumns legend_columns(std::size_t layers, const ScreenRect& canvas, double width) {
+  const double wide = canvas.width - 2 * kGap;
+  const double tall = canvas.height - 2 * kGap - kLegendTitleHeight;
+  for (std::size_t count = 1;; ++count) {
+    const std::size_t rows = (layers + count - 1) / count;
+    const double row_height = std::min(kLegendRowHeight, tall / static_cast<double>(rows));
+    if (row_height < kMinLegendRowHeight && rows > 1) continue;
+    return {count, rows, std::min(width, wide / static_cast<double>(count)),
+            std::max(row_height, 0.0)};
+  }
+}
 
 }  // namespace
 
@@ -82,14 +100,14 @@ std::string ScaleBar::text() const {
 }
 
 ViewLayout::ViewLayout(double width, double height, const std::vector<Button>& buttons,
-                       const std::vector<std::string>& layers) {
+                       const std::vector<std::string>& layers, double legend_width) {
   tools = {0, 0, width, place_buttons(width, buttons)};
   const double below = std::max(tools.height, height - kPositionHeight);
   const double bar = std::min(kScaleBarWidth, 0.4 * width);
   status = {0, below, width - bar, kPositionHeight};
   scale_bar = {width - bar, below, bar, kPositionHeight};
   canvas = {0, tools.height, width, std::max(1.0, status.top - tools.height)};
-  place_legend(layers);
+  place_legend(layers, legend_width);
 }
 
 double ViewLayout::place_buttons(double width, const std::vector<Button>& buttons) {
@@ -107,18 +125,23 @@ double ViewLayout::place_buttons(double width, const std::vector<Button>& button
   return top + kButtonHeight + kGap;
 }
 
-void ViewLayout::place_legend(const std::vector<std::string>& layers) {
-  const double width =
-      std::min(layers.empty() ? kClosedLegendWidth : kLegendWidth, canvas.width - 2 * kGap);
-  const double left = canvas.left + canvas.width - width - kGap, top = canvas.top + kGap;
+void ViewLayout::place_legend(const std::vector<std::string>& layers, double preferred_width) {
+  const LegendColumns columns =
+      layers.empty() ? LegendColumns{1, 0, kClosedLegendWidth, 0}
+                     : legend_columns(layers.size(), canvas, std::max(preferred_width, 1.0));
+  const double width = static_cast<double>(columns.count) * columns.width;
+  const double left = canvas.right() - width - kGap, top = canvas.top + kGap;
   parts.push_back({"legend", {left, top, width, kLegendTitleHeight}});
-  double row = top + kLegendTitleHeight;
-  for (const std::string& layer : layers) {
-    if (row + kLegendRowHeight > canvas.top + canvas.height) break;
-    parts.push_back({"layer " + layer, {left, row, width, kLegendRowHeight}});
-    row += kLegendRowHeight;
+  const double rows_top = top + kLegendTitleHeight;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const auto column = static_cast<double>(i / columns.rows);
+    const auto row = static_cast<double>(i % columns.rows);
+    parts.push_back({"layer " + layers[i],
+                     {left + column * columns.width, rows_top + row * columns.row_height,
+                      columns.width, columns.row_height}});
   }
-  legend = {left, top, width, row - top};
+  legend = {left, top, width,
+            kLegendTitleHeight + static_cast<double>(columns.rows) * columns.row_height};
 }
 
 ScreenRect ViewLayout::open_canvas() const {

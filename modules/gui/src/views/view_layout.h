@@ -58,10 +58,13 @@ struct ViewLayout {
     std::string name, title;
   };
 
-  /// `layers` are the rows of the legend, empty when it is closed. Buttons that do not fit in a row
-  /// are wrapped.
+  static constexpr double kLegendWidth = 250;
+
+  /// `layers` are the rows of the legend, empty when it is closed; all of them are placed, in
+  /// columns where the canvas is low. `legend_width` is what a column needs, as far as there is
+  /// space. Buttons that do not fit in a row are wrapped.
   ViewLayout(double width, double height, const std::vector<Button>& buttons,
-             const std::vector<std::string>& layers);
+             const std::vector<std::string>& layers, double legend_width = kLegendWidth);
   /// The part of the canvas to which a scenario is fitted: without the legend if there is enough
   /// space.
   ScreenRect open_canvas() const;
@@ -79,7 +82,7 @@ struct ViewLayout {
 
  private:
   double place_buttons(double width, const std::vector<Button>& buttons);
-  void place_legend(const std::vector<std::string>& layers);
+  void place_legend(const std::vector<std::string>& layers, double preferred_width);
 };
 
 }  // namespace slalom

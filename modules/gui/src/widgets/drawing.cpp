@@ -1,8 +1,14 @@
 #include "widgets/drawing.h"
 #include "widgets/line_editor.h"
 
+#include <slalom/core/text.h>
+
+#include <algorithm>
+
 namespace slalom::draw {
 namespace {
+
+constexpr double kColumnsPitch = 20, kColumnGap = 24;  // pixels
 
 void use_font(NVGcontext* ctx, float size, bool bold) {
   nvgFontFace(ctx, bold ? "sans-bold" : "sans");
@@ -142,6 +148,31 @@ double wrapped_height(NVGcontext* ctx, const std::string& text, double width, fl
   float bounds[4];
   nvgTextBoxBounds(ctx, 0, 0, static_cast<float>(width), text.c_str(), nullptr, bounds);
   return bounds[3] - bounds[1];
+}
+
+void two_columns(NVGcontext* ctx, const ScreenRect& rect, const std::string& text,
+                 const Color& color) {
+  const std::vector<std::string> lines = split(text, '\n');
+  double first = 0;
+  for (const std::string& line : lines)
+    if (const std::size_t tab = line.find('\t'); tab != std::string::npos)
+      first = std::max(first, text_width(ctx, line.substr(0, tab)));
+  double top = rect.top;
+  for (const std::string& line : lines) {
+    const std::size_t tab = line.find('\t');
+    draw::text(ctx, {rect.left, top, rect.width, kColumnsPitch}, line.substr(0, tab), color,
+               kTextSize, Align::Left, tab == std::string::npos);
+    if (tab != std::string::npos)
+      draw::text(
+          ctx,
+          {rect.left + first + kColumnGap, top, rect.width - first - kColumnGap, kColumnsPitch},
+          line.substr(tab + 1), color);
+    top += kColumnsPitch;
+  }
+}
+
+double two_columns_height(const std::string& text) {
+  return kColumnsPitch * static_cast<double>(split(text, '\n').size());
 }
 
 double text_width(NVGcontext* ctx, const std::string& text, float size, bool bold) {

@@ -64,6 +64,10 @@ double wrapped_text(NVGcontext* ctx, const ScreenRect& rect, const std::string& 
                     const Color& color, float size = kTextSize);
 double wrapped_height(NVGcontext* ctx, const std::string& text, double width,
                       float size = kTextSize);
+/// Draws lines of two aligned columns, which a tab separates; lines without a tab are headings.
+void two_columns(NVGcontext* ctx, const ScreenRect& rect, const std::string& text,
+                 const Color& color);
+double two_columns_height(const std::string& text);
 double text_width(NVGcontext* ctx, const std::string& text, float size = kTextSize,
                   bool bold = false);
 /// Returns `text`, or its beginning and "…" so that it fits into `width`.

@@ -152,12 +152,26 @@ void MenuBar::paint(NVGcontext* ctx) {
 
 void MenuBar::open(const std::string& menu) {
   open_menu_ = menu;
+  open_lines({mPos.x() + rect_of(menu)->left, static_cast<double>(mPos.y() + height())},
+             actions_.of_menu(menu));
+}
+
+void MenuBar::open_context(const Point& at, const std::vector<std::string>& ids) {
+  open_menu_.clear();
+  std::vector<const Action*> actions;
+  for (const std::string& id : ids) actions.push_back(&actions_.find(id));
+  const double tall = kBorder + kLineHeight * static_cast<double>(ids.size()) + kMenuHelpHeight;
+  open_lines({std::clamp<double>(parent()->width() - kMenuWidth, 0, at.x),
+              std::clamp<double>(parent()->height() - tall, 0, at.y)},
+             actions);
+}
+
+void MenuBar::open_lines(const Point& corner, const std::vector<const Action*>& actions) {
   std::vector<MenuLine> lines;
-  for (const Action* action : actions_.of_menu(menu))
+  for (const Action* action : actions)
     lines.push_back({action->id, action->label(), action->shortcut, action->help,
                      action->disabled_reason(), action->checked && action->checked()});
-  popup_->open({mPos.x() + rect_of(menu)->left, static_cast<double>(mPos.y() + height())},
-               kMenuWidth, parent()->height(), lines, 0,
+  popup_->open(corner, kMenuWidth, parent()->height(), lines, 0,
                [this, lines](std::size_t line) { run_(lines[line].name); });
 }
 
@@ -170,7 +184,7 @@ void MenuBar::open_adjacent(int by) {
 
 bool MenuBar::popup_key(int key, int modifiers) {
   if (!popup_->visible()) return false;
-  if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT)
+  if (!open_menu_.empty() && (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT))
     return open_adjacent(key == GLFW_KEY_LEFT ? -1 : 1), true;
   if (popup_->key(key, modifiers)) return true;
   popup_->close();
@@ -185,7 +199,8 @@ void MenuBar::click(const std::string& menu) {
 }
 
 void MenuBar::hover(const std::optional<Point>& at) {
-  const std::string menu = at && popup_->visible() ? part_at(*at) : "";
+  const bool menu_open = popup_->visible() && !open_menu_.empty();
+  const std::string menu = at && menu_open ? part_at(*at) : "";
   if (!menu.empty() && menu != open_menu_) open(menu);
 }
 

@@ -64,6 +64,8 @@ class MenuBar : public Element {
   /// Handles a key while a menu is open; other keys close it. Left and Right open its neighbors.
   bool popup_key(int key, int modifiers);
   void click(const std::string& menu) override;
+  /// Opens a menu of these actions at a position in the window.
+  void open_context(const Point& at, const std::vector<std::string>& ids);
 
  protected:
   std::vector<Part> parts() const override { return parts_; }
@@ -72,12 +74,13 @@ class MenuBar : public Element {
 
  private:
   void open(const std::string& menu);
+  void open_lines(const Point& corner, const std::vector<const Action*>& actions);
   void open_adjacent(int by);
 
   const Actions& actions_;
   Run run_;
   Menu* popup_;
-  std::string open_menu_;    ///< if popup_ is visible
+  std::string open_menu_;    ///< if popup_ is visible; empty for a context menu
   std::vector<Part> parts_;  ///< as drawn
 };
 

@@ -44,8 +44,12 @@ void PlotFrame::draw(NVGcontext* ctx, const std::string& x_title,
   draw::frame(ctx, area, colors.border);
   draw::text(ctx, {area.left, bottom + kTickRow, area.width, kTitleRow}, x_title, colors.text,
              draw::kSmallTextSize, draw::Align::Right);
-  draw::text(ctx, {area.left - kLeft + 8, area.top - kTop, 0.5 * area.width, kTop - 2}, y_title,
-             colors.text, draw::kSmallTextSize);
+  const double title_left = area.left - kLeft + 8;
+  const double title = draw::text_width(ctx, y_title, draw::kSmallTextSize) + 1;
+  draw::text(ctx,
+             {title_left, area.top - kTop,
+              std::max(0.5 * area.width, std::min(title, right - title_left)), kTop - 2},
+             y_title, colors.text, draw::kSmallTextSize);
 }
 
 void Plot::paint(NVGcontext* ctx) {

@@ -5,11 +5,13 @@
 #include <slalom/core/error.h>
 #include <slalom/gui/panel_window.h>
 #include <slalom/io/png_scene.h>
+#include <slalom/studio/settings.h>
 
 #include <mrpt/img/CImage.h>
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
+#include <cmath>
 #include <nanogui/opengl.h>
 #include <vector>
 
@@ -18,6 +20,9 @@ namespace {
 
 /// Time between frames without events (s): while a replay plays, and otherwise.
 constexpr double kPlayInterval = 0.02, kIdleInterval = 0.5;
+
+/// Screens report scales that are not quite round, such as 1.04.
+constexpr double kScaleSteps = 4;
 
 /// Calls nanogui::init() and nanogui::shutdown().
 struct NanoguiSession {
@@ -89,6 +94,17 @@ void PanelWindow::show() {
   complete_ = true;
   setVisible(true);
   performLayout(mNVGContext);
+}
+
+void PanelWindow::set_scale(double scale) {
+  if (scale == 0 && pixelRatio() == 1) {  // nanogui knows the scales of two desktops only
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(glfwWindow(), &x, &y);
+    scale = std::round(kScaleSteps * static_cast<double>(x)) / kScaleSteps;
+  }
+  if (scale == 0) return;
+  mPixelRatio = static_cast<float>(std::clamp(scale, kMinScale, kMaxScale));
+  setSize(nanogui::Vector2i(size()));  // in screen pixels it changes
 }
 
 void PanelWindow::performLayout(NVGcontext* ctx) {

@@ -91,15 +91,19 @@ class ScriptPlayer {
   void resize(const ScriptCommand& command) {
     GLFWwindow* window = host_.screen->glfwWindow();
     host_.screen->setSize({command.width, command.height});
+    const auto scaled = [this](int size) {
+      return static_cast<int>(static_cast<float>(size) * host_.screen->pixelRatio());
+    };
     const double begin = glfwGetTime();
     double stable_since = begin;
     while (glfwGetTime() - stable_since < kStableTime && glfwGetTime() - begin < kMaxResizeWait) {
       glfwWaitEventsTimeout(0.02);
       int width = 0, height = 0;
       glfwGetWindowSize(window, &width, &height);
-      if (width != command.width || height != command.height) stable_since = glfwGetTime();
+      if (width != scaled(command.width) || height != scaled(command.height))
+        stable_since = glfwGetTime();
     }
-    host_.screen->resizeCallbackEvent(command.width, command.height);
+    host_.screen->resizeCallbackEvent(scaled(command.width), scaled(command.height));
   }
   void click(const ScriptCommand& command) {
     move_to(at(command.target));
@@ -205,7 +209,9 @@ class ScriptPlayer {
   }
   void move_to(const Vector2f& point) {
     // nanogui subtracts (1, 2) pixels for the shape of the cursor
-    host_.screen->cursorPosCallbackEvent(std::floor(point.x()) + 1, std::floor(point.y()) + 2);
+    const auto scale = static_cast<double>(host_.screen->pixelRatio());
+    host_.screen->cursorPosCallbackEvent(std::ceil(scale * (std::floor(point.x()) + 1)),
+                                         std::ceil(scale * (std::floor(point.y()) + 2)));
   }
   void button(bool right, bool down, int modifiers) {
     host_.screen->mouseButtonCallbackEvent(right ? GLFW_MOUSE_BUTTON_RIGHT : GLFW_MOUSE_BUTTON_LEFT,

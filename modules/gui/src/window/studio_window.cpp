@@ -2,6 +2,7 @@
 #include "views/scenario_view.h"
 #include "widgets/menu.h"
 #include "widgets/splitter.h"
+#include "window/script_player.h"
 #include "window/window_layout.h"
 
 #include <slalom/core/error.h>
@@ -65,6 +66,7 @@ StudioWindow::StudioWindow(SceneSettings scene, const StudioSettings& settings,
   studio().notices().observe({Change::Runs}, [this] {
     if (results_->visible() != results_shown()) arrange();
   });
+  set_scale(settings.scale);
   show();
 }
 
@@ -200,7 +202,18 @@ bool StudioWindow::mouseButtonEvent(const nanogui::Vector2i& p, int button, bool
     popup.close();
     return true;
   }
-  return PanelWindow::mouseButtonEvent(p, button, down, modifiers);
+  const bool handled = PanelWindow::mouseButtonEvent(p, button, down, modifiers);
+  if (down && button == GLFW_MOUSE_BUTTON_RIGHT && !dialog_open() && is_on_rows(p))
+    menu_->open_context({static_cast<double>(p.x()), static_cast<double>(p.y())},
+                        scenario_actions());
+  return handled;
+}
+
+bool StudioWindow::is_on_rows(const nanogui::Vector2i& p) const {
+  const nanogui::Widget* rows = find_visible_widget(*list_, "rows");
+  const ListDocument* list = studio().active();
+  return rows != nullptr && list != nullptr && !list->view().hashes.empty() &&
+         rows->contains(p - rows->parent()->absolutePosition());
 }
 
 void StudioWindow::frame() {
@@ -248,6 +261,15 @@ void StudioWindow::add_view_actions() {
                 {},
                 {},
                 [&view] { return view.legend_open(); }});
+  actions_.add({"view.scenario", "View", "Show scenario", "",
+                "Moves the focus to the current scenario and fits it to the view.",
+                [&view] {
+                  view.fit();
+                  view.requestFocus();
+                },
+                [this]() -> std::string {
+                  return studio().current_hash().empty() ? "no scenario is selected" : "";
+                }});
   actions_.add({"view.next_panel", "View", "Next panel", "F6",
                 "Moves the focus to the list, the descriptors, the scenario, the results.",
                 [this] { next_panel(); }});

@@ -1,4 +1,5 @@
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/studio/jobs.h>
 #include <slalom/studio/list_document.h>
 
@@ -47,7 +48,9 @@ void ListDocument::set_filter(const std::string& text) {
   if (text == request_.filter && filter_error_.empty()) return;
   filter_text_ = text;
   try {
-    filter_selection(*list_, text, request_.describe);
+    ListViewRequest request = request_;
+    request.filter = text;
+    filter_selection(*list_, request);
   } catch (const Error& e) {
     filter_error_ = reason_of(e);
     notify(Change::View);
@@ -72,6 +75,14 @@ void ListDocument::set_group_by(const std::string& index) {
 void ListDocument::set_describe_options(const DescribeOptions& options) {
   request_.describe = options;
   refresh();
+}
+
+void ListDocument::set_results(std::shared_ptr<const ResultFields> results) {
+  if (results == request_.results) return;
+  const bool by_result = request_.results && request_.results->contains(request_.sort);
+  if (by_result && !(results && results->contains(request_.sort))) request_.sort.clear();
+  request_.results = std::move(results);
+  filter_error_.empty() ? refresh() : set_filter(filter_text_);
 }
 
 bool ListDocument::is_computing() const {
@@ -130,16 +141,25 @@ void ListDocument::show(ListView view) {
   view_ = std::move(view);
   lines_ = ListLines(view_.hashes.size(), view_.groups, collapsed_);
   rows_.clear();
-  sort_keys_.clear();
-  sort_unit_ = "-";
-  if (!request_.sort.empty() && request_.sort != "name") {
-    sort_keys_ = descriptor_view({request_.sort}, request_.describe).at(request_.sort);
-    sort_unit_ = descriptor(request_.sort).info.unit;
-  }
+  find_sort_values();
   anchor_.reset();
   select(selected_before);
   keep_current_valid(old_position);
   notify(Change::View);
+}
+
+void ListDocument::find_sort_values() {
+  sort_keys_.clear();
+  sort_field_.reset();
+  sort_unit_ = "-";
+  if (request_.sort.empty() || request_.sort == "name") return;
+  if (request_.results && request_.results->contains(request_.sort)) {
+    sort_field_ = request_.results->read(request_.sort);
+    sort_unit_ = sort_field_->unit;
+    return;
+  }
+  sort_keys_ = descriptor_view({request_.sort}, request_.describe).at(request_.sort);
+  sort_unit_ = descriptor(request_.sort).info.unit;
 }
 
 void ListDocument::keep_current_valid(const std::optional<std::size_t>& old_position) {
@@ -171,13 +191,24 @@ const ListRow* ListDocument::row(const std::string& hash) {
   try {
     const auto entries = list_->select(one);
     if (entries.empty()) return nullptr;
-    ListRow row{entries.front(), std::nullopt};
-    if (!sort_keys_.empty()) row.value = list_->find(hash, sort_keys_);
-    return &rows_.emplace(hash, std::move(row)).first->second;
+    return &rows_.emplace(hash, make_row(entries.front())).first->second;
   } catch (const Error& e) {
     notice_ = reason_of(e);
     return nullptr;
   }
+}
+
+ListRow ListDocument::make_row(const ScenarioList::Entry& entry) {
+  ListRow row{entry, std::nullopt};
+  if (!sort_keys_.empty()) row.value = list_->find(entry.hash, sort_keys_);
+  if (!sort_field_) return row;
+  const auto number = sort_field_->numbers.find(entry.hash);
+  const bool known = number != sort_field_->numbers.end();
+  row.value = known ? number->second : Value::na("no runs in this scenario");
+  const auto texts = sort_field_->texts.find(entry.hash);
+  if (texts != sort_field_->texts.end())
+    row.outcomes = join({texts->second.begin(), texts->second.end()}, ", ");
+  return row;
 }
 
 void ListDocument::set_current(const std::string& hash) {

@@ -112,23 +112,28 @@ std::optional<std::size_t> ListView::index_of(const std::string& hash) const {
   return *at;
 }
 
-ListSelection filter_selection(const ScenarioList& list, const std::string& filter,
-                               const DescribeOptions& describe) {
+ListSelection filter_selection(const ScenarioList& list, const ListViewRequest& request) {
   ListSelection selection;
-  if (trim(filter).empty()) return selection;
-  const SelectionVocabulary vocabulary = list.vocabulary(descriptor_ids());
-  selection.where = parse_selection(filter, vocabulary);
-  selection.view = descriptor_view(number_fields(selection.where, vocabulary), describe);
+  if (trim(request.filter).empty()) return selection;
+  SelectionVocabulary vocabulary = list.vocabulary(descriptor_ids());
+  if (request.results) request.results->add_to(vocabulary);
+  selection.where = parse_selection(request.filter, vocabulary);
+  std::vector<std::string> ids;
+  for (const std::string& field : number_fields(selection.where, vocabulary))
+    if (!request.results || !request.results->contains(field)) ids.push_back(field);
+  selection.view = descriptor_view(ids, request.describe);
   return selection;
 }
 
 ListView make_list_view(const ScenarioList& list, const ListViewRequest& request) {
-  ListSelection selection = filter_selection(list, request.filter, request.describe);
+  ListSelection selection = filter_selection(list, request);
   if (!request.sort.empty()) {
     selection.order.push_back({request.sort, request.descending});
-    if (request.sort != "name")
+    const bool result = request.results && request.results->contains(request.sort);
+    if (request.sort != "name" && !result)
       selection.view.merge(descriptor_view({request.sort}, request.describe));
   }
+  if (request.results) request.results->provide(selection);
   ListView view;
   view.total = list.size();
   view.hashes = hashes_of(list, selection);

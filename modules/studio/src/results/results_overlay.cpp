@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -230,8 +231,10 @@ void ResultsLoader::open(const std::string& path) {
   jobs_.start(
       kOpenKey, "Open " + file_name(path),
       [this, path](Progress&) -> Jobs::Delivery {
-        return [this, source = open_overlay_source(path)] {
+        return [this, source = open_overlay_source(path),
+                fields = std::make_shared<const ResultFields>(path)] {
           overlay_.set_source(source);
+          fields_ = fields;
           read_runs();
         };
       },
@@ -241,6 +244,7 @@ void ResultsLoader::open(const std::string& path) {
 void ResultsLoader::close() {
   jobs_.cancel(kOpenKey);
   jobs_.cancel(kRunsKey);
+  fields_.reset();
   show_runs({}, {}, "No result file is open.");
 }
 
@@ -252,6 +256,7 @@ void ResultsLoader::show(const std::string& scenario_hash) {
 
 void ResultsLoader::read_runs() {
   jobs_.cancel(kRunsKey);
+  replay_when_read_ = false;
   set_runs({}, hash_.empty() ? "No scenario is selected." : "Reading runs ...");
   if (hash_.empty()) return;
   jobs_.start(
@@ -259,6 +264,7 @@ void ResultsLoader::read_runs() {
       [this, source = overlay_.source(), hash = hash_](Progress&) -> Jobs::Delivery {
         return [this, runs = read_overlay_runs(source, hash)] {
           set_runs(runs, file_name(overlay_.source().path) + " contains no runs of this scenario.");
+          if (std::exchange(replay_when_read_, false)) replay();
         };
       },
       [this](const std::string& message) {
@@ -283,6 +289,19 @@ void ResultsLoader::set_runs(std::vector<OverlayRun> runs, const std::string& me
 void ResultsLoader::toggle(const OverlayRow& row) {
   overlay_.toggle(row);
   notices_.publish(Change::Runs);
+}
+
+void ResultsLoader::replay() {
+  replay_when_read_ = jobs_.is_pending(kRunsKey);
+  if (replay_when_read_) return;
+  overlay_.clock().seek(0);
+  overlay_.clock().play();
+}
+
+std::string ResultsLoader::replay_disabled_reason() const {
+  if (!overlay_.is_open()) return "no results are open";
+  const bool playable = jobs_.is_pending(kRunsKey) || overlay_.clock().duration() > 0;
+  return playable ? "" : "no run of this scenario is shown";
 }
 
 void ResultsLoader::show_all(bool shown) {

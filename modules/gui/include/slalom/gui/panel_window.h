@@ -24,6 +24,7 @@ class PanelWindow : public mrpt::gui::CDisplayWindowGUI {
  public:
   ~PanelWindow() override;
   Studio& studio() { return *studio_; }
+  const Studio& studio() const { return *studio_; }
   void run();  ///< until the window is closed
   /// Runs until the script ends or the window is closed. Throws the errors of the script.
   void run(const std::vector<ScriptCommand>& script, const std::string& name);
@@ -37,6 +38,9 @@ class PanelWindow : public mrpt::gui::CDisplayWindowGUI {
   PanelWindow(const std::string& title, int width, int height, SceneSettings scene,
               StudioServices services);
   void show();  ///< after all panels were made
+  /// Screen pixels per pixel of the layout; 0 for that of the desktop. Keeps the size in pixels of
+  /// the layout.
+  void set_scale(double scale);
   virtual void arrange() = 0;
   virtual void frame();                                ///< polls the studio and draws
   virtual void run_action(const std::string& id) = 0;  ///< of a script

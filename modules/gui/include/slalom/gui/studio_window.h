@@ -41,6 +41,7 @@ class StudioWindow : public PanelWindow {
   bool handle_key(int key, int scancode, int action, int modifiers);
   nanogui::Widget* focused_text_field() const;  ///< null for none
   bool dialog_open() const;
+  bool is_on_rows(const nanogui::Vector2i& p) const;
   void frame() override;
 
   Actions actions_;

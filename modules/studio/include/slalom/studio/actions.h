@@ -47,6 +47,17 @@ struct Action {
   std::string label() const { return current_label ? current_label() : title; }
 };
 
+/// Keys of a panel of the window, for the help; they act while it has the focus.
+struct PanelKey {
+  std::string panel;              ///< the id of its element
+  std::vector<std::string> keys;  ///< for key_stroke_of()
+  std::string help;
+};
+const std::vector<PanelKey>& panel_keys();
+
+/// The actions on the scenarios of a list, by id, for its context menu.
+const std::vector<std::string>& scenario_actions();
+
 /// All actions, in menu order.
 class Actions {
  public:

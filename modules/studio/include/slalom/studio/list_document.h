@@ -23,6 +23,7 @@ class Jobs;
 struct ListRow {
   ScenarioList::Entry entry;
   std::optional<Value> value;  ///< of the sort field; none if not computed
+  std::string outcomes = {};   ///< if the list is sorted by them; empty for none
 };
 
 /// Actions on an open list.
@@ -68,6 +69,8 @@ class ListDocument {
   void set_group_by(const std::string& index);
   /// The robot and sensor of the descriptor values that filters and sorting use.
   void set_describe_options(const DescribeOptions& options);
+  /// Results that filters and sorting may use; null for none.
+  void set_results(std::shared_ptr<const ResultFields> results);
   const std::string& filter_text() const { return filter_text_; }  ///< as last set
   const std::string& filter_error() const { return filter_error_; }
   const std::string& notice() const { return notice_; }  ///< a change of the file, if any
@@ -131,6 +134,8 @@ class ListDocument {
   std::string path_error() const;   ///< why the file is no longer at its path
   void require_enabled(ListAction action) const;
   void show(ListView view);
+  void find_sort_values();
+  ListRow make_row(const ScenarioList::Entry& entry);
   void fail(const std::string& message);
   void keep_current_valid(const std::optional<std::size_t>& old_position);
   void follow_current(const std::map<std::string, std::string>& contents);
@@ -162,6 +167,7 @@ class ListDocument {
   std::optional<std::size_t> anchor_;  ///< where a range selection starts
   std::map<std::string, ListRow> rows_;
   std::vector<ValueKey> sort_keys_;
+  std::shared_ptr<const ListField> sort_field_;  ///< null unless sorted by a result
   std::string sort_unit_ = "-";
 };
 

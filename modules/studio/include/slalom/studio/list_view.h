@@ -3,11 +3,13 @@
 #include <slalom/commands/describe_list.h>
 #include <slalom/core/progress.h>
 #include <slalom/core/value.h>
+#include <slalom/io/result_fields.h>
 #include <slalom/io/scenario_list.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -65,10 +67,12 @@ ListValues read_list_values(ScenarioList& list, const std::vector<std::string>& 
 /// Filter, order and grouping of a list.
 struct ListViewRequest {
   std::string filter;             ///< an expression for parse_selection(); blank: all
-  std::string sort;               ///< "name" or the id of a descriptor; empty: list order
+  std::string sort;               ///< "name", a descriptor or a result; empty: list order
   bool descending = false;        ///< scenarios without a value come last either way
   std::string group_by;           ///< name of an index; empty: no groups
   DescribeOptions describe = {};  ///< robot and sensor of the values to use
+  /// Whose fields filter and sort may use; null for none.
+  std::shared_ptr<const ResultFields> results = nullptr;
 };
 
 /// A group of a view: the scenarios in a range of an index, or in none.
@@ -88,10 +92,9 @@ struct ListView {
   std::optional<std::size_t> index_of(const std::string& hash) const;
 };
 
-/// The selection for a `filter`, with the keys of the descriptors that it uses. Throws Error
-/// (Usage) like parse_selection().
-ListSelection filter_selection(const ScenarioList& list, const std::string& filter,
-                               const DescribeOptions& describe);
+/// The selection for a filter, with the keys of the descriptors that it uses but without results.
+/// Throws Error (Usage) like parse_selection().
+ListSelection filter_selection(const ScenarioList& list, const ListViewRequest& request);
 
 /// Throws Error: Usage for an invalid filter, sort field or index, File when the list cannot be
 /// read.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <slalom/io/result_fields.h>
 #include <slalom/results/run_record.h>
 #include <slalom/robot/footprint.h>
 #include <slalom/robot/robot_model.h>
@@ -179,6 +180,8 @@ class ResultsLoader {
   ResultsOverlay& overlay() { return overlay_; }
   const ResultsOverlay& overlay() const { return overlay_; }
   const std::string& message() const { return message_; }  ///< why there are no runs
+  /// The results as fields of filters and sorting; null if no file is open.
+  const std::shared_ptr<const ResultFields>& fields() const { return fields_; }
 
   void open(const std::string& path);
   void close();
@@ -189,6 +192,10 @@ class ResultsLoader {
                  const std::string& message = "");
   void toggle(const OverlayRow& row);  ///< see ResultsOverlay
   void show_all(bool shown);
+  /// Plays the runs of the current scenario from their start, as soon as they are read.
+  void replay();
+  /// Why replay() has no effect; empty if it has.
+  std::string replay_disabled_reason() const;
 
  private:
   void read_runs();
@@ -197,6 +204,8 @@ class ResultsLoader {
   Jobs& jobs_;
   Notices& notices_;
   ResultsOverlay overlay_;
+  std::shared_ptr<const ResultFields> fields_;
+  bool replay_when_read_ = false;
   std::string hash_, message_ = "No result file is open.";
 };
 

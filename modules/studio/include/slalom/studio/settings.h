@@ -8,6 +8,7 @@ namespace slalom {
 
 /// Window layout that is kept between sessions: section [window] of the settings file.
 struct StudioSettings {
+  double scale = 0;                ///< screen pixels per pixel of the layout; 0: as the desktop
   int width = 1280, height = 800;  ///< pixels
   int list_width = 330;            ///< pixels
   int descriptors_height = 260;    ///< pixels
@@ -17,6 +18,9 @@ struct StudioSettings {
 
   void visit(OptionVisitor& v);
 };
+
+/// The scales that a window can have.
+constexpr double kMinScale = 0.5, kMaxScale = 4;
 
 /// Reads the file; returns the defaults if it does not exist. Throws Error for invalid settings.
 StudioSettings read_studio_settings(const std::string& path);
