@@ -49,9 +49,12 @@ Interpretation interpret(const InterpretArguments& arguments, const Interpreter&
 
 void interpret_verb(const InterpretArguments& arguments, const Interpreter& interpreter) {
   const Interpretation found = interpret(arguments, interpreter);
-  print_or_write(arguments.csv    ? render_csv(found)
-                 : arguments.json ? render_json(found)
-                                  : render_text(found),
+  print_or_write(arguments.csv     ? render_csv(found)
+                 : arguments.json  ? render_json(found)
+                 : arguments.latex ? render_latex(found)
+                 : arguments.html
+                     ? render_html(found, interpreter.id + ": " + join(arguments.files, ", "))
+                     : render_text(found),
                  arguments.output);
   if (!found.passed) throw job_error("gate", "failed", "differences within their limits");
 }

@@ -17,7 +17,7 @@ struct InterpretArguments {
   std::string csv_file;   ///< of --csv
   std::string up, down;   ///< columns of CSV files
   std::string output;
-  bool csv = false, json = false;
+  bool csv = false, json = false, latex = false, html = false;
   int jobs = 1;  ///< threads that read shards
 };
 

@@ -72,7 +72,12 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
                     "8); tables do not depend on their number")
         ->check(CLI::Range(1, 1024));
   }
-  if (id == "compare" || id == "robustness") add_comparison_options(verb, a);
+  if (id == "compare" || id == "robustness" || id == "history") {
+    add_comparison_options(verb, a);
+    CLI::Option* latex = verb.add_flag("--latex", a.latex, "Print the tables as LaTeX");
+    verb.add_flag("--html", a.html, "Print one HTML page, to be read or printed on A4 paper")
+        ->excludes(latex);
+  }
 }
 
 }  // namespace

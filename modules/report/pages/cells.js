@@ -4,6 +4,9 @@
 // Cells with fewer values get neither shade nor whisker: they would dominate the column's scale.
 const enoughToDraw = (cell) => cell.n >= 5 && cell.interval !== null;
 
+// More than a tenth of the runs have no value: the mean describes the others only, such as those that succeeded.
+const survivorsOnly = (cell) => cell.n > 0 && 10 * missing(cell) > cell.n + missing(cell);
+
 // Three significant digits of the largest number.
 function digitsOf(cells, column) {
   const largest = Math.max(0, ...cells.map((cell) => Math.abs(cell.mean || 0)));
@@ -13,7 +16,7 @@ function digitsOf(cells, column) {
 // The common scale of the cells of a column: `low` and `high` of whiskers, `worst` and `best` of shades.
 function scaleOf(column, cells) {
   const scale = { column, digits: digitsOf(cells, column), low: 0, high: 1, worst: 0, best: 1 };
-  const drawn = cells.filter(enoughToDraw), means = drawn.map((cell) => cell.mean);
+  const drawn = cells.filter(enoughToDraw), means = drawn.filter((cell) => !survivorsOnly(cell)).map((cell) => cell.mean);
   if (column.rate || drawn.length === 0) return scale;
   scale.low = Math.min(...drawn.map((cell) => cell.interval[0]));
   scale.high = Math.max(...drawn.map((cell) => cell.interval[1]));
@@ -51,7 +54,8 @@ const runsLink = (group) => "runs.html#cell-" + group;
 
 // `shade` from 0 to 1, null for none.
 function cellNode(cell, group, digits, shade, below) {
-  const title = missing(cell) ? "missing: " + reasonsText(cell.na) : null;
+  const title = missing(cell) ? "missing: " + reasonsText(cell.na) + (survivorsOnly(cell)
+    ? "; not shaded: more than 10 % of the runs have no value, the mean is that of the others" : "") : null;
   return html("td", { class: cell.mean === null ? "cell na" : "cell", title,
                       style: shade === null ? null : "--g:" + shade.toFixed(2) },
     html("a", { class: "big", href: runsLink(group) }, cell.mean === null ? "–" : numberText(cell.mean, digits)),
@@ -59,7 +63,7 @@ function cellNode(cell, group, digits, shade, below) {
 }
 
 function tableCell(cell, scale, group) {
-  const shaded = scale.column.direction !== "none" && cell.mean !== null && enoughToDraw(cell);
+  const shaded = scale.column.direction !== "none" && cell.mean !== null && enoughToDraw(cell) && !survivorsOnly(cell);
   return cellNode(cell, group, scale.digits, shaded ? goodness(cell.mean, scale) : null,
                   [whisker(cell, scale), support(supportText(cell, scale.column, scale.digits))]);
 }

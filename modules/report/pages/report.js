@@ -12,8 +12,8 @@ function showSections(sections) {
 // What answers first is open; the rest opens by a click, a link or an address.
 function showCampaign() {
   const shown = showSections([
-    ["clusters", "Failures", clustersSection(), true], ["summary", "Summary", summarySection(null), true],
-    ["findings", "Findings", findingsSection(), true], ["tables", "Cross tables", tablesSection(null), true],
+    ["clusters", "Failures", clustersSection(), true], ["overview", "At a glance", overviewSection(null), true], ["summary", "Summary", summarySection(null), true],
+    ["findings", "Findings", findingsSection(), false], ["tables", "Cross tables", tablesSection(null), true],
     ["comparisons", "Pairwise comparisons", comparisonSection(null), false],
     ["completion", "Completion", completionSection(), false], ["ranks", "Ranks and profiles", rankingSection(), false],
     ["maps", "Maps", mapSection(null), false], ["scenarios", "Scenarios", gallerySection, false],
@@ -38,6 +38,7 @@ function showMethod() {
   element("others").replaceChildren(...report.methods.map((other, i) =>
     i === index ? "" : [" · ", html("a", { href: "method.html#" + (i + 1) }, other.name)]).flat().filter(Boolean));
   showSections([
+    ["overview", "At a glance", overviewSection(index), true],
     ["summary", "Summary", summarySection(index), true], ["outcomes", "Outcomes", outcomesSection(index), true],
     ["comparisons", "Comparisons with the other methods", comparisonSection(index), true],
     ["tables", "Results by descriptor", tablesSection(index), true], ["maps", "Maps", mapSection(index), true],

@@ -1,11 +1,11 @@
 // Sections of index.html and method.html that are tables and sentences; `method` restricts them to one, null: all.
 "use strict";
 
-function outcomeCell(method) {
+function outcomeBar(method) {
   const parts = report.outcomes.map((outcome, i) => [outcome, method.outcomes[i]]).filter(([, n]) => n > 0);
   const bar = ([outcome, n]) => html("i", { class: outcomeKind(outcome), style: "flex:" + n, title: outcome + " " + n });
-  return html("td", {}, html("div", { class: "bar" }, parts.map(bar)), parts.map(([outcome, n]) =>
-    outcomeChip(outcome, n, null, listOf(methodWord(method.method), "outcome=" + outcome))));
+  return [html("div", { class: "bar" }, parts.map(bar)), parts.map(([outcome, n]) =>
+    outcomeChip(outcome, n, null, listOf(methodWord(method.method), "outcome=" + outcome)))];
 }
 
 // The reasons of missing values of the columns over all rows.
@@ -25,20 +25,23 @@ function summarySection(method) {
   const line = (row) => html("tr", {},
     html("th", { class: "name" }, swatch(report.methods[row.method].color),
          html("a", { href: "method.html#" + (row.method + 1) }, report.methods[row.method].name)),
-    html("td", {}, html("a", { href: runsLink(row.runs) }, String(row.n))), outcomeCell(row), scales.map((scale, i) => tableCell(row.cells[i], scale, row.runs)));
+    html("td", {}, html("a", { href: runsLink(row.runs) }, String(row.n))), html("td", {}, outcomeBar(row)),
+    scales.map((scale, i) => tableCell(row.cells[i], scale, row.runs)));
   const percent = Number((100 * report.confidence).toPrecision(12));
   return [card(tableOf({}, [["Method", "Runs", "Outcomes"].map(heading), report.columns.map((column) => headerCell(column, ""))], rows.map(line)),
                missingNote(rows)),
+          method !== null ? null : commonSection(),
           method !== null ? null : soft(`Each cell: the mean (for success the fraction of runs) with its ${percent} % ` +
             "confidence interval, drawn below on the column's scale; then the standard deviation and the number n of values. " +
             "NA: the number of runs without a value, which are excluded from the mean. ↑ higher is better, ↓ lower is better; " +
-            "a stronger shade is better within its column; cells with fewer than 5 values are not shaded.")];
+            "a stronger shade is better within its column; cells with fewer than 5 values, and those in " +
+            "which more than 10 % of the runs have no value, are not shaded.")];
 }
 
 function findingsSection() {
   const groups = report.tables.filter((group) => group.methods.some((table) => table.rows.length > 1));
-  return [soft("The lowest and the highest bin with at least 10 values are compared. A difference is reported only if their " +
-               "intervals do not overlap; overlapping intervals do not prove that there is no difference."),
+  return [soft("Each metric is tested for a trend over all bins; p values corrected for the number of tests (Holm). No trend " +
+               "shown does not prove that there is none."),
           groups.length === 0 ? html("p", {}, "No bins to compare.") : null,
           groups.map((group) => [html("h3", {}, "By " + group.descriptor.name),
             findingsCard(group.methods.flatMap((table) => table.findings))])];
@@ -48,7 +51,7 @@ function findingsSection() {
 function findingsCard(findings) {
   const others = findings.filter((one) => !one.difference), sentence = (one) => finding(one.text, one.difference);
   return card(findings.filter((one) => one.difference).map(sentence), others.length === 0 ? null
-    : html("details", {}, html("summary", {}, plural(others.length, "finding") + " without a difference shown"), others.map(sentence)));
+    : html("details", {}, html("summary", {}, plural(others.length, "finding") + " without a trend shown"), others.map(sentence)));
 }
 
 function crossTable(table, descriptor, scales) {

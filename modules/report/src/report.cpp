@@ -13,12 +13,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <system_error>
 
 namespace slalom {
 namespace {
 
 constexpr std::size_t kMaxPicturesPerPage = 200;
+constexpr std::size_t kMaxFailurePictures = 24;
 constexpr std::size_t kMaxBytesPerPage = 6u << 20u;
 
 /// The file with the pictures of a page, from 1.
@@ -57,8 +59,13 @@ std::vector<std::string> default_columns(const ResultTable& runs) {
 /// number: "scenarios" and "runs".
 class ScenarioFiles {
  public:
-  ScenarioFiles(const std::string& results, const ReportInput& input, const std::string& directory)
+  ScenarioFiles(const std::string& results, const ReportInput& input, const OrderedJson& overview,
+                const std::string& directory)
       : files_(results), input_(input), runs_(input.runs), directory_(directory) {
+    for (const OrderedJson& method : overview)
+      for (const OrderedJson& failure : method["failures"])
+        if (notable_.size() < kMaxFailurePictures)
+          notable_.insert(runs_.scenario[failure["run"].get<std::size_t>()]);
     for (const std::string& outcome : runs_.outcomes) {
       const auto& names = input.summary.outcomes;
       outcomes_.push_back(std::find(names.begin(), names.end(), outcome) - names.begin());
@@ -71,6 +78,8 @@ class ScenarioFiles {
     for (std::size_t scenario = 0; scenario < runs_.scenario_hashes.size(); ++scenario)
       add(scenario);
     write_pictures();
+    write_file_atomically((directory_ / "data" / "failures.js").string(),
+                          "slalomFailures(" + json_text(failure_pictures_) + ");\n");
     return {{"scenarios", std::move(scenarios_)}, {"runs", std::move(entries_)}};
   }
 
@@ -82,7 +91,9 @@ class ScenarioFiles {
   std::vector<std::ptrdiff_t> outcomes_;  ///< indexes into the report's outcomes
   std::vector<const ValueColumn*> columns_;
   OrderedJson scenarios_ = OrderedJson::array(), entries_ = OrderedJson::array();
-  OrderedJson pictures_ = OrderedJson::array();  ///< of the current page
+  OrderedJson pictures_ = OrderedJson::array();           ///< of the current page
+  std::set<std::size_t> notable_;                         ///< scenarios on the first screen
+  OrderedJson failure_pictures_ = OrderedJson::object();  ///< by their index
   std::size_t page_ = 1, page_bytes_ = 0;
 
   /// Scenarios are in the order of their runs.
@@ -100,6 +111,7 @@ class ScenarioFiles {
     }
     for (std::size_t run = first; run < runs_.size() && runs_.scenario[run] == scenario; ++run)
       entries_.push_back(entry(run, run - first < details.size() ? details[run - first] : ""));
+    if (notable_.count(scenario) > 0) failure_pictures_[std::to_string(scenario)] = picture;
     add_picture(picture);
     OrderedJson values = OrderedJson::array();
     for (const ValueColumn& column : runs_.descriptors)
@@ -174,7 +186,7 @@ void write_report(const std::string& results, const ResultTable& runs, const Rep
   data["results"] = std::filesystem::path(results).lexically_normal().filename().string();
   const std::string summary = json_text(data);
   make_directory(directory);
-  OrderedJson lists = ScenarioFiles(results, input, directory).write();
+  OrderedJson lists = ScenarioFiles(results, input, data["overview"], directory).write();
   lists["groups"] = groups_json(groups);
   const std::string runs_text = json_text(lists), values = json_text(value_data(runs));
   const auto write = [&directory](const std::string& name, const std::string& text) {

@@ -1,6 +1,7 @@
 #include "report_data.h"
 
 #include <slalom/analysis/cell_json.h>
+#include <slalom/analysis/common_scenarios.h>
 #include <slalom/analysis/completion.h>
 #include <slalom/analysis/descriptor_map.h>
 #include <slalom/analysis/failure_taxonomy.h>
@@ -15,6 +16,9 @@
 #include <slalom/io/svg_scene.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
 
 namespace slalom {
 namespace {
@@ -60,6 +64,9 @@ class DataMaker {
       if (column.info.direction != Direction::None && !column.wall_clock)
         directed_.push_back(column.info.id);
     }
+    ComparisonOptions comparison;
+    comparison.analysis = options_.analysis;
+    comparisons_ = directed_comparisons(runs_, input.summary.columns, comparison);
   }
 
   OrderedJson columns() const {
@@ -132,14 +139,27 @@ class DataMaker {
   /// Every pair of methods in every directed column, as one family of tests.
   OrderedJson comparisons() const {
     OrderedJson json = OrderedJson::array();
-    if (runs_.methods.size() < 2 || directed_.empty()) return json;
-    try {
-      ComparisonOptions comparison;
-      comparison.analysis = options_.analysis;
-      for (const PairedComparison& pair : compare_methods(runs_, directed_, "", comparison))
-        json.push_back(comparison_json(pair));
-    } catch (const Error&) {
-      return json;  // no common scenarios
+    for (const PairedComparison& pair : comparisons_) json.push_back(comparison_json(pair));
+    return json;
+  }
+
+  OrderedJson overview() const { return overview_json(input_, comparisons_); }
+
+  OrderedJson common_scenarios() {
+    OrderedJson json = OrderedJson::array();
+    for (CommonScenarios& common :
+         build_common_scenarios(runs_, options_.columns, options_.analysis)) {
+      OrderedJson methods = OrderedJson::array();
+      for (std::size_t i = 0; i < common.cells.size(); ++i) {
+        methods.push_back({{"method", i}, {"cell", cell_json(common.cells[i])}});
+        methods.back()["runs"] =
+            group(runs_.methods[i] + ": " + title_of(common), std::move(common.runs[i]));
+      }
+      json.push_back({{"metric", common.column.info.id},
+                      {"title", title_of(common)},
+                      {"scenarios", common.scenarios},
+                      {"left_out", common.left_out},
+                      {"methods", methods}});
     }
     return json;
   }
@@ -210,6 +230,7 @@ class DataMaker {
   const ReportOptions& options_;
   std::vector<RunGroup>& groups_;
   std::vector<std::string> directed_;  ///< ids of the columns in which methods can be better
+  std::vector<PairedComparison> comparisons_;
 
   std::uint32_t index_of(const std::string& method) const { return index_of_method(runs_, method); }
 
@@ -231,11 +252,12 @@ class DataMaker {
                       {"runs", group(title, row.runs)}});
     }
     for (const Finding& finding : condensed_findings(table))
-      sentences.push_back({{"text", finding.text},
-                           {"difference", finding.verdict == Finding::Verdict::Difference}});
+      sentences.push_back(
+          {{"text", finding.text}, {"difference", finding.verdict == Finding::Verdict::Trend}});
     return {{"method", index_of(table.method)},
             {"rows", rows},
             {"notes", table.notes},
+            {"trends", trends_json(table)},
             {"findings", sentences}};
   }
 
@@ -320,8 +342,15 @@ ReportInput make_report_input(const ResultTable& runs, const ReportOptions& opti
   AnalysisOptions analysis = options.analysis;
   analysis.run_ids = false;
   ReportInput input{runs, options, build_summary(runs, options.columns, analysis), {}};
-  for (const BinSpec& spec : options.rows)
-    input.tables.push_back(build_cross_tables(runs, {spec}, options.columns, analysis));
+  // One call: the trends of all tables are one family of tests.
+  std::vector<CrossTable> tables =
+      build_cross_tables(runs, options.rows, options.columns, analysis);
+  const std::size_t methods = tables.size() / std::max<std::size_t>(options.rows.size(), 1);
+  for (std::size_t i = 0; i < options.rows.size(); ++i) {
+    const auto first =
+        std::make_move_iterator(tables.begin() + static_cast<std::ptrdiff_t>(i * methods));
+    input.tables.emplace_back(first, first + static_cast<std::ptrdiff_t>(methods));
+  }
   return input;
 }
 
@@ -340,7 +369,9 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
                       {"metrics", quantities_json(repeatable_metrics(runs))},
                       {"descriptors", quantities_json(descriptors)}};
   if (input.options.planned_runs > 0) json["planned_runs"] = input.options.planned_runs;
+  json["overview"] = make.overview();
   json["summary"] = make.summary();
+  json["common_scenarios"] = make.common_scenarios();
   json["tables"] = make.tables();
   json["outcome_fractions"] = make.outcome_fractions();
   json["comparisons"] = make.comparisons();

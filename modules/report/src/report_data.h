@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/paired_comparison.h>
 #include <slalom/analysis/summary.h>
 #include <slalom/report/report.h>
 
@@ -35,6 +36,10 @@ ReportInput make_report_input(const ResultTable& runs, const ReportOptions& opti
 
 /// report.json except "scenarios", "runs" and "groups". Extends `groups`.
 OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups);
+
+/// "overview" of report.json: the first screen.
+OrderedJson overview_json(const ReportInput& input,
+                          const std::vector<PairedComparison>& comparisons);
 
 /// "clusters" of report.json.
 OrderedJson clusters_json(const std::vector<ReportedCluster>& clusters);

@@ -1,4 +1,5 @@
 #include "browser.h"
+#include "campaign_sample.h"
 #include "occurrences.h"
 #include "report_sample.h"
 
@@ -49,12 +50,13 @@ TEST_F(ReportPages, TheIndexLinksToItsSectionsAndToRuns) {
   const auto targets = all_matches(page, "href=\"#([^\"]*)\"");
   for (const std::string& target : targets)
     EXPECT_EQ(count(page, "id=\"" + target + "\""), 1u) << target;
-  EXPECT_EQ(targets, (std::vector<std::string>{"summary", "findings", "tables", "comparisons",
-                                               "ranks", "scenarios", "repeat"}));
+  EXPECT_EQ(targets, (std::vector<std::string>{"overview", "summary", "findings", "tables",
+                                               "comparisons", "ranks", "scenarios", "repeat"}));
   EXPECT_GT(count(page, "href=\"runs.html#cell-"), 0u);
   EXPECT_EQ(count(page, "<h2>Summary</h2>"), 0u) << "the plain tables are replaced";
-  EXPECT_EQ(count(page, "href=\"run.html#"), 0u) << "the gallery is made when it is opened";
-  EXPECT_EQ(count(open("index.html#scenarios"), "href=\"run.html#"), 24u);
+  EXPECT_EQ(count(page, "href=\"run.html#"), 3u)
+      << "failures; the gallery is made when it is opened";
+  EXPECT_EQ(count(open("index.html#scenarios"), "href=\"run.html#"), 3u + 24u);
 }
 
 TEST_F(ReportPages, TakeNamesLiterally) {
@@ -98,7 +100,7 @@ TEST_F(ReportPages, AnAddressOfAScenarioOpensItsPageOfTheGallery) {
   const std::string page = open("index.html#s-" + last);
   EXPECT_EQ(count(page, "<figure id="), 1u);
   EXPECT_EQ(count(page, "<figure id=\"s-" + last + "\""), 1u);
-  EXPECT_EQ(count(page, "class=\"trajectory\""), 2u);
+  EXPECT_EQ(count(section(page, "scenarios"), "class=\"trajectory\""), 2u);
   EXPECT_EQ(count(page, "<button aria-current=\"true\">2</button>"), 1u);
 }
 
@@ -106,7 +108,7 @@ TEST_F(ReportPages, ReportMissingValuesAndSkippedComparisons) {
   write(make_results(12));
   const std::string page = open("index.html");
   EXPECT_GT(count(page, "optimality: 12 collision"), 0u);
-  EXPECT_GT(count(page, "good: too few runs to compare success, optimality"), 0u);
+  EXPECT_GT(count(page, "good: too few runs for a trend of success, optimality"), 0u);
   EXPECT_EQ(count(page, "(Nemenyi, level 0.05)"), 1u);
 }
 
@@ -126,11 +128,54 @@ TEST_F(ReportPages, ShadeNoFieldOfAMapWithFewerThanFiveValues) {
   EXPECT_EQ(sizes, (std::multiset<std::string>{"2", "2", "10", "10"}));
 }
 
+TEST_F(ReportPages, BeginWithASentenceTheOutcomesAndTheFailuresOfEachMethod) {
+  write(make_results(12));
+  const std::string page = section(open("index.html"), "overview");
+  EXPECT_EQ(count(page,
+                  "</a> succeeds in 0 % [0, 24] of 12 runs; it collides in 100 %; against good "
+                  "it is 1.00 worse in success on the same scenarios, p = 0.0010."),
+            1u)
+      << page;
+  EXPECT_EQ(count(page, "</a> succeeds in 100 % [76, 100] of 12 runs; against &lt;bad&gt; it is "),
+            1u);
+  EXPECT_EQ(count(page, "collision; others that succeed here: 1 of 1</span>"), 3u);
+  EXPECT_EQ(count(page, "href=\"run.html#"), 3u);
+  EXPECT_EQ(count(page, "<svg xmlns"), 3u) << "their pictures";
+  EXPECT_EQ(count(section(open("method.html#1"), "overview"), "<svg xmlns"), 3u);
+}
+
+TEST_F(ReportPages, ShadeNoCellOfSurvivorsAndCompareOnCommonScenarios) {
+  // Methods 1 and 2 fail in about 25 and 40 % of the runs: no value in four of five columns.
+  CampaignSample({3, 40, 1}).write(results_path());
+  const ResultTable runs = read_results(results_path());
+  write_report(results_path(), runs, report_options(runs), report_folder().string());
+  const std::string page = section(open("index.html"), "summary");
+  const auto cells = all_matches(page, "<td class=\"cell\"([^>]*)>");
+  std::size_t survivors = 0, shaded = 0;
+  for (const std::string& cell : cells) {
+    const bool is_shaded = count(cell, "--g:") > 0,
+               is_survivors = count(cell, "not shaded: more") > 0;
+    EXPECT_FALSE(is_shaded && is_survivors) << cell;
+    survivors += is_survivors ? 1 : 0;
+    shaded += is_shaded ? 1 : 0;
+  }
+  EXPECT_GE(survivors, 8u);
+  EXPECT_GE(shaded, 3u + 12u) << "success of each method, and the common scenarios";
+  EXPECT_EQ(count(page, "<h4>On the scenarios that all methods solved</h4>"), 1u);
+  const auto common = report_json()["common_scenarios"];
+  ASSERT_EQ(common.size(), 4u);
+  EXPECT_EQ(common[0]["metric"], "optimality");
+  EXPECT_EQ(common[0]["scenarios"], common[0]["methods"][2]["cell"]["n"]) << "one run each";
+  EXPECT_EQ(
+      count(page, "on " + std::to_string(common[0]["scenarios"].get<int>()) + " of 40 scenarios"),
+      4u);
+}
+
 TEST_F(ReportPages, CompareMethodsAndHaveAPagePerMethod) {
   write(make_results(12));
   const std::string page = open("index.html");
   EXPECT_GT(count(section(page, "comparisons"), "class=\"finding shown\""), 0u);
-  EXPECT_EQ(count(page, "href=\"method.html#1\""), 1u);
+  EXPECT_EQ(count(section(page, "summary"), "href=\"method.html#1\""), 1u);
   const std::pair<const char*, const char*> names[] = {{"method.html#1", "&lt;bad&gt;"},
                                                        {"method.html#2", "good"}};
   for (const auto& [address, name] : names) {

@@ -154,7 +154,8 @@ TEST_F(Report, ReportsMissingValuesAndSkippedComparisons) {
   EXPECT_EQ(bad["rows"][0]["cells"][1]["na"], nlohmann::json::parse(R"({"collision": 12})"));
   EXPECT_TRUE(bad["rows"][0]["cells"][1]["mean"].is_null());
   const auto& findings = json["tables"][0]["methods"][1]["findings"];
-  EXPECT_EQ(findings[0]["text"], "good: too few runs to compare success, optimality by density");
+  EXPECT_EQ(findings[0]["text"],
+            "good: too few runs for a trend of success, optimality by density");
   EXPECT_EQ(findings[0]["difference"], false);
 }
 

@@ -43,6 +43,7 @@ std::vector<Key> keys_of(const Side& side) {
 struct PairedValues {
   std::vector<double> a, b;
   bool one_run_each = true;
+  bool identical = true;
 };
 
 class Pairing {
@@ -60,8 +61,11 @@ class Pairing {
       close();
       scenario_ = a.scenario;
     }
-    sum_a_ += a_.number(a.run);
-    sum_b_ += b_.number(b.run);
+    const double x = a_.number(a.run), y = b_.number(b.run);
+    const double tolerance = kTieTolerance * std::max(std::abs(x), std::abs(y));
+    values_.identical = values_.identical && std::abs(x - y) <= tolerance;
+    sum_a_ += x;
+    sum_b_ += y;
     ++size_;
   }
   PairedValues values() {
@@ -198,11 +202,15 @@ void add_power(PairedComparison& comparison, const std::vector<double>& differen
   }
 }
 
+bool excludes_zero(const PairedComparison& comparison) {
+  return comparison.interval && (comparison.interval->low > 0 || comparison.interval->high < 0);
+}
+
 Verdict verdict_of(const PairedComparison& comparison) {
-  const bool shown = comparison.adjusted_p <= test_level(comparison.confidence) &&
-                     comparison.interval &&
-                     (comparison.interval->low > 0 || comparison.interval->high < 0);
-  if (!shown) {
+  if (comparison.identical) return Verdict::Identical;
+  const bool rejects = comparison.adjusted_p <= test_level(comparison.confidence);
+  if (rejects != excludes_zero(comparison)) return Verdict::Unconfirmed;
+  if (!rejects) {
     const bool enough =
         comparison.required_scenarios > 0 && comparison.scenarios >= comparison.required_scenarios;
     return enough ? Verdict::NoDifference : Verdict::NotEnough;
@@ -228,6 +236,7 @@ PairedComparison compare_pair(const Side& a, const Side& b, const std::string& m
   comparison.scenarios = values.a.size();
   if (values.a.empty()) return comparison;
   const std::vector<double> differences = differences_of(values);
+  comparison.identical = values.identical;
   add_effect(comparison, values, differences, options.analysis);
   add_test(comparison, values, differences);
   add_power(comparison, differences, options);
@@ -238,90 +247,15 @@ PairedComparison compare_pair(const Side& a, const Side& b, const std::string& m
 
 void finish_family(std::vector<PairedComparison>& family) {
   std::vector<double> p;
-  for (const PairedComparison& comparison : family) p.push_back(comparison.p);
+  for (const PairedComparison& comparison : family)
+    if (!comparison.identical) p.push_back(comparison.p);
   const std::vector<double> adjusted = holm_adjusted(p);
-  for (std::size_t i = 0; i < family.size(); ++i) {
-    family[i].adjusted_p = adjusted[i];
-    family[i].verdict = verdict_of(family[i]);
+  std::size_t next = 0;
+  for (PairedComparison& comparison : family) {
+    if (!comparison.identical) comparison.adjusted_p = adjusted[next++];
+    comparison.family = p.size();
+    comparison.verdict = verdict_of(comparison);
   }
-}
-
-std::vector<PairedComparison> compare_methods(const ResultTable& table,
-                                              const std::vector<std::string>& metrics,
-                                              const std::string& baseline,
-                                              const ComparisonOptions& options,
-                                              const std::string& method) {
-  for (const std::string& name : {baseline, method}) {
-    if (!name.empty()) index_of_method(table, name);
-  }
-  if (table.methods.size() < 2) {
-    throw usage_error("compare", "runs of only one method", "two methods, or two result files");
-  }
-  std::vector<PairedComparison> family;
-  for (const std::string& metric : metrics) {
-    for (std::size_t i = 0; i < table.methods.size(); ++i) {
-      for (std::size_t j = i + 1; j < table.methods.size(); ++j) {
-        std::string a = table.methods[i], b = table.methods[j];
-        if (!baseline.empty() && a != baseline && b != baseline) continue;
-        if (!method.empty() && a != method && b != method) continue;
-        if (b == baseline) std::swap(a, b);
-        family.push_back(compare_pair({&table, a, a}, {&table, b, b}, metric, options));
-      }
-    }
-  }
-  finish_family(family);
-  return family;
-}
-
-namespace {
-
-/// Leaves the pairs of names that have `method`. Throws Error (Usage) where there is none.
-void keep_only(std::vector<std::pair<std::string, std::string>>& pairs, const std::string& method) {
-  std::vector<std::string> names;
-  for (const auto& [a, b] : pairs) {
-    if (a == method || b == method) {
-      pairs = {{a, b}};
-      return;
-    }
-    names.push_back(a);
-    if (b != a) names.push_back(b);
-  }
-  throw usage_error("method", "'" + method + "' is not in both results",
-                    expected_name(method, names));
-}
-
-}  // namespace
-
-std::vector<PairedComparison> compare_results(const ResultTable& a, const ResultTable& b,
-                                              const std::vector<std::string>& metrics,
-                                              const ComparisonOptions& options,
-                                              const std::string& method) {
-  std::vector<std::pair<std::string, std::string>> common;
-  for (const std::string& name : a.methods) {
-    if (contains(b.methods, name)) {
-      common.emplace_back(name, name);
-    }
-  }
-  if (common.empty() && a.methods.size() == 1 && b.methods.size() == 1) {
-    common.emplace_back(a.methods[0], b.methods[0]);
-  }
-  if (common.empty()) {
-    throw usage_error(b.source,
-                      "no common method with " + a.source + " (" + join(b.methods, ", ") +
-                          "; there " + join(a.methods, ", ") + ")",
-                      "runs of the same methods");
-  }
-  if (!method.empty()) keep_only(common, method);
-  std::vector<PairedComparison> family;
-  for (const std::string& metric : metrics) {
-    for (const auto& [before, after] : common) {
-      const Side first{&a, before, before + " (" + a.source + ")"};
-      const Side second{&b, after, after + " (" + b.source + ")"};
-      family.push_back(compare_pair(first, second, metric, options));
-    }
-  }
-  finish_family(family);
-  return family;
 }
 
 }  // namespace slalom

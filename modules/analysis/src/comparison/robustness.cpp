@@ -110,6 +110,21 @@ void correct_family(RobustnessTable& table) {
   }
 }
 
+void add_orders(RobustnessTable& table, const std::vector<Setting>& settings,
+                const std::vector<std::string>& metrics, const RobustnessOptions& options) {
+  const ResultTable& first = *settings.front().table;
+  for (const Column& column : resolve_columns(first, metrics)) {
+    if (column.info.direction == Direction::None) continue;
+    for (const Setting& setting : settings) {
+      if (setting.table == &first) continue;
+      const std::string label = join({"order", column.info.id, format_number(setting.value)}, "/");
+      table.orders.push_back({column, setting.value,
+                              rank_stability(first, *setting.table, column.info.id,
+                                             options.comparison.analysis, label)});
+    }
+  }
+}
+
 }  // namespace
 
 RobustnessTable build_robustness(const std::vector<ResultTable>& sweep,
@@ -135,6 +150,7 @@ RobustnessTable build_robustness(const std::vector<ResultTable>& sweep,
     }
   }
   correct_family(table);
+  if (method.empty() && first.methods.size() > 1) add_orders(table, settings, metrics, options);
   return table;
 }
 

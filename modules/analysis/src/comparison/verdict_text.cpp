@@ -35,6 +35,11 @@ std::string power_text(const PairedComparison& c) {
          " % power";
 }
 
+std::string more_text(const PairedComparison& c) {
+  return "; about " + count_text(c.required_scenarios - c.scenarios, "more scenario") +
+         " required for " + power_text(c);
+}
+
 std::string not_enough(const PairedComparison& c) {
   const std::string head =
       "not enough runs to compare " + c.b + " with " + c.a + " in " + c.column.info.id + ": ";
@@ -44,9 +49,21 @@ std::string not_enough(const PairedComparison& c) {
   if (c.required_scenarios <= c.scenarios) {
     return head + statistics_text(c) + "; the required sample size cannot be estimated";
   }
-  return head + statistics_text(c) + "; about " +
-         count_text(c.required_scenarios - c.scenarios, "more scenario") + " required for " +
-         power_text(c);
+  return head + statistics_text(c) + more_text(c);
+}
+
+/// Why the interval and the test disagree.
+std::string unconfirmed(const PairedComparison& c) {
+  const std::string head = "the difference between " + c.b + " and " + c.a + " in " +
+                           c.column.info.id + " is not confirmed: " + statistics_text(c) + "; ";
+  if (c.adjusted_p <= test_level(c.confidence))
+    return head + "the test rejects equality, but the interval includes 0";
+  const std::string correction = c.p <= test_level(c.confidence)
+                                     ? " after the correction for " + count_text(c.family, "test") +
+                                           " (before: " + p_text(c.p) + ")"
+                                     : "";
+  return head + "the interval excludes 0, but the test does not reject equality" + correction +
+         (c.required_scenarios > c.scenarios ? more_text(c) : "");
 }
 
 }  // namespace
@@ -60,6 +77,11 @@ std::string verdict_sentence(const PairedComparison& c) {
       return "no difference shown between " + c.b + " and " + c.a + " in " + metric + ": " +
              statistics_text(c) + "; " + count_text(c.required_scenarios, "scenario") +
              " suffice for " + power_text(c);
+    case Verdict::Unconfirmed:
+      return unconfirmed(c);
+    case Verdict::Identical:
+      return c.b + " and " + c.a + " are identical in " + metric + ": equal values in " +
+             count_text(c.pairs, "pair") + " of runs over " + count_text(c.scenarios, "scenario");
     case Verdict::Different:
       return c.b + " differs from " + c.a + " in " + metric + ": " + statistics_text(c);
     case Verdict::Better:

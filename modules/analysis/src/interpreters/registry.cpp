@@ -8,12 +8,18 @@ using Interpret = Interpretation(const std::vector<ResultTable>& results,
 // Each in its own file of this folder.
 Interpret interpret_summary, interpret_cross_tables, interpret_map, interpret_comparison,
     interpret_ranks, interpret_profile, interpret_completion, interpret_failures,
-    interpret_validity, interpret_robustness;
+    interpret_validity, interpret_robustness, interpret_history;
 
 const std::vector<Interpreter>& all_interpreters() {
   static const std::vector<std::string> table_metrics = {"success", "optimality", "safety"};
   static const std::vector<Interpreter> all = {
-      {"summary", "Summarize all runs of each method", interpret_summary, 1, 1, table_metrics},
+      {"summary",
+       "Summarize all runs of each method: numbers, and a sentence",
+       interpret_summary,
+       1,
+       1,
+       table_metrics,
+       {"success"}},
       {"table", "Print a summary per method and cross tables of bins by metrics",
        interpret_cross_tables, 1, 1, table_metrics},
       {"map", "Map one metric over the bins of two descriptors: --rows 'A:4;B:4'", interpret_map},
@@ -45,6 +51,9 @@ const std::vector<Interpreter>& all_interpreters() {
        true},
       {"robustness", "Metrics over a swept parameter, with one result file per value",
        interpret_robustness, 2, 1000},
+      {"history",
+       "What changed over versions or campaigns: new failures, and each metric by result file",
+       interpret_history, 2, 1000},
   };
   return all;
 }

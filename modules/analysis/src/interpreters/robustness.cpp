@@ -1,8 +1,10 @@
 #include "row_table.h"
 
+#include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/robustness.h>
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 
 namespace slalom {
 namespace {
@@ -33,6 +35,37 @@ DataTable curve_table(const RobustnessTable& table, const RobustnessCurve& curve
   return rows.table();
 }
 
+DataTable order_table(const RobustnessTable& table) {
+  RowTable rows("order_of_methods", "Order of the methods: Kendall's tau against the first value");
+  for (const RobustnessOrder& order : table.orders) {
+    rows.begin_row();
+    rows.add("metric", Field{order.column.info.id});
+    rows.add(table.parameter, std::optional(order.parameter));
+    rows.add("scenarios", order.stability.scenarios);
+    rows.add("tau", order.stability.tau, order.stability.interval);
+  }
+  return rows.table();
+}
+
+/// A stable order is one whose interval excludes 0 from below.
+std::string order_sentence(const RobustnessTable& table, const RobustnessOrder& order) {
+  const RankStability& stability = order.stability;
+  const std::string where = "the order of the methods in " + order.column.info.id + " at " +
+                            table.parameter + " = " + format_number(order.parameter);
+  if (!stability.tau) return where + " cannot be compared: all are equal, or no common scenario";
+  const std::string tau =
+      "Kendall's tau " + format_fixed(*stability.tau, 2) +
+      (stability.interval ? " [" + format_fixed(stability.interval->low, 2) + ", " +
+                                format_fixed(stability.interval->high, 2) + "]"
+                          : "") +
+      " over " + count_text(stability.scenarios, "scenario");
+  if (*stability.tau == 1 && stability.interval && stability.interval->low == 1)
+    return where + " is that at the first value: " + tau;
+  if (stability.interval && stability.interval->low > 0)
+    return where + " resembles that at the first value: " + tau;
+  return where + " is not shown to resemble that at the first value: " + tau;
+}
+
 }  // namespace
 
 Interpretation interpret_robustness(const std::vector<ResultTable>& results,
@@ -52,6 +85,10 @@ Interpretation interpret_robustness(const std::vector<ResultTable>& results,
       if (point.change) found.remarks.push_back(verdict_sentence(*point.change));
     }
   }
+  if (!table.orders.empty()) found.tables.push_back(order_table(table));
+  if (!table.orders.empty()) found.views.push_back(found.tables.back());
+  for (const RobustnessOrder& order : table.orders)
+    found.remarks.push_back(order_sentence(table, order));
   return found;
 }
 

@@ -1,9 +1,50 @@
 #include "row_table.h"
 
+#include <slalom/analysis/common_scenarios.h>
 #include <slalom/analysis/interpreter.h>
+#include <slalom/analysis/method_overview.h>
 #include <slalom/analysis/summary.h>
 
 namespace slalom {
+namespace {
+
+/// A table per metric whose means over all runs are not comparable.
+void add_common_scenarios(Interpretation& found, const ResultTable& table,
+                          const AnalysisQuery& query) {
+  for (const CommonScenarios& common :
+       build_common_scenarios(table, query.metrics, query.comparison.analysis)) {
+    const std::string& metric = common.column.info.id;
+    RowTable exact(metric + "_on_common_scenarios", title_of(common)),
+        view(metric + "_on_common_scenarios", title_of(common));
+    for (std::size_t i = 0; i < common.cells.size(); ++i) {
+      if (!query.method.empty() && table.methods[i] != query.method) continue;
+      for (RowTable* rows : {&exact, &view}) {
+        rows->begin_row();
+        rows->add("method", Field{table.methods[i]});
+      }
+      exact.add_cell(metric, common.cells[i]);
+      view.add("n", common.cells[i].available);
+      view.add(metric, common.cells[i].estimate, common.cells[i].interval);
+    }
+    found.tables.push_back(exact.table());
+    found.views.push_back(view.table());
+  }
+}
+
+std::vector<std::string> overview_sentences(const ResultTable& table, const AnalysisQuery& query) {
+  const std::vector<PairedComparison> family =
+      directed_comparisons(table, resolve_columns(table, query.metrics), query.comparison);
+  const std::vector<CrossTable> tables =
+      build_cross_tables(table, query.rows, query.metrics, query.comparison.analysis);
+  std::vector<std::string> sentences;
+  for (const MethodOverview& overview :
+       build_overview(table, tables, family, query.comparison.analysis))
+    if (query.method.empty() || overview.method == query.method)
+      sentences.push_back(overview.sentence);
+  return sentences;
+}
+
+}  // namespace
 
 Interpretation interpret_summary(const std::vector<ResultTable>& results,
                                  const AnalysisQuery& query) {
@@ -29,7 +70,10 @@ Interpretation interpret_summary(const std::vector<ResultTable>& results,
       view.add(metric + ".na", method.cells[i].n - method.cells[i].available);
     }
   }
-  return {{exact.table()}, {view.table()}, {}, true};
+  Interpretation found{{exact.table()}, {view.table()}, {}, true};
+  add_common_scenarios(found, results[0], query);
+  found.remarks = overview_sentences(results[0], query);
+  return found;
 }
 
 }  // namespace slalom

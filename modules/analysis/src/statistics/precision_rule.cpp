@@ -11,7 +11,7 @@
 namespace slalom {
 namespace {
 
-constexpr const char* kExpected =
+constexpr const char* kExpectedInterval =
     "\"interval(METRIC) < WIDTH\" or \"interval(METRIC) < WIDTH in "
     "BINS\", such as \"interval(success) < 0.1 in density:10\"";
 
@@ -28,7 +28,7 @@ PrecisionRule parse_precision_rule(const std::string& text) {
   PrecisionRule rule;
   if (!std::regex_match(text, found, kRule) || !parse_number(found[2], rule.width) ||
       !(rule.width > 0))
-    throw usage_error("--until", "invalid stopping rule '" + text + "'", kExpected);
+    throw usage_error("--until", "invalid stopping rule '" + text + "'", kExpectedInterval);
   rule.metric = found[1];
   if (found[3].matched) rule.rows = parse_bin_spec(found[3], "--until");
   return rule;

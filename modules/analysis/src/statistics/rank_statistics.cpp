@@ -68,6 +68,24 @@ double probability_of_superiority(const std::vector<double>& a, const std::vecto
   return (sum - m * (m + 1) / 2) / (m * n);
 }
 
+std::optional<double> kendall_tau(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto order = [](double a, double b, double tolerance) {
+    return a > b + tolerance ? 1 : b > a + tolerance ? -1 : 0;
+  };
+  const double tx = tie_tolerance(x), ty = tie_tolerance(y);
+  double concordance = 0, untied_x = 0, untied_y = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t j = i + 1; j < x.size(); ++j) {
+      const int a = order(x[i], x[j], tx), b = order(y[i], y[j], ty);
+      concordance += a * b;
+      untied_x += a * a;
+      untied_y += b * b;
+    }
+  }
+  if (untied_x == 0 || untied_y == 0) return std::nullopt;
+  return concordance / std::sqrt(untied_x * untied_y);
+}
+
 RankCorrelation spearman(const std::vector<double>& x, const std::vector<double>& y,
                          double confidence) {
   RankCorrelation result;

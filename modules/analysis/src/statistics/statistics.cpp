@@ -20,12 +20,6 @@ double count(const GroupSums& groups) {
   return sum(groups.sizes);
 }
 
-/// Variance of the mean over all values, estimated from the variation between groups.
-double variance_of_mean(const GroupMoments& groups) {
-  const double k = groups.groups, n = groups.values;
-  return k / (k - 1) * groups.residuals / (n * n);
-}
-
 /// Random integers in [0, end), two of 32 bits from each draw of the engine. Their nonuniformity,
 /// end / 2^32, is negligible for a bootstrap.
 class FastIndex {
@@ -45,6 +39,11 @@ class FastIndex {
 };
 
 }  // namespace
+
+double variance_of_mean(const GroupMoments& groups) {
+  const double k = groups.groups, n = groups.values;
+  return k / (k - 1) * groups.residuals / (n * n);
+}
 
 double test_level(double confidence) {
   const double level = 1 - confidence, rounded = std::round(level * 1e12) / 1e12;

@@ -41,6 +41,10 @@ Error unknown_metric(const std::string& id, const std::vector<std::string>& know
                      expected_name(id, known));
 }
 
+bool is_survivors_only(std::size_t runs, std::size_t available) {
+  return available > 0 && 10 * (runs - available) > runs;
+}
+
 std::vector<Column> resolve_columns(const ResultTable& table, const std::vector<std::string>& ids) {
   std::vector<Column> columns;
   for (const std::string& id : ids) {

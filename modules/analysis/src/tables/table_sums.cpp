@@ -1,4 +1,5 @@
 #include <slalom/analysis/cell_text.h>
+#include <slalom/analysis/rate_tests.h>
 #include <slalom/analysis/table_sums.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -44,6 +45,33 @@ void add_notes(CrossTable& cross) {
     cross.notes.push_back(count_text(cross.undescribed, "run") +
                           " left out: scenario has no value of " + cross.descriptor.id);
   }
+}
+
+std::vector<std::optional<Trend>> trends_of(const std::vector<const RowSums*>& rows,
+                                            const std::vector<Column>& columns) {
+  std::vector<std::optional<Trend>> trends(columns.size());
+  for (std::size_t column = 0; rows.size() > 1 && column < columns.size(); ++column) {
+    if (columns[column].wall_clock) continue;
+    std::vector<CellSums> bins;
+    for (const RowSums* row : rows) bins.push_back(row->cell(column));
+    trends[column] = find_trend(bins, columns[column].rate);
+  }
+  return trends;
+}
+
+/// All trends of the tables are one family.
+void correct_trends(std::vector<CrossTable>& tables) {
+  std::vector<Trend*> family;
+  std::vector<double> p;
+  for (CrossTable& table : tables) {
+    for (std::optional<Trend>& trend : table.trends) {
+      if (!trend || trend->test.kind == TrendTest::Kind::NoVariation) continue;
+      family.push_back(&*trend);
+      p.push_back(trend->test.p);
+    }
+  }
+  const std::vector<double> adjusted = holm_adjusted(p);
+  for (std::size_t i = 0; i < family.size(); ++i) family[i]->adjusted_p = adjusted[i];
 }
 
 }  // namespace
@@ -235,9 +263,13 @@ std::vector<CrossTable> TableSums::cross_tables(const AnalysisOptions& options) 
                               {},
                               cells_of(row, {name, cross.descriptor.id, bin.label()}, options)});
       }
+      std::vector<const RowSums*> sums;
+      for (const Row& row : method.tables[table].rows) sums.push_back(&row.cells);
+      cross.trends = trends_of(sums, columns);
       add_notes(cross);
     }
   }
+  correct_trends(tables);
   return tables;
 }
 

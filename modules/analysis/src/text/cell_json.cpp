@@ -1,4 +1,5 @@
 #include <slalom/analysis/cell_json.h>
+#include <slalom/analysis/findings.h>
 
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,23 @@ ordered_json cell_json(const Cell& cell) {
                        {"median", number_or_null(cell.median)},
                        {"interval", interval_json(cell.interval)}};
   for (const auto& [reason, n] : cell.na) json["na"][reason] = n;
+  return json;
+}
+
+ordered_json trends_json(const CrossTable& table) {
+  ordered_json json = ordered_json::array();
+  for (std::size_t column = 0; column < table.trends.size(); ++column) {
+    if (!table.trends[column]) continue;
+    const Trend& trend = *table.trends[column];
+    json.push_back({{"metric", table.columns[column].info.id},
+                    {"test", to_string(trend.test.kind)},
+                    {"z", trend.test.z},
+                    {"p", trend.test.p},
+                    {"adjusted_p", trend.adjusted_p},
+                    {"bins", trend.bins},
+                    {"scenarios", trend.scenarios},
+                    {"shown", is_shown(trend, table.confidence)}});
+  }
   return json;
 }
 

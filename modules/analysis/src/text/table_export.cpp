@@ -71,7 +71,8 @@ Json table_json(const CrossTable& table) {
   }
   return {{"method", table.method},         {"row_descriptor", table.descriptor.id},
           {"confidence", table.confidence}, {"rows", rows},
-          {"outside", table.outside},       {"undescribed", table.undescribed}};
+          {"outside", table.outside},       {"undescribed", table.undescribed},
+          {"trends", trends_json(table)}};
 }
 
 }  // namespace

@@ -25,15 +25,6 @@ std::string line_of(const std::vector<std::string>& fields) {
   return join(fields, " & ") + " \\\\\n";
 }
 
-std::string table_of(const std::string& caption, const std::vector<std::string>& header,
-                     const std::vector<std::vector<std::string>>& rows) {
-  std::string text = "\\begin{table}\n\\centering\n\\caption{" + caption + "}\n\\begin{tabular}{l" +
-                     std::string(header.size() - 1, 'r') + "}\n\\hline\n" + line_of(header) +
-                     "\\hline\n";
-  for (const auto& row : rows) text += line_of(row);
-  return text + "\\hline\n\\end{tabular}\n\\end{table}\n";
-}
-
 std::vector<std::string> headers(std::vector<std::string> first,
                                  const std::vector<Column>& columns) {
   for (const Column& column : columns) first.push_back(latex_column_header(column));
@@ -46,6 +37,15 @@ std::string latex_confidence_text(double confidence) {
 
 }  // namespace
 
+std::string latex_tabular(const std::string& caption, const std::vector<std::string>& header,
+                          const std::vector<std::vector<std::string>>& rows) {
+  std::string text = "\\begin{table}\n\\centering\n\\caption{" + caption + "}\n\\begin{tabular}{l" +
+                     std::string(header.size() - 1, 'r') + "}\n\\hline\n" + line_of(header) +
+                     "\\hline\n";
+  for (const auto& row : rows) text += line_of(row);
+  return text + "\\hline\n\\end{tabular}\n\\end{table}\n";
+}
+
 std::string render_latex(const SummaryTable& table) {
   std::vector<std::vector<std::string>> rows;
   for (const MethodSummary& method : table.methods) {
@@ -57,8 +57,8 @@ std::string render_latex(const SummaryTable& table) {
     }
     rows.push_back(std::move(row));
   }
-  return table_of("All scenarios; " + latex_confidence_text(table.confidence) + ".",
-                  headers({"method", "runs"}, table.columns), rows);
+  return latex_tabular("All scenarios; " + latex_confidence_text(table.confidence) + ".",
+                       headers({"method", "runs"}, table.columns), rows);
 }
 
 std::string render_latex(const CrossTable& table) {
@@ -69,8 +69,9 @@ std::string render_latex(const CrossTable& table) {
       row.push_back(cell_latex(line.cells[column], column_digits(table, column)));
     rows.push_back(std::move(row));
   }
-  return table_of(latex_text(table.title) + "; " + latex_confidence_text(table.confidence) + ".",
-                  headers({latex_text(table.descriptor.id), "runs"}, table.columns), rows);
+  return latex_tabular(
+      latex_text(table.title) + "; " + latex_confidence_text(table.confidence) + ".",
+      headers({latex_text(table.descriptor.id), "runs"}, table.columns), rows);
 }
 
 std::string latex_document(const std::vector<std::string>& tables) {

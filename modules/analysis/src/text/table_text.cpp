@@ -46,11 +46,21 @@ std::string outcomes_text(const SummaryTable& table) {
   return grid.text();
 }
 
+/// In some row more than a tenth of the runs have no value.
+bool has_survivors_only(const CrossTable& table, std::size_t column) {
+  for (const CrossRow& row : table.rows)
+    if (is_survivors_only(row.cells[column].n, row.cells[column].available)) return true;
+  return false;
+}
+
 std::string na_lines(const CrossTable& table) {
   std::string text;
   for (std::size_t column = 0; column < table.columns.size(); ++column) {
     const std::string reasons = na_text(table.columns[column], na_of_column(table, column));
-    if (!reasons.empty()) text += "NA  " + printable_line(reasons) + "\n";
+    if (reasons.empty()) continue;
+    const bool many = has_survivors_only(table, column);
+    text += "NA  " + printable_line(reasons) +
+            (many ? "; more than 10 %: means not comparable" : "") + "\n";
   }
   return text;
 }

@@ -78,6 +78,54 @@ TEST(PairedComparison, ReportsNoDifferenceOnlyWithSufficientPower) {
   EXPECT_EQ(only(shifted(60, 0, 0.1), "optimality").verdict, Verdict::NotEnough);
 }
 
+TEST(PairedComparison, EqualValuesAreIdenticalAndNotInTheFamily) {
+  ResultFixture fixture;
+  for (int i = 0; i < 12; ++i) {
+    const std::string hash = fixture.add_scenario(Value::of(0.1));
+    fixture.add_run(hash, "a", 0.5 + 0.01 * i);
+    fixture.add_run(hash, "b", 0.5 + 0.01 * i);
+    fixture.add_run(hash, "c", 0.7 + 0.01 * i);
+  }
+  const auto family = compare_methods(fixture.table, {"optimality"}, "", {});
+  ASSERT_EQ(family.size(), 3u);
+  EXPECT_EQ(family[0].verdict, Verdict::Identical);
+  EXPECT_EQ(verdict_sentence(family[0]),
+            "b and a are identical in optimality: equal values in 12 pairs of runs over 12 "
+            "scenarios");
+  // Twelve differences of one sign, in a family of two: c with a and with b.
+  EXPECT_DOUBLE_EQ(family[1].adjusted_p, 2 * 2.0 / 4096);
+  EXPECT_EQ(family[1].family, 2u);
+}
+
+TEST(PairedComparison, EqualMeansOfDifferentRepetitionsAreNotIdentical) {
+  ResultFixture fixture;
+  const std::string hash = fixture.add_scenario(Value::of(0.1));
+  for (const int repetition : {0, 1}) {
+    fixture.add_run(hash, "a", repetition == 0 ? 0.25 : 0.75, repetition);
+    fixture.add_run(hash, "b", repetition == 0 ? 0.75 : 0.25, repetition);
+  }
+  const PairedComparison c = only(fixture.table, "optimality");
+  EXPECT_EQ(c.equal, 1u);
+  EXPECT_NE(c.verdict, Verdict::Identical);
+}
+
+TEST(PairedComparison, SayWhyAnIntervalWithoutZeroIsNotConfirmed) {
+  // p = 2 * (1 + 9) / 2^9 = 0.039 alone, not in a family of two.
+  const ResultTable table = rates(40, 20, 8, 1);
+  const PairedComparison alone = only(table, "success");
+  EXPECT_DOUBLE_EQ(alone.p, 20.0 / 512);
+  EXPECT_EQ(alone.verdict, Verdict::Worse);
+  std::vector<PairedComparison> family = {alone, alone};
+  finish_family(family);
+  EXPECT_EQ(family[0].verdict, Verdict::Unconfirmed);
+  EXPECT_LT(family[0].interval->high, 0);
+  const std::string sentence = verdict_sentence(family[0]);
+  EXPECT_NE(sentence.find("the interval excludes 0, but the test does not reject equality after "
+                          "the correction for 2 tests (before: p = 0.0391)"),
+            std::string::npos)
+      << sentence;
+}
+
 TEST(PairedComparison, FollowsTheDirectionOfTheMetric) {
   const PairedComparison up = only(shifted(30, -0.2, 0.01), "optimality");
   EXPECT_EQ(up.verdict, Verdict::Worse);

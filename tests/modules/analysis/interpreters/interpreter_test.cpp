@@ -288,6 +288,32 @@ TEST(Interpreter, RobustnessFollowsTheParameter) {
   EXPECT_FALSE(points[0].change);
   EXPECT_NEAR(*points[2].change->difference, -0.2, 1e-9);
   EXPECT_EQ(points[2].change->verdict, Verdict::Worse);
+  EXPECT_TRUE(table.orders.empty()) << "a single method";
+}
+
+TEST(Interpreter, RobustnessSaysWhetherTheOrderOfTheMethodsIsKept) {
+  std::vector<ResultTable> results = sweep({"a", "b"});
+  // b, equal to a so far, is worse than a everywhere, and better at 0.2, the first file.
+  for (std::size_t i = 0; i < results.size(); ++i)
+    for (std::size_t run = 0; run < results[i].size(); ++run)
+      if (results[i].method[run] == 1) {
+        ValueColumn& values = results[i].metrics[0];
+        ValueColumn changed(values.info());
+        for (std::size_t other = 0; other < values.size(); ++other)
+          changed.add_number(values.number(other) + (other == run ? (i == 0 ? 0.05 : -0.05) : 0));
+        values = changed;
+      }
+  AnalysisQuery asked = query("all", {"optimality"});
+  asked.parameter = "sensor.noise_sigma";
+  const std::string text = render_text(named("robustness").interpret(results, asked));
+  EXPECT_NE(text.find("the order of the methods in optimality at sensor.noise_sigma = 0.1 is that "
+                      "at the first value: Kendall's tau 1.00 [1.00, 1.00] over 10 scenarios"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("at sensor.noise_sigma = 0.2 is not shown to resemble that at the first "
+                      "value: Kendall's tau -1.00 [-1.00, -1.00] over 10 scenarios"),
+            std::string::npos)
+      << text;
 }
 
 TEST(Interpreter, RobustnessCorrectsForTheChangesThatAreShown) {

@@ -171,6 +171,15 @@ TEST(RankStatistics, SpearmanAgreesWithPublishedExamples) {
   EXPECT_NEAR(tuna.interval->high, std::tanh(0.693147 + 0.869183), 1e-5);
 }
 
+TEST(RankStatistics, KendallCountsPairsInTheSameOrder) {
+  // Of six pairs five are in the same order.
+  EXPECT_DOUBLE_EQ(*kendall_tau({1, 2, 3, 4}, {1, 2, 4, 3}), 4.0 / 6);
+  EXPECT_DOUBLE_EQ(*kendall_tau({1, 2, 3}, {9, 8, 7}), -1);
+  // Two of three pairs are in the same order, the third is tied in x: 2 / sqrt(2 * 3).
+  EXPECT_DOUBLE_EQ(*kendall_tau({1, 1, 2}, {1, 2, 3}), 2 / std::sqrt(6.0));
+  EXPECT_FALSE(kendall_tau({1, 1, 1}, {1, 2, 3}));
+}
+
 TEST(RankStatistics, SpearmanIsUndefinedForConstantsAndFewValues) {
   EXPECT_FALSE(spearman({1, 1, 1, 1}, {1, 2, 3, 4}, 0.95).rho);
   EXPECT_FALSE(spearman({1, 2}, {1, 2}, 0.95).rho);

@@ -27,7 +27,7 @@ TEST(TableText, ShowsEveryCellWithItsSampleSize) {
             "────────  ─────────────────  ────────────────────  ─────────────────\n"
             "[0, 0.2]  0.75 [0.30, 0.95]  0.800 [0.552, 1.048]  10.0 [10.0, 10.0]\n"
             "4 runs    3/4                ±0.100 n=3 NA=1       ±0.0 n=4\n"
-            "NA  optimality: 1 collision\n");
+            "NA  optimality: 1 collision; more than 10 %: means not comparable\n");
 }
 
 TEST(TableText, IsWrappedWithManyColumns) {

@@ -44,6 +44,10 @@ struct Cell {
   std::optional<Interval> interval;  ///< of the estimate
 };
 
+/// More than a tenth of the runs have no value: the mean describes the others only, such as the
+/// runs that succeeded, and is not comparable with that of a method with other missing runs.
+bool is_survivors_only(std::size_t runs, std::size_t available);
+
 /// The columns with these ids: metrics of the table, "success" (derived from the outcome if it was
 /// not recorded as a metric), or wall-clock measurements such as "cycle_time_mean". Throws Error
 /// (Usage) with the nearest name for an unknown id.

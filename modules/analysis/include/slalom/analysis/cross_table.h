@@ -2,7 +2,9 @@
 
 #include <slalom/analysis/bins.h>
 #include <slalom/analysis/cell.h>
+#include <slalom/analysis/trend.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,9 @@ struct CrossTable {
   QuantityInfo descriptor;  ///< of the rows; id "all" for a single row with all runs
   std::vector<Column> columns;
   std::vector<CrossRow> rows;
+  /// One per column; none for measured times and with too few scenarios. All tables of one analysis
+  /// are one family of tests.
+  std::vector<std::optional<Trend>> trends;
   std::size_t outside = 0;         ///< runs whose scenario's value lies outside all bins
   std::size_t undescribed = 0;     ///< runs whose scenario has no value
   std::vector<std::string> notes;  ///< text for both; empty if no run is left out

@@ -64,4 +64,9 @@ std::string render_json(const Interpretation& interpretation);
 /// The tables as CSV, separated by empty lines.
 std::string render_csv(const Interpretation& interpretation);
 
+/// The tables as a LaTeX document, as render_text() shows them; requires no packages.
+std::string render_latex(const Interpretation& interpretation);
+/// One self-contained page with the remarks and the tables, for A4 paper.
+std::string render_html(const Interpretation& interpretation, const std::string& title);
+
 }  // namespace slalom

@@ -17,10 +17,13 @@ enum class Verdict {
   Worse,         ///< likewise
   Different,     ///< likewise, for a metric without direction
   NoDifference,  ///< not significant, with sufficient power for a relevant difference
-  NotEnough      ///< not significant, with too few scenarios for that power
+  NotEnough,     ///< not significant, with too few scenarios for that power
+  Unconfirmed,   ///< the interval excludes 0, but the corrected test does not reject, or vice versa
+  Identical      ///< all values are equal; not a test
 };
 constexpr auto enum_names(Verdict) {
-  return std::array{"better", "worse", "different", "no difference shown", "not enough runs"};
+  return std::array{"better",          "worse",         "different", "no difference shown",
+                    "not enough runs", "not confirmed", "identical"};
 }
 
 /// Options of comparisons.
@@ -50,11 +53,13 @@ struct PairedComparison {
   std::optional<double> mean_a, mean_b, difference;  ///< over scenarios
   std::optional<Interval> interval;                  ///< of the difference
   std::size_t higher = 0, lower = 0, equal = 0;      ///< scenarios by the sign of the difference
+  bool identical = false;                            ///< all pairs of runs have equal values
 
   enum class Test { None, McNemarExact, SignedRankExact, SignedRankNormal };
   Test test = Test::None;  ///< McNemar for rates with one run per scenario, else Wilcoxon
   double p = 1;
   double adjusted_p = 1;              ///< by Holm, over the family of comparisons
+  std::size_t family = 1;             ///< number of tests in it
   std::optional<Shift> shift;         ///< Hodges-Lehmann, for metrics that are not rates
   std::optional<double> superiority;  ///< Vargha-Delaney A12 of b over a, by scenario
 
@@ -72,7 +77,8 @@ constexpr auto enum_names(PairedComparison::Test) {
 PairedComparison compare_pair(const Side& a, const Side& b, const std::string& metric,
                               const ComparisonOptions& options);
 
-/// Corrects the p values of a family of comparisons, and sets the verdicts.
+/// Corrects the p values of a family of comparisons, and sets the verdicts. Identical sides do not
+/// enter: without a difference no sign can reject (Tarone 1990).
 void finish_family(std::vector<PairedComparison>& family);
 
 /// Every pair of methods of a table (or each against `baseline`) in every metric, as one family;
@@ -82,6 +88,12 @@ std::vector<PairedComparison> compare_methods(const ResultTable& table,
                                               const std::string& baseline,
                                               const ComparisonOptions& options,
                                               const std::string& method = "");
+
+/// The same in those of the columns that have a direction, except measured times. Empty if nothing
+/// can be compared: a single method, or no common scenarios.
+std::vector<PairedComparison> directed_comparisons(const ResultTable& table,
+                                                   const std::vector<Column>& columns,
+                                                   const ComparisonOptions& options);
 
 /// Each method that both results contain, or the single method of each; b against a, as one family;
 /// only `method` (of either) if it is given. Throws Error (Usage) if they have nothing in common.

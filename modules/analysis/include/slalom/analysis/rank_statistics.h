@@ -50,6 +50,11 @@ Shift hodges_lehmann(const std::vector<double>& differences, double confidence);
 /// Delaney (2000). 0.5: no tendency. Requires nonempty samples.
 double probability_of_superiority(const std::vector<double>& a, const std::vector<double>& b);
 
+/// Kendall's tau-b (Kendall 1945): pairs in the same order less those in the opposite one, over the
+/// geometric mean of the numbers of pairs that are not tied on either side; values within the tie
+/// tolerance are tied. None if all are tied on a side. Requires equal sizes.
+std::optional<double> kendall_tau(const std::vector<double>& x, const std::vector<double>& y);
+
 /// A rank correlation.
 struct RankCorrelation {
   std::size_t n = 0;

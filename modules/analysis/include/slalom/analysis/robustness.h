@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/analysis/paired_comparison.h>
+#include <slalom/analysis/rank_stability.h>
 
 #include <string>
 #include <vector>
@@ -23,9 +24,18 @@ struct RobustnessCurve {
   std::vector<RobustnessPoint> points;  ///< by increasing parameter
 };
 
+/// The order of the methods in a metric at one value of the parameter, against the first value.
+struct RobustnessOrder {
+  Column column;
+  double parameter = 0;
+  RankStability stability;
+};
+
 struct RobustnessTable {
   std::string parameter;  ///< "sensor.noise_sigma"
   std::vector<RobustnessCurve> curves;
+  /// Of the metrics with a direction, if there are at least two methods: metrics outermost.
+  std::vector<RobustnessOrder> orders;
   double confidence = 0.95;
 };
 

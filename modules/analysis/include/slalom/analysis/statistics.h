@@ -34,6 +34,8 @@ struct GroupMoments {
   double residuals = 0;           ///< sum over groups of (sum - mean size)^2
 };
 GroupMoments moments_of(const GroupSums& groups);  ///< requires at least one value
+/// Variance of the mean over all values, from the variation between groups; requires two.
+double variance_of_mean(const GroupMoments& groups);
 
 /// The level of tests that goes with a confidence: 0.05 with 0.95, where the difference of the two
 /// doubles would be 0.050000000000000044.

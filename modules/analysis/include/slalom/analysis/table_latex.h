@@ -14,6 +14,10 @@ namespace slalom {
 std::string render_latex(const SummaryTable& table);
 std::string render_latex(const CrossTable& table);
 
+/// A table of LaTeX texts: the first column flush left, the others flush right.
+std::string latex_tabular(const std::string& caption, const std::vector<std::string>& header,
+                          const std::vector<std::vector<std::string>>& rows);
+
 /// A standalone document with these tables.
 std::string latex_document(const std::vector<std::string>& tables);
 

@@ -1,0 +1,101 @@
+#include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/paired_comparison.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+namespace slalom {
+
+std::vector<PairedComparison> compare_methods(const ResultTable& table,
+                                              const std::vector<std::string>& metrics,
+                                              const std::string& baseline,
+                                              const ComparisonOptions& options,
+                                              const std::string& method) {
+  for (const std::string& name : {baseline, method}) {
+    if (!name.empty()) index_of_method(table, name);
+  }
+  if (table.methods.size() < 2) {
+    throw usage_error("compare", "runs of only one method", "two methods, or two result files");
+  }
+  std::vector<PairedComparison> family;
+  for (const std::string& metric : metrics) {
+    for (std::size_t i = 0; i < table.methods.size(); ++i) {
+      for (std::size_t j = i + 1; j < table.methods.size(); ++j) {
+        std::string a = table.methods[i], b = table.methods[j];
+        if (!baseline.empty() && a != baseline && b != baseline) continue;
+        if (!method.empty() && a != method && b != method) continue;
+        if (b == baseline) std::swap(a, b);
+        family.push_back(compare_pair({&table, a, a}, {&table, b, b}, metric, options));
+      }
+    }
+  }
+  finish_family(family);
+  return family;
+}
+
+std::vector<PairedComparison> directed_comparisons(const ResultTable& table,
+                                                   const std::vector<Column>& columns,
+                                                   const ComparisonOptions& options) {
+  std::vector<std::string> metrics;
+  for (const Column& column : columns)
+    if (column.info.direction != Direction::None && !column.wall_clock)
+      metrics.push_back(column.info.id);
+  if (table.methods.size() < 2 || metrics.empty()) return {};
+  try {
+    return compare_methods(table, metrics, "", options);
+  } catch (const Error&) {
+    return {};  // no common scenarios
+  }
+}
+
+namespace {
+
+/// Leaves the pairs of names that have `method`. Throws Error (Usage) where there is none.
+void keep_only(std::vector<std::pair<std::string, std::string>>& pairs, const std::string& method) {
+  std::vector<std::string> names;
+  for (const auto& [a, b] : pairs) {
+    if (a == method || b == method) {
+      pairs = {{a, b}};
+      return;
+    }
+    names.push_back(a);
+    if (b != a) names.push_back(b);
+  }
+  throw usage_error("method", "'" + method + "' is not in both results",
+                    expected_name(method, names));
+}
+
+}  // namespace
+
+std::vector<PairedComparison> compare_results(const ResultTable& a, const ResultTable& b,
+                                              const std::vector<std::string>& metrics,
+                                              const ComparisonOptions& options,
+                                              const std::string& method) {
+  std::vector<std::pair<std::string, std::string>> common;
+  for (const std::string& name : a.methods) {
+    if (contains(b.methods, name)) {
+      common.emplace_back(name, name);
+    }
+  }
+  if (common.empty() && a.methods.size() == 1 && b.methods.size() == 1) {
+    common.emplace_back(a.methods[0], b.methods[0]);
+  }
+  if (common.empty()) {
+    throw usage_error(b.source,
+                      "no common method with " + a.source + " (" + join(b.methods, ", ") +
+                          "; there " + join(a.methods, ", ") + ")",
+                      "runs of the same methods");
+  }
+  if (!method.empty()) keep_only(common, method);
+  std::vector<PairedComparison> family;
+  for (const std::string& metric : metrics) {
+    for (const auto& [before, after] : common) {
+      const Side first{&a, before, before + " (" + a.source + ")"};
+      const Side second{&b, after, after + " (" + b.source + ")"};
+      family.push_back(compare_pair(first, second, metric, options));
+    }
+  }
+  finish_family(family);
+  return family;
+}
+
+}  // namespace slalom

@@ -1,0 +1,121 @@
+#include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/history.h>
+#include <slalom/analysis/scenario_means.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace slalom {
+namespace {
+
+std::vector<std::string> methods_of(const std::vector<ResultTable>& results,
+                                    const std::string& method) {
+  std::set<std::string> names;
+  for (const ResultTable& result : results)
+    names.insert(result.methods.begin(), result.methods.end());
+  const std::vector<std::string> all(names.begin(), names.end());
+  if (method.empty()) return all;
+  if (names.count(method) > 0) return {method};
+  throw usage_error("method", "no runs of '" + method + "' in these results",
+                    expected_name(method, all));
+}
+
+std::optional<PairedComparison> change_of(const Side& before, const Side& now,
+                                          const std::string& metric,
+                                          const ComparisonOptions& options) {
+  try {
+    return compare_pair(before, now, metric, options);
+  } catch (const Error&) {
+    return std::nullopt;  // no common scenarios
+  }
+}
+
+HistoryCurve curve_of(const std::vector<ResultTable>& results, const std::string& method,
+                      const std::string& metric, const ComparisonOptions& options) {
+  HistoryCurve curve;
+  curve.method = method;
+  curve.column = resolve_columns(results.front(), {metric})[0];
+  std::optional<Side> before;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const ResultTable& result = results[i];
+    if (std::find(result.methods.begin(), result.methods.end(), method) == result.methods.end())
+      continue;
+    HistoryPoint point;
+    point.result = i;
+    const std::uint32_t index = index_of_method(result, method);
+    std::vector<std::size_t> runs;
+    for (std::size_t run = 0; run < result.size(); ++run)
+      if (result.method[run] == index) runs.push_back(run);
+    const Side now{&result, method, method + " (" + result.source + ")"};
+    point.cell = make_cell(result, runs, require_metric(result, metric), options.analysis,
+                           join({method, result.source, metric}, "/"));
+    if (before) point.change = change_of(*before, now, metric, options);
+    before = now;
+    curve.points.push_back(std::move(point));
+  }
+  return curve;
+}
+
+void correct_changes(std::vector<HistoryCurve>& curves) {
+  std::vector<PairedComparison> family;
+  std::vector<PairedComparison*> changes;
+  for (HistoryCurve& curve : curves)
+    for (HistoryPoint& point : curve.points)
+      if (point.change) {
+        family.push_back(*point.change);
+        changes.push_back(&*point.change);
+      }
+  finish_family(family);
+  for (std::size_t i = 0; i < changes.size(); ++i) *changes[i] = family[i];
+}
+
+/// Runs of the last two results, paired by scenario hash, method and repetition.
+void add_changed_runs(History& history, const std::vector<ResultTable>& results,
+                      const std::vector<std::string>& methods) {
+  using Key = std::tuple<std::string, std::string, std::uint32_t>;
+  const auto key_of = [](const ResultTable& table, std::size_t run) {
+    return Key{table.scenario_hashes[table.scenario[run]], table.methods[table.method[run]],
+               table.repetition[run]};
+  };
+  const ResultTable &before = results[results.size() - 2], &now = results.back();
+  std::map<Key, std::string> outcomes;
+  for (std::size_t run = 0; run < before.size(); ++run)
+    outcomes[key_of(before, run)] = before.outcomes[before.outcome[run]];
+  for (std::size_t run = 0; run < now.size(); ++run) {
+    const Key key = key_of(now, run);
+    const auto partner = outcomes.find(key);
+    if (partner == outcomes.end() ||
+        std::find(methods.begin(), methods.end(), std::get<1>(key)) == methods.end())
+      continue;
+    ++history.compared_runs;
+    const std::string& outcome = now.outcomes[now.outcome[run]];
+    const ChangedRun changed{results.size() - 1, run, partner->second, outcome};
+    if (is_failure(outcome) && partner->second == "success")
+      history.new_failures.push_back(changed);
+    if (outcome == "success" && is_failure(partner->second))
+      history.new_successes.push_back(changed);
+  }
+}
+
+}  // namespace
+
+History build_history(const std::vector<ResultTable>& results,
+                      const std::vector<std::string>& metrics, const ComparisonOptions& options,
+                      const std::string& method) {
+  if (results.size() < 2)
+    throw usage_error("history", "fewer than two result files", "two or more, in their order");
+  History history;
+  const std::vector<std::string> methods = methods_of(results, method);
+  for (const std::string& metric : metrics)
+    for (const std::string& name : methods)
+      history.curves.push_back(curve_of(results, name, metric, options));
+  correct_changes(history.curves);
+  add_changed_runs(history, results, methods);
+  return history;
+}
+
+}  // namespace slalom

@@ -1,0 +1,83 @@
+#include "view_fields.h"
+
+#include <slalom/analysis/cell_text.h>
+#include <slalom/analysis/interpreter.h>
+#include <slalom/analysis/table_latex.h>
+#include <slalom/core/printable.h>
+#include <slalom/core/text.h>
+#include <slalom/core/version.h>
+
+namespace slalom {
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string html;
+  for (const char c : text)
+    html += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+  return html;
+}
+
+std::string html_row(const std::vector<std::string>& fields, const std::string& cell) {
+  std::string row = "<tr>";
+  for (const std::string& field : fields) {
+    row += "<" + cell + ">" + escaped(field);
+    row += "</" + cell + ">";
+  }
+  return row + "</tr>\n";
+}
+
+std::string html_table(const DataTable& table) {
+  const ViewFields view = view_fields(table);
+  std::string rows;
+  for (const auto& row : view.rows) rows += html_row(row, "td");
+  return "<h2>" + escaped(printable_line(table.title)) + "</h2>\n<table>\n<thead>" +
+         html_row(view.header, "th") + "</thead>\n<tbody>" + rows + "</tbody>\n</table>\n";
+}
+
+constexpr const char* kStyle =
+    "@page { size: A4; margin: 15mm; }\n"
+    "body { font: 10pt/1.35 sans-serif; color: #111; background: #fff; max-width: 180mm; "
+    "margin: 10mm auto; }\n"
+    "h1 { font-size: 15pt; } h2 { font-size: 11pt; break-after: avoid; }\n"
+    "table { border-collapse: collapse; font-size: 8pt; }\n"
+    "th, td { text-align: left; padding: 1px 6px; border-bottom: 1px solid #bbb; "
+    "vertical-align: top; }\n"
+    "th { border-bottom: 1px solid #111; } tr, li { break-inside: avoid; }\n"
+    "ul { padding-left: 5mm; font-size: 9pt; }\n"
+    "@media print { body { margin: 0; } }\n";
+
+std::string latex_table(const DataTable& table) {
+  const ViewFields view = view_fields(table);
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& row : view.rows) {
+    rows.emplace_back();
+    for (const std::string& field : row) rows.back().push_back(latex_text(field));
+  }
+  std::vector<std::string> header;
+  for (const std::string& name : view.header) header.push_back(latex_text(name));
+  return latex_tabular(latex_text(table.title) + ".", header, rows);
+}
+
+}  // namespace
+
+std::string render_latex(const Interpretation& interpretation) {
+  std::vector<std::string> tables;
+  for (const DataTable& table : views_of(interpretation))
+    if (table.rows > 0) tables.push_back(latex_table(table));
+  return latex_document(tables);
+}
+
+std::string render_html(const Interpretation& interpretation, const std::string& title) {
+  std::string remarks, tables;
+  for (const std::string& remark : interpretation.remarks)
+    remarks += "<li>" + escaped(printable_line(remark)) + "</li>\n";
+  for (const DataTable& table : views_of(interpretation))
+    if (table.rows > 0) tables += html_table(table);
+  const std::string heading = escaped(printable_line(title));
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
+         heading + "</title>\n<style>\n" + kStyle + "</style>\n</head>\n<body>\n<h1>" + heading +
+         "</h1>\n" + (remarks.empty() ? "" : "<ul>\n" + remarks + "</ul>\n") + tables +
+         "<p>Slalom " + version() + "</p>\n</body>\n</html>\n";
+}
+
+}  // namespace slalom

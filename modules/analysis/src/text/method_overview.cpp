@@ -1,0 +1,206 @@
+#include <slalom/analysis/cell_text.h>
+#include <slalom/analysis/findings.h>
+#include <slalom/analysis/method_overview.h>
+#include <slalom/analysis/summary.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace slalom {
+namespace {
+
+constexpr const char* kSuccess = "success";
+constexpr std::size_t kMaxNamedMethods = 3;
+
+std::string percent(double fraction) {
+  return format_fixed(100 * fraction, 0) + " %";
+}
+
+std::string success_clause(const MethodSummary& method) {
+  const Cell& cell = method.cells[0];
+  std::string text = method.method + " succeeds in " + percent(*cell.estimate);
+  if (cell.interval)
+    text += " [" + format_fixed(100 * cell.interval->low, 0) + ", " +
+            format_fixed(100 * cell.interval->high, 0) + "]";
+  return text + " of " + count_text(cell.available, "run");
+}
+
+/// "it falls from 100 % to 42 % with density (in [0, 0.1) and [0.3, 0.4], p = 0.0046)"; empty if no
+/// trend is shown.
+std::string trend_clause(const CrossTable& table) {
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    if (table.columns[column].info.id != kSuccess) continue;
+    const std::optional<Trend>& trend = table.trends[column];
+    if (!is_shown(trend, table.confidence)) return "";
+    const bool rises = trend->test.z > 0;
+    const CrossRow *first = nullptr, *last = nullptr;
+    for (const CrossRow& row : table.rows) {
+      if (!row.cells[column].estimate) continue;
+      if (first == nullptr) first = &row;
+      last = &row;
+    }
+    const double from = *first->cells[column].estimate, to = *last->cells[column].estimate;
+    const std::string verb = rises ? "it rises" : "it falls", p = p_text(trend->adjusted_p);
+    if (rises ? to <= from : to >= from)
+      return verb + " with " + table.descriptor.id + " (" + p + ")";
+    return verb + " from " + percent(from) + " to " + percent(to) + " with " + table.descriptor.id +
+           " (in " + first->bin.label() + " and " + last->bin.label() + ", " + p + ")";
+  }
+  return "";
+}
+
+std::string verb_of(const std::string& outcome) {
+  if (outcome == "collision") return "collides";
+  if (outcome == "stuck") return "gets stuck";
+  if (outcome == "timeout") return "times out";
+  if (outcome == "left_workspace") return "leaves the workspace";
+  return "ends with " + outcome;
+}
+
+/// "it gets stuck in 20 %, never collides"; empty if all runs succeed.
+std::string outcome_clause(const MethodSummary& method) {
+  std::vector<std::pair<std::size_t, std::string>> failures;
+  for (const auto& [outcome, n] : method.outcomes)
+    if (outcome != kSuccess && n > 0) failures.emplace_back(n, outcome);
+  if (failures.empty()) return "";
+  std::stable_sort(failures.begin(), failures.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::string> parts;
+  for (const auto& [n, outcome] : failures)
+    parts.push_back(verb_of(outcome) + " in " +
+                    percent(static_cast<double>(n) / static_cast<double>(method.n)));
+  if (method.outcomes.count("collision") == 0) parts.emplace_back("never collides");
+  return "it " + join(parts, ", ");
+}
+
+/// The other side of a comparison that `method` belongs to; null if it does not.
+const std::string* other_side(const PairedComparison& comparison, const std::string& method) {
+  if (comparison.a == method) return &comparison.b;
+  return comparison.b == method ? &comparison.a : nullptr;
+}
+
+/// The differences in success that are shown, largest first.
+std::vector<std::string> difference_clauses(const std::string& method,
+                                            const std::vector<PairedComparison>& family) {
+  std::vector<std::tuple<double, std::string, std::string>> shown;
+  for (const PairedComparison& c : family) {
+    const std::string* other = other_side(c, method);
+    if (other == nullptr || c.column.info.id != kSuccess) continue;
+    if (c.verdict != Verdict::Better && c.verdict != Verdict::Worse) continue;
+    const bool better = (c.verdict == Verdict::Better) == (c.b == method);
+    const double size = std::abs(*c.difference);
+    shown.emplace_back(-size, *other,
+                       "against " + *other + " it is " + format_fixed(size, 2) +
+                           (better ? " better" : " worse") + " in success on the same scenarios, " +
+                           p_text(c.adjusted_p));
+  }
+  std::sort(shown.begin(), shown.end());
+  std::vector<std::string> clauses;
+  for (const auto& [order, other, text] : shown) {
+    if (clauses.size() == kMaxNamedMethods) break;
+    clauses.push_back(text);
+  }
+  if (shown.size() > clauses.size())
+    clauses.push_back("differs from " + std::to_string(shown.size() - clauses.size()) + " more");
+  return clauses;
+}
+
+/// Methods whose values equal those of `method` in every metric that was compared.
+std::string identical_clause(const std::string& method,
+                             const std::vector<PairedComparison>& family) {
+  std::map<std::string, bool> identical;
+  for (const PairedComparison& c : family) {
+    const std::string* other = other_side(c, method);
+    if (other == nullptr) continue;
+    const auto known = identical.try_emplace(*other, true).first;
+    known->second = known->second && c.verdict == Verdict::Identical;
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, is_identical] : identical)
+    if (is_identical) names.push_back(name);
+  return names.empty() ? "" : "its values are identical to those of " + join(names, ", ");
+}
+
+/// The successes of each scenario, by method: of the runs of all other methods.
+struct ScenarioCounts {
+  std::vector<std::size_t> solved_by, run_by;  ///< numbers of methods
+  std::vector<bool> solved;                    ///< scenario by method: all its runs succeed
+};
+
+ScenarioCounts count_scenarios(const ResultTable& table) {
+  const std::size_t methods = table.methods.size(), scenarios = table.scenario_hashes.size();
+  std::vector<bool> present(scenarios * methods, false);
+  ScenarioCounts counts{std::vector<std::size_t>(scenarios, 0),
+                        std::vector<std::size_t>(scenarios, 0),
+                        std::vector<bool>(scenarios * methods, true)};
+  for (std::size_t run = 0; run < table.size(); ++run) {
+    const std::size_t index = table.scenario[run] * methods + table.method[run];
+    present[index] = true;
+    if (table.outcomes[table.outcome[run]] != kSuccess) counts.solved[index] = false;
+  }
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    counts.solved[i] = counts.solved[i] && present[i];
+    counts.run_by[i / methods] += present[i] ? 1 : 0;
+    counts.solved_by[i / methods] += counts.solved[i] ? 1 : 0;
+  }
+  return counts;
+}
+
+/// The failed runs of a method, the most notable first, one per scenario.
+std::vector<NotableFailure> failures_of(const ResultTable& table, const ScenarioCounts& counts,
+                                        std::uint32_t method) {
+  std::vector<std::tuple<double, bool, std::size_t>> failed;  // in increasing order
+  for (std::size_t run = 0; run < table.size(); ++run) {
+    const std::string& outcome = table.outcomes[table.outcome[run]];
+    if (table.method[run] != method || !is_failure(outcome)) continue;
+    const std::size_t scenario = table.scenario[run], others = counts.run_by[scenario] - 1;
+    const double solved =
+        others == 0 ? 0
+                    : static_cast<double>(counts.solved_by[scenario]) / static_cast<double>(others);
+    failed.emplace_back(-solved, outcome != "collision", run);
+  }
+  std::sort(failed.begin(), failed.end());
+  std::vector<NotableFailure> notable;
+  std::vector<std::size_t> scenarios;
+  for (const auto& [order, collided, run] : failed) {
+    const std::size_t scenario = table.scenario[run];
+    if (notable.size() == kMaxNotableFailures) break;
+    if (std::find(scenarios.begin(), scenarios.end(), scenario) != scenarios.end()) continue;
+    scenarios.push_back(scenario);
+    const std::size_t others = counts.run_by[scenario] - 1;
+    const std::string of_others =
+        "; others that succeed here: " + std::to_string(counts.solved_by[scenario]) + " of " +
+        std::to_string(others);
+    notable.push_back({run, table.outcomes[table.outcome[run]] + (others == 0 ? "" : of_others)});
+  }
+  return notable;
+}
+
+}  // namespace
+
+std::vector<MethodOverview> build_overview(const ResultTable& table,
+                                           const std::vector<CrossTable>& tables,
+                                           const std::vector<PairedComparison>& family,
+                                           const AnalysisOptions& options) {
+  std::vector<MethodOverview> overview;
+  if (find_metric(table, kSuccess) == nullptr) return overview;
+  const ScenarioCounts counts = count_scenarios(table);
+  for (const MethodSummary& method : build_summary(table, {kSuccess}, options).methods) {
+    if (!method.cells[0].estimate) continue;
+    std::vector<std::string> clauses = {success_clause(method)};
+    for (const CrossTable& cross : tables)
+      if (cross.method == method.method) clauses.push_back(trend_clause(cross));
+    clauses.push_back(outcome_clause(method));
+    for (std::string& clause : difference_clauses(method.method, family))
+      clauses.push_back(std::move(clause));
+    clauses.push_back(identical_clause(method.method, family));
+    clauses.erase(std::remove(clauses.begin(), clauses.end(), ""), clauses.end());
+    overview.push_back({method.method, join(clauses, "; "),
+                        failures_of(table, counts, index_of_method(table, method.method))});
+  }
+  return overview;
+}
+
+}  // namespace slalom

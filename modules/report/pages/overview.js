@@ -1,0 +1,49 @@
+// The first screen of index.html and method.html: a sentence per method, its outcomes, its failures worth looking at.
+"use strict";
+
+// Called by data/failures.js: pictures by the index of their scenario.
+function slalomFailures(pictures) {
+  document.querySelectorAll("[data-failure]").forEach((node) => {
+    const picture = pictures[node.dataset.failure];
+    if (picture) node.innerHTML = picture;
+  });
+}
+
+function failureFigure({ run, why }) {
+  const [scenario, method, repetition, outcome] = report.runs[run], { hash, name } = report.scenarios[scenario];
+  return html("figure", {}, html("a", { href: "run.html#" + runId(hash, report.methods[method].name, repetition), title: why,
+                                        "aria-label": `${report.methods[method].name} in ${name}: ${why}` },
+    html("div", { class: "picture", "data-failure": String(scenario) }), html("span", { class: "support" }, name)),
+    html("span", { class: "support" }, why));
+}
+
+function overviewCard({ method, text, failures }) {
+  const name = report.methods[method].name, row = report.summary.find((one) => one.method === method);
+  const link = html("a", { href: "method.html#" + (method + 1) }, name);
+  const rest = text.startsWith(name) ? text.slice(name.length) : ": " + text;
+  return html("div", { class: "card overview" },
+    html("div", {}, html("p", {}, swatch(report.methods[method].color), link, rest + "."), outcomeBar(row)),
+    html("div", { class: "failures" }, failures.map(failureFigure)));
+}
+
+function overviewSection(method) {
+  const entries = report.overview.filter((one) => method === null || one.method === method);
+  if (entries.length === 0) return null;
+  loadScript("data/failures.js");
+  return [entries.map(overviewCard),
+          soft("Trends, and differences on the same scenarios, only where a corrected test shows them. Pictures: at most three " +
+               "failures of each method; first where most other methods succeed, then collisions. A click opens the replay.")];
+}
+
+// Metrics on the scenarios in which all methods have a value, where means over all runs are not comparable.
+function commonSection() {
+  if (report.common_scenarios.length === 0) return null;
+  const scales = report.common_scenarios.map(({ metric, methods }) =>
+    scaleOf(report.columns.find((column) => column.id === metric), methods.map(({ cell }) => cell)));
+  const head = report.common_scenarios.map(({ metric, scenarios, left_out }) =>
+    html("th", {}, metric, html("br"), html("span", { class: "support" }, `on ${scenarios} of ${plural(scenarios + left_out, "scenario")}`)));
+  const line = (_, i) => html("tr", {}, html("th", { class: "name" }, methodName(i)),
+    report.common_scenarios.map(({ methods }, at) => tableCell(methods[i].cell, scales[at], methods[i].runs)));
+  return card(html("h4", {}, "On the scenarios that all methods solved"),
+              tableOf({}, [heading("Method"), head], report.methods.map(line)));
+}

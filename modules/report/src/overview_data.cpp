@@ -1,0 +1,24 @@
+#include "report_data.h"
+
+#include <slalom/analysis/method_overview.h>
+
+namespace slalom {
+
+OrderedJson overview_json(const ReportInput& input,
+                          const std::vector<PairedComparison>& comparisons) {
+  std::vector<CrossTable> tables;
+  for (const auto& group : input.tables) tables.insert(tables.end(), group.begin(), group.end());
+  OrderedJson json = OrderedJson::array();
+  for (const MethodOverview& entry :
+       build_overview(input.runs, tables, comparisons, input.options.analysis)) {
+    OrderedJson failures = OrderedJson::array();
+    for (const NotableFailure& failure : entry.failures)
+      failures.push_back({{"run", failure.run}, {"why", failure.why}});
+    json.push_back({{"method", index_of_method(input.runs, entry.method)},
+                    {"text", entry.sentence},
+                    {"failures", failures}});
+  }
+  return json;
+}
+
+}  // namespace slalom

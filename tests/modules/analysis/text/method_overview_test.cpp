@@ -1,0 +1,77 @@
+#include "result_fixture.h"
+
+#include <slalom/analysis/method_overview.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+/// 25 scenarios per bin of density; "a" succeeds in so many of each bin, "b" in all, "c" as a.
+ResultTable three_methods(const std::vector<int>& successes) {
+  ResultFixture fixture;
+  for (int i = 0; i < 25; ++i) {
+    for (std::size_t bin = 0; bin < successes.size(); ++bin) {
+      const std::string hash =
+          fixture.add_scenario(Value::of(0.05 + 0.1 * static_cast<double>(bin)));
+      for (const char* method : {"a", "c"})
+        fixture.add_run(hash, method, i < successes[bin] ? 0.9 : -1);
+      fixture.add_run(hash, "b", 0.9);
+    }
+  }
+  return fixture.table;
+}
+
+std::vector<MethodOverview> overview_of(const ResultTable& table) {
+  const auto tables =
+      build_cross_tables(table, parse_bin_specs("density:0,0.1,0.2"), {"success"}, {});
+  const auto family = directed_comparisons(table, tables[0].columns, {});
+  return build_overview(table, tables, family, {});
+}
+
+TEST(MethodOverview, SaysInASentenceWhatHolds) {
+  const auto overview = overview_of(three_methods({25, 15}));
+  ASSERT_EQ(overview.size(), 3u);
+  // Rate 40 / 50; z = -5 / sqrt(0.16 * 12.5) = -3.536 in two tests; ten scenarios only b solves.
+  EXPECT_EQ(overview[0].sentence,
+            "a succeeds in 80 % [67, 89] of 50 runs; it falls from 100 % to 60 % with density (in "
+            "[0, 0.1) and [0.1, 0.2], p = 0.0008); it collides in 20 %; against b it is 0.20 "
+            "worse in success on the same scenarios, p = 0.0039; its values are identical to "
+            "those of c");
+  EXPECT_EQ(overview[1].sentence,
+            "b succeeds in 100 % [93, 100] of 50 runs; against a it is 0.20 better in success on "
+            "the same scenarios, p = 0.0039; against c it is 0.20 better in success on the same "
+            "scenarios, p = 0.0039");
+}
+
+TEST(MethodOverview, HasNoClauseWithoutEvidence) {
+  const ResultTable table = three_methods({24, 25});
+  EXPECT_EQ(overview_of(table)[0].sentence,
+            "a succeeds in 98 % [90, 100] of 50 runs; it collides in 2 %; its values are identical "
+            "to those of c");
+}
+
+TEST(MethodOverview, ShowsFailuresWhereMostOtherMethodsSucceedFirst) {
+  ResultFixture fixture;
+  const auto add = [&fixture](double a, double b, double c) {
+    const std::string hash = fixture.add_scenario(Value::of(0.1));
+    fixture.add_run(hash, "a", a);
+    fixture.add_run(hash, "b", b);
+    fixture.add_run(hash, "c", c);
+  };
+  add(-1, -1, -1);
+  add(-1, -1, 0.5);
+  add(-1, 0.5, 0.5);
+  add(-1, -1, -1);
+  add(0.5, 0.5, 0.5);
+  const auto overview = overview_of(fixture.table);
+  ASSERT_EQ(overview[0].failures.size(), 3u);
+  EXPECT_EQ(overview[0].failures[0].run, 6u);
+  EXPECT_EQ(overview[0].failures[0].why, "collision; others that succeed here: 2 of 2");
+  EXPECT_EQ(overview[0].failures[1].run, 3u);
+  EXPECT_EQ(overview[0].failures[2].run, 0u);
+  EXPECT_EQ(overview[2].failures.size(), 2u);
+}
+
+}  // namespace
+}  // namespace slalom
