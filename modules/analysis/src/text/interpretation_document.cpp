@@ -35,15 +35,15 @@ std::string html_table(const DataTable& table) {
 }
 
 constexpr const char* kStyle =
-    "@page { size: A4; margin: 15mm; }\n"
-    "body { font: 10pt/1.35 sans-serif; color: #111; background: #fff; max-width: 180mm; "
+    "@page { size: A4; margin: 12mm; }\n"
+    "body { font: 9pt/1.25 sans-serif; color: #111; background: #fff; max-width: 180mm; "
     "margin: 10mm auto; }\n"
     "h1 { font-size: 15pt; } h2 { font-size: 11pt; break-after: avoid; }\n"
-    "table { border-collapse: collapse; font-size: 8pt; }\n"
+    "table { border-collapse: collapse; font-size: 7pt; }\n"
     "th, td { text-align: left; padding: 1px 6px; border-bottom: 1px solid #bbb; "
     "vertical-align: top; }\n"
     "th { border-bottom: 1px solid #111; } tr, li { break-inside: avoid; }\n"
-    "ul { padding-left: 5mm; font-size: 9pt; }\n"
+    "ul { padding-left: 5mm; font-size: 7.5pt; }\n"
     "@media print { body { margin: 0; } }\n";
 
 std::string latex_table(const DataTable& table) {
