@@ -1,5 +1,6 @@
 #include "export.h"
 #include "figure.h"
+#include "history_report.h"
 #include "interpret.h"
 #include "metrics.h"
 #include "output.h"
@@ -27,6 +28,7 @@ namespace {
 
 /// Command-line arguments of all verbs.
 struct Arguments {
+  std::vector<std::string> all_results;  ///< of report
   std::string results, rows, columns, output, run;
   double confidence = 0;  ///< 0: that of the campaign
   bool json = false, quiet = false;
@@ -71,18 +73,27 @@ std::string examined_path(const std::filesystem::path& results) {
   return path.filename() == "examined.json" && std::filesystem::exists(path) ? path.string() : "";
 }
 
-void report_verb(Arguments& arguments) {
-  const std::string examined = examined_path(arguments.results);
-  if (!examined.empty() && std::filesystem::is_directory(arguments.results))
-    arguments.results += "/examined.results";
-  const ResultTable runs = read_results(arguments.results);
-  warn_of_missing(arguments.results, runs);
+void report_one(std::string results, const std::string& folder, const Arguments& arguments) {
+  const std::string examined = examined_path(results);
+  if (!examined.empty() && std::filesystem::is_directory(results)) results += "/examined.results";
+  const ResultTable runs = read_results(results);
+  warn_of_missing(results, runs);
   ReportOptions options = effective_options(runs, arguments);
   if (!examined.empty())
     options.clusters = explain_failures(
-        ResultFile::open(arguments.results), runs, options,
+        ResultFile::open(results), runs, options,
         examined_failures_from_json(read_file(examined, "examined failures"), examined));
-  write_report(arguments.results, runs, options, arguments.output);
+  write_report(results, runs, options, folder);
+}
+
+void report_verb(const Arguments& arguments) {
+  if (arguments.all_results.size() == 1)
+    report_one(arguments.all_results[0], arguments.output, arguments);
+  else
+    report_history(arguments.all_results, {arguments.rows, arguments.columns}, arguments.output,
+                   [&](const std::string& results, const std::string& folder) {
+                     report_one(results, folder, arguments);
+                   });
   if (arguments.quiet) return;
   const std::filesystem::path index = std::filesystem::path(arguments.output) / "index.html";
   std::cerr << "report: " << index.string() << "\n";
@@ -114,9 +125,10 @@ void dump_verb(const Arguments& arguments) {
 void define_report(CLI::App& app, Arguments& arguments) {
   CLI::App* verb = app.add_subcommand("report", "Write a self-contained HTML report");
   verb->add_option(
-          "results", arguments.results,
+          "results", arguments.all_results,
           "A result file (.results), a folder with the shards of a campaign, or a folder of "
-          "slalom-falsify, whose clusters of failures are reported as well")
+          "slalom-falsify, whose clusters of failures are reported as well; several, such as those "
+          "of successive versions: a report of each, and what changed")
       ->required();
   add_table_options(*verb, arguments);
   verb->add_option("-o,--output", arguments.output, "Folder to write to")->required();

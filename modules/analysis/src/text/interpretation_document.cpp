@@ -13,25 +13,36 @@ namespace {
 std::string escaped(const std::string& text) {
   std::string html;
   for (const char c : text)
-    html += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+    html += c == '<'   ? "&lt;"
+            : c == '>' ? "&gt;"
+            : c == '&' ? "&amp;"
+            : c == '"' ? "&quot;"
+                       : std::string(1, c);
   return html;
 }
 
-std::string html_row(const std::vector<std::string>& fields, const std::string& cell) {
-  std::string row = "<tr>";
-  for (const std::string& field : fields) {
-    row += "<" + cell + ">" + escaped(field);
-    row += "</" + cell + ">";
-  }
-  return row + "</tr>\n";
+std::string html_header(const std::vector<std::string>& names) {
+  std::string row;
+  for (const std::string& name : names) row += "<th>" + escaped(name) + "</th>";
+  return "<thead><tr>" + row + "</tr>\n</thead>\n";
 }
 
-std::string html_table(const DataTable& table) {
+std::string html_field(const std::string& field, const std::string& address) {
+  if (address.empty()) return "<td>" + escaped(field) + "</td>";
+  return "<td><a href=\"" + escaped(address) + "\">" + escaped(field) + "</a></td>";
+}
+
+std::string html_table(const DataTable& table, const FieldAddress& address_of) {
   const ViewFields view = view_fields(table);
   std::string rows;
-  for (const auto& row : view.rows) rows += html_row(row, "td");
-  return "<h2>" + escaped(printable_line(table.title)) + "</h2>\n<table>\n<thead>" +
-         html_row(view.header, "th") + "</thead>\n<tbody>" + rows + "</tbody>\n</table>\n";
+  for (const auto& row : view.rows) {
+    rows += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i)
+      rows += html_field(row[i], address_of ? address_of(view.header[i], row[i]) : "");
+    rows += "</tr>\n";
+  }
+  return "<h2>" + escaped(printable_line(table.title)) + "</h2>\n<table>\n" +
+         html_header(view.header) + "<tbody>" + rows + "</tbody>\n</table>\n";
 }
 
 constexpr const char* kStyle =
@@ -67,12 +78,13 @@ std::string render_latex(const Interpretation& interpretation) {
   return latex_document(tables);
 }
 
-std::string render_html(const Interpretation& interpretation, const std::string& title) {
+std::string render_html(const Interpretation& interpretation, const std::string& title,
+                        const FieldAddress& address_of) {
   std::string remarks, tables;
   for (const std::string& remark : interpretation.remarks)
     remarks += "<li>" + escaped(printable_line(remark)) + "</li>\n";
   for (const DataTable& table : views_of(interpretation))
-    if (table.rows > 0) tables += html_table(table);
+    if (table.rows > 0) tables += html_table(table, address_of);
   const std::string heading = escaped(printable_line(title));
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
          heading + "</title>\n<style>\n" + kStyle + "</style>\n</head>\n<body>\n<h1>" + heading +

@@ -5,6 +5,7 @@
 #include <slalom/analysis/gate.h>
 #include <slalom/analysis/paired_comparison.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,7 +67,11 @@ std::string render_csv(const Interpretation& interpretation);
 
 /// The tables as a LaTeX document, as render_text() shows them; requires no packages.
 std::string render_latex(const Interpretation& interpretation);
-/// One self-contained page with the remarks and the tables, for A4 paper.
-std::string render_html(const Interpretation& interpretation, const std::string& title);
+/// Where a field of a table leads to, given the name of its column; empty for plain text.
+using FieldAddress =
+    std::function<std::string(const std::string& column, const std::string& field)>;
+/// One page with the remarks and the tables, for A4 paper; self-contained but for the addresses.
+std::string render_html(const Interpretation& interpretation, const std::string& title,
+                        const FieldAddress& address_of = {});
 
 }  // namespace slalom

@@ -1,0 +1,69 @@
+#include "history_report.h"
+
+#include <slalom/io/read_results.h>
+#include <slalom/io/result_file.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace slalom {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Interpreter& history_interpreter() {
+  const auto& all = all_interpreters();
+  return *std::find_if(all.begin(), all.end(),
+                       [](const Interpreter& interpreter) { return interpreter.id == "history"; });
+}
+
+/// "a b" -> "a%20b", for the part of an address after "#"; slashes remain.
+std::string address_text(const std::string& text) {
+  constexpr const char* kDigits = "0123456789ABCDEF";
+  std::string address;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = std::isalnum(byte) != 0 || c == '/' || c == '-' || c == '_' || c == '.';
+    if (plain)
+      address += c;
+    else
+      address += std::string("%") + kDigits[byte / 16] + kDigits[byte % 16];
+  }
+  return address;
+}
+
+std::string folder_name(const std::string& results, std::size_t index) {
+  const fs::path path = fs::path(results).lexically_normal();
+  const fs::path name = path.has_filename() ? path : path.parent_path();
+  return std::to_string(index + 1) + "-" + name.stem().string();
+}
+
+}  // namespace
+
+void report_history(const std::vector<std::string>& results, const AnalysisRequest& request,
+                    const std::string& folder, const WriteReport& write_report) {
+  const Interpreter& history = history_interpreter();
+  require_number_of_results(history, results.size());
+  std::vector<ResultTable> tables;
+  for (const std::string& one : results) tables.push_back(read_results(one));
+  AnalysisQuery query = make_query(request, history, tables[0]);
+  const Interpretation found = history.interpret(tables, query);
+
+  for (std::size_t i = 0; i < results.size(); ++i)
+    write_report(results[i], (fs::path(folder) / folder_name(results[i], i)).string());
+  const auto address_of = [&](const std::string& column, const std::string& field) {
+    if (column == "run")
+      return address_text(folder_name(results.back(), results.size() - 1)) + "/run.html#" +
+             address_text(field);
+    if (column != "results") return std::string();
+    for (std::size_t i = 0; i < tables.size(); ++i)
+      if (tables[i].source == field)
+        return address_text(folder_name(results[i], i)) + "/index.html";
+    return std::string();
+  };
+  write_file_atomically((fs::path(folder) / "index.html").string(),
+                        render_html(found, "History of " + tables.back().source, address_of));
+}
+
+}  // namespace slalom

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <slalom/analysis/analysis_request.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// Writes the report of one result file into a folder.
+using WriteReport = std::function<void(const std::string& results, const std::string& folder)>;
+
+/// Writes a report of each of several results into the folder DIR/1-NAME, DIR/2-NAME, ..., and
+/// DIR/index.html: new failures first, which lead to their replay, then each metric by result.
+void report_history(const std::vector<std::string>& results, const AnalysisRequest& request,
+                    const std::string& folder, const WriteReport& write_report);
+
+}  // namespace slalom
