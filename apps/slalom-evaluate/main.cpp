@@ -112,7 +112,7 @@ void evaluate(const Arguments& arguments) {
 
 void define(CLI::App& app) {
   static Arguments arguments;
-  add_argument(app, {"config", "-c,--config", "The campaign's .ini"}, arguments.campaign.config);
+  add_argument(app, {"campaign", "-c,--config", "The campaign's .ini"}, arguments.campaign.config);
   app.add_option("-o,--output", arguments.output,
                  "Folder for campaign.scenarios, runs.results, tables and report/")
       ->required();

@@ -197,7 +197,7 @@ void define_search(CLI::App& app) {
       "search",
       "Search scenarios in which the method fails and a witness reaches the goal; the "
       "same command continues a search that was interrupted");
-  add_argument(*verb, {"config", "-c,--config", "The campaign's .ini"}, campaign.config);
+  add_argument(*verb, {"campaign", "-c,--config", "The campaign's .ini"}, campaign.config);
   complete_with(verb->add_option("--method", arguments.common.method, "The method that is tested")
                     ->required(),
                 known_methods);

@@ -47,7 +47,8 @@ void define(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("run",
                                       "Run methods over scenarios into a result file; the same "
                                       "command continues one that was interrupted");
-  add_argument(*verb, {"config", "-c,--config", "The campaign's .ini"}, arguments.campaign.config);
+  add_argument(*verb, {"campaign", "-c,--config", "The campaign's .ini"},
+               arguments.campaign.config);
   verb->add_option("--scenarios", arguments.scenarios,
                    "A scenario list (.scenarios) instead of [scenarios]");
   verb->add_option("-o,--output", arguments.output, "The result file (.results) to write")

@@ -143,7 +143,8 @@ void write_slurm(const SlurmArguments& arguments) {
 void define_slurm(CLI::App& app) {
   static SlurmArguments arguments;
   CLI::App* verb = app.add_subcommand("slurm", "Write the scripts of a job array for Slurm");
-  add_argument(*verb, {"config", "-c,--config", "The campaign's .ini"}, arguments.campaign.config);
+  add_argument(*verb, {"campaign", "-c,--config", "The campaign's .ini"},
+               arguments.campaign.config);
   verb->add_option("--scenarios", arguments.scenarios, "A scenario list (.scenarios)")->required();
   verb->add_option("-o,--output", arguments.output,
                    "Folder for scripts, logs and result files; tasks write to it")

@@ -166,7 +166,7 @@ TEST_F(Evaluate, TakesTheConfigurationAsAnArgumentOrAnOption) {
   EXPECT_EQ(run("slalom-evaluate small.ini --config small.ini" + options).status, 0);
   write("other.ini", kSmallCampaign);
   expect_failure("slalom-evaluate small.ini -c other.ini -o none", 2, {"small.ini", "other.ini"});
-  expect_failure("slalom-evaluate -o none", 2, {"config is required"});
+  expect_failure("slalom-evaluate -o none", 2, {"campaign is required"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
 }
 

@@ -42,7 +42,7 @@ TEST_F(Simulate, TakesTheConfigurationAsAnArgumentOrAnOption) {
   EXPECT_EQ(run("slalom-analyze dump a.results").out, run("slalom-analyze dump b.results").out);
   expect_failure("slalom-simulate run small.ini -c other.ini -o c.results", 2,
                  {"small.ini", "other.ini"});
-  expect_failure("slalom-simulate run -o c.results", 2, {"config is required"});
+  expect_failure("slalom-simulate run -o c.results", 2, {"campaign is required"});
 }
 
 TEST_F(Simulate, MergedShardsAreTheRunsOfTheCampaign) {

@@ -179,6 +179,7 @@ void add_argument(CLI::App& app, const Argument& argument, std::string& value) {
                                  "both '" + value + "' and '" + text + "'; expected one");
     value = text;
   };
+  // The names must differ: CLI11 2.4 refuses a positional argument with the name of an option.
   app.add_option_function<std::string>(argument.option, set, argument.help);
   app.add_option_function<std::string>(argument.position, set,
                                        argument.help + " (or " + argument.option + ")");
