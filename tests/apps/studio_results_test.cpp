@@ -114,6 +114,8 @@ TEST_F(StudioResults, FilterAndSortTheListAndAreReplayedFromItsMenu) {
       "click choices \"choice outcome.nd\"\n"
       "expect list contains \"sort: outcome.nd, ascending\"\n"
       "expect rows contains \", outcome.nd \"\n"
+      "click list \"row 1\"\n"
+      "wait idle\n"
       "click list \"row 1\" right\n"
       "expect popup contains \"Replay runs\"\n"
       "expect rows contains \"current, selected\"\n"
