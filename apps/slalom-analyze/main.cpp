@@ -86,14 +86,22 @@ void report_one(std::string results, const std::string& folder, const Arguments&
   write_report(results, runs, options, folder);
 }
 
+void report_several(const Arguments& arguments) {
+  AnalysisRequest request;
+  request.rows = arguments.rows;
+  request.metrics = arguments.columns;
+  request.confidence = arguments.confidence;
+  report_history(arguments.all_results, request, arguments.output,
+                 [&](const std::string& results, const std::string& folder) {
+                   report_one(results, folder, arguments);
+                 });
+}
+
 void report_verb(const Arguments& arguments) {
   if (arguments.all_results.size() == 1)
     report_one(arguments.all_results[0], arguments.output, arguments);
   else
-    report_history(arguments.all_results, {arguments.rows, arguments.columns}, arguments.output,
-                   [&](const std::string& results, const std::string& folder) {
-                     report_one(results, folder, arguments);
-                   });
+    report_several(arguments);
   if (arguments.quiet) return;
   const std::filesystem::path index = std::filesystem::path(arguments.output) / "index.html";
   std::cerr << "report: " << index.string() << "\n";
