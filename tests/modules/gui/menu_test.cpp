@@ -52,12 +52,18 @@ TEST_F(Menus, ChooseByAClick) {
   EXPECT_EQ(chosen_, 2U);
 }
 
+/// Of a class of its own, since MRPT's library frees its widgets itself, in another way than they
+/// are allocated here.
+struct PlainWidget : nanogui::Widget {
+  PlainWidget() : nanogui::Widget(nullptr) {}
+};
+
 TEST(MenuBars, OpenTheMenuOfAScenarioWithinTheWindow) {
   Actions actions;
   std::string run;
   actions.add({"a.b", "A", "First", "", "Does.", [] {}});
   actions.add({"a.c", "A", "Second", "", "Does.", [] {}});
-  nanogui::ref<nanogui::Widget> window = new nanogui::Widget(nullptr);
+  nanogui::ref<PlainWidget> window = new PlainWidget;
   window->setSize({800, 600});
   auto* bar = new MenuBar(window.get(), actions, [&run](const std::string& id) { run = id; });
   bar->open_context({790, 595}, {"a.c", "a.b"});
