@@ -1,6 +1,5 @@
 #include "history_report.h"
 
-#include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 
 #include <algorithm>
@@ -41,29 +40,26 @@ std::string folder_name(const std::string& results, std::size_t index) {
 
 }  // namespace
 
-void report_history(const std::vector<std::string>& results, const AnalysisRequest& request,
-                    const std::string& folder, const WriteReport& write_report) {
+void report_history(const std::vector<std::string>& paths, const std::vector<ResultTable>& results,
+                    const AnalysisRequest& request, const std::string& folder,
+                    const WriteReport& write_report) {
   const Interpreter& history = history_interpreter();
   require_number_of_results(history, results.size());
-  std::vector<ResultTable> tables;
-  for (const std::string& one : results) tables.push_back(read_results(one));
-  AnalysisQuery query = make_query(request, history, tables[0]);
-  const Interpretation found = history.interpret(tables, query);
+  const Interpretation found = history.interpret(results, make_query(request, history, results[0]));
 
-  for (std::size_t i = 0; i < results.size(); ++i)
-    write_report(results[i], (fs::path(folder) / folder_name(results[i], i)).string());
+  std::vector<std::string> names;
+  for (const std::string& path : paths) names.push_back(folder_name(path, names.size()));
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    write_report(i, (fs::path(folder) / names[i]).string());
   const auto address_of = [&](const std::string& column, const std::string& field) {
-    if (column == "run")
-      return address_text(folder_name(results.back(), results.size() - 1)) + "/run.html#" +
-             address_text(field);
+    if (column == "run") return address_text(names.back()) + "/run.html#" + address_text(field);
     if (column != "results") return std::string();
-    for (std::size_t i = 0; i < tables.size(); ++i)
-      if (tables[i].source == field)
-        return address_text(folder_name(results[i], i)) + "/index.html";
+    for (std::size_t i = 0; i < results.size(); ++i)
+      if (results[i].source == field) return address_text(names[i]) + "/index.html";
     return std::string();
   };
   write_file_atomically((fs::path(folder) / "index.html").string(),
-                        render_html(found, "History of " + tables.back().source, address_of));
+                        render_html(found, "History of " + results.back().source, address_of));
 }
 
 }  // namespace slalom

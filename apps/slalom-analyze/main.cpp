@@ -65,43 +65,55 @@ ReportOptions effective_options(const ResultTable& runs, const Arguments& argume
   return options;
 }
 
-/// Which failures slalom-falsify has examined in these results; empty if it did not write them.
-std::string examined_path(const std::filesystem::path& results) {
-  std::filesystem::path path = results;
-  if (std::filesystem::is_directory(path)) path /= "examined.results";
-  path.replace_extension(".json");
-  return path.filename() == "examined.json" && std::filesystem::exists(path) ? path.string() : "";
+/// The results of a folder of slalom-falsify are the runs that it has examined.
+std::string reported_path(const std::string& path) {
+  const std::filesystem::path folder(path);
+  const bool is_examined = std::filesystem::exists(folder / "examined.json");
+  return is_examined ? (folder / "examined.results").string() : path;
 }
 
-void report_one(std::string results, const std::string& folder, const Arguments& arguments) {
-  const std::string examined = examined_path(results);
-  if (!examined.empty() && std::filesystem::is_directory(results)) results += "/examined.results";
-  const ResultTable runs = read_results(results);
-  warn_of_missing(results, runs);
+/// Which failures slalom-falsify has examined in these results; empty if it did not write them.
+std::string examined_path(std::filesystem::path results) {
+  results.replace_extension(".json");
+  const bool exists = results.filename() == "examined.json" && std::filesystem::exists(results);
+  return exists ? results.string() : "";
+}
+
+void report_one(const std::string& path, const ResultTable& runs, const std::string& folder,
+                const Arguments& arguments) {
   ReportOptions options = effective_options(runs, arguments);
+  const std::string examined = examined_path(path);
   if (!examined.empty())
     options.clusters = explain_failures(
-        ResultFile::open(results), runs, options,
+        ResultFile::open(path), runs, options,
         examined_failures_from_json(read_file(examined, "examined failures"), examined));
-  write_report(results, runs, options, folder);
+  write_report(path, runs, options, folder);
 }
 
-void report_several(const Arguments& arguments) {
+void report_several(const std::vector<std::string>& paths, const std::vector<ResultTable>& results,
+                    const Arguments& arguments) {
   AnalysisRequest request;
   request.rows = arguments.rows;
   request.metrics = arguments.columns;
   request.confidence = arguments.confidence;
-  report_history(arguments.all_results, request, arguments.output,
-                 [&](const std::string& results, const std::string& folder) {
-                   report_one(results, folder, arguments);
+  report_history(paths, results, request, arguments.output,
+                 [&](std::size_t i, const std::string& folder) {
+                   report_one(paths[i], results[i], folder, arguments);
                  });
 }
 
 void report_verb(const Arguments& arguments) {
-  if (arguments.all_results.size() == 1)
-    report_one(arguments.all_results[0], arguments.output, arguments);
+  std::vector<std::string> paths;
+  std::vector<ResultTable> results;
+  for (const std::string& path : arguments.all_results) {
+    paths.push_back(reported_path(path));
+    results.push_back(read_results(paths.back()));
+    warn_of_missing(paths.back(), results.back());
+  }
+  if (paths.size() == 1)
+    report_one(paths[0], results[0], arguments.output, arguments);
   else
-    report_several(arguments);
+    report_several(paths, results, arguments);
   if (arguments.quiet) return;
   const std::filesystem::path index = std::filesystem::path(arguments.output) / "index.html";
   std::cerr << "report: " << index.string() << "\n";

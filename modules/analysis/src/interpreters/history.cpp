@@ -32,15 +32,9 @@ DataTable history_table(const HistoryCurve& curve, const std::vector<ResultTable
     if (exact) {
       rows.add_cell(metric, point.cell);
     } else {
-      rows.add("n", point.cell.available);
-      rows.add(metric, point.cell.estimate, point.cell.interval);
-      rows.add(metric + ".na", point.cell.n - point.cell.available);
+      rows.add_shown_cell(metric, point.cell);
     }
-    const auto& change = point.change;
-    rows.add("change", change ? change->difference : std::nullopt,
-             change ? change->interval : std::nullopt);
-    rows.add("p_holm", change ? std::optional(change->adjusted_p) : std::nullopt);
-    rows.add("verdict", Field{change ? to_string(change->verdict) : std::string()});
+    rows.add_change(point.change);
   }
   return rows.table();
 }

@@ -53,6 +53,19 @@ void RowTable::add_cell(const std::string& column, const Cell& cell) {
   add(column + ".empty", Field{empty_reason(cell)});
 }
 
+void RowTable::add_shown_cell(const std::string& column, const Cell& cell) {
+  add("n", cell.available);
+  add(column, cell.estimate, cell.interval);
+  add(column + ".na", cell.n - cell.available);
+}
+
+void RowTable::add_change(const std::optional<PairedComparison>& change) {
+  add("change", change ? change->difference : std::nullopt,
+      change ? change->interval : std::nullopt);
+  add("p_holm", change ? std::optional(change->adjusted_p) : std::nullopt);
+  add("verdict", Field{change ? to_string(change->verdict) : std::string()});
+}
+
 void RowTable::add_runs(const ResultTable& table, const std::vector<std::size_t>& runs) {
   std::string ids;
   for (const std::size_t run : runs) ids += (ids.empty() ? "" : " ") + run_id(table, run);

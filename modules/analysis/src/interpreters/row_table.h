@@ -2,6 +2,7 @@
 
 #include <slalom/analysis/cell.h>
 #include <slalom/analysis/data_table.h>
+#include <slalom/analysis/paired_comparison.h>
 
 #include <algorithm>
 #include <memory>
@@ -26,6 +27,10 @@ class RowTable {
            const std::optional<Interval>& interval);
   /// The complete cell: estimate, interval, deviation, median, interquartile mean, counts, reasons.
   void add_cell(const std::string& column, const Cell& cell);
+  /// n, estimate with interval, number of NA: what a display shows of a cell.
+  void add_shown_cell(const std::string& column, const Cell& cell);
+  /// Difference with interval, corrected p, verdict; without a change empty fields.
+  void add_change(const std::optional<PairedComparison>& change);
   /// Ids of runs, separated by blanks; the column is called "runs".
   void add_runs(const ResultTable& table, const std::vector<std::size_t>& runs);
 

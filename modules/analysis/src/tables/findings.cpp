@@ -17,15 +17,10 @@ std::string in_bin(const CrossTable& table, const CrossRow& row, std::size_t col
 /// ", from 0.9 [...] in [0, 1) to 0.5 [...] in [3, 4]": the outer bins with values; empty if they
 /// do not differ in the direction of the trend.
 std::string ends_text(const CrossTable& table, std::size_t column, bool rises) {
-  const CrossRow *first = nullptr, *last = nullptr;
-  for (const CrossRow& row : table.rows) {
-    if (!row.cells[column].estimate) continue;
-    if (first == nullptr) first = &row;
-    last = &row;
-  }
-  const double from = *first->cells[column].estimate, to = *last->cells[column].estimate;
-  if (rises ? to <= from : to >= from) return "";
-  return ", from " + in_bin(table, *first, column) + " to " + in_bin(table, *last, column);
+  const auto ends = trend_ends(table, column, rises);
+  if (!ends) return "";
+  return ", from " + in_bin(table, *ends->first, column) + " to " +
+         in_bin(table, *ends->second, column);
 }
 
 /// "; of the 40 of 60 runs with a value" if more than a tenth have none.
@@ -56,6 +51,21 @@ std::string rest_sentence(const std::string& method, Finding::Verdict verdict,
 }
 
 }  // namespace
+
+std::optional<std::pair<const CrossRow*, const CrossRow*>> trend_ends(const CrossTable& table,
+                                                                      std::size_t column,
+                                                                      bool rises) {
+  const CrossRow *first = nullptr, *last = nullptr;
+  for (const CrossRow& row : table.rows) {
+    if (!row.cells[column].estimate) continue;
+    if (first == nullptr) first = &row;
+    last = &row;
+  }
+  if (first == nullptr) return std::nullopt;
+  const double from = *first->cells[column].estimate, to = *last->cells[column].estimate;
+  if (rises ? to <= from : to >= from) return std::nullopt;
+  return std::pair(first, last);
+}
 
 bool is_shown(const std::optional<Trend>& trend, double confidence) {
   return trend && trend->test.kind != TrendTest::Kind::NoVariation &&

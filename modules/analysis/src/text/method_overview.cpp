@@ -35,18 +35,13 @@ std::string trend_clause(const CrossTable& table) {
     const std::optional<Trend>& trend = table.trends[column];
     if (!is_shown(trend, table.confidence)) return "";
     const bool rises = trend->test.z > 0;
-    const CrossRow *first = nullptr, *last = nullptr;
-    for (const CrossRow& row : table.rows) {
-      if (!row.cells[column].estimate) continue;
-      if (first == nullptr) first = &row;
-      last = &row;
-    }
-    const double from = *first->cells[column].estimate, to = *last->cells[column].estimate;
     const std::string verb = rises ? "it rises" : "it falls", p = p_text(trend->adjusted_p);
-    if (rises ? to <= from : to >= from)
-      return verb + " with " + table.descriptor.id + " (" + p + ")";
-    return verb + " from " + percent(from) + " to " + percent(to) + " with " + table.descriptor.id +
-           " (in " + first->bin.label() + " and " + last->bin.label() + ", " + p + ")";
+    const auto ends = trend_ends(table, column, rises);
+    if (!ends) return verb + " with " + table.descriptor.id + " (" + p + ")";
+    const auto& [first, last] = *ends;
+    return verb + " from " + percent(*first->cells[column].estimate) + " to " +
+           percent(*last->cells[column].estimate) + " with " + table.descriptor.id + " (in " +
+           first->bin.label() + " and " + last->bin.label() + ", " + p + ")";
   }
   return "";
 }

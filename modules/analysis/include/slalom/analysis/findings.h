@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace slalom {
@@ -22,6 +23,12 @@ struct Finding {
 
 /// True if the corrected test rejects at the level of the confidence.
 bool is_shown(const std::optional<Trend>& trend, double confidence);
+
+/// The first and the last row with values in a column; nullopt if they do not differ in the
+/// direction of the trend.
+std::optional<std::pair<const CrossRow*, const CrossRow*>> trend_ends(const CrossTable& table,
+                                                                      std::size_t column,
+                                                                      bool rises);
 
 /// The findings of all columns except wall-clock measurements, e.g. "nd: success falls with
 /// density, from 0.98 [0.91, 1.00] in [0, 0.1) to 0.41 [0.28, 0.55] in [0.3, 0.4], p < 0.0001
