@@ -74,7 +74,8 @@ void expect_valid(const Scenario& scenario, const Polygon& polygon) {
 
 Scenario with_primitives(const Scenario& scenario, Primitives obstacles) {
   Scenario edited = Scenario::continuous(scenario.name(), scenario.bounds(), std::move(obstacles),
-                                         scenario.start(), scenario.goal());
+                                         scenario.start(), scenario.goal())
+                        .with_movers(scenario.movers());
   expect_uncovered(scenario, edited);
   return edited;
 }

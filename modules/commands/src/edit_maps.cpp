@@ -80,7 +80,8 @@ void each_segment(const Stroke& stroke, Visit visit) {
 
 Scenario with_point_map(const Scenario& scenario, const CSimplePointsMap& map) {
   return Scenario::points(scenario.name(), scenario.bounds(), map, scenario.start(),
-                          scenario.goal());
+                          scenario.goal())
+      .with_movers(scenario.movers());
 }
 
 }  // namespace
@@ -95,7 +96,8 @@ Scenario with_cells_painted(const Scenario& scenario, const Stroke& stroke, bool
   each_segment(stroke, [&](const TPoint2D& a, const TPoint2D& b) {
     brush.paint_segment(a, b, stroke.radius);
   });
-  Scenario edited = Scenario::grid(scenario.name(), map, scenario.start(), scenario.goal());
+  Scenario edited = Scenario::grid(scenario.name(), map, scenario.start(), scenario.goal())
+                        .with_movers(scenario.movers());
   expect_uncovered(scenario, edited);
   return edited;
 }

@@ -160,7 +160,8 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
         some.polygons.push_back(all.polygons[i - all.discs.size()]);
     }
     return Scenario::continuous(name, scenario_.bounds(), std::move(some), scenario_.start(),
-                                scenario_.goal());
+                                scenario_.goal())
+        .with_movers(scenario_.movers());
   }
   if (scenario_.representation() == Representation::Grid) {
     mrpt::maps::COccupancyGridMap2D map = *scenario_.grid_map();
@@ -168,7 +169,8 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
     for (std::size_t i = 0; i < part_of_.size(); ++i)
       if (part_of_[i] != kFree && !is_kept(i))
         map.setCell(static_cast<int>(i) % size_x, static_cast<int>(i) / size_x, 1.0F);
-    return Scenario::grid(name, map, scenario_.start(), scenario_.goal());
+    return Scenario::grid(name, map, scenario_.start(), scenario_.goal())
+        .with_movers(scenario_.movers());
   }
   mrpt::maps::CSimplePointsMap some;
   for (std::size_t i = 0; i < part_of_.size(); ++i) {
@@ -177,7 +179,8 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
     scenario_.point_map()->getPoint(i, x, y);
     some.insertPoint(x, y);
   }
-  return Scenario::points(name, scenario_.bounds(), some, scenario_.start(), scenario_.goal());
+  return Scenario::points(name, scenario_.bounds(), some, scenario_.start(), scenario_.goal())
+      .with_movers(scenario_.movers());
 }
 
 Scenario ObstacleParts::without(std::size_t part) const {

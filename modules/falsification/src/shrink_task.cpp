@@ -80,7 +80,8 @@ Scenario crop_grid(const Scenario& scenario, const Bounds& to) {
       make_grid_map(size_x, size_y, cell, {from.x_min + left * cell, from.y_min + bottom * cell});
   for (int y = 0; y < size_y; ++y)
     for (int x = 0; x < size_x; ++x) cropped.setCell(x, y, map.getCell(left + x, bottom + y));
-  return Scenario::grid(scenario.name(), cropped, scenario.start(), scenario.goal());
+  return Scenario::grid(scenario.name(), cropped, scenario.start(), scenario.goal())
+      .with_movers(scenario.movers());
 }
 
 Scenario crop(const Scenario& scenario, const Bounds& to) {
@@ -92,7 +93,8 @@ Scenario crop(const Scenario& scenario, const Bounds& to) {
       scenario.point_map()->getPoint(i, x, y);
       if (to.contains({x, y})) inside.insertPoint(x, y);
     }
-    return Scenario::points(scenario.name(), to, inside, scenario.start(), scenario.goal());
+    return Scenario::points(scenario.name(), to, inside, scenario.start(), scenario.goal())
+        .with_movers(scenario.movers());
   }
   Scene scene(scenario);
   scene.bounds = to;

@@ -139,19 +139,22 @@ void check_points(const std::string& name, const CSimplePointsMap& map) {
 }  // namespace
 
 Scenario::Scenario(std::string name, Bounds bounds, Obstacles obstacles, TPose2D start,
-                   TPoint2D goal)
+                   TPoint2D goal, Movers movers)
     : name_(std::move(name)),
       bounds_(bounds),
       obstacles_(std::move(obstacles)),
       start_(start),
-      goal_(goal) {
+      goal_(goal),
+      movers_(std::move(movers)) {
   check_name(name_);
   check_task(name_, bounds_, start_, goal_);
+  check_movers(name_, movers_);
   Hasher hasher;
   hasher.add(to_string(representation()));
   hasher.add(bounds_.x_min).add(bounds_.y_min).add(bounds_.x_max).add(bounds_.y_max);
   std::visit([&](const auto& content) { add_content(hasher, content); }, obstacles_);
   hasher.add(start_.x).add(start_.y).add(start_.phi).add(goal_.x).add(goal_.y);
+  if (!movers_.empty()) add_content(hasher, movers_);
   hash_ = hasher.hex();
 }
 
@@ -198,7 +201,14 @@ Scenario Scenario::renamed(std::string name) const {
 }
 
 Scenario Scenario::with_start_goal(TPose2D start, TPoint2D goal) const {
-  return {name_, bounds_, obstacles_, start, goal};
+  return {name_, bounds_, obstacles_, start, goal, movers_};
+}
+
+Scenario Scenario::with_movers(Movers movers) const {
+  if (movers.empty() && movers_.empty()) return *this;
+  Scenario copy(name_, bounds_, obstacles_, start_, goal_, std::move(movers));
+  copy.published_path_ = published_path_;
+  return copy;
 }
 
 Scenario Scenario::with_published_path(PublishedPathPtr path) const {

@@ -50,4 +50,10 @@ inline Scenario sample_with_path(Representation to) {
       PublishedPath{{{1, 1}, {1, 1}, {5.1, 5}, {9, 9}}, {0, 0, 10, 9}, 0.5}));
 }
 
+/// Two movers: one that loops, one that vanishes.
+inline Movers sample_movers() {
+  return {{"round # 1", 0.3, {{-1, {3, 1}}, {2.5, {4, 1}}, {6, {3, 1}}}, MoverEnd::Loop},
+          {"2", 0.1 + 0.2, {{0, {8, 2}}, {7, {8, 9}}}, MoverEnd::Vanish}};
+}
+
 }  // namespace slalom

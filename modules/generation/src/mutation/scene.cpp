@@ -28,7 +28,10 @@ TPoint2D sample_position(const Bounds& b, double margin, RandomEngine& engine) {
 }  // namespace
 
 Scene::Scene(const Scenario& scenario)
-    : bounds(scenario.bounds()), start(scenario.start()), goal(scenario.goal()) {
+    : bounds(scenario.bounds()),
+      start(scenario.start()),
+      goal(scenario.goal()),
+      movers(scenario.movers()) {
   for (const Disc& disc : scenario.primitives().discs) obstacles.emplace_back(disc);
   for (const Polygon& polygon : scenario.primitives().polygons) obstacles.emplace_back(polygon);
 }
@@ -40,7 +43,7 @@ Scenario Scene::scenario(const std::string& name) const {
       primitives.discs.push_back(*disc);
     else
       primitives.polygons.push_back(std::get<Polygon>(obstacle));
-  return Scenario::continuous(name, bounds, std::move(primitives), start, goal);
+  return Scenario::continuous(name, bounds, std::move(primitives), start, goal).with_movers(movers);
 }
 
 TPoint2D center_of(const Scene::Obstacle& obstacle) {

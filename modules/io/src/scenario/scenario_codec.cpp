@@ -12,9 +12,10 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-/// The second version ends with a published path and is written only if there is one.
-constexpr std::uint8_t kVersion = 1, kVersionWithPath = 2;
-constexpr std::size_t kPointSize = 16;
+/// The second version ends with a published path, the third with movers and, after a flag, a
+/// published path; they are written only if there is one.
+constexpr std::uint8_t kVersion = 1, kVersionWithPath = 2, kVersionWithMovers = 3;
+constexpr std::size_t kPointSize = 16, kWaypointSize = 24, kMinMoverSize = 25;
 
 void write_point(ByteWriter& out, const TPoint2D& p) {
   out.f64(p.x).f64(p.y);
@@ -128,6 +129,40 @@ PublishedPathPtr read_published_path(ByteReader& in) {
   return path;
 }
 
+void write_movers(ByteWriter& out, const Movers& movers) {
+  out.u64(movers.size());
+  for (const Mover& mover : movers) {
+    out.text(mover.id).f64(mover.radius).u8(static_cast<std::uint8_t>(mover.after));
+    out.u64(mover.waypoints.size());
+    for (const Waypoint& w : mover.waypoints) {
+      out.f64(w.t);
+      write_point(out, w.position);
+    }
+  }
+}
+
+Movers read_movers(ByteReader& in) {
+  Movers movers(in.count(kMinMoverSize));
+  for (Mover& mover : movers) {
+    mover.id = in.text();
+    mover.radius = in.f64();
+    const std::uint8_t after = in.u8();
+    if (after >= enum_names(MoverEnd{}).size()) throw in.broken("unknown end of a mover's path");
+    mover.after = static_cast<MoverEnd>(after);
+    mover.waypoints.resize(in.count(kWaypointSize));
+    for (Waypoint& w : mover.waypoints) {
+      w.t = in.f64();
+      w.position = read_point(in);
+    }
+  }
+  return movers;
+}
+
+std::uint8_t version_of(const Scenario& scenario) {
+  if (!scenario.movers().empty()) return kVersionWithMovers;
+  return scenario.published_path() ? kVersionWithPath : kVersion;
+}
+
 Scenario read_content(ByteReader& in) {
   const auto representation = static_cast<Representation>(in.u8());
   const std::string name = in.text();
@@ -150,10 +185,14 @@ Scenario read_content(ByteReader& in) {
 
 Scenario read_scenario(ByteReader& in) {
   const std::uint8_t version = in.u8();
-  if (version != kVersion && version != kVersionWithPath) throw in.broken("unsupported version");
+  if (version < kVersion || version > kVersionWithMovers) throw in.broken("unsupported version");
   Scenario scenario = read_content(in);
-  if (version == kVersion) return scenario;
-  return scenario.with_published_path(read_published_path(in));
+  bool has_path = version == kVersionWithPath;
+  if (version == kVersionWithMovers) {
+    scenario = scenario.with_movers(read_movers(in));
+    has_path = in.u8() != 0;
+  }
+  return has_path ? scenario.with_published_path(read_published_path(in)) : scenario;
 }
 
 }  // namespace
@@ -161,7 +200,7 @@ Scenario read_scenario(ByteReader& in) {
 std::string serialize(const Scenario& scenario) {
   ByteWriter out;
   const PublishedPathPtr& path = scenario.published_path();
-  out.u8(path ? kVersionWithPath : kVersion);
+  out.u8(version_of(scenario));
   out.u8(static_cast<std::uint8_t>(scenario.representation())).text(scenario.name());
   const Bounds& b = scenario.bounds();
   out.f64(b.x_min).f64(b.y_min).f64(b.x_max).f64(b.y_max);
@@ -177,6 +216,10 @@ std::string serialize(const Scenario& scenario) {
     case Representation::Points:
       write_point_map(out, *scenario.point_map());
       break;
+  }
+  if (!scenario.movers().empty()) {
+    write_movers(out, scenario.movers());
+    out.u8(path ? 1 : 0);
   }
   if (path) write_published_path(out, *path);
   return compress(out.take());

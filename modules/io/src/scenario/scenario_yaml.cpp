@@ -1,3 +1,6 @@
+#include "movers_yaml.h"
+#include "yaml_reader.h"
+
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/read_file.h>
@@ -15,27 +18,15 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-std::string list_of(std::initializer_list<double> numbers) {
-  std::vector<std::string> parts;
-  for (const double number : numbers) parts.push_back(format_number(number));
-  return "[" + join(parts, ", ") + "]";
-}
-
-std::string quoted(const std::string& text) {
-  YAML::Emitter out;
-  out << YAML::DoubleQuoted << text;
-  return out.c_str();
-}
-
 std::string primitives_yaml(const Primitives& primitives) {
   std::string yaml = "discs:\n";
   for (const Disc& disc : primitives.discs)
-    yaml += "  - " + list_of({disc.center.x, disc.center.y, disc.radius}) + "\n";
+    yaml += "  - " + yaml_list({disc.center.x, disc.center.y, disc.radius}) + "\n";
   if (primitives.discs.empty()) yaml = "discs: []\n";
   yaml += primitives.polygons.empty() ? "polygons: []\n" : "polygons:\n";
   for (const Polygon& polygon : primitives.polygons) {
     std::vector<std::string> vertices;
-    for (const TPoint2D& v : polygon.vertices) vertices.push_back(list_of({v.x, v.y}));
+    for (const TPoint2D& v : polygon.vertices) vertices.push_back(yaml_list({v.x, v.y}));
     yaml += "  - [" + join(vertices, ", ") + "]\n";
   }
   return yaml;
@@ -57,7 +48,7 @@ std::string points_yaml(const mrpt::maps::CSimplePointsMap& map) {
   for (std::size_t i = 0; i < map.size(); ++i) {
     float x = 0, y = 0;
     map.getPoint(i, x, y);
-    yaml += "  - " + list_of({x, y}) + "\n";
+    yaml += "  - " + yaml_list({x, y}) + "\n";
   }
   return yaml;
 }
@@ -66,41 +57,47 @@ std::string published_path_yaml(const PublishedPathPtr& path) {
   if (!path) return "";
   const Bounds& f = path->field;
   std::string yaml = "published_path:\n";
-  yaml += "  field: " + list_of({f.x_min, f.y_min, f.x_max, f.y_max}) + "\n";
+  yaml += "  field: " + yaml_list({f.x_min, f.y_min, f.x_max, f.y_max}) + "\n";
   yaml += "  cell_size: " + format_number(path->cell_size) + "\n  points:\n";
-  for (const TPoint2D& p : path->points) yaml += "    - " + list_of({p.x, p.y}) + "\n";
+  for (const TPoint2D& p : path->points) yaml += "    - " + yaml_list({p.x, p.y}) + "\n";
   return yaml;
 }
 
 /// Parses a document; errors contain the line.
-class Reader {
+class ScenarioReader : private YamlReader {
  public:
-  Reader(const YAML::Node& root, std::string where) : root_(root), where_(std::move(where)) {}
+  using YamlReader::YamlReader;
 
   Scenario read() const {
-    const Scenario scenario = read_content();
-    const YAML::Node path = root_["published_path"];
-    return path.IsDefined() ? scenario.with_published_path(Reader(path, where_).published_path())
-                            : scenario;
+    const Scenario scenario = with_movers(read_content());
+    const YAML::Node path = root()["published_path"];
+    return path.IsDefined()
+               ? scenario.with_published_path(ScenarioReader(path, where()).published_path())
+               : scenario;
   }
 
  private:
+  Scenario with_movers(const Scenario& scenario) const {
+    const YAML::Node movers = root()["movers"];
+    return movers.IsDefined() ? scenario.with_movers(movers_from_yaml(movers, where())) : scenario;
+  }
+
   Scenario read_content() const {
-    expect(root_.IsMap(), root_, "not a scenario", "keys and values");
+    expect(root().IsMap(), root(), "not a scenario", "keys and values");
     const auto kind = from_name<Representation>(text("representation"));
-    const std::vector<std::string> common = {"name",  "representation", "bounds",
-                                             "start", "goal",           "published_path"};
+    const std::vector<std::string> common = {"name", "representation", "bounds",        "start",
+                                             "goal", "movers",         "published_path"};
     if (kind == Representation::Continuous)
       return read_continuous(with(common, {"discs", "polygons"}));
     if (kind == Representation::Grid) return read_grid(with(common, {"resolution", "cells"}));
     if (kind == Representation::Points) return read_points(with(common, {"points"}));
-    throw error(root_["representation"], "unknown representation '" + text("representation") + "'",
+    throw error(root()["representation"], "unknown representation '" + text("representation") + "'",
                 "continuous, grid or points");
   }
 
   /// For a reader whose root is the path.
   PublishedPathPtr published_path() const {
-    expect(root_.IsMap(), root_, "not a path", "keys and values");
+    expect(root().IsMap(), root(), "not a path", "keys and values");
     reject_unknown_keys({"field", "cell_size", "points"});
     auto path = std::make_shared<PublishedPath>();
     const auto field = numbers(required("field"), 4);
@@ -117,57 +114,6 @@ class Reader {
                                        const std::vector<std::string>& more) {
     keys.insert(keys.end(), more.begin(), more.end());
     return keys;
-  }
-
-  Error error(const YAML::Node& node, const std::string& what, const std::string& expected) const {
-    const int line = node.Mark().line + 1;
-    return file_error(line > 0 ? where_ + ":" + std::to_string(line) : where_, what, expected);
-  }
-
-  void expect(bool condition, const YAML::Node& node, const std::string& what,
-              const std::string& expected) const {
-    if (!condition) throw error(node, what, expected);
-  }
-
-  void reject_unknown_keys(const std::vector<std::string>& known) const {
-    for (const auto& entry : root_) {
-      const auto key = entry.first.as<std::string>();
-      if (contains(known, key)) continue;
-      throw error(entry.first, "unknown key '" + key + "'", expected_name(key, known));
-    }
-  }
-
-  YAML::Node required(const std::string& key) const {
-    const YAML::Node node = root_[key];
-    expect(node.IsDefined() && !node.IsNull(), root_, "missing key '" + key + "'", key);
-    return node;
-  }
-
-  std::string text(const std::string& key) const {
-    const YAML::Node node = required(key);
-    expect(node.IsScalar(), node, "'" + key + "' is not a string", "a string");
-    return node.as<std::string>();
-  }
-
-  double number(const YAML::Node& node) const {
-    double value = 0;
-    expect(node.IsScalar() && parse_number(node.as<std::string>(), value), node, "invalid number",
-           "a finite number");
-    return value;
-  }
-
-  std::vector<double> numbers(const YAML::Node& node, std::size_t count) const {
-    expect(node.IsSequence() && node.size() == count, node, "malformed list",
-           "[" + std::to_string(count) + " numbers]");
-    std::vector<double> values;
-    for (const auto& item : node) values.push_back(number(item));
-    return values;
-  }
-
-  YAML::Node sequence(const std::string& key) const {
-    const YAML::Node node = required(key);
-    expect(node.IsSequence(), node, "'" + key + "' is not a list", "a list");
-    return node;
   }
 
   Bounds bounds() const {
@@ -247,22 +193,20 @@ class Reader {
     map.mark_as_modified();
     return Scenario::points(text("name"), bounds(), map, start(), goal());
   }
-
-  YAML::Node root_;
-  std::string where_;
 };
 
 }  // namespace
 
 std::string scenario_to_yaml(const Scenario& scenario) {
   const Bounds& b = scenario.bounds();
-  std::string yaml = "name: " + quoted(scenario.name()) + "\n";
+  std::string yaml = "name: " + yaml_text(scenario.name()) + "\n";
   yaml += "representation: " + to_string(scenario.representation()) + "\n";
   yaml += "# meters and radians: [x_min, y_min, x_max, y_max], [x, y, phi], [x, y]\n";
-  yaml += "bounds: " + list_of({b.x_min, b.y_min, b.x_max, b.y_max}) + "\n";
+  yaml += "bounds: " + yaml_list({b.x_min, b.y_min, b.x_max, b.y_max}) + "\n";
   yaml +=
-      "start: " + list_of({scenario.start().x, scenario.start().y, scenario.start().phi}) + "\n";
-  yaml += "goal: " + list_of({scenario.goal().x, scenario.goal().y}) + "\n";
+      "start: " + yaml_list({scenario.start().x, scenario.start().y, scenario.start().phi}) + "\n";
+  yaml += "goal: " + yaml_list({scenario.goal().x, scenario.goal().y}) + "\n";
+  yaml += movers_to_yaml(scenario.movers());
   yaml += published_path_yaml(scenario.published_path());
   switch (scenario.representation()) {
     case Representation::Continuous:
@@ -282,7 +226,7 @@ Scenario scenario_from_yaml(const std::string& text, const std::string& where) {
                      "contains a byte that is not UTF-8", "a scenario as YAML");
   }
   try {
-    return Reader(YAML::Load(text), where).read();
+    return ScenarioReader(YAML::Load(text), where).read();
   } catch (const YAML::Exception& e) {
     const std::string line = e.mark.line >= 0 ? ":" + std::to_string(e.mark.line + 1) : "";
     throw file_error(where + line, "invalid YAML (" + e.msg + ")", "a scenario as YAML");

@@ -1,3 +1,4 @@
+#include "compression.h"
 #include "error_text.h"
 #include "io_sample.h"
 
@@ -41,6 +42,29 @@ TEST(ScenarioCodec, RestoresPublishedPathsAndRejectsTruncatedBytes) {
     for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 300)
       EXPECT_TRUE(refused_as_damaged(bytes.substr(0, size)));
   }
+}
+
+TEST(ScenarioCodec, RestoresMoversAndRejectsTruncatedBytes) {
+  for (const Representation representation : kAll)
+    for (const Scenario& still : {sample_as(representation), sample_with_path(representation)}) {
+      const Scenario scenario = still.with_movers(sample_movers());
+      const std::string bytes = serialize(scenario);
+      const Scenario back = deserialize_scenario(bytes, "test");
+      EXPECT_EQ(back.movers(), scenario.movers());
+      EXPECT_EQ(back.hash(), scenario.hash());
+      EXPECT_EQ(back.published_path() != nullptr, still.published_path() != nullptr);
+      EXPECT_EQ(serialize(back), bytes);
+      EXPECT_EQ(serialize(back.with_movers({})), serialize(still));
+      for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 300)
+        EXPECT_TRUE(refused_as_damaged(bytes.substr(0, size)));
+    }
+}
+
+TEST(ScenarioCodec, WritesScenariosWithoutMoversAsBefore) {
+  // The first byte of the content is the version: 1, or 2 with a published path.
+  EXPECT_EQ(decompress(serialize(sample_scenario(1)), "test")[0], 1);
+  EXPECT_EQ(decompress(serialize(sample_with_path(Representation::Points)), "test")[0], 2);
+  EXPECT_EQ(decompress(serialize(sample_scenario(1).with_movers(sample_movers())), "test")[0], 3);
 }
 
 TEST(ScenarioCodec, RejectsTruncatedAndCorruptedBytes) {

@@ -45,6 +45,31 @@ TEST(ScenarioYaml, ReportsErrorsInAPublishedPathWithTheirLine) {
                       "f.yaml:13: ", {"expected [2 numbers]"}));
 }
 
+TEST(ScenarioYaml, RestoresMovers) {
+  for (const Representation representation :
+       {Representation::Continuous, Representation::Grid, Representation::Points}) {
+    const Scenario scenario = sample_as(representation).with_movers(sample_movers());
+    const Scenario back = scenario_from_yaml(scenario_to_yaml(scenario), "test");
+    EXPECT_EQ(back.movers(), scenario.movers());
+    EXPECT_EQ(back.hash(), scenario.hash());
+  }
+  EXPECT_EQ(scenario_to_yaml(sample_scenario(1)).find("movers"), std::string::npos);
+}
+
+TEST(ScenarioYaml, ReportsErrorsInMoversWithTheirLine) {
+  const std::string cells = std::string(kHead) + "resolution: 1\ncells: [\"...\", \"...\"]\n";
+  EXPECT_TRUE(refused(cells + "movers: 3\n", "f.yaml:8: ", {"'movers' is not a list"}));
+  EXPECT_TRUE(refused(cells + "movers:\n  - 3\n", "f.yaml:9: ", {"expected keys and values"}));
+  const std::string mover = cells + "movers:\n  - id: p\n    radius: 0.3\n";
+  EXPECT_TRUE(refused(mover + "    aftr: stop\n", "f.yaml:11: ", {"'aftr'", "expected 'after'"}));
+  EXPECT_TRUE(refused(mover + "    after: jump\n    waypoints: []\n",
+                      "f.yaml:11: ", {"'jump'", "expected stop, loop or vanish"}));
+  EXPECT_TRUE(refused(mover + "    after: stop\n    waypoints:\n      - [0, 1]\n",
+                      "f.yaml:13: ", {"expected [3 numbers]"}));
+  EXPECT_TRUE(refused(mover + "    after: stop\n    waypoints: [[1, 0, 0], [1, 2, 0]]\n",
+                      "f.yaml:9: mover 'p'", {"waypoint 1", "increasing times"}));
+}
+
 TEST(ScenarioYaml, GridRowsAreInTopDownOrder) {
   const Scenario scenario = scenario_from_yaml(
       std::string(kHead) + "resolution: 1\ncells:\n  - \"#..\"\n  - \"..#\"\n", "f.yaml");

@@ -26,6 +26,7 @@ struct Scene {
   std::vector<Obstacle> obstacles;
   mrpt::math::TPose2D start;
   mrpt::math::TPoint2D goal;
+  Movers movers;  ///< kept as they are
 };
 
 mrpt::math::TPoint2D center_of(

@@ -11,7 +11,7 @@ struct ConversionOptions {
   double point_radius = 0;   ///< of the discs made from points; 0: half the resolution
 };
 
-/// `scenario` in another representation (same name, start, goal); unchanged if it has that
+/// `scenario` in another representation (same name, start, goal, movers); unchanged if it has that
 /// representation already. The obstacles are converted as follows:
 /// - primitives to a grid: the cells that they touch; points to a grid: the cells that contain
 ///   them;

@@ -2,6 +2,7 @@
 
 #include <slalom/core/enum_names.h>
 #include <slalom/scenario/geometry.h>
+#include <slalom/scenario/mover.h>
 #include <slalom/scenario/published_path.h>
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
@@ -22,8 +23,9 @@ constexpr auto enum_names(Representation) {
   return std::array{"continuous", "grid", "points"};
 }
 
-/// One obstacle avoidance problem: a workspace, its obstacles, a start pose and a goal position.
-/// Immutable; its identity is the hash of its content (geometry, start, goal), not its name.
+/// One obstacle avoidance problem: a workspace, its obstacles, which may include moving ones, a
+/// start pose and a goal position. Immutable; its identity is the hash of its content (geometry,
+/// start, goal, movers if there are any), not its name.
 ///
 /// Grids are binarized on construction. MRPT stores in a cell the probability that it is *free* (0
 /// occupied, 1 free): above 0.5 the cell is free, below it is occupied; unknown cells (exactly 0.5
@@ -52,26 +54,33 @@ class Scenario {
       const;  ///< requires Grid; cells are p2l(1), free, or p2l(0), occupied
   const PointMapPtr& point_map() const;  ///< requires Points
 
+  /// Moving obstacles; none unless set. Representations, the distance field, the ray caster and the
+  /// reference paths are those of the static obstacles.
+  const Movers& movers() const { return movers_; }
+
   /// The path that was published with this environment, or null. Not part of the content.
   const PublishedPathPtr& published_path() const { return published_path_; }
 
   Scenario renamed(std::string name) const;
-  /// The same environment with another start and goal; without the published path, which belongs to
-  /// these.
+  /// The same environment and movers with another start and goal; without the published path, which
+  /// belongs to these.
   Scenario with_start_goal(mrpt::math::TPose2D start, mrpt::math::TPoint2D goal) const;
+  /// The same with these moving obstacles instead of its own. Throws like check_movers().
+  Scenario with_movers(Movers movers) const;
   /// The same with this path, or without one (null). Throws like check_published_path().
   Scenario with_published_path(PublishedPathPtr path) const;
 
  private:
   using Obstacles = std::variant<Primitives, GridMapPtr, PointMapPtr>;
   Scenario(std::string name, Bounds bounds, Obstacles obstacles, mrpt::math::TPose2D start,
-           mrpt::math::TPoint2D goal);
+           mrpt::math::TPoint2D goal, Movers movers = {});
 
   std::string name_;
   Bounds bounds_;
   Obstacles obstacles_;
   mrpt::math::TPose2D start_;
   mrpt::math::TPoint2D goal_;
+  Movers movers_;
   std::string hash_;
   PublishedPathPtr published_path_;
 };

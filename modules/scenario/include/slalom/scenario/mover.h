@@ -1,0 +1,66 @@
+#pragma once
+
+#include <slalom/core/enum_names.h>
+
+#include <mrpt/math/TPoint2D.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+class Hasher;
+
+/// What a mover does after its last waypoint.
+enum class MoverEnd { Stop, Loop, Vanish };
+constexpr auto enum_names(MoverEnd) {
+  return std::array{"stop", "loop", "vanish"};
+}
+
+/// A position (m, world frame) at a time (s of the run, which begins at 0).
+struct Waypoint {
+  double t = 0;
+  mrpt::math::TPoint2D position;
+};
+
+/// A moving obstacle: a closed disc that follows a given path, whatever the robot does. Between two
+/// waypoints it moves straight at constant speed. It is present from its first waypoint on; one
+/// that waits there first has two waypoints at the same position.
+struct Mover {
+  std::string id;
+  double radius = 0;  ///< m
+  std::vector<Waypoint> waypoints;
+  /// Stop: it remains at the last waypoint. Loop: it repeats its path, which is closed, from the
+  /// first waypoint on. Vanish: it is present up to the last waypoint, inclusive.
+  MoverEnd after = MoverEnd::Stop;
+
+  bool present(double t) const;
+  /// Center (m) at time t (s), as if it were always present: before the first waypoint the position
+  /// of that, after vanishing that of the last one.
+  mrpt::math::TPoint2D position(double t) const;
+  /// Velocity (m/s) from t on: at a waypoint that of the next segment; 0 while absent or at rest.
+  mrpt::math::TPoint2D velocity(double t) const;
+  /// The first time after t at which the velocity may change; infinity if there is none. Between
+  /// the two the motion is straight at velocity(t), and the mover is either present or absent.
+  double next_change(double t) const;
+
+  bool operator==(const Mover& other) const;
+  bool operator!=(const Mover& other) const { return !(*this == other); }
+
+ private:
+  double path_time(double t) const;
+  std::size_t segment_at(double path_time) const;
+};
+
+using Movers = std::vector<Mover>;
+
+/// Throws Error (File) naming `name` and the mover when an id is empty, too long (100 bytes), not
+/// UTF-8 or used twice, a radius is not above 0, there are no waypoints, a number is not finite or
+/// exceeds a million, times do not increase, a speed exceeds 1000 m/s, or a path that loops is not
+/// closed (its last waypoint at the first).
+void check_movers(const std::string& name, const Movers& movers);
+
+void add_content(Hasher& hasher, const Movers& movers);
+
+}  // namespace slalom

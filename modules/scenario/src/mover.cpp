@@ -1,0 +1,143 @@
+#include <slalom/core/distance.h>
+#include <slalom/core/error.h>
+#include <slalom/core/hash.h>
+#include <slalom/core/printable.h>
+#include <slalom/core/text.h>
+#include <slalom/scenario/mover.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <set>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+constexpr std::size_t kMaxIdBytes = 100;
+/// Limits (s, m, m/s) far beyond any use: no computation with a mover overflows.
+constexpr double kMaxNumber = 1e6, kMaxSpeed = 1000;
+
+bool same_position(const Waypoint& a, const Waypoint& b) {
+  return a.position.x == b.position.x && a.position.y == b.position.y;
+}
+
+void check_id(const std::string& where, const std::string& id) {
+  if (id.empty() || id.size() > kMaxIdBytes || find_invalid_utf8(id))
+    throw file_error(where, "invalid id", "1 to 100 bytes of UTF-8");
+}
+
+bool in_range(double number) {
+  return std::abs(number) <= kMaxNumber;
+}
+
+void check_waypoint(const std::string& where, const std::vector<Waypoint>& waypoints,
+                    std::size_t i) {
+  const Waypoint& w = waypoints[i];
+  const std::string which = "waypoint " + std::to_string(i);
+  if (!in_range(w.t) || !in_range(w.position.x) || !in_range(w.position.y))
+    throw file_error(where, which + " is out of range",
+                     "a time and a position within +-" + format_number(kMaxNumber));
+  if (i == 0) return;
+  const Waypoint& before = waypoints[i - 1];
+  if (!(w.t > before.t))
+    throw file_error(where,
+                     which + " is at " + format_number(w.t) + " s, not after the one before it",
+                     "increasing times");
+  if (!(distance_between(before.position, w.position) <= kMaxSpeed * (w.t - before.t)))
+    throw file_error(where, which + " is too far from the one before it",
+                     "a speed of at most " + format_number(kMaxSpeed) + " m/s");
+}
+
+void check_mover(const std::string& where, const Mover& mover) {
+  if (!in_range(mover.radius) || !(mover.radius > 0))
+    throw file_error(where, "invalid radius " + format_number(mover.radius) + " m",
+                     "a radius above 0, at most " + format_number(kMaxNumber));
+  if (mover.waypoints.empty()) throw file_error(where, "no waypoints", "at least one");
+  for (std::size_t i = 0; i < mover.waypoints.size(); ++i)
+    check_waypoint(where, mover.waypoints, i);
+  if (mover.after == MoverEnd::Loop &&
+      (mover.waypoints.size() < 2 ||
+       !same_position(mover.waypoints.front(), mover.waypoints.back())))
+    throw file_error(where, "the path that loops is not closed",
+                     "the last waypoint at the position of the first");
+}
+
+}  // namespace
+
+/// The time on the path at which it is where it is at t.
+double Mover::path_time(double t) const {
+  const double first = waypoints.front().t, last = waypoints.back().t;
+  if (after != MoverEnd::Loop || t < last) return t;
+  return first + std::fmod(t - first, last - first);
+}
+
+/// The index of the last waypoint at or before that time, which is not before the first one.
+std::size_t Mover::segment_at(double path_time) const {
+  const auto next =
+      std::upper_bound(waypoints.begin(), waypoints.end(), path_time,
+                       [](double time, const Waypoint& waypoint) { return time < waypoint.t; });
+  return static_cast<std::size_t>(next - waypoints.begin()) - 1;
+}
+
+bool Mover::present(double t) const {
+  return t >= waypoints.front().t && (after != MoverEnd::Vanish || t <= waypoints.back().t);
+}
+
+TPoint2D Mover::position(double t) const {
+  const double time = path_time(t);
+  if (time <= waypoints.front().t) return waypoints.front().position;
+  if (time >= waypoints.back().t) return waypoints.back().position;
+  const std::size_t i = segment_at(time);
+  const Waypoint &a = waypoints[i], &b = waypoints[i + 1];
+  return a.position + (b.position - a.position) * ((time - a.t) / (b.t - a.t));
+}
+
+TPoint2D Mover::velocity(double t) const {
+  const double time = path_time(t);
+  if (time < waypoints.front().t || time >= waypoints.back().t) return {0, 0};
+  const std::size_t i = segment_at(time);
+  const Waypoint &a = waypoints[i], &b = waypoints[i + 1];
+  return (b.position - a.position) * (1 / (b.t - a.t));
+}
+
+double Mover::next_change(double t) const {
+  const double time = path_time(t);
+  if (time < waypoints.front().t) return waypoints.front().t;
+  if (time >= waypoints.back().t) return std::numeric_limits<double>::infinity();
+  // Rounding may place the next waypoint of a later round at t itself: the one after it then.
+  for (std::size_t i = segment_at(time) + 1; i < waypoints.size(); ++i)
+    if (const double at = t + (waypoints[i].t - time); at > t) return at;
+  return std::nextafter(t, std::numeric_limits<double>::infinity());
+}
+
+bool Mover::operator==(const Mover& other) const {
+  return id == other.id && radius == other.radius && after == other.after &&
+         std::equal(waypoints.begin(), waypoints.end(), other.waypoints.begin(),
+                    other.waypoints.end(), [](const Waypoint& a, const Waypoint& b) {
+                      return a.t == b.t && same_position(a, b);
+                    });
+}
+
+void check_movers(const std::string& name, const Movers& movers) {
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < movers.size(); ++i) {
+    check_id(name + ": mover " + std::to_string(i), movers[i].id);
+    const std::string where = name + ": mover '" + movers[i].id + "'";
+    if (!ids.insert(movers[i].id).second) throw file_error(where, "duplicate id", "unique ids");
+    check_mover(where, movers[i]);
+  }
+}
+
+void add_content(Hasher& hasher, const Movers& movers) {
+  hasher.add("movers").add(static_cast<std::uint64_t>(movers.size()));
+  for (const Mover& mover : movers) {
+    hasher.add(mover.id).add(mover.radius).add(to_string(mover.after));
+    hasher.add(static_cast<std::uint64_t>(mover.waypoints.size()));
+    for (const Waypoint& w : mover.waypoints) hasher.add(w.t).add(w.position.x).add(w.position.y);
+  }
+}
+
+}  // namespace slalom
