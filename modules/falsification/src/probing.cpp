@@ -110,7 +110,7 @@ std::optional<CommandDifference> StepProbe::find_in_steps(const std::shared_ptr<
     const bool is_near = draw(*world, engine, probe);
     const double speed = uniform_real(engine, 0, bench_.setup.robot.max_v);
     if (!is_near) continue;
-    const auto& scan = sensor.sense(probe.pose, mrpt::Clock::time_point());
+    const auto& scan = sensor.sense(probe.pose, 0, mrpt::Clock::time_point());
     try {
       if (!are_same(command(0, probe, speed, scan), command(1, probe, speed, scan))) return probe;
     } catch (const std::exception&) {

@@ -55,6 +55,9 @@ class LogEvaluator {
     add(first);
     if (checker_.touches(first.pose))
       end(Outcome::UnsolvableScenario, "the robot touches an obstacle where the log begins");
+    else if (const Mover* mover = checker_.overlapping_mover(first.pose, 0))
+      end(Outcome::UnsolvableScenario,
+          "mover '" + mover->id + "' touches the robot where the log begins");
     else
       check_sample(first);
     for (std::size_t i = 1; i < log_.samples.size() && !finished_; ++i) {
@@ -94,12 +97,16 @@ class LogEvaluator {
   }
 
   void check_step(const Sample& before, const Sample& after) {
-    TPose2D pose = after.pose;
+    TimedMotion motion{before.pose, after.pose, time(before), time(after)};
+    const TPose2D& pose = motion.to;
     double fraction = 1;
-    if (checker_.find_contact(before.pose, pose, fraction)) {
-      Sample contact = between(before, after, fraction);
-      contact.pose = pose;
-      end_at(contact, Outcome::Collision, "contact");
+    if (const Contact contact = checker_.find_contact(motion, fraction)) {
+      Sample last = between(before, after, fraction);
+      last.pose = pose;
+      end_at(last, Outcome::Collision, contact.text());
+      if (contact.mover != nullptr)
+        result_.detail += TerminationChecker::robot_at_contact(result_.trajectory, last.t, pose,
+                                                               std::hypot(last.v, last.vy));
     } else if (checker_.left_workspace(pose)) {
       end_at(after, Outcome::LeftWorkspace, "left the workspace");
     } else if (checker_.reached_goal(pose)) {

@@ -1,3 +1,5 @@
+#include "mover_contact.h"
+
 #include <slalom/core/distance.h>
 #include <slalom/simulation/footprint_contact.h>
 
@@ -11,13 +13,6 @@ namespace {
 
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
-
-/// The interpolated pose at `fraction` from `from` to `to`.
-TPose2D between(const TPose2D& from, const TPose2D& to, double fraction) {
-  const double turn = mrpt::math::wrapToPi(to.phi - from.phi);
-  return {from.x + fraction * (to.x - from.x), from.y + fraction * (to.y - from.y),
-          mrpt::math::wrapToPi(from.phi + fraction * turn)};
-}
 
 class DiscContact : public FootprintContact {
  public:
@@ -41,7 +36,7 @@ class DiscContact : public FootprintContact {
       (is_blocked(a, a + (b - a) * middle) ? high : low) = middle;
     }
     fraction = high;
-    to = between(from, to, high);
+    to = interpolate(from, to, high);
     return true;
   }
 
@@ -78,7 +73,7 @@ class PolygonContact : public FootprintContact {
       return false;
     }
     for (double at = 0; at < 1;) {
-      const TPose2D pose = between(from, to, at);
+      const TPose2D pose = interpolate(from, to, at);
       free_travel_ = clearance(pose);
       if (free_travel_ < kContact) {
         fraction = at;

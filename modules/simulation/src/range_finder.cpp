@@ -9,6 +9,7 @@ RangeFinder::RangeFinder(const World& world, const SensorModel& sensor, std::uin
     : caster_(world.ray_caster()),
       sensor_(sensor),
       geometry_{sensor.rays, sensor.aperture(), sensor.max_range},
+      movers_(world.scenario().movers(), geometry_),
       noise_(derive_seed(seed, "sensor/noise")),
       dropout_(derive_seed(seed, "sensor/dropout")) {
   const auto count = static_cast<std::size_t>(sensor.rays);
@@ -21,8 +22,10 @@ RangeFinder::RangeFinder(const World& world, const SensorModel& sensor, std::uin
 }
 
 const mrpt::obs::CObservation2DRangeScan& RangeFinder::sense(const mrpt::math::TPose2D& pose,
+                                                             double t,
                                                              mrpt::Clock::time_point time) {
   caster_.cast_scan(pose, geometry_, ranges_.data());
+  movers_.add_to(pose, t, ranges_.data());
   if (sensor_.noise_sigma > 0) add_noise();
   if (sensor_.dropout_ratio > 0) drop_rays();
   if (sensor_.quantum > 0) round_ranges();

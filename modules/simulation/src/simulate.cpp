@@ -49,6 +49,9 @@ class Run {
   SimulationResult execute() {
     if (checker_.touches(pose()))
       end(Outcome::UnsolvableScenario, "the robot touches an obstacle where it starts");
+    else if (const Mover* mover = checker_.overlapping_mover(pose(), 0))
+      end(Outcome::UnsolvableScenario,
+          "mover '" + mover->id + "' touches the robot where it starts");
     else
       begin();
     while (!finished_) cycle();
@@ -136,7 +139,7 @@ class Run {
     observation.vy = vehicle_->vy();
     observation.goal_in_robot = observation.odometry.inverseComposePoint(world_.scenario().goal());
     const double scan_time = std::max(0.0, time_ - setup_.sensor.latency);
-    observation.scan = &sensor_.sense(history_.at(scan_time), clock_.at(scan_time));
+    observation.scan = &sensor_.sense(history_.at(scan_time), scan_time, clock_.at(scan_time));
     return observation;
   }
 
@@ -177,21 +180,29 @@ class Run {
 
   /// Checks the motion from `before` (at time `begin`) to the current pose.
   void check_step(const TPose2D& before, double begin) {
-    TPose2D now = pose();
+    TimedMotion motion{before, pose(), begin, begin + options_.step};
     double fraction = 1;
-    const bool contact = checker_.find_contact(before, now, fraction);
+    const Contact contact = checker_.find_contact(motion, fraction);
+    const TPose2D& now = motion.to;
     time_ = begin + fraction * options_.step;
     traveled_ += fraction * vehicle_->step_length();
     odometry_.move(before, now);
     history_.add(time_, now);
     if (contact) {
       vehicle_->setCurrentGTPose(now);
-      end(Outcome::Collision, "contact " + at(now, time_));
+      end(Outcome::Collision, contact.text() + " " + at(now, time_) + robot_at(contact));
     } else if (checker_.left_workspace(now)) {
       end(Outcome::LeftWorkspace, "left " + at(now, time_));
     } else if (checker_.reached_goal(now)) {
       end(Outcome::Success, "goal reached " + at(now, time_));
     }
+  }
+
+  /// "" for a contact with a static obstacle.
+  std::string robot_at(const Contact& contact) const {
+    if (contact.mover == nullptr) return "";
+    return TerminationChecker::robot_at_contact(result_.trajectory, time_, pose(),
+                                                std::hypot(vehicle_->v(), vehicle_->vy()));
   }
 
   void record() {

@@ -1,6 +1,9 @@
 #include "termination_checker.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/core/text.h>
+
+#include <mrpt/math/wrap2pi.h>
 
 #include <cmath>
 
@@ -12,8 +15,29 @@ using mrpt::math::TPose2D;
 
 /// Tolerance (s) for rounding errors of times, which are sums and multiples of steps.
 constexpr double kTimeTolerance = 1e-9;
+/// A robot stands if its pose has not changed for this time (s), up to rounding errors (m, rad).
+constexpr double kStandingTime = 0.5, kStandingTolerance = 1e-6;
 
 }  // namespace
+
+std::string Contact::text() const {
+  return mover == nullptr ? "contact" : "contact with mover '" + mover->id + "'";
+}
+
+Contact TerminationChecker::find_contact(TimedMotion& motion, double& fraction) {
+  Contact contact;
+  const double duration = motion.end - motion.begin;
+  contact.found = contact_->find_contact(motion.from, motion.to, fraction);
+  if (contact) motion.end = motion.begin + fraction * duration;
+  double before = 1;
+  contact.mover = movers_.find_contact(motion, before);
+  if (contact.mover == nullptr) return contact;
+  contact.found = true;
+  motion.to = interpolate(motion.from, motion.to, before);
+  motion.end = motion.begin + before * (motion.end - motion.begin);
+  fraction *= before;
+  return contact;
+}
 
 bool TerminationChecker::reached_goal(const TPose2D& pose) const {
   const TPoint2D& goal = world_.scenario().goal();
@@ -32,6 +56,22 @@ bool TerminationChecker::is_in_time(double now) const {
 
 bool TerminationChecker::is_time_over(double now) const {
   return now >= options_.max_time - kTimeTolerance;
+}
+
+std::string TerminationChecker::robot_at_contact(const Trajectory& trajectory, double now,
+                                                 const TPose2D& pose, double speed) {
+  const double since = now - kStandingTime + kTimeTolerance;
+  const auto& samples = trajectory.samples;
+  bool stood = !samples.empty() && samples.front().t <= since;
+  // Back to the last sample before that time.
+  for (std::size_t i = samples.size(); stood && i > 0; --i) {
+    const Sample& sample = samples[i - 1];
+    stood = distance_between(sample.pose, pose) <= kStandingTolerance &&
+            std::abs(mrpt::math::wrapToPi(sample.pose.phi - pose.phi)) <= kStandingTolerance;
+    if (sample.t <= since) break;
+  }
+  return stood ? ", the robot had stood for " + format_number(kStandingTime) + " s"
+               : ", the robot at " + format_fixed(speed, 2) + " m/s";
 }
 
 bool TerminationChecker::is_stuck(const Trajectory& trajectory, double now,

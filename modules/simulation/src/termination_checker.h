@@ -1,24 +1,44 @@
 #pragma once
 
+#include "mover_contact.h"
+
 #include <slalom/scenario/world.h>
 #include <slalom/simulation/footprint_contact.h>
 #include <slalom/simulation/simulate.h>
 
 #include <mrpt/math/TPose2D.h>
 
+#include <memory>
+#include <string>
+
 namespace slalom {
+
+/// Whether there is contact, and with what.
+struct Contact {
+  bool found = false;
+  const Mover* mover = nullptr;  ///< null: with a static obstacle
+
+  explicit operator bool() const { return found; }
+  std::string text() const;  ///< "contact", "contact with mover 'ID'"
+};
 
 /// Checks the termination conditions of a run from ground truth: collision, goal, stuck, time.
 class TerminationChecker {
  public:
   TerminationChecker(const World& world, const RobotModel& robot, const SimulationOptions& options)
-      : world_(world), contact_(make_footprint_contact(world, robot.shape())), options_(options) {}
+      : world_(world),
+        contact_(make_footprint_contact(world, robot.shape())),
+        movers_(world.scenario().movers(), robot.shape()),
+        options_(options) {}
 
   bool touches(const mrpt::math::TPose2D& pose) const { return contact_->touches(pose); }
-  /// See FootprintContact.
-  bool find_contact(const mrpt::math::TPose2D& from, mrpt::math::TPose2D& to, double& fraction) {
-    return contact_->find_contact(from, to, fraction);
+  /// The mover that overlaps the robot at time t; null if there is none.
+  const Mover* overlapping_mover(const mrpt::math::TPose2D& pose, double t) const {
+    return movers_.find_overlap(pose, t);
   }
+  /// The first contact on this motion, with an obstacle or a mover; then the motion ends there and
+  /// `fraction` (0..1) of it was possible. See FootprintContact, MoverContact.
+  Contact find_contact(TimedMotion& motion, double& fraction);
   bool reached_goal(const mrpt::math::TPose2D& pose) const;
   bool left_workspace(const mrpt::math::TPose2D& pose) const;
   bool is_in_time(double now) const;    ///< now <= max_time
@@ -28,9 +48,15 @@ class TerminationChecker {
   /// last one.
   bool is_stuck(const Trajectory& trajectory, double now, const mrpt::math::TPose2D& pose) const;
 
+  /// The robot in a contact with a mover at `now`: ", the robot at V m/s", or that it had stood for
+  /// 0.5 s, so that the mover ran into it (passive safety).
+  static std::string robot_at_contact(const Trajectory& trajectory, double now,
+                                      const mrpt::math::TPose2D& pose, double speed);
+
  private:
   const World& world_;
   std::unique_ptr<FootprintContact> contact_;
+  MoverContact movers_;
   const SimulationOptions& options_;
 };
 

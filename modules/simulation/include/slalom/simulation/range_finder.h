@@ -3,6 +3,7 @@
 #include <slalom/core/random.h>
 #include <slalom/robot/robot_model.h>
 #include <slalom/scenario/world.h>
+#include <slalom/simulation/mover_scan.h>
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
 
@@ -18,7 +19,8 @@ class RangeFinder {
  public:
   RangeFinder(const World& world, const SensorModel& sensor, std::uint64_t seed);
 
-  const mrpt::obs::CObservation2DRangeScan& sense(const mrpt::math::TPose2D& pose,
+  /// The scan at `pose`, stamped `time`, with the movers as they are at `t` (s of the run).
+  const mrpt::obs::CObservation2DRangeScan& sense(const mrpt::math::TPose2D& pose, double t,
                                                   mrpt::Clock::time_point time);
 
  private:
@@ -36,6 +38,7 @@ class RangeFinder {
   const RayCaster& caster_;
   SensorModel sensor_;
   ScanGeometry geometry_;
+  MoverScan movers_;
   RandomEngine noise_, dropout_;
   std::vector<float> ranges_;
   std::vector<char> valid_;
