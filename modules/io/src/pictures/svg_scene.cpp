@@ -1,5 +1,6 @@
 #include "svg_obstacles.h"
 
+#include <slalom/core/text.h>
 #include <slalom/io/path_simplify.h>
 #include <slalom/io/svg_scene.h>
 
@@ -27,6 +28,7 @@ class Picture {
         "<rect class=\"workspace\" width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>",
         width, height, html_escape(scenario_.name()));
     svg_ += obstacles_svg(scenario_, frame_);
+    for (const Mover& mover : scenario_.movers()) draw(mover);
     draw_references();
     for (std::size_t i = 0; i < options_.trajectories.size(); ++i)
       draw(options_.trajectories[i], i);
@@ -40,6 +42,21 @@ class Picture {
   }
 
  private:
+  /// Its path, and its disc where it is when the run begins, or where it appears later.
+  void draw(const Mover& mover) {
+    Path path;
+    for (const Waypoint& waypoint : mover.waypoints) path.push_back(waypoint.position);
+    const double t = std::max(0.0, mover.waypoints.front().t);
+    const std::string title = "mover " + mover.id + " at " + format_number(t) + " s";
+    svg_ += line(path, "mover", "#8a5a00", "stroke-width=\"1\" stroke-dasharray=\"4 2\"", title);
+    if (!mover.present(t)) return;
+    const TPoint2D center = frame_.to_pixels(mover.position(t));
+    svg_ += fmt::format(
+        "<circle class=\"mover\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"#e0a030\" "
+        "stroke=\"#8a5a00\"><title>{}</title></circle>",
+        center.x, center.y, mover.radius * frame_.scale(), html_escape(title));
+  }
+
   void draw_references() {
     if (options_.references == nullptr) return;
     if (options_.references->safest)

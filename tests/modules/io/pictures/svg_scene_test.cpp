@@ -36,6 +36,21 @@ TEST(SvgScene, EveryRepresentationAndAllPathsAreDrawn) {
   }
 }
 
+TEST(SvgScene, MoversAreDrawnWithTheirPathsWhereTheyBegin) {
+  const Scenario still = Scenario::continuous("s", {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3});
+  const Scenario moving = still.with_movers(
+      {{"<a>", 0.3, {{-1, {3, 1}}, {1, {5, 1}}}}, {"b", 0.5, {{2, {6, 2}}, {4, {6, 1}}}}});
+  SceneOptions options;
+  options.max_pixels = 400;  // 50 pixels per meter
+  const std::string svg = render_svg(moving, options);
+  EXPECT_EQ(count(svg, "<polyline class=\"mover\""), 2U);
+  EXPECT_EQ(count(svg, "cx=\"200.0\" cy=\"150.0\" r=\"15.0\""), 1U);  // at (4, 1) at 0 s
+  EXPECT_EQ(count(svg, "cx=\"300.0\" cy=\"100.0\" r=\"25.0\""), 1U);  // appears at 2 s
+  EXPECT_EQ(count(svg, "mover &lt;a&gt; at 0 s"), 2U);
+  EXPECT_EQ(count(svg, "mover b at 2 s"), 2U);
+  EXPECT_EQ(count(render_svg(still, options), "mover"), 0U);
+}
+
 TEST(SvgScene, NamesAreEscaped) {
   const Scenario scenario = sample_scenario(1, "</title><script>alert(1)</script>");
   EXPECT_EQ(count(render_svg(scenario, {}), "<script>"), 0U);

@@ -33,7 +33,7 @@ struct SceneOptions {
 };
 
 /// A scenario to scale as one self-contained `svg` element. Grids become merged rectangles (runs of
-/// cells).
+/// cells). Movers are drawn with their paths, at time 0 or where they appear later.
 std::string render_svg(const Scenario& scenario, const SceneOptions& options);
 
 }  // namespace slalom
