@@ -3,8 +3,9 @@
 // `slalom` is simulate() with all features: sensing, a cheap method, motion, collision checking,
 // recording. `mrpt` is its peer, laserScanSimulator with a CVehicleSimul_DiffDriven and the same
 // method: sensing and motion only. `without_scan` is simulate() with two rays, the cost apart from
-// the scan; nearly blind, it soon collides, so the cost of starting a run weighs more. Counter
-// `steps` is control steps per second.
+// the scan; nearly blind, it soon collides, so the cost of starting a run weighs more.
+// `with_20_movers` is `slalom` among 20 moving discs, with which it collides. Counter `steps` is
+// control steps per second.
 #include <slalom/core/random.h>
 #include <slalom/simulation/simulate.h>
 
@@ -36,23 +37,40 @@ Scenario random_discs() {
   return convert(discs, Representation::Grid, kResolution);
 }
 
+/// Discs that walk to and fro at 0.4 to 1.2 m/s.
+Movers random_movers(int count) {
+  RandomEngine random(13);
+  Movers movers;
+  for (int i = 0; i < count; ++i) {
+    const mrpt::math::TPoint2D a(uniform_real(random, 0, kSize), uniform_real(random, 0, kSize));
+    const double direction = uniform_real(random, -M_PI, M_PI),
+                 speed = uniform_real(random, 0.4, 1.2);
+    const mrpt::math::TPoint2D b(a.x + 4 * std::cos(direction), a.y + 4 * std::sin(direction));
+    movers.push_back(
+        {std::to_string(i), 0.3, {{0, a}, {4 / speed, b}, {8 / speed, a}}, MoverEnd::Loop});
+  }
+  return movers;
+}
+
 /// The scenario with different starts, with precomputed tables.
+std::deque<World> make_worlds(const Movers& movers) {
+  std::deque<World> made;
+  const Scenario scenario = random_discs().with_movers(movers);
+  const World world(scenario, kResolution);
+  RandomEngine random(11);
+  while (made.size() < kStarts) {
+    const TPose2D start(uniform_real(random, 0, kSize), uniform_real(random, 0, kSize),
+                        uniform_real(random, -M_PI, M_PI));
+    if (world.distance_field().clearance({start.x, start.y}) < 0.6) continue;
+    made.emplace_back(scenario.with_start_goal(start, scenario.goal()), kResolution);
+    made.back().distance_field();
+    made.back().ray_caster();
+  }
+  return made;
+}
+
 const std::deque<World>& worlds_by_start() {
-  static const std::deque<World> worlds = [] {
-    std::deque<World> made;
-    const Scenario scenario = random_discs();
-    const World world(scenario, kResolution);
-    RandomEngine random(11);
-    while (made.size() < kStarts) {
-      const TPose2D start(uniform_real(random, 0, kSize), uniform_real(random, 0, kSize),
-                          uniform_real(random, -M_PI, M_PI));
-      if (world.distance_field().clearance({start.x, start.y}) < 0.6) continue;
-      made.emplace_back(scenario.with_start_goal(start, scenario.goal()), kResolution);
-      made.back().distance_field();
-      made.back().ray_caster();
-    }
-    return made;
-  }();
+  static const std::deque<World> worlds = make_worlds({});
   return worlds;
 }
 
@@ -83,8 +101,7 @@ void count_steps(benchmark::State& state, std::size_t steps) {
       benchmark::Counter(static_cast<double>(steps), benchmark::Counter::kIsRate);
 }
 
-void simulate_rays(benchmark::State& state, int rays) {
-  const std::deque<World>& worlds = worlds_by_start();
+void simulate_rays(benchmark::State& state, int rays, const std::deque<World>& worlds) {
   RunSetup setup;
   setup.simulation = wandering_options();
   setup.sensor.rays = rays;
@@ -99,11 +116,16 @@ void simulate_rays(benchmark::State& state, int rays) {
 }
 
 void slalom(benchmark::State& state) {
-  simulate_rays(state, 181);
+  simulate_rays(state, 181, worlds_by_start());
 }
 
 void without_scan(benchmark::State& state) {
-  simulate_rays(state, 2);
+  simulate_rays(state, 2, worlds_by_start());
+}
+
+void with_20_movers(benchmark::State& state) {
+  static const std::deque<World> worlds = make_worlds(random_movers(20));
+  simulate_rays(state, 181, worlds);
 }
 
 /// MRPT's vehicle, integrated with Slalom's step instead of 0.5 ms.
@@ -153,6 +175,7 @@ void mrpt(benchmark::State& state) {
 BENCHMARK(slalom)->Unit(benchmark::kMillisecond);
 BENCHMARK(mrpt)->Unit(benchmark::kMillisecond);
 BENCHMARK(without_scan)->Unit(benchmark::kMillisecond);
+BENCHMARK(with_20_movers)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace slalom
