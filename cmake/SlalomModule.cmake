@@ -1,9 +1,9 @@
-# slalom_add_module(NAME SOURCES a.cpp ... DEPENDS module ... LIBRARIES target ...)
+# slalom_add_module(NAME [COMPUTES] SOURCES a.cpp ... DEPENDS module ... LIBRARIES target ...)
 #
 # A module of modules/ (or adapters/): one static library target slalom_NAME with one include root of its
-# own, so that including a header of a module that is not in DEPENDS is a build error.
+# own, so that including a header of a module that is not in DEPENDS is a build error. COMPUTES: see SlalomPrecompiled.cmake.
 function(slalom_add_module NAME)
-  cmake_parse_arguments(MODULE "" "" "SOURCES;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(MODULE "COMPUTES" "" "SOURCES;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   add_library(slalom_${NAME} STATIC ${MODULE_SOURCES})
   add_library(slalom::${NAME} ALIAS slalom_${NAME})
   target_include_directories(slalom_${NAME} PUBLIC
@@ -13,9 +13,7 @@ function(slalom_add_module NAME)
   set_property(GLOBAL APPEND PROPERTY SLALOM_MODULES ${NAME})
   list(TRANSFORM MODULE_DEPENDS PREPEND slalom_)
   target_link_libraries(slalom_${NAME} PUBLIC ${MODULE_DEPENDS} ${MODULE_LIBRARIES} PRIVATE ${MODULE_PRIVATE_LIBRARIES})
-  if(TARGET slalom_precompiled)
-    target_precompile_headers(slalom_${NAME} REUSE_FROM slalom_precompiled)
-  endif()
+  slalom_optimize(slalom_${NAME} slalom_precompiled "${MODULE_COMPUTES}")
 endfunction()
 
 # slalom_app(NAME SOURCES ... DEPENDS module ... LIBRARIES target ...): a program in build/.../bin, its manual page in
@@ -51,16 +49,8 @@ function(slalom_test NAME)
   list(TRANSFORM TEST_DEPENDS PREPEND slalom_)
   target_link_libraries(${NAME} PRIVATE ${TEST_DEPENDS} ${TEST_LIBRARIES} GTest::gtest GTest::gtest_main Threads::Threads)
   target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
-  set(kind test)
-  set(optimization ${SLALOM_TEST_OPTIMIZATION})
-  if(TEST_COMPUTES AND SLALOM_SANITIZE)
-    set(kind computing_test)
-    set(optimization ${SLALOM_COMPUTING_TEST_OPTIMIZATION})
-  endif()
-  if(TARGET slalom_precompiled_${kind})
-    target_precompile_headers(${NAME} REUSE_FROM slalom_precompiled_${kind})
-  endif()
-  target_compile_options(${NAME} PRIVATE ${optimization})
+  target_compile_options(${NAME} PRIVATE ${SLALOM_TEST_OPTIMIZATION})
+  slalom_optimize(${NAME} slalom_precompiled_test "${TEST_COMPUTES}")
   add_test(NAME ${NAME} COMMAND ${NAME})
   set_tests_properties(${NAME} PROPERTIES TIMEOUT 1800)
 endfunction()

@@ -16,22 +16,36 @@ function(slalom_precompile TARGET)
   endforeach()
 endfunction()
 
-# For the modules that follow in modules/CMakeLists.txt: all of them depend on MRPT's maps.
-function(slalom_precompile_for_modules)
-  if(SLALOM_PRECOMPILE_HEADERS)
-    add_library(slalom_precompiled STATIC ${SLALOM_EMPTY_SOURCE})
-    target_link_libraries(slalom_precompiled PRIVATE slalom_scenario)
-    slalom_precompile(slalom_precompiled)
+# With sanitizers, code is not optimized, which compiles in a third of the time, except modules and tests that compute
+# much (COMPUTES of slalom_add_module and slalom_test). In other builds modules are as the build type says; compiling
+# tests takes longer than the computations in them.
+set(SLALOM_TEST_OPTIMIZATION -O1)
+set(SLALOM_COMPUTING_OPTIMIZATION)
+if(SLALOM_SANITIZE)
+  set(SLALOM_TEST_OPTIMIZATION -O0)
+  set(SLALOM_COMPUTING_OPTIMIZATION -O1)
+endif()
+
+# Precompiled headers are valid only for the same optimization: TARGET uses those of PRECOMPILED or PRECOMPILED_computing.
+function(slalom_optimize TARGET PRECOMPILED COMPUTES)
+  if(COMPUTES AND SLALOM_SANITIZE)
+    target_compile_options(${TARGET} PRIVATE ${SLALOM_COMPUTING_OPTIMIZATION})
+    string(APPEND PRECOMPILED _computing)
+  endif()
+  if(TARGET ${PRECOMPILED})
+    target_precompile_headers(${TARGET} REUSE_FROM ${PRECOMPILED})
   endif()
 endfunction()
 
-# Compiling tests takes longer than the computations in them. With sanitizers most tests are not optimized at all, which
-# compiles in a third of the time, except those that compute much themselves (COMPUTES of slalom_test).
-set(SLALOM_TEST_OPTIMIZATION -O1)
-set(SLALOM_COMPUTING_TEST_OPTIMIZATION -O1)
-if(SLALOM_SANITIZE)
-  set(SLALOM_TEST_OPTIMIZATION -O0)
-endif()
+# For the modules that follow in modules/CMakeLists.txt: all of them depend on MRPT's maps.
+function(slalom_precompile_for_modules TARGET)
+  if(SLALOM_PRECOMPILE_HEADERS)
+    add_library(${TARGET} STATIC ${SLALOM_EMPTY_SOURCE})
+    target_link_libraries(${TARGET} PRIVATE slalom_scenario)
+    target_compile_options(${TARGET} PRIVATE ${ARGN})
+    slalom_precompile(${TARGET})
+  endif()
+endfunction()
 
 # For tests: executables are compiled with other flags than code for shared libraries.
 function(slalom_precompile_tests TARGET OPTIMIZATION)
