@@ -19,6 +19,8 @@ using mrpt::math::TPoint2D;
 constexpr std::size_t kMaxIdBytes = 100;
 /// Limits (s, m, m/s) far beyond any use: no computation with a mover overflows.
 constexpr double kMaxNumber = 1e6, kMaxSpeed = 1000;
+constexpr double kMinDuration =
+    1e-3;  // s, of a segment: the simulator moves from waypoint to waypoint
 
 bool same_position(const Waypoint& a, const Waypoint& b) {
   return a.position.x == b.position.x && a.position.y == b.position.y;
@@ -42,10 +44,10 @@ void check_waypoint(const std::string& where, const std::vector<Waypoint>& waypo
                      "a time and a position within +-" + format_number(kMaxNumber));
   if (i == 0) return;
   const Waypoint& before = waypoints[i - 1];
-  if (!(w.t > before.t))
+  if (!(w.t - before.t >= kMinDuration))
     throw file_error(where,
                      which + " is at " + format_number(w.t) + " s, not after the one before it",
-                     "increasing times");
+                     "increasing times, at least " + format_number(kMinDuration) + " s apart");
   if (!(distance_between(before.position, w.position) <= kMaxSpeed * (w.t - before.t)))
     throw file_error(where, which + " is too far from the one before it",
                      "a speed of at most " + format_number(kMaxSpeed) + " m/s");
@@ -67,19 +69,31 @@ void check_mover(const std::string& where, const Mover& mover) {
 
 }  // namespace
 
-/// The time on the path at which it is where it is at t.
-double Mover::path_time(double t) const {
-  const double first = waypoints.front().t, last = waypoints.back().t;
-  if (after != MoverEnd::Loop || t < last) return t;
-  return first + std::fmod(t - first, last - first);
-}
+/// A place on the path between two waypoints.
+struct Mover::Place {
+  const Waypoint &from, &to;
+  double
+      time;  ///< s, of the waypoints; of a later round it may be before `from` by a rounding error
+};
 
-/// The index of the last waypoint at or before that time, which is not before the first one.
-std::size_t Mover::segment_at(double path_time) const {
+/// Nothing before the first waypoint and, unless the path is repeated, from the last one on.
+std::optional<Mover::Place> Mover::place_at(double t) const {
+  const double first = waypoints.front().t, last = waypoints.back().t;
+  if (t < first || (after != MoverEnd::Loop && t >= last)) return std::nullopt;
+  double time = t, reached = t;
+  if (t >= last) {
+    // The time of a later round is rounded: a waypoint counts as reached a little before it, so
+    // that its segment is not taken for the one before. Far above the rounding of a million
+    // seconds, far below a segment.
+    constexpr double kRounding = 1e-9;  // s
+    time = first + std::fmod(t - first, last - first);
+    if (time + kRounding >= last) time -= last - first;
+    reached = time + kRounding;
+  }
   const auto next =
-      std::upper_bound(waypoints.begin(), waypoints.end(), path_time,
-                       [](double time, const Waypoint& waypoint) { return time < waypoint.t; });
-  return static_cast<std::size_t>(next - waypoints.begin()) - 1;
+      std::upper_bound(waypoints.begin(), waypoints.end(), reached,
+                       [](double at, const Waypoint& waypoint) { return at < waypoint.t; });
+  return Place{*(next - 1), *next, time};
 }
 
 bool Mover::present(double t) const {
@@ -87,30 +101,22 @@ bool Mover::present(double t) const {
 }
 
 TPoint2D Mover::position(double t) const {
-  const double time = path_time(t);
-  if (time <= waypoints.front().t) return waypoints.front().position;
-  if (time >= waypoints.back().t) return waypoints.back().position;
-  const std::size_t i = segment_at(time);
-  const Waypoint &a = waypoints[i], &b = waypoints[i + 1];
+  const auto place = place_at(t);
+  if (!place) return (t < waypoints.front().t ? waypoints.front() : waypoints.back()).position;
+  const auto& [a, b, time] = *place;
   return a.position + (b.position - a.position) * ((time - a.t) / (b.t - a.t));
 }
 
 TPoint2D Mover::velocity(double t) const {
-  const double time = path_time(t);
-  if (time < waypoints.front().t || time >= waypoints.back().t) return {0, 0};
-  const std::size_t i = segment_at(time);
-  const Waypoint &a = waypoints[i], &b = waypoints[i + 1];
-  return (b.position - a.position) * (1 / (b.t - a.t));
+  const auto place = place_at(t);
+  if (!place) return {0, 0};
+  return (place->to.position - place->from.position) * (1 / (place->to.t - place->from.t));
 }
 
 double Mover::next_change(double t) const {
-  const double time = path_time(t);
-  if (time < waypoints.front().t) return waypoints.front().t;
-  if (time >= waypoints.back().t) return std::numeric_limits<double>::infinity();
-  // Rounding may place the next waypoint of a later round at t itself: the one after it then.
-  for (std::size_t i = segment_at(time) + 1; i < waypoints.size(); ++i)
-    if (const double at = t + (waypoints[i].t - time); at > t) return at;
-  return std::nextafter(t, std::numeric_limits<double>::infinity());
+  if (const auto place = place_at(t))
+    return place->time == t ? place->to.t : t + (place->to.t - place->time);
+  return t < waypoints.front().t ? waypoints.front().t : std::numeric_limits<double>::infinity();
 }
 
 bool Mover::operator==(const Mover& other) const {

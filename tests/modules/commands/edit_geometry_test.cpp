@@ -201,6 +201,19 @@ TEST(EditGeometry, AddsAndRemovesPointsOfAPointMap) {
       "for grid scenarios", "points");
 }
 
+TEST(EditGeometry, KeepsMovers) {
+  const Movers movers{{"a", 0.3, {{0, {4, 5}}, {5, {6, 5}}}, MoverEnd::Stop}};
+  const Scenario discs = primitives_scenario().with_movers(movers);
+  const Scenario cells = empty_grid().with_movers(movers);
+  const Scenario points = three_points().with_movers(movers);
+  for (const Scenario& edited :
+       {with_start(discs, {2, 2, 0}), with_goal(discs, {9, 1}),
+        with_obstacle_moved(discs, 0, 0.1, 0), with_obstacle_added(discs, Disc{{2, 5}, 0.5}),
+        with_obstacle_removed(discs, 0), with_cells_painted(cells, {{{5.1, 2.1}}, 0}, true),
+        with_points_added(points, {{8, 3}}), with_points_removed(points, {{{2, 3}}, 0.1})})
+    EXPECT_EQ(edited.movers(), movers);
+}
+
 TEST(EditGeometry, DropsAPublishedPath) {
   auto path = std::make_shared<PublishedPath>();
   path->points = {{1, 1}, {9, 5}};

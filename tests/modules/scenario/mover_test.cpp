@@ -73,6 +73,37 @@ TEST(Mover, ReportsWhenItsMotionChanges) {
   EXPECT_EQ(circling_mover().next_change(9.5), 10);
 }
 
+TEST(Mover, KeepsTheSegmentsOfLaterRoundsDespiteRounding) {
+  // A time that rounds to just before the end of a round.
+  const Mover round{"r", 0.2, {{1.7, {0, 0}}, {2.2, {1, 0}}, {2.8, {0, 0}}}, MoverEnd::Loop};
+  const double t = 29.199999999999996;  // 25 rounds of 1.1 s after 1.7 s
+  EXPECT_NEAR(round.velocity(t).x, 2, 1e-9);
+  EXPECT_NEAR(round.next_change(t), 29.7, 1e-9);
+}
+
+RC_GTEST_PROP(MoverProperty, LaterRoundsHaveEachSegmentOnce, ()) {
+  Mover mover{"m", 0.3, {}, MoverEnd::Loop};
+  const int count = *rc::gen::inRange(2, 6);
+  double t = *rc::gen::inRange(0, 1'000'000) * 1e-7;
+  for (int i = 0; i < count; ++i) {
+    mover.waypoints.push_back({t, {0.1 * i, 0}});
+    t += 1e-3 + *rc::gen::inRange(0, 100'000'000) * 1e-8;
+  }
+  mover.waypoints.push_back({t, {0, 0}});
+  check_movers("any", {mover});
+  double at = mover.waypoints.front().t;
+  for (int round = 0; round < 40; ++round)
+    for (int i = 0; i < count; ++i) {
+      const Waypoint &a = mover.waypoints[static_cast<std::size_t>(i)],
+                     &b = mover.waypoints[static_cast<std::size_t>(i) + 1];
+      const double speed = (b.position.x - a.position.x) / (b.t - a.t);
+      RC_ASSERT(std::abs(mover.velocity(at).x - speed) < 1e-9 * std::abs(speed));
+      const double next = mover.next_change(at);
+      RC_ASSERT(std::abs(next - at - (b.t - a.t)) < 1e-8);
+      at = next;
+    }
+}
+
 /// A random valid mover; times in eighths of a second.
 Mover any_mover() {
   Mover mover{"m", 0.3, {}, *rc::gen::element(MoverEnd::Stop, MoverEnd::Loop, MoverEnd::Vanish)};
@@ -150,6 +181,8 @@ TEST(Mover, IsRefusedWithItsIdWhenInvalid) {
   EXPECT_TRUE(refused([](Mover& m) { m.radius = std::nan(""); }, "'a': invalid radius"));
   EXPECT_TRUE(refused([](Mover& m) { m.waypoints.clear(); }, "'a': no waypoints"));
   EXPECT_TRUE(refused([](Mover& m) { m.waypoints[2].t = 5; }, "waypoint 2 is at 5 s, not after"));
+  EXPECT_TRUE(
+      refused([](Mover& m) { m.waypoints[2].t = 5.0009; }, "waypoint 2 is at 5.0009 s, not after"));
   EXPECT_TRUE(refused([](Mover& m) { m.waypoints[0].t = kNever; }, "waypoint 0 is out of range"));
   EXPECT_TRUE(
       refused([](Mover& m) { m.waypoints[3].position.x = kNever; }, "waypoint 3 is out of range"));

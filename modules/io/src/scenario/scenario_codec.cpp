@@ -190,7 +190,9 @@ Scenario read_scenario(ByteReader& in) {
   bool has_path = version == kVersionWithPath;
   if (version == kVersionWithMovers) {
     scenario = scenario.with_movers(read_movers(in));
-    has_path = in.u8() != 0;
+    const std::uint8_t flag = in.u8();
+    if (flag > 1) throw in.broken("invalid flag of a published path");
+    has_path = flag == 1;
   }
   return has_path ? scenario.with_published_path(read_published_path(in)) : scenario;
 }

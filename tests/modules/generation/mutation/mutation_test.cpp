@@ -63,6 +63,15 @@ TEST(Mutation, EveryKindRespectsTheLimits) {
   }
 }
 
+TEST(Mutation, KeepsMovers) {
+  const Movers movers{{"a", 0.3, {{0, {4, 7}}, {5, {6, 7}}}, MoverEnd::Stop}};
+  for (const Scenario& parent : {posts(), cells()})
+    for (int kind = 0; kind < kMutations; ++kind)
+      for (const Scenario& child :
+           children(parent.with_movers(movers), static_cast<Mutation>(kind)))
+        EXPECT_EQ(child.movers(), movers) << kind;
+}
+
 TEST(Mutation, EqualSeedsGiveEqualChildren) {
   for (int kind = 0; kind < kMutations; ++kind) {
     RandomEngine a(7), b(7);

@@ -5,6 +5,7 @@
 #include <mrpt/math/TPoint2D.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,16 +50,16 @@ struct Mover {
   bool operator!=(const Mover& other) const { return !(*this == other); }
 
  private:
-  double path_time(double t) const;
-  std::size_t segment_at(double path_time) const;
+  struct Place;
+  std::optional<Place> place_at(double t) const;
 };
 
 using Movers = std::vector<Mover>;
 
 /// Throws Error (File) naming `name` and the mover when an id is empty, too long (100 bytes), not
 /// UTF-8 or used twice, a radius is not above 0, there are no waypoints, a number is not finite or
-/// exceeds a million, times do not increase, a speed exceeds 1000 m/s, or a path that loops is not
-/// closed (its last waypoint at the first).
+/// exceeds a million, a waypoint is less than 1 ms after the one before it, a speed exceeds 1000
+/// m/s, or a path that loops is not closed (its last waypoint at the first).
 void check_movers(const std::string& name, const Movers& movers);
 
 void add_content(Hasher& hasher, const Movers& movers);
