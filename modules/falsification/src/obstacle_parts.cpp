@@ -87,6 +87,10 @@ ObstacleParts::ObstacleParts(const Scenario& scenario, int block, double resolut
     divide_cells(block);
   else
     divide_points((block > 0 ? block : kPointBlock) * resolution);
+  static_parts_ = size();
+  for (const Mover& mover : scenario.movers())
+    descriptions_.push_back("mover '" + mover.id + "' of radius " + format_fixed(mover.radius, 2) +
+                            " m");
 }
 
 void ObstacleParts::divide_primitives() {
@@ -148,6 +152,9 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
   std::vector<bool> kept(size(), false);
   for (const std::size_t part : parts) kept[part] = true;
   const auto is_kept = [&](std::size_t i) { return part_of_[i] != kFree && kept[part_of_[i]]; };
+  Movers movers;
+  for (std::size_t i = 0; i < scenario_.movers().size(); ++i)
+    if (kept[static_parts_ + i]) movers.push_back(scenario_.movers()[i]);
   const auto& name = scenario_.name();
   if (scenario_.representation() == Representation::Continuous) {
     Primitives some;
@@ -161,7 +168,7 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
     }
     return Scenario::continuous(name, scenario_.bounds(), std::move(some), scenario_.start(),
                                 scenario_.goal())
-        .with_movers(scenario_.movers());
+        .with_movers(std::move(movers));
   }
   if (scenario_.representation() == Representation::Grid) {
     mrpt::maps::COccupancyGridMap2D map = *scenario_.grid_map();
@@ -170,7 +177,7 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
       if (part_of_[i] != kFree && !is_kept(i))
         map.setCell(static_cast<int>(i) % size_x, static_cast<int>(i) / size_x, 1.0F);
     return Scenario::grid(name, map, scenario_.start(), scenario_.goal())
-        .with_movers(scenario_.movers());
+        .with_movers(std::move(movers));
   }
   mrpt::maps::CSimplePointsMap some;
   for (std::size_t i = 0; i < part_of_.size(); ++i) {
@@ -180,7 +187,7 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
     some.insertPoint(x, y);
   }
   return Scenario::points(name, scenario_.bounds(), some, scenario_.start(), scenario_.goal())
-      .with_movers(scenario_.movers());
+      .with_movers(std::move(movers));
 }
 
 Scenario ObstacleParts::without(std::size_t part) const {

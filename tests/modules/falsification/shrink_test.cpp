@@ -51,6 +51,21 @@ TEST(Shrink, KeepsOnlyTheObstaclesThatTheFailureNeeds) {
   RecordProperty("runs", static_cast<int>(small->runs));
 }
 
+TEST(Shrink, RemovesMoversThatTheFailureDoesNotNeed) {
+  const TestBench bench = planted_bench("squeeze");
+  // One that comes when the run is long over, one that stands in a corner.
+  const Movers movers{{"late", 0.3, {{1e5, {5, 5}}}, MoverEnd::Stop},
+                      {"aside", 0.1, {{0, {0.2, 9.8}}}, MoverEnd::Stop}};
+  for (const Scenario& scenario : {passage(), convert(passage(), Representation::Grid, 0.05)}) {
+    const auto small = shrink(bench, scenario.with_movers(movers));
+    ASSERT_TRUE(small);
+    EXPECT_EQ(small->parts_before, 15U);
+    EXPECT_TRUE(small->scenario.movers().empty());
+    EXPECT_TRUE(small->minimal);
+    EXPECT_EQ(outcome_in(small->scenario, bench, bench.method), Outcome::Collision);
+  }
+}
+
 TEST(Shrink, TheResultIsFair) {
   const auto small = shrink(planted_bench("squeeze"), passage());
   ASSERT_TRUE(small);
