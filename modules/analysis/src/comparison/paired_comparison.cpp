@@ -246,13 +246,15 @@ PairedComparison compare_pair(const Side& a, const Side& b, const std::string& m
 }
 
 void finish_family(std::vector<PairedComparison>& family) {
+  // Without a test: nothing to compare, or no difference in any pair.
+  const auto tested = [](const PairedComparison& c) { return c.scenarios > 0 && !c.identical; };
   std::vector<double> p;
   for (const PairedComparison& comparison : family)
-    if (!comparison.identical) p.push_back(comparison.p);
+    if (tested(comparison)) p.push_back(comparison.p);
   const std::vector<double> adjusted = holm_adjusted(p);
   std::size_t next = 0;
   for (PairedComparison& comparison : family) {
-    if (!comparison.identical) comparison.adjusted_p = adjusted[next++];
+    if (tested(comparison)) comparison.adjusted_p = adjusted[next++];
     comparison.family = p.size();
     comparison.verdict = verdict_of(comparison);
   }

@@ -97,6 +97,25 @@ TEST(PairedComparison, EqualValuesAreIdenticalAndNotInTheFamily) {
   EXPECT_EQ(family[1].family, 2u);
 }
 
+TEST(PairedComparison, WithoutACommonPairIsNotATestOfTheFamily) {
+  ResultFixture fixture;
+  for (int i = 0; i < 12; ++i) {
+    const std::string hash = fixture.add_scenario(Value::of(0.1));
+    fixture.add_run(hash, "a", 0.5 + 0.01 * i);
+    fixture.add_run(hash, "b", 0.7 + 0.01 * i);
+    fixture.add_run(hash, "c", -1);  // fails, so that its optimality is missing
+  }
+  const auto family = compare_methods(fixture.table, {"optimality"}, "", {});
+  ASSERT_EQ(family.size(), 3u);
+  // Twelve differences of one sign between a and b, the only test.
+  EXPECT_DOUBLE_EQ(family[0].adjusted_p, 2.0 / 4096);
+  for (const auto& c : {family[1], family[2]}) {
+    EXPECT_EQ(c.scenarios, 0u);
+    EXPECT_EQ(c.family, 1u);
+    EXPECT_EQ(c.verdict, Verdict::NotEnough);
+  }
+}
+
 TEST(PairedComparison, EqualMeansOfDifferentRepetitionsAreNotIdentical) {
   ResultFixture fixture;
   const std::string hash = fixture.add_scenario(Value::of(0.1));

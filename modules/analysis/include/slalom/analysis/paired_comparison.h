@@ -77,8 +77,9 @@ constexpr auto enum_names(PairedComparison::Test) {
 PairedComparison compare_pair(const Side& a, const Side& b, const std::string& metric,
                               const ComparisonOptions& options);
 
-/// Corrects the p values of a family of comparisons, and sets the verdicts. Identical sides do not
-/// enter: without a difference no sign can reject (Tarone 1990).
+/// Corrects the p values of a family of comparisons, and sets the verdicts. Sides that are
+/// identical or have no common pair do not enter: without a difference no sign can reject (Tarone
+/// 1990).
 void finish_family(std::vector<PairedComparison>& family);
 
 /// Every pair of methods of a table (or each against `baseline`) in every metric, as one family;
