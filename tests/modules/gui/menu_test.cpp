@@ -13,7 +13,7 @@ class Menus : public testing::Test {
   void SetUp() override {
     menu_->open({10, 20}, 200, 500,
                 {{"a", "Undo", "Ctrl+Z", "Undoes."},
-                 {"b", "Redo", "", "Repeats.", "there is nothing to redo"},
+                 {"b", "Redo", "", "Repeats.", [this] { return reason_; }},
                  {"c", "Close", "", "Closes."}},
                 0, [this](std::size_t line) { chosen_ = line; });
   }
@@ -21,6 +21,7 @@ class Menus : public testing::Test {
 
   nanogui::ref<Menu> menu_ = new Menu(nullptr, "popup");
   std::optional<std::size_t> chosen_;
+  std::string reason_ = "there is nothing to redo";
 };
 
 TEST_F(Menus, ChooseByKeysAroundTheEnds) {
@@ -36,6 +37,14 @@ TEST_F(Menus, DoNotChooseDisabledLines) {
   EXPECT_FALSE(chosen_);
   EXPECT_TRUE(menu_->visible());
   EXPECT_EQ(menu_->text(), "Undo\n> Redo (there is nothing to redo)\nClose\n");
+}
+
+TEST_F(Menus, EnableALineWhileTheyAreOpen) {
+  key(GLFW_KEY_DOWN);
+  reason_.clear();
+  EXPECT_EQ(menu_->text(), "Undo\n> Redo\nClose\n");
+  key(GLFW_KEY_ENTER);
+  EXPECT_EQ(chosen_, 1U);
 }
 
 TEST_F(Menus, CloseWithEscape) {

@@ -127,7 +127,7 @@ class RunTable : public Table {
     menu_->open(
         corner, wide, area().height,
         {{"shrink", "Shrink...", "", "Finds the smallest scenario in which the method fails alike.",
-          shrink_disabled_reason(studio_)}},
+          [this] { return shrink_disabled_reason(studio_); }}},
         0, [this](std::size_t) { open_shrink_form(studio_); });
   }
   bool key(int key, int modifiers) override {

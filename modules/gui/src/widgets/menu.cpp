@@ -52,7 +52,7 @@ bool Menu::focusEvent(bool focused) {
 std::string Menu::text() const {
   std::string all;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const std::string& reason = lines_[i].disabled_reason;
+    const std::string reason = lines_[i].disabled_reason();
     all += (i == current_ ? "> " : "") + lines_[i].text +
            (reason.empty() ? "" : " (" + reason + ")") + "\n";
   }
@@ -68,7 +68,7 @@ std::optional<ScreenRect> Menu::rect_of(const std::string& part) const {
 void Menu::paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) {
   const MenuLine& line = lines_[row];
   const Palette& colors = palette();
-  const bool enabled = line.disabled_reason.empty(), has_shortcuts = has_help(lines_);
+  const bool enabled = line.disabled_reason().empty(), has_shortcuts = has_help(lines_);
   if (row == current_)
     draw::fill(ctx, rect.inset(kBorder), enabled ? colors.selected : colors.hover, 3);
   ScreenRect text = rect.inset(kMenuMargin);
@@ -89,9 +89,10 @@ void Menu::paint_frame(NVGcontext* ctx) const {
   const MenuLine& line = lines_[current_];
   const double top = height() - kMenuHelpHeight;
   draw::line(ctx, kMenuMargin, top, width() - kMenuMargin, top, palette().border);
-  const bool enabled = line.disabled_reason.empty();
+  const std::string reason = line.disabled_reason();
+  const bool enabled = reason.empty();
   draw::wrapped_text(ctx, {kMenuMargin, top + 5, width() - 2 * kMenuMargin, kMenuHelpHeight},
-                     enabled ? line.help : "Unavailable: " + line.disabled_reason,
+                     enabled ? line.help : "Unavailable: " + reason,
                      enabled ? palette().faint_text : palette().error_text, draw::kSmallTextSize);
 }
 
@@ -102,7 +103,7 @@ void Menu::hover(const std::optional<Point>& at) {
 
 void Menu::choose(std::size_t row, int /*modifiers*/) {
   current_ = row;
-  if (!lines_[row].disabled_reason.empty()) return;
+  if (!lines_[row].disabled_reason().empty()) return;
   const Chosen chosen = chosen_;
   close();
   chosen(row);
@@ -170,7 +171,7 @@ void MenuBar::open_lines(const Point& corner, const std::vector<const Action*>& 
   std::vector<MenuLine> lines;
   for (const Action* action : actions)
     lines.push_back({action->id, action->label(), action->shortcut, action->help,
-                     action->disabled_reason(), action->checked && action->checked()});
+                     action->disabled_check, action->checked && action->checked()});
   popup_->open(corner, kMenuWidth, parent()->height(), lines, 0,
                [this, lines](std::size_t line) { run_(lines[line].name); });
 }

@@ -14,8 +14,12 @@ struct MenuLine {
   std::string name;  ///< of the part
   std::string text;
   std::string shortcut = {}, help = {};
-  std::string disabled_reason = {};  ///< empty: enabled
+  /// As in Action. Asked whenever the line is drawn or chosen: it may change while the menu is
+  /// open.
+  std::function<std::string()> disabled_check = {};
   bool checked = false;
+
+  std::string disabled_reason() const { return disabled_check ? disabled_check() : std::string(); }
 };
 
 /// Lines to choose from, shown from open() until a choice; a line that is disabled is gray, with
