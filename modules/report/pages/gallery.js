@@ -8,7 +8,7 @@ function galleryLegend() {
   return html("div", { class: "legend" },
     report.methods.map(({ name, color }) => item(sample({ stroke: color, "stroke-width": 3 }), name)),
     item(sample({ "stroke-dasharray": "7 3" }), "shortest path"), item(sample({ "stroke-dasharray": "2 3" }), "safest path"),
-    ["● goal reached", "✕ failure", "○ with a dash: start", "⊕ goal"].map((text) => item(text)));
+    report.outcomes.map(markItem), ["○ with a dash: start", "⊕ goal"].map((text) => item(text)));
 }
 
 // A row per run with its outcome and the values of two columns.

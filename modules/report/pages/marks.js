@@ -1,19 +1,18 @@
 // Runs as points of a chart: drawn as one path per method and kind of outcome, found by the pointer or by keys, opened by a click.
 "use strict";
 
-// The marks of the kinds of outcomes.
+// The marks of the kinds of outcomes, as in the pictures of scenarios.
 const MARKS = {
   good: (x, y) => `M${x} ${y}h0`, hit: (x, y) => `M${x - 3} ${y - 3}l6 6m0 -6l-6 6`, left: (x, y) => `M${x - 4} ${y}h8m-3 -3l3 3l-3 3`,
   late: (x, y) => `M${x - 3} ${y - 3}h6l-6 6h6z`, stuck: (x, y) => `M${x - 2} ${y - 4}v8m4 0v-8`,
   fault: (x, y) => `M${x} ${y - 4}v8m-4 -4h8`, odd: (x, y) => `M${x - 3} ${y - 3}h6v6h-6z`,
 };
 
-// The marks of the outcomes that occur, with their names.
-function markLegend() {
-  const item = (outcome) => html("span", {},
-    svg("svg", { class: "chart mark", viewBox: "-6 -6 12 12" }, svg("path", { class: markClass(outcomeKind(outcome)), d: MARKS[outcomeKind(outcome)](0, 0) })),
-    outcome);
-  return html("div", { class: "legend" }, report.outcomes.map(item));
+// The mark of an outcome with its name, for a legend.
+function markItem(outcome) {
+  const kind = outcomeKind(outcome);
+  return html("span", {}, svg("svg", { class: "chart mark", viewBox: "-6 -6 12 12", "aria-hidden": "true" },
+                              svg("path", { class: markClass(kind), d: MARKS[kind](0, 0) })), outcome);
 }
 const markClass = (kind) => (kind === "good" ? "dots" : "crosses");
 

@@ -2,14 +2,10 @@
 
 #include <slalom/analysis/cell_json.h>
 #include <slalom/analysis/common_scenarios.h>
-#include <slalom/analysis/completion.h>
 #include <slalom/analysis/descriptor_map.h>
 #include <slalom/analysis/failure_taxonomy.h>
 #include <slalom/analysis/findings.h>
-#include <slalom/analysis/method_ranks.h>
 #include <slalom/analysis/paired_comparison.h>
-#include <slalom/analysis/performance_profile.h>
-#include <slalom/analysis/validity.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
@@ -22,8 +18,6 @@
 
 namespace slalom {
 namespace {
-
-constexpr const char* kTime = "time_to_goal";
 
 OrderedJson quantity_json(const QuantityInfo& info) {
   return {{"id", info.id},
@@ -43,16 +37,6 @@ OrderedJson cells_json(const std::vector<Cell>& cells) {
   OrderedJson json = OrderedJson::array();
   for (const Cell& cell : cells) json.push_back(cell_json(cell));
   return json;
-}
-
-/// Appends what `make` returns, if the results support it.
-template <typename Make>
-void add_if_supported(OrderedJson& list, Make make) {
-  try {
-    list.push_back(make());
-  } catch (const Error&) {
-    return;  // too few methods, scenarios or values
-  }
 }
 
 /// Makes the fields of report.json.
@@ -136,12 +120,8 @@ class DataMaker {
     return json;
   }
 
-  /// Every pair of methods in every directed column, as one family of tests.
-  OrderedJson comparisons() const {
-    OrderedJson json = OrderedJson::array();
-    for (const PairedComparison& pair : comparisons_) json.push_back(comparison_json(pair));
-    return json;
-  }
+  const std::vector<std::string>& directed() const { return directed_; }
+  const std::vector<PairedComparison>& comparisons() const { return comparisons_; }
 
   OrderedJson overview() const { return overview_json(input_, comparisons_); }
 
@@ -164,35 +144,6 @@ class DataMaker {
     return json;
   }
 
-  OrderedJson completion() const {
-    OrderedJson json = OrderedJson::array();
-    if (find_metric(runs_, kTime) == nullptr) return json;
-    for (const CompletionCurve& curve : build_completion(runs_, kTime)) {
-      OrderedJson points = OrderedJson::array();
-      for (const CurvePoint& point : curve.incidence) points.push_back({point.time, point.value});
-      json.push_back({{"method", index_of(curve.method)}, {"points", points}});
-    }
-    return json;
-  }
-
-  OrderedJson ranks() const {
-    OrderedJson json = OrderedJson::array();
-    for (const std::string& metric : directed_)
-      add_if_supported(
-          json, [&] { return ranks_json(build_method_ranks(runs_, metric, options_.analysis)); });
-    return json;
-  }
-
-  OrderedJson profiles() const {
-    OrderedJson json = OrderedJson::array();
-    if (runs_.methods.size() < 2) return json;
-    for (const std::string& metric : directed_) {
-      if (find_metric(runs_, metric)->rate) continue;
-      add_if_supported(json, [&] { return profiles_json(build_profiles(runs_, metric)); });
-    }
-    return json;
-  }
-
   /// Of the first column over the first two row specifications of different descriptors.
   OrderedJson maps() {
     OrderedJson json = OrderedJson::array();
@@ -208,19 +159,6 @@ class DataMaker {
         return map_json(build_descriptor_map(runs_, method, axes[0], axes[1],
                                              options_.columns.front(), options_.analysis));
       });
-    return json;
-  }
-
-  OrderedJson validity() const {
-    OrderedJson json = OrderedJson::array();
-    if (directed_.empty()) return json;
-    for (const auto& entry : build_validity(runs_, directed_, options_.analysis).validity)
-      json.push_back({{"method", index_of(entry.method)},
-                      {"descriptor", entry.descriptor},
-                      {"metric", entry.metric},
-                      {"n", entry.correlation.n},
-                      {"rho", number_or_null(entry.correlation.rho)},
-                      {"interval", interval_json(entry.correlation.interval)}});
     return json;
   }
 
@@ -259,51 +197,6 @@ class DataMaker {
             {"notes", table.notes},
             {"trends", trends_json(table)},
             {"findings", sentences}};
-  }
-
-  OrderedJson comparison_json(const PairedComparison& pair) const {
-    const bool significant = pair.verdict == Verdict::Better || pair.verdict == Verdict::Worse ||
-                             pair.verdict == Verdict::Different;
-    return {{"a", index_of(pair.a)},
-            {"b", index_of(pair.b)},
-            {"metric", pair.column.info.id},
-            {"verdict", to_string(pair.verdict)},
-            {"significant", significant},
-            {"scenarios", pair.scenarios},
-            {"difference", number_or_null(pair.difference)},
-            {"interval", interval_json(pair.interval)},
-            {"p", pair.p},
-            {"adjusted_p", pair.adjusted_p},
-            {"text", verdict_sentence(pair)}};
-  }
-
-  OrderedJson ranks_json(const MethodRanks& ranks) const {
-    OrderedJson methods = OrderedJson::array();
-    for (std::size_t i = 0; i < ranks.methods.size(); ++i)
-      methods.push_back(
-          {{"method", index_of(ranks.methods[i])}, {"rank", ranks.test.mean_ranks[i]}});
-    return {{"metric", ranks.column.info.id},
-            {"methods", methods},
-            {"groups", ranks.test.groups},
-            {"critical_difference", ranks.test.critical_difference},
-            {"level", ranks.alpha},
-            {"p", ranks.test.p},
-            {"scenarios", ranks.test.scenarios},
-            {"all_scenarios", ranks.all_scenarios()},
-            {"left_out", left_out_text(ranks)}};
-  }
-
-  OrderedJson profiles_json(const ProfileTable& table) const {
-    OrderedJson curves = OrderedJson::array();
-    for (const PerformanceProfile& profile : table.profiles) {
-      OrderedJson points = OrderedJson::array();
-      for (const ProfileStep& step : profile.steps) points.push_back({step.ratio, step.fraction});
-      curves.push_back({{"method", index_of(profile.method)}, {"points", points}});
-    }
-    return {{"metric", table.column.info.id},
-            {"scenarios", table.scenarios},
-            {"left_out", table.left_out},
-            {"curves", curves}};
   }
 
   OrderedJson map_json(const DescriptorMap& map) {
@@ -374,12 +267,12 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
   json["common_scenarios"] = make.common_scenarios();
   json["tables"] = make.tables();
   json["outcome_fractions"] = make.outcome_fractions();
-  json["comparisons"] = make.comparisons();
-  json["completion"] = make.completion();
-  json["ranks"] = make.ranks();
-  json["profiles"] = make.profiles();
+  json["comparisons"] = comparisons_json(runs, make.comparisons());
+  json["completion"] = completion_json(runs);
+  json["ranks"] = ranks_json(runs, make.directed(), input.options.analysis);
+  json["profiles"] = profiles_json(runs, make.directed());
   json["maps"] = make.maps();
-  json["validity"] = make.validity();
+  json["validity"] = validity_json(runs, make.directed(), input.options.analysis);
   json["clusters"] = clusters_json(input.options.clusters);
   json["manifest"] = runs.manifest;
   return json;

@@ -3,6 +3,7 @@
 #include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/paired_comparison.h>
 #include <slalom/analysis/summary.h>
+#include <slalom/core/error.h>
 #include <slalom/report/report.h>
 
 #include <nlohmann/json.hpp>
@@ -40,6 +41,26 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
 /// "overview" of report.json: the first screen.
 OrderedJson overview_json(const ReportInput& input,
                           const std::vector<PairedComparison>& comparisons);
+
+/// "comparisons", "completion", "ranks", "profiles" and "validity" of report.json; the metrics are
+/// those in which methods can be better.
+OrderedJson comparisons_json(const ResultTable& runs, const std::vector<PairedComparison>& family);
+OrderedJson completion_json(const ResultTable& runs);
+OrderedJson ranks_json(const ResultTable& runs, const std::vector<std::string>& metrics,
+                       const AnalysisOptions& options);
+OrderedJson profiles_json(const ResultTable& runs, const std::vector<std::string>& metrics);
+OrderedJson validity_json(const ResultTable& runs, const std::vector<std::string>& metrics,
+                          const AnalysisOptions& options);
+
+/// Appends what `make` returns, if the results support it.
+template <typename Make>
+void add_if_supported(OrderedJson& list, Make make) {
+  try {
+    list.push_back(make());
+  } catch (const Error&) {
+    return;  // too few methods, scenarios or values
+  }
+}
 
 /// "clusters" of report.json.
 OrderedJson clusters_json(const std::vector<ReportedCluster>& clusters);

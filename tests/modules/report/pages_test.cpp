@@ -90,6 +90,7 @@ TEST_F(ReportPages, ShowThePictureTheOutcomesAndTheDescriptorsOfEveryScenario) {
   EXPECT_EQ(count(gallery, "class=\"trajectory\""), 6u);
   EXPECT_EQ(count(gallery, "title=\"with a &quot;disc&quot;\">✕ collision</span>"), 3u);
   EXPECT_EQ(count(gallery, "<td class=\"na\" title=\"collision\">–</td>"), 3u);
+  EXPECT_EQ(count(gallery, "class=\"chart mark\""), 2u) << "of both outcomes, in the legend";
   EXPECT_EQ(count(gallery, "<dt>density</dt><dd>0.002</dd>"), 1u);
 }
 

@@ -15,6 +15,32 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
+/// The mark of a failure about the current point, one per kind, the same as in the charts of a
+/// report (marks.js).
+const char* failure_mark(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::Success:
+      break;
+    case Outcome::Collision:
+      return "m-4.5 -4.5l9 9m0 -9l-9 9";  // cross
+    case Outcome::LeftWorkspace:
+      return "m-6 0h12m-4.5 -4.5l4.5 4.5l-4.5 4.5";  // arrow
+    case Outcome::Timeout:
+      return "m-4.5 -4.5h9l-9 9h9z";  // hourglass
+    case Outcome::Stuck:
+      return "m-3 -6v12m6 0v-12";  // two bars
+    case Outcome::MethodCrash:
+    case Outcome::MethodDeadline:
+    case Outcome::MethodInvalidCommand:
+    case Outcome::MethodError:
+      return "m0 -6v12m-6 -6h12";  // plus
+    case Outcome::UnsolvableScenario:
+    case Outcome::InfrastructureError:
+      return "m-4.5 -4.5h9v9h-9z";  // square
+  }
+  return "";
+}
+
 class Picture {
  public:
   Picture(const Scenario& scenario, const SceneOptions& options)
@@ -77,11 +103,11 @@ class Picture {
     if (trajectory.outcome == Outcome::Success) {
       svg_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>", end.x,
                           end.y, html_escape(color));
-    } else {  // a cross at the failure
+    } else {
       svg_ += fmt::format(
-          "<path d=\"M{0:.1f} {1:.1f}l9 9m0 -9l-9 9\" stroke=\"{2}\" stroke-width=\"2.5\" "
-          "fill=\"none\"><title>{3}</title></path>",
-          end.x - 4.5, end.y - 4.5, html_escape(color), html_escape(title));
+          "<path d=\"M{:.1f} {:.1f}{}\" stroke=\"{}\" stroke-width=\"2.5\" "
+          "fill=\"none\"><title>{}</title></path>",
+          end.x, end.y, failure_mark(trajectory.outcome), html_escape(color), html_escape(title));
     }
   }
 

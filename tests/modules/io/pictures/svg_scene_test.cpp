@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace slalom {
 namespace {
 
@@ -34,6 +36,27 @@ TEST(SvgScene, EveryRepresentationAndAllPathsAreDrawn) {
     EXPECT_EQ(count(svg, "class=\"trajectory\""), 2U);
     EXPECT_EQ(svg.compare(svg.size() - 6, 6, "</svg>"), 0);
   }
+}
+
+TEST(SvgScene, EveryKindOfFailureHasItsOwnMarkAtTheEnd) {
+  const Scenario scenario = Scenario::continuous("s", {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3});
+  const auto mark_of = [&](Outcome outcome) {
+    SceneOptions options;
+    options.max_pixels = 400;  // 50 pixels per meter
+    options.trajectories = {{"run", {{1, 1}, {4, 2}}, outcome, ""}};
+    const std::string svg = render_svg(scenario, options), end = "<path d=\"M200.0 100.0";
+    const std::size_t at = svg.find(end);
+    return at == std::string::npos ? "" : svg.substr(at, svg.find("stroke", at) - at);
+  };
+  std::set<std::string> marks;
+  for (const Outcome outcome :
+       {Outcome::Success, Outcome::Collision, Outcome::Timeout, Outcome::Stuck,
+        Outcome::LeftWorkspace, Outcome::MethodCrash, Outcome::UnsolvableScenario})
+    marks.insert(mark_of(outcome));
+  EXPECT_EQ(marks.size(), 7U) << "a success has no mark, only a dot";
+  for (const Outcome outcome :
+       {Outcome::MethodDeadline, Outcome::MethodInvalidCommand, Outcome::MethodError})
+    EXPECT_EQ(mark_of(outcome), mark_of(Outcome::MethodCrash));
 }
 
 TEST(SvgScene, MoversAreDrawnWithTheirPathsWhereTheyBegin) {
