@@ -40,7 +40,7 @@ const std::map<std::string, Range> kRanges = {{"density", {0, 1}},
                                               {"occupancy_entropy", {0, 1}},
                                               {"goal_visibility", {0, 1}},
                                               {"traversability", {0, kInfinity}},
-                                              {"dynamic_density", {0, 0}}};
+                                              {"dynamic_density", {0, kInfinity}}};
 
 /// A small grid: cells of 0.5 m, start and goal in free corners.
 using Cells = std::vector<std::vector<bool>>;

@@ -49,5 +49,14 @@ TEST(DynamicDensity, IsZeroWhereNothingMoves) {
   EXPECT_DOUBLE_EQ(value_of("dynamic_density", context_of(drawn_world(kBlocks))), 0);
 }
 
+TEST(DynamicDensity, IsTheAreaOfTheMoversPerAreaOfTheWorkspace) {
+  // Discs of 0.3 m and 0.4 m in 5 m x 8 m.
+  const Movers movers{{"a", 0.3, {{0, {1, 1}}, {5, {4, 1}}}, MoverEnd::Stop},
+                      {"b", 0.4, {{3, {2, 2}}}, MoverEnd::Vanish}};
+  const World world(
+      Scenario::continuous("moving", {0, 0, 5, 8}, {}, {1, 4, 0}, {4, 4}).with_movers(movers), 0.1);
+  EXPECT_NEAR(value_of("dynamic_density", context_of(world)), M_PI * (0.09 + 0.16) / 40, 1e-15);
+}
+
 }  // namespace
 }  // namespace slalom
