@@ -94,8 +94,8 @@ HWY_INLINE hn::Vec<SignedBytes> scores_of(const std::int8_t* scores, hn::Vec<Byt
 class Strip {
  public:
   explicit Strip(const RectangleScores& scores)
-      : scores_(scores), widths_(zeros(first_row(kCodes) * kColumns)) {}
-  void clear() { std::fill_n(widths_.get(), first_row(kCodes) * kColumns, std::uint8_t{0}); }
+      : scores_(scores), widths_(zeros(kAllRows * kColumns)) {}
+  void clear() { std::fill_n(widths_.get(), kAllRows * kColumns, std::uint8_t{0}); }
 
   /// The best rectangles of the next row; `number` is the number of rows before.
   HWY_INLINE hn::Vec<Bytes> add_row(hn::Vec<Bytes> runs, unsigned number) {
@@ -133,7 +133,8 @@ class Strip {
   template <std::size_t kCode>
   HWY_INLINE std::uint8_t* row(unsigned number) {
     constexpr unsigned kLast = kept_rows(kCode) - 1;
-    return widths_.get() + (first_row(kCode) + (number & kLast)) * kColumns;
+    constexpr std::size_t kFirst = first_row(kCode);  // not again for each row where nothing is optimized
+    return widths_.get() + (kFirst + (number & kLast)) * kColumns;
   }
 
   const RectangleScores& scores_;

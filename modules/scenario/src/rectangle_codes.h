@@ -38,6 +38,8 @@ constexpr std::size_t first_row(std::size_t code) {
   return rows;
 }
 
+constexpr std::size_t kAllRows = first_row(kCodes);
+
 /// Which of the rectangles with these codes of height and width is better: 1 to 127, 0 when empty.
 struct RectangleScores {
   alignas(16) std::int8_t score[kCodes][kCodes] = {};
