@@ -96,7 +96,10 @@ bool RotateInPlace::update(double bearing) {
   return side_ != 0;
 }
 
-Twist RotateInPlace::twist(double bearing, const Robot& robot) const {
+Twist RotateInPlace::twist(double bearing, const Twist& measured, const Robot& robot,
+                           double period) const {
+  const double slowest = std::abs(measured.v) - robot.max_accel_v * period;
+  if (slowest > 0) return {0, measured.w * slowest / std::abs(measured.v)};
   const bool behind = side_ * bearing < 0;
   return {0, behind ? side_ * robot.max_w : stopping_angular_velocity(bearing, robot)};
 }

@@ -42,7 +42,9 @@ class RotateInPlace {
 
   void reset() { side_ = 0; }
   bool update(double bearing);  ///< whether to rotate in place
-  Twist twist(double bearing, const Robot& robot) const;
+  /// A robot that cannot stop within `period` s first brakes, on the arc that it moves on: that arc
+  /// was checked for obstacles, a narrower one was not.
+  Twist twist(double bearing, const Twist& measured, const Robot& robot, double period) const;
 
  private:
   double begin_, end_;

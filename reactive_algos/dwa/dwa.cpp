@@ -146,7 +146,9 @@ Twist Dwa::step(const Observation& observation) {
   const Waypoint waypoint = target(observation);
   const Point seen = to_robot(observation.pose, waypoint.position);
   const double bearing = std::atan2(seen.y, seen.x);
-  if (turn_.update(bearing)) return clamp_to_limits(turn_.twist(bearing, robot_), robot_);
+  if (turn_.update(bearing))
+    return clamp_to_limits(turn_.twist(bearing, observation.measured, robot_, task_.control_period),
+                           robot_);
   const double goal_distance = std::hypot(observation.goal.x, observation.goal.y);
   evaluate(observation, waypoint.position,
            stopping_speed(goal_distance + 0.5 * task_.goal_tolerance, robot_));

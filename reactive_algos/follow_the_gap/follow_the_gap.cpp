@@ -117,4 +117,10 @@ Twist decide(const std::vector<double>& ranges, double goal_x, double goal_y,
   return {std::clamp(v, 0.0, robot.max_v), w};
 }
 
+Twist stop_before_turning(const Twist& wanted, double measured_v, const Robot& robot,
+                          double period) {
+  const bool stops = std::abs(measured_v) <= robot.max_accel_v * period;
+  return wanted.v > 0 || stops ? wanted : Twist{};
+}
+
 }  // namespace follow_the_gap

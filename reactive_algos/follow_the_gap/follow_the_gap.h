@@ -59,4 +59,9 @@ double free_distance_ahead(const std::vector<double>& ranges, double aperture, d
 Twist decide(const std::vector<double>& ranges, double goal_x, double goal_y,
              const Parameters& parameters, const Robot& robot, int& last_side);
 
+/// The command to send: a robot that is to stop, and cannot within `period` s, does not turn until
+/// it can, as only the distance straight ahead was checked for obstacles.
+Twist stop_before_turning(const Twist& wanted, double measured_v, const Robot& robot,
+                          double period);
+
 }  // namespace follow_the_gap

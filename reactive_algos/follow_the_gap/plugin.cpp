@@ -17,6 +17,7 @@ using follow_the_gap::Robot;
 struct Instance {
   Parameters parameters;
   Robot robot;
+  double control_period = 0.1;  ///< s
   int last_side = 0;
   std::vector<double> ranges;
 };
@@ -67,7 +68,8 @@ void* create(const slalom_setting* settings, size_t setting_count, const slalom_
   return instance;
 }
 
-int reset(void* method, const slalom_task*) {
+int reset(void* method, const slalom_task* task) {
+  static_cast<Instance*>(method)->control_period = task->control_period;
   static_cast<Instance*>(method)->last_side = 0;
   return 0;
 }
@@ -76,9 +78,11 @@ int step(void* method, const slalom_observation* observation, slalom_command* co
   auto& instance = *static_cast<Instance*>(method);
   if (observation->rays == 0) return 1;
   instance.ranges.assign(observation->ranges, observation->ranges + observation->rays);
-  const auto twist =
+  const auto wanted =
       follow_the_gap::decide(instance.ranges, observation->goal_x, observation->goal_y,
                              instance.parameters, instance.robot, instance.last_side);
+  const auto twist = follow_the_gap::stop_before_turning(wanted, observation->v, instance.robot,
+                                                         instance.control_period);
   command->v = twist.v;
   command->w = twist.w;
   return 0;

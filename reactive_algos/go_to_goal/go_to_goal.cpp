@@ -18,12 +18,15 @@ GoToGoal::GoToGoal(const Parameters& parameters, const Robot& robot)
 
 void GoToGoal::reset(const NavigationTask& task) {
   tolerance_ = task.goal_tolerance;
+  control_period_ = task.control_period;
   turn_.reset();
 }
 
 Twist GoToGoal::step(const Observation& observation) {
   const double bearing = std::atan2(observation.goal.y, observation.goal.x);
-  if (turn_.update(bearing)) return clamp_to_limits(turn_.twist(bearing, robot_), robot_);
+  if (turn_.update(bearing))
+    return clamp_to_limits(turn_.twist(bearing, observation.measured, robot_, control_period_),
+                           robot_);
   const double braking_distance =
       std::hypot(observation.goal.x, observation.goal.y) + 0.5 * tolerance_;
   const double v =

@@ -23,7 +23,7 @@ class GoToGoal {
 
  private:
   reactive::Robot robot_;
-  double tolerance_ = 0.2;
+  double tolerance_ = 0.2, control_period_ = 0.1;
   reactive::RotateInPlace turn_;
 };
 

@@ -135,7 +135,8 @@ Twist Mppi::step(const Observation& observation) {
   const double bearing = std::atan2(seen.y, seen.x);
   if (turn_.update(bearing)) {
     std::fill(plan_.begin(), plan_.end(), Twist{});
-    return clamp_to_limits(turn_.twist(bearing, robot_), robot_);
+    return clamp_to_limits(turn_.twist(bearing, observation.measured, robot_, task_.control_period),
+                           robot_);
   }
   const double goal_distance = std::hypot(observation.goal.x, observation.goal.y);
   const double top =

@@ -207,7 +207,9 @@ Twist TrajectoryRollout::step(const Observation& observation) {
                                              parameters_.look_ahead);
   const Point seen = to_robot(observation.pose, target.position);
   const double bearing = std::atan2(seen.y, seen.x);
-  if (turn_.update(bearing)) return clamp_to_limits(turn_.twist(bearing, robot_), robot_);
+  if (turn_.update(bearing))
+    return clamp_to_limits(turn_.twist(bearing, observation.measured, robot_, task_.control_period),
+                           robot_);
   const double goal_distance = std::hypot(observation.goal.x, observation.goal.y);
   const double top =
       std::min(robot_.max_v, stopping_speed(goal_distance + 0.5 * task_.goal_tolerance, robot_));

@@ -161,6 +161,17 @@ TEST(Decide, KeepsItsSideWhileBlocked) {
   EXPECT_EQ(last_side, 0);
 }
 
+TEST(StopBeforeTurning, DoesNotTurnWhileTheRobotStillMoves) {
+  Robot robot;
+  robot.max_accel_v = 2;
+  const Twist in_place{0, 1}, ahead{0.3, 1};
+  // 2 m/s^2 for 0.1 s: up to 0.2 m/s the robot stops within the period.
+  EXPECT_EQ(stop_before_turning(in_place, 0.21, robot, 0.1).w, 0);
+  EXPECT_EQ(stop_before_turning(in_place, 0.21, robot, 0.1).v, 0);
+  EXPECT_EQ(stop_before_turning(in_place, 0.19, robot, 0.1).w, 1);
+  EXPECT_EQ(stop_before_turning(ahead, 1.0, robot, 0.1).w, 1);
+}
+
 TEST(Decide, CanAlwaysStopBeforeAnObstacleAhead) {
   const Robot robot;
   for (double distance = 0.3; distance < 4; distance += 0.1) {

@@ -60,7 +60,8 @@ class HolonomicMethod : public Method {
       : options_(std::move(options)), robot_(std::move(robot)), aperture_(sensor.aperture()) {}
 
   /// MRPT's methods store their last decision, so each run uses a new object.
-  void reset(const NavigationTask&) override {
+  void reset(const NavigationTask& task) override {
+    control_period_ = task.control_period;
     method_ = create_by_name(options_.class_name);
     if (!method_) throw MethodError("class " + options_.class_name + " cannot be created");
     configure();
@@ -83,7 +84,7 @@ class HolonomicMethod : public Method {
     input.clearance = &clearance_;
     CAbstractHolonomicReactiveMethod::NavOutput output;
     method_->navigate(input, output);
-    return to_command(output.desiredDirection, output.desiredSpeed, points);
+    return to_command(output.desiredDirection, output.desiredSpeed, observation.v, points);
   }
 
  private:
@@ -130,11 +131,11 @@ class HolonomicMethod : public Method {
     }
   }
 
-  Command to_command(double direction, double speed,
+  Command to_command(double direction, double speed, double measured_v,
                      const std::vector<mrpt::math::TPoint2D>& points) const {
     if (!std::isfinite(direction) || !std::isfinite(speed)) return {direction, speed};
     return robot_.holonomic() ? holonomic_command(direction, speed, points)
-                              : diff_drive_command(direction, speed, points);
+                              : diff_drive_command(direction, speed, measured_v, points);
   }
 
   /// Speed from which the disc can stop before contact in that direction, m/s.
@@ -156,18 +157,24 @@ class HolonomicMethod : public Method {
             vy};
   }
 
-  /// A differential drive robot turns towards the direction and moves forward.
-  Command diff_drive_command(double direction, double speed,
+  /// A differential drive robot turns towards the direction and moves forward. If it is to stop and
+  /// cannot within one control period, it does not turn until it can: only the distance straight
+  /// ahead was checked for obstacles.
+  Command diff_drive_command(double direction, double speed, double measured_v,
                              const std::vector<mrpt::math::TPoint2D>& points) const {
     const double w = std::clamp(options_.turn_gain * direction, -robot_.max_w, robot_.max_w);
-    if (std::abs(direction) > options_.turn_in_place) return {0, speed > 0 ? w : 0};
-    const double wanted = std::min(1.0, speed) * robot_.max_v * std::cos(direction);
-    return {std::clamp(std::min(wanted, stopping_speed(0, points)), 0.0, robot_.max_v), w};
+    const bool in_place = std::abs(direction) > options_.turn_in_place;
+    const double wanted = in_place ? 0 : std::min(1.0, speed) * robot_.max_v * std::cos(direction);
+    const double v = std::clamp(std::min(wanted, stopping_speed(0, points)), 0.0, robot_.max_v);
+    const bool stops = std::abs(measured_v) <= robot_.max_accel_v * control_period_;
+    if (v > 0 || stops) return {v, in_place && speed <= 0 ? 0 : w};
+    return {};
   }
 
   HolonomicOptions options_;
   RobotModel robot_;
   double aperture_;
+  double control_period_ = 0;                                            ///< s
   std::unique_ptr<mrpt::nav::CParameterizedTrajectoryGenerator> paths_;  ///< used by method_
   CAbstractHolonomicReactiveMethod::Ptr method_;
   mrpt::nav::ClearanceDiagram clearance_;  ///< of the last step; its maps are used again

@@ -137,6 +137,27 @@ TEST(HolonomicMethod, RotatesTowardsAGoalBehindOrBeside) {
   }
 }
 
+TEST(HolonomicMethod, DoesNotTurnInPlaceWhileTheRobotStillMoves) {
+  const World world = room();
+  const mrpt::math::TPose2D pose = world.scenario().start();
+  const auto scan = scan_from(world, pose);
+  NavigationTask task;
+  task.control_period = kPeriod;
+  const auto method = load("class = CHolonomicND\n");
+  const double stops = RobotModel{}.max_accel_v * kPeriod;  // m/s, within one period
+  for (const double v : {0.0, 0.99 * stops, 1.01 * stops, 0.9}) {
+    method->reset(task);
+    Observation observation;
+    observation.odometry = pose;
+    observation.v = v;
+    observation.goal_in_robot = {0, 3};
+    observation.scan = &scan;
+    const Command command = method->step(observation);
+    EXPECT_EQ(command.v, 0) << v;
+    EXPECT_EQ(command.w > 0, v < stops) << v;
+  }
+}
+
 TEST(HolonomicMethod, RunsAreIndependent) {
   const World empty = room(), discs = room_with_discs();
   for (const std::string name : kClasses) {

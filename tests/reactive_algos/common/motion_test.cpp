@@ -73,10 +73,24 @@ TEST(RotateInPlace, KeepsItsSideWhenTheBearingPassesBehind) {
   RotateInPlace turn(1.2, 0.4);
   EXPECT_TRUE(turn.update(3.0));
   EXPECT_TRUE(turn.update(-3.0));
-  EXPECT_GT(turn.twist(-3.0, {}).w, 0);
+  EXPECT_GT(turn.twist(-3.0, {}, {}, 0.1).w, 0);
   // If the bearing is ahead on the other side, the side changes.
   EXPECT_TRUE(turn.update(-1.0));
-  EXPECT_LT(turn.twist(-1.0, {}).w, 0);
+  EXPECT_LT(turn.twist(-1.0, {}, {}, 0.1).w, 0);
+}
+
+TEST(RotateInPlace, BrakesOnItsArcUntilTheRobotCanStopInOnePeriod) {
+  Robot robot;
+  robot.max_accel_v = 1;
+  RotateInPlace turn(1.2, 0.4);
+  ASSERT_TRUE(turn.update(2.0));
+  // After 0.1 s of braking with 1 m/s^2, 0.5 m/s are 0.4 m/s: the curvature 0.6 / 0.5 is kept with
+  // w = 0.48.
+  const Twist braking = turn.twist(2.0, {0.5, -0.6}, robot, 0.1);
+  EXPECT_EQ(braking.v, 0);
+  EXPECT_NEAR(braking.w, -0.48, 1e-12);
+  for (const double slow : {0.0, 0.05, 0.0999})
+    EXPECT_GT(turn.twist(2.0, {slow, 0}, robot, 0.1).w, 0);
 }
 
 TEST(StoppingAngularVelocity, AllowsStoppingWithinTheAngle) {
