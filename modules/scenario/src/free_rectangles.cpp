@@ -133,7 +133,7 @@ class Strip {
   template <std::size_t kCode>
   HWY_INLINE std::uint8_t* row(unsigned number) {
     constexpr unsigned kLast = kept_rows(kCode) - 1;
-    constexpr std::size_t kFirst = first_row(kCode);  // not again for each row where nothing is optimized
+    constexpr std::size_t kFirst = first_row(kCode);  // computed once also without optimization
     return widths_.get() + (kFirst + (number & kLast)) * kColumns;
   }
 
