@@ -24,11 +24,13 @@ mrpt::obs::CObservation2DRangeScan scan_from(const std::vector<double>& ranges) 
   return scan;
 }
 
-Command step(Method& method, const std::vector<double>& ranges, double goal_x, double goal_y) {
+Command step(Method& method, const std::vector<double>& ranges, double goal_x, double goal_y,
+             double v = 0) {
   const auto scan = scan_from(ranges);
   Observation observation;
   observation.goal_in_robot = {goal_x, goal_y};
   observation.scan = &scan;
+  observation.v = v;
   return method.step(observation);
 }
 
@@ -48,6 +50,18 @@ TEST(FollowTheGapPlugin, GivesTheCommandOfTheAlgorithm) {
   const Command command = step(*method, ranges, 6, 0);
   EXPECT_EQ(command.v, expected.v);
   EXPECT_EQ(command.w, expected.w);
+}
+
+TEST(FollowTheGapPlugin, StopsBeforeItTurnsTowardsAGoalBehind) {
+  const auto method = load();
+  NavigationTask task;
+  task.control_period = 0.1;
+  method->reset(task);
+  const auto beside = follow_the_gap::scan_of({{-1, 0.4, 3, 0.4}});
+  const Command moving = step(*method, beside, -3, -0.5, 0.8);
+  EXPECT_EQ(moving.v, 0);
+  EXPECT_EQ(moving.w, 0);
+  EXPECT_LT(step(*method, beside, -3, -0.5, 0.05).w, -1);
 }
 
 TEST(FollowTheGapPlugin, ClearsItsSideOnReset) {

@@ -74,6 +74,14 @@ TEST(Dwa, RotatesInPlaceTowardsAGoalBehind) {
   EXPECT_GT(twist.w, 1);
 }
 
+TEST(Dwa, StopsBeforeItTurnsTowardsAGoalBehind) {
+  const std::vector<Wall> beside = {{-1, 0.4, 3, 0.4}};
+  const Twist moving = decide(beside, {-3, 0.5}, {0.8, 0});
+  EXPECT_EQ(moving.v, 0);
+  EXPECT_EQ(moving.w, 0);
+  EXPECT_GT(decide(beside, {-3, 0.5}, {0.05, 0}).w, 1);
+}
+
 TEST(Dwa, GivesTheSameCommandAfterAReset) {
   Dwa method({}, {});
   const auto first = observe({{1.2, -2, 1.2, 0.3}}, {5, 0}, {0.4, 0});

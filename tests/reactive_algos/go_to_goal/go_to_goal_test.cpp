@@ -30,6 +30,13 @@ TEST(GoToGoal, RotatesInPlaceTowardsAGoalBehind) {
   EXPECT_LT(decide({-3, -1}).w, -1);
 }
 
+TEST(GoToGoal, StopsBeforeItTurnsTowardsAGoalBehind) {
+  GoToGoal method({}, {});
+  method.reset({});
+  EXPECT_EQ(method.step(observe({}, {-3, 1}, {0.8, 0})).w, 0);
+  EXPECT_GT(method.step(observe({}, {-3, 1}, {0.05, 0})).w, 1);
+}
+
 TEST(GoToGoal, IgnoresObstacles) {
   EXPECT_DOUBLE_EQ(decide({5, 0}, {{0.5, -1, 0.5, 1}}).v, 1);
 }

@@ -166,5 +166,11 @@ TEST(Mppi, GivesTheSameCommandForTheSameSeed) {
   EXPECT_NE(once.w, decide(walls, {5, 0}, {0.3, 0}, 8).w);
 }
 
+TEST(Mppi, StopsBeforeItTurnsTowardsAGoalBehind) {
+  const std::vector<Wall> beside = {{-1, 0.4, 3, 0.4}};
+  EXPECT_EQ(decide(beside, {-3, 0.5}, {0.8, 0}).w, 0);
+  EXPECT_GT(decide(beside, {-3, 0.5}, {0.05, 0}).w, 1);
+}
+
 }  // namespace
 }  // namespace mppi

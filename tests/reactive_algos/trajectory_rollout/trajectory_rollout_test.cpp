@@ -93,5 +93,13 @@ TEST(TrajectoryRollout, SlowsDownBeforeTheGoal) {
   EXPECT_LE(decide({}, {0.1, 0}, {0.5, 0}).v, std::sqrt(1.4 * 0.2) + 1e-9);
 }
 
+TEST(TrajectoryRollout, StopsBeforeItTurnsTowardsAGoalBehind) {
+  const std::vector<Wall> beside = {{-1, 0.4, 3, 0.4}};
+  const Twist moving = decide(beside, {-3, 0.5}, {0.8, 0});
+  EXPECT_EQ(moving.v, 0);
+  EXPECT_EQ(moving.w, 0);
+  EXPECT_GT(decide(beside, {-3, 0.5}, {0.05, 0}).w, 1);
+}
+
 }  // namespace
 }  // namespace trajectory_rollout
