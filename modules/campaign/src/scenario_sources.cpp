@@ -59,6 +59,19 @@ std::vector<WeightedGenerator> read_mix(const IniFile& ini, const ScenariosSecti
   return mix;
 }
 
+void check_walkers(const IniFile& ini, const ScenariosSection& section) {
+  const WalkerOptions& walkers = section.walkers;
+  if (walkers.count > 0 && section.generator.empty())
+    throw usage_error(ini.where("scenarios", "walkers"), "walkers without a generator",
+                      "generator: walkers are added to generated scenarios only");
+  if (walkers.min_radius > walkers.max_radius)
+    throw usage_error(ini.where("scenarios", "walker_min_radius"), "exceeds walker_max_radius",
+                      "at most " + format_number(walkers.max_radius) + " m");
+  if (walkers.min_speed > walkers.max_speed)
+    throw usage_error(ini.where("scenarios", "walker_min_speed"), "exceeds walker_max_speed",
+                      "at most " + format_number(walkers.max_speed) + " m/s");
+}
+
 }  // namespace
 
 Scenario map_scenario(const std::string& path, const mrpt::maps::COccupancyGridMap2D& grid) {
@@ -82,6 +95,16 @@ void ScenariosSection::visit(OptionVisitor& v) {
   v.option("representation", representation, "representation of generated scenarios", "as_drawn");
   v.option("resolution", resolution, "m", "cell size or point spacing of that representation",
            Range::positive());
+  v.option("walkers", walkers.count, "-", "moving obstacles in each generated scenario",
+           Range::between(0, 1000));
+  v.option("walker_min_radius", walkers.min_radius, "m", "smallest radius of a walker",
+           Range::positive());
+  v.option("walker_max_radius", walkers.max_radius, "m", "largest radius of a walker",
+           Range::positive());
+  v.option("walker_min_speed", walkers.min_speed, "m/s", "lowest speed of a walker",
+           Range::between(0.01, 100));
+  v.option("walker_max_speed", walkers.max_speed, "m/s", "highest speed of a walker",
+           Range::between(0.01, 100));
 }
 
 ScenarioSources read_scenario_sources(const IniFile& ini, const SourceContext& context,
@@ -90,6 +113,7 @@ ScenarioSources read_scenario_sources(const IniFile& ini, const SourceContext& c
   if (section.list.empty() && section.maps.empty() && section.generator.empty())
     throw usage_error(ini.where("scenarios"), "no scenario source given",
                       "list, maps or generator");
+  check_walkers(ini, section);
   return {section, context, read_mix(ini, section, context, load_map)};
 }
 

@@ -25,6 +25,7 @@ MixSettings mix_settings(const ScenarioSources& sources) {
   settings.jobs = sources.context.jobs;
   settings.representation = section.representation;
   settings.conversion_resolution = section.resolution;
+  settings.walkers = section.walkers;
   settings.describe = sources.context.describe;
   return settings;
 }

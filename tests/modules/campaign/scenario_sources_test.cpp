@@ -97,6 +97,29 @@ TEST(ScenarioSources, FamiliesScaleWithTheRobot) {
   EXPECT_NEAR(width("true"), 16 * (1.2 + 0.15), 1e-9);
 }
 
+TEST(ScenarioSources, WalkersAreAddedToTheSameScenarios) {
+  const std::string family = "[scenarios]\ngenerator = random\ncount = 3\n";
+  const auto still = collect(family), moving = collect(family + "walkers = 2\n");
+  ASSERT_EQ(moving.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(moving[i].movers().size(), 2U);
+    EXPECT_EQ(moving[i].with_movers({}).hash(), still[i].hash());
+  }
+  EXPECT_NE(moving[0].movers(), moving[1].movers());
+}
+
+TEST(ScenarioSources, InvalidWalkersAreRejectedWithTheirLine) {
+  const std::string family = "[scenarios]\ngenerator = random\ncount = 1\n";
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "c.ini:4", {"walkers", "1000"},
+                           [&] { collect(family + "walkers = -1\n"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "c.ini:4", {"walker_max_radius", "at most 0.4 m"},
+                           [&] { collect(family + "walker_min_radius = 0.5\n"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "c.ini:4", {"walker_max_speed", "at most 1 m/s"},
+                           [&] { collect(family + "walker_min_speed = 2\n"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "c.ini:3", {"walkers", "generated scenarios"},
+                           [] { collect("[scenarios]\nlist = x.scenarios\nwalkers = 1\n"); }));
+}
+
 TEST(ScenarioSources, FamiliesOnMapsUseTheLoader) {
   const auto scenarios = collect(
       "[scenarios]\ngenerator = clutter\ncount = 2\n[generator.clutter]\nmap = x.yaml\n"

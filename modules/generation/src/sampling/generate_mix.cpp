@@ -92,10 +92,27 @@ struct MixStream::Impl {
     };
     const SolvableWorld found = search.find(name, candidate, draw.attempt);
     draw.attempt = found.attempt;
-    GeneratedScenario generated{found.world->scenario(), entry.generator->name(),
-                                seed_of(draw, found.attempt)};
-    if (settings.describe) generated.values = settings.describe(*found.world);
+    const std::uint64_t seed = seed_of(draw, found.attempt);
+    if (settings.walkers.count > 0)
+      return with_walkers(*found.world, entry.generator->name(), seed);
+    return described(*found.world, entry.generator->name(), seed);
+  }
+
+  GeneratedScenario described(const World& world, const std::string& generator,
+                              std::uint64_t seed) const {
+    GeneratedScenario generated{world.scenario(), generator, seed};
+    if (settings.describe) generated.values = settings.describe(world);
     return generated;
+  }
+
+  /// Of a stream of their own, so that the static obstacles are those of the same mix without
+  /// walkers.
+  GeneratedScenario with_walkers(const World& world, const std::string& generator,
+                                 std::uint64_t seed) const {
+    RandomEngine engine(derive_seed(seed, "walkers"));
+    Movers walkers = sample_walkers(world, settings.each.robot_radius, settings.walkers, engine);
+    const World moving(world.scenario().with_movers(std::move(walkers)), settings.each.resolution);
+    return described(moving, generator, seed);
   }
 
   std::uint64_t seed_of(const MixDraw& draw, int attempt) const {

@@ -3,6 +3,7 @@
 #include <slalom/core/value.h>
 #include <slalom/core/wall_clock.h>
 #include <slalom/generation/generator.h>
+#include <slalom/generation/walkers.h>
 #include <slalom/scenario/world.h>
 
 #include <cstdint>
@@ -40,6 +41,7 @@ struct MixSettings {
   /// generated.
   std::optional<Representation> representation = std::nullopt;
   double conversion_resolution = 0.05;  ///< m, resolution of that conversion
+  WalkerOptions walkers = {};           ///< added to each certified scenario
   /// Returns the values to store with a certified scenario; called concurrently.
   std::function<std::vector<KeyedValue>(const World&)> describe = {};
 };

@@ -1,0 +1,94 @@
+#include <slalom/core/distance.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/generation/start_goal.h>
+#include <slalom/generation/walkers.h>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+constexpr int kLegs = 6, kStarts = 200, kTargets = 30;
+constexpr double kWallMargin = 0.05, kStartMargin = 1, kMinLeg = 0.5;  // m
+
+TPoint2D sample_position(RandomEngine& engine, const Bounds& bounds) {
+  const double x = uniform_real(engine, bounds.x_min, bounds.x_max);
+  return {x, uniform_real(engine, bounds.y_min, bounds.y_max)};
+}
+
+/// Samples the ways of walkers that keep `clearance` (m) from obstacles with their centers.
+class WaySampler {
+ public:
+  WaySampler(const World& world, double clearance, RandomEngine& engine)
+      : world_(world), clearance_(clearance), engine_(engine) {}
+
+  /// The positions of a way that begins at least `start_distance` (m) from the start of the robot;
+  /// fewer than two if there is none.
+  std::vector<TPoint2D> sample(double start_distance) {
+    const auto& start = world_.scenario().start();
+    for (int i = 0; i < kStarts; ++i) {
+      std::vector<TPoint2D> way = {sample_position(engine_, world_.scenario().bounds())};
+      if (distance_between(way[0], TPoint2D(start.x, start.y)) < start_distance) continue;
+      if (world_.distance_field().clearance(way[0]) < clearance_) continue;
+      while (way.size() <= kLegs && add_leg(way)) continue;
+      if (way.size() > 1) return way;
+    }
+    return {};
+  }
+
+ private:
+  bool add_leg(std::vector<TPoint2D>& way) {
+    for (int i = 0; i < kTargets; ++i) {
+      const TPoint2D target = sample_position(engine_, world_.scenario().bounds());
+      if (distance_between(way.back(), target) < kMinLeg) continue;
+      const double limit = 2 * clearance_;
+      if (world_.distance_field().segment_clearance(way.back(), target, limit) < clearance_)
+        continue;
+      way.push_back(target);
+      return true;
+    }
+    return false;
+  }
+
+  const World& world_;
+  double clearance_;
+  RandomEngine& engine_;
+};
+
+/// The waypoints of a walker that goes there and back at `speed` (m/s).
+std::vector<Waypoint> to_and_fro(const std::vector<TPoint2D>& way, double speed) {
+  std::vector<Waypoint> waypoints = {{0, way[0]}};
+  const auto walk_to = [&](const TPoint2D& position) {
+    const Waypoint& last = waypoints.back();
+    waypoints.push_back({last.t + distance_between(last.position, position) / speed, position});
+  };
+  for (std::size_t i = 1; i < way.size(); ++i) walk_to(way[i]);
+  for (std::size_t i = way.size() - 1; i > 0; --i) walk_to(way[i - 1]);
+  return waypoints;
+}
+
+}  // namespace
+
+Movers sample_walkers(const World& world, double robot_radius, const WalkerOptions& options,
+                      RandomEngine& engine) {
+  Movers walkers;
+  for (int i = 0; i < options.count; ++i) {
+    const double radius = uniform_real(engine, options.min_radius, options.max_radius);
+    const double speed = uniform_real(engine, options.min_speed, options.max_speed);
+    WaySampler sampler(world, radius + kWallMargin, engine);
+    const std::vector<TPoint2D> way = sampler.sample(radius + robot_radius + kStartMargin);
+    if (way.empty())
+      throw job_error(world.scenario().name(),
+                      "no way for a walker of radius " + format_fixed(radius, 2) + " m",
+                      "smaller walkers, or fewer obstacles");
+    walkers.push_back(
+        {"walker_" + std::to_string(i), radius, to_and_fro(way, speed), MoverEnd::Loop});
+  }
+  return walkers;
+}
+
+}  // namespace slalom
