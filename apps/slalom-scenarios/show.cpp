@@ -64,6 +64,8 @@ void show(const ListArguments& arguments) {
             << " m\nstart           " << number(start.x) << " m, " << number(start.y) << " m, "
             << number(start.phi) << " rad\ngoal            " << number(scenario.goal().x) << " m, "
             << number(scenario.goal().y) << " m\n";
+  if (!scenario.movers().empty())
+    std::cout << "movers          " << scenario.movers().size() << "\n";
 }
 
 void render(const RenderArguments& arguments) {
