@@ -24,10 +24,12 @@ std::vector<FormField> family_fields(const std::string& family) {
                        family);
 }
 
+/// Without walkers, which the window does not draw.
 std::vector<FormField> mix_fields() {
-  return option_fields(
-      defaults_of<ScenariosSection>(), "",
-      {"list", "maps", "pairs_per_map", "min_distance", "generator", "count", "resolution"});
+  return option_fields(defaults_of<ScenariosSection>(), "",
+                       {"list", "maps", "pairs_per_map", "min_distance", "generator", "count",
+                        "resolution", "walkers", "walker_min_radius", "walker_max_radius",
+                        "walker_min_speed", "walker_max_speed"});
 }
 
 std::vector<FormField> coverage_fields() {
