@@ -117,7 +117,7 @@ void Mppi::optimize(const Observation& observation, const Waypoint& target, doub
     if (t % hold == 0)
       mean = {std::inner_product(weights.begin(), weights.end(), noise_.v(t), 0.0),
               std::inner_product(weights.begin(), weights.end(), noise_.w(t), 0.0)};
-    const double v = plan_[t].v * (1 - weights[kBraking]) + mean.v;
+    const double v = plan_[t].v * (1 - weights[Braking]) + mean.v;
     plan_[t] = clamp_to_limits({v, plan_[t].w + mean.w}, robot_);
     plan_[t].v = std::min(plan_[t].v, top_speed);
   }

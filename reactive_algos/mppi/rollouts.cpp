@@ -79,7 +79,7 @@ void Batch::advance(const Twist& mean, const double* noise_v, const double* nois
     return high < above ? high : above;
   };
   for (std::size_t k = 0; k < size_; ++k) {
-    const double desired_v = k == kBraking ? 0 : clamped(mean.v + noise_v[k], 0, max_v);
+    const double desired_v = k == Braking ? 0 : clamped(mean.v + noise_v[k], 0, max_v);
     const double desired_w = clamped(mean.w + noise_w[k], -max_w, max_w);
     const double v = clamped(desired_v, v_[k] - dv, v_[k] + dv);
     const double w = clamped(desired_w, w_[k] - dw, w_[k] + dw);
@@ -105,7 +105,7 @@ void Batch::add_costs(const Twist& mean, const double* noise_v, const double* no
       continue;
     }
     const double deficit = std::max(0.0, 1 - gap * per_span);
-    const double change_v = k == kBraking ? -mean.v : noise_v[k];
+    const double change_v = k == Braking ? -mean.v : noise_v[k];
     costs_[k] += obstacles * deficit * deficit + control_v * change_v + control_w * noise_w[k];
   }
 }

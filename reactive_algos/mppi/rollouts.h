@@ -12,7 +12,8 @@
 namespace mppi {
 
 /// The first rollouts: the unchanged plan, and braking. They have no random noise.
-enum FixedRollout : std::size_t { kUnchanged, kBraking, kFixedRollouts };
+enum FixedRollout : std::size_t { Unchanged, Braking };
+constexpr std::size_t kFixedRollouts = 2;
 
 /// Normally distributed noise of both velocities of all rollouts. Each sample is held for `hold`
 /// steps: independent steps would average out over a rollout, so that no rollout would contain a

@@ -73,7 +73,7 @@ TEST(Noise, IsZeroInTheFixedRollouts) {
   noise.seed(5);
   noise.draw(4, 3, 1, 0.2, 0.6);
   for (std::size_t t = 0; t < 3; ++t)
-    for (const FixedRollout k : {kUnchanged, kBraking}) {
+    for (const FixedRollout k : {Unchanged, Braking}) {
       EXPECT_EQ(noise.v(t)[k], 0);
       EXPECT_EQ(noise.w(t)[k], 0);
     }
@@ -88,7 +88,7 @@ double cost_of(std::size_t k, const CostRule& rule, const Observation& start,
   Twist now = start.measured;
   double cost = 0, nearest = 100;
   for (std::size_t t = 0; t < plan.size(); ++t) {
-    const Twist change = {k == kBraking ? -plan[t].v : noise.v(t)[k], noise.w(t)[k]};
+    const Twist change = {k == Braking ? -plan[t].v : noise.v(t)[k], noise.w(t)[k]};
     Twist desired = clamp_to_limits({plan[t].v + change.v, plan[t].w + change.w}, robot);
     desired.v = std::min(desired.v, rule.top_speed);
     const Twist next = apply_acceleration_limits(now, desired, robot, rule.period);
