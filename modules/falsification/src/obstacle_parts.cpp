@@ -28,7 +28,7 @@ class ConnectedGroups {
       : map_(map),
         size_x_(static_cast<int>(map.getSizeX())),
         size_y_(static_cast<int>(map.getSizeY())),
-        group_of_(map.getSizeX() * map.getSizeY(), kFree) {
+        group_of_(std::size_t{map.getSizeX()} * map.getSizeY(), kFree) {
     for (int y = 0; y < size_y_; ++y)
       for (int x = 0; x < size_x_; ++x)
         if (is_new(x, y)) fill(x, y);
