@@ -161,8 +161,10 @@ TEST(Mover, StaysInScenariosThatAreDerivedFromOthers) {
   const Scenario moving = still().with_movers({turning_mover(), circling_mover()});
   EXPECT_EQ(moving.renamed("other").movers(), moving.movers());
   EXPECT_EQ(moving.with_start_goal({0, 0, 0}, {1, 1}).movers(), moving.movers());
+  ConversionOptions options;
+  options.resolution = 0.5;
   for (const Representation to : {Representation::Grid, Representation::Points})
-    EXPECT_EQ(convert(moving, to, 0.5).movers(), moving.movers());
+    EXPECT_EQ(convert(moving, to, options).movers(), moving.movers());
 }
 
 TEST(Mover, IsRefusedWithItsIdWhenInvalid) {
