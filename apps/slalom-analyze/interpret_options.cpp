@@ -21,7 +21,7 @@ void add_choice_options(CLI::App& verb, InterpretArguments& a) {
   verb.add_option("--scenarios", a.scenarios, "Scenario list with the indexes of --rows");
   complete_with(
       verb.add_option("--columns,--metric", a.request.metrics, "Metric ids, comma-separated"),
-      [](const Words&) { return all_metric_ids(); });
+      [](const Words&) { return metric_names(); });
   complete_with(verb.add_option("--method", a.request.method, "Restrict to this method"),
                 known_methods);
   verb.add_option("--confidence", a.request.confidence,
@@ -54,7 +54,7 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
                       "--gate", a.request.gates,
                       "Exit status 1 unless METRIC OP NUMBER holds for the paired difference, e.g. "
                       "\"success >= -0.02\"; repeatable"),
-                  [](const Words&) { return all_metric_ids(); });
+                  [](const Words&) { return metric_names(); });
     add_choice(verb, "--gate-on", a.request.gate_on, "Quantity that must satisfy the limit")
         ->default_str(to_string(a.request.gate_on));
   }

@@ -8,6 +8,7 @@
 #include "trajectories.h"
 #include "warnings.h"
 
+#include <slalom/app/campaign_names.h>
 #include <slalom/app/completion.h>
 #include <slalom/app/program.h>
 #include <slalom/campaign/campaign_options.h>
@@ -50,7 +51,7 @@ void add_table_options(CLI::App& verb, Arguments& arguments) {
                 [](const Words&) { return all_descriptor_ids(); });
   complete_with(verb.add_option("--columns", arguments.columns,
                                 "Metric ids, comma-separated (default: the campaign's [analysis])"),
-                [](const Words&) { return all_metric_ids(); });
+                [](const Words&) { return metric_names(); });
   verb.add_option("--confidence", arguments.confidence, "Confidence of intervals, e.g. 0.95")
       ->check(CLI::Range(0.5, 0.9999));
 }

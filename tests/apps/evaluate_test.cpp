@@ -37,6 +37,20 @@ TEST_F(Evaluate, TheSameSeedGivesIdenticalResultsForAnyNumberOfWorkers) {
   EXPECT_EQ(read("one/tables.csv"), read("two/tables.csv"));
 }
 
+TEST_F(Evaluate, WarnsIfMoversAreNotMeasured) {
+  const std::string command =
+      "slalom-evaluate small.ini -o out --overwrite --set campaign.methods=gap "
+      "--set scenarios.walkers=1";
+  const std::string warning = "has movers, and no metric about them is computed";
+  EXPECT_NE(run(command).err.find(warning), std::string::npos);
+  const ProgramResult measured = run(command + " --set metrics.enabled=success,movers");
+  EXPECT_EQ(measured.status, 0) << measured.err;
+  EXPECT_EQ(measured.err.find(warning), std::string::npos);
+  const std::string dump = run("slalom-analyze dump out/runs.results").out;
+  EXPECT_NE(dump.find("\"personal_space_time\":{\"value\":"), std::string::npos) << dump;
+  EXPECT_EQ(run("slalom-simulate verify out/runs.results").status, 0);
+}
+
 TEST_F(Evaluate, TheListHasTheDescriptorsOfTheResultsAndIsSelectedByThem) {
   ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet --set robot.radius=0.2").status, 0);
   const auto values = [this] {

@@ -7,6 +7,7 @@
 #include <slalom/generation/generator.h>
 #include <slalom/io/result_file.h>
 #include <slalom/library/library_method.h>
+#include <slalom/metrics/metric.h>
 
 #include <functional>
 
@@ -66,11 +67,19 @@ Words setting_names(const Words& words) {
     names.add_names("method." + name + ".plugin", shipped_plugins());
   names.add_names("campaign.methods", methods);
   names.add_names("scenarios.generator", generator_names());
-  names.add_names("metrics.enabled", all_metric_ids());
+  Words metrics = metric_names();
+  names.add_names("analysis.columns", metrics);
+  metrics.insert(metrics.end(), {"all", "movers"});
+  names.add_names("metrics.enabled", metrics);
   names.add_names("metrics.descriptors", all_descriptor_ids());
-  names.add_names("analysis.columns", all_metric_ids());
   names.add_names("analysis.rows", all_descriptor_ids());
   return names.matching(words.back());
+}
+
+Words metric_names() {
+  Words names;
+  for (const Metric& metric : all_metrics()) names.push_back(metric.info.id);
+  return names;
 }
 
 Words known_methods(const Words& words) {

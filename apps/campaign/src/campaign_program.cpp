@@ -13,9 +13,11 @@
 #include <slalom/library/library_method.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/metrics/cycle_time.h>
+#include <slalom/metrics/mover_metrics.h>
 #include <slalom/python/python_method.h>
 #include <slalom/rawlog/run_recorder.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -85,6 +87,19 @@ std::map<std::string, std::string> files_of(const IniFile& ini,
   return files;
 }
 
+/// Nothing ignores movers silently.
+void warn_of_unmeasured_movers(const CampaignOptions& options,
+                               const std::vector<Scenario>& scenarios) {
+  const auto is_of_movers = [](const std::string& id) { return contains(mover_metric_ids(), id); };
+  if (std::any_of(options.metrics.begin(), options.metrics.end(), is_of_movers)) return;
+  const auto moving = std::find_if(scenarios.begin(), scenarios.end(),
+                                   [](const Scenario& one) { return !one.movers().empty(); });
+  if (moving == scenarios.end()) return;
+  std::cerr << "warning: scenario " << moving->name()
+            << " has movers, and no metric about them is computed; with "
+               "[metrics] enabled = all, movers they are\n";
+}
+
 }  // namespace
 
 IniFile load_campaign_ini(const CampaignArguments& arguments) {
@@ -123,7 +138,9 @@ std::vector<Scenario> campaign_scenarios(const CampaignConfig& config,
   const auto progress = make_interruptible_progress(arguments.quiet);
   ScenarioSources sources = config.sources;
   sources.context.jobs = arguments.jobs;
-  return collect_scenarios(sources, load_occupancy_grid, *progress);
+  std::vector<Scenario> scenarios = collect_scenarios(sources, load_occupancy_grid, *progress);
+  if (!arguments.quiet) warn_of_unmeasured_movers(config.options, scenarios);
+  return scenarios;
 }
 
 ResultFile open_campaign_results(const CampaignConfig& config, const CampaignArguments& arguments,

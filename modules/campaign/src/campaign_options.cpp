@@ -3,6 +3,7 @@
 #include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/metrics/metric.h>
+#include <slalom/metrics/mover_metrics.h>
 
 #include <algorithm>
 
@@ -30,6 +31,41 @@ std::vector<std::string> parse_ids(const std::string& text, const std::vector<st
   if (text == "all") return known;
   std::vector<std::string> ids = split(text, ',');
   check_ids(ids, known, where);
+  return ids;
+}
+
+std::vector<std::string> known_metric_ids() {
+  return ids_of(all_metrics());
+}
+
+void append(std::vector<std::string>& ids, const std::vector<std::string>& more) {
+  for (const std::string& id : more)
+    if (!contains(ids, id)) ids.push_back(id);
+}
+
+/// The same ids, with those of a group, "all" or "movers", instead of its name.
+std::vector<std::string> without_groups(const std::vector<std::string>& words) {
+  std::vector<std::string> ids;
+  for (const std::string& word : words) {
+    if (word == "all")
+      append(ids, all_metric_ids());
+    else if (word == "movers")
+      append(ids, mover_metric_ids());
+    else
+      ids.push_back(word);
+  }
+  return ids;
+}
+
+void check_metrics(const std::vector<std::string>& ids, const std::string& where) {
+  std::vector<std::string> known = known_metric_ids();
+  known.emplace_back("movers");
+  check_ids(ids, known, where);
+}
+
+std::vector<std::string> parse_metrics(const std::string& text, const std::string& where) {
+  std::vector<std::string> ids = without_groups(split(text, ','));
+  check_metrics(ids, where);
   return ids;
 }
 
@@ -86,7 +122,10 @@ void CampaignSection::visit(OptionVisitor& v) {
 }
 
 void MetricsSection::visit(OptionVisitor& v) {
-  v.option("enabled", enabled, "metrics to compute: ids, comma-separated, or all");
+  v.option(
+      "enabled", enabled,
+      "metrics to compute: ids, comma-separated; all: those that are not about movers; movers: "
+      "those that are");
   v.option("descriptors", descriptors, "scenario descriptors: ids, comma-separated, or all");
   v.option("exact_confinement", exact_confinement,
            "confinement over all free cells instead of a sample; seconds per scenario");
@@ -113,7 +152,10 @@ void RecordSection::visit(OptionVisitor& v) {
 }
 
 std::vector<std::string> all_metric_ids() {
-  return ids_of(all_metrics());
+  std::vector<std::string> ids = known_metric_ids();
+  const auto is_of_movers = [](const std::string& id) { return contains(mover_metric_ids(), id); };
+  ids.erase(std::remove_if(ids.begin(), ids.end(), is_of_movers), ids.end());
+  return ids;
 }
 
 std::vector<std::string> all_descriptor_ids() {
@@ -136,7 +178,7 @@ bool RecordSection::wants(Outcome outcome) const {
 CampaignOptions read_measuring_options(const IniFile& ini) {
   const auto metrics = read_options<MetricsSection>(ini, "metrics");
   CampaignOptions options;
-  options.metrics = parse_ids(metrics.enabled, all_metric_ids(), ini.where("metrics", "enabled"));
+  options.metrics = parse_metrics(metrics.enabled, ini.where("metrics", "enabled"));
   options.descriptors =
       parse_ids(metrics.descriptors, all_descriptor_ids(), ini.where("metrics", "descriptors"));
   options.exact_confinement = metrics.exact_confinement;
@@ -164,7 +206,8 @@ CampaignOptions read_campaign_options(const IniFile& ini) {
 
 CampaignOptions checked_options(CampaignOptions options, const std::string& origin) {
   const auto keys_of = [&origin](const char* section) { return location_of(origin + section); };
-  check_ids(options.metrics, all_metric_ids(), keys_of("metrics")("enabled"));
+  options.metrics = without_groups(options.metrics);
+  check_metrics(options.metrics, keys_of("metrics")("enabled"));
   check_ids(options.descriptors, all_descriptor_ids(), keys_of("metrics")("descriptors"));
   for_each_section(options, [&](const char* section, const auto& values) {
     check_options(values, keys_of(section));

@@ -1,4 +1,5 @@
 #include "common.h"
+#include "touched_mover.h"
 
 #include <algorithm>
 
@@ -16,12 +17,13 @@ mrpt::math::TPose2D pose_before(const Sample& sample, double dt) {
 }  // namespace
 
 /// Speed along the contact normal at the first contact, which ends a run: the rate of decrease of
-/// the footprint's clearance.
+/// the footprint's clearance from static obstacles.
 Value impact_speed(const MetricContext& context) {
   constexpr double kStep = 1e-3;  // s, corresponds to about 1 mm
   if (context.outcome != Outcome::Collision)
     return Value::na("outcome: " + to_string(context.outcome));
   if (const auto na = na_without_samples(context)) return *na;
+  if (touched_mover(context) != nullptr) return Value::na("contact with a mover");
   const Sample& last = context.trajectory.samples.back();
   const double before =
       footprint_clearance(context.world, context.robot.shape(), pose_before(last, kStep));

@@ -1,4 +1,5 @@
 #include <slalom/metrics/metric.h>
+#include <slalom/metrics/mover_metrics.h>
 
 /// The metrics, in the order of definitions.md: id, version, name, unit, better direction. The
 /// function of a metric is slalom::metrics::ID, in a source of this folder.
@@ -45,11 +46,24 @@
   METRIC(frechet_to_reference, 2, "Frechet distance to P*", "m", Down)         \
   METRIC(hausdorff_to_reference, 2, "Hausdorff distance to P*", "m", Down)
 
+/// Those about moving obstacles.
+#define SLALOM_MOVER_METRICS(METRIC)                                                       \
+  METRIC(mover_collision, 1, "Collision with a mover", "-", Down)                          \
+  METRIC(mover_contact_speed, 1, "Speed at the contact with a mover", "m/s", Down)         \
+  METRIC(stood_at_contact, 1, "Stood at the contact with a mover", "-", Up)                \
+  METRIC(min_mover_clearance, 1, "Minimum clearance from movers", "m", Up)                 \
+  METRIC(mover_time_to_collision, 1, "Minimum time to collision with movers", "s", Up)     \
+  METRIC(personal_space_time, 1, "Time in personal space", "s", Down)                      \
+  METRIC(personal_space_depth, 1, "Depth of the intrusion into personal space", "m", Down) \
+  METRIC(intimate_space_time, 1, "Time in intimate space", "s", Down)                      \
+  METRIC(frozen_time, 1, "Time frozen", "s", Down)
+
 namespace slalom {
 namespace metrics {
 
 #define SLALOM_DECLARE(id, ...) Value id(const MetricContext& context);
 SLALOM_METRICS(SLALOM_DECLARE)
+SLALOM_MOVER_METRICS(SLALOM_DECLARE)
 #undef SLALOM_DECLARE
 
 }  // namespace metrics
@@ -57,9 +71,17 @@ SLALOM_METRICS(SLALOM_DECLARE)
 const std::vector<Metric>& all_metrics() {
 #define SLALOM_ENTRY(id, version, name, unit, direction) \
   {{#id, version, name, unit, Direction::direction}, metrics::id},
-  static const std::vector<Metric> table = {SLALOM_METRICS(SLALOM_ENTRY)};
+  static const std::vector<Metric> table = {SLALOM_METRICS(SLALOM_ENTRY)
+                                                SLALOM_MOVER_METRICS(SLALOM_ENTRY)};
 #undef SLALOM_ENTRY
   return table;
+}
+
+const std::vector<std::string>& mover_metric_ids() {
+#define SLALOM_ID(id, ...) #id,
+  static const std::vector<std::string> ids = {SLALOM_MOVER_METRICS(SLALOM_ID)};
+#undef SLALOM_ID
+  return ids;
 }
 
 }  // namespace slalom

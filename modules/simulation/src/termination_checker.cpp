@@ -2,8 +2,7 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/core/text.h>
-
-#include <mrpt/math/wrap2pi.h>
+#include <slalom/trajectory/standing.h>
 
 #include <cmath>
 
@@ -15,8 +14,6 @@ using mrpt::math::TPose2D;
 
 /// Tolerance (s) for rounding errors of times, which are sums and multiples of steps.
 constexpr double kTimeTolerance = 1e-9;
-/// A robot stands if its pose has not changed for this time (s), up to rounding errors (m, rad).
-constexpr double kStandingTime = 0.5, kStandingTolerance = 1e-6;
 
 }  // namespace
 
@@ -60,18 +57,9 @@ bool TerminationChecker::is_time_over(double now) const {
 
 std::string TerminationChecker::robot_at_contact(const Trajectory& trajectory, double now,
                                                  const TPose2D& pose, double speed) {
-  const double since = now - kStandingTime + kTimeTolerance;
-  const auto& samples = trajectory.samples;
-  bool stood = !samples.empty() && samples.front().t <= since;
-  // Back to the last sample before that time.
-  for (std::size_t i = samples.size(); stood && i > 0; --i) {
-    const Sample& sample = samples[i - 1];
-    stood = distance_between(sample.pose, pose) <= kStandingTolerance &&
-            std::abs(mrpt::math::wrapToPi(sample.pose.phi - pose.phi)) <= kStandingTolerance;
-    if (sample.t <= since) break;
-  }
-  return stood ? ", the robot had stood for " + format_number(kStandingTime) + " s"
-               : ", the robot at " + format_fixed(speed, 2) + " m/s";
+  return has_stood(trajectory, now, pose)
+             ? ", the robot had stood for " + format_number(kStandingTime) + " s"
+             : ", the robot at " + format_fixed(speed, 2) + " m/s";
 }
 
 bool TerminationChecker::is_stuck(const Trajectory& trajectory, double now,

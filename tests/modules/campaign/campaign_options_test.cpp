@@ -1,6 +1,8 @@
 #include "error_text.h"
 
 #include <slalom/campaign/campaign_options.h>
+#include <slalom/core/text.h>
+#include <slalom/metrics/mover_metrics.h>
 
 #include <gtest/gtest.h>
 
@@ -45,6 +47,34 @@ TEST(CampaignOptions, SelectsMetricsAndDescriptors) {
   EXPECT_EQ(options.metrics, (std::vector<std::string>{"spl", "success"}));
   EXPECT_EQ(options.descriptors, (std::vector<std::string>{"density"}));
   EXPECT_FALSE(options.exact_confinement);
+}
+
+TEST(CampaignOptions, ComputesMetricsAboutMoversOnlyWhenTheyAreNamed) {
+  const auto enabled = [](const std::string& words) {
+    return read_campaign_options(
+               IniFile::from_text(std::string(kMinimal) + "[metrics]\nenabled = " + words + "\n"))
+        .metrics;
+  };
+  const std::vector<std::string> all = enabled("all"), movers = enabled("movers");
+  EXPECT_EQ(movers, mover_metric_ids());
+  EXPECT_EQ(all, all_metric_ids());
+  EXPECT_EQ(all.size() + movers.size(), all_metrics().size());
+  for (const std::string& id : movers) EXPECT_FALSE(contains(all, id)) << id;
+  std::vector<std::string> both = all;
+  both.insert(both.end(), movers.begin(), movers.end());
+  EXPECT_EQ(enabled("all, movers"), both);
+  EXPECT_EQ(enabled("frozen_time"), (std::vector<std::string>{"frozen_time"}));
+  EXPECT_EQ(enabled("frozen_time, movers").size(), movers.size());
+  EXPECT_TRUE(refused(std::string(kMinimal) + "[metrics]\nenabled = all, mover\n",
+                      "c.ini:6: [metrics] enabled: ", {"'mover'", "expected 'movers'"}));
+}
+
+TEST(CampaignOptions, OfAProgramMayNameGroupsOfMetrics) {
+  CampaignOptions options;
+  options.metrics = {"success", "movers"};
+  std::vector<std::string> expected = {"success"};
+  expected.insert(expected.end(), mover_metric_ids().begin(), mover_metric_ids().end());
+  EXPECT_EQ(checked_options(options, "options ").metrics, expected);
 }
 
 TEST(CampaignOptions, EnablesExactConfinement) {

@@ -1,4 +1,6 @@
 #include <slalom/campaign/measure.h>
+#include <slalom/campaign/measure_log.h>
+#include <slalom/core/text.h>
 
 #include <gtest/gtest.h>
 
@@ -31,6 +33,45 @@ TEST(MeasureRun, ComputesTheEnabledMetricsWithTheCampaignOptions) {
   EXPECT_EQ(measured().at("risk_time_ratio").value, Value::of(1));
   options.setup.simulation.max_time = 10;
   EXPECT_EQ(measured().at("par2_time").value, Value::of(20));
+}
+
+/// A log along y = 5 at 1 m/s up to the wall at x = 10.
+Trajectory log_to_the_wall() {
+  Trajectory log;
+  for (int i = 0; i <= 80; ++i) {
+    Sample sample;
+    sample.t = 0.1 * i;
+    sample.pose = {2 + 0.1 * i, 5, 0};
+    sample.v = 1;
+    log.samples.push_back(sample);
+  }
+  return log;
+}
+
+TEST(MeasureRun, AttributesACollisionAsItsDetailDoes) {
+  CampaignOptions options;
+  options.metrics = {"mover_collision"};
+  int with_mover = 0;
+  // A mover crosses y = 5 at x = 7 m with 1 m/s at these times, the robot is there at 5 s: the
+  // smallest distance of the centers is the difference of the times over sqrt 2, in m.
+  for (const double at : {2.0, 3.0, 4.0, 4.8, 5.0, 5.2, 6.0, 7.0}) {
+    const Mover crossing{
+        "crossing", 0.3, {{at - 1.9, {7, 3.1}}, {at + 1.9, {7, 6.9}}}, MoverEnd::Vanish};
+    for (const char* footprint : {"", "0.3,0.2; -0.3,0.2; -0.3,-0.2; 0.3,-0.2"}) {
+      options.setup.robot.footprint = footprint;
+      const World room(Scenario::continuous("room", {0, 0, 10, 10}, {}, {2, 5, 0}, {5, 9})
+                           .with_movers({crossing}),
+                       0.05);
+      const MeasuredLog measured =
+          measure_log(options, nullptr, room, log_to_the_wall(), std::nullopt);
+      ASSERT_EQ(measured.run.outcome, Outcome::Collision);
+      const bool named = starts_with(measured.run.detail, "contact with mover 'crossing'");
+      EXPECT_EQ(measured.metrics.at("mover_collision").value, Value::of(named ? 1 : 0))
+          << at << " " << measured.run.detail;
+      with_mover += named ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(with_mover, 6);  // three times, for both footprints
 }
 
 }  // namespace

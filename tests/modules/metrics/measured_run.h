@@ -19,8 +19,11 @@ struct MeasuredRun {
   double safe_distance = 0.5;
 
   /// Samples at these points, one every 0.1 s.
-  explicit MeasuredRun(const Path& points, const Primitives& obstacles = {})
-      : world(Scenario::continuous("room", {-10, 0, 18, 10}, obstacles, {2, 5, 0}, {8, 5}), 0.05) {
+  explicit MeasuredRun(const Path& points, const Primitives& obstacles = {},
+                       const Movers& movers = {})
+      : world(Scenario::continuous("room", {-10, 0, 18, 10}, obstacles, {2, 5, 0}, {8, 5})
+                  .with_movers(movers),
+              0.05) {
     for (const auto& p : points) {
       Sample sample;
       sample.t = 0.1 * static_cast<double>(trajectory.samples.size());

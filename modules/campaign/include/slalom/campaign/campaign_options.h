@@ -26,7 +26,7 @@ struct CampaignSection {
 
 /// Section [metrics].
 struct MetricsSection {
-  std::string enabled = "all";           ///< metric ids, comma-separated, or all
+  std::string enabled = "all";           ///< metric ids, all, movers, comma-separated
   std::string descriptors = "all";       ///< descriptor ids, comma-separated, or all
   bool exact_confinement = false;        ///< confinement over all free cells instead of a sample
   double safe_distance = kSafeDistance;  ///< m; time with less clearance counts as risk time
@@ -68,6 +68,7 @@ struct RecordSection {
   bool wants(Outcome outcome) const;
 };
 
+/// Those of "all": every metric except mover_metric_ids().
 std::vector<std::string> all_metric_ids();
 std::vector<std::string> all_descriptor_ids();
 
@@ -76,7 +77,7 @@ struct CampaignOptions {
   std::string name = "campaign";
   std::uint64_t seed = 1;
   int repetitions = 1;
-  std::vector<std::string> metrics = all_metric_ids();
+  std::vector<std::string> metrics = all_metric_ids();  ///< checked_options() expands all, movers
   std::vector<std::string> descriptors = all_descriptor_ids();
   bool exact_confinement = false;
   double safe_distance = kSafeDistance;  ///< m

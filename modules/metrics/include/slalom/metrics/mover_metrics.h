@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// The ids of the metrics that are about moving obstacles, in the order of all_metrics(). Without a
+/// mover in the scenario they are NA.
+const std::vector<std::string>& mover_metric_ids();
+
+}  // namespace slalom

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <slalom/trajectory/trajectory.h>
+
+namespace slalom {
+
+/// Time (s) after which a robot counts as standing: a mover that then touches it ran into it
+/// (passive safety).
+constexpr double kStandingTime = 0.5;
+
+/// Whether a robot that is at `pose` at time `now`, not before the last sample, has not moved for
+/// kStandingTime. False if the trajectory is shorter than that.
+bool has_stood(const Trajectory& trajectory, double now, const mrpt::math::TPose2D& pose);
+
+}  // namespace slalom
