@@ -36,8 +36,9 @@ struct ExportArguments {
 };
 
 void export_one(const ExportArguments& arguments) {
-  export_scenario(load_scenario(arguments.list), arguments.format, arguments.options,
-                  arguments.output);
+  const std::string left_out = export_scenario(load_scenario(arguments.list), arguments.format,
+                                               arguments.options, arguments.output);
+  if (!left_out.empty()) std::cerr << "warning: " << printable_line(left_out) << "\n";
 }
 
 void add_convert(CLI::App& app) {

@@ -66,7 +66,10 @@ void write_mvsim_world(const Scenario& scenario, const MapExportOptions& options
   xml += "       start, as an init_pose (m, m, degrees): " + format_number(start.x) + " " +
          format_number(start.y) + " " + format_number(mrpt::RAD2DEG(start.phi)) + "\n";
   xml += "       goal (m, m): " + format_number(scenario.goal().x) + " " +
-         format_number(scenario.goal().y) + " -->\n";
+         format_number(scenario.goal().y);
+  if (!scenario.movers().empty())
+    xml += "\n       without its moving obstacles: " + std::to_string(scenario.movers().size());
+  xml += " -->\n";
   xml += "  <element class=\"occupancy_grid\">\n    <file>" +
          escaped(std::filesystem::path(grid).filename().string()) + "</file>\n  </element>\n";
   xml += "  <element class=\"horizontal_plane\">\n";

@@ -1,5 +1,6 @@
 #include "map_writers.h"
 
+#include <slalom/analysis/cell_text.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/png_scene.h>
@@ -29,22 +30,28 @@ void write_png(const Scenario& scenario, const MapExportOptions& /*options*/,
   render_png(scenario, options, path);
 }
 
+std::string left_out(const Scenario& scenario, const ExportFormat& format) {
+  if (scenario.movers().empty() || format.has_movers) return "";
+  return "scenario " + scenario.name() + ": " + count_text(scenario.movers().size(), "mover") +
+         " left out, the format " + format.name + " has static obstacles only";
+}
+
 }  // namespace
 
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats = {
-      {"yaml", ".yaml", "the complete scenario as YAML", write_yaml},
+      {"yaml", ".yaml", "the complete scenario as YAML", write_yaml, true},
       {"ros", ".yaml", "ROS map_server YAML with a PGM", write_ros_map},
       {"mrpt", ".gridmap.gz", "MRPT occupancy grid", write_mrpt_map},
       {"mvsim", ".xml", "mvsim world with an occupancy grid", write_mvsim_world},
-      {"svg", ".svg", "image", write_svg},
+      {"svg", ".svg", "image", write_svg, true},
       {"png", ".png", "image", write_png},
   };
   return formats;
 }
 
-void export_scenario(const Scenario& scenario, const std::string& format,
-                     const MapExportOptions& options, const std::string& path) {
+std::string export_scenario(const Scenario& scenario, const std::string& format,
+                            const MapExportOptions& options, const std::string& path) {
   std::vector<std::string> names;
   for (const ExportFormat& known : export_formats()) {
     names.push_back(known.name);
@@ -55,7 +62,7 @@ void export_scenario(const Scenario& scenario, const std::string& format,
       throw usage_error(path, "wrong extension for the format " + format,
                         "a name with " + known.ending);
     known.write(scenario, options, file);
-    return;
+    return left_out(scenario, known);
   }
   throw usage_error("format", "unknown format '" + format + "'", "one of " + join(names, ", "));
 }

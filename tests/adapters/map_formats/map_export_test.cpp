@@ -2,6 +2,7 @@
 #include "map_readers.h"
 
 #include <slalom/core/random.h>
+#include <slalom/core/read_file.h>
 #include <slalom/io/scenario_yaml.h>
 #include <slalom/map_formats/map_export.h>
 #include <slalom/map_formats/map_task.h>
@@ -150,6 +151,30 @@ TEST(MapTask, ReportsErrors) {
   EXPECT_TRUE(rejects("start: [1, 2, 3]\n", "t.yaml: ", "not a task"));
   EXPECT_TRUE(rejects("- 1\n", "t.yaml: ", "not a task"));
   EXPECT_TRUE(rejects("name: [a\n", "t.yaml:2: ", "not YAML"));
+}
+
+TEST(MapExport, SaysThatMoversAreLeftOut) {
+  const MapFolder folder;
+  const Mover walker{"walker", 0.3, {{0, {3, 1}}}, MoverEnd::Stop};
+  const Scenario still = disc_scenario(), moving = still.with_movers({walker});
+  for (const ExportFormat& format : export_formats()) {
+    const std::string path = folder.path("moving" + format.ending);
+    EXPECT_EQ(export_scenario(still, format.name, {}, path), "") << format.name;
+    const std::string left_out = export_scenario(moving, format.name, {}, path);
+    if (format.name == "yaml" || format.name == "svg") {
+      EXPECT_EQ(left_out, "") << format.name;
+      EXPECT_NE(read_file(path, "an export").find("walker"), std::string::npos) << format.name;
+    } else {
+      EXPECT_EQ(left_out, "scenario " + moving.name() + ": 1 mover left out, the format " +
+                              format.name + " has static obstacles only");
+    }
+  }
+  const std::string world = folder.path("world.xml");
+  export_scenario(still, "mvsim", {}, world);
+  EXPECT_EQ(read_file(world, "an export").find("moving"), std::string::npos);
+  export_scenario(moving, "mvsim", {}, world);
+  EXPECT_NE(read_file(world, "an export").find("without its moving obstacles: 1"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -20,13 +20,15 @@ struct ExportFormat {
   std::string ending;   ///< of its file names
   std::string content;  ///< human-readable description
   void (*write)(const Scenario& scenario, const MapExportOptions& options, const std::string& path);
+  bool has_movers = false;  ///< moving obstacles are exported, too
 };
 
 const std::vector<ExportFormat>& export_formats();
 
-/// A path without extension gets that of the format. Throws Error (Usage) for an unknown format or
-/// another extension.
-void export_scenario(const Scenario& scenario, const std::string& format,
-                     const MapExportOptions& options, const std::string& path);
+/// A path without extension gets that of the format. The result is what of the scenario the format
+/// cannot hold, in one line, "" if nothing. Throws Error (Usage) for an unknown format or another
+/// extension.
+std::string export_scenario(const Scenario& scenario, const std::string& format,
+                            const MapExportOptions& options, const std::string& path);
 
 }  // namespace slalom
