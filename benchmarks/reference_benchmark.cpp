@@ -3,9 +3,13 @@
 // Voronoi diagram; its peer `mrpt_voronoi` is only buildVoronoiDiagram(), on the same grids. The
 // others are OMPL's planners, stopped at 1 % and 0.5 % above the certified lower bound, or after a
 // second. Counters: median and maximum time over the scenarios (ms), and `reached`, the fraction of
-// scenarios in which the gap was reached. The tables of a scenario are precomputed.
+// scenarios in which the gap was reached. The tables of a scenario are precomputed. `arrival` is
+// the earliest arrival at 1 m/s among the given number of moving obstacles that walk at 0.5 to 1.5
+// m/s between random positions, through static obstacles too; it is reached where the gap is at
+// most 10 %.
 #include <slalom/core/random.h>
 #include <slalom/ompl/ompl_planner.h>
+#include <slalom/references/earliest_arrival.h>
 #include <slalom/references/exact_shortest.h>
 #include <slalom/references/safest_path.h>
 
@@ -15,6 +19,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <map>
 
 namespace slalom {
 namespace {
@@ -115,6 +120,43 @@ void mrpt_voronoi(benchmark::State& state) {
   });
 }
 
+Movers random_walkers(RandomEngine& random, int count, const TPoint2D& start) {
+  constexpr int kWaypoints = 30;
+  Movers movers;
+  while (static_cast<int>(movers.size()) < count) {
+    Mover mover{std::to_string(movers.size()), uniform_real(random, 0.2, 0.4), {}};
+    for (int i = 0; i < kWaypoints; ++i) {
+      const TPoint2D p(uniform_real(random, 0, kSize), uniform_real(random, 0, kSize));
+      const double t =
+          i == 0 ? 0
+                 : mover.waypoints.back().t + (p - mover.waypoints.back().position).norm() /
+                                                  uniform_real(random, 0.5, 1.5);
+      mover.waypoints.push_back({t, p});
+    }
+    if ((mover.waypoints.front().position - start).norm() > 2) movers.push_back(mover);
+  }
+  return movers;
+}
+
+void arrival(benchmark::State& state) {
+  static std::deque<World> moving;
+  std::map<const World*, const World*> with_movers;
+  RandomEngine random(2);
+  for (const Problem& problem : problems()) {
+    const TPoint2D start(problem.world.scenario().start());
+    const Movers movers = random_walkers(random, static_cast<int>(state.range(0)), start);
+    moving.emplace_back(problem.world.scenario().with_movers(movers), kResolution);
+    moving.back().distance_field();
+    with_movers[&problem.world] = &moving.back();
+  }
+  time_problems(state, [&](const Problem& problem) {
+    std::string reason;
+    const auto found = earliest_arrival(problem_of(*with_movers.at(&problem.world)),
+                                        *problem.exact.shortest, {1.0, 0.2, 100}, reason);
+    return found && found->certificate.gap() <= 0.1;
+  });
+}
+
 void ompl(benchmark::State& state, const std::string& name, double gap) {
   OmplOptions options;
   options.planner = name;
@@ -132,6 +174,7 @@ void ompl(benchmark::State& state, const std::string& name, double gap) {
 BENCHMARK(exact)->Unit(benchmark::kMillisecond);
 BENCHMARK(safest)->Unit(benchmark::kMillisecond);
 BENCHMARK(mrpt_voronoi)->Unit(benchmark::kMillisecond);
+BENCHMARK(arrival)->Arg(0)->Arg(5)->Arg(20)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(ompl, InformedRRTstar_1, "InformedRRTstar", 0.01)->Iterations(1);
 BENCHMARK_CAPTURE(ompl, InformedRRTstar_05, "InformedRRTstar", 0.005)->Iterations(1);
 BENCHMARK_CAPTURE(ompl, PRMstar_1, "PRMstar", 0.01)->Iterations(1);

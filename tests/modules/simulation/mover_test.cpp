@@ -2,6 +2,8 @@
 #include "test_runs.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/references/earliest_arrival.h>
+#include <slalom/references/exact_shortest.h>
 #include <slalom/simulation/evaluate_trajectory.h>
 #include <slalom/simulation/mover_scan.h>
 
@@ -240,6 +242,41 @@ TEST(Movers, AreScannedWhereTheyWereAtTheInstantOfTheScan) {
     simulate(world_with({5, 5, 0}, {mover_from(8, 5, -1, 0)}),
              {disc_robot(), sensor, {}, options, {}}, 1, method);
   }
+}
+
+TEST(MoverContact, IsNotFoundAlongThePlanOfTheEarliestArrival) {
+  RandomEngine random(7);
+  int waits = 0, arrivals = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto position = [&] {
+      return mrpt::math::TPoint2D(uniform_real(random, 2, 8), uniform_real(random, 2, 8));
+    };
+    Movers movers;
+    for (int i = 0; i < 12; ++i) {
+      const mrpt::math::TPoint2D first = position();
+      const MoverEnd after = i % 2 == 0 ? MoverEnd::Loop : MoverEnd::Vanish;
+      movers.push_back({std::to_string(i), 0.3, {{0, first}, {5, position()}, {9, first}}, after});
+    }
+    const World world = world_with({1, 1, 0}, movers);
+    const PlanningProblem problem{world, 0.2, {1, 1}, world.scenario().goal()};
+    std::string reason;
+    const auto shortest = exact_shortest_path(problem, reason);
+    const auto arrival = earliest_arrival(problem, *shortest, {1, 0.2, 60}, reason);
+    ASSERT_TRUE(arrival.has_value()) << reason;
+    MoverContact contact(movers, Footprint::disc(0.2));
+    const auto footprint = make_footprint_contact(world, Footprint::disc(0.2));
+    for (std::size_t i = 1; i < arrival->plan.size(); ++i) {
+      const auto &a = arrival->plan[i - 1], &b = arrival->plan[i];
+      TPose2D from(a.position.x, a.position.y, 0), to(b.position.x, b.position.y, 0);
+      double fraction = 1;
+      ASSERT_EQ(contact.find_contact({from, to, a.t, b.t}, fraction), nullptr) << trial << " " << i;
+      ASSERT_FALSE(footprint->find_contact(from, to, fraction)) << trial << " " << i;
+      waits += distance_between(from, to) == 0 ? 1 : 0;
+    }
+    arrivals += arrival->plan.empty() ? 0 : 1;
+  }
+  EXPECT_GT(arrivals, 15);
+  EXPECT_GT(waits, 3);
 }
 
 }  // namespace

@@ -7,15 +7,17 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace slalom {
 
 /// The name of the exact search among the planners.
 constexpr char kExactPlanner[] = "exact";
 
-/// Proven bounds of the length of the shortest path (m): lower_bound <= minimum <= upper_bound.
-/// Equal for a disc that can rotate in place. With a planner whose robot is another one
-/// (ReferencePlanner::lower_bound()) they are those of its robot.
+/// Proven bounds of the length of the shortest path (m), or of the time of the earliest arrival
+/// (s): lower_bound <= minimum <= upper_bound. Those of a path are equal for a disc that can rotate
+/// in place. With a planner whose robot is another one (ReferencePlanner::lower_bound()) they are
+/// those of its robot.
 struct Certificate {
   double lower_bound = 0;
   double upper_bound = 0;  ///< infinite if no path of such a robot was found
@@ -45,17 +47,33 @@ struct SafestPath {
   std::string note = "";
 };
 
-/// Wall-clock times (s) of reference planning; separate from its deterministic results.
-struct ReferenceTiming {
-  double exact = 0, planner = 0, safest = 0;
+/// A position (m) at a time (s) of a plan; in between the motion is straight at constant speed.
+struct TimedPoint {
+  double t = 0;
+  mrpt::math::TPoint2D position;
 };
 
-/// Both reference paths of a scenario for one robot, or the reasons why there is none.
+/// The earliest arrival among moving obstacles, by earliest_arrival().
+struct EarliestArrival {
+  /// Proven bounds of the time of arrival (s).
+  Certificate certificate;
+  std::vector<TimedPoint> plan;  ///< that arrives at the upper bound; empty if none was found
+};
+
+/// Wall-clock times (s) of reference planning; separate from its deterministic results.
+struct ReferenceTiming {
+  double exact = 0, planner = 0, safest = 0, arrival = 0;
+};
+
+/// Both reference paths of a scenario for one robot, or the reasons why there is none. With moving
+/// obstacles also the earliest arrival, or the reason; without them neither.
 struct References {
   std::optional<ShortestPath> shortest;
   std::optional<SafestPath> safest;
   std::string shortest_reason, safest_reason;
   ReferenceTiming timing = {};
+  std::optional<EarliestArrival> arrival = std::nullopt;
+  std::string arrival_reason = "";
 };
 
 /// The input of a planner.

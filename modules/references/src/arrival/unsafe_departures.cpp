@@ -1,0 +1,171 @@
+#include "../disc_path/geometry.h"
+#include "unsafe_departures.h"
+
+#include <limits>
+
+namespace slalom::arrival {
+namespace {
+
+using disc_path::cross;
+using disc_path::dot;
+using Vector = mrpt::math::TPoint2D;
+
+/// Rounding errors of times (s) and of squared distances; intervals are widened by the former.
+constexpr double kTimeTolerance = 1e-9;
+
+/// The center of the robot relative to the mover is base + along * s + across * d, at the time s
+/// since the departure d.
+struct RelativeMotion {
+  Vector base, along, across;
+};
+
+/// Collects the departures at which the set of unsafe pairs (d, s) can begin or end: on the
+/// boundary of the disc or at the corners of the allowed pairs, 0 <= s <= duration and first <= d +
+/// s <= last.
+class Extremes {
+ public:
+  Extremes(const RelativeMotion& motion, double duration, const Interval& time, double distance)
+      : motion_(motion), duration_(duration), time_(time), distance_(distance) {}
+
+  std::optional<Interval> interval() {
+    add_tangents();
+    add_edges();
+    add_corners();
+    if (range_.first > range_.last) return std::nullopt;
+    return Interval{range_.first - kTimeTolerance, range_.last + kTimeTolerance};
+  }
+
+ private:
+  bool is_allowed(double departure, double s) const {
+    return s >= -kTimeTolerance && s <= duration_ + kTimeTolerance &&
+           departure + s >= time_.first - kTimeTolerance &&
+           departure + s <= time_.last + kTimeTolerance;
+  }
+
+  void add(double departure, double s) {
+    if (!is_allowed(departure, s)) return;
+    range_.first = std::min(range_.first, departure);
+    range_.last = std::max(range_.last, departure);
+  }
+
+  /// Departures whose motion touches the disc in passing: the distance of a line from the origin is
+  /// that of the disc.
+  void add_tangents() {
+    const double speed = std::sqrt(dot(motion_.along, motion_.along));
+    const double change = cross(motion_.across, motion_.along),
+                 at_zero = cross(motion_.base, motion_.along);
+    if (speed == 0 || change == 0) return;
+    for (const double side : {-1.0, 1.0}) {
+      const double departure = (side * distance_ * speed - at_zero) / change;
+      const Vector at_departure = motion_.base + motion_.across * departure;
+      add(departure, -dot(at_departure, motion_.along) / (speed * speed));
+    }
+  }
+
+  /// Where the boundary of the disc meets s = offset + slope * d.
+  void add_edge(double offset, double slope) {
+    const Vector constant = motion_.base + motion_.along * offset,
+                 linear = motion_.across + motion_.along * slope;
+    const double a = dot(linear, linear), b = dot(constant, linear),
+                 c = dot(constant, constant) - distance_ * distance_;
+    const double discriminant = b * b - a * c;
+    if (a == 0 || discriminant < 0) return;
+    for (const double side : {-1.0, 1.0}) {
+      const double departure = (-b + side * std::sqrt(discriminant)) / a;
+      add(departure, offset + slope * departure);
+    }
+  }
+
+  void add_edges() {
+    add_edge(0, 0);
+    add_edge(duration_, 0);
+    add_edge(time_.first, -1);
+    add_edge(time_.last, -1);
+  }
+
+  void add_corners() {
+    for (const double s : {0.0, duration_})
+      for (const double time : {time_.first, time_.last}) {
+        const Vector relative = motion_.base + motion_.along * s + motion_.across * (time - s);
+        if (dot(relative, relative) < distance_ * distance_) add(time - s, s);
+      }
+  }
+
+  RelativeMotion motion_;
+  double duration_;
+  Interval time_;
+  double distance_;
+  Interval range_{std::numeric_limits<double>::infinity(),
+                  -std::numeric_limits<double>::infinity()};
+};
+
+/// Whether two motions along one axis, from a by da and from b by db, stay apart.
+bool are_apart(double a, double da, double b, double db, double distance) {
+  return std::min(a, a + da) > std::max(b, b + db) + distance ||
+         std::max(a, a + da) < std::min(b, b + db) - distance;
+}
+
+}  // namespace
+
+std::vector<MoverSegment> segments_of(const Mover& mover, double horizon) {
+  std::vector<MoverSegment> segments;
+  for (double t = 0; t < horizon;) {
+    const double next = std::min(mover.next_change(t), horizon);
+    // In the middle it is certain to which segment a time belongs.
+    const double middle = (t + next) / 2;
+    if (mover.present(middle)) {
+      const Vector velocity = mover.velocity(middle);
+      segments.push_back({{t, next}, mover.position(middle) + velocity * (t - middle), velocity});
+    }
+    t = next;
+  }
+  return segments;
+}
+
+Traffic traffic_of(const Movers& movers, double distance, double horizon) {
+  Traffic traffic;
+  for (const Mover& mover : movers) {
+    traffic.segments.push_back(segments_of(mover, horizon));
+    traffic.distances.push_back(mover.radius + distance);
+  }
+  return traffic;
+}
+
+std::optional<Interval> unsafe_departures(const Leg& leg, const MoverSegment& segment,
+                                          double distance) {
+  const Vector displacement = leg.velocity * leg.duration;
+  const Vector mover_displacement = segment.velocity * (segment.time.last - segment.time.first);
+  if (are_apart(leg.from.x, displacement.x, segment.at_first.x, mover_displacement.x, distance) ||
+      are_apart(leg.from.y, displacement.y, segment.at_first.y, mover_displacement.y, distance))
+    return std::nullopt;
+  // At the time d + s the robot is at from + velocity * s, the mover at at_first + velocity * (d +
+  // s - first).
+  const RelativeMotion motion{leg.from - segment.at_first + segment.velocity * segment.time.first,
+                              leg.velocity - segment.velocity, segment.velocity * -1.0};
+  return Extremes(motion, leg.duration, segment.time, distance).interval();
+}
+
+std::vector<Interval> unsafe_departures(const Leg& leg, const Traffic& traffic,
+                                        const Interval& window) {
+  std::vector<Interval> unsafe;
+  for (std::size_t i = 0; i < traffic.segments.size(); ++i) {
+    const auto& segments = traffic.segments[i];
+    auto segment =
+        std::partition_point(segments.begin(), segments.end(),
+                             [&](const MoverSegment& s) { return s.time.last < window.first; });
+    for (; segment != segments.end(); ++segment) {
+      if (segment->time.first > window.last + leg.duration) break;
+      const auto interval = unsafe_departures(leg, *segment, traffic.distances[i]);
+      if (interval) unsafe.push_back(*interval);
+    }
+  }
+  return unsafe;
+}
+
+std::vector<Interval> safe_intervals(const mrpt::math::TPoint2D& p, const Traffic& traffic,
+                                     double horizon) {
+  const Interval all{0, horizon};
+  return gaps_between(unsafe_departures({p, {0, 0}, 0}, traffic, all), 0, horizon);
+}
+
+}  // namespace slalom::arrival
