@@ -6,6 +6,7 @@
 #include <slalom/io/reference_text.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/ompl/ompl_planner.h>
+#include <slalom/references/earliest_arrival.h>
 
 #include <iostream>
 
@@ -16,6 +17,7 @@ struct ReferenceArguments {
   ListArguments list;
   RobotModel robot;
   OmplOptions planner;
+  ArrivalLimits arrival;
   std::uint64_t seed = 1;
 };
 
@@ -29,8 +31,9 @@ std::string compute(const ReferenceArguments& arguments, const ScenarioList::Ent
                                 scenario.goal(),
                                 start.phi};
   const auto planner = make_ompl_planner(arguments.planner, arguments.robot);
-  const References references =
+  References references =
       compute_references(problem, planner.get(), arguments.planner.gap, arguments.seed);
+  add_earliest_arrival(problem, arguments.arrival, references);
   return arguments.list.json ? render_json(references, entry.id, entry.name)
                              : render_text(references, entry.id, entry.name);
 }
@@ -64,10 +67,11 @@ void run(ReferenceArguments arguments) {
 
 void add_reference_verb(CLI::App& app) {
   static ReferenceArguments arguments;
-  CLI::App* verb = add_list_verb(
-      app, "reference",
-      "Print the length of the shortest path with its certificate, and the safest path",
-      arguments.list);
+  CLI::App* verb = add_list_verb(app, "reference",
+                                 "Print the length of the shortest path with its certificate, the "
+                                 "safest path, and with moving "
+                                 "obstacles the earliest arrival",
+                                 arguments.list);
   add_scenario_argument(*verb, arguments.list, false);
   add_robot_options(*verb, arguments.list);
   verb->add_option("--planner", arguments.planner.planner,
@@ -87,6 +91,17 @@ void add_reference_verb(CLI::App& app) {
       "--reverse", [] { arguments.robot.forward_only = false; },
       "Allow reverse motion: Reeds-Shepp curves");
   verb->add_option("--gap", arguments.planner.gap, "Relative gap to the lower bound")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--max-speed", arguments.arrival.max_speed,
+                   "Maximum speed of the robot, m/s, for the earliest arrival")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--goal-tolerance", arguments.arrival.goal_tolerance,
+                   "Distance from the goal within which the robot has arrived, m")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  verb->add_option("--max-time", arguments.arrival.max_time, "Latest arrival, s")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   verb->add_option("--seed", arguments.seed, "Seed of the planner")->capture_default_str();

@@ -150,7 +150,7 @@ SharedInputs shared_tables(const Campaign& campaign, const std::vector<RunSpec>&
     const std::size_t scenario = plan[i].scenario;
     const bool has_others = (i > 0 && plan[i - 1].scenario == scenario) ||
                             (i + 1 < plan.size() && plan[i + 1].scenario == scenario);
-    if (!has_others || !references[scenario].shortest) return std::nullopt;
+    if (!has_others || !references[scenario].unsolvable_reason().empty()) return std::nullopt;
     return scenario;
   };
   tables.make = [&](std::size_t scenario, const ArrayWriter::Sink& sink) {
@@ -173,10 +173,10 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
                        !execution.in_process);  // each worker has its own copy after the fork
   const WorkItem item = [&](std::size_t i, SharedTaskLog& log) {
     const References& known = references[plan[i].scenario];
-    return to_wire(known.shortest
-                       ? executor.execute(plan[i], log)
-                       : findings_without_run(campaign, plan[i], Outcome::UnsolvableScenario,
-                                              known.shortest_reason));
+    const std::string& reason = known.unsolvable_reason();
+    return to_wire(reason.empty() ? executor.execute(plan[i], log)
+                                  : findings_without_run(campaign, plan[i],
+                                                         Outcome::UnsolvableScenario, reason));
   };
   std::optional<RunFindings> answer;  // of the run that is received next
   const auto is_valid = [&](std::size_t i, const std::string& payload) {

@@ -1,6 +1,7 @@
 #include <slalom/campaign/measure.h>
 #include <slalom/core/random.h>
 #include <slalom/metrics/metric.h>
+#include <slalom/references/earliest_arrival.h>
 
 namespace slalom {
 namespace {
@@ -25,8 +26,14 @@ References find_references(const CampaignOptions& options, const ReferencePlanne
                                 {scenario.start().x, scenario.start().y},
                                 scenario.goal(),
                                 scenario.start().phi};
-  return compute_references(problem, planner, options.reference_gap,
-                            derive_seed(options.seed, "reference/" + scenario.hash()));
+  References references =
+      compute_references(problem, planner, options.reference_gap,
+                         derive_seed(options.seed, "reference/" + scenario.hash()));
+  const SimulationOptions& simulation = options.setup.simulation;
+  add_earliest_arrival(problem,
+                       {options.setup.robot.max_v, simulation.goal_tolerance, simulation.max_time},
+                       references);
+  return references;
 }
 
 std::string bound_violation(const CampaignOptions& options, const World& world,

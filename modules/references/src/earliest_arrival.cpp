@@ -1,6 +1,7 @@
 #include "arrival/arrival_bound.h"
 #include "arrival/lattice.h"
 #include "arrival/safe_interval_search.h"
+#include "wall_time.h"
 
 #include <slalom/core/text.h>
 #include <slalom/references/earliest_arrival.h>
@@ -69,6 +70,15 @@ std::optional<EarliestArrival> earliest_arrival(const PlanningProblem& problem,
     return std::nullopt;
   }
   return result;
+}
+
+void add_earliest_arrival(const PlanningProblem& problem, const ArrivalLimits& limits,
+                          References& references) {
+  if (!references.shortest || problem.world.scenario().movers().empty()) return;
+  references.timing.arrival = wall_time_of([&] {
+    references.arrival =
+        earliest_arrival(problem, *references.shortest, limits, references.arrival_reason);
+  });
 }
 
 }  // namespace slalom

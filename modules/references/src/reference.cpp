@@ -1,4 +1,5 @@
 #include "contact.h"
+#include "wall_time.h"
 
 #include <slalom/references/exact_shortest.h>
 #include <slalom/references/reference.h>
@@ -7,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 namespace slalom {
@@ -78,14 +78,6 @@ void query_planner(const ReferencePlanner& planner, const PlanningProblem& probl
     use_safest(planner, problem, path, gap, *references.safest);
 }
 
-/// Duration of an action (s).
-template <typename Action>
-double timed(Action action) {
-  const auto begin = std::chrono::steady_clock::now();
-  action();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 }  // namespace
 
 bool is_free(const World& world, const Path& path, double radius) {
@@ -108,13 +100,13 @@ double bottleneck_of(const World& world, const Path& path) {
 References compute_references(const PlanningProblem& problem, const ReferencePlanner* planner,
                               double gap, std::uint64_t seed) {
   References references;
-  references.timing.exact = timed(
+  references.timing.exact = wall_time_of(
       [&] { references.shortest = exact_shortest_path(problem, references.shortest_reason); });
   references.timing.safest =
-      timed([&] { references.safest = safest_path(problem, references.safest_reason); });
+      wall_time_of([&] { references.safest = safest_path(problem, references.safest_reason); });
   if (planner != nullptr)
     references.timing.planner =
-        timed([&] { query_planner(*planner, problem, gap, seed, references); });
+        wall_time_of([&] { query_planner(*planner, problem, gap, seed, references); });
   return references;
 }
 

@@ -4,7 +4,8 @@
 namespace slalom {
 namespace {
 
-constexpr std::uint8_t kVersion = 3;
+/// That of scenarios with moving obstacles has the earliest arrival at the end.
+constexpr std::uint8_t kVersion = 3, kVersionWithMovers = 4;
 
 void write_path(ByteWriter& out, const Path& path) {
   out.u64(path.size());
@@ -42,11 +43,35 @@ SafestPath read_safest(ByteReader& in) {
   return safest;
 }
 
+void write_arrival(ByteWriter& out, const References& references) {
+  out.text(references.arrival_reason).u8(references.arrival ? 1 : 0);
+  if (!references.arrival) return;
+  const EarliestArrival& arrival = *references.arrival;
+  out.f64(arrival.certificate.lower_bound).f64(arrival.certificate.upper_bound);
+  out.u64(arrival.plan.size());
+  for (const TimedPoint& p : arrival.plan) out.f64(p.t).f64(p.position.x).f64(p.position.y);
+}
+
+EarliestArrival read_arrival(ByteReader& in) {
+  EarliestArrival arrival;
+  arrival.certificate.lower_bound = in.f64();
+  arrival.certificate.upper_bound = in.f64();
+  arrival.plan.resize(in.count(24));
+  for (TimedPoint& p : arrival.plan) {
+    p.t = in.f64();
+    p.position.x = in.f64();
+    p.position.y = in.f64();
+  }
+  return arrival;
+}
+
 }  // namespace
 
 std::string to_bytes(const References& references) {
   ByteWriter out;
-  out.u8(kVersion).text(references.shortest_reason).text(references.safest_reason);
+  const bool has_movers = references.arrival || !references.arrival_reason.empty();
+  out.u8(has_movers ? kVersionWithMovers : kVersion);
+  out.text(references.shortest_reason).text(references.safest_reason);
   out.u8(references.shortest ? 1 : 0);
   if (references.shortest) {
     const ShortestPath& s = *references.shortest;
@@ -62,17 +87,23 @@ std::string to_bytes(const References& references) {
     out.f64(references.safest->bottleneck);
     out.text(references.safest->planner).text(references.safest->note);
   }
+  if (has_movers) write_arrival(out, references);
   return out.take();
 }
 
 References references_from_bytes(const std::string& bytes, const std::string& where) {
   ByteReader in(bytes, where);
-  in.expect_version(kVersion);
+  const std::uint8_t version = in.u8();
+  if (version != kVersion && version != kVersionWithMovers) throw in.broken("unsupported version");
   References references;
   references.shortest_reason = in.text();
   references.safest_reason = in.text();
   if (in.u8() != 0) references.shortest = read_shortest(in);
   if (in.u8() != 0) references.safest = read_safest(in);
+  if (version == kVersionWithMovers) {
+    references.arrival_reason = in.text();
+    if (in.u8() != 0) references.arrival = read_arrival(in);
+  }
   in.expect_end();
   return references;
 }

@@ -545,6 +545,20 @@ TEST_F(CampaignTest, AnUnsolvableScenarioGivesNoMetricValues) {
   EXPECT_TRUE(sink.runs[0].metrics.at("success").value.is_na());
 }
 
+TEST_F(CampaignTest, AScenarioInWhichAMoverStaysAtTheGoalIsUnsolvable) {
+  const IniFile ini = ini_for({"good"});
+  const Scenario open = Scenario::continuous("open", {0, 0, 10, 10}, {}, {1, 5, 0}, {9, 5});
+  const Scenario closed = open.with_movers({{"guard", 1, {{0, {9, 5}}}}});
+  const Campaign campaign{read_campaign_options(ini), {closed}, read_methods(ini, registry_)};
+  const auto progress = make_silent_progress();
+  RecordingSink sink;
+  run_campaign(campaign, sink, {1, *progress, nullptr});
+  ASSERT_EQ(sink.runs.size(), 2U);
+  EXPECT_EQ(sink.runs[0].outcome, "unsolvable_scenario");
+  EXPECT_EQ(sink.runs[0].outcome_detail.find("there is no arrival among the moving obstacles"), 0U)
+      << sink.runs[0].outcome_detail;
+}
+
 TEST_F(CampaignTest, AMethodThatCannotBeBuiltIsReportedBeforeTheFirstRun) {
   const auto check = [this](const std::string& kind) {
     const IniFile ini = ini_for({"good", kind});

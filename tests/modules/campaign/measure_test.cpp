@@ -74,5 +74,24 @@ TEST(MeasureRun, AttributesACollisionAsItsDetailDoes) {
   EXPECT_EQ(with_mover, 6);  // three times, for both footprints
 }
 
+TEST(FindReferences, HaveTheEarliestArrivalAmongMoversAtTheMaximumSpeed) {
+  const Scenario room = Scenario::continuous("room", {0, 0, 10, 10}, {}, {2, 5, 0}, {8, 5});
+  CampaignOptions options;
+  options.setup.robot.max_v = 0.5;
+  options.setup.simulation.goal_tolerance = 0.3;
+  const auto find = [&](const Movers& movers) {
+    return find_references(options, nullptr, {room.with_movers(movers), 0.05});
+  };
+  EXPECT_FALSE(find({}).arrival.has_value());
+  EXPECT_EQ(find({}).arrival_reason, "");
+  const References apart = find({{"aside", 0.3, {{0, {5, 9}}}}});
+  ASSERT_TRUE(apart.arrival.has_value());
+  EXPECT_NEAR(apart.arrival->certificate.lower_bound, (6 - 0.3) / 0.5, 1e-9);
+  EXPECT_NEAR(apart.arrival->certificate.upper_bound, (6 - 0.3) / 0.5, 1e-6);
+  options.setup.simulation.max_time = 11;
+  EXPECT_EQ(find({{"aside", 0.3, {{0, {5, 9}}}}}).unsolvable_reason(),
+            "the goal cannot be reached within 11 s, even without moving obstacles");
+}
+
 }  // namespace
 }  // namespace slalom

@@ -36,8 +36,29 @@ TEST(ReferenceCodec, KeepsTheFormatOfResultFiles) {
   EXPECT_EQ(to_bytes(none), expected);  // version, two texts, neither path
 }
 
+References with_arrival() {
+  References references = both();
+  references.arrival = EarliestArrival{{7, 8.5}, {{0, {0, 0}}, {3, {0, 0}}, {8.5, {3, 4}}}};
+  return references;
+}
+
+TEST(ReferenceCodec, RestoresTheEarliestArrivalOrTheReason) {
+  const References restored = references_from_bytes(to_bytes(with_arrival()), "test");
+  ASSERT_TRUE(restored.arrival.has_value());
+  EXPECT_EQ(restored.arrival->certificate.lower_bound, 7);
+  EXPECT_EQ(restored.arrival->certificate.upper_bound, 8.5);
+  ASSERT_EQ(restored.arrival->plan.size(), 3U);
+  EXPECT_EQ(restored.arrival->plan[2].t, 8.5);
+  EXPECT_EQ(restored.arrival->plan[2].position.y, 4);
+  EXPECT_EQ(restored.safest->bottleneck, 0.4);
+  EXPECT_EQ(restored.unsolvable_reason(), "");
+  References none = both();
+  none.arrival_reason = "no arrival";
+  EXPECT_EQ(references_from_bytes(to_bytes(none), "test").unsolvable_reason(), "no arrival");
+}
+
 TEST(ReferenceCodec, RejectsDamagedBytes) {
-  const std::string bytes = to_bytes(both());
+  const std::string bytes = to_bytes(with_arrival());
   for (std::size_t size = 0; size < bytes.size(); ++size)
     EXPECT_THROW(references_from_bytes(bytes.substr(0, size), "test"), Error) << size;
   EXPECT_THROW(references_from_bytes(bytes + 'x', "test"), Error);

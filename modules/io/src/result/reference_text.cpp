@@ -11,6 +11,25 @@ nlohmann::ordered_json polyline_json(const Path& path) {
   return json;
 }
 
+nlohmann::ordered_json plan_json(const std::vector<TimedPoint>& plan) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const TimedPoint& p : plan) json.push_back({p.t, p.position.x, p.position.y});
+  return json;
+}
+
+void add_arrival(const References& references, nlohmann::ordered_json& json) {
+  if (references.arrival) {
+    const EarliestArrival& a = *references.arrival;
+    json["earliest_arrival_lower_bound"] = a.certificate.lower_bound;
+    json["earliest_arrival_upper_bound"] = a.certificate.upper_bound;
+    json["earliest_arrival_gap"] = a.certificate.gap();
+    json["earliest_arrival_plan"] = plan_json(a.plan);
+  } else {
+    json["earliest_arrival_lower_bound"] = nullptr;
+    json["earliest_arrival_reason"] = references.arrival_reason;
+  }
+}
+
 nlohmann::ordered_json to_json(const References& references, const std::string& id,
                                const std::string& name) {
   nlohmann::ordered_json json = {{"id", id}, {"name", name}};
@@ -40,11 +59,14 @@ nlohmann::ordered_json to_json(const References& references, const std::string& 
     json["safest_length"] = nullptr;
     json["safest_reason"] = references.safest_reason;
   }
+  const bool has_arrival = references.arrival || !references.arrival_reason.empty();
+  if (has_arrival) add_arrival(references, json);
   const ReferenceTiming& timing = references.timing;
-  json["time_seconds"] = timing.exact + timing.planner + timing.safest;
+  json["time_seconds"] = timing.exact + timing.planner + timing.safest + timing.arrival;
   json["exact_seconds"] = timing.exact;
   json["planner_seconds"] = timing.planner;
   json["safest_seconds"] = timing.safest;
+  if (has_arrival) json["earliest_arrival_seconds"] = timing.arrival;
   return json;
 }
 

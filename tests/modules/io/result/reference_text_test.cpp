@@ -27,6 +27,24 @@ TEST(ReferenceText, JsonHasPathsAndReasons) {
   EXPECT_EQ(json["time_seconds"], 0.75);
 }
 
+TEST(ReferenceText, HasTheEarliestArrivalOfScenariosWithMovers) {
+  References references = shortest_only();
+  EXPECT_EQ(render_json(references, "a1", "room").find("arrival"), std::string::npos);
+  references.arrival = EarliestArrival{{8, 10}, {{0, {0, 0}}, {10, {3, 4}}}};
+  references.timing.arrival = 0.5;
+  auto json = nlohmann::json::parse(render_json(references, "a1", "room"));
+  EXPECT_EQ(json["earliest_arrival_lower_bound"], 8);
+  EXPECT_EQ(json["earliest_arrival_upper_bound"], 10);
+  EXPECT_EQ(json["earliest_arrival_gap"], 0.25);
+  EXPECT_EQ(json["earliest_arrival_plan"], (nlohmann::json{{0, 0, 0}, {10, 3, 4}}));
+  EXPECT_EQ(json["time_seconds"], 1.25);
+  references.arrival.reset();
+  references.arrival_reason = "there is none";
+  json = nlohmann::json::parse(render_json(references, "a1", "room"));
+  EXPECT_TRUE(json["earliest_arrival_lower_bound"].is_null());
+  EXPECT_EQ(json["earliest_arrival_reason"], "there is none");
+}
+
 TEST(ReferenceText, TextHasTheSameKeysWithoutPoints) {
   const std::string text = render_text(shortest_only(), "a1", "room");
   EXPECT_EQ(text.find("  id = a1\n  name = room\n  shortest_length = 5.0\n"), 0U) << text;

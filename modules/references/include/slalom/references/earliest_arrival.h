@@ -11,13 +11,13 @@ namespace slalom {
 struct ArrivalLimits {
   double max_speed = 1;         ///< m/s
   double goal_tolerance = 0.2;  ///< m: whoever is as near to the goal has arrived
-  double max_time = 100;        ///< s: later arrivals do not count
+  double max_time = 60;         ///< s: later arrivals do not count
 };
 
 /// The earliest arrival among the movers of the scenario, of a disc that leaves the start at time 0
 /// and moves in any direction with at most the maximum speed, knows all movements in advance, and
 /// touches neither movers nor static obstacles: no robot that turns, accelerates or senses is
-/// earlier. `shortest` is the exact path among the static obstacles.
+/// earlier. `shortest` is the reference among the static obstacles.
 ///
 /// Upper bound: the arrival of a plan by safe-interval path planning (Phillips and Likhachev 2011,
 /// "SIPP: Safe interval path planning for dynamic environments") on the points of the shortest path
@@ -44,5 +44,10 @@ struct ArrivalLimits {
 std::optional<EarliestArrival> earliest_arrival(const PlanningProblem& problem,
                                                 const ShortestPath& shortest,
                                                 const ArrivalLimits& limits, std::string& reason);
+
+/// Adds the earliest arrival, or the reason, to the references of a scenario with movers and a
+/// shortest path; nothing to others.
+void add_earliest_arrival(const PlanningProblem& problem, const ArrivalLimits& limits,
+                          References& references);
 
 }  // namespace slalom

@@ -74,6 +74,11 @@ struct References {
   ReferenceTiming timing = {};
   std::optional<EarliestArrival> arrival = std::nullopt;
   std::string arrival_reason = "";
+
+  /// Why no robot can solve the scenario, which is proved; empty if that is not known.
+  const std::string& unsolvable_reason() const {
+    return shortest ? arrival_reason : shortest_reason;
+  }
 };
 
 /// The input of a planner.
