@@ -40,8 +40,24 @@ double best_length(const MetricContext& context) {
   return context.references.shortest->exact_length;
 }
 
+namespace {
+
+std::string arrival_violation(const MetricContext& context) {
+  constexpr double kRounding = 1e-9;  // s
+  if (!context.references.arrival) return "";
+  const double earliest = context.references.arrival->certificate.lower_bound;
+  const double duration = context.trajectory.duration();
+  if (duration >= earliest - kRounding) return "";
+  return "the run is faster than possible: " + format_number(duration) +
+         " s, earliest arrival among the moving obstacles " + format_number(earliest) + " s";
+}
+
+}  // namespace
+
 std::string bound_violation(const MetricContext& context) {
   if (na_unless_reached(context) || !context.references.shortest) return "";
+  if (const std::string violation = arrival_violation(context); !violation.empty())
+    return violation;
   const Value closed = closed_length(context);
   const double best = best_length(context);
   if (closed.is_na() || closed.number() >= best) return "";

@@ -56,7 +56,8 @@
   METRIC(personal_space_time, 1, "Time in personal space", "s", Down)                      \
   METRIC(personal_space_depth, 1, "Depth of the intrusion into personal space", "m", Down) \
   METRIC(intimate_space_time, 1, "Time in intimate space", "s", Down)                      \
-  METRIC(frozen_time, 1, "Time frozen", "s", Down)
+  METRIC(frozen_time, 1, "Time frozen", "s", Down)                                         \
+  METRIC(arrival_ratio, 1, "Arrival ratio", "-", Down)
 
 namespace slalom {
 namespace metrics {

@@ -1,4 +1,5 @@
 #include "common.h"
+#include "mover_encounters.h"
 
 namespace slalom::metrics {
 
@@ -22,6 +23,17 @@ Value time_ratio(const MetricContext& context) {
   if (const auto na = na_without_time(context)) return *na;
   if (const auto na = na_without_shortest(context)) return *na;
   return Value::of(context.trajectory.duration() * context.robot.max_v / best_length(context));
+}
+
+/// T / the lower bound of the earliest arrival among movers.
+Value arrival_ratio(const MetricContext& context) {
+  if (const auto na = na_without_movers(context)) return *na;
+  if (const auto na = na_unless_reached(context)) return *na;
+  if (const auto na = na_without_shortest(context)) return *na;
+  if (!context.references.arrival) return Value::na(context.references.arrival_reason);
+  const double earliest = context.references.arrival->certificate.lower_bound;
+  if (earliest == 0) return Value::na("the start is in the goal region");
+  return Value::of(context.trajectory.duration() / earliest);
 }
 
 }  // namespace slalom::metrics

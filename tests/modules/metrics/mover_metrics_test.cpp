@@ -46,6 +46,36 @@ TEST(MoverMetrics, AreTheLastOfTheTable) {
     EXPECT_EQ(ids[i], all_metrics()[all_metrics().size() - ids.size() + i].info.id);
 }
 
+TEST(ArrivalRatio, IsTheTimeOverTheLowerBoundOfTheEarliestArrival) {
+  StandingRun run({walker({1, 1}, {1, 2}, 20)});  // for 20 s
+  run.references.arrival = EarliestArrival{{8, 10}, {}};
+  EXPECT_DOUBLE_EQ(run.number("arrival_ratio"), 20.0 / 8);
+  run.references.arrival->certificate.lower_bound = 0;
+  EXPECT_EQ(run.reason("arrival_ratio"), "the start is in the goal region");
+  run.references.arrival.reset();
+  run.references.arrival_reason = "there is none";
+  EXPECT_EQ(run.reason("arrival_ratio"), "there is none");
+  run.references.shortest.reset();
+  run.references.shortest_reason = "no path";
+  EXPECT_EQ(run.reason("arrival_ratio"), "no path");
+  run.outcome = Outcome::Timeout;
+  EXPECT_EQ(run.reason("arrival_ratio"), "outcome: timeout");
+}
+
+TEST(BoundViolation, IsARunThatIsFasterThanTheEarliestArrival) {
+  StandingRun run({walker({1, 1}, {1, 2}, 20)});
+  run.trajectory.samples.front().pose = {2, 5, 0};  // to (4, 5), and 4 m remain of 6
+  const auto violation = [&](double earliest) {
+    run.references.arrival = EarliestArrival{{earliest, 30}, {}};
+    return bound_violation(make_metric_context(run.world, run.robot, run.trajectory, run.outcome,
+                                               run.references, 60, 0.2));
+  };
+  EXPECT_EQ(violation(20), "");
+  EXPECT_EQ(
+      violation(20.5),
+      "the run is faster than possible: 20 s, earliest arrival among the moving obstacles 20.5 s");
+}
+
 TEST(PersonalSpaceTime, IsThatOfTheChordThroughTheSpace) {
   // Passes at a distance h of the centers, with 0.8 m/s.
   for (const double h : {0.6, 0.9, 1.1, 1.5}) {

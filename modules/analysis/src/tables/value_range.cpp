@@ -28,6 +28,7 @@ ValueRange range_of(const std::string& id) {
                      "time_to_goal",
                      "par2_time",
                      "time_ratio",
+                     "arrival_ratio",
                      "inverse_clearance",
                      "impact_speed",
                      "min_time_to_collision",

@@ -41,7 +41,8 @@ MetricContext make_metric_context(const World& world, const RobotModel& robot,
                                   double goal_tolerance, double safe_distance = kSafeDistance);
 
 /// How a successful run contradicts its references, or "": its length, extended to start and goal,
-/// is below the optimum of the inscribed disc. That is impossible, so it is a defect of Slalom.
+/// is below the optimum of the inscribed disc, or it ends before the lower bound of the earliest
+/// arrival. That is impossible, so it is a defect of Slalom.
 std::string bound_violation(const MetricContext& context);
 
 /// A scalar result of a run: what it is, and the function that computes it. Called trajectory
