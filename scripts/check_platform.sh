@@ -2,10 +2,12 @@
 # Builds Slalom and runs its tests in another release of Debian, in a chroot; prints what failed. Requires root, and
 # debootstrap:
 #   scripts/check_platform.sh [--folder DIR] [--mirror URL] [--jobs N] [--required-only] SUITE [CTEST_OPTION...]
+#   scripts/check_platform.sh --packages [--folder DIR] [--mirror URL] [--jobs N] SUITE
 # SUITE is a code name, for example trixie (Debian 13). DIR (default: ${TMPDIR:-/tmp}/slalom-SUITE) holds the chroot, the
 # build and the compiler cache, about 8 GB; a second call continues there, so `rm -r DIR` starts afresh. N is the number
 # of processes, default 2. With --required-only the packages of scripts/packages_test.txt are left out, and the tests that
-# need them are skipped. Tests: those that are not slow, or those that the options of ctest select (`-R Golden`).
+# need them are skipped. Tests: those that are not slow, or those that the options of ctest select (`-R Golden`). With
+# --packages the packages of that release are made instead of running tests, for scripts/check_packages.sh.
 set -euo pipefail
 script=$(realpath "$0")
 source_folder=$(dirname "$(dirname "$script")")
@@ -19,14 +21,15 @@ refuse() {
   exit 2
 }
 
-folder= mirror=http://deb.debian.org/debian jobs=2 test_packages=--tests
+folder= mirror=http://deb.debian.org/debian jobs=2 test_packages=--tests packages=
 arguments=("$@")
 while [[ ${1:-} == -* ]]; do
   case $1 in
     --help) usage && exit 0 ;;
     --required-only) test_packages= && shift && continue ;;
+    --packages) packages=1 test_packages= && shift && continue ;;
     --folder | --mirror | --jobs) [ $# -ge 2 ] || refuse "$1: expected a value" ;;
-    *) refuse "unknown option $1; expected --folder, --mirror, --jobs, --required-only or --help" ;;
+    *) refuse "unknown option $1; expected --folder, --mirror, --jobs, --required-only, --packages or --help" ;;
   esac
   declare "${1#--}=$2"
   shift 2
@@ -37,6 +40,7 @@ shift
 [[ $suite =~ ^[a-z]+$ ]] || refuse "$suite: expected the code name of a release of Debian, for example trixie"
 [[ $jobs =~ ^[1-9][0-9]*$ ]] || refuse "--jobs $jobs: expected a number of processes from 1"
 selection=("$@")
+[ -z "$packages" ] || [ $# -eq 0 ] || refuse "$1: --packages runs no tests, so it takes no options of ctest"
 [ $# -gt 0 ] || selection=(-LE slow)
 folder=${folder:-${TMPDIR:-/tmp}/slalom-$suite}
 
@@ -96,6 +100,14 @@ copy_sources
 
 step "install packages"
 inside scripts/install_packages.sh ${test_packages:+"$test_packages"}
+
+if [ "$packages" ]; then
+  step "make packages"
+  inside apt-get install -y --no-install-recommends -qq doxygen lintian >/dev/null
+  inside env CMAKE_BUILD_PARALLEL_LEVEL="$jobs" scripts/package.sh
+  echo "Check them: scripts/check_packages.sh $suite $root/slalom/$build"
+  exit 0
+fi
 
 step "build"
 inside cmake --preset release --log-level=WARNING

@@ -79,10 +79,23 @@ refuses() {
 }
 expect "the check of a platform explains itself" check_platform --help
 expect_text "by its options" "[--folder DIR]" "$work/out"
-expect_text "to the last line" "select (\`-R Golden\`)." "$work/out"
+expect_text "to the last line" "for scripts/check_packages.sh." "$work/out"
 expect "it refuses a missing name" refuses "expected the code name"
 expect "it refuses a path for a name" refuses "../trixie: expected the code name" ../trixie
 expect "it refuses no processes" refuses "--jobs 0: expected a number of processes" --jobs 0 trixie
 expect "it refuses an option without its value" refuses "--folder: expected a value" --folder
 expect "it refuses an unknown option" refuses "unknown option --fodler" --fodler /tmp trixie
+expect "packages and tests exclude each other" refuses "-R: --packages runs no tests" --packages trixie -R Golden
+
+check_packages() { "$sources/scripts/check_packages.sh" "$@" >"$work/out" 2>"$work/err"; }
+refuses_packages() {
+  local text=$1
+  shift
+  check_packages "$@"
+  [ $? -eq 2 ] && grep -qF -- "$text" "$work/err"
+}
+expect "the check of packages explains itself" check_packages --help
+expect_text "to the last line" "as it downloads a system." "$work/out"
+expect "it refuses a path for a name" refuses_packages "../trixie: expected the code name" ../trixie "$work"
+expect "it refuses a folder without packages" refuses_packages "$work: no slalom_*.deb" trixie "$work"
 exit "$failed"
