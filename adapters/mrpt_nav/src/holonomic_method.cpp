@@ -57,7 +57,10 @@ void check_config(const HolonomicOptions& options, const OptionLocation& where) 
 class HolonomicMethod : public Method {
  public:
   HolonomicMethod(HolonomicOptions options, RobotModel robot, const SensorModel& sensor)
-      : options_(std::move(options)), robot_(std::move(robot)), aperture_(sensor.aperture()) {}
+      : options_(std::move(options)),
+        sectors_(static_cast<std::size_t>(options_.sectors)),
+        robot_(std::move(robot)),
+        aperture_(sensor.aperture()) {}
 
   /// MRPT's methods store their last decision, so each run uses a new object.
   void reset(const NavigationTask& task) override {
@@ -97,15 +100,12 @@ class HolonomicMethod : public Method {
   /// Free distance of the enlarged disc in each sector, as a fraction of the reference distance.
   std::vector<double> sector_distances(const std::vector<mrpt::math::TPoint2D>& points,
                                        double radius) const {
-    const auto count = static_cast<std::size_t>(options_.sectors);
     const double limit = options_.reference_distance;
-    std::vector<double> distances(count);
-    for (std::size_t k = 0; k < count; ++k) {
-      const double direction = sector_direction(k, count);
-      const bool unseen = std::abs(direction) > 0.5 * aperture_;
-      const double unseen_distance = options_.behind == SectorState::Free ? limit : 0.0;
-      const double distance = free_distance(points, direction, radius, limit);
-      distances[k] = (unseen ? std::min(distance, unseen_distance) : distance) / limit;
+    const double unseen_distance = options_.behind == SectorState::Free ? limit : 0.0;
+    std::vector<double> distances = sectors_.free_distances(points, radius, limit);
+    for (std::size_t k = 0; k < distances.size(); ++k) {
+      const bool unseen = std::abs(sector_direction(k, distances.size())) > 0.5 * aperture_;
+      distances[k] = (unseen ? std::min(distances[k], unseen_distance) : distances[k]) / limit;
     }
     return distances;
   }
@@ -172,6 +172,7 @@ class HolonomicMethod : public Method {
   }
 
   HolonomicOptions options_;
+  Sectors sectors_;
   RobotModel robot_;
   double aperture_;
   double control_period_ = 0;                                            ///< s

@@ -20,22 +20,70 @@ std::vector<mrpt::math::TPoint2D> obstacle_points(const mrpt::obs::CObservation2
   return points;
 }
 
+namespace {
+
+/// What is left of `distance` in the direction u once a point is in the way of a disc. A disc that
+/// already touches the point may be left with less than 0.
+double distance_to(const mrpt::math::TPoint2D& p, const mrpt::math::TPoint2D& u, double radius,
+                   double distance) {
+  const double along = p.x * u.x + p.y * u.y;
+  const double lateral = p.x * u.y - p.y * u.x;
+  // Contact is not closer than radius before the point: most points need no root.
+  if (along <= 0 || along - radius >= distance || std::abs(lateral) >= radius) return distance;
+  return std::min(distance, along - std::sqrt(radius * radius - lateral * lateral));
+}
+
+mrpt::math::TPoint2D unit_vector(double direction) {
+  return {std::cos(direction), std::sin(direction)};
+}
+
+}  // namespace
+
 double free_distance(const std::vector<mrpt::math::TPoint2D>& points, double direction,
                      double radius, double limit) {
-  const double ux = std::cos(direction), uy = std::sin(direction);
+  const auto u = unit_vector(direction);
   double distance = limit;
-  for (const auto& p : points) {
-    const double along = p.x * ux + p.y * uy;
-    const double lateral = p.x * uy - p.y * ux;
-    // Contact is not closer than radius before the point: most points need no root.
-    if (along <= 0 || along - radius >= distance || std::abs(lateral) >= radius) continue;
-    distance = std::min(distance, along - std::sqrt(radius * radius - lateral * lateral));
-  }
+  for (const auto& p : points) distance = distance_to(p, u, radius, distance);
   return std::max(0.0, distance);
 }
 
 double sector_direction(std::size_t k, std::size_t n) {
   return M_PI * (-1 + 2 * (static_cast<double>(k) + 0.5) / static_cast<double>(n));
+}
+
+Sectors::Sectors(std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k)
+    directions_.push_back(unit_vector(sector_direction(k, count)));
+}
+
+/// A point is in the way in the directions within asin(radius / d) of its own, d its distance; a
+/// touched one may be in any. Only these are examined, with a margin for the angles in single
+/// precision.
+std::vector<double> Sectors::free_distances(const std::vector<mrpt::math::TPoint2D>& points,
+                                            double radius, double limit) const {
+  constexpr double kAngleMargin = 1e-4, kMargin = 1e-6;  // rad, m
+  const auto count = static_cast<long>(directions_.size());
+  const double sectors_per_radian = static_cast<double>(count) / (2 * M_PI);
+  std::vector<double> distances(directions_.size(), limit);
+  for (const auto& p : points) {
+    const double square = p.x * p.x + p.y * p.y;
+    const double reach = limit + radius + kMargin;
+    if (square > reach * reach) continue;
+    long first = 0, last = count - 1;
+    if (const double d = std::sqrt(square); d > radius + kMargin) {
+      const double bearing = std::atan2(static_cast<float>(p.y), static_cast<float>(p.x));
+      const double spread = std::asin(static_cast<float>(radius / d)) + kAngleMargin;
+      const double center = (bearing + M_PI) * sectors_per_radian - 0.5;
+      first = std::lround(std::ceil(center - spread * sectors_per_radian));
+      last = std::lround(std::floor(center + spread * sectors_per_radian));
+    }
+    for (long k = first; k <= last; ++k) {
+      const auto i = static_cast<std::size_t>((k + count) % count);
+      distances[i] = distance_to(p, directions_[i], radius, distances[i]);
+    }
+  }
+  for (double& distance : distances) distance = std::max(0.0, distance);
+  return distances;
 }
 
 }  // namespace slalom

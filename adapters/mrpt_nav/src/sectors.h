@@ -18,4 +18,17 @@ double free_distance(const std::vector<mrpt::math::TPoint2D>& points, double dir
 /// Center of sector k of n: -pi + (k + 1/2) 2 pi / n, as in MRPT's holonomic methods.
 double sector_direction(std::size_t k, std::size_t n);
 
+/// The full circle, divided evenly.
+class Sectors {
+ public:
+  explicit Sectors(std::size_t count);
+
+  /// free_distance() in the direction of each sector, equal to the bit.
+  std::vector<double> free_distances(const std::vector<mrpt::math::TPoint2D>& points, double radius,
+                                     double limit) const;
+
+ private:
+  std::vector<mrpt::math::TPoint2D> directions_;  ///< unit vectors
+};
+
 }  // namespace slalom

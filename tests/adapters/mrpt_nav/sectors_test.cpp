@@ -70,6 +70,23 @@ TEST(FreeDistance, AllowsLeavingATouchedPointButNotPenetratingIt) {
   EXPECT_DOUBLE_EQ(free_distance({{0.3, 0}}, 0.9 * M_PI, 0.5, 8), 8);
 }
 
+TEST(Sectors, HaveTheFreeDistancesOfTheirDirectionsToTheBit) {
+  RandomEngine random(8);
+  for (int round = 0; round < 400; ++round) {
+    // From points that the disc touches to points beyond the limit; the last ones at right angles.
+    auto points = random_points(random, round % 60, 0.02);
+    for (const double d : {0.35, 0.5, 2.85})
+      points.insert(points.end(), {{d, 0}, {-d, 0}, {0, -d}});
+    const std::size_t count = 8 + static_cast<std::size_t>(round) % 150;
+    const double radius = round % 3 == 0 ? 0.35 : uniform_real(random, 0.01, 1);
+    const auto distances = Sectors(count).free_distances(points, radius, 2.5);
+    ASSERT_EQ(distances.size(), count);
+    for (std::size_t k = 0; k < count; ++k)
+      ASSERT_EQ(distances[k], free_distance(points, sector_direction(k, count), radius, 2.5))
+          << "round " << round << ", sector " << k;
+  }
+}
+
 TEST(SectorDirection, DividesTheCircleEvenlyFromBehindCounterClockwise) {
   EXPECT_NEAR(sector_direction(0, 4), -0.75 * M_PI, 1e-12);
   EXPECT_NEAR(sector_direction(3, 4), 0.75 * M_PI, 1e-12);
