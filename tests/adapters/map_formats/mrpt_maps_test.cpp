@@ -231,15 +231,12 @@ void expect_grid_matches_scans(const std::string& path) {
   const COccupancyGridMap2D map = load_occupancy_grid(path);
   EXPECT_FLOAT_EQ(map.getResolution(), 0.05F);
   std::size_t free_poses = 0, ends = 0, ends_occupied = 0;
-  for (std::size_t i = 0; i < poses_and_scans.size(); ++i) {
-    mrpt::poses::CPose3DPDF::Ptr pose;
-    mrpt::obs::CSensoryFrame::Ptr frame;
-    poses_and_scans.get(i, pose, frame);
-    const mrpt::poses::CPose3D at = pose->getMeanVal();
+  for (const auto& keyframe : poses_and_scans) {
+    const mrpt::poses::CPose3D at = keyframe.pose->getMeanVal();
     free_poses +=
         map.getPos(static_cast<float>(at.x()), static_cast<float>(at.y())) >= 0.49F ? 1 : 0;
     mrpt::maps::CSimplePointsMap points;
-    frame->insertObservationsInto(points, at);
+    keyframe.sf->insertObservationsInto(points, at);
     for (std::size_t k = 0; k < points.size(); ++k) {
       float x = 0, y = 0;
       points.getPoint(k, x, y);

@@ -9,7 +9,7 @@
 
 namespace slalom {
 
-/// Figures for papers: one self-contained <svg> element each, on white. Methods have the colors of
+/// Figures for papers: one self-contained SVG element each, on white. Methods have the colors of
 /// method_color() by their index in the list given here, as in reports.
 
 /// Performance profiles (Dolan and More 2002) as step curves, with a legend.
