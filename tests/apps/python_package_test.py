@@ -191,6 +191,15 @@ class Package(unittest.TestCase):
             thread.join()
         self.assertNotIn("deadline", results["outcome"][0])
 
+    def test_modules_are_told_about_forked_workers(self):
+        told = []
+        os.register_at_fork(
+            before=lambda: told.append("before"), after_in_parent=lambda: told.append("after in parent")
+        )
+        slalom.evaluate({"direct": Direct}, small(1), **QUICK)
+        self.assertEqual(told[:2], ["before", "after in parent"])
+        self.assertEqual(told.count("before"), told.count("after in parent"))
+
     def test_ctrl_c_is_a_keyboard_interrupt(self):
         program = (
             "import slalom, sys\n"

@@ -1,5 +1,6 @@
 #include "interpreter.h"
 
+#include <slalom/core/fork.h>
 #include <slalom/core/text.h>
 
 #include <cstdlib>
@@ -46,6 +47,19 @@ void start_interpreter() {
   require(PyConfig_SetBytesString(&config, &config.executable, path.c_str()));
   require(Py_InitializeFromConfig(&config));
   PyEval_SaveThread();
+}
+
+void prepare_forks() {
+  // The lock is not given up in between, and the thread that forked holds it in the new process.
+  set_fork_hooks({[] {
+                    if (PyGILState_Check() != 0) PyOS_BeforeFork();
+                  },
+                  [] {
+                    if (PyGILState_Check() != 0) PyOS_AfterFork_Parent();
+                  },
+                  [] {
+                    if (PyGILState_Check() != 0) PyOS_AfterFork_Child();
+                  }});
 }
 
 std::string describe(const pybind11::error_already_set& error) {

@@ -11,6 +11,10 @@ namespace slalom {
 /// holds the interpreter's lock. Throws std::runtime_error if the interpreter cannot start.
 void start_interpreter();
 
+/// Makes fork_process() prepare the interpreter of a thread that holds its lock, so that the forked
+/// process may use it, too. Python 3.12 and later end a process that was forked without it.
+void prepare_forks();
+
 /// The exception on one line: "ValueError: negative gain (my_method.py:31 in step)", functions from
 /// the outermost to the one that raised it. The traceback is also printed to standard error. The
 /// caller holds the interpreter's lock.

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <pybind11/numpy.h>
 #include <system_error>
-#include <unistd.h>
 
 namespace slalom {
 namespace {
@@ -192,7 +191,9 @@ std::unique_ptr<Method> load(const PythonOptions& options, const OptionLocation&
 class PythonClass {
  public:
   PythonClass(const py::object& type, const py::object& options, std::string where)
-      : type_(type), options_(options), where_(std::move(where)), process_(getpid()) {}
+      : type_(type), options_(options), where_(std::move(where)) {
+    prepare_forks();
+  }
   // Without memory for the lock the process ends.
   // NOLINTNEXTLINE(bugprone-exception-escape)
   ~PythonClass() {
@@ -204,8 +205,6 @@ class PythonClass {
   PythonClass& operator=(const PythonClass&) = delete;
 
   std::unique_ptr<Method> create_method(const RobotModel& robot, const SensorModel& sensor) {
-    if (getpid() != process_) PyOS_AfterFork_Child();
-    process_ = getpid();
     const py::gil_scoped_acquire lock;
     // A copy, so that no method changes the options of the next.
     const py::object options = py::module_::import("copy").attr("copy")(options_);
@@ -215,7 +214,6 @@ class PythonClass {
  private:
   py::object type_, options_;
   std::string where_;
-  pid_t process_;
 };
 
 MethodFactory make_factory(const PythonOptions& options, const OptionLocation& where) {

@@ -1,5 +1,7 @@
 #include "worker_keeper.h"
 
+#include <slalom/core/fork.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -81,7 +83,7 @@ void keep_worker(int control, const std::string& scratch, const std::function<vo
   sigfillset(&all);
   sigprocmask(SIG_SETMASK, &all, &before);
   const pid_t keeper = getpid();
-  const pid_t worker = fork();
+  const pid_t worker = fork_process();
   if (worker == 0) {
     close(control);
     setsid();

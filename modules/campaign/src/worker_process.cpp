@@ -5,6 +5,7 @@
 #include "worker_socket.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/fork.h>
 #include <slalom/core/text.h>
 
 #include <cerrno>
@@ -88,7 +89,7 @@ void WorkerProcess::start(const WorkItem& item, std::size_t group) {
   SocketPair work, control;
   const std::string scratch = options_.sandbox ? make_scratch_folder() : "";
   if (options_.sandbox && scratch.empty()) throw cannot_create("folder for temporary files", errno);
-  const pid_t pid = fork();
+  const pid_t pid = fork_process();
   if (pid < 0) throw cannot_create("process", errno);
   if (pid == 0) {
     const int socket = work.far_end.number(), keeper = control.far_end.number();

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <sys/types.h>
+
+namespace slalom {
+
+/// What an interpreter in this process needs around fork(), on the thread that calls it.
+struct ForkHooks {
+  void (*before)() = nullptr;
+  void (*in_parent)() = nullptr;  ///< also if fork() fails
+  void (*in_child)() = nullptr;
+};
+
+/// For all later calls of fork_process(), also in forked processes. All three are set.
+void set_fork_hooks(const ForkHooks& hooks);
+
+/// fork() between the hooks, for processes that may use the interpreter; errno is fork()'s.
+pid_t fork_process();
+
+}  // namespace slalom

@@ -1,0 +1,31 @@
+#include <slalom/core/fork.h>
+
+#include <cerrno>
+#include <unistd.h>
+
+namespace slalom {
+namespace {
+
+ForkHooks& fork_hooks() {
+  static ForkHooks hooks;
+  return hooks;
+}
+
+}  // namespace
+
+void set_fork_hooks(const ForkHooks& hooks) {
+  fork_hooks() = hooks;
+}
+
+pid_t fork_process() {
+  const ForkHooks hooks = fork_hooks();
+  if (hooks.before != nullptr) hooks.before();
+  const pid_t pid = fork();
+  const int error = errno;
+  const auto after = pid == 0 ? hooks.in_child : hooks.in_parent;
+  if (after != nullptr) after();
+  errno = error;
+  return pid;
+}
+
+}  // namespace slalom
