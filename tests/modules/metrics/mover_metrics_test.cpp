@@ -2,6 +2,7 @@
 
 #include <slalom/metrics/mover_metrics.h>
 
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 namespace slalom::testing {
