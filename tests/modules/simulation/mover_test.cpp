@@ -5,6 +5,7 @@
 #include <slalom/references/earliest_arrival.h>
 #include <slalom/references/exact_shortest.h>
 #include <slalom/simulation/evaluate_trajectory.h>
+#include <slalom/simulation/footprint_contact.h>
 #include <slalom/simulation/mover_scan.h>
 
 #include <gtest/gtest.h>
