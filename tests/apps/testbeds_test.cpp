@@ -31,6 +31,15 @@ TEST_F(TestBeds, SlalomSmallAgreesWithTheDocumentation) {
   EXPECT_EQ(described.out.find("null"), std::string::npos) << "a scenario without a path";
 }
 
+TEST_F(TestBeds, SlalomDynamicSmallAgreesWithTheDocumentation) {
+  ASSERT_EQ(run("slalom-scenarios generate -c '" SLALOM_CONFIGS
+                "/testbeds/slalom-dynamic-small.ini' -o a.scenarios -j 2")
+                .status,
+            0);
+  EXPECT_EQ(run("slalom-scenarios list a.scenarios --hash").out,
+            documented_hash("slalom-dynamic-small") + "\n");
+}
+
 TEST_F(TestBeds, EachHasAHashInTheDocumentation) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(SLALOM_CONFIGS "/testbeds")) {
@@ -39,7 +48,7 @@ TEST_F(TestBeds, EachHasAHashInTheDocumentation) {
     EXPECT_EQ(hash.size(), 32U) << entry.path();
     ++count;
   }
-  EXPECT_EQ(count, 3U);
+  EXPECT_EQ(count, 5U);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/options.h>
 #include <slalom/generation/generator.h>
+#include <slalom/generation/moving.h>
 #include <slalom/generation/obstacles.h>
 #include <slalom/generation/start_goal.h>
 
@@ -64,6 +65,18 @@ class FamilyChecks {
   void expect_valid(const ObstacleOptions& options) const {
     expect_order("min_obstacles", options.min_obstacles, "max_obstacles", options.max_obstacles);
     expect_valid(options.size);
+  }
+
+  void expect_valid(const MoverOptions& options) const {
+    expect_order("min_movers", options.min_movers, "max_movers", options.max_movers);
+    expect_order("min_radius", options.min_radius, "max_radius", options.max_radius);
+    expect_order("min_speed", options.min_speed, "max_speed", options.max_speed);
+  }
+  /// Expects that all movers fit into a passage of that width (m).
+  void expect_movers_fit(const MoverOptions& options, double width) const {
+    expect(2 * (options.max_radius + kWallMargin) < width, "max_radius",
+           "movers do not fit between the walls",
+           "less than " + std::to_string(width / 2 - kWallMargin));
   }
 
   /// Expects that start and goal can be min_distance apart in a workspace of this size (m).

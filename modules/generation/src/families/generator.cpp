@@ -1,8 +1,12 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/generation/cellular_automaton.h>
+#include <slalom/generation/circle.h>
 #include <slalom/generation/clutter.h>
+#include <slalom/generation/corridor_flow.h>
 #include <slalom/generation/crop.h>
+#include <slalom/generation/crossing.h>
+#include <slalom/generation/doorway.h>
 #include <slalom/generation/generator.h>
 #include <slalom/generation/maze.h>
 #include <slalom/generation/perlin.h>
@@ -39,9 +43,14 @@ constexpr Family family_of() {
 /// All families; a new one is registered here.
 constexpr Family kFamilies[] = {
     family_of<CellularAutomatonOptions>(),
+    family_of<CircleOptions>(),
     family_of<ClutterOptions>(),
     family_of<CropOptions>(),
+    family_of<CrossingOptions>(),
+    family_of<DoorwayOptions>(),
     family_of<MazeOptions>(),
+    family_of<OncomingOptions>(),
+    family_of<OvertakingOptions>(),
     family_of<PerlinOptions>(),
     family_of<PoissonForestOptions>(),
     family_of<RandomGeneratorOptions>(),

@@ -1,6 +1,7 @@
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/generation/moving.h>
 #include <slalom/generation/start_goal.h>
 #include <slalom/generation/walkers.h>
 
@@ -13,7 +14,7 @@ namespace {
 using mrpt::math::TPoint2D;
 
 constexpr int kLegs = 6, kStarts = 200, kTargets = 30;
-constexpr double kWallMargin = 0.05, kStartMargin = 1, kMinLeg = 0.5;  // m
+constexpr double kStartMargin = 1, kMinLeg = 0.5;  // m
 
 TPoint2D sample_position(RandomEngine& engine, const Bounds& bounds) {
   const double x = uniform_real(engine, bounds.x_min, bounds.x_max);
@@ -59,16 +60,11 @@ class WaySampler {
   RandomEngine& engine_;
 };
 
-/// The waypoints of a walker that goes there and back at `speed` (m/s).
-std::vector<Waypoint> to_and_fro(const std::vector<TPoint2D>& way, double speed) {
-  std::vector<Waypoint> waypoints = {{0, way[0]}};
-  const auto walk_to = [&](const TPoint2D& position) {
-    const Waypoint& last = waypoints.back();
-    waypoints.push_back({last.t + distance_between(last.position, position) / speed, position});
-  };
-  for (std::size_t i = 1; i < way.size(); ++i) walk_to(way[i]);
-  for (std::size_t i = way.size() - 1; i > 0; --i) walk_to(way[i - 1]);
-  return waypoints;
+/// The way there and back.
+std::vector<TPoint2D> to_and_fro(std::vector<TPoint2D> way) {
+  const std::vector<TPoint2D> back(std::next(way.rbegin()), way.rend());
+  way.insert(way.end(), back.begin(), back.end());
+  return way;
 }
 
 }  // namespace
@@ -85,8 +81,8 @@ Movers sample_walkers(const World& world, double robot_radius, const WalkerOptio
       throw job_error(world.scenario().name(),
                       "no way for a walker of radius " + format_fixed(radius, 2) + " m",
                       "smaller walkers, or fewer obstacles");
-    walkers.push_back(
-        {"walker_" + std::to_string(i), radius, to_and_fro(way, speed), MoverEnd::Loop});
+    walkers.push_back({"walker_" + std::to_string(i), radius, walk_along(to_and_fro(way), speed),
+                       MoverEnd::Loop});
   }
   return walkers;
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <slalom/generation/generator.h>
+#include <slalom/generation/moving.h>
+
+namespace slalom {
+
+/// Section [generator.crossing]: movers that cross the way of the robot in an empty room.
+struct CrossingOptions {
+  static constexpr char kFamily[] = "crossing";
+  double width = 14, height = 10;  ///< m
+  double max_turn_deg = 30;        ///< between a mover's way and the normal of the robot's
+  MoverOptions movers;
+  StartGoalOptions start_goal = {0.8, 8, 1};
+
+  void visit(OptionVisitor& v);
+};
+
+/// Each mover walks to and fro on a line through a point between start and goal, from border to
+/// border; it begins anywhere on it.
+std::unique_ptr<Generator> make_generator(const CrossingOptions& options,
+                                          const GeneratorContext& context = {});
+
+}  // namespace slalom

@@ -1,0 +1,56 @@
+#include <slalom/core/distance.h>
+#include <slalom/generation/moving.h>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+/// Whether no leg is shorter than scenarios may contain.
+bool has_long_legs(const std::vector<Waypoint>& walk) {
+  constexpr double kShortest = 0.01;  // s
+  for (std::size_t i = 1; i < walk.size(); ++i)
+    if (walk[i].t - walk[i - 1].t < kShortest) return false;
+  return walk.size() > 1;
+}
+
+}  // namespace
+
+std::vector<Waypoint> walk_along(const std::vector<TPoint2D>& way, double speed, double begin) {
+  std::vector<Waypoint> waypoints = {{0, way[0]}};
+  if (begin > 0) waypoints.push_back({begin, way[0]});
+  for (std::size_t i = 1; i < way.size(); ++i)
+    waypoints.push_back(
+        {waypoints.back().t + distance_between(way[i - 1], way[i]) / speed, way[i]});
+  return waypoints;
+}
+
+Movers sample_movers(RandomEngine& engine, const MoverOptions& options, MoverEnd after,
+                     const TPoint2D& start, double clear_radius, const WalkSampler& sample) {
+  constexpr int kTries = 60;
+  const int count = uniform_int(engine, options.min_movers, options.max_movers);
+  Movers movers;
+  for (int i = 0; i < count; ++i) {
+    const double radius = uniform_real(engine, options.min_radius, options.max_radius);
+    const double speed = uniform_real(engine, options.min_speed, options.max_speed);
+    for (int k = 0; k < kTries; ++k) {
+      std::vector<Waypoint> walk = sample(radius, speed);
+      if (!has_long_legs(walk) || distance_between(walk[0].position, start) < radius + clear_radius)
+        continue;
+      movers.push_back({"mover_" + std::to_string(movers.size()), radius, std::move(walk), after});
+      break;
+    }
+  }
+  return movers;
+}
+
+void MoverOptions::visit(OptionVisitor& v) {
+  v.option("min_movers", min_movers, "-", "minimum number of movers", Range::between(0, 1000));
+  v.option("max_movers", max_movers, "-", "maximum number of movers", Range::between(0, 1000));
+  v.option("min_radius", min_radius, "m", "minimum radius of a mover", Range::positive());
+  v.option("max_radius", max_radius, "m", "maximum radius of a mover", Range::positive());
+  v.option("min_speed", min_speed, "m/s", "minimum speed of a mover", Range::between(0.01, 100));
+  v.option("max_speed", max_speed, "m/s", "maximum speed of a mover", Range::between(0.01, 100));
+}
+
+}  // namespace slalom
