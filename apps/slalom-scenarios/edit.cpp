@@ -2,6 +2,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/io/movers_file.h>
 
 namespace slalom {
 namespace {
@@ -26,6 +27,44 @@ void rename(const EditArguments& arguments) {
   make_rename_scenario(list, list.find_entry(one.id).hash, arguments.name)->execute();
 }
 
+struct MoversArguments {
+  ListArguments one;
+  std::string file;
+  bool remove = false;
+  MoversFileOptions options;
+};
+
+void set_movers(const MoversArguments& arguments) {
+  if (arguments.file.empty() != arguments.remove)
+    throw usage_error("movers", "a file and --remove exclude each other", "one of them");
+  ScenarioList list = ScenarioList::open(arguments.one.list);
+  const std::string hash = list.find_entry(arguments.one.id).hash;
+  Movers movers;
+  if (!arguments.remove) movers = load_movers_file(arguments.file, arguments.options);
+  make_edit_scenario(list, hash, list.read(hash).with_movers(movers))->execute();
+}
+
+void add_movers_verb(CLI::App& app) {
+  static MoversArguments arguments;
+  CLI::App* verb =
+      add_list_verb(app, "movers", "Replace the moving obstacles of a scenario by those of a file",
+                    arguments.one);
+  add_scenario_argument(*verb, arguments.one);
+  verb->add_option(
+      "file", arguments.file,
+      "CSV with the columns id, t, x, y and optionally r, or an obsmat.txt (ETH, UCY)");
+  verb->add_flag("--remove", arguments.remove, "Remove all instead");
+  verb->add_option("--radius", arguments.options.radius, "Radius without a column r, m")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--begin", arguments.options.begin, "Time in the file at which runs begin, s")
+      ->capture_default_str();
+  verb->add_option("--frame-rate", arguments.options.frame_rate,
+                   "Frames per second of the recording; required for an obsmat.txt")
+      ->check(CLI::PositiveNumber);
+  verb->callback([] { set_movers(arguments); });
+}
+
 }  // namespace
 
 void add_edit_verbs(CLI::App& app) {
@@ -39,6 +78,8 @@ void add_edit_verbs(CLI::App& app) {
   add_scenario_argument(*verb, renamed.filter.list);
   verb->add_option("--name", renamed.name, "The new name")->required();
   verb->callback([] { rename(renamed); });
+
+  add_movers_verb(app);
 }
 
 }  // namespace slalom

@@ -13,7 +13,7 @@ void add_show_verbs(CLI::App& app);      ///< list, show, render
 void add_describe_verb(CLI::App& app);   ///< describe
 void add_select_verbs(CLI::App& app);    ///< select, copy, move, delete
 void add_lists_verbs(CLI::App& app);     ///< create, merge, dedupe, split
-void add_edit_verbs(CLI::App& app);      ///< tag, rename
+void add_edit_verbs(CLI::App& app);      ///< tag, rename, movers
 void add_index_verbs(CLI::App& app);     ///< index create, drop, list, show
 void add_convert_verbs(CLI::App& app);   ///< convert, export
 void add_reference_verb(CLI::App& app);  ///< reference

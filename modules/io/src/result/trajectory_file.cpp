@@ -1,3 +1,4 @@
+#include "../text_lines.h"
 #include "derived_speeds.h"
 
 #include <slalom/core/distance.h>
@@ -29,59 +30,9 @@ using Row = std::array<double, 10>;
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-/// Iterates over the lines with content, with line numbers.
-class Lines {
- public:
-  Lines(const std::string& text, std::string where) : text_(text), where_(std::move(where)) {
-    constexpr char kByteOrderMark[] = "\xEF\xBB\xBF";
-    if (text_.compare(0, 3, kByteOrderMark) == 0) begin_ = 3;
-  }
-
-  bool next(std::string& line) {
-    while (begin_ < text_.size()) {
-      const std::size_t end = std::min(text_.find('\n', begin_), text_.size());
-      line = trim(text_.substr(begin_, end - begin_));
-      begin_ = end + 1;
-      ++number_;
-      if (!line.empty() && line[0] != '#') return true;
-    }
-    return false;
-  }
-
-  Error error(const std::string& what, const std::string& expected) const {
-    return file_error(where_ + ":" + std::to_string(number_), what, expected);
-  }
-
- private:
-  const std::string& text_;
-  std::string where_;
-  std::size_t begin_ = 0, number_ = 0;
-};
-
-std::vector<std::string> split_at_blanks(const std::string& line) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = line.find_first_not_of(" \t"); begin != std::string::npos;) {
-    const std::size_t end = std::min(line.find_first_of(" \t", begin), line.size());
-    parts.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(" \t", end);
-  }
-  return parts;
-}
-
-std::vector<double> numbers_of(const std::vector<std::string>& fields, std::size_t count,
-                               const Lines& lines) {
-  if (fields.size() != count)
-    throw lines.error(std::to_string(fields.size()) + " fields",
-                      std::to_string(count) + " numbers");
-  std::vector<double> numbers(count);
-  for (std::size_t i = 0; i < count; ++i)
-    if (!parse_number(fields[i], numbers[i]))
-      throw lines.error("invalid number in field " + std::to_string(i + 1), "a finite number");
-  return numbers;
-}
-
 /// The index in Row of each column of the header.
-std::vector<std::size_t> read_header(const std::vector<std::string>& names, const Lines& lines) {
+std::vector<std::size_t> read_header(const std::vector<std::string>& names,
+                                     const TextLines& lines) {
   std::vector<std::size_t> indexes;
   for (const std::string& name : names) {
     const auto found = std::find(kColumns.begin(), kColumns.end(), name);
@@ -106,7 +57,7 @@ double wrapped(double angle) {
 /// Collects samples and checks their plausibility.
 class Collector {
  public:
-  void add(const Row& row, const Lines& lines) {
+  void add(const Row& row, const TextLines& lines) {
     auto& samples = trajectory_.samples;
     Sample sample;
     sample.t = row[0];
@@ -117,7 +68,7 @@ class Collector {
     samples.push_back(sample);
   }
 
-  Trajectory take(const Lines& lines) {
+  Trajectory take(const TextLines& lines) {
     if (trajectory_.samples.size() < 2)
       throw lines.error("only " + std::to_string(trajectory_.samples.size()) + " samples",
                         "at least 2 samples");
@@ -125,7 +76,7 @@ class Collector {
   }
 
  private:
-  void check(const Sample& before, const Sample& now, const Lines& lines) {
+  void check(const Sample& before, const Sample& now, const TextLines& lines) {
     if (!(now.t > before.t))
       throw lines.error(
           "t = " + format_number(now.t) + " does not follow " + format_number(before.t),
@@ -164,7 +115,7 @@ TrajectoryFile complete(Trajectory trajectory, const std::vector<bool>& has, boo
   return file;
 }
 
-TrajectoryFile read_csv(const std::string& header, Lines& lines, bool sideways) {
+TrajectoryFile read_csv(const std::string& header, TextLines& lines, bool sideways) {
   const std::vector<std::size_t> indexes = read_header(split(header, ','), lines);
   std::vector<bool> has(kColumns.size(), false);
   for (const std::size_t index : indexes) has[index] = true;
@@ -182,14 +133,14 @@ TrajectoryFile read_csv(const std::string& header, Lines& lines, bool sideways) 
 }
 
 /// The yaw of a unit quaternion: the heading of the rotated x axis in the plane.
-double yaw_of(double qx, double qy, double qz, double qw, const Lines& lines) {
+double yaw_of(double qx, double qy, double qz, double qw, const TextLines& lines) {
   const double norm = std::sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
   if (!(std::abs(norm - 1) < 0.01))
     throw lines.error("quaternion norm is " + format_number(norm), "a unit quaternion");
   return std::atan2(2 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz);
 }
 
-TrajectoryFile read_tum(std::string line, Lines& lines, bool sideways) {
+TrajectoryFile read_tum(std::string line, TextLines& lines, bool sideways) {
   Collector collector;
   do {
     const auto n = numbers_of(split_at_blanks(line), 8, lines);
@@ -204,7 +155,7 @@ TrajectoryFile read_tum(std::string line, Lines& lines, bool sideways) {
 
 TrajectoryFile trajectory_from_text(const std::string& text, const std::string& where,
                                     bool sideways) {
-  Lines lines(text, where);
+  TextLines lines(text, where);
   std::string line;
   if (!lines.next(line))
     throw file_error(where, "empty file", "a trajectory as CSV with a header line, or as TUM");

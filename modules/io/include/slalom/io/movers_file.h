@@ -1,0 +1,34 @@
+#pragma once
+
+#include <slalom/scenario/mover.h>
+
+#include <string>
+
+namespace slalom {
+
+struct MoversFileOptions {
+  double radius = 0.3;    ///< m, of movers without one in the file
+  double begin = 0;       ///< s, the time in the file at which a run begins
+  double frame_rate = 0;  ///< frames per second, of files with frames; 0: unknown
+};
+
+/// Reads positions of people or robots over time, detected from the first line, as movers that are
+/// present from their first position to their last one:
+///
+/// - CSV with a header line: id, t, x, y and optionally r, in any order; t in s, others in m.
+/// - `obsmat.txt` of the ETH data set (Pellegrini et al. 2009, "You'll never walk alone"), also in
+///   use for UCY: eight numbers a line, of which the frame, the id and the positions in m (third
+///   and fifth) are used.
+///
+/// Times before `begin` are dropped; the position at `begin` is interpolated. Lines that are empty
+/// or begin with '#' are ignored. Ids are those of the file, in its order.
+///
+/// Throws Error (File) with line and what was expected for: non-finite numbers, times of an id that
+/// do not increase, different radii of an id, unknown, duplicate or missing columns, more than a
+/// million lines, movers that check_movers() refuses, no position at or after `begin`, frames
+/// without a frame rate, and what read_file() refuses.
+Movers load_movers_file(const std::string& path, const MoversFileOptions& options = {});
+Movers movers_from_text(const std::string& text, const std::string& where,
+                        const MoversFileOptions& options = {});
+
+}  // namespace slalom

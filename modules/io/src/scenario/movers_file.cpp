@@ -1,0 +1,140 @@
+#include "../text_lines.h"
+
+#include <slalom/core/read_file.h>
+#include <slalom/core/text.h>
+#include <slalom/io/movers_file.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace slalom {
+namespace {
+
+constexpr std::size_t kMaxLines = 1'000'000;
+
+/// Collects the positions of movers in the order of the file.
+class MoverCollector {
+ public:
+  MoverCollector(const TextLines& lines, const MoversFileOptions& options)
+      : lines_(lines), options_(options) {}
+
+  void add(const std::string& id, double t, double x, double y, double radius) {
+    if (++count_ > kMaxLines) throw lines_.error("too many lines", "at most a million");
+    const auto [found, is_new] = index_of_.try_emplace(id, movers_.size());
+    if (is_new) movers_.push_back({id, radius, {}, MoverEnd::Vanish});
+    Mover& mover = movers_[found->second];
+    if (mover.radius != radius)
+      throw lines_.error("another radius of '" + id + "'", "one radius for each id");
+    t -= options_.begin;
+    if (!is_new && !(t > mover.waypoints.back().t))
+      throw lines_.error("a time of '" + id + "' that does not follow the one before it",
+                         "times that increase");
+    mover.waypoints.push_back({t, {x, y}});
+  }
+
+  Movers take(const std::string& where) {
+    Movers movers;
+    for (Mover& mover : movers_)
+      if (mover.waypoints.back().t >= 0) movers.push_back(from_begin(std::move(mover)));
+    if (movers.empty())
+      throw file_error(where, "no position at or after " + format_number(options_.begin) + " s",
+                       "an earlier begin");
+    check_movers(where, movers);
+    return movers;
+  }
+
+ private:
+  static Mover from_begin(Mover mover) {
+    auto& waypoints = mover.waypoints;
+    const auto first = std::find_if(waypoints.begin(), waypoints.end(),
+                                    [](const Waypoint& w) { return w.t >= 0; });
+    if (first == waypoints.begin()) return mover;
+    // Nearer than the shortest leg, the next position counts as that at the beginning.
+    constexpr double kShortest = 1e-3;  // s
+    const auto at_begin = mover.position(0);
+    if (first->t < kShortest) {
+      first->t = 0;
+      waypoints.erase(waypoints.begin(), first);
+    } else {
+      *std::prev(first) = {0, at_begin};
+      waypoints.erase(waypoints.begin(), std::prev(first));
+    }
+    return mover;
+  }
+
+  const TextLines& lines_;
+  MoversFileOptions options_;
+  Movers movers_;
+  std::map<std::string, std::size_t> index_of_;
+  std::size_t count_ = 0;
+};
+
+/// The column of each of kNames; -1 for a missing radius.
+std::array<int, 5> read_columns(const std::vector<std::string>& columns, const TextLines& lines) {
+  static const std::vector<std::string> kNames = {"id", "t", "x", "y", "r"};
+  std::array<int, 5> indexes = {-1, -1, -1, -1, -1};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto found = std::find(kNames.begin(), kNames.end(), columns[i]);
+    if (found == kNames.end())
+      throw lines.error("unknown column '" + columns[i] + "'", "a header line with id, t, x, y, r");
+    int& index = indexes[static_cast<std::size_t>(found - kNames.begin())];
+    if (index >= 0) throw lines.error("duplicate column '" + columns[i] + "'", "each column once");
+    index = static_cast<int>(i);
+  }
+  for (std::size_t i = 0; i < 4; ++i)
+    if (indexes[i] < 0)
+      throw lines.error("missing column '" + kNames[i] + "'", "a header line with id, t, x, y");
+  return indexes;
+}
+
+void read_csv(const std::string& header, TextLines& lines, double default_radius,
+              MoverCollector& movers) {
+  const std::vector<std::string> columns = split(header, ',');
+  const std::array<int, 5> indexes = read_columns(columns, lines);
+  for (std::string line; lines.next(line);) {
+    std::vector<std::string> fields = split(line, ',');
+    const auto id_column = static_cast<std::size_t>(indexes[0]);
+    std::string id;
+    if (id_column < fields.size()) id = std::exchange(fields[id_column], "0");
+    const std::vector<double> numbers = numbers_of(fields, columns.size(), lines);
+    const auto value = [&](std::size_t i) { return numbers[static_cast<std::size_t>(indexes[i])]; };
+    movers.add(id, value(1), value(2), value(3), indexes[4] < 0 ? default_radius : value(4));
+  }
+}
+
+void read_obsmat(std::string line, TextLines& lines, const MoversFileOptions& options,
+                 MoverCollector& movers) {
+  if (!(options.frame_rate > 0))
+    throw lines.error("frames instead of times", "the frame rate of the recording");
+  do {
+    const auto n = numbers_of(split_at_blanks(line), 8, lines);
+    if (n[1] != std::round(n[1]) || std::abs(n[1]) > 1e9)
+      throw lines.error("invalid id in field 2", "an integer");
+    movers.add(std::to_string(std::lround(n[1])), n[0] / options.frame_rate, n[2], n[4],
+               options.radius);
+  } while (lines.next(line));
+}
+
+}  // namespace
+
+Movers movers_from_text(const std::string& text, const std::string& where,
+                        const MoversFileOptions& options) {
+  TextLines lines(text, where);
+  std::string line;
+  const std::string expected = "CSV with the columns id, t, x, y, or an obsmat.txt";
+  if (!lines.next(line)) throw file_error(where, "empty file", expected);
+  MoverCollector movers(lines, options);
+  if (line.find(',') != std::string::npos)
+    read_csv(line, lines, options.radius, movers);
+  else
+    read_obsmat(line, lines, options, movers);
+  return movers.take(where);
+}
+
+Movers load_movers_file(const std::string& path, const MoversFileOptions& options) {
+  return movers_from_text(read_file(path, "positions of movers"), path, options);
+}
+
+}  // namespace slalom

@@ -1,0 +1,87 @@
+#include "error_text.h"
+
+#include <slalom/core/error.h>
+#include <slalom/io/movers_file.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+testing::AssertionResult refuses(const std::string& text, const std::string& message,
+                                 const MoversFileOptions& options = {}) {
+  return throws_error(ErrorKind::File, message, {}, [&] { movers_from_text(text, "f", options); });
+}
+
+TEST(MoversFile, HasAMoverForEachIdInTheOrderOfTheFile) {
+  const Movers movers = movers_from_text(
+      "# recorded by hand\n\nid, t, x, y, r\nb,0,1,2,0.25\na,0.5,5,5,0.4\nb,2,3,2,0.25\n", "f");
+  ASSERT_EQ(movers.size(), 2U);
+  const Mover b = {"b", 0.25, {{0, {1, 2}}, {2, {3, 2}}}, MoverEnd::Vanish};
+  const Mover a = {"a", 0.4, {{0.5, {5, 5}}}, MoverEnd::Vanish};
+  EXPECT_EQ(movers[0], b);
+  EXPECT_EQ(movers[1], a);
+}
+
+TEST(MoversFile, ColumnsMayBeInAnyOrderAndTheRadiusMissing) {
+  MoversFileOptions options;
+  options.radius = 0.2;
+  const Movers movers = movers_from_text("y,x,t,id\n2,1,0,7\n2,4,3,7\n", "f", options);
+  const Mover expected = {"7", 0.2, {{0, {1, 2}}, {3, {4, 2}}}, MoverEnd::Vanish};
+  EXPECT_EQ(movers, Movers{expected});
+}
+
+TEST(MoversFile, TheRunBeginsAtTheGivenTimeOfTheFile) {
+  MoversFileOptions options;
+  options.begin = 11;
+  const Movers movers = movers_from_text(
+      "id,t,x,y\ngone,1,0,0\nhere,9,0,0\nhere,10,1,0\nhere,12,3,0\nlater,14,5,5\non_time,10,0,1\n"
+      "on_time,11,2,1\non_time,12,3,1\n",
+      "f", options);
+  ASSERT_EQ(movers.size(), 3U);
+  // Halfway between (1, 0) at 10 s and (3, 0) at 12 s.
+  EXPECT_EQ(movers[0].waypoints[0].position, TPoint2D(2, 0));
+  EXPECT_EQ(movers[0].waypoints[0].t, 0);
+  EXPECT_EQ(movers[0].waypoints[1].t, 1);
+  EXPECT_EQ(movers[1].waypoints[0].t, 3);
+  EXPECT_EQ(movers[2].waypoints.size(), 2U);
+  EXPECT_EQ(movers[2].waypoints[0].position, TPoint2D(2, 1));
+}
+
+TEST(MoversFile, FramesOfObsmatAreTimesByTheFrameRate) {
+  MoversFileOptions options;
+  options.frame_rate = 15;
+  const Movers movers = movers_from_text(
+      "  7.8e+02 1.0e+00 8.5e+00 0 3.6e+00 1.7 0 0.1\n 7.86e+02 1 9.1 0 3.7 1.7 0 0.1\n", "f",
+      options);
+  ASSERT_EQ(movers.size(), 1U);
+  EXPECT_EQ(movers[0].id, "1");
+  EXPECT_EQ(movers[0].radius, 0.3);
+  EXPECT_DOUBLE_EQ(movers[0].waypoints[0].t, 52);
+  EXPECT_DOUBLE_EQ(movers[0].waypoints[1].t, 52.4);
+  EXPECT_EQ(movers[0].waypoints[1].position, TPoint2D(9.1, 3.7));
+}
+
+TEST(MoversFile, ErrorsNameTheLineAndWhatWasExpected) {
+  EXPECT_TRUE(refuses("", "f: empty file; expected CSV with the columns id, t, x, y"));
+  EXPECT_TRUE(refuses("id,t,x\n", "f:1: missing column 'y'"));
+  EXPECT_TRUE(refuses("id,t,x,y,z\n", "f:1: unknown column 'z'"));
+  EXPECT_TRUE(refuses("id,t,x,x\n", "f:1: duplicate column 'x'"));
+  EXPECT_TRUE(refuses("id,t,x,y\na,0,1\n", "f:2: 3 fields; expected 4 numbers"));
+  EXPECT_TRUE(refuses("id,t,x,y\na,0,nan,2\n", "f:2: invalid number in field 3"));
+  EXPECT_TRUE(refuses("id,t,x,y\na,1,0,0\nb,1,0,0\na,1,1,0\n",
+                      "f:4: a time of 'a' that does not follow the one before it"));
+  EXPECT_TRUE(refuses("id,t,x,y,r\na,0,0,0,0.3\na,1,0,0,0.4\n", "f:3: another radius of 'a'"));
+  EXPECT_TRUE(refuses("id,t,x,y,r\na,0,0,0,-1\n", "f"));
+  EXPECT_TRUE(refuses("id,t,x,y\n", "f: no position at or after 0 s"));
+  EXPECT_TRUE(refuses("1 1 2 0 3 0 0 0\n", "f:1: frames instead of times"));
+  MoversFileOptions options;
+  options.frame_rate = 25;
+  EXPECT_TRUE(refuses("1 1 2 0 3\n", "f:1: 5 fields; expected 8 numbers", options));
+  EXPECT_TRUE(refuses("1 1.5 2 0 3 0 0 0\n", "f:1: invalid id in field 2", options));
+}
+
+}  // namespace
+}  // namespace slalom
