@@ -45,7 +45,7 @@ const std::vector<ExportFormat>& export_formats() {
       {"mrpt", ".gridmap.gz", "MRPT occupancy grid", write_mrpt_map},
       {"mvsim", ".xml", "mvsim world with an occupancy grid", write_mvsim_world},
       {"svg", ".svg", "image", write_svg, true},
-      {"png", ".png", "image", write_png},
+      {"png", ".png", "image", write_png, true},
   };
   return formats;
 }

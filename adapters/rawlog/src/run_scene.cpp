@@ -52,6 +52,7 @@ SceneOptions scene_at(const RecordedRun& run, std::size_t sample, const RobotMod
   SceneOptions scene;
   scene.max_pixels = max_pixels;
   scene.robot_radius = robot.radius;
+  scene.time = run.trajectory.samples[sample].t;
   if (sample < run.cycles.size())
     for (const TPoint2D& end : scan_ends(run, sample))
       scene.trajectories.push_back(line({center, end}, kRayColor));

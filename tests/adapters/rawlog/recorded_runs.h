@@ -70,7 +70,7 @@ inline Scenario some_discs() {
   return Scenario::continuous("some discs", {0, 0, 10, 10}, obstacles, {1, 5, 0.1}, {9, 5});
 }
 
-/// A run of `method` among some discs, recorded at `path`.
+/// A run of `method` in a scenario, recorded at `path`.
 struct SimulatedRun {
   SimulationResult result;
   NavigationTask task;
@@ -78,8 +78,8 @@ struct SimulatedRun {
 };
 
 inline SimulatedRun simulate_run(const std::string& path, Method& method, const RunSetup& setup,
-                                 std::uint64_t seed = 7) {
-  const World world(some_discs(), setup.simulation.resolution);
+                                 std::uint64_t seed = 7, const Scenario& scenario = some_discs()) {
+  const World world(scenario, setup.simulation.resolution);
   const IniFile ini = IniFile::from_text("[campaign]\nseed = 3\nmethods = m\n[method.m]\nx = 1\n");
   const auto recorder = make_rawlog_recorder(
       path, make_run_manifest(ini.canonical_text(), world.scenario(), "m", 2, seed));

@@ -1,6 +1,7 @@
 #include "recorded_runs.h"
 
 #include <slalom/core/read_file.h>
+#include <slalom/rawlog/run_scene.h>
 
 #include <mrpt/obs/CRawlog.h>
 
@@ -47,6 +48,28 @@ void expect_same_run(const RecordedRun& read, const SimulatedRun& simulated) {
   ASSERT_EQ(read.cycles.size(), simulated.cycles.size());
   for (std::size_t i = 0; i < simulated.cycles.size(); ++i)
     expect_same_cycle(read.cycles[i], simulated.cycles[i]);
+}
+
+TEST_F(RunRecorder, HasMoversInItsScansAndInItsScenario) {
+  // The robot stands at (1, 5) and looks along x at a disc of 0.5 m, which comes at 1 m/s.
+  const Movers movers = {{"walker", 0.5, {{0, {6, 5}}, {2, {4, 5}}}, MoverEnd::Stop}};
+  const Scenario scenario = Scenario::continuous("walk", {0, 0, 10, 10}, {}, {1, 5, 0}, {9, 5});
+  RunSetup setup;
+  setup.simulation.max_time = 2;
+  auto method = testing::constant_method(0, 0);
+  simulate_run(path("run.rawlog"), method, setup, 7, scenario.with_movers(movers));
+  const RecordedRun read = read_run(path("run.rawlog"));
+  ASSERT_GT(read.cycles.size(), 10U);
+  for (const RecordedCycle& cycle : read.cycles) {
+    const std::size_t ahead = cycle.scan->getScanSize() / 2;
+    ASSERT_NEAR(cycle.scan->getScanAngle(ahead), 0, 1e-6);
+    EXPECT_NEAR(static_cast<double>(cycle.scan->getScanRange(ahead)),
+                6 - cycle.observation.time - 0.5 - 1, 1e-5);
+  }
+  EXPECT_EQ(scenario_from_yaml(read.manifest.scenario_yaml, "manifest").movers(), movers);
+  const SceneOptions picture = scene_at(read, 10, setup.robot, 100);
+  EXPECT_EQ(picture.time, read.trajectory.samples[10].t);
+  EXPECT_NEAR(movers[0].position(*picture.time).x, 6 - read.cycles[10].observation.time, 1e-9);
 }
 
 TEST_F(RunRecorder, ReadsBackABitIdenticalRun) {

@@ -17,6 +17,7 @@ using mrpt::img::TColor;
 using mrpt::math::TPoint2D;
 
 const TColor kObstacle(0x8a, 0x8f, 0x98), kStart(0x0b, 0x6e, 0x4f), kGoal(0xb0, 0x00, 0x20);
+const TColor kMover(0xe0, 0xa0, 0x30), kMoverEdge(0x8a, 0x5a, 0x00);
 const TColor kShortest(0x11, 0x11, 0x11), kSafest(0x77, 0x77, 0x77);
 
 TColor color_of(const SceneTrajectory& trajectory, std::size_t index) {
@@ -65,6 +66,15 @@ class Canvas {
     image_.drawCircle(round(at.x), round(at.y), round(radius * frame_.scale()), color, width);
   }
 
+  void disc(const TPoint2D& center, double radius, const TColor& color) {
+    const TPoint2D at = frame_.to_pixels(center);
+    const int x = round(at.x), y = round(at.y), r = round(radius * frame_.scale());
+    for (int dy = -r; dy <= r; ++dy) {
+      const int half = static_cast<int>(std::sqrt(static_cast<double>(r) * r - dy * dy));
+      image_.line(x - half, y + dy, x + half, y + dy, color);
+    }
+  }
+
   void save(const std::string& path) const { write_png(image_, path); }
 
  private:
@@ -73,6 +83,16 @@ class Canvas {
   SvgFrame frame_;
   CImage image_;
 };
+
+void draw_mover(Canvas& canvas, const Mover& mover, const std::optional<double>& time) {
+  Path path;
+  for (const Waypoint& waypoint : mover.waypoints) path.push_back(waypoint.position);
+  canvas.path(path, kMoverEdge, 1);
+  const double t = instant_shown(mover, time);
+  if (!mover.present(t)) return;
+  canvas.disc(mover.position(t), mover.radius, kMover);
+  canvas.circle(mover.position(t), mover.radius, kMoverEdge, 1);
+}
 
 }  // namespace
 
@@ -86,6 +106,7 @@ void write_png(const CImage& image, const std::string& path) {
 void render_png(const Scenario& scenario, const SceneOptions& options, const std::string& path) {
   Canvas canvas(scenario, options.max_pixels);
   canvas.obstacles(make_occupancy(scenario, 1 / canvas.scale()));
+  for (const Mover& mover : scenario.movers()) draw_mover(canvas, mover, options.time);
   if (options.references != nullptr) {
     if (options.references->safest) canvas.path(options.references->safest->path, kSafest, 1);
     if (options.references->shortest) canvas.path(options.references->shortest->path, kShortest, 1);

@@ -3,6 +3,7 @@
 #include <slalom/scenario/scenario.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace slalom {
@@ -28,5 +29,11 @@ class SvgFrame {
 /// The obstacles of a scenario: primitives as they are, cells merged into rectangles. Cells smaller
 /// than a pixel are grouped into blocks, occupied if any of their cells is.
 std::string obstacles_svg(const Scenario& scenario, const SvgFrame& frame);
+
+/// The time (s) for which a picture shows the mover: that of the picture, or that at which it is
+/// first present during the run.
+inline double instant_shown(const Mover& mover, const std::optional<double>& time) {
+  return time.value_or(std::max(0.0, mover.waypoints.front().t));
+}
 
 }  // namespace slalom

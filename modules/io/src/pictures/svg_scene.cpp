@@ -68,11 +68,11 @@ class Picture {
   }
 
  private:
-  /// Its path, and its disc where it is when the run begins, or where it appears later.
+  /// Its path, and its disc where it is at the time of the picture.
   void draw(const Mover& mover) {
     Path path;
     for (const Waypoint& waypoint : mover.waypoints) path.push_back(waypoint.position);
-    const double t = std::max(0.0, mover.waypoints.front().t);
+    const double t = instant_shown(mover, options_.time);
     const std::string title = "mover " + mover.id + " at " + format_number(t) + " s";
     svg_ += line(path, "mover", "#8a5a00", "stroke-width=\"1\" stroke-dasharray=\"4 2\"", title);
     if (!mover.present(t)) return;

@@ -10,7 +10,7 @@ namespace slalom {
 Path scan_ends(const RecordedRun& run, std::size_t cycle);
 
 /// The picture of a run at one sample of its trajectory: robot, scan (there is none after the last
-/// cycle), traveled path.
+/// cycle), traveled path, and the time at which movers are drawn.
 SceneOptions scene_at(const RecordedRun& run, std::size_t sample, const RobotModel& robot,
                       int max_pixels);
 

@@ -4,6 +4,7 @@
 #include <slalom/scenario/scenario.h>
 #include <slalom/trajectory/trajectory.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,13 @@ struct SceneOptions {
   int max_pixels = 480;        ///< of the longer side
   double robot_radius = 0.25;  ///< m, drawn at start and goal
   const References* references = nullptr;
+  /// s of the run, at which movers are drawn; none: at time 0 or where they appear later.
+  std::optional<double> time = {};
   std::vector<SceneTrajectory> trajectories;
 };
 
 /// A scenario to scale as one self-contained `svg` element. Grids become merged rectangles (runs of
-/// cells). Movers are drawn with their paths, at time 0 or where they appear later.
+/// cells). Movers are drawn with their paths, where they are at the time of the picture.
 std::string render_svg(const Scenario& scenario, const SceneOptions& options);
 
 }  // namespace slalom
