@@ -30,11 +30,11 @@ StudioServices::ImportedFiles import_files(const std::vector<std::string>& files
   return {std::move(imported.scenarios), std::move(imported.notes), std::move(imported.messages)};
 }
 
-void export_to(const Scenario& scenario, const std::string& format, double resolution,
-               const std::string& path) {
+std::string export_to(const Scenario& scenario, const std::string& format, double resolution,
+                      const std::string& path) {
   MapExportOptions options;
   options.resolution = resolution;
-  export_scenario(scenario, format, options, path);
+  return export_scenario(scenario, format, options, path);
 }
 
 /// Runs slalom-falsify, since methods run in processes that the window must not fork: only the

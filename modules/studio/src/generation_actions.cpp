@@ -109,9 +109,10 @@ void open_export_form(Studio& studio) {
     studio.jobs().start(
         "export", "Export " + scenario.name(),
         [&studio, scenario, values](Progress&) -> Jobs::Delivery {
-          export_as(studio.services(), scenario, values);
-          return [&studio, name = scenario.name(), file = values.at("file")] {
+          const std::string left_out = export_as(studio.services(), scenario, values);
+          return [&studio, left_out, name = scenario.name(), file = values.at("file")] {
             studio.notices().show_status(name + " was exported to " + file);
+            if (!left_out.empty()) studio.notices().show_message("Export", left_out);
           };
         },
         [&studio](const std::string& message) {

@@ -98,5 +98,32 @@ TEST_F(StudioWithoutWindow, UndoesAnEditAndSaysWhat) {
   EXPECT_TRUE(mentions(studio_.notices().status().text, {"Undone: "}));
 }
 
+TEST(StudioExport, ShowsWhatTheFormatCannotHold) {
+  StudioServices services;
+  services.export_formats = {{"ros", ".yaml", "map"}};
+  std::string left_out = "scenario room: 2 movers left out";
+  services.export_scenario = [&left_out](const Scenario&, const std::string&, double,
+                                         const std::string&) { return left_out; };
+  Studio studio({}, services, {});
+  Actions actions;
+  add_import_export_actions(actions, studio);
+  const TemporaryFolder folder;
+  ScenarioList::create(folder / "a.scenarios")
+      .add(Scenario::continuous("room", {0, 0, 4, 4}, {}, {1, 1, 0}, {3, 3}));
+  studio.open_list(folder / "a.scenarios");
+  const auto messages_of_export = [&] {
+    actions.run("file.export");
+    const FormModel form(studio.notices().take_form());
+    form.description().accepted(form.values());
+    finish_jobs(studio.jobs());
+    std::vector<std::string> messages;
+    while (studio.notices().has_form()) messages.push_back(studio.notices().take_form().intro);
+    return messages;
+  };
+  EXPECT_EQ(messages_of_export(), std::vector<std::string>{left_out});
+  left_out.clear();
+  EXPECT_TRUE(messages_of_export().empty());
+}
+
 }  // namespace
 }  // namespace slalom

@@ -162,10 +162,11 @@ void check_export(const StudioServices& services, const FormValues& values) {
     throw usage_error(file, "already exists", "another name, or Replace");
 }
 
-void export_as(const StudioServices& services, const Scenario& scenario, const FormValues& values) {
+std::string export_as(const StudioServices& services, const Scenario& scenario,
+                      const FormValues& values) {
   double resolution = 0;
   parse_number(values.at("resolution"), resolution);
-  services.export_scenario(scenario, values.at("format"), resolution, values.at("file"));
+  return services.export_scenario(scenario, values.at("format"), resolution, values.at("file"));
 }
 
 }  // namespace slalom

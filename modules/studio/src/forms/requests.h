@@ -119,6 +119,8 @@ FormDescription export_form(const StudioServices& services, const Scenario& scen
                             double resolution);
 /// Throws Error (Usage) when the file exists and Replace is not set.
 void check_export(const StudioServices& services, const FormValues& values);
-void export_as(const StudioServices& services, const Scenario& scenario, const FormValues& values);
+/// Returns what the format could not hold, as StudioServices::export_scenario.
+std::string export_as(const StudioServices& services, const Scenario& scenario,
+                      const FormValues& values);
 
 }  // namespace slalom

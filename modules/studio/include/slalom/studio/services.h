@@ -38,9 +38,10 @@ struct StudioServices {
   };
   std::vector<Format> export_formats;
   /// Adds the extension of the format if `path` has none. `resolution` (m) is the cell size for
-  /// formats with cells if the scenario has none.
-  std::function<void(const Scenario& scenario, const std::string& format, double resolution,
-                     const std::string& path)>
+  /// formats with cells if the scenario has none. Returns what of the scenario the format cannot
+  /// hold, in one line; empty if nothing.
+  std::function<std::string(const Scenario& scenario, const std::string& format, double resolution,
+                            const std::string& path)>
       export_scenario;
 
   struct ShrinkRequest {
