@@ -53,6 +53,23 @@ class CancelingProgress : public Progress {
   std::size_t max_done_;
 };
 
+TEST(GenerationForm, HidesTheOptionsOfWalkersUntilTheyAreWanted) {
+  FormModel form(random_generation_form({}));
+  const auto shown = [&form](const std::string& key) { return form.is_shown(form.index_of(key)); };
+  EXPECT_TRUE(shown("moving"));
+  const std::vector<std::string> keys = {"walkers", "walker_min_radius", "walker_max_radius",
+                                         "walker_min_speed", "walker_max_speed"};
+  for (const std::string& key : keys) EXPECT_FALSE(shown(key)) << key;
+  EXPECT_FALSE(read_random_generation(form.values()).ini.get("scenarios", "walkers"));
+  form.choose(form.index_of("moving"), "");
+  for (const std::string& key : keys) EXPECT_TRUE(shown(key)) << key;
+  form.set_value(form.index_of("walker_max_speed"), "2");
+  const IniFile ini = read_random_generation(form.values()).ini;
+  EXPECT_EQ(ini.get("scenarios", "walkers"), "4");
+  EXPECT_EQ(ini.get("scenarios", "walker_max_speed"), "2");
+  EXPECT_FALSE(ini.get("scenarios", "walker_min_speed")) << "as the program's default";
+}
+
 TEST(GenerationForm, IsValidInitially) {
   EXPECT_EQ(FormModel(random_generation_form({})).first_error(), std::nullopt);
   EXPECT_EQ(FormModel(bins_generation_form({})).first_error(), std::nullopt);

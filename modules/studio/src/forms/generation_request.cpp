@@ -24,12 +24,42 @@ std::vector<FormField> family_fields(const std::string& family) {
                        family);
 }
 
-/// Without walkers, which the window does not draw.
+bool is_of_walkers(const FormField& field) {
+  return starts_with(field.key, "walker");
+}
+
+/// The keys of [scenarios] about the mix of families or about walkers.
+std::vector<FormField> scenarios_fields(bool of_walkers) {
+  std::vector<FormField> fields = option_fields(
+      defaults_of<ScenariosSection>(), "",
+      {"list", "maps", "pairs_per_map", "min_distance", "generator", "count", "resolution"});
+  fields.erase(std::remove_if(fields.begin(), fields.end(),
+                              [of_walkers](const FormField& field) {
+                                return is_of_walkers(field) != of_walkers;
+                              }),
+               fields.end());
+  return fields;
+}
+
 std::vector<FormField> mix_fields() {
-  return option_fields(defaults_of<ScenariosSection>(), "",
-                       {"list", "maps", "pairs_per_map", "min_distance", "generator", "count",
-                        "resolution", "walkers", "walker_min_radius", "walker_max_radius",
-                        "walker_min_speed", "walker_max_speed"});
+  return scenarios_fields(false);
+}
+
+std::vector<FormField> walker_fields() {
+  return scenarios_fields(true);
+}
+
+/// One line, and the options of walkers only if there are to be some, so that the fields above
+/// them stay in sight.
+void add_walkers(FormDescription& form) {
+  form.fields.push_back({"moving", "Moving obstacles", FieldKind::Flag, "false", "",
+                         "add walkers, discs that walk to and fro, to each scenario"});
+  for (FormField& field : walker_fields()) {
+    if (field.key == "walkers") field.value = "4";
+    field.shown_if_key = "moving";
+    field.shown_if_value = "true";
+    form.fields.push_back(std::move(field));
+  }
 }
 
 std::vector<FormField> coverage_fields() {
@@ -148,6 +178,7 @@ FormDescription random_generation_form(const GenerationDefaults& defaults) {
   add_robot(form, defaults);
   for (FormField& field : mix_fields()) form.fields.push_back(std::move(field));
   add_target_fields(form, defaults.target);
+  add_walkers(form);
   add_family_options(form);
   return form;
 }
@@ -180,6 +211,8 @@ GenerationRequest read_random_generation(const FormValues& values) {
   GenerationRequest request = request_of(values);
   request.ini.set("scenarios", "count", values.at("count"));
   put_options(request.ini, "scenarios", "", mix_fields(), values);
+  if (values.at("moving") == "true")
+    put_options(request.ini, "scenarios", "", walker_fields(), values);
   if (request.ini.get("scenarios", "representation"))
     request.ini.set("scenarios", "resolution", values.at("resolution"));
   for (const std::string& family : split(values.at("families"), ','))
