@@ -1,5 +1,7 @@
 #include "studio_fixture.h"
 
+#include <cmath>
+
 namespace slalom {
 namespace {
 
@@ -80,6 +82,36 @@ TEST_F(StudioResults, AreShownOnTopOfTheCurrentScenario) {
   const std::size_t second = shown.find("nd: ", shown.find("vff 1: "));
   ASSERT_NE(second, std::string::npos) << shown;
   EXPECT_NE(shown.substr(0, second), shown.substr(second));
+}
+
+TEST_F(StudioResults, HaveMoversWhereTheyAreAtTheTimeOfTheReplay) {
+  ASSERT_EQ(run("slalom-evaluate overlay.ini --set scenarios.walkers=1 --set scenarios.count=1 "
+                "--set campaign.repetitions=1 -o walked --quiet")
+                .status,
+            0);
+  const std::string shown = expect_played(
+      "wait idle\n"
+      "click replay slider\n"
+      "key Home\n"
+      "expect view contains \" at 0.00 s: \"\n"
+      "print view\n"
+      "key Shift+Right\n"
+      "expect replay contains \"time 1.00 of \"\n"
+      "expect view contains \" at 1.00 s: \"\n"
+      "print view\n",
+      "walked/campaign.scenarios --results walked/runs.results");
+  const auto position_at = [&shown](const std::string& time) {
+    const std::size_t at = shown.find(" at " + time + " s: ");
+    std::pair<double, double> position = {0, 0};
+    if (at != std::string::npos)
+      std::sscanf(shown.c_str() + at, " at %*f s: %lf %lf", &position.first, &position.second);
+    return position;
+  };
+  const auto [x0, y0] = position_at("0.00");
+  const auto [x1, y1] = position_at("1.00");
+  const double walked = std::hypot(x1 - x0, y1 - y0);
+  EXPECT_GT(walked, 0) << shown;
+  EXPECT_LT(walked, 1.002) << "at most 1 m/s, and the rounding of the text";
 }
 
 TEST_F(StudioResults, AreShownAndHiddenByMouseAndKeys) {

@@ -39,6 +39,11 @@ Studio::Studio(SceneSettings settings, StudioServices services, std::function<vo
   notices_.observe({Change::Runs}, [this] {
     for (const auto& document : documents_) document->set_results(results_.fields());
   });
+  notices_.observe({Change::Scene}, [this] {
+    const ScenePtr& scene = scenes_.scene();
+    results_.overlay().set_movers_duration(scene ? last_waypoint_time(scene->scenario().movers())
+                                                 : 0);
+  });
 }
 
 ListDocument* Studio::active() const {

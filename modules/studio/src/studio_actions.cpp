@@ -1,3 +1,4 @@
+#include "forms/requests.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -189,6 +190,15 @@ FormDescription deduplicate_form(Studio& studio) {
           }};
 }
 
+FormDescription edit_movers_form(Studio& studio) {
+  const Scenario scenario = studio.active()->list().read(studio.current_hash());
+  FormDescription form = movers_form(scenario);
+  form.accepted = [&studio, scenario](const FormValues& values) {
+    studio.edit_current({read_movers(scenario, values), "Edit movers"});
+  };
+  return form;
+}
+
 using DisabledCheck = std::function<std::string()>;
 using Form = FormDescription (*)(Studio&);
 
@@ -286,6 +296,15 @@ void add_edit_actions(Actions& actions, Studio& studio) {
                list_disabled_check(studio, ListAction::Remove)});
   actions.add({"edit.rename", "Edit", "Rename...", "F2", "Renames the current scenario.",
                opens(studio, rename_form), list_disabled_check(studio, ListAction::Rename)});
+  actions.add({"edit.movers", "Edit", "Movers...", "Ctrl+M",
+               "Edits ids, radii, positions and times of the moving obstacles of the scenario.",
+               opens(studio, edit_movers_form), [&studio]() -> std::string {
+                 const ScenePtr& scene = studio.scenes().scene();
+                 if (!scene || studio.current_hash().empty()) return "no scenario is shown";
+                 return scene->scenario().movers().empty()
+                            ? "this scenario has no movers; the tool + Mover adds one"
+                            : "";
+               }});
   actions.add({"edit.tag", "Edit", "Tags...", "Ctrl+T",
                "Adds or removes tags of the selected scenarios.", opens(studio, tag_form),
                list_disabled_check(studio, ListAction::Tag)});

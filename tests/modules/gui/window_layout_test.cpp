@@ -44,11 +44,11 @@ std::vector<StudioSettings> settings_to_try() {
 TEST(WindowLayouts, FillTheWindowWithoutOverlap) {
   for (const auto& [width, height] : kSizes)
     for (const StudioSettings& settings : settings_to_try())
-      for (const bool results : {false, true}) {
+      for (const BelowView below : {BelowView::Nothing, BelowView::Timeline, BelowView::Results}) {
         const ScreenRect window{0, 0, static_cast<double>(width), static_cast<double>(height)};
-        const WindowLayout layout = lay_out_window(width, height, settings, results);
+        const WindowLayout layout = lay_out_window(width, height, settings, below);
         const std::vector<std::pair<std::string, ScreenRect>> panels(layout.begin(), layout.end());
-        EXPECT_EQ(panels.size(), 9U);
+        EXPECT_EQ(panels.size(), 10U);
         double covered = 0;
         for (std::size_t i = 0; i < panels.size(); ++i) {
           covered += common_area(panels[i].second, window);
@@ -64,8 +64,8 @@ TEST(WindowLayouts, FillTheWindowWithoutOverlap) {
 TEST(WindowLayouts, GiveTheScenarioMoreThanAnyPanel) {
   for (const auto& [width, height] : kSizes)
     for (const StudioSettings& settings : settings_to_try())
-      for (const bool results : {false, true}) {
-        const WindowLayout layout = lay_out_window(width, height, settings, results);
+      for (const BelowView below : {BelowView::Nothing, BelowView::Timeline, BelowView::Results}) {
+        const WindowLayout layout = lay_out_window(width, height, settings, below);
         for (const auto& [name, panel] : layout) {
           if (name == "view") continue;
           EXPECT_GT(area(layout.at("view")), area(panel))
@@ -79,18 +79,23 @@ TEST(WindowLayouts, GiveTheScenarioMoreThanAnyPanel) {
 TEST(WindowLayouts, GiveTheScenarioMoreThanHalfOfTheHeightAtFirst) {
   for (const auto& [width, height] :
        std::vector<std::pair<int, int>>{{1024, 700}, {1280, 800}, {1920, 1080}}) {
-    const WindowLayout layout = lay_out_window(width, height, {}, true);
+    const WindowLayout layout = lay_out_window(width, height, {}, BelowView::Results);
     EXPECT_GT(layout.at("view").height, 0.55 * height);
     EXPECT_GT(layout.at("view").width, 0.6 * width);
   }
 }
 
 TEST(WindowLayouts, KeepTheSizesThatTheUserGaveWhereThereIsRoom) {
-  const WindowLayout layout = lay_out_window(1600, 1000, with_panels(300, 260, 210), true);
+  const WindowLayout layout =
+      lay_out_window(1600, 1000, with_panels(300, 260, 210), BelowView::Results);
   EXPECT_EQ(layout.at("list").width, 300);
   EXPECT_EQ(layout.at("descriptors").height, 260);
   EXPECT_EQ(layout.at("results").height, 210);
-  EXPECT_EQ(lay_out_window(1600, 1000, {}, false).at("results").height, 0);
+  for (const BelowView below : {BelowView::Nothing, BelowView::Timeline}) {
+    const WindowLayout without = lay_out_window(1600, 1000, {}, below);
+    EXPECT_EQ(without.at("results").height, 0);
+    EXPECT_EQ(without.at("timeline").height > 0, below == BelowView::Timeline);
+  }
 }
 
 }  // namespace

@@ -154,6 +154,31 @@ TEST_F(ResultsOverlayTest, TrajectoriesAreAtTheTimeOfTheReplay) {
   EXPECT_FALSE(overlay.speed_now(2));  // over
 }
 
+TEST_F(ResultsOverlayTest, TheClockIsOfTheMoversUnlessRunsAreShown) {
+  ResultsOverlay overlay;
+  EXPECT_FALSE(overlay.replays_runs());
+  overlay.set_movers_duration(20);
+  EXPECT_DOUBLE_EQ(20, overlay.clock().duration());
+  EXPECT_DOUBLE_EQ(0, overlay.clock().time()) << "movers begin where they are at first";
+  overlay.clock().seek(15);
+  overlay.set_movers_duration(18);  // after an edit
+  EXPECT_DOUBLE_EQ(15, overlay.scene_time());
+  overlay.set_movers_duration(12);
+  EXPECT_DOUBLE_EQ(12, overlay.scene_time());
+  overlay.set_source(open_overlay_source(path_));
+  EXPECT_DOUBLE_EQ(0, overlay.scene_time());
+  overlay.set_runs(read_overlay_runs(overlay.source(), overlay_room().hash()));
+  EXPECT_TRUE(overlay.replays_runs());
+  EXPECT_DOUBLE_EQ(8, overlay.clock().duration()) << "of the longest run";
+  EXPECT_DOUBLE_EQ(18, overlay.scene_time()) << "the sample's runs begin at 10 s";
+  overlay.clock().seek(2.25);
+  EXPECT_DOUBLE_EQ(12.25, overlay.scene_time());
+  overlay.show_all(false);
+  EXPECT_FALSE(overlay.replays_runs());
+  EXPECT_DOUBLE_EQ(12, overlay.clock().duration());
+  EXPECT_DOUBLE_EQ(2.25, overlay.scene_time());
+}
+
 TEST_F(ResultsOverlayTest, ValuesNowAreInterpolatedAsInThePlots) {
   auto trajectory = std::make_shared<Trajectory>(straight_run(1, 2));  // 0.5 s
   trajectory->samples[1].v = 3;

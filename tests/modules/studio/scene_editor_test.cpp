@@ -145,11 +145,84 @@ TEST(EditTools, HaveUniqueIdsAndKeysAndDependOnRepresentations) {
     EXPECT_EQ(&info_of(info.tool), &info);
   }
   for (const char key : {'F', 'L', 'Q', 'W'}) EXPECT_EQ(keys.count(key), 0U);  // used by the view
-  EXPECT_EQ(tool_disabled_reason(EditTool::Disc, Representation::Continuous), "");
-  EXPECT_NE(tool_disabled_reason(EditTool::Disc, Representation::Grid), "");
-  EXPECT_NE(tool_disabled_reason(EditTool::Paint, Representation::Continuous), "");
-  EXPECT_EQ(tool_disabled_reason(EditTool::Erase, Representation::Points), "");
-  EXPECT_EQ(tool_disabled_reason(EditTool::Goal, Representation::Grid), "");
+  const Scenario grid =
+      Scenario::grid("grid", make_grid_map(10, 10, 0.5, {0, 0}), {1, 1, 0}, {4, 4});
+  mrpt::maps::CSimplePointsMap point;
+  point.insertPoint(3, 3, 0);
+  const Scenario points = Scenario::points("points", {0, 0, 5, 5}, point, {1, 1, 0}, {4, 4});
+  EXPECT_EQ(tool_disabled_reason(EditTool::Disc, room()), "");
+  EXPECT_NE(tool_disabled_reason(EditTool::Disc, grid), "");
+  EXPECT_NE(tool_disabled_reason(EditTool::Paint, room()), "");
+  EXPECT_EQ(tool_disabled_reason(EditTool::Erase, points), "");
+  EXPECT_EQ(tool_disabled_reason(EditTool::Goal, grid), "");
+  EXPECT_EQ(tool_disabled_reason(EditTool::Mover, grid), "");
+  const Scenario moving = grid.with_movers({{"a", 0.2, {{0, {2, 2}}}}});
+  for (const EditTool tool : {EditTool::Move, EditTool::Delete}) {
+    EXPECT_NE(tool_disabled_reason(tool, grid), "");
+    EXPECT_EQ(tool_disabled_reason(tool, moving), "") << "cells cannot be moved, movers can";
+  }
+  EXPECT_NE(tool_disabled_reason(EditTool::Disc, moving), "");
+}
+
+TEST(SceneEditor, DrawsThePathOfAMoverWithTimes) {
+  SceneEditor editor;
+  const Scenario scenario = room();
+  editor.set_tool(EditTool::Mover);
+  editor.set_speed(0.5);
+  editor.set_brush(0.3);
+  EXPECT_FALSE(editor.can_finish());
+  EXPECT_FALSE(drag(editor, scenario, {2, 1}, {2, 1}).has_value());
+  EXPECT_TRUE(editor.can_finish()) << "a mover may stand";
+  editor.move({4, 1});
+  ASSERT_TRUE(editor.preview(scenario).mover.has_value());
+  EXPECT_DOUBLE_EQ(editor.preview(scenario).mover->waypoints[1].t, 4) << "2 m at 0.5 m/s";
+  EXPECT_FALSE(drag(editor, scenario, {4, 1}, {4, 1}).has_value());
+  const auto edit = editor.finish(scenario);
+  ASSERT_TRUE(edit.has_value());
+  EXPECT_EQ(edit->title, "Add mover");
+  const Mover expected{"mover_1", 0.3, {{0, {2, 1}}, {4, {4, 1}}}, MoverEnd::Stop};
+  EXPECT_EQ(edit->scenario.movers(), Movers{expected});
+  EXPECT_FALSE(editor.busy());
+}
+
+TEST(SceneEditor, ClosesThePathOfAMoverAtItsStart) {
+  SceneEditor editor;
+  editor.set_tool(EditTool::Mover);
+  for (const auto& point : {mrpt::math::TPoint2D(2, 1), {4, 1}})
+    EXPECT_FALSE(drag(editor, room(), point, point).has_value());
+  const auto edit = drag(editor, room(), {2.05, 1}, {2.05, 1});
+  ASSERT_TRUE(edit.has_value());
+  const Mover expected{"mover_1", 0.25, {{0, {2, 1}}, {2, {4, 1}}, {4, {2, 1}}}, MoverEnd::Loop};
+  EXPECT_EQ(edit->scenario.movers(), Movers{expected}) << "to and fro, again and again";
+}
+
+TEST(SceneEditor, MovesAndDeletesMoversWhereTheyAre) {
+  const Mover walker{"a", 0.4, {{0, {2, 1}}, {4, {6, 1}}}, MoverEnd::Stop};
+  const Scenario scenario = room().with_movers({walker});
+  SceneEditor editor;
+  editor.set_tool(EditTool::Move);
+  const auto drag_at = [&](double time, const mrpt::math::TPoint2D& from,
+                           const mrpt::math::TPoint2D& to) {
+    editor.press(scenario, from, kTolerance, time);
+    editor.move(to);
+    return editor.release(scenario, to);
+  };
+  const auto all = drag_at(2, {4.1, 1}, {4.1, 2});  // its disc is at (4, 1)
+  ASSERT_TRUE(all.has_value());
+  EXPECT_EQ(all->title, "Move mover");
+  EXPECT_EQ(all->scenario.movers()[0].waypoints[0].position.y, 2);
+  EXPECT_EQ(all->scenario.movers()[0].waypoints[1].position.y, 2);
+  const auto end = drag_at(2, {6.05, 1}, {6.05, 2});
+  ASSERT_TRUE(end.has_value());
+  EXPECT_EQ(end->title, "Move waypoint");
+  EXPECT_EQ(end->scenario.movers()[0].waypoints[0].position.y, 1);
+  EXPECT_EQ(end->scenario.movers()[0].waypoints[1].position.y, 2);
+  EXPECT_EQ(drag_at(2, {5, 3}, {5, 4})->title, "Move obstacle") << "the disc beside them";
+  EXPECT_FALSE(drag_at(0, {4.1, 1}, {4.1, 2}).has_value()) << "it is elsewhere at 0 s";
+  editor.set_tool(EditTool::Delete);
+  const auto deleted = drag_at(2, {4.1, 1}, {4.1, 1});
+  EXPECT_EQ(deleted->scenario.hash(), room().hash());
+  EXPECT_EQ(deleted->title, "Delete mover");
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ ListPlot* make_scatter_plot(nanogui::Widget* parent, Studio& studio);  ///< id "
 Element* make_results_panel(nanogui::Widget* parent, Studio& studio);
 /// The table of the recorded runs, id "runs".
 Element* make_run_table(nanogui::Widget* parent, Studio& studio);
-/// Play and pause, speed and time of the replay, id "replay".
-Element* make_replay_bar(nanogui::Widget* parent, ReplayClock& clock);
+/// Play and pause, speed and time of a replay.
+Element* make_replay_bar(nanogui::Widget* parent, ReplayClock& clock, const std::string& id);
 /// A series of each visible run over time; the title includes the unit: "speed (m/s)".
 Element* make_time_plot(nanogui::Widget* parent, Studio& studio, const std::string& id,
                         const std::string& y_title, std::vector<double> OverlayRun::*values);

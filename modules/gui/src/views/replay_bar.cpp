@@ -33,8 +33,8 @@ std::string play_icon(bool playing) {
 /// Parts: "play", "slower", "faster", "slider".
 class ReplayBar : public Element {
  public:
-  ReplayBar(nanogui::Widget* parent, ReplayClock& clock)
-      : Element(parent, "replay", Focus::OnPress), clock_(clock) {}
+  ReplayBar(nanogui::Widget* parent, ReplayClock& clock, const std::string& id)
+      : Element(parent, id, Focus::OnPress), clock_(clock) {}
   std::string text() const override {
     char text[96];
     std::snprintf(text, sizeof text, "time %.2f of %.2f s, %s, %s", clock_.time(),
@@ -124,8 +124,8 @@ class ReplayBar : public Element {
 
 }  // namespace
 
-Element* make_replay_bar(nanogui::Widget* parent, ReplayClock& clock) {
-  return new ReplayBar(parent, clock);
+Element* make_replay_bar(nanogui::Widget* parent, ReplayClock& clock, const std::string& id) {
+  return new ReplayBar(parent, clock, id);
 }
 
 }  // namespace slalom

@@ -38,7 +38,7 @@ class ResultsPanel : public Element {
       : Element(parent, "results", Focus::OnPress),
         overlay_(studio.results().overlay()),
         table_(make_run_table(this, studio)),
-        replay_(make_replay_bar(this, overlay_.clock())),
+        replay_(make_replay_bar(this, overlay_.clock(), "replay")),
         clearance_(make_time_plot(this, studio, "plot_clearance", "clearance (m)",
                                   &OverlayRun::clearances)),
         speed_(make_time_plot(this, studio, "plot_speed", "speed (m/s)", &OverlayRun::speeds)) {}
@@ -70,7 +70,6 @@ class ResultsPanel : public Element {
   }
   void draw(NVGcontext* ctx) override {
     if (size() != laid_out_size_) performLayout(ctx);
-    overlay_.clock().tick(glfwGetTime());
     Element::draw(ctx);
   }
 

@@ -36,6 +36,20 @@ std::string format(const char* pattern, Numbers... numbers) {
   return text;
 }
 
+std::string mover_line(const Mover& mover, double time) {
+  const std::string head = "mover " + mover.id + format(" at %.2f s: ", time);
+  if (!mover.present(time)) return head + "not there\n";
+  const mrpt::math::TPoint2D at = mover.position(time);
+  return head + format("%.3f %.3f m, radius %.3g m\n", at.x, at.y, mover.radius);
+}
+
+/// The mover that is meant by a part "mover ID"; null if there is none.
+const Mover* mover_of(const Scenario& scenario, const std::string& part) {
+  for (const Mover& mover : scenario.movers())
+    if (part == "mover " + mover.id) return &mover;
+  return nullptr;
+}
+
 }  // namespace
 
 ScenarioView::ScenarioView(nanogui::Widget* parent, Studio& studio, Mode mode)
@@ -77,7 +91,7 @@ void ScenarioView::set_scene(ScenePtr scene) {
   }
   error_.clear();
   scene_ = std::move(scene);
-  if (scene_ && !tool_disabled_reason(tool(), scene_->scenario().representation()).empty())
+  if (scene_ && !tool_disabled_reason(tool(), scene_->scenario()).empty())
     editor_.set_tool(EditTool::Look);
   adjust_to_size();
 }
@@ -105,7 +119,7 @@ void ScenarioView::set_legend_open(bool open) {
 }
 
 void ScenarioView::set_tool(EditTool tool) {
-  error_ = scene_ ? tool_disabled_reason(tool, scene_->scenario().representation()) : kNoScene;
+  error_ = scene_ ? tool_disabled_reason(tool, scene_->scenario()) : kNoScene;
   if (error_.empty()) editor_.set_tool(tool);
 }
 
@@ -126,6 +140,10 @@ void ScenarioView::zoom(double factor) {
 void ScenarioView::pan(double dx, double dy) {
   fitted_ = false;
   view_ = view_.panned(dx, dy);
+}
+
+double ScenarioView::time() const {
+  return studio_.results().overlay().scene_time();
 }
 
 std::optional<TPose2D> ScenarioView::scan_pose() const {
@@ -156,14 +174,16 @@ std::string ScenarioView::status_text() const {
   for (const EditToolInfo& info : edit_tools()) {
     if (hovered_ != "tool " + info.id) continue;
     const std::string reason =
-        scene_ ? tool_disabled_reason(info.tool, scene_->scenario().representation())
-               : std::string();
+        scene_ ? tool_disabled_reason(info.tool, scene_->scenario()) : std::string();
     return reason.empty() ? info.help + std::string(" (key ") + info.key + ")" : reason;
   }
   if (scene_ && !scene_->problem.empty()) return scene_->problem;
   const std::string pointer = pointer_text();
   if (tool() == EditTool::Look && !pointer.empty()) return pointer;
   const EditToolInfo& info = info_of(tool());
+  if (tool() == EditTool::Mover)
+    return info.title + format(" (radius %.3g m, %.3g m/s): ", editor_.brush(), editor_.speed()) +
+           info.help;
   return info.title + ": " + info.help + (pointer.empty() ? "" : "   " + pointer);
 }
 
@@ -187,6 +207,7 @@ std::string ScenarioView::text() const {
   text += "scale bar " + ScaleBar::choose(view_.pixels_per_meter(), kMaxScaleBar).text() + "\n";
   text += "tool " + info_of(tool()).id + "\n";
   for (const auto& layer : layers_) text += "layer " + layer.id + ": " + layer_line(layer) + "\n";
+  for (const Mover& mover : s.movers()) text += mover_line(mover, time());
   text += format("map %.0f x %.0f pixels\n", layout_.canvas.width, layout_.canvas.height);
   for (const OverlayTrajectory& run : trajectories_)
     text += "trajectory " + run.label + ", " + run.outcome + "\n";
@@ -208,6 +229,8 @@ std::optional<ScreenRect> ScenarioView::rect_of(const std::string& part) const {
     at = {start.x, start.y};
   else if (part == "goal")
     at = scene_->scenario().goal();
+  else if (const Mover* mover = mover_of(scene_->scenario(), part))
+    at = mover->position(time());
   else if (std::sscanf(part.c_str(), "at %lf %lf", &at.x, &at.y) != 2)
     return std::nullopt;
   const Point p = view_on(layout).to_screen(at);
@@ -236,7 +259,7 @@ void ScenarioView::draw_scene(NVGcontext* ctx) {
   }
   nvgSave(ctx);
   draw::clip(ctx, canvas);
-  const LayerContext context{ctx, *scene_, view_, trajectories_, scan_pose()};
+  const LayerContext context{ctx, *scene_, view_, trajectories_, scan_pose(), time()};
   draw_background(context);
   draw_border(ctx);
   for (const auto& layer : layers_)
@@ -286,11 +309,13 @@ void ScenarioView::draw_preview(NVGcontext* ctx) const {
   for (const Polygon& polygon : preview.obstacles.polygons)
     shapes::polyline(ctx, view_, polygon.vertices, color, 2, true);
   shapes::polyline(ctx, view_, preview.open_polygon, color, 2);
+  if (preview.mover) shapes::mover(ctx, view_, *preview.mover, time(), color);
   const auto& stroke = preview.stroke;
   if (!stroke.points.empty())
     shapes::polyline(ctx, view_, stroke.points, faded(color, 0.5),
                      static_cast<float>(2 * stroke.radius * view_.pixels_per_meter()));
-  if (pointer_ && (tool() == EditTool::Paint || tool() == EditTool::Erase))
+  if (pointer_ &&
+      (tool() == EditTool::Paint || tool() == EditTool::Erase || tool() == EditTool::Mover))
     shapes::circle(ctx, view_, {*pointer_, editor_.brush()}, color, 1, 2);
 }
 
@@ -327,8 +352,7 @@ void ScenarioView::draw_tools(NVGcontext* ctx) const {
     for (const EditToolInfo& info : edit_tools()) {
       if (button.name != "tool " + info.id) continue;
       chosen = usable && info.tool == tool();
-      usable =
-          usable && tool_disabled_reason(info.tool, scene_->scenario().representation()).empty();
+      usable = usable && tool_disabled_reason(info.tool, scene_->scenario()).empty();
     }
     draw::button(ctx, layout_.find(button.name)->rect, button.title,
                  {chosen, usable, button.name == hovered_});

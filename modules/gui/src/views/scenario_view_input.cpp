@@ -86,7 +86,7 @@ void ScenarioView::activate_part(const std::string name) {
 void ScenarioView::press_tool() {
   error_.clear();
   if (scene_ && pointer_)
-    editor_.press(scene_->scenario(), *pointer_, kTolerance / view_.pixels_per_meter());
+    editor_.press(scene_->scenario(), *pointer_, kTolerance / view_.pixels_per_meter(), time());
 }
 
 void ScenarioView::release_tool() {
@@ -132,34 +132,35 @@ bool ScenarioView::view_key(int key, int modifiers) {
     shift ? move_pointer(dx * kPointerStep, dy * kPointerStep)
           : pan(-dx * kPanStep, -dy * kPanStep);
   };
-  return run_key(key,
-                 {{{GLFW_KEY_LEFT}, [&] { arrow(-1, 0); }},
-                  {{GLFW_KEY_RIGHT}, [&] { arrow(1, 0); }},
-                  {{GLFW_KEY_UP}, [&] { arrow(0, -1); }},
-                  {{GLFW_KEY_DOWN}, [&] { arrow(0, 1); }},
-                  {{GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD}, [&] { zoom(kZoomStep); }},
-                  {{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT}, [&] { zoom(1 / kZoomStep); }},
-                  {{GLFW_KEY_0, GLFW_KEY_KP_0, GLFW_KEY_F}, [&] { fit(); }},
-                  {{GLFW_KEY_L}, [&] { set_legend_open(!legend_open_); }},
-                  {{GLFW_KEY_Q}, [&] { rotate_scan(kRotateStep); }},
-                  {{GLFW_KEY_W}, [&] { rotate_scan(-kRotateStep); }},
-                  {{GLFW_KEY_COMMA}, [&] { editor_.set_brush(editor_.brush() / kZoomStep); }},
-                  {{GLFW_KEY_PERIOD}, [&] { editor_.set_brush(editor_.brush() * kZoomStep); }}});
+  return run_key(key, {{{GLFW_KEY_LEFT}, [&] { arrow(-1, 0); }},
+                       {{GLFW_KEY_RIGHT}, [&] { arrow(1, 0); }},
+                       {{GLFW_KEY_UP}, [&] { arrow(0, -1); }},
+                       {{GLFW_KEY_DOWN}, [&] { arrow(0, 1); }},
+                       {{GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD}, [&] { zoom(kZoomStep); }},
+                       {{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT}, [&] { zoom(1 / kZoomStep); }},
+                       {{GLFW_KEY_0, GLFW_KEY_KP_0, GLFW_KEY_F}, [&] { fit(); }},
+                       {{GLFW_KEY_L}, [&] { set_legend_open(!legend_open_); }},
+                       {{GLFW_KEY_Q}, [&] { rotate_scan(kRotateStep); }},
+                       {{GLFW_KEY_W}, [&] { rotate_scan(-kRotateStep); }},
+                       {{GLFW_KEY_COMMA}, [&] { editor_.set_brush(editor_.brush() / kZoomStep); }},
+                       {{GLFW_KEY_PERIOD}, [&] { editor_.set_brush(editor_.brush() * kZoomStep); }},
+                       {{GLFW_KEY_T}, [&] { editor_.set_speed(editor_.speed() / kZoomStep); }},
+                       {{GLFW_KEY_Y}, [&] { editor_.set_speed(editor_.speed() * kZoomStep); }}});
 }
 
 bool ScenarioView::edit_key(int key) {
   switch (key) {
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:
-      if (tool() == EditTool::Polygon &&
-          editor_.preview(scene_->scenario()).open_polygon.size() > 3)
+      if (editor_.can_finish())
         return end_edit([this] { return editor_.finish(scene_->scenario()); }), true;
       [[fallthrough]];
     case GLFW_KEY_SPACE:
       if (!pointer_) move_pointer(0, 0);
       editor_.pressed() ? release_tool() : press_tool();
       // One key press sets a corner; for other tools two key presses begin and end a drag.
-      if (tool() == EditTool::Polygon && editor_.pressed()) release_tool();
+      if ((tool() == EditTool::Polygon || tool() == EditTool::Mover) && editor_.pressed())
+        release_tool();
       return true;
     case GLFW_KEY_ESCAPE:
       if (!editor_.busy() && tool() == EditTool::Look && error_.empty()) return false;

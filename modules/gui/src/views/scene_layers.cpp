@@ -2,6 +2,7 @@
 #include "views/shapes.h"
 #include "widgets/drawing.h"
 
+#include <slalom/simulation/mover_scan.h>
 #include <slalom/studio/palette.h>
 
 #include <algorithm>
@@ -140,6 +141,7 @@ void draw_scan(const LayerContext& c, const Color& color) {
   const ScanGeometry geometry = c.scene.scan_geometry();
   std::vector<float> ranges(static_cast<std::size_t>(geometry.count));
   c.scene.ray_caster->cast_scan(pose, geometry, ranges.data());
+  MoverScan(c.scene.scenario().movers(), geometry).add_to(pose, c.time, ranges.data());
   std::vector<TPoint2D> fan = {{pose.x, pose.y}}, hits;
   for (int i = 0; i < geometry.count; ++i) {
     const double angle = pose.phi + geometry.angle(i), range = ranges[static_cast<std::size_t>(i)];
@@ -177,7 +179,7 @@ void draw_run_robot(const LayerContext& c, const OverlayTrajectory& run) {
 }
 
 /// The obstacles: primitives, cells, or points on the cells that they occupy. If there are too many
-/// shapes to be drawn in time, only the cells that they occupy are drawn.
+/// shapes to be drawn in time, only the cells that they occupy are drawn. And the movers.
 SceneLayer make_obstacles_layer() {
   SceneLayer layer{"obstacles", "Obstacles", palette().obstacle, true};
   const auto visible = std::make_shared<VisibleShapes>();  // found by cells(), used by draw()
@@ -192,6 +194,12 @@ SceneLayer make_obstacles_layer() {
   };
   layer.draw = [visible, color = layer.color](const LayerContext& c) {
     if (!visible->too_many() || !c.scene.obstacles) visible->draw(c, color);
+    for (const Mover& mover : c.scene.scenario().movers())
+      shapes::mover(c.ctx, c.view, mover, c.time, palette().mover);
+  };
+  layer.note = [](const SceneData& scene) -> std::string {
+    const std::size_t count = scene.scenario().movers().size();
+    return count == 0 ? "" : std::to_string(count) + (count == 1 ? " mover" : " movers");
   };
   return layer;
 }

@@ -96,6 +96,7 @@ struct LayerContext {
   const ViewTransform& view;
   const std::vector<OverlayTrajectory>& trajectories;
   std::optional<mrpt::math::TPose2D> scan_pose;  ///< pose of the range sensor
+  double time = 0;                               ///< s of a run, at which movers are drawn
 };
 
 /// One layer of the scenario view, which can be switched on or off.

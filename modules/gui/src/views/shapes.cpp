@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <nanovg.h>
 
 namespace slalom::shapes {
@@ -99,6 +100,51 @@ void robot(NVGcontext* ctx, const ViewTransform& view, const Footprint& footprin
            {{pose.x, pose.y},
             {pose.x + length * std::cos(pose.phi), pose.y + length * std::sin(pose.phi)}},
            color, 2);
+}
+
+namespace {
+
+/// Right of a point, over a light background.
+void label(NVGcontext* ctx, const TPoint2D& at, const std::string& text, bool bold) {
+  constexpr double kHeight = 16, kWidth = 160;
+  draw::text(ctx, {at.x, at.y - 0.5 * kHeight, kWidth, kHeight}, text, palette().mover_path,
+             draw::kSmallTextSize, draw::Align::Left, bold);
+}
+
+void waypoint_times(NVGcontext* ctx, const ViewTransform& view, const Mover& mover) {
+  constexpr double kApart = 30, kBeside = 5;  // pixels
+  std::vector<TPoint2D> labeled;
+  for (const Waypoint& waypoint : mover.waypoints) {
+    const TPoint2D at = view.to_screen(waypoint.position);
+    const bool crowded = std::any_of(labeled.begin(), labeled.end(), [&at](const TPoint2D& other) {
+      return std::hypot(at.x - other.x, at.y - other.y) < kApart;
+    });
+    if (crowded) continue;
+    labeled.push_back(at);
+    char text[48];
+    std::snprintf(text, sizeof text, "%.3g s", waypoint.t);
+    label(ctx, {at.x + kBeside, at.y + 2 * kBeside}, text, false);
+  }
+}
+
+}  // namespace
+
+void mover(NVGcontext* ctx, const ViewTransform& view, const Mover& mover, double time,
+           const Color& color) {
+  std::vector<TPoint2D> path;
+  for (const Waypoint& waypoint : mover.waypoints) path.push_back(waypoint.position);
+  polyline(ctx, view, path, faded(palette().mover_path, 0.5), 1.5F);
+  constexpr double kMinPixels = 3;
+  const Disc disc{mover.position(time), mover.radius};
+  if (mover.present(time)) {
+    fill_disc(ctx, view, disc, faded(color, 0.85), kMinPixels);
+    circle(ctx, view, disc, palette().mover_path, 1.5F, kMinPixels);
+    const TPoint2D center = view.to_screen(disc.center);
+    const double radius = std::max(kMinPixels, disc.radius * view.pixels_per_meter());
+    label(ctx, {center.x + radius + 3, center.y - 6}, mover.id, true);
+  }
+  dots(ctx, view, path, palette().mover_path, 4);
+  waypoint_times(ctx, view, mover);
 }
 
 void goal(NVGcontext* ctx, const ViewTransform& view, const TPoint2D& at, double radius,

@@ -4,6 +4,7 @@
 
 #include <slalom/robot/footprint.h>
 #include <slalom/scenario/geometry.h>
+#include <slalom/scenario/mover.h>
 #include <slalom/studio/palette.h>
 
 #include <nanogui/nanogui.h>
@@ -28,6 +29,10 @@ void circle(NVGcontext* ctx, const ViewTransform& view, const Disc& disc, const 
 /// The footprint at a pose with a line in the direction of its heading.
 void robot(NVGcontext* ctx, const ViewTransform& view, const Footprint& footprint,
            const mrpt::math::TPose2D& pose, const Color& color);
+/// The path of a mover with the times of its waypoints (s), where they are far enough apart to be
+/// read, and, if it is present at `time` (s of a run), its disc there with its id.
+void mover(NVGcontext* ctx, const ViewTransform& view, const Mover& mover, double time,
+           const Color& color);
 /// A circle with a cross, of `radius` (m).
 void goal(NVGcontext* ctx, const ViewTransform& view, const mrpt::math::TPoint2D& at, double radius,
           const Color& color);

@@ -124,6 +124,7 @@ bool PanelWindow::is_open() const {
 
 void PanelWindow::frame() {
   studio_->poll();
+  studio_->results().overlay().clock().tick(glfwGetTime());
   drawAll();
 }
 

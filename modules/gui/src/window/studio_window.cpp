@@ -40,7 +40,7 @@ Action tool_action(ScenarioView& view, const EditToolInfo& info) {
           [&view, tool = info.tool] { view.set_tool(tool); },
           [&view, tool = info.tool]() -> std::string {
             if (!view.scene()) return "no scenario is shown";
-            return tool_disabled_reason(tool, view.scene()->scenario().representation());
+            return tool_disabled_reason(tool, view.scene()->scenario());
           },
           {},
           [&view, tool = info.tool] { return view.tool() == tool; }};
@@ -63,8 +63,9 @@ StudioWindow::StudioWindow(SceneSettings scene, const StudioSettings& settings,
     const auto entry = studio().current_entry();
     setWindowTitle((entry ? entry->name + " - " : "") + "Slalom Studio");
   });
-  studio().notices().observe({Change::Runs}, [this] {
-    if (results_->visible() != results_shown()) arrange();
+  studio().notices().observe({Change::Runs, Change::Scene}, [this] {
+    if (results_->visible() != results_shown() || timeline_->visible() != timeline_shown())
+      arrange();
   });
   set_scale(settings.scale);
   show();
@@ -96,6 +97,7 @@ void StudioWindow::make_elements() {
   descriptors_ = make_descriptor_panel(this, studio());
   view_ = new ScenarioView(this, studio(), ScenarioView::Mode::Edit);
   results_ = make_results_panel(this, studio());
+  timeline_ = make_replay_bar(this, studio().results().overlay().clock(), "timeline");
   const auto add_splitter = [this](const std::string& id, DragAxis axis, int StudioSettings::*size,
                                    int sign) {
     new Splitter(this, id, axis, [=](int by) { resize_panel(size, sign * by); });
@@ -106,9 +108,15 @@ void StudioWindow::make_elements() {
   make_status_bar(this, studio());
 }
 
+bool StudioWindow::has_movers() {
+  const ScenePtr& scene = studio().scenes().scene();
+  return scene && !scene->scenario().movers().empty();
+}
+
 void StudioWindow::next_panel() {
   std::vector<Element*> panels = {list_, descriptors_, view_};
   if (results_shown()) panels.push_back(results_);
+  if (timeline_shown()) panels.push_back(timeline_);
   const auto now = std::find_if(panels.begin(), panels.end(), [this](const Element* panel) {
     return std::find(mFocusPath.begin(), mFocusPath.end(), panel) != mFocusPath.end();
   });
@@ -132,7 +140,10 @@ void StudioWindow::resize_panel(int StudioSettings::*size, int by) {
 }
 
 void StudioWindow::arrange() {
-  const WindowLayout layout = lay_out_window(width(), height(), settings_, results_shown());
+  const BelowView below = results_shown()    ? BelowView::Results
+                          : timeline_shown() ? BelowView::Timeline
+                                             : BelowView::Nothing;
+  const WindowLayout layout = lay_out_window(width(), height(), settings_, below);
   for (nanogui::Widget* child : children()) {
     const auto bounds = layout.find(child->id());
     if (bounds == layout.end()) continue;  // a dialog or a menu
@@ -270,8 +281,16 @@ void StudioWindow::add_view_actions() {
                 [this]() -> std::string {
                   return studio().current_hash().empty() ? "no scenario is selected" : "";
                 }});
+  actions_.add({"view.play", "View", "Play movers", "Ctrl+P",
+                "Plays or pauses the moving obstacles, and the runs if results are open.",
+                [this] { studio().results().overlay().clock().toggle(); },
+                [this]() -> std::string {
+                  if (studio().results().overlay().clock().duration() > 0) return "";
+                  return has_movers() ? "no mover of this scenario moves"
+                                      : "this scenario has no movers";
+                }});
   actions_.add({"view.next_panel", "View", "Next panel", "F6",
-                "Moves the focus to the list, the descriptors, the scenario, the results.",
+                "Moves the focus to the list, the descriptors, the scenario, the results or times.",
                 [this] { next_panel(); }});
   for (const auto& layer : view.layers()) actions_.add(layer_action(view, layer));
   for (const EditToolInfo& info : edit_tools()) actions_.add(tool_action(view, info));

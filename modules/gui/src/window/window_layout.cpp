@@ -6,7 +6,7 @@
 namespace slalom {
 namespace {
 
-constexpr int kMenuHeight = 28, kStatusHeight = 28;
+constexpr int kMenuHeight = 28, kStatusHeight = 28, kTimelineHeight = 34;
 constexpr int kMinPanel = 120;  // pixels, so that no panel can be dragged out of sight
 // With at least (1 - 0.4)^2 = 0.36 of the area between menu and status bar the view is larger than
 // the list, which has at most 0.4 (1 - 0.2) = 0.32, and than all other elements.
@@ -43,18 +43,22 @@ StudioSettings with_fitted_panels(StudioSettings settings, int width, int height
   return settings;
 }
 
-WindowLayout lay_out_window(int width, int height, const StudioSettings& settings, bool results) {
+WindowLayout lay_out_window(int width, int height, const StudioSettings& settings,
+                            BelowView below_view) {
   const StudioSettings sizes = with_fitted_panels(settings, width, height);
   const int bar = Splitter::kThickness;
   const int top = kMenuHeight, tall = content_height(height), bottom = top + tall;
   const int list = sizes.list_width, left = list + bar, right = width - left;
+  const bool results = below_view == BelowView::Results;
   const int lower = sizes.descriptors_height, below = results ? sizes.results_height : 0;
+  const int timeline = below_view == BelowView::Timeline ? kTimelineHeight : 0;
   return {{"menu", rect(0, 0, width, kMenuHeight)},
           {"list", rect(0, top, list, tall - lower - bar)},
           {"splitter_descriptors", rect(0, bottom - lower - bar, list, bar)},
           {"descriptors", rect(0, bottom - lower, list, lower)},
           {"splitter_list", rect(list, top, bar, tall)},
-          {"view", rect(left, top, right, tall - (results ? below + bar : 0))},
+          {"view", rect(left, top, right, tall - timeline - (results ? below + bar : 0))},
+          {"timeline", rect(left, bottom - timeline, right, timeline)},
           {"splitter_results", rect(left, bottom - below - bar, right, results ? bar : 0)},
           {"results", rect(left, bottom - below, right, below)},
           {"status", rect(0, bottom, width, kStatusHeight)}};

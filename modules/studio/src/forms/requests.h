@@ -123,4 +123,10 @@ void check_export(const StudioServices& services, const FormValues& values);
 std::string export_as(const StudioServices& services, const Scenario& scenario,
                       const FormValues& values);
 
+/// Form for id, radius, waypoints and end of each mover of a scenario, one at a time.
+FormDescription movers_form(const Scenario& scenario);
+/// The scenario with the movers of the form. Throws Error (Usage) for waypoints that are not such,
+/// and as check_movers() does.
+Scenario read_movers(const Scenario& scenario, const FormValues& values);
+
 }  // namespace slalom

@@ -104,7 +104,25 @@ void ResultsOverlay::set_runs(std::vector<OverlayRun> runs) {
   selected_.reset();
   clock_.pause();
   update_duration();
-  clock_.seek(clock_.duration());
+  clock_.seek(replays_runs() ? clock_.duration() : 0);
+}
+
+void ResultsOverlay::set_movers_duration(double duration) {
+  movers_duration_ = duration;
+  update_duration();
+}
+
+bool ResultsOverlay::replays_runs() const {
+  for (std::size_t run = 0; run < runs_.size(); ++run)
+    if (runs_[run].trajectory && is_shown(run)) return true;
+  return false;
+}
+
+double ResultsOverlay::scene_time() const {
+  for (std::size_t run = 0; run < runs_.size(); ++run)
+    if (runs_[run].trajectory && is_shown(run))
+      return clock_.time() + runs_[run].trajectory->samples.front().t;
+  return clock_.time();
 }
 
 OverlayRow ResultsOverlay::make_row(std::size_t run, bool indented) const {
@@ -179,6 +197,11 @@ void ResultsOverlay::show_all(bool shown) {
 }
 
 void ResultsOverlay::update_duration() {
+  if (!replays_runs()) {
+    const double time = clock_.time();
+    clock_.set_duration(movers_duration_);
+    return clock_.seek(time);
+  }
   double duration = 0;
   for (std::size_t run = 0; run < runs_.size(); ++run)
     if (runs_[run].trajectory && is_shown(run))
@@ -300,7 +323,8 @@ void ResultsLoader::replay() {
 
 std::string ResultsLoader::replay_disabled_reason() const {
   if (!overlay_.is_open()) return "no results are open";
-  const bool playable = jobs_.is_pending(kRunsKey) || overlay_.clock().duration() > 0;
+  const bool playable =
+      jobs_.is_pending(kRunsKey) || (overlay_.replays_runs() && overlay_.clock().duration() > 0);
   return playable ? "" : "no run of this scenario is shown";
 }
 

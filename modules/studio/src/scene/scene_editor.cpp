@@ -40,8 +40,11 @@ const std::vector<EditToolInfo>& edit_tools() {
       {EditTool::Disc, "disc", "+ Disc", 'D', "press at the center, drag the radius"},
       {EditTool::Polygon, "polygon", "+ Polygon", 'P',
        "click the corners; click the first again or press Enter to close it"},
-      {EditTool::Move, "move", "Move", 'M', "drag an obstacle"},
-      {EditTool::Delete, "delete", "Delete", 'X', "click an obstacle"},
+      {EditTool::Mover, "mover", "+ Mover", 'O',
+       "click the path; Enter ends it, a click on its start closes it; < and > radius, T and Y "
+       "speed"},
+      {EditTool::Move, "move", "Move", 'M', "drag an obstacle, a mover or a waypoint"},
+      {EditTool::Delete, "delete", "Delete", 'X', "click an obstacle or a mover"},
       {EditTool::Paint, "paint", "Paint", 'B', "drag to add obstacles; < and > change the brush"},
       {EditTool::Erase, "erase", "Erase", 'E',
        "drag to remove obstacles; < and > change the brush"}};
@@ -53,10 +56,13 @@ const EditToolInfo& info_of(EditTool tool) {
                        [tool](const EditToolInfo& info) { return info.tool == tool; });
 }
 
-std::string tool_disabled_reason(EditTool tool, Representation representation) {
+std::string tool_disabled_reason(EditTool tool, const Scenario& scenario) {
+  const Representation representation = scenario.representation();
   const bool cells = tool == EditTool::Paint || tool == EditTool::Erase;
-  const bool obstacles = tool == EditTool::Disc || tool == EditTool::Polygon ||
-                         tool == EditTool::Move || tool == EditTool::Delete;
+  const bool of_movers =
+      (tool == EditTool::Move || tool == EditTool::Delete) && !scenario.movers().empty();
+  const bool obstacles = !of_movers && (tool == EditTool::Disc || tool == EditTool::Polygon ||
+                                        tool == EditTool::Move || tool == EditTool::Delete);
   if (representation == Representation::Continuous && cells)
     return "this scenario consists of discs and polygons, not of cells or points";
   if (representation != Representation::Continuous && obstacles)
@@ -74,13 +80,30 @@ void SceneEditor::set_brush(double radius) {
   brush_ = std::clamp(radius, 0.001, 100.0);
 }
 
-void SceneEditor::press(const Scenario& scenario, const TPoint2D& at, double tolerance) {
+void SceneEditor::set_speed(double speed) {
+  speed_ = std::clamp(speed, 0.01, 100.0);
+}
+
+void SceneEditor::press(const Scenario& scenario, const TPoint2D& at, double tolerance,
+                        double time) {
   if (tool_ == EditTool::Look) return;
   pressed_ = true;
   tolerance_ = tolerance;
   from_ = at_ = at;
   stroke_ = {at};
   obstacle_ = obstacle_at(scenario, at, tolerance);
+  pick_mover(scenario, time);
+}
+
+/// The disc of a mover comes before waypoints, which may be below it.
+void SceneEditor::pick_mover(const Scenario& scenario, double time) {
+  mover_ = mover_at(scenario, at_, time);
+  waypoint_.reset();
+  if (mover_) return;
+  const auto waypoint = waypoint_at(scenario, at_, tolerance_);
+  if (!waypoint) return;
+  mover_ = waypoint->mover;
+  waypoint_ = waypoint->waypoint;
 }
 
 void SceneEditor::move(const TPoint2D& at) {
@@ -95,20 +118,31 @@ std::optional<SceneEdit> SceneEditor::release(const Scenario& scenario, const TP
   at_ = at;
   if (!(stroke_.back() == at)) stroke_.push_back(at);
   pressed_ = false;
-  if (tool_ == EditTool::Polygon) return add_vertex(scenario);
+  if (tool_ == EditTool::Polygon || tool_ == EditTool::Mover) return add_vertex(scenario);
   return edit(scenario);
 }
 
 std::optional<SceneEdit> SceneEditor::add_vertex(const Scenario& scenario) {
-  if (vertices_.size() >= 3 && distance_between(vertices_.front(), at_) <= tolerance_)
-    return finish(scenario);
+  const bool at_first =
+      !vertices_.empty() && distance_between(vertices_.front(), at_) <= tolerance_;
+  if (tool_ == EditTool::Mover && vertices_.size() >= 2 && at_first)
+    vertices_.push_back(vertices_.front());
+  if (vertices_.size() >= 3 && at_first) return finish(scenario);
   if (vertices_.empty() || distance_between(vertices_.back(), at_) > tolerance_)
     vertices_.push_back(at_);
   return std::nullopt;
 }
 
+bool SceneEditor::can_finish() const {
+  return vertices_.size() >= (tool_ == EditTool::Mover ? 1 : 3);
+}
+
 std::optional<SceneEdit> SceneEditor::finish(const Scenario& scenario) {
-  if (vertices_.size() < 3) return std::nullopt;
+  if (!can_finish()) return std::nullopt;
+  if (tool_ == EditTool::Mover) {
+    const Mover mover = mover_along(std::exchange(vertices_, {}), brush_, speed_);
+    return SceneEdit{with_mover_added(scenario, mover), "Add mover"};
+  }
   const Polygon polygon{std::exchange(vertices_, {})};
   return SceneEdit{with_obstacle_added(scenario, polygon), "Add polygon"};
 }
@@ -118,6 +152,7 @@ void SceneEditor::cancel() {
   vertices_.clear();
   stroke_.clear();
   obstacle_.reset();
+  mover_.reset();
 }
 
 bool SceneEditor::dragged() const {
@@ -151,12 +186,28 @@ std::optional<SceneEdit> SceneEditor::edit(const Scenario& scenario) const {
       return edit_cells(scenario);
     case EditTool::Look:
     case EditTool::Polygon:
+    case EditTool::Mover:
       break;
   }
   return std::nullopt;
 }
 
+Mover SceneEditor::dragged_mover(const Scenario& scenario) const {
+  const Mover& mover = scenario.movers().at(*mover_);
+  const double dx = at_.x - from_.x, dy = at_.y - from_.y;
+  return waypoint_ ? with_waypoint_moved(mover, *waypoint_, dx, dy) : moved(mover, dx, dy);
+}
+
+std::optional<SceneEdit> SceneEditor::edit_mover(const Scenario& scenario) const {
+  if (tool_ == EditTool::Delete)
+    return SceneEdit{with_mover_removed(scenario, *mover_), "Delete mover"};
+  if (!dragged()) return std::nullopt;
+  return SceneEdit{with_mover_replaced(scenario, *mover_, dragged_mover(scenario)),
+                   waypoint_ ? "Move waypoint" : "Move mover"};
+}
+
 std::optional<SceneEdit> SceneEditor::edit_obstacle(const Scenario& scenario) const {
+  if (mover_) return edit_mover(scenario);
   if (!obstacle_) return std::nullopt;
   if (tool_ == EditTool::Delete)
     return SceneEdit{with_obstacle_removed(scenario, *obstacle_), "Delete obstacle"};
@@ -180,12 +231,16 @@ EditPreview SceneEditor::preview(const Scenario& scenario) const {
   if (!vertices_.empty()) {
     preview.open_polygon = vertices_;
     preview.open_polygon.push_back(at_);
+    if (tool_ == EditTool::Mover)
+      preview.mover = mover_along(std::exchange(preview.open_polygon, {}), brush_, speed_);
   }
   if (!pressed_) return preview;
   if (tool_ == EditTool::Start) preview.start = start_pose(scenario);
   if (tool_ == EditTool::Goal) preview.goal = at_;
   if (tool_ == EditTool::Disc) preview.obstacles.discs.push_back(new_disc());
-  if (tool_ == EditTool::Move && obstacle_)
+  if (tool_ == EditTool::Move && mover_)
+    preview.mover = dragged_mover(scenario);
+  else if (tool_ == EditTool::Move && obstacle_)
     preview.obstacles =
         translated(scenario.primitives(), *obstacle_, at_.x - from_.x, at_.y - from_.y);
   if (tool_ == EditTool::Paint || tool_ == EditTool::Erase) preview.stroke = {stroke_, brush_};

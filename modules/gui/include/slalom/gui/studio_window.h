@@ -38,6 +38,8 @@ class StudioWindow : public PanelWindow {
   void arrange() override;
   void resize_panel(int StudioSettings::*size, int by);
   bool results_shown() { return studio().results().overlay().is_open(); }
+  bool has_movers();  ///< whether the current scenario has
+  bool timeline_shown() { return has_movers() && !results_shown(); }
   bool handle_key(int key, int scancode, int action, int modifiers);
   nanogui::Widget* focused_text_field() const;  ///< null for none
   bool dialog_open() const;
@@ -50,7 +52,7 @@ class StudioWindow : public PanelWindow {
   bool key_moved_focus_ = false;  ///< the one that is pressed
   // Owned by the composite of elements:
   MenuBar* menu_ = nullptr;
-  Element *list_ = nullptr, *descriptors_ = nullptr, *results_ = nullptr;
+  Element *list_ = nullptr, *descriptors_ = nullptr, *results_ = nullptr, *timeline_ = nullptr;
   ScenarioView* view_ = nullptr;
 };
 

@@ -146,6 +146,13 @@ class ResultsOverlay {
   void select(std::optional<std::size_t> run) { selected_ = run; }
   const RunRecord* selected() const { return selected_ ? &runs_[*selected_].record : nullptr; }
 
+  /// The time (s of a run) up to which the clock goes while no run is shown: that of the movers of
+  /// the scenario. The clock keeps its time as far as it can, so that an edit is seen where it was.
+  void set_movers_duration(double duration);
+  bool replays_runs() const;  ///< whether a run with a trajectory is shown
+  /// The time of the scenario (s of a run) at the clock.
+  double scene_time() const;
+
   ReplayClock& clock() { return clock_; }
   const ReplayClock& clock() const { return clock_; }
 
@@ -169,6 +176,7 @@ class ResultsOverlay {
   std::optional<std::size_t> selected_;
   std::set<std::pair<std::string, int>> hidden_;  ///< method and repetition
   ReplayClock clock_;
+  double movers_duration_ = 0;
 };
 
 /// The overlay of recorded runs: loads those of the current scenario from the open result file in

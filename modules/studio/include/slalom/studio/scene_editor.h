@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/commands/edit_geometry.h>
+#include <slalom/commands/edit_movers.h>
 
 #include <optional>
 #include <string>
@@ -9,7 +10,7 @@
 namespace slalom {
 
 /// The effect of clicking and dragging in the view.
-enum class EditTool { Look, Start, Goal, Disc, Polygon, Move, Delete, Paint, Erase };
+enum class EditTool { Look, Start, Goal, Disc, Polygon, Mover, Move, Delete, Paint, Erase };
 
 struct EditToolInfo {
   EditTool tool;
@@ -20,8 +21,8 @@ struct EditToolInfo {
 };
 const std::vector<EditToolInfo>& edit_tools();
 const EditToolInfo& info_of(EditTool tool);
-/// Why the tool is not applicable to such scenarios; empty if it is.
-std::string tool_disabled_reason(EditTool tool, Representation representation);
+/// Why the tool is not applicable to the scenario; empty if it is.
+std::string tool_disabled_reason(EditTool tool, const Scenario& scenario);
 
 /// An edited scenario with a title of the edit, e.g. "Move goal".
 struct SceneEdit {
@@ -36,6 +37,7 @@ struct EditPreview {
   Primitives obstacles;                            ///< added or moved
   std::vector<mrpt::math::TPoint2D> open_polygon;  ///< vertices so far and the pointer position
   Stroke stroke;                                   ///< of the brush; none if it has no points
+  std::optional<Mover> mover;                      ///< added or moved
 };
 
 /// Converts presses, drags and releases at world positions (m) into edits, from mouse or keyboard.
@@ -47,15 +49,22 @@ class SceneEditor {
   double brush() const { return brush_; }
   /// Radius (m) of the brush and of discs that are added by a click. Clamped to 0.001 ... 100 m.
   void set_brush(double radius);
+  double speed() const { return speed_; }
+  /// Speed (m/s) of movers along a path that is drawn. Clamped to 0.01 ... 100 m/s.
+  void set_speed(double speed);
 
   /// `tolerance` (m) is the maximum distance at which a press hits an obstacle or vertex, and the
-  /// minimum length of a drag.
-  void press(const Scenario& scenario, const mrpt::math::TPoint2D& at, double tolerance);
+  /// minimum length of a drag. Movers are hit where they are at `time` (s of a run).
+  void press(const Scenario& scenario, const mrpt::math::TPoint2D& at, double tolerance,
+             double time = 0);
   void move(const mrpt::math::TPoint2D& at);
   /// Returns the edit that is completed by the release, if any. Throws Error (Usage) if it is
   /// invalid; the edit is canceled then.
   std::optional<SceneEdit> release(const Scenario& scenario, const mrpt::math::TPoint2D& at);
-  /// Closes a polygon of three or more vertices. Throws as release() does.
+  /// Whether finish() completes an edit.
+  bool can_finish() const;
+  /// Closes a polygon of three or more vertices, or ends the path of a mover. Throws as release()
+  /// does.
   std::optional<SceneEdit> finish(const Scenario& scenario);
   void cancel();
 
@@ -71,12 +80,17 @@ class SceneEditor {
   std::optional<SceneEdit> edit_obstacle(const Scenario& scenario) const;
   std::optional<SceneEdit> edit_cells(const Scenario& scenario) const;
   std::optional<SceneEdit> add_vertex(const Scenario& scenario);
+  void pick_mover(const Scenario& scenario, double time);
+  Mover dragged_mover(const Scenario& scenario) const;
+  std::optional<SceneEdit> edit_mover(const Scenario& scenario) const;
 
   EditTool tool_ = EditTool::Look;
-  double brush_ = 0.25, tolerance_ = 0;
+  double brush_ = 0.25, speed_ = 1, tolerance_ = 0;
   bool pressed_ = false;
   mrpt::math::TPoint2D from_, at_;
   std::optional<std::size_t> obstacle_;  ///< the pressed obstacle
+  std::optional<std::size_t> mover_;     ///< the pressed mover, at its disc or at a waypoint
+  std::optional<std::size_t> waypoint_;  ///< of that mover, if its disc was not pressed
   std::vector<mrpt::math::TPoint2D> stroke_, vertices_;
 };
 
