@@ -50,6 +50,37 @@ TEST_F(ReportInABrowser, ACellLinksToItsRunsAndARunToItsReplay) {
   EXPECT_TRUE(fs::exists(folder_ / "out/report" / rawlogs.front())) << rawlogs.front();
 }
 
+TEST_F(ReportInABrowser, ARunShowsMoversAtItsInstant) {
+  write("crossing.ini",
+        "[campaign]\nmethods = go\n[scenarios]\ngenerator = crossing\ncount = 1\n"
+        "[generator.crossing]\nmin_movers = 2\nmax_movers = 2\n[metrics]\nenabled = success\n"
+        "descriptors = dynamic_density\n[method.go]\nadapter = library\n"
+        "plugin = libslalom_go_to_goal.so\n");
+  ASSERT_EQ(run("slalom-evaluate crossing.ini -o moving --quiet").status, 0);
+  const auto open_moving = [&](const std::string& page) {
+    return open_in_browser((folder_ / "moving/report" / page).string(), folder_);
+  };
+  const auto runs = all_matches(open_moving("runs.html"), "href=\"(run\\.html#[^\"]+)\"");
+  ASSERT_EQ(runs.size(), 1u);
+  const std::string page = open_moving(runs.front());
+  const std::string script = read("moving/report/data/s-" +
+                                  runs.front().substr(std::string("run.html#").size(), 8) + ".js");
+  const std::size_t start = script.find('(') + 1;
+  const auto data = nlohmann::json::parse(script.substr(start, script.rfind(')') - start));
+  ASSERT_EQ(data["movers"].size(), 2u);
+  const double scale = 640 / 14.0;  // pixels per meter of the room of 14 m x 10 m
+  for (const auto& mover : data["movers"]) {
+    const double x = mover["waypoints"][1], y = mover["waypoints"][2];  // at 0 s
+    const auto disc =
+        all_matches(page, "<circle r=\"[0-9.]+\" fill=\"#e0a030\"[^>]*cx=\"([0-9.]+)\"");
+    const auto height = all_matches(page, "fill=\"#e0a030\"[^>]*cy=\"([0-9.]+)\"");
+    ASSERT_EQ(disc.size(), 2u);
+    const bool is_first = mover == data["movers"][0];
+    EXPECT_NEAR(std::stod(disc[is_first ? 0 : 1]), x * scale, 0.1);
+    EXPECT_NEAR(std::stod(height[is_first ? 0 : 1]), (10 - y) * scale, 0.1);
+  }
+}
+
 TEST_F(ReportInABrowser, EveryLinkHasATarget) {
   std::set<std::string> to_visit = {"index.html", "runs.html"}, visited;
   while (!to_visit.empty()) {

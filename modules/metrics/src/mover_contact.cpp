@@ -64,7 +64,8 @@ Value stood_at_contact(const MetricContext& context) {
   if (const auto na = na_unless_touched(context)) return *na;
   const Trajectory& trajectory = context.trajectory;
   const Sample& last = trajectory.samples.back();
-  return Value::of(has_stood(trajectory, last.t, last.pose) ? 1 : 0);
+  return Value::of(has_stood(trajectory, last.t, last.pose, context.robot.shape().is_disc()) ? 1
+                                                                                             : 0);
 }
 
 }  // namespace metrics

@@ -45,7 +45,7 @@ function rayRange(scenario, x, y, angle, range) {
   const dx = Math.cos(angle), dy = Math.sin(angle), [x0, y0, x1, y1] = scenario.bounds;
   let nearest = Math.min(range, dx > 0 ? (x1 - x) / dx : dx < 0 ? (x0 - x) / dx : Infinity,
                          dy > 0 ? (y1 - y) / dy : dy < 0 ? (y0 - y) / dy : Infinity);
-  for (const disc of scenario.discs) nearest = Math.min(nearest, rayToCircle(x, y, dx, dy, disc));
+  for (const disc of scenario.discs.concat(scenario.present || [])) nearest = Math.min(nearest, rayToCircle(x, y, dx, dy, disc));
   for (const polygon of scenario.polygons) nearest = Math.min(nearest, rayToPolygon(x, y, dx, dy, polygon));
   if (scenario.grid) nearest = Math.min(nearest, rayThroughCells(x, y, dx, dy, range, scenario.grid));
   return Math.max(0, nearest);

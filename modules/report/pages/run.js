@@ -53,6 +53,7 @@ function showTime() {
   const { scenario, run, time } = state;
   if (!run.t.length) return;
   const current = stateAt(run.t.length > 1 ? run : repeatSample(run), time);
+  moveMovers(scenario, time);
   drawScan(scenario, current.x, current.y, current.h);
   scenario.layers.robot.setAttribute("d", robotPath(scenario, current.x, current.y, current.h));
   element("time").value = String(time);

@@ -28,6 +28,38 @@ function gridPath(scenario) {
   return path;
 }
 
+// Where the center of a mover is at a time of the run; null while it is absent.
+function moverAt({ waypoints, after }, time) {
+  const first = waypoints[0], last = waypoints[waypoints.length - 3];
+  if (time < first || (time > last && after === "vanish")) return null;
+  let t = Math.min(time, last), i = 0;
+  if (after === "loop" && last > first) t = first + ((time - first) % (last - first));
+  while (i + 3 < waypoints.length - 3 && waypoints[i + 3] <= t) i += 3;
+  const [t0, x0, y0, t1 = t0, x1 = x0, y1 = y0] = waypoints.slice(i, i + 6);
+  const fraction = t1 > t0 ? (t - t0) / (t1 - t0) : 0;
+  return [x0 + fraction * (x1 - x0), y0 + fraction * (y1 - y0)];
+}
+
+// Moves their discs; `present` has those that the robot sees, as x, y, radius.
+function moveMovers(scenario, time) {
+  scenario.present = [];
+  (scenario.movers || []).forEach((mover, i) => {
+    const disc = scenario.layers.movers.querySelectorAll("circle")[i], at = moverAt(mover, time);
+    disc.setAttribute("visibility", at ? "visible" : "hidden");
+    if (!at) return;
+    disc.setAttribute("cx", toX(scenario, at[0]).toFixed(1));
+    disc.setAttribute("cy", toY(scenario, at[1]).toFixed(1));
+    scenario.present.push([at[0], at[1], mover.radius]);
+  });
+}
+
+// The path and the disc of a mover.
+function drawMover(scenario, { id, radius, waypoints }) {
+  const points = waypoints.filter((_, i) => i % 3 > 0);
+  return svg("g", {}, svg("title", {}, "mover " + id), svg("path", { d: pathOfPoints(scenario, points), fill: "none",
+    stroke: "#8a5a00", "stroke-dasharray": "4 2" }), svg("circle", { r: radius * scenario.scale, fill: "#e0a030", stroke: "#8a5a00" }));
+}
+
 function drawScenario(scenario) {
   const width = (scenario.bounds[2] - scenario.bounds[0]) * scenario.scale;
   const height = (scenario.bounds[3] - scenario.bounds[1]) * scenario.scale;
@@ -39,6 +71,7 @@ function drawScenario(scenario) {
   const layers = { scan: svg("path", { fill: "#f0b429", "fill-opacity": 0.25, stroke: "#c98a00", "stroke-width": 0.8 }),
                    others: svg("g", { fill: "none", "stroke-width": 1.6, opacity: 0.55 }),
                    track: svg("path", { fill: "none", "stroke-width": 2.4 }),
+                   movers: svg("g", {}, (scenario.movers || []).map((mover) => drawMover(scenario, mover))),
                    robot: svg("path", { "fill-opacity": 0.35, "stroke-width": 1.8 }) };
   scenario.layers = layers;
   element("scene").setAttribute("viewBox", `0 0 ${width.toFixed(0)} ${height.toFixed(0)}`);
@@ -48,7 +81,7 @@ function drawScenario(scenario) {
     svg("g", {}, reference(scenario.safest, "2 3", "safest path"), reference(scenario.shortest, "7 3", "shortest path")),
     svg("g", { stroke: "#b00020", "stroke-width": 1.8, fill: "none" }, svg("circle", { cx: gx, cy: gy, r }),
         svg("path", { d: `M${gx - r} ${gy}h${2 * r}M${gx} ${gy - r}v${2 * r}` })),
-    layers.scan, layers.others, layers.track, layers.robot);
+    layers.scan, layers.movers, layers.others, layers.track, layers.robot);
 }
 
 function robotPath(scenario, x, y, heading) {

@@ -113,6 +113,22 @@ void add_obstacles(const World& world, OrderedJson& json) {
     json["polygons"].push_back(points_json(polygon.vertices));
 }
 
+/// Their waypoints as t, x, y, ...
+void add_movers(const Movers& movers, OrderedJson& json) {
+  if (movers.empty()) return;
+  json["movers"] = OrderedJson::array();
+  for (const Mover& mover : movers) {
+    OrderedJson waypoints = OrderedJson::array();
+    for (const Waypoint& waypoint : mover.waypoints)
+      for (const double number : {waypoint.t, waypoint.position.x, waypoint.position.y})
+        waypoints.push_back(rounded_json(number));
+    json["movers"].push_back({{"id", mover.id},
+                              {"radius", rounded_json(mover.radius)},
+                              {"after", to_string(mover.after)},
+                              {"waypoints", std::move(waypoints)}});
+  }
+}
+
 void add_robot(const ReportOptions& options, OrderedJson& json) {
   const Footprint footprint = options.robot.shape();
   json["radius"] = footprint.enclosing_radius();
@@ -134,6 +150,7 @@ OrderedJson scenario_json(const ReportInput& input, const ScenarioRuns& content,
                       {"goal", {scenario.goal().x, scenario.goal().y}}};
   add_robot(input.options, json);
   add_obstacles(world, json);
+  add_movers(scenario.movers(), json);
   if (content.references.shortest)
     json["shortest"] = points_json(content.references.shortest->path);
   if (content.references.safest)

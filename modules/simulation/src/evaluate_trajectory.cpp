@@ -105,8 +105,8 @@ class LogEvaluator {
       last.pose = pose;
       end_at(last, Outcome::Collision, contact.text());
       if (contact.mover != nullptr)
-        result_.detail += TerminationChecker::robot_at_contact(result_.trajectory, last.t, pose,
-                                                               std::hypot(last.v, last.vy));
+        result_.detail += checker_.robot_at_contact(result_.trajectory, last.t, pose,
+                                                    std::hypot(last.v, last.vy));
     } else if (checker_.left_workspace(pose)) {
       end_at(after, Outcome::LeftWorkspace, "left the workspace");
     } else if (checker_.reached_goal(pose)) {

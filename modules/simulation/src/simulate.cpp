@@ -201,8 +201,8 @@ class Run {
   /// "" for a contact with a static obstacle.
   std::string robot_at(const Contact& contact) const {
     if (contact.mover == nullptr) return "";
-    return TerminationChecker::robot_at_contact(result_.trajectory, time_, pose(),
-                                                std::hypot(vehicle_->v(), vehicle_->vy()));
+    return checker_.robot_at_contact(result_.trajectory, time_, pose(),
+                                     std::hypot(vehicle_->v(), vehicle_->vy()));
   }
 
   void record() {

@@ -56,8 +56,8 @@ bool TerminationChecker::is_time_over(double now) const {
 }
 
 std::string TerminationChecker::robot_at_contact(const Trajectory& trajectory, double now,
-                                                 const TPose2D& pose, double speed) {
-  return has_stood(trajectory, now, pose)
+                                                 const TPose2D& pose, double speed) const {
+  return has_stood(trajectory, now, pose, is_disc_)
              ? ", the robot had stood for " + format_number(kStandingTime) + " s"
              : ", the robot at " + format_fixed(speed, 2) + " m/s";
 }

@@ -29,6 +29,7 @@ class TerminationChecker {
       : world_(world),
         contact_(make_footprint_contact(world, robot.shape())),
         movers_(world.scenario().movers(), robot.shape()),
+        is_disc_(robot.shape().is_disc()),
         options_(options) {}
 
   bool touches(const mrpt::math::TPose2D& pose) const { return contact_->touches(pose); }
@@ -50,13 +51,14 @@ class TerminationChecker {
 
   /// The robot in a contact with a mover at `now`: ", the robot at V m/s", or that it had stood for
   /// 0.5 s, so that the mover ran into it (passive safety).
-  static std::string robot_at_contact(const Trajectory& trajectory, double now,
-                                      const mrpt::math::TPose2D& pose, double speed);
+  std::string robot_at_contact(const Trajectory& trajectory, double now,
+                               const mrpt::math::TPose2D& pose, double speed) const;
 
  private:
   const World& world_;
   std::unique_ptr<FootprintContact> contact_;
   MoverContact movers_;
+  bool is_disc_;
   const SimulationOptions& options_;
 };
 

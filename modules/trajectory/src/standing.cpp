@@ -7,7 +7,8 @@
 
 namespace slalom {
 
-bool has_stood(const Trajectory& trajectory, double now, const mrpt::math::TPose2D& pose) {
+bool has_stood(const Trajectory& trajectory, double now, const mrpt::math::TPose2D& pose,
+               bool is_disc) {
   constexpr double kTimeTolerance = 1e-9;  // s, times are sums and multiples of steps
   constexpr double kMovement = 1e-6;       // m, rad: rounding errors
   const auto& samples = trajectory.samples;
@@ -16,9 +17,8 @@ bool has_stood(const Trajectory& trajectory, double now, const mrpt::math::TPose
   // Back to the last sample before that time.
   for (std::size_t i = samples.size(); i > 0; --i) {
     const Sample& sample = samples[i - 1];
-    if (distance_between(sample.pose, pose) > kMovement ||
-        std::abs(mrpt::math::wrapToPi(sample.pose.phi - pose.phi)) > kMovement)
-      return false;
+    const double turn = is_disc ? 0 : std::abs(mrpt::math::wrapToPi(sample.pose.phi - pose.phi));
+    if (distance_between(sample.pose, pose) > kMovement || turn > kMovement) return false;
     if (sample.t <= since) break;
   }
   return true;

@@ -19,23 +19,31 @@ Trajectory stopping(double stops, double until) {
 
 TEST(HasStood, AfterHalfASecondWithoutMotion) {
   const mrpt::math::TPose2D pose(1, 2, 0.5);
-  EXPECT_TRUE(has_stood(stopping(1, 1.5), 1.5, pose));
-  EXPECT_FALSE(has_stood(stopping(1, 1.4), 1.4, pose));
-  EXPECT_TRUE(has_stood(stopping(1, 1.4), 1.5, pose));  // between two samples
-  EXPECT_FALSE(has_stood(stopping(1, 1.4), 1.45, pose));
+  EXPECT_TRUE(has_stood(stopping(1, 1.5), 1.5, pose, false));
+  EXPECT_FALSE(has_stood(stopping(1, 1.4), 1.4, pose, false));
+  EXPECT_TRUE(has_stood(stopping(1, 1.4), 1.5, pose, false));  // between two samples
+  EXPECT_FALSE(has_stood(stopping(1, 1.4), 1.45, pose, false));
 }
 
 TEST(HasStood, NotIfItMovedOrTurnedSinceTheLastSample) {
   const Trajectory standing = stopping(0, 2);
-  EXPECT_TRUE(has_stood(standing, 2.05, {1, 2, 0.5 + 2 * M_PI}));
-  EXPECT_FALSE(has_stood(standing, 2.05, {1.001, 2, 0.5}));
-  EXPECT_FALSE(has_stood(standing, 2.05, {1, 2, 0.501}));
+  EXPECT_TRUE(has_stood(standing, 2.05, {1, 2, 0.5 + 2 * M_PI}, false));
+  EXPECT_FALSE(has_stood(standing, 2.05, {1.001, 2, 0.5}, false));
+  EXPECT_FALSE(has_stood(standing, 2.05, {1, 2, 0.501}, false));
+}
+
+TEST(HasStood, ADiscThatRotatesInPlaceDoesNotMove) {
+  Trajectory turning = stopping(0, 2);
+  for (Sample& sample : turning.samples) sample.pose.phi = sample.t;
+  EXPECT_TRUE(has_stood(turning, 2.05, {1, 2, 2.05}, true));
+  EXPECT_FALSE(has_stood(turning, 2.05, {1, 2, 2.05}, false));
+  EXPECT_FALSE(has_stood(turning, 2.05, {1.001, 2, 2.05}, true));
 }
 
 TEST(HasStood, NotInLessThanThatTime) {
-  EXPECT_FALSE(has_stood({}, 1, {1, 2, 0.5}));
-  EXPECT_FALSE(has_stood(stopping(0, 0.3), 0.4, {1, 2, 0.5}));
-  EXPECT_TRUE(has_stood(stopping(0, 0.3), 0.5, {1, 2, 0.5}));
+  EXPECT_FALSE(has_stood({}, 1, {1, 2, 0.5}, false));
+  EXPECT_FALSE(has_stood(stopping(0, 0.3), 0.4, {1, 2, 0.5}, false));
+  EXPECT_TRUE(has_stood(stopping(0, 0.3), 0.5, {1, 2, 0.5}, false));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace slalom {
 namespace {
@@ -48,22 +49,48 @@ std::string animation(const char* type, const std::string& values, const std::st
       type, values, times, duration);
 }
 
+/// The disc of a mover, which moves straight between the samples of the robot, while it is present.
+std::string moving_disc(const Mover& mover, const Trajectory& trajectory, const SvgFrame& frame,
+                        const std::string& times, double duration) {
+  std::string positions, visibility;
+  const auto add = [&](double t) {
+    const auto pixel = frame.to_pixels(mover.position(t));
+    append(positions, fmt::format("{:.1f} {:.1f}", pixel.x, pixel.y));
+    append(visibility, mover.present(t) ? "visible" : "hidden");
+  };
+  const double start = trajectory.samples.front().t;
+  for (const Sample& sample : trajectory.samples) add(sample.t - start);
+  add(trajectory.duration());  // at rest in the pause, like the robot
+  return fmt::format(
+      "<circle class=\"moving\" r=\"{:.1f}\" fill=\"#e0a030\" stroke=\"#8a5a00\"><title>mover "
+      "{}</title>{}"
+      "<animate attributeName=\"visibility\" calcMode=\"discrete\" values=\"{}\" keyTimes=\"{}\" "
+      "dur=\"{:.3f}s\" repeatCount=\"indefinite\"/></circle>",
+      mover.radius * frame.scale(), html_escape(mover.id),
+      animation("translate", positions, times, duration), visibility, times, duration);
+}
+
 }  // namespace
 
 std::string render_animated_svg(const Scenario& scenario, const SceneOptions& options,
                                 const Trajectory& trajectory) {
-  std::string svg = render_svg(scenario, options);
-  if (trajectory.samples.size() < 2) return svg;
+  if (trajectory.samples.size() < 2) return render_svg(scenario, options);
+  SceneOptions still = options;
+  still.time = -std::numeric_limits<double>::infinity();  // the discs of movers are animated
+  std::string svg = render_svg(scenario, still);
   const SvgFrame frame(scenario.bounds(), options.max_pixels);
   const double duration = trajectory.duration() + kPause;
   const Keys keys = keys_of(trajectory, frame, duration);
+  std::string moving;
+  for (const Mover& mover : scenario.movers())
+    moving += moving_disc(mover, trajectory, frame, keys.times, duration);
   const double radius = std::max(3.0, options.robot_radius * frame.scale());
   const std::string robot = fmt::format(
       "<g class=\"robot\">{}<g>{}<circle r=\"{:.1f}\" fill=\"#e69f00\" fill-opacity=\"0.8\" "
       "stroke=\"#111\"/><path d=\"M0 0h{:.1f}\" stroke=\"#111\" stroke-width=\"1.8\"/></g></g>",
       animation("translate", keys.positions, keys.times, duration),
       animation("rotate", keys.headings, keys.times, duration), radius, radius);
-  return svg.insert(svg.rfind("</svg>"), robot);
+  return svg.insert(svg.rfind("</svg>"), moving + robot);
 }
 
 }  // namespace slalom

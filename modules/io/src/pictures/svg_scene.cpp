@@ -73,9 +73,10 @@ class Picture {
     Path path;
     for (const Waypoint& waypoint : mover.waypoints) path.push_back(waypoint.position);
     const double t = instant_shown(mover, options_.time);
-    const std::string title = "mover " + mover.id + " at " + format_number(t) + " s";
-    svg_ += line(path, "mover", "#8a5a00", "stroke-width=\"1\" stroke-dasharray=\"4 2\"", title);
+    const std::string name = "mover " + mover.id;
+    svg_ += line(path, "mover", "#8a5a00", "stroke-width=\"1\" stroke-dasharray=\"4 2\"", name);
     if (!mover.present(t)) return;
+    const std::string title = name + " at " + format_number(t) + " s";
     const TPoint2D center = frame_.to_pixels(mover.position(t));
     svg_ += fmt::format(
         "<circle class=\"mover\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"#e0a030\" "

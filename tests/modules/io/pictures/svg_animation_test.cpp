@@ -28,6 +28,24 @@ TEST(SvgAnimation, TheRobotIsAtEachSampleAtItsTimeAndThenPauses) {
   EXPECT_EQ(svg.compare(svg.size() - 6, 6, "</svg>"), 0);
 }
 
+TEST(SvgAnimation, MoversAreWhereTheyAreAtEachSampleWhileTheyArePresent) {
+  const Mover mover = {"m", 0.5, {{1, {2, 2}}, {3, {4, 2}}}, MoverEnd::Vanish};
+  const Scenario scenario =
+      Scenario::continuous("s", {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3}).with_movers({mover});
+  SceneOptions options;
+  options.max_pixels = 400;  // 50 pixels per meter
+  const std::string svg = render_animated_svg(
+      scenario, options, {{at(5, 1, 3, 0), at(6, 2, 3, 0), at(7, 2, 3, 0), at(9, 4, 1, 0)}});
+  // The samples are at 0, 1, 2 and 4 s of the run, when the mover is not yet and no longer present.
+  EXPECT_EQ(count(svg, "values=\"100.0 100.0;100.0 100.0;150.0 100.0;200.0 100.0;200.0 100.0\""),
+            1U)
+      << svg;
+  EXPECT_EQ(count(svg, "values=\"hidden;visible;visible;hidden;hidden\""), 1U);
+  EXPECT_EQ(count(svg, "class=\"moving\" r=\"25.0\""), 1U);
+  EXPECT_EQ(count(svg, "<circle class=\"mover\""), 0U);
+  EXPECT_EQ(count(svg, "<polyline class=\"mover\""), 1U);
+}
+
 TEST(SvgAnimation, HeadingsDoNotJumpByATurn) {
   const Scenario scenario = Scenario::continuous("s", {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3});
   const double pi = 3.14159265358979323846;

@@ -30,7 +30,8 @@ struct SceneOptions {
   int max_pixels = 480;        ///< of the longer side
   double robot_radius = 0.25;  ///< m, drawn at start and goal
   const References* references = nullptr;
-  /// s of the run, at which movers are drawn; none: at time 0 or where they appear later.
+  /// s of the run, at which movers are drawn; none: at time 0 or where they appear later; minus
+  /// infinity: only their paths.
   std::optional<double> time = {};
   std::vector<SceneTrajectory> trajectories;
 };

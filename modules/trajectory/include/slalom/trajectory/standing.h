@@ -8,8 +8,10 @@ namespace slalom {
 /// (passive safety).
 constexpr double kStandingTime = 0.5;
 
-/// Whether a robot that is at `pose` at time `now`, not before the last sample, has not moved for
-/// kStandingTime. False if the trajectory is shorter than that.
-bool has_stood(const Trajectory& trajectory, double now, const mrpt::math::TPose2D& pose);
+/// Whether the footprint of a robot that is at `pose` at time `now`, not before the last sample,
+/// has not moved for kStandingTime; a disc does not move when it rotates in place. False if the
+/// trajectory is shorter than that.
+bool has_stood(const Trajectory& trajectory, double now, const mrpt::math::TPose2D& pose,
+               bool is_disc);
 
 }  // namespace slalom
