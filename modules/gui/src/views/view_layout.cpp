@@ -134,8 +134,8 @@ void ViewLayout::place_legend(const std::vector<std::string>& layers, double pre
   parts.push_back({"legend", {left, top, width, kLegendTitleHeight}});
   const double rows_top = top + kLegendTitleHeight;
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    const auto column = static_cast<double>(i / columns.rows);
-    const auto row = static_cast<double>(i % columns.rows);
+    const std::size_t from_left = i / columns.rows, from_top = i % columns.rows;
+    const auto column = static_cast<double>(from_left), row = static_cast<double>(from_top);
     parts.push_back({"layer " + layers[i],
                      {left + column * columns.width, rows_top + row * columns.row_height,
                       columns.width, columns.row_height}});

@@ -2,6 +2,7 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/generation/generate_mix.h>
+#include <slalom/generation/start_goal.h>
 #include <slalom/scenario/geometry.h>
 
 #include <gtest/gtest.h>
