@@ -1,5 +1,5 @@
 #include "common.h"
-#include "touched_mover.h"
+#include "mover_encounters.h"
 
 #include <algorithm>
 

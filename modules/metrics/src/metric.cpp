@@ -5,12 +5,15 @@
 namespace slalom {
 
 const Metric& metric(const std::string& id) {
-  std::vector<std::string> ids;
-  for (const Metric& candidate : all_metrics()) {
+  for (const Metric& candidate : all_metrics())
     if (candidate.info.id == id) return candidate;
-    ids.push_back(candidate.info.id);
-  }
-  throw usage_error("metric", "unknown id '" + id + "'", expected_name(id, ids));
+  throw usage_error("metric", "unknown id '" + id + "'", expected_name(id, metric_ids()));
+}
+
+std::vector<std::string> metric_ids() {
+  std::vector<std::string> ids;
+  for (const Metric& each : all_metrics()) ids.push_back(each.info.id);
+  return ids;
 }
 
 double footprint_clearance(const World& world, const Footprint& footprint,

@@ -1,22 +1,13 @@
 #include "common.h"
 #include "mover_encounters.h"
-#include "touched_mover.h"
 
-#include <slalom/scenario/geometry.h>
+#include <slalom/scenario/touched_mover.h>
 #include <slalom/trajectory/standing.h>
 
 #include <cmath>
 
 namespace slalom {
 namespace {
-
-/// Distance (m) of the mover from the footprint.
-double gap_at(const MetricContext& context, const Sample& sample, const Mover& mover) {
-  const auto center = mover.position(run_time(context, sample));
-  const Footprint footprint = context.robot.shape();
-  if (footprint.is_disc()) return distance_between(center, sample.pose) - reach_of(context, mover);
-  return distance(center, Polygon{footprint.corners_at(sample.pose)}) - mover.radius;
-}
 
 /// NA with the reason unless the run ended in contact with a mover.
 std::optional<Value> na_unless_touched(const MetricContext& context) {
@@ -32,16 +23,9 @@ std::optional<Value> na_unless_touched(const MetricContext& context) {
 const Mover* touched_mover(const MetricContext& context) {
   if (context.outcome != Outcome::Collision || context.trajectory.samples.empty()) return nullptr;
   const Sample& last = context.trajectory.samples.back();
-  double nearest = context.clearances.back();
-  const Mover* touched = nullptr;
-  for (const Mover& mover : context.world.scenario().movers()) {
-    if (!mover.present(run_time(context, last))) continue;
-    const double gap = gap_at(context, last, mover);
-    if (gap >= nearest) continue;
-    nearest = gap;
-    touched = &mover;
-  }
-  return touched;
+  const Footprint footprint = context.robot.shape();
+  return touched_mover(context.world, mrpt::math::TPoint2D(last.pose), footprint.enclosing_radius(),
+                       footprint.corners_at(last.pose), run_time(context, last));
 }
 
 namespace metrics {
@@ -50,6 +34,13 @@ Value mover_collision(const MetricContext& context) {
   if (const auto na = na_without_movers(context)) return *na;
   if (const auto na = na_without_verdict(context)) return *na;
   return Value::of(touched_mover(context) != nullptr ? 1 : 0);
+}
+
+/// Its index in the scenario, which is the id of its tracks.
+Value contact_mover(const MetricContext& context) {
+  if (const auto na = na_unless_touched(context)) return *na;
+  return Value::of(
+      static_cast<double>(touched_mover(context) - context.world.scenario().movers().data()));
 }
 
 /// Speed of the robot in a contact with a mover, whatever its direction.

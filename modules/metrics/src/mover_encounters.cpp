@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace slalom {
 namespace {
@@ -48,22 +47,6 @@ void for_each_encounter(const MetricContext& context,
   for (const Mover& mover : context.world.scenario().movers())
     for (std::size_t i = 1; i < samples.size(); ++i)
       visit_interval(context, mover, samples[i - 1], samples[i], visit);
-}
-
-std::optional<std::pair<double, double>> range_within(const TPoint2D& from,
-                                                      const TPoint2D& movement, double radius) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const double distance = std::hypot(from.x, from.y);
-  const double a = movement.x * movement.x + movement.y * movement.y;
-  const double b = from.x * movement.x + from.y * movement.y;
-  // As a product: the difference of squares would lose the digits of a small gap.
-  const double c = (distance - radius) * (distance + radius);
-  if (a <= 0) return c < 0 ? std::optional(std::pair(-kInfinity, kInfinity)) : std::nullopt;
-  const double discriminant = b * b - a * c;
-  if (!(discriminant > 0)) return std::nullopt;
-  // The root of the larger magnitude first: the other one then without cancellation.
-  const double q = -b - std::copysign(std::sqrt(discriminant), b);
-  return std::minmax({q / a, c / q});
 }
 
 double smallest_gap(const Encounter& e) {

@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <optional>
-#include <utility>
 
 namespace slalom {
 
@@ -28,16 +27,14 @@ double run_time(const MetricContext& context, const Sample& sample);
 /// which these touch.
 double reach_of(const MetricContext& context, const Mover& mover);
 
+/// The mover with which a run collided, the one at the robot in the last sample; null if there is
+/// none, or the run did not end in a collision.
+const Mover* touched_mover(const MetricContext& context);
+
 /// Every part of every interval between samples in which a mover is present and its velocity is
 /// constant. The robot moves straight at constant speed between samples.
 void for_each_encounter(const MetricContext& context,
                         const std::function<void(const Encounter&)>& visit);
-
-/// The range of f, not bounded by 0 or 1, in which |from + f movement| < radius; none if it is
-/// never below.
-std::optional<std::pair<double, double>> range_within(const mrpt::math::TPoint2D& from,
-                                                      const mrpt::math::TPoint2D& movement,
-                                                      double radius);
 
 /// The smallest distance (m) during the encounter between the two discs; negative when they
 /// overlap.

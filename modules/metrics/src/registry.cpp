@@ -49,6 +49,7 @@
 /// Those about moving obstacles.
 #define SLALOM_MOVER_METRICS(METRIC)                                                       \
   METRIC(mover_collision, 1, "Collision with a mover", "-", Down)                          \
+  METRIC(contact_mover, 1, "Mover in contact", "-", None)                                  \
   METRIC(mover_contact_speed, 1, "Speed at the contact with a mover", "m/s", Down)         \
   METRIC(stood_at_contact, 1, "Stood at the contact with a mover", "-", Up)                \
   METRIC(min_mover_clearance, 1, "Minimum clearance from movers", "m", Up)                 \

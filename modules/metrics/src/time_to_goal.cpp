@@ -30,7 +30,10 @@ Value arrival_ratio(const MetricContext& context) {
   if (const auto na = na_without_movers(context)) return *na;
   if (const auto na = na_unless_reached(context)) return *na;
   if (const auto na = na_without_shortest(context)) return *na;
-  if (!context.references.arrival) return Value::na(context.references.arrival_reason);
+  if (!context.references.arrival) {
+    const std::string& reason = context.references.arrival_reason;
+    return Value::na(reason.empty() ? "the earliest arrival was not computed" : reason);
+  }
   const double earliest = context.references.arrival->certificate.lower_bound;
   if (earliest == 0) return Value::na("the start is in the goal region");
   return Value::of(context.trajectory.duration() / earliest);

@@ -68,6 +68,18 @@ std::string sensor_warning(const IniFile& ini) {
          " for that angle in degrees";
 }
 
+void TrackerModel::visit(OptionVisitor& v) {
+  v.option("range", range, "m", "movers within it have tracks", Range::positive());
+  v.option("position_sigma", position_sigma, "m", "standard deviation of each coordinate",
+           Range::at_least(0));
+  v.option("velocity_sigma", velocity_sigma, "m/s", "standard deviation of each coordinate",
+           Range::at_least(0));
+  v.option("dropout_ratio", dropout_ratio, "-", "fraction of tracks that are missing in a cycle",
+           Range::between(0, 1));
+  v.option("latency", latency, "s", "age of the tracks when the method receives them",
+           Range::at_least(0));
+}
+
 void OdometryModel::visit(OptionVisitor& v) {
   v.option("distance_sigma", distance_sigma, "m", "standard deviation of the error after 1 m",
            Range::at_least(0));

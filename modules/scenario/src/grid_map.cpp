@@ -13,7 +13,8 @@ using mrpt::math::TPoint2D;
 /// Sets the members of setSize() directly.
 class ExactGridMap : public COccupancyGridMap2D {
  public:
-  ExactGridMap(int size_x, int size_y, double resolution, const TPoint2D& origin) {
+  ExactGridMap(int size_x, int size_y, double resolution, const TPoint2D& origin)
+      : COccupancyGridMap2D(one_cell_map()) {
     m_size_x = static_cast<std::uint32_t>(size_x);
     m_size_y = static_cast<std::uint32_t>(size_y);
     m_resolution = static_cast<float>(resolution);
@@ -28,6 +29,10 @@ class ExactGridMap : public COccupancyGridMap2D {
 
 }  // namespace
 
+COccupancyGridMap2D one_cell_map() {
+  return COccupancyGridMap2D(0, 1, 0, 1, 1);
+}
+
 COccupancyGridMap2D make_grid_map(int size_x, int size_y, double resolution,
                                   const TPoint2D& origin) {
   const bool good =
@@ -40,7 +45,7 @@ COccupancyGridMap2D make_grid_map(int size_x, int size_y, double resolution,
          << origin.y << ')';
     throw usage_error("grid", what.str(), "1 to 400 million cells of finite size and position");
   }
-  COccupancyGridMap2D map;
+  COccupancyGridMap2D map = one_cell_map();
   map.copyMapContentFrom(ExactGridMap(size_x, size_y, resolution, origin));
   return map;
 }

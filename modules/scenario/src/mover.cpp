@@ -19,8 +19,6 @@ using mrpt::math::TPoint2D;
 constexpr std::size_t kMaxIdBytes = 100;
 /// Limits (s, m, m/s) far beyond any use: no computation with a mover overflows.
 constexpr double kMaxNumber = 1e6, kMaxSpeed = 1000;
-constexpr double kMinDuration =
-    1e-3;  // s, of a segment: the simulator moves from waypoint to waypoint
 
 bool same_position(const Waypoint& a, const Waypoint& b) {
   return a.position.x == b.position.x && a.position.y == b.position.y;
@@ -44,10 +42,10 @@ void check_waypoint(const std::string& where, const std::vector<Waypoint>& waypo
                      "a time and a position within +-" + format_number(kMaxNumber));
   if (i == 0) return;
   const Waypoint& before = waypoints[i - 1];
-  if (!(w.t - before.t >= kMinDuration))
-    throw file_error(where,
-                     which + " is at " + format_number(w.t) + " s, not after the one before it",
-                     "increasing times, at least " + format_number(kMinDuration) + " s apart");
+  if (!(w.t - before.t >= kMinSegmentDuration))
+    throw file_error(
+        where, which + " is at " + format_number(w.t) + " s, not after the one before it",
+        "increasing times, at least " + format_number(kMinSegmentDuration) + " s apart");
   if (!(distance_between(before.position, w.position) <= kMaxSpeed * (w.t - before.t)))
     throw file_error(where, which + " is too far from the one before it",
                      "a speed of at most " + format_number(kMaxSpeed) + " m/s");
@@ -127,6 +125,21 @@ bool Mover::operator==(const Mover& other) const {
                     });
 }
 
+std::vector<MoverSegment> segments_of(const Mover& mover, double horizon) {
+  std::vector<MoverSegment> segments;
+  for (double t = 0; t < horizon;) {
+    const double next = std::min(mover.next_change(t), horizon);
+    // In the middle it is certain to which segment a time belongs.
+    const double middle = (t + next) / 2;
+    if (mover.present(middle)) {
+      const TPoint2D velocity = mover.velocity(middle);
+      segments.push_back({t, next, mover.position(middle) + velocity * (t - middle), velocity});
+    }
+    t = next;
+  }
+  return segments;
+}
+
 void check_movers(const std::string& name, const Movers& movers) {
   std::set<std::string> ids;
   for (std::size_t i = 0; i < movers.size(); ++i) {
@@ -134,6 +147,15 @@ void check_movers(const std::string& name, const Movers& movers) {
     const std::string where = name + ": mover '" + movers[i].id + "'";
     if (!ids.insert(movers[i].id).second) throw file_error(where, "duplicate id", "unique ids");
     check_mover(where, movers[i]);
+  }
+}
+
+void set_speed(Mover& mover, double speed) {
+  constexpr double kShortest = 2 * kMinSegmentDuration;  // for rounding
+  for (std::size_t i = 1; i < mover.waypoints.size(); ++i) {
+    const Waypoint& before = mover.waypoints[i - 1];
+    Waypoint& now = mover.waypoints[i];
+    now.t = before.t + std::max(kShortest, distance_between(before.position, now.position) / speed);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
 #include <slalom/core/printable.h>
+#include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/scenario.h>
 
 #include <algorithm>
@@ -91,7 +92,7 @@ Bounds bounds_of(const COccupancyGridMap2D& map) {
 
 /// A copy of the map whose cells are exactly free (1) or occupied (0).
 GridMapPtr binarized(const COccupancyGridMap2D& map) {
-  auto result = std::make_shared<COccupancyGridMap2D>();
+  auto result = std::make_shared<COccupancyGridMap2D>(one_cell_map());
   result->copyMapContentFrom(map);
   const auto free = COccupancyGridMap2D::p2l(1.0f), occupied = COccupancyGridMap2D::p2l(0.0f);
   const auto unknown = COccupancyGridMap2D::p2l(0.5f);

@@ -100,13 +100,11 @@ class LogEvaluator {
     TimedMotion motion{before.pose, after.pose, time(before), time(after)};
     const TPose2D& pose = motion.to;
     double fraction = 1;
-    if (const Contact contact = checker_.find_contact(motion, fraction)) {
+    if (checker_.find_contact(motion, fraction)) {
       Sample last = between(before, after, fraction);
       last.pose = pose;
-      end_at(last, Outcome::Collision, contact.text());
-      if (contact.mover != nullptr)
-        result_.detail += checker_.robot_at_contact(result_.trajectory, last.t, pose,
-                                                    std::hypot(last.v, last.vy));
+      add_later(last);
+      finish(Outcome::Collision, checker_.describe_contact(result_.trajectory, where()));
     } else if (checker_.left_workspace(pose)) {
       end_at(after, Outcome::LeftWorkspace, "left the workspace");
     } else if (checker_.reached_goal(pose)) {
@@ -117,18 +115,28 @@ class LogEvaluator {
   }
 
   /// Samples are strictly ordered by time: one at the time of the last is omitted.
-  void end_at(const Sample& sample, Outcome outcome, const std::string& what) {
+  void add_later(const Sample& sample) {
     if (sample.t > result_.trajectory.samples.back().t) add(sample);
+  }
+
+  void end_at(const Sample& sample, Outcome outcome, const std::string& what) {
+    add_later(sample);
     end(outcome, what);
   }
 
-  void end(Outcome outcome, const std::string& what) {
-    const Sample& last = result_.trajectory.samples.back();
+  void end(Outcome outcome, const std::string& what) { finish(outcome, what + " " + where()); }
+
+  void finish(Outcome outcome, const std::string& detail) {
     result_.outcome = outcome;
-    result_.detail = what + " at (" + format_fixed(last.pose.x, 2) + ", " +
-                     format_fixed(last.pose.y, 2) + ") m after " + format_fixed(time(last), 2) +
-                     " s";
+    result_.detail = detail;
     finished_ = true;
+  }
+
+  /// The last sample.
+  std::string where() const {
+    const Sample& last = result_.trajectory.samples.back();
+    return "at (" + format_fixed(last.pose.x, 2) + ", " + format_fixed(last.pose.y, 2) +
+           ") m after " + format_fixed(time(last), 2) + " s";
   }
 
   std::string remaining_distance() const {

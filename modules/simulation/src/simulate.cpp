@@ -1,3 +1,4 @@
+#include "mover_tracker.h"
 #include "odometry.h"
 #include "pose_history.h"
 #include "simulated_clock.h"
@@ -37,10 +38,11 @@ class Run {
         method_(method),
         observer_(observer),
         sensor_(world, setup.sensor, seed),
+        tracker_(world.scenario().movers(), setup.tracker, seed),
         checker_(world, setup.robot, options_),
         vehicle_(make_vehicle(setup.robot)),
         odometry_(setup.odometry, seed, world.scenario().start()),
-        history_(setup.sensor.latency),
+        history_(std::max(setup.sensor.latency, setup.tracker.latency)),
         steps_per_cycle_(static_cast<int>(std::llround(options_.control_period / options_.step))) {
     vehicle_->start_at(world.scenario().start());
     history_.add(0, pose());
@@ -65,7 +67,12 @@ class Run {
   double cycle_time() const { return cycle_ * options_.control_period; }
 
   void begin() {
-    const NavigationTask navigation_task = task();
+    const Occupancy& cells = world_.occupancy();
+    const KnownMap map = {cells.resolution(), cells.origin(),
+                          static_cast<std::size_t>(cells.size_x()),
+                          static_cast<std::size_t>(cells.size_y()), &cells.cells()};
+    NavigationTask navigation_task = task();
+    if (method_.uses_map()) navigation_task.map = &map;
     started_ = true;
     call_method([&] { method_.reset(navigation_task); });
     if (observer_ != nullptr) observer_->on_start(navigation_task);
@@ -140,6 +147,10 @@ class Run {
     observation.goal_in_robot = observation.odometry.inverseComposePoint(world_.scenario().goal());
     const double scan_time = std::max(0.0, time_ - setup_.sensor.latency);
     observation.scan = &sensor_.sense(history_.at(scan_time), scan_time, clock_.at(scan_time));
+    if (method_.uses_tracks()) {
+      const double track_time = std::max(0.0, time_ - setup_.tracker.latency);
+      observation.tracks = &tracker_.sense(history_.at(track_time), track_time);
+    }
     return observation;
   }
 
@@ -182,7 +193,7 @@ class Run {
   void check_step(const TPose2D& before, double begin) {
     TimedMotion motion{before, pose(), begin, begin + options_.step};
     double fraction = 1;
-    const Contact contact = checker_.find_contact(motion, fraction);
+    const bool contact = checker_.find_contact(motion, fraction);
     const TPose2D& now = motion.to;
     time_ = begin + fraction * options_.step;
     traveled_ += fraction * vehicle_->step_length();
@@ -190,19 +201,13 @@ class Run {
     history_.add(time_, now);
     if (contact) {
       vehicle_->setCurrentGTPose(now);
-      end(Outcome::Collision, contact.text() + " " + at(now, time_) + robot_at(contact));
+      record_end();
+      end(Outcome::Collision, checker_.describe_contact(result_.trajectory, at(now, time_)));
     } else if (checker_.left_workspace(now)) {
       end(Outcome::LeftWorkspace, "left " + at(now, time_));
     } else if (checker_.reached_goal(now)) {
       end(Outcome::Success, "goal reached " + at(now, time_));
     }
-  }
-
-  /// "" for a contact with a static obstacle.
-  std::string robot_at(const Contact& contact) const {
-    if (contact.mover == nullptr) return "";
-    return checker_.robot_at_contact(result_.trajectory, time_, pose(),
-                                     std::hypot(vehicle_->v(), vehicle_->vy()));
   }
 
   void record() {
@@ -211,9 +216,13 @@ class Run {
   }
 
   /// Records the final state, unless it coincides with the sample of the control cycle.
-  void end(Outcome outcome, const std::string& detail) {
+  void record_end() {
     const auto& samples = result_.trajectory.samples;
     if (samples.empty() || samples.back().t < time_) record();
+  }
+
+  void end(Outcome outcome, const std::string& detail) {
+    record_end();
     result_.outcome = outcome;
     result_.detail = detail;
     finished_ = true;
@@ -227,6 +236,7 @@ class Run {
   RunObserver* observer_;
   SimulatedClock clock_;
   RangeFinder sensor_;
+  MoverTracker tracker_;
   TerminationChecker checker_;
   std::unique_ptr<Vehicle> vehicle_;
   Odometry odometry_;

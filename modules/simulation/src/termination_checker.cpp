@@ -2,6 +2,7 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/core/text.h>
+#include <slalom/scenario/touched_mover.h>
 #include <slalom/trajectory/standing.h>
 
 #include <cmath>
@@ -17,23 +18,15 @@ constexpr double kTimeTolerance = 1e-9;
 
 }  // namespace
 
-std::string Contact::text() const {
-  return mover == nullptr ? "contact" : "contact with mover '" + mover->id + "'";
-}
-
-Contact TerminationChecker::find_contact(TimedMotion& motion, double& fraction) {
-  Contact contact;
-  const double duration = motion.end - motion.begin;
-  contact.found = contact_->find_contact(motion.from, motion.to, fraction);
-  if (contact) motion.end = motion.begin + fraction * duration;
+bool TerminationChecker::find_contact(TimedMotion& motion, double& fraction) {
+  const bool is_static = contact_->find_contact(motion.from, motion.to, fraction);
+  if (is_static) motion.end = motion.begin + fraction * (motion.end - motion.begin);
   double before = 1;
-  contact.mover = movers_.find_contact(motion, before);
-  if (contact.mover == nullptr) return contact;
-  contact.found = true;
+  if (movers_.find_contact(motion, before) == nullptr) return is_static;
   motion.to = interpolate(motion.from, motion.to, before);
   motion.end = motion.begin + before * (motion.end - motion.begin);
   fraction *= before;
-  return contact;
+  return true;
 }
 
 bool TerminationChecker::reached_goal(const TPose2D& pose) const {
@@ -55,11 +48,17 @@ bool TerminationChecker::is_time_over(double now) const {
   return now >= options_.max_time - kTimeTolerance;
 }
 
-std::string TerminationChecker::robot_at_contact(const Trajectory& trajectory, double now,
-                                                 const TPose2D& pose, double speed) const {
-  return has_stood(trajectory, now, pose, is_disc_)
-             ? ", the robot had stood for " + format_number(kStandingTime) + " s"
-             : ", the robot at " + format_fixed(speed, 2) + " m/s";
+std::string TerminationChecker::describe_contact(const Trajectory& trajectory,
+                                                 const std::string& where) const {
+  const Sample& last = trajectory.samples.back();
+  const Mover* mover = touched_mover(world_, TPoint2D(last.pose), footprint_.enclosing_radius(),
+                                     footprint_.corners_at(last.pose), trajectory.duration());
+  if (mover == nullptr) return "contact " + where;
+  const double speed = std::hypot(last.v, last.vy);
+  return "contact with mover '" + mover->id + "' " + where +
+         (has_stood(trajectory, last.t, last.pose, footprint_.is_disc())
+              ? ", the robot had stood for " + format_number(kStandingTime) + " s"
+              : ", the robot at " + format_fixed(speed, 2) + " m/s");
 }
 
 bool TerminationChecker::is_stuck(const Trajectory& trajectory, double now,

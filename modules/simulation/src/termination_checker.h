@@ -13,15 +13,6 @@
 
 namespace slalom {
 
-/// Whether there is contact, and with what.
-struct Contact {
-  bool found = false;
-  const Mover* mover = nullptr;  ///< null: with a static obstacle
-
-  explicit operator bool() const { return found; }
-  std::string text() const;  ///< "contact", "contact with mover 'ID'"
-};
-
 /// Checks the termination conditions of a run from ground truth: collision, goal, stuck, time.
 class TerminationChecker {
  public:
@@ -29,7 +20,7 @@ class TerminationChecker {
       : world_(world),
         contact_(make_footprint_contact(world, robot.shape())),
         movers_(world.scenario().movers(), robot.shape()),
-        is_disc_(robot.shape().is_disc()),
+        footprint_(robot.shape()),
         options_(options) {}
 
   bool touches(const mrpt::math::TPose2D& pose) const { return contact_->touches(pose); }
@@ -37,9 +28,9 @@ class TerminationChecker {
   const Mover* overlapping_mover(const mrpt::math::TPose2D& pose, double t) const {
     return movers_.find_overlap(pose, t);
   }
-  /// The first contact on this motion, with an obstacle or a mover; then the motion ends there and
-  /// `fraction` (0..1) of it was possible. See FootprintContact, MoverContact.
-  Contact find_contact(TimedMotion& motion, double& fraction);
+  /// Whether there is contact on this motion, with an obstacle or a mover; then the motion ends
+  /// there and `fraction` (0..1) of it was possible. See FootprintContact, MoverContact.
+  bool find_contact(TimedMotion& motion, double& fraction);
   bool reached_goal(const mrpt::math::TPose2D& pose) const;
   bool left_workspace(const mrpt::math::TPose2D& pose) const;
   bool is_in_time(double now) const;    ///< now <= max_time
@@ -49,16 +40,15 @@ class TerminationChecker {
   /// last one.
   bool is_stuck(const Trajectory& trajectory, double now, const mrpt::math::TPose2D& pose) const;
 
-  /// The robot in a contact with a mover at `now`: ", the robot at V m/s", or that it had stood for
-  /// 0.5 s, so that the mover ran into it (passive safety).
-  std::string robot_at_contact(const Trajectory& trajectory, double now,
-                               const mrpt::math::TPose2D& pose, double speed) const;
+  /// The contact in the last sample: "contact WHERE", and of one with a mover which, and the
+  /// robot's speed, or that it had stood for 0.5 s, so that the mover ran into it (passive safety).
+  std::string describe_contact(const Trajectory& trajectory, const std::string& where) const;
 
  private:
   const World& world_;
   std::unique_ptr<FootprintContact> contact_;
   MoverContact movers_;
-  bool is_disc_;
+  Footprint footprint_;
   const SimulationOptions& options_;
 };
 

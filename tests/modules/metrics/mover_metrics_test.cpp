@@ -54,6 +54,7 @@ TEST(ArrivalRatio, IsTheTimeOverTheLowerBoundOfTheEarliestArrival) {
   run.references.arrival->certificate.lower_bound = 0;
   EXPECT_EQ(run.reason("arrival_ratio"), "the start is in the goal region");
   run.references.arrival.reset();
+  EXPECT_EQ(run.reason("arrival_ratio"), "the earliest arrival was not computed");
   run.references.arrival_reason = "there is none";
   EXPECT_EQ(run.reason("arrival_ratio"), "there is none");
   run.references.shortest.reset();
@@ -182,6 +183,7 @@ struct MoverCrash : MeasuredRun {
 TEST(MoverCollision, IsAttributedToWhatIsAtTheRobot) {
   const MoverCrash at_mover(walker({4, 1.5 - kReach}, {4, 1.5 - kReach}, 1));
   EXPECT_EQ(at_mover.number("mover_collision"), 1);
+  EXPECT_EQ(at_mover.number("contact_mover"), 0);
   EXPECT_NEAR(at_mover.number("mover_contact_speed"), 0.6, 1e-12);
   EXPECT_EQ(at_mover.number("stood_at_contact"), 0);
   EXPECT_EQ(at_mover.reason("impact_speed"), "contact with a mover");
@@ -216,6 +218,16 @@ TEST(MoverCollision, OfAPolygonIsThatOfItsOutline) {
   };
   EXPECT_EQ(collision({4, 0.7}), 1);
   EXPECT_EQ(collision({6.5, 1.5}), 0);  // 2 m from its side; the wall is 1 m from its front
+}
+
+TEST(ContactMover, IsTheIndexOfTheNearestMoverInTheScenario) {
+  const Mover aside = walker({1, 8}, {1, 8}, 1);
+  StandingRun run({aside, aside, walker({10, 5}, {4 + kReach, 5}, 20)});
+  EXPECT_EQ(run.reason("contact_mover"), "outcome: success");
+  run.outcome = Outcome::Collision;
+  EXPECT_EQ(run.number("contact_mover"), 2);
+  run.trajectory.samples.back().pose = {4, 0.25, 0};
+  EXPECT_EQ(run.reason("contact_mover"), "contact with a static obstacle");
 }
 
 TEST(StoodAtContact, IsOneIfTheMoverRanIntoTheRobot) {

@@ -192,5 +192,16 @@ TEST(Mover, IsRefusedWithItsIdWhenInvalid) {
   EXPECT_TRUE(refused([](Mover& m) { m.after = MoverEnd::Loop; }, "is not closed"));
 }
 
+TEST(SegmentsOf, AreTheMotionsOfAMoverWhileItIsPresent) {
+  const Mover mover{"a", 0.3, {{1, {0, 0}}, {3, {4, 0}}, {4, {4, 0}}}, MoverEnd::Vanish};
+  const auto segments = segments_of(mover, 10);
+  ASSERT_EQ(segments.size(), 2U);
+  EXPECT_EQ(segments[0].begin, 1);
+  EXPECT_EQ(segments[0].end, 3);
+  EXPECT_EQ(segments[0].velocity.x, 2);
+  EXPECT_EQ(segments[1].from.x, 4);
+  EXPECT_EQ(segments[1].end, 4);
+}
+
 }  // namespace
 }  // namespace slalom

@@ -1,4 +1,5 @@
 #include "mover_contact.h"
+#include "mover_tracker.h"
 #include "test_runs.h"
 
 #include <slalom/core/distance.h>
@@ -278,6 +279,96 @@ TEST(MoverContact, IsNotFoundAlongThePlanOfTheEarliestArrival) {
   }
   EXPECT_GT(arrivals, 15);
   EXPECT_GT(waits, 3);
+}
+
+TEST(MoverTracker, MeasuresInTheRobotFrame) {
+  const Movers movers{mover_from(9, 9, 0, 0), mover_from(4, 2, -0.5, 0), mover_from(2, 10.5, 1, 0)};
+  MoverTracker tracker(movers, {}, 1);
+  // From (2, 2) with heading +y: x forward is +y, y left is -x. The first one is 9.9 m away.
+  const std::vector<Track>& tracks = tracker.sense({2, 2, M_PI / 2}, 1);
+  ASSERT_EQ(tracks.size(), 1U) << "the others are beyond 8 m";
+  EXPECT_EQ(tracks[0].id, 1);
+  EXPECT_NEAR(tracks[0].position.x, 0, 1e-12);
+  EXPECT_NEAR(tracks[0].position.y, -1.5, 1e-12);
+  EXPECT_NEAR(tracks[0].velocity.x, 0, 1e-12);
+  EXPECT_NEAR(tracks[0].velocity.y, 0.5, 1e-12);
+  EXPECT_EQ(tracks[0].radius, 0.3);
+  TrackerModel wide;
+  wide.range = 20;
+  EXPECT_EQ(MoverTracker(movers, wide, 1).sense({2, 2, M_PI / 2}, 1).size(), 3U);
+}
+
+TEST(MoverTracker, OmitsMoversThatAreAbsent) {
+  Mover late = mover_from(2, 2, 0, 0);
+  late.waypoints = {{1, {2, 2}}, {3, {2, 2}}};
+  late.after = MoverEnd::Vanish;
+  const Movers movers{late};
+  MoverTracker tracker(movers, {}, 1);
+  EXPECT_EQ(tracker.sense({2, 3, 0}, 0.5).size(), 0U);
+  EXPECT_EQ(tracker.sense({2, 3, 0}, 2).size(), 1U);
+  EXPECT_EQ(tracker.sense({2, 3, 0}, 3.5).size(), 0U);
+}
+
+TEST(MoverTracker, AddsNoiseOfTheConfiguredDeviationAndDropouts) {
+  const Movers movers{mover_from(4, 2, -0.5, 0)};
+  const TrackerModel model{8, 0.1, 0.2, 0.25, 0};
+  MoverTracker tracker(movers, model, 5), again(movers, model, 5);
+  constexpr int kCycles = 8000;
+  double squares[4] = {};
+  int n = 0;
+  for (int i = 0; i < kCycles; ++i) {
+    const std::vector<Track>& tracks = tracker.sense({2, 2, 0}, 0);
+    const std::vector<Track>& same = again.sense({2, 2, 0}, 0);
+    ASSERT_EQ(tracks.size(), same.size()) << "the same seed";
+    if (tracks.empty()) continue;
+    EXPECT_EQ(tracks[0].position, same[0].position);
+    const double errors[] = {tracks[0].position.x - 2, tracks[0].position.y,
+                             tracks[0].velocity.x + 0.5, tracks[0].velocity.y};
+    for (int k = 0; k < 4; ++k) squares[k] += errors[k] * errors[k];
+    ++n;
+  }
+  // A deviation's own deviation is sigma / sqrt(2 n): four of it.
+  for (int k = 0; k < 4; ++k) {
+    const double sigma = k < 2 ? 0.1 : 0.2;
+    EXPECT_NEAR(std::sqrt(squares[k] / n), sigma, 4 * sigma / std::sqrt(2.0 * n)) << k;
+  }
+  EXPECT_NEAR(n, 0.75 * kCycles, 4 * std::sqrt(0.25 * 0.75 * kCycles));
+}
+
+/// The tracks of each cycle of a run at 0.5 m/s along x, for a method that declares them.
+class TrackingMethod : public Method {
+ public:
+  explicit TrackingMethod(bool declares) : declares_(declares) {}
+  void reset(const NavigationTask&) override {}
+  Command step(const Observation& o) override {
+    EXPECT_EQ(o.tracks != nullptr, declares_);
+    if (o.tracks != nullptr && !o.tracks->empty()) distances.push_back(o.tracks->at(0).position.x);
+    return {0.5, 0};
+  }
+  bool uses_tracks() const override { return declares_; }
+  std::vector<double> distances;
+
+ private:
+  bool declares_;
+};
+
+TEST(Tracks, AreGivenToMethodsThatDeclareThem) {
+  const World world = world_with({2, 5, 0}, {mover_from(8, 5, -0.5, 0)});
+  RunSetup setup;
+  setup.robot = disc_robot();
+  setup.simulation.max_time = 3;
+  TrackingMethod with(true), without(false), late(true);
+  const SimulationResult result = simulate(world, setup, 1, with);
+  EXPECT_EQ(simulate(world, setup, 1, without).trajectory.hash(), result.trajectory.hash());
+  ASSERT_EQ(with.distances.size(), 30U);
+  for (std::size_t i = 0; i < 30; ++i) {
+    const double t = 0.1 * static_cast<double>(i);
+    EXPECT_NEAR(with.distances[i], 8 - 0.5 * t - result.trajectory.samples[i].pose.x, 1e-9);
+  }
+  // Tracks of 0.2 s age are those of two cycles before.
+  setup.tracker.latency = 0.2;
+  simulate(world, setup, 1, late);
+  for (std::size_t i = 2; i < 30; ++i) EXPECT_NEAR(late.distances[i], with.distances[i - 2], 1e-9);
 }
 
 }  // namespace

@@ -233,6 +233,39 @@ TEST(Simulate, NotifiesTheMethodOnceOfTheOutcome) {
   EXPECT_TRUE(never_started.outcomes.empty());
 }
 
+/// Keeps the map that it is given, if it declares that it uses it.
+class MapUser : public Method {
+ public:
+  explicit MapUser(bool declares) : declares_(declares) {}
+  void reset(const NavigationTask& task) override {
+    if (task.map == nullptr) return;
+    map = *task.map;
+    cells = *task.map->cells;
+  }
+  Command step(const Observation&) override { return {}; }
+  bool uses_map() const override { return declares_; }
+  KnownMap map;
+  std::vector<std::uint8_t> cells;
+
+ private:
+  bool declares_;
+};
+
+TEST(Simulate, GivesTheMapToMethodsThatDeclareThatTheyUseIt) {
+  Primitives obstacles;
+  obstacles.discs.push_back({{6, 2}, 0.5});
+  const World world = square_world({1, 5, 0}, {8, 5}, obstacles);
+  SimulationOptions options;
+  options.max_time = 1;
+  MapUser with(true), without(false);
+  run(world, with, options);
+  run(world, without, options);
+  EXPECT_TRUE(without.cells.empty());
+  EXPECT_EQ(with.map.resolution, 0.05);
+  EXPECT_EQ(with.map.size_x, 200U);
+  EXPECT_EQ(with.cells, world.occupancy().cells());
+}
+
 TEST(Simulate, RefusesAStepLongerThanTheControlPeriod) {
   FunctionMethod forward = constant_method(1, 0);
   SimulationOptions options;

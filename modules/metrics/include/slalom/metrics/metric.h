@@ -55,6 +55,7 @@ struct Metric {
 
 /// All metrics, in the order of definitions.md; the table is in registry.cpp.
 const std::vector<Metric>& all_metrics();
+std::vector<std::string> metric_ids();  ///< of all of them
 
 /// The metric with this id; throws Error (Usage) with the most similar id.
 const Metric& metric(const std::string& id);

@@ -53,6 +53,18 @@ struct SensorModel {
   double aperture() const;  ///< rad
 };
 
+/// The tracker of movers, for methods that declare that they use tracks. It sees all around the
+/// robot, also what is hidden behind walls. Without noise by default. Section [tracks].
+struct TrackerModel {
+  double range = 8.0;         ///< m, to the centers of movers
+  double position_sigma = 0;  ///< m, standard deviation of each coordinate
+  double velocity_sigma = 0;  ///< m/s, standard deviation of each coordinate
+  double dropout_ratio = 0;   ///< fraction of tracks that are missing in a cycle
+  double latency = 0;         ///< s, age of the tracks when the method receives them
+
+  void visit(OptionVisitor& v);
+};
+
 /// One line about a valid but suspicious value of [sensor]: an aperture in radians; "" if none.
 std::string sensor_warning(const IniFile& ini);
 

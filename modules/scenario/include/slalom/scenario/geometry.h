@@ -3,6 +3,8 @@
 #include <mrpt/math/TPoint2D.h>
 #include <mrpt/math/TPose2D.h>
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace slalom {
@@ -44,6 +46,12 @@ double distance(const mrpt::math::TPoint2D& p, const Polygon& polygon);  ///< 0 
 bool contains(const Polygon& polygon, const mrpt::math::TPoint2D& p);    ///< border included
 double distance_to_segment(const mrpt::math::TPoint2D& p, const mrpt::math::TPoint2D& a,
                            const mrpt::math::TPoint2D& b);
+/// The range of f, not bounded by 0 or 1, in which |from + f movement| < radius; none if it is
+/// never below.
+std::optional<std::pair<double, double>> range_within(const mrpt::math::TPoint2D& from,
+                                                      const mrpt::math::TPoint2D& movement,
+                                                      double radius);
+
 double signed_area(const Polygon& polygon);  ///< positive when counter-clockwise
 
 /// Whether the polygon has at least three vertices, positive area and no two edges that cross or

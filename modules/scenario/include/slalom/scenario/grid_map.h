@@ -8,6 +8,10 @@ namespace slalom {
 /// No grid has more cells.
 constexpr double kMaxGridCells = 400e6;
 
+/// An MRPT grid whose content is to be replaced. MRPT's default has 640,000 cells, more than
+/// most scenarios.
+mrpt::maps::COccupancyGridMap2D one_cell_map();
+
 /// An MRPT grid of exactly size_x x size_y cells, all free, whose lower left corner is at `origin`
 /// (m). MRPT's own setSize() moves the origin to a multiple of the resolution (by up to half a
 /// cell), which may change the size by one cell. All lengths are rounded to single precision, as in

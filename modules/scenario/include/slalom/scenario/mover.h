@@ -25,6 +25,9 @@ struct Waypoint {
   mrpt::math::TPoint2D position;
 };
 
+/// s, the shortest segment between waypoints: the simulator moves from waypoint to waypoint.
+constexpr double kMinSegmentDuration = 1e-3;
+
 /// A moving obstacle: a closed disc that follows a given path, whatever the robot does. Between two
 /// waypoints it moves straight at constant speed. It is present from its first waypoint on; one
 /// that waits there first has two waypoints at the same position.
@@ -56,11 +59,24 @@ struct Mover {
 
 using Movers = std::vector<Mover>;
 
+/// A part of a mover's motion: straight at a constant velocity, or at rest.
+struct MoverSegment {
+  double begin = 0, end = 0;            ///< s
+  mrpt::math::TPoint2D from, velocity;  ///< m at `begin`, m/s
+};
+
+/// The motion of a mover from 0 to `horizon` (s) while it is present, in the order of time.
+std::vector<MoverSegment> segments_of(const Mover& mover, double horizon);
+
 /// Throws Error (File) naming `name` and the mover when an id is empty, too long (100 bytes), not
 /// UTF-8 or used twice, a radius is not above 0, there are no waypoints, a number is not finite or
 /// exceeds a million, a waypoint is less than 1 ms after the one before it, a speed exceeds 1000
 /// m/s, or a path that loops is not closed (its last waypoint at the first).
 void check_movers(const std::string& name, const Movers& movers);
+
+/// The times of the waypoints that result from `speed` (m/s), from that of the first one on.
+/// Segments last at least 2 ms.
+void set_speed(Mover& mover, double speed);
 
 void add_content(Hasher& hasher, const Movers& movers);
 

@@ -55,6 +55,7 @@ struct RunSetup {
   SimulationOptions simulation;
   DeadlineOptions deadline;
   WallClock clock = steady_seconds;  ///< for the deadline and cycle_seconds
+  TrackerModel tracker = {};         ///< for methods that use tracks
 };
 
 struct SimulationResult {
