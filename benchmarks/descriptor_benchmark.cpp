@@ -5,6 +5,8 @@
 // `alone/ID` that of one descriptor with precomputed inputs. Counters: median, 90 % quantile and
 // maximum processor time (ms) over the scenarios, for each the minimum of all repetitions, to
 // reduce the influence of other load.
+#include "processor_time.h"
+
 #include <slalom/core/random.h>
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/references/exact_shortest.h>
@@ -12,7 +14,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 
 namespace slalom {
@@ -65,13 +66,6 @@ const std::vector<Scenario>& scenarios() {
   return result;
 }
 
-/// Processor time of this thread, ms.
-double processor_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
 /// Times `act` in a new World of every scenario.
 template <typename Prepare, typename Act>
 void time_scenarios(benchmark::State& state, Prepare prepare, Act act) {
@@ -81,9 +75,9 @@ void time_scenarios(benchmark::State& state, Prepare prepare, Act act) {
       const World world(scenarios()[i], kResolution);
       const DescriptorContext context = context_of(world);
       prepare(context);
-      const double begin = processor_time();
+      const double begin = processor_milliseconds();
       act(context);
-      milliseconds[i] = std::min(milliseconds[i], processor_time() - begin);
+      milliseconds[i] = std::min(milliseconds[i], processor_milliseconds() - begin);
     }
   std::sort(milliseconds.begin(), milliseconds.end());
   state.counters["median_ms"] = milliseconds[milliseconds.size() / 2];

@@ -10,12 +10,15 @@
 namespace slalom {
 
 const Descriptor& descriptor(const std::string& id) {
-  std::vector<std::string> ids;
-  for (const Descriptor& candidate : all_descriptors()) {
+  for (const Descriptor& candidate : all_descriptors())
     if (candidate.info.id == id) return candidate;
-    ids.push_back(candidate.info.id);
-  }
-  throw usage_error("descriptor", "unknown id '" + id + "'", expected_name(id, ids));
+  throw usage_error("descriptor", "unknown id '" + id + "'", expected_name(id, descriptor_ids()));
+}
+
+std::vector<std::string> descriptor_ids() {
+  std::vector<std::string> ids;
+  for (const Descriptor& each : all_descriptors()) ids.push_back(each.info.id);
+  return ids;
 }
 
 ValueKey Descriptor::key(const DescriptorContext& context) const {

@@ -33,11 +33,19 @@
   DESCRIPTOR(barn_tortuosity, 2, "BARN: tortuosity", "-", {averaged_path})                       \
   DESCRIPTOR(dynamic_density, 1, "Moving-obstacle density", "-", {})
 
+/// Those about moving obstacles.
+#define SLALOM_MOVER_DESCRIPTORS(DESCRIPTOR)                                                \
+  DESCRIPTOR(survivability, 1, "Survivability", "s", {robot, resolution})                   \
+  DESCRIPTOR(dynamic_traversability, 1, "Dynamic traversability", "-", {robot, resolution}) \
+  DESCRIPTOR(crossing_flow, 1, "Flow of movers across the shortest path", "1/s",            \
+             {robot, resolution})
+
 namespace slalom {
 namespace descriptors {
 
 #define SLALOM_DECLARE(id, ...) Value id(const DescriptorContext& context);
 SLALOM_DESCRIPTORS(SLALOM_DECLARE)
+SLALOM_MOVER_DESCRIPTORS(SLALOM_DECLARE)
 #undef SLALOM_DECLARE
 
 }  // namespace descriptors
@@ -46,9 +54,17 @@ const std::vector<Descriptor>& all_descriptors() {
   using namespace descriptors;
 #define SLALOM_ENTRY(id, version, name, unit, ...) \
   {{#id, version, name, unit, Direction::None}, __VA_ARGS__, id},
-  static const std::vector<Descriptor> table = {SLALOM_DESCRIPTORS(SLALOM_ENTRY)};
+  static const std::vector<Descriptor> table = {SLALOM_DESCRIPTORS(SLALOM_ENTRY)
+                                                    SLALOM_MOVER_DESCRIPTORS(SLALOM_ENTRY)};
 #undef SLALOM_ENTRY
   return table;
+}
+
+const std::vector<std::string>& mover_descriptor_ids() {
+#define SLALOM_ID(id, ...) #id,
+  static const std::vector<std::string> ids = {SLALOM_MOVER_DESCRIPTORS(SLALOM_ID)};
+#undef SLALOM_ID
+  return ids;
 }
 
 }  // namespace slalom

@@ -56,6 +56,11 @@ struct Descriptor {
 
 /// All descriptors, in the order of definitions.md; the table is in registry.cpp.
 const std::vector<Descriptor>& all_descriptors();
+std::vector<std::string> descriptor_ids();  ///< of all of them
+
+/// The ids of the descriptors that are about moving obstacles, in the order of all_descriptors().
+/// Without a mover in the scenario they are NA.
+const std::vector<std::string>& mover_descriptor_ids();
 
 /// The descriptor with this id; throws Error (Usage) with the most similar id.
 const Descriptor& descriptor(const std::string& id);

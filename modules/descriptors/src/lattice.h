@@ -1,0 +1,13 @@
+#pragma once
+
+#include <slalom/scenario/occupancy.h>
+
+#include <vector>
+
+namespace slalom {
+
+/// The points of a lattice of 1 m, or of a cell if that is larger, centered in the workspace: as
+/// many as fit, at least one per axis; row by row.
+std::vector<mrpt::math::TPoint2D> lattice_points(const Occupancy& cells);
+
+}  // namespace slalom
