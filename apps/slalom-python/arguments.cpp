@@ -3,8 +3,10 @@
 #include <slalom/app/adapters.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/methods/barrier_filter.h>
 #include <slalom/python/python_class_method.h>
 
+#include <utility>
 #include <vector>
 
 namespace slalom {
@@ -39,10 +41,33 @@ void add_section(IniFile& ini, const std::string& section, const py::handle& val
   }
 }
 
-NamedMethod read_method(const std::string& name, const py::handle& values) {
+IniFile method_ini(const std::string& name, const py::handle& values) {
   IniFile ini = IniFile::from_text("", "methods");
   add_section(ini, "method." + name, values, "method '" + name + "'");
-  return all_adapters().read(ini, name);
+  return ini;
+}
+
+/// `filters` are the names of the filters that are around it.
+MethodFactory method_of(const py::dict& given, const std::string& name,
+                        std::vector<std::string> filters = {}) {
+  const std::string where = "method '" + name + "'";
+  const py::object value = given[py::str(name)];
+  if (py::isinstance<py::dict>(value)) {
+    const IniFile ini = method_ini(name, value);
+    const std::string section = "method." + name;
+    if (!ini.get(section, "filter")) return all_adapters().read(ini, name).make;
+    filters.push_back(name);
+    const std::string base = ini.get(section, "base").value_or("");
+    if (contains(filters, base) || !given.contains(py::str(base)))
+      throw usage_error(where, "the base '" + base + "' is not another method", "one of methods");
+    return read_barrier_filter(ini, section, method_of(given, base, std::move(filters)));
+  }
+  if (py::isinstance<py::tuple>(value) && py::len(value) == 2 &&
+      py::isinstance<py::dict>(value.cast<py::tuple>()[1])) {
+    const auto pair = value.cast<py::tuple>();
+    return python_method(pair[0], pair[1].cast<py::dict>(), where);
+  }
+  return python_method(value, py::dict(), where);
 }
 
 }  // namespace
@@ -61,22 +86,15 @@ Options read_evaluate_options(const IniFile& ini) {
   options.odometry = read_options<OdometryModel>(ini, "odometry");
   options.simulation = read_options<SimulationOptions>(ini, "simulation");
   options.limits = read_options<LimitsSection>(ini, "limits");
+  options.tracker = read_options<TrackerModel>(ini, "tracks");
   return options;
 }
 
 Methods to_methods(const py::dict& given) {
   Methods methods;
   for (const auto& [key, value] : given) {
-    const std::string name = py::str(key), where = "method '" + name + "'";
-    if (py::isinstance<py::dict>(value)) {
-      methods.add(name, read_method(name, value).make);
-    } else if (py::isinstance<py::tuple>(value) && py::len(value) == 2 &&
-               py::isinstance<py::dict>(value.cast<py::tuple>()[1])) {
-      const auto pair = value.cast<py::tuple>();
-      methods.add(name, python_method(pair[0], pair[1].cast<py::dict>(), where));
-    } else {
-      methods.add(name, python_method(value.cast<py::object>(), py::dict(), where));
-    }
+    const std::string name = py::str(key);
+    methods.add(name, method_of(given, name));
   }
   return methods;
 }

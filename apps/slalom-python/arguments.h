@@ -12,7 +12,7 @@ namespace slalom {
 /// values, texts, or lists of these or of points. Throws Error (Usage) for others.
 IniFile to_ini(const pybind11::dict& sections);
 
-/// Reads the sections robot, sensor, odometry, simulation and limits. Throws Error (Usage).
+/// Reads the sections robot, sensor, odometry, simulation, limits and tracks. Throws Error (Usage).
 Options read_evaluate_options(const IniFile& ini);
 
 /// The methods by name: a class, (class, {option: value}), or {key: value} as in an .ini. Throws

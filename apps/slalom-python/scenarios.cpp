@@ -1,6 +1,7 @@
 #include "arguments.h"
 #include "scenarios.h"
 
+#include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/io/scenario_yaml.h>
@@ -46,6 +47,20 @@ std::vector<Scenario> read_scenarios(const std::string& path) {
   return scenarios;
 }
 
+/// As in YAML.
+py::list movers_of(const Scenario& scenario) {
+  py::list movers;
+  for (const Mover& mover : scenario.movers()) {
+    py::list waypoints;
+    for (const Waypoint& w : mover.waypoints)
+      waypoints.append(py::make_tuple(w.t, w.position.x, w.position.y));
+    movers.append(py::dict(py::arg("id") = mover.id, py::arg("radius") = mover.radius,
+                           py::arg("after") = to_string(mover.after),
+                           py::arg("waypoints") = waypoints));
+  }
+  return movers;
+}
+
 void write_scenarios(const std::string& path, const std::vector<Scenario>& scenarios) {
   ScenarioList::write(path, [&](ScenarioList& list) { list.add_all(scenarios); });
 }
@@ -55,6 +70,7 @@ std::vector<Scenario> generate_family(const std::string& family, int count, std:
   const IniFile ini = to_ini(sections);
   Options options = read_evaluate_options(ini);
   options.workers = workers;
+  options.walkers = read_options<ScenariosSection>(ini, "scenarios").walkers;
   GeneratorContext context;
   context.load_map = load_occupancy_grid;
   return generate(std::shared_ptr<const Generator>(make_generator(family, ini, context)), count,
@@ -73,6 +89,11 @@ void bind_scenarios(py::module_& module) {
       .def_property_readonly(
           "goal", [](const Scenario& s) { return py::make_tuple(s.goal().x, s.goal().y); })
       .def_property_readonly("bounds", bounds_of)
+      .def_property_readonly("movers", movers_of)
+      .def("yaml", scenario_to_yaml)
+      .def_static(
+          "from_yaml", [](const std::string& text) { return scenario_from_yaml(text, "yaml"); },
+          py::arg("text"))
       .def("occupancy", occupancy_of, py::arg("resolution") = 0.05)
       .def("_repr_svg_", [](const Scenario& s) { return render_svg(s, {}); })
       .def("__repr__", describe_scenario)

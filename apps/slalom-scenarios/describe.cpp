@@ -5,6 +5,7 @@
 #include <slalom/commands/describe_list.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/io/scenario_list.h>
 
 #include <nlohmann/json.hpp>

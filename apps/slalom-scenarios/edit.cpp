@@ -1,5 +1,6 @@
 #include "filter.h"
 
+#include <slalom/commands/edit_movers.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/movers_file.h>
@@ -35,13 +36,13 @@ struct MoversArguments {
 };
 
 void set_movers(const MoversArguments& arguments) {
-  if (arguments.file.empty() != arguments.remove)
-    throw usage_error("movers", "a file and --remove exclude each other", "one of them");
+  if (arguments.file.empty() && !arguments.remove)
+    throw usage_error("movers", "no file specified", "a file, or --remove");
   ScenarioList list = ScenarioList::open(arguments.one.list);
   const std::string hash = list.find_entry(arguments.one.id).hash;
   Movers movers;
   if (!arguments.remove) movers = load_movers_file(arguments.file, arguments.options);
-  make_edit_scenario(list, hash, list.read(hash).with_movers(movers))->execute();
+  make_edit_scenario(list, hash, with_movers_edited(list.read(hash), movers))->execute();
 }
 
 void add_movers_verb(CLI::App& app) {
@@ -50,10 +51,10 @@ void add_movers_verb(CLI::App& app) {
       add_list_verb(app, "movers", "Replace the moving obstacles of a scenario by those of a file",
                     arguments.one);
   add_scenario_argument(*verb, arguments.one);
-  verb->add_option(
+  CLI::Option* file = verb->add_option(
       "file", arguments.file,
       "CSV with the columns id, t, x, y and optionally r, or an obsmat.txt (ETH, UCY)");
-  verb->add_flag("--remove", arguments.remove, "Remove all instead");
+  verb->add_flag("--remove", arguments.remove, "Remove all instead")->excludes(file);
   verb->add_option("--radius", arguments.options.radius, "Radius without a column r, m")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -5,6 +5,7 @@
 #include <slalom/commands/describe_list.h>
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/io/result_fields.h>
 
 #include <nlohmann/json.hpp>

@@ -8,6 +8,7 @@
 #include <slalom/commands/generation_file.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/generation/generator.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/robot/robot_model.h>
@@ -35,8 +36,8 @@ IniFile load_ini(const GenerateArguments& arguments) {
   IniFile ini = IniFile::load(arguments.config);
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
   ini.reject_unknown_sections({"campaign", "scenarios", "coverage", "generator.*", "robot",
-                               "sensor", "odometry", "simulation", "reference", "metrics", "limits",
-                               "record", "analysis", "method.*"});
+                               "sensor", "odometry", "tracks", "simulation", "reference", "metrics",
+                               "limits", "record", "analysis", "method.*"});
   if (arguments.count > 0) {
     const bool fills_bins = ini.has_section("coverage");
     ini.set(fills_bins ? "coverage" : "scenarios", fills_bins ? "per_bin" : "count",

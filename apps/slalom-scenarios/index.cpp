@@ -5,6 +5,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/io/index_text.h>
 
 #include <iostream>

@@ -37,18 +37,26 @@ TEST_F(Evaluate, TheSameSeedGivesIdenticalResultsForAnyNumberOfWorkers) {
   EXPECT_EQ(read("one/tables.csv"), read("two/tables.csv"));
 }
 
-TEST_F(Evaluate, WarnsIfMoversAreNotMeasured) {
+TEST_F(Evaluate, MeasuresMoversWhereThereAreSome) {
   const std::string command =
-      "slalom-evaluate small.ini -o out --overwrite --set campaign.methods=gap "
-      "--set scenarios.walkers=1";
-  const std::string warning = "has movers, and no metric about them is computed";
-  EXPECT_NE(run(command).err.find(warning), std::string::npos);
-  const ProgramResult measured = run(command + " --set metrics.enabled=success,movers");
-  EXPECT_EQ(measured.status, 0) << measured.err;
-  EXPECT_EQ(measured.err.find(warning), std::string::npos);
-  const std::string dump = run("slalom-analyze dump out/runs.results").out;
-  EXPECT_NE(dump.find("\"personal_space_time\":{\"value\":"), std::string::npos) << dump;
+      "slalom-evaluate small.ini --overwrite --quiet --set campaign.methods=gap "
+      "--set metrics.enabled=all --set metrics.descriptors=all ";
+  const auto dump_of = [&](const std::string& options) {
+    const ProgramResult result = run(command + options);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return run("slalom-analyze dump out/runs.results").out;
+  };
+  const std::string walkers = "-o out --set scenarios.walkers=1";
+  const std::string moving = dump_of(walkers);
+  EXPECT_NE(moving.find("\"personal_space_time\":{\"value\":"), std::string::npos) << moving;
+  EXPECT_NE(moving.find("\"survivability\":{"), std::string::npos) << moving;
   EXPECT_EQ(run("slalom-simulate verify out/runs.results").status, 0);
+  EXPECT_EQ(dump_of("-o out").find("personal_space"), std::string::npos);
+  // Tables about movers have them in any case.
+  const std::string named = dump_of(
+      "-o out --set analysis.columns=mover_collision --set analysis.rows=crossing_flow:0,1");
+  EXPECT_NE(named.find("\"mover_collision\":{\"na\":\"no moving obstacles\""), std::string::npos)
+      << named;
 }
 
 TEST_F(Evaluate, TheListHasTheDescriptorsOfTheResultsAndIsSelectedByThem) {

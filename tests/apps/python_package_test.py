@@ -1,5 +1,6 @@
 """The Python package slalom."""
 
+import importlib.util
 import math
 import os
 import pathlib
@@ -132,6 +133,16 @@ class Package(unittest.TestCase):
         self.assertEqual(results["method"], ["gap", "nd"] * 2)
         self.assertFalse(any(outcome.startswith("method_") for outcome in results["outcome"]))
 
+    def test_a_filter_is_around_another_method(self):
+        methods = {"safe": slalom.barrier_filter("direct", margin=0.05), "direct": (Direct, {"speed": 0.5})}
+        results = slalom.evaluate(methods, small(2), **QUICK)
+        self.assertEqual(sorted(set(results["method"])), ["direct", "safe"])
+        for methods in [{"a": slalom.barrier_filter("b")}, {"a": slalom.barrier_filter("a")}]:
+            with self.assertRaisesRegex(slalom.Error, "is not another method"):
+                slalom.evaluate(methods, small(1))
+        with self.assertRaisesRegex(slalom.Error, "gain"):
+            slalom.evaluate({"a": slalom.barrier_filter("b", gain=-1), "b": Direct}, small(1))
+
     def test_the_robot_is_set_by_the_keys_of_its_section(self):
         footprint = [(0.3, 0.2), (-0.3, 0.2), (-0.3, -0.2), (0.3, -0.2)]
 
@@ -179,6 +190,24 @@ class Package(unittest.TestCase):
 
         with self.assertRaisesRegex(slalom.Error, "Refuses cannot be created: ValueError: too small"):
             slalom.evaluate({"a": Refuses}, small(1))
+
+    def test_a_constructor_with_other_parameters_is_named(self):
+        class NoOptions(Direct):
+            def __init__(self, robot):
+                pass
+
+        with self.assertRaisesRegex(slalom.Error, "NoOptions cannot be created: TypeError: .*2 positional arguments"):
+            slalom.evaluate({"a": NoOptions}, small(1))
+
+    @unittest.skipUnless(importlib.util.find_spec("onnx"), "python3-onnx is not installed")
+    def test_the_example_trains_a_policy_that_runs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "policy.onnx")
+            program = EXAMPLE.parents[1] / "onnx_policy/train.py"
+            small_training = ["-o", path, "--scenarios", "2", "--rounds", "2", "--epochs", "1"]
+            subprocess.run([sys.executable, program, *small_training], check=True, stdout=subprocess.DEVNULL)
+            results = slalom.evaluate({"policy": slalom.onnx(path, scan_size=61)}, small(1), simulation={"max_time": 5}, **QUICK)
+        self.assertIn(results["outcome"][0], ["success", "collision", "timeout", "stuck"])
 
     def test_other_threads_do_not_block_workers(self):
         stop = threading.Event()
@@ -243,6 +272,27 @@ class Scenarios(unittest.TestCase):
             self.assertEqual(slalom.read_scenarios(path), small())
             with self.assertRaisesRegex(slalom.Error, "none.scenarios"):
                 slalom.read_scenarios(os.path.join(folder, "none.scenarios"))
+
+    def test_movers_are_those_of_the_yaml(self):
+        crossing = slalom.generate("crossing", 2, min_movers=3, max_movers=3)
+        self.assertEqual([len(scenario.movers) for scenario in crossing], [3, 3])
+        text = small(1)[0].yaml() + (
+            "movers:\n  - {id: walker, radius: 0.3, after: stop, waypoints: [[0, 3, 0.5], [4, 3, 3.5]]}\n"
+        )
+        scenario = slalom.Scenario.from_yaml(text)
+        walker = {"id": "walker", "radius": 0.3, "after": "stop", "waypoints": [(0, 3, 0.5), (4, 3, 3.5)]}
+        self.assertEqual(scenario.movers, [walker])
+        self.assertNotEqual(scenario, small(1)[0])
+        self.assertEqual(slalom.Scenario.from_yaml(scenario.yaml()), scenario)
+        with self.assertRaisesRegex(slalom.Error, r"yaml:\d+.*radius"):
+            slalom.Scenario.from_yaml(text.replace("radius: 0.3", "radius: 0"))
+
+    def test_walkers_are_added_to_any_family(self):
+        walked = small(walkers=2)
+        self.assertEqual([len(scenario.movers) for scenario in walked], [2, 2, 2])
+        results = slalom.evaluate({"direct": Direct}, walked)
+        self.assertFalse(np.isnan(results["mover_collision"]).any())
+        self.assertIn("survivability", results)
 
     def test_occupancy_has_rows_from_the_bottom(self):
         scenario = small(1)[0]

@@ -70,6 +70,34 @@ TEST_F(ScenarioLists, NoOutputReplacesAnInputOrAFileOfAnotherKind) {
   EXPECT_EQ(read("a.scenarios"), list);
 }
 
+TEST_F(ScenarioLists, MoversOfAFileReplaceThoseOfAScenario) {
+  write("room.scenario.yaml",
+        "name: room\nrepresentation: continuous\nbounds: [0, 0, 6, 4]\nstart: [1, 2, 0]\n"
+        "goal: [5, 2]\ndiscs: []\npolygons: []\npublished_path:\n  field: [0, 0, 6, 4]\n"
+        "  cell_size: 0.5\n  points:\n    - [1, 2]\n    - [5, 2]\n");
+  write("walk.csv", "id,t,x,y\na,0,3,1\na,2,3,3\n");
+  write("still.csv", "id,t,x,y\na,2,3,3\na,2,3,3\n");
+  ASSERT_EQ(slalom("import room.scenario.yaml -o r.scenarios").status, 0);
+  const std::string movers = "slalom-scenarios movers r.scenarios room ";
+  expect_failure(movers, 2, {"no file specified", "a file, or --remove"});
+  expect_failure(movers + "walk.csv --remove", 2, {"excludes"});
+  expect_failure(movers + "still.csv", 3, {"still.csv:3", "does not follow"});
+  expect_failure(movers + "none.csv", 3, {"none.csv"});
+  const auto yaml = [&] {
+    EXPECT_EQ(slalom("export r.scenarios room -o room.yaml").status, 0);
+    const std::string text = read("room.yaml");
+    std::filesystem::remove(folder_ / "room.yaml");
+    return text;
+  };
+  EXPECT_NE(yaml().find("published_path"), std::string::npos);
+  ASSERT_EQ(run(movers + "walk.csv").status, 0);
+  const std::string walked = yaml();
+  EXPECT_NE(walked.find("id: \"a\""), std::string::npos) << walked;
+  EXPECT_EQ(walked.find("published_path"), std::string::npos) << "it is of the old content";
+  ASSERT_EQ(run(movers + "--remove").status, 0);
+  EXPECT_EQ(yaml().find("movers"), std::string::npos);
+}
+
 TEST_F(ScenarioLists, IndexesAreCreatedUsedShownAndDropped) {
   const std::string select = "select a.scenarios --where 'density >= 0.02 and density < 0.05'";
   const auto before = names(select);

@@ -22,9 +22,11 @@ __all__ = [
     "Results",
     "Scenario",
     "TRAJECTORY_COLUMNS",
+    "barrier_filter",
     "evaluate",
     "generate",
     "mrpt_holonomic",
+    "onnx",
     "plugin",
     "read_scenarios",
     "write_scenarios",
@@ -91,6 +93,7 @@ def generate(
     seed: int = 1,
     *,
     workers: int = 1,
+    walkers: int = 0,
     robot: Optional[Dict[str, Any]] = None,
     simulation: Optional[Dict[str, Any]] = None,
     **options: Any,
@@ -98,9 +101,15 @@ def generate(
     """Generates distinct scenarios that are solvable for the robot.
 
     `family` is the name of a generator ("random", "maze", ...), `options` are the keys of its section
-    in an .ini; `robot` and `simulation` are dicts of the keys of theirs.
+    in an .ini; `robot` and `simulation` are dicts of the keys of theirs. `walkers` moving obstacles
+    are added to each scenario. `workers` is the number of threads.
     """
-    sections = {"robot": robot, "simulation": simulation, "generator." + family: options}
+    sections = {
+        "robot": robot,
+        "simulation": simulation,
+        "scenarios": {"walkers": walkers},
+        "generator." + family: options,
+    }
     return _slalom.generate(family, count, seed, workers, sections)
 
 
@@ -113,6 +122,7 @@ def evaluate(
     odometry: Optional[Dict[str, Any]] = None,
     simulation: Optional[Dict[str, Any]] = None,
     limits: Optional[Dict[str, Any]] = None,
+    tracks: Optional[Dict[str, Any]] = None,
     metrics: Optional[Sequence[str]] = None,
     descriptors: Optional[Sequence[str]] = None,
     seed: int = 1,
@@ -125,8 +135,8 @@ def evaluate(
     """Runs every method in every scenario and computes metrics and descriptors.
 
     `methods` is a dict from names to classes, pairs of a class and a dict of its options, or what
-    mrpt_holonomic() and plugin() return. `robot`, `sensor`, `odometry`, `simulation` and `limits` are
-    dicts of the keys of these sections in a campaign's .ini. Methods run in worker processes, unless
+    barrier_filter(), mrpt_holonomic(), onnx() and plugin() return. `robot`, `sensor`, `odometry`, `simulation`, `limits` and
+    `tracks` are dicts of the keys of these sections in a campaign's .ini. Methods run in worker processes, unless
     `in_process`. `progress(phase, done, total)` is called meanwhile. Raises Error for invalid
     arguments, and KeyboardInterrupt after Ctrl-C.
     """
@@ -136,6 +146,7 @@ def evaluate(
         "odometry": odometry,
         "simulation": simulation,
         "limits": limits,
+        "tracks": tracks,
     }
     return Results(
         *_slalom.evaluate(
@@ -165,6 +176,18 @@ def mrpt_holonomic(class_name: str, plugin: str = "", **options: Any) -> Dict[st
 def plugin(library: str, **options: Any) -> Dict[str, Any]:
     """A compiled method: a path, or the name of a shipped one, such as "libslalom_mppi.so"."""
     return {"adapter": "library", "plugin": _find_plugin(library), **options}
+
+
+def barrier_filter(base: str, **options: Any) -> Dict[str, Any]:
+    """The method of that name, whose commands a control barrier function changes where they lead
+    to contacts, with the keys of filter = cbf as options."""
+    return {"filter": "cbf", "base": base, **options}
+
+
+def onnx(model: str, **options: Any) -> Dict[str, Any]:
+    """A learned policy: a network in an ONNX file, with the keys of adapter = onnx as options."""
+    runtime = _find_plugin("runtime/libslalom_onnx_runtime.so")
+    return {"adapter": "onnx", "model": os.path.abspath(model), "runtime": runtime, **options}
 
 
 def _find_plugin(library: str) -> str:

@@ -23,6 +23,14 @@ class Scenario:
     @property
     def bounds(self) -> Tuple[float, float, float, float]:
         """x_min, y_min, x_max, y_max (m)."""
+    @property
+    def movers(self) -> List[Dict[str, Any]]:
+        """Moving obstacles: id, radius (m), after ("stop", "loop" or "vanish"), waypoints: a list of
+        t (s), x, y (m)."""
+    def yaml(self) -> str:
+        """As in a file .scenario.yaml."""
+    @staticmethod
+    def from_yaml(text: str) -> "Scenario": ...
     def occupancy(self, resolution: float = 0.05) -> "numpy.ndarray[Any, numpy.dtype[numpy.bool_]]":
         """Cells [row, column], row 0 at y_min; True where occupied. Grids keep their own cells."""
     def _repr_svg_(self) -> str: ...

@@ -2,6 +2,7 @@
 
 #include <slalom/commands/describe_list.h>
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/scenario/grid_map.h>
 
 #include <algorithm>
@@ -140,12 +141,6 @@ DescriptorView descriptor_view(const std::vector<std::string>& ids,
     }
   }
   return view;
-}
-
-std::vector<std::string> descriptor_ids() {
-  std::vector<std::string> ids;
-  for (const Descriptor& descriptor : all_descriptors()) ids.push_back(descriptor.info.id);
-  return ids;
 }
 
 ListCommandPtr make_describe_list(ScenarioList& list, DescribeOptions options, Progress& progress) {

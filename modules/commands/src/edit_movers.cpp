@@ -10,9 +10,6 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-/// s, of a segment: twice the least that check_movers() accepts, for rounding.
-constexpr double kShortest = 2e-3;
-
 std::string free_id(const Movers& movers) {
   for (std::size_t number = 1;; ++number) {
     const std::string id = "mover_" + std::to_string(number);
@@ -50,14 +47,6 @@ std::optional<WaypointIndex> waypoint_at(const Scenario& scenario, const TPoint2
       smallest = distance;
     }
   return nearest;
-}
-
-void set_speed(Mover& mover, double speed) {
-  for (std::size_t i = 1; i < mover.waypoints.size(); ++i) {
-    const Waypoint& before = mover.waypoints[i - 1];
-    Waypoint& now = mover.waypoints[i];
-    now.t = before.t + std::max(kShortest, distance_between(before.position, now.position) / speed);
-  }
 }
 
 Mover mover_along(const std::vector<TPoint2D>& path, double radius, double speed) {

@@ -17,11 +17,10 @@ namespace {
 /// The families of [scenarios]. Rejects keys that cannot be combined with [coverage].
 std::vector<std::string> families_of(const IniFile& ini) {
   const auto section = read_options<ScenariosSection>(ini, "scenarios");
-  for (const char* key :
-       {"list", "maps", "count", "weights", "scale_by_robot", "representation", "walkers"})
+  for (const char* key : {"list", "maps", "count", "weights", "scale_by_robot", "representation"})
     if (ini.get("scenarios", key))
       throw usage_error(ini.where("scenarios", key), "cannot be combined with [coverage]",
-                        "generator only; the bins determine the count");
+                        "generator and walkers only; the bins determine the count");
   return split_nonempty(section.generator, ',');
 }
 
@@ -32,6 +31,7 @@ CoverageSettings coverage_settings(const IniFile& ini, const GenerationOptions& 
   settings.robot_radius = read_robot_model(ini).radius;
   settings.sensor_range = read_options<SensorModel>(ini, "sensor").max_range;
   settings.resolution = read_options<SimulationOptions>(ini, "simulation").resolution;
+  settings.walkers = read_options<ScenariosSection>(ini, "scenarios").walkers;
   settings.jobs = options.jobs;
   settings.load_map = load_map;
   return settings;

@@ -1,10 +1,12 @@
 #include "callback_progress.h"
 
 #include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/table_text.h>
 #include <slalom/campaign/campaign.h>
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
+#include <slalom/results/privileged.h>
 #include <slalom/results/table_builder.h>
 
 #include <set>
@@ -33,7 +35,7 @@ class TableSink : public CampaignSink {
   const Options& options_;
 };
 
-CampaignOptions campaign_options(const Options& options) {
+CampaignOptions campaign_options(const Options& options, const std::vector<Scenario>& scenarios) {
   CampaignOptions campaign;
   campaign.seed = options.seed;
   campaign.repetitions = options.repetitions;
@@ -46,11 +48,14 @@ CampaignOptions campaign_options(const Options& options) {
   campaign.setup.sensor = options.sensor;
   campaign.setup.odometry = options.odometry;
   campaign.setup.simulation = options.simulation;
+  campaign.setup.tracker = options.tracker;
   campaign.setup.deadline = options.limits.deadline;
   campaign.limits = options.limits;
   campaign.record.trajectories =
       options.observer ? StoredTrajectories::All : StoredTrajectories::None;
-  return checked_options(std::move(campaign), "options ");
+  campaign = checked_options(std::move(campaign), "options ");
+  campaign.adapt_to(scenarios);
+  return campaign;
 }
 
 /// The settings by SECTION.KEY, and the versions.
@@ -70,6 +75,18 @@ Manifest make_manifest(const Campaign& campaign) {
   return manifest;
 }
 
+/// The methods, which are added to `privileged` when they are made and are so.
+std::vector<NamedMethod> observed(std::vector<NamedMethod> methods, PrivilegedMethods& privileged) {
+  for (NamedMethod& method : methods)
+    method.make = [make = method.make, name = method.name, &privileged](const RobotModel& robot,
+                                                                        const SensorModel& sensor) {
+      auto made = make(robot, sensor);
+      privileged.add(name, made->uses_tracks(), made->uses_map());
+      return made;
+    };
+  return methods;
+}
+
 std::vector<Scenario> without_duplicates(const std::vector<Scenario>& scenarios) {
   std::set<std::string> hashes;
   std::vector<Scenario> distinct;
@@ -84,14 +101,18 @@ ResultTable evaluate(const Methods& methods, const std::vector<Scenario>& scenar
                      const Options& options) {
   if (methods.list().empty()) throw usage_error("evaluate", "no method given", "Methods::add()");
   if (scenarios.empty()) throw usage_error("evaluate", "no scenario given", "generate()");
-  const Campaign campaign{campaign_options(options), without_duplicates(scenarios), methods.list(),
-                          options.planner.get()};
-  if (!options.in_process) check_methods(campaign);
+  PrivilegedMethods privileged;
+  const Campaign campaign{
+      campaign_options(options, scenarios), without_duplicates(scenarios),
+      options.in_process ? observed(methods.list(), privileged) : methods.list(),
+      options.planner.get()};
+  if (!options.in_process) privileged = check_methods(campaign);
   TableSink sink(campaign.options, options);
   CallbackProgress progress(options);
   run_campaign(campaign, sink, {options.workers, progress, options.cancel, options.in_process});
   ResultTable table = sink.finish();
   table.manifest = make_manifest(campaign);
+  store_privileged(privileged, table.manifest);
   return table;
 }
 
@@ -99,10 +120,13 @@ std::string cross_table(const ResultTable& table, const std::string& rows,
                         const std::vector<std::string>& columns, double confidence) {
   AnalysisOptions analysis;
   analysis.confidence = confidence;
+  Interpretation found;
+  found.cross_tables = build_cross_tables(table, parse_bin_specs(rows), columns, analysis);
+  mark_privileged(found, privileged_methods(table.manifest));
   std::string text;
-  for (const CrossTable& one : build_cross_tables(table, parse_bin_specs(rows), columns, analysis))
+  for (const CrossTable& one : *found.cross_tables)
     text += (text.empty() ? "" : "\n") + render_cross_table_text(one);
-  return text;
+  return found.footnote.empty() ? text : text + "\n" + found.footnote + "\n";
 }
 
 }  // namespace slalom

@@ -12,6 +12,7 @@ std::vector<Scenario> generate(std::shared_ptr<const Generator> family, int coun
   mix.each.robot_radius = options.robot.shape().enclosing_radius();
   mix.each.resolution = options.simulation.resolution;
   mix.jobs = options.workers;
+  mix.walkers = options.walkers;
   CallbackProgress progress(options);
   DistinctScenarios distinct;
   generate_mix({{std::move(family), 1, source_seed(seed, name), name}}, mix, progress,

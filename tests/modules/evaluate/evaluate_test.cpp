@@ -2,6 +2,7 @@
 
 #include <slalom/analysis/campaign_settings.h>
 #include <slalom/evaluate.h>
+#include <slalom/results/privileged.h>
 
 #include <gtest/gtest.h>
 
@@ -45,6 +46,16 @@ std::vector<double> values_of(const ResultTable& table, const std::string& id) {
 
 std::string outcome_of(const ResultTable& table, std::size_t run) {
   return table.outcomes[table.outcome[run]];
+}
+
+TEST(Generate, AddsWalkersToAnyFamily) {
+  Options options;
+  options.walkers.count = 2;
+  for (const Scenario& scenario : generate(RoomsOptions{}, 2, 1, options))
+    EXPECT_EQ(scenario.movers().size(), 2U);
+  CrossingOptions crossing;
+  crossing.movers.min_movers = crossing.movers.max_movers = 3;
+  EXPECT_EQ(generate(crossing, 1, 1, options).at(0).movers().size(), 5U);
 }
 
 TEST(Evaluate, ShowsEachRunWithItsTrajectoryToTheObserver) {
@@ -240,6 +251,37 @@ TEST(CrossTable, IsPrintedForEachMethod) {
   EXPECT_NE(text.find("stopped by density"), std::string::npos) << text;
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "", {"'densty'", "'density'"},
                            [&] { cross_table(table, "densty:4", {"success"}); }));
+}
+
+/// Stops, and needs tracks.
+class Watcher : public Method {
+ public:
+  void reset(const NavigationTask&) override {}
+  Command step(const Observation& observation) override {
+    return {tracks_of(observation).empty() ? 0.0 : 1.0, 0};
+  }
+  bool uses_tracks() const override { return true; }
+};
+
+TEST(Evaluate, RecordsWhichMethodsArePrivileged) {
+  Methods methods = towards_goal_only();
+  methods.add("watcher", [](const RobotModel&, const SensorModel&) -> std::unique_ptr<Method> {
+    return std::make_unique<Watcher>();
+  });
+  Options options;
+  options.simulation.max_time = 1;
+  for (const bool in_process : {false, true}) {
+    options.in_process = in_process;
+    const ResultTable table = evaluate(methods, {free_field("low", 3)}, options);
+    EXPECT_EQ(privileged_methods(table.manifest).names(), std::vector<std::string>{"watcher"});
+    const std::string text = cross_table(table, "all", {"success"});
+    EXPECT_NE(text.find("watcher* by all"), std::string::npos) << text;
+    EXPECT_NE(text.find("* privileged: watcher is given"), std::string::npos) << text;
+    EXPECT_EQ(text.find("mine*"), std::string::npos) << text;
+  }
+  EXPECT_EQ(
+      evaluate(towards_goal_only(), {free_field("low", 3)}, options).manifest.count(kPrivilegedKey),
+      0U);
 }
 
 }  // namespace

@@ -3,13 +3,18 @@
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/core/error.h>
 #include <slalom/generation/cellular_automaton.h>
+#include <slalom/generation/circle.h>
 #include <slalom/generation/clutter.h>
+#include <slalom/generation/corridor_flow.h>
+#include <slalom/generation/crossing.h>
+#include <slalom/generation/doorway.h>
 #include <slalom/generation/maze.h>
 #include <slalom/generation/perlin.h>
 #include <slalom/generation/poisson_forest.h>
 #include <slalom/generation/random_generator.h>
 #include <slalom/generation/rooms.h>
 #include <slalom/generation/traps.h>
+#include <slalom/generation/walkers.h>
 #include <slalom/references/reference.h>
 #include <slalom/results/result_table.h>
 #include <slalom/scenario/scenario.h>
@@ -50,8 +55,10 @@ struct Options {
   OdometryModel odometry;
   SimulationOptions simulation;
   LimitsSection limits;
-  std::vector<std::string> metrics = all_metric_ids();
-  std::vector<std::string> descriptors = all_descriptor_ids();
+  TrackerModel tracker;   ///< for methods that use tracks
+  WalkerOptions walkers;  ///< of generate(): added to each scenario
+  /// Ids, and the groups "all" (those about movers only if a scenario has some) and "movers".
+  std::vector<std::string> metrics = {"all"}, descriptors = {"all"};
   bool exact_confinement = false;        ///< over all free cells instead of a sample
   double safe_distance = kSafeDistance;  ///< m, less clearance counts as risk time
   double reference_gap = 0.01;           ///< relative gap of the shortest path to its lower bound

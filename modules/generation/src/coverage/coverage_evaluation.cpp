@@ -103,7 +103,7 @@ std::optional<Scenario> CandidateEvaluation::make(const Proposal& proposal,
   if (!proposal.parent) {
     const auto generator = generators_.draw(engine);
     if (!generator) return std::nullopt;
-    return generator->generate("candidate", engine);
+    return with_walkers(generator->generate("candidate", engine), engine);
   }
   std::optional<Scenario> scenario = *proposal.parent;
   for (const Mutation mutation : proposal.mutations) {
@@ -111,6 +111,17 @@ std::optional<Scenario> CandidateEvaluation::make(const Proposal& proposal,
     if (!scenario) break;
   }
   return scenario;
+}
+
+std::optional<Scenario> CandidateEvaluation::with_walkers(Scenario scenario,
+                                                          RandomEngine& engine) const {
+  if (settings_.walkers.count == 0) return scenario;
+  try {
+    return slalom::with_walkers(World(std::move(scenario), settings_.resolution),
+                                settings_.robot_radius, settings_.walkers, engine);
+  } catch (const Error&) {  // no room for them
+    return std::nullopt;
+  }
 }
 
 bool CandidateEvaluation::within_limits(const Scenario& scenario) const {

@@ -37,6 +37,7 @@ class CandidateEvaluation {
   };
 
   std::optional<Scenario> make(const Proposal& proposal, RandomEngine& engine) const;
+  std::optional<Scenario> with_walkers(Scenario scenario, RandomEngine& engine) const;
   bool within_limits(const Scenario& scenario) const;
   /// Factor of the cell size in the first, coarse evaluation of a scenario.
   double coarseness(const Scenario& scenario) const;

@@ -41,7 +41,7 @@ class PlanReader {
   }
 
   std::vector<CoverageAxis> axes(const CoverageOptions& options) {
-    const std::vector<std::string> ids = descriptor_ids(options);
+    const std::vector<std::string> ids = axis_ids(options);
     std::vector<AxisKeys> keys(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) {
       reader_.option("edges." + ids[i], keys[i].edges, "edges of bins, comma separated");
@@ -66,7 +66,7 @@ class PlanReader {
   }
   static std::string text(double number) { return format_number(number); }
 
-  std::vector<std::string> descriptor_ids(const CoverageOptions& options) const {
+  std::vector<std::string> axis_ids(const CoverageOptions& options) const {
     const std::vector<std::string> ids = split(options.descriptors, ',');
     if (options.descriptors.empty() || ids.size() > kMaxAxes)
       throw error("descriptors",
@@ -82,10 +82,8 @@ class PlanReader {
   }
 
   void check_id(const std::string& id) const {
-    std::vector<std::string> known;
-    for (const Descriptor& candidate : all_descriptors()) known.push_back(candidate.info.id);
-    if (contains(known, id)) return;
-    throw error("descriptors", "unknown id '" + id + "'", expected_name(id, known));
+    if (contains(descriptor_ids(), id)) return;
+    throw error("descriptors", "unknown id '" + id + "'", expected_name(id, descriptor_ids()));
   }
 
   std::vector<int> bin_counts(const CoverageOptions& options, std::size_t axes) const {

@@ -37,9 +37,9 @@ class CircleGenerator : public Generator {
   }
 
  private:
-  /// All walks are equally long, so only the places differ, which depend on the number of movers.
-  template <typename Place>
-  void spread(RandomEngine& engine, double robot, const Place& at, Movers& movers) const {
+  /// All paths are equally long, so only their ends differ, which depend on the number of movers.
+  template <typename PositionAt>
+  void spread(RandomEngine& engine, double robot, const PositionAt& at, Movers& movers) const {
     const double step = 2 * M_PI / static_cast<double>(movers.size() + 1);
     const double shift = std::min(mrpt::DEG2RAD(options_.max_shift_deg), step / 4);
     for (std::size_t i = 0; i < movers.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace slalom {
 namespace {
@@ -45,11 +46,11 @@ class CrossingGenerator : public Generator {
                                       double speed) const {
     const double m = radius + kWallMargin;
     const Bounds inside = {m, m, options_.width - m, options_.height - m};
-    const TPoint2D way = ends.goal - ends.start;
-    const TPoint2D crossed = ends.start + way * uniform_real(engine, 0, 1);
+    const TPoint2D straight = ends.goal - ends.start;
+    const TPoint2D crossed = ends.start + straight * uniform_real(engine, 0, 1);
     const double turn = mrpt::DEG2RAD(options_.max_turn_deg);
     const double direction =
-        std::atan2(way.y, way.x) + M_PI / 2 + uniform_real(engine, -turn, turn);
+        std::atan2(straight.y, straight.x) + M_PI / 2 + uniform_real(engine, -turn, turn);
     const TPoint2D u{std::cos(direction), std::sin(direction)};
     const double left = distance_to_border(crossed, u, inside),
                  right = distance_to_border(crossed, u * -1.0, inside);
@@ -71,7 +72,7 @@ void CrossingOptions::visit(OptionVisitor& v) {
   v.option("width", width, "m", "width of the room", Range::positive());
   v.option("height", height, "m", "height of the room", Range::positive());
   v.option("max_turn_deg", max_turn_deg, "deg",
-           "maximum angle between a mover's way and the normal of the robot's",
+           "maximum angle between a mover's path and the normal of the robot's",
            Range::between(0, 80));
   movers.visit(v);
   start_goal.visit(v);

@@ -1,6 +1,9 @@
 #include "scene_mutation.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/scenario/world.h>
+
+#include <algorithm>
 
 namespace slalom {
 namespace {
@@ -58,6 +61,34 @@ std::optional<Scenario> mutate_start_goal(const Scenario& parent, const Mutation
   return parent.with_start_goal(start, goal);
 }
 
+/// Whether a mover touches an obstacle or the border on its path, or the robot when the run begins.
+bool collides(const Mover& mover, const World& world, double robot_radius) {
+  const auto& start = world.scenario().start();
+  const auto& waypoints = mover.waypoints;
+  if (mover.present(0) && distance_between(mover.position(0), start) < mover.radius + robot_radius)
+    return true;
+  const auto is_blocked = [&](const Waypoint& a, const Waypoint& b) {
+    return world.distance_field().segment_clearance(a.position, b.position, mover.radius) <
+           mover.radius;
+  };
+  if (is_blocked(waypoints[0], waypoints[0])) return true;
+  for (std::size_t i = 1; i < waypoints.size(); ++i)
+    if (is_blocked(waypoints[i - 1], waypoints[i])) return true;
+  return false;
+}
+
+/// Whether each mover of the child is as free as it was: its path is that of the parent.
+bool keeps_movers_free(const Scenario& parent, const Scenario& child,
+                       const MutationLimits& limits) {
+  if (child.movers().empty()) return true;
+  const World before(parent, limits.resolution), after(child, limits.resolution);
+  const auto is_new_collision = [&](const Mover& mover) {
+    return collides(mover, after, limits.robot_radius) &&
+           !collides(mover, before, limits.robot_radius);
+  };
+  return std::none_of(child.movers().begin(), child.movers().end(), is_new_collision);
+}
+
 }  // namespace
 
 std::optional<Scenario> mutate(const Scenario& parent, Mutation mutation,
@@ -73,6 +104,7 @@ std::optional<Scenario> mutate(const Scenario& parent, Mutation mutation,
   const auto& start = child->start();
   const double straight = distance_between(child->goal(), start);
   if (straight < limits.min_distance) return std::nullopt;
+  if (!keeps_movers_free(parent, *child, limits)) return std::nullopt;
   return child;
 }
 

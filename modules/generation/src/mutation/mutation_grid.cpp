@@ -1,5 +1,6 @@
 #include "scene_mutation.h"
 
+#include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/occupancy.h>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ class GridMutator {
   }
 
   Scenario scenario() const {
-    mrpt::maps::COccupancyGridMap2D map;
+    mrpt::maps::COccupancyGridMap2D map = one_cell_map();
     map.copyMapContentFrom(*parent_.grid_map());
     for (int cy = 0; cy < cells_.size_y(); ++cy)
       for (int cx = 0; cx < cells_.size_x(); ++cx)

@@ -110,11 +110,9 @@ struct MixStream::Impl {
   GeneratedScenario with_walkers(const World& world, const std::string& generator,
                                  std::uint64_t seed) const {
     RandomEngine engine(derive_seed(seed, "walkers"));
-    Movers movers = world.scenario().movers();
-    for (Mover& walker :
-         sample_walkers(world, settings.each.robot_radius, settings.walkers, engine))
-      movers.push_back(std::move(walker));
-    const World moving(world.scenario().with_movers(std::move(movers)), settings.each.resolution);
+    const World moving(
+        slalom::with_walkers(world, settings.each.robot_radius, settings.walkers, engine),
+        settings.each.resolution);
     return described(moving, generator, seed);
   }
 

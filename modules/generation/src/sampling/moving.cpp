@@ -6,9 +6,9 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-/// Whether no leg is shorter than scenarios may contain.
-bool has_long_legs(const std::vector<Waypoint>& walk) {
-  constexpr double kShortest = 0.01;  // s
+/// Whether no segment is so short that its time would not be that of the speed.
+bool has_long_segments(const std::vector<Waypoint>& walk) {
+  constexpr double kShortest = 10 * kMinSegmentDuration;
   for (std::size_t i = 1; i < walk.size(); ++i)
     if (walk[i].t - walk[i - 1].t < kShortest) return false;
   return walk.size() > 1;
@@ -16,13 +16,12 @@ bool has_long_legs(const std::vector<Waypoint>& walk) {
 
 }  // namespace
 
-std::vector<Waypoint> walk_along(const std::vector<TPoint2D>& way, double speed, double begin) {
-  std::vector<Waypoint> waypoints = {{0, way[0]}};
-  if (begin > 0) waypoints.push_back({begin, way[0]});
-  for (std::size_t i = 1; i < way.size(); ++i)
-    waypoints.push_back(
-        {waypoints.back().t + distance_between(way[i - 1], way[i]) / speed, way[i]});
-  return waypoints;
+std::vector<Waypoint> walk_along(const std::vector<TPoint2D>& path, double speed, double begin) {
+  Mover mover;
+  for (const TPoint2D& position : path) mover.waypoints.push_back({begin, position});
+  set_speed(mover, speed);
+  if (begin > 0) mover.waypoints.insert(mover.waypoints.begin(), {0, path[0]});
+  return mover.waypoints;
 }
 
 Movers sample_movers(RandomEngine& engine, const MoverOptions& options, MoverEnd after,
@@ -35,7 +34,8 @@ Movers sample_movers(RandomEngine& engine, const MoverOptions& options, MoverEnd
     const double speed = uniform_real(engine, options.min_speed, options.max_speed);
     for (int k = 0; k < kTries; ++k) {
       std::vector<Waypoint> walk = sample(radius, speed);
-      if (!has_long_legs(walk) || distance_between(walk[0].position, start) < radius + clear_radius)
+      if (!has_long_segments(walk) ||
+          distance_between(walk[0].position, start) < radius + clear_radius)
         continue;
       movers.push_back({"mover_" + std::to_string(movers.size()), radius, std::move(walk), after});
       break;

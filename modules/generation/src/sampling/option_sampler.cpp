@@ -2,6 +2,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/scenario/grid_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -155,7 +156,7 @@ MapLoader cached_loader(const MapLoader& load_map) {
       cached = cache->maps.try_emplace(path).first;
       cached->second.copyMapContentFrom(load_map(path));
     }
-    COccupancyGridMap2D copy;
+    COccupancyGridMap2D copy = one_cell_map();
     copy.copyMapContentFrom(cached->second);
     return copy;
   };

@@ -13,43 +13,43 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-constexpr int kLegs = 6, kStarts = 200, kTargets = 30;
-constexpr double kStartMargin = 1, kMinLeg = 0.5;  // m
+constexpr int kSegments = 6, kStarts = 200, kTargets = 30;
+constexpr double kStartMargin = 1, kMinSegment = 0.5;  // m
 
 TPoint2D sample_position(RandomEngine& engine, const Bounds& bounds) {
   const double x = uniform_real(engine, bounds.x_min, bounds.x_max);
   return {x, uniform_real(engine, bounds.y_min, bounds.y_max)};
 }
 
-/// Samples the ways of walkers that keep `clearance` (m) from obstacles with their centers.
-class WaySampler {
+/// Samples the paths of walkers that keep `clearance` (m) from obstacles with their centers.
+class PathSampler {
  public:
-  WaySampler(const World& world, double clearance, RandomEngine& engine)
+  PathSampler(const World& world, double clearance, RandomEngine& engine)
       : world_(world), clearance_(clearance), engine_(engine) {}
 
-  /// The positions of a way that begins at least `start_distance` (m) from the start of the robot;
+  /// The positions of a path that begins at least `start_distance` (m) from the start of the robot;
   /// fewer than two if there is none.
   std::vector<TPoint2D> sample(double start_distance) {
     const auto& start = world_.scenario().start();
     for (int i = 0; i < kStarts; ++i) {
-      std::vector<TPoint2D> way = {sample_position(engine_, world_.scenario().bounds())};
-      if (distance_between(way[0], TPoint2D(start.x, start.y)) < start_distance) continue;
-      if (world_.distance_field().clearance(way[0]) < clearance_) continue;
-      while (way.size() <= kLegs && add_leg(way)) continue;
-      if (way.size() > 1) return way;
+      std::vector<TPoint2D> path = {sample_position(engine_, world_.scenario().bounds())};
+      if (distance_between(path[0], TPoint2D(start.x, start.y)) < start_distance) continue;
+      if (world_.distance_field().clearance(path[0]) < clearance_) continue;
+      while (path.size() <= kSegments && add_segment(path)) continue;
+      if (path.size() > 1) return path;
     }
     return {};
   }
 
  private:
-  bool add_leg(std::vector<TPoint2D>& way) {
+  bool add_segment(std::vector<TPoint2D>& path) {
     for (int i = 0; i < kTargets; ++i) {
       const TPoint2D target = sample_position(engine_, world_.scenario().bounds());
-      if (distance_between(way.back(), target) < kMinLeg) continue;
+      if (distance_between(path.back(), target) < kMinSegment) continue;
       const double limit = 2 * clearance_;
-      if (world_.distance_field().segment_clearance(way.back(), target, limit) < clearance_)
+      if (world_.distance_field().segment_clearance(path.back(), target, limit) < clearance_)
         continue;
-      way.push_back(target);
+      path.push_back(target);
       return true;
     }
     return false;
@@ -60,11 +60,11 @@ class WaySampler {
   RandomEngine& engine_;
 };
 
-/// The way there and back.
-std::vector<TPoint2D> to_and_fro(std::vector<TPoint2D> way) {
-  const std::vector<TPoint2D> back(std::next(way.rbegin()), way.rend());
-  way.insert(way.end(), back.begin(), back.end());
-  return way;
+/// The path there and back.
+std::vector<TPoint2D> to_and_fro(std::vector<TPoint2D> path) {
+  const std::vector<TPoint2D> back(std::next(path.rbegin()), path.rend());
+  path.insert(path.end(), back.begin(), back.end());
+  return path;
 }
 
 }  // namespace
@@ -75,16 +75,24 @@ Movers sample_walkers(const World& world, double robot_radius, const WalkerOptio
   for (int i = 0; i < options.count; ++i) {
     const double radius = uniform_real(engine, options.min_radius, options.max_radius);
     const double speed = uniform_real(engine, options.min_speed, options.max_speed);
-    WaySampler sampler(world, radius + kWallMargin, engine);
-    const std::vector<TPoint2D> way = sampler.sample(radius + robot_radius + kStartMargin);
-    if (way.empty())
+    PathSampler sampler(world, radius + kWallMargin, engine);
+    const std::vector<TPoint2D> path = sampler.sample(radius + robot_radius + kStartMargin);
+    if (path.empty())
       throw job_error(world.scenario().name(),
-                      "no way for a walker of radius " + format_fixed(radius, 2) + " m",
+                      "no path for a walker of radius " + format_fixed(radius, 2) + " m",
                       "smaller walkers, or fewer obstacles");
-    walkers.push_back({"walker_" + std::to_string(i), radius, walk_along(to_and_fro(way), speed),
+    walkers.push_back({"walker_" + std::to_string(i), radius, walk_along(to_and_fro(path), speed),
                        MoverEnd::Loop});
   }
   return walkers;
+}
+
+Scenario with_walkers(const World& world, double robot_radius, const WalkerOptions& options,
+                      RandomEngine& engine) {
+  Movers movers = world.scenario().movers();
+  for (Mover& walker : sample_walkers(world, robot_radius, options, engine))
+    movers.push_back(std::move(walker));
+  return world.scenario().with_movers(std::move(movers));
 }
 
 }  // namespace slalom

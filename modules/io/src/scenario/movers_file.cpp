@@ -51,10 +51,9 @@ class MoverCollector {
     const auto first = std::find_if(waypoints.begin(), waypoints.end(),
                                     [](const Waypoint& w) { return w.t >= 0; });
     if (first == waypoints.begin()) return mover;
-    // Nearer than the shortest leg, the next position counts as that at the beginning.
-    constexpr double kShortest = 1e-3;  // s
+    // Nearer than the shortest segment, the next position counts as that at the beginning.
     const auto at_begin = mover.position(0);
-    if (first->t < kShortest) {
+    if (first->t < kMinSegmentDuration) {
       first->t = 0;
       waypoints.erase(waypoints.begin(), first);
     } else {

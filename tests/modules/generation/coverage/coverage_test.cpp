@@ -71,6 +71,27 @@ TEST(Coverage, StoredValuesAreReproducibleAndLieInTheBin) {
   }
 }
 
+TEST(Coverage, FillsBinsOfDescriptorsOfMoversWithWalkersThatKeepOffObstacles) {
+  CoverageSettings settings;
+  settings.resolution = 0.1;
+  settings.walkers.count = 3;
+  const auto plan = plan_of(kSmall +
+                            "descriptors = survivability\nrange.survivability = 6, 12\n"
+                            "bins = 2\nper_bin = 4\n");
+  const auto result = cover(plan, settings, *make_silent_progress());
+  ASSERT_EQ(result.scenarios.size(), 8U);
+  for (const CoveredScenario& covered : result.scenarios) {
+    const World world(covered.scenario, 0.1);
+    ASSERT_EQ(covered.scenario.movers().size(), 3U);
+    EXPECT_EQ(measured(covered.scenario, "survivability"), covered.values[0].value);
+    for (const Mover& mover : covered.scenario.movers()) {
+      EXPECT_EQ(mover.id.substr(0, 7), "walker_");
+      for (double t = 0; t < mover.waypoints.back().t; t += 0.05)
+        ASSERT_GE(world.distance_field().clearance(mover.position(t)), mover.radius - 1e-9);
+    }
+  }
+}
+
 TEST(Coverage, LargeWorkspacesAreMeasuredAtFullResolution) {
   // 90 m at 0.1 m are 810,000 cells, above the 400,000 that are evaluated directly.
   const auto result =

@@ -72,6 +72,37 @@ TEST(Mutation, KeepsMovers) {
         EXPECT_EQ(child.movers(), movers) << kind;
 }
 
+TEST(Mutation, PutsNeitherAnObstacleNorTheRobotInTheWayOfAMover) {
+  // Through the whole room, so that many mutations would.
+  const Movers movers{{"a", 0.3, {{0, {1, 7}}, {8, {9, 7}}}, MoverEnd::Stop},
+                      {"b", 0.3, {{0, {5, 5}}, {8, {5, 5}}}, MoverEnd::Vanish}};
+  const Scenario empty =
+      Scenario::continuous("", {0, 0, 10, 10}, {{{{8, 2}, 0.5}}, {}}, {1, 1, 0}, {9, 9});
+  int kept = 0, refused = 0;
+  for (int kind = 0; kind < kMutations; ++kind) {
+    const auto with = children(empty.with_movers(movers), static_cast<Mutation>(kind));
+    kept += static_cast<int>(with.size());
+    refused += static_cast<int>(children(empty, static_cast<Mutation>(kind)).size()) -
+               static_cast<int>(with.size());
+    for (const Scenario& child : with) {
+      const mrpt::math::TPoint2D start(child.start());
+      for (const Mover& mover : movers) {
+        const auto begin = mover.position(0);
+        EXPECT_GE(std::hypot(begin.x - start.x, begin.y - start.y), 0.3 + 0.25) << kind;
+        for (double t = 0; t <= 8; t += 0.01) {
+          const auto at = mover.position(t);
+          for (const Disc& disc : child.primitives().discs)
+            ASSERT_GE(distance(at, disc), 0.3) << kind;
+          for (const Polygon& polygon : child.primitives().polygons)
+            ASSERT_GE(distance(at, polygon), 0.3) << kind;
+        }
+      }
+    }
+  }
+  EXPECT_GT(kept, 50);
+  EXPECT_GT(refused, 50);
+}
+
 TEST(Mutation, EqualSeedsGiveEqualChildren) {
   for (int kind = 0; kind < kMutations; ++kind) {
     RandomEngine a(7), b(7);

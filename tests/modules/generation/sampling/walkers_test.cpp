@@ -73,7 +73,7 @@ TEST(Walkers, WithoutRoomAreAnErrorThatNamesTheScenario) {
   WalkerOptions options;
   options.count = 1;
   options.min_radius = options.max_radius = 4;  // half the height of the room
-  EXPECT_TRUE(throws_error(ErrorKind::Job, "posts: no way for a walker of radius 4.00 m",
+  EXPECT_TRUE(throws_error(ErrorKind::Job, "posts: no path for a walker of radius 4.00 m",
                            {"smaller walkers"}, [&] {
                              RandomEngine engine(1);
                              sample_walkers(world, 0.25, options, engine);

@@ -12,9 +12,6 @@ namespace slalom {
 /// of scenario. Used by selections and indexes.
 DescriptorView descriptor_view(const std::vector<std::string>& ids, const DescribeOptions& options);
 
-/// Ids of all descriptors, in the order of the documentation.
-std::vector<std::string> descriptor_ids();
-
 /// Computes and stores the missing values of options.ids. Values are committed in batches, so that
 /// little is lost when the program is killed. `progress` must outlive the command.
 ListCommandPtr make_describe_list(ScenarioList& list, DescribeOptions options, Progress& progress);

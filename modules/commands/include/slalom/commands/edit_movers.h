@@ -27,10 +27,8 @@ std::optional<WaypointIndex> waypoint_at(const Scenario& scenario,
                                          const mrpt::math::TPoint2D& point, double tolerance);
 
 /// A mover without an id along a path of one or more points, from time 0 on, at `speed` (m/s).
-/// Segments last at least 2 ms. If the path ends where it began, the mover repeats it.
+/// If the path ends where it began, the mover repeats it.
 Mover mover_along(const std::vector<mrpt::math::TPoint2D>& path, double radius, double speed);
-/// The times of the waypoints that result from `speed` (m/s), from that of the first one on.
-void set_speed(Mover& mover, double speed);
 /// The mover, translated.
 Mover moved(Mover mover, double dx, double dy);
 /// The mover with one waypoint translated; with the other end of a path that is repeated.

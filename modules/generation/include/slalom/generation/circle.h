@@ -9,7 +9,7 @@ namespace slalom {
 struct CircleOptions {
   static constexpr char kFamily[] = "circle";
   double min_circle = 4, max_circle = 5;  ///< m, radius of the circle, drawn per scenario
-  double max_shift_deg = 10;              ///< of a mover from its place on the circle
+  double max_shift_deg = 10;              ///< of a mover along the circle
   MoverOptions movers;
   StartGoalOptions start_goal = {0.5, 8, 0.8};
 

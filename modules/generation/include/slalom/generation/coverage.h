@@ -58,6 +58,7 @@ struct CoverageSettings {
   double resolution = 0.05;    ///< m
   int jobs = 1;
   MapLoader load_map = {};
+  WalkerOptions walkers = {};  ///< added to each candidate without a parent
   /// A search that was interrupted, as `keep` got it; it is repeated without the evaluations that
   /// gave nothing.
   std::string known = {};

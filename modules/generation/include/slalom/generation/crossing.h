@@ -5,11 +5,11 @@
 
 namespace slalom {
 
-/// Section [generator.crossing]: movers that cross the way of the robot in an empty room.
+/// Section [generator.crossing]: movers that cross the path of the robot in an empty room.
 struct CrossingOptions {
   static constexpr char kFamily[] = "crossing";
   double width = 14, height = 10;  ///< m
-  double max_turn_deg = 30;        ///< between a mover's way and the normal of the robot's
+  double max_turn_deg = 30;        ///< between a mover's path and the normal of the robot's
   MoverOptions movers;
   StartGoalOptions start_goal = {0.8, 8, 1};
 

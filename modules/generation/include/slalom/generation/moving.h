@@ -23,9 +23,9 @@ struct MoverOptions {
   void visit(OptionVisitor& v);
 };
 
-/// The waypoints of a mover that waits until `begin` (s) and then walks along `way` (m), which has
-/// at least two positions, at `speed` (m/s).
-std::vector<Waypoint> walk_along(const std::vector<mrpt::math::TPoint2D>& way, double speed,
+/// The waypoints of a mover that waits until `begin` (s) and then walks along `path` (m), which has
+/// at least two positions, at `speed` (m/s), as set_speed() does.
+std::vector<Waypoint> walk_along(const std::vector<mrpt::math::TPoint2D>& path, double speed,
                                  double begin = 0);
 
 /// How one mover of the radius (m) and speed (m/s) walks; no waypoints if it cannot.

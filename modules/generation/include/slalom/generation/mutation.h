@@ -39,7 +39,8 @@ struct MutationLimits {
 /// The mutated scenario, or nullopt if the mutation does not apply (nothing to remove, a map whose
 /// workspace cannot be scaled) or the result violates a limit. Obstacles in collision with the
 /// robot at start or goal are removed. Grids change cell by cell; in point maps only start and goal
-/// change.
+/// change. Movers remain as they are; a mutation that puts an obstacle, or the robot at the start,
+/// in the way of one does not apply.
 std::optional<Scenario> mutate(const Scenario& parent, Mutation mutation,
                                const MutationLimits& limits, RandomEngine& engine);
 

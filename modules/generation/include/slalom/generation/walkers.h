@@ -14,12 +14,16 @@ struct WalkerOptions {
 };
 
 /// `options.count` walkers for the scenario of `world`. Each goes from a random position over up to
-/// six random ones in a straight line each, and back the same way, again and again, whatever the
-/// robot does. It keeps at least 0.05 m from obstacles and the border on its whole way, and when
+/// six random ones in a straight line each, and back along the same path, again and again, whatever
+/// the robot does. It keeps at least 0.05 m from obstacles and the border along its path, and when
 /// the run begins it is at least 1 m away from a disc of `robot_radius` (m) at the start. Walkers
 /// do not avoid each other. Walker i depends only on the world, the options, the state of `engine`
-/// and the walkers before it. Throws Error (Job) if no way is found for a walker.
+/// and the walkers before it. Throws Error (Job) if no path is found for a walker.
 Movers sample_walkers(const World& world, double robot_radius, const WalkerOptions& options,
+                      RandomEngine& engine);
+
+/// The scenario of `world` with these walkers in addition to its movers.
+Scenario with_walkers(const World& world, double robot_radius, const WalkerOptions& options,
                       RandomEngine& engine);
 
 }  // namespace slalom
