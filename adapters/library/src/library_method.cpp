@@ -1,8 +1,7 @@
-#include "shared_library.h"
-
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
+#include <slalom/library/shared_library.h>
 #include <slalom/methods/registry.h>
 #include <slalom/methods/slalom_method.h>
 
@@ -13,6 +12,8 @@ namespace slalom {
 namespace {
 
 constexpr char kSymbol[] = "slalom_method_get_api";
+constexpr char kTracksSymbol[] = "slalom_method_get_tracks_api";
+constexpr char kMapSymbol[] = "slalom_method_get_map_api";
 
 /// Converts the robot to C; its footprint points to `corners`.
 slalom_robot to_c(const RobotModel& robot, const SensorModel& sensor,
@@ -39,14 +40,28 @@ slalom_robot to_c(const RobotModel& robot, const SensorModel& sensor,
   return result;
 }
 
+/// The functions that a library exports; null for those that it does not.
+struct LibraryApi {
+  const slalom_method_api* method;
+  const slalom_tracks_api* tracks;
+  const slalom_map_api* map;
+};
+
 /// A method called through the C function table; keeps the library loaded.
 class LibraryMethod : public Method {
  public:
-  LibraryMethod(std::unique_ptr<SharedLibrary> library, const slalom_method_api& api, void* method)
-      : library_(std::move(library)), api_(api), method_(method) {}
+  LibraryMethod(std::unique_ptr<SharedLibrary> library, const LibraryApi& api, void* method)
+      : library_(std::move(library)),
+        api_(*api.method),
+        tracks_api_(api.tracks),
+        map_api_(api.map),
+        method_(method) {}
   ~LibraryMethod() override { api_.destroy(method_); }
   LibraryMethod(const LibraryMethod&) = delete;
   LibraryMethod& operator=(const LibraryMethod&) = delete;
+
+  bool uses_tracks() const override { return tracks_api_ != nullptr; }
+  bool uses_map() const override { return map_api_ != nullptr && map_api_->uses_map(method_) != 0; }
 
   void reset(const NavigationTask& task) override {
     slalom_task t = {};
@@ -59,6 +74,7 @@ class LibraryMethod : public Method {
     t.control_period = task.control_period;
     t.seed = task.seed;
     check_result("reset", api_.reset(method_, &t));
+    if (uses_map()) pass_map(map_of(task));
   }
 
   Command step(const Observation& observation) override {
@@ -77,12 +93,27 @@ class LibraryMethod : public Method {
     o.goal_y = observation.goal_in_robot.y;
     o.ranges = ranges_.data();
     o.rays = ranges_.size();
+    if (tracks_api_ != nullptr) pass_tracks(tracks_of(observation));
     slalom_command command = {};
     check_result("step", api_.step(method_, &o, &command));
     return {command.v, command.w, command.vy};
   }
 
  private:
+  void pass_map(const KnownMap& map) {
+    const slalom_map converted = {map.resolution, map.origin.x, map.origin.y,
+                                  map.size_x,     map.size_y,   map.cells->data()};
+    check_result("set_map", map_api_->set_map(method_, &converted));
+  }
+
+  void pass_tracks(const std::vector<Track>& tracks) {
+    tracks_.clear();
+    for (const Track& track : tracks)
+      tracks_.push_back({track.id, track.position.x, track.position.y, track.velocity.x,
+                         track.velocity.y, track.radius});
+    check_result("set_tracks", tracks_api_->set_tracks(method_, tracks_.data(), tracks_.size()));
+  }
+
   void check_result(const std::string& call, int code) const {
     if (code != 0)
       throw MethodError(std::string(api_.name) + ": " + call + " returned error " +
@@ -91,8 +122,11 @@ class LibraryMethod : public Method {
 
   std::unique_ptr<SharedLibrary> library_;
   const slalom_method_api& api_;
+  const slalom_tracks_api* tracks_api_;
+  const slalom_map_api* map_api_;
   void* method_;
   std::vector<float> ranges_;
+  std::vector<slalom_track> tracks_;
 };
 
 /// Loads the library of a method; each step has its own error message.
@@ -110,8 +144,8 @@ class LibraryLoader {
     if (!library)
       throw usage_error(where_plugin_, path_ + " cannot be loaded (" + error + ")",
                         "a shared library");
-    const slalom_method_api& api = find_api(*library);
-    void* method = create(api, robot, sensor);
+    const LibraryApi api = {&find_api(*library), find_tracks_api(*library), find_map_api(*library)};
+    void* method = create(*api.method, robot, sensor);
     return std::make_unique<LibraryMethod>(std::move(library), api, method);
   }
 
@@ -138,6 +172,31 @@ class LibraryLoader {
       throw usage_error(where_plugin_, path_ + " has null entries in its function table",
                         "create, reset, step, destroy and name");
     return *api;
+  }
+
+  /// Null for a library that does not export them.
+  const slalom_tracks_api* find_tracks_api(const SharedLibrary& library) const {
+    return find_optional<slalom_tracks_api>(
+        library, kTracksSymbol, SLALOM_TRACKS_ABI_VERSION, "set_tracks",
+        [](const slalom_tracks_api& api) { return api.set_tracks != nullptr; });
+  }
+  const slalom_map_api* find_map_api(const SharedLibrary& library) const {
+    return find_optional<slalom_map_api>(library, kMapSymbol, SLALOM_MAP_ABI_VERSION,
+                                         "uses_map and set_map", [](const slalom_map_api& api) {
+                                           return api.uses_map != nullptr && api.set_map != nullptr;
+                                         });
+  }
+
+  template <typename Api, typename IsComplete>
+  const Api* find_optional(const SharedLibrary& library, const char* symbol, unsigned version,
+                           const std::string& entries, IsComplete is_complete) const {
+    const auto get_api = reinterpret_cast<const Api* (*)()>(library.find(symbol));
+    if (get_api == nullptr) return nullptr;
+    const Api* api = get_api();
+    if (api == nullptr || api->abi_version != version || !is_complete(*api))
+      throw usage_error(where_plugin_, path_ + " returned an invalid table of " + symbol + "()",
+                        "version " + std::to_string(version) + " with " + entries);
+    return api;
   }
 
   /// Throws for a parameter that the method does not declare.

@@ -1,4 +1,4 @@
-#include "shared_library.h"
+#include <slalom/library/shared_library.h>
 
 #include <dlfcn.h>
 #include <filesystem>

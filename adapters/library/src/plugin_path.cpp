@@ -1,8 +1,7 @@
-#include "shared_library.h"
-
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
+#include <slalom/library/shared_library.h>
 
 #include <algorithm>
 #include <filesystem>

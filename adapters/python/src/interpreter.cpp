@@ -64,8 +64,9 @@ void prepare_forks() {
 
 std::string describe(const pybind11::error_already_set& error) {
   namespace py = pybind11;
-  py::module_::import("traceback")
-      .attr("print_exception")(error.type(), error.value(), error.trace());
+  // Of an error in a call itself, as with wrong arguments, there is no trace.
+  const py::object trace = error.trace() ? error.trace() : py::none();
+  py::module_::import("traceback").attr("print_exception")(error.type(), error.value(), trace);
   std::string text = py::str(error.type().attr("__name__"));
   const std::string message = py::str(error.value());
   if (!message.empty()) text += ": " + message;

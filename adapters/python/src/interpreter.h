@@ -12,7 +12,7 @@ namespace slalom {
 void start_interpreter();
 
 /// Makes fork_process() prepare the interpreter of a thread that holds its lock, so that the forked
-/// process may use it, too. Python 3.12 and later end a process that was forked without it.
+/// process may use it, too. Python 3.13 ends a process that was forked without it.
 void prepare_forks();
 
 /// The exception on one line: "ValueError: negative gain (my_method.py:31 in step)", functions from

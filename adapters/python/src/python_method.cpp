@@ -51,7 +51,7 @@ class Ranges {
 /// Names of attributes, made once.
 struct Names {
   py::str time{"time"}, x{"x"}, y{"y"}, phi{"phi"}, v{"v"}, vy{"vy"}, w{"w"}, goal_x{"goal_x"},
-      goal_y{"goal_y"}, ranges{"ranges"};
+      goal_y{"goal_y"}, ranges{"ranges"}, tracks{"tracks"};
 };
 
 /// The objects of Python that belong to a method. Made, used and destroyed by a thread that holds
@@ -62,14 +62,18 @@ class PythonObject {
       : reset_(object.attr("reset")),
         step_(object.attr("step")),
         finish_(py::getattr(object, "finish", py::none())),
+        uses_tracks_(declares(object, "uses_tracks")),
+        uses_map_(declares(object, "uses_map")),
         make_namespace_(py::module_::import("types").attr("SimpleNamespace")) {}
 
   void reset(const NavigationTask& task) {
-    reset_(make_namespace_(
+    const py::object input = make_namespace_(
         py::arg("start_x") = task.start.x, py::arg("start_y") = task.start.y,
         py::arg("start_phi") = task.start.phi, py::arg("goal_x") = task.goal.x,
         py::arg("goal_y") = task.goal.y, py::arg("goal_tolerance") = task.goal_tolerance,
-        py::arg("control_period") = task.control_period, py::arg("seed") = task.seed));
+        py::arg("control_period") = task.control_period, py::arg("seed") = task.seed);
+    if (uses_map_) py::setattr(input, "map", python_map(map_of(task)));
+    reset_(input);
   }
 
   Command step(const Observation& observation) {
@@ -87,14 +91,39 @@ class PythonObject {
     set(names_.goal_x, observation.goal_in_robot.x);
     set(names_.goal_y, observation.goal_in_robot.y);
     py::setattr(input, names_.ranges, ranges_.set(*observation.scan));
+    if (uses_tracks_) py::setattr(input, names_.tracks, python_tracks(tracks_of(observation)));
     return to_command(step_(input));
   }
+
+  bool uses_tracks() const { return uses_tracks_; }
+  bool uses_map() const { return uses_map_; }
 
   void finish(const std::string& outcome) {
     if (!finish_.is_none()) finish_(outcome);
   }
 
  private:
+  static bool declares(const py::object& object, const char* attribute) {
+    return py::bool_(py::getattr(object, attribute, py::bool_(false)));
+  }
+
+  py::object python_map(const KnownMap& map) const {
+    const py::array_t<std::uint8_t> cells({map.size_y, map.size_x}, map.cells->data());  // a copy
+    return make_namespace_(py::arg("resolution") = map.resolution,
+                           py::arg("origin_x") = map.origin.x, py::arg("origin_y") = map.origin.y,
+                           py::arg("cells") = cells);
+  }
+
+  py::list python_tracks(const std::vector<Track>& tracks) const {
+    py::list result;
+    for (const Track& track : tracks)
+      result.append(
+          make_namespace_(py::arg("id") = track.id, py::arg("x") = track.position.x,
+                          py::arg("y") = track.position.y, py::arg("vx") = track.velocity.x,
+                          py::arg("vy") = track.velocity.y, py::arg("radius") = track.radius));
+    return result;
+  }
+
   static Command to_command(const py::object& output) {
     const bool sequence = PySequence_Check(output.ptr()) != 0 && !py::isinstance<py::str>(output);
     const std::size_t size = sequence ? py::len(output) : 0;
@@ -111,7 +140,9 @@ class PythonObject {
     return command;
   }
 
-  py::object reset_, step_, finish_, make_namespace_;
+  py::object reset_, step_, finish_;
+  bool uses_tracks_, uses_map_;
+  py::object make_namespace_;
   Names names_;
   Ranges ranges_;
 };
@@ -120,7 +151,9 @@ class PythonMethod : public Method {
  public:
   /// The caller holds the interpreter's lock.
   explicit PythonMethod(const py::object& object)
-      : object_(std::make_unique<PythonObject>(object)) {}
+      : object_(std::make_unique<PythonObject>(object)),
+        uses_tracks_(object_->uses_tracks()),
+        uses_map_(object_->uses_map()) {}
   // Without memory for the lock the process ends.
   // NOLINTNEXTLINE(bugprone-exception-escape)
   ~PythonMethod() override {
@@ -130,6 +163,8 @@ class PythonMethod : public Method {
   PythonMethod(const PythonMethod&) = delete;
   PythonMethod& operator=(const PythonMethod&) = delete;
 
+  bool uses_tracks() const override { return uses_tracks_; }
+  bool uses_map() const override { return uses_map_; }
   void reset(const NavigationTask& task) override {
     call([&] { object_->reset(task); });
   }
@@ -154,6 +189,7 @@ class PythonMethod : public Method {
   }
 
   std::unique_ptr<PythonObject> object_;
+  bool uses_tracks_, uses_map_;
 };
 
 /// The caller holds the interpreter's lock.
@@ -172,7 +208,8 @@ std::unique_ptr<Method> create(const py::object& type, const py::object& options
 std::unique_ptr<Method> load(const PythonOptions& options, const OptionLocation& where,
                              const RobotModel& robot, const SensorModel& sensor) {
   if (options.module.empty()) throw usage_error(where(""), "missing module", "module = FILE.py");
-  const std::string path = resolve_module_path(options.module, options.folder, where("module"));
+  const std::string path =
+      resolve_method_file("module", options.module, options.folder, where("module"));
   try {
     start_interpreter();
   } catch (const std::runtime_error& error) {
@@ -223,16 +260,6 @@ MethodFactory make_factory(const PythonOptions& options, const OptionLocation& w
 }
 
 }  // namespace
-
-std::string resolve_module_path(const std::string& module, const std::string& folder,
-                                const std::string& where) {
-  namespace fs = std::filesystem;
-  const fs::path path = fs::absolute(fs::path(folder) / module).lexically_normal();
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored))
-    throw usage_error(where, "module '" + module + "' not found", "a file at " + path.string());
-  return path.string();
-}
 
 void PythonOptions::visit(OptionVisitor& v) {
   std::string adapter = "python";

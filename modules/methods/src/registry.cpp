@@ -1,8 +1,10 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/methods/barrier_filter.h>
 #include <slalom/methods/registry.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace slalom {
 namespace {
@@ -39,9 +41,14 @@ std::vector<std::string> MethodRegistry::adapters() const {
 }
 
 NamedMethod MethodRegistry::read(const IniFile& ini, const std::string& name) const {
-  const std::string section = "method." + name;
-  if (!ini.has_section(section))
-    throw usage_error(ini.name(), "no section for method '" + name + "'", "[" + section + "]");
+  std::vector<std::string> sections = method_sections(ini, name);
+  MethodFactory make = read_section(ini, sections.back());
+  for (sections.pop_back(); !sections.empty(); sections.pop_back())
+    make = read_barrier_filter(ini, sections.back(), std::move(make));
+  return {name, std::move(make), ini.where("method." + name)};
+}
+
+MethodFactory MethodRegistry::read_section(const IniFile& ini, const std::string& section) const {
   const auto adapter = ini.get(section, "adapter");
   if (!adapter)
     throw usage_error(ini.where(section), "missing adapter",
@@ -50,7 +57,59 @@ NamedMethod MethodRegistry::read(const IniFile& ini, const std::string& name) co
   if (found == readers_.end())
     throw usage_error(ini.where(section, "adapter"), "unknown adapter '" + *adapter + "'",
                       "one of " + join(adapters(), ", "));
-  return {name, found->second(ini, section), ini.where(section)};
+  return found->second(ini, section);
+}
+
+std::vector<std::string> method_sections(const IniFile& ini, const std::string& name) {
+  std::vector<std::string> sections;
+  std::string method = name, named_at = ini.name();
+  while (true) {
+    const std::string section = "method." + method;
+    if (!ini.has_section(section))
+      throw usage_error(named_at, "no section for method '" + method + "'", "[" + section + "]");
+    if (contains(sections, section))
+      throw usage_error(named_at, "the filter '" + method + "' is around itself",
+                        "a base with an adapter");
+    sections.push_back(section);
+    if (!ini.get(section, "filter")) return sections;
+    const auto base = ini.get(section, "base");
+    if (!base || base->empty())
+      throw usage_error(ini.where(section, "filter"), "missing base",
+                        "base = NAME of another section [method.NAME]");
+    method = *base;
+    named_at = ini.where(section, "base");
+  }
+}
+
+std::vector<std::string> method_sections(const IniFile& ini,
+                                         const std::vector<NamedMethod>& methods) {
+  std::vector<std::string> sections;
+  for (const NamedMethod& method : methods)
+    for (std::string& section : method_sections(ini, method.name))
+      sections.push_back(std::move(section));
+  return sections;
+}
+
+std::string resolve_method_file(const std::string& kind, const std::string& file,
+                                const std::string& folder, const std::string& where) {
+  namespace fs = std::filesystem;
+  const fs::path path = fs::absolute(fs::path(folder) / file).lexically_normal();
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored))
+    throw usage_error(where, kind + " '" + file + "' not found", "a file at " + path.string());
+  return path.string();
+}
+
+const KnownMap& map_of(const NavigationTask& task) {
+  if (task.map == nullptr)
+    throw MethodError("the method needs the map, which this input does not contain");
+  return *task.map;
+}
+
+const std::vector<Track>& tracks_of(const Observation& observation) {
+  if (observation.tracks == nullptr)
+    throw MethodError("the method needs the tracks of movers, which this input does not contain");
+  return *observation.tracks;
 }
 
 bool is_valid_command(const Command& command, const RobotModel& robot, std::string& reason) {

@@ -118,6 +118,72 @@ TEST(LibraryMethod, PassesAllFieldsThroughTheCInterface) {
   EXPECT_EQ(echo("seed"), Two(4503599627370496.0, 0.125));
 }
 
+TEST(LibraryMethod, IsGivenTracksIfItDeclaresThem) {
+  EXPECT_FALSE(load_good()->uses_tracks());
+  const auto scan = scan_of({1});
+  const std::vector<Track> two = {{3, {1, -2}, {0.5, 0.25}, 0.3}, {7, {4, 4}, {0, 0}, 0.2}};
+  Observation observation = observation_of(scan);
+  const auto echo_of = [&](const std::string& answer, const std::vector<Track>& tracks) {
+    const auto method =
+        load(section_for(plugin_file("test_plugin_tracks"), "answer = " + answer + "\n"));
+    EXPECT_TRUE(method->uses_tracks());
+    method->reset({});
+    observation.tracks = &tracks;
+    const Command command = method->step(observation);
+    return std::pair(command.v, command.w);
+  };
+  EXPECT_EQ(echo_of("tracks", two), std::pair(2.0, 3.0));
+  EXPECT_EQ(echo_of("track_position", two), std::pair(1.0, -2.0));
+  EXPECT_EQ(echo_of("track_velocity", two), std::pair(0.5, 0.25));
+  EXPECT_EQ(echo_of("track_radius", two), std::pair(0.3, 0.0));
+  EXPECT_EQ(echo_of("tracks", {}).first, 0);
+  const std::vector<Track> three(3);
+  EXPECT_THROW(echo_of("tracks", three), MethodError) << "set_tracks() returns an error code";
+}
+
+TEST(LibraryMethod, ThatUsesTracksRefusesInputsWithoutAndOtherVersions) {
+  const auto scan = scan_of({1});
+  const auto method = load(section_for(plugin_file("test_plugin_tracks")));
+  method->reset({});
+  try {
+    method->step(observation_of(scan));
+    FAIL() << "step() succeeded";
+  } catch (const MethodError& error) {
+    EXPECT_STREQ(error.what(),
+                 "the method needs the tracks of movers, which this input does not contain");
+  }
+  EXPECT_TRUE(refuses_plugin("test_plugin_tracks_version",
+                             {"slalom_method_get_tracks_api()", "expected version 1"}));
+}
+
+TEST(LibraryMethod, IsGivenTheMapIfItDeclaresIt) {
+  EXPECT_FALSE(load_good()->uses_map());
+  EXPECT_FALSE(load(section_for(plugin_file("test_plugin_map")))->uses_map()) << "answer = steps";
+  const auto scan = scan_of({1});
+  const std::vector<std::uint8_t> cells = {0, 0, 0, 0, 0, 1};
+  KnownMap map = {0.5, {-1, 2}, 3, 2, &cells};
+  const auto echo_of = [&](const std::string& answer) {
+    const auto method =
+        load(section_for(plugin_file("test_plugin_map"), "answer = " + answer + "\n"));
+    EXPECT_TRUE(method->uses_map());
+    NavigationTask task;
+    EXPECT_THROW(method->reset(task), MethodError) << "a task without a map";
+    task.map = &map;
+    method->reset(task);
+    const Command command = method->step(observation_of(scan));
+    return std::pair(command.v, command.w);
+  };
+  EXPECT_EQ(echo_of("map_origin"), std::pair(-1.0, 2.0));
+  EXPECT_EQ(echo_of("map_size"), std::pair(3.0, 2.0));
+  EXPECT_EQ(echo_of("map_cells"), std::pair(0.5, 1.0));
+  map.size_x = 6;
+  map.size_y = 1;
+  EXPECT_THROW(echo_of("map_size"), MethodError) << "set_map() returns an error code";
+  EXPECT_TRUE(
+      refuses_plugin("test_plugin_map_incomplete",
+                     {"slalom_method_get_map_api()", "version 1 with uses_map and set_map"}));
+}
+
 TEST(LibraryMethod, PassesTheParametersToTheMethod) {
   const auto method = load_good("gain = 2.5\n");
   EXPECT_EQ(commands_of_run(*method, 1), (std::vector<double>{1, 2.5}));

@@ -48,7 +48,8 @@ std::unique_ptr<Method> load_echo(const std::string& answer, const std::string& 
   return method;
 }
 
-std::vector<double> step(Method& method, const std::vector<float>& ranges = {1, 2, 4}) {
+std::vector<double> step(Method& method, const std::vector<float>& ranges = {1, 2, 4},
+                         const std::vector<Track>* tracks = nullptr) {
   mrpt::obs::CObservation2DRangeScan scan;
   scan.resizeScan(ranges.size());
   for (std::size_t i = 0; i < ranges.size(); ++i) scan.setScanRange(i, ranges[i]);
@@ -60,6 +61,7 @@ std::vector<double> step(Method& method, const std::vector<float>& ranges = {1, 
   observation.vy = 0.0625;
   observation.goal_in_robot = {3, -4};
   observation.scan = &scan;
+  observation.tracks = tracks;
   const Command command = method.step(observation);
   return {command.v, command.w, command.vy};
 }
@@ -87,6 +89,31 @@ TEST(PythonMethod, IsGivenTheObservation) {
   EXPECT_EQ(echo("velocity"), (Values{0.5, -0.75, 0.0625}));
   EXPECT_EQ(echo("goal"), (Values{3, -4, 0}));
   EXPECT_EQ(echo("ranges"), (Values{1, 4, 3}));
+}
+
+TEST(PythonMethod, IsGivenTracksIfItsClassDeclaresThem) {
+  EXPECT_FALSE(load_echo("time")->uses_tracks());
+  const auto method = load(section_for("echo.py", "Tracker"));
+  EXPECT_TRUE(method->uses_tracks());
+  method->reset({});
+  const std::vector<Track> tracks = {{1, {}, {}, 0.1}, {4, {1, 2}, {3, 4}, 0.5}};
+  EXPECT_EQ(step(*method, {1, 2, 4}, &tracks), (Values{6, 21, 93}));
+  EXPECT_THROW(step(*method), MethodError) << "a scan without tracks";
+}
+
+TEST(PythonMethod, IsGivenTheMapIfItsClassDeclaresIt) {
+  EXPECT_FALSE(load_echo("time")->uses_map());
+  const auto method = load(section_for("echo.py", "Mapper"));
+  EXPECT_TRUE(method->uses_map());
+  EXPECT_THROW(method->reset({}), MethodError) << "a task without a map";
+  NavigationTask task;
+  {
+    const std::vector<std::uint8_t> cells = {0, 0, 0, 0, 0, 1};
+    const KnownMap map = {0.5, {-1, 2}, 3, 2, &cells};
+    task.map = &map;
+    method->reset(task);
+  }
+  EXPECT_EQ(step(*method, {1, 2, 4}), (Values{132, 0.5, 2})) << "a copy, which is kept";
 }
 
 TEST(PythonMethod, IsGivenTheTask) {

@@ -52,6 +52,46 @@ TEST(MethodRegistry, ReadsTheMethodOfTheSection) {
   EXPECT_NE(method.make({}, {}), nullptr);
 }
 
+TEST(MethodRegistry, ReadsAFilterAroundAnotherMethod) {
+  const IniFile ini = IniFile::from_text(
+      "[method.safer]\nfilter = cbf\nbase = safe\n[method.safe]\nfilter = cbf\nbase = a\nmargin = "
+      "0.1\n[method.a]\nadapter = still\n",
+      "campaign.ini");
+  const NamedMethod method = registry_of_two().read(ini, "safer");
+  EXPECT_EQ(method.name, "safer");
+  EXPECT_EQ(method.where, "campaign.ini:1: [method.safer]");
+  EXPECT_NE(method.make({}, {}), nullptr);
+  EXPECT_EQ(method_sections(ini, "safer"),
+            (std::vector<std::string>{"method.safer", "method.safe", "method.a"}));
+  EXPECT_EQ(method_sections(ini, "a"), std::vector<std::string>{"method.a"});
+}
+
+TEST(MethodRegistry, ReportsFiltersWithoutABase) {
+  EXPECT_TRUE(refused("[method.a]\nfilter = cbf\n", "campaign.ini:2: [method.a] filter",
+                      {"missing base", "base = NAME"}));
+  EXPECT_TRUE(refused("[method.a]\nfilter = cbf\nbase = b\n", "campaign.ini:3: [method.a] base",
+                      {"no section for method 'b'", "[method.b]"}));
+  EXPECT_TRUE(refused("[method.a]\nfilter = cbf\nbase = b\n[method.b]\nfilter = cbf\nbase = a\n",
+                      "campaign.ini:6: [method.b] base",
+                      {"'a' is around itself", "a base with an adapter"}));
+}
+
+TEST(MethodRegistry, ReportsInvalidKeysOfFilters) {
+  const auto refused_key = [](const std::string& keys, const std::string& where,
+                              std::initializer_list<std::string> words) {
+    const IniFile ini = IniFile::from_text(
+        "[method.a]\nadapter = still\n[method.safe]\nbase = a\n" + keys, "campaign.ini");
+    return throws_error(ErrorKind::Usage, where, words,
+                        [&] { registry_of_two().read(ini, "safe"); });
+  };
+  EXPECT_TRUE(refused_key("filter = cbf\nadapter = still\n",
+                          "campaign.ini:6: [method.safe] adapter", {"unknown key", "gain"}));
+  EXPECT_TRUE(
+      refused_key("filter = brake\n", "campaign.ini:5: [method.safe] filter", {"'brake'", "cbf"}));
+  EXPECT_TRUE(
+      refused_key("filter = cbf\ngain = 0\n", "campaign.ini:6: [method.safe] gain", {"> 0"}));
+}
+
 TEST(MethodRegistry, ListsItsAdapters) {
   EXPECT_EQ(registry_of_two().adapters(), (std::vector<std::string>{"broken", "still"}));
 }

@@ -1,3 +1,4 @@
+#include <slalom/results/privileged.h>
 #include <slalom/results/result_table.h>
 
 #include <gtest/gtest.h>
@@ -97,6 +98,50 @@ TEST(ResultTable, SuccessFollowsFromTheOutcome) {
   for (const char* outcome :
        {"success", "unsolvable_scenario", "infrastructure_error", kUnknownOutcome})
     EXPECT_FALSE(is_failure(outcome));
+}
+
+TEST(PrivilegedMarks, FollowWholeNamesOnly) {
+  const std::vector<std::string> names = {"nd", "nd_tracks"};
+  const auto marked = [&](const std::string& text) { return with_privileged_marks(text, names); };
+  EXPECT_EQ(marked("nd"), "nd*");
+  EXPECT_EQ(marked("nd: success falls; gap and nd_tracks."),
+            "nd*: success falls; gap and nd_tracks*.");
+  EXPECT_EQ(marked("nd.v2, nd2, find, a-nd, nd+, .nd"), "nd.v2, nd2, find, a-nd, nd+, .nd");
+  EXPECT_EQ(marked("0123abcd/nd/0"), "0123abcd/nd/0") << "the id of a run";
+  EXPECT_EQ(marked(marked("nd (nd_tracks)")), "nd* (nd_tracks*)") << "once";
+  EXPECT_EQ(with_privileged_marks("nd", {}), "nd");
+}
+
+TEST(PrivilegedMarks, AreExplainedByAFootnoteFromTheManifest) {
+  EXPECT_TRUE(privileged_methods({{"campaign", "a"}}).empty());
+  EXPECT_EQ(privileged_footnote({}), "");
+  const auto names = privileged_methods({{kPrivilegedKey, "a, b"}});
+  EXPECT_EQ(names.names(), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(
+      privileged_footnote(names),
+      "* privileged: a, b are given the tracks of movers (positions, velocities, radii); methods "
+      "without the mark are not");
+}
+
+TEST(PrivilegedMarks, TellTracksFromTheMap) {
+  PrivilegedMethods methods;
+  methods.add("a", true, false);
+  methods.add("b", true, true);
+  methods.add("b", true, true);
+  methods.add("c", false, true);
+  methods.add("d", false, false);
+  EXPECT_EQ(methods.names(), (std::vector<std::string>{"a", "b", "c"}));
+  EXPECT_EQ(privileged_footnote(methods),
+            "* privileged: a, b are given the tracks of movers (positions, velocities, radii); b, "
+            "c are given the map of static obstacles; methods without the mark are not");
+  EXPECT_EQ(privileged_footnote({{}, {"c"}}),
+            "* privileged: c is given the map of static obstacles; methods without the mark are "
+            "not");
+  Manifest manifest;
+  store_privileged(methods, manifest);
+  EXPECT_EQ(privileged_footnote(privileged_methods(manifest)), privileged_footnote(methods));
+  store_privileged({}, manifest = {});
+  EXPECT_TRUE(manifest.empty());
 }
 
 }  // namespace

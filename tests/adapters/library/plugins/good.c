@@ -5,11 +5,19 @@
 #include <string.h>
 
 typedef struct instance {
-  char answer[16];
+  char answer[24];
   double gain;
   slalom_robot robot;
   slalom_task task;
   int steps;
+#if defined(USES_TRACKS)
+  slalom_track first;
+  size_t tracks;
+#endif
+#if defined(USES_MAP)
+  slalom_map map;
+  int last_cell;
+#endif
 } instance;
 
 static void* create(const slalom_setting* settings, size_t setting_count, const slalom_robot* robot,
@@ -46,6 +54,20 @@ static int step(void* method, const slalom_observation* o, slalom_command* comma
   instance* self = method;
   const char* answer = self->answer;
   ++self->steps;
+#if defined(USES_TRACKS)
+  const slalom_track* t = &self->first;
+  if (strcmp(answer, "tracks") == 0) return answer_with(command, (double)self->tracks, t->id);
+  if (strcmp(answer, "track_position") == 0) return answer_with(command, t->x, t->y);
+  if (strcmp(answer, "track_velocity") == 0) return answer_with(command, t->vx, t->vy);
+  if (strcmp(answer, "track_radius") == 0) return answer_with(command, t->radius, 0);
+#endif
+#if defined(USES_MAP)
+  const slalom_map* m = &self->map;
+  if (strcmp(answer, "map_origin") == 0) return answer_with(command, m->origin_x, m->origin_y);
+  if (strcmp(answer, "map_size") == 0)
+    return answer_with(command, (double)m->size_x, (double)m->size_y);
+  if (strcmp(answer, "map_cells") == 0) return answer_with(command, m->resolution, self->last_cell);
+#endif
   if (strcmp(answer, "steps") == 0) return answer_with(command, self->steps, self->gain);
   if (strcmp(answer, "position") == 0) return answer_with(command, o->x, o->y);
   if (strcmp(answer, "heading") == 0) return answer_with(command, o->phi, o->time);
@@ -84,3 +106,52 @@ static const slalom_method_api kApi = {
 const slalom_method_api* slalom_method_get_api(void) {
   return &kApi;
 }
+
+#if defined(USES_TRACKS)
+static int set_tracks(void* method, const slalom_track* tracks, size_t count) {
+  instance* self = method;
+  self->tracks = count;
+  if (count > 0) self->first = tracks[0];
+  return count > 2 ? 5 : 0;
+}
+
+#if defined(FAULT_TRACKS_VERSION)
+#define TRACKS_VERSION (SLALOM_TRACKS_ABI_VERSION + 1)
+#else
+#define TRACKS_VERSION SLALOM_TRACKS_ABI_VERSION
+#endif
+
+const slalom_tracks_api* slalom_method_get_tracks_api(void) {
+  static const slalom_tracks_api kTracksApi = {TRACKS_VERSION, set_tracks};
+  return &kTracksApi;
+}
+#endif
+
+#if defined(USES_MAP)
+/* Only some of the methods use it. */
+static int uses_map(const void* method) {
+  return strncmp(((const instance*)method)->answer, "map_", 4) == 0;
+}
+
+static int set_map(void* method, const slalom_map* map) {
+  instance* self = method;
+  self->map = *map;
+  self->last_cell = map->cells[map->size_x * map->size_y - 1];
+  return map->size_x > 3 ? 5 : 0;
+}
+
+const slalom_map_api* slalom_method_get_map_api(void) {
+  static const slalom_map_api kMapApi = {
+    SLALOM_MAP_ABI_VERSION,
+    uses_map,
+#if defined(FAULT_NO_SET_MAP)
+    NULL
+  };
+  (void)set_map;
+#else
+    set_map
+  };
+#endif
+  return &kMapApi;
+}
+#endif

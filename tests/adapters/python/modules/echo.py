@@ -67,3 +67,35 @@ class BadOptions:
 
     def step(self, observation):
         return 0, 0
+
+
+class Mapper:
+    """Commands that contain the map."""
+
+    uses_map = True
+
+    def __init__(self, robot, options):
+        pass
+
+    def reset(self, task):
+        self.map = task.map
+
+    def step(self, o):
+        rows, columns = self.map.cells.shape
+        return rows + 10 * columns + 100 * self.map.cells[1, 2], self.map.resolution, self.map.origin_y
+
+
+class Tracker:
+    """Commands that contain the tracks of movers."""
+
+    uses_tracks = True
+
+    def __init__(self, robot, options):
+        pass
+
+    def reset(self, task):
+        pass
+
+    def step(self, o):
+        t = o.tracks[-1]
+        return len(o.tracks) + t.id, t.x + 10 * t.y, t.vx + 10 * t.vy + 100 * t.radius

@@ -30,9 +30,4 @@ MethodFactory python_method(const PythonOptions& options);
 /// The same with options from an .ini; a MethodReader.
 MethodFactory read_python_method(const IniFile& ini, const std::string& section);
 
-/// The path of the module's file: absolute, or relative to the folder. Throws Error (Usage) at
-/// `where` if it is missing.
-std::string resolve_module_path(const std::string& module, const std::string& folder,
-                                const std::string& where);
-
 }  // namespace slalom

@@ -9,16 +9,34 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace slalom {
 
+/// The map of static obstacles of a run.
+struct KnownMap {
+  double resolution = 0;                             ///< m, size of a cell
+  mrpt::math::TPoint2D origin;                       ///< lower left corner, odometry frame, m
+  std::size_t size_x = 0, size_y = 0;                ///< cells
+  const std::vector<std::uint8_t>* cells = nullptr;  ///< row by row upwards; 1 occupied, 0 free
+};
+
 /// The task of one run: passed to a method before the run.
 struct NavigationTask {
-  mrpt::math::TPose2D start;  ///< odometry frame, which is the world frame at the start
-  mrpt::math::TPoint2D goal;  ///< odometry frame, m
-  double goal_tolerance = 0;  ///< m
-  double control_period = 0;  ///< s
-  std::uint64_t seed = 0;     ///< for methods that draw random numbers
+  mrpt::math::TPose2D start;      ///< odometry frame, which is the world frame at the start
+  mrpt::math::TPoint2D goal;      ///< odometry frame, m
+  double goal_tolerance = 0;      ///< m
+  double control_period = 0;      ///< s
+  std::uint64_t seed = 0;         ///< for methods that draw random numbers
+  const KnownMap* map = nullptr;  ///< null unless the method uses_map(); valid during reset()
+};
+
+/// A mover as a tracker reports it, in the robot frame.
+struct Track {
+  std::int32_t id = 0;             ///< the same throughout a run
+  mrpt::math::TPoint2D position;   ///< of the center, m
+  mrpt::math::TVector2D velocity;  ///< over ground, m/s
+  double radius = 0;               ///< m
 };
 
 /// The input of a method in each control cycle.
@@ -29,6 +47,8 @@ struct Observation {
   double vy = 0;                       ///< measured velocity to the left, m/s; 0 for a diff_drive
   mrpt::math::TPoint2D goal_in_robot;  ///< m, robot frame: x forward, y left
   const mrpt::obs::CObservation2DRangeScan* scan = nullptr;  ///< never null in step()
+  /// By id; null unless the method uses_tracks().
+  const std::vector<Track>* tracks = nullptr;
 };
 
 /// The velocity command of a method.
@@ -50,6 +70,12 @@ class MethodTimeout : public MethodError {
   using MethodError::MethodError;
 };
 
+/// The map of a task. Throws MethodError if it has none, as in recorded scans.
+const KnownMap& map_of(const NavigationTask& task);
+
+/// The tracks of an observation. Throws MethodError if it has none, as in recorded scans.
+const std::vector<Track>& tracks_of(const Observation& observation);
+
 /// The interface of an obstacle avoidance method. One object is used for many runs, one after
 /// another: reset(), then step() once per control cycle. After a reset() the same task and
 /// observations must give the same commands.
@@ -58,6 +84,12 @@ class Method {
   virtual ~Method() = default;
   virtual void reset(const NavigationTask& task) = 0;
   virtual Command step(const Observation& observation) = 0;
+  /// Whether the method needs the tracks of movers: its results are marked as privileged. The same
+  /// for the life of the object.
+  virtual bool uses_tracks() const { return false; }
+  /// Whether the method needs the map of static obstacles: privileged, too, and the same for the
+  /// life of the object.
+  virtual bool uses_map() const { return false; }
   /// The run has ended with this outcome ("success", "collision", ...). For information only.
   virtual void finish(const std::string& /*outcome*/) {}
 };

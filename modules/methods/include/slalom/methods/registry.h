@@ -20,18 +20,33 @@ class MethodRegistry {
   void add(const std::string& adapter, MethodReader reader);
   std::vector<std::string> adapters() const;
 
-  /// Reads section "method.NAME". Throws Error (Usage) for a missing section, a missing or unknown
-  /// adapter (naming the known ones), and whatever the adapter's reader throws.
+  /// Reads section "method.NAME"; with a key `filter` also that of its base. Throws Error (Usage)
+  /// for a missing section, a missing or unknown adapter (naming the known ones), a base that is
+  /// missing or the filter itself, and whatever the adapter's reader throws.
   NamedMethod read(const IniFile& ini, const std::string& name) const;
 
  private:
+  MethodFactory read_section(const IniFile& ini, const std::string& section) const;
+
   std::map<std::string, MethodReader> readers_;
 };
+
+/// The sections of a method: its own, then those that its filters are around, the adapter's last.
+/// Throws Error (Usage) for a filter without a base, a missing section and a filter of itself.
+std::vector<std::string> method_sections(const IniFile& ini, const std::string& name);
+/// Those of several methods, one after another.
+std::vector<std::string> method_sections(const IniFile& ini,
+                                         const std::vector<NamedMethod>& methods);
 
 /// The keys of a section with their values, except those of the adapter: parameters of the method
 /// itself.
 std::vector<std::pair<std::string, std::string>> method_parameters(
     const IniFile& ini, const std::string& section, const std::vector<std::string>& adapter_keys);
+
+/// The path of a file that a key names: absolute, or relative to the folder. `kind` is what it is,
+/// e.g. "module". Throws Error (Usage) at `where` if there is no such file.
+std::string resolve_method_file(const std::string& kind, const std::string& file,
+                                const std::string& folder, const std::string& where);
 
 /// Whether the command is finite and within the robot's limits (with a tolerance of 1e-9);
 /// otherwise `reason` names the violation.

@@ -99,8 +99,54 @@ typedef struct slalom_method_api {
   void (*destroy)(void* method);
 } slalom_method_api;
 
-/* The only function that a library exports. */
+/* The function that every library exports. */
 SLALOM_METHOD_EXPORT const slalom_method_api* slalom_method_get_api(void);
+
+/* Optional: a method that needs the tracks of movers (moving obstacles), which a scan does not
+ * contain. A library that exports slalom_method_get_tracks_api() declares that, and its results are
+ * marked as privileged in every table. Version 1 of the prototype above does not change. */
+#define SLALOM_TRACKS_ABI_VERSION 1u
+
+/* A mover within the range of [tracks], in the robot frame; with the noise of [tracks]. */
+typedef struct slalom_track {
+  int32_t id;    /* the same throughout a run */
+  double x, y;   /* m, of the center */
+  double vx, vy; /* m/s over ground, along the axes of the robot frame */
+  double radius; /* m */
+} slalom_track;
+
+typedef struct slalom_tracks_api {
+  uint32_t abi_version; /* SLALOM_TRACKS_ABI_VERSION */
+  /* The tracks of a control cycle, in the order of their ids: called before its step(). Returns 0,
+   * or an error code that ends the run as method_error. */
+  int (*set_tracks)(void* method, const slalom_track* tracks, size_t count);
+} slalom_tracks_api;
+
+SLALOM_METHOD_EXPORT const slalom_tracks_api* slalom_method_get_tracks_api(void);
+
+/* Optional: a method that can use the map of static obstacles. A library that exports
+ * slalom_method_get_map_api() declares that for those of its methods for which uses_map() returns
+ * 1, whose results are marked as privileged. */
+#define SLALOM_MAP_ABI_VERSION 1u
+
+/* The static obstacles of a run, without noise, on square cells. */
+typedef struct slalom_map {
+  double resolution;         /* m, size of a cell */
+  double origin_x, origin_y; /* m, of the lower left corner, in the odometry frame */
+  size_t size_x, size_y;     /* cells */
+  const uint8_t* cells;      /* row by row upwards: 1 occupied, 0 free */
+} slalom_map;
+
+typedef struct slalom_map_api {
+  uint32_t abi_version; /* SLALOM_MAP_ABI_VERSION */
+  /* Whether this method uses the map: 1 or 0, the same for its life. */
+  int (*uses_map)(const void* method);
+  /* The map of a run: called after its reset(), if the method uses it. Returns 0, or an error code
+   * that ends the run as method_error. */
+  int (*set_map)(void* method, const slalom_map* map);
+} slalom_map_api;
+
+SLALOM_METHOD_EXPORT const slalom_map_api* slalom_method_get_map_api(void);
 
 #ifdef __cplusplus
 }
