@@ -1,8 +1,8 @@
-#include "recorded_campaign.h"
 #include "verbs.h"
 
 #include <slalom/app/adapters.h>
 #include <slalom/app/campaign_names.h>
+#include <slalom/app/recorded_campaign.h>
 #include <slalom/core/error.h>
 #include <slalom/rawlog/re_execution.h>
 

@@ -10,13 +10,15 @@ void define(CLI::App& app) {
   define_check(app);
   define_metrics(app);
   define_openloop(app);
+  define_identify(app);
 }
 
 }  // namespace
 }  // namespace slalom
 
 int main(int argc, char** argv) {
-  return slalom::run_program("slalom-replay",
-                             "Replays recorded runs, and runs methods on rawlogs of real robots.",
-                             argc, argv, slalom::define);
+  return slalom::run_program(
+      "slalom-replay",
+      "Replays recorded runs, runs methods on rawlogs, and estimates robots from them.", argc, argv,
+      slalom::define);
 }

@@ -1,6 +1,6 @@
-#include "recorded_campaign.h"
 #include "verbs.h"
 
+#include <slalom/app/recorded_campaign.h>
 #include <slalom/campaign/measure.h>
 #include <slalom/core/error.h>
 #include <slalom/io/result_file.h>

@@ -1,8 +1,8 @@
 #include "play_window.h"
-#include "recorded_campaign.h"
 #include "verbs.h"
 
 #include <slalom/app/output_folder.h>
+#include <slalom/app/recorded_campaign.h>
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
 #include <slalom/io/png_scene.h>

@@ -1,6 +1,6 @@
 #include "play_window.h"
-#include "recorded_campaign.h"
 
+#include <slalom/app/recorded_campaign.h>
 #include <slalom/core/read_file.h>
 #include <slalom/gui/panel_window.h>
 #include <slalom/gui/replay_window.h>

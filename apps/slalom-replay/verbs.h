@@ -9,5 +9,6 @@ void define_play(CLI::App& app);
 void define_check(CLI::App& app);
 void define_metrics(CLI::App& app);
 void define_openloop(CLI::App& app);
+void define_identify(CLI::App& app);
 
 }  // namespace slalom

@@ -143,6 +143,39 @@ TEST_F(Replay, OpenLoopReadsLogsOfRealRobots) {
   }
 }
 
+TEST_F(Replay, IdentifyPrintsKeysOfTheCampaign) {
+  ASSERT_EQ(run("slalom-simulate run -c small.ini -o slow.results --quiet --set robot.delay=0.12 "
+                "--set robot.delay_tau=0.3 --set robot.max_accel_v=0.5")
+                .status,
+            0);
+  const std::string log = "slow" + log_of("nd").substr(4);
+  for (const std::string config : {"", " -c small.ini --set robot.max_accel_v=0.5"}) {
+    const ProgramResult result = run("slalom-replay identify --json " + log + config);
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json estimates = Json::parse(result.out)["estimates"];
+    EXPECT_NEAR(estimates["delay"]["value"].get<double>(), 0.12, 0.05 * 0.12) << result.out;
+    EXPECT_NEAR(estimates["delay_tau"]["value"].get<double>(), 0.3, 0.05 * 0.3) << result.out;
+    EXPECT_NEAR(estimates["v_bias"]["value"].get<double>(), 1, 0.05);
+    EXPECT_NE(estimates["noise_sigma"]["na"].get<std::string>().find("stationary"),
+              std::string::npos);
+  }
+  // The fragment is valid in a campaign.
+  const std::string text = run("slalom-replay identify " + log).out;
+  write("pasted.ini", kSmallCampaign + text.substr(text.find("[robot]")));
+  EXPECT_EQ(run("slalom-simulate run -c pasted.ini -o pasted.results --quiet").status, 0);
+}
+
+TEST_F(Replay, IdentifyNeedsVelocitiesOrAStationaryRobot) {
+  expect_failure("slalom-replay identify '" + kDatasets + "localization_demo.rawlog'", 3,
+                 {"localization_demo", "nothing can be estimated", "'command'", "expected"});
+  expect_failure("slalom-replay identify " + log_of("nd") + " --command-label cmd", 3,
+                 {"'cmd'", "the log has 'odometry', 'command'", "stationary"});
+  expect_failure("slalom-replay identify small.ini", 3, {"small.ini", "object 1"});
+  expect_failure("slalom-replay identify " + log_of("nd") + " -c missing.ini", 3, {"missing.ini"});
+  expect_failure("slalom-replay identify " + log_of("nd") + " --set robot.max_v=1", 2,
+                 {"--config"});
+}
+
 TEST_F(Replay, RejectsInvalidInput) {
   expect_failure("slalom-replay check small.ini", 3, {"small.ini", "object 1"});
   expect_failure("slalom-replay metrics nothing.rawlog", 3, {"nothing.rawlog", "cannot be read"});
@@ -157,7 +190,7 @@ TEST_F(Replay, RejectsInvalidInput) {
 }
 
 TEST_F(Replay, PrintsHelp) {
-  for (const std::string verb : {"", "play ", "check ", "metrics ", "openloop "}) {
+  for (const std::string verb : {"", "play ", "check ", "metrics ", "openloop ", "identify "}) {
     const ProgramResult result = run("slalom-replay " + verb + "--help");
     EXPECT_EQ(result.status, 0);
     EXPECT_NE(result.out.find("Usage"), std::string::npos);

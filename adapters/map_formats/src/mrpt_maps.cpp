@@ -198,7 +198,7 @@ COccupancyGridMap2D read_gridmap(const std::string& path) {
     if (grid->cells_are_readable) return read_cells(path, expected, *grid);
     throw file_error(path, "unsupported version", expected);
   }
-  COccupancyGridMap2D map;
+  COccupancyGridMap2D map = one_cell_map();
   read_archive(path, expected, [&map](auto& archive) { archive >> map; });
   check_not_empty(map, path);
   return map;

@@ -1,3 +1,4 @@
+#include "rawlog_format.h"
 #include "rawlog_objects.h"
 
 #include <slalom/core/error.h>
@@ -69,6 +70,7 @@ class LaserLogReader {
   }
 
   void add_odometry(const CObservationOdometry& odometry) {
+    if (odometry.sensorLabel == kCommandLabel) return;  // of a recorded run: not measured
     const TPose2D pose = odometry.odometry.asTPose();
     if (!is_finite(pose)) return;
     if (odometry.hasVelocities)

@@ -96,7 +96,16 @@ TEST_F(LaserLog, ReadsLogsOfMrpt) {
 TEST_F(LaserLog, ReadsRecordedRuns) {
   auto method = testing::constant_method(0.4, 0);
   const auto simulated = testing::simulate_run(path("run.rawlog"), method, {});
-  EXPECT_EQ(read_laser_log(path("run.rawlog")).size(), simulated.cycles.size());
+  const auto scans = read_laser_log(path("run.rawlog"));
+  ASSERT_EQ(scans.size(), simulated.cycles.size());
+  // A cycle has its scan before its odometry, and the command, which is not odometry, after it: the
+  // robot accelerates to the 0.4 m/s that it is commanded from the beginning.
+  EXPECT_FALSE(scans[0].velocity);
+  for (std::size_t cycle : {1U, 2U, 3U}) {
+    ASSERT_TRUE(scans[cycle].velocity);
+    EXPECT_EQ(scans[cycle].velocity->vx, simulated.cycles[cycle - 1].observation.v) << cycle;
+    EXPECT_LT(scans[cycle].velocity->vx, 0.4);
+  }
 }
 
 TEST_F(LaserLog, RejectsALogWithoutScans) {

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <slalom/core/value.h>
+#include <slalom/rawlog/motion_log.h>
+#include <slalom/robot/robot_model.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// An estimated property of a robot.
+struct Estimate {
+  std::string id;  ///< the key of an .ini, or v_bias, w_bias
+  std::string unit;
+  Value value;              ///< with standard error, except for the quantum; or NA
+  std::size_t samples = 0;  ///< velocities, or ranges, on which it is based
+};
+
+/// The estimates from one log.
+struct Identification {
+  std::string log;
+  /// [robot] delay and delay_tau; v_bias and w_bias: measured / commanded linear and angular
+  /// velocity in the steady state; [sensor] noise_sigma, dropout_ratio and quantum.
+  std::vector<Estimate> estimates;
+  std::vector<std::string> warnings;  ///< delays or time constants of v and w that differ
+
+  const Estimate& at(const std::string& id) const;  ///< throws std::out_of_range
+};
+
+struct IdentificationSetup {
+  double max_delay = 1;             ///< s; the largest delay that is considered
+  std::optional<RobotModel> robot;  ///< its limits of velocity and acceleration, if known
+};
+
+/// Estimates the response of a robot to commands and the noise of its range sensor. Delay and time
+/// constant are the means of those of v and w, weighted by the inverse squares of their standard
+/// errors. The noise is that of each ray in the longest phase in which the robot is stationary, of
+/// at least 20 scans. Leaves `log` empty.
+Identification identify(const MotionLog& log, const IdentificationSetup& setup);
+
+/// A table, and the estimates as a fragment of an .ini.
+std::string render_text(const Identification& identification);
+/// One line.
+std::string render_json(const Identification& identification);
+
+}  // namespace slalom
