@@ -2,12 +2,14 @@
 #include "warnings.h"
 
 #include <slalom/analysis/data_table.h>
+#include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/table_latex.h>
 #include <slalom/core/error.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 #include <slalom/planner_arena/benchmark_database.h>
 #include <slalom/report/report.h>
+#include <slalom/results/privileged.h>
 #include <slalom/spreadsheet/workbook.h>
 
 #include <filesystem>
@@ -29,9 +31,11 @@ struct ExportData {
 
   /// All data as plain tables, which refer to this object.
   std::vector<DataTable> tables() const {
-    std::vector<DataTable> all = {runs_table(results), scenarios_table(results),
-                                  timings_table(results), summary_data(summary)};
+    std::vector<DataTable> all = {summary_data(summary)};
     for (const CrossTable& table : cross_tables) all.push_back(cross_data(table));
+    for (DataTable& table : all) mark_privileged(table, privileged_methods(results.manifest));
+    all.insert(all.begin(),
+               {runs_table(results), scenarios_table(results), timings_table(results)});
     all.push_back(manifest_table(results));
     return all;
   }
@@ -66,8 +70,14 @@ void write_xlsx(const ExportData& data, const std::string& output) {
 }
 
 void write_latex(const ExportData& data, const std::string& output) {
-  std::vector<std::string> tables = {render_latex(data.summary)};
-  for (const CrossTable& table : data.cross_tables) tables.push_back(render_latex(table));
+  const PrivilegedMethods privileged = privileged_methods(data.results.manifest);
+  SummaryTable summary = data.summary;
+  mark_privileged(summary, privileged);
+  std::vector<std::string> tables = {render_latex(summary)};
+  for (CrossTable table : data.cross_tables) {
+    mark_privileged(table, privileged);
+    tables.push_back(render_latex(table));
+  }
   write_file_atomically(output, latex_document(tables));
 }
 

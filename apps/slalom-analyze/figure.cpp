@@ -11,6 +11,7 @@
 #include <slalom/io/svg_animation.h>
 #include <slalom/report/figures.h>
 #include <slalom/report/report.h>
+#include <slalom/results/privileged.h>
 
 #include <algorithm>
 #include <iostream>
@@ -125,8 +126,16 @@ std::string figure(const FigureArguments& arguments) {
   if (!arguments.animate.empty()) return RunFigures(arguments).animated();
   const ResultTable runs = read_results(arguments.results);
   warn_of_missing(arguments.results, runs);
-  if (!arguments.profile.empty()) return profile_figure(build_profiles(runs, arguments.profile));
-  return rank_figure(build_method_ranks(runs, arguments.ranks, report_options(runs).analysis));
+  const std::vector<std::string> privileged = privileged_methods(runs.manifest).names();
+  if (!arguments.profile.empty()) {
+    ProfileTable table = build_profiles(runs, arguments.profile);
+    for (PerformanceProfile& profile : table.profiles)
+      profile.method = with_privileged_marks(profile.method, privileged);
+    return profile_figure(table);
+  }
+  MethodRanks ranks = build_method_ranks(runs, arguments.ranks, report_options(runs).analysis);
+  for (std::string& method : ranks.methods) method = with_privileged_marks(method, privileged);
+  return rank_figure(ranks);
 }
 
 void run(const FigureArguments& arguments) {

@@ -3,6 +3,7 @@
 #include "shard_tables.h"
 #include "warnings.h"
 
+#include <slalom/analysis/privileged_marks.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/analysis_input.h>
@@ -44,7 +45,9 @@ Interpretation interpret(const InterpretArguments& arguments, const Interpreter&
   analysis.run_ids = arguments.json;
   analysis.medians = arguments.json || interpreter.id != "table";
   query.summary = !arguments.csv && !arguments.json;
-  return interpreter.interpret(results, query);
+  Interpretation found = interpreter.interpret(results, query);
+  mark_privileged(found, privileged_methods(results));
+  return found;
 }
 
 void interpret_verb(const InterpretArguments& arguments, const Interpreter& interpreter) {

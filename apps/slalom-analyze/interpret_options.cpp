@@ -3,6 +3,7 @@
 #include <slalom/app/campaign_names.h>
 #include <slalom/app/program.h>
 #include <slalom/campaign/campaign_options.h>
+#include <slalom/descriptors/descriptor.h>
 
 #include <algorithm>
 #include <thread>
@@ -17,11 +18,11 @@ void add_choice_options(CLI::App& verb, InterpretArguments& a) {
           "Bins of a scenario descriptor or metric: all, ID:EDGE,EDGE,..., ID:COUNT (equal "
           "width), ID:qCOUNT (quantiles) or ID:@INDEX, such as density:0,0.1,0.2 or density:q4; "
           "several separated by ';'"),
-      [](const Words&) { return all_descriptor_ids(); });
+      [](const Words&) { return descriptor_ids(); });
   verb.add_option("--scenarios", a.scenarios, "Scenario list with the indexes of --rows");
   complete_with(
       verb.add_option("--columns,--metric", a.request.metrics, "Metric ids, comma-separated"),
-      [](const Words&) { return metric_names(); });
+      [](const Words&) { return metric_ids(); });
   complete_with(verb.add_option("--method", a.request.method, "Restrict to this method"),
                 known_methods);
   verb.add_option("--confidence", a.request.confidence,
@@ -54,7 +55,7 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
                       "--gate", a.request.gates,
                       "Exit status 1 unless METRIC OP NUMBER holds for the paired difference, e.g. "
                       "\"success >= -0.02\"; repeatable"),
-                  [](const Words&) { return metric_names(); });
+                  [](const Words&) { return metric_ids(); });
     add_choice(verb, "--gate-on", a.request.gate_on, "Quantity that must satisfy the limit")
         ->default_str(to_string(a.request.gate_on));
   }

@@ -5,6 +5,7 @@
 #include "metrics.h"
 #include "output.h"
 #include "show.h"
+#include "sim2real.h"
 #include "trajectories.h"
 #include "warnings.h"
 
@@ -14,6 +15,7 @@
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/falsification/explain.h>
 #include <slalom/io/find_run.h>
 #include <slalom/io/rawlog_path.h>
@@ -48,10 +50,10 @@ void add_table_options(CLI::App& verb, Arguments& arguments) {
                     "Bins of a scenario descriptor: all, ID:EDGE,EDGE,..., ID:COUNT (equal width) "
                     "or ID:qCOUNT (quantiles), such as density:0,0.1,0.2 or density:q4; several "
                     "separated by ';' (default: the campaign's [analysis])"),
-                [](const Words&) { return all_descriptor_ids(); });
+                [](const Words&) { return descriptor_ids(); });
   complete_with(verb.add_option("--columns", arguments.columns,
                                 "Metric ids, comma-separated (default: the campaign's [analysis])"),
-                [](const Words&) { return metric_names(); });
+                [](const Words&) { return metric_ids(); });
   verb.add_option("--confidence", arguments.confidence, "Confidence of intervals, e.g. 0.95")
       ->check(CLI::Range(0.5, 0.9999));
 }
@@ -188,5 +190,6 @@ int main(int argc, char** argv) {
                        define_trajectories(app);
                        define_figure(app);
                        define_metrics(app);
+                       define_sim2real(app);
                      });
 }

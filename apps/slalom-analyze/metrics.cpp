@@ -64,10 +64,11 @@ std::string text_of(const MeasuredLog& log, const CampaignOptions& options) {
 
 void run(const MetricsArguments& arguments) {
   const IniFile ini = metrics_ini(arguments);
-  const CampaignOptions options =
+  CampaignOptions options =
       ini.has_section("campaign") ? read_campaign_options(ini) : read_measuring_options(ini);
   if (!arguments.outcome.empty()) parse_outcome(arguments.outcome);
   const World world(load_scenario_yaml(arguments.scenario), options.setup.simulation.resolution);
+  options.adapt_to({world.scenario()});
   TrajectoryFile file = load_trajectory_file(arguments.trajectory, options.setup.robot.holonomic());
   MeasuredLog log = measure(options, ini, world, file.trajectory, arguments.outcome);
   log.notes.insert(log.notes.begin(), file.notes.begin(), file.notes.end());

@@ -1,9 +1,11 @@
 #include "shard_tables.h"
 #include "warnings.h"
 
+#include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/table_sums.h>
 #include <slalom/io/analysis_input.h>
 #include <slalom/io/result_parts.h>
+#include <slalom/results/privileged.h>
 
 #include <filesystem>
 
@@ -60,6 +62,7 @@ std::optional<Interpretation> tables_of_shards(const InterpretArguments& argumen
   found.cross_tables = std::move(tables);
   if (!arguments.csv && query.method.empty())
     found.summary = sums.summary(query.rows.size(), options);
+  mark_privileged(found, privileged_methods(parts.outline().manifest));
   warn_of_missing_runs(arguments.files[0], runs, planned_runs(parts.outline()));
   return found;
 }

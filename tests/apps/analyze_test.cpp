@@ -152,6 +152,24 @@ TEST_F(Analyze, RobustnessTakesValuesFromTheCommandLine) {
   EXPECT_EQ(header.find("runs"), header.rfind("runs")) << header;
 }
 
+TEST_F(Analyze, ComparesSimulationWithReality) {
+  write("real.csv", "method,success\nnd,1\nnd,0\ngap,1\ngap,1\n");
+  const ProgramResult result = run("slalom-analyze sim2real real.csv runs.results");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("NA (fewer than 3 methods)"), std::string::npos) << result.out;
+  const auto json =
+      nlohmann::json::parse(run("slalom-analyze sim2real real.csv runs.results --json").out);
+  EXPECT_EQ(json["methods"][0]["name"], "gap") << "2 of 2 are better than 1 of 2";
+  EXPECT_EQ(json["methods"][1]["real"], 0.5);
+  write("real.csv", "method,success\nnd,1\n");
+  expect_failure("slalom-analyze sim2real real.csv runs.results", 2,
+                 {"real.csv", "only the method 'nd'", "two methods or more"});
+  write("real.csv", "method,success\nnobody,1\n");
+  expect_failure("slalom-analyze sim2real real.csv runs.results", 2,
+                 {"method 'nobody' is not in runs.results"});
+  expect_failure("slalom-analyze sim2real none.csv runs.results", 3, {"none.csv"});
+}
+
 TEST_F(Analyze, AcceptsAnyCsvTable) {
   write("trials.csv", "width,cost\n1,10\n2,20\n3,30\n4,40\n");
   const ProgramResult text =

@@ -1,11 +1,12 @@
 #include <slalom/analysis/cross_table.h>
-#include <slalom/analysis/quantile.h>
 #include <slalom/analysis/rank_stability.h>
 #include <slalom/analysis/rank_statistics.h>
 #include <slalom/analysis/scenario_means.h>
+#include <slalom/analysis/statistics.h>
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -60,9 +61,7 @@ std::optional<Interval> bootstrap_of(const std::vector<PairedScenario>& scenario
     if (const auto tau = tau_of(sample)) taus.push_back(*tau);
   }
   if (taus.empty()) return std::nullopt;
-  std::sort(taus.begin(), taus.end());
-  const double tail = (1 - options.confidence) / 2;
-  return Interval{quantile(taus, tail), quantile(taus, 1 - tail)};
+  return percentile_interval(std::move(taus), options.confidence);
 }
 
 }  // namespace

@@ -18,17 +18,6 @@ std::vector<std::size_t> increasing_order(const std::vector<double>& values) {
   return order;
 }
 
-double pearson(const std::vector<double>& x, const std::vector<double>& y) {
-  const double mx = mean(x), my = mean(y);
-  double xx = 0, yy = 0, xy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    xx += (x[i] - mx) * (x[i] - mx);
-    yy += (y[i] - my) * (y[i] - my);
-    xy += (x[i] - mx) * (y[i] - my);
-  }
-  return std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0);
-}
-
 bool constant(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
 }
@@ -86,12 +75,24 @@ std::optional<double> kendall_tau(const std::vector<double>& x, const std::vecto
   return concordance / std::sqrt(untied_x * untied_y);
 }
 
+std::optional<double> pearson(const std::vector<double>& x, const std::vector<double>& y) {
+  if (constant(x) || constant(y)) return std::nullopt;
+  const double mx = mean(x), my = mean(y);
+  double xx = 0, yy = 0, xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - mx) * (x[i] - mx);
+    yy += (y[i] - my) * (y[i] - my);
+    xy += (x[i] - mx) * (y[i] - my);
+  }
+  return std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0);
+}
+
 RankCorrelation spearman(const std::vector<double>& x, const std::vector<double>& y,
                          double confidence) {
   RankCorrelation result;
   result.n = x.size();
   if (result.n < 3 || constant(x) || constant(y)) return result;
-  const double rho = pearson(midranks(x), midranks(y));
+  const double rho = *pearson(midranks(x), midranks(y));
   result.rho = rho;
   if (result.n < 4) return result;
   if (std::abs(rho) == 1) {

@@ -156,6 +156,11 @@ std::optional<Interval> t_interval(const GroupSums& groups, double confidence) {
   return t_interval(moments_of(groups), confidence);
 }
 
+Interval percentile_interval(std::vector<double> estimates, double confidence) {
+  std::sort(estimates.begin(), estimates.end());
+  return {quantile(estimates, 0.5 - confidence / 2), quantile(estimates, 0.5 + confidence / 2)};
+}
+
 std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confidence,
                                            RandomEngine& engine, int resamples) {
   if (groups.groups() < 2) return std::nullopt;
@@ -171,8 +176,7 @@ std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confi
     }
     means.push_back(total / n);
   }
-  std::sort(means.begin(), means.end());
-  return Interval{quantile(means, 0.5 - confidence / 2), quantile(means, 0.5 + confidence / 2)};
+  return percentile_interval(std::move(means), confidence);
 }
 
 Interval clip_to_range(const ValueRange& range, Interval interval) {

@@ -75,6 +75,8 @@ std::string render_latex(const Interpretation& interpretation) {
   std::vector<std::string> tables;
   for (const DataTable& table : views_of(interpretation))
     if (table.rows > 0) tables.push_back(latex_table(table));
+  if (!interpretation.footnote.empty() && !tables.empty())
+    tables.back() += latex_text(interpretation.footnote) + ".\n";
   return latex_document(tables);
 }
 
@@ -86,10 +88,12 @@ std::string render_html(const Interpretation& interpretation, const std::string&
   for (const DataTable& table : views_of(interpretation))
     if (table.rows > 0) tables += html_table(table, address_of);
   const std::string heading = escaped(printable_line(title));
+  const std::string footnote = escaped(printable_line(interpretation.footnote));
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
          heading + "</title>\n<style>\n" + kStyle + "</style>\n</head>\n<body>\n<h1>" + heading +
          "</h1>\n" + (remarks.empty() ? "" : "<ul>\n" + remarks + "</ul>\n") + tables +
-         "<p>Slalom " + version() + "</p>\n</body>\n</html>\n";
+         (footnote.empty() ? "" : "<p>" + footnote + "</p>\n") + "<p>Slalom " + version() +
+         "</p>\n</body>\n</html>\n";
 }
 
 }  // namespace slalom

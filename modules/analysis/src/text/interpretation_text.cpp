@@ -25,12 +25,17 @@ std::string table_text(const DataTable& table) {
   return head + grid.text();
 }
 
+std::string footnote_text(const Interpretation& interpretation) {
+  const std::string& footnote = interpretation.footnote;
+  return footnote.empty() ? "" : "\n" + printable_line(footnote) + "\n";
+}
+
 std::string cross_tables_text(const Interpretation& interpretation) {
   std::string text = interpretation.summary ? render_summary_text(*interpretation.summary) : "";
   for (const CrossTable& table : *interpretation.cross_tables) {
     text += (text.empty() ? "" : "\n\n") + render_cross_table_text(table);
   }
-  return text;
+  return text + footnote_text(interpretation);
 }
 
 }  // namespace
@@ -43,7 +48,7 @@ std::string render_text(const Interpretation& interpretation) {
   if (!interpretation.remarks.empty()) text += "\n";
   for (const std::string& remark : interpretation.remarks)
     text += "→ " + printable_line(remark) + "\n";
-  return text;
+  return text + footnote_text(interpretation);
 }
 
 std::string render_json(const Interpretation& interpretation) {
@@ -55,16 +60,20 @@ std::string render_json(const Interpretation& interpretation) {
   for (const DataTable& table : interpretation.tables) {
     json["tables"].push_back(Json::parse(render_json(table)));
   }
+  if (!interpretation.footnote.empty()) json["footnote"] = interpretation.footnote;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string render_csv(const Interpretation& interpretation) {
-  if (interpretation.cross_tables) return render_csv(*interpretation.cross_tables);
   std::string text;
-  for (const DataTable& table : interpretation.tables) {
-    text += (text.empty() ? "" : "\n") + render_csv(table);
+  if (interpretation.cross_tables) {
+    text = render_csv(*interpretation.cross_tables);
+  } else {
+    for (const DataTable& table : interpretation.tables)
+      text += (text.empty() ? "" : "\n") + render_csv(table);
   }
-  return text;
+  if (interpretation.footnote.empty()) return text;
+  return text + "\nfootnote\n" + csv_field(interpretation.footnote) + "\n";
 }
 
 }  // namespace slalom

@@ -24,8 +24,6 @@ std::string reasons_field(const Cell& cell) {
 std::string csv_line(const CrossTable& table, const CrossRow& row, std::size_t column) {
   const Cell& cell = row.cells[column];
   const QuantityInfo& info = table.columns[column].info;
-  const auto low = cell.interval ? std::optional(cell.interval->low) : std::nullopt;
-  const auto high = cell.interval ? std::optional(cell.interval->high) : std::nullopt;
   std::vector<std::string> fields = {table.method,
                                      table.descriptor.id,
                                      number_field(row.bin.low),
@@ -37,8 +35,8 @@ std::string csv_line(const CrossTable& table, const CrossRow& row, std::size_t c
                                      std::to_string(cell.n - cell.available),
                                      number_field(cell.estimate),
                                      number_field(cell.deviation),
-                                     number_field(low),
-                                     number_field(high),
+                                     cell.interval ? format_number(cell.interval->low) : "",
+                                     cell.interval ? format_number(cell.interval->high) : "",
                                      format_number(table.confidence),
                                      reasons_field(cell)};
   for (std::string& field : fields) field = csv_field(field);

@@ -31,6 +31,10 @@ std::vector<std::string> headers(std::vector<std::string> first,
   return first;
 }
 
+std::string latex_footnote(const std::string& footnote) {
+  return footnote.empty() ? "" : " " + latex_text(footnote) + ".";
+}
+
 std::string latex_confidence_text(double confidence) {
   return percent_text(confidence) + "\\,\\% intervals in brackets";
 }
@@ -57,7 +61,8 @@ std::string render_latex(const SummaryTable& table) {
     }
     rows.push_back(std::move(row));
   }
-  return latex_tabular("All scenarios; " + latex_confidence_text(table.confidence) + ".",
+  return latex_tabular("All scenarios; " + latex_confidence_text(table.confidence) + "." +
+                           latex_footnote(table.footnote),
                        headers({"method", "runs"}, table.columns), rows);
 }
 
@@ -69,9 +74,9 @@ std::string render_latex(const CrossTable& table) {
       row.push_back(cell_latex(line.cells[column], column_digits(table, column)));
     rows.push_back(std::move(row));
   }
-  return latex_tabular(
-      latex_text(table.title) + "; " + latex_confidence_text(table.confidence) + ".",
-      headers({latex_text(table.descriptor.id), "runs"}, table.columns), rows);
+  return latex_tabular(latex_text(table.title) + "; " + latex_confidence_text(table.confidence) +
+                           "." + latex_footnote(table.footnote),
+                       headers({latex_text(table.descriptor.id), "runs"}, table.columns), rows);
 }
 
 std::string latex_document(const std::vector<std::string>& tables) {

@@ -2,9 +2,11 @@
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/findings.h>
+#include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/table_text.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
+#include <slalom/results/privileged.h>
 
 namespace slalom {
 namespace {
@@ -115,11 +117,11 @@ std::string render_tables_text(const ResultTable& table, const std::vector<BinSp
   AnalysisOptions options;
   options.run_ids = options.medians = false;
   options.confidence = confidence;
-  std::string text = render_summary_text(build_summary(table, columns, options));
-  for (const CrossTable& cross : build_cross_tables(table, rows, columns, options)) {
-    text += "\n\n" + render_cross_table_text(cross);
-  }
-  return text;
+  Interpretation found;
+  found.summary = build_summary(table, columns, options);
+  found.cross_tables = build_cross_tables(table, rows, columns, options);
+  mark_privileged(found, privileged_methods(table.manifest));
+  return render_text(found);
 }
 
 }  // namespace slalom

@@ -9,11 +9,14 @@
 #include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/method_ranks.h>
 #include <slalom/analysis/performance_profile.h>
+#include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/robustness.h>
 #include <slalom/analysis/table_export.h>
+#include <slalom/analysis/table_latex.h>
 #include <slalom/analysis/table_text.h>
 #include <slalom/analysis/validity.h>
 #include <slalom/core/error.h>
+#include <slalom/results/privileged.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -83,6 +86,48 @@ TEST(Interpreter, CrossTablesKeepTheirOwnFormats) {
   asked.method = "b";  // no summary, which would be of all methods
   EXPECT_EQ(render_text(named("table").interpret(results, asked)),
             render_cross_table_text(tables[1]) + "\n\n" + render_cross_table_text(tables[3]));
+}
+
+TEST(Interpreter, MarksPrivilegedMethodsInAllFormats) {
+  const std::string footnote = "* privileged: b is given the tracks of movers";
+  for (const Interpreter& interpreter : all_interpreters()) {
+    if (interpreter.min_results > 1) continue;
+    std::vector<ResultTable> results = {six().table};
+    const std::string rows = interpreter.id == "map" ? "density:2;density:3" : "density:2";
+    const auto found = [&](bool marked) {
+      Interpretation result = interpreter.interpret(results, query(rows, {"optimality"}));
+      if (marked) mark_privileged(result, privileged_methods(results));
+      return result;
+    };
+    EXPECT_EQ(render_text(found(true)), render_text(found(false))) << "without privileged methods";
+    EXPECT_EQ(render_csv(found(true)), render_csv(found(false)));
+    results[0].manifest[kPrivilegedKey] = "b";
+    const Interpretation marked = found(true);
+    for (const std::string& text : {render_text(marked), render_csv(marked)}) {
+      EXPECT_NE(text.find("b*"), std::string::npos) << interpreter.id << "\n" << text;
+      EXPECT_NE(text.find(footnote), std::string::npos) << interpreter.id << "\n" << text;
+      EXPECT_EQ(text.find("a*"), std::string::npos) << interpreter.id;
+    }
+    if (interpreter.id == "table") continue;  // has no such pages
+    for (const std::string& text :
+         {render_latex(marked), render_html(marked, "t"), render_json(marked)}) {
+      EXPECT_NE(text.find("b*"), std::string::npos) << interpreter.id << "\n" << text;
+      EXPECT_NE(text.find(footnote), std::string::npos) << interpreter.id << "\n" << text;
+    }
+  }
+}
+
+TEST(Interpreter, MarksPrivilegedMethodsInLatexOfSummaryAndCrossTables) {
+  const std::vector<ResultTable> results = {six().table};
+  AnalysisQuery asked = query("density:2", {"optimality"});
+  Interpretation found = named("table").interpret(results, asked);
+  mark_privileged(found, {{"b"}, {}});
+  const std::string summary = render_latex(*found.summary);
+  EXPECT_NE(summary.find("b* & "), std::string::npos) << summary;
+  EXPECT_NE(summary.find(". * privileged: b is given"), std::string::npos) << summary;
+  ASSERT_EQ(found.cross_tables->size(), 2U);
+  EXPECT_EQ(render_latex(found.cross_tables->at(0)).find("privileged"), std::string::npos);
+  EXPECT_NE(render_latex(found.cross_tables->at(1)).find("b* by density"), std::string::npos);
 }
 
 /// Three methods over `six`; c is as good as a, and reaches nothing beyond scenario 2.

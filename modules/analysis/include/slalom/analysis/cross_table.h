@@ -33,6 +33,7 @@ struct CrossTable {
   std::size_t undescribed = 0;     ///< runs whose scenario has no value
   std::vector<std::string> notes;  ///< text for both; empty if no run is left out
   double confidence = 0.95;
+  std::string footnote;  ///< of the mark of privileged methods; empty if there is none
 };
 
 /// One cross table per specification and method (`method` empty: all methods), specifications

@@ -37,6 +37,7 @@ struct Interpretation {
   /// table_export.h), with a summary above them in text.
   std::optional<std::vector<CrossTable>> cross_tables = std::nullopt;
   std::optional<SummaryTable> summary = std::nullopt;
+  std::string footnote = "";  ///< of the mark of privileged methods; empty if there is none
 };
 
 /// An analysis of results: a row of the table in src/interpreters/registry.cpp. Its values are also
@@ -60,9 +61,9 @@ const std::vector<Interpreter>& all_interpreters();
 /// The tables as text for a terminal (UTF-8): numbers to four digits, "x [low, high]" for a column
 /// with ".low" and ".high"; columns of run ids are omitted.
 std::string render_text(const Interpretation& interpretation);
-/// {"tables": [...], "remarks": [...], "passed": true}.
+/// {"tables": [...], "remarks": [...], "passed": true}, and "footnote" if there is one.
 std::string render_json(const Interpretation& interpretation);
-/// The tables as CSV, separated by empty lines.
+/// The tables as CSV, separated by empty lines; a footnote is a table of its own, the last one.
 std::string render_csv(const Interpretation& interpretation);
 
 /// The tables as a LaTeX document, as render_text() shows them; requires no packages.

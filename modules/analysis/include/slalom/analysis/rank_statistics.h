@@ -55,6 +55,9 @@ double probability_of_superiority(const std::vector<double>& a, const std::vecto
 /// tolerance are tied. None if all are tied on a side. Requires equal sizes.
 std::optional<double> kendall_tau(const std::vector<double>& x, const std::vector<double>& y);
 
+/// Pearson's correlation; none if a side is constant. Requires equal sizes of at least one.
+std::optional<double> pearson(const std::vector<double>& x, const std::vector<double>& y);
+
 /// A rank correlation.
 struct RankCorrelation {
   std::size_t n = 0;

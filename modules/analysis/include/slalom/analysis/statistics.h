@@ -72,6 +72,10 @@ double effective_sample_size(const GroupSums& groups);
 std::optional<Interval> t_interval(const GroupMoments& groups, double confidence);
 std::optional<Interval> t_interval(const GroupSums& groups, double confidence);
 
+/// The interval between the two percentiles of bootstrap estimates that hold `confidence` of them;
+/// requires at least one estimate.
+Interval percentile_interval(std::vector<double> estimates, double confidence);
+
 /// Percentile bootstrap interval of the mean over all values: scenarios are resampled with all
 /// their runs, so it stays within the range of the groups' means. None for fewer than two groups.
 std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confidence,

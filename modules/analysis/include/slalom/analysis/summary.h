@@ -21,6 +21,7 @@ struct SummaryTable {
   std::vector<MethodSummary> methods;  ///< sorted by name
   std::vector<std::string> outcomes;   ///< all that occur: success first, the others by name
   double confidence = 0.95;
+  std::string footnote;  ///< of the mark of privileged methods; empty if there is none
 };
 
 /// Throws Error (Usage) for an unknown column.

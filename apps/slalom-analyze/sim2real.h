@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace slalom {
+
+/// Adds the verb `sim2real`.
+void define_sim2real(CLI::App& app);
+
+}  // namespace slalom
