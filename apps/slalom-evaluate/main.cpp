@@ -1,4 +1,4 @@
-#include <slalom/analysis/table_export.h>
+#include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/table_text.h>
 #include <slalom/app/campaign_arguments.h>
 #include <slalom/app/campaign_program.h>
@@ -12,6 +12,7 @@
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/report/report.h>
+#include <slalom/results/privileged.h>
 
 #include <filesystem>
 #include <iostream>
@@ -71,9 +72,10 @@ void write_tables_and_report(const Arguments& arguments, const std::string& resu
   const std::string text =
       render_tables_text(runs, options.rows, options.columns, options.analysis.confidence);
   write_file_atomically(arguments.output + "/tables.txt", text);
-  write_file_atomically(
-      arguments.output + "/tables.csv",
-      render_csv(build_cross_tables(runs, options.rows, options.columns, options.analysis)));
+  Interpretation tables;
+  tables.cross_tables = build_cross_tables(runs, options.rows, options.columns, options.analysis);
+  mark_privileged(tables, privileged_methods(runs.manifest));
+  write_file_atomically(arguments.output + "/tables.csv", render_csv(tables));
   std::cout << text;
   if (!with_report) return;
   const std::string report = arguments.output + "/report";
@@ -86,7 +88,7 @@ void evaluate(const Arguments& arguments) {
   for (const char* name :
        {"/campaign.scenarios", "/runs.results", "/tables.txt", "/tables.csv", "/until.txt"})
     refuse_output_over_inputs(arguments.output + name, ini);
-  const CampaignConfig config = read_campaign(ini);
+  CampaignConfig config = read_campaign(ini);
   std::optional<StoppingRule> rule;
   if (!arguments.until.empty())
     rule = parse_stopping_rule(arguments.until, arguments.max_runs, config.options, config.methods);

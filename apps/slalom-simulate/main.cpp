@@ -27,7 +27,7 @@ void run(const RunArguments& arguments) {
     ini.set("scenarios", "list", arguments.scenarios);
   }
   refuse_output_over_inputs(arguments.output, ini);
-  const CampaignConfig config = read_campaign(ini);
+  CampaignConfig config = read_campaign(ini);
   const InterruptGuard guard;  // from before the lock, which must not remain
   const FileLock lock(arguments.output, arguments.campaign.take_over);
   std::vector<Scenario> scenarios = campaign_scenarios(config, arguments.campaign);

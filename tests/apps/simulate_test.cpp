@@ -1,5 +1,7 @@
 #include "program_run.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
+
 namespace slalom {
 namespace {
 
@@ -77,6 +79,31 @@ TEST_F(Simulate, MergedShardsAreTheRunsOfTheCampaign) {
   EXPECT_EQ(merged_runs(), 4);
   expect_failure("slalom-simulate merge -o merged.results small.ini", 3, {"small.ini"});
   expect_failure("slalom-simulate merge -o small.ini 3.results", 3, {"small.ini"});
+}
+
+TEST_F(Simulate, RunsAmongMoversAreTheSameInWorkersShardsAndContinuations) {
+  const std::string command =
+      "slalom-simulate run small.ini --quiet --set scenarios.walkers=2 --set metrics.enabled=all ";
+  const auto dump = [this](const std::string& results) {
+    return run("slalom-analyze dump " + results).out;
+  };
+  ASSERT_EQ(run(command + "-o one.results -j 1").status, 0);
+  const std::string expected = dump("one.results");
+  EXPECT_NE(expected.find("\"mover_collision\":{"), std::string::npos);
+  ASSERT_EQ(run(command + "-o two.results -j 2").status, 0);
+  EXPECT_EQ(dump("two.results"), expected);
+  for (const std::string i : {"1", "2"})
+    ASSERT_EQ(run(command + "-o part" + i + ".results --shard " + i + "/2").status, 0);
+  ASSERT_EQ(run("slalom-simulate merge -o merged.results part1.results part2.results").status, 0);
+  EXPECT_EQ(dump("merged.results"), expected);
+  SQLite::Database((folder_ / "two.results").string(), SQLite::OPEN_READWRITE)
+      .exec(
+          "DELETE FROM runs WHERE run % 2 = 0; DELETE FROM trajectories WHERE run % 2 = 0; "
+          "DELETE FROM run_timings WHERE run % 2 = 0");
+  ASSERT_NE(dump("two.results"), expected);
+  ASSERT_EQ(run(command + "-o two.results").status, 0);
+  EXPECT_EQ(dump("two.results"), expected);
+  EXPECT_EQ(run("slalom-simulate verify one.results").status, 0);
 }
 
 TEST_F(Simulate, InvalidShardsAreRefused) {

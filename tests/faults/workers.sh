@@ -69,6 +69,7 @@ crash|method_crash|0
 exit|method_crash|0
 memory|method_crash|0
 kill|infrastructure_error|1
+kill_keeper|infrastructure_error|1
 CASES
 report "processes left over" 0 "$(pgrep -cf "[r]un base.ini")"
 

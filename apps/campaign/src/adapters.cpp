@@ -4,6 +4,7 @@
 #include <slalom/library/library_method.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
 #include <slalom/mrpt_nav/navigator_method.h>
+#include <slalom/onnx/onnx_method.h>
 #include <slalom/python/python_method.h>
 
 namespace slalom {
@@ -30,6 +31,7 @@ constexpr Adapter kAdapters[] = {
     {"mrpt_navigator", read_navigator_method, options_of<NavigatorOptions>},
     {"library", read_library_method, options_of<LibraryOptions>},
     {"python", read_python_method, options_of<PythonOptions>},
+    {"onnx", read_onnx_method, options_of<OnnxOptions>},
     {"lcm", read_lcm, options_of<LcmOptions>},
 };
 

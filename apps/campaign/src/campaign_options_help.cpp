@@ -4,9 +4,11 @@
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/options.h>
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/generation/generator.h>
 #include <slalom/io/result_file.h>
 #include <slalom/library/library_method.h>
+#include <slalom/methods/barrier_filter.h>
 #include <slalom/metrics/metric.h>
 
 #include <functional>
@@ -32,6 +34,7 @@ void visit_campaign_options(const SectionVisitor& visit) {
   visit_section<RobotModel>(visit, "robot");
   visit_section<SensorModel>(visit, "sensor");
   visit_section<OdometryModel>(visit, "odometry");
+  visit_section<TrackerModel>(visit, "tracks");
   visit_section<SimulationOptions>(visit, "simulation");
   visit_section<OmplOptions>(visit, "reference");
   visit_section<MetricsSection>(visit, "metrics");
@@ -41,6 +44,7 @@ void visit_campaign_options(const SectionVisitor& visit) {
   visit_adapter_options([&](const std::function<void(OptionVisitor&)>& visit_options) {
     visit("method.NAME", visit_options);
   });
+  visit_section<BarrierFilterOptions>(visit, "method.NAME");
 }
 
 }  // namespace
@@ -67,19 +71,15 @@ Words setting_names(const Words& words) {
     names.add_names("method." + name + ".plugin", shipped_plugins());
   names.add_names("campaign.methods", methods);
   names.add_names("scenarios.generator", generator_names());
-  Words metrics = metric_names();
+  Words metrics = metric_ids();
   names.add_names("analysis.columns", metrics);
   metrics.insert(metrics.end(), {"all", "movers"});
   names.add_names("metrics.enabled", metrics);
-  names.add_names("metrics.descriptors", all_descriptor_ids());
-  names.add_names("analysis.rows", all_descriptor_ids());
+  Words descriptors = descriptor_ids();
+  descriptors.insert(descriptors.end(), {"all", "movers"});
+  names.add_names("metrics.descriptors", descriptors);
+  names.add_names("analysis.rows", descriptor_ids());
   return names.matching(words.back());
-}
-
-Words metric_names() {
-  Words names;
-  for (const Metric& metric : all_metrics()) names.push_back(metric.info.id);
-  return names;
 }
 
 Words known_methods(const Words& words) {

@@ -8,13 +8,13 @@
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/io/merge_results.h>
 #include <slalom/io/rawlog_path.h>
 #include <slalom/library/library_method.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/metrics/cycle_time.h>
 #include <slalom/metrics/mover_metrics.h>
-#include <slalom/python/python_method.h>
 #include <slalom/rawlog/run_recorder.h>
 
 #include <algorithm>
@@ -31,20 +31,33 @@ void require_one_of(const std::string& id, const std::vector<std::string>& known
                     expected_name(id, known));
 }
 
-/// Checks the ids of [analysis], so that errors are reported before any run.
-void check_analysis(const IniFile& ini, const AnalysisSection& section,
-                    const CampaignOptions& options) {
-  std::vector<std::string> columns = options.metrics;
+/// The descriptors in the rows of [analysis].
+std::vector<std::string> row_descriptors(const IniFile& ini, const AnalysisSection& section) {
+  std::vector<std::string> ids;
+  if (section.rows.empty()) return ids;
+  for (const BinSpec& spec : parse_bin_specs(section.rows, ini.where("analysis", "rows")))
+    if (spec.kind != BinSpec::Kind::All) ids.push_back(spec.descriptor);
+  return ids;
+}
+
+bool have_common(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  return std::any_of(a.begin(), a.end(), [&](const std::string& id) { return contains(b, id); });
+}
+
+/// Checks the ids of [analysis], so that errors are reported before any run. If they are about
+/// movers, "all" includes those even if nothing moves: the tables then say why there is no value.
+void check_analysis(const IniFile& ini, const AnalysisSection& section, CampaignOptions& options) {
+  const std::vector<std::string> columns = split(section.columns, ','),
+                                 rows = row_descriptors(ini, section);
+  if (have_common(columns, mover_metric_ids()) || have_common(rows, mover_descriptor_ids()))
+    options.add_mover_quantities();
+  std::vector<std::string> known = options.metrics;
   // Success is derived from the outcome if it is not among the metrics.
-  if (!contains(columns, "success")) columns.emplace_back("success");
-  for (const auto& [id, value] : cycle_time_statistics({0.0}, 1)) columns.push_back(id);
-  for (const std::string& id : split(section.columns, ','))
-    require_one_of(id, columns, ini.where("analysis", "columns"));
-  if (section.rows.empty()) return;
-  const std::string where = ini.where("analysis", "rows");
-  for (const BinSpec& spec : parse_bin_specs(section.rows, where))
-    if (spec.kind != BinSpec::Kind::All)
-      require_one_of(spec.descriptor, options.descriptors, where);
+  if (!contains(known, "success")) known.emplace_back("success");
+  for (const auto& [id, value] : cycle_time_statistics({0.0}, 1)) known.push_back(id);
+  for (const std::string& id : columns) require_one_of(id, known, ini.where("analysis", "columns"));
+  for (const std::string& id : rows)
+    require_one_of(id, options.descriptors, ini.where("analysis", "rows"));
 }
 
 /// Records runs as rawlogs beside the result file: runs.rawlogs/HASH8_METHOD_REPETITION.rawlog for
@@ -72,32 +85,19 @@ void notify_known_runs(std::size_t known, std::size_t total, bool sequential,
 std::map<std::string, std::string> files_of(const IniFile& ini,
                                             const std::vector<NamedMethod>& methods) {
   std::map<std::string, std::string> files;
-  for (const NamedMethod& method : methods) {
-    const std::string section = "method." + method.name;
+  for (const std::string& section : method_sections(ini, methods)) {
     if (const auto plugin = ini.get(section, "plugin"); plugin && !plugin->empty())
       files[section + ".plugin"] = resolve_plugin_path(ini, section, *plugin);
-    const auto module = ini.get(section, "module");
-    if (ini.get(section, "adapter") == "python" && module && !module->empty())
-      files[section + ".module"] =
-          resolve_module_path(*module, std::filesystem::path(ini.name()).parent_path().string(),
-                              ini.where(section, "module"));
+    const std::string adapter = ini.get(section, "adapter").value_or(""),
+                      folder = std::filesystem::path(ini.name()).parent_path().string();
+    for (const auto& [name, key] : {std::pair("python", "module"), std::pair("onnx", "model")})
+      if (const auto file = ini.get(section, key); adapter == name && file && !file->empty())
+        files[section + "." + key] =
+            resolve_method_file(key, *file, folder, ini.where(section, key));
     if (const auto file = ini.get(section, "config"); file && !file->empty())
       files[section + ".config"] = *file;
   }
   return files;
-}
-
-/// Nothing ignores movers silently.
-void warn_of_unmeasured_movers(const CampaignOptions& options,
-                               const std::vector<Scenario>& scenarios) {
-  const auto is_of_movers = [](const std::string& id) { return contains(mover_metric_ids(), id); };
-  if (std::any_of(options.metrics.begin(), options.metrics.end(), is_of_movers)) return;
-  const auto moving = std::find_if(scenarios.begin(), scenarios.end(),
-                                   [](const Scenario& one) { return !one.movers().empty(); });
-  if (moving == scenarios.end()) return;
-  std::cerr << "warning: scenario " << moving->name()
-            << " has movers, and no metric about them is computed; with "
-               "[metrics] enabled = all, movers they are\n";
 }
 
 }  // namespace
@@ -107,8 +107,8 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
   if (arguments.seed) ini.set("campaign", "seed", std::to_string(*arguments.seed));
   ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor",
-                               "odometry", "simulation", "reference", "metrics", "limits", "record",
-                               "analysis", "method.*"});
+                               "odometry", "tracks", "simulation", "reference", "metrics", "limits",
+                               "record", "analysis", "method.*"});
   const std::string warning = sensor_warning(ini);
   if (!warning.empty() && !arguments.quiet) std::cerr << "warning: " << warning << "\n";
   return ini;
@@ -132,14 +132,15 @@ CampaignConfig read_campaign(const IniFile& ini) {
   return config;
 }
 
-std::vector<Scenario> campaign_scenarios(const CampaignConfig& config,
+std::vector<Scenario> campaign_scenarios(CampaignConfig& config,
                                          const CampaignArguments& arguments) {
-  check_methods({config.options, {}, config.methods});
+  config.privileged = check_methods({config.options, {}, config.methods});
   const auto progress = make_interruptible_progress(arguments.quiet);
   ScenarioSources sources = config.sources;
   sources.context.jobs = arguments.jobs;
   std::vector<Scenario> scenarios = collect_scenarios(sources, load_occupancy_grid, *progress);
-  if (!arguments.quiet) warn_of_unmeasured_movers(config.options, scenarios);
+  config.options.adapt_to(scenarios);
+  config.effective_ini = effective_ini(IniFile::from_text(config.ini_text), config);
   return scenarios;
 }
 

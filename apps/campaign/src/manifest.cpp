@@ -5,6 +5,8 @@
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
 #include <slalom/io/campaign_identity.h>
+#include <slalom/methods/registry.h>
+#include <slalom/results/privileged.h>
 
 #include <algorithm>
 
@@ -27,7 +29,8 @@ std::string method_names(const CampaignConfig& config) {
 
 /// Keys of methods that name files, whose contents are hashed instead, or places of the machine.
 bool is_place(const std::string& key) {
-  return contains({"plugin", "module", "config", "url", "channel", "ptg_cache", "record_navlog"},
+  return contains({"plugin", "module", "model", "runtime", "config", "url", "channel", "ptg_cache",
+                   "record_navlog"},
                   key);
 }
 
@@ -39,11 +42,9 @@ std::string effective_ini(const IniFile& ini, const CampaignConfig& config) {
   effective.remove("limits", "method_errors");
   effective.remove("record", "rawlog");
   write_options(effective, "reference", config.reference, "");
-  for (const NamedMethod& method : config.methods) {
-    const std::string section = "method." + method.name;
+  for (const std::string& section : method_sections(ini, config.methods))
     for (const std::string& key : ini.keys(section))
       if (!is_place(key)) effective.set(section, key, ini.get(section, key).value_or(""));
-  }
   return effective.canonical_text();
 }
 
@@ -65,6 +66,7 @@ Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>
   };
   for (const auto& [key, path] : config.method_files)
     manifest[key + "_hash"] = Hasher().add(read_file(path, "a file of a method")).hex();
+  store_privileged(config.privileged, manifest);
   if (rule) {
     manifest["until"] = rule->text;
     manifest["until.max_runs"] = std::to_string(rule->max_runs);

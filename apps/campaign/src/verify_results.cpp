@@ -5,9 +5,12 @@
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
+#include <slalom/io/campaign_identity.h>
 #include <slalom/io/find_run.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
+#include <slalom/metrics/mover_metrics.h>
 #include <slalom/references/reference_codec.h>
 
 #include <nlohmann/json.hpp>
@@ -114,6 +117,14 @@ std::vector<std::string> environment_differences(const Manifest& recorded, const
   return differences;
 }
 
+/// Whether quantities about movers were computed; of those, a sample may contain none.
+bool measured_movers(Manifest& manifest, const std::string& path) {
+  const CampaignOptions options =
+      read_measuring_options(IniFile::from_text(manifest[kEffectiveKey], path));
+  return contains(options.metrics, mover_metric_ids()[0]) ||
+         contains(options.descriptors, mover_descriptor_ids()[0]);
+}
+
 }  // namespace
 
 VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
@@ -123,6 +134,7 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
   CampaignConfig config =
       read_campaign(arguments.config.empty() ? IniFile::from_text(manifest["campaign.ini"], path)
                                              : load_campaign_ini(arguments));
+  if (measured_movers(manifest, path)) config.options.add_mover_quantities();
   const auto planner = make_ompl_planner(config.reference, config.options.setup.robot);
   const std::optional<RunRecord> only =
       sample.run.empty() ? std::nullopt : std::optional(find_run(file, sample.run));

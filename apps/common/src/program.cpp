@@ -2,6 +2,7 @@
 #include <slalom/app/man_page.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
+#include <slalom/core/orphans.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/temporary_file.h>
 #include <slalom/core/text.h>
@@ -104,9 +105,11 @@ void end_interrupted(int signal) {
 
 /// What every program needs before anything else: all three standard streams, so that no file takes
 /// the number of a closed one and is written to as such; an error instead of a signal when a file
-/// becomes too large; and no temporary files after a signal.
+/// becomes too large; no temporary files after a signal; and nothing that a method started after
+/// the death of its keeper.
 void prepare_process() {
   program_process = getpid();
+  adopt_orphans();
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0) _exit(kJobFailed);
   std::signal(SIGXFSZ, SIG_IGN);

@@ -220,25 +220,31 @@ std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario_
   return derive_seed(campaign_seed, "run/" + scenario_hash, static_cast<std::uint64_t>(repetition));
 }
 
-void check_methods(const Campaign& campaign) {
+PrivilegedMethods check_methods(const Campaign& campaign) {
+  constexpr char kMade = '\0';  // begins an answer that is no message
   const std::vector<NamedMethod>& methods = campaign.methods;
+  PrivilegedMethods privileged;
   const WorkItem item = [&](std::size_t i, SharedTaskLog&) -> std::string {
     try {
-      methods[i].make(campaign.options.setup.robot, campaign.options.setup.sensor);
-      return "";
+      const auto made =
+          methods[i].make(campaign.options.setup.robot, campaign.options.setup.sensor);
+      return {kMade, made->uses_tracks() ? '1' : '0', made->uses_map() ? '1' : '0'};
     } catch (const std::exception& e) {
       return reason_of(e);
     }
   };
   const auto receive = [&](std::size_t i, WorkResult&& result) {
-    if (result.status == WorkResult::Status::Done && result.payload.empty()) return;
-    if (result.status == WorkResult::Status::Done)
-      throw Error(ErrorKind::Usage, result.payload);  // a complete message
-    throw usage_error(methods[i].where, "the method could not be built: " + result.detail);
+    if (result.status != WorkResult::Status::Done)
+      throw usage_error(methods[i].where, "the method could not be built: " + result.detail);
+    const std::string& answer = result.payload;
+    const bool made = answer.size() == 3 && answer[0] == kMade;
+    if (!made) throw Error(ErrorKind::Usage, answer);  // a complete message
+    privileged.add(methods[i].name, answer[1] == '1', answer[2] == '1');
   };
   PoolOptions pool = pool_for_methods(campaign.options, 1);
   pool.fresh_process = true;
   run_in_workers(methods.size(), pool, item, receive, nullptr);
+  return privileged;
 }
 
 CampaignSummary run_campaign(const Campaign& campaign, CampaignSink& sink,

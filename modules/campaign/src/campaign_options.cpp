@@ -6,67 +6,53 @@
 #include <slalom/metrics/mover_metrics.h>
 
 #include <algorithm>
+#include <map>
 
 namespace slalom {
 namespace {
-
-template <typename Quantities>
-std::vector<std::string> ids_of(const Quantities& quantities) {
-  std::vector<std::string> ids;
-  for (const auto& quantity : quantities) ids.push_back(quantity.info.id);
-  return ids;
-}
-
-void check_ids(const std::vector<std::string>& ids, const std::vector<std::string>& known,
-               const std::string& where) {
-  for (const std::string& id : ids)
-    if (!contains(known, id))
-      throw usage_error(where, "unknown id '" + id + "'",
-                        expected_name(id, known, "all, or a list of " + join(known, ", ")));
-}
-
-/// Parses "all" or a list of ids from `known`.
-std::vector<std::string> parse_ids(const std::string& text, const std::vector<std::string>& known,
-                                   const std::string& where) {
-  if (text == "all") return known;
-  std::vector<std::string> ids = split(text, ',');
-  check_ids(ids, known, where);
-  return ids;
-}
-
-std::vector<std::string> known_metric_ids() {
-  return ids_of(all_metrics());
-}
 
 void append(std::vector<std::string>& ids, const std::vector<std::string>& more) {
   for (const std::string& id : more)
     if (!contains(ids, id)) ids.push_back(id);
 }
 
-/// The same ids, with those of a group, "all" or "movers", instead of its name.
-std::vector<std::string> without_groups(const std::vector<std::string>& words) {
+std::vector<std::string> without(std::vector<std::string> ids,
+                                 const std::vector<std::string>& left_out) {
+  const auto is_left_out = [&](const std::string& id) { return contains(left_out, id); };
+  ids.erase(std::remove_if(ids.begin(), ids.end(), is_left_out), ids.end());
+  return ids;
+}
+
+/// The ids of the words, which are ids and the groups "all" and "movers". Throws Error (Usage).
+std::vector<std::string> without_groups(const std::vector<std::string>& words,
+                                        std::vector<std::string> known,
+                                        const std::vector<std::string>& movers,
+                                        const std::string& where) {
   std::vector<std::string> ids;
   for (const std::string& word : words) {
     if (word == "all")
-      append(ids, all_metric_ids());
+      append(ids, without(known, movers));
     else if (word == "movers")
-      append(ids, mover_metric_ids());
+      append(ids, movers);
     else
       ids.push_back(word);
   }
-  return ids;
-}
-
-void check_metrics(const std::vector<std::string>& ids, const std::string& where) {
-  std::vector<std::string> known = known_metric_ids();
   known.emplace_back("movers");
-  check_ids(ids, known, where);
+  for (const std::string& id : ids)
+    if (!contains(known, id))
+      throw usage_error(where, "unknown id '" + id + "'",
+                        expected_name(id, known, "all, or a list of " + join(known, ", ")));
+  return ids;
 }
 
-std::vector<std::string> parse_metrics(const std::string& text, const std::string& where) {
-  std::vector<std::string> ids = without_groups(split(text, ','));
-  check_metrics(ids, where);
-  return ids;
+/// Replaces the groups among the ids of both kinds of quantities.
+void resolve_groups(CampaignOptions& options, const OptionLocation& where) {
+  options.all_metrics = options.all_metrics || contains(options.metrics, "all");
+  options.all_descriptors = options.all_descriptors || contains(options.descriptors, "all");
+  options.metrics =
+      without_groups(options.metrics, metric_ids(), mover_metric_ids(), where("enabled"));
+  options.descriptors = without_groups(options.descriptors, descriptor_ids(),
+                                       mover_descriptor_ids(), where("descriptors"));
 }
 
 /// Names of campaigns and methods become parts of file names.
@@ -85,6 +71,14 @@ std::vector<QuantityInfo> infos_of(const std::vector<std::string>& ids, Find fin
   std::vector<QuantityInfo> infos;
   for (const std::string& id : ids) infos.push_back(find(id).info);
   return infos;
+}
+
+template <typename Options>
+std::map<std::string, std::string> texts_of(const Options& options) {
+  std::map<std::string, std::string> texts;
+  write_options(options,
+                [&](const std::string& key, const std::string& text) { texts[key] = text; });
+  return texts;
 }
 
 /// Calls visit(name, values) for each section of a campaign's .ini with these options.
@@ -109,6 +103,9 @@ void for_each_section(const CampaignOptions& options, Visit visit) {
   visit("sensor", options.setup.sensor);
   visit("odometry", options.setup.odometry);
   visit("simulation", options.setup.simulation);
+  // Campaigns from before [tracks] stay the same campaigns.
+  if (texts_of(options.setup.tracker) != texts_of(TrackerModel()))
+    visit("tracks", options.setup.tracker);
 }
 
 }  // namespace
@@ -124,9 +121,9 @@ void CampaignSection::visit(OptionVisitor& v) {
 void MetricsSection::visit(OptionVisitor& v) {
   v.option(
       "enabled", enabled,
-      "metrics to compute: ids, comma-separated; all: those that are not about movers; movers: "
-      "those that are");
-  v.option("descriptors", descriptors, "scenario descriptors: ids, comma-separated, or all");
+      "metrics to compute: ids, comma-separated; all: those about movers only if a scenario has "
+      "some; movers: those about movers");
+  v.option("descriptors", descriptors, "scenario descriptors: likewise");
   v.option("exact_confinement", exact_confinement,
            "confinement over all free cells instead of a sample; seconds per scenario");
   v.option("safe_distance", safe_distance, "m", "time with less clearance counts as risk time",
@@ -152,14 +149,22 @@ void RecordSection::visit(OptionVisitor& v) {
 }
 
 std::vector<std::string> all_metric_ids() {
-  std::vector<std::string> ids = known_metric_ids();
-  const auto is_of_movers = [](const std::string& id) { return contains(mover_metric_ids(), id); };
-  ids.erase(std::remove_if(ids.begin(), ids.end(), is_of_movers), ids.end());
-  return ids;
+  return without(metric_ids(), mover_metric_ids());
 }
 
 std::vector<std::string> all_descriptor_ids() {
-  return ids_of(all_descriptors());
+  return without(descriptor_ids(), mover_descriptor_ids());
+}
+
+void CampaignOptions::adapt_to(const std::vector<Scenario>& scenarios) {
+  if (std::any_of(scenarios.begin(), scenarios.end(),
+                  [](const Scenario& scenario) { return !scenario.movers().empty(); }))
+    add_mover_quantities();
+}
+
+void CampaignOptions::add_mover_quantities() {
+  if (all_metrics) append(metrics, mover_metric_ids());
+  if (all_descriptors) append(descriptors, mover_descriptor_ids());
 }
 
 std::vector<QuantityInfo> CampaignOptions::metric_infos() const {
@@ -178,9 +183,9 @@ bool RecordSection::wants(Outcome outcome) const {
 CampaignOptions read_measuring_options(const IniFile& ini) {
   const auto metrics = read_options<MetricsSection>(ini, "metrics");
   CampaignOptions options;
-  options.metrics = parse_metrics(metrics.enabled, ini.where("metrics", "enabled"));
-  options.descriptors =
-      parse_ids(metrics.descriptors, all_descriptor_ids(), ini.where("metrics", "descriptors"));
+  options.metrics = split(metrics.enabled, ',');
+  options.descriptors = split(metrics.descriptors, ',');
+  resolve_groups(options, location_in(ini, "metrics"));
   options.exact_confinement = metrics.exact_confinement;
   options.safe_distance = metrics.safe_distance;
   options.setup.robot = read_robot_model(ini);
@@ -200,15 +205,14 @@ CampaignOptions read_campaign_options(const IniFile& ini) {
   options.record = read_options<RecordSection>(ini, "record");
   options.setup.sensor = read_options<SensorModel>(ini, "sensor");
   options.setup.odometry = read_options<OdometryModel>(ini, "odometry");
+  options.setup.tracker = read_options<TrackerModel>(ini, "tracks");
   options.setup.deadline = options.limits.deadline;
   return options;
 }
 
 CampaignOptions checked_options(CampaignOptions options, const std::string& origin) {
   const auto keys_of = [&origin](const char* section) { return location_of(origin + section); };
-  options.metrics = without_groups(options.metrics);
-  check_metrics(options.metrics, keys_of("metrics")("enabled"));
-  check_ids(options.descriptors, all_descriptor_ids(), keys_of("metrics")("descriptors"));
+  resolve_groups(options, keys_of("metrics"));
   for_each_section(options, [&](const char* section, const auto& values) {
     check_options(values, keys_of(section));
   });

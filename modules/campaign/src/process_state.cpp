@@ -1,21 +1,18 @@
 #include "process_state.h"
 
+#include <slalom/core/orphans.h>
+
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <sys/stat.h>
 #include <sys/time.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 extern char** environ;
 
 namespace slalom {
 namespace {
-
-constexpr char kThreads[] = "/proc/self/task";  // one folder per thread
 
 std::vector<std::string> environment() {
   std::vector<std::string> variables;
@@ -36,21 +33,8 @@ mode_t current_umask() {
 }
 
 std::size_t count_threads() {
-  struct stat folder = {};
-  return stat(kThreads, &folder) == 0 ? folder.st_nlink : 0;
-}
-
-/// Child processes, also those that have ended but were not waited for.
-std::vector<pid_t> children() {
-  siginfo_t info;
-  if (waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) != 0) return {};  // the usual case
-  std::vector<pid_t> pids;
-  std::error_code error;
-  for (const auto& thread : std::filesystem::directory_iterator(kThreads, error)) {
-    std::ifstream list(thread.path() / "children");
-    for (pid_t pid = 0; list >> pid;) pids.push_back(pid);
-  }
-  return pids;
+  struct stat threads = {};
+  return stat("/proc/self/task", &threads) == 0 ? threads.st_nlink : 0;  // one folder per thread
 }
 
 /// A timer would end the next run with its signal.
@@ -69,7 +53,7 @@ ProcessState::ProcessState()
       umask_(current_umask()),
       environment_(environment()),
       threads_(count_threads()),
-      children_(children()) {
+      children_(child_processes()) {
   for (int signal = 1; signal < NSIG; ++signal)
     sigaction(signal, nullptr, &actions_[static_cast<std::size_t>(signal)]);
   sigprocmask(SIG_SETMASK, nullptr, &blocked_);
@@ -85,7 +69,7 @@ bool ProcessState::restore() const {
   umask(umask_);
   const bool in_folder = current_folder() == folder_ || chdir(folder_.c_str()) == 0;
   const bool limited = restore_limits();
-  const std::vector<pid_t> left = children();
+  const std::vector<pid_t> left = child_processes();
   return in_folder && limited && count_threads() <= threads_ &&
          std::all_of(left.begin(), left.end(), [this](pid_t pid) {
            return std::find(children_.begin(), children_.end(), pid) != children_.end();

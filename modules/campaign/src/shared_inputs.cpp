@@ -91,8 +91,8 @@ std::shared_ptr<InputStore::Maker> InputStore::idle_maker() {
   const auto writer = std::make_shared<InputWriter>(options_.inputs);
   makers_.push_back(std::make_shared<Maker>());
   makers_.back()->process = std::make_unique<WorkerProcess>(
-      options_, [writer](std::size_t key, int file) { writer->write(key, file); });
-  makers_.back()->process->start(nothing_, 0);
+      options_, nothing_, [writer](std::size_t key, int file) { writer->write(key, file); });
+  makers_.back()->process->start(0);
   return makers_.back();
 }
 

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <new>
 #include <sys/mman.h>
+#include <unistd.h>
 
 namespace slalom {
 
@@ -15,12 +18,25 @@ struct SharedTaskLog::Header {
   char* bytes() { return reinterpret_cast<char*>(this + 1); }
 };
 
-SharedTaskLog::SharedTaskLog(std::size_t capacity) : capacity_(capacity) {
+SharedTaskLog::SharedTaskLog(std::size_t capacity) : SharedTaskLog(capacity, -1) {}
+
+SharedTaskLog::SharedTaskLog(std::size_t capacity, int file) : capacity_(capacity) {
   void* memory = mmap(nullptr, sizeof(Header) + capacity_, PROT_READ | PROT_WRITE,
-                      MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+                      MAP_SHARED | (file < 0 ? MAP_ANONYMOUS : 0), file, 0);
   if (memory == MAP_FAILED) throw job_error("workers", "cannot allocate shared memory");
   header_ = new (memory) Header();
   clear();
+}
+
+int SharedTaskLog::make_file(std::size_t capacity) {
+  const int file = memfd_create("slalom log", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+  if (file >= 0 && ftruncate(file, static_cast<off_t>(sizeof(Header) + capacity)) == 0 &&
+      fcntl(file, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) == 0)
+    return file;
+  const int error = errno;
+  if (file >= 0) close(file);
+  errno = error;
+  return -1;
 }
 
 SharedTaskLog::~SharedTaskLog() {

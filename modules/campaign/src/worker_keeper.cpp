@@ -1,24 +1,29 @@
 #include "worker_keeper.h"
+#include "worker_socket.h"
 
 #include <slalom/core/fork.h>
+#include <slalom/core/orphans.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
 #include <poll.h>
-#include <string>
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
+#include <system_error>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace slalom {
 namespace {
+
+using Serve = std::function<void(const WorkerStart&)>;
 
 void close_range_of_descriptors(unsigned first, unsigned last) {
   if (first > last || syscall(SYS_close_range, first, last, 0) == 0) return;
@@ -33,36 +38,89 @@ bool has_ended(pid_t worker) {
          info.si_pid == worker;
 }
 
-/// Until the worker ends or `control` is closed.
-void watch(pid_t worker, int control, int signals) {
-  while (!has_ended(worker)) {
-    pollfd events[] = {{signals, POLLIN, 0}, {control, POLLIN, 0}};
-    if (poll(events, 2, -1) < 0 && errno != EINTR) return;
-    if (events[1].revents != 0) return;
-    signalfd_siginfo ignored;
-    if (events[0].revents != 0 && read(signals, &ignored, sizeof ignored) < 0) return;
+/// The main loop of a keeper's process.
+class Keeper {
+ public:
+  /// `signals`: all are blocked but those that this set contains are to be in workers.
+  Keeper(int socket, const Serve& serve, const sigset_t& signals)
+      : socket_(socket), serve_(serve), signals_of_workers_(signals) {
+    sigset_t child;
+    sigemptyset(&child);
+    sigaddset(&child, SIGCHLD);
+    ends_ = FileDescriptor(signalfd(-1, &child, 0));
   }
-}
 
-/// Kills the worker's group, then all children until there are none: the children of those killed
-/// become children of this process. Returns the worker's status.
-int kill_all(pid_t worker) {
-  constexpr int kMaxPasses = 10000;  // against processes that keep forking
-  int status = 0;
-  kill(-worker, SIGKILL);
-  kill(worker, SIGKILL);  // it may not have its own group yet
-  waitpid(worker, &status, 0);
-  const std::string list =
-      "/proc/self/task/" + std::to_string(getpid()) + "/children";  // this process has one thread
-  for (int pass = 0; pass < kMaxPasses && waitpid(-1, nullptr, WNOHANG) >= 0; ++pass) {
-    std::ifstream children(list);
-    for (pid_t child = 0; children >> child;) {
-      kill(child, SIGKILL);
-      waitpid(child, nullptr, 0);
+  /// Until the other end of the socket is closed.
+  void run() {
+    WorkerStart start;
+    while (wait()) {
+      for (std::size_t i = workers_.size(); i-- > 0;)
+        if (is_released(workers_[i]) || has_ended(workers_[i].process)) end(i);
+      if (!is_readable(socket_, 0)) continue;
+      if (!receive_start(socket_, start)) break;
+      fork_worker(std::move(start));
     }
+    while (!workers_.empty()) end(workers_.size() - 1);
   }
-  return status;
-}
+
+ private:
+  struct Worker {
+    pid_t process;
+    FileDescriptor control;
+    std::string scratch;
+  };
+
+  bool wait() const {
+    std::vector<pollfd> events = {{ends_.number(), POLLIN, 0}, {socket_, POLLIN, 0}};
+    for (const Worker& worker : workers_) events.push_back({worker.control.number(), POLLIN, 0});
+    if (poll(events.data(), events.size(), -1) < 0) return errno == EINTR;
+    signalfd_siginfo ignored;
+    return events[0].revents == 0 || read(ends_.number(), &ignored, sizeof ignored) > 0;
+  }
+
+  static bool is_released(const Worker& worker) { return is_readable(worker.control.number(), 0); }
+
+  void fork_worker(WorkerStart start) {
+    const pid_t keeper = getpid();
+    const pid_t worker = fork_process();
+    if (worker == 0) {
+      setsid();
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      prctl(PR_SET_CHILD_SUBREAPER, 1);   // so that it notices daemons that a method started
+      if (getppid() != keeper) _exit(1);  // the keeper died before prctl()
+      sigprocmask(SIG_SETMASK, &signals_of_workers_, nullptr);
+      serve_(start);
+      _exit(0);
+    }
+    workers_.push_back({worker, std::move(start.control), std::move(start.scratch)});
+    if (worker < 0) end(workers_.size() - 1);
+  }
+
+  /// Kills the worker's group, then what it leaves to this process, which other workers do not.
+  void end(std::size_t index) {
+    const Worker worker = std::move(workers_[index]);
+    workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(index));
+    int status = kNoWorker;
+    if (worker.process > 0) {
+      kill(-worker.process, SIGKILL);
+      kill(worker.process, SIGKILL);  // it may not have its own group yet
+      waitpid(worker.process, &status, 0);
+      kill_children([this](pid_t child) {
+        return std::any_of(workers_.begin(), workers_.end(),
+                           [=](const Worker& one) { return one.process == child; });
+      });
+    }
+    std::error_code ignored;
+    if (!worker.scratch.empty()) std::filesystem::remove_all(worker.scratch, ignored);
+    send(worker.control.number(), &status, sizeof status, MSG_NOSIGNAL);
+  }
+
+  int socket_;
+  const Serve& serve_;
+  sigset_t signals_of_workers_;
+  FileDescriptor ends_;  ///< readable when a child has ended
+  std::vector<Worker> workers_;
+};
 
 }  // namespace
 
@@ -77,37 +135,44 @@ void drop_descriptors(bool keep_stderr, int kept, int also_kept) {
   close_range_of_descriptors(high + 1, ~0U);
 }
 
-void keep_worker(int control, const std::string& scratch, const std::function<void()>& serve) {
-  prctl(PR_SET_CHILD_SUBREAPER, 1);
-  sigset_t all, before;
-  sigfillset(&all);
-  sigprocmask(SIG_SETMASK, &all, &before);
-  const pid_t keeper = getpid();
-  const pid_t worker = fork_process();
-  if (worker == 0) {
-    close(control);
-    setsid();
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    prctl(PR_SET_CHILD_SUBREAPER, 1);   // so that it notices daemons that a method started
-    if (getppid() != keeper) _exit(1);  // the keeper died before prctl()
-    sigprocmask(SIG_SETMASK, &before, nullptr);
-    serve();
+WorkerKeeper::WorkerKeeper(bool keep_stderr, Serve serve)
+    : keep_stderr_(keep_stderr), serve_(std::move(serve)) {}
+
+WorkerKeeper::~WorkerKeeper() {
+  end();
+}
+
+void WorkerKeeper::start_worker(const WorkerStart& start) {
+  if (process_ > 0 && send_start(socket_.number(), start)) return;
+  end();
+  begin();
+  if (!send_start(socket_.number(), start)) throw cannot_create("process", errno);
+}
+
+void WorkerKeeper::begin() {
+  SocketPair ends(SOCK_SEQPACKET);
+  process_ = fork_process();
+  if (process_ < 0) throw cannot_create("process", errno);
+  if (process_ == 0) {
+    const int socket = ends.far_end.number();
+    drop_descriptors(keep_stderr_, socket, socket);
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    sigset_t all, before;
+    sigfillset(&all);
+    sigprocmask(SIG_SETMASK, &all, &before);
+    Keeper(socket, serve_, before).run();
     _exit(0);
   }
-  int status = kNoWorker;
-  if (worker > 0) {
-    sigset_t child;
-    sigemptyset(&child);
-    sigaddset(&child, SIGCHLD);
-    drop_descriptors(true, control,
-                     control);  // of the worker's socket its process has the only one
-    watch(worker, control, signalfd(-1, &child, 0));
-    status = kill_all(worker);
-  }
-  std::error_code ignored;
-  if (!scratch.empty()) std::filesystem::remove_all(scratch, ignored);
-  send(control, &status, sizeof status, MSG_NOSIGNAL);
-  _exit(0);
+  socket_ = std::move(ends.near_end);
+}
+
+void WorkerKeeper::end() {
+  if (process_ < 0) return;
+  socket_ = FileDescriptor();
+  int status = 0;
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
+  process_ = -1;
+  if (WIFSIGNALED(status)) kill_orphans();
 }
 
 }  // namespace slalom

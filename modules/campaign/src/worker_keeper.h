@@ -1,26 +1,46 @@
 #pragma once
 
+#include "worker_socket.h"
+
 #include <functional>
-#include <optional>
-#include <string>
+#include <sys/types.h>
 
 namespace slalom {
 
 /// The message of a keeper whose worker could not be created; otherwise it sends waitpid's status.
 constexpr int kNoWorker = -1;
 
+/// The process from which the workers of a pool are forked: a copy of the calling process from
+/// before its first worker. It does not grow with the caller, and to replace a worker takes one
+/// fork. Everything falls back to it that a worker started and left behind, also what left its
+/// process group and session. It stays clean: no code of a method runs in it.
+class WorkerKeeper {
+ public:
+  /// `serve`: executed in each worker.
+  WorkerKeeper(bool keep_stderr, std::function<void(const WorkerStart&)> serve);
+  ~WorkerKeeper();  ///< kills all workers
+  WorkerKeeper(const WorkerKeeper&) = delete;
+  WorkerKeeper& operator=(const WorkerKeeper&) = delete;
+
+  /// Starts a worker. When it ends, or the other end of `control` is shut down or closed (also by
+  /// the death of its process), the keeper kills whatever is left of the worker and removes
+  /// `scratch`; then it sends the worker's status to `control` and closes it. If the keeper was
+  /// killed, there is a new one. Throws Error (Job) when there can be none.
+  void start_worker(const WorkerStart& start);
+
+ private:
+  void begin();
+  void end();
+
+  bool keep_stderr_;
+  std::function<void(const WorkerStart&)> serve_;
+  pid_t process_ = -1;
+  FileDescriptor socket_;
+};
+
 /// Reduces a process that was just forked to what a worker needs: standard input is /dev/null,
 /// standard output (and standard error unless `keep_stderr`) are discarded, and all other
 /// descriptors except the two are closed.
 void drop_descriptors(bool keep_stderr, int kept, int also_kept);
-
-/// The main loop of a process between the pool and one worker, to which everything falls back that
-/// the worker started, also what left its process group and session. Forks the worker, which
-/// executes `serve` without `control`. When the worker ends, or when the other end of `control` is
-/// closed (also by the death of its process), the keeper kills whatever is left of the worker; then
-/// it removes `scratch`, a folder unless it is empty, sends the worker's status and exits. It stays
-/// clean: no code of a method runs in it.
-[[noreturn]] void keep_worker(int control, const std::string& scratch,
-                              const std::function<void()>& serve);
 
 }  // namespace slalom

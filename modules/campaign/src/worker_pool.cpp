@@ -51,7 +51,11 @@ class Pool {
         options_(options),
         item_(item),
         results_(results),
-        inputs_(count, options) {}
+        inputs_(count, options),
+        keeper_(options.keep_stderr,
+                [this, receive_file = inputs_.receiver()](const WorkerStart& start) {
+                  serve_confined(start, item_, options_, receive_file);
+                }) {}
 
   bool run(const std::function<bool()>& interrupted) {
     while (finished_ < count_) {
@@ -68,22 +72,34 @@ class Pool {
   using Worker = std::unique_ptr<WorkerProcess>;
 
   void assign_items() {
-    while (count(&WorkerProcess::busy) + inputs_.busy() < max_busy_ &&
-           (!again_.empty() || next_ < count_)) {
-      const bool again = !again_.empty();
-      const std::size_t index = again ? again_.back() : next_;
-      if (inputs_.is_awaited(index)) {
-        if (inputs_.make_next()) continue;
-        return;
-      }
-      if (again)
-        again_.pop_back();
-      else
-        ++next_;
-      const std::size_t group = options_.group ? options_.group(index) : 0;
-      worker_for(group, again || options_.fresh_process)
-          .assign(index, inputs_.descriptor_for(index));
+    if (is_repeating()) return;
+    if (!again_.empty()) {
+      // Alone, so that whatever another work item does to it or takes from it is not there.
+      if (busy() > 0) return;
+      const std::size_t index = again_.back();
+      again_.pop_back();
+      return assign(index, true);
     }
+    while (busy() < max_busy_ && next_ < count_) {
+      if (!inputs_.is_awaited(next_))
+        assign(next_++, options_.fresh_process);
+      else if (!inputs_.make_next())
+        return;
+    }
+  }
+
+  std::size_t busy() const { return count(&WorkerProcess::busy) + inputs_.busy(); }
+
+  /// Whether a work item is executed once more.
+  bool is_repeating() const {
+    return std::any_of(workers_.begin(), workers_.end(), [this](const Worker& worker) {
+      return worker->busy() && killed_.count(worker->last_item()) > 0;
+    });
+  }
+
+  void assign(std::size_t index, bool fresh) {
+    const std::size_t group = options_.group ? options_.group(index) : 0;
+    worker_for(group, fresh).assign(index, inputs_.descriptor_for(index));
   }
 
   std::size_t count(bool (WorkerProcess::*has)() const) const {
@@ -103,12 +119,15 @@ class Pool {
     if (count(&WorkerProcess::idle) >= options_.groups + max_busy_) end_least_recently_used();
     const auto dead = std::find_if(workers_.begin(), workers_.end(),
                                    [](const Worker& worker) { return !worker->alive(); });
-    WorkerProcess& worker =
-        dead == workers_.end()
-            ? *workers_.emplace_back(std::make_unique<WorkerProcess>(options_, inputs_.receiver()))
-            : **dead;
-    worker.start(item_, group);
+    WorkerProcess& worker = dead == workers_.end() ? *workers_.emplace_back(make_worker()) : **dead;
+    worker.start(group);
     return worker;
+  }
+
+  Worker make_worker() {
+    if (options_.trusted)
+      return std::make_unique<WorkerProcess>(options_, item_, inputs_.receiver());
+    return std::make_unique<WorkerProcess>(options_, keeper_);
   }
 
   void end_least_recently_used() {
@@ -159,6 +178,7 @@ class Pool {
   const WorkItem& item_;
   OrderedResults& results_;
   InputStore inputs_;
+  WorkerKeeper keeper_;
   std::vector<Worker> workers_;
   std::size_t next_ = 0, finished_ = 0;
   std::set<std::size_t> killed_;    ///< work items whose process was killed from outside

@@ -1,8 +1,6 @@
 #include "worker_keeper.h"
-#include "worker_limits.h"
 #include "worker_process.h"
 #include "worker_sandbox.h"
-#include "worker_socket.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/fork.h>
@@ -11,11 +9,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <exception>
 #include <fcntl.h>
-#include <new>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -27,50 +22,6 @@ namespace {
 
 /// Larger than any valid payload; a larger size means corrupted data.
 constexpr std::uint64_t kMaxPayload = std::uint64_t{1} << 30;
-
-struct Answer {
-  char kind;
-  std::string payload;
-};
-
-Answer execute(const WorkItem& item, std::size_t index, SharedTaskLog& log, FileDescriptor file,
-               const FileReceiver& receive_file) {
-  try {
-    if (file) receive_file(index, file.number());
-    file = FileDescriptor();
-    return {kDone, item(index, log)};
-  } catch (const std::bad_alloc&) {
-    return {kOutOfMemory, "out of memory"};
-  } catch (const std::exception& e) {
-    return {kThrew, reason_of(e)};
-  }
-}
-
-/// The main loop of a worker process.
-void serve(int socket, const WorkItem& item, const PoolOptions& options,
-           const FileReceiver& receive_file, SharedTaskLog& log) {
-  // Interrupts are handled by the parent.
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
-  limit_memory(static_cast<std::size_t>(options.memory_mb * 1024 * 1024));
-  const pid_t self = getpid();
-  Request request = {};
-  FileDescriptor file;
-  while (receive_request(socket, request, file)) {
-    limit_cpu_time(options.item_cpu_time);
-    const Answer answer = execute(item, request.index, log, std::move(file), receive_file);
-    if (getpid() != self) return;  // a copy, made by a method that forked
-    if (!send_answer(socket, request, answer.kind, answer.payload))
-      return log.report_disconnected();
-  }
-  if (options.at_end) options.at_end();
-}
-
-/// A worker without its sandbox must not run a method.
-void enter_sandbox(const std::string& scratch, std::vector<std::string> writable) {
-  writable.push_back(scratch);
-  setenv("TMPDIR", scratch.c_str(), 1);
-  if (!confine_writing_to(writable)) _exit(EXIT_FAILURE);
-}
 
 std::string describe_status(int status) {
   if (WIFSIGNALED(status))
@@ -85,58 +36,69 @@ bool was_killed_by(int status, int signal) {
 
 }  // namespace
 
-void WorkerProcess::start(const WorkItem& item, std::size_t group) {
+void WorkerProcess::start(std::size_t group) {
   SocketPair work, control;
-  const std::string scratch = options_.sandbox ? make_scratch_folder() : "";
-  if (options_.sandbox && scratch.empty()) throw cannot_create("folder for temporary files", errno);
-  const pid_t pid = fork_process();
-  if (pid < 0) throw cannot_create("process", errno);
-  if (pid == 0) {
-    const int socket = work.far_end.number(), keeper = control.far_end.number();
-    drop_descriptors(options_.keep_stderr, socket, keeper);
-    const auto serve_items = [&] {
-      if (options_.sandbox) enter_sandbox(scratch, options_.writable);
-      serve(socket, item, options_, receive_file_, log_);
-    };
-    if (!options_.trusted) keep_worker(keeper, scratch, serve_items);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    serve_items();
-    _exit(0);
-  }
-  child_ = pid;
-  socket_ = work.near_end.take();
-  control_ = control.near_end.take();
-  fcntl(socket_, F_SETFL, O_NONBLOCK);
+  WorkerStart start;
+  start.socket = std::move(work.far_end);
+  start.control = std::move(control.far_end);
+  if (keeper_ != nullptr)
+    start_kept(start);
+  else
+    fork_trusted(start);
+  socket_ = std::move(work.near_end);
+  control_ = std::move(control.near_end);
+  fcntl(socket_.number(), F_SETFL, O_NONBLOCK);
   disconnected_ = false;
   group_ = group;
   buffer_.clear();
 }
 
+void WorkerProcess::start_kept(WorkerStart& start) {
+  start.log = FileDescriptor(SharedTaskLog::make_file(options_.log_size));
+  if (!start.log) throw cannot_create("log", errno);
+  log_ = std::make_unique<SharedTaskLog>(options_.log_size, start.log.number());
+  if (options_.sandbox) start.scratch = make_scratch_folder();
+  if (options_.sandbox && start.scratch.empty())
+    throw cannot_create("folder for temporary files", errno);
+  keeper_->start_worker(start);
+}
+
+void WorkerProcess::fork_trusted(const WorkerStart& start) {
+  log_ = std::make_unique<SharedTaskLog>(options_.log_size);
+  child_ = fork_process();
+  if (child_ < 0) throw cannot_create("process", errno);
+  if (child_ > 0) return;
+  drop_descriptors(options_.keep_stderr, start.socket.number(), start.control.number());
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  serve_work_items(start.socket.number(), *trusted_item_, options_, receive_file_, *log_);
+  _exit(0);
+}
+
 bool WorkerProcess::is_sound() const {
-  return !is_readable(socket_, 0) && !is_readable(control_, 0);
+  return !is_readable(socket_.number(), 0) && !is_readable(control_.number(), 0);
 }
 
 void WorkerProcess::assign(std::size_t index, int file) {
   nonce_ = std::uint64_t{random_()} << 32U | random_();
   const Request request = {nonce_, index};
-  log_.clear();
+  log_->clear();
   heartbeats_ = 0;
   item_ = index;
   busy_ = true;
   started_ = last_heartbeat_ = options_.clock();
   // The death of a worker is detected by the next receive().
-  send_request(socket_, request, file);
+  send_request(socket_.number(), request, file);
 }
 
 void WorkerProcess::add_events(std::vector<pollfd>& events) const {
   if (!busy_) return;
-  if (!disconnected_) events.push_back({socket_, POLLIN, 0});
-  events.push_back({control_, POLLIN, 0});
+  if (!disconnected_) events.push_back({socket_.number(), POLLIN, 0});
+  events.push_back({control_.number(), POLLIN, 0});
 }
 
 std::optional<WorkResult> WorkerProcess::receive() {
   // In this order: a process may answer and then die.
-  const bool has_died = is_readable(control_, 0);
+  const bool has_died = is_readable(control_.number(), 0);
   read_socket();
   if (auto result = take_answer()) return result;
   if (has_died) return describe_end();
@@ -148,7 +110,7 @@ std::optional<WorkResult> WorkerProcess::receive() {
 void WorkerProcess::read_socket() {
   char chunk[65536];
   while (!disconnected_) {
-    const ssize_t got = recv(socket_, chunk, sizeof chunk, 0);
+    const ssize_t got = recv(socket_.number(), chunk, sizeof chunk, 0);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) break;
     disconnected_ = got <= 0;
@@ -175,14 +137,14 @@ std::optional<WorkResult> WorkerProcess::take_answer() {
   const bool has_more = buffer_.size() > sizeof header + header.size;
   buffer_.clear();
   busy_ = false;
-  if (log_.is_retired() || has_more || disconnected_) kill_and_reap();
+  if (log_->is_retired() || has_more || disconnected_) kill_and_reap();
   return WorkResult{Status::Done, std::move(payload), "", ""};
 }
 
 std::string WorkerProcess::exceeded_limit() {
   // The clock is read first: a heartbeat in between must not count as missing.
   const double now = options_.clock();
-  const std::uint64_t heartbeats = log_.heartbeats();
+  const std::uint64_t heartbeats = log_->heartbeats();
   if (heartbeats != heartbeats_) {
     heartbeats_ = heartbeats;
     last_heartbeat_ = now;
@@ -197,13 +159,13 @@ std::string WorkerProcess::exceeded_limit() {
 
 WorkResult WorkerProcess::kill_with(Status status, std::string reason) {
   kill_and_reap();
-  return {status, "", std::move(reason), log_.contents()};
+  return {status, "", std::move(reason), log_->contents()};
 }
 
 std::optional<int> WorkerProcess::end_status() {
   int status = 0;
-  if (recv(control_, &status, sizeof status, 0) == sizeof status) return status;
-  if (!options_.trusted) return std::nullopt;
+  if (recv(control_.number(), &status, sizeof status, 0) == sizeof status) return status;
+  if (keeper_ != nullptr) return std::nullopt;
   while (waitpid(child_, &status, 0) < 0 && errno == EINTR) continue;
   child_ = -1;
   return status;
@@ -218,27 +180,38 @@ WorkResult WorkerProcess::describe_end() {
     return kill_with(Status::TimedOut,
                      "CPU time limit of " + format_number(options_.item_cpu_time) + " s exceeded");
   if (was_killed_by(status, SIGKILL)) return kill_with(Status::Killed, describe_status(status));
-  if (log_.is_disconnected())
+  if (log_->is_disconnected())
     return kill_with(Status::Crashed, "closed the worker's connection to the simulator");
   return kill_with(Status::Crashed, describe_status(status));
 }
 
+/// Until it has killed the worker and whatever that started.
+void WorkerProcess::await_keeper() const {
+  shutdown(control_.number(), SHUT_WR);
+  int status = 0;
+  ssize_t got = 0;
+  do {
+    got = recv(control_.number(), &status, sizeof status, 0);
+  } while (got > 0 || (got < 0 && errno == EINTR));
+}
+
 void WorkerProcess::kill_and_reap() {
-  if (socket_ < 0) return;
-  close(socket_);
-  close(control_);  // the keeper kills the worker and whatever it started, then exits
-  if (options_.trusted && child_ > 0) kill(child_, SIGKILL);
+  if (!socket_) return;
+  socket_ = FileDescriptor();
+  if (keeper_ != nullptr) await_keeper();
+  if (child_ > 0) kill(child_, SIGKILL);
   while (child_ > 0 && waitpid(child_, nullptr, 0) < 0 && errno == EINTR) continue;
-  child_ = socket_ = control_ = -1;
+  child_ = -1;
+  control_ = FileDescriptor();
   busy_ = false;
 }
 
 void WorkerProcess::request_end() {
-  if (idle()) shutdown(socket_, SHUT_WR);
+  if (idle()) shutdown(socket_.number(), SHUT_WR);
 }
 
 void WorkerProcess::await_end() {
-  if (idle()) is_readable(control_, static_cast<int>(kOrderlyEnd * 1000));
+  if (idle()) is_readable(control_.number(), static_cast<int>(kOrderlyEnd * 1000));
   kill_and_reap();
 }
 

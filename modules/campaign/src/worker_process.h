@@ -1,8 +1,9 @@
 #pragma once
 
-#include <slalom/campaign/worker_pool.h>
+#include "worker_keeper.h"
+#include "worker_main.h"
 
-#include <functional>
+#include <memory>
 #include <optional>
 #include <poll.h>
 #include <random>
@@ -13,21 +14,22 @@
 
 namespace slalom {
 
-/// Executed in a worker before a work item that was assigned with a descriptor. It is closed after.
-using FileReceiver = std::function<void(std::size_t index, int file)>;
-
-/// A worker process, its keeper (worker_keeper.h; none for trusted work items), and the sockets to
-/// both. The parent sends an index with a random number, the worker replies with both and the
-/// payload. Nothing that the worker sends is trusted.
+/// A worker process and the sockets to it and to its keeper. The parent sends an index with a
+/// random number, the worker replies with both and the payload. Nothing that the worker sends is
+/// trusted.
 class WorkerProcess {
  public:
-  explicit WorkerProcess(const PoolOptions& options, FileReceiver receive_file = nullptr)
-      : options_(options), receive_file_(std::move(receive_file)), log_(options.log_size) {}
+  /// From a keeper, which has the work item.
+  WorkerProcess(const PoolOptions& options, WorkerKeeper& keeper)
+      : options_(options), keeper_(&keeper) {}
+  /// Without a keeper, for trusted work items.
+  WorkerProcess(const PoolOptions& options, const WorkItem& item, FileReceiver receive_file)
+      : options_(options), trusted_item_(&item), receive_file_(std::move(receive_file)) {}
   ~WorkerProcess() { kill_and_reap(); }
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-  bool alive() const { return child_ > 0; }
+  bool alive() const { return static_cast<bool>(socket_); }
   bool busy() const { return busy_; }
   bool idle() const { return alive() && !busy_; }
   std::size_t group() const { return group_; }
@@ -36,8 +38,8 @@ class WorkerProcess {
   /// Of an idle process: it is alive and has sent nothing that was not asked for.
   bool is_sound() const;
 
-  /// Forks. Throws Error (Job) when no process or socket can be created.
-  void start(const WorkItem& item, std::size_t group);
+  /// Throws Error (Job) when no process or socket can be created.
+  void start(std::size_t group);
   /// With a descriptor for the FileReceiver, or -1. It stays open here.
   void assign(std::size_t index, int file = -1);
 
@@ -57,6 +59,9 @@ class WorkerProcess {
  private:
   using Status = WorkResult::Status;
 
+  void start_kept(WorkerStart& start);
+  void fork_trusted(const WorkerStart& start);
+  void await_keeper() const;
   void read_socket();
   std::optional<WorkResult> take_answer();
   /// A description of the limit that was exceeded; empty if none.
@@ -67,12 +72,14 @@ class WorkerProcess {
   end_status();  ///< waitpid's status of the worker; none if the keeper was killed
 
   PoolOptions options_;
+  WorkerKeeper* keeper_ = nullptr;
+  const WorkItem* trusted_item_ = nullptr;
   FileReceiver receive_file_;
-  SharedTaskLog log_;
+  std::unique_ptr<SharedTaskLog> log_;
   std::random_device random_;
-  pid_t child_ = -1;           ///< the keeper, or a trusted worker
-  int socket_ = -1;            ///< to the worker
-  int control_ = -1;           ///< to the child: it is closed when the child ends
+  pid_t child_ = -1;           ///< a trusted worker
+  FileDescriptor socket_;      ///< to the worker
+  FileDescriptor control_;     ///< to the keeper or trusted worker: closed when the worker ends
   bool disconnected_ = false;  ///< the worker's end of the socket is closed
   std::size_t group_ = 0, item_ = 0;
   std::uint64_t nonce_ = 0;  ///< of the current work item

@@ -1,10 +1,13 @@
 #include "worker_socket.h"
 
 #include <cerrno>
+#include <climits>
 #include <cstring>
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/uio.h>
+#include <utility>
+#include <vector>
 
 namespace slalom {
 namespace {
@@ -20,63 +23,92 @@ bool send_all(int socket, const char* data, std::size_t size) {
   return true;
 }
 
-/// A message with room for a descriptor.
-class RequestMessage {
+/// A message with room for descriptors.
+class Message {
  public:
-  explicit RequestMessage(Request& request) : part_{&request, sizeof request} {
+  Message(void* data, std::size_t size) : part_{data, size} {
     message_.msg_iov = &part_;
     message_.msg_iovlen = 1;
-    message_.msg_control = control_;
-    message_.msg_controllen = sizeof control_;
   }
-  RequestMessage(const RequestMessage&) = delete;
-  RequestMessage& operator=(const RequestMessage&) = delete;
+  Message(const Message&) = delete;
+  Message& operator=(const Message&) = delete;
 
-  msghdr* get() { return &message_; }
-
-  void put(int file) {
+  /// False unless all was sent.
+  template <std::size_t N>
+  bool send(int socket, const int (&files)[N]) {
+    static_assert(N <= kMaxFiles);
+    message_.msg_control = control_;
+    message_.msg_controllen = CMSG_SPACE(sizeof files);
     cmsghdr* header = CMSG_FIRSTHDR(&message_);
     header->cmsg_level = SOL_SOCKET;
     header->cmsg_type = SCM_RIGHTS;
-    header->cmsg_len = CMSG_LEN(sizeof file);
-    std::memcpy(CMSG_DATA(header), &file, sizeof file);
+    header->cmsg_len = CMSG_LEN(sizeof files);
+    std::memcpy(CMSG_DATA(header), files, sizeof files);
+    return sendmsg(socket, &message_, MSG_NOSIGNAL) == static_cast<ssize_t>(part_.iov_len);
   }
 
-  FileDescriptor received_file() {
+  /// The number of bytes; less than one when the connection has ended.
+  ssize_t receive(int socket, int flags) {
+    message_.msg_control = control_;
+    message_.msg_controllen = sizeof control_;
+    ssize_t got = 0;
+    do {
+      got = recvmsg(socket, &message_, flags | MSG_CMSG_CLOEXEC);
+    } while (got < 0 && errno == EINTR);
+    return got;
+  }
+
+  std::vector<FileDescriptor> received_files() {
+    std::vector<FileDescriptor> files;
     const cmsghdr* header = CMSG_FIRSTHDR(&message_);
-    if (header == nullptr || header->cmsg_type != SCM_RIGHTS) return FileDescriptor();
-    int file = -1;
-    std::memcpy(&file, CMSG_DATA(header), sizeof file);
-    return FileDescriptor(file);
+    if (header == nullptr || header->cmsg_type != SCM_RIGHTS) return files;
+    const std::size_t count = (header->cmsg_len - CMSG_LEN(0)) / sizeof(int);
+    for (std::size_t i = 0; i < count; ++i) {
+      int file = -1;
+      std::memcpy(&file, CMSG_DATA(header) + i * sizeof file, sizeof file);
+      files.emplace_back(file);
+    }
+    return files;
   }
 
  private:
+  static constexpr std::size_t kMaxFiles = 3;
+
   iovec part_;
   msghdr message_ = {};
-  alignas(cmsghdr) char control_[CMSG_SPACE(sizeof(int))] = {};
+  alignas(cmsghdr) char control_[CMSG_SPACE(kMaxFiles * sizeof(int))] = {};
 };
 
 }  // namespace
 
 void send_request(int socket, const Request& request, int file) {
   Request copy = request;
-  RequestMessage message(copy);
-  if (file >= 0) {
-    message.put(file);
-    if (sendmsg(socket, message.get(), MSG_NOSIGNAL) == sizeof request) return;
-  }
+  if (file >= 0 && Message(&copy, sizeof copy).send(socket, {file})) return;
   send_all(socket, reinterpret_cast<const char*>(&request), sizeof request);
 }
 
 bool receive_request(int socket, Request& request, FileDescriptor& file) {
-  RequestMessage message(request);
-  ssize_t got = 0;
-  do {
-    got = recvmsg(socket, message.get(), MSG_WAITALL | MSG_CMSG_CLOEXEC);
-  } while (got < 0 && errno == EINTR);
-  if (got <= 0) return false;
-  file = message.received_file();
-  return got == static_cast<ssize_t>(sizeof request);
+  Message message(&request, sizeof request);
+  if (message.receive(socket, MSG_WAITALL) != static_cast<ssize_t>(sizeof request)) return false;
+  std::vector<FileDescriptor> files = message.received_files();
+  file = files.empty() ? FileDescriptor() : std::move(files.front());
+  return true;
+}
+
+bool send_start(int socket, const WorkerStart& start) {
+  std::string path = start.scratch;
+  const int files[] = {start.socket.number(), start.control.number(), start.log.number()};
+  return Message(path.data(), path.size() + 1).send(socket, files);  // with the zero at its end
+}
+
+bool receive_start(int socket, WorkerStart& start) {
+  char path[PATH_MAX] = {};
+  Message message(path, sizeof path);
+  if (message.receive(socket, 0) < 1) return false;
+  std::vector<FileDescriptor> files = message.received_files();
+  if (files.size() != 3) return false;  // this process may not have as many
+  start = {std::move(files[0]), std::move(files[1]), std::move(files[2]), path};
+  return true;
 }
 
 bool send_answer(int socket, const Request& request, char kind, const std::string& payload) {
@@ -94,10 +126,9 @@ Error cannot_create(const std::string& what, int error) {
   return job_error("workers", "cannot create a " + what + " (" + std::strerror(error) + ")");
 }
 
-SocketPair::SocketPair() {
+SocketPair::SocketPair(int type) {
   int ends[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    throw cannot_create("socket", errno);
+  if (socketpair(AF_UNIX, type | SOCK_CLOEXEC, 0, ends) != 0) throw cannot_create("socket", errno);
   near_end = FileDescriptor(ends[0]);
   far_end = FileDescriptor(ends[1]);
 }

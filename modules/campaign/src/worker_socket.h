@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <sys/socket.h>
 
 namespace slalom {
 
@@ -26,11 +27,23 @@ constexpr char kDone = 'D';
 constexpr char kThrew = 'E';
 constexpr char kOutOfMemory = 'M';
 
+/// What a worker is started with. The worker keeps none of it but its end of the socket.
+struct WorkerStart {
+  FileDescriptor socket;   ///< to the process that starts it
+  FileDescriptor control;  ///< for its keeper: see WorkerKeeper::start_worker()
+  FileDescriptor log;      ///< of SharedTaskLog::make_file()
+  std::string scratch;     ///< a folder of its own; "" if it has none
+};
+
 /// Sends a request and with it a descriptor, unless it is -1 or the system does not allow it.
 void send_request(int socket, const Request& request, int file);
 
 /// Waits for a request and the descriptor that was sent with it. False when the connection ends.
 bool receive_request(int socket, Request& request, FileDescriptor& file);
+
+/// Over a connection that keeps messages apart. False when it has ended.
+bool send_start(int socket, const WorkerStart& start);
+bool receive_start(int socket, WorkerStart& start);
 
 /// False when the connection has ended.
 bool send_answer(int socket, const Request& request, char kind, const std::string& payload);
@@ -42,7 +55,7 @@ Error cannot_create(const std::string& what, int error);
 
 /// Two connected sockets.
 struct SocketPair {
-  SocketPair();  ///< throws Error (Job)
+  explicit SocketPair(int type = SOCK_STREAM);  ///< throws Error (Job)
   FileDescriptor near_end, far_end;
 };
 

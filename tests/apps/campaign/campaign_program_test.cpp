@@ -6,6 +6,7 @@
 #include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
+#include <slalom/results/privileged.h>
 
 #include <gtest/gtest.h>
 
@@ -37,11 +38,16 @@ class CampaignProgram : public ::testing::Test {
     return arguments;
   }
 
+  static std::vector<Scenario> scenarios_of(const CampaignArguments& arguments) {
+    CampaignConfig config = read_campaign(load_campaign_ini(arguments));
+    return campaign_scenarios(config, arguments);
+  }
+
   /// Calls campaign_scenarios() with this override and so many scenarios that generating them would
   /// take hours: only a preceding check is fast enough.
   void request_scenarios(const std::string& override_key) const {
     const auto wrong = arguments({override_key, "scenarios.count=10000000"});
-    campaign_scenarios(read_campaign(load_campaign_ini(wrong)), wrong);
+    scenarios_of(wrong);
   }
 
   const std::string folder_ = (std::filesystem::temp_directory_path() /
@@ -63,7 +69,7 @@ TEST_F(CampaignProgram, RejectsADescriptorAsAColumnBeforeGeneration) {
 
 TEST_F(CampaignProgram, AcceptsWallClockMeasurementsAsColumns) {
   const auto given = arguments({"analysis.columns=success,cycle_time_p95"});
-  EXPECT_EQ(campaign_scenarios(read_campaign(load_campaign_ini(given)), given).size(), 1U);
+  EXPECT_EQ(scenarios_of(given).size(), 1U);
 }
 
 TEST_F(CampaignProgram, GeneratesTheSameScenariosWithAnyNumberOfJobs) {
@@ -72,8 +78,7 @@ TEST_F(CampaignProgram, GeneratesTheSameScenariosWithAnyNumberOfJobs) {
   const auto contents = [&given](int jobs) {
     given.jobs = jobs;
     std::vector<std::string> bytes;
-    for (const Scenario& scenario :
-         campaign_scenarios(read_campaign(load_campaign_ini(given)), given))
+    for (const Scenario& scenario : scenarios_of(given))
       bytes.push_back(scenario.name() + serialize(scenario));
     return bytes;
   };
@@ -87,7 +92,7 @@ TEST_F(CampaignProgram, RejectsAnMrptConfigurationWithoutTheClassBeforeAnyRun) {
   const std::string nd_ini = folder_ + "/nd.ini", path = folder_ + "/runs.results";
   write_file_atomically(nd_ini, "[Other]\nkey = 1\n");
   const auto wrong = arguments({"method.nd.config=" + nd_ini});
-  const CampaignConfig config = read_campaign(load_campaign_ini(wrong));
+  CampaignConfig config = read_campaign(load_campaign_ini(wrong));
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "--set method.nd.config: ", {"CHolonomicND"}, [&] {
     auto scenarios = campaign_scenarios(config, wrong);
     open_campaign_results(config, wrong, scenarios, path);
@@ -102,7 +107,7 @@ TEST_F(CampaignProgram, ComputesReferencesAndRunsMethodsWithAllModulesLinked) {
   for (std::size_t n = 0; n < 3; ++n) cells_of_a_table.emplace_back().n = n;
   ASSERT_EQ(cells_of_a_table.back().n, 2U);
   const auto plain = arguments();
-  const CampaignConfig config = read_campaign(load_campaign_ini(plain));
+  CampaignConfig config = read_campaign(load_campaign_ini(plain));
   auto scenarios = campaign_scenarios(config, plain);
   const std::string hash = scenarios.front().hash(), path = folder_ + "/runs.results";
   ResultFile results = open_campaign_results(config, plain, scenarios, path);
@@ -137,6 +142,18 @@ TEST_F(CampaignProgram, RefusesResultsOfAnotherCampaignNamingWhatDiffers) {
        ExistingResults::Require);
   open({}, ExistingResults::Overwrite);
   open({});
+}
+
+TEST_F(CampaignProgram, StoresWhichMethodsArePrivileged) {
+  const std::string path = folder_ + "/runs.results";
+  const auto given = arguments();
+  CampaignConfig config = read_campaign(load_campaign_ini(given));
+  EXPECT_EQ(open_campaign_results(config, given, {}, path).read_manifest().count(kPrivilegedKey),
+            0U);
+  std::filesystem::remove(path);
+  config.privileged = {{"nd"}, {}};
+  const Manifest manifest = open_campaign_results(config, given, {}, path).read_manifest();
+  EXPECT_EQ(privileged_methods(manifest).names(), std::vector<std::string>{"nd"});
 }
 
 TEST_F(CampaignProgram, NeverReplacesAFileThatHoldsNoResults) {

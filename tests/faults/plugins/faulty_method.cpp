@@ -93,6 +93,11 @@ void misbehave(const Method& method) {
       std::abort();
     }).detach();
   if (fault == "daemon") start_daemon();
+  if (fault == "kill_keeper") {
+    start_daemon();
+    kill(getppid(), SIGKILL);
+    live_on();
+  }
   if (fault == "close") for_each_descriptor([](int descriptor) { close(descriptor); });
   if (fault == "garbage") for_each_descriptor(write_garbage);
   if (fault == "forge") for_each_descriptor(forge_answer);

@@ -2,6 +2,7 @@
 
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/metrics/mover_metrics.h>
 
 #include <gtest/gtest.h>
@@ -67,6 +68,26 @@ TEST(CampaignOptions, ComputesMetricsAboutMoversOnlyWhenTheyAreNamed) {
   EXPECT_EQ(enabled("frozen_time, movers").size(), movers.size());
   EXPECT_TRUE(refused(std::string(kMinimal) + "[metrics]\nenabled = all, mover\n",
                       "c.ini:6: [metrics] enabled: ", {"'mover'", "expected 'movers'"}));
+}
+
+TEST(CampaignOptions, AllIncludesQuantitiesAboutMoversIfAScenarioHasSome) {
+  const Scenario still = Scenario::continuous("still", {0, 0, 5, 5}, {}, {1, 1, 0}, {4, 4});
+  const Scenario moving = still.with_movers({{"a", 0.3, {{0, {2, 3}}}, MoverEnd::Stop}});
+  const auto adapted = [](const std::string& section, const std::vector<Scenario>& scenarios) {
+    CampaignOptions options =
+        read_campaign_options(IniFile::from_text(std::string(kMinimal) + "[metrics]\n" + section));
+    options.adapt_to(scenarios);
+    return options;
+  };
+  EXPECT_EQ(adapted("", {still}).metrics, all_metric_ids());
+  EXPECT_EQ(adapted("", {still}).descriptors, all_descriptor_ids());
+  const CampaignOptions with_movers = adapted("", {still, moving});
+  EXPECT_EQ(with_movers.metrics, metric_ids());
+  EXPECT_EQ(with_movers.descriptors, descriptor_ids());
+  const CampaignOptions named =
+      adapted("enabled = success\ndescriptors = density, movers\n", {moving});
+  EXPECT_EQ(named.metrics, std::vector<std::string>{"success"});
+  EXPECT_EQ(named.descriptors.size(), 1 + mover_descriptor_ids().size());
 }
 
 TEST(CampaignOptions, OfAProgramMayNameGroupsOfMetrics) {
@@ -144,11 +165,14 @@ TEST(CampaignOptions, AreTheSameAfterWritingAndReading) {
   options.setup.simulation.max_time = 30;
   options.setup.deadline.cycle_deadline = 0.5;
   options.limits.run_wall_time = 12;
+  EXPECT_FALSE(campaign_ini(options, "options ").has_section("tracks")) << "as it is by default";
+  options.setup.tracker.position_sigma = 0.05;
   const IniFile ini = campaign_ini(options, "options ");
   const CampaignOptions copy = read_campaign_options(ini);
   EXPECT_EQ(copy.metrics, options.metrics);
   EXPECT_EQ(copy.setup.deadline.cycle_deadline, 0.5);
   EXPECT_EQ(copy.limits.run_wall_time, 12);
+  EXPECT_EQ(copy.setup.tracker.position_sigma, 0.05);
   EXPECT_EQ(campaign_ini(copy, "options ").canonical_text(), ini.canonical_text());
 }
 

@@ -53,6 +53,9 @@ class TestMethod : public Method {
     return {std::abs(bearing) < 0.3 ? robot_.max_v : 0.0, w};
   }
 
+  bool uses_tracks() const override { return kind_ == "tracking"; }
+  bool uses_map() const override { return kind_ == "knowing"; }
+
  private:
   Command invalid_command() const {
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -128,6 +131,7 @@ class TestMethod : public Method {
       char* end = nullptr;
       const std::uintptr_t first = std::strtoull(line.c_str(), &end, 16);
       const std::uintptr_t last = std::strtoull(end + 1, nullptr, 16);
+      // NOLINTNEXTLINE(performance-no-int-to-ptr): the file states addresses as text.
       tables.emplace_back(reinterpret_cast<char*>(first), last - first);
     }
     return tables;
@@ -137,7 +141,9 @@ class TestMethod : public Method {
     for (const auto& [bytes, size] : shared_tables()) {
       EXPECT_NE(mprotect(bytes, size, PROT_READ | PROT_WRITE), 0);
       // What is left: other memory at the same address.
-      mmap(bytes, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
+      EXPECT_EQ(
+          mmap(bytes, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0),
+          bytes);
     }
   }
 
@@ -565,6 +571,11 @@ TEST_F(CampaignTest, AMethodThatCannotBeBuiltIsReportedBeforeTheFirstRun) {
     check_methods({read_campaign_options(ini), {}, read_methods(ini, registry_)});
   };
   EXPECT_NO_THROW(check("good2"));
+  const IniFile ini = ini_for({"good", "tracking", "knowing", "good2"});
+  const PrivilegedMethods privileged =
+      check_methods({read_campaign_options(ini), {}, read_methods(ini, registry_)});
+  EXPECT_EQ(privileged.tracks, std::vector<std::string>{"tracking"});
+  EXPECT_EQ(privileged.map, std::vector<std::string>{"knowing"});
   EXPECT_TRUE(throws_error(ErrorKind::Usage,
                            "method.unbuildable: ", {"unknown class", "expected a known class"},
                            [&] { check("unbuildable"); }));

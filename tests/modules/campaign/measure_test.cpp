@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 namespace slalom {
 namespace {
 
@@ -72,6 +75,38 @@ TEST(MeasureRun, AttributesACollisionAsItsDetailDoes) {
     }
   }
   EXPECT_EQ(with_mover, 6);  // three times, for both footprints
+}
+
+TEST(MeasureRun, NamesInATieTheMoverThatTheDetailNames) {
+  CampaignOptions options;
+  options.metrics = {"mover_collision", "contact_mover"};
+  std::set<std::string> named;
+  // The robot, of 0.25 m, stands at the wall y = 0 and touches it, until two movers reach it at the
+  // same time, from the left and from the right; as far as numbers can say.
+  for (int i = 0; i < 50; ++i) {
+    const double x = 3 + 0.0837 * i, y = 0.25 + 0.0071 * i, v = 0.3 + 0.013 * i;
+    Trajectory log;
+    for (const double t : {0.0, 20.0}) {
+      log.samples.emplace_back();
+      log.samples.back().t = t;
+      log.samples.back().pose = {x, 0.25, 0};
+    }
+    const auto from = [&](const char* id, double direction) {
+      return Mover{id, 0.3, {{0, {x + direction * 9 * v, y}}, {10, {x - direction * v, y}}}};
+    };
+    const World room(Scenario::continuous("room", {-10, 0, 20, 10}, {}, {x, 0.25, 0}, {8, 9})
+                         .with_movers({from("left", -1), from("right", 1)}),
+                     0.05);
+    const MeasuredLog measured = measure_log(options, nullptr, room, log, std::nullopt);
+    ASSERT_EQ(measured.run.outcome, Outcome::Collision);
+    EXPECT_EQ(measured.metrics.at("mover_collision").value, Value::of(1));
+    const double index = measured.metrics.at("contact_mover").value.number();
+    const std::string id = room.scenario().movers().at(static_cast<std::size_t>(index)).id;
+    EXPECT_TRUE(starts_with(measured.run.detail, "contact with mover '" + id + "'"))
+        << i << ": " << measured.run.detail;
+    named.insert(id);
+  }
+  EXPECT_EQ(named.size(), 2U) << "rounding errors decide";
 }
 
 TEST(FindReferences, HaveTheEarliestArrivalAmongMoversAtTheMaximumSpeed) {

@@ -4,11 +4,13 @@
 #include "worker_sandbox.h"
 
 #include <slalom/campaign/worker_pool.h>
+#include <slalom/core/orphans.h>
 #include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -18,6 +20,8 @@
 #include <set>
 #include <stdexcept>
 #include <sys/socket.h>
+#include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -402,6 +406,58 @@ TEST(WorkerPool, WhateverAProcessStartedDiesWithIt) {
     pid_t daemon = 0;
     ASSERT_EQ(bytes.size(), sizeof daemon);
     std::memcpy(&daemon, bytes.data(), sizeof daemon);
+    EXPECT_EQ(kill(daemon, 0), -1) << "process " << daemon;
+  }
+}
+
+TEST(WorkerPool, ReplacedProcessesAreOfTheSameKeeper) {
+  PoolOptions options = with_workers(1);
+  options.fresh_process = true;
+  std::set<std::string> keepers;
+  for (const WorkResult& result : run_all(3, options, [](std::size_t i, SharedTaskLog&) {
+         if (i == 1) std::_Exit(1);
+         return std::to_string(getppid());
+       }))
+    if (result.status == Status::Done) keepers.insert(result.payload);
+  EXPECT_EQ(keepers.size(), 1U);
+  EXPECT_EQ(keepers.count(std::to_string(getpid())), 0U);
+}
+
+TEST(WorkerPool, AWorkItemThatKillsItsKeeperHarmsNoOther) {
+  const auto results = run_all(9, with_workers(3), [](std::size_t i, SharedTaskLog&) {
+    if (i == 4 && kill(getppid(), SIGKILL) == 0) pause();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return std::string("fine");
+  });
+  for (std::size_t i = 0; i < results.size(); ++i)
+    EXPECT_EQ(results[i].payload, i == 4 ? "" : "fine") << i << ": " << results[i].detail;
+  EXPECT_EQ(results[4].detail,
+            "its supervising process was killed from outside, twice; perhaps the system is out of "
+            "memory");
+}
+
+TEST(WorkerPool, InAProgramWhateverAProcessStartedDiesWithAKilledKeeper) {
+  SharedTaskLog daemons(2 * sizeof(pid_t));  // of both times that it is executed
+  const pid_t program = fork();
+  if (program == 0) {
+    adopt_orphans();
+    run_all(1, with_workers(1), [&](std::size_t, SharedTaskLog&) -> std::string {
+      const pid_t daemon = start_daemon();
+      daemons.append(&daemon, sizeof daemon);
+      kill(getppid(), SIGKILL);
+      pause();
+      return "";
+    });
+    std::_Exit(child_processes().empty() ? 0 : 1);
+  }
+  int status = -1;
+  waitpid(program, &status, 0);
+  EXPECT_EQ(status, 0);
+  const std::string bytes = daemons.contents();
+  ASSERT_EQ(bytes.size(), 2 * sizeof(pid_t));
+  for (std::size_t at = 0; at < bytes.size(); at += sizeof(pid_t)) {
+    pid_t daemon = 0;
+    std::memcpy(&daemon, &bytes[at], sizeof daemon);
     EXPECT_EQ(kill(daemon, 0), -1) << "process " << daemon;
   }
 }

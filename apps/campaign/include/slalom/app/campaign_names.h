@@ -8,9 +8,6 @@ namespace slalom {
 /// generators, descriptors, metrics and choices.
 Words setting_names(const Words& words);
 
-/// The ids of all metrics, also those about movers.
-Words metric_names();
-
 /// The methods of the campaigns (.ini) and results among the words. Throws Error for a file that
 /// cannot be read.
 Words known_methods(const Words& words);

@@ -6,6 +6,7 @@
 #include <slalom/campaign/shards.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/ompl/ompl_planner.h>
+#include <slalom/results/privileged.h>
 #include <slalom/scenario/scenario.h>
 
 #include <cstdint>
@@ -43,6 +44,7 @@ struct CampaignConfig {
   std::vector<NamedMethod> methods;
   /// Files whose contents may change results: paths by "method.NAME.plugin", "method.NAME.config".
   std::map<std::string, std::string> method_files;
+  PrivilegedMethods privileged;  ///< see check_methods()
 };
 
 /// Throws Error (Usage) for invalid values, and for ids in [analysis] that the campaign does not
@@ -59,9 +61,9 @@ struct CampaignReport {
   std::string until;      ///< with a stopping rule: its cells, and the reason for stopping
 };
 
-/// The scenarios specified by the .ini; the same for any number of jobs. Throws Error (Usage) first
-/// if a method cannot be built.
-std::vector<Scenario> campaign_scenarios(const CampaignConfig& config,
+/// The scenarios specified by the .ini; the same for any number of jobs. First checks the methods,
+/// which sets config.privileged: throws Error (Usage) if one cannot be built.
+std::vector<Scenario> campaign_scenarios(CampaignConfig& config,
                                          const CampaignArguments& arguments);
 
 /// The result file of the campaign over `scenarios`: an existing one is continued or replaced, as

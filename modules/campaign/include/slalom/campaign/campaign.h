@@ -5,6 +5,7 @@
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/metrics/metric.h>
 #include <slalom/references/reference.h>
+#include <slalom/results/privileged.h>
 #include <slalom/results/run_record.h>
 #include <slalom/scenario/scenario.h>
 #include <slalom/simulation/run_observer.h>
@@ -76,8 +77,9 @@ std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario_
                        int repetition);
 
 /// Builds every method once in a separate process, so that an invalid option, class or library is
-/// reported before the first run. Throws Error (Usage) with the method's origin.
-void check_methods(const Campaign& campaign);
+/// reported before the first run. Throws Error (Usage) with the method's origin. Returns the
+/// methods that use tracks or the map.
+PrivilegedMethods check_methods(const Campaign& campaign);
 
 /// Computes the descriptors and references of every scenario (in processes of their own), then runs
 /// every method on it in worker processes, except what the sink already has. The records do not

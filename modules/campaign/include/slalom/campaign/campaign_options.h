@@ -5,6 +5,7 @@
 #include <slalom/methods/registry.h>
 #include <slalom/metrics/metric.h>
 #include <slalom/robot/robot_model.h>
+#include <slalom/scenario/scenario.h>
 #include <slalom/simulation/simulate.h>
 
 #include <cstdint>
@@ -68,7 +69,7 @@ struct RecordSection {
   bool wants(Outcome outcome) const;
 };
 
-/// Those of "all": every metric except mover_metric_ids().
+/// Those of "all" where nothing moves: without mover_metric_ids() and mover_descriptor_ids().
 std::vector<std::string> all_metric_ids();
 std::vector<std::string> all_descriptor_ids();
 
@@ -77,14 +78,20 @@ struct CampaignOptions {
   std::string name = "campaign";
   std::uint64_t seed = 1;
   int repetitions = 1;
-  std::vector<std::string> metrics = all_metric_ids();  ///< checked_options() expands all, movers
+  /// Ids; checked_options() also takes the groups "all" and "movers".
+  std::vector<std::string> metrics = all_metric_ids();
   std::vector<std::string> descriptors = all_descriptor_ids();
+  bool all_metrics = false, all_descriptors = false;  ///< requested as "all", see adapt_to()
   bool exact_confinement = false;
   double safe_distance = kSafeDistance;  ///< m
   RunSetup setup;
   LimitsSection limits;
   RecordSection record;
   double reference_gap = 0.01;
+
+  /// Scenarios of which one has movers: "all" then includes the quantities about them.
+  void adapt_to(const std::vector<Scenario>& scenarios);
+  void add_mover_quantities();
 
   /// The quantities with the ids in `metrics` and in `descriptors`, in the same order.
   std::vector<QuantityInfo> metric_infos() const;
@@ -96,8 +103,8 @@ struct CampaignOptions {
 /// defaults. Throws Error (Usage).
 CampaignOptions read_measuring_options(const IniFile& ini);
 
-/// Reads [campaign], [robot], [sensor], [odometry], [simulation], [metrics] and [limits] and checks
-/// them against each other. Throws Error (Usage). Does not set
+/// Reads [campaign], [robot], [sensor], [tracks], [odometry], [simulation], [metrics] and [limits]
+/// and checks them against each other. Throws Error (Usage). Does not set
 /// reference_gap, which is part of [reference].
 CampaignOptions read_campaign_options(const IniFile& ini);
 

@@ -6,15 +6,21 @@
 
 namespace slalom {
 
-/// A log in memory shared between a worker and the process that forked it. Its contents remain
-/// available when the worker process dies.
+/// A log in memory shared between a worker and the process that asks it to execute work items. Its
+/// contents remain available when the worker process dies.
 class SharedTaskLog {
  public:
-  /// `capacity` in bytes. Throws Error (Job) when the system is out of memory.
+  /// `capacity` in bytes, in memory that is shared with processes which are forked later. Throws
+  /// Error (Job) when the system is out of memory.
   explicit SharedTaskLog(std::size_t capacity);
+  /// The same in the memory of a descriptor from make_file(). Clears it.
+  SharedTaskLog(std::size_t capacity, int file);
   ~SharedTaskLog();
   SharedTaskLog(const SharedTaskLog&) = delete;
   SharedTaskLog& operator=(const SharedTaskLog&) = delete;
+
+  /// Memory for a log, whose size cannot be changed. -1 with errno if there is none.
+  static int make_file(std::size_t capacity);
 
   void clear();  ///< at the start of a work item
 
