@@ -6,6 +6,8 @@
 // a path, and the maximum over those where it is proved that there is none. The occupancy of a
 // scenario and its distance field are precomputed, the tables of the search are not. Does not use
 // Google Benchmark.
+#include "processor_time.h"
+
 #include <slalom/core/error.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/references/exact_shortest.h>
@@ -15,7 +17,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -23,12 +24,6 @@
 namespace {
 
 constexpr double kResolution = 0.05;  // m, of scenarios that are no grids
-
-double processor_milliseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 struct Times {
   std::vector<double> solved, unsolvable;  ///< ms
@@ -42,9 +37,9 @@ void time_scenario(const slalom::Scenario& scenario, double radius, Times& times
   bool solved = false;
   for (int i = 0; i < 7; ++i) {
     std::string reason;
-    const double begin = processor_milliseconds();
+    const double begin = slalom::processor_milliseconds();
     solved = slalom::exact_shortest_path(problem, reason).has_value();
-    least = std::min(least, processor_milliseconds() - begin);
+    least = std::min(least, slalom::processor_milliseconds() - begin);
   }
   (solved ? times.solved : times.unsolvable).push_back(least);
 }

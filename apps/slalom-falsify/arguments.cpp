@@ -46,7 +46,7 @@ CampaignConfig read_relative(IniFile ini, const FalsifyArguments& arguments,
                       "another method, or --witness METHOD");
   ini.set("campaign", "methods", arguments.relative);
   CampaignConfig config = read_campaign(ini);
-  check_methods({config.options, {}, config.methods});
+  config.privileged = check_methods({config.options, {}, config.methods});
   return config;
 }
 
@@ -99,11 +99,12 @@ FalsifyCampaign read_falsify_campaign(IniFile ini, const FalsifyArguments& argum
   if (!arguments.relative.empty()) require_method(ini, "--relative", arguments.relative);
   ini.set("campaign", "methods", join(method_names(ini, arguments), ", "));
   CampaignConfig config = read_campaign(ini);
-  check_methods({config.options, {}, config.methods});
+  config.privileged = check_methods({config.options, {}, config.methods});
   TestBench bench;
   bench.setup = config.options.setup;
   bench.limits = config.options.limits;
   bench.seed = config.options.seed;
+  bench.walkers = config.sources.section.walkers;
   bench.method = config.methods.front();
   bench.witnesses.assign(config.methods.begin() + 1, config.methods.end());
   CampaignConfig relative;

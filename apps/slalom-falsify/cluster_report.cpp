@@ -74,7 +74,9 @@ ResultTable run_examination(const Examination& examination, const FalsifyCampaig
                             const FalsifyArguments& arguments, const std::string& results) {
   const std::string list = arguments.output + kExaminedScenarios;
   examination.write(list);
-  const CampaignConfig config = read_campaign(ini_of_list(campaign, list, RecordedRuns::None));
+  CampaignConfig config = read_campaign(ini_of_list(campaign, list, RecordedRuns::None));
+  config.privileged = campaign.config.privileged;
+  config.options.adapt_to(examination.scenarios());
   CampaignArguments run = arguments.campaign;
   run.quiet = true;  // a part of the job, which takes seconds
   run.existing = ExistingResults::Overwrite;

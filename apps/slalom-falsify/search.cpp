@@ -1,5 +1,6 @@
 #include "cluster_report.h"
 #include "failure_files.h"
+#include "kept_failures.h"
 #include "search_files.h"
 #include "verbs.h"
 
@@ -11,6 +12,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/progress.h>
 #include <slalom/core/text.h>
+#include <slalom/core/wall_clock.h>
 #include <slalom/falsification/neighbors.h>
 #include <slalom/falsification/search.h>
 #include <slalom/io/file_lock.h>
@@ -18,10 +20,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <set>
 
 namespace slalom {
 namespace {
@@ -60,7 +62,7 @@ std::string tally_text(const SearchTally& tally) {
          ")";
 }
 
-std::string search_text(const SearchResult& result) {
+std::string search_text(const SearchResult& result, const KeptFailures& kept) {
   const SearchState& state = result.state;
   std::string text = "random    " + tally_text(state.random) + "\n";
   if (state.random.failures == 0 && state.random.runs > 0)
@@ -68,7 +70,12 @@ std::string search_text(const SearchResult& result) {
             ": with 95 % confidence the method fails in at most " +
             format_number(std::round(state.random.rule_of_three() * 1e6) / 1e6) +
             " of such scenarios\n";
-  return text + "adaptive  " + tally_text(state.adaptive) + "\nended     " + result.stopped + "\n";
+  text += "adaptive  " + tally_text(state.adaptive) + "\nended     " + result.stopped + "\n";
+  if (kept.failures.empty()) return text;
+  text += "kept      " + std::to_string(kept.failures.size()) +
+          (kept.failures.size() == 1 ? " failure" : " failures");
+  if (kept.diversity) text += ", diversity " + format_fixed(*kept.diversity, 2);
+  return text + (kept.alike > 0 ? "; " + std::to_string(kept.alike) + " alike left out\n" : "\n");
 }
 
 nlohmann::json tally_json(const SearchTally& tally) {
@@ -78,49 +85,17 @@ nlohmann::json tally_json(const SearchTally& tally) {
           {"outcomes", tally.outcomes}};
 }
 
-std::string search_json(const SearchArguments& arguments, const SearchResult& result) {
+std::string search_json(const SearchArguments& arguments, const SearchResult& result,
+                        const KeptFailures& kept) {
   nlohmann::json json = {{"seed", arguments.search.seed},
                          {"random", tally_json(result.state.random)},
                          {"adaptive", tally_json(result.state.adaptive)},
-                         {"ended", result.stopped}};
+                         {"ended", result.stopped},
+                         {"alike_left_out", kept.alike}};
+  if (kept.diversity) json["diversity"] = *kept.diversity;
   if (result.state.random.failures == 0 && result.state.random.runs > 0)
     json["upper_limit_95"] = result.state.random.rule_of_three();
   return json.dump();
-}
-
-/// nullopt when interrupted.
-std::optional<ShrinkResult> shrink_once(const FoundFailure& found, const TestBench& bench,
-                                        const FalsifyArguments& arguments, ShrunkFile& shrunk) {
-  if (const ShrinkResult* known = shrunk.find(found)) return *known;
-  auto small = shrink(bench, found.scenario,
-                      {arguments.fairness, arguments.max_runs, InterruptGuard::raised});
-  if (small) shrunk.save(found, *small);
-  return small;
-}
-
-/// The smallest scenarios of what was found, each once; those that are not fair are left out.
-std::vector<Failure> shrink_found(const SearchResult& result, const TestBench& bench,
-                                  const FalsifyArguments& arguments, ShrunkFile shrunk) {
-  std::vector<Failure> failures;
-  std::set<std::string> hashes;
-  const auto progress = make_terminal_progress(arguments.campaign.quiet);
-  progress->start("Shrinking failures", result.state.failures.size());
-  std::size_t done = 0;
-  for (const FoundFailure& found : result.state.failures) {
-    auto small = shrink_once(found, bench, arguments, shrunk);
-    if (!small) throw Interrupted("the same command continues");
-    const std::string origin =
-        to_string(found.half) + " candidate " + std::to_string(found.index) + " of the search";
-    const bool fair = small->fairness.fair();
-    if (!fair)
-      std::cerr << origin << ": left out, " << join(small->fairness.violations, "; ") << "\n";
-    if (fair && hashes.insert(small->scenario.hash()).second)
-      failures.push_back(
-          {origin, found.scenario, std::move(*small), {}, true, found.half == SearchHalf::Random});
-    progress->advance(++done);
-  }
-  progress->finish();
-  return failures;
 }
 
 /// Gives each failure its successful neighbors in the mix.
@@ -137,6 +112,37 @@ void find_neighbors(std::vector<Failure>& failures, const FalsifyCampaign& campa
   for (std::size_t i = 0; i < failures.size(); ++i)
     failures[i].neighbors = std::move((*neighbors)[i]);
 }
+
+/// Shows how many runs were made, or with a budget of time how many seconds passed, and how many
+/// failures were found.
+class SearchProgress {
+ public:
+  SearchProgress(const SearchOptions& options, bool quiet)
+      : in_time_(options.runs == 0),
+        total_(in_time_ ? static_cast<std::size_t>(std::ceil(60 * options.minutes)) : options.runs),
+        began_(steady_seconds()),
+        progress_(make_terminal_progress(quiet)) {
+    show(options.known);
+  }
+  void show(const SearchState& state) {
+    const std::size_t found = state.random.failures + state.adaptive.failures;
+    if (found != found_)
+      progress_->start("Searching, " + std::to_string(found) + " failures", total_);
+    found_ = found;
+    advance(state.runs());
+  }
+  void advance(std::size_t runs) {
+    const auto seconds = static_cast<std::size_t>(steady_seconds() - began_);
+    progress_->advance(std::min(in_time_ ? seconds : runs, total_));
+  }
+  void finish() { progress_->finish(); }
+
+ private:
+  bool in_time_;
+  std::size_t total_, found_ = static_cast<std::size_t>(-1);
+  double began_;
+  std::unique_ptr<Progress> progress_;
+};
 
 void search_verb(SearchArguments& arguments) {
   FalsifyArguments& common = arguments.common;
@@ -162,25 +168,26 @@ void search_verb(SearchArguments& arguments) {
   const StateFile file(common.output, identity);
   options.known = file.load(common.campaign.existing);
   const InterruptGuard guard;
-  const auto progress = make_terminal_progress(common.campaign.quiet);
-  progress->start("Searching", options.runs);
+  SearchProgress progress(options, common.campaign.quiet);
   options.interrupted = InterruptGuard::raised;
+  options.on_runs = [&](std::size_t runs) { progress.advance(runs); };
   options.save = [&](const SearchState& state) {
     file.save(state);
-    progress->advance(state.runs());
+    progress.show(state);
   };
   const SearchResult result = search(campaign.bench, options);
-  progress->finish();
+  progress.finish();
   if (!result.complete)
     throw Interrupted(std::to_string(result.state.runs()) +
                       " runs are kept; the same command continues");
-  std::vector<Failure> failures =
-      shrink_found(result, campaign.bench, common, ShrunkFile(common.output, identity, common));
+  KeptFailures kept = shrink_found(result.state.failures, options.max_failures, campaign.bench,
+                                   common, ShrunkFile(common.output, identity, common));
+  std::vector<Failure>& failures = kept.failures;
   name_failures(failures, common.method);
-  write_failures(failures, campaign, common.output, search_json(arguments, result));
+  write_failures(failures, campaign, common.output, search_json(arguments, result, kept));
   find_neighbors(failures, campaign, options);
   const std::vector<ReportedCluster> clusters = write_cluster_report(failures, campaign, common);
-  std::cout << search_text(result);
+  std::cout << search_text(result, kept);
   for (const Failure& failure : failures)
     std::cout << "\n" << failure_text(failure, campaign.bench);
   if (!failures.empty())
@@ -216,13 +223,15 @@ void define_search(CLI::App& app) {
   verb->add_flag("--all-outcomes", arguments.all_outcomes,
                  "Also stuck and timeout are failures, which are frequent");
   verb->add_option("--failures", arguments.search.max_failures,
-                   "End after the round in which so many failures were found")
+                   "End after the round in which so many failures were found, and report so many "
+                   "that differ")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   CLI::Option* runs =
       verb->add_option("--runs", arguments.runs, "Budget: runs of the method (default 10000)")
           ->check(CLI::PositiveNumber);
-  verb->add_option("--minutes", arguments.search.minutes, "Budget: wall-clock time")
+  verb->add_option("--minutes", arguments.search.minutes,
+                   "Budget: wall-clock time, of each execution of the command")
       ->check(CLI::PositiveNumber)
       ->excludes(runs);
   verb->add_option("--seed", campaign.seed, "Seed instead of [campaign] seed");

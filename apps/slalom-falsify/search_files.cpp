@@ -25,6 +25,9 @@ std::string search_identity(const FalsifyCampaign& campaign, const SearchOptions
   }
   hasher.add(campaign.bench.method.name);
   for (const NamedMethod& witness : campaign.bench.witnesses) hasher.add(witness.name);
+  const WalkerOptions& walkers = campaign.bench.walkers;
+  hasher.add(std::uint64_t(walkers.count)).add(walkers.min_radius).add(walkers.max_radius);
+  hasher.add(walkers.min_speed).add(walkers.max_speed);
   const FairnessOptions& fairness = options.fairness;
   hasher.add(fairness.min_bottleneck).add(fairness.min_start_clearance).add(fairness.min_distance);
   hasher.add(std::uint64_t{fairness.witness}).add(std::uint64_t{options.probe});

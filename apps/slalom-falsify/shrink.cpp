@@ -5,6 +5,7 @@
 #include <slalom/app/campaign_names.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
+#include <slalom/app/recorded_campaign.h>
 #include <slalom/core/error.h>
 #include <slalom/core/progress.h>
 #include <slalom/core/text.h>
@@ -40,18 +41,36 @@ IniFile ini_of(const ResultFile& file, const FalsifyArguments& arguments) {
   return ini;
 }
 
-ShrinkInput input_of_run(ShrinkArguments& arguments) {
-  const ResultFile file = ResultFile::open(arguments.input);
-  const RunRecord run = find_run(file, arguments.run);
-  std::string& method = arguments.common.method;
+/// Takes the method of the run, unless another one is named, which is an error.
+void set_method(std::string& method, const RunRecord& run) {
   if (!method.empty() && method != run.method)
     throw usage_error("--method " + method, "is not the method of run " + run_id(run), run.method);
   method = run.method;
+}
+
+ShrinkInput input_of_run(ShrinkArguments& arguments) {
+  const ResultFile file = ResultFile::open(arguments.input);
+  const RunRecord run = find_run(file, arguments.run);
+  set_method(arguments.common.method, run);
   return {ini_of(file, arguments.common), file.read_scenario(run.scenario_hash),
           "run " + run_id(run) + " of " + arguments.input, run.repetition, run};
 }
 
+ShrinkInput input_of_rawlog(ShrinkArguments& arguments) {
+  const RecordedRun recorded = read_run(arguments.input);
+  const RunRecord run = record_of(recorded);
+  set_method(arguments.common.method, run);
+  const CampaignArguments& campaign = arguments.common.campaign;
+  return {campaign_of(recorded, arguments.input, campaign.config, campaign.overrides),
+          scenario_of(recorded, arguments.input), "run " + run_id(run) + " of " + arguments.input,
+          run.repetition, run};
+}
+
 ShrinkInput read_input(ShrinkArguments& arguments) {
+  if (ends_with(arguments.input, ".rawlog")) {
+    if (arguments.run.empty()) return input_of_rawlog(arguments);
+    throw usage_error("--run " + arguments.run, "a .rawlog has one run only", "no --run");
+  }
   if (!arguments.run.empty()) return input_of_run(arguments);
   if (ends_with(arguments.input, ".results"))
     throw usage_error(arguments.input, "no run is named", "--run ID, as in reports");
@@ -105,11 +124,12 @@ void define_shrink(CLI::App& app) {
   static ShrinkArguments arguments;
   CLI::App* verb = app.add_subcommand(
       "shrink", "Shrink a failure to the smallest scenario in which the method fails alike");
-  verb->add_option("input", arguments.input, "A result file (.results) or a .scenario.yaml")
+  verb->add_option("input", arguments.input,
+                   "A result file (.results), a recorded run (.rawlog) or a .scenario.yaml")
       ->required();
   verb->add_option("--run", arguments.run, "The run of the result file: HASH8/METHOD/REPETITION");
   verb->add_option("-c,--config", arguments.common.campaign.config,
-                   "The campaign's .ini; default: that in the result file");
+                   "The campaign's .ini; default: that in the result file or the recorded run");
   complete_with(
       verb->add_option("--method", arguments.common.method, "The method; default: that of the run"),
       known_methods);

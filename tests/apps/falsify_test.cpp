@@ -126,6 +126,55 @@ TEST_F(Falsify, ShrinksARunOfAResultFile) {
   expect_failure("slalom-falsify shrink runs.results -o out", 2, {"no run is named", "--run ID"});
 }
 
+TEST_F(Falsify, ShrinksARecordedRun) {
+  ASSERT_EQ(run("slalom-scenarios import passage.scenario.yaml -o passage.scenarios").status, 0);
+  ASSERT_EQ(run("slalom-simulate run -c planted.ini --scenarios passage.scenarios -o runs.results "
+                "--set record.rawlog=all --quiet")
+                .status,
+            0);
+  std::string log;
+  for (const auto& file : std::filesystem::directory_iterator(folder_ / "runs.rawlogs"))
+    if (file.path().string().find("_squeeze_0") != std::string::npos)
+      log = "runs.rawlogs/" + file.path().filename().string();
+  std::filesystem::remove(folder_ / "planted.ini");  // all is in the recorded run
+  const ProgramResult result = run("slalom-falsify shrink " + log + " -o out");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("/squeeze/0 of " + log), std::string::npos) << result.out;
+  // The same scenario as from the file with the scenario.
+  const std::string shrunk = failures("out")["failures"][0]["scenario"];
+  write("planted.ini", kPlantedCampaign);
+  ASSERT_EQ(run(kShrink).status, 0);
+  EXPECT_EQ(failures("out")["failures"][0]["scenario"], shrunk);
+  expect_failure("slalom-falsify shrink " + log + " --run 01234567/squeeze/0 -o out", 2,
+                 {"one run only", "no --run"});
+  expect_failure("slalom-falsify shrink " + log + " --method base -o out", 2,
+                 {"--method base", "squeeze"});
+  // With another method under the name of the recorded one.
+  expect_failure("slalom-falsify shrink " + log + " --set method.squeeze.defect=crash -o out", 1,
+                 {"ended as collision, now as method_crash"});
+  write("no.rawlog", "no run");
+  expect_failure("slalom-falsify shrink no.rawlog -o out", 3, {"no.rawlog"});
+}
+
+TEST_F(Falsify, SearchReportsTheSimplestFirstAndHowDiverseTheyAre) {
+  const std::string search =
+      "slalom-falsify search planted.ini --method squeeze --runs 200 --failures 4 --quiet -o out";
+  const ProgramResult result = run(search);
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json found = failures("out");
+  ASSERT_GE(found["failures"].size(), 2U);
+  const double diversity = found["search"]["diversity"];
+  EXPECT_GE(diversity, 0.5) << "each two of them differ so much";
+  EXPECT_LE(diversity, 1);
+  EXPECT_NE(result.out.find("kept      " + std::to_string(found["failures"].size()) +
+                            " failures, diversity 0."),
+            std::string::npos)
+      << result.out;
+  for (std::size_t i = 1; i < found["failures"].size(); ++i)
+    EXPECT_LE(found["failures"][i - 1]["shrinking"]["parts_after"],
+              found["failures"][i]["shrinking"]["parts_after"]);
+}
+
 TEST_F(Falsify, SearchRunsTheMethodWhereARelativeFails) {
   write("relative.ini", read("planted.ini") + "[method.twin]\nadapter = library\nplugin = " +
                             PLANTED_PLUGIN + "\ndefect = squeeze\n");

@@ -66,6 +66,20 @@ bool may_be_fair(const Scenario& scenario, double radius, const FairnessOptions&
   });
 }
 
+/// The world with the walkers of the bench; null if there is no room for one.
+std::unique_ptr<World> with_walkers_of(const TestBench& bench, std::unique_ptr<World> world,
+                                       std::uint64_t seed) {
+  if (bench.walkers.count == 0) return world;
+  RandomEngine engine(seed);
+  try {
+    return std::make_unique<World>(
+        with_walkers(*world, bench.setup.robot.shape().enclosing_radius(), bench.walkers, engine),
+        bench.setup.simulation.resolution);
+  } catch (const Error&) {
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 CandidateMix::CandidateMix(const RobotModel& robot)
@@ -98,12 +112,17 @@ std::unique_ptr<World> draw_fair_world(const CandidateMix& mix, const TestBench&
     Scenario drawn = mix.draw(engine);
     if (!may_be_fair(drawn, bench.setup.robot.shape().enclosing_radius(), fairness)) continue;
     auto world = std::make_unique<World>(std::move(drawn), bench.setup.simulation.resolution);
-    if (has_fair_geometry(*world, bench.setup.robot, fairness)) return world;
+    if (!has_fair_geometry(*world, bench.setup.robot, fairness)) continue;
+    // Of a stream of their own: the static obstacles are those of a search without walkers.
+    world = with_walkers_of(bench, std::move(world), derive_seed(seed, "walkers", index));
+    if (world) return world;
   }
   throw job_error("search",
                   "none of " + std::to_string(kMaxAttempts) +
-                      " random scenarios meets the geometric conditions",
-                  "weaker conditions");
+                      " random scenarios meets the geometric conditions" +
+                      (bench.walkers.count > 0 ? " and has room for the walkers" : ""),
+                  bench.walkers.count > 0 ? "weaker conditions, or fewer or smaller walkers"
+                                          : "weaker conditions");
 }
 
 }  // namespace slalom

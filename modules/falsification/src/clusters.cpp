@@ -1,5 +1,6 @@
 #include <slalom/core/text.h>
 #include <slalom/falsification/clusters.h>
+#include <slalom/scenario/touched_mover.h>
 
 #include <mrpt/math/wrap2pi.h>
 
@@ -17,7 +18,8 @@ double bearing_of_obstacle(const World& world, const mrpt::math::TPose2D& pose, 
   constexpr int kDirections = 72;
   double nearest = std::numeric_limits<double>::infinity(), bearing = 0;
   for (int i = 0; i < kDirections; ++i) {
-    const double offset = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) * 2 * M_PI / kDirections;
+    const int step_count = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2);
+    const double offset = step_count * 2 * M_PI / kDirections;
     const double clearance = world.distance_field().clearance(
         {pose.x + step * std::cos(pose.phi + offset), pose.y + step * std::sin(pose.phi + offset)});
     if (clearance >= nearest - 1e-9) continue;
@@ -25,6 +27,12 @@ double bearing_of_obstacle(const World& world, const mrpt::math::TPose2D& pose, 
     bearing = std::abs(offset);
   }
   return bearing;
+}
+
+/// rad, from the heading, in either direction.
+double bearing_of(const mrpt::math::TPoint2D& point, const mrpt::math::TPose2D& pose) {
+  const double direction = std::atan2(point.y - pose.y, point.x - pose.x);
+  return std::abs(mrpt::math::wrapToPi(direction - pose.phi));
 }
 
 ObstacleSide side_of(double bearing) {
@@ -118,10 +126,15 @@ FailureFacts measure_end(const World& world, const RobotModel& robot, Outcome ou
   FailureFacts facts;
   facts.outcome = outcome;
   const double radius = robot.shape().enclosing_radius();
-  facts.side = side_of(bearing_of_obstacle(world, pose, radius / 2));
+  const Mover* mover = outcome != Outcome::Collision
+                           ? nullptr
+                           : touched_mover(world, mrpt::math::TPoint2D(pose), radius,
+                                           robot.shape().corners_at(pose), trajectory.duration());
+  facts.with_mover = mover != nullptr;
+  facts.side = side_of(mover != nullptr ? bearing_of(mover->position(trajectory.duration()), pose)
+                                        : bearing_of_obstacle(world, pose, radius / 2));
   facts.motion = end_motion(outcome, trajectory.samples, robot);
-  const double to_goal = std::atan2(goal.y - pose.y, goal.x - pose.x);
-  facts.faces_goal = std::abs(mrpt::math::wrapToPi(to_goal - pose.phi)) <= M_PI / 2;
+  facts.faces_goal = bearing_of(goal, pose) <= M_PI / 2;
   return facts;
 }
 
@@ -132,7 +145,7 @@ std::vector<std::string> facts_in_words(const FailureFacts& facts) {
   const char* bottleneck = facts.bottleneck_width < 2   ? "bottleneck below 2 robot widths"
                            : facts.bottleneck_width < 4 ? "bottleneck of 2 to 4 robot widths"
                                                         : "bottleneck of at least 4 robot widths";
-  return {to_string(facts.outcome),
+  return {to_string(facts.outcome) + (facts.with_mover ? " with a mover" : ""),
           to_string(facts.side),
           to_string(facts.motion),
           facts.faces_goal ? "faces the goal" : "faces away from the goal",

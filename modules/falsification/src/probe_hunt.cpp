@@ -8,7 +8,8 @@ namespace slalom {
 namespace {
 
 constexpr int kApproaches = 10;
-constexpr int kCandidates = 50;  // of one difference
+constexpr int kClimbs = 5;             // after the approaches, or the run with the difference
+constexpr int kWithoutDivergence = 3;  // candidates after which no run reaches the difference
 
 /// Of obstacles and of the task; those that change much, or the workspace, lead away from the
 /// parent.
@@ -36,21 +37,24 @@ std::unique_ptr<World> draw_changed_world(const Scenario& parent, const TestBenc
 }
 
 void ProbeHunt::find_difference(std::uint64_t index, const std::function<void()>& alive) {
-  constexpr std::uint64_t kWorlds = 20;
+  constexpr std::uint64_t kWorlds = 40;
   difference_.reset();
   best_.reset();
   candidates_ = 0;
   const std::uint64_t seed = derive_seed(options_.seed, "probed", index);
   for (std::uint64_t i = 0; i < kWorlds && !difference_; ++i) {
     alive();
+    const std::shared_ptr<const World> world =
+        draw_fair_world(mix_, bench_, options_.fairness, seed, i);
     RandomEngine engine(derive_seed(seed, "poses", i));
-    difference_ = probe_.find(draw_fair_world(mix_, bench_, options_.fairness, seed, i), engine);
+    difference_ = i % 2 == 0 ? probe_.find_in_steps(world, engine) : probe_.find_in_run(world);
   }
 }
 
 std::unique_ptr<World> ProbeHunt::draw(std::uint64_t index, const std::function<void()>& alive) {
-  const bool is_over =
-      candidates_ >= kCandidates || (candidates_ >= kApproaches && !best_.has_value());
+  const int before_climbs = difference_ && difference_->in_run ? 1 : kApproaches;
+  const bool is_over = candidates_ >= before_climbs + kClimbs ||
+                       (candidates_ >= kWithoutDivergence && !best_.has_value());
   if (!difference_ || is_over) find_difference(index, alive);
   if (!difference_) return nullptr;
   RandomEngine engine(derive_seed(options_.seed, "approach", index));

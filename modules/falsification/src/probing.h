@@ -23,16 +23,15 @@ class StepProbe {
  public:
   StepProbe(const TestBench& bench, BenchMethods& methods) : bench_(bench), methods_(methods) {}
 
-  /// The first difference in this world: in single steps at random poses near obstacles, each after
-  /// a reset, or else in the run of the reference, whose observations the method gets as well, so
-  /// that its memory is that of a run.
-  std::optional<CommandDifference> find(const std::shared_ptr<const World>& world,
-                                        RandomEngine& engine);
-
- private:
+  /// The first difference in single steps at random poses near obstacles, each after a reset. None
+  /// for methods that use tracks or the map, which a single observation does not have.
   std::optional<CommandDifference> find_in_steps(const std::shared_ptr<const World>& world,
                                                  RandomEngine& engine);
+  /// Whether there is one in the run of the reference, whose observations the method gets as well,
+  /// so that its memory is that of a run.
   std::optional<CommandDifference> find_in_run(const std::shared_ptr<const World>& world);
+
+ private:
   bool draw(const World& world, RandomEngine& engine, CommandDifference& probe) const;
   Command command(std::size_t method, const CommandDifference& probe, double speed,
                   const mrpt::obs::CObservation2DRangeScan& scan);

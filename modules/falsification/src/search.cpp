@@ -11,6 +11,31 @@ namespace {
 constexpr std::uint64_t kBatch = 100;  // candidates
 constexpr std::uint64_t kRound = 400;  // candidates of each half
 constexpr std::size_t kMaxCloseCalls = 64;
+constexpr std::size_t kKept = 2;  // failures for each one that is searched
+
+/// How many candidates of each half the rounds have. With a budget of time the first is small, and
+/// the others so large that they take some seconds.
+class RoundSizes {
+ public:
+  explicit RoundSizes(const SearchOptions& options)
+      : options_(options), size_(options.minutes > 0 ? kFirst : kRound) {}
+
+  std::uint64_t next(const SearchState& state) const {
+    if (options_.runs == 0) return size_;
+    return std::min<std::uint64_t>(size_, (options_.runs - state.runs() + 1) / 2);
+  }
+  void adapt(double seconds) {
+    if (options_.minutes <= 0) return;
+    if (seconds < kShort) size_ = std::min(2 * size_, kRound);
+    if (seconds > kLong) size_ = std::max(size_ / 2, kFirst);
+  }
+
+ private:
+  static constexpr std::uint64_t kFirst = 8;
+  static constexpr double kShort = 2, kLong = 10;  // s
+  const SearchOptions& options_;
+  std::uint64_t size_;
+};
 
 SearchTally& tally_of(SearchState& state, SearchHalf half) {
   return half == SearchHalf::Random ? state.random : state.adaptive;
@@ -19,15 +44,21 @@ SearchTally& tally_of(SearchState& state, SearchHalf half) {
 /// Executes the batches of one round.
 class SearchRound {
  public:
-  SearchRound(const TestBench& bench, const SearchOptions& options, SearchState& state)
-      : bench_(bench), options_(options), state_(state), runner_(bench, options) {
+  /// `candidates`: of each half.
+  SearchRound(const TestBench& bench, const SearchOptions& options, SearchState& state,
+              std::uint64_t candidates)
+      : bench_(bench),
+        options_(options),
+        state_(state),
+        candidates_(candidates),
+        runner_(bench, options) {
     runner_.set_parents(state.close_calls);
   }
 
   /// False when interrupted; the state is then as before.
   bool execute() {
     for (const SearchHalf half : enum_values<SearchHalf>()) {
-      const std::uint64_t begin = tally_of(state_, half).runs, end = begin + candidates();
+      const std::uint64_t begin = tally_of(state_, half).runs, end = begin + candidates_;
       for (std::uint64_t i = begin; i < end; i += kBatch)
         batches_.push_back({half, i, std::min(i + kBatch, end)});
     }
@@ -43,10 +74,11 @@ class SearchRound {
     CandidateRun run;
   };
 
-  /// Of each half, within the budget.
-  std::uint64_t candidates() const {
-    if (options_.runs == 0) return kRound;
-    return std::min<std::uint64_t>(kRound, (options_.runs - state_.runs() + 1) / 2);
+  /// Also reports progress.
+  bool interrupted() {
+    if (options_.on_runs && begun_.heartbeats() > reported_)
+      options_.on_runs(state_.runs() + (reported_ = begun_.heartbeats()));
+    return options_.interrupted && options_.interrupted();
   }
 
   /// Batches whose process died continue after the run in which it did.
@@ -54,7 +86,7 @@ class SearchRound {
     const std::vector<SearchBatch> batches = std::move(batches_);
     batches_.clear();
     const WorkItem item = [&](std::size_t i, SharedTaskLog& log) -> std::string {
-      runner_.execute(batches[i], log);
+      runner_.execute(batches[i], log, begun_);
       return log.contents();
     };
     const auto receive = [&](std::size_t i, WorkResult&& result) {
@@ -65,7 +97,7 @@ class SearchRound {
     };
     PoolOptions pool = pool_of_trials(bench_);
     pool.workers = options_.workers;
-    return run_in_workers(batches.size(), pool, item, receive, options_.interrupted);
+    return run_in_workers(batches.size(), pool, item, receive, [this] { return interrupted(); });
   }
 
   void continue_after_death(const SearchBatch& batch, std::vector<CandidateRun>& runs,
@@ -111,7 +143,7 @@ class SearchRound {
     } else if (runner_.is_failure(run.trial.outcome)) {
       const bool counts = !run.scenario.empty() && (run.witnessed || !options_.fairness.witness);
       ++(counts ? tally.failures : tally.unsolved);
-      if (counts && state_.failures.size() < options_.max_failures)
+      if (counts && state_.failures.size() < kKept * options_.max_failures)
         state_.failures.push_back(
             {half, run.index, deserialize_scenario(run.scenario, "search"), run.trial});
     }
@@ -129,7 +161,10 @@ class SearchRound {
   const TestBench& bench_;
   const SearchOptions& options_;
   SearchState& state_;
+  std::uint64_t candidates_;
   BatchRunner runner_;
+  SharedTaskLog begun_{0};  ///< a heartbeat for each run
+  std::size_t reported_ = 0;
   std::vector<SearchBatch> batches_;
   std::vector<Found> found_;
 };
@@ -159,12 +194,15 @@ SearchResult search(const TestBench& bench, const SearchOptions& options) {
   const double began = steady_seconds();
   SearchResult result;
   result.state = options.known;
+  RoundSizes sizes(options);
   while ((result.stopped = limit_reached(result.state, options, began)).empty()) {
-    SearchRound round(bench, options, result.state);
+    const double round_began = steady_seconds();
+    SearchRound round(bench, options, result.state, sizes.next(result.state));
     if (!round.execute()) {
       result.stopped = "interrupted";
       return result;
     }
+    sizes.adapt(steady_seconds() - round_began);
     if (options.save) options.save(result.state);
   }
   result.complete = true;

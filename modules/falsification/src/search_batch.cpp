@@ -69,9 +69,12 @@ bool BatchRunner::has_witness(const World& world) {
   return false;
 }
 
-void BatchRunner::execute(const SearchBatch& batch, SharedTaskLog& log) {
+void BatchRunner::execute(const SearchBatch& batch, SharedTaskLog& log, SharedTaskLog& begun) {
   hunt_.reset();
-  for (std::uint64_t index = batch.begin; index < batch.end; ++index) run(batch.half, index, log);
+  for (std::uint64_t index = batch.begin; index < batch.end; ++index) {
+    begun.heartbeat();
+    run(batch.half, index, log);
+  }
 }
 
 bool BatchRunner::run(SearchHalf half, std::uint64_t index, SharedTaskLog& log) {

@@ -32,8 +32,8 @@ class BatchRunner {
 
   /// Adaptive candidates are changed ones of these; the reference must remain valid.
   void set_parents(const std::vector<SearchState::CloseCall>& parents) { parents_ = &parents; }
-  /// Logs the beginning and the end of each run.
-  void execute(const SearchBatch& batch, SharedTaskLog& log);
+  /// Logs the beginning and the end of each run; `begun` gets a heartbeat for each.
+  void execute(const SearchBatch& batch, SharedTaskLog& log, SharedTaskLog& begun);
   /// One candidate; a probed one depends on those since the last batch began. Whether it is a
   /// failure, and a witness reaches the goal.
   bool run(SearchHalf half, std::uint64_t index, SharedTaskLog& log);

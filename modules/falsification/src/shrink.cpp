@@ -6,6 +6,7 @@
 #include <slalom/falsification/shrink.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace slalom {
 namespace {
@@ -77,6 +78,14 @@ ShrinkResult shrink_with(TrialSource& trials, const TestBench& bench, const Scen
 }
 
 }  // namespace
+
+bool is_simpler(const ShrinkResult& a, const ShrinkResult& b) {
+  const auto key = [](const ShrinkResult& small) {
+    const GeometryReport& geometry = small.fairness.geometry;
+    return std::make_tuple(small.parts_after, -geometry.bottleneck, geometry.distance);
+  };
+  return key(a) < key(b);
+}
 
 std::optional<ShrinkResult> shrink(const TestBench& bench, const Scenario& scenario,
                                    const ShrinkOptions& options) {

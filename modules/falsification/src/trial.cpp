@@ -1,4 +1,5 @@
 #include <slalom/campaign/campaign.h>
+#include <slalom/core/distance.h>
 #include <slalom/falsification/trial.h>
 
 #include <algorithm>
@@ -24,9 +25,14 @@ Trial run_trial(const World& world, const TestBench& bench, Method& method) {
   Trial trial{result.outcome, result.detail, result.trajectory.hash(),
               waypoints_of(result.trajectory)};
   trial.clearance = bench.setup.sensor.max_range;
-  for (const Sample& sample : result.trajectory.samples)
-    trial.clearance =
-        std::min(trial.clearance, world.distance_field().clearance({sample.pose.x, sample.pose.y}));
+  for (const Sample& sample : result.trajectory.samples) {
+    const mrpt::math::TPoint2D position(sample.pose);
+    trial.clearance = std::min(trial.clearance, world.distance_field().clearance(position));
+    for (const Mover& mover : world.scenario().movers())
+      if (mover.present(sample.t))
+        trial.clearance = std::min(
+            trial.clearance, distance_between(mover.position(sample.t), position) - mover.radius);
+  }
   trial.clearance -= bench.setup.robot.shape().enclosing_radius();
   return trial;
 }

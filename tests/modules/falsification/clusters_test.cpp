@@ -133,6 +133,21 @@ TEST(Clusters, MeasureWhereTheObstacleIsAndTheSpeedOfACollision) {
   EXPECT_FALSE(back.faces_goal);
 }
 
+TEST(Clusters, OfCollisionsWithMoversSaySo) {
+  const Scenario disc = one_disc().scenario();
+  // The mover touches a robot at (8, 5) from the left, at (7.45, 5).
+  const World world(disc.with_movers({{"m", 0.3, {{0, {7.45, 5}}, {9, {7.45, 5}}}}}), 0.05);
+  const RobotModel robot;
+  const auto measure = [&](double x, Outcome outcome) {
+    return measure_end(world, robot, outcome, ending_at({x, 5, 0}, 0.3));
+  };
+  const FailureFacts with_mover = measure(8, Outcome::Collision);
+  EXPECT_EQ(with_mover.side, ObstacleSide::Back);
+  EXPECT_EQ(facts_in_words(with_mover).front(), "collision with a mover");
+  EXPECT_EQ(facts_in_words(measure(4.25, Outcome::Collision)).front(), "collision");
+  EXPECT_EQ(facts_in_words(measure(8, Outcome::Timeout)).front(), "timeout");
+}
+
 /// 10 s, sampled every 0.1 s.
 Trajectory drive(double v, double w, double turn_every) {
   Trajectory trajectory;

@@ -295,5 +295,20 @@ TEST(Shrink, IsInterrupted) {
   EXPECT_FALSE(shrink(planted_bench("squeeze"), passage(), options));
 }
 
+TEST(Shrink, TheSimplerOneHasFewerObstaclesThenAWiderBottleneckThenAShorterWay) {
+  const Scenario empty = Scenario::continuous("empty", {0, 0, 4, 4}, {}, {1, 2, 0}, {3, 2});
+  const auto shrunk = [&](std::size_t obstacles, double bottleneck, double distance) {
+    ShrinkResult small{empty, {}};
+    small.parts_after = obstacles;
+    small.fairness.geometry.bottleneck = bottleneck;
+    small.fairness.geometry.distance = distance;
+    return small;
+  };
+  EXPECT_TRUE(is_simpler(shrunk(1, 1.5, 3), shrunk(2, 4, 2)));
+  EXPECT_TRUE(is_simpler(shrunk(2, 3, 3), shrunk(2, 2, 2)));
+  EXPECT_TRUE(is_simpler(shrunk(2, 2, 2), shrunk(2, 2, 3)));
+  EXPECT_FALSE(is_simpler(shrunk(2, 2, 2), shrunk(2, 2, 2)));
+}
+
 }  // namespace
 }  // namespace slalom

@@ -105,6 +105,12 @@ constexpr Defect kDefects[] = {
               p.ahead() > 2;
      },
      0.6, 1.2},
+    {"needle", false,
+     [](const Planted& p) {
+       return std::abs(p.goal_bearing - 42 * kDegree) < 0.002 * kDegree &&
+              p.nearest(38, 46) < 0.5 && p.ahead() > 2;
+     },
+     0.6, 1.2},
     {"beside_wall", true, [](const Planted& p) { return p.beside_wall >= 60 && p.ahead() < 0.9; },
      0.6, 0},
     {"overflow", true, [](const Planted& p) { return p.reversals >= 32 && p.ahead() < 0.7; }, 0.6,
@@ -113,7 +119,7 @@ constexpr Defect kDefects[] = {
      [](const Planted& p) { return p.turned > 6 && p.v > 0.3 && p.ahead() < 0.7; }, 0.6, 0},
     {"cycle_128", true, [](const Planted& p) { return p.cycles == 128 && p.ahead() < 0.45; }, 0.6,
      0},
-    // Not of the ten: a frequent one, and the same, which ends the process.
+    // Not of the eleven: a frequent one, and the same, which ends the process.
     {"squeeze", false, [](const Planted& p) { return is_squeezed(p, 0.62, 0.04); }, 0.6, 1.2},
     {"crash", false, [](const Planted& p) { return is_squeezed(p, 0.62, 0.04); }, 0, 0},
 };

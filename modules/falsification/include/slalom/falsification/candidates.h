@@ -28,7 +28,8 @@ class CandidateMix {
   std::vector<std::unique_ptr<Generator>> families_;  ///< with equal weights
 };
 
-/// Candidate number `index`: the first one that meets the geometric conditions.
+/// Candidate number `index`: the first one that meets the geometric conditions, with the walkers
+/// of the bench. Throws Error (Job) if a thousand attempts do not suffice.
 std::unique_ptr<World> draw_fair_world(const CandidateMix& mix, const TestBench& bench,
                                        const FairnessOptions& fairness, std::uint64_t seed,
                                        std::uint64_t index);

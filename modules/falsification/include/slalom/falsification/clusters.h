@@ -38,6 +38,7 @@ constexpr double kEndWindow = 5;  ///< s
 /// What is measured of a failing run, for clusters.
 struct FailureFacts {
   Outcome outcome = Outcome::Collision;
+  bool with_mover = false;  ///< a collision with a mover, which then is the nearest obstacle
   ObstacleSide side = ObstacleSide::Front;
   EndMotion motion = EndMotion::Fast;
   bool faces_goal = true;       ///< at the end: the goal is within 90 degrees of the heading
@@ -50,9 +51,9 @@ struct FailureFacts {
 FailureFacts measure_end(const World& world, const RobotModel& robot, Outcome outcome,
                          const Trajectory& trajectory);
 
-/// Each fact in words, in the order in which clusters are divided by them: outcome, side of the
-/// nearest obstacle, motion, direction of the goal, number of obstacles (1, 2 to 3, more),
-/// bottleneck (below 2, below 4 robot widths, more).
+/// Each fact in words, in the order in which clusters are divided by them: outcome (and whether
+/// it was with a mover), side of the nearest obstacle, motion, direction of the goal, number of
+/// obstacles (1, 2 to 3, more), bottleneck (below 2, below 4 robot widths, more).
 std::vector<std::string> facts_in_words(const FailureFacts& facts);
 
 /// Failures that are alike.

@@ -62,10 +62,14 @@ SearchState search_state_from_bytes(const std::string& bytes, const std::string&
 
 struct SearchOptions {
   std::uint64_t seed = 1;
-  std::size_t runs = 10000;       ///< of the method, in both halves; 0: unlimited
-  double minutes = 0;             ///< wall-clock time; 0: unlimited
-  std::size_t max_failures = 10;  ///< the search ends after the round in which so many were found
-  int workers = 1;                ///< processes; with a budget in runs, results do not depend on it
+  std::size_t runs = 10000;  ///< of the method, in both halves; 0: unlimited
+  /// Wall-clock time; 0: unlimited. Rounds then take a few seconds each, so that the search ends
+  /// soon after it; at least one is executed.
+  double minutes = 0;
+  /// The search ends after the round in which so many were found; up to twice as many of it are
+  /// kept, so that those that are alike others can be left out.
+  std::size_t max_failures = 10;
+  int workers = 1;  ///< processes; with a budget in runs, results do not depend on it
   FairnessOptions fairness;
   /// The first witness is a reference, such as the method's last version: adaptive candidates start
   /// where both give different commands: in single steps at poses near obstacles, or to the same
@@ -76,6 +80,8 @@ struct SearchOptions {
   SearchState known = {};         ///< continues this search
   /// Called after each round.
   std::function<void(const SearchState&)> save = {};
+  /// Called when more runs were begun, with their number so far.
+  std::function<void(std::size_t runs)> on_runs = {};
   std::function<bool()> interrupted = {};  ///< polled; the search then ends with the last round
 };
 

@@ -40,6 +40,10 @@ struct ShrinkResult {
   FairnessReport fairness = {};
 };
 
+/// Whether `a` is the simpler one: it has fewer obstacles, or as many and a wider bottleneck, or
+/// also that and a shorter distance from start to goal.
+bool is_simpler(const ShrinkResult& a, const ShrinkResult& b);
+
 std::string to_bytes(const ShrinkResult& result);
 /// Throws Error (File) at `where` for malformed bytes.
 ShrinkResult shrink_result_from_bytes(const std::string& bytes, const std::string& where);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/campaign/campaign_options.h>
+#include <slalom/generation/walkers.h>
 #include <slalom/methods/method_factory.h>
 #include <slalom/scenario/world.h>
 #include <slalom/simulation/simulate.h>
@@ -23,6 +24,9 @@ struct TestBench {
   /// A failure counts only where one of these reaches the goal: it proves that the scenario can be
   /// solved.
   std::vector<NamedMethod> witnesses;
+
+  /// Moving obstacles in each scenario that is drawn, besides those of the mix.
+  WalkerOptions walkers = {};
 
   /// A light method that fails in similar scenarios: see SearchOptions.
   std::optional<NamedMethod> relative = {};

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "failure_files.h"
+#include "search_files.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace slalom {
+
+/// The failures that are reported.
+struct KeptFailures {
+  std::vector<Failure> failures;    ///< the simplest first
+  std::size_t alike = 0;            ///< others that are alike one of them
+  std::optional<double> diversity;  ///< of the smallest scenarios; of two failures or more
+};
+
+/// Shrinks what was found, in this order, until `count` failures are kept. Those that are not fair
+/// are left out, and those whose obstacles are alike those of one kept earlier with the same
+/// outcome (ObstacleArea). Throws Interrupted.
+KeptFailures shrink_found(const std::vector<FoundFailure>& found, std::size_t count,
+                          const TestBench& bench, const FalsifyArguments& arguments,
+                          ShrunkFile shrunk);
+
+}  // namespace slalom

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <ctime>
+
+namespace slalom {
+
+/// Processor time of this thread, ms.
+inline double processor_milliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace slalom
