@@ -81,5 +81,6 @@ const tableOf = (attributes, header, rows) =>
 const card = (...children) => html("div", { class: "card" }, ...children);
 const soft = (...children) => html("p", { class: "soft" }, ...children);
 const heading = (text) => html("th", {}, text);
-const methodName = (index) => [swatch(report.methods[index].color), report.methods[index].name];
+const methodLabel = (index) => report.methods[index].label || report.methods[index].name;  // with the mark if it is privileged
+const methodName = (index) => [swatch(report.methods[index].color), methodLabel(index)];
 const finding = (text, shown) => html("p", { class: shown ? "finding shown" : "finding soft" }, text);

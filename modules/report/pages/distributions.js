@@ -18,7 +18,7 @@ const axisLabel = (quantity) => quantity.name + unitText(quantity);
 function cumulativeChart(quantity, groups) {
   const x = rangeAxis(axisLabel(quantity), groups.flatMap(({ sorted }) => sorted));
   const series = groups.filter(({ n }) => n > 0).map(({ method, sorted, n }) => ({
-    label: `${report.methods[method].name} (n=${n})`, color: report.methods[method].color, steps: true,
+    label: `${methodLabel(method)} (n=${n})`, color: report.methods[method].color, steps: true,
     points: [[x.low, 0], ...sorted.map((value, i) => [value, (i + 1) / n])] }));
   return [chart(x, fractionAxis("fraction of the values that are at most x"), series), legend(series)];
 }

@@ -61,7 +61,7 @@ function showChoice() {
   element("report").replaceChildren(choiceTable(runs, quantity, across, methods),
     html("div", { class: "charts" },
       chartCard("Runs over " + across.name, markChart(scatter.picture, scatter.points, runText), legend(groups.map(({ method }) =>
-        ({ color: report.methods[method].color, label: report.methods[method].name }))), html("div", { class: "legend" }, report.outcomes.map(markItem)), support("In the strip NA: runs without a value.")),
+        ({ color: report.methods[method].color, label: methodLabel(method) }))), html("div", { class: "legend" }, report.outcomes.map(markItem)), support("In the strip NA: runs without a value.")),
       chartCard("Distribution by method", markChart(box.picture, box.points, runText),
         support("Box: quartiles; line: 5 % to 95 % of the values; below, every run.")),
       chartCard("Cumulative distribution", cumulativeChart(quantity, groups))));

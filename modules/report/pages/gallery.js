@@ -21,7 +21,7 @@ function outcomesTable(runs, hash) {
   const line = (run) => html("tr", {},
     html("th", {}, swatch(report.methods[run[1]].color),
          html("a", { href: "run.html#" + runId(hash, report.methods[run[1]].name, run[2]) },
-              report.methods[run[1]].name + (run[2] > 0 ? " #" + run[2] : ""))),
+              methodLabel(run[1]) + (run[2] > 0 ? " #" + run[2] : ""))),
     html("td", {}, outcomeChip(report.outcomes[run[3]], 0, run[4])), columns.map(([, index]) => value(run, index)));
   return tableOf({}, ["", "", ...columns.map(([column]) => column.id)].map(heading), runs.map(line));
 }

@@ -12,13 +12,13 @@ function slalomFailures(pictures) {
 function failureFigure({ run, why }) {
   const [scenario, method, repetition, outcome] = report.runs[run], { hash, name } = report.scenarios[scenario];
   return html("figure", {}, html("a", { href: "run.html#" + runId(hash, report.methods[method].name, repetition), title: why,
-                                        "aria-label": `${report.methods[method].name} in ${name}: ${why}` },
+                                        "aria-label": `${methodLabel(method)} in ${name}: ${why}` },
     html("div", { class: "picture", "data-failure": String(scenario) }), html("span", { class: "support" }, name)),
     html("span", { class: "support" }, why));
 }
 
 function overviewCard({ method, text, failures }) {
-  const name = report.methods[method].name, row = report.summary.find((one) => one.method === method);
+  const name = methodLabel(method), row = report.summary.find((one) => one.method === method);
   const link = html("a", { href: "method.html#" + (method + 1) }, name);
   const rest = text.startsWith(name) ? text.slice(name.length) : ": " + text;
   return html("div", { class: "card overview" },

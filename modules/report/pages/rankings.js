@@ -2,7 +2,7 @@
 "use strict";
 
 const seriesOf = (curves) =>
-  curves.map(({ method, points }) => ({ label: report.methods[method].name, color: report.methods[method].color, points, steps: true }));
+  curves.map(({ method, points }) => ({ label: methodLabel(method), color: report.methods[method].color, points, steps: true }));
 
 function completionSection() {
   const last = Math.max(0, ...report.completion.flatMap((curve) => curve.points.slice(-1).map(([time]) => time)));
@@ -27,7 +27,7 @@ function profileCard(profile) {
 
 function rankCard(ranks) {
   const methods = ranks.methods.map(({ method, rank }) =>
-    ({ label: report.methods[method].name, color: report.methods[method].color, rank }));
+    ({ label: methodLabel(method), color: report.methods[method].color, rank }));
   const p = ranks.p < 0.001 ? "p < 0.001" : "p = " + fixed(ranks.p, 3);
   return card(html("h4", {}, "Mean ranks in " + ranks.metric), rankDiagram(methods, ranks.groups, ranks.critical_difference),
     html("p", { class: "support" }, `Friedman test over ${ranks.scenarios} of ${plural(ranks.all_scenarios, "scenario")}: ${p}; ` +

@@ -5,7 +5,7 @@
 // Draws sections, [id, title, content, open]; those without content are left out.
 function showSections(sections) {
   const shown = sections.filter(([, , content]) => content !== null);
-  element("report").replaceChildren(...shown.map((section) => fold(...section)));
+  element("report").replaceChildren(...shown.map((section) => fold(...section)), ...(report.footnote ? [soft(report.footnote)] : []));
   return shown;
 }
 
@@ -30,13 +30,13 @@ function showCampaign() {
 
 function showMethod() {
   const index = Math.min(report.methods.length, Math.max(1, Number(location.hash.slice(1)) || 1)) - 1;
-  const { name } = report.methods[index];
+  const name = methodLabel(index);
   document.title = report.campaign + ": " + name;
   element("title").textContent = name;
   element("campaign").textContent = "Report of " + report.campaign;
   element("runs").href = listOf(methodWord(index));
-  element("others").replaceChildren(...report.methods.map((other, i) =>
-    i === index ? "" : [" · ", html("a", { href: "method.html#" + (i + 1) }, other.name)]).flat().filter(Boolean));
+  element("others").replaceChildren(...report.methods.map((_, i) =>
+    i === index ? "" : [" · ", html("a", { href: "method.html#" + (i + 1) }, methodLabel(i))]).flat().filter(Boolean));
   showSections([
     ["overview", "At a glance", overviewSection(index), true],
     ["summary", "Summary", summarySection(index), true], ["outcomes", "Outcomes", outcomesSection(index), true],

@@ -42,9 +42,10 @@ function moverAt({ waypoints, after }, time) {
 
 // Moves their discs; `present` has those that the robot sees, as x, y, radius.
 function moveMovers(scenario, time) {
+  const discs = scenario.layers.movers.querySelectorAll("circle");
   scenario.present = [];
   (scenario.movers || []).forEach((mover, i) => {
-    const disc = scenario.layers.movers.querySelectorAll("circle")[i], at = moverAt(mover, time);
+    const disc = discs[i], at = moverAt(mover, time);
     disc.setAttribute("visibility", at ? "visible" : "hidden");
     if (!at) return;
     disc.setAttribute("cx", toX(scenario, at[0]).toFixed(1));

@@ -24,7 +24,7 @@ function summarySection(method) {
   const scales = report.columns.map((column, i) => scaleOf(column, rows.map((row) => row.cells[i])));
   const line = (row) => html("tr", {},
     html("th", { class: "name" }, swatch(report.methods[row.method].color),
-         html("a", { href: "method.html#" + (row.method + 1) }, report.methods[row.method].name)),
+         html("a", { href: "method.html#" + (row.method + 1) }, methodLabel(row.method))),
     html("td", {}, html("a", { href: runsLink(row.runs) }, String(row.n))), html("td", {}, outcomeBar(row)),
     scales.map((scale, i) => tableCell(row.cells[i], scale, row.runs)));
   const percent = Number((100 * report.confidence).toPrecision(12));

@@ -2,7 +2,9 @@
 #include "markup.h"
 
 #include <slalom/analysis/cell_text.h>
+#include <slalom/analysis/privileged_marks.h>
 #include <slalom/core/version.h>
+#include <slalom/results/privileged.h>
 
 namespace slalom {
 namespace {
@@ -97,10 +99,17 @@ Markup cross_table(const CrossTable& cross) {
 }
 
 Markup all_tables(const ReportInput& input) {
-  std::vector<Markup> parts = {element("h2", {"Summary"}), summary_table(input.summary),
+  const PrivilegedMethods privileged = privileged_methods(input.runs.manifest);
+  SummaryTable summary = input.summary;
+  mark_privileged(summary, privileged);
+  std::vector<Markup> parts = {element("h2", {"Summary"}), summary_table(summary),
                                element("h2", {"Cross tables"})};
   for (const std::vector<CrossTable>& group : input.tables)
-    for (const CrossTable& cross : group) parts.push_back(cross_table(cross));
+    for (CrossTable cross : group) {
+      mark_privileged(cross, privileged);
+      parts.push_back(cross_table(cross));
+    }
+  if (!privileged.empty()) parts.push_back(element("p", {privileged_footnote(privileged)}));
   return element("div", parts);
 }
 

@@ -10,6 +10,7 @@
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
 #include <slalom/io/svg_scene.h>
+#include <slalom/results/privileged.h>
 
 #include <fmt/format.h>
 
@@ -67,6 +68,9 @@ class DataMaker {
     OrderedJson json = OrderedJson::array();
     for (std::size_t i = 0; i < runs_.methods.size(); ++i)
       json.push_back({{"name", runs_.methods[i]}, {"color", method_color(i)}});
+    for (const std::string& name : privileged_methods(runs_.manifest).names())
+      for (OrderedJson& method : json)
+        if (method["name"] == name) method["label"] = name + kPrivilegedMark;
     return json;
   }
 
@@ -229,6 +233,16 @@ class DataMaker {
   }
 };
 
+/// Marks privileged methods in sentences and titles.
+void mark_texts(OrderedJson& json, const std::vector<std::string>& names) {
+  for (auto& [key, value] : json.items()) {
+    if (value.is_structured())
+      mark_texts(value, names);
+    else if (value.is_string() && (key == "text" || key == "title"))
+      value = with_privileged_marks(value.get<std::string>(), names);
+  }
+}
+
 }  // namespace
 
 ReportInput make_report_input(const ResultTable& runs, const ReportOptions& options) {
@@ -274,6 +288,13 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
   json["maps"] = make.maps();
   json["validity"] = validity_json(runs, make.directed(), input.options.analysis);
   json["clusters"] = clusters_json(input.options.clusters);
+  const PrivilegedMethods privileged = privileged_methods(runs.manifest);
+  if (!privileged.empty()) {
+    const std::vector<std::string> names = privileged.names();
+    mark_texts(json, names);
+    for (RunGroup& group : groups) group.title = with_privileged_marks(group.title, names);
+    json["footnote"] = privileged_footnote(privileged);
+  }
   json["manifest"] = runs.manifest;
   return json;
 }

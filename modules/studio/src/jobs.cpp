@@ -108,8 +108,14 @@ bool Jobs::idle() const {
 }
 
 bool Jobs::is_pending(const std::string& key) const {
-  const std::vector<JobStatus> all = status();
-  return std::any_of(all.begin(), all.end(), [&](const JobStatus& job) { return job.key == key; });
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto has_key = [&](const std::shared_ptr<Job>& job) {
+    return job->status.key == key && !job->canceled;
+  };
+  return std::any_of(waiting_.begin(), waiting_.end(), has_key) ||
+         std::any_of(running_.begin(), running_.end(), has_key) ||
+         std::any_of(finished_.begin(), finished_.end(),
+                     [&](const auto& finished) { return has_key(finished.first); });
 }
 
 std::vector<JobStatus> Jobs::status() const {

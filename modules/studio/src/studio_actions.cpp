@@ -3,6 +3,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/studio/actions.h>
 #include <slalom/studio/studio.h>
 

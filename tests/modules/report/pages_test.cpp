@@ -59,6 +59,15 @@ TEST_F(ReportPages, TheIndexLinksToItsSectionsAndToRuns) {
   EXPECT_EQ(count(open("index.html#scenarios"), "href=\"run.html#"), 3u + 24u);
 }
 
+TEST_F(ReportPages, MarkPrivilegedMethodsAndExplainTheMark) {
+  write(make_results(12, "room", "good"));
+  const std::string page = open("index.html");
+  EXPECT_EQ(count(page, ">good</a>"), 0u);
+  EXPECT_EQ(count(page, "<a href=\"method.html#2\">good*</a> succeeds"), 1u);
+  EXPECT_GT(count(page, ">good*</a>"), 0u);
+  EXPECT_EQ(count(page, "* privileged: good is given the tracks of movers"), 1u);
+}
+
 TEST_F(ReportPages, TakeNamesLiterally) {
   write(make_results(3, "a<script>alert('x')</script>&\""));
   for (const char* name : {"index.html", "method.html#1", "runs.html"}) {

@@ -5,6 +5,7 @@
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 #include <slalom/report/report.h>
+#include <slalom/results/privileged.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -26,9 +27,11 @@ class ReportTest : public testing::Test {
   ~ReportTest() override { std::filesystem::remove_all(folder_); }
 
   /// Scenarios with one disc each, run by both methods; the second one always collides.
-  ResultFile make_results(int scenarios, const std::string& name = "room") const {
-    const Manifest manifest = {{"campaign", "<campaign> & co"},
-                               {"campaign.ini", "[analysis]\nrows = density:0,0.5,1\n"}};
+  ResultFile make_results(int scenarios, const std::string& name = "room",
+                          const std::string& privileged = "") const {
+    Manifest manifest = {{"campaign", "<campaign> & co"},
+                         {"campaign.ini", "[analysis]\nrows = density:0,0.5,1\n"}};
+    if (!privileged.empty()) manifest[kPrivilegedKey] = privileged;
     const QuantityInfo density = {"density", 1, "Density", "-", Direction::None};
     const QuantityInfo success = {"success", 1, "Success", "-", Direction::Up};
     const QuantityInfo optimality = {"optimality", 1, "Optimality", "-", Direction::Up};

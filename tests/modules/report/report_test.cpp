@@ -122,6 +122,27 @@ TEST_F(Report, EveryNumberOfATableHasItsRuns) {
   EXPECT_EQ(runs_of(json["outcome_fractions"][0]), nlohmann::json::parse("[0, 2, 4]"));
 }
 
+TEST_F(Report, MarksPrivilegedMethods) {
+  write(make_results(12));
+  const auto plain = report_json();
+  EXPECT_FALSE(plain.contains("footnote"));
+  EXPECT_FALSE(plain["methods"][1].contains("label"));
+  EXPECT_EQ(read("index.html").find("privileged"), std::string::npos);
+  std::filesystem::remove(results_path());
+  write(make_results(12, "room", "good"));
+  const auto json = report_json();
+  EXPECT_EQ(json["methods"][1]["name"], "good") << "the addresses of its pages and runs";
+  EXPECT_EQ(json["methods"][1]["label"], "good*");
+  EXPECT_FALSE(json["methods"][0].contains("label"));
+  EXPECT_EQ(json["overview"][1]["text"].get<std::string>().substr(0, 15), "good* succeeds ");
+  EXPECT_EQ(json["groups"][1]["title"], "All runs of good*");
+  const std::string footnote = "* privileged: good is given the tracks of movers";
+  EXPECT_EQ(json["footnote"].get<std::string>().substr(0, footnote.size()), footnote);
+  const std::string page = read("index.html");
+  for (const std::string text : {"<th>good*</th>", "<h3>good* by density</h3>", footnote.c_str()})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+}
+
 TEST_F(Report, ListsClustersOfFailuresWithTheirContrastsAndRuns) {
   const ResultFile file = make_results(3);
   write(file, options_with_cluster());

@@ -73,6 +73,25 @@ TEST(Jobs, ReplaceOlderJobsOfTheSameKey) {
   EXPECT_TRUE(delivered == "newother" || delivered == "othernew") << delivered;
 }
 
+TEST(Jobs, ArePendingUntilTheyAreDeliveredOrCanceled) {
+  Jobs jobs;
+  EXPECT_FALSE(jobs.is_pending("a"));
+  bool delivered = false;
+  const auto start = [&] {
+    jobs.start("a", "A", [&](Progress&) { return [&] { delivered = true; }; }, {});
+    wait_until([&] { return jobs.status().empty(); });  // the work is done
+    EXPECT_TRUE(jobs.is_pending("a"));
+  };
+  start();
+  EXPECT_FALSE(jobs.is_pending("b"));
+  finish_jobs(jobs);
+  EXPECT_TRUE(delivered);
+  EXPECT_FALSE(jobs.is_pending("a"));
+  start();
+  jobs.cancel("a");
+  EXPECT_FALSE(jobs.is_pending("a"));
+}
+
 TEST(Jobs, AreCanceledByTheDestructor) {
   std::atomic<bool> delivered = false;
   {

@@ -45,6 +45,24 @@ TEST(Thumbnails, ShowObstaclesStartAndGoalWhereTheyAre) {
   EXPECT_EQ(pixel(picture, 6, 34), kFree);
 }
 
+TEST(Thumbnails, ShowMoversWhereTheyAreAtTheBeginning) {
+  const auto walk = [](double t, double x, double y) {
+    return std::vector<Waypoint>{{t, {x, y}}, {t + 5, {x + 3, y}}};
+  };
+  const Movers movers = {{"large", 1, walk(0, 20, 25), MoverEnd::Stop},
+                         {"small", 0.01, walk(0, 25, 28), MoverEnd::Stop},
+                         {"later", 1, walk(1, 13, 28), MoverEnd::Stop}};
+  const Thumbnail picture = make_thumbnail(
+      Scenario::continuous("", kWide, {}, {12, 22, 0}, {28, 22}).with_movers(movers));
+  // 3.2 pixels per meter; rows 16 to 48 are y = 30 to 20.
+  const Pixel mover = pixel_of(palette().mover);
+  EXPECT_EQ(pixel(picture, 32, 32), mover);
+  EXPECT_EQ(pixel(picture, 34, 32), mover) << "within 3.2 pixels";
+  EXPECT_EQ(pixel(picture, 37, 32), kFree);
+  EXPECT_EQ(pixel(picture, 48, 22), mover) << "too small to be seen otherwise";
+  EXPECT_EQ(pixel(picture, 9, 22), kFree) << "not present at the beginning";
+}
+
 TEST(Thumbnails, ShowCellsLargerAndSmallerThanPixels) {
   for (const int cells : {8, 1000}) {
     auto map = make_grid_map(cells, cells, 8.0 / cells, {0, 0});

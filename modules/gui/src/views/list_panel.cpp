@@ -4,6 +4,7 @@
 
 #include <slalom/commands/describe_list.h>
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 
 #include <GLFW/glfw3.h>
 #include <algorithm>

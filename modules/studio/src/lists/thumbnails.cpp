@@ -68,11 +68,19 @@ class Canvas {
       }
   }
 
-  void draw_disc(const TPoint2D& at, const Color& color) {
+  /// `radius` in pixels.
+  void draw_disc(const TPoint2D& at, const Color& color, double radius = kDiscRadius) {
     const TPoint2D c = pixel_of(at);
     for (int y = 0; y < size_; ++y)
       for (int x = 0; x < size_; ++x)
-        set(x, y, color, kDiscRadius + 0.5 - std::hypot(x + 0.5 - c.x, y + 0.5 - c.y));
+        set(x, y, color, radius + 0.5 - std::hypot(x + 0.5 - c.x, y + 0.5 - c.y));
+  }
+
+  /// Where it is at the beginning of a run, enlarged if it could not be seen.
+  void draw(const Mover& mover) {
+    constexpr double kMinRadius = 1.5;  // pixels
+    if (mover.present(0))
+      draw_disc(mover.position(0), palette().mover, std::max(scale_ * mover.radius, kMinRadius));
   }
 
   /// A line from the center of a disc to 2.2 times its radius.
@@ -152,6 +160,7 @@ Thumbnail make_thumbnail(const Scenario& scenario, int size) {
   Canvas canvas(bounds, size);
   canvas.draw_cells(make_occupancy(scenario, cell_size(bounds, size)));
   const auto& start = scenario.start();
+  for (const Mover& mover : scenario.movers()) canvas.draw(mover);
   canvas.draw_disc(scenario.goal(), palette().goal);
   canvas.draw_heading({start.x, start.y}, start.phi, palette().start);
   canvas.draw_disc({start.x, start.y}, palette().start);

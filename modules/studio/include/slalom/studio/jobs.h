@@ -48,9 +48,9 @@ class Jobs {
   void cancel(const std::string& key);  ///< `failed` is not called
   /// Delivers the finished jobs and returns their number.
   std::size_t poll();
-  bool idle() const;  ///< no job is waiting, running or undelivered
-  bool is_pending(const std::string& key) const;
-  std::vector<JobStatus> status() const;  ///< of running and waiting jobs, oldest first
+  bool idle() const;                              ///< no job is waiting, running or undelivered
+  bool is_pending(const std::string& key) const;  ///< waiting, running or undelivered
+  std::vector<JobStatus> status() const;          ///< of running and waiting jobs, oldest first
 
  private:
   struct Job;
