@@ -1,0 +1,6 @@
+#include "regulated_pure_pursuit/regulated_pure_pursuit.h"
+
+const slalom_method_api* slalom_method_get_api(void) {
+  return reactive::Plugin<regulated_pure_pursuit::RegulatedPurePursuit>::table(
+      "regulated_pure_pursuit");
+}

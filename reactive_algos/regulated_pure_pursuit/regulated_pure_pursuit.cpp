@@ -1,0 +1,190 @@
+#include "regulated_pure_pursuit/regulated_pure_pursuit.h"
+
+#include <algorithm>
+
+namespace regulated_pure_pursuit {
+
+using namespace reactive;
+
+namespace {
+
+/// Without the cells before the farthest one that a disc of `radius` reaches straight: cells follow
+/// each other in eight directions only.
+std::vector<Point> straightened(const ClearanceMap& map, const Point& from, std::vector<Point> path,
+                                double radius) {
+  const auto blocked = std::find_if(path.begin(), path.end(), [&](const Point& p) {
+    return !line_is_free(map, from, p, radius);
+  });
+  if (blocked != path.begin()) path.erase(path.begin(), blocked - 1);
+  return path;
+}
+
+}  // namespace
+
+const RegulatedPurePursuit::Settings& RegulatedPurePursuit::settings() {
+  using P = Parameters;
+  static constexpr Settings kSettings = {
+      {{"desired_linear_vel", "1.0", "m/s", "speed, at most that of the robot"},
+       &P::desired_linear_vel},
+      {{"lookahead_time", "1.5", "s", "look-ahead distance per speed"}, &P::lookahead_time, 0, 30},
+      {{"min_lookahead_dist", "0.3", "m", "minimum look-ahead distance"},
+       &P::min_lookahead_dist,
+       0.05,
+       20},
+      {{"max_lookahead_dist", "0.9", "m", "maximum look-ahead distance"},
+       &P::max_lookahead_dist,
+       0.05,
+       20},
+      {{"regulated_linear_scaling_min_radius", "0.9", "m",
+        "the robot is slower in turns of a smaller radius"},
+       &P::regulated_linear_scaling_min_radius},
+      {{"regulated_linear_scaling_min_speed", "0.25", "m/s", "minimum speed of both regulations"},
+       &P::regulated_linear_scaling_min_speed},
+      {{"cost_scaling_dist", "0.6", "m", "the robot is slower at a smaller clearance"},
+       &P::cost_scaling_dist},
+      {{"cost_scaling_gain", "1.0", "-", "factor of the speed at a smaller clearance"},
+       &P::cost_scaling_gain},
+      {{"approach_velocity_scaling_dist", "0.6", "m", "the robot is slower this close to the goal"},
+       &P::approach_velocity_scaling_dist},
+      {{"min_approach_linear_velocity", "0.05", "m/s", "minimum speed close to the goal"},
+       &P::min_approach_linear_velocity},
+      {{"max_allowed_time_to_collision_up_to_carrot", "1.0", "s",
+        "the robot stops if it would collide within it"},
+       &P::max_allowed_time_to_collision_up_to_carrot},
+      {{"rotate_to_heading_min_angle", "0.785", "rad",
+        "beyond this bearing of the path the robot rotates in place"},
+       &P::rotate_to_heading_min_angle,
+       0.1,
+       M_PI},
+      {{"margin", "0.04", "m", "added to the robot's radius in collision checks"},
+       &P::margin,
+       0,
+       10},
+      {{"comfort", "0.3", "m", "clearance of the footprint beyond which a path does not cost more"},
+       &P::comfort,
+       0,
+       10},
+      {{"memory", "6", "m", "half the side length of the local map"}, &P::memory, 1, 50}};
+  return kSettings;
+}
+
+Point carrot_of(const std::vector<Point>& path, double distance) {
+  Point inside;
+  for (const Point& p : path) {
+    if (std::hypot(p.x, p.y) <= distance) {
+      inside = p;
+      continue;
+    }
+    // The fraction t of the segment with |inside + t * step| = distance.
+    const Point step{p.x - inside.x, p.y - inside.y};
+    const double a = step.x * step.x + step.y * step.y;
+    const double b = inside.x * step.x + inside.y * step.y;
+    const double c = inside.x * inside.x + inside.y * inside.y - distance * distance;
+    const double t = (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
+    return {inside.x + t * step.x, inside.y + t * step.y};
+  }
+  return inside;
+}
+
+double curvature_to(const Point& carrot) {
+  const double squared = carrot.x * carrot.x + carrot.y * carrot.y;
+  return squared > 0 ? 2 * carrot.y / squared : 0;
+}
+
+double regulated_speed(const Parameters& parameters, double curvature, double clearance,
+                       double goal_distance) {
+  const double desired = parameters.desired_linear_vel;
+  double speed = desired;
+  const double min_radius = parameters.regulated_linear_scaling_min_radius;
+  if (std::abs(curvature) * min_radius > 1)
+    speed = std::min(speed, desired / (std::abs(curvature) * min_radius));
+  if (clearance < parameters.cost_scaling_dist)
+    speed = std::min(
+        speed, desired * parameters.cost_scaling_gain * clearance / parameters.cost_scaling_dist);
+  speed = std::max(speed, std::min(desired, parameters.regulated_linear_scaling_min_speed));
+  if (goal_distance >= parameters.approach_velocity_scaling_dist) return speed;
+  const double approach = speed * goal_distance / parameters.approach_velocity_scaling_dist;
+  return std::min(speed, std::max(approach, parameters.min_approach_linear_velocity));
+}
+
+RegulatedPurePursuit::RegulatedPurePursuit(const Parameters& parameters, const Robot& robot)
+    : parameters_(parameters),
+      robot_(covered(robot)),
+      map_({parameters.memory, 0.05,
+            clearance_band(robot_, parameters.margin,
+                           std::max(parameters.comfort, parameters.cost_scaling_dist))},
+           robot_),
+      local_planner_(
+          {robot_.radius + parameters.margin + 0.01, robot_.radius + parameters.comfort, 2.0},
+          robot_.radius + 0.01, CostToGo::kPathReach * parameters.memory),
+      turn_(parameters.rotate_to_heading_min_angle, 0.3 * parameters.rotate_to_heading_min_angle) {
+  parameters_.max_lookahead_dist =
+      std::max(parameters.min_lookahead_dist, parameters.max_lookahead_dist);
+  parameters_.desired_linear_vel = std::min(parameters.desired_linear_vel, robot.max_v);
+}
+
+void RegulatedPurePursuit::reset(const NavigationTask& task) {
+  task_ = task;
+  map_.clear();
+  turn_.reset();
+}
+
+/// The path to `goal` in the frame of the pose, without its start; the goal if no path is known.
+std::vector<Point> RegulatedPurePursuit::path(const Pose& pose, const Point& goal) {
+  const ClearanceMap& map = map_.clearance();
+  const Point position{pose.x, pose.y};
+  const double radius =
+      clearance_radius(map, pose, robot_, std::max(parameters_.margin, parameters_.comfort));
+  if (line_is_free(map, position, goal, radius)) return {goal};
+  const Waypoint waypoint = local_planner_.find(map_, pose, goal, parameters_.memory);
+  std::vector<Point> path;
+  if (waypoint.reachable && !waypoint.is_goal)
+    path = straightened(map, position,
+                        local_planner_.cost_to_go().path(position, parameters_.memory), radius);
+  if (path.empty()) path = {waypoint.position};
+  return path;
+}
+
+/// In the robot frame.
+Point RegulatedPurePursuit::carrot(const Observation& observation) {
+  const double look_ahead =
+      std::clamp(std::abs(observation.measured.v) * parameters_.lookahead_time,
+                 parameters_.min_lookahead_dist, parameters_.max_lookahead_dist);
+  std::vector<Point> path =
+      this->path(observation.pose, to_world(observation.pose, observation.goal));
+  for (Point& p : path) p = to_robot(observation.pose, p);
+  return carrot_of(path, look_ahead);
+}
+
+bool RegulatedPurePursuit::is_collision_imminent(const Pose& pose, const Twist& twist,
+                                                 double radius, double carrot_distance) const {
+  const double length =
+      std::min(twist.v * parameters_.max_allowed_time_to_collision_up_to_carrot, carrot_distance);
+  return free_arc_lengths(map_.clearance(), pose, {twist}, robot_, radius, length).front() < length;
+}
+
+Twist RegulatedPurePursuit::step(const Observation& observation) {
+  map_.update(observation);
+  const ClearanceMap& map = map_.clearance();
+  const Point carrot = this->carrot(observation);
+  const double bearing = std::atan2(carrot.y, carrot.x);
+  const bool turns = turn_.update(bearing, map, observation.pose, robot_, parameters_.margin);
+  const Twist rotation = turn_.twist(bearing, observation.measured, robot_, task_.control_period);
+  if (turns) return clamp_to_limits(rotation, robot_);
+  const double curvature = curvature_to(carrot);
+  const double clearance = footprint_clearance(map, observation.pose, robot_) - robot_.radius;
+  double v = regulated_speed(parameters_, curvature, clearance,
+                             std::hypot(observation.goal.x, observation.goal.y));
+  // A robot that cannot turn faster would leave the arc.
+  if (std::abs(v * curvature) > robot_.max_w) v = robot_.max_w / std::abs(curvature);
+  const Twist twist{v, v * curvature};
+  const double radius = clearance_radius(map, observation.pose, robot_, parameters_.margin);
+  if (!is_collision_imminent(observation.pose, twist, radius, std::hypot(carrot.x, carrot.y)))
+    return clamp_to_limits(twist, robot_);
+  // Without the recovery behavior of another node the robot would stay there: it turns to the path.
+  if (can_rotate(map, observation.pose, robot_, radius, rotation.w, task_.control_period))
+    return clamp_to_limits(rotation, robot_);
+  return {};
+}
+
+}  // namespace regulated_pure_pursuit

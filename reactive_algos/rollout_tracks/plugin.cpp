@@ -1,0 +1,11 @@
+#include "trajectory_rollout/trajectory_rollout.h"
+
+using Method = reactive::Plugin<trajectory_rollout::TrajectoryRollout>;
+
+const slalom_method_api* slalom_method_get_api(void) {
+  return Method::table("rollout_tracks");
+}
+
+const slalom_tracks_api* slalom_method_get_tracks_api(void) {
+  return Method::tracks_table();
+}
