@@ -1,0 +1,37 @@
+#include "eband_local_planner/follow_band.h"
+
+#include <algorithm>
+
+namespace eband_local_planner {
+
+using namespace reactive;
+
+namespace {
+
+/// Of the angle within which the robot moves, and of the speed: the fraction of a bubble's radius
+/// that counts in eband_local_planner.
+constexpr double kUsedRadius = 0.7;
+
+double with_magnitude_in(double value, double low, double high) {
+  return std::copysign(std::min(std::max(std::abs(value), low), high), value);
+}
+
+}  // namespace
+
+Twist follow(const std::vector<Bubble>& band, const Pose& pose,
+             const ControllerParameters& parameters) {
+  const Bubble& next = band[1];
+  const Point target = to_robot(pose, next.center);
+  const double bearing = std::atan2(target.y, target.x);
+  const double w = parameters.k_prop * bearing;
+  const double threshold = parameters.rotation_threshold_multiplier *
+                           std::atan2(kUsedRadius * next.radius, std::hypot(target.x, target.y));
+  if (std::abs(bearing) > threshold)
+    return {0, with_magnitude_in(w, parameters.min_in_place_vel_th, parameters.max_vel_th)};
+  const double v = parameters.bubble_velocity_multiplier * kUsedRadius * band[0].radius *
+                   parameters.max_vel_lin * std::cos(bearing);
+  return {std::min(std::max(v, parameters.min_vel_lin), parameters.max_vel_lin),
+          with_magnitude_in(w, parameters.min_vel_th, parameters.max_vel_th)};
+}
+
+}  // namespace eband_local_planner

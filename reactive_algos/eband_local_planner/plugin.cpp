@@ -1,0 +1,5 @@
+#include "eband_local_planner/eband_local_planner.h"
+
+const slalom_method_api* slalom_method_get_api(void) {
+  return reactive::Plugin<eband_local_planner::EbandLocalPlanner>::table("eband_local_planner");
+}
