@@ -24,6 +24,7 @@ class ClearanceMap {
   }
   int side() const { return frame_.side; }
   double resolution() const { return frame_.resolution; }
+  const Point& origin() const { return frame_.origin; }  ///< lower left corner
   double band() const { return band_; }
   float cell(int x, int y) const { return cells_[index(x, y)]; }
   const std::vector<float>& cells() const { return cells_; }  ///< by index(), and unused ones

@@ -15,6 +15,41 @@ constexpr double kEscapeRange = 0.3;                   // m around the robot whe
 
 void CostToGo::compute(const ClearanceMap& map, const Point& goal, const Point& robot,
                        const PathCosts& costs, double slack) {
+  begin(map);
+  weigh(costs);
+  open_around(robot);
+  bound_ahead(robot);
+  seed(goal);
+  spread(slack);
+}
+
+void CostToGo::compute(const ClearanceMap& map, const std::vector<Point>& goals, const Point& robot,
+                       const PathCosts& costs, double slack) {
+  begin(map);
+  weigh(costs);
+  open_around(robot);
+  bound_ahead(robot);
+  for (const Point& goal : goals) seed_inside(goal);
+  spread(slack);
+}
+
+void CostToGo::compute(const Costmap& map, const Point& goal, const Point& robot) {
+  begin(map.clearance());
+  for (int y = 0; y < map_->side(); ++y)
+    for (int x = 0; x < map_->side(); ++x) {
+      const int cost = map.cost(x, y);
+      const bool open = cost < Inflation::kInscribed;
+      const std::size_t cell = map_->index(x, y);
+      front_.weights[cell] = open ? kUnit + kUnit * 8 * cost / 500 : 0;
+      front_.costs[cell] = open ? Wavefront::kUnreached : Wavefront::kBlocked;
+    }
+  open_around(robot);
+  bound_ahead(robot);
+  seed(goal);
+  spread(0);
+}
+
+void CostToGo::begin(const ClearanceMap& map) {
   map_ = &map;
   if (front_.side != map.side() || resolution_ != map.resolution()) {
     front_.resize(map.side());
@@ -22,24 +57,27 @@ void CostToGo::compute(const ClearanceMap& map, const Point& goal, const Point& 
     target_ = kNoCell;
   }
   front_.clear();
-  int x = 0, y = 0;
-  const bool inside = map.cell_at(robot, x, y);
-  weigh(robot, costs);
-  if (!inside || map.index(x, y) != target_) bound_ahead(inside, x, y);
-  seed(goal);
-  const std::size_t everywhere = std::numeric_limits<std::size_t>::max();
-  if (inside) front_.spread_to(target_);
-  const bool reached = inside && front_.costs[target_] != Wavefront::kUnreached;
-  end_ = reached ? front_.next_bucket + static_cast<std::size_t>(slack / map.resolution())
-                 : everywhere;
-  if (!inside) front_.spread_before(everywhere);
 }
 
-void CostToGo::weigh(const Point& robot, const PathCosts& costs) {
+void CostToGo::weigh(const PathCosts& costs) {
   const double span = std::max(1e-6, costs.comfort - costs.clearance);
   fill_weights({costs.clearance, costs.comfort, span, costs.comfort_weight, kUnit},
                map_->cells().data(), map_->index(0, map_->side()), kMaxWeight, Wavefront::kBlocked,
                Wavefront::kUnreached, front_.weights.data(), front_.costs.data());
+}
+
+void CostToGo::spread(double slack) {
+  const bool inside = target_ != kNoCell;
+  const std::size_t everywhere = std::numeric_limits<std::size_t>::max();
+  if (inside) front_.spread_to(target_);
+  const bool reached = inside && front_.costs[target_] != Wavefront::kUnreached;
+  end_ = reached ? front_.next_bucket + static_cast<std::size_t>(slack / map_->resolution())
+                 : everywhere;
+  if (!inside) front_.spread_before(everywhere);
+}
+
+/// Opens the blocked cells around the robot, at a high cost.
+void CostToGo::open_around(const Point& robot) {
   int cx = 0, cy = 0;
   if (!map_->cell_at(robot, cx, cy)) return;
   const int reach = static_cast<int>(kEscapeRange / map_->resolution()) + 1;
@@ -56,7 +94,10 @@ void CostToGo::weigh(const Point& robot, const PathCosts& costs) {
 
 /// The cost of a path in free space to the cells within reach of the robot, measured as such a
 /// path: 1.08 is more than the ratio of its length to the distance; 3 cells are for interpolation.
-void CostToGo::bound_ahead(bool inside, int robot_x, int robot_y) {
+void CostToGo::bound_ahead(const Point& robot) {
+  int robot_x = 0, robot_y = 0;
+  const bool inside = map_->cell_at(robot, robot_x, robot_y);
+  if (inside && map_->index(robot_x, robot_y) == target_) return;
   const int side = map_->side(), last = side - 1;
   target_ = inside ? map_->index(robot_x, robot_y) : kNoCell;
   std::fill(front_.ahead.begin(), front_.ahead.end(), Wavefront::kBorder);
@@ -73,15 +114,18 @@ void CostToGo::bound_ahead(bool inside, int robot_x, int robot_y) {
 }
 
 void CostToGo::seed(const Point& goal) {
+  if (!seed_inside(goal)) seed_border(goal);
+}
+
+/// Whether `goal` is inside the border of the map, where its cell becomes a goal.
+bool CostToGo::seed_inside(const Point& goal) {
   const int last = map_->side() - 1;
   int x = 0, y = 0;
   const bool inside = map_->cell_at(goal, x, y) && std::min(x, y) > 0 && std::max(x, y) < last;
-  if (!inside) {
-    seed_border(goal);
-    return;
-  }
+  if (!inside) return false;
   front_.costs[map_->index(x, y)] = Wavefront::kUnreached;  // also of a blocked cell
   front_.improve(map_->index(x, y), 0);
+  return true;
 }
 
 /// Beyond the map paths are straight: the border starts with its distances to the goal, minus their

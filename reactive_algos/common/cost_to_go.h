@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/clearance_map.h"
+#include "common/costmap.h"
 #include "common/wavefront.h"
 
 #include <cstddef>
@@ -30,6 +31,12 @@ class CostToGo {
   /// cost. `map` is used until the next call.
   void compute(const ClearanceMap& map, const Point& goal, const Point& robot,
                const PathCosts& costs, double slack = 2);
+  /// The same to the closest one of several goals; those outside the map do not count.
+  void compute(const ClearanceMap& map, const std::vector<Point>& goals, const Point& robot,
+               const PathCosts& costs, double slack = 2);
+  /// The same over the costs of a costmap, weighted as in navfn: 50 + 0.8 cost per cell, infinite
+  /// from the inscribed radius.
+  void compute(const Costmap& map, const Point& goal, const Point& robot);
 
   /// Remaining path length, m; kUnreached if not reached.
   double at(const Point& p);
@@ -45,9 +52,13 @@ class CostToGo {
  private:
   static constexpr std::size_t kNoCell = static_cast<std::size_t>(-1);
 
-  void weigh(const Point& robot, const PathCosts& costs);
-  void bound_ahead(bool inside, int robot_x, int robot_y);
+  void begin(const ClearanceMap& map);
+  void weigh(const PathCosts& costs);
+  void spread(double slack);
+  void open_around(const Point& robot);
+  void bound_ahead(const Point& robot);
   void seed(const Point& goal);
+  bool seed_inside(const Point& goal);
   void seed_border(const Point& goal);
   double cell_cost(int x, int y) const;  ///< m; kUnreached if not reached
   void settle(int x, int y);

@@ -1,4 +1,3 @@
-#include "common/arcs.h"
 #include "common/motion.h"
 
 #include <algorithm>
@@ -56,19 +55,24 @@ struct OpenArcs {
 }  // namespace
 
 std::vector<double> free_arc_lengths(const ClearanceMap& map, const Pose& pose,
-                                     const std::vector<Twist>& twists, double radius,
-                                     double limit) {
+                                     const std::vector<Twist>& twists, const Robot& robot,
+                                     double radius, double limit) {
   constexpr double kMinStep = 0.02;  // m
+  const double reach = robot.reach();
   std::vector<double> result(twists.size(), limit);
   OpenArcs open(pose, twists);
   while (!open.numbers.empty()) {
-    map.at(open.poses.x.data(), open.poses.y.data(), open.numbers.size(), open.clearances.data());
+    footprint_clearances(map, open.poses, open.numbers.size(), robot, open.clearances.data());
     std::size_t count = 0;
     for (std::size_t i = 0; i < open.numbers.size(); ++i) {
-      // Contact is not possible within the current clearance.
-      const double gap = open.clearances[i] - radius, step = std::max(gap, kMinStep);
+      // Contact is not possible within the current clearance, which the farthest point covers
+      // first.
+      const double gap = open.clearances[i] - radius;
+      const double step = std::max(gap, kMinStep) / (1 + std::abs(open.curvatures[i]) * reach);
       if (gap < 0) result[open.numbers[i]] = open.lengths[i];
       if (gap < 0 || open.lengths[i] + step >= limit) continue;
+      // A polygon takes small steps on narrow circles: once around is enough.
+      if (reach > 0 && open.lengths[i] * std::abs(open.curvatures[i]) > 2 * M_PI) continue;
       open.move(i, count);
       open.lengths[count] += step;
       open.steps[count] = step;
@@ -84,7 +88,7 @@ std::vector<double> free_arc_lengths(const ClearanceMap& map, const Pose& pose,
 double clearance_radius(const ClearanceMap& map, const Pose& pose, const Robot& robot,
                         double margin) {
   constexpr double kMinMargin = 0.005;  // m beyond the radius
-  const double here = map.at({pose.x, pose.y}) - kMinMargin;
+  const double here = footprint_clearance(map, pose, robot) - kMinMargin;
   return std::clamp(here, robot.radius + kMinMargin, robot.radius + std::max(margin, kMinMargin));
 }
 
@@ -96,10 +100,26 @@ bool RotateInPlace::update(double bearing) {
   return side_ != 0;
 }
 
+bool RotateInPlace::update(double bearing, const ClearanceMap& map, const Pose& pose,
+                           const Robot& robot, double margin) {
+  if (!update(bearing)) return false;
+  const bool behind = side_ * bearing < 0;
+  const double angle = (behind ? 2 * M_PI - std::abs(bearing) : std::abs(bearing)) - end_;
+  const double radius = clearance_radius(map, pose, robot, margin);
+  if (free_rotation(map, pose, robot, radius, side_, angle) < angle) side_ = 0;
+  return side_ != 0;
+}
+
+std::optional<Twist> brake_before_rotation(const Twist& measured, const Robot& robot,
+                                           double period) {
+  const double slowest = std::abs(measured.v) - robot.max_accel_v * period;
+  if (slowest <= 0) return std::nullopt;
+  return Twist{0, measured.w * slowest / std::abs(measured.v)};
+}
+
 Twist RotateInPlace::twist(double bearing, const Twist& measured, const Robot& robot,
                            double period) const {
-  const double slowest = std::abs(measured.v) - robot.max_accel_v * period;
-  if (slowest > 0) return {0, measured.w * slowest / std::abs(measured.v)};
+  if (const auto braking = brake_before_rotation(measured, robot, period)) return *braking;
   const bool behind = side_ * bearing < 0;
   return {0, behind ? side_ * robot.max_w : stopping_angular_velocity(bearing, robot)};
 }

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "common/clearance_map.h"
+#include "common/footprint.h"
 #include "common/robot.h"
 
+#include <optional>
 #include <vector>
 
 namespace reactive {
@@ -23,15 +24,22 @@ Pose integrate(const Pose& pose, const Twist& twist, double time);
 Twist apply_acceleration_limits(const Twist& from, const Twist& to, const Robot& robot,
                                 double time);
 
-/// For each twist the length (m) of its arc that a disc of `radius` can move before contact, at
-/// most `limit`. Rotation in place is always free.
+/// For each twist the length (m) of its arc that the robot can move before its footprint comes
+/// closer to an obstacle than `radius` allows (that of a disc around its center, or more than the
+/// robot's for a margin), at most `limit`. Rotation in place counts as free: free_rotation().
 std::vector<double> free_arc_lengths(const ClearanceMap& map, const Pose& pose,
-                                     const std::vector<Twist>& twists, double radius, double limit);
+                                     const std::vector<Twist>& twists, const Robot& robot,
+                                     double radius, double limit);
 
 /// The radius to keep clear: robot radius plus margin, or the current clearance if that is less, so
 /// that a robot that is too close to an obstacle can still move.
 double clearance_radius(const ClearanceMap& map, const Pose& pose, const Robot& robot,
                         double margin);
+
+/// The command of a robot that wants to rotate in place and cannot stop within `period` s: it
+/// brakes on the arc that it moves on, which was checked for obstacles; a narrower one was not.
+std::optional<Twist> brake_before_rotation(const Twist& measured, const Robot& robot,
+                                           double period);
 
 /// Decides, with hysteresis, whether the robot must rotate in place towards a bearing, and to which
 /// side.
@@ -42,8 +50,10 @@ class RotateInPlace {
 
   void reset() { side_ = 0; }
   bool update(double bearing);  ///< whether to rotate in place
-  /// A robot that cannot stop within `period` s first brakes, on the arc that it moves on: that arc
-  /// was checked for obstacles, a narrower one was not.
+  /// The same, and not if the footprint would touch an obstacle on its way to the bearing.
+  bool update(double bearing, const ClearanceMap& map, const Pose& pose, const Robot& robot,
+              double margin);
+  /// The command; brake_before_rotation() if the robot moves.
   Twist twist(double bearing, const Twist& measured, const Robot& robot, double period) const;
 
  private:

@@ -11,6 +11,21 @@
 
 namespace reactive {
 
+/// A moving disc, in the robot frame.
+struct Track {
+  Point position;
+  Point velocity;  ///< m/s over ground
+  double radius = 0;
+};
+
+/// The static obstacles of a run, on square cells.
+struct KnownMap {
+  double resolution = 0.05;  ///< m
+  Point origin;              ///< lower left corner, odometry frame
+  std::size_t size_x = 0, size_y = 0;
+  std::vector<std::uint8_t> cells;  ///< row by row upwards; 1 occupied, 0 free
+};
+
 /// Input of a method in each control cycle.
 struct Observation {
   Pose pose;       ///< odometry frame
@@ -43,6 +58,18 @@ class Plugin {
                                           reset,
                                           step,
                                           destroy};
+    return &api;
+  }
+
+  /// The table of slalom_method_get_tracks_api() for a class with `set_tracks(tracks)`.
+  static const slalom_tracks_api* tracks_table() {
+    static const slalom_tracks_api api = {SLALOM_TRACKS_ABI_VERSION, set_tracks};
+    return &api;
+  }
+
+  /// The table of slalom_method_get_map_api() for a class with `uses_map()` and `set_map(map)`.
+  static const slalom_map_api* map_table() {
+    static const slalom_map_api api = {SLALOM_MAP_ABI_VERSION, uses_map, set_map};
     return &api;
   }
 
@@ -83,6 +110,30 @@ class Plugin {
       observation.ranges.assign(input->ranges, input->ranges + input->rays);
       const Twist twist = static_cast<M*>(method)->step(observation);
       *command = {twist.v, twist.w, 0};
+    });
+  }
+
+  static int set_tracks(void* method, const slalom_track* tracks, size_t count) {
+    return guarded([&] {
+      std::vector<Track> converted;
+      for (size_t i = 0; i < count; ++i)
+        converted.push_back(
+            {{tracks[i].x, tracks[i].y}, {tracks[i].vx, tracks[i].vy}, tracks[i].radius});
+      static_cast<M*>(method)->set_tracks(std::move(converted));
+    });
+  }
+
+  static int uses_map(const void* method) {
+    return static_cast<const M*>(method)->uses_map() ? 1 : 0;
+  }
+
+  static int set_map(void* method, const slalom_map* map) {
+    return guarded([&] {
+      static_cast<M*>(method)->set_map({map->resolution,
+                                        {map->origin_x, map->origin_y},
+                                        map->size_x,
+                                        map->size_y,
+                                        {map->cells, map->cells + map->size_x * map->size_y}});
     });
   }
 

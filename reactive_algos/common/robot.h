@@ -1,24 +1,60 @@
 #pragma once
 
+#include "common/geometry.h"
+
 #include <slalom/methods/slalom_method.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace reactive {
 
-/// Robot and sensor parameters of a method. A polygon is replaced by its enclosing disc.
+/// One of the discs that cover a footprint.
+struct FootprintDisc {
+  Point center;      ///< robot frame
+  double inset = 0;  ///< m, by which its radius is smaller than Robot::radius
+};
+
+/// Robot and sensor parameters of a method.
 struct Robot {
-  double radius = 0.25;  ///< m
+  double radius = 0.25;  ///< m, of the disc that contains the footprint; see also covered()
   double max_v = 1, max_w = 1.5;
   double max_accel_v = 1, max_accel_w = 3;
   double aperture = M_PI;  ///< rad, of the scan
   double max_range = 8;    ///< m
+  bool forward_only = true;
+  std::vector<Point> footprint = {};        ///< convex, m, counter-clockwise; empty: the disc
+  std::vector<FootprintDisc> discs = {{}};  ///< their union contains the footprint
+
+  bool is_disc() const { return discs.size() == 1; }
+  /// Distance from the origin to the farthest center of a disc, m.
+  double reach() const {
+    double result = 0;
+    for (const FootprintDisc& disc : discs)
+      result = std::max(result, std::hypot(disc.center.x, disc.center.y));
+    return result;
+  }
 };
 
 inline Robot robot_of(const slalom_robot& robot) {
-  return {robot.radius,      robot.max_v,    robot.max_w,    robot.max_accel_v,
-          robot.max_accel_w, robot.aperture, robot.max_range};
+  Robot result = {robot.radius,      robot.max_v,    robot.max_w,     robot.max_accel_v,
+                  robot.max_accel_w, robot.aperture, robot.max_range, robot.forward_only != 0};
+  for (std::size_t i = 0; i < robot.footprint_points; ++i)
+    result.footprint.push_back({robot.footprint[2 * i], robot.footprint[2 * i + 1]});
+  return result;
+}
+
+/// The radius (m) of the largest disc around the origin within the footprint.
+inline double inscribed_radius(const Robot& robot) {
+  double result = robot.radius;
+  for (std::size_t i = 0; i < robot.footprint.size(); ++i) {
+    const Point& a = robot.footprint[i];
+    const Point& b = robot.footprint[(i + 1) % robot.footprint.size()];
+    // The distance to the edge's line, which for a convex footprint is that to the edge.
+    result = std::min(result, std::abs(a.x * b.y - b.x * a.y) / distance(a, b));
+  }
+  return result;
 }
 
 /// Linear (m/s) and angular velocity (rad/s).

@@ -21,6 +21,13 @@ void RollingMemory::clear() {
   points_.clear();
 }
 
+void RollingMemory::clear_outside(const Point& center, double half_size) {
+  for (std::size_t i = points_.size(); i-- > 0;) {
+    const Point& p = points_[i];
+    if (std::max(std::abs(p.x - center.x), std::abs(p.y - center.y)) > half_size) remove(i);
+  }
+}
+
 std::int64_t RollingMemory::cell_of(double coordinate) const {
   const auto cell = static_cast<std::int64_t>(std::floor(coordinate / resolution_)) % cells_;
   return cell < 0 ? cell + cells_ : cell;
@@ -86,7 +93,7 @@ void RollingMemory::update(const Pose& pose, const std::vector<double>& ranges,
     if (outside || (ranges.size() > 4 && sees_through(frame.to_robot(p), ranges, robot))) remove(i);
   }
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    if (!(ranges[i] < 0.999 * robot.max_range)) continue;  // no obstacle
+    if (!(ranges[i] >= 0 && ranges[i] < 0.999 * robot.max_range)) continue;  // no obstacle
     const Point p = frame.to_world({ranges[i] * rays_[i].x, ranges[i] * rays_[i].y});
     if (std::max(std::abs(p.x - pose.x), std::abs(p.y - pose.y)) < half_size_ - resolution_)
       insert(p);

@@ -21,6 +21,9 @@ class RollingMemory {
   RollingMemory(double half_size, double resolution);
 
   void clear();
+  /// Forgets the points outside a square around `center`.
+  void clear_outside(const Point& center, double half_size);
+  /// Rays with a negative range say nothing.
   void update(const Pose& pose, const std::vector<double>& ranges, const Robot& robot);
   const std::vector<Point>& points() const { return points_; }  ///< odometry frame
   double half_size() const { return half_size_; }

@@ -65,10 +65,11 @@ double heading_term(const Pose& pose, const Twist& twist, const Point& target, c
 
 Dwa::Dwa(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
-      robot_(robot),
-      map_({parameters.memory, 0.05, 0.8 + robot.radius}, robot),
-      local_planner_({robot.radius + parameters.margin, 2 * robot.radius + parameters.margin, 2.0},
-                     robot.radius + 0.01, CostToGo::kPathReach * parameters.look_ahead),
+      robot_(covered(robot)),
+      map_({parameters.memory, 0.05, 0.8 + robot_.radius}, robot_),
+      local_planner_(
+          {robot_.radius + parameters.margin, 2 * robot_.radius + parameters.margin, 2.0},
+          robot_.radius + 0.01, CostToGo::kPathReach * parameters.look_ahead),
       turn_(parameters.turn_in_place, 0.5) {}
 
 void Dwa::reset(const NavigationTask& task) {
@@ -95,13 +96,15 @@ void Dwa::evaluate(const Observation& observation, const Point& target, double t
     for (int k = 0; k < columns; ++k)
       twists.push_back({window.low.v + (top - window.low.v) * i / (rows - 1),
                         window.low.w + (window.high.w - window.low.w) * k / (columns - 1)});
-  const std::vector<double> free_distances =
-      free_arc_lengths(map_.clearance(), observation.pose, twists, radius, parameters_.horizon);
+  const std::vector<double> free_distances = free_arc_lengths(
+      map_.clearance(), observation.pose, twists, robot_, radius, parameters_.horizon);
   candidates_.clear();
   for (std::size_t i = 0; i < twists.size(); ++i) {
     Candidate c;
     c.twist = twists[i];
-    c.admissible = can_stop(c.twist, free_distances[i], robot_, task_.control_period);
+    c.admissible = can_stop(c.twist, free_distances[i], robot_, task_.control_period) &&
+                   (c.twist.v > 0 || can_rotate(map_.clearance(), observation.pose, robot_, radius,
+                                                c.twist.w, task_.control_period));
     c.clearance = free_distances[i] / parameters_.horizon;
     c.velocity = c.twist.v / robot_.max_v;
     c.heading = heading_term(observation.pose, c.twist, target, robot_, task_.control_period);
@@ -146,7 +149,7 @@ Twist Dwa::step(const Observation& observation) {
   const Waypoint waypoint = target(observation);
   const Point seen = to_robot(observation.pose, waypoint.position);
   const double bearing = std::atan2(seen.y, seen.x);
-  if (turn_.update(bearing))
+  if (turn_.update(bearing, map_.clearance(), observation.pose, robot_, parameters_.margin))
     return clamp_to_limits(turn_.twist(bearing, observation.measured, robot_, task_.control_period),
                            robot_);
   const double goal_distance = std::hypot(observation.goal.x, observation.goal.y);

@@ -72,10 +72,10 @@ std::vector<double> importance_weights(const std::vector<double>& costs, double 
 
 Mppi::Mppi(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
-      robot_(robot),
-      map_({parameters.memory, 0.05, clearance_band(robot, parameters.margin, parameters.comfort)},
-           robot),
-      local_planner_(local_planner_of(parameters, robot, task_.control_period)),
+      robot_(covered(robot)),
+      map_({parameters.memory, 0.05, clearance_band(robot_, parameters.margin, parameters.comfort)},
+           robot_),
+      local_planner_(local_planner_of(parameters, robot_, task_.control_period)),
       turn_(parameters.turn_in_place, 0.4) {}
 
 void Mppi::reset(const NavigationTask& task) {
@@ -133,7 +133,7 @@ Twist Mppi::step(const Observation& observation) {
   const Waypoint target = local_planner_.find(map_, observation.pose, goal, kLookAhead);
   const Point seen = to_robot(observation.pose, target.position);
   const double bearing = std::atan2(seen.y, seen.x);
-  if (turn_.update(bearing)) {
+  if (turn_.update(bearing, map_.clearance(), observation.pose, robot_, parameters_.margin)) {
     std::fill(plan_.begin(), plan_.end(), Twist{});
     return clamp_to_limits(turn_.twist(bearing, observation.measured, robot_, task_.control_period),
                            robot_);

@@ -93,7 +93,7 @@ void Batch::advance(const Twist& mean, const double* noise_v, const double* nois
 
 void Batch::add_costs(const Twist& mean, const double* noise_v, const double* noise_w,
                       double fraction, const ClearanceMap& map) {
-  map.at(poses_.x.data(), poses_.y.data(), size_, clearances_.data());
+  footprint_clearances(map, poses_, size_, robot_, clearances_.data());
   const double control_v = rule_.control_v * mean.v, control_w = rule_.control_w * mean.w;
   const double obstacles = rule_.obstacle_weight * rule_.period, per_span = 1 / rule_.span;
   for (std::size_t k = 0; k < size_; ++k) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/arcs.h"
+#include "common/footprint.h"
 #include "common/local_map.h"
 
 #include <boost/random/mersenne_twister.hpp>

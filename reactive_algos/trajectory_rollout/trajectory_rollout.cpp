@@ -23,6 +23,28 @@ double distance_to_path(const Point& p, const std::vector<Point>& path) {
   return distance(p, nearest);
 }
 
+/// The distance from `p` to the closest mover after `time` s, m.
+double distance_to_movers(const std::vector<Track>& movers, const Point& p, double time) {
+  double result = HUGE_VAL;
+  for (const Track& mover : movers)
+    result = std::min(result, std::hypot(mover.position.x + time * mover.velocity.x - p.x,
+                                         mover.position.y + time * mover.velocity.y - p.y) -
+                                  mover.radius);
+  return result;
+}
+
+/// What footprint_clearance() is for obstacles, for movers.
+double clearance_to_movers(const std::vector<Track>& movers, const Pose& pose, double time,
+                           const Robot& robot) {
+  if (movers.empty()) return HUGE_VAL;
+  const Transform frame(pose);
+  double result = HUGE_VAL;
+  for (const FootprintDisc& disc : robot.discs)
+    result = std::min(result,
+                      distance_to_movers(movers, frame.to_world(disc.center), time) + disc.inset);
+  return result;
+}
+
 /// All rollouts at the same time. v depends on the row, w and the heading on the column.
 class Simulation {
  public:
@@ -31,21 +53,20 @@ class Simulation {
         v_(desired.v.size(), now.v),
         w_(desired.w.size(), now.w),
         headings_(desired.w.size(), pose.phi),
-        turns_(desired.w.size()),
-        x_(padded(size()), pose.x),
-        y_(padded(size()), pose.y) {}
+        turns_(desired.w.size()) {
+    poses_.assign(size(), pose);
+  }
 
   std::size_t size() const { return v_.size() * w_.size(); }
-  const double* x() const { return x_.data(); }
-  const double* y() const { return y_.data(); }
-  Pose pose(std::size_t i) const { return {x_[i], y_[i], headings_[i % w_.size()]}; }
+  const PoseBatch& poses() const { return poses_; }
+  Pose pose(std::size_t i) const { return {poses_.x[i], poses_.y[i], headings_[i % w_.size()]}; }
   void advance(const Robot& robot);
 
  private:
   const VelocityGrid& desired_;
   std::vector<double> v_, w_, headings_;
   std::vector<Turn> turns_;  ///< of columns, in the last time step
-  std::vector<double> x_, y_;
+  PoseBatch poses_;
 };
 
 void Simulation::advance(const Robot& robot) {
@@ -56,6 +77,11 @@ void Simulation::advance(const Robot& robot) {
     headings_[k] = turns_[k].phi;
     w_[k] = next;
   }
+  if (!robot.is_disc())
+    for (std::size_t i = 0; i < size(); ++i) {
+      poses_.cosine[i] = std::cos(headings_[i % w_.size()]);
+      poses_.sine[i] = std::sin(headings_[i % w_.size()]);
+    }
   std::size_t i = 0;
   for (std::size_t row = 0; row < v_.size(); ++row) {
     const double next =
@@ -64,8 +90,8 @@ void Simulation::advance(const Robot& robot) {
     v_[row] = next;
     for (const Turn& turn : turns_) {
       const double chord = length * turn.sinc;
-      x_[i] += chord * turn.cosine;
-      y_[i] += chord * turn.sine;
+      poses_.x[i] += chord * turn.cosine;
+      poses_.y[i] += chord * turn.sine;
       ++i;
     }
   }
@@ -106,19 +132,23 @@ const TrajectoryRollout::Settings& TrajectoryRollout::settings() {
 
 std::vector<Rollout> roll_out(const ClearanceMap& map, const Pose& pose, const Twist& now,
                               const VelocityGrid& desired, const Robot& robot, double radius,
-                              double horizon) {
+                              double horizon, const std::vector<Track>& movers) {
   Simulation simulation(pose, now, desired);
-  std::vector<Rollout> result(simulation.size(), {pose, map.at({pose.x, pose.y}), horizon, false});
+  std::vector<Rollout> result(simulation.size(),
+                              {pose, footprint_clearance(map, pose, robot), horizon, false, false});
   std::vector<double> clearances(padded(result.size()));
   for (double t = 0; t < horizon; t += kTimeStep) {
     simulation.advance(robot);
-    map.at(simulation.x(), simulation.y(), result.size(), clearances.data());
+    footprint_clearances(map, simulation.poses(), result.size(), robot, clearances.data());
     for (std::size_t i = 0; i < result.size(); ++i) {
       Rollout& rollout = result[i];
       if (rollout.collides) continue;
-      rollout.clearance = std::min(rollout.clearance, clearances[i]);
-      if (clearances[i] >= radius) continue;
+      const double to_mover = clearance_to_movers(movers, simulation.pose(i), t + kTimeStep, robot);
+      const double clearance = std::min(clearances[i], to_mover);
+      rollout.clearance = std::min(rollout.clearance, clearance);
+      if (clearance >= radius) continue;
       rollout.collides = true;
+      rollout.meets_mover = to_mover < clearances[i];
       rollout.until_contact = t;
     }
   }
@@ -128,12 +158,12 @@ std::vector<Rollout> roll_out(const ClearanceMap& map, const Pose& pose, const T
 
 TrajectoryRollout::TrajectoryRollout(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
-      robot_(robot),
-      map_({parameters.memory, 0.05, clearance_band(robot, parameters.margin, parameters.comfort)},
-           robot),
+      robot_(covered(robot)),
+      map_({parameters.memory, 0.05, clearance_band(robot_, parameters.margin, parameters.comfort)},
+           robot_),
       local_planner_(
-          {robot.radius + parameters.margin + 0.01, robot.radius + parameters.comfort, 2.0},
-          robot.radius + 0.01,
+          {robot_.radius + parameters.margin + 0.01, robot_.radius + parameters.comfort, 2.0},
+          robot_.radius + 0.01,
           std::max(robot.max_v * parameters.horizon + kHeadingLookAhead,
                    CostToGo::kPathReach * parameters.look_ahead)),
       turn_(parameters.turn_in_place, 0.4) {}
@@ -174,16 +204,16 @@ Twist TrajectoryRollout::best(const Observation& observation, const Waypoint& ta
       clearance_radius(map_.clearance(), observation.pose, robot_, parameters_.margin);
   const std::vector<Rollout> rollouts =
       roll_out(map_.clearance(), observation.pose, observation.measured, desired, robot_, radius,
-               parameters_.horizon);
+               parameters_.horizon, movers(observation.pose));
   Twist best{0, 0};
   double best_cost = HUGE_VAL, latest_contact = -1;
   for (std::size_t i = 0; i < rollouts.size(); ++i) {
     const Twist twist = {desired.v[i / desired.w.size()], desired.w[i % desired.w.size()]};
-    // If all trajectories collide, brake on the one with the latest contact.
+    // If all trajectories collide, brake on the one with the latest contact; evade a mover on it.
     if (rollouts[i].collides) {
       if (best_cost < HUGE_VAL || rollouts[i].until_contact <= latest_contact) continue;
       latest_contact = rollouts[i].until_contact;
-      best = {0, twist.w};
+      best = {rollouts[i].meets_mover ? twist.v : 0, twist.w};
       continue;
     }
     const double value = cost(rollouts[i], twist, target);
@@ -194,8 +224,40 @@ Twist TrajectoryRollout::best(const Observation& observation, const Waypoint& ta
   return best;
 }
 
+/// Rays that end at movers say nothing: the map is that of the static obstacles.
+Observation TrajectoryRollout::without_movers(Observation observation) const {
+  constexpr double kTolerance = 0.15;  // m
+  const std::size_t rays = observation.ranges.size();
+  for (std::size_t i = 0; i < rays; ++i) {
+    const double angle = ray_angle(i, rays, robot_.aperture), range = observation.ranges[i];
+    const Point end{range * std::cos(angle), range * std::sin(angle)};
+    if (distance_to_movers(tracks_, end, 0) < kTolerance) observation.ranges[i] = -1;
+  }
+  return observation;
+}
+
+std::vector<Track> TrajectoryRollout::movers(const Pose& pose) const {
+  std::vector<Track> movers = tracks_;
+  for (Track& mover : movers) {
+    mover.position = to_world(pose, mover.position);
+    mover.velocity = to_world({0, 0, pose.phi}, mover.velocity);
+  }
+  return movers;
+}
+
+/// Whether a mover meets the robot if it stays where it is.
+bool TrajectoryRollout::is_met_standing() const {
+  for (double t = 0; t < parameters_.horizon; t += kTimeStep)
+    if (clearance_to_movers(tracks_, {}, t, robot_) < robot_.radius + parameters_.margin)
+      return true;
+  return false;
+}
+
 Twist TrajectoryRollout::step(const Observation& observation) {
-  map_.update(observation);
+  if (tracks_.empty())
+    map_.update(observation);
+  else
+    map_.update(without_movers(observation));
   const Point goal = to_world(observation.pose, observation.goal);
   // Near the goal the point ahead must not lie beyond it: the robot would stop too early.
   heading_look_ahead_ =
@@ -207,7 +269,8 @@ Twist TrajectoryRollout::step(const Observation& observation) {
                                              parameters_.look_ahead);
   const Point seen = to_robot(observation.pose, target.position);
   const double bearing = std::atan2(seen.y, seen.x);
-  if (turn_.update(bearing))
+  if (turn_.update(bearing, map_.clearance(), observation.pose, robot_, parameters_.margin) &&
+      !is_met_standing())
     return clamp_to_limits(turn_.twist(bearing, observation.measured, robot_, task_.control_period),
                            robot_);
   const double goal_distance = std::hypot(observation.goal.x, observation.goal.y);

@@ -3,6 +3,7 @@
 #include "common/local_map.h"
 #include "common/motion.h"
 
+#include <utility>
 #include <vector>
 
 /// Trajectory rollout: B. Gerkey and K. Konolige, "Planning and control in unstructured terrain",
@@ -30,9 +31,10 @@ struct Parameters {
 /// Result of a simulated trajectory.
 struct Rollout {
   reactive::Pose end;
-  double clearance = 0;      ///< minimum clearance of the robot's center, m
+  double clearance = 0;      ///< minimum footprint_clearance(), m
   double until_contact = 0;  ///< s
   bool collides = false;
+  bool meets_mover = false;  ///< it collides with a mover
 };
 
 /// Velocities that are combined with each other.
@@ -41,10 +43,12 @@ struct VelocityGrid {
 };
 
 /// Simulates the motions from `pose` with velocity `now`, towards each pair of `desired` velocities
-/// (rows of equal v) within the acceleration limits, for `horizon` s.
+/// (rows of equal v) within the acceleration limits, for `horizon` s. Movers (in the frame of the
+/// pose) keep their velocities.
 std::vector<Rollout> roll_out(const reactive::ClearanceMap& map, const reactive::Pose& pose,
                               const reactive::Twist& now, const VelocityGrid& desired,
-                              const reactive::Robot& robot, double radius, double horizon);
+                              const reactive::Robot& robot, double radius, double horizon,
+                              const std::vector<reactive::Track>& movers = {});
 
 class TrajectoryRollout {
  public:
@@ -54,9 +58,14 @@ class TrajectoryRollout {
 
   TrajectoryRollout(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);
+  /// The movers of the next step.
+  void set_tracks(std::vector<reactive::Track> tracks) { tracks_ = std::move(tracks); }
   reactive::Twist step(const reactive::Observation& observation);
 
  private:
+  reactive::Observation without_movers(reactive::Observation observation) const;
+  std::vector<reactive::Track> movers(const reactive::Pose& pose) const;
+  bool is_met_standing() const;
   reactive::Twist best(const reactive::Observation& observation, const reactive::Waypoint& target,
                        double top_speed);
   double cost(const Rollout& rollout, const reactive::Twist& desired,
@@ -70,6 +79,7 @@ class TrajectoryRollout {
   reactive::RotateInPlace turn_;
   double heading_look_ahead_ = 0;  ///< m ahead of a trajectory's end where its cost is evaluated
   std::vector<reactive::Point> path_;
+  std::vector<reactive::Track> tracks_;  ///< robot frame
 };
 
 }  // namespace trajectory_rollout

@@ -3,6 +3,7 @@
 #include <slalom/library/library_method.h>
 #include <slalom/methods/registry.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
+#include <slalom/mrpt_nav/navigator_method.h>
 #include <slalom/simulation/simulate.h>
 
 #include <gtest/gtest.h>
@@ -28,6 +29,12 @@ constexpr IncludedMethod kGoToGoal = {"go_to_goal", SLALOM_LIBRARY("go_to_goal")
 constexpr IncludedMethod kDwa = {"dwa", SLALOM_LIBRARY("dwa")};
 constexpr IncludedMethod kGuidedDwa = {"guided dwa", SLALOM_LIBRARY("dwa") "guidance = 1\n"};
 constexpr IncludedMethod kRollout = {"trajectory_rollout", SLALOM_LIBRARY("trajectory_rollout")};
+constexpr IncludedMethod kRolloutTracks = {"rollout_tracks", SLALOM_LIBRARY("rollout_tracks")};
+constexpr IncludedMethod kRosDwa = {"dwa_local_planner", SLALOM_LIBRARY("dwa_local_planner")};
+constexpr IncludedMethod kPursuit = {"regulated_pure_pursuit",
+                                     SLALOM_LIBRARY("regulated_pure_pursuit")};
+constexpr IncludedMethod kElasticBand = {"eband_local_planner",
+                                         SLALOM_LIBRARY("eband_local_planner")};
 constexpr IncludedMethod kMppi = {"mppi", SLALOM_LIBRARY("mppi") "samples = 200\n"};
 constexpr IncludedMethod kVfhPlus = {"vfh_plus", SLALOM_HOLONOMIC("vfh_plus", "CHolonomicVFHPlus")};
 constexpr IncludedMethod kSmoothNd = {"smooth_nd",
@@ -43,14 +50,27 @@ constexpr IncludedMethod kMrptNd = {"CHolonomicND",
 constexpr IncludedMethod kMrptVff = {"CHolonomicVFF",
                                      "adapter = mrpt_holonomic\nclass = CHolonomicVFF\n"};
 
-/// Returns the outcome of a run: "success", "stuck", ...
-std::string outcome(const IncludedMethod& method, const World& world) {
+SimulationResult run_of(const IncludedMethod& method, const World& world,
+                        const RobotModel& robot = {}) {
   const IniFile ini = IniFile::from_text("[method.a]\n" + std::string(method.keys), "campaign.ini");
   RunSetup setup;
-  const bool library = std::string(method.keys).find("= library") != std::string::npos;
-  const MethodReader read = library ? read_library_method : read_holonomic_method;
+  setup.robot = robot;
+  const std::string adapter = ini.get("method.a", "adapter").value_or("");
+  const MethodReader read = adapter == "library"          ? read_library_method
+                            : adapter == "mrpt_navigator" ? read_navigator_method
+                                                          : read_holonomic_method;
   const auto made = read(ini, "method.a")(setup.robot, setup.sensor);
-  return to_string(simulate(world, setup, 1, *made).outcome);
+  return simulate(world, setup, 1, *made);
+}
+
+/// Returns the outcome of a run: "success", "stuck", ...
+std::string outcome(const IncludedMethod& method, const World& world,
+                    const RobotModel& robot = {}) {
+  return to_string(run_of(method, world, robot).outcome);
+}
+
+Trajectory trajectory_of(const IncludedMethod& method, const World& world) {
+  return run_of(method, world).trajectory;
 }
 
 Polygon box(double x1, double y1, double x2, double y2) {
@@ -79,24 +99,42 @@ World u_trap() {
   return world_with_walls("trap", {box(6, 2.8, 6.2, 5.2), box(4, 2.8, 6, 3), box(4, 5, 6, 5.2)});
 }
 
-/// A wall with a door of 1 m, for a robot 0.5 m wide.
-World door() {
-  return world_with_walls("door", {box(5, 0, 5.2, 3.5), box(5, 4.5, 5.2, 8)});
+/// A wall with a door, by default of 1 m for a robot 0.5 m wide.
+World door(double width = 1) {
+  return world_with_walls("door",
+                          {box(5, 0, 5.2, 4 - 0.5 * width), box(5, 4 + 0.5 * width, 5.2, 8)});
+}
+
+/// The rectangle of a Jackal, 0.42 m x 0.33 m; its enclosing disc has a diameter of 0.534 m.
+RobotModel jackal() {
+  RobotModel robot;
+  robot.footprint = "0.21,0.165; -0.21,0.165; -0.21,-0.165; 0.21,-0.165";
+  robot.max_v = 0.5;
+  robot.set_radius_of_footprint("robot");
+  return robot;
 }
 
 TEST(Behavior, EveryMethodReachesTheGoalInAnEmptyRoom) {
   const World world = empty_room();
   for (const IncludedMethod& method :
-       {kGoToGoal, kDwa, kGuidedDwa, kRollout, kMppi, kVfhPlus, kSmoothNd, kNdPlus, kGap, kField})
+       {kGoToGoal, kDwa, kRosDwa, kGuidedDwa, kRollout, kPursuit, kElasticBand, kMppi, kVfhPlus,
+        kSmoothNd, kNdPlus, kGap, kField})
     EXPECT_EQ(outcome(method, world), "success") << method.name;
 }
 
 TEST(Behavior, EveryAvoidanceMethodPassesAPost) {
   const World world = post();
   EXPECT_EQ(outcome(kGoToGoal, world), "collision");
-  for (const IncludedMethod& method :
-       {kDwa, kGuidedDwa, kRollout, kMppi, kVfhPlus, kSmoothNd, kNdPlus, kGap})
+  for (const IncludedMethod& method : {kDwa, kRosDwa, kGuidedDwa, kRollout, kPursuit, kElasticBand,
+                                       kMppi, kVfhPlus, kSmoothNd, kNdPlus, kGap})
     EXPECT_EQ(outcome(method, world), "success") << method.name;
+}
+
+TEST(Behavior, APotentialFieldPassesAPostUnlessTheRobotTurnsAwayFromItInPlace) {
+  // Turned by more than 0.8 rad, the robot no longer sees the post within 180 degrees.
+  EXPECT_EQ(outcome(kField, post()), "stuck");
+  const std::string keys = std::string(kField.keys) + "turn_in_place = 1.5\n";
+  EXPECT_EQ(outcome({"with wide turns", keys.c_str()}, post()), "success");
 }
 
 TEST(Behavior, AUShapedObstacleTrapsMethodsWithoutPathPlanning) {
@@ -111,7 +149,8 @@ TEST(Behavior, AUShapedObstacleTrapsMethodsWithoutPathPlanning) {
 TEST(Behavior, ANavigationFunctionLeadsOutOfAUShapedObstacle) {
   // Brock and Khatib 1999: with a navigation function on the local map there is no local minimum.
   const World world = u_trap();
-  for (const IncludedMethod& method : {kGuidedDwa, kRollout, kMppi})
+  for (const IncludedMethod& method :
+       {kGuidedDwa, kRosDwa, kRollout, kPursuit, kElasticBand, kMppi})
     EXPECT_EQ(outcome(method, world), "success") << method.name;
 }
 
@@ -120,8 +159,62 @@ TEST(Behavior, ADoorIsBlockedForForceFieldsAndPassedByNearnessDiagrams) {
   // 2004: ND passes.
   const World world = door();
   EXPECT_EQ(outcome(kMrptVff, world), "stuck");
-  for (const IncludedMethod& method : {kNdPlus, kSmoothNd, kVfhPlus, kDwa, kRollout, kMppi})
+  for (const IncludedMethod& method :
+       {kNdPlus, kSmoothNd, kVfhPlus, kDwa, kRosDwa, kRollout, kPursuit, kElasticBand, kMppi})
     EXPECT_EQ(outcome(method, world), "success") << method.name;
+}
+
+/// The table of docs/methods.md. The reference distance is that of each trajectory generator.
+TEST(Behavior, WhetherCHolonomicNDPassesADoorDependsOnWhatSurroundsIt) {
+  const std::string nd = kMrptNd.keys;
+  const std::string distance = "refDistance=3; CReactiveNavigationSystem.PTG";
+  const std::string navigator =
+      "adapter = mrpt_navigator\n"
+      "config = /usr/share/mrpt/config_files/navigation-ptgs/reactive2d_config.ini\n"
+      "config_set = CAbstractPTGBasedReactive.holonomic_method=CHolonomicND; "
+      "CAbstractPTGBasedReactive.ref_distance=3; CReactiveNavigationSystem.PTG0_" +
+      distance + "1_" + distance + "2_refDistance=3\n";
+  const World narrow = door(0.9), wide = door(1), wider = door(1.2);  // 0.8, 0.9, 1.1 m are free
+  const auto outcome_of = [](const std::string& keys, const World& world) {
+    return outcome({"CHolonomicND", keys.c_str()}, world);
+  };
+  EXPECT_EQ(outcome_of(nd, wide), "stuck");
+  EXPECT_EQ(outcome_of(nd, wider), "success");
+  for (const std::string change :
+       {"sectors = 361\n", "reference_distance = 2\n", "behind = blocked\n"}) {
+    EXPECT_EQ(outcome_of(nd + change, narrow), "stuck") << change;
+    EXPECT_EQ(outcome_of(nd + change, wide), "success") << change;
+  }
+  EXPECT_EQ(outcome_of(nd + "margin = 0.02\n", narrow), "success");
+  EXPECT_EQ(outcome_of(navigator, narrow), "success");
+}
+
+TEST(Behavior, AFootprintPassesADoorThatIsTooNarrowForItsEnclosingDisc) {
+  RobotModel disc = jackal();
+  disc.footprint = "";
+  const World world = door(0.65);  // obstacles are cells of 0.05 m: 0.6 m are free
+  for (const IncludedMethod& method : {kDwa, kGuidedDwa, kRollout, kPursuit, kMppi})
+    EXPECT_EQ(outcome(method, world, jackal()), "success") << method.name;
+  EXPECT_EQ(outcome(kRollout, world, disc), "stuck");
+}
+
+/// Two walkers that come towards the robot, one behind the other, and one across.
+World walkers() {
+  const World room = empty_room();
+  const Movers movers = {{"a", 0.3, {{0, {9, 4.1}}, {20, {-7, 4.1}}}, MoverEnd::Vanish},
+                         {"b", 0.3, {{0, {11.5, 3.8}}, {20, {-4.5, 3.8}}}, MoverEnd::Vanish},
+                         {"c", 0.3, {{0, {6, -3}}, {20, {6, 17}}}, MoverEnd::Vanish}};
+  return {room.scenario().with_movers(movers), 0.05};
+}
+
+TEST(Behavior, TracksHelpToEvadeWalkersThatDoNotGiveWay) {
+  const World world = walkers();
+  EXPECT_EQ(outcome(kDwa, world), "collision");
+  EXPECT_EQ(outcome(kRollout, world), "collision");
+  EXPECT_EQ(outcome(kRolloutTracks, world), "success");
+  // Without movers the method is trajectory_rollout.
+  for (const World& still : {post(), door(), u_trap()})
+    EXPECT_EQ(trajectory_of(kRolloutTracks, still).hash(), trajectory_of(kRollout, still).hash());
 }
 
 TEST(IncludedIni, OfEachHolonomicMethodIsAccepted) {
@@ -137,7 +230,8 @@ TEST(IncludedIni, OfEachHolonomicMethodIsAccepted) {
 
 TEST(IncludedIni, OfEachLibraryIsAcceptedAndHasTheDefaults) {
   const World world = post();
-  for (const IncludedMethod& method : {kGoToGoal, kDwa, kRollout}) {
+  for (const IncludedMethod& method :
+       {kGoToGoal, kDwa, kRosDwa, kRollout, kPursuit, kElasticBand, kRolloutTracks}) {
     const std::string name = method.name;
     IniFile ini = IniFile::load(SLALOM_REACTIVE_FOLDER "/" + name + "/" + name + ".ini");
     const std::string section = "method." + name;

@@ -30,6 +30,20 @@ TEST(CostToGo, IsThePathLengthInFreeSpace) {
   EXPECT_NEAR(cost.at({0.025, -2.95}), 2.975 * 1.4, 0.06);
 }
 
+TEST(CostToGo, IsThatToTheClosestOfSeveralGoals) {
+  const LocalMap map = map_of({{1.5, -1, 1.5, 1}});
+  const std::vector<Point> goals = {{3.01, 0.02}, {-2.01, 1.02}, {40, 0}};
+  CostToGo both;
+  both.compute(map.clearance(), goals, {0, 0}, {0.3, 0.5, 2}, 100);
+  CostToGo first, second;
+  first.compute(map.clearance(), goals[0], {0, 0}, {0.3, 0.5, 2}, 100);
+  second.compute(map.clearance(), goals[1], {0, 0}, {0.3, 0.5, 2}, 100);
+  // At cell centers, where nothing is interpolated.
+  for (double x = -3.025; x < 4; x += 0.5)
+    for (double y = -2.025; y < 2; y += 0.5)
+      EXPECT_DOUBLE_EQ(both.at({x, y}), std::min(first.at({x, y}), second.at({x, y})));
+}
+
 TEST(CostToGo, LeadsAroundAWall) {
   const LocalMap map = map_of({{1.5, -1, 1.5, 1}});
   CostToGo cost = cost_to_goal(map.clearance(), {3, 0}, {0, 0}, 0.3);

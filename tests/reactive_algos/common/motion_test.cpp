@@ -25,7 +25,7 @@ TEST(Integrate, FollowsACircle) {
 TEST(FreeArcLength, EndsAtContact) {
   const LocalMap map = map_of({{2, -4, 2, 4}});
   const std::vector<double> lengths =
-      free_arc_lengths(map.clearance(), {}, {{0.5, 0}, {0.5, 0.5}, {0, 1}}, 0.25, 5);
+      free_arc_lengths(map.clearance(), {}, {{0.5, 0}, {0.5, 0.5}, {0, 1}}, {}, 0.25, 5);
   // Straight ahead the disc of 0.25 m touches after 1.75 m.
   EXPECT_NEAR(lengths[0], 1.75, 0.03);
   // On a circle of radius 1 m to the left the center reaches only x = 1: 0.75 m remain.
@@ -38,7 +38,7 @@ TEST(FreeArcLength, OfManyArcsIsThatOfEachAlone) {
   const Pose pose = {0.1, -0.2, 0.4};
   std::vector<Twist> twists;
   for (int i = 0; i < 300; ++i) twists.push_back({0.1 * (i % 8), 0.02 * (i - 150)});
-  const std::vector<double> lengths = free_arc_lengths(map.clearance(), pose, twists, 0.25, 3);
+  const std::vector<double> lengths = free_arc_lengths(map.clearance(), pose, twists, {}, 0.25, 3);
   for (std::size_t i = 0; i < twists.size(); ++i) {
     // Steps of the clearance, at least of 0.02 m, until the disc touches.
     double length = 0;
@@ -124,6 +124,17 @@ TEST(Settings, AcceptNumbersWithinTheirRange) {
   EXPECT_EQ(refusal("b", "4"), "b = '4' is invalid; expected a number in [1, 3]");
   for (const char* text : {"nan", "inf", "1x", "", "x"}) EXPECT_NE(refusal("a", text), "") << text;
   EXPECT_EQ(refusal("c", "1"), "unknown parameter c");
+}
+
+TEST(InscribedRadius, IsTheDistanceToTheClosestEdge) {
+  Robot robot;
+  EXPECT_EQ(inscribed_radius(robot), 0.25) << "of a disc";
+  robot.footprint = {{0.21, 0.165}, {-0.21, 0.165}, {-0.21, -0.165}, {0.21, -0.165}};
+  robot.radius = std::hypot(0.21, 0.165);
+  EXPECT_NEAR(inscribed_radius(robot), 0.165, 1e-12);
+  const double x = 0.3, y = 0.4;  // the edge between (0.3, 0) and (0, 0.4): 0.3 * 0.4 / 0.5
+  robot.footprint = {{x, 0}, {0, y}, {-1, 0}, {0, -1}};
+  EXPECT_NEAR(inscribed_radius(robot), 0.24, 1e-12);
 }
 
 }  // namespace

@@ -101,5 +101,59 @@ TEST(TrajectoryRollout, StopsBeforeItTurnsTowardsAGoalBehind) {
   EXPECT_GT(decide(beside, {-3, 0.5}, {0.05, 0}).w, 1);
 }
 
+/// A decision with these movers, seen in front of walls.
+Twist decide_among(const std::vector<Track>& tracks, const Point& goal, const Twist& now,
+                   const std::vector<Wall>& walls = {}) {
+  TrajectoryRollout method({}, {});
+  method.reset({goal, 0.2, 0.1, 1});
+  method.set_tracks(tracks);
+  return method.step(observe(walls, goal, now));
+}
+
+TEST(RollOut, MeetsMoversWhereTheyWillBe) {
+  const LocalMap map = map_of({});
+  const auto rollout = [&](const Track& mover) {
+    return roll_out(map.clearance(), {}, {0.5, 0}, {{0.5}, {0}}, {}, 0.3, 1.5, {mover}).front();
+  };
+  // Head-on: the gap of 2 - 0.3 - 0.3 m closes at 1.5 m/s, 0.93 s. It turns to 1.5 m at 0.5 s.
+  const Rollout head_on = rollout({{2, 0}, {-1, 0}, 0.3});
+  EXPECT_TRUE(head_on.collides);
+  EXPECT_TRUE(head_on.meets_mover);
+  EXPECT_NEAR(head_on.until_contact, 1.4 / 1.5, 0.06);
+  // It crosses 0.5 m ahead and is gone: at time t it is 0.5 (1 - t) m ahead and 2 t - 0.5 m aside.
+  const Rollout crossing = rollout({{0.7, -0.2}, {0, 2}, 0.1});
+  EXPECT_FALSE(crossing.collides);
+  EXPECT_LT(crossing.clearance, 0.7);
+  EXPECT_FALSE(rollout({{2, 0}, {1, 0}, 0.3}).collides) << "it moves ahead faster";
+}
+
+TEST(TrajectoryRollout, LetsAMoverPassThatCrossesItsWay) {
+  // From the right, 1 m/s: straight ahead at 1 m/s the robot would meet it 1.5 m ahead.
+  const std::vector<Track> crossing = {{{1.5, -1.5}, {0, 1}, 0.3}};
+  const Twist alone = decide_among({}, {5, 0}, {1, 0}),
+              twist = decide_among(crossing, {5, 0}, {1, 0});
+  EXPECT_EQ(alone.v, 1);
+  EXPECT_TRUE(twist.v < 0.9 || std::abs(twist.w) > 0.3) << twist.v << " " << twist.w;
+  const std::vector<Track> leaving = {{{1.5, 1.5}, {0, 1}, 0.3}};
+  EXPECT_EQ(decide_among(leaving, {5, 0}, {1, 0}).v, 1);
+}
+
+TEST(TrajectoryRollout, EvadesAMoverInsteadOfStandingInItsWay) {
+  // From the left at the standing robot, while the goal is behind it: alone it would turn in place.
+  const std::vector<Track> approaching = {{{0, 1.6}, {0, -1}, 0.3}};
+  EXPECT_EQ(decide_among({}, {-4, 0.2}, {}).v, 0);
+  EXPECT_GT(decide_among(approaching, {-4, 0.2}, {}).v, 0);
+}
+
+TEST(TrajectoryRollout, KeepsTrackedMoversOutOfItsMap) {
+  // A mover that closes the opening of a wall, and moves away: the way is free behind it.
+  const std::vector<Wall> closed = {{1, -20, 1, -0.6}, {1, -0.6, 1, 0.6}, {1, 0.6, 1, 20}};
+  const std::vector<Track> leaving = {{{1.5, 0}, {1.5, 0}, 0.6}};
+  const Twist tracked = decide_among(leaving, {5, 0}, {0.5, 0}, closed);
+  const Twist untracked = decide_among({}, {5, 0}, {0.5, 0}, closed);
+  EXPECT_GT(tracked.v, 0.8);
+  EXPECT_LT(untracked.v, 0.4);
+}
+
 }  // namespace
 }  // namespace trajectory_rollout
