@@ -23,6 +23,7 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/io/src/result/read_results.cpp
   ${MODULES}/io/src/result/result_file.cpp
   ${MODULES}/io/src/scenario/scenario_codec.cpp
+  ${MODULES}/io/src/scenario/movers_file.cpp
   ${MODULES}/io/src/scenario/movers_yaml.cpp
   ${MODULES}/io/src/scenario/scenario_yaml.cpp
   ${MODULES}/io/src/scenario/yaml_reader.cpp
