@@ -35,9 +35,11 @@ esac
 mapfile -t sources < <(grep -E '^(modules|adapters|reactive_algos|apps|tests|benchmarks)/.*\.cpp$' <<<"$files" || true)
 [ ${#sources[@]} -gt 0 ] || exit 0
 
-# One command for each source, without precompiled headers, which are GCC's.
+# One command for each source, without precompiled headers, which are GCC's. A source without one is of another system.
 cmake --preset tidy --log-level=WARNING >/dev/null
 cmake --build --preset tidy --target slalom_lcm_headers >/dev/null
+mapfile -t sources < <(printf '%s\n' "${sources[@]}" |
+  grep -Fxf <(sed -n "s|^ *\"file\": \"$PWD/\(.*\)\".*|\1|p" build/tidy/compile_commands.json) || true)
 end=$((SECONDS + seconds)) checked=0 status=0
 log=$(mktemp) && trap 'rm -f "$log"' EXIT
 for ((i = 0; i < ${#sources[@]} && SECONDS < end; i += 8)); do
