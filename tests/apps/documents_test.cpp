@@ -169,6 +169,7 @@ class Documents : public ProgramTest, public testing::WithParamInterface<std::st
     ProgramTest::SetUp();
     std::filesystem::create_directory_symlink(SLALOM_CONFIGS, folder_ / "configs");
     std::filesystem::create_directory_symlink(SLALOM_DOCS "/images", folder_ / "images");
+    std::filesystem::create_directory_symlink(SLALOM_DOCS "/../examples", folder_ / "examples");
   }
 
   /// Runs all commands in one shell, as a reader would, so that a command can use variables and

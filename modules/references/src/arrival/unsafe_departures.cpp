@@ -107,21 +107,6 @@ bool are_apart(double a, double da, double b, double db, double distance) {
 
 }  // namespace
 
-std::vector<MoverSegment> segments_of(const Mover& mover, double horizon) {
-  std::vector<MoverSegment> segments;
-  for (double t = 0; t < horizon;) {
-    const double next = std::min(mover.next_change(t), horizon);
-    // In the middle it is certain to which segment a time belongs.
-    const double middle = (t + next) / 2;
-    if (mover.present(middle)) {
-      const Vector velocity = mover.velocity(middle);
-      segments.push_back({{t, next}, mover.position(middle) + velocity * (t - middle), velocity});
-    }
-    t = next;
-  }
-  return segments;
-}
-
 Traffic traffic_of(const Movers& movers, double distance, double horizon) {
   Traffic traffic;
   for (const Mover& mover : movers) {
@@ -134,15 +119,15 @@ Traffic traffic_of(const Movers& movers, double distance, double horizon) {
 std::optional<Interval> unsafe_departures(const Leg& leg, const MoverSegment& segment,
                                           double distance) {
   const Vector displacement = leg.velocity * leg.duration;
-  const Vector mover_displacement = segment.velocity * (segment.time.last - segment.time.first);
-  if (are_apart(leg.from.x, displacement.x, segment.at_first.x, mover_displacement.x, distance) ||
-      are_apart(leg.from.y, displacement.y, segment.at_first.y, mover_displacement.y, distance))
+  const Vector mover_displacement = segment.velocity * (segment.end - segment.begin);
+  if (are_apart(leg.from.x, displacement.x, segment.from.x, mover_displacement.x, distance) ||
+      are_apart(leg.from.y, displacement.y, segment.from.y, mover_displacement.y, distance))
     return std::nullopt;
-  // At the time d + s the robot is at from + velocity * s, the mover at at_first + velocity * (d +
-  // s - first).
-  const RelativeMotion motion{leg.from - segment.at_first + segment.velocity * segment.time.first,
+  // At the time d + s the robot is at from + velocity * s, the mover at from + velocity * (d + s -
+  // begin).
+  const RelativeMotion motion{leg.from - segment.from + segment.velocity * segment.begin,
                               leg.velocity - segment.velocity, segment.velocity * -1.0};
-  return Extremes(motion, leg.duration, segment.time, distance).interval();
+  return Extremes(motion, leg.duration, {segment.begin, segment.end}, distance).interval();
 }
 
 std::vector<Interval> unsafe_departures(const Leg& leg, const Traffic& traffic,
@@ -152,9 +137,9 @@ std::vector<Interval> unsafe_departures(const Leg& leg, const Traffic& traffic,
     const auto& segments = traffic.segments[i];
     auto segment =
         std::partition_point(segments.begin(), segments.end(),
-                             [&](const MoverSegment& s) { return s.time.last < window.first; });
+                             [&](const MoverSegment& s) { return s.end < window.first; });
     for (; segment != segments.end(); ++segment) {
-      if (segment->time.first > window.last + leg.duration) break;
+      if (segment->begin > window.last + leg.duration) break;
       const auto interval = unsafe_departures(leg, *segment, traffic.distances[i]);
       if (interval) unsafe.push_back(*interval);
     }

@@ -15,20 +15,11 @@ struct Leg {
   double duration = 0;
 };
 
-/// A part of a mover's motion: straight at a constant velocity, or at rest.
-struct MoverSegment {
-  Interval time;
-  mrpt::math::TPoint2D at_first, velocity;  ///< m, m/s
-};
-
 /// The movers as the searches need them.
 struct Traffic {
   std::vector<std::vector<MoverSegment>> segments;  ///< of each mover, in the order of time
   std::vector<double> distances;  ///< m, from each mover's center, below which is unsafe
 };
-
-/// The motion of a mover from 0 to `horizon` (s).
-std::vector<MoverSegment> segments_of(const Mover& mover, double horizon);
 
 /// All movers, from whose edges the robot's center must keep `distance` (m).
 Traffic traffic_of(const Movers& movers, double distance, double horizon);

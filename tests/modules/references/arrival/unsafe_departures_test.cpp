@@ -17,9 +17,9 @@ double sampled_distance(const Leg& leg, const MoverSegment& segment, double depa
   constexpr int kSamples = 2000;
   for (int i = 0; i <= kSamples; ++i) {
     const double s = leg.duration * i / kSamples, t = departure + s;
-    if (t < segment.time.first || t > segment.time.last) continue;
+    if (t < segment.begin || t > segment.end) continue;
     const TPoint2D robot = leg.from + leg.velocity * s;
-    const TPoint2D mover = segment.at_first + segment.velocity * (t - segment.time.first);
+    const TPoint2D mover = segment.from + segment.velocity * (t - segment.begin);
     least = std::min(least, std::hypot(robot.x - mover.x, robot.y - mover.y));
   }
   return least;
@@ -49,7 +49,7 @@ TEST(UnsafeDepartures, OfACrossingAreWhenTheDistanceWouldBeTooSmall) {
   // time 5 at 1 m/s upward. Relative to each other they move at sqrt(2) m/s; departing e late they
   // miss by e / sqrt(2).
   const Leg leg{{-1, 0}, {1, 0}, 10};
-  const MoverSegment segment{{0, 100}, {0, -5}, {0, 1}};
+  const MoverSegment segment{0, 100, {0, -5}, {0, 1}};
   const auto unsafe = unsafe_departures(leg, segment, 0.5);
   ASSERT_TRUE(unsafe.has_value());
   EXPECT_NEAR(unsafe->first, 4 - 0.5 * std::sqrt(2), 1e-8);
@@ -57,7 +57,7 @@ TEST(UnsafeDepartures, OfACrossingAreWhenTheDistanceWouldBeTooSmall) {
 }
 
 TEST(UnsafeDepartures, OfAStayAreWhileTheMoverIsNear) {
-  const auto unsafe = unsafe_departures({{3, 0.3}, {0, 0}, 0}, {{1, 20}, {0, 0}, {2, 0}}, 0.5);
+  const auto unsafe = unsafe_departures({{3, 0.3}, {0, 0}, 0}, {1, 20, {0, 0}, {2, 0}}, 0.5);
   ASSERT_TRUE(
       unsafe.has_value());  // it is 0.4 m before and behind (3, 0) at 1 + 2.6 / 2 and 1 + 3.4 / 2
   EXPECT_NEAR(unsafe->first, 2.3, 1e-8);
@@ -73,11 +73,12 @@ TEST(UnsafeDepartures, AreThoseThatSamplingFinds) {
     const Leg leg{{number(-3, 3), number(-3, 3)},
                   {zero_or(number(-1, 1)), zero_or(number(-1, 1))},
                   zero_or(number(0, 4))};
-    MoverSegment segment{{number(0, 4), 0},
+    MoverSegment segment{number(0, 4),
+                         0,
                          {number(-3, 3), number(-3, 3)},
                          {zero_or(number(-1, 1)), zero_or(number(-1, 1))}};
     if (uniform_int(engine, 0, 4) == 0) segment.velocity = leg.velocity;
-    segment.time.last = segment.time.first + number(0.1, 5);
+    segment.end = segment.begin + number(0.1, 5);
     const double distance = number(0.1, 1.5);
     const auto unsafe = unsafe_departures(leg, segment, distance);
     for (int i = 0; i < 20; ++i) {
@@ -97,17 +98,6 @@ TEST(UnsafeDepartures, AreThoseThatSamplingFinds) {
   }
   EXPECT_GT(inside, 500);
   EXPECT_GT(outside, 500);
-}
-
-TEST(SegmentsOf, FollowTheMover) {
-  const Mover mover{"a", 0.3, {{1, {0, 0}}, {3, {4, 0}}, {4, {4, 0}}}, MoverEnd::Vanish};
-  const auto segments = segments_of(mover, 10);
-  ASSERT_EQ(segments.size(), 2U);
-  EXPECT_EQ(segments[0].time.first, 1);
-  EXPECT_EQ(segments[0].time.last, 3);
-  EXPECT_EQ(segments[0].velocity.x, 2);
-  EXPECT_EQ(segments[1].at_first.x, 4);
-  EXPECT_EQ(segments[1].time.last, 4);
 }
 
 }  // namespace
