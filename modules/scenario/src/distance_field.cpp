@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace slalom {
@@ -82,6 +83,16 @@ class ColumnEnvelope {
   std::vector<std::int64_t> until_;
 };
 
+/// The first occupied cell of a row from `first` on; `count`, the number of cells, if there is none.
+std::int32_t next_occupied(const std::uint8_t* cells, std::int32_t first, std::int32_t count) {
+  for (std::uint64_t eight = 0; first + 8 <= count; first += 8) {
+    std::memcpy(&eight, cells + first, sizeof eight);
+    if (eight != 0) break;
+  }
+  while (first < count && cells[first] == 0) ++first;
+  return first;
+}
+
 double length(double x, double y) {
   return std::sqrt(x * x + y * y);
 }
@@ -143,15 +154,20 @@ void DistanceField::write(ArrayWriter& writer) const {
   writer.write(to_right_);
 }
 
+/// Run by run of free cells: the counts within one are without branches.
 void DistanceField::fill_rows(const Occupancy& occupancy) {
   std::vector<std::int32_t> to_left(occupancy.cells().size()), to_right(to_left.size());
   for (int cy = 0; cy < size_y_; ++cy) {
-    std::int32_t steps = 0;  // from the border of the row
-    for (int cx = 0; cx < size_x_; ++cx)
-      to_left[index(cx, cy)] = steps = occupancy.occupied(cx, cy) ? 0 : steps + 1;
-    steps = 0;
-    for (int cx = size_x_ - 1; cx >= 0; --cx)
-      to_right[index(cx, cy)] = steps = occupancy.occupied(cx, cy) ? 0 : steps + 1;
+    const std::uint8_t* cells = occupancy.cells().data() + index(0, cy);
+    std::int32_t *left = to_left.data() + index(0, cy), *right = to_right.data() + index(0, cy);
+    for (std::int32_t first = 0; first < size_x_; ++first) {
+      const std::int32_t end = next_occupied(cells, first, size_x_);
+      for (std::int32_t cx = first; cx < end; ++cx) {
+        left[cx] = cx - first + 1;
+        right[cx] = end - cx;
+      }
+      first = end;
+    }
   }
   to_left_ = SharedArray<std::int32_t>(std::move(to_left));
   to_right_ = SharedArray<std::int32_t>(std::move(to_right));
