@@ -83,7 +83,7 @@ class ColumnEnvelope {
   std::vector<std::int64_t> until_;
 };
 
-/// The first occupied cell of a row from `first` on; `count`, the number of cells, if there is none.
+/// The first occupied cell of a row from `first` on; if there is none `count`, the number of cells.
 std::int32_t next_occupied(const std::uint8_t* cells, std::int32_t first, std::int32_t count) {
   for (std::uint64_t eight = 0; first + 8 <= count; first += 8) {
     std::memcpy(&eight, cells + first, sizeof eight);

@@ -107,8 +107,9 @@ FreeHeadings free_headings(const DescriptorContext& context) {
   result.free.resize(distances.size());
   const float inner = reached(context.robot.inscribed_radius());
   const float outer = reached(context.robot.enclosing_radius());
-  for (std::size_t i = 0; i < distances.size(); ++i)
-    result.free[i] = static_cast<std::uint8_t>(distances[i] >= outer ? result.headings : 0);
+  const auto all = static_cast<std::uint8_t>(result.headings);
+  std::transform(distances.begin(), distances.end(), result.free.begin(),
+                 [=](float distance) { return distance >= outer ? all : std::uint8_t{0}; });
   const Occupancy& cells = context.world.occupancy();
   const Bounds bounds = cells.bounds();
   // A corner farther away than the diagonal of W is always outside.

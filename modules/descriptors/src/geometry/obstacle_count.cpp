@@ -1,17 +1,53 @@
-#include "obstacle_components.h"
-
 #include <slalom/descriptors/descriptor.h>
 
-#include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <vector>
 
 namespace slalom::descriptors {
+namespace {
+
+/// Occupied cells first..last of a row, whose neighbors in it are free.
+struct Run {
+  int row, first, last;
+};
+
+std::vector<Run> occupied_runs(const Occupancy& cells) {
+  std::vector<Run> runs;
+  const std::uint8_t* cell = cells.cells().data();
+  for (int row = 0; row < cells.size_y(); ++row, cell += cells.size_x())
+    for (int first = 0; first < cells.size_x(); ++first) {
+      if (cell[first] == 0) continue;
+      int last = first;
+      while (last + 1 < cells.size_x() && cell[last + 1] != 0) ++last;
+      runs.push_back({row, first, last});
+      first = last;
+    }
+  return runs;
+}
+
+}  // namespace
 
 /// Number of 8-connected components of O that do not touch the border.
 Value obstacle_count(const DescriptorContext& context) {
-  const auto components = obstacle_components(context.world.occupancy());
-  return Value::of(static_cast<double>(
-      std::count_if(components.begin(), components.end(),
-                    [](const ObstacleComponent& component) { return !component.touches_border; })));
+  const Occupancy& cells = context.world.occupancy();
+  const std::vector<Run> runs = occupied_runs(cells);
+  const std::size_t border = runs.size();
+  boost::disjoint_sets_with_storage<> joined(runs.size() + 1);
+  std::size_t below = 0;  // the first run of the row below that is not left of the present one
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto [row, first, last] = runs[i];
+    if (row == 0 || first == 0 || row == cells.size_y() - 1 || last == cells.size_x() - 1)
+      joined.union_set(i, border);
+    while (runs[below].row < row - 1 || (runs[below].row < row && runs[below].last < first - 1))
+      ++below;
+    for (std::size_t j = below; runs[j].row < row && runs[j].first <= last + 1; ++j)
+      joined.union_set(i, j);
+  }
+  std::size_t components = 0;  // without that of the border
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (joined.find_set(i) == i && joined.find_set(border) != i) ++components;
+  return Value::of(static_cast<double>(components));
 }
 
 }  // namespace slalom::descriptors

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace slalom {
 namespace {
@@ -23,6 +26,45 @@ TEST(ObstacleCount, CellsThatShareACornerAreOneComponent) {
   EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(pair)), 1);
   const World chain = drawn_world({"#....", ".#...", "S.#.G", ".....", "....."});
   EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(chain)), 0) << "it touches the border";
+}
+
+/// By filling each component from one of its cells.
+int components_by_filling(const Occupancy& cells) {
+  std::vector<std::uint8_t> left = cells.cells();
+  int count = 0;
+  for (int y = 0; y < cells.size_y(); ++y)
+    for (int x = 0; x < cells.size_x(); ++x) {
+      if (left[cells.index(x, y)] == 0) continue;
+      std::vector<std::pair<int, int>> open = {{x, y}};
+      bool touches_border = false;
+      while (!open.empty()) {
+        const auto [cx, cy] = open.back();
+        open.pop_back();
+        if (!cells.inside(cx, cy)) touches_border = true;
+        if (!cells.inside(cx, cy) || left[cells.index(cx, cy)] == 0) continue;
+        left[cells.index(cx, cy)] = 0;
+        for (int i = 0; i < 9; ++i) open.emplace_back(cx + i % 3 - 1, cy + i / 3 - 1);
+      }
+      if (!touches_border) ++count;
+    }
+  return count;
+}
+
+TEST(ObstacleCount, EqualsFillingInRandomWorlds) {
+  RandomEngine random(3);
+  int found = 0;
+  for (int repetition = 0; repetition < 300; ++repetition) {
+    const double fraction = uniform_real(random, 0, 0.5);
+    std::vector<std::string> rows(static_cast<std::size_t>(uniform_int(random, 1, 30)));
+    const int width = uniform_int(random, 2, 40);
+    for (std::string& row : rows)
+      for (int x = 0; x < width; ++x) row += uniform_real(random, 0, 1) < fraction ? '#' : '.';
+    const World world = drawn_world(rows);
+    const int expected = components_by_filling(world.occupancy());
+    EXPECT_EQ(value_of("obstacle_count", context_of(world)), expected) << "world " << repetition;
+    found += expected;
+  }
+  EXPECT_GT(found, 1000);
 }
 
 TEST(Clustering, IsVarianceOverMeanInGrains) {
