@@ -5,6 +5,8 @@
 #include "common/plugin.h"
 #include "common/rolling_memory.h"
 
+#include <vector>
+
 namespace reactive {
 
 /// Options of a local map.
@@ -31,6 +33,7 @@ class LocalMap {
   void clear() { memory_.clear(); }
   void update(const Observation& observation);
   const ClearanceMap& clearance() const { return clearance_; }
+  const std::vector<Point>& points() const { return memory_.points(); }  ///< odometry frame
 
  private:
   Robot robot_;

@@ -13,6 +13,8 @@ double limited(double wanted, double limit) {
   return wanted > 0 ? std::min(wanted, limit) : limit;
 }
 
+constexpr const char* kMaps[] = {"sensed", "known", nullptr};
+
 using P = Parameters;
 
 constexpr EbandLocalPlanner::Settings kSettings = {
@@ -82,7 +84,12 @@ constexpr EbandLocalPlanner::Settings kSettings = {
      &P::comfort,
      0,
      10},
-    {{"memory", "6", "m", "half the side length of the local map"}, &P::memory, 1, 50}};
+    {{"memory", "6", "m", "half the side length of the local map"}, &P::memory, 1, 50},
+    {{"map", "sensed", "-", "known: the path is planned on the map of the environment"},
+     &P::map,
+     0,
+     1,
+     kMaps}};
 
 }  // namespace
 
@@ -99,6 +106,9 @@ EbandLocalPlanner::EbandLocalPlanner(const Parameters& parameters, const Robot& 
                                     parameters.footprint_padding + max_radius(parameters)))},
            robot),
       cost_to_go_(CostToGo::kPathReach * parameters.memory),
+      global_map_(
+          parameters.memory, map_.clearance().resolution(),
+          {inscribed_radius(robot), parameters.inflation_radius, parameters.costmap_weight}),
       band_(parameters, map_.clearance(), inscribed_radius(robot)) {
   parameters_.max_vel_lin = limited(parameters.max_vel_lin, robot.max_v);
   parameters_.max_vel_th = limited(parameters.max_vel_th, robot.max_w);
@@ -122,20 +132,37 @@ bool EbandLocalPlanner::is_plan_due(const Point& position, const Point& goal) {
          distance(position, end) < 0.5 * parameters_.memory;
 }
 
+/// The beginning of a path, at most `memory` meters; empty if there is none.
+std::vector<Point> EbandLocalPlanner::path_to(const Point& goal, const Point& position,
+                                              double clearance) {
+  if (uses_map()) {
+    global_map_.build(position, map_.points());
+    std::vector<Point> path = global_planner_.plan(global_map_.costs(), position, goal);
+    double length = 0;
+    std::size_t count = std::min<std::size_t>(1, path.size());
+    while (count < path.size() && length <= parameters_.memory) {
+      length += distance(path[count - 1], path[count]);
+      ++count;
+    }
+    path.resize(count);
+    return path;
+  }
+  const PathCosts costs{clearance, inscribed_radius(robot_) + parameters_.comfort, 2};
+  cost_to_go_.compute(map_.clearance(), goal, position, costs);
+  return cost_to_go_.path(position, parameters_.memory);
+}
+
 bool EbandLocalPlanner::plan(const Point& position, const Point& goal) {
   constexpr double kMinPadding = 0.01;  // m
   since_plan_ = 0;
-  const ClearanceMap& map = map_.clearance();
-  PathCosts costs{0, inscribed_radius(robot_) + parameters_.comfort, 2};
   for (const double fraction : {1.0, 0.5, 0.0}) {
-    costs.clearance = inscribed_radius(robot_) + kMinPadding +
-                      fraction * std::max(0.0, parameters_.footprint_padding - kMinPadding);
-    cost_to_go_.compute(map, goal, position, costs);
-    std::vector<Point> path = cost_to_go_.path(position, parameters_.memory);
+    const double clearance = inscribed_radius(robot_) + kMinPadding +
+                             fraction * std::max(0.0, parameters_.footprint_padding - kMinPadding);
+    std::vector<Point> path = path_to(goal, position, clearance);
     if (path.empty()) continue;
-    if (distance(path.back(), goal) < 2 * map.resolution()) path.back() = goal;
+    if (distance(path.back(), goal) < 2 * map_.clearance().resolution()) path.back() = goal;
     path.insert(path.begin(), position);
-    if (band_.set_path(path, costs.clearance)) return true;
+    if (band_.set_path(path, clearance)) return true;
   }
   return false;
 }

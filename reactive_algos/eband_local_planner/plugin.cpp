@@ -3,3 +3,7 @@
 const slalom_method_api* slalom_method_get_api(void) {
   return reactive::Plugin<eband_local_planner::EbandLocalPlanner>::table("eband_local_planner");
 }
+
+const slalom_map_api* slalom_method_get_map_api(void) {
+  return reactive::Plugin<eband_local_planner::EbandLocalPlanner>::map_table();
+}

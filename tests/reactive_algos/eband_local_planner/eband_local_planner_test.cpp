@@ -30,6 +30,32 @@ TEST(EbandLocalPlanner, MovesStraightToAGoalInFreeSpace) {
   EXPECT_NEAR(twist.w, 0, 0.05);
 }
 
+TEST(EbandLocalPlanner, PlansAroundWhatItHasNotSeenWithAKnownMap) {
+  Parameters parameters;
+  EXPECT_FALSE(EbandLocalPlanner(parameters, {}).uses_map());
+  parameters.map = 1;
+  EbandLocalPlanner method(parameters, {});
+  EXPECT_TRUE(method.uses_map());
+  // A wall at x = 3 from y = -3 to 6, which no scan shows.
+  KnownMap map = {0.1, {-2, -8}, 100, 160, std::vector<std::uint8_t>(std::size_t{100} * 160)};
+  for (std::size_t y = 50; y < 140; ++y) map.cells[y * 100 + 50] = 1;
+  method.set_map(map);
+  const Point goal = {6, 0};
+  method.reset({goal, 0.2, 0.1, 1});
+  EXPECT_NEAR(decide({}, goal).w, 0, 0.05);
+  EXPECT_LT(method.step(observe({}, goal)).w, -0.5) << "to the closer end";
+}
+
+TEST(EbandLocalPlanner, AlsoAvoidsWhatTheKnownMapLacks) {
+  Parameters parameters;
+  parameters.map = 1;
+  EbandLocalPlanner method(parameters, {});
+  method.set_map({0.1, {-2, -8}, 100, 160, std::vector<std::uint8_t>(std::size_t{100} * 160)});
+  const Point goal = {5, 0};
+  method.reset({goal, 0.2, 0.1, 1});
+  EXPECT_GT(method.step(observe({{1.2, -4, 1.2, 0.3}}, goal)).w, 0);
+}
+
 TEST(EbandLocalPlanner, IsWithinTheLimitsOfTheRobot) {
   Robot slow;
   slow.max_v = 0.05;
