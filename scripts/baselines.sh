@@ -73,7 +73,7 @@ for page in "${pages[@]}"; do
   case $page in
     barn)
       options=(--set robot.radius=0.21 --set robot.max_v=0.5 --set robot.max_w=1.57)
-      options+=(--set simulation.goal_tolerance=1)
+      options+=(--set simulation.goal_tolerance=1 --set method.dwa_ros.inflation_radius=0.3)
       bins="density:4; clearness:4; confinement:4"
       ;;
     slalom-dynamic-*)

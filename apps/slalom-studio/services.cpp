@@ -39,18 +39,9 @@ std::string export_to(const Scenario& scenario, const std::string& format, doubl
 
 /// Runs slalom-falsify, since methods run in processes that the window must not fork: only the
 /// thread that forks exists in them, and what the others have locked stays so.
-std::string shrink_run(const StudioServices::ShrinkRequest& request, Progress& progress) {
-  const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  std::vector<std::string> command = {(program / "slalom-falsify").string(),
-                                      "shrink",
-                                      request.results,
-                                      "--run",
-                                      request.run,
-                                      "--output",
-                                      request.folder,
-                                      "--max-runs",
-                                      request.max_runs};
-  if (!request.requires_witness) command.emplace_back("--no-witness");
+std::string falsify(std::vector<std::string> command, Progress& progress) {
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  command.insert(command.begin(), (folder / "slalom-falsify").string());
   std::string output, last;
   ProgressLine now;
   const auto read_line = [&](const std::string& line) {
@@ -69,6 +60,22 @@ std::string shrink_run(const StudioServices::ShrinkRequest& request, Progress& p
   throw Error(ErrorKind::Job, last.substr(prefix.size()));
 }
 
+std::string shrink_run(const StudioServices::ShrinkRequest& request, Progress& progress) {
+  std::vector<std::string> command = {"shrink",   request.results, "--run",      request.run,
+                                      "--output", request.folder,  "--max-runs", request.max_runs};
+  if (!request.requires_witness) command.emplace_back("--no-witness");
+  return falsify(std::move(command), progress);
+}
+
+std::string search_failures(const StudioServices::SearchRequest& request, Progress& progress) {
+  std::vector<std::string> command = {"search",     request.campaign, "--method", request.method,
+                                      "--output",   request.folder,   "--runs",   request.runs,
+                                      "--failures", request.failures};
+  if (request.all_outcomes) command.emplace_back("--all-outcomes");
+  if (!request.requires_witness) command.emplace_back("--no-witness");
+  return falsify(std::move(command), progress);
+}
+
 }  // namespace
 
 StudioServices make_services() {
@@ -82,6 +89,7 @@ StudioServices make_services() {
     services.export_formats.push_back({format.name, format.ending, format.content});
   services.export_scenario = export_to;
   services.shrink_run = shrink_run;
+  services.search_failures = search_failures;
   return services;
 }
 

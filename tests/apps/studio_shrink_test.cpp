@@ -49,6 +49,32 @@ TEST_F(StudioShrink, AddsTheSmallestScenarioOfAFailedRunUndoably) {
   EXPECT_EQ(run("slalom-scenarios show passage.scenarios squeeze_collision_1").status, 0);
 }
 
+TEST_F(StudioShrink, SearchesFailuresOfAMethod) {
+  const ProgramResult result = shrink(
+      "click menu Generate\n"
+      "click popup generate.search\n"
+      "click dialog \"field campaign\"\n"
+      "type planted.ini\n"
+      "click dialog \"field method\"\n"
+      "type squeeze\n"
+      "click dialog \"field folder\"\n"
+      "key Ctrl+A\n"
+      "type found\n"
+      "click dialog \"field runs\"\n"
+      "key Ctrl+A\n"
+      "type 200\n"
+      "click dialog \"field failures\"\n"
+      "key Ctrl+A\n"
+      "type 1\n"
+      "click dialog ok\n"
+      "wait idle\n"
+      "expect dialog contains \"kept      1 failure\"\n"
+      "click dialog ok\n"
+      "expect list contains \"squeeze_collision_1\"\n");
+  ASSERT_EQ(result.status, 0) << result.err << result.out;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "found/index.html"));
+}
+
 TEST_F(StudioShrink, IsDisabledForARunThatReachedTheGoal) {
   const ProgramResult result = shrink(
       "click runs \"row base\" right\n"

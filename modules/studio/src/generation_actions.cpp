@@ -68,7 +68,10 @@ Jobs::Delivery create_and_add(Studio& studio, const std::string& list, const Cre
   if (made.staging != nullptr) *added = add_to_list(list, made, progress);
   return [&studio, list, added, file = made.file, report = made.report] {
     try {
-      file.empty() ? show_added(studio, *added, list) : studio.open_list(file);
+      if (!file.empty())
+        studio.open_list(file);
+      else if (added->count > 0)
+        show_added(studio, *added, list);
     } catch (const Error& error) {
       studio.notices().show_message("Add scenarios", error.what());
     }
@@ -122,19 +125,42 @@ void open_export_form(Studio& studio) {
   studio.notices().show_form(std::move(form));
 }
 
-/// Only one generation, import or shrinking runs at a time.
+/// Only one generation, import, search or shrinking runs at a time.
 std::string busy_reason(Studio& studio) {
-  return studio.jobs().is_pending("make") ? "scenarios are being generated, imported or shrunk"
-                                          : "";
+  return studio.jobs().is_pending("make")
+             ? "scenarios are being generated, imported, searched or shrunk"
+             : "";
 }
 
-/// An unused folder beside the result file.
+/// An unused folder beside a file.
+std::string new_folder(const std::string& file, const std::string& name) {
+  fs::path folder = fs::path(file).parent_path() / name;
+  for (int i = 2; fs::exists(folder); ++i) folder.replace_filename(name + "_" + std::to_string(i));
+  return folder.string();
+}
+
 std::string new_shrink_folder(const std::string& results, const RunRecord& run) {
   std::string name = "shrunk_" + run_id(run);
   std::replace(name.begin(), name.end(), '/', '_');
-  fs::path folder = fs::path(results).parent_path() / name;
-  for (int i = 2; fs::exists(folder); ++i) folder.replace_filename(name + "_" + std::to_string(i));
-  return folder.string();
+  return new_folder(results, name);
+}
+
+std::string search_disabled_reason(Studio& studio) {
+  return studio.services().search_failures ? busy_reason(studio)
+                                           : "this program does not search failures";
+}
+
+void open_search_form(Studio& studio) {
+  FormDescription form = search_form(
+      new_folder(studio.active() == nullptr ? "" : studio.active()->path(), "failures"));
+  form.accepted = [&studio](const FormValues& values) {
+    const StudioServices::SearchRequest request = read_search(values);
+    start_job(studio, "Search failures of " + request.method,
+              [&studio, request](Progress& progress) {
+                return search_into_list(studio.services(), request, progress);
+              });
+  };
+  studio.notices().show_form(std::move(form));
 }
 
 void open_import_form(Studio& studio, const std::vector<std::string>& files) {
@@ -220,6 +246,10 @@ void add_generate_actions(Actions& actions, Studio& studio) {
                                       read_bins_generation);
                },
                disabled_check});
+  actions.add({"generate.search", "Generate", "Search failures...", "",
+               "Searches scenarios in which a method fails, and shrinks them.",
+               [&studio] { open_search_form(studio); },
+               [&studio] { return search_disabled_reason(studio); }});
   actions.add({"generate.shrink", "Generate", "Shrink run...", "",
                "Finds the smallest scenario in which the selected run fails alike.",
                [&studio] { open_shrink_form(studio); },

@@ -103,7 +103,7 @@ TEST_F(ShrinkRun, EndsItsWorkWhenItIsCanceled) {
   select("ptg 1");
   endless_ = true;
   start("small");
-  EXPECT_EQ(disabled_reason(), "scenarios are being generated, imported or shrunk");
+  EXPECT_EQ(disabled_reason(), "scenarios are being generated, imported, searched or shrunk");
   wait_until([this] { return began_.load(); });
   studio_.jobs().cancel("make");
   finish();

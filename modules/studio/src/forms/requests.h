@@ -114,6 +114,15 @@ StudioServices::ShrinkRequest read_shrink(const std::string& results, const RunR
 MadeList shrink_into_list(const StudioServices& services,
                           const StudioServices::ShrinkRequest& request, Progress& progress);
 
+/// Form to search failures of a method, with a proposed folder.
+FormDescription search_form(const std::string& folder);
+/// Throws Error (Usage) when the campaign does not exist.
+StudioServices::SearchRequest read_search(const FormValues& values);
+/// Searches; may run in any thread. When `progress` throws, the search is ended and can be
+/// continued. Without a failure the file of the result is empty.
+MadeList search_into_list(const StudioServices& services,
+                          const StudioServices::SearchRequest& request, Progress& progress);
+
 /// Form for format, resolution and file of an exported scenario.
 FormDescription export_form(const StudioServices& services, const Scenario& scenario,
                             double resolution);

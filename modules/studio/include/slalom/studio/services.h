@@ -53,6 +53,17 @@ struct StudioServices {
   /// Writes the smallest scenario in which the method fails alike to the list failures.scenarios in
   /// the folder. Returns a summary for the user. Null if the program cannot shrink.
   std::function<std::string(const ShrinkRequest& request, Progress& progress)> shrink_run;
+
+  struct SearchRequest {
+    std::string campaign, method;  ///< an .ini, and the method of it that is tested
+    std::string folder;            ///< for all that is written
+    std::string runs, failures;    ///< at most
+    bool all_outcomes = false;     ///< also stuck and timeout are failures
+    bool requires_witness = true;
+  };
+  /// Writes the smallest scenarios in which the method fails to the list failures.scenarios in the
+  /// folder. Returns a summary for the user. Null if the program cannot search.
+  std::function<std::string(const SearchRequest& request, Progress& progress)> search_failures;
 };
 
 }  // namespace slalom
