@@ -123,7 +123,7 @@ TEST_F(StudioDialogs, CancelsAGenerationWithoutAddingScenarios) {
       "key Enter\n"
       "wait until status contains \"Generate random scenarios\"\n"
       "do generate.random\n"
-      "expect dialog contains \"scenarios are being generated, imported or shrunk\"\n"
+      "expect dialog contains \"scenarios are being generated, imported, searched or shrunk\"\n"
       "key Enter\n"
       "click status cancel\n"
       "wait idle\n"
