@@ -36,9 +36,9 @@ table() {
 # 5: metrics), of the metric $2 and descriptor $3 if given.
 markdown() {
   awk -F, -v by="$1" -v metric="${2:-}" -v descriptor="${3:-}" -v order="$order" '
-    function digits(id) { return id ~ /^(success|mover_)|safety/ || metric != "" ? 2 : id ~ /time$/ ? 1 : 3 }
+    function digits(id) { return id ~ /^(success|mover_|arrival)|safety/ || metric != "" ? 2 : id ~ /time$/ ? 1 : 3 }
     function number(x, id) { return sprintf("%." digits(id) "f", x) }
-    (metric != "" && $5 != metric) || (descriptor != "" && $2 != descriptor) { next }
+    NF < 10 || (metric != "" && $5 != metric) || (descriptor != "" && $2 != descriptor) { next }
     {
       column = by == 5 ? $5 : sprintf("%.3g to %.3g", $3, $4)
       if (!(column in known)) { known[column]; columns[++count] = column; runs[count] = $7 }
