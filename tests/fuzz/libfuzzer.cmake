@@ -28,6 +28,7 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/io/src/scenario/scenario_yaml.cpp
   ${MODULES}/io/src/scenario/yaml_reader.cpp
   ${MODULES}/io/src/result/trajectory_file.cpp
+  ${MODULES}/io/src/text_lines.cpp
   ${MODULES}/io/src/write_scope.cpp
   ${MODULES}/references/src/reference_codec.cpp
   ${FORMATS}/gray_image.cpp
