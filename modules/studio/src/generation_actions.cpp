@@ -63,14 +63,15 @@ using CreateList = std::function<MadeList(Progress&)>;
 Jobs::Delivery create_and_add(Studio& studio, const std::string& list, const CreateList& create,
                               Progress& progress) {
   const MadeList made = create(progress);
-  // Shared, because deliveries are copied and the command cannot be.
-  const auto added = std::make_shared<AddedScenarios>();
-  if (made.staging != nullptr) *added = add_to_list(list, made, progress);
+  // Shared, because deliveries are copied and the command cannot be. Null without new scenarios.
+  std::shared_ptr<AddedScenarios> added;
+  if (made.staging != nullptr)
+    added = std::make_shared<AddedScenarios>(add_to_list(list, made, progress));
   return [&studio, list, added, file = made.file, report = made.report] {
     try {
       if (!file.empty())
         studio.open_list(file);
-      else if (added->count > 0)
+      else if (added != nullptr)
         show_added(studio, *added, list);
     } catch (const Error& error) {
       studio.notices().show_message("Add scenarios", error.what());

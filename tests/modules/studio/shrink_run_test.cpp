@@ -98,6 +98,21 @@ TEST_F(ShrinkRun, AddsWhatWasFoundToTheListAndCanBeUndone) {
   EXPECT_EQ(studio_.active()->list().size(), 3U);
 }
 
+TEST_F(ShrinkRun, SaysSoIfTheListHasTheSmallestScenarioAlready) {
+  studio_.open_list(list_);
+  select("ptg 1");
+  start("small");
+  finish();
+  studio_.notices().take_form();
+  studio_.active()->set_current(overlay_room().hash());
+  finish();
+  select("ptg 1");
+  start("again");
+  finish();
+  EXPECT_EQ(studio_.active()->list().size(), 3U);
+  EXPECT_EQ(studio_.notices().status().text, "0 scenarios added to " + list_);
+}
+
 TEST_F(ShrinkRun, EndsItsWorkWhenItIsCanceled) {
   studio_.open_list(list_);
   select("ptg 1");
