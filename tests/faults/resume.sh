@@ -85,7 +85,10 @@ lane() {
       end_at_random "$way" "$file"
       [ "$before" -lt $total ] || break
     done
-    $simulate -o "$file" --quiet 2>>"$file.log" || wrong=$((wrong + 1))
+    if ! $simulate -o "$file" --quiet 2>"$file.log"; then
+      wrong=$((wrong + 1))
+      cat "$file.log" >&2
+    fi
     [ "$(runs_in "$file")" -eq $total ] || missing=$((missing + 1))
     [ "$(digest "$file")" = "$whole" ] || wrong=$((wrong + 1))
     [ $SECONDS -lt "$seconds" ] || break

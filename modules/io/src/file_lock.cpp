@@ -106,9 +106,7 @@ class FoundLock {
       : path_(path), file_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     if (file_ < 0) return;
     flock(file_, LOCK_EX);
-    char bytes[4096];
-    const ssize_t size = read(file_, bytes, sizeof bytes);
-    if (size > 0) holder_ = parse_holder(std::string(bytes, static_cast<std::size_t>(size)));
+    read_holder();
   }
   ~FoundLock() {
     if (file_ >= 0) close(file_);
@@ -124,15 +122,31 @@ class FoundLock {
   }
   const Holder& holder() const { return holder_; }
 
+  /// Until the program that has just created the lock has written itself, or had the time to.
+  void await_holder() {
+    constexpr int kPeriodMs = 20;
+    for (int i = 0; i * kPeriodMs < kTimeToWrite * 1000; ++i) {
+      if (!holder_.empty() || is_abandoned() || !exists()) return;
+      usleep(kPeriodMs * 1000);
+      read_holder();
+    }
+  }
   /// A program that was killed while it created the lock left it empty.
   bool is_abandoned() const {
-    constexpr std::time_t kTimeToWrite = 10;  // s
     struct stat mine = {};
     return holder_.empty() && fstat(file_, &mine) == 0 &&
-           std::time(nullptr) - mine.st_mtime > kTimeToWrite;
+           std::time(nullptr) - mine.st_mtime >= kTimeToWrite;
   }
 
  private:
+  static constexpr std::time_t kTimeToWrite = 10;  // s
+
+  void read_holder() {
+    char bytes[4096];
+    const ssize_t size = pread(file_, bytes, sizeof bytes, 0);
+    if (size > 0) holder_ = parse_holder(std::string(bytes, static_cast<std::size_t>(size)));
+  }
+
   std::string path_;
   int file_;
   Holder holder_;
@@ -158,7 +172,8 @@ bool create_lock(const std::string& path, const std::string& text, const std::st
 
 /// Removes the lock of a program that is gone, or that may be taken over.
 void remove_stale_lock(const std::string& path, const std::string& output, bool take_over) {
-  const FoundLock found(path);
+  FoundLock found(path);
+  found.await_holder();
   if (!found.exists()) return;  // released or replaced meanwhile
   const bool elsewhere = !found.holder().empty() && !on_this_host(found.holder());
   if (!is_gone(found.holder()) && !found.is_abandoned() && !(take_over && elsewhere))

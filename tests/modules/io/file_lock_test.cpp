@@ -7,7 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace slalom {
 namespace {
@@ -60,6 +64,28 @@ TEST_F(FileLockTest, OfAnotherHostIsTakenOverOnRequestOnly) {
                            [&] { FileLock lock(path_); }));
   const FileLock lock(path_, true);
   EXPECT_TRUE(mentions(lock_holder(path_), {std::to_string(getpid())}));
+}
+
+TEST_F(FileLockTest, OfAProgramThatWasKilledWhileItCreatedTheLockIsReplacedAfterAWhile) {
+  using namespace std::chrono_literals;
+  write_lock("");
+  const auto now = std::filesystem::file_time_type::clock::now();
+  std::filesystem::last_write_time(lock_path(path_), now - 9s);
+  const FileLock lock(path_);
+  EXPECT_TRUE(mentions(lock_holder(path_), {std::to_string(getpid())}));
+}
+
+TEST_F(FileLockTest, AProgramThatIsJustCreatingTheLockIsAwaitedAndNamed) {
+  write_lock("");
+  const pid_t child = fork();
+  if (child == 0) {
+    usleep(100'000);
+    std::ofstream(lock_path(path_)) << "host = elsewhere\npid = 1\n";
+    _exit(0);
+  }
+  EXPECT_TRUE(throws_error(ErrorKind::Job, path_, {"process 1 on elsewhere"},
+                           [&] { FileLock lock(path_); }));
+  waitpid(child, nullptr, 0);
 }
 
 TEST_F(FileLockTest, OfAJobThatWasStartedAgainIsReplaced) {
