@@ -19,28 +19,29 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Words = hn::CappedTag<std::uint16_t, 32>;
-using Steps = hn::CappedTag<std::int32_t, 16>;
 using Doubles = hn::CappedTag<double, 8>;
 constexpr int kColumns = static_cast<int>(hn::MaxLanes(Words()));
 /// Squares of larger odd numbers exceed 16 bits.
 constexpr int kMaxRows = 128;
 constexpr std::uint16_t kTooFar = 65535;
 
+/// The first `count` numbers, followed by zeros.
+hn::Vec<Words> load(const std::uint16_t* numbers, int count) {
+  if (count == kColumns) return hn::LoadU(Words(), numbers);
+  alignas(64) std::uint16_t lanes[kColumns] = {};
+  std::copy_n(numbers, count, lanes);
+  return hn::Load(Words(), lanes);
+}
+
 /// Squared doubled gaps within the row from `count` cell centers to the nearest occupied square,
 /// at most kTooFar; the others are 0.
-void fill_gaps(const std::int32_t* to_left, const std::int32_t* to_right, int count,
+void fill_gaps(const std::uint16_t* to_left, const std::uint16_t* to_right, int count,
                std::uint16_t* gaps) {
-  alignas(64) std::int32_t steps[kColumns] = {};
-  for (int i = 0; i < count; ++i)
-    steps[i] = std::min({to_left[i], to_right[i], std::int32_t{kMaxRows + 1}});
-  const Steps integer;
-  const hn::Rebind<std::uint16_t, Steps> word;
-  for (int i = 0; i < kColumns; i += static_cast<int>(hn::Lanes(integer))) {
-    const auto step = hn::Load(integer, steps + i);
-    const auto gap = hn::Sub(hn::Add(step, step), hn::Set(integer, 1));
-    const auto square = hn::IfThenZeroElse(hn::Eq(step, hn::Zero(integer)), hn::Mul(gap, gap));
-    hn::Store(hn::DemoteTo(word, square), word, gaps + i);
-  }
+  const Words words;
+  const auto steps = hn::Min(load(to_left, count), load(to_right, count));
+  const auto gap = hn::SaturatedSub(hn::Add(steps, steps), hn::Set(words, 1));
+  const auto is_far = hn::Gt(steps, hn::Set(words, kMaxRows));
+  hn::Store(hn::IfThenElse(is_far, hn::Set(words, kTooFar), hn::Mul(gap, gap)), words, gaps);
 }
 
 /// Squared doubled distances from the centers of row y of `gaps`, in which row -1 and row size_y
@@ -74,7 +75,7 @@ void store_distances(const std::uint16_t* squares, int count, double resolution,
   std::copy_n(distances, count, result);
 }
 
-bool fill_center_distances(const std::int32_t* to_left, const std::int32_t* to_right, int size_x,
+bool fill_center_distances(const std::uint16_t* to_left, const std::uint16_t* to_right, int size_x,
                            int size_y, double resolution, float* distances) {
   const Words words;
   const auto buffer =
@@ -109,7 +110,7 @@ namespace slalom {
 
 HWY_EXPORT(fill_center_distances);
 
-bool fill_center_distances(const std::int32_t* to_left, const std::int32_t* to_right, int size_x,
+bool fill_center_distances(const std::uint16_t* to_left, const std::uint16_t* to_right, int size_x,
                            int size_y, double resolution, float* distances) {
   return HWY_DYNAMIC_DISPATCH(fill_center_distances)(to_left, to_right, size_x, size_y, resolution,
                                                      distances);

@@ -1,10 +1,12 @@
 #include "center_distances.h"
 
 #include <slalom/scenario/distance_field.h>
+#include <slalom/scenario/grid_map.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 namespace slalom {
@@ -17,6 +19,9 @@ constexpr int kBlock = 16;
 /// Factor that compensates for rounding to single precision: the result is a lower bound.
 constexpr double kRoundedDown = 1 - 1e-7;
 constexpr double kMaxSegmentLength = 1e12;  ///< m
+/// The largest number of cells to the next occupied one that is counted.
+constexpr std::int32_t kFar = 65535;
+static_assert(4.0 * kFar * kFar > kMaxGridCells, "the border is nearer than kFar");
 
 /// Twice the gap between the center of a cell and the square `steps` cells further on.
 std::int64_t doubled_gap(std::int32_t steps) {
@@ -83,14 +88,14 @@ class ColumnEnvelope {
   std::vector<std::int64_t> until_;
 };
 
-/// The first occupied cell of a row from `first` on; if there is none `count`, the number of cells.
-std::int32_t next_occupied(const std::uint8_t* cells, std::int32_t first, std::int32_t count) {
-  for (std::uint64_t eight = 0; first + 8 <= count; first += 8) {
-    std::memcpy(&eight, cells + first, sizeof eight);
-    if (eight != 0) break;
-  }
-  while (first < count && cells[first] == 0) ++first;
-  return first;
+/// The first cell of a row from `first` on with this state (1: occupied, 0: free); if there is none
+/// `count`, the number of cells.
+std::int32_t next_cell(const std::uint8_t* cells, std::int32_t first, std::int32_t count,
+                       int state) {
+  const void* found = std::memchr(cells + first, state, static_cast<std::size_t>(count - first));
+  return found == nullptr
+             ? count
+             : static_cast<std::int32_t>(static_cast<const std::uint8_t*>(found) - cells);
 }
 
 double length(double x, double y) {
@@ -140,8 +145,8 @@ DistanceField::DistanceField(const Occupancy& occupancy, ArrayReader* written)
   if (written != nullptr) {
     const std::size_t cells = occupancy.cells().size();
     at_center_ = written->read<float>(cells);
-    to_left_ = written->read<std::int32_t>(cells);
-    to_right_ = written->read<std::int32_t>(cells);
+    to_left_ = written->read<std::uint16_t>(cells);
+    to_right_ = written->read<std::uint16_t>(cells);
     return;
   }
   fill_rows(occupancy);
@@ -156,21 +161,25 @@ void DistanceField::write(ArrayWriter& writer) const {
 
 /// Run by run of free cells: the counts within one are without branches.
 void DistanceField::fill_rows(const Occupancy& occupancy) {
-  std::vector<std::int32_t> to_left(occupancy.cells().size()), to_right(to_left.size());
+  std::vector<std::uint16_t> up(static_cast<std::size_t>(std::min(size_x_, kFar)));
+  std::iota(up.begin(), up.end(), std::uint16_t{1});
+  const std::vector<std::uint16_t> down(up.rbegin(), up.rend());
+  std::vector<std::uint16_t> to_left(occupancy.cells().size()), to_right(to_left.size());
   for (int cy = 0; cy < size_y_; ++cy) {
     const std::uint8_t* cells = occupancy.cells().data() + index(0, cy);
-    std::int32_t *left = to_left.data() + index(0, cy), *right = to_right.data() + index(0, cy);
-    for (std::int32_t first = 0; first < size_x_; ++first) {
-      const std::int32_t end = next_occupied(cells, first, size_x_);
-      for (std::int32_t cx = first; cx < end; ++cx) {
-        left[cx] = cx - first + 1;
-        right[cx] = end - cx;
-      }
-      first = end;
+    std::uint16_t *left = to_left.data() + index(0, cy), *right = to_right.data() + index(0, cy);
+    for (std::int32_t end = 0; end < size_x_;) {
+      const std::int32_t first = next_cell(cells, end, size_x_, 0);
+      end = next_cell(cells, first, size_x_, 1);
+      const std::int32_t counted = std::min(end - first, kFar);
+      std::copy_n(up.begin(), counted, left + first);
+      std::copy_n(down.end() - counted, counted, right + end - counted);
+      std::fill(left + first + counted, left + end, std::uint16_t{kFar});
+      std::fill(right + first, right + end - counted, std::uint16_t{kFar});
     }
   }
-  to_left_ = SharedArray<std::int32_t>(std::move(to_left));
-  to_right_ = SharedArray<std::int32_t>(std::move(to_right));
+  to_left_ = SharedArray<std::uint16_t>(std::move(to_left));
+  to_right_ = SharedArray<std::uint16_t>(std::move(to_right));
 }
 
 std::vector<float> DistanceField::distances_at_centers() const {
@@ -278,16 +287,25 @@ double DistanceField::exact_segment_distance(const TPoint2D& a, const TPoint2D& 
     if (gap_y >= nearest) continue;
     const Span span = span_between(a, b, row, row + 1);
     const int left = static_cast<int>(span.low), right = static_cast<int>(span.high);
-    const std::size_t at_left = index(left, row), at_right = index(right, row);
-    if (to_right_[at_left] <= right - left) {  // a cell above, below or on the segment
+    if (occupied_from(left, row) <= right) {  // a cell above, below or on the segment
       nearest = gap_y;
       if (nearest == 0) return 0;
       continue;
     }
-    nearest = std::min(nearest, distance_to_cell(a, b, left - to_left_[at_left], row));
-    nearest = std::min(nearest, distance_to_cell(a, b, right + to_right_[at_right], row));
+    nearest = std::min(nearest, distance_to_cell(a, b, occupied_up_to(left, row), row));
+    nearest = std::min(nearest, distance_to_cell(a, b, occupied_from(right, row), row));
   }
   return nearest;
+}
+
+int DistanceField::occupied_up_to(int cx, int cy) const {
+  while (to_left_[index(cx, cy)] == kFar) cx -= kFar - 1;
+  return cx - to_left_[index(cx, cy)];
+}
+
+int DistanceField::occupied_from(int cx, int cy) const {
+  while (to_right_[index(cx, cy)] == kFar) cx += kFar - 1;
+  return cx + to_right_[index(cx, cy)];
 }
 
 }  // namespace slalom

@@ -163,6 +163,25 @@ TEST(DistanceField, FindsTheClearanceOfSegments) {
   }
 }
 
+TEST(DistanceField, FindsTheClearanceInRowsLongerThanItsCountsReach) {
+  constexpr int kLength = 200'000, kObstacle = 140'001;
+  Occupancy cells(kLength, 5, 1, {0, 0});
+  cells.set_occupied(kObstacle, 2, true);
+  const DistanceField field(cells);
+  EXPECT_EQ(field.clearance({70'000, 2.5}), 2.5) << "the border";
+  EXPECT_EQ(field.clearance({kObstacle - 0.5, 2.5}), 0.5);
+  EXPECT_EQ(field.segment_clearance({3, 2.5}, {199'990, 2.5}, 9), 0);
+  EXPECT_EQ(field.segment_clearance({3, 3.5}, {199'990, 3.5}, 9), 0.5);
+  for (const int begin : {65'534, 65'535, 65'536, 131'068, 131'069, 131'070})  // before it
+    for (const double y : {2.5, 3.5, 4.5}) {
+      const TPoint2D a(kObstacle - begin, y);
+      const double wall = 5 - y, above = std::max(0.0, y - 3);
+      EXPECT_DOUBLE_EQ(field.segment_clearance(a, {kObstacle - 0.25, y}, 9),
+                       std::min(wall, std::hypot(above, 0.25)));
+      EXPECT_EQ(field.segment_clearance(a, {kObstacle + 0.25, y}, 9), std::min(wall, above));
+    }
+}
+
 TEST(DistanceField, FindsTheClearanceOfOutlines) {
   RandomEngine random(13);
   for (int n = 0; n < 300; ++n) {

@@ -49,14 +49,19 @@ class DistanceField {
   double wall_distance(const mrpt::math::TPoint2D& at) const;
   double exact_segment_distance(const mrpt::math::TPoint2D& a, const mrpt::math::TPoint2D& b,
                                 double limit) const;
+  /// The column of the nearest occupied cell of the row on the left (right), or the cell's own; -1
+  /// (the number of columns) if there is none.
+  int occupied_up_to(int cx, int cy) const;
+  int occupied_from(int cx, int cy) const;
 
   int size_x_, size_y_;
   double resolution_;
   mrpt::math::TPoint2D origin_;
   SharedArray<float> at_center_;
   /// Per cell: number of cells to the nearest occupied cell of its row on the left (right); 0 if
-  /// the cell is occupied itself.
-  SharedArray<std::int32_t> to_left_, to_right_;
+  /// the cell is occupied itself, kFar if it is so far or further: no point of a grid is that far
+  /// from its border.
+  SharedArray<std::uint16_t> to_left_, to_right_;
 };
 
 }  // namespace slalom
