@@ -110,8 +110,7 @@ bool RotateInPlace::update(double bearing, const ClearanceMap& map, const Pose& 
   return side_ != 0;
 }
 
-std::optional<Twist> brake_before_rotation(const Twist& measured, const Robot& robot,
-                                           double period) {
+std::optional<Twist> brake_on_arc(const Twist& measured, const Robot& robot, double period) {
   const double slowest = std::abs(measured.v) - robot.max_accel_v * period;
   if (slowest <= 0) return std::nullopt;
   return Twist{0, measured.w * slowest / std::abs(measured.v)};
@@ -119,7 +118,7 @@ std::optional<Twist> brake_before_rotation(const Twist& measured, const Robot& r
 
 Twist RotateInPlace::twist(double bearing, const Twist& measured, const Robot& robot,
                            double period) const {
-  if (const auto braking = brake_before_rotation(measured, robot, period)) return *braking;
+  if (const auto braking = brake_on_arc(measured, robot, period)) return *braking;
   const bool behind = side_ * bearing < 0;
   return {0, behind ? side_ * robot.max_w : stopping_angular_velocity(bearing, robot)};
 }

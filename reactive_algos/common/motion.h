@@ -36,10 +36,9 @@ std::vector<double> free_arc_lengths(const ClearanceMap& map, const Pose& pose,
 double clearance_radius(const ClearanceMap& map, const Pose& pose, const Robot& robot,
                         double margin);
 
-/// The command of a robot that wants to rotate in place and cannot stop within `period` s: it
-/// brakes on the arc that it moves on, which was checked for obstacles; a narrower one was not.
-std::optional<Twist> brake_before_rotation(const Twist& measured, const Robot& robot,
-                                           double period);
+/// The command of a robot that is to stop, or to rotate in place, and cannot stop within `period` s:
+/// it brakes on the arc that it moves on, which was checked for obstacles; others were not.
+std::optional<Twist> brake_on_arc(const Twist& measured, const Robot& robot, double period);
 
 /// Decides, with hysteresis, whether the robot must rotate in place towards a bearing, and to which
 /// side.
@@ -53,7 +52,7 @@ class RotateInPlace {
   /// The same, and not if the footprint would touch an obstacle on its way to the bearing.
   bool update(double bearing, const ClearanceMap& map, const Pose& pose, const Robot& robot,
               double margin);
-  /// The command; brake_before_rotation() if the robot moves.
+  /// The command; brake_on_arc() if the robot moves.
   Twist twist(double bearing, const Twist& measured, const Robot& robot, double period) const;
 
  private:

@@ -130,9 +130,10 @@ double Dwa::smoothed(std::size_t v, std::size_t w) const {
   return sum / weight;
 }
 
-Twist Dwa::best() const {
+/// If none is admissible, the robot brakes on the arc of the last command, which was.
+Twist Dwa::best(const Twist& measured) const {
   const auto columns = static_cast<std::size_t>(parameters_.w_samples);
-  Twist best{0, 0};
+  Twist best = brake_on_arc(measured, robot_, task_.control_period).value_or(Twist{0, 0});
   double best_value = -1;
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     if (!candidates_[i].admissible) continue;
@@ -155,7 +156,7 @@ Twist Dwa::step(const Observation& observation) {
   const double goal_distance = std::hypot(observation.goal.x, observation.goal.y);
   evaluate(observation, waypoint.position,
            stopping_speed(goal_distance + 0.5 * task_.goal_tolerance, robot_));
-  return clamp_to_limits(best(), robot_);
+  return clamp_to_limits(best(observation.measured), robot_);
 }
 
 }  // namespace dwa

@@ -62,7 +62,7 @@ class Dwa {
   reactive::Waypoint target(const reactive::Observation& observation);
   void evaluate(const reactive::Observation& observation, const reactive::Point& target,
                 double top_speed);
-  reactive::Twist best() const;
+  reactive::Twist best(const reactive::Twist& measured) const;
   double smoothed(std::size_t v, std::size_t w) const;
 
   Parameters parameters_;

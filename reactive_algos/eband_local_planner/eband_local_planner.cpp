@@ -176,7 +176,7 @@ Twist EbandLocalPlanner::step(const Observation& observation) {
   const Twist twist = connected ? follow(band_.bubbles(), observation.pose, parameters_)
                                 : Twist{0, parameters_.max_vel_th};
   if (twist.v > 0) return twist;
-  return brake_before_rotation(observation.measured, robot_, task_.control_period).value_or(twist);
+  return brake_on_arc(observation.measured, robot_, task_.control_period).value_or(twist);
 }
 
 }  // namespace eband_local_planner

@@ -82,6 +82,12 @@ TEST(Dwa, StopsBeforeItTurnsTowardsAGoalBehind) {
   EXPECT_GT(decide(beside, {-3, 0.5}, {0.05, 0}).w, 1);
 }
 
+TEST(Dwa, BrakesOnItsArcIfNoVelocityIsAdmissible) {
+  const Twist twist = decide({{0.7, -3, 0.7, 3}}, {5, 0}, {0.9, -0.45});
+  EXPECT_EQ(twist.v, 0);
+  EXPECT_NEAR(twist.w, -0.4, 1e-12) << "of 0.8 m/s, to which it slows down, on the same arc";
+}
+
 TEST(Dwa, GivesTheSameCommandAfterAReset) {
   Dwa method({}, {});
   const auto first = observe({{1.2, -2, 1.2, 0.3}}, {5, 0}, {0.4, 0});
