@@ -168,8 +168,15 @@ TEST(Mppi, GivesTheSameCommandForTheSameSeed) {
 
 TEST(Mppi, StopsBeforeItTurnsTowardsAGoalBehind) {
   const std::vector<Wall> beside = {{-1, 0.4, 3, 0.4}};
-  EXPECT_EQ(decide(beside, {-3, 0.5}, {0.8, 0}).w, 0);
+  EXPECT_EQ(decide(beside, {-3, 0.5}, {0.8, 0}).v, 0);
   EXPECT_GT(decide(beside, {-3, 0.5}, {0.05, 0}).w, 1);
+}
+
+TEST(Mppi, AvoidsWhatItWouldTouchWhileItStopsForATurn) {
+  const Twist to_the_left{0.9, 0.9};
+  const Twist twist = decide({{-1, 0.5, 3, 0.5}}, {-3, 0.5}, to_the_left);
+  EXPECT_EQ(twist.v, 0);
+  EXPECT_LT(twist.w, 0.6) << "as far as it can slow its rotation down within a period";
 }
 
 }  // namespace
