@@ -36,8 +36,8 @@ std::vector<double> free_arc_lengths(const ClearanceMap& map, const Pose& pose,
 double clearance_radius(const ClearanceMap& map, const Pose& pose, const Robot& robot,
                         double margin);
 
-/// The command of a robot that is to stop, or to rotate in place, and cannot stop within `period` s:
-/// it brakes on the arc that it moves on, which was checked for obstacles; others were not.
+/// The command of a robot that is to stop, or to rotate in place, and cannot stop within `period`
+/// s: it brakes on the arc that it moves on, which was checked for obstacles; others were not.
 std::optional<Twist> brake_on_arc(const Twist& measured, const Robot& robot, double period);
 
 /// Decides, with hysteresis, whether the robot must rotate in place towards a bearing, and to which
