@@ -124,7 +124,7 @@ report "continued with space on the disk" "$whole" "$(digest run.results)"
 # Two programs on one output.
 rm -f run.results*
 start run.results
-until [ -e run.results.lock ]; do sleep 0.02; done
+until [ -e run.results.lock ] || ! kill -0 $pid; do sleep 0.02; done
 $simulate -o run.results --quiet 2>second.log
 second=$?
 wait $pid
