@@ -124,8 +124,8 @@ class FoundLock {
 
   /// Until the program that has just created the lock has written itself, or had the time to.
   void await_holder() {
-    constexpr int kPeriodMs = 20;
-    for (int i = 0; i * kPeriodMs < kTimeToWrite * 1000; ++i) {
+    constexpr std::time_t kPeriodMs = 20;
+    for (std::time_t i = 0; i * kPeriodMs < kTimeToWrite * 1000; ++i) {
       if (!holder_.empty() || is_abandoned() || !exists()) return;
       usleep(kPeriodMs * 1000);
       read_holder();
