@@ -125,17 +125,19 @@ class FoundLock {
   /// Until the program that has just created the lock has written itself, or had the time to.
   void await_holder() {
     constexpr std::time_t kPeriodMs = 20;
-    for (std::time_t i = 0; i * kPeriodMs < kTimeToWrite * 1000; ++i) {
+    // The end of the loop is for clocks that differ.
+    for (std::time_t i = 0; i * kPeriodMs < 2 * kTimeToWrite * 1000; ++i) {
       if (!holder_.empty() || is_abandoned() || !exists()) return;
       usleep(kPeriodMs * 1000);
       read_holder();
     }
   }
+
   /// A program that was killed while it created the lock left it empty.
   bool is_abandoned() const {
     struct stat mine = {};
     return holder_.empty() && fstat(file_, &mine) == 0 &&
-           std::time(nullptr) - mine.st_mtime >= kTimeToWrite;
+           std::time(nullptr) - mine.st_mtime > kTimeToWrite;
   }
 
  private:
