@@ -159,7 +159,7 @@ void DistanceField::write(ArrayWriter& writer) const {
   writer.write(to_right_);
 }
 
-/// Run by run of free cells: the counts within one are without branches.
+/// The counts within a run of free cells are always the same, and are copied.
 void DistanceField::fill_rows(const Occupancy& occupancy) {
   std::vector<std::uint16_t> up(static_cast<std::size_t>(std::min(size_x_, kFar)));
   std::iota(up.begin(), up.end(), std::uint16_t{1});

@@ -59,8 +59,8 @@ class DistanceField {
   mrpt::math::TPoint2D origin_;
   SharedArray<float> at_center_;
   /// Per cell: number of cells to the nearest occupied cell of its row on the left (right); 0 if
-  /// the cell is occupied itself, kFar if it is so far or further: no point of a grid is that far
-  /// from its border.
+  /// the cell is occupied itself, at most 65,535, which is further than any point of a grid is from
+  /// its border.
   SharedArray<std::uint16_t> to_left_, to_right_;
 };
 
