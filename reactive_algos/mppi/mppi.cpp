@@ -133,9 +133,9 @@ Twist Mppi::step(const Observation& observation) {
   const Waypoint target = local_planner_.find(map_, observation.pose, goal, kLookAhead);
   const Point seen = to_robot(observation.pose, target.position);
   const double bearing = std::atan2(seen.y, seen.x);
-  const bool turns =
+  const bool rotates =
       turn_.update(bearing, map_.clearance(), observation.pose, robot_, parameters_.margin);
-  if (turns && !brake_on_arc(observation.measured, robot_, task_.control_period)) {
+  if (rotates && !brake_on_arc(observation.measured, robot_, task_.control_period)) {
     std::fill(plan_.begin(), plan_.end(), Twist{});
     return clamp_to_limits(turn_.twist(bearing, observation.measured, robot_, task_.control_period),
                            robot_);
@@ -143,9 +143,9 @@ Twist Mppi::step(const Observation& observation) {
   const double goal_distance = std::hypot(observation.goal.x, observation.goal.y);
   // Before it rotates in place it brakes, on a course that is optimized as well.
   const double top =
-      turns ? 0
-            : std::min(robot_.max_v,
-                       stopping_speed(goal_distance + 0.5 * task_.goal_tolerance, robot_));
+      rotates ? 0
+              : std::min(robot_.max_v,
+                         stopping_speed(goal_distance + 0.5 * task_.goal_tolerance, robot_));
   optimize(observation, target, top);
   const Twist answer = plan_.front();
   shift();

@@ -168,11 +168,13 @@ TEST(Mppi, GivesTheSameCommandForTheSameSeed) {
 
 TEST(Mppi, StopsBeforeItTurnsTowardsAGoalBehind) {
   const std::vector<Wall> beside = {{-1, 0.4, 3, 0.4}};
-  EXPECT_EQ(decide(beside, {-3, 0.5}, {0.8, 0}).v, 0);
+  const Twist moving = decide(beside, {-3, 0.5}, {0.8, 0});
+  EXPECT_EQ(moving.v, 0);
+  EXPECT_LE(moving.w, 0) << "not towards the wall, where the goal is";
   EXPECT_GT(decide(beside, {-3, 0.5}, {0.05, 0}).w, 1);
 }
 
-TEST(Mppi, AvoidsWhatItWouldTouchWhileItStopsForATurn) {
+TEST(Mppi, AvoidsObstaclesWhileItBrakesBeforeARotationInPlace) {
   const Twist to_the_left{0.9, 0.9};
   const Twist twist = decide({{-1, 0.5, 3, 0.5}}, {-3, 0.5}, to_the_left);
   EXPECT_EQ(twist.v, 0);
