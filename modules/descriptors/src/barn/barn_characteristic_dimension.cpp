@@ -33,7 +33,7 @@ double characteristic_dimension(const BarnField& field, int row, int column) {
 }  // namespace
 
 Value barn_characteristic_dimension(const DescriptorContext& context) {
-  const BarnField field(context);
+  const BarnField& field = barn_field(context);
   return field.mean([&](int r, int c) { return characteristic_dimension(field, r, c); },
                     "no points");
 }

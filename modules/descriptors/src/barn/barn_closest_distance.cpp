@@ -26,7 +26,7 @@ std::optional<double> distance_to_obstacle(const BarnField& field, int row, int 
 
 /// BARN's distance to the closest obstacle.
 Value barn_closest_distance(const DescriptorContext& context) {
-  const BarnField field(context);
+  const BarnField& field = barn_field(context);
   return field.mean([&](int r, int c) { return distance_to_obstacle(field, r, c); },
                     "no obstacles");
 }

@@ -44,7 +44,7 @@ double dispersion(const BarnField& field, int row, int column) {
 }  // namespace
 
 Value barn_dispersion(const DescriptorContext& context) {
-  const BarnField field(context);
+  const BarnField& field = barn_field(context);
   return field.mean([&](int r, int c) { return dispersion(field, r, c); }, "no points");
 }
 

@@ -218,6 +218,11 @@ Value BarnField::mean(const CellValue& value, const std::string& no_value) const
   return count == 0 ? Value::na(no_value) : Value::of(sum / static_cast<double>(count));
 }
 
+const BarnField& barn_field(const DescriptorContext& context) {
+  if (!context.barn_field) context.barn_field = std::make_shared<const BarnField>(context);
+  return *context.barn_field;
+}
+
 const std::vector<TPoint2D>& barn_path(const DescriptorContext& context) {
   const PublishedPathPtr& published = context.world.scenario().published_path();
   return published ? published->points : context.shortest().path;

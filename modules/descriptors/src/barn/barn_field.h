@@ -56,6 +56,9 @@ class BarnField {
   std::vector<mrpt::math::TPoint2D> points_;
 };
 
+/// The field of the context, which it makes once.
+const BarnField& barn_field(const DescriptorContext& context);
+
 /// The path that BARN's metrics are averaged over: the published one, or P* (m).
 const std::vector<mrpt::math::TPoint2D>& barn_path(const DescriptorContext& context);
 

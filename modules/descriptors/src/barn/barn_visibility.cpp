@@ -57,7 +57,7 @@ std::string barn_version(const DescriptorContext& context) {
 }
 
 Value barn_visibility(const DescriptorContext& context) {
-  const BarnField field(context);
+  const BarnField& field = barn_field(context);
   return field.mean([&](int r, int c) { return visibility(field, r, c, context.barn_visibility); },
                     "no ray from the path ends at an obstacle");
 }

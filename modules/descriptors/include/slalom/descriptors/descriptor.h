@@ -6,6 +6,7 @@
 #include <slalom/trajectory/path.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ using PathSource = std::function<const KnownPath&()>;
 /// thread-safe.
 PathSource search_once(std::function<KnownPath()> search);
 
+class BarnField;
+
 /// Inputs of a descriptor.
 struct DescriptorContext {
   const World& world;
@@ -36,6 +39,8 @@ struct DescriptorContext {
   bool exact_confinement = false;
   /// Published version of BARN's visibility: 2021 or 2020.
   int barn_visibility = 2021;
+  /// The grid of BARN's metrics for this world and this P*: made by the first of them.
+  mutable std::shared_ptr<const BarnField> barn_field = nullptr;
 
   double robot_radius() const { return robot.inscribed_radius(); }  ///< m, inscribed radius
 };
