@@ -42,23 +42,26 @@ std::vector<TPoint2D> segment_midpoints(const Path& path, double max_length) {
   return points_along(path, length(path) / static_cast<double>(segments), 0.5, segments);
 }
 
-std::vector<TPoint2D> segment_ends(const Path& path, double max_length) {
-  const std::size_t segments = segment_count(path, max_length);
-  if (segments == 0) return {};
-  return points_along(path, length(path) / static_cast<double>(segments), 0, segments + 1);
-}
-
 double fraction_below(const Path& path, double max_length, double limit,
                       const std::function<double(const TPoint2D&)>& value) {
-  const std::vector<TPoint2D> ends = segment_ends(path, max_length);
-  double below = 0, before = 0;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
+  constexpr double kRounding = 1e-6;  // segments
+  const std::size_t segments = segment_count(path, max_length);
+  if (segments == 0) return 0;
+  const double step = length(path) / static_cast<double>(segments);
+  const std::vector<TPoint2D> ends = points_along(path, step, 0, segments + 1);
+  double below = 0, before = value(ends[0]) - limit;
+  for (std::size_t i = 0; i < segments;) {
+    // So many segments, at least one, on which the value stays on the same side of the limit.
+    const auto same = static_cast<std::size_t>(std::clamp(
+        std::abs(before) / step - kRounding, 1.0, static_cast<double>(segments - i)));
+    i += same;
     const double here = value(ends[i]) - limit;
-    if (i > 0 && std::min(before, here) < 0)
-      below += std::max(before, here) <= 0 ? 1 : std::min(before, here) / -std::abs(here - before);
+    if (std::min(before, here) < 0)
+      below += std::max(before, here) <= 0 ? static_cast<double>(same)
+                                           : std::min(before, here) / -std::abs(here - before);
     before = here;
   }
-  return ends.size() < 2 ? 0 : below / static_cast<double>(ends.size() - 1);
+  return below / static_cast<double>(segments);
 }
 
 }  // namespace slalom

@@ -11,11 +11,9 @@ namespace slalom {
 /// most 100000 segments; none for a path of zero length.
 std::vector<mrpt::math::TPoint2D> segment_midpoints(const Path& path, double max_length);
 
-/// The end points of those segments, one more than segments.
-std::vector<mrpt::math::TPoint2D> segment_ends(const Path& path, double max_length);
-
-/// Fraction of the path's length where a value is below a limit; linear between the ends of
-/// segments.
+/// Fraction of the path's length where a value is below a limit, linear between the ends of those
+/// segments. The value changes by at most 1 per m, as distances do: where it is far from the limit
+/// it is not computed again.
 double fraction_below(const Path& path, double max_length, double limit,
                       const std::function<double(const mrpt::math::TPoint2D&)>& value);
 
