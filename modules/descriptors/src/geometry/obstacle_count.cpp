@@ -2,6 +2,7 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace slalom::descriptors {
@@ -14,15 +15,15 @@ struct Run {
 
 std::vector<Run> occupied_runs(const Occupancy& cells) {
   std::vector<Run> runs;
-  const std::uint8_t* cell = cells.cells().data();
-  for (int row = 0; row < cells.size_y(); ++row, cell += cells.size_x())
-    for (int first = 0; first < cells.size_x(); ++first) {
-      if (cell[first] == 0) continue;
-      int last = first;
-      while (last + 1 < cells.size_x() && cell[last + 1] != 0) ++last;
-      runs.push_back({row, first, last});
-      first = last;
+  for (int row = 0; row < cells.size_y(); ++row) {
+    const std::uint8_t* const begin = cells.cells().data() + cells.index(0, row);
+    const std::uint8_t* const end = begin + cells.size_x();
+    for (const std::uint8_t* first = std::find(begin, end, 1); first != end;) {
+      const std::uint8_t* const past = std::find(first, end, 0);
+      runs.push_back({row, static_cast<int>(first - begin), static_cast<int>(past - begin) - 1});
+      first = std::find(past, end, 1);
     }
+  }
   return runs;
 }
 
