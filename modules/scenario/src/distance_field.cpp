@@ -219,22 +219,25 @@ double DistanceField::wall_distance(const TPoint2D& at) const {
   return gap > 0 ? gap : 0;  // also for NaN
 }
 
+/// Compares squares: the root is monotonic, rounded too, and that of a square is exact.
 double DistanceField::clearance(const TPoint2D& q) const {
   const TPoint2D at = to_cells(q);
-  double nearest = wall_distance(at);
-  if (nearest == 0) return 0;
+  const double wall = wall_distance(at);
+  if (wall == 0) return 0;
+  double nearest = wall * wall;
   const int cx = static_cast<int>(at.x), cy = static_cast<int>(at.y);
   const double x = at.x - cx;
   const auto look = [&](int row, double gap_y) {
     const std::size_t i = index(cx, row);
     const double left = to_left_[i] - 1 + x, right = to_right_[i] - x;
     const double gap_x = std::max(0.0, std::min(left, right));
-    if (gap_x < nearest) nearest = std::min(nearest, length(gap_x, gap_y));
+    nearest = std::min(nearest, gap_x * gap_x + gap_y * gap_y);
   };
+  const auto is_near = [&](double gap_y) { return gap_y * gap_y < nearest; };
   look(cy, 0);
-  for (int row = cy + 1; row < size_y_ && row - at.y < nearest; ++row) look(row, row - at.y);
-  for (int row = cy - 1; row >= 0 && at.y - (row + 1) < nearest; --row) look(row, at.y - (row + 1));
-  return nearest * resolution_;
+  for (int row = cy + 1; row < size_y_ && is_near(row - at.y); ++row) look(row, row - at.y);
+  for (int row = cy - 1; row >= 0 && is_near(at.y - (row + 1)); --row) look(row, at.y - (row + 1));
+  return std::sqrt(nearest) * resolution_;
 }
 
 double DistanceField::outline_clearance(const std::vector<TPoint2D>& corners) const {
