@@ -1,6 +1,7 @@
 #include "path_distance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace slalom {
@@ -10,7 +11,7 @@ using mrpt::math::TPoint2D;
 
 constexpr std::size_t kPiecesPerBlock = 16;
 
-/// Rounding tolerance, so that a box is never farther away than its contents.
+/// Rounding tolerance of squared distances.
 constexpr double kRounding = 1e-12;
 
 double squared_distance_to_box(const TPoint2D& p, const Bounds& box) {
@@ -67,7 +68,10 @@ double PathDistance::distance_to_block(const TPoint2D& p, const Block& block,
   piece = block.first;
   double best = distance_to_piece(p, piece);
   for (std::size_t i = block.first + 1; i < block.last; ++i) {
-    const double distance = distance_to_piece(p, i);
+    const TPoint2D offset = offset_from_segment(p, path_[i], path_[i + 1]);
+    const double square = offset.x * offset.x + offset.y * offset.y;
+    if (square * (1 - kRounding) >= best * best) continue;  // most pieces: saves their roots
+    const double distance = std::hypot(offset.x, offset.y);
     if (distance >= best) continue;
     best = distance;
     piece = i;

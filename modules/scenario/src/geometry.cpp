@@ -120,11 +120,16 @@ double cast_on_bounds(const Bounds& bounds, const TPoint2D& origin, const TPoint
 
 }  // namespace
 
-double distance_to_segment(const TPoint2D& p, const TPoint2D& a, const TPoint2D& b) {
+TPoint2D offset_from_segment(const TPoint2D& p, const TPoint2D& a, const TPoint2D& b) {
   const TPoint2D edge = b - a, to_p = p - a;
   const double length2 = dot(edge, edge);
   const double fraction = length2 > 0 ? std::clamp(dot(to_p, edge) / length2, 0.0, 1.0) : 0.0;
-  return std::hypot(to_p.x - fraction * edge.x, to_p.y - fraction * edge.y);
+  return {to_p.x - fraction * edge.x, to_p.y - fraction * edge.y};
+}
+
+double distance_to_segment(const TPoint2D& p, const TPoint2D& a, const TPoint2D& b) {
+  const TPoint2D offset = offset_from_segment(p, a, b);
+  return std::hypot(offset.x, offset.y);
 }
 
 double distance(const TPoint2D& p, const Disc& disc) {

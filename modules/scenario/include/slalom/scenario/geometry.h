@@ -46,6 +46,10 @@ double distance(const mrpt::math::TPoint2D& p, const Polygon& polygon);  ///< 0 
 bool contains(const Polygon& polygon, const mrpt::math::TPoint2D& p);    ///< border included
 double distance_to_segment(const mrpt::math::TPoint2D& p, const mrpt::math::TPoint2D& a,
                            const mrpt::math::TPoint2D& b);
+/// The vector to p from the nearest point of the segment.
+mrpt::math::TPoint2D offset_from_segment(const mrpt::math::TPoint2D& p,
+                                         const mrpt::math::TPoint2D& a,
+                                         const mrpt::math::TPoint2D& b);
 /// The range of f, not bounded by 0 or 1, in which |from + f movement| < radius; none if it is
 /// never below.
 std::optional<std::pair<double, double>> range_within(const mrpt::math::TPoint2D& from,
