@@ -2,6 +2,7 @@
 #include "lattice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace slalom {
@@ -12,13 +13,18 @@ double mean_free_ray(const DescriptorContext& context, const Primitives& movers)
   const double diagonal = std::hypot(bounds.width(), bounds.height());
   const RayCaster& rays = context.world.ray_caster();
   const auto points = lattice_points(context.world.occupancy());
+  std::array<double, kRays> angles{};
+  std::array<mrpt::math::TPoint2D, kRays> directions;
+  for (std::size_t i = 0; i < kRays; ++i) {
+    angles[i] = 2 * M_PI * static_cast<double>(i) / kRays;
+    directions[i] = {std::cos(angles[i]), std::sin(angles[i])};
+  }
   double sum = 0;
   for (const mrpt::math::TPoint2D& point : points)
-    for (int i = 0; i < kRays; ++i) {
-      const double angle = 2 * M_PI * i / kRays;
-      double range = rays.cast(point, angle, diagonal);
+    for (std::size_t i = 0; i < kRays; ++i) {
+      double range = rays.cast(point, directions[i], diagonal);
       if (!movers.discs.empty())
-        range = std::min(range, cast_ray(movers, bounds, point, angle, range));
+        range = std::min(range, cast_ray(movers, bounds, point, angles[i], range));
       sum += range / kRays;
     }
   return sum / static_cast<double>(points.size()) / (2 * context.robot_radius());

@@ -152,7 +152,12 @@ bool RayCaster::touches_corner(const std::uint8_t* rectangles, int x, int y) con
 }
 
 double RayCaster::cast(const mrpt::math::TPoint2D& origin, double angle, double max_range) const {
-  const Ray ray = make_ray(origin, std::cos(angle), std::sin(angle));
+  return cast(origin, {std::cos(angle), std::sin(angle)}, max_range);
+}
+
+double RayCaster::cast(const mrpt::math::TPoint2D& origin, const mrpt::math::TPoint2D& direction,
+                       double max_range) const {
+  const Ray ray = make_ray(origin, direction.x, direction.y);
   if (!starts_free(ray)) return 0;
   return std::min(max_range, resolution_ * trace(ray, max_range / resolution_));
 }

@@ -42,6 +42,9 @@ class RayCaster {
   /// Range (m) of one ray, at most max_range; 0 when the origin lies in or on an occupied cell, on
   /// the border of the workspace or outside, or is not finite.
   double cast(const mrpt::math::TPoint2D& origin, double angle, double max_range) const;
+  /// The same in the direction of a unit vector.
+  double cast(const mrpt::math::TPoint2D& origin, const mrpt::math::TPoint2D& direction,
+              double max_range) const;
 
   /// A complete scan from `pose` (world frame): `ranges` gets geometry.count ranges (m), each at
   /// most max_range (equal to it where nothing is hit).
