@@ -122,12 +122,15 @@ class HolonomicMethod : public Method {
   static void fill_clearance(const std::vector<double>& obstacles,
                              mrpt::nav::ClearanceDiagram& clearance) {
     const std::size_t count = obstacles.size();
-    if (clearance.empty()) clearance.resize(count, count);
+    if (clearance.empty()) {
+      clearance.resize(count, count);
+      for (std::size_t k = 0; k < count; ++k)
+        clearance.get_path_clearance(k) = {{0.25, 0}, {0.5, 0}, {0.75, 0}, {1.0, 0}};
+    }
     for (std::size_t k = 0; k < count; ++k) {
       const double mean =
           (obstacles[(k + count - 1) % count] + obstacles[k] + obstacles[(k + 1) % count]) / 3;
-      auto& path = clearance.get_path_clearance(k);
-      for (const double fraction : {0.25, 0.5, 0.75, 1.0}) path[fraction] = std::min(mean, 1.0);
+      for (auto& [fraction, value] : clearance.get_path_clearance(k)) value = std::min(mean, 1.0);
     }
   }
 

@@ -4,23 +4,26 @@
 #include <cmath>
 
 namespace slalom {
+namespace {
 
-std::vector<mrpt::math::TPoint2D> obstacle_points(const mrpt::obs::CObservation2DRangeScan& scan) {
-  const std::size_t count = scan.getScanSize();
-  std::vector<mrpt::math::TPoint2D> points;
-  points.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!scan.getScanRangeValidity(i)) continue;
-    const double fraction =
-        count < 2 ? 0.5 : static_cast<double>(i) / static_cast<double>(count - 1);
-    const double angle = scan.aperture * (fraction - 0.5);
-    const double range = scan.getScanRange(i);
-    points.emplace_back(range * std::cos(angle), range * std::sin(angle));
-  }
-  return points;
+mrpt::math::TPoint2D unit_vector(double direction) {
+  return {std::cos(direction), std::sin(direction)};
 }
 
-namespace {
+/// Unit vectors along the rays of a scan, kept for the next scan.
+const std::vector<mrpt::math::TPoint2D>& ray_directions(std::size_t count, float aperture) {
+  thread_local std::vector<mrpt::math::TPoint2D> directions;
+  thread_local float known_aperture = 0;
+  if (directions.size() == count && known_aperture == aperture) return directions;
+  directions.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double fraction =
+        count < 2 ? 0.5 : static_cast<double>(i) / static_cast<double>(count - 1);
+    directions.push_back(unit_vector(aperture * (fraction - 0.5)));
+  }
+  known_aperture = aperture;
+  return directions;
+}
 
 /// What is left of `distance` in the direction u once a point is in the way of a disc. A disc that
 /// already touches the point may be left with less than 0.
@@ -33,11 +36,24 @@ double distance_to(const mrpt::math::TPoint2D& p, const mrpt::math::TPoint2D& u,
   return std::min(distance, along - std::sqrt(radius * radius - lateral * lateral));
 }
 
-mrpt::math::TPoint2D unit_vector(double direction) {
-  return {std::cos(direction), std::sin(direction)};
+/// An upper bound of asin(x), 0 <= x <= 1, from its series: the coefficients after x sum up to
+/// pi / 2 - 1.
+double asin_bound(double x) {
+  return x + (M_PI / 2 - 1) * x * x * x;
 }
 
 }  // namespace
+
+std::vector<mrpt::math::TPoint2D> obstacle_points(const mrpt::obs::CObservation2DRangeScan& scan) {
+  const std::size_t count = scan.getScanSize();
+  const std::vector<mrpt::math::TPoint2D>& directions = ray_directions(count, scan.aperture);
+  std::vector<mrpt::math::TPoint2D> points;
+  points.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+    if (scan.getScanRangeValidity(i))
+      points.push_back(directions[i] * static_cast<double>(scan.getScanRange(i)));
+  return points;
+}
 
 double free_distance(const std::vector<mrpt::math::TPoint2D>& points, double direction,
                      double radius, double limit) {
@@ -57,7 +73,7 @@ Sectors::Sectors(std::size_t count) {
 }
 
 /// A point is in the way in the directions within asin(radius / d) of its own, d its distance; a
-/// touched one may be in any. Only these are examined, with a margin for the angles in single
+/// touched one may be in any. Only these are examined, with a margin for the angle in single
 /// precision.
 std::vector<double> Sectors::free_distances(const std::vector<mrpt::math::TPoint2D>& points,
                                             double radius, double limit) const {
@@ -72,13 +88,13 @@ std::vector<double> Sectors::free_distances(const std::vector<mrpt::math::TPoint
     long first = 0, last = count - 1;
     if (const double d = std::sqrt(square); d > radius + kMargin) {
       const double bearing = std::atan2(static_cast<float>(p.y), static_cast<float>(p.x));
-      const double spread = std::asin(static_cast<float>(radius / d)) + kAngleMargin;
+      const double spread = asin_bound(radius / d) + kAngleMargin;
       const double center = (bearing + M_PI) * sectors_per_radian - 0.5;
-      first = std::lround(std::ceil(center - spread * sectors_per_radian));
-      last = std::lround(std::floor(center + spread * sectors_per_radian));
+      first = static_cast<long>(std::ceil(center - spread * sectors_per_radian));
+      last = static_cast<long>(std::floor(center + spread * sectors_per_radian));
     }
     for (long k = first; k <= last; ++k) {
-      const auto i = static_cast<std::size_t>((k + count) % count);
+      const auto i = static_cast<std::size_t>(k < 0 ? k + count : k < count ? k : k - count);
       distances[i] = distance_to(p, directions_[i], radius, distances[i]);
     }
   }
