@@ -52,8 +52,8 @@ double fraction_below(const Path& path, double max_length, double limit,
   double below = 0, before = value(ends[0]) - limit;
   for (std::size_t i = 0; i < segments;) {
     // So many segments, at least one, on which the value stays on the same side of the limit.
-    const auto same = static_cast<std::size_t>(std::clamp(
-        std::abs(before) / step - kRounding, 1.0, static_cast<double>(segments - i)));
+    const auto same = static_cast<std::size_t>(
+        std::clamp(std::abs(before) / step - kRounding, 1.0, static_cast<double>(segments - i)));
     i += same;
     const double here = value(ends[i]) - limit;
     if (std::min(before, here) < 0)
