@@ -95,7 +95,7 @@ void evaluate(const Arguments& arguments) {
   make_output_folder(arguments.output);
   const std::string results = arguments.output + "/runs.results";
   const InterruptGuard guard;  // from before the lock, which must not remain
-  const FileLock lock(results, arguments.campaign.take_over);
+  const FileLock lock(results, arguments.campaign.take_over, print_notice);
   std::vector<Scenario> scenarios = campaign_scenarios(config, arguments.campaign);
   ResultFile file = open_campaign_results(config, arguments.campaign, scenarios, results, rule);
   write_scenarios(scenarios, config.ini_text, arguments.output + "/campaign.scenarios");

@@ -155,7 +155,7 @@ void search_verb(SearchArguments& arguments) {
     throw usage_error("--witness", "there is no other method in the campaign",
                       "--witness METHOD, or --no-witness");
   make_output_folder(common.output);
-  const FileLock lock(common.output + "/search.state", common.campaign.take_over);
+  const FileLock lock(common.output + "/search.state", common.campaign.take_over, print_notice);
   options.seed = common.campaign.seed.value_or(campaign.bench.seed);
   options.runs = arguments.runs.value_or(options.minutes > 0 ? 0 : kDefaultRuns);
   options.workers = common.campaign.jobs;

@@ -29,7 +29,7 @@ void run(const RunArguments& arguments) {
   refuse_output_over_inputs(arguments.output, ini);
   CampaignConfig config = read_campaign(ini);
   const InterruptGuard guard;  // from before the lock, which must not remain
-  const FileLock lock(arguments.output, arguments.campaign.take_over);
+  const FileLock lock(arguments.output, arguments.campaign.take_over, print_notice);
   std::vector<Scenario> scenarios = campaign_scenarios(config, arguments.campaign);
   ResultFile results =
       open_campaign_results(config, arguments.campaign, scenarios, arguments.output);

@@ -200,6 +200,10 @@ void refuse_output_over_inputs(const std::string& output, const IniFile& ini) {
         refuse_output_over_input(output, value, ini.where(section, key) + " = " + value);
 }
 
+void print_notice(const std::string& line) {
+  std::cerr << line << std::endl;
+}
+
 void warn_of_damage(const std::string& path, const std::vector<std::string>& damaged) {
   constexpr std::size_t kMaxNamed = 20;
   if (damaged.empty()) return;

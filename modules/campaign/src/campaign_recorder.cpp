@@ -43,7 +43,7 @@ bool CampaignRecorder::run(std::vector<Scenario> scenarios, const Execution& exe
     return execution.is_interrupted();
   };
   const CampaignSummary summary = run_campaign(campaign_, *this, committing);
-  commit_finally();
+  commit_finally(execution);
   errors_ += summary.infrastructure_errors();
   return summary.complete;
 }
@@ -78,6 +78,7 @@ void CampaignRecorder::add_scenario(const ScenarioRecord& record, const Scenario
 void CampaignRecorder::add_run(const RunRecord& run, const RunTiming& timing,
                                const Trajectory& trajectory) {
   file_.add_run(run, timing, trajectory);
+  ++added_runs_;
   if (first_error_.empty() && run.outcome == to_string(Outcome::InfrastructureError))
     first_error_ = run_id(run) + ": " + run.outcome_detail;
   expect_commit();
@@ -101,15 +102,24 @@ void CampaignRecorder::commit_when_due() {
   delayed_ = true;
 }
 
-void CampaignRecorder::commit_finally() {
-  constexpr double kPatience = 10;  // s
-  constexpr int kTries = 360;
-  commit_at_ = recording_.clock();
+void CampaignRecorder::commit_finally(const Execution& execution) {
+  constexpr double kPatience = 0.5, kMaxWait = 3600, kMaxWaitInterrupted = 60;  // s
+  const double begin = recording_.clock();
+  std::optional<double> interrupted_at;
+  commit_at_ = begin;
   commit_when_due();  // with a notice
-  for (int i = 0; commit_at_; ++i) {
-    if (file_.commit(kPatience)) return commit_at_.reset();
-    if (i == kTries) throw job_error(file_.path(), "is being read by another program for an hour");
+  while (commit_at_) {
+    if (file_.commit(kPatience)) {
+      commit_at_.reset();
+      break;
+    }
+    const double now = recording_.clock();
+    if (!interrupted_at && execution.is_interrupted()) interrupted_at = now;
+    if (now - begin > kMaxWait || now - interrupted_at.value_or(now) > kMaxWaitInterrupted)
+      throw job_error(file_.path(), "is being read by another program; " + file_.rescue(),
+                      "that program to end earlier");
   }
+  file_.expect_runs(known_runs_.size() + added_runs_);
 }
 
 }  // namespace slalom

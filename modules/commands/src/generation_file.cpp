@@ -83,7 +83,7 @@ std::optional<GeneratedBins> generate_file(const GenerationFile& file, const Ini
                                            const GenerationOptions& options,
                                            const MapLoader& load_map, Progress& progress) {
   ScenarioList::expect_replaceable(file.path);
-  const FileLock lock(file.path, file.take_over);
+  const FileLock lock(file.path, file.take_over, file.notify);
   const std::string partial = file.path + ".partial", identity = identity_of(ini, options);
   const bool starts_over = file.existing == ExistingResults::Overwrite;
   if (!starts_over && is_there(file.path)) {

@@ -8,13 +8,25 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <sqlite3.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace slalom {
 namespace {
 
 constexpr int kBusyTimeoutMs = 10000;
+
+/// SQLite also opens the files beside a database, and waits for the writer of a pipe.
+void require_regular_files(const std::string& path, const std::string& kind) {
+  require_regular_file(path, kind);
+  for (const char* const suffix : {"-journal", "-wal"}) {
+    const std::string companion = path + suffix;
+    if (access(companion.c_str(), F_OK) == 0)
+      require_regular_file(companion, "the journal of " + kind);
+  }
+}
 
 int pragma(SQLite::Database& database, const std::string& name) {
   return database.execAndGet("PRAGMA " + name).getInt();
@@ -43,7 +55,104 @@ void reset(SQLite::Database& database) {
 
 }  // namespace
 
+namespace {
+
+/// The steps of SQLite's virtual machine between two calls of the progress handler.
+constexpr int kStepsPerCheck = 1000000;
+
+/// Ends a statement that executes far more steps than its file has room for rows: the pages of a
+/// crafted file can lead to each other, so that reading them does not end.
+class StepLimit {
+ public:
+  static void install(sqlite3* handle) {
+    auto* const limit = new StepLimit(handle);  // deleted when the connection is closed
+    sqlite3_progress_handler(handle, kStepsPerCheck, check, limit);
+    sqlite3_trace_v2(handle, SQLITE_TRACE_STMT | SQLITE_TRACE_CLOSE, observe, limit);
+  }
+
+ private:
+  explicit StepLimit(sqlite3* handle) : handle_(handle) {}
+
+  static int observe(unsigned event, void* self, void* statement, void*) {
+    if (event == SQLITE_TRACE_CLOSE)
+      delete static_cast<StepLimit*>(self);
+    else
+      static_cast<StepLimit*>(self)->checks_.erase(static_cast<sqlite3_stmt*>(statement));
+    return 0;
+  }
+
+  static int check(void* self) { return static_cast<StepLimit*>(self)->is_exceeded() ? 1 : 0; }
+
+  bool is_exceeded() {
+    constexpr std::int64_t kMinSteps = 10000000, kStepsPerByte = 100;
+    const char* const path = sqlite3_db_filename(handle_, "main");
+    const std::int64_t size = FileIdentity(path == nullptr ? "" : path).size();
+    const std::int64_t allowed = (kMinSteps + kStepsPerByte * size) / kStepsPerCheck;
+    sqlite3_stmt* statement = nullptr;
+    while ((statement = sqlite3_next_stmt(handle_, statement)) != nullptr)
+      if (sqlite3_stmt_busy(statement) != 0 && ++checks_[statement] > allowed) return true;
+    return false;
+  }
+
+  sqlite3* handle_;
+  std::map<sqlite3_stmt*, std::int64_t> checks_;  ///< during the present execution
+};
+
+void refuse_foreign_schema(SQLite::Database& database, const std::string& path,
+                           const std::string& schema) {
+  const auto refuse = [&](const std::string& sql, const std::string& what) {
+    SQLite::Statement found(database, sql);
+    if (found.executeStep())
+      throw file_error(path, "contains " + what + " '" + found.getColumn(0).getString() + "'",
+                       "a file written by Slalom");
+  };
+  const std::string objects = schema + ".sqlite_master";
+  refuse("SELECT name FROM " + objects + " WHERE type NOT IN ('table', 'index')",
+         "a view or trigger");
+  refuse("SELECT name FROM " + objects +
+             " WHERE type = 'table' AND (rootpage IS NULL OR rootpage = 0)",
+         "a virtual table");
+  const std::string argument = ", '" + schema + "')";
+  refuse("SELECT c.name FROM " + objects + " AS o, pragma_table_xinfo(o.name" + argument +
+             " AS c WHERE o.type = 'table' AND c.hidden <> 0",
+         "a computed column");
+  refuse("SELECT o.name FROM " + objects + " AS o, pragma_index_xinfo(o.name" + argument +
+             " AS c WHERE o.type = 'index' AND c.cid = -2",
+         "an index of an expression");
+}
+
+}  // namespace
+
+void distrust(SQLite::Database& database, const std::string& path, const std::string& schema) {
+  sqlite3* const handle = database.getHandle();
+  for (const auto& [option, value] :
+       {std::pair{SQLITE_DBCONFIG_DEFENSIVE, 1}, std::pair{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+        std::pair{SQLITE_DBCONFIG_ENABLE_TRIGGER, 0}, std::pair{SQLITE_DBCONFIG_ENABLE_VIEW, 0},
+        std::pair{SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0}})
+    sqlite3_db_config(handle, option, value, nullptr);
+  sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 1);
+  if (schema == "main") StepLimit::install(handle);
+  refuse_foreign_schema(database, path, schema);
+}
+
+FileIdentity::FileIdentity(const std::string& path) {
+  struct stat found = {};
+  if (stat(path.c_str(), &found) != 0) return;
+  device_ = static_cast<std::uint64_t>(found.st_dev);
+  node_ = static_cast<std::uint64_t>(found.st_ino);
+  size_ = found.st_size;
+}
+
+std::string FileIdentity::change(const std::string& path) const {
+  const FileIdentity now(path);
+  if (now.device_ == device_ && now.node_ == node_) return "";
+  return now.node_ == 0 ? "was removed by another program" : "was replaced by another program";
+}
+
 void throw_read_error(const std::string& path, const std::exception& e) {
+  const auto* const of_database = dynamic_cast<const SQLite::Exception*>(&e);
+  if (of_database != nullptr && of_database->getErrorCode() == SQLITE_INTERRUPT)
+    throw file_error(path, "is damaged (reading it does not end)", "a file written by Slalom");
   throw file_error(path, std::string("cannot be read (") + e.what() + ")");
 }
 
@@ -97,6 +206,7 @@ std::unique_ptr<SQLite::Database> create_database(
 
 bool is_new_database(const std::string& path) {
   if (access(path.c_str(), F_OK) != 0) return true;
+  require_regular_files(path, "a file of Slalom");
   try {
     // Opened for writing, so that a transaction that was interrupted is rolled back.
     SQLite::Database database(path, SQLite::OPEN_READWRITE, kBusyTimeoutMs);
@@ -106,13 +216,22 @@ bool is_new_database(const std::string& path) {
   }
 }
 
+std::unique_ptr<SQLite::Database> open_reader(const std::string& path, int flags) {
+  require_regular_files(path, "a file written by Slalom");
+  auto database =
+      std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY | flags, kBusyTimeoutMs);
+  distrust(*database, path);
+  return database;
+}
+
 std::unique_ptr<SQLite::Database> open_database(const std::string& path, const DatabaseKind& kind) {
-  require_regular_file(path, kind.name);
+  require_regular_files(path, kind.name);
   const int mode = access(path.c_str(), W_OK) == 0 ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY;
   return reading(path, [&] {
     auto database = std::make_unique<SQLite::Database>(path, mode, kBusyTimeoutMs);
     try {
       expect_kind(*database, path, kind);
+      distrust(*database, path);
     } catch (const SQLite::Exception&) {
       throw file_error(path, "is damaged or not an SQLite file", kind.name);
     }

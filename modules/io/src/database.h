@@ -2,6 +2,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -28,9 +29,36 @@ std::unique_ptr<SQLite::Database> create_database(
 /// Whether there is no file, or one without content, as left by an interrupted create_database().
 bool is_new_database(const std::string& path);
 
-/// Opens an existing file. Throws Error (File) when it is missing, of another kind or version, or
-/// damaged.
+/// Opens an existing file for writing if that is allowed. Throws Error (File) when it is missing,
+/// of another kind or version, damaged, or when SQLite would execute what is stored in it (see
+/// distrust()).
 std::unique_ptr<SQLite::Database> open_database(const std::string& path, const DatabaseKind& kind);
+
+/// One more connection to a file that open_database() has accepted, for reading only; `flags` are
+/// added to SQLite's. Throws as it.
+std::unique_ptr<SQLite::Database> open_reader(const std::string& path, int flags = 0);
+
+/// Makes a connection safe for files of strangers, as sqlite.org/security.html advises: no trusted
+/// schema, defensive, a limited number of attached files, and a limit on the steps of one statement
+/// that grows with the file. Throws Error (File) if `schema` ("main", or an attached one) contains
+/// views, triggers, virtual tables, computed columns or indexes of expressions.
+void distrust(SQLite::Database& database, const std::string& path,
+              const std::string& schema = "main");
+
+/// The file at a path, to notice that it was removed, renamed or replaced: SQLite does not.
+class FileIdentity {
+ public:
+  FileIdentity() = default;
+  explicit FileIdentity(const std::string& path);
+
+  std::int64_t size() const { return size_; }  ///< bytes, when it was looked at
+  /// "was removed" or "was replaced" by another program, "" if the path still leads to the file.
+  std::string change(const std::string& path) const;
+
+ private:
+  std::uint64_t device_ = 0, node_ = 0;  ///< 0: no file
+  std::int64_t size_ = 0;
+};
 
 /// A transaction for reading, also within another one: all statements see the same state.
 class ReadScope {

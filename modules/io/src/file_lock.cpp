@@ -8,12 +8,15 @@
 #include <cstring>
 #include <ctime>
 #include <fcntl.h>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace slalom {
@@ -102,10 +105,18 @@ std::string name_of(Holder holder) {
 /// finds it stale removes it or its successor.
 class FoundLock {
  public:
-  explicit FoundLock(const std::string& path)
-      : path_(path), file_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  /// `notify` is told once when it takes long. Throws Error (Job) for what is not a regular file,
+  /// and if another program keeps it locked, as flock(1) does.
+  explicit FoundLock(const std::string& path, const LockNotice& notify = nullptr)
+      : path_(path), file_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
     if (file_ < 0) return;
-    flock(file_, LOCK_EX);
+    try {
+      expect_regular_file();
+      wait_for_flock(notify);
+    } catch (...) {
+      close(file_);
+      throw;
+    }
     read_holder();
   }
   ~FoundLock() {
@@ -143,6 +154,24 @@ class FoundLock {
  private:
   static constexpr std::time_t kTimeToWrite = 10;  // s
 
+  void expect_regular_file() const {
+    struct stat mine = {};
+    if (fstat(file_, &mine) != 0 || !S_ISREG(mine.st_mode))
+      throw job_error(path_, "is not a regular file", "a lock file of Slalom, or none");
+  }
+
+  /// Other programs of Slalom hold it while they wait for the content of an empty lock.
+  void wait_for_flock(const LockNotice& notify) const {
+    constexpr int kPeriodMs = 20, kNoticeMs = 500, kMaxWaitMs = 3 * kTimeToWrite * 1000;
+    for (int waited = 0; flock(file_, LOCK_EX | LOCK_NB) != 0; waited += kPeriodMs) {
+      if (waited == kNoticeMs && notify)
+        notify(path_ + ": waits for another program that has locked it (flock)");
+      if (waited >= kMaxWaitMs)
+        throw job_error(path_, "is locked by another program (flock)", "its end");
+      usleep(kPeriodMs * 1000);
+    }
+  }
+
   void read_holder() {
     char bytes[4096];
     const ssize_t size = pread(file_, bytes, sizeof bytes, 0);
@@ -173,8 +202,9 @@ bool create_lock(const std::string& path, const std::string& text, const std::st
 }
 
 /// Removes the lock of a program that is gone, or that may be taken over.
-void remove_stale_lock(const std::string& path, const std::string& output, bool take_over) {
-  FoundLock found(path);
+void remove_stale_lock(const std::string& path, const std::string& output, bool take_over,
+                       const LockNotice& notify) {
+  FoundLock found(path, notify);
   found.await_holder();
   if (!found.exists()) return;  // released or replaced meanwhile
   const bool elsewhere = !found.holder().empty() && !on_this_host(found.holder());
@@ -197,21 +227,24 @@ std::string lock_holder(const std::string& path) {
   return name_of(found.holder());
 }
 
-FileLock::FileLock(const std::string& path, bool take_over)
+FileLock::FileLock(const std::string& path, bool take_over, const LockNotice& notify)
     : path_(lock_path(path)), text_(text_of(this_process())), owner_(getpid()) {
   constexpr int kTries = 100;  // each failed one means that another program had the lock meanwhile
   for (int i = 0; i < kTries; ++i) {
     if (create_lock(path_, text_, path)) return;
-    remove_stale_lock(path_, path, take_over);
+    remove_stale_lock(path_, path, take_over, notify);
   }
   throw job_error(path, "is locked by other programs all the time", "their end");
 }
 
 FileLock::~FileLock() {
   if (getpid() != owner_) return;  // a forked process
-  const FoundLock found(path_);
-  // Another program may have taken it over.
-  if (found.exists() && text_of(found.holder()) == text_) unlink(path_.c_str());
+  // Another program may have taken it over. It is not locked by flock(): nobody removes the lock of
+  // a living process, and a program that reads it must not delay the end of this one.
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path_, ignored)) return;
+  std::ifstream file(path_);
+  if (std::string(std::istreambuf_iterator<char>(file), {}) == text_) unlink(path_.c_str());
 }
 
 }  // namespace slalom

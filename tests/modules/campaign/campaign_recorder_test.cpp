@@ -8,6 +8,8 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace slalom {
 namespace {
 
@@ -132,6 +134,67 @@ TEST_F(CampaignRecorderTest, RunsOnlyWhatIsMissing) {
   polls = 0;
   EXPECT_TRUE(recorder().run({room(2), room(3)}, counting));
   EXPECT_EQ(polls, 0U);  // no work item at all
+}
+
+/// Runs two scenarios; `change` is called when the first one is stored, and the second ends then.
+/// Returns the text of the error.
+class CampaignWithAChangedFile : public CampaignRecorderTest {
+ protected:
+  std::string error_after(const std::function<void()>& change) {
+    double now = 0;
+    const WallClock clock = [&now] { return ++now; };
+    CampaignRecorder campaign = recorder({clock, nullptr});
+    bool changed = false;
+    const Execution polling{2, *progress_, [&] {
+                              if (changed || stored_runs() < 1) return false;
+                              change();
+                              changed = true;
+                              time_.advance(1);
+                              return false;
+                            }};
+    return error_text(ErrorKind::Job, [&] { campaign.run({room(2), room(3)}, polling); });
+  }
+};
+
+TEST_F(CampaignWithAChangedFile, RemovedIsAnErrorAndWhatWasStoredIsKept) {
+  const std::string error = error_after([&] { std::filesystem::remove(path_); });
+  EXPECT_TRUE(mentions(error, {path_, "was removed", "1 run is kept in " + path_ + ".rescued"}));
+  std::filesystem::rename(path_ + ".rescued", path_);
+  EXPECT_EQ(stored_runs(), 1U);
+  EXPECT_EQ(recorder().known_runs(), 1U);  // it can be continued
+}
+
+TEST_F(CampaignWithAChangedFile, RenamedIsAnErrorAndWhatWasStoredIsKept) {
+  const std::string error = error_after([&] { std::filesystem::rename(path_, path_ + ".moved"); });
+  EXPECT_TRUE(mentions(error, {"was removed", "1 run is kept in " + path_ + ".rescued"}));
+}
+
+TEST_F(CampaignWithAChangedFile, ReplacedIsAnErrorAndWhatWasStoredIsKept) {
+  const std::string error = error_after([&] {
+    std::filesystem::copy(path_, path_ + ".copy");
+    std::filesystem::rename(path_ + ".copy", path_);
+  });
+  EXPECT_TRUE(mentions(error, {"was replaced", "1 run is kept in " + path_ + ".rescued"}));
+}
+
+TEST_F(CampaignWithAChangedFile, TruncatedIsAnErrorThatSaysWhetherRunsAreKept) {
+  const std::string error = error_after([&] { std::filesystem::resize_file(path_, 0); });
+  EXPECT_TRUE(mentions(error, {"was truncated"}));
+  EXPECT_EQ(error.find(" kept in ") != std::string::npos,
+            std::filesystem::exists(path_ + ".rescued"));
+}
+
+TEST_F(CampaignRecorderTest, KeepsWhatAReaderPreventsFromBeingStoredWhenItIsInterrupted) {
+  time_.advance(1);
+  double now = 0;
+  const WallClock clock = [&now] { return now += 30; };
+  CampaignRecorder campaign = recorder({clock, nullptr});
+  SQLite::Database reader(path_);
+  reader.exec("BEGIN; SELECT count(*) FROM runs");
+  // The run has ended long before.
+  const Execution late{1, *progress_, [&] { return now > 300; }};
+  const std::string error = error_text(ErrorKind::Job, [&] { campaign.run({room(3)}, late); });
+  EXPECT_TRUE(mentions(error, {"is being read by another program", path_ + ".rescued"}));
 }
 
 }  // namespace

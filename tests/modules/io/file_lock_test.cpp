@@ -8,8 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -115,6 +118,38 @@ TEST_F(FileLockTest, ALockThatWasTakenOverIsNotReleasedByItsFirstHolder) {
     write_lock("host = elsewhere\npid = 1\n");
   }
   EXPECT_EQ(lock_holder(path_), "process 1 on elsewhere");
+}
+
+TEST_F(FileLockTest, APipeInItsPlaceIsRefusedWithoutWaiting) {
+  ASSERT_EQ(mkfifo(lock_path(path_).c_str(), 0600), 0);
+  EXPECT_TRUE(throws_error(ErrorKind::Job, lock_path(path_) + ": is not a regular file", {},
+                           [&] { FileLock lock(path_); }));
+}
+
+TEST_F(FileLockTest, WaitsForAProgramThatHasLockedTheLockFileAndSaysSo) {
+  write_lock(lock_of_dead_process());
+  int other = open(lock_path(path_).c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(other, LOCK_EX), 0);
+  std::vector<std::string> notices;
+  {
+    const FileLock lock(path_, false, [&](const std::string& notice) {
+      notices.push_back(notice);
+      close(other);
+      other = -1;
+    });
+    EXPECT_EQ(other, -1);
+  }
+  ASSERT_EQ(notices.size(), 1U);
+  EXPECT_TRUE(mentions(notices[0], {lock_path(path_), "flock"}));
+}
+
+TEST_F(FileLockTest, AReaderOfTheLockFileDoesNotDelayItsEnd) {
+  auto lock = std::make_unique<FileLock>(path_);
+  const int reader = open(lock_path(path_).c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(reader, LOCK_SH), 0);
+  lock.reset();
+  EXPECT_FALSE(std::filesystem::exists(lock_path(path_)));
+  close(reader);
 }
 
 }  // namespace

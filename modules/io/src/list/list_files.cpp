@@ -33,12 +33,6 @@ void publish(Draft& draft, const std::string& path) {
   draft.publish();
 }
 
-struct stat stat_of(const std::string& path) {
-  struct stat found = {};
-  if (stat(path.c_str(), &found) != 0) found.st_ino = 0;
-  return found;
-}
-
 }  // namespace
 
 ScenarioList ScenarioList::create(const std::string& path) {
@@ -66,14 +60,8 @@ void ScenarioList::write(const std::string& path, const std::function<void(Scena
 ScenarioList ScenarioList::open(const std::string& path) {
   auto impl = std::make_unique<Impl>();
   impl->path = path;
-  impl->file = stat_of(path);
+  impl->file = FileIdentity(path);
   impl->database = open_database(path, kScenarioList);
-  try {
-    impl->database->exec("PRAGMA trusted_schema = OFF");
-    refuse_foreign_schema(*impl->database, path);
-  } catch (const SQLite::Exception& e) {
-    throw_read_error(path, e);
-  }
   return ScenarioList(std::move(impl));
 }
 
@@ -103,11 +91,8 @@ void ScenarioList::remove_file(const std::string& path) {
 
 void ScenarioList::Impl::expect_same_file() const {
   if (draft) return;
-  const struct stat now = stat_of(path);
-  if (now.st_ino == file.st_ino && now.st_dev == file.st_dev) return;
-  throw job_error(
-      path, now.st_ino == 0 ? "was removed by another program" : "was replaced by another program",
-      "the list to be reopened");
+  const std::string change = file.change(path);
+  if (!change.empty()) throw job_error(path, change, "the list to be reopened");
 }
 
 }  // namespace slalom

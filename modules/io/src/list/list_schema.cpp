@@ -1,7 +1,5 @@
 #include "list_schema.h"
 
-#include <slalom/core/error.h>
-
 namespace slalom {
 
 /// `content` is the last column, so that selections do not read it.
@@ -21,13 +19,5 @@ const DatabaseKind kScenarioList = {
     "CREATE TABLE indexes (name TEXT PRIMARY KEY COLLATE NOCASE, descriptor TEXT NOT NULL,"
     " keys TEXT NOT NULL, edges TEXT NOT NULL);"
     "CREATE TABLE notes (key TEXT PRIMARY KEY, text TEXT NOT NULL);"};
-
-void refuse_foreign_schema(SQLite::Database& database, const std::string& path) {
-  SQLite::Statement row(database,
-                        "SELECT name FROM sqlite_master WHERE type NOT IN ('table', 'index')");
-  if (row.executeStep())
-    throw file_error(path, "contains a view or trigger '" + row.getColumn(0).getString() + "'",
-                     "a scenario list written by Slalom");
-}
 
 }  // namespace slalom

@@ -7,7 +7,6 @@
 #include <slalom/io/scenario_list.h>
 
 #include <map>
-#include <sys/stat.h>
 
 namespace slalom {
 
@@ -31,8 +30,8 @@ class StatementUse {
 /// The implementation of an open list, used by scenario_list.cpp and list_*.cpp.
 struct ScenarioList::Impl {
   std::string path;
-  struct stat file = {};  ///< the file at `path` when it was opened
-  bool draft = false;     ///< not yet published
+  FileIdentity file;   ///< the file at `path` when it was opened
+  bool draft = false;  ///< not yet published
   std::unique_ptr<SQLite::Database> database;
   std::map<const char*, std::unique_ptr<SQLite::Statement>> statements;
   unsigned long selections = 0;  ///< counter for the names of temporary tables

@@ -360,8 +360,8 @@ FileRows read_file_rows(const std::string& path, const RowsToRead& wanted) {
   const ResultFile file = ResultFile::open(path);
   return reading(path, [&] {
     // Without SQLite's locks, which are taken for every value: one thread uses the connection.
-    SQLite::Database database(path, SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX, 10000);
-    ColumnReader reader(file, database);
+    const auto database = open_reader(path, SQLite::OPEN_NOMUTEX);
+    ColumnReader reader(file, *database);
     if (wanted.ids) reader.select(*wanted.ids);
     if (wanted.details) reader.read_details();
     return reader.read();

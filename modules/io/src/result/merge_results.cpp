@@ -43,6 +43,7 @@ class Attached {
     SQLite::Statement attach(database_, "ATTACH ? AS part");
     attach.bind(1, path);
     attach.exec();
+    distrust(database_, path, "part");
   }
   ~Attached() {
     database_.tryExec("ROLLBACK");  // fails unless an error interrupted the transaction
@@ -74,15 +75,15 @@ ResultCounts count_results(const std::string& path) {
   ResultCounts counts;
   counts.manifest = ResultFile::open(path).read_manifest();
   reading(path, [&] {
-    SQLite::Database database(path, SQLite::OPEN_READONLY, 10000);
-    SQLite::Statement rows(database, "SELECT outcome, count(*) FROM runs GROUP BY outcome");
+    const auto database = open_reader(path);
+    SQLite::Statement rows(*database, "SELECT outcome, count(*) FROM runs GROUP BY outcome");
     while (rows.executeStep()) {
       const auto runs = static_cast<std::size_t>(rows.getColumn(1).getInt64());
       counts.outcomes[rows.getColumn(0).getString()] = runs;
       counts.runs += runs;
     }
     counts.wall_seconds =
-        database.execAndGet("SELECT total(wall_seconds) FROM run_timings").getDouble();
+        database->execAndGet("SELECT total(wall_seconds) FROM run_timings").getDouble();
   });
   return counts;
 }

@@ -147,11 +147,24 @@ struct ResultFile::Impl {
   std::unique_ptr<SQLite::Database> database;
   std::unique_ptr<WriteScope> transaction;  ///< open while there are uncommitted changes
   std::vector<QuantityInfo> descriptors, metrics;
+  FileIdentity file;  ///< after the last commit
+
+  /// Throws Error (Job) unless the file is as it was after the last commit.
+  void expect_unchanged() const {
+    std::string change = file.change(path);
+    if (change.empty() && FileIdentity(path).size() != file.size())
+      change = "was truncated or written by another program";
+    if (!change.empty())
+      throw job_error(path, change + "; " + rescue(), "a file that nobody else changes");
+  }
+
+  std::string rescue() const;
 
   /// Readers only delay the writer: it waits long for its lock, and keeps changes in memory while
   /// it cannot get at the file.
   void begin() {
     if (transaction) return;
+    expect_unchanged();
     constexpr int kPatienceMs = 3600 * 1000;
     database->setBusyTimeout(kPatienceMs);
     database->exec("PRAGMA cache_spill = OFF");
@@ -369,6 +382,7 @@ ResultFile ResultFile::create(const std::string& path, const Manifest& manifest,
     write_quantities(database, "metric", metrics);
     write_header_checksum(database);
   });
+  impl->file = FileIdentity(path);
   return ResultFile(std::move(impl));
 }
 
@@ -388,6 +402,7 @@ ResultFile ResultFile::open(const std::string& path) {
     impl->descriptors = impl->read_quantities("descriptor");
     impl->metrics = impl->read_quantities("metric");
   });
+  impl->file = FileIdentity(path);
   return ResultFile(std::move(impl));
 }
 
@@ -435,6 +450,7 @@ void ResultFile::add_run(const RunRecord& run, const RunTiming& timing,
 
 bool ResultFile::commit(double patience) {
   if (!impl_->transaction) return true;
+  impl_->expect_unchanged();
   impl_->database->setBusyTimeout(static_cast<int>(1000 * patience));
   try {
     impl_->transaction->commit();
@@ -443,7 +459,41 @@ bool ResultFile::commit(double patience) {
     throw_write_error(impl_->path, e);
   }
   impl_->transaction.reset();
+  impl_->file = FileIdentity(impl_->path);
   return true;
+}
+
+std::string ResultFile::Impl::rescue() const {
+  const std::string copy = path + ".rescued";
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, void (*)(void*)> content(
+      sqlite3_serialize(database->getHandle(), "main", &size, 0), sqlite3_free);
+  try {
+    if (content == nullptr) throw std::bad_alloc();
+    write_file_atomically(
+        copy, {reinterpret_cast<const char*>(content.get()), static_cast<std::size_t>(size)});
+    std::size_t runs = 0;
+    ResultFile::open(copy).for_each_run([&](const RunRecord&) { ++runs; });
+    return std::to_string(runs) + (runs == 1 ? " run is" : " runs are") + " kept in " + copy;
+  } catch (const std::exception& e) {
+    std::error_code ignored;
+    std::filesystem::remove(copy, ignored);
+    return std::string("its runs cannot be kept (") + reason_of(e) + ")";
+  }
+}
+
+std::string ResultFile::rescue() const {
+  return impl_->rescue();
+}
+
+void ResultFile::expect_runs(std::size_t count) const {
+  impl_->expect_unchanged();
+  const auto stored = reading(impl_->path, [&] {
+    return open_reader(impl_->path)->execAndGet("SELECT count(*) FROM runs").getInt64();
+  });
+  if (static_cast<std::size_t>(stored) != count)
+    throw job_error(impl_->path, "contains " + std::to_string(stored) + " runs; " + rescue(),
+                    std::to_string(count) + " runs");
 }
 
 Manifest ResultFile::read_manifest() const {

@@ -14,8 +14,8 @@ ResultFiles::ResultFiles(const std::string& path) {
   for (std::size_t i = 0; i < paths_.size(); ++i) {
     ResultFile::open(paths_[i]);  // throws unless it is a result file
     reading(paths_[i], [&] {
-      SQLite::Database database(paths_[i], SQLite::OPEN_READONLY, 10000);
-      SQLite::Statement rows(database, "SELECT hash FROM scenarios");
+      const auto database = open_reader(paths_[i]);
+      SQLite::Statement rows(*database, "SELECT hash FROM scenarios");
       while (rows.executeStep()) files_of_[rows.getColumn(0).getString()].push_back(i);
     });
   }

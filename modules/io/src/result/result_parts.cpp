@@ -25,8 +25,8 @@ template <typename Use>
 void for_each_row(const std::string& path, const std::string& sql, const std::string& argument,
                   Use use) {
   reading(path, [&] {
-    SQLite::Database database(path, SQLite::OPEN_READONLY, 10000);
-    SQLite::Statement rows(database, sql);
+    const auto database = open_reader(path);
+    SQLite::Statement rows(*database, sql);
     if (!argument.empty()) rows.bind(1, argument);
     while (rows.executeStep()) use(rows);
   });

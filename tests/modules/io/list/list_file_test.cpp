@@ -234,14 +234,5 @@ TEST(ListFile, AReadOnlyFileCanBeRead) {
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
 }
 
-TEST(ListFile, TriggersAndViewsAreRejected) {
-  const TemporaryFolder folder;
-  ScenarioList::create(folder / "a.scenarios");
-  SQLite::Database(folder / "a.scenarios", SQLite::OPEN_READWRITE)
-      .exec("CREATE TRIGGER t AFTER INSERT ON tags BEGIN DELETE FROM scenarios; END");
-  EXPECT_TRUE(throws_error(ErrorKind::File, folder / "a.scenarios", {"trigger", "'t'"},
-                           [&] { ScenarioList::open(folder / "a.scenarios"); }));
-}
-
 }  // namespace
 }  // namespace slalom

@@ -42,6 +42,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
 /// replaced.
 void refuse_output_over_inputs(const std::string& output, const IniFile& ini);
 
+/// Prints a line on standard error, for callbacks that notify of something.
+void print_notice(const std::string& line);
+
 /// Warns on standard error of what was damaged in a file and therefore skipped.
 void warn_of_damage(const std::string& path, const std::vector<std::string>& damaged);
 

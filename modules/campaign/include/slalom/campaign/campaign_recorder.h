@@ -61,7 +61,7 @@ class CampaignRecorder : private CampaignSink {
                const Trajectory& trajectory) override;
   void expect_commit();
   void commit_when_due();
-  void commit_finally();
+  void commit_finally(const Execution& execution);
 
   Campaign campaign_;
   ResultFile file_;
@@ -70,6 +70,7 @@ class CampaignRecorder : private CampaignSink {
   std::map<std::string, std::size_t> known_by_scenario_;  ///< number of runs by hash
   std::optional<double> commit_at_;  ///< s, of the clock; none if everything is on disk
   bool delayed_ = false;             ///< and a notice was given
+  std::size_t added_runs_ = 0;
   std::size_t errors_ = 0;
   std::string first_error_;  ///< of these, with its run
 };

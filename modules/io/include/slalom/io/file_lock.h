@@ -1,8 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace slalom {
+
+/// Receives one line, for people, about why something takes long.
+using LockNotice = std::function<void(const std::string&)>;
 
 /// The right of one program to write a file, kept in a file PATH.lock that names its holder: host,
 /// process, job of a cluster. A lock is stale, and is replaced, when its process on this host is
@@ -11,7 +15,10 @@ class FileLock {
  public:
   /// Throws Error (Job), naming the holder, if another program has the lock. `take_over` takes the
   /// lock of a program on another host, of which is not known whether it is gone.
-  explicit FileLock(const std::string& path, bool take_over = false);
+  /// `notify` is told when another program keeps the lock file itself locked, as flock(1) does;
+  /// after half a minute that is an error, too.
+  explicit FileLock(const std::string& path, bool take_over = false,
+                    const LockNotice& notify = nullptr);
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;

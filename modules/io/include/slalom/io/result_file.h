@@ -43,8 +43,14 @@ class ResultFile {
                     const References& references);
   void add_run(const RunRecord& run, const RunTiming& timing, const Trajectory& trajectory);
   /// Makes everything added so far durable; false if the file is being read by a program that does
-  /// not release it within `patience` (s): it can be tried again.
+  /// not release it within `patience` (s): it can be tried again. Throws Error (Job) if the file
+  /// was removed, renamed, replaced or truncated; its content is then kept beside it, see rescue().
   bool commit(double patience = 10);
+  /// Writes all content, also what is not committed, to PATH.rescued. Returns a part of a sentence
+  /// about it: "12 runs are kept in PATH.rescued", or that they cannot be kept.
+  std::string rescue() const;
+  /// Opens the file at the path anew. Throws Error (Job) unless it contains `count` runs.
+  void expect_runs(std::size_t count) const;
 
   Manifest read_manifest() const;
   std::vector<std::string> read_methods() const;  ///< of all runs, sorted, without duplicates
