@@ -3,6 +3,7 @@
 #include <slalom/analysis/cell_text.h>
 #include <slalom/campaign/sequential_campaign.h>
 #include <slalom/core/error.h>
+#include <slalom/core/hash.h>
 #include <slalom/core/text.h>
 #include <slalom/io/read_results.h>
 
@@ -122,6 +123,14 @@ class Looks {
   }
 };
 
+std::vector<Scenario> in_random_order(std::vector<Scenario> scenarios, std::uint64_t seed) {
+  std::vector<std::string> hashes;
+  for (const Scenario& scenario : scenarios) hashes.push_back(scenario.hash());
+  std::vector<Scenario> ordered;
+  for (const std::size_t i : random_order(hashes, seed)) ordered.push_back(std::move(scenarios[i]));
+  return ordered;
+}
+
 template <typename Rule>
 SequentialReport run_in_batches(CampaignRecorder& recorder, const Rule& rule, ScenarioPool& pool,
                                 std::size_t max_runs, double confidence,
@@ -169,9 +178,20 @@ StoppingRule parse_stopping_rule(const std::string& text, std::size_t max_runs,
   return {text, rule, max_runs};
 }
 
+std::vector<std::size_t> random_order(const std::vector<std::string>& hashes, std::uint64_t seed) {
+  std::vector<std::pair<std::string, std::size_t>> keys;
+  for (std::size_t i = 0; i < hashes.size(); ++i)
+    keys.emplace_back(Hasher().add("order of a pool").add(seed).add(hashes[i]).hex(), i);
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::size_t> order;
+  for (const auto& [key, index] : keys) order.push_back(index);
+  return order;
+}
+
 SequentialReport run_until(CampaignRecorder& recorder, const StoppingRule& rule,
                            std::vector<Scenario> scenarios, double confidence,
                            const Execution& execution) {
+  scenarios = in_random_order(std::move(scenarios), recorder.options().seed);
   if (const auto* decision = std::get_if<DecisionRule>(&rule.rule)) {
     ScenarioPool pool(std::move(scenarios), decision_batch);
     return run_in_batches(recorder, *decision, pool, rule.max_runs, confidence, execution);

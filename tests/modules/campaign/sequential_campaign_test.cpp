@@ -2,11 +2,15 @@
 #include "error_text.h"
 #include "io_sample.h"
 
+#include <slalom/analysis/decision_rule.h>
 #include <slalom/campaign/sequential_campaign.h>
+#include <slalom/core/hash.h>
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/read_results.h>
 
 #include <gtest/gtest.h>
+
+#include <map>
 
 namespace slalom {
 namespace {
@@ -156,6 +160,68 @@ TEST_F(SequentialCampaign, StopsWhenAComparisonIsDecided) {
   const std::size_t runs = read_results(path).size();
   EXPECT_LT(runs, 2U * 100);
   EXPECT_EQ(runs % (2 * kFirstBatch), 0U) << "batches of ten scenarios";
+}
+
+/// The advantages in a pool of two parts, each constant: of these differences the mean is known.
+struct TwoParts {
+  int first, second;  ///< numbers of scenarios
+  double of_first, of_second;
+
+  std::vector<double> advantages() const {
+    std::vector<double> all(static_cast<std::size_t>(first), of_first);
+    all.insert(all.end(), static_cast<std::size_t>(second), of_second);
+    return all;
+  }
+  double mean() const { return (first * of_first + second * of_second) / (first + second); }
+};
+
+/// How often each decision was made over pools that are sorted by difficulty, taken in the order of
+/// a sequential campaign with different seeds.
+std::map<Decision, int> decisions(const DecisionRule& rule, const TwoParts& pool, int campaigns) {
+  const std::vector<double> sorted = pool.advantages();
+  std::vector<std::string> hashes;
+  for (std::size_t i = 0; i < sorted.size(); ++i) hashes.push_back(Hasher().add(i).hex());
+  std::map<Decision, int> counts;
+  for (int seed = 0; seed < campaigns; ++seed) {
+    std::vector<double> taken;
+    for (const std::size_t i : random_order(hashes, static_cast<std::uint64_t>(seed)))
+      taken.push_back(sorted[i]);
+    ++counts[decide(rule, taken, 0.95).decision];
+  }
+  return counts;
+}
+
+TEST(SortedPools, AreDecidedWronglyInAtMostFivePercentOfCampaignsForEachDecision) {
+  constexpr int kCampaigns = 1000, kMaxWrong = 50;
+  const DecisionRule decided{"success", "a", "b", 0.05, false},
+      no_worse{"success", "a", "b", 0.05, true};
+  // Means of 0, of a relevant difference, and of one just above or below.
+  for (const TwoParts& pool :
+       {TwoParts{100, 100, 1, -1}, TwoParts{50, 150, -1, 1.0 / 3}, TwoParts{20, 380, 1, 0},
+        TwoParts{380, 20, 0, -1}, TwoParts{50, 150, 1, -0.6}, TwoParts{40, 160, -1, 0.2}}) {
+    auto wrong = decisions(decided, pool, kCampaigns);
+    const double mean = pool.mean();
+    EXPECT_LE(mean > 1e-9 ? 0 : wrong[Decision::Better], kMaxWrong) << mean;
+    EXPECT_LE(mean < -1e-9 ? 0 : wrong[Decision::Worse], kMaxWrong) << mean;
+    EXPECT_LE(std::abs(mean) < 0.05 - 1e-9 ? 0 : wrong[Decision::NoRelevantDifference], kMaxWrong)
+        << mean;
+    wrong = decisions(no_worse, pool, kCampaigns);
+    EXPECT_LE(mean > -0.05 + 1e-9 ? 0 : wrong[Decision::NoWorse], kMaxWrong) << mean;
+    EXPECT_LE(mean < -0.05 - 1e-9 ? 0 : wrong[Decision::Worse], kMaxWrong) << mean;
+  }
+}
+
+TEST(SortedPools, AreTakenInAnOrderThatDependsOnSeedAndContentOnly) {
+  const std::vector<std::string> hashes = {"a", "b", "c", "d", "e", "f", "g"},
+                                 reversed(hashes.rbegin(), hashes.rend());
+  const auto taken = [](const std::vector<std::string>& from, std::uint64_t seed) {
+    std::vector<std::string> names;
+    for (const std::size_t i : random_order(from, seed)) names.push_back(from[i]);
+    return names;
+  };
+  EXPECT_EQ(taken(hashes, 1), taken(reversed, 1));
+  EXPECT_NE(taken(hashes, 1), taken(hashes, 2));
+  EXPECT_NE(taken(hashes, 1), hashes);
 }
 
 TEST_F(SequentialCampaign, RejectsComparisonsOfOtherMethods) {

@@ -43,10 +43,38 @@ class DecisionTests {
 
   void add(double advantage) {
     for (BettingTest& test : tests_) test.add(advantage);
+    sum_ += advantage;
+    ++count_;
   }
 
-  /// With its p value.
+  double mean() const { return count_ == 0 ? 0 : sum_ / static_cast<double>(count_); }
+
+  /// With its p value. A test keeps the evidence of the scenarios before, which the mean of all may
+  /// contradict: the decision is then still open.
   std::pair<Decision, double> decision() const {
+    const auto [decision, p] = rejection();
+    return {is_consistent(decision) ? decision : Decision::Open, p};
+  }
+
+ private:
+  bool is_consistent(Decision decision) const {
+    const double d = rule_.relevant;
+    switch (decision) {
+      case Decision::Better:
+        return mean() > 0;
+      case Decision::Worse:
+        return mean() < (rule_.no_worse ? -d : 0);
+      case Decision::NoRelevantDifference:
+        return std::abs(mean()) < d;
+      case Decision::NoWorse:
+        return mean() > -d;
+      case Decision::Open:
+        break;
+    }
+    return true;
+  }
+
+  std::pair<Decision, double> rejection() const {
     const double p0 = tests_[0].p(), p1 = tests_[1].p();
     if (rule_.no_worse) {
       if (p0 <= level_) return {Decision::NoWorse, p0};
@@ -58,9 +86,9 @@ class DecisionTests {
     return {p <= level_ ? Decision::NoRelevantDifference : Decision::Open, p};
   }
 
- private:
   const DecisionRule& rule_;
-  double level_;
+  double level_, sum_ = 0;
+  std::size_t count_ = 0;
   std::vector<BettingTest> tests_;
 };
 
@@ -114,15 +142,13 @@ DecisionState decide(const DecisionRule& rule, const std::vector<double>& advant
                      double confidence) {
   DecisionTests tests(rule, test_level(confidence));
   DecisionState state;
-  double sum = 0;
   for (const double advantage : advantages) {
     tests.add(advantage);
-    sum += advantage;
     ++state.scenarios;
     std::tie(state.decision, state.p) = tests.decision();
     if (state.decision != Decision::Open) break;
   }
-  if (state.scenarios > 0) state.advantage = sum / static_cast<double>(state.scenarios);
+  state.advantage = tests.mean();
   return state;
 }
 

@@ -8,6 +8,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <vector>
 
 namespace slalom {
@@ -168,6 +169,27 @@ TEST(DecisionSentence, SaysWhatIsKnown) {
       "p = 0.0400");
   EXPECT_EQ(decision_sentence(kDecided, {Decision::Open, 9, 0, 1}),
             "not decided between mine and nd in success: mean advantage +0.000 over 9 scenarios");
+}
+
+TEST(DecisionRule, ADecisionNeverContradictsTheMeanThatIsShown) {
+  // An order from bad to good scenarios, in which each of both tests rejects in its own part.
+  std::vector<double> advantages(60, -1);
+  advantages.insert(advantages.end(), 300, 0.5);
+  for (const bool no_worse : {false, true}) {
+    const DecisionRule rule{"success", "a", "b", 0.05, no_worse};
+    for (std::size_t n = 1; n <= advantages.size(); ++n) {
+      const DecisionState state = decide(
+          rule, {advantages.begin(), advantages.begin() + static_cast<std::ptrdiff_t>(n)}, 0.95);
+      const double mean = state.advantage, d = 0.05;
+      const std::map<Decision, bool> consistent = {
+          {Decision::Better, mean > 0},
+          {Decision::Worse, mean < (no_worse ? -d : 0)},
+          {Decision::NoWorse, mean > -d},
+          {Decision::NoRelevantDifference, std::abs(mean) < d},
+          {Decision::Open, true}};
+      EXPECT_TRUE(consistent.at(state.decision)) << mean;
+    }
+  }
 }
 
 }  // namespace

@@ -32,9 +32,10 @@ struct DecisionState {
 };
 
 /// Decides by `advantages` (how much better the method is than the reference, one value per
-/// scenario, in the order in which these were run). A wrong decision has a probability of at most
-/// 1 - confidence: tests by betting (BettingTest), Better and Worse each at half of that level; the
-/// two that make NoRelevantDifference, and both tests with no_worse, each at that level. Values
+/// scenario, in the order in which these were run, which must be random). A wrong decision of each
+/// kind has a probability of at most 1 - confidence: tests by betting (BettingTest), Better and
+/// Worse each at half of that level; the two that make NoRelevantDifference, and both tests with
+/// no_worse, each at that level. A decision that the mean advantage contradicts is not made. Values
 /// behind the decision do not change it.
 DecisionState decide(const DecisionRule& rule, const std::vector<double>& advantages,
                      double confidence);

@@ -31,8 +31,13 @@ struct SequentialReport {
   std::string text;       ///< the cells or the decision, and the reason for stopping
 };
 
+/// The order in which a sequential campaign takes the scenarios with these hashes: what it has seen
+/// must be a random sample of the pool, whatever the order of its lists. Returns indexes. The order
+/// of two scenarios depends on their hashes and the campaign's seed only.
+std::vector<std::size_t> random_order(const std::vector<std::string>& hashes, std::uint64_t seed);
+
 /// Runs a campaign in batches until its rule is met. All methods run in all scenarios of a batch,
-/// so that comparisons are paired; batches follow the order of the pool. The first one has
+/// so that comparisons are paired; batches take the pool in random_order(). The first one has
 /// kFirstBatch scenarios of each bin, and each is followed by an interim analysis (look).
 ///
 /// Precision: each method's interval, of look_confidence(), is narrow enough in each bin. The
