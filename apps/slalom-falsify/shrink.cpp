@@ -3,6 +3,7 @@
 #include "verbs.h"
 
 #include <slalom/app/campaign_names.h>
+#include <slalom/app/external_options.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
 #include <slalom/app/recorded_campaign.h>
@@ -23,6 +24,7 @@ namespace {
 struct ShrinkArguments {
   FalsifyArguments common;
   std::string input, run;
+  bool trust = false;
 };
 
 /// What is to be shrunk.
@@ -85,6 +87,8 @@ ShrinkInput read_input(ShrinkArguments& arguments) {
 void shrink_verb(ShrinkArguments& arguments) {
   const ShrinkInput input = read_input(arguments);
   const FalsifyArguments& common = arguments.common;
+  if (common.campaign.config.empty() && !arguments.trust)
+    require_no_foreign_code(input.ini, {}, arguments.input);
   refuse_output_over_inputs(common.output, input.ini);
   std::error_code ignored;
   if (std::filesystem::equivalent(arguments.input, common.output + kExaminedResults, ignored))
@@ -130,6 +134,8 @@ void define_shrink(CLI::App& app) {
   verb->add_option("--run", arguments.run, "The run of the result file: HASH8/METHOD/REPETITION");
   verb->add_option("-c,--config", arguments.common.campaign.config,
                    "The campaign's .ini; default: that in the result file or the recorded run");
+  verb->add_flag("--trust", arguments.trust,
+                 "Execute the libraries, modules and commands that the input names");
   complete_with(
       verb->add_option("--method", arguments.common.method, "The method; default: that of the run"),
       known_methods);

@@ -2,8 +2,10 @@
 
 #include <slalom/app/adapters.h>
 #include <slalom/app/campaign_names.h>
+#include <slalom/app/external_options.h>
 #include <slalom/app/recorded_campaign.h>
 #include <slalom/core/error.h>
+#include <slalom/methods/registry.h>
 #include <slalom/rawlog/re_execution.h>
 
 #include <iostream>
@@ -14,6 +16,7 @@ namespace {
 struct CheckArguments {
   std::string log, config, method;
   std::vector<std::string> overrides;
+  bool trust = false;
 };
 
 void require_same_rays(const RecordedRun& run, const SensorModel& sensor, const IniFile& ini) {
@@ -31,6 +34,8 @@ void check(const CheckArguments& arguments) {
   const CampaignOptions options = read_campaign_options(ini);
   require_same_rays(run, options.setup.sensor, ini);
   const std::string name = arguments.method.empty() ? run.manifest.method : arguments.method;
+  if (arguments.config.empty() && !arguments.trust)
+    require_no_foreign_code(ini, method_sections(ini, name), arguments.log);
   const auto method =
       all_adapters().read(ini, name).make(options.setup.robot, options.setup.sensor);
   const auto found = first_difference(run, *method);
@@ -48,6 +53,8 @@ void define_check(CLI::App& app) {
   verb->add_option("log", arguments.log, "The run (.rawlog)")->required();
   verb->add_option("-c,--config", arguments.config,
                    "Campaign .ini to use instead of the recorded one");
+  verb->add_flag("--trust", arguments.trust,
+                 "Execute the library, module or command that the recorded run names");
   complete_with(verb->add_option("--method", arguments.method, "Use another method of the .ini"),
                 known_methods);
   verb->add_option("--set", arguments.overrides, "Override a key of the .ini: SECTION.KEY=VALUE")

@@ -48,6 +48,8 @@ void define_verify(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("-c,--config", arguments.campaign.config,
                    "The campaign's .ini, if its files are elsewhere; default: that in the results");
+  verb->add_flag("--trust", arguments.sample.trust,
+                 "Execute the libraries, modules and commands that the results name");
   verb->add_option("-j,--jobs", arguments.campaign.jobs, "Worker processes")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

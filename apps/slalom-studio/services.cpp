@@ -64,6 +64,7 @@ std::string shrink_run(const StudioServices::ShrinkRequest& request, Progress& p
   std::vector<std::string> command = {"shrink",   request.results, "--run",      request.run,
                                       "--output", request.folder,  "--max-runs", request.max_runs};
   if (!request.requires_witness) command.emplace_back("--no-witness");
+  if (request.trust) command.emplace_back("--trust");
   return falsify(std::move(command), progress);
 }
 

@@ -98,9 +98,11 @@ TEST_F(Falsify, ShrinkDoesNotReplaceItsInput) {
   ASSERT_EQ(run(kShrink).status, 0);
   const std::string hash = failures("out")["failures"][0]["scenario"];
   const std::string id = hash.substr(0, 8) + "/squeeze/0";
-  expect_failure("slalom-falsify shrink out/examined.results --run " + id + " -o out", 2,
+  expect_failure("slalom-falsify shrink out/examined.results --run " + id + " -o out --trust", 2,
                  {"would replace out/examined.results", "another folder"});
-  EXPECT_EQ(run("slalom-falsify shrink out/examined.results --run " + id + " -o again").status, 0);
+  EXPECT_EQ(
+      run("slalom-falsify shrink out/examined.results --run " + id + " -o again --trust").status,
+      0);
 }
 
 TEST_F(Falsify, ShrinksARunOfAResultFile) {
@@ -112,15 +114,17 @@ TEST_F(Falsify, ShrinksARunOfAResultFile) {
   const std::string dump = run("slalom-analyze dump runs.results").out;
   const std::string hash = Json::parse(dump.substr(0, dump.find('\n')))["scenario"]["hash"];
   const std::string id = hash.substr(0, 8) + "/squeeze/0";
-  const ProgramResult result = run("slalom-falsify shrink runs.results --run " + id + " -o out");
+  const ProgramResult result =
+      run("slalom-falsify shrink runs.results --trust --run " + id + " -o out");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("run " + id + " of runs.results"), std::string::npos);
   // The same scenario as from the file with the scenario.
   const std::string shrunk = failures("out")["failures"][0]["scenario"];
   ASSERT_EQ(run(kShrink).status, 0);
   EXPECT_EQ(failures("out")["failures"][0]["scenario"], shrunk);
-  expect_failure("slalom-falsify shrink runs.results --run " + hash.substr(0, 8) + "/base/0 -o out",
-                 1, {"base reaches the goal"});
+  expect_failure(
+      "slalom-falsify shrink runs.results --trust --run " + hash.substr(0, 8) + "/base/0 -o out", 1,
+      {"base reaches the goal"});
   expect_failure("slalom-falsify shrink runs.results --run 01234567/base/0 -o out", 2,
                  {"no such run"});
   expect_failure("slalom-falsify shrink runs.results -o out", 2, {"no run is named", "--run ID"});
@@ -137,7 +141,7 @@ TEST_F(Falsify, ShrinksARecordedRun) {
     if (file.path().string().find("_squeeze_0") != std::string::npos)
       log = "runs.rawlogs/" + file.path().filename().string();
   std::filesystem::remove(folder_ / "planted.ini");  // all is in the recorded run
-  const ProgramResult result = run("slalom-falsify shrink " + log + " -o out");
+  const ProgramResult result = run("slalom-falsify shrink " + log + " -o out --trust");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("/squeeze/0 of " + log), std::string::npos) << result.out;
   // The same scenario as from the file with the scenario.
@@ -150,8 +154,9 @@ TEST_F(Falsify, ShrinksARecordedRun) {
   expect_failure("slalom-falsify shrink " + log + " --method base -o out", 2,
                  {"--method base", "squeeze"});
   // With another method under the name of the recorded one.
-  expect_failure("slalom-falsify shrink " + log + " --set method.squeeze.defect=crash -o out", 1,
-                 {"ended as collision, now as method_crash"});
+  expect_failure(
+      "slalom-falsify shrink " + log + " --set method.squeeze.defect=crash --trust -o out", 1,
+      {"ended as collision, now as method_crash"});
   write("no.rawlog", "no run");
   expect_failure("slalom-falsify shrink no.rawlog -o out", 3, {"no.rawlog"});
 }

@@ -33,6 +33,7 @@ TEST_F(StudioShrink, AddsTheSmallestScenarioOfAFailedRunUndoably) {
       "click dialog \"field folder\"\n"
       "key Ctrl+A\n"
       "type small\n"
+      "click dialog \"field trust\"\n"
       "click dialog ok\n"
       "wait idle\n"
       "expect dialog contains \"minimal: each obstacle was removed alone\"\n"
@@ -85,6 +86,21 @@ TEST_F(StudioShrink, IsDisabledForARunThatReachedTheGoal) {
   EXPECT_EQ(result.status, 0) << result.err;
 }
 
+TEST_F(StudioShrink, ExecutesNoLibraryThatTheResultsNameUnlessTheUserTrustsThem) {
+  const ProgramResult result = shrink(
+      "click runs \"row squeeze\" right\n"
+      "click run_menu shrink\n"
+      "click dialog \"field folder\"\n"
+      "key Ctrl+A\n"
+      "type small\n"
+      "click dialog ok\n"
+      "wait idle\n"
+      "expect dialog contains \"would execute\"\n"
+      "click dialog ok\n"
+      "expect list lacks squeeze_collision\n");
+  EXPECT_EQ(result.status, 0) << result.err;
+}
+
 TEST_F(StudioShrink, ShowsTheErrorOfTheOtherProgram) {
   const ProgramResult result = shrink(
       "click runs \"row squeeze\" right\n"
@@ -92,6 +108,7 @@ TEST_F(StudioShrink, ShowsTheErrorOfTheOtherProgram) {
       "click dialog \"field folder\"\n"
       "key Ctrl+A\n"
       "type passage.scenarios/small\n"  // below a file
+      "click dialog \"field trust\"\n"
       "click dialog ok\n"
       "wait idle\n"
       "expect dialog contains \"passage.scenarios/small\"\n"

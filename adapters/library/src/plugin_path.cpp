@@ -31,12 +31,16 @@ std::string resolve_plugin_path(const std::string& plugin, const std::string& fo
                     "a file at " + join(tried, " or "));
 }
 
+std::string shipped_folder() {
+  return (std::filesystem::path(program_folder()) / "../lib/slalom").string();
+}
+
 std::vector<std::string> shipped_plugins() {
   namespace fs = std::filesystem;
   std::vector<std::string> names;
   std::error_code error;
-  for (fs::directory_iterator file(fs::path(program_folder()) / "../lib/slalom", error), end;
-       !error && file != end; file.increment(error))
+  for (fs::directory_iterator file(shipped_folder(), error), end; !error && file != end;
+       file.increment(error))
     if (file->path().extension() == ".so" || file->path().extension() == ".dll")
       names.push_back(file->path().filename().string());
   std::sort(names.begin(), names.end());

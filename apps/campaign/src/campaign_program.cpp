@@ -3,6 +3,7 @@
 #include <slalom/analysis/bins.h>
 #include <slalom/app/adapters.h>
 #include <slalom/app/campaign_program.h>
+#include <slalom/app/external_options.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/app/output_folder.h>
 #include <slalom/campaign/scenario_sources.h>
@@ -11,14 +12,12 @@
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/io/merge_results.h>
 #include <slalom/io/rawlog_path.h>
-#include <slalom/library/library_method.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/metrics/cycle_time.h>
 #include <slalom/metrics/mover_metrics.h>
 #include <slalom/rawlog/run_recorder.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 
 namespace slalom {
@@ -81,25 +80,6 @@ void notify_known_runs(std::size_t known, std::size_t total, bool sequential,
   notify("continues: " + count + (sequential ? "" : " of " + all) + " runs are there");
 }
 
-/// The files of methods whose contents may change results.
-std::map<std::string, std::string> files_of(const IniFile& ini,
-                                            const std::vector<NamedMethod>& methods) {
-  std::map<std::string, std::string> files;
-  for (const std::string& section : method_sections(ini, methods)) {
-    if (const auto plugin = ini.get(section, "plugin"); plugin && !plugin->empty())
-      files[section + ".plugin"] = resolve_plugin_path(ini, section, *plugin);
-    const std::string adapter = ini.get(section, "adapter").value_or(""),
-                      folder = std::filesystem::path(ini.name()).parent_path().string();
-    for (const auto& [name, key] : {std::pair("python", "module"), std::pair("onnx", "model")})
-      if (const auto file = ini.get(section, key); adapter == name && file && !file->empty())
-        files[section + "." + key] =
-            resolve_method_file(key, *file, folder, ini.where(section, key));
-    if (const auto file = ini.get(section, "config"); file && !file->empty())
-      files[section + ".config"] = *file;
-  }
-  return files;
-}
-
 }  // namespace
 
 IniFile load_campaign_ini(const CampaignArguments& arguments) {
@@ -123,7 +103,7 @@ CampaignConfig read_campaign(const IniFile& ini) {
   config.analysis = read_options<AnalysisSection>(ini, "analysis");
   check_analysis(ini, config.analysis, config.options);
   config.methods = read_methods(ini, all_adapters());
-  config.method_files = files_of(ini, config.methods);
+  config.method_files = files_of_methods(ini, method_sections(ini, config.methods));
   config.effective_ini = effective_ini(ini, config);
   const RunSetup& setup = config.options.setup;
   config.sources = read_scenario_sources(

@@ -1,5 +1,6 @@
 #include "manifest.h"
 
+#include <slalom/app/external_options.h>
 #include <slalom/core/hash.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
@@ -27,13 +28,6 @@ std::string method_names(const CampaignConfig& config) {
   return join(names, ", ");
 }
 
-/// Keys of methods that name files, whose contents are hashed instead, or places of the machine.
-bool is_place(const std::string& key) {
-  return contains({"plugin", "module", "model", "runtime", "config", "url", "channel", "ptg_cache",
-                   "record_navlog"},
-                  key);
-}
-
 }  // namespace
 
 std::string effective_ini(const IniFile& ini, const CampaignConfig& config) {
@@ -44,7 +38,8 @@ std::string effective_ini(const IniFile& ini, const CampaignConfig& config) {
   write_options(effective, "reference", config.reference, "");
   for (const std::string& section : method_sections(ini, config.methods))
     for (const std::string& key : ini.keys(section))
-      if (!is_place(key)) effective.set(section, key, ini.get(section, key).value_or(""));
+      if (!is_location(ini, section, key))
+        effective.set(section, key, ini.get(section, key).value_or(""));
   return effective.canonical_text();
 }
 

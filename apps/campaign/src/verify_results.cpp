@@ -1,5 +1,6 @@
 #include "manifest.h"
 
+#include <slalom/app/external_options.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/app/verify_results.h>
 #include <slalom/core/error.h>
@@ -10,6 +11,7 @@
 #include <slalom/io/find_run.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
+#include <slalom/methods/registry.h>
 #include <slalom/metrics/mover_metrics.h>
 #include <slalom/references/reference_codec.h>
 
@@ -131,15 +133,17 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
                             const VerifySample& sample) {
   const ResultFile file = ResultFile::open(path);
   Manifest manifest = file.read_manifest();
-  CampaignConfig config =
-      read_campaign(arguments.config.empty() ? IniFile::from_text(manifest["campaign.ini"], path)
-                                             : load_campaign_ini(arguments));
+  const IniFile ini = arguments.config.empty() ? IniFile::from_text(manifest["campaign.ini"], path)
+                                               : load_campaign_ini(arguments);
+  CampaignConfig config = read_campaign(ini);
   if (measured_movers(manifest, path)) config.options.add_mover_quantities();
   const auto planner = make_ompl_planner(config.reference, config.options.setup.robot);
   const std::optional<RunRecord> only =
       sample.run.empty() ? std::nullopt : std::optional(find_run(file, sample.run));
   const std::vector<Scenario> scenarios =
       only ? restrict_to_run(file, *only, config) : sample_scenarios(file, sample);
+  if (arguments.config.empty() && !sample.trust)
+    require_no_foreign_code(ini, method_sections(ini, config.methods), path);
   const Campaign campaign{config.options, scenarios, config.methods, planner.get()};
   check_methods(campaign);
   const auto progress = make_terminal_progress(arguments.quiet);

@@ -93,11 +93,14 @@ std::vector<std::string> method_sections(const IniFile& ini,
 std::string resolve_method_file(const std::string& kind, const std::string& file,
                                 const std::string& folder, const std::string& where) {
   namespace fs = std::filesystem;
-  const fs::path path = fs::absolute(fs::path(folder) / file).lexically_normal();
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored))
-    throw usage_error(where, kind + " '" + file + "' not found", "a file at " + path.string());
-  return path.string();
+  std::vector<std::string> tried;
+  for (const fs::path& candidate : {fs::path(folder) / file, fs::path(file)}) {
+    const fs::path path = fs::absolute(candidate).lexically_normal();
+    std::error_code ignored;
+    if (fs::is_regular_file(path, ignored)) return path.string();
+    if (!contains(tried, path.string())) tried.push_back(path.string());
+  }
+  throw usage_error(where, kind + " '" + file + "' not found", "a file at " + join(tried, " or "));
 }
 
 const KnownMap& map_of(const NavigationTask& task) {

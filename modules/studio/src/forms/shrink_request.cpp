@@ -20,7 +20,13 @@ FormDescription shrink_form(const RunRecord& run, const std::string& folder) {
                     "true",    "",        "another method of the campaign must reach the goal"};
   FormField max_runs{"max_runs", "Maximum runs", FieldKind::Integer, "5000", "", "to shrink it"};
   max_runs.range = Range::between(1, 1e9);
-  form.fields = {target, witness, max_runs};
+  FormField trust{"trust",
+                  "Trust the results",
+                  FieldKind::Flag,
+                  "false",
+                  "",
+                  "execute the libraries, modules and commands that they name"};
+  form.fields = {target, witness, max_runs, trust};
   return form;
 }
 
@@ -29,7 +35,12 @@ StudioServices::ShrinkRequest read_shrink(const std::string& results, const RunR
   const std::string& folder = values.at("folder");
   if (std::filesystem::exists(folder))
     throw usage_error(folder, "already exists", "the path of a new folder");
-  return {results, run_id(run), folder, values.at("max_runs"), values.at("witness") == "true"};
+  return {results,
+          run_id(run),
+          folder,
+          values.at("max_runs"),
+          values.at("witness") == "true",
+          values.at("trust") == "true"};
 }
 
 MadeList shrink_into_list(const StudioServices& services,

@@ -40,6 +40,9 @@ std::string resolve_plugin_path(const std::string& plugin, const std::string& fo
 std::string resolve_plugin_path(const IniFile& ini, const std::string& section,
                                 const std::string& plugin);
 
+/// The folder of the libraries that are shipped with the programs.
+std::string shipped_folder();
+
 /// The libraries that are shipped with the programs, by the names under which resolve_plugin_path()
 /// finds them; sorted.
 std::vector<std::string> shipped_plugins();

@@ -13,7 +13,8 @@ namespace slalom {
 struct VerifySample {
   double fraction = 0.05;  ///< at least one scenario
   std::uint64_t seed = 1;
-  std::string run;  ///< HASH8/METHOD/REPETITION; empty: all runs of the scenarios of the sample
+  std::string run;     ///< HASH8/METHOD/REPETITION; empty: all runs of the scenarios of the sample
+  bool trust = false;  ///< execute and load what the methods in the file name
 };
 
 struct VerifyReport {
@@ -25,7 +26,8 @@ struct VerifyReport {
 
 /// Runs a sample of the scenarios of a result file again, all methods and repetitions, or one run,
 /// and compares descriptors, references, outcomes, metrics and trajectories bit by bit. The
-/// campaign is the one in the file, or `arguments.config` if it is not empty. Throws Error.
+/// campaign is the one in the file, or `arguments.config` if it is not empty. Throws Error, also
+/// for the former if it names foreign code, see require_no_foreign_code().
 VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
                             const VerifySample& sample);
 

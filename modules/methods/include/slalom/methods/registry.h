@@ -43,8 +43,9 @@ std::vector<std::string> method_sections(const IniFile& ini,
 std::vector<std::pair<std::string, std::string>> method_parameters(
     const IniFile& ini, const std::string& section, const std::vector<std::string>& adapter_keys);
 
-/// The path of a file that a key names: absolute, or relative to the folder. `kind` is what it is,
-/// e.g. "module". Throws Error (Usage) at `where` if there is no such file.
+/// The path of a file that a key names: absolute, or relative to the folder, else to the current
+/// one. `kind` is what it is, e.g. "module". Throws Error (Usage) at `where` if there is no such
+/// file.
 std::string resolve_method_file(const std::string& kind, const std::string& file,
                                 const std::string& folder, const std::string& where);
 

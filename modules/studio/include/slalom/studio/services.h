@@ -49,6 +49,7 @@ struct StudioServices {
     std::string folder;        ///< for all that is written
     std::string max_runs;
     bool requires_witness = true;
+    bool trust = false;  ///< execute the libraries, modules and commands that the results name
   };
   /// Writes the smallest scenario in which the method fails alike to the list failures.scenarios in
   /// the folder. Returns a summary for the user. Null if the program cannot shrink.
