@@ -157,7 +157,7 @@ void define_figure(CLI::App& app) {
   kind->add_option("--cell", arguments.cell,
                    "The runs of a cell: a picture per scenario of DESCRIPTOR:LOW,HIGH");
   kind->add_option("--animate", arguments.animate,
-                   "A run as an animated SVG: HASH8/METHOD/REPETITION");
+                   "A run as an animated SVG: SCENARIO/METHOD/REPETITION");
   kind->add_option("--profile", arguments.profile, "Performance profiles of this metric");
   kind->add_option("--ranks", arguments.ranks, "Critical-difference diagram of this metric");
   kind->require_option(1);

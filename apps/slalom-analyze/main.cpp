@@ -161,7 +161,7 @@ void define_report(CLI::App& app, Arguments& arguments) {
 
 void define_show(CLI::App& app, Arguments& arguments) {
   CLI::App* verb = add_verb(app, "show", "Print all data of one run", arguments);
-  verb->add_option("--run", arguments.run, "The run: HASH8/METHOD/REPETITION")->required();
+  verb->add_option("--run", arguments.run, "The run: SCENARIO/METHOD/REPETITION")->required();
   verb->add_flag("--json", arguments.json, "JSON, in the format of dump");
   verb->callback([&arguments] { show_verb(arguments); });
 }

@@ -117,7 +117,7 @@ void define_trajectories(CLI::App& app) {
   verb->add_option("--format", arguments.format, "csv, or json")
       ->check(CLI::IsMember({"csv", "json"}))
       ->capture_default_str();
-  verb->add_option("--run", arguments.run, "Only this run: HASH8/METHOD/REPETITION");
+  verb->add_option("--run", arguments.run, "Only this run: SCENARIO/METHOD/REPETITION");
   verb->add_option("-o,--output", arguments.output,
                    "Folder for a file per run; with --run the file, instead of standard output");
   verb->add_flag("--quiet", arguments.quiet, "No messages");

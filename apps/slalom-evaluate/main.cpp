@@ -109,7 +109,8 @@ void evaluate(const Arguments& arguments) {
     throw Interrupted("finished runs are kept in " + results + "; the same command continues");
   store_descriptors(config.options, results, arguments.output + "/campaign.scenarios");
   write_tables_and_report(arguments, results, config.analysis.report);
-  if (!report.problem.empty()) throw job_error(results, report.problem);
+  print_method_failures(report, config.options);
+  require_sound_runs(report, results);
 }
 
 void define(CLI::App& app) {

@@ -131,7 +131,8 @@ void define_shrink(CLI::App& app) {
   verb->add_option("input", arguments.input,
                    "A result file (.results), a recorded run (.rawlog) or a .scenario.yaml")
       ->required();
-  verb->add_option("--run", arguments.run, "The run of the result file: HASH8/METHOD/REPETITION");
+  verb->add_option("--run", arguments.run,
+                   "The run of the result file: SCENARIO/METHOD/REPETITION");
   verb->add_option("-c,--config", arguments.common.campaign.config,
                    "The campaign's .ini; default: that in the result file or the recorded run");
   verb->add_flag("--trust", arguments.trust,

@@ -48,6 +48,9 @@ py::dict columns_of(const ResultTable& table) {
   columns["repetition"] =
       py::array(static_cast<py::ssize_t>(table.size()), table.repetition.data());
   columns["outcome"] = names_by_run(table.outcomes, table.outcome);
+  py::list details;
+  for (const RunDetails& run : table.details) details.append(run.outcome_detail);
+  columns["detail"] = details;
   for_each_column(table, [&](const ValueColumn& column, const auto& row_of) {
     columns[py::str(column.info().id)] = numbers_of(column, table.size(), row_of);
   });

@@ -38,7 +38,8 @@ void run(const RunArguments& arguments) {
   if (!report.complete)
     throw Interrupted("finished runs are kept in " + arguments.output +
                       "; the same command continues");
-  if (!report.problem.empty()) throw job_error(arguments.output, report.problem);
+  print_method_failures(report, config.options);
+  require_sound_runs(report, arguments.output);
   if (!arguments.campaign.quiet) std::cerr << "Results: " << arguments.output << "\n";
 }
 

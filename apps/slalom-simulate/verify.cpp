@@ -42,7 +42,7 @@ void define_verify(CLI::App& app) {
       verb->add_option("--fraction", arguments.sample.fraction, "Part of the scenarios")
           ->check(CLI::Range(0.0, 1.0))
           ->capture_default_str();
-  verb->add_option("--run", arguments.sample.run, "Only this run: HASH8/METHOD/REPETITION")
+  verb->add_option("--run", arguments.sample.run, "Only this run: SCENARIO/METHOD/REPETITION")
       ->excludes(fraction);
   verb->add_option("--seed", arguments.sample.seed, "Seed of the choice of scenarios")
       ->capture_default_str();

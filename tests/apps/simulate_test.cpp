@@ -103,7 +103,7 @@ TEST_F(Simulate, RunsAmongMoversAreTheSameInWorkersShardsAndContinuations) {
   ASSERT_NE(dump("two.results"), expected);
   ASSERT_EQ(run(command + "-o two.results").status, 0);
   EXPECT_EQ(dump("two.results"), expected);
-  EXPECT_EQ(run("slalom-simulate verify one.results").status, 0);
+  EXPECT_EQ(run("slalom-simulate verify one.results --trust").status, 0);
 }
 
 TEST_F(Simulate, InvalidShardsAreRefused) {
@@ -144,23 +144,26 @@ TEST_F(Simulate, VerifyRunsASampleAgainAndNamesWhatIsDifferent) {
                 "-o a.results")
                 .status,
             0);
-  const ProgramResult same = run("slalom-simulate verify a.results --fraction 1 --quiet -j 2");
+  const ProgramResult same =
+      run("slalom-simulate verify a.results --trust --fraction 1 --quiet -j 2");
   EXPECT_EQ(same.out, "8 runs in 4 scenarios are identical\n") << same.err;
-  EXPECT_EQ(run("slalom-simulate verify a.results --quiet").out,
+  EXPECT_EQ(run("slalom-simulate verify a.results --trust --quiet").out,
             "2 runs in 1 scenario are identical\n");
   const std::string dump = run("slalom-analyze dump a.results").out;
   const std::string key = "\"hash\":\"";
   const std::string id = dump.substr(dump.find(key) + key.size(), 8) + "/gap/0";
-  EXPECT_EQ(run("slalom-simulate verify a.results --quiet --run " + id).out,
+  EXPECT_EQ(run("slalom-simulate verify a.results --trust --quiet --run " + id).out,
             "1 run in 1 scenario is identical\n")
       << id;
-  const ProgramResult unknown = run("slalom-simulate verify a.results --quiet --run 0/gap/0");
+  const ProgramResult unknown =
+      run("slalom-simulate verify a.results --trust --quiet --run 0/gap/0");
   EXPECT_EQ(unknown.status, 2);
   EXPECT_NE(unknown.err.find("no such run in these results"), std::string::npos) << unknown.err;
   // Another method under the name of the library that the campaign used.
   std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_go_to_goal.so",
                              folder_ / "gap.so", std::filesystem::copy_options::overwrite_existing);
-  const ProgramResult changed = run("slalom-simulate verify a.results --fraction 1 --quiet");
+  const ProgramResult changed =
+      run("slalom-simulate verify a.results --trust --fraction 1 --quiet");
   EXPECT_EQ(changed.status, 1);
   EXPECT_NE(changed.out.find("/gap/0: /"), std::string::npos) << changed.out;
   EXPECT_NE(changed.out.find("environment: method.gap.plugin_hash was "), std::string::npos);

@@ -164,11 +164,27 @@ CampaignReport run_campaign_program(const CampaignConfig& config,
   const Execution execution{arguments.jobs, *progress, InterruptGuard::raised};
   if (!rule) {
     const bool complete = recorder.run(std::move(scenarios), execution);
-    return {complete, recorder.problem(), ""};
+    return {complete, recorder.problem(), recorder.method_failures(), ""};
   }
   const SequentialReport report =
       run_until(recorder, *rule, std::move(scenarios), config.analysis.confidence, execution);
-  return {report.complete, recorder.problem(), report.text};
+  return {report.complete, recorder.problem(), recorder.method_failures(), report.text};
+}
+
+void print_method_failures(const CampaignReport& report, const CampaignOptions& options) {
+  const std::vector<std::string> lines = report.failures.lines();
+  for (const std::string& line : lines) std::cerr << line << "\n";
+  if (!lines.empty() && !options.limits.method_errors)
+    std::cerr << "The output of methods is shown with --set limits.method_errors=true and "
+                 "--overwrite\n";
+}
+
+void require_sound_runs(const CampaignReport& report, const std::string& results_path) {
+  if (!report.problem.empty()) throw job_error(results_path, report.problem);
+  const std::vector<std::string> methods = report.failures.methods_without_a_sound_run();
+  if (!methods.empty())
+    throw job_error(results_path, join(methods, ", ") + (methods.size() == 1 ? " has" : " have") +
+                                      " ended every run by an error of its own");
 }
 
 }  // namespace slalom

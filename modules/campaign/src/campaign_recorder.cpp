@@ -31,7 +31,18 @@ CampaignRecorder::CampaignRecorder(Campaign campaign, ResultFile file, RecorderO
     known_runs_.insert(key_of(hash, method, repetition));
     ++known_by_scenario_[hash];
     if (outcome == to_string(Outcome::InfrastructureError)) ++errors_;
+    count_known_run(hash, method, repetition, outcome);
   });
+}
+
+void CampaignRecorder::count_known_run(const std::string& hash, const std::string& method,
+                                       int repetition, const std::string& outcome) {
+  RunRecord run;
+  run.method = method;
+  run.outcome = outcome;
+  // The text of the failure is needed only then.
+  if (is_method_failure(outcome)) run = file_.read_run(hash, method, repetition).value_or(run);
+  failures_.add(run);
 }
 
 bool CampaignRecorder::run(std::vector<Scenario> scenarios, const Execution& execution) {
@@ -79,6 +90,7 @@ void CampaignRecorder::add_run(const RunRecord& run, const RunTiming& timing,
                                const Trajectory& trajectory) {
   file_.add_run(run, timing, trajectory);
   ++added_runs_;
+  failures_.add(run);
   if (first_error_.empty() && run.outcome == to_string(Outcome::InfrastructureError))
     first_error_ = run_id(run) + ": " + run.outcome_detail;
   expect_commit();

@@ -18,8 +18,10 @@
 namespace slalom {
 namespace {
 
-const std::vector<QuantityInfo> kDescriptors = {{"density", 1, "Density", "-", Direction::None}};
-const std::vector<QuantityInfo> kMetrics = {{"optimality", 3, "Optimality", "-", Direction::Up}};
+const std::vector<QuantityInfo> kMergedDescriptors = {
+    {"density", 1, "Density", "-", Direction::None}};
+const std::vector<QuantityInfo> kMergedMetrics = {
+    {"optimality", 3, "Optimality", "-", Direction::Up}};
 
 class MergeResults : public testing::Test {
  protected:
@@ -30,7 +32,7 @@ class MergeResults : public testing::Test {
     ResultFile file = ResultFile::create(
         path,
         {{"campaign", "test"}, {kEffectiveKey, "[robot]\nmax_v = " + max_v}, {"shard", "1/2"}},
-        kDescriptors, kMetrics);
+        kMergedDescriptors, kMergedMetrics);
     add(file, sample_scenario(scenario), optimality);
     file.commit();
     return path;

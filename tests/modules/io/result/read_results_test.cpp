@@ -18,7 +18,8 @@ namespace {
 class ResultColumnsTest : public testing::Test {
  protected:
   ResultColumnsTest() : path_(folder_ / "runs.results") {
-    ResultFile file = ResultFile::create(path_, {{"campaign", "test"}}, kDescriptors, kMetrics);
+    ResultFile file =
+        ResultFile::create(path_, {{"campaign", "test"}}, kReadDescriptors, kReadMetrics);
     int n = 0;
     for (const std::uint64_t seed : {3, 1, 2}) {
       const Scenario scenario = sample_scenario(seed, "scenario" + std::to_string(seed));
@@ -51,10 +52,11 @@ class ResultColumnsTest : public testing::Test {
     file.commit();
   }
 
-  const std::vector<QuantityInfo> kDescriptors = {{"density", 1, "Density", "-", Direction::None}};
-  const std::vector<QuantityInfo> kMetrics = {{"success", 1, "Success", "-", Direction::Up},
-                                              {"spl", 2, "SPL", "-", Direction::Up}};
-  TableBuilder builder_{kDescriptors, kMetrics};  ///< with the records of the file
+  const std::vector<QuantityInfo> kReadDescriptors = {
+      {"density", 1, "Density", "-", Direction::None}};
+  const std::vector<QuantityInfo> kReadMetrics = {{"success", 1, "Success", "-", Direction::Up},
+                                                  {"spl", 2, "SPL", "-", Direction::Up}};
+  TableBuilder builder_{kReadDescriptors, kReadMetrics};  ///< with the records of the file
   TemporaryFolder folder_;
   std::string path_;
 };
@@ -124,7 +126,7 @@ TEST_F(ResultColumnsTest, HaveAReasonForEachMissingDescriptor) {
   const std::vector<std::map<std::string, VersionedValue>> descriptors = {
       {{"density", {0, Value::of(0.1)}}}, {{"density", {1, Value::na("no free space")}}}, {}};
   {
-    ResultFile file = ResultFile::create(path, {}, kDescriptors, kMetrics);
+    ResultFile file = ResultFile::create(path, {}, kReadDescriptors, kReadMetrics);
     for (std::size_t i = 0; i < descriptors.size(); ++i) {
       const Scenario scenario = sample_scenario(i, "scenario" + std::to_string(i));
       file.add_scenario({scenario.hash(), scenario.name(), descriptors[i]}, scenario, {});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/analysis/analysis_section.h>
+#include <slalom/campaign/method_failures.h>
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/campaign/sequential_campaign.h>
 #include <slalom/campaign/shards.h>
@@ -58,8 +59,16 @@ std::string campaign_options_help();
 struct CampaignReport {
   bool complete = false;  ///< false if interrupted
   std::string problem;    ///< one line about failures of the infrastructure; "" if none
-  std::string until;      ///< with a stopping rule: its cells, and the reason for stopping
+  MethodFailures failures;
+  std::string until;  ///< with a stopping rule: its cells, and the reason for stopping
 };
+
+/// Prints on standard error which methods ended runs by errors of their own, and how.
+void print_method_failures(const CampaignReport& report, const CampaignOptions& options);
+
+/// Throws Error (Job) for problems of the report: failures of the infrastructure, and methods that
+/// ended every run by an error of their own.
+void require_sound_runs(const CampaignReport& report, const std::string& results_path);
 
 /// The scenarios specified by the .ini; the same for any number of jobs. First checks the methods,
 /// which sets config.privileged: throws Error (Usage) if one cannot be built.

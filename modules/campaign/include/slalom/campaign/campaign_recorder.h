@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/campaign/campaign.h>
+#include <slalom/campaign/method_failures.h>
 #include <slalom/core/wall_clock.h>
 #include <slalom/io/result_file.h>
 
@@ -47,6 +48,9 @@ class CampaignRecorder : private CampaignSink {
   /// One line about failures of the infrastructure; "" if there are none.
   std::string problem() const;
 
+  /// The runs that methods ended by errors of their own, also those that the file held before.
+  const MethodFailures& method_failures() const { return failures_; }
+
   /// The runs that the file held before the first call of run().
   std::size_t known_runs() const { return known_runs_.size(); }
   const CampaignOptions& options() const { return campaign_.options; }
@@ -59,6 +63,8 @@ class CampaignRecorder : private CampaignSink {
                     const References& references) override;
   void add_run(const RunRecord& run, const RunTiming& timing,
                const Trajectory& trajectory) override;
+  void count_known_run(const std::string& hash, const std::string& method, int repetition,
+                       const std::string& outcome);
   void expect_commit();
   void commit_when_due();
   void commit_finally(const Execution& execution);
@@ -70,6 +76,7 @@ class CampaignRecorder : private CampaignSink {
   std::map<std::string, std::size_t> known_by_scenario_;  ///< number of runs by hash
   std::optional<double> commit_at_;  ///< s, of the clock; none if everything is on disk
   bool delayed_ = false;             ///< and a notice was given
+  MethodFailures failures_;
   std::size_t added_runs_ = 0;
   std::size_t errors_ = 0;
   std::string first_error_;  ///< of these, with its run
