@@ -89,7 +89,7 @@ void report_one(const std::string& path, const ResultTable& runs, const std::str
   if (!examined.empty())
     options.clusters = explain_failures(
         ResultFile::open(path), runs, options,
-        examined_failures_from_json(read_file(examined, "examined failures"), examined));
+        examined_failures_from_json(read_text(examined, "examined failures"), examined));
   write_report(path, runs, options, folder);
 }
 

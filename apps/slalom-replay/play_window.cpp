@@ -53,7 +53,7 @@ void show_run(const RecordedRun& run, const Scenario& scenario, const CampaignOp
               const std::string& log, const std::string& script) {
   std::vector<ScriptCommand> commands;
   if (!script.empty())
-    commands = parse_studio_script(read_file(script, "a script", kMaxConfigSize), script);
+    commands = parse_studio_script(read_text(script, "a script", kMaxConfigSize), script);
   with_display("slalom-replay play --gui",
                "images by 'slalom-replay play " + log + " --png DIR', or xvfb-run -a", [&] {
                  ReplayWindow window(scenario, content_of(run, options, log), script.empty());

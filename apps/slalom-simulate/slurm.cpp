@@ -87,7 +87,7 @@ SlurmCampaign slurm_campaign(const SlurmArguments& arguments) {
   campaign.shards = arguments.shards;
   campaign.jobs = arguments.campaign.jobs;
   if (!arguments.template_path.empty())
-    campaign.template_text = read_file(arguments.template_path, "a template", kMaxConfigSize);
+    campaign.template_text = read_text(arguments.template_path, "a template", kMaxConfigSize);
   campaign.resubmit_command = resubmit_command(arguments, campaign);
   return campaign;
 }

@@ -77,7 +77,7 @@ void open_files(StudioWindow& window, const StudioArguments& arguments) {
 void show_window(const StudioArguments& arguments) {
   std::vector<ScriptCommand> commands;
   if (!arguments.script.empty())
-    commands = parse_studio_script(read_file(arguments.script, "a script", kMaxConfigSize),
+    commands = parse_studio_script(read_text(arguments.script, "a script", kMaxConfigSize),
                                    arguments.script);
   const std::string file = settings_file(arguments);
   std::string warning;

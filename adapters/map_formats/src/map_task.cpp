@@ -68,7 +68,7 @@ std::optional<MapTask> read_map_task(const std::string& map_path) {
   const std::string path = task_path(map_path);
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return std::nullopt;
-  return parse_map_task(read_file(path, "start and goal of a map", kMaxTaskBytes), path);
+  return parse_map_task(read_text(path, "start and goal of a map", kMaxTaskBytes), path);
 }
 
 }  // namespace slalom

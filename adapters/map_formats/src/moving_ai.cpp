@@ -151,7 +151,7 @@ MovingAiProblem read_problem(const std::vector<std::string>& words, const Lines&
 COccupancyGridMap2D read_moving_ai_map(const std::string& path, double cell_size) {
   if (!(cell_size > 0) || !std::isfinite(cell_size))
     throw usage_error(path, "the cell size of a MovingAI map is unknown", "--cell-size in m");
-  const std::string bytes = read_file(path, "a MovingAI map (.map)", kMaxMapSize);
+  const std::string bytes = read_text(path, "a MovingAI map (.map)", kMaxMapSize);
   Lines lines(bytes, path);
   const MapHeader header = read_header(lines);
   const auto width = static_cast<std::size_t>(header.width);
@@ -176,7 +176,7 @@ COccupancyGridMap2D read_moving_ai_map(const std::string& path, double cell_size
 }
 
 std::vector<MovingAiProblem> read_moving_ai_problems(const std::string& path) {
-  const std::string bytes = read_file(path, "MovingAI scenarios (.scen)");
+  const std::string bytes = read_text(path, "MovingAI scenarios (.scen)");
   Lines lines(bytes, path);
   std::string line;
   lines.next(line);

@@ -90,7 +90,7 @@ mrpt::maps::CSimplePointsMap parse_point_map(const std::string& text, const std:
 
 mrpt::maps::CSimplePointsMap read_point_map(const std::string& path,
                                             const PointMapOptions& options) {
-  return parse_point_map(read_file(path, "a point map", kMaxTextSize), path, options);
+  return parse_point_map(read_text(path, "a point map", kMaxTextSize), path, options);
 }
 
 Scenario point_map_scenario(const std::string& path, const PointMapOptions& options) {

@@ -141,7 +141,7 @@ std::string image_path(const std::string& path, const std::string& image) {
 }
 
 RosMap parse(const std::string& path) {
-  const std::string bytes = read_file(path, "a ROS map (.yaml)", kMaxConfigSize);
+  const std::string bytes = read_text(path, "a ROS map (.yaml)", kMaxConfigSize);
   try {
     const YAML::Node root = YAML::Load(bytes);
     return RosMapReader(root, path).read();

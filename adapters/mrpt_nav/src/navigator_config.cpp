@@ -82,7 +82,7 @@ TPoint2D offset_corner(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c, 
 }  // namespace
 
 mrpt::config::CConfigFileMemory read_navigator_config(const std::string& path) {
-  return {mrpt::config::config_parser(read_file(path, "an MRPT .ini", kMaxConfigSize))};
+  return {mrpt::config::config_parser(read_text(path, "an MRPT .ini", kMaxConfigSize))};
 }
 
 void override_config(CConfigFileBase& config, const std::string& assignments,

@@ -42,7 +42,7 @@ void expect_utf8(const std::string& text, const std::string& where) {
 
 IniFile IniFile::load(const std::string& path) {
   const std::string kind = "a configuration file (.ini)";
-  const std::string text = read_file(path, kind, kMaxConfigSize);
+  const std::string text = read_text(path, kind, kMaxConfigSize);
   if (!is_text(text)) throw file_error(path, "is not a text file", kind);
   return from_text(text, path);
 }

@@ -86,6 +86,13 @@ std::string read_file(const std::string& path, const std::string& kind, std::uin
   return InputFile(path, kind, max_size).read_all();
 }
 
+std::string read_text(const std::string& path, const std::string& kind, std::uint64_t max_size) {
+  constexpr char kByteOrderMark[] = "\xEF\xBB\xBF";  // of UTF-8
+  std::string text = read_file(path, kind, max_size);
+  if (text.compare(0, 3, kByteOrderMark) == 0) text.erase(0, 3);
+  return text;
+}
+
 void require_regular_file(const std::string& path, const std::string& kind,
                           std::uint64_t max_size) {
   InputFile(path, kind, max_size);

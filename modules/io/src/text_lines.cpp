@@ -7,10 +7,7 @@
 namespace slalom {
 
 TextLines::TextLines(const std::string& text, std::string where)
-    : text_(text), where_(std::move(where)) {
-  constexpr char kByteOrderMark[] = "\xEF\xBB\xBF";
-  if (text_.compare(0, 3, kByteOrderMark) == 0) begin_ = 3;
-}
+    : text_(text), where_(std::move(where)) {}
 
 bool TextLines::next(std::string& line) {
   while (begin_ < text_.size()) {

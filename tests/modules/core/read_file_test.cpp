@@ -48,6 +48,14 @@ TEST_F(ReadFile, ReturnsAllBytesOfARegularFile) {
   require_regular_file(path("sparse"), "a map");
 }
 
+TEST_F(ReadFile, TextsHaveNoByteOrderMark) {
+  std::ofstream(path("marked"), std::ios::binary) << "\xEF\xBB\xBF[a]\n";
+  EXPECT_EQ(read_text(path("marked"), "a text"), "[a]\n");
+  EXPECT_EQ(read_file(path("marked")).size(), 7U);
+  std::ofstream(path("short"), std::ios::binary) << "\xEF\xBB";
+  EXPECT_EQ(read_text(path("short"), "a text"), "\xEF\xBB");
+}
+
 TEST_F(ReadFile, ReadsFilesWhoseSizeIsUnknown) {
   EXPECT_NE(read_file("/proc/self/status").find("Pid:"), std::string::npos);
 }

@@ -18,7 +18,7 @@ ResultTable read_analysis_input(const std::string& path,
                                 const std::optional<std::vector<std::string>>& ids, bool csv,
                                 const CsvColumnOptions& options) {
   const bool is_table = !is_result_input(path) && (csv || ends_with(path, ".csv"));
-  return is_table ? columns_from_csv(read_file(path, "a table (.csv)"), path, options)
+  return is_table ? columns_from_csv(read_text(path, "a table (.csv)"), path, options)
                   : read_results(path, ids);
 }
 

@@ -169,7 +169,7 @@ TrajectoryFile load_trajectory_file(const std::string& path, bool sideways) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (!error && size > kMaxBytes) throw file_error(path, "file too large", "at most 512 MiB");
-  return trajectory_from_text(read_file(path, "a trajectory"), path, sideways);
+  return trajectory_from_text(read_text(path, "a trajectory"), path, sideways);
 }
 
 }  // namespace slalom

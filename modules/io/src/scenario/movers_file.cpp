@@ -133,7 +133,7 @@ Movers movers_from_text(const std::string& text, const std::string& where,
 }
 
 Movers load_movers_file(const std::string& path, const MoversFileOptions& options) {
-  return movers_from_text(read_file(path, "positions of movers"), path, options);
+  return movers_from_text(read_text(path, "positions of movers"), path, options);
 }
 
 }  // namespace slalom

@@ -234,7 +234,7 @@ Scenario scenario_from_yaml(const std::string& text, const std::string& where) {
 }
 
 Scenario load_scenario_yaml(const std::string& path) {
-  return scenario_from_yaml(read_file(path, "a scenario (.yaml)"), path);
+  return scenario_from_yaml(read_text(path, "a scenario (.yaml)"), path);
 }
 
 }  // namespace slalom

@@ -18,6 +18,10 @@ constexpr std::uint64_t kMaxTextSize = 1000 * kMegabyte;  ///< scenarios, trajec
 std::string read_file(const std::string& path, const std::string& kind = "a file",
                       std::uint64_t max_size = kMaxTextSize);
 
+/// The same of a text, without the byte order mark that some editors and spreadsheets write first.
+std::string read_text(const std::string& path, const std::string& kind,
+                      std::uint64_t max_size = kMaxTextSize);
+
 /// Throws as read_file() does, without reading: for files that a library opens by their path.
 void require_regular_file(const std::string& path, const std::string& kind,
                           std::uint64_t max_size = std::numeric_limits<std::uint64_t>::max());
