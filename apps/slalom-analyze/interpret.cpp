@@ -26,8 +26,9 @@ std::vector<ResultTable> read_inputs(const InterpretArguments& arguments,
                                      const Interpreter& interpreter) {
   require_number_of_results(interpreter, arguments.files.size());
   const auto columns = requested_columns(arguments.request, interpreter);
-  const CsvColumnOptions options{split_nonempty(arguments.up, ','),
-                                 split_nonempty(arguments.down, ',')};
+  CsvColumnOptions options = arguments.table;
+  options.up = split_nonempty(arguments.up, ',');
+  options.down = split_nonempty(arguments.down, ',');
   std::vector<ResultTable> results;
   for (const std::string& file : arguments.files) {
     results.push_back(read_analysis_input(file, columns, file == arguments.csv_file, options));

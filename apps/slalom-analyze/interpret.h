@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/analysis/analysis_request.h>
+#include <slalom/analysis/csv_columns.h>
 
 #include <CLI/CLI.hpp>
 
@@ -13,9 +14,10 @@ namespace slalom {
 struct InterpretArguments {
   AnalysisRequest request;
   std::vector<std::string> files;
-  std::string scenarios;  ///< list with the indexes of the rows
-  std::string csv_file;   ///< of --csv
-  std::string up, down;   ///< columns of CSV files
+  std::string scenarios;   ///< list with the indexes of the rows
+  std::string csv_file;    ///< of --csv
+  std::string up, down;    ///< columns of CSV files
+  CsvColumnOptions table;  ///< of CSV files, without these
   std::string output;
   bool csv = false, json = false, latex = false, html = false;
   int jobs = 1;  ///< threads that read shards

@@ -1,4 +1,5 @@
 #include "interpret.h"
+#include "key_options.h"
 
 #include <slalom/app/campaign_names.h>
 #include <slalom/app/program.h>
@@ -30,6 +31,7 @@ void add_choice_options(CLI::App& verb, InterpretArguments& a) {
       ->check(CLI::Range(0.5, 0.9999));
   verb.add_option("--up", a.up, "CSV: columns of which more is better");
   verb.add_option("--down", a.down, "CSV: columns of which less is better");
+  add_key_options(verb, a.table);
 }
 
 void add_comparison_options(CLI::App& verb, InterpretArguments& a) {

@@ -1,3 +1,4 @@
+#include "key_options.h"
 #include "sim2real.h"
 #include "warnings.h"
 
@@ -19,13 +20,15 @@ namespace {
 struct Sim2RealArguments {
   std::string real, simulated, metric = "success";
   double confidence = 0.95, power = 0.8;
+  CsvColumnOptions table;
   bool json = false;
 };
 
 void compare(const Sim2RealArguments& arguments) {
   AnalysisOptions options;
   options.confidence = arguments.confidence;
-  const ResultTable real = read_analysis_input(arguments.real, std::nullopt, true, {});
+  const ResultTable real = read_analysis_input(arguments.real, std::nullopt, true, arguments.table);
+  warn_of_missing(arguments.real, real);
   const ResultTable simulated = read_analysis_input(arguments.simulated, std::nullopt, false, {});
   warn_of_missing(arguments.simulated, simulated);
   const Sim2Real comparison = sim2real(real, simulated, arguments.metric, options, arguments.power);
@@ -50,6 +53,7 @@ void define_sim2real(CLI::App& app) {
   complete_with(verb->add_option("--metric", arguments.metric, "Metric that orders the methods")
                     ->capture_default_str(),
                 [](const Words&) { return metric_ids(); });
+  add_key_options(*verb, arguments.table);
   verb->add_option("--confidence", arguments.confidence, "Confidence of intervals and tests")
       ->check(CLI::Range(0.5, 0.9999))
       ->capture_default_str();

@@ -3,6 +3,7 @@
 #include <slalom/app/program.h>
 #include <slalom/campaign/shards.h>
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/io/merge_results.h>
 
 #include <filesystem>
@@ -27,6 +28,8 @@ void warn_of_missing_runs(const std::string& folder, std::size_t runs, std::size
 
 void warn_of_missing(const std::string& path, const ResultTable& runs) {
   warn_of_damage(path, runs.damaged);
+  for (const std::string& note : runs.notes)
+    std::cerr << path << ": " << printable_line(note) << "\n";
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     warn_of_missing_runs(path, runs.size(), planned_runs(runs));

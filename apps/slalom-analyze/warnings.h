@@ -13,7 +13,7 @@ std::size_t planned_runs(const ResultTable& runs);
 void warn_of_missing_runs(const std::string& folder, std::size_t runs, std::size_t planned);
 
 /// Reports on standard error what is missing in the results that were read from `path`: damaged
-/// rows and, of a folder with an incomplete campaign, the number of runs.
+/// rows, columns of a CSV file and, of a folder with an incomplete campaign, the number of runs.
 void warn_of_missing(const std::string& path, const ResultTable& runs);
 
 }  // namespace slalom

@@ -184,6 +184,24 @@ TEST_F(Analyze, AcceptsAnyCsvTable) {
             0u);
 }
 
+TEST_F(Analyze, SaysHowAForeignTableIsRead) {
+  write("foreign.csv", "planner;note;success;time\nnd;ok;True;5\ngap;ok;False;inf\n");
+  const std::string note =
+      "foreign.csv: taken: planner as method; not used: note (line 2: 'ok' is not a number); no "
+      "column scenario (--scenario-column): each row is a scenario of its own\n";
+  const ProgramResult table = run("slalom-analyze table foreign.csv --columns success,time");
+  EXPECT_EQ(table.status, 0);
+  EXPECT_EQ(table.err, note);
+  EXPECT_EQ(run("slalom-analyze sim2real foreign.csv runs.results").err, note);
+  EXPECT_NE(run("slalom-analyze table foreign.csv --csv --method-column note --columns success")
+                .out.find("\nok,"),
+            std::string::npos);
+  expect_failure("slalom-analyze sim2real foreign.csv runs.results --method-column methods", 2,
+                 {"--method-column", "no column 'methods'"});
+  write("foreign.csv", "method,outcome\nnd,CANCELED\n");
+  expect_failure("slalom-analyze table foreign.csv", 3, {"foreign.csv:2", "'CANCELED'"});
+}
+
 TEST_F(Analyze, BinsMayComeFromAnIndexOfTheList) {
   write("small.ini", kSmallCampaign);
   ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet").status, 0);

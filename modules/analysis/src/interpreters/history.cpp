@@ -39,6 +39,19 @@ DataTable history_table(const HistoryCurve& curve, const std::vector<ResultTable
   return rows.table();
 }
 
+void add_change_remarks(Interpretation& found, const History& history, const std::string& since) {
+  const std::size_t successes = history.new_successes.size();
+  if (history.untold_runs > 0)
+    found.remarks.push_back(since + ": new failures cannot be told in " +
+                            count_text(history.untold_runs, "run") +
+                            " of the same scenarios: no outcome and no success");
+  if (history.compared_runs > 0 || history.untold_runs == 0)
+    found.remarks.push_back(since + ": " + count_text(history.new_failures.size(), "new failure") +
+                            " and " + std::to_string(successes) + " new success" +
+                            (successes == 1 ? "" : "es") + " in " +
+                            count_text(history.compared_runs, "run") + " of the same scenarios");
+}
+
 }  // namespace
 
 Interpretation interpret_history(const std::vector<ResultTable>& results,
@@ -52,17 +65,15 @@ Interpretation interpret_history(const std::vector<ResultTable>& results,
     found.tables.push_back(changed_table(name, title, changed, results));
     if (!changed.empty()) found.views.push_back(found.tables.back());
   };
-  add("new_failures", "New failures: " + since, history.new_failures);
-  add("new_successes", "New successes: " + since, history.new_successes);
+  if (history.compared_runs > 0 || history.untold_runs == 0) {
+    add("new_failures", "New failures: " + since, history.new_failures);
+    add("new_successes", "New successes: " + since, history.new_successes);
+  }
   for (const HistoryCurve& curve : history.curves) {
     found.tables.push_back(history_table(curve, results, true));
     found.views.push_back(history_table(curve, results, false));
   }
-  const std::size_t successes = history.new_successes.size();
-  found.remarks.push_back(since + ": " + count_text(history.new_failures.size(), "new failure") +
-                          " and " + std::to_string(successes) + " new success" +
-                          (successes == 1 ? "" : "es") + " in " +
-                          count_text(history.compared_runs, "run") + " of the same scenarios");
+  add_change_remarks(found, history, since);
   for (const HistoryCurve& curve : history.curves)
     for (const HistoryPoint& point : curve.points)
       if (point.change) found.remarks.push_back(verdict_sentence(*point.change));

@@ -1,4 +1,5 @@
 #include <slalom/analysis/bins.h>
+#include <slalom/analysis/cell.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
@@ -164,7 +165,9 @@ RunValues::RunValues(const ResultTable& table, const std::string& id)
   if (values_ != nullptr) return;
   values_ = find_metric(table, id);
   scenario_ = nullptr;
-  if (values_ == nullptr) throw unknown_rows(id, table);
+  if (values_ != nullptr) return;
+  require_readable(table, "rows", id);
+  throw unknown_rows(id, table);
 }
 
 std::vector<Bin> make_bins(const BinSpec& spec, const ResultTable& table) {

@@ -41,6 +41,13 @@ Error unknown_metric(const std::string& id, const std::vector<std::string>& know
                      expected_name(id, known));
 }
 
+void require_readable(const ResultTable& table, const std::string& where, const std::string& id) {
+  for (const auto& [name, why] : table.unread)
+    if (name == id)
+      throw usage_error(where, "'" + id + "' of " + table.source + " is not used (" + why + ")",
+                        "numbers, or words such as NA");
+}
+
 bool is_survivors_only(std::size_t runs, std::size_t available) {
   return available > 0 && 10 * (runs - available) > runs;
 }
@@ -50,6 +57,7 @@ std::vector<Column> resolve_columns(const ResultTable& table, const std::vector<
   for (const std::string& id : ids) {
     const ValueColumn* column = find_metric(table, id);
     if (column == nullptr) {
+      require_readable(table, "columns", id);
       std::vector<std::string> known;
       for (const ValueColumn& other : table.metrics) known.push_back(other.info().id);
       throw unknown_metric(id, known);

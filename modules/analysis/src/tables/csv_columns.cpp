@@ -1,131 +1,197 @@
+#include "csv_table.h"
+
 #include <slalom/analysis/csv_columns.h>
-#include <slalom/analysis/table_export.h>
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
+#include <slalom/core/value.h>
+#include <slalom/results/outcome_words.h>
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
+#include <set>
 
 namespace slalom {
 namespace {
 
-/// The fields of the record that begins at `position`, which is advanced past it; counts lines.
-std::vector<std::string> next_record(const std::string& text, std::size_t& position,
-                                     std::size_t& line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (; position < text.size(); ++position) {
-    const char c = text[position];
-    if (quoted && c == '"' && position + 1 < text.size() && text[position + 1] == '"') {
-      fields.back() += text[++position];
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      fields.emplace_back();
-    } else if (c == '\n' && !quoted) {
-      ++position;
-      ++line;
-      break;
-    } else if (c != '\r' || quoted) {
-      line += c == '\n' ? 1 : 0;
-      fields.back() += c;
-    }
-  }
-  return fields;
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
 }
 
-/// The text of a field, without the apostrophe that csv_field() adds to formulas.
-std::string text_of_field(const std::string& field) {
-  const std::string text = trim(field);
-  return !text.empty() && text[0] == '\'' && is_formula(text.substr(1)) ? text.substr(1) : text;
+/// A field in a message.
+std::string shown(const std::string& field) {
+  constexpr std::size_t kLength = 40;  // bytes
+  const bool is_long = field.size() > kLength;
+  return "'" + printable_line(is_long ? field.substr(0, kLength) + "..." : field) + "'";
 }
 
 bool is_missing(const std::string& field) {
-  return field.empty() || field == "NA" || field == "nan" || field == "NaN";
+  static const std::set<std::string> words = {"",     "na",       "n/a",      "nan", "none",
+                                              "null", "-",        "--",       "inf", "+inf",
+                                              "-inf", "infinity", "-infinity"};
+  return words.count(lower(field)) > 0;
 }
 
-bool is_key(const std::string& name) {
-  for (const char* key : {"scenario", "scenario_hash", "method", "repetition", "outcome"}) {
-    if (name == key) return true;
+/// 1 or 0 for a word that means it.
+std::optional<double> truth_of(const std::string& field) {
+  const std::string word = lower(field);
+  if (word == "true" || word == "yes") return 1;
+  if (word == "false" || word == "no") return 0;
+  return std::nullopt;
+}
+
+/// The number, also with a decimal comma where commas do not separate fields, and of "85%".
+bool parse_field(const std::string& field, char separator, double& number) {
+  if (parse_number(field, number)) return true;
+  if (const auto truth = truth_of(field)) return number = *truth, true;
+  if (!field.empty() && field.back() == '%') {
+    const bool valid = parse_field(field.substr(0, field.size() - 1), separator, number);
+    number /= 100;
+    return valid;
   }
-  return false;
+  const std::size_t comma = field.find(',');
+  if (separator == ',' || comma == std::string::npos) return false;
+  std::string with_point = field;
+  with_point[comma] = '.';
+  return parse_number(with_point, number);
 }
 
-/// The file by columns.
-class CsvTable {
+/// A column that identifies the run of a row.
+struct KeyColumn {
+  const char* name;                  ///< also of the option --NAME-column
+  std::vector<const char*> aliases;  ///< in lower case
+};
+
+/// The name of a column in lower case, with "_" between words.
+std::string plain_name(const std::string& id) {
+  std::string name = lower(id);
+  for (char& c : name) c = c == ' ' || c == '-' ? '_' : c;
+  return name;
+}
+
+/// Finds the columns of the runs' keys; describes what is not obvious.
+class KeyColumns {
  public:
-  CsvTable(const std::string& text, const std::string& name) : name_(name) {
-    std::size_t position = 0, line = 1;
-    header_ = next_record(text, position, line);
-    for (std::string& id : header_) id = text_of_field(id);
-    fields_.resize(header_.size());
-    while (position < text.size()) {
-      const std::size_t at = line;
-      std::vector<std::string> record = next_record(text, position, line);
-      if (record.size() == 1 && record[0].empty()) continue;
-      require_width(record.size(), at);
-      for (std::size_t i = 0; i < record.size(); ++i)
-        fields_[i].push_back(text_of_field(record[i]));
-      ++rows_;
-    }
-    if (rows_ == 0) throw file_error(name_, "no rows", "a header line and rows of numbers");
+  KeyColumns(const CsvTable& csv, const CsvColumnOptions& options) : csv_(csv) {
+    const auto any = [](const std::vector<std::string>&) { return true; };
+    hash = find({"scenario_hash", {}}, "", any);
+    scenario = find({"scenario", {"world", "map", "environment", "env"}}, options.scenario, any);
+    method = find({"method", {"planner", "local_planner", "algorithm", "controller"}},
+                  options.method, any);
+    repetition = find({"repetition", {"trial", "run", "episode"}}, options.repetition,
+                      [](const auto& fields) { return !first_text(fields); });
+    outcome = find({"outcome", {"result", "status"}}, options.outcome, [](const auto& fields) {
+      return std::any_of(fields.begin(), fields.end(), outcome_of_word);
+    });
   }
 
-  std::size_t rows() const { return rows_; }
-  const std::vector<std::string>& header() const { return header_; }
-  const std::vector<std::string>& column(std::size_t i) const { return fields_[i]; }
-  const std::vector<std::string>* find(const std::string& id) const {
-    const auto found = std::find(header_.begin(), header_.end(), id);
-    if (found == header_.end()) return nullptr;
-    return &fields_[static_cast<std::size_t>(found - header_.begin())];
+  using Fields = const std::vector<std::string>*;
+  Fields hash = nullptr, scenario = nullptr, method = nullptr, repetition = nullptr,
+         outcome = nullptr;
+
+  bool is_key(std::size_t column) const { return taken_.count(column) > 0; }
+  /// "planner as method", for columns with other names than Slalom's.
+  const std::vector<std::string>& renamed() const { return renamed_; }
+
+  /// The first field that is neither a number nor missing.
+  static std::optional<std::size_t> first_text(const std::vector<std::string>& fields) {
+    double number = 0;
+    for (std::size_t row = 0; row < fields.size(); ++row)
+      if (!is_missing(fields[row]) && !parse_number(fields[row], number)) return row;
+    return std::nullopt;
   }
 
  private:
-  std::string name_;
-  std::vector<std::string> header_;
-  std::vector<std::vector<std::string>> fields_;
-  std::size_t rows_ = 0;
+  const CsvTable& csv_;
+  std::set<std::size_t> taken_;
+  std::vector<std::string> renamed_;
 
-  void require_width(std::size_t width, std::size_t line) const {
-    if (width == header_.size()) return;
-    throw file_error(name_ + ":" + std::to_string(line), std::to_string(width) + " fields",
-                     std::to_string(header_.size()) + " as in the header");
+  template <typename Predicate>
+  std::vector<std::size_t> columns_where(Predicate predicate) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < csv_.header().size(); ++i)
+      if (!is_key(i) && predicate(i)) found.push_back(i);
+    return found;
+  }
+
+  template <typename Accept>
+  Fields find(const KeyColumn& key, const std::string& chosen, Accept accept) {
+    const std::string name = chosen.empty() ? key.name : chosen;
+    const auto& header = csv_.header();
+    std::vector<std::size_t> found =
+        columns_where([&](std::size_t i) { return header[i] == name; });
+    if (!found.empty()) return take(found[0], key);
+    if (!chosen.empty())
+      throw usage_error("--" + std::string(key.name) + "-column",
+                        csv_.name() + " has no column '" + chosen + "'",
+                        expected_name(chosen, header));
+    found = columns_where([&](std::size_t i) { return plain_name(header[i]) == key.name; });
+    if (!found.empty()) return take(found[0], key);
+    found = columns_where([&](std::size_t i) {
+      const std::string plain = plain_name(header[i]);
+      return std::find(key.aliases.begin(), key.aliases.end(), plain) != key.aliases.end() &&
+             accept(csv_.column(i));
+    });
+    if (found.size() > 1)
+      throw file_error(csv_.name() + ":1",
+                       shown(header[found[0]]) + " and " + shown(header[found[1]]) +
+                           " may both be the " + key.name,
+                       "--" + std::string(key.name) + "-column NAME");
+    return found.empty() ? nullptr : take(found[0], key);
+  }
+
+  Fields take(std::size_t column, const KeyColumn& key) {
+    taken_.insert(column);
+    const std::string& name = csv_.header()[column];
+    if (name != key.name) renamed_.push_back(name + " as " + key.name);
+    return &csv_.column(column);
   }
 };
 
-std::optional<ValueColumn> number_column(const std::string& id,
-                                         const std::vector<std::string>& fields,
-                                         const CsvColumnOptions& options) {
-  QuantityInfo info{id, 1, id, "-", Direction::None};
-  if (id == "success" || contains(options.up, id)) info.direction = Direction::Up;
-  if (contains(options.down, id)) info.direction = Direction::Down;
-  ValueColumn column(info);
-  column.reserve(fields.size());
-  bool any = false, only_bits = true;
-  for (const std::string& field : fields) {
-    double number = 0;
-    if (is_missing(field)) {
-      column.add_na("empty");
-      continue;
+/// The outcome of a field. Throws Error (File) for an unknown word, with all that are unknown.
+class OutcomeFields {
+ public:
+  OutcomeFields(const CsvTable& csv, const std::vector<std::string>* fields) : fields_(fields) {
+    if (fields == nullptr) return;
+    std::optional<std::size_t> first;
+    std::vector<std::string> unknown;
+    for (std::size_t row = 0; row < fields->size(); ++row) {
+      const std::string& word = (*fields)[row];
+      if (is_missing(word) || outcome_of_word(word)) continue;
+      if (!first) first = row;
+      if (!contains(unknown, shown(word)) && unknown.size() < 5) unknown.push_back(shown(word));
     }
-    if (!parse_number(field, number)) return std::nullopt;
-    column.add_number(number);
-    any = true;
-    only_bits = only_bits && (number == 0 || number == 1);
+    if (first)
+      throw file_error(
+          csv.where(*first), "unknown outcome " + join(unknown, ", "),
+          "one of " + join(known_outcomes(), ", ") + ", or a column success of 0 and 1");
   }
-  if (!any) return std::nullopt;
-  column.rate = only_bits;
-  return column;
+
+  std::string operator()(std::size_t row) const {
+    if (fields_ == nullptr || is_missing((*fields_)[row])) return kUnknownOutcome;
+    return *outcome_of_word((*fields_)[row]);
+  }
+
+ private:
+  const std::vector<std::string>* fields_;
+};
+
+std::uint32_t repetition_of(const std::string& field) {
+  double number = 0;
+  parse_number(field, number);
+  return static_cast<std::uint32_t>(number > 0 ? std::min(number, 4e9) : 0.0);
 }
 
-void add_keys(ResultTable& columns, const CsvTable& csv) {
-  const auto* hashes = csv.find("scenario_hash");
-  const auto* names = csv.find("scenario");
-  if (hashes == nullptr) hashes = names;
-  if (names == nullptr) names = hashes;
-  const auto* methods = csv.find("method");
-  const auto* outcomes = csv.find("outcome");
-  const auto* repetitions = csv.find("repetition");
+void add_keys(ResultTable& columns, const CsvTable& csv, const KeyColumns& keys) {
+  const auto* hashes = keys.hash ? keys.hash : keys.scenario;
+  const auto* names = keys.scenario ? keys.scenario : keys.hash;
+  const OutcomeFields outcome_of(csv, keys.outcome);
+  if (keys.repetition != nullptr)
+    if (const auto row = KeyColumns::first_text(*keys.repetition))
+      throw file_error(csv.where(*row), "repetition " + shown((*keys.repetition)[*row]),
+                       "a number from 0");
   NameIndex scenario_index(columns.scenario_hashes), method_index(columns.methods),
       outcome_index(columns.outcomes);
   for (std::size_t row = 0; row < csv.rows(); ++row) {
@@ -134,15 +200,101 @@ void add_keys(ResultTable& columns, const CsvTable& csv) {
     if (columns.scenario.back() == columns.scenario_names.size()) {
       columns.scenario_names.push_back(names ? (*names)[row] : own);
     }
-    columns.method.push_back(method_index.index_of(methods ? (*methods)[row] : "all"));
-    const bool known = outcomes != nullptr && !is_missing((*outcomes)[row]);
-    columns.outcome.push_back(outcome_index.index_of(known ? (*outcomes)[row] : kUnknownOutcome));
-    double repetition = 0;
-    if (repetitions) parse_number((*repetitions)[row], repetition);
-    columns.repetition.push_back(
-        static_cast<std::uint32_t>(repetition > 0 ? std::min(repetition, 4e9) : 0.0));
+    columns.method.push_back(method_index.index_of(keys.method ? (*keys.method)[row] : "all"));
+    columns.outcome.push_back(outcome_index.index_of(outcome_of(row)));
+    columns.repetition.push_back(keys.repetition ? repetition_of((*keys.repetition)[row]) : 0);
   }
   sort_names(columns);
+}
+
+/// The columns of numbers as metrics; the others with the reason.
+class NumberColumns {
+ public:
+  NumberColumns(const CsvTable& csv, const CsvColumnOptions& options, ResultTable& table)
+      : csv_(csv), options_(options), table_(table) {}
+
+  void add(std::size_t column) {
+    const auto& fields = csv_.column(column);
+    const std::string id = id_of(csv_.header()[column]);
+    const auto is_empty = [](const std::string& field) { return field.empty(); };
+    if (id.empty() && std::all_of(fields.begin(), fields.end(), is_empty)) return;
+    const std::string why = id.empty()                           ? "no name"
+                            : find_metric(table_, id) != nullptr ? "a name that is there twice"
+                            : add_numbers(id, fields)            ? ""
+                            : text_row_ < fields.size()          ? text_reason(fields)
+                                                                 : "no numbers";
+    if (!why.empty())
+      table_.unread.emplace_back(id.empty() ? "column " + std::to_string(column + 1) : id, why);
+    has_text_ = has_text_ || text_row_ < fields.size();
+  }
+
+  bool has_text() const { return has_text_; }  ///< a column that may be a key
+  bool has_decimal_commas() const { return has_decimal_commas_; }
+
+ private:
+  const CsvTable& csv_;
+  const CsvColumnOptions& options_;
+  ResultTable& table_;
+  std::size_t text_row_ = 0;  ///< of the last column
+  bool has_text_ = false, has_decimal_commas_ = false;
+
+  /// "Success" is the metric success, unless that is a column of its own.
+  std::string id_of(const std::string& name) const {
+    const bool is_success = lower(name) == "success" && !contains(csv_.header(), "success");
+    return is_success ? "success" : name;
+  }
+
+  std::string text_reason(const std::vector<std::string>& fields) const {
+    return "line " + std::to_string(csv_.line(text_row_)) + ": " + shown(fields[text_row_]) +
+           " is not a number";
+  }
+
+  /// False if there are no numbers, or a field is text: text_row_.
+  bool add_numbers(const std::string& id, const std::vector<std::string>& fields) {
+    QuantityInfo info{id, 1, id, "-", Direction::None};
+    if (id == "success" || contains(options_.up, id)) info.direction = Direction::Up;
+    if (contains(options_.down, id)) info.direction = Direction::Down;
+    ValueColumn column(info);
+    column.reserve(fields.size());
+    bool any = false, only_bits = true, commas = false;
+    for (text_row_ = 0; text_row_ < fields.size(); ++text_row_) {
+      const std::string& field = fields[text_row_];
+      double number = 0;
+      if (is_missing(field)) {
+        column.add_na(field.empty() ? "empty" : field);
+        continue;
+      }
+      if (!parse_field(field, csv_.separator(), number)) return false;
+      column.add_number(number);
+      any = true;
+      only_bits = only_bits && (number == 0 || number == 1);
+      commas = commas || field.find(',') != std::string::npos;
+    }
+    if (!any) return false;
+    column.rate = only_bits;
+    has_decimal_commas_ = has_decimal_commas_ || commas;
+    table_.metrics.push_back(std::move(column));
+    return true;
+  }
+};
+
+std::string unread_text(const ResultTable& table) {
+  std::vector<std::string> texts;
+  for (const auto& [id, why] : table.unread) texts.push_back(id + " (" + why + ")");
+  return join(texts, ", ");
+}
+
+/// What is not obvious about the columns.
+void add_notes(ResultTable& table, const KeyColumns& keys, const NumberColumns& numbers) {
+  std::vector<std::string> parts;
+  if (!keys.renamed().empty()) parts.push_back("taken: " + join(keys.renamed(), ", "));
+  if (!table.unread.empty()) parts.push_back("not used: " + unread_text(table));
+  if (numbers.has_text() && keys.method == nullptr)
+    parts.emplace_back("no column method (--method-column): all rows are of one method, 'all'");
+  if (numbers.has_text() && keys.scenario == nullptr && keys.hash == nullptr)
+    parts.emplace_back("no column scenario (--scenario-column): each row is a scenario of its own");
+  if (numbers.has_decimal_commas()) parts.emplace_back("commas are read as decimal points");
+  if (!parts.empty()) table.notes.push_back(join(parts, "; "));
 }
 
 }  // namespace
@@ -150,20 +302,18 @@ void add_keys(ResultTable& columns, const CsvTable& csv) {
 ResultTable columns_from_csv(const std::string& text, const std::string& name,
                              const CsvColumnOptions& options) {
   const CsvTable csv(text, name);
+  const KeyColumns keys(csv, options);
   ResultTable columns;
   columns.source = name;
-  add_keys(columns, csv);
-  for (std::size_t i = 0; i < csv.header().size(); ++i) {
-    const std::string& id = csv.header()[i];
-    if (id.empty() || is_key(id) || find_metric(columns, id) != nullptr) continue;
-    if (auto column = number_column(id, csv.column(i), options)) {
-      columns.metrics.push_back(std::move(*column));
-    }
-  }
-  if (csv.find("outcome") != nullptr) add_success(columns);
-  if (columns.metrics.empty()) {
-    throw file_error(name, "no numeric columns", "a header line and rows of numbers");
-  }
+  add_keys(columns, csv, keys);
+  NumberColumns numbers(csv, options, columns);
+  for (std::size_t i = 0; i < csv.header().size(); ++i)
+    if (!keys.is_key(i)) numbers.add(i);
+  if (keys.outcome != nullptr) add_success(columns);
+  if (columns.metrics.empty())
+    throw file_error(name, "no numeric columns: " + unread_text(columns),
+                     "a header line and rows of numbers");
+  add_notes(columns, keys, numbers);
   return columns;
 }
 

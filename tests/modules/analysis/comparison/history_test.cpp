@@ -1,5 +1,6 @@
 #include "result_fixture.h"
 
+#include <slalom/analysis/csv_columns.h>
 #include <slalom/analysis/history.h>
 #include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/rank_stability.h>
@@ -66,6 +67,33 @@ TEST(History, PairsByTheHashesOfScenariosAndSkipsResultsWithoutAMethod) {
   EXPECT_EQ(history.compared_runs, 11u) << "of b, without the scenario that differs";
   EXPECT_THROW(build_history(results, {"success"}, {}, "none"), Error);
   EXPECT_THROW(build_history({results[0]}, {"success"}, {}), Error);
+}
+
+ResultTable table_of(const std::string& text, const std::string& name) {
+  return columns_from_csv("scenario,method,repetition," + text, name);
+}
+
+TEST(History, TablesWithoutOutcomesAreComparedBySuccess) {
+  const History history = build_history({table_of("success\ns1,a,0,1\ns2,a,0,0\n", "1.csv"),
+                                         table_of("success\ns1,a,0,0\ns2,a,0,1\n", "2.csv")},
+                                        {"success"}, {});
+  ASSERT_EQ(history.new_failures.size(), 1u);
+  EXPECT_EQ(history.new_failures[0].now, "failure");
+  EXPECT_EQ(history.new_successes.size(), 1u);
+  EXPECT_EQ(history.compared_runs, 2u);
+}
+
+TEST(History, SaysWhenNewFailuresCannotBeTold) {
+  AnalysisQuery query;
+  query.metrics = {"time"};
+  for (const Interpreter& interpreter : all_interpreters()) {
+    if (interpreter.id != "history") continue;
+    const std::string json = render_json(interpreter.interpret(
+        {table_of("time\ns1,a,0,1\n", "1.csv"), table_of("time\ns1,a,0,2\n", "2.csv")}, query));
+    EXPECT_NE(json.find("new failures cannot be told in 1 run"), std::string::npos) << json;
+    EXPECT_EQ(json.find("new_failures"), std::string::npos) << json;
+    EXPECT_EQ(json.find("0 new failures"), std::string::npos) << json;
+  }
 }
 
 TEST(History, ShowsNewFailuresFirst) {

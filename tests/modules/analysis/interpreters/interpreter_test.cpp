@@ -3,7 +3,6 @@
 
 #include <slalom/analysis/campaign_settings.h>
 #include <slalom/analysis/completion.h>
-#include <slalom/analysis/csv_columns.h>
 #include <slalom/analysis/descriptor_map.h>
 #include <slalom/analysis/failure_taxonomy.h>
 #include <slalom/analysis/interpreter.h>
@@ -386,47 +385,6 @@ TEST(Interpreter, RobustnessRejectsCampaignsWithOtherDifferences) {
             1u);
   options.values = {1, 2, 2};
   EXPECT_THROW(build_robustness(results, "anything", {"success"}, options), Error);
-}
-
-TEST(CsvColumns, AnyTwoNumericColumnsCanBeCrossed) {
-  const ResultTable table =
-      columns_from_csv("width, cost,note\n1,10,x\n2,,y\r\n3,30,\"z,\n z\"\n4,40,w\n", "t.csv");
-  EXPECT_EQ(table.size(), 4u);
-  EXPECT_EQ(table.metrics.size(), 2u);  // notes are not numeric
-  const auto cross = build_cross_tables(table, parse_bin_specs("width:1,3,4"), {"cost"}, {})[0];
-  EXPECT_EQ(cross.title, "all by width");
-  EXPECT_EQ(*cross.rows[0].cells[0].estimate, 10);
-  EXPECT_EQ(cross.rows[0].cells[0].na.at("empty"), 1u);
-  EXPECT_EQ(*cross.rows[1].cells[0].estimate, 35);
-}
-
-TEST(CsvColumns, KeyColumnsIdentifyRuns) {
-  CsvColumnOptions options;
-  options.down = {"time"};
-  const ResultTable table = columns_from_csv(
-      "scenario,method,repetition,time,ok\ns1,b,nan,5,1\ns1,a,-1,6,0\ns2,b,1,7,1\n", "t.csv",
-      options);
-  EXPECT_EQ(table.methods, (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(table.scenario_hashes.size(), 2u);
-  EXPECT_EQ(table.repetition, (std::vector<std::uint32_t>{0, 0, 1}));
-  EXPECT_EQ(find_metric(table, "time")->info().direction, Direction::Down);
-  EXPECT_TRUE(find_metric(table, "ok")->rate);
-  EXPECT_FALSE(find_metric(table, "time")->rate);
-}
-
-TEST(CsvColumns, AnEmptyOutcomeIsUnknown) {
-  const ResultTable table = columns_from_csv("outcome,time\nsuccess,5\n,6\nNA,7\n", "t.csv");
-  const ValueColumn& success = *find_metric(table, "success");
-  EXPECT_EQ(success.number(0), 1);
-  EXPECT_EQ(success.reason(1), "not recorded");
-  EXPECT_EQ(success.reason(2), "not recorded");
-}
-
-TEST(CsvColumns, RejectMalformedTables) {
-  for (const char* text : {"", "a,b\n", "a,b\n1,2,3\n", "a,b\nx,y\n"})
-    EXPECT_THROW(columns_from_csv(text, "t.csv"), Error) << text;
-  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {"1 fields", "expected 2"},
-                           [] { columns_from_csv("a,b\n1,2\n1\n", "t.csv"); }));
 }
 
 }  // namespace

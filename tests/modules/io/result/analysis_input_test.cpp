@@ -3,6 +3,8 @@
 
 #include <slalom/io/analysis_input.h>
 #include <slalom/io/result_file.h>
+#include <slalom/results/outcome_words.h>
+#include <slalom/trajectory/trajectory.h>
 
 #include <gtest/gtest.h>
 
@@ -23,6 +25,16 @@ TEST_F(AnalysisInput, TablesAreKnownByTheirNameOrAreNamedAsSuch) {
   EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "trials.txt", {}, [&] {
     read_analysis_input(folder_ / "trials.txt", std::nullopt, false, {});
   }));
+}
+
+TEST_F(AnalysisInput, AByteOrderMarkIsNotPartOfTheFirstName) {
+  write_file_atomically(folder_ / "trials.csv", "\xEF\xBB\xBFmethod,cost\na,1\nb,2\n");
+  EXPECT_EQ(read_analysis_input(folder_ / "trials.csv", std::nullopt, false, {}).methods,
+            (std::vector<std::string>{"a", "b"}));
+}
+
+TEST_F(AnalysisInput, EachOutcomeOfARunIsAWordOfTables) {
+  for (const std::string& name : names_of<Outcome>()) EXPECT_EQ(outcome_of_word(name), name);
 }
 
 TEST_F(AnalysisInput, ResultFilesAreReadAsSuchWhateverTheirName) {

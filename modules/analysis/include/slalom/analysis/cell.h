@@ -53,6 +53,9 @@ bool is_survivors_only(std::size_t runs, std::size_t available);
 /// (Usage) with the nearest name for an unknown id.
 std::vector<Column> resolve_columns(const ResultTable& table, const std::vector<std::string>& ids);
 
+/// Throws Error (Usage) at `where` if a foreign table has this column, but not as a metric.
+void require_readable(const ResultTable& table, const std::string& where, const std::string& id);
+
 /// Error (Usage) that there is no such metric, with the nearest name.
 Error unknown_metric(const std::string& id, const std::vector<std::string>& known);
 

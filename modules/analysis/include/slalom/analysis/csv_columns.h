@@ -10,14 +10,20 @@ namespace slalom {
 /// Properties of the columns of a CSV file.
 struct CsvColumnOptions {
   std::vector<std::string> up, down;  ///< columns of which more (less) is better
+  /// The names of the columns that identify the run of a row; empty: known by their names.
+  std::string method = "", scenario = "", repetition = "", outcome = "";
 };
 
-/// Reads a table of numbers as runs: CSV (RFC 4180, comma) with a header line. Columns
-/// "scenario_hash" or "scenario", "method", "repetition" and "outcome" identify the run of a row;
-/// without them each row is a scenario of its own, with method "all". All other numeric columns are
-/// metrics; empty fields, "NA" and "nan" are not available; non-numeric columns are ignored. A
-/// column that contains only 0 and 1 is a rate. Throws Error (File), with the line if a row has a
-/// wrong number of fields, and if there are no rows.
+/// Reads a table of numbers as runs: CSV (RFC 4180) with a header line, separated by commas,
+/// semicolons or tabs. The columns "scenario_hash" or "scenario", "method", "repetition" and
+/// "outcome", or what other programs call them ("planner", "world", "trial"), identify the run of a
+/// row; without them each row is a scenario of its own, with method "all".
+///
+/// All other columns of numbers are metrics; true and false are 1 and 0, "85%" is 0.85, and words
+/// such as "", "NA", "None" and "inf" are not available, with the word as the reason. A column that
+/// contains only 0 and 1 is a rate. Columns with other text are in `unread`; what was taken as what
+/// is in `notes`. Throws Error (File), with the line, for a row with a wrong number of fields, for
+/// a first line of numbers and for an unknown outcome, and if there are no rows or no numbers.
 ResultTable columns_from_csv(const std::string& text, const std::string& name,
                              const CsvColumnOptions& options = {});
 

@@ -34,6 +34,7 @@ struct History {
   std::vector<HistoryCurve> curves;                     ///< metrics outermost
   std::vector<ChangedRun> new_failures, new_successes;  ///< of the last result
   std::size_t compared_runs = 0;  ///< of the last result, with a partner in the one before
+  std::size_t untold_runs = 0;    ///< the same, but without an outcome or success in either
 };
 
 /// Results in the order given, such as those of successive versions. All changes are one family of

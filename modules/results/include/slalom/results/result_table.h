@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace slalom {
@@ -72,6 +73,9 @@ struct ResultTable {
   /// What was damaged in the file and is therefore missing: "run 0123abcd/nd/0". The descriptors of
   /// a damaged scenario are NA.
   std::vector<std::string> damaged;
+  /// Columns of a foreign table that are no metrics, and why: "line 7: 'DNF' is not a number".
+  std::vector<std::pair<std::string, std::string>> unread;
+  std::vector<std::string> notes;  ///< how a foreign table was read, where that is not obvious
 
   std::size_t size() const { return scenario.size(); }
 };

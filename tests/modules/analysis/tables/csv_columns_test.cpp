@@ -1,0 +1,187 @@
+#include "error_text.h"
+
+#include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/csv_columns.h>
+
+#include <gtest/gtest.h>
+
+namespace slalom {
+namespace {
+
+TEST(CsvColumns, AnyTwoNumericColumnsCanBeCrossed) {
+  const ResultTable table =
+      columns_from_csv("width, cost,note\n1,10,x\n2,,y\r\n3,30,\"z,\n z\"\n4,40,w\n", "t.csv");
+  EXPECT_EQ(table.size(), 4u);
+  EXPECT_EQ(table.metrics.size(), 2u);  // notes are not numeric
+  const auto cross = build_cross_tables(table, parse_bin_specs("width:1,3,4"), {"cost"}, {})[0];
+  EXPECT_EQ(cross.title, "all by width");
+  EXPECT_EQ(*cross.rows[0].cells[0].estimate, 10);
+  EXPECT_EQ(cross.rows[0].cells[0].na.at("empty"), 1u);
+  EXPECT_EQ(*cross.rows[1].cells[0].estimate, 35);
+}
+
+TEST(CsvColumns, KeyColumnsIdentifyRuns) {
+  CsvColumnOptions options;
+  options.down = {"time"};
+  const ResultTable table = columns_from_csv(
+      "scenario,method,repetition,time,ok\ns1,b,nan,5,1\ns1,a,-1,6,0\ns2,b,1,7,1\n", "t.csv",
+      options);
+  EXPECT_EQ(table.methods, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(table.scenario_hashes.size(), 2u);
+  EXPECT_EQ(table.repetition, (std::vector<std::uint32_t>{0, 0, 1}));
+  EXPECT_EQ(find_metric(table, "time")->info().direction, Direction::Down);
+  EXPECT_TRUE(find_metric(table, "ok")->rate);
+  EXPECT_FALSE(find_metric(table, "time")->rate);
+}
+
+TEST(CsvColumns, AnEmptyOutcomeIsUnknown) {
+  const ResultTable table = columns_from_csv("outcome,time\nsuccess,5\n,6\nNA,7\n", "t.csv");
+  const ValueColumn& success = *find_metric(table, "success");
+  EXPECT_EQ(success.number(0), 1);
+  EXPECT_EQ(success.reason(1), "not recorded");
+  EXPECT_EQ(success.reason(2), "not recorded");
+}
+
+TEST(CsvColumns, RejectMalformedTables) {
+  for (const char* text : {"", "a,b\n", "a,b\n1,2,3\n", "a,b\nx,y\n"})
+    EXPECT_THROW(columns_from_csv(text, "t.csv"), Error) << text;
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {"1 fields", "expected 2"},
+                           [] { columns_from_csv("a,b\n1,2\n1\n", "t.csv"); }));
+}
+
+std::string notes_of(const ResultTable& table) {
+  return table.notes.empty() ? "" : table.notes[0];
+}
+
+TEST(CsvColumns, SemicolonsAndTabsSeparateFieldsToo) {
+  for (const char* text : {"method;time\na;1,5\nb;2.5\n", "method\ttime\na\t1,5\nb\t2.5\n",
+                           "method,time\na,1.5\nb,2.5\n"}) {
+    const ResultTable table = columns_from_csv(text, "t.csv");
+    EXPECT_EQ(table.methods, (std::vector<std::string>{"a", "b"})) << text;
+    EXPECT_EQ(find_metric(table, "time")->number(0), 1.5) << text;
+  }
+  EXPECT_TRUE(mentions(notes_of(columns_from_csv("method;time\na;1,5\n", "t.csv")),
+                       {"commas are read as decimal points"}));
+}
+
+TEST(CsvColumns, AFirstLineOfNumbersIsNoHeader) {
+  for (const char* text : {"0,1,12.5\n1,0,9\n", "0;1\n", ",0,1\n0,5,6\n"})
+    EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:1",
+                             {"line 1 has only numbers", "names of columns"},
+                             [&] { columns_from_csv(text, "t.csv"); }))
+        << text;
+}
+
+TEST(CsvColumns, WordsOfOtherProgramsAreOutcomes) {
+  const ResultTable table = columns_from_csv(
+      "outcome,time\n Succeeded ,1\nGOAL_REACHED,2\nCollided,3\nTime out,4\nABORTED,5\nSuccess,6\n",
+      "t.csv");
+  EXPECT_EQ(table.outcomes,
+            (std::vector<std::string>{"success", "collision", "failure", "timeout"}));
+  const ValueColumn& success = *find_metric(table, "success");
+  const double expected[] = {1, 1, 0, 0, 0, 1};
+  for (std::size_t row = 0; row < 6; ++row) EXPECT_EQ(success.number(row), expected[row]) << row;
+}
+
+TEST(CsvColumns, AnUnknownOutcomeIsRefusedWithAllThatAreUnknown) {
+  EXPECT_TRUE(throws_error(
+      ErrorKind::File, "t.csv:3", {"'fine', 'CANCELED'", "success, collision, timeout"},
+      [] { columns_from_csv("outcome,time\nsuccess,1\nfine,2\nCANCELED,3\nfine,4\n", "t.csv"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:2", {"'1'", "a column success of 0 and 1"},
+                           [] { columns_from_csv("outcome,time\n1,1\n0,2\n", "t.csv"); }));
+}
+
+TEST(CsvColumns, KeysHaveOtherNamesElsewhere) {
+  const ResultTable table = columns_from_csv(
+      "Local Planner,world,trial,result,time\ndwa,w1,1,Succeeded,5\nteb,w1,1,Collided,6\n",
+      "t.csv");
+  EXPECT_EQ(table.methods, (std::vector<std::string>{"dwa", "teb"}));
+  EXPECT_EQ(table.scenario_names, (std::vector<std::string>{"w1"}));
+  EXPECT_EQ(table.repetition, (std::vector<std::uint32_t>{1, 1}));
+  EXPECT_EQ(find_metric(table, "success")->number(1), 0);
+  EXPECT_EQ(notes_of(table),
+            "taken: world as scenario, Local Planner as method, trial as repetition, result as "
+            "outcome");
+  EXPECT_EQ(notes_of(columns_from_csv("method,scenario,time\na,w,1\n", "t.csv")), "");
+}
+
+TEST(CsvColumns, AResultOfNumbersAndARunOfTextAreNoKeys) {
+  const ResultTable table =
+      columns_from_csv("method,result,run\na,0.5,first\nb,1.5,second\n", "t.csv");
+  EXPECT_NE(find_metric(table, "result"), nullptr);
+  EXPECT_EQ(table.repetition, (std::vector<std::uint32_t>{0, 0}));
+}
+
+TEST(CsvColumns, KeysCanBeNamed) {
+  CsvColumnOptions options;
+  options.method = "stack", options.scenario = "place";
+  options.repetition = "number", options.outcome = "end";
+  const std::string text = "stack,place,number,end,time\na,hall,3,ABORTED,5\n";
+  const ResultTable table = columns_from_csv(text, "t.csv", options);
+  EXPECT_EQ(table.methods, (std::vector<std::string>{"a"}));
+  EXPECT_EQ(table.scenario_names, (std::vector<std::string>{"hall"}));
+  EXPECT_EQ(table.repetition, (std::vector<std::uint32_t>{3}));
+  EXPECT_EQ(table.outcomes, (std::vector<std::string>{"failure"}));
+  options.method = "stak";
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--method-column", {"no column 'stak'", "'stack'"},
+                           [&] { columns_from_csv(text, "t.csv", options); }));
+  options.method = "stack", options.repetition = "end";
+  options.outcome.clear();
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:2", {"repetition 'ABORTED'"},
+                           [&] { columns_from_csv(text, "t.csv", options); }));
+}
+
+TEST(CsvColumns, TwoColumnsThatMayBeTheMethodAreNotChosenFrom) {
+  EXPECT_TRUE(
+      throws_error(ErrorKind::File, "t.csv:1", {"'planner' and 'controller'", "--method-column"},
+                   [] { columns_from_csv("planner,controller,time\nnavfn,dwb,1\n", "t.csv"); }));
+}
+
+TEST(CsvColumns, NothingIsPooledInSilence) {
+  EXPECT_TRUE(mentions(notes_of(columns_from_csv("stack,success\na,1\nb,0\n", "t.csv")),
+                       {"not used: stack (line 2: 'a' is not a number)", "--method-column",
+                        "--scenario-column", "all rows are of one method"}));
+  EXPECT_EQ(notes_of(columns_from_csv("width,cost\n1,2\n", "t.csv")), "");
+}
+
+TEST(CsvColumns, MissingValuesKeepTheirWordAsTheReason) {
+  const ResultTable table =
+      columns_from_csv("time,a\n1,0\ninf,0\nNone,0\n-,0\nNA,0\nnan,0\n,0\n", "t.csv");
+  const ValueColumn& time = *find_metric(table, "time");
+  EXPECT_EQ(time.number(0), 1);
+  const char* reasons[] = {"inf", "None", "-", "NA", "nan", "empty"};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(time.reason(i + 1), reasons[i]);
+}
+
+TEST(CsvColumns, TruthAndPercentAreNumbers) {
+  const ResultTable table =
+      columns_from_csv("Success,spl\nTrue,85%\nFALSE,0.5\nyes,100 %\n", "t.csv");
+  const ValueColumn& success = *find_metric(table, "success");
+  EXPECT_TRUE(success.rate);
+  EXPECT_EQ(success.info().direction, Direction::Up);
+  EXPECT_EQ(success.number(0), 1);
+  EXPECT_EQ(success.number(1), 0);
+  EXPECT_EQ(success.number(2), 1);
+  EXPECT_EQ(find_metric(table, "spl")->number(0), 0.85);
+  EXPECT_EQ(find_metric(table, "spl")->number(2), 1);
+}
+
+TEST(CsvColumns, AColumnWithTextIsMissedWithItsLine) {
+  const ResultTable table =
+      columns_from_csv("method,success,time\na,1,5\na,0,\"D\nNF\"\nb,1,x\n", "t.csv");
+  EXPECT_TRUE(mentions(notes_of(table), {"not used: time (line 3: 'D NF' is not a number)"}));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "columns", {"'time' of t.csv", "line 3"}, [] {
+    const ResultTable shown = columns_from_csv("method,success,time\na,1,5\na,0,DNF\n", "t.csv");
+    build_cross_tables(shown, parse_bin_specs("all"), {"time"}, {});
+  }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "rows", {"'time' of t.csv", "line 3"}, [] {
+    const ResultTable shown = columns_from_csv("method,success,time\na,1,5\na,0,DNF\n", "t.csv");
+    build_cross_tables(shown, parse_bin_specs("time:2"), {"success"}, {});
+  }));
+  EXPECT_TRUE(mentions(notes_of(columns_from_csv(",a,a,b,c\n0,1,2,inf,\n", "t.csv")),
+                       {"column 1 (no name)", "a (a name that is there twice)", "b (no numbers)",
+                        "c (no numbers)"}));
+}
+
+}  // namespace
+}  // namespace slalom
