@@ -18,6 +18,7 @@ namespace {
 struct MetricsArguments {
   std::string trajectory, scenario, outcome, radius;
   CampaignArguments campaign;
+  LogSpan span;
   bool json = false;
 };
 
@@ -69,7 +70,8 @@ void run(const MetricsArguments& arguments) {
   if (!arguments.outcome.empty()) parse_outcome(arguments.outcome);
   const World world(load_scenario_yaml(arguments.scenario), options.setup.simulation.resolution);
   options.adapt_to({world.scenario()});
-  TrajectoryFile file = load_trajectory_file(arguments.trajectory, options.setup.robot.holonomic());
+  TrajectoryFile file =
+      load_trajectory_file(arguments.trajectory, options.setup.robot.holonomic(), arguments.span);
   MeasuredLog log = measure(options, ini, world, file.trajectory, arguments.outcome);
   log.notes.insert(log.notes.begin(), file.notes.begin(), file.notes.end());
   if (arguments.json)
@@ -99,6 +101,11 @@ void define_metrics(CLI::App& app) {
       ->allow_extra_args(false);
   verb->add_option("--robot-radius", arguments.radius,
                    "Radius of the robot, m; the same as --set robot.radius=");
+  verb->add_option("--from", arguments.span.from,
+                   "Time in the log at which the run begins, s (default: its first)");
+  verb->add_option("--to", arguments.span.to,
+                   "Time in the log at which the run ends, s (default: its last); a log whose time "
+                   "goes back ends there");
   verb->add_option("--outcome", arguments.outcome,
                    "Outcome of the run, e.g. success (default: evaluated from the log)");
   verb->add_flag("--json", arguments.json, "Print a JSON object");

@@ -1,4 +1,5 @@
 #include <slalom/campaign/measure_log.h>
+#include <slalom/core/distance.h>
 #include <slalom/core/text.h>
 #include <slalom/simulation/evaluate_trajectory.h>
 
@@ -6,6 +7,18 @@
 
 namespace slalom {
 namespace {
+
+/// s, from the end of a run that was stuck to where the log reaches the goal all the same.
+std::optional<double> goal_after(const SimulationResult& run, const Scenario& scenario,
+                                 const CampaignOptions& options, const Trajectory& log) {
+  if (run.outcome != Outcome::Stuck) return std::nullopt;
+  const double end = run.trajectory.samples.back().t;
+  for (const Sample& sample : log.samples)
+    if (sample.t > end &&
+        distance_between(sample.pose, scenario.goal()) <= options.setup.simulation.goal_tolerance)
+      return sample.t - end;
+  return std::nullopt;
+}
 
 std::vector<std::string> position_notes(const World& world, const CampaignOptions& options,
                                         const Trajectory& log, const SimulationResult& run) {
@@ -20,6 +33,9 @@ std::vector<std::string> position_notes(const World& world, const CampaignOption
   if (rest > 0)
     notes.push_back("the last " + format_fixed(rest, 2) +
                     " s of the log are left out: " + run.detail);
+  if (const auto later = goal_after(run, world.scenario(), options, log))
+    notes.push_back("the log reaches the goal " + format_fixed(*later, 2) +
+                    " s later: it begins before the run, or the robot waits");
   return notes;
 }
 

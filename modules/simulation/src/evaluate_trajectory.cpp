@@ -96,7 +96,10 @@ class LogEvaluator {
     }
   }
 
-  void check_step(const Sample& before, const Sample& after) {
+  /// A step beyond the time limit is cut there: a gap in the log may be long.
+  void check_step(const Sample& before, const Sample& end_of_step) {
+    const bool is_late = !checker_.is_in_time(time(end_of_step));
+    const Sample after = is_late ? at_time_limit(before, end_of_step) : end_of_step;
     TimedMotion motion{before.pose, after.pose, time(before), time(after)};
     const TPose2D& pose = motion.to;
     double fraction = 1;
@@ -109,9 +112,14 @@ class LogEvaluator {
       end_at(after, Outcome::LeftWorkspace, "left the workspace");
     } else if (checker_.reached_goal(pose)) {
       end_at(after, Outcome::Success, "goal reached");
-    } else if (!checker_.is_in_time(time(after))) {
-      end_at(before, Outcome::Timeout, "goal not reached");
+    } else if (is_late) {
+      end_at(after, Outcome::Timeout, "goal not reached");
     }
+  }
+
+  Sample at_time_limit(const Sample& before, const Sample& after) const {
+    const double left = std::max(options_.max_time - time(before), 0.0);
+    return between(before, after, left / (after.t - before.t));
   }
 
   /// Samples are strictly ordered by time: one at the time of the last is omitted.

@@ -47,6 +47,21 @@ TEST_F(MeasureLog, IsCompleteIfItsOutcomeIsGiven) {
   EXPECT_TRUE(log.notes.empty());
 }
 
+TEST_F(MeasureLog, NotesThatALogThatWasStuckReachesTheGoal) {
+  Trajectory log = straight_log(2, 6);
+  for (Sample& sample : log.samples) sample.t += 20;
+  for (int t = 0; t < 20; ++t) {  // stands before it drives
+    Sample sample = log.samples[static_cast<std::size_t>(t)];
+    sample.t = t;
+    sample.pose = {2, 5, 0};
+    log.samples.insert(log.samples.begin() + t, sample);
+  }
+  const MeasuredLog measured_log = measured(log);
+  EXPECT_EQ(measured_log.run.outcome, Outcome::Stuck);
+  EXPECT_EQ(measured_log.notes.back().find("the log reaches the goal"), 0U)
+      << measured_log.notes.back();
+}
+
 TEST_F(MeasureLog, NotesThatItBeginsElsewhere) {
   const MeasuredLog log = measured(straight_log(3, 5), Outcome::Timeout);
   ASSERT_EQ(log.notes.size(), 1U);

@@ -37,6 +37,20 @@ TEST(EvaluateTrajectory, EndsWhereTheGoalIsReached) {
   EXPECT_NEAR(last.v, 1 + 2.8 / 3, 0.004);
 }
 
+TEST(EvaluateTrajectory, ATimeoutInAGapIsAtTheTimeLimit) {
+  SimulationOptions options;
+  options.max_time = 60;
+  for (const double driven : {0.0, 1.0}) {
+    Trajectory log = log_of({{2, 5}, {2 + driven, 5}});
+    log.samples[1].t = log.samples[0].t + 100;
+    const SimulationResult result =
+        evaluate_trajectory(square_world({2, 5, 0}, {8, 5}), {}, options, log);
+    EXPECT_EQ(result.outcome, Outcome::Timeout);
+    EXPECT_NEAR(result.trajectory.duration(), 60, 1e-9);
+    EXPECT_NEAR(result.trajectory.samples.back().pose.x, 2 + 0.6 * driven, 1e-9);
+  }
+}
+
 TEST(EvaluateTrajectory, EndsAtAContactBetweenSamples) {
   // A column whose cells begin at x = 5, between two samples that are both free.
   const Primitives column{{}, {Polygon{{{5.01, 4.51}, {5.49, 4.51}, {5.49, 5.49}, {5.01, 5.49}}}}};

@@ -103,17 +103,54 @@ void read_csv(const std::string& header, TextLines& lines, double default_radius
   }
 }
 
-void read_obsmat(std::string line, TextLines& lines, const MoversFileOptions& options,
-                 MoverCollector& movers) {
+/// The frame rate at which positions change with the velocities that the file states.
+class ImpliedFrameRate {
+ public:
+  void add(double frame, const std::string& id, const mrpt::math::TPoint2D& position,
+           double speed) {
+    const auto [found, is_new] = last_.try_emplace(id, frame, position);
+    const double frames = frame - found->second.first;
+    const double distance =
+        std::hypot(position.x - found->second.second.x, position.y - found->second.second.y);
+    constexpr double kLeast = 1e-2;  // m, and m/s: people who stand say nothing
+    const double rate = speed * frames / distance;
+    if (!is_new && distance > kLeast && speed > kLeast && std::isfinite(rate))
+      rates_.push_back(rate);
+    found->second = {frame, position};
+  }
+
+  /// Throws Error (File) if the median is another rate.
+  void check(double rate, const std::string& where) {
+    if (rates_.empty()) return;
+    const auto middle = rates_.begin() + static_cast<std::ptrdiff_t>(rates_.size() / 2);
+    std::nth_element(rates_.begin(), middle, rates_.end());
+    constexpr double kTolerance = 1.25;  // velocities may be smoothed
+    if (*middle < rate * kTolerance && rate < *middle * kTolerance) return;
+    throw file_error(where,
+                     "a frame rate of " + format_number(rate) +
+                         " contradicts the velocities, which imply " + format_fixed(*middle, 2),
+                     "frames per second of the column of frames");
+  }
+
+ private:
+  std::map<std::string, std::pair<double, mrpt::math::TPoint2D>> last_;
+  std::vector<double> rates_;
+};
+
+void read_obsmat(std::string line, TextLines& lines, const std::string& where,
+                 const MoversFileOptions& options, MoverCollector& movers) {
   if (!(options.frame_rate > 0))
     throw lines.error("frames instead of times", "the frame rate of the recording");
+  ImpliedFrameRate implied;
   do {
     const auto n = numbers_of(split_at_blanks(line), 8, lines);
     if (n[1] != std::round(n[1]) || std::abs(n[1]) > 1e9)
       throw lines.error("invalid id in field 2", "an integer");
-    movers.add(std::to_string(std::lround(n[1])), n[0] / options.frame_rate, n[2], n[4],
-               options.radius);
+    const std::string id = std::to_string(std::lround(n[1]));
+    implied.add(n[0], id, {n[2], n[4]}, std::hypot(n[5], n[7]));
+    movers.add(id, n[0] / options.frame_rate, n[2], n[4], options.radius);
   } while (lines.next(line));
+  implied.check(options.frame_rate, where);
 }
 
 }  // namespace
@@ -128,7 +165,7 @@ Movers movers_from_text(const std::string& text, const std::string& where,
   if (line.find(',') != std::string::npos)
     read_csv(line, lines, options.radius, movers);
   else
-    read_obsmat(line, lines, options, movers);
+    read_obsmat(line, lines, where, options, movers);
   return movers.take(where);
 }
 

@@ -104,9 +104,54 @@ TEST(TrajectoryFile, RejectsDamagedCsvWithItsLine) {
   EXPECT_TRUE(refused_log(head + "1,1,,0\n", "log:3: ", {"field 3", "expected a finite number"}));
   EXPECT_TRUE(
       refused_log(head + "1,1,1e999,0\n", "log:3: ", {"field 3", "expected a finite number"}));
-  EXPECT_TRUE(refused_log(head + "# gap\n0,1,0,0\n", "log:4: ", {"t = 0", "times that increase"}));
+  EXPECT_TRUE(refused_log(head + "# gap\n-1,1,0,0\n",
+                          "log:4: ", {"t = -1", "times that increase", "--to"}));
   EXPECT_TRUE(refused_log(head, "log:2: ", {"1 samples", "at least 2 samples"}));
   EXPECT_TRUE(refused_log(head + "1,1e9,0,0\n", "log:3: ", {"100 km", "meters"}));
+}
+
+/// Straight along x with 1 m/s; `rows` follow.
+TrajectoryFile drive(double unit, const std::string& rows = "", const LogSpan& span = {}) {
+  std::string text = "t,x,y,phi\n";
+  for (int i = 0; i < 5; ++i) text += std::to_string(unit * i) + "," + std::to_string(i) + ",0,0\n";
+  return trajectory_from_text(text + rows, "log", false, span);
+}
+
+std::string notes_of(const TrajectoryFile& file) {
+  return join(file.notes, "\n");
+}
+
+TEST(TrajectoryFile, LeavesRepeatedTimesOutAndSaysSo) {
+  const TrajectoryFile file = drive(1, "4,9,9,0\n4,4,0,0\n5,5,0,0\n");
+  EXPECT_EQ(file.trajectory.samples.size(), 6U);
+  EXPECT_EQ(file.trajectory.samples[4].pose.x, 4) << "the first of a time counts";
+  EXPECT_TRUE(mentions(notes_of(file), {"2 rows left out: the time of the row before"}));
+}
+
+TEST(TrajectoryFile, ReadsAPartOfALog) {
+  const TrajectoryFile file = drive(1, "", {1, 3});
+  EXPECT_EQ(file.trajectory.samples.front().t, 1);
+  EXPECT_EQ(file.trajectory.samples.back().t, 3);
+  EXPECT_TRUE(mentions(notes_of(file), {"2 rows left out: not from --from to --to"}));
+  const TrajectoryFile first = drive(1, "0,0,0,0\n1,7,0,0\n", {0, 4});
+  EXPECT_EQ(first.trajectory.samples.size(), 5U);
+  EXPECT_TRUE(mentions(notes_of(first), {"2 rows left out: the time goes back"}));
+}
+
+TEST(TrajectoryFile, SaysThatTheUnitOfTimeIsImplausible) {
+  EXPECT_TRUE(mentions(notes_of(drive(1e8)), {"100000000 s apart", "nanoseconds"}));
+  EXPECT_TRUE(mentions(notes_of(drive(1e5)), {"microseconds"}));
+  EXPECT_TRUE(mentions(notes_of(drive(100)), {"samples are 100 s apart", "milliseconds"}));
+  EXPECT_EQ(notes_of(drive(1)).find("apart"), std::string::npos);
+}
+
+TEST(TrajectoryFile, SaysThatADifferentialDriveMovesSideways) {
+  const std::string degrees = "t,x,y,phi\n0,0,0,90\n1,0,1,90\n2,0,2,90\n";
+  EXPECT_TRUE(mentions(notes_of(trajectory_from_text(degrees, "log", false)),
+                       {"moves sideways to phi", "degrees"}));
+  EXPECT_EQ(notes_of(trajectory_from_text(degrees, "log", true)).find("degrees"),
+            std::string::npos);
+  EXPECT_EQ(notes_of(drive(1)).find("degrees"), std::string::npos);
 }
 
 TEST(TrajectoryFile, RejectsInvalidHeadersAndSuggestsTheNearestName) {

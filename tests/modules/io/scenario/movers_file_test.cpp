@@ -64,6 +64,20 @@ TEST(MoversFile, FramesOfObsmatAreTimesByTheFrameRate) {
   EXPECT_EQ(movers[0].waypoints[1].position, TPoint2D(9.1, 3.7));
 }
 
+TEST(MoversFile, AFrameRateThatContradictsTheVelocitiesIsRefused) {
+  // 1.5 m/s along x, 0.6 m every 6 frames: 15 frames per second.
+  const std::string walker = "0 1 0 0 0 1.5 0 0\n6 1 0.6 0 0 1.5 0 0\n12 1 1.2 0 0 1.5 0 0\n";
+  MoversFileOptions options;
+  options.frame_rate = 2.5;
+  EXPECT_TRUE(refuses(
+      walker, "f: a frame rate of 2.5 contradicts the velocities, which imply 15.00", options));
+  options.frame_rate = 15;
+  EXPECT_EQ(movers_from_text(walker, "f", options).size(), 1U);
+  options.frame_rate = 2.5;
+  EXPECT_EQ(movers_from_text("0 1 0 0 0 0 0 0\n6 1 0.6 0 0 0 0 0\n", "f", options).size(), 1U)
+      << "without velocities";
+}
+
 TEST(MoversFile, ErrorsNameTheLineAndWhatWasExpected) {
   EXPECT_TRUE(refuses("", "f: empty file; expected CSV with the columns id, t, x, y"));
   EXPECT_TRUE(refuses("id,t,x\n", "f:1: missing column 'y'"));

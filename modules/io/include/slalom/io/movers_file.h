@@ -18,7 +18,7 @@ struct MoversFileOptions {
 /// - CSV with a header line: id, t, x, y and optionally r, in any order; t in s, others in m.
 /// - `obsmat.txt` of the ETH data set (Pellegrini et al. 2009, "You'll never walk alone"), also in
 ///   use for UCY: eight numbers a line, of which the frame, the id and the positions in m (third
-///   and fifth) are used.
+///   and fifth) are used. The velocities in m/s (sixth and eighth) check the frame rate.
 ///
 /// Times before `begin` are dropped; the position at `begin` is interpolated. Lines that are empty
 /// or begin with '#' are ignored. Ids are those of the file, in its order.
@@ -26,7 +26,8 @@ struct MoversFileOptions {
 /// Throws Error (File) with line and what was expected for: non-finite numbers, times of an id that
 /// do not increase, different radii of an id, unknown, duplicate or missing columns, more than a
 /// million lines, movers that check_movers() refuses, no position at or after `begin`, frames
-/// without a frame rate, and what read_file() refuses.
+/// without a frame rate or with one that contradicts the velocities by more than a quarter, and
+/// what read_file() refuses.
 Movers load_movers_file(const std::string& path, const MoversFileOptions& options = {});
 Movers movers_from_text(const std::string& text, const std::string& where,
                         const MoversFileOptions& options = {});
