@@ -62,14 +62,28 @@ std::string tally_text(const SearchTally& tally) {
          ")";
 }
 
-std::string search_text(const SearchResult& result, const KeptFailures& kept) {
+/// What the upper limit is about, and which runs without success it is not about.
+std::string limit_text(const SearchTally& tally, const std::vector<Outcome>& counted) {
+  std::vector<std::string> names, others;
+  for (const Outcome outcome : counted) names.push_back(to_string(outcome));
+  for (const auto& [outcome, runs] : tally.outcomes)
+    if (outcome != to_string(Outcome::Success) && !contains(names, outcome))
+      others.push_back(std::to_string(runs) + " " + outcome);
+  if (tally.unsolved > 0)
+    others.push_back(std::to_string(tally.unsolved) + " failures without a witness");
+  return "          0 of " + std::to_string(tally.runs) +
+         " failed where a witness reaches the goal: with 95 % confidence at most " +
+         format_number(std::round(tally.rule_of_three() * 1e6) / 1e6) +
+         " of such scenarios do\n          a failure is " + join(names, ", ") +
+         (others.empty() ? "" : "; not counted: " + join(others, ", ")) + "\n";
+}
+
+std::string search_text(const SearchResult& result, const KeptFailures& kept,
+                        const std::vector<Outcome>& counted) {
   const SearchState& state = result.state;
   std::string text = "random    " + tally_text(state.random) + "\n";
   if (state.random.failures == 0 && state.random.runs > 0)
-    text += "          0 of " + std::to_string(state.random.runs) +
-            ": with 95 % confidence the method fails in at most " +
-            format_number(std::round(state.random.rule_of_three() * 1e6) / 1e6) +
-            " of such scenarios\n";
+    text += limit_text(state.random, counted);
   text += "adaptive  " + tally_text(state.adaptive) + "\nended     " + result.stopped + "\n";
   if (kept.failures.empty()) return text;
   text += "kept      " + std::to_string(kept.failures.size()) +
@@ -187,7 +201,7 @@ void search_verb(SearchArguments& arguments) {
   write_failures(failures, campaign, common.output, search_json(arguments, result, kept));
   find_neighbors(failures, campaign, options);
   const std::vector<ReportedCluster> clusters = write_cluster_report(failures, campaign, common);
-  std::cout << search_text(result, kept);
+  std::cout << search_text(result, kept, options.outcomes);
   for (const Failure& failure : failures)
     std::cout << "\n" << failure_text(failure, campaign.bench);
   if (!failures.empty())

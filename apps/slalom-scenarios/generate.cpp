@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include <iostream>
+#include <optional>
 
 namespace slalom {
 namespace {
@@ -26,7 +27,7 @@ struct GenerateArguments {
   std::string config, output, descriptors;
   std::vector<std::string> overrides;
   int count = 0, jobs = 1;
-  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> seed;  ///< default: that of [campaign]
   ExistingResults existing = ExistingResults::Continue;
   bool take_over = false;
   bool quiet = false, json = false;
@@ -68,6 +69,19 @@ Json to_json(const GeneratedBins& generated) {
           {"repeatable", generated.result.repeatable}};
 }
 
+/// The seed of [campaign], which is that of all programs.
+struct CampaignSeed {
+  std::uint64_t seed = 1;
+  void visit(OptionVisitor& v) { v.option("seed", seed, "seed of all random numbers"); }
+};
+
+std::uint64_t seed_of(const IniFile& ini, const GenerateArguments& arguments) {
+  CampaignSeed campaign;
+  OptionReader reader(ini, "campaign");
+  campaign.visit(reader);
+  return arguments.seed.value_or(campaign.seed);
+}
+
 void print_bins(const GeneratedBins& generated, const GenerateArguments& arguments) {
   if (arguments.json)
     std::cout << to_json(generated).dump() << "\n";
@@ -81,7 +95,7 @@ void generate(const GenerateArguments& arguments) {
   if (ini.has_section("coverage") && !arguments.descriptors.empty())
     throw usage_error("--describe", "cannot be combined with [coverage]",
                       "descriptors in that section");
-  const GenerationOptions order = {arguments.seed, arguments.jobs,
+  const GenerationOptions order = {seed_of(ini, arguments), arguments.jobs,
                                    split(arguments.descriptors, ',')};
   const auto progress = make_interruptible_progress(arguments.quiet);
   const auto notify = [&](const std::string& line) {
@@ -115,7 +129,7 @@ void add_generate_verb(CLI::App& app) {
                    "Number of scenarios, overrides [scenarios] count; or per bin, overrides "
                    "[coverage] per_bin")
       ->check(CLI::PositiveNumber);
-  verb->add_option("--seed", arguments.seed, "Seed")->capture_default_str();
+  verb->add_option("--seed", arguments.seed, "Seed instead of [campaign] seed (default: 1)");
   verb->add_option("-j,--jobs", arguments.jobs, "Threads; the list does not depend on their number")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

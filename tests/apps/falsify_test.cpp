@@ -268,9 +268,22 @@ TEST_F(Falsify, NothingFoundIsABoundAndNotAProofOfSafety) {
   const ProgramResult result =
       run("slalom-falsify search same.ini --method base --against twin --runs 60 -o out --quiet");
   ASSERT_EQ(result.status, 0) << result.err;
-  EXPECT_NE(result.out.find("0 of 30: with 95 % confidence"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("at most 0.1 of such scenarios"), std::string::npos) << result.out;
+  for (const char* part :
+       {"0 of 30 failed where a witness reaches the goal: with 95 % confidence",
+        "at most 0.1 of such scenarios do", "a failure is collision, left_workspace, method_"})
+    EXPECT_NE(result.out.find(part), std::string::npos) << result.out;
   EXPECT_TRUE(failures("out")["failures"].empty());
+}
+
+TEST_F(Falsify, TheBoundNamesTheRunsWithoutSuccessThatItIsNotAbout) {
+  // In half of the time that its shortest path takes no method reaches the goal.
+  const ProgramResult result =
+      run("slalom-falsify search planted.ini --method base --no-witness --runs 20 -o out --quiet "
+          "--set simulation.max_time=1");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const std::size_t at = result.out.find("not counted: ");
+  ASSERT_NE(at, std::string::npos) << result.out;
+  EXPECT_NE(result.out.find(" timeout", at), std::string::npos) << result.out;
 }
 
 TEST_F(Falsify, ASearchThatFindsNothingLeavesNoReportOfAnotherOne) {

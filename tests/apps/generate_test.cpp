@@ -26,6 +26,20 @@ TEST_F(Generate, TheListIsByteIdenticalForAnyNumberOfThreads) {
   EXPECT_TRUE(a == read("b.scenarios"));
 }
 
+TEST_F(Generate, TheSeedIsThatOfTheCampaignUnlessAnotherIsGiven) {
+  write("seeded.ini", "[campaign]\nseed = 5\n" + read("mix.ini"));
+  const auto list = [&](const std::string& arguments) {
+    EXPECT_EQ(run("slalom-scenarios generate -n 3 --quiet -o x.scenarios --overwrite " + arguments)
+                  .status,
+              0);
+    return run("slalom-scenarios list x.scenarios").out;
+  };
+  const std::string of_campaign = list("-c seeded.ini");
+  EXPECT_EQ(of_campaign, list("-c mix.ini --seed 5"));
+  EXPECT_NE(of_campaign, list("-c mix.ini"));
+  EXPECT_EQ(list("-c seeded.ini --seed 1"), list("-c mix.ini"));
+}
+
 TEST_F(Generate, ValuesAgreeWithThoseOfDescribe) {
   const std::string generate = "slalom-scenarios generate -c mix.ini -n 4 --quiet ";
   ASSERT_EQ(run(generate + "--describe density,clearness -o a.scenarios").status, 0);
