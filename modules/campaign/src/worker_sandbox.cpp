@@ -1,10 +1,15 @@
 #include "worker_sandbox.h"
 
+#include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
+#include <linux/audit.h>
+#include <linux/filter.h>
 #include <linux/landlock.h>
+#include <linux/seccomp.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -53,10 +58,68 @@ bool allow(int ruleset, const std::string& path, std::uint64_t access) {
   return allowed;
 }
 
+#if defined(__x86_64__)
+constexpr std::uint32_t kArchitecture = AUDIT_ARCH_X86_64;
+#elif defined(__aarch64__)
+constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
+#else
+constexpr std::uint32_t kArchitecture = 0;  // none: such a sandbox cannot be made
+#endif
+
+/// The calls that change permissions, owners, times and extended attributes, for which Landlock has
+/// no rights, and io_uring, which makes calls past the filter. Some exist on some processors only.
+constexpr int kForbidden[] = {
+    SYS_fchmod,
+    SYS_fchmodat,
+    SYS_fchown,
+    SYS_fchownat,
+    SYS_utimensat,
+    SYS_setxattr,
+    SYS_lsetxattr,
+    SYS_fsetxattr,
+    SYS_removexattr,
+    SYS_lremovexattr,
+    SYS_fremovexattr,
+    SYS_io_uring_setup,
+    452,  // fchmodat2
+    463,
+    466,  // setxattrat, removexattrat
+    468,  // file_setattr
+#ifdef SYS_chmod
+    SYS_chmod,
+    SYS_chown,
+    SYS_lchown,
+    SYS_utime,
+    SYS_utimes,
+    SYS_futimesat,
+#endif
+};
+
+/// Makes these calls fail with EPERM, and all calls of another architecture's conventions.
+bool forbid_attribute_changes() {
+  if (kArchitecture == 0) return false;
+  constexpr std::uint32_t kRefuse = SECCOMP_RET_ERRNO | EPERM;
+  constexpr std::uint32_t kX32 = 0x40000000;
+  std::vector<sock_filter> program = {
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kArchitecture, 1, 0),
+      BPF_STMT(BPF_RET | BPF_K, kRefuse),
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+      BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, kX32, 0, 1),
+      BPF_STMT(BPF_RET | BPF_K, kRefuse)};
+  for (const int call : kForbidden) {
+    program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1));
+    program.push_back(BPF_STMT(BPF_RET | BPF_K, kRefuse));
+  }
+  program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
+  const sock_fprog filter = {static_cast<unsigned short>(program.size()), program.data()};
+  return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+}
+
 }  // namespace
 
 bool can_sandbox() {
-  return landlock_abi() > 0;
+  return landlock_abi() > 0 && kArchitecture != 0;
 }
 
 bool confine_writing_to(const std::vector<std::string>& folders) {
@@ -69,7 +132,7 @@ bool confine_writing_to(const std::vector<std::string>& folders) {
   bool confined = allow(ruleset, "/dev/null", LANDLOCK_ACCESS_FS_WRITE_FILE);
   for (const std::string& folder : folders) confined = confined && allow(ruleset, folder, access);
   confined = confined && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-             syscall(SYS_landlock_restrict_self, ruleset, 0) == 0;
+             syscall(SYS_landlock_restrict_self, ruleset, 0) == 0 && forbid_attribute_changes();
   close(ruleset);
   return confined;
 }

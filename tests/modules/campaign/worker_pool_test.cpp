@@ -20,7 +20,10 @@
 #include <set>
 #include <stdexcept>
 #include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/wait.h>
+#include <sys/xattr.h>
 #include <thread>
 #include <unistd.h>
 #include <vector>
@@ -533,6 +536,54 @@ TEST_F(Sandbox, FilesOutsideAreReadButNotChanged) {
   });
   EXPECT_EQ(others.payload, "");
   EXPECT_EQ(read_file(kept), "content");
+}
+
+TEST_F(Sandbox, PermissionsOwnersTimesAndAttributesOfFilesAreNotChanged) {
+  const std::string kept = folder_ / "kept";
+  write_file_atomically(kept, "content");
+  chmod(kept.c_str(), 0640);
+  struct stat before = {}, after = {};
+  ASSERT_EQ(stat(kept.c_str(), &before), 0);
+  const WorkResult result = run_confined([&](std::size_t, SharedTaskLog&) {
+    std::string done;
+    const auto attempt = [&](const char* name, int status) {
+      if (status == 0 || errno != EPERM) done += std::string(name) + " ";
+    };
+    const int file = open(kept.c_str(), O_RDONLY | O_CLOEXEC);
+    const timespec times[2] = {{1, 0}, {1, 0}};
+    const timeval old[2] = {{1, 0}, {1, 0}};
+    attempt("chmod", chmod(kept.c_str(), 0777));
+    attempt("fchmod", fchmod(file, 0777));
+    attempt("fchmodat", fchmodat(AT_FDCWD, kept.c_str(), 0777, 0));
+    attempt("chown", chown(kept.c_str(), 1, 1));
+    attempt("lchown", lchown(kept.c_str(), 1, 1));
+    attempt("fchown", fchown(file, 1, 1));
+    attempt("utimes", utimes(kept.c_str(), old));
+    attempt("utimensat", utimensat(AT_FDCWD, kept.c_str(), times, 0));
+    attempt("futimens", futimens(file, times));
+    attempt("setxattr", setxattr(kept.c_str(), "user.a", "b", 1, 0));
+    attempt("fsetxattr", fsetxattr(file, "user.a", "b", 1, 0));
+    attempt("chmod by a program", std::system(("chmod 777 " + kept + " 2>/dev/null").c_str()) == 0
+                                      ? 0
+                                      : (errno = EPERM, -1));
+    return done;
+  });
+  EXPECT_EQ(result.payload, "");
+  ASSERT_EQ(stat(kept.c_str(), &after), 0);
+  EXPECT_EQ(after.st_mode, before.st_mode);
+  EXPECT_EQ(after.st_uid, before.st_uid);
+  EXPECT_EQ(after.st_mtime, before.st_mtime);
+}
+
+TEST_F(Sandbox, ItsFolderIsRemovedWhateverTheMethodDoesToItsPermissions) {
+  const WorkResult result = run_confined([&](std::size_t, SharedTaskLog&) {
+    const std::string own = std::filesystem::temp_directory_path().string();
+    write_file_atomically(own + "/file", "content");
+    chmod(own.c_str(), 0);
+    return own;
+  });
+  EXPECT_NE(result.payload, "");
+  EXPECT_FALSE(std::filesystem::exists(result.payload));
 }
 
 TEST_F(Sandbox, ItsOwnFolderAndThoseAllowedCanBeWrittenTo) {
