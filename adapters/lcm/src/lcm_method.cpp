@@ -104,6 +104,7 @@ class LcmMethod : public Method {
   }
 
   Command step_in_lockstep(const Observation& observation) {
+    check_error();
     send(observation);
     wait_for(
         [this] { return link_.command() && link_.command()->sequence == observation_.sequence; },
@@ -173,6 +174,8 @@ class LcmMethod : public Method {
 
   void check_error() const {
     if (link_.error()) throw MethodError("the external process reported: " + link_.error()->text);
+    if (link_.conflict())
+      throw MethodError("two different commands for one observation: another program answers, too");
   }
 
   /// An error reported by the process takes precedence over its exit status.

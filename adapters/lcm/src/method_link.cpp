@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 #include <thread>
 
 namespace slalom {
@@ -11,6 +12,12 @@ constexpr double kMaxPoll = 0.01;  // s, maximum duration of one poll
 /// Messages of a channel that wait to be handled; LCM drops further ones. By default it keeps 30,
 /// so that a reply behind invalid messages would be lost.
 constexpr int kMaxWaiting = 100000;
+
+/// Bit by bit, so that a command that is not a number equals itself.
+bool are_equal(const command_t& a, const command_t& b) {
+  const double first[] = {a.v, a.w, a.vy}, second[] = {b.v, b.w, b.vy};
+  return std::memcmp(first, second, sizeof first) == 0;
+}
 
 }  // namespace
 
@@ -33,6 +40,8 @@ void MethodLink::expect_replies_to(std::int64_t id) {
   sent_ = -1;
   ready_.reset();
   command_.reset();
+  commands_.clear();
+  conflict_ = false;
   error_.reset();
   undecodable_ = 0;
 }
@@ -88,9 +97,12 @@ void MethodLink::on_ready(const ready_t& message) {
 }
 
 void MethodLink::on_command(const command_t& message) {
-  const std::int64_t last = command_ ? command_->sequence : -1;
-  if (message.run_id == id_ && message.sequence > last && message.sequence <= sent_)
-    command_ = message;
+  constexpr std::size_t kKept = 100;
+  if (message.run_id != id_ || message.sequence < 0 || message.sequence > sent_) return;
+  const auto [known, is_new] = commands_.try_emplace(message.sequence, message);
+  if (!is_new && !are_equal(known->second, message)) conflict_ = true;
+  if (!command_ || message.sequence > command_->sequence) command_ = message;
+  if (commands_.size() > kKept) commands_.erase(commands_.begin());
 }
 
 void MethodLink::on_error(const error_t& message) {

@@ -4,6 +4,7 @@
 
 #include <lcm/lcm-cpp.hpp>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ class MethodLink {
   const std::optional<error_t>& error() const { return error_; }
   /// The received command with the highest sequence number.
   const std::optional<command_t>& command() const { return command_; }
+  /// Whether two commands for one observation differed, among the last hundred observations:
+  /// another program answers on this channel, or the process answers twice.
+  bool conflict() const { return conflict_; }
   int undecodable() const { return undecodable_; }  ///< messages since expect_replies_to()
 
  private:
@@ -56,6 +60,8 @@ class MethodLink {
   std::vector<unsigned char> bytes_;
   std::optional<ready_t> ready_;
   std::optional<command_t> command_;
+  std::map<std::int64_t, command_t> commands_;  ///< the last ones, by sequence number
+  bool conflict_ = false;
   std::optional<error_t> error_;
   int undecodable_ = 0;
 };

@@ -81,9 +81,18 @@ TEST_F(Faults, ANanCommandIsInvalid) {
 TEST_F(Faults, MessagesThatAreNoReplyToTheObservationAreIgnored) {
   expect_ignored("garbled");
   expect_ignored("flooded");
-  expect_ignored("duplicate");
-  expect_ignored("late");
+  expect_ignored("repeated");
   expect_ignored("chatty");
+}
+
+TEST_F(Faults, TwoDifferentCommandsForOneObservationEndTheRun) {
+  for (const char* fault : {"duplicate", "late"}) {
+    const auto method = make_faulty(fault);
+    const SimulationResult result = run(*method, kFaulty);
+    EXPECT_EQ(to_string(result.outcome), to_string(Outcome::MethodError)) << fault;
+    EXPECT_TRUE(mentions(result.detail, {"two different commands for one observation"})) << fault;
+    expect_normal_run(*method, kGood);
+  }
 }
 
 /// Errors that are reported before the first run of a campaign.

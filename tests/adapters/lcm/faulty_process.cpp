@@ -75,6 +75,7 @@ class Process {
     if (fault_ == "chatty") std::cout << "output" << std::endl;
     answer(run, sequence, kSpeed);
     if (fault_ == "duplicate") answer(run, sequence, 0.1);
+    if (fault_ == "repeated") answer(run, sequence, kSpeed);
   }
 
   [[noreturn]] static void hang() {
