@@ -61,6 +61,8 @@ thread||0
 late_crash|any|0
 daemon||0
 returns_twice||0
+nonblocking||0
+shut||0
 kill_group||0
 close|method_crash|0
 garbage|method_crash|0

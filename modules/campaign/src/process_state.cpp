@@ -1,11 +1,17 @@
 #include "process_state.h"
 
 #include <slalom/core/orphans.h>
+#include <slalom/core/text.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <sched.h>
+#include <sys/personality.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -37,6 +43,49 @@ std::size_t count_threads() {
   return stat("/proc/self/task", &threads) == 0 ? threads.st_nlink : 0;  // one folder per thread
 }
 
+/// Whether a line of /proc/self/status states what a process can change of itself.
+bool is_attribute(const std::string& line) {
+  static const std::vector<std::string> kAttributes = {
+      "Uid:",     "Gid:",        "Groups:",      "VmLck:",        "VmPin:",        "Cap",
+      "Seccomp:", "NoNewPrivs:", "THP_enabled:", "Cpus_allowed:", "Mems_allowed:", "Speculation"};
+  return std::any_of(kAttributes.begin(), kAttributes.end(),
+                     [&](const std::string& name) { return starts_with(line, name); });
+}
+
+/// Scheduling, rights, locked memory and the like. They are compared only: what changes them is
+/// rare, and not all can be restored.
+std::vector<std::string> attributes() {
+  std::vector<std::string> values;
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (is_attribute(line)) values.push_back(line);
+  sched_param priority = {};
+  sched_getparam(0, &priority);
+  int death_signal = 0, subreaper = 0;
+  prctl(PR_GET_PDEATHSIG, &death_signal);
+  prctl(PR_GET_CHILD_SUBREAPER, &subreaper);
+  constexpr int kOfProcess = 1;  // IOPRIO_WHO_PROCESS
+  constexpr unsigned long kQuery = 0xffffffff;
+  for (const long value :
+       {long{sched_getscheduler(0)}, long{priority.sched_priority},
+        long{getpriority(PRIO_PROCESS, 0)}, syscall(SYS_ioprio_get, kOfProcess, 0),
+        long{personality(kQuery)}, long{death_signal}, long{subreaper}, long{getpgrp()},
+        long{prctl(PR_GET_DUMPABLE)}, long{prctl(PR_GET_TIMERSLACK)}, long{prctl(PR_GET_TSC)}})
+    values.push_back(std::to_string(value));
+  return values;
+}
+
+/// The kernel's number of the next timer of timer_create(), which counts those that were created;
+/// -1 if there can be none.
+long next_timer() {
+  sigevent silent = {};
+  silent.sigev_notify = SIGEV_NONE;
+  int timer = -1;  // not timer_t: the C library numbers timers itself
+  if (syscall(SYS_timer_create, CLOCK_MONOTONIC, &silent, &timer) != 0) return -1;
+  syscall(SYS_timer_delete, timer);
+  return long{timer} + 1;
+}
+
 /// A timer would end the next run with its signal.
 void stop_timers() {
   const itimerval never = {};
@@ -52,6 +101,8 @@ ProcessState::ProcessState()
       folder_(current_folder()),
       umask_(current_umask()),
       environment_(environment()),
+      attributes_(attributes()),
+      next_timer_(next_timer()),
       threads_(count_threads()),
       children_(child_processes()) {
   for (int signal = 1; signal < NSIG; ++signal)
@@ -69,9 +120,10 @@ bool ProcessState::restore() const {
   umask(umask_);
   const bool in_folder = current_folder() == folder_ || chdir(folder_.c_str()) == 0;
   const bool limited = restore_limits();
+  const bool has_no_timer = next_timer_ >= 0 && next_timer() == next_timer_ + 1;
   const std::vector<pid_t> left = child_processes();
-  return in_folder && limited && count_threads() <= threads_ &&
-         std::all_of(left.begin(), left.end(), [this](pid_t pid) {
+  return in_folder && limited && has_no_timer && attributes() == attributes_ &&
+         count_threads() <= threads_ && std::all_of(left.begin(), left.end(), [this](pid_t pid) {
            return std::find(children_.begin(), children_.end(), pid) != children_.end();
          });
 }

@@ -12,14 +12,15 @@
 namespace slalom {
 
 /// What a method can change in its process and what would affect its next run: signal handlers and
-/// mask, timers, locale, current folder, umask, resource limits, environment variables, threads and
-/// child processes. (The floating-point environment is not in it: the simulation restores it.)
+/// mask, timers, locale, current folder, umask, resource limits, environment variables, scheduling
+/// and other attributes of the process, threads and child processes. (The floating-point
+/// environment is not in it: the simulation restores it.)
 class ProcessState {
  public:
   ProcessState();  ///< the current state
 
-  /// Restores the state. Returns false if this is not possible, or if there are threads or child
-  /// processes that did not exist: the process is to be replaced.
+  /// Restores the state. Returns false if this is not possible, if attributes have changed, or if
+  /// there are threads or child processes that did not exist: the process is to be replaced.
   bool restore() const;
 
  private:
@@ -37,6 +38,8 @@ class ProcessState {
   mode_t umask_;
   std::array<rlimit, RLIMIT_NLIMITS> limits_ = {};  ///< by resource
   std::vector<std::string> environment_;
+  std::vector<std::string> attributes_;
+  long next_timer_;
   std::size_t threads_;
   std::vector<pid_t> children_;
 };

@@ -52,10 +52,12 @@ void serve_work_items(int socket, const WorkItem& item, const PoolOptions& optio
   const pid_t self = getpid();
   Request request = {};
   FileDescriptor file;
+  const SocketState connection(socket);
   while (receive_request(socket, request, file)) {
     limit_cpu_time(options.item_cpu_time);
     const Answer answer = execute(item, request.index, log, std::move(file), receive_file);
     if (getpid() != self) return;  // a copy, made by a method that forked
+    if (!connection.restore()) log.retire_worker();
     if (!send_answer(socket, request, answer.kind, answer.payload))
       return log.report_disconnected();
   }

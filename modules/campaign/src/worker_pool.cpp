@@ -80,6 +80,11 @@ class Pool {
       again_.pop_back();
       return assign(index, true);
     }
+    while (busy() < max_busy_ && !restarted_.empty()) {
+      const std::size_t index = restarted_.back();
+      restarted_.pop_back();
+      assign(index, true);
+    }
     while (busy() < max_busy_ && next_ < count_) {
       if (!inputs_.is_awaited(next_))
         assign(next_++, options_.fresh_process);
@@ -159,7 +164,12 @@ class Pool {
     for (Worker& worker : workers_) {
       if (!worker->busy()) continue;
       const std::size_t index = worker->last_item();
-      if (auto result = worker->receive()) finish(index, std::move(*result));
+      auto result = worker->receive();
+      if (!result) continue;
+      if (result->status == WorkResult::Status::Crashed && worker->died_between_items())
+        restarted_.push_back(index);  // in a new process, whose death is the item's own
+      else
+        finish(index, std::move(*result));
     }
   }
 
@@ -181,8 +191,9 @@ class Pool {
   WorkerKeeper keeper_;
   std::vector<Worker> workers_;
   std::size_t next_ = 0, finished_ = 0;
-  std::set<std::size_t> killed_;    ///< work items whose process was killed from outside
-  std::vector<std::size_t> again_;  ///< those that are to be executed once more
+  std::set<std::size_t> killed_;        ///< work items whose process was killed from outside
+  std::vector<std::size_t> again_;      ///< those that are to be executed once more, alone
+  std::vector<std::size_t> restarted_;  ///< those that are to be executed in a new process
 };
 
 bool run_here(std::size_t count, const PoolOptions& options, const WorkItem& item,

@@ -50,6 +50,8 @@ void WorkerProcess::start(std::size_t group) {
   fcntl(socket_.number(), F_SETFL, O_NONBLOCK);
   disconnected_ = false;
   group_ = group;
+  assigned_ = 0;
+  died_between_items_ = false;
   buffer_.clear();
 }
 
@@ -84,6 +86,7 @@ void WorkerProcess::assign(std::size_t index, int file) {
   log_->clear();
   heartbeats_ = 0;
   item_ = index;
+  ++assigned_;
   busy_ = true;
   started_ = last_heartbeat_ = options_.clock();
   // The death of a worker is detected by the next receive().
@@ -175,6 +178,7 @@ WorkResult WorkerProcess::describe_end() {
   const std::optional<int> ended = end_status();
   if (!ended) return kill_with(Status::Killed, "its supervising process was killed");
   const int status = *ended;
+  died_between_items_ = assigned_ > 1 && log_->heartbeats() == 0;
   if (status == kNoWorker) throw cannot_create("process", EAGAIN);
   if (was_killed_by(status, SIGXCPU))
     return kill_with(Status::TimedOut,

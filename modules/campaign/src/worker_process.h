@@ -37,6 +37,9 @@ class WorkerProcess {
 
   /// Of an idle process: it is alive and has sent nothing that was not asked for.
   bool is_sound() const;
+  /// It has died before the first heartbeat of a work item that was not its first: an earlier one
+  /// may be the cause.
+  bool died_between_items() const { return died_between_items_; }
 
   /// Throws Error (Job) when no process or socket can be created.
   void start(std::size_t group);
@@ -82,8 +85,9 @@ class WorkerProcess {
   FileDescriptor control_;     ///< to the keeper or trusted worker: closed when the worker ends
   bool disconnected_ = false;  ///< the worker's end of the socket is closed
   std::size_t group_ = 0, item_ = 0;
-  std::uint64_t nonce_ = 0;  ///< of the current work item
-  bool busy_ = false;
+  std::uint64_t nonce_ = 0;   ///< of the current work item
+  std::size_t assigned_ = 0;  ///< work items since start()
+  bool busy_ = false, died_between_items_ = false;
   double started_ = 0, last_heartbeat_ = 0;  ///< s, by the clock of the options
   std::uint64_t heartbeats_ = 0;
   std::string buffer_;

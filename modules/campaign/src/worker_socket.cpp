@@ -3,8 +3,10 @@
 #include <cerrno>
 #include <climits>
 #include <cstring>
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/uio.h>
 #include <utility>
 #include <vector>
@@ -120,6 +122,32 @@ bool send_answer(int socket, const Request& request, char kind, const std::strin
 bool is_readable(int socket, int milliseconds) {
   pollfd event = {socket, POLLIN, 0};
   return poll(&event, 1, milliseconds) > 0;
+}
+
+SocketState::SocketState(int socket)
+    : socket_(socket), flags_(fcntl(socket, F_GETFL)), options_(options()) {}
+
+std::vector<std::string> SocketState::options() const {
+  std::vector<std::string> values;
+  for (const int option : {SO_RCVTIMEO, SO_SNDTIMEO, SO_RCVLOWAT, SO_RCVBUF, SO_SNDBUF, SO_PASSCRED,
+                           SO_PASSSEC, SO_PEEK_OFF}) {
+    char value[sizeof(timeval)] = {};
+    socklen_t size = sizeof value;
+    getsockopt(socket_, SOL_SOCKET, option, value, &size);
+    values.emplace_back(value, size);
+  }
+  return values;
+}
+
+bool SocketState::restore() const {
+  pollfd shut = {socket_, POLLRDHUP, 0};
+  const bool changed =
+      fcntl(socket_, F_GETFL) != flags_ || options() != options_ || poll(&shut, 1, 0) != 0;
+  if (!changed) return true;
+  const timeval unlimited = {};
+  fcntl(socket_, F_SETFL, flags_);
+  setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &unlimited, sizeof unlimited);
+  return false;
 }
 
 Error cannot_create(const std::string& what, int error) {

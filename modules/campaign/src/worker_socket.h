@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 #include <sys/socket.h>
+#include <vector>
 
 namespace slalom {
 
@@ -49,6 +50,21 @@ bool receive_start(int socket, WorkerStart& start);
 bool send_answer(int socket, const Request& request, char kind, const std::string& payload);
 
 bool is_readable(int socket, int milliseconds);
+
+/// What a method can change in the connection of its worker.
+class SocketState {
+ public:
+  explicit SocketState(int socket);  ///< the current state
+
+  /// Restores what an answer needs. False if anything had changed: the process is to be replaced.
+  bool restore() const;
+
+ private:
+  std::vector<std::string> options() const;
+
+  int socket_, flags_;
+  std::vector<std::string> options_;
+};
 
 /// Of a process or socket, with the system's reason.
 Error cannot_create(const std::string& what, int error);

@@ -98,6 +98,9 @@ void misbehave(const Method& method) {
     kill(getppid(), SIGKILL);
     live_on();
   }
+  if (fault == "nonblocking")
+    for_each_descriptor([](int descriptor) { fcntl(descriptor, F_SETFL, O_NONBLOCK); });
+  if (fault == "shut") for_each_descriptor([](int descriptor) { shutdown(descriptor, SHUT_RD); });
   if (fault == "close") for_each_descriptor([](int descriptor) { close(descriptor); });
   if (fault == "garbage") for_each_descriptor(write_garbage);
   if (fault == "forge") for_each_descriptor(forge_answer);

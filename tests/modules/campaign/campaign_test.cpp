@@ -1,5 +1,6 @@
 #include "error_text.h"
 #include "manual_time.h"
+#include "open_files.h"
 
 #include <slalom/campaign/campaign.h>
 
@@ -12,15 +13,21 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <sched.h>
 #include <set>
 #include <stdexcept>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <thread>
 #include <tuple>
 #include <unistd.h>
@@ -28,6 +35,11 @@
 
 namespace slalom {
 namespace {
+
+/// What a run can do to its process so that the next run needs a new one.
+const std::vector<std::string> kMarks = {"thread", "child",     "nonblocking",  "asynchronous",
+                                         "shut",   "impatient", "curious",      "timer",
+                                         "nice",   "scheduler", "unprivileged", "undumpable"};
 
 /// Turns towards the goal and moves forward. Misbehaves according to its kind in the scenario whose
 /// goal has y > 5.
@@ -69,11 +81,44 @@ class TestMethod : public Method {
     ++runs;
     if (kind_ == "rounding_first" && runs == 1) std::fesetround(FE_UPWARD);
     if (kind_ == "spoil") spoil_process();
-    if (kind_ != "thread" && kind_ != "child") return;
+    if (!is_mark(kind_)) return;
     if (runs > 1) throw std::runtime_error("not a fresh process");
+    for (const int file : open_files()) mark_socket(file);
+    if (kind_ == "timer") start_timer();
+    if (kind_ == "nice") nice(1);
+    if (kind_ == "scheduler") set_scheduler();
+    if (kind_ == "unprivileged") prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    if (kind_ == "undumpable") prctl(PR_SET_DUMPABLE, 0);
     if (kind_ == "thread") std::thread([] { pause(); }).detach();
     if (kind_ == "child" && fork() == 0)
       while (true) pause();
+  }
+
+  /// Whether a run of that kind leaves a mark on its process that cannot be removed.
+  static bool is_mark(const std::string& kind) {
+    return std::find(kMarks.begin(), kMarks.end(), kind) != kMarks.end();
+  }
+
+  void mark_socket(int file) const {
+    const timeval limit = {100, 0};
+    const int one = 1;
+    if (kind_ == "nonblocking") fcntl(file, F_SETFL, O_NONBLOCK);
+    if (kind_ == "asynchronous") fcntl(file, F_SETFL, O_ASYNC);
+    if (kind_ == "shut") shutdown(file, SHUT_RD);
+    if (kind_ == "impatient") setsockopt(file, SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
+    if (kind_ == "curious") setsockopt(file, SOL_SOCKET, SO_PASSCRED, &one, sizeof one);
+  }
+
+  static void start_timer() {
+    timer_t timer = {};
+    timer_create(CLOCK_MONOTONIC, nullptr, &timer);
+    const itimerspec late = {{}, {1000, 0}};
+    timer_settime(timer, 0, &late, nullptr);
+  }
+
+  static void set_scheduler() {
+    const sched_param priority = {};
+    sched_setscheduler(0, SCHED_BATCH, &priority);
   }
 
   static void spoil_process() {
@@ -477,8 +522,8 @@ TEST_F(CampaignTest, ARunDoesNotAffectTheNextOneOfItsMethod) {
   }
 }
 
-TEST_F(CampaignTest, AMethodThatLeavesThreadsOrChildrenGetsAFreshProcess) {
-  for (const RunRecord& r : run({"thread", "child"}, 1).runs)
+TEST_F(CampaignTest, ARunThatLeavesAMarkOnItsProcessIsTheLastOneInIt) {
+  for (const RunRecord& r : run(kMarks, 1).runs)
     EXPECT_EQ(r.outcome, "success") << r.method << ": " << r.outcome_detail;
 }
 

@@ -481,6 +481,33 @@ TEST(WorkerPool, AWorkItemKilledFromOutsideIsExecutedOnceMore) {
   EXPECT_EQ(killed.clock()(), 3);
 }
 
+TEST(WorkerPool, ADeathBetweenTwoWorkItemsIsOfNeither) {
+  ManualTime executions;  // its seconds count those of item 3
+  int executed = 0;
+  const auto results = run_all(5, with_workers(1), [&](std::size_t i, SharedTaskLog& log) {
+    if (i == 3) executions.advance(1);
+    if (i == 3 || (i == 1 && executed > 0)) std::_Exit(1);
+    log.heartbeat();
+    return std::to_string(++executed);
+  });
+  EXPECT_EQ(results[1].payload, "1") << "in a new process";
+  EXPECT_EQ(results[3].status, Status::Crashed) << "its own: also in a new process";
+  EXPECT_EQ(executions.clock()(), 2);
+  EXPECT_EQ(results[4].payload, "1");
+}
+
+TEST(WorkerPool, ACrashAfterAHeartbeatIsNotRepeated) {
+  ManualTime executions;
+  const auto results = run_all(3, with_workers(1), [&](std::size_t i, SharedTaskLog& log) {
+    log.heartbeat();
+    if (i == 1) executions.advance(1);
+    if (i == 1) std::_Exit(1);
+    return std::string("fine");
+  });
+  EXPECT_EQ(results[1].status, Status::Crashed);
+  EXPECT_EQ(executions.clock()(), 1);
+}
+
 TEST(WorkerPool, AnItemThatClosesItsDescriptorsIsNamed) {
   const auto results = run_all(2, with_workers(1), [](std::size_t i, SharedTaskLog&) {
     if (i == 0)

@@ -84,7 +84,9 @@ using WorkItem = std::function<std::string(std::size_t index, SharedTaskLog& log
 /// Executes work items 0 .. count-1 in forked worker processes and passes each result to
 /// `on_result`, unless `ordered` is false in the order of the indexes. A worker that dies or hangs
 /// is replaced, and only its current work item is lost; whatever it started is killed with it. A
-/// work item whose process was killed from outside (SIGKILL) is executed once more. Work items are
+/// work item whose process was killed from outside (SIGKILL) is executed once more; so is one whose
+/// process dies before its first heartbeat, in a new process, if that has executed others before,
+/// which may be the cause. Work items are
 /// started in the order of their indexes; at most `workers` processes are busy. Idle ones are kept
 /// for the next items of their groups, in total `workers + groups` processes; beyond that the least
 /// recently used one is ended. Standard output of workers is discarded. `interrupted` is polled;
