@@ -34,9 +34,9 @@ INI
 # The lines of one method in a dump.
 lines_of() { slalom-analyze dump "$2" | grep "\"method\":\"$1\""; }
 outcomes() { lines_of faulty "$1" | grep -o '"outcome":"[a-z_]*"' | sort -u | cut -d'"' -f4 | paste -sd' '; }
-# Starts a campaign of the faulty method before the innocent one, on one worker.
+# Starts a campaign of the faulty method before the innocent one, on one worker or $jobs.
 run() {
-  slalom-simulate run base.ini --set campaign.methods=faulty,gap "--set=method.faulty.fault=$1" "${@:2}" -j 1 \
+  slalom-simulate run base.ini --set campaign.methods=faulty,gap "--set=method.faulty.fault=$1" "${@:2}" -j "${jobs:-1}" \
     --quiet --overwrite -o run.results 2>run.log
 }
 
@@ -73,6 +73,14 @@ memory|method_crash|0
 kill|infrastructure_error|1
 kill_keeper|infrastructure_error|1
 CASES
+# Whose run was it, when a method kills what all workers depend on and goes on?
+confused=0
+for _ in 1 2 3 4 5 6 7 8 9 10; do
+  jobs=2 run kill_keeper_and_go_on
+  cmp -s gap.lines <(lines_of gap run.results) || confused=$((confused + 1))
+  [ "$(outcomes run.results)" = infrastructure_error ] || confused=$((confused + 1))
+done
+report "campaigns that confuse a killer of the keeper with others" 0 "$confused"
 report "processes left over" 0 "$(pgrep -cf "[r]un base.ini")"
 
 # What a method may destroy as the same user, it may not in a sandbox.

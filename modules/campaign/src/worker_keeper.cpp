@@ -57,8 +57,10 @@ class Keeper {
       for (std::size_t i = workers_.size(); i-- > 0;)
         if (is_released(workers_[i]) || has_ended(workers_[i].process)) end(i);
       if (!is_readable(socket_, 0)) continue;
-      if (!receive_start(socket_, start)) break;
-      fork_worker(std::move(start));
+      const KeeperRequest request = receive_keeper_request(socket_, start);
+      if (request == KeeperRequest::End) break;
+      if (request == KeeperRequest::Start) fork_worker(std::move(start));
+      if (request == KeeperRequest::Reply) send_reply_request(socket_);
     }
     while (!workers_.empty()) end(workers_.size() - 1);
   }
@@ -143,10 +145,20 @@ WorkerKeeper::~WorkerKeeper() {
 }
 
 void WorkerKeeper::start_worker(const WorkerStart& start) {
-  if (process_ > 0 && send_start(socket_.number(), start)) return;
+  if (is_alive() && send_start(socket_.number(), start)) return;
   end();
   begin();
   if (!send_start(socket_.number(), start)) throw cannot_create("process", errno);
+}
+
+/// A process with a pending SIGKILL executes nothing more: whoever replies had none when asked.
+bool WorkerKeeper::is_alive() {
+  if (process_ < 0) return false;
+  char reply = 0;
+  bool replies = send_reply_request(socket_.number());
+  while (replies && recv(socket_.number(), &reply, sizeof reply, 0) < 1) replies = errno == EINTR;
+  if (!replies) end();
+  return replies;
 }
 
 void WorkerKeeper::begin() {
@@ -164,6 +176,7 @@ void WorkerKeeper::begin() {
     _exit(0);
   }
   socket_ = std::move(ends.near_end);
+  ++generation_;
 }
 
 void WorkerKeeper::end() {

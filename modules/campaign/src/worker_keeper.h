@@ -2,6 +2,7 @@
 
 #include "worker_socket.h"
 
+#include <cstddef>
 #include <functional>
 #include <sys/types.h>
 
@@ -28,6 +29,11 @@ class WorkerKeeper {
   /// killed, there is a new one. Throws Error (Job) when there can be none.
   void start_worker(const WorkerStart& start);
 
+  /// Whether the process that started the last worker had not been killed when this was called.
+  bool is_alive();
+  /// The number of processes until now. The workers of the last one only are alive.
+  std::size_t generation() const { return generation_; }
+
  private:
   void begin();
   void end();
@@ -35,6 +41,7 @@ class WorkerKeeper {
   bool keep_stderr_;
   std::function<void(const WorkerStart&)> serve_;
   pid_t process_ = -1;
+  std::size_t generation_ = 0;
   FileDescriptor socket_;
 };
 

@@ -23,6 +23,8 @@ namespace {
 /// Larger than any valid payload; a larger size means corrupted data.
 constexpr std::uint64_t kMaxPayload = std::uint64_t{1} << 30;
 
+constexpr char kKeeperKilled[] = "its supervising process was killed";
+
 std::string describe_status(int status) {
   if (WIFSIGNALED(status))
     return "killed by signal " + std::to_string(WTERMSIG(status)) + " (" +
@@ -63,6 +65,7 @@ void WorkerProcess::start_kept(WorkerStart& start) {
   if (options_.sandbox && start.scratch.empty())
     throw cannot_create("folder for temporary files", errno);
   keeper_->start_worker(start);
+  generation_ = keeper_->generation();
 }
 
 void WorkerProcess::fork_trusted(const WorkerStart& start) {
@@ -77,7 +80,8 @@ void WorkerProcess::fork_trusted(const WorkerStart& start) {
 }
 
 bool WorkerProcess::is_sound() const {
-  return !is_readable(socket_.number(), 0) && !is_readable(control_.number(), 0);
+  const bool is_kept = keeper_ == nullptr || generation_ == keeper_->generation();
+  return is_kept && !is_readable(socket_.number(), 0) && !is_readable(control_.number(), 0);
 }
 
 void WorkerProcess::assign(std::size_t index, int file) {
@@ -132,6 +136,9 @@ std::optional<WorkResult> WorkerProcess::take_answer() {
   if (header.request.nonce != nonce_ || header.request.index != item_)
     return kill_with(Status::Crashed, "answered a request that had not been made");
   if (buffer_.size() < sizeof header + header.size) return std::nullopt;
+  // A method may have killed the keeper and answered before it died with it.
+  if (keeper_ != nullptr && (generation_ != keeper_->generation() || !keeper_->is_alive()))
+    return kill_with(Status::Killed, kKeeperKilled);
   std::string payload = buffer_.substr(sizeof header, header.size);
   if (header.kind == kThrew) return kill_with(Status::Threw, std::move(payload));
   if (header.kind == kOutOfMemory) return kill_with(Status::OutOfMemory, std::move(payload));
@@ -176,7 +183,7 @@ std::optional<int> WorkerProcess::end_status() {
 
 WorkResult WorkerProcess::describe_end() {
   const std::optional<int> ended = end_status();
-  if (!ended) return kill_with(Status::Killed, "its supervising process was killed");
+  if (!ended) return kill_with(Status::Killed, kKeeperKilled);
   const int status = *ended;
   died_between_items_ = assigned_ > 1 && log_->heartbeats() == 0;
   if (status == kNoWorker) throw cannot_create("process", EAGAIN);

@@ -80,10 +80,11 @@ class WorkerProcess {
   FileReceiver receive_file_;
   std::unique_ptr<SharedTaskLog> log_;
   std::random_device random_;
-  pid_t child_ = -1;           ///< a trusted worker
-  FileDescriptor socket_;      ///< to the worker
-  FileDescriptor control_;     ///< to the keeper or trusted worker: closed when the worker ends
-  bool disconnected_ = false;  ///< the worker's end of the socket is closed
+  pid_t child_ = -1;            ///< a trusted worker
+  FileDescriptor socket_;       ///< to the worker
+  FileDescriptor control_;      ///< to the keeper or trusted worker: closed when the worker ends
+  bool disconnected_ = false;   ///< the worker's end of the socket is closed
+  std::size_t generation_ = 0;  ///< of the keeper's process that has started this one
   std::size_t group_ = 0, item_ = 0;
   std::uint64_t nonce_ = 0;   ///< of the current work item
   std::size_t assigned_ = 0;  ///< work items since start()

@@ -14,6 +14,8 @@
 namespace slalom {
 namespace {
 
+constexpr char kReply = '?';  // other messages are paths with the zero at their end
+
 bool send_all(int socket, const char* data, std::size_t size) {
   while (size > 0) {
     const ssize_t sent = send(socket, data, size, MSG_NOSIGNAL);
@@ -103,14 +105,20 @@ bool send_start(int socket, const WorkerStart& start) {
   return Message(path.data(), path.size() + 1).send(socket, files);  // with the zero at its end
 }
 
-bool receive_start(int socket, WorkerStart& start) {
+KeeperRequest receive_keeper_request(int socket, WorkerStart& start) {
   char path[PATH_MAX] = {};
   Message message(path, sizeof path);
-  if (message.receive(socket, 0) < 1) return false;
+  const ssize_t size = message.receive(socket, 0);
+  if (size < 1) return KeeperRequest::End;
+  if (size == sizeof kReply && path[0] == kReply) return KeeperRequest::Reply;
   std::vector<FileDescriptor> files = message.received_files();
-  if (files.size() != 3) return false;  // this process may not have as many
+  if (files.size() != 3) return KeeperRequest::End;  // this process may not have as many
   start = {std::move(files[0]), std::move(files[1]), std::move(files[2]), path};
-  return true;
+  return KeeperRequest::Start;
+}
+
+bool send_reply_request(int socket) {
+  return send_all(socket, &kReply, sizeof kReply);
 }
 
 bool send_answer(int socket, const Request& request, char kind, const std::string& payload) {

@@ -42,9 +42,16 @@ void send_request(int socket, const Request& request, int file);
 /// Waits for a request and the descriptor that was sent with it. False when the connection ends.
 bool receive_request(int socket, Request& request, FileDescriptor& file);
 
-/// Over a connection that keeps messages apart. False when it has ended.
+/// What a keeper is asked for, over a connection that keeps messages apart.
+enum class KeeperRequest { Start, Reply, End };
+
+/// False when the connection has ended.
 bool send_start(int socket, const WorkerStart& start);
-bool receive_start(int socket, WorkerStart& start);
+/// Start with what it is to start, or End when the connection has ended.
+KeeperRequest receive_keeper_request(int socket, WorkerStart& start);
+
+/// Asks a keeper for a reply, and sends it. False when the connection has ended.
+bool send_reply_request(int socket);
 
 /// False when the connection has ended.
 bool send_answer(int socket, const Request& request, char kind, const std::string& payload);

@@ -439,6 +439,17 @@ TEST(WorkerPool, AWorkItemThatKillsItsKeeperHarmsNoOther) {
             "memory");
 }
 
+TEST(WorkerPool, AWorkItemThatKillsItsKeeperAndGoesOnHarmsNoOther) {
+  for (int repetition = 0; repetition < 20; ++repetition) {
+    const auto results = run_all(12, with_workers(2), [](std::size_t i, SharedTaskLog&) {
+      if (i % 6 == 3) kill(getppid(), SIGKILL);
+      return std::string("fine");
+    });
+    for (std::size_t i = 0; i < results.size(); ++i)
+      ASSERT_EQ(results[i].payload, i % 6 == 3 ? "" : "fine") << i << ": " << results[i].detail;
+  }
+}
+
 TEST(WorkerPool, InAProgramWhateverAProcessStartedDiesWithAKilledKeeper) {
   SharedTaskLog daemons(2 * sizeof(pid_t));  // of both times that it is executed
   const pid_t program = fork();
