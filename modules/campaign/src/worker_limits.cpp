@@ -1,8 +1,11 @@
 #include "worker_limits.h"
 
+#include <slalom/campaign/worker_pool.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <string>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -43,6 +46,14 @@ void set_soft_limit(__rlimit_resource_t resource, rlim_t value) {
 
 void limit_memory(std::size_t bytes) {
   if (bytes > 0 && !kAddressSanitizer) set_soft_limit(RLIMIT_AS, address_space() + bytes);
+}
+
+std::uint64_t count_memory_kills() {
+  std::ifstream counters("/proc/vmstat");
+  std::uint64_t value = 0;
+  for (std::string name; counters >> name >> value;)
+    if (name == "oom_kill") return value;
+  return 0;
 }
 
 void limit_cpu_time(double seconds) {

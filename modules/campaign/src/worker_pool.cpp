@@ -78,6 +78,7 @@ class Pool {
       if (busy() > 0) return;
       const std::size_t index = again_.back();
       again_.pop_back();
+      memory_kills_ = options_.memory_kills();
       return assign(index, true);
     }
     while (busy() < max_busy_ && !restarted_.empty()) {
@@ -176,7 +177,11 @@ class Pool {
   void finish(std::size_t index, WorkResult&& result) {
     if (result.status == WorkResult::Status::Killed) {
       if (killed_.insert(index).second) return again_.push_back(index);
-      result.detail += " from outside, twice; perhaps the system is out of memory";
+      result.detail += " twice, the second time alone";
+      if (options_.memory_kills() == memory_kills_)
+        result.status = WorkResult::Status::Crashed;
+      else
+        result.detail += "; the system was out of memory";
     }
     ++finished_;
     inputs_.release(index);
@@ -191,8 +196,9 @@ class Pool {
   WorkerKeeper keeper_;
   std::vector<Worker> workers_;
   std::size_t next_ = 0, finished_ = 0;
-  std::set<std::size_t> killed_;        ///< work items whose process was killed from outside
+  std::set<std::size_t> killed_;        ///< work items whose process was killed
   std::vector<std::size_t> again_;      ///< those that are to be executed once more, alone
+  std::uint64_t memory_kills_ = 0;      ///< when the last of these was started
   std::vector<std::size_t> restarted_;  ///< those that are to be executed in a new process
 };
 

@@ -110,7 +110,7 @@ void misbehave(const Method& method) {
   if (fault == "crash") std::abort();
   if (fault == "exit") std::_Exit(0);
   if (fault == "kill") kill(getpid(), SIGKILL);
-  if (fault == "kill_group") kill(0, SIGTERM);
+  if (fault == "kill_group") kill(0, SIGKILL);
   if (fault == "memory") exhaust_memory();
   if (fault == "destroy") destroy_file(method.file);
 }

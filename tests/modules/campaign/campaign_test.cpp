@@ -554,9 +554,9 @@ TEST_F(CampaignTest, TheIdentityOfARunIsThatOfThePlan) {
   EXPECT_GT(sink.runs[1].metrics.at("path_length").value.number(), 0.05) << "from the log";
 }
 
-TEST_F(CampaignTest, ARunWhoseProcessIsKilledFromOutsideTwiceIsAnInfrastructureError) {
+TEST_F(CampaignTest, ARunWhoseProcessIsKilledAgainWhenAloneIsACrashOfItsMethod) {
   const RecordingSink sink = run({"killed", "good"}, 2);
-  EXPECT_EQ(outcomes_of(sink, "killed"), std::set<std::string>{"infrastructure_error"});
+  EXPECT_EQ(outcomes_of(sink, "killed"), std::set<std::string>{"method_crash"});
   EXPECT_EQ(outcomes_of(sink, "good"), std::set<std::string>{"success"});
 }
 

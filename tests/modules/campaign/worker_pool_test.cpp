@@ -434,9 +434,8 @@ TEST(WorkerPool, AWorkItemThatKillsItsKeeperHarmsNoOther) {
   });
   for (std::size_t i = 0; i < results.size(); ++i)
     EXPECT_EQ(results[i].payload, i == 4 ? "" : "fine") << i << ": " << results[i].detail;
-  EXPECT_EQ(results[4].detail,
-            "its supervising process was killed from outside, twice; perhaps the system is out of "
-            "memory");
+  EXPECT_EQ(results[4].status, Status::Crashed);
+  EXPECT_EQ(results[4].detail, "its supervising process was killed twice, the second time alone");
 }
 
 TEST(WorkerPool, AWorkItemThatKillsItsKeeperAndGoesOnHarmsNoOther) {
@@ -476,20 +475,36 @@ TEST(WorkerPool, InAProgramWhateverAProcessStartedDiesWithAKilledKeeper) {
   }
 }
 
-TEST(WorkerPool, AWorkItemKilledFromOutsideIsExecutedOnceMore) {
+TEST(WorkerPool, AWorkItemWhoseProcessIsKilledIsExecutedOnceMore) {
   ManualTime killed;  // its seconds count
-  const auto results = run_all(3, with_workers(1), [&](std::size_t i, SharedTaskLog&) {
+  const auto results = run_all(3, with_workers(1), [&](std::size_t i, SharedTaskLog& log) {
+    log.heartbeat();
     if (i == 2 || (i == 1 && killed.clock()() == 0)) {
       killed.advance(1);
-      std::raise(SIGKILL);
+      kill(0, SIGKILL);
     }
     return std::string("fine");
   });
   EXPECT_EQ(results[1].payload, "fine");
-  EXPECT_EQ(results[2].status, Status::Killed);
-  EXPECT_EQ(results[2].detail,
-            "killed by signal 9 (Killed) from outside, twice; perhaps the system is out of memory");
+  EXPECT_EQ(results[2].status, Status::Crashed);
+  EXPECT_EQ(results[2].detail, "killed by signal 9 (Killed) twice, the second time alone");
   EXPECT_EQ(killed.clock()(), 3);
+}
+
+TEST(WorkerPool, AProcessThatIsKilledWhileTheSystemIsOutOfMemoryHasNotCrashed) {
+  ManualTime killed;
+  PoolOptions options = with_workers(1);
+  options.memory_kills = [&] { return static_cast<std::uint64_t>(killed.clock()()); };
+  const auto results = run_all(2, options, [&](std::size_t i, SharedTaskLog&) {
+    if (i == 0) killed.advance(1);
+    std::raise(SIGKILL);
+    return std::string();
+  });
+  EXPECT_EQ(results[0].status, Status::Killed);
+  EXPECT_EQ(results[0].detail,
+            "killed by signal 9 (Killed) twice, the second time alone; the system was out of "
+            "memory");
+  EXPECT_EQ(results[1].status, Status::Crashed) << "memory was short only before";
 }
 
 TEST(WorkerPool, ADeathBetweenTwoWorkItemsIsOfNeither) {

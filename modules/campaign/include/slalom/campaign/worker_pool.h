@@ -6,6 +6,7 @@
 #include <slalom/core/wall_clock.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -21,7 +22,7 @@ struct WorkResult {
     OutOfMemory,  ///< std::bad_alloc was thrown
     Crashed,      ///< the process died or sent nonsense; detail describes how
     TimedOut,     ///< the process was killed after a time limit; detail names the limit
-    Killed        ///< somebody else killed the process, twice; detail describes how
+    Killed        ///< the system killed the process for want of memory, twice
   };
   Status status = Status::Done;
   std::string payload;
@@ -41,6 +42,9 @@ struct SharedInputs {
   /// Executed in the process of a work item before it, if there is an input.
   std::function<void(std::size_t input, const SharedArray<std::byte>& memory)> use = nullptr;
 };
+
+/// As the kernel counts them on this machine (/proc/vmstat); 0 where it does not.
+std::uint64_t count_memory_kills();
 
 struct PoolOptions {
   int workers = 1;
@@ -70,6 +74,8 @@ struct PoolOptions {
   std::function<void()> at_end = nullptr;
   /// For item_wall_time and heartbeat_timeout; read in the parent process.
   WallClock clock = steady_seconds;
+  /// The number of processes that the system has killed for want of memory.
+  std::function<std::uint64_t()> memory_kills = count_memory_kills;
 };
 
 /// The detail of a work item whose payload was not valid.
@@ -84,14 +90,15 @@ using WorkItem = std::function<std::string(std::size_t index, SharedTaskLog& log
 /// Executes work items 0 .. count-1 in forked worker processes and passes each result to
 /// `on_result`, unless `ordered` is false in the order of the indexes. A worker that dies or hangs
 /// is replaced, and only its current work item is lost; whatever it started is killed with it. A
-/// work item whose process was killed from outside (SIGKILL) is executed once more; so is one whose
-/// process dies before its first heartbeat, in a new process, if that has executed others before,
-/// which may be the cause. Work items are
-/// started in the order of their indexes; at most `workers` processes are busy. Idle ones are kept
-/// for the next items of their groups, in total `workers + groups` processes; beyond that the least
-/// recently used one is ended. Standard output of workers is discarded. `interrupted` is polled;
-/// when it returns true, the workers are killed, the results obtained so far are passed on, and the
-/// function returns false. Throws Error (Job) when no process can be created.
+/// work item whose process was killed by SIGKILL, or with its keeper, is executed once more, alone
+/// in a new process; if that is killed too, it has crashed, unless the system was out of memory. So
+/// is one whose process dies before its first heartbeat, in a new process, if that has executed
+/// others before, which may be the cause. Work items are started in the order of their indexes; at
+/// most `workers` processes are busy. Idle ones are kept for the next items of their groups, in
+/// total `workers + groups` processes; beyond that the least recently used one is ended. Standard
+/// output of workers is discarded. `interrupted` is polled; when it returns true, the workers are
+/// killed, the results obtained so far are passed on, and the function returns false. Throws Error
+/// (Job) when no process can be created.
 bool run_in_workers(std::size_t count, const PoolOptions& options, const WorkItem& item,
                     const std::function<void(std::size_t, WorkResult&&)>& on_result,
                     const std::function<bool()>& interrupted);
