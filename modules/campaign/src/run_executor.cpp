@@ -119,11 +119,13 @@ double RunExecutor::cycle_limit() const {
 
 SimulationResult RunExecutor::simulate_run(const RunSpec& spec, SharedTaskLog& log) {
   std::string reason;
+  Method* built = nullptr;
   try {
-    return simulate_contained(spec, method(spec.method), log);
-  } catch (const Error& error) {
-    reason = error.what();
+    built = &method(spec.method);
+  } catch (const std::exception& error) {
+    reason = reason_of(error);
   }
+  if (built != nullptr) return simulate_contained(spec, *built, log);
   ScriptedMethod failing({}, reason);
   return simulate_contained(spec, failing, log);
 }

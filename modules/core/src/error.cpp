@@ -2,6 +2,9 @@
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 
+#include <cstddef>
+#include <cstring>
+
 namespace slalom {
 namespace {
 
@@ -21,13 +24,26 @@ std::string labeled_line(const std::string& text, const std::string& label) {
   return begin < end ? text.substr(begin, end - begin) : "";
 }
 
+constexpr std::size_t kMostRead = 65536;  // bytes of an exception's text
+constexpr std::size_t kMostKept = 4096;   // bytes of a reason
+
+/// As one line, which is cut where it is longer than any reader wants.
+std::string shortened_line(const std::string& text) {
+  if (text.size() <= kMostKept) return printable_line(text);
+  std::size_t end = kMostKept;  // where a character of UTF-8 begins
+  while (end > kMostKept - 4 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return printable_line(text.substr(0, end)) + "... (cut after " + std::to_string(end) + " bytes)";
+}
+
 }  // namespace
 
 std::string reason_of(const std::exception& error) {
-  const std::string text = error.what();
-  if (!starts_with(text, "==== MRPT exception ====")) return printable_line(text);
+  const char* what = error.what();
+  if (what == nullptr) return "an exception without a text";
+  const std::string text(what, strnlen(what, kMostRead));
+  if (!starts_with(text, "==== MRPT exception ====")) return shortened_line(text);
   const std::string message = labeled_line(text, "Message:");
-  return printable_line(message.empty() ? labeled_line(text, "Location:") : message);
+  return shortened_line(message.empty() ? labeled_line(text, "Location:") : message);
 }
 
 int Error::exit_status() const {

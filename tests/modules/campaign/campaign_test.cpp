@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <exception>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
@@ -35,6 +36,11 @@
 
 namespace slalom {
 namespace {
+
+class SpeechlessError : public std::exception {
+ public:
+  const char* what() const noexcept override { return nullptr; }
+};
 
 /// What a run can do to its process so that the next run needs a new one.
 const std::vector<std::string> kMarks = {"thread", "child",     "nonblocking",  "asynchronous",
@@ -156,6 +162,8 @@ class TestMethod : public Method {
     if (kind_ == "abort") std::abort();
     if (kind_ == "killed") std::raise(SIGKILL);
     if (kind_ == "throw_number") throw 42;
+    if (kind_ == "speechless") throw SpeechlessError();
+    if (kind_ == "wordy") throw std::runtime_error(std::string(10 << 20, 'x'));
     if (kind_ == "greedy") exhaust_memory();
     if (kind_ == "rounding") std::fesetround(FE_UPWARD);
     if (kind_ == "chatty") std::cout << std::string(100000, '#') << std::endl;
@@ -360,6 +368,8 @@ TEST_F(CampaignTest, AMisbehavingMethodEndsOnlyItsOwnRun) {
                                                        {"exit", "method_crash"},
                                                        {"throw", "method_error"},
                                                        {"throw_number", "method_error"},
+                                                       {"speechless", "method_error"},
+                                                       {"wordy", "method_error"},
                                                        {"hang", "method_deadline"},
                                                        {"nan", "method_invalid_command"},
                                                        {"infinite", "method_invalid_command"},
@@ -378,7 +388,19 @@ TEST_F(CampaignTest, AMisbehavingMethodEndsOnlyItsOwnRun) {
     EXPECT_EQ(r.metrics.at("success").value, Value::of(0));
     EXPECT_TRUE(r.metrics.at("optimality").value.is_na());
     EXPECT_FALSE(r.outcome_detail.empty());
+    EXPECT_LT(r.outcome_detail.size(), 5000U);
   }
+}
+
+TEST_F(CampaignTest, AnExceptionWithoutATextWhereAMethodIsBuiltIsItsError) {
+  registry_.add("fragile", [](const IniFile&, const std::string&) {
+    return [](const RobotModel&, const SensorModel&) -> std::unique_ptr<Method> {
+      throw SpeechlessError();
+    };
+  });
+  const IniFile ini =
+      IniFile::from_text("[campaign]\nmethods = it\n[method.it]\nadapter = fragile\n");
+  for (const RunRecord& r : run(ini, 1).runs) EXPECT_EQ(r.outcome, "method_error");
 }
 
 TEST_F(CampaignTest, ACrashedRunIsReconstructedUpToTheCrash) {

@@ -75,6 +75,21 @@ TEST(ReasonOf, IsTheLocationOfMrptExceptionsWithoutMessage) {
             "no such file");
 }
 
+TEST(ReasonOf, IsCutBetweenCharactersWhereItIsLongerThanAFewKilobytes) {
+  EXPECT_EQ(reason_of(std::runtime_error(std::string(4096, 'x'))), std::string(4096, 'x'));
+  EXPECT_EQ(reason_of(std::runtime_error(std::string(10 << 20, 'x'))),
+            std::string(4096, 'x') + "... (cut after 4096 bytes)");
+  EXPECT_EQ(reason_of(std::runtime_error(std::string(4094, 'x') + "\u2192 and more")),
+            std::string(4094, 'x') + "... (cut after 4094 bytes)");
+}
+
+TEST(ReasonOf, NamesAnExceptionWithoutAText) {
+  class Speechless : public std::exception {
+    const char* what() const noexcept override { return nullptr; }
+  };
+  EXPECT_EQ(reason_of(Speechless()), "an exception without a text");
+}
+
 TEST(ReasonOf, IsOneLineForOtherExceptions) {
   EXPECT_EQ(reason_of(std::runtime_error("first\nsecond")), "first second");
 }

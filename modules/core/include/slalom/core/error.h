@@ -34,8 +34,9 @@ Error usage_error(const std::string& where, const std::string& what,
 Error file_error(const std::string& where, const std::string& what,
                  const std::string& expected = "");
 
-/// The message of any exception, as one line. MRPT's exceptions include a call stack with memory
-/// addresses, which differ from run to run; only the message itself is kept.
+/// The message of any exception, as one line of a few KB at most, beyond which it is cut. MRPT's
+/// exceptions include a call stack with memory addresses, which differ from run to run; only the
+/// message itself is kept.
 std::string reason_of(const std::exception& error);
 
 }  // namespace slalom
