@@ -60,6 +60,7 @@ limits||0
 thread||0
 late_crash|any|0
 daemon||0
+clone||0
 returns_twice||0
 nonblocking||0
 shut||0

@@ -20,8 +20,9 @@ void adopt_orphans() {
 }
 
 std::vector<pid_t> child_processes() {
+  // __WALL: also children of clone() that send no SIGCHLD when they end.
   siginfo_t info;
-  if (waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) != 0) return {};  // the usual case
+  if (waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT | __WALL) != 0) return {};  // usually
   std::vector<pid_t> pids;
   std::error_code error;
   for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task", error)) {
@@ -39,7 +40,7 @@ void kill_children(const std::function<bool(pid_t child)>& is_kept) {
     for (const pid_t child : child_processes()) {
       if (is_kept(child)) continue;
       is_last = false;
-      if (kill(child, SIGKILL) == 0) waitpid(child, nullptr, 0);
+      if (kill(child, SIGKILL) == 0) waitpid(child, nullptr, __WALL);
     }
   }
 }

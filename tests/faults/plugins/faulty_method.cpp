@@ -13,6 +13,7 @@
 #include <string>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <thread>
 #include <unistd.h>
 
@@ -93,6 +94,7 @@ void misbehave(const Method& method) {
       std::abort();
     }).detach();
   if (fault == "daemon") start_daemon();
+  if (fault == "clone" && syscall(SYS_clone, 0, nullptr, nullptr, nullptr, nullptr) == 0) live_on();
   if (fault == "kill_keeper") {
     start_daemon();
     kill(getppid(), SIGKILL);

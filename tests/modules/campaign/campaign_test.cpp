@@ -28,6 +28,7 @@
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/time.h>
 #include <thread>
 #include <tuple>
@@ -43,9 +44,9 @@ class SpeechlessError : public std::exception {
 };
 
 /// What a run can do to its process so that the next run needs a new one.
-const std::vector<std::string> kMarks = {"thread", "child",     "nonblocking",  "asynchronous",
-                                         "shut",   "impatient", "curious",      "timer",
-                                         "nice",   "scheduler", "unprivileged", "undumpable"};
+const std::vector<std::string> kMarks = {
+    "thread",  "clone", "child", "nonblocking", "asynchronous", "shut",      "impatient",
+    "curious", "timer", "nice",  "scheduler",   "unprivileged", "undumpable"};
 
 /// Turns towards the goal and moves forward. Misbehaves according to its kind in the scenario whose
 /// goal has y > 5.
@@ -96,7 +97,8 @@ class TestMethod : public Method {
     if (kind_ == "unprivileged") prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
     if (kind_ == "undumpable") prctl(PR_SET_DUMPABLE, 0);
     if (kind_ == "thread") std::thread([] { pause(); }).detach();
-    if (kind_ == "child" && fork() == 0)
+    if ((kind_ == "child" && fork() == 0) ||
+        (kind_ == "clone" && syscall(SYS_clone, 0, nullptr, nullptr, nullptr, nullptr) == 0))
       while (true) pause();
   }
 

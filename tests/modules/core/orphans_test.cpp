@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -87,6 +88,16 @@ TEST(ChildProcesses, AreThoseOfAllThreadsUntilTheyAreWaitedFor) {
   waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT);
   EXPECT_EQ(child_processes(), std::vector<pid_t>{child});
   waitpid(child, nullptr, 0);
+  EXPECT_EQ(child_processes(), std::vector<pid_t>());
+}
+
+TEST(ChildProcesses, AreAlsoThoseThatSendNoSignalWhenTheyEnd) {
+  if (syscall(SYS_clone, 0, nullptr, nullptr, nullptr, nullptr) == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // should it not be found
+    wait_for_signals();
+  }
+  EXPECT_EQ(child_processes().size(), 1U);
+  kill_children([](pid_t) { return false; });
   EXPECT_EQ(child_processes(), std::vector<pid_t>());
 }
 
