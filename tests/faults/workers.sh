@@ -73,6 +73,7 @@ memory|method_crash|0
 kill|method_crash|0
 kill_group|method_crash|0
 kill_keeper|method_crash|0
+stop_keeper|method_crash|0
 CASES
 # Whose run was it, when a method kills what all workers depend on and goes on?
 confused=0
