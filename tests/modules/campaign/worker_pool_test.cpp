@@ -19,6 +19,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/time.h>
@@ -483,7 +484,7 @@ TEST(WorkerPool, AnInterruptEndsAlsoWhileTheKeeperIsStopped) {
 
 TEST(WorkerPool, AStoppedKeeperEndsWhenTheProgramIsKilled) {
   SharedTaskLog keeper(sizeof(pid_t));
-  adopt_orphans();
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
   const pid_t program = fork();
   if (program == 0) {
     run_all(1, with_workers(1), [&](std::size_t, SharedTaskLog&) -> std::string {
@@ -502,6 +503,7 @@ TEST(WorkerPool, AStoppedKeeperEndsWhenTheProgramIsKilled) {
   int status = -1;
   EXPECT_EQ(waitpid(pid, &status, 0), pid) << "it has become a child of this process";
   EXPECT_EQ(status, 0) << "it is continued and ends by itself";
+  prctl(PR_SET_CHILD_SUBREAPER, 0);
 }
 
 TEST(WorkerPool, InAProgramWhateverAProcessStartedDiesWithAKilledKeeper) {
