@@ -167,7 +167,8 @@ void add_effect(PairedComparison& comparison, const PairedValues& values,
       derive_seed(options.seed, join({"compare", comparison.a, comparison.b, id}, "/")));
   comparison.interval = mean_interval(groups, options.confidence, engine);
   if (comparison.interval)
-    comparison.interval = clip_to_range(difference_range(id), *comparison.interval);
+    comparison.interval =
+        clip_to_range(difference_range(id), *comparison.difference, *comparison.interval);
 }
 
 double relevant_difference(const PairedComparison& comparison, const ComparisonOptions& options) {

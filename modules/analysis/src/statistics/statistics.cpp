@@ -179,7 +179,8 @@ std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confi
   return percentile_interval(std::move(means), confidence);
 }
 
-Interval clip_to_range(const ValueRange& range, Interval interval) {
+Interval clip_to_range(const ValueRange& range, double estimate, Interval interval) {
+  if (!range.contains(estimate)) return interval;
   if (range.low) interval.low = std::max(*range.low, interval.low);
   if (range.high) interval.high = std::min(*range.high, interval.high);
   return interval;

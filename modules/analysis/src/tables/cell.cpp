@@ -18,7 +18,8 @@ void add_interval(Cell& cell, const CellSums& sums, const Column& column,
   }
   RandomEngine engine(derive_seed(options.seed, label));
   cell.interval = mean_interval(moments, sums.groups(rank_of), options.confidence, engine);
-  if (cell.interval) cell.interval = clip_to_range(range_of(column.info.id), *cell.interval);
+  if (cell.interval)
+    cell.interval = clip_to_range(range_of(column.info.id), *cell.estimate, *cell.interval);
 }
 
 std::size_t count_failures(const ResultTable& table, const std::vector<std::size_t>& runs) {

@@ -1,63 +1,105 @@
 #include <slalom/analysis/cell.h>
 
+#include <unordered_map>
+
 namespace slalom {
 namespace {
 
-bool is_one_of(const std::string& id, std::initializer_list<const char*> ids) {
-  for (const char* other : ids) {
-    if (id == other) return true;
-  }
-  return false;
+/// By docs/definitions.md. Clearances have none: a collision ends slightly inside an obstacle.
+const std::unordered_map<std::string, ValueRange>& known_ranges() {
+  constexpr ValueRange kFraction{0.0, 1.0}, kAtLeast0{0.0, std::nullopt},
+      kAtLeast1{1.0, std::nullopt};
+  static const std::unordered_map<std::string, ValueRange> ranges = {
+      {"success", kFraction},
+      {"optimality", kFraction},
+      {"optimality_area", kAtLeast0},
+      {"safety", kAtLeast0},
+      {"safety_area", kAtLeast0},
+      {"optisafe", kFraction},
+      {"spl", kFraction},
+      {"soft_spl", kFraction},
+      {"barn_score_v2", {0.0, 0.5}},
+      {"path_length", kAtLeast0},
+      {"path_excess", kAtLeast0},
+      {"time_to_goal", kAtLeast0},
+      {"par2_time", kAtLeast0},
+      {"time_ratio", kAtLeast0},
+      {"risk_time_ratio", kFraction},
+      {"inverse_clearance", kAtLeast0},
+      {"impact_speed", kAtLeast0},
+      {"min_time_to_collision", kAtLeast0},
+      {"progress", {std::nullopt, 1.0}},
+      {"final_distance", kAtLeast0},
+      {"closest_distance", kAtLeast0},
+      {"mean_speed", kAtLeast0},
+      {"time_stopped", kAtLeast0},
+      {"cumulative_heading_change", kAtLeast0},
+      {"angle_over_length", kAtLeast0},
+      {"bending_energy", kAtLeast0},
+      {"max_curvature", kAtLeast0},
+      {"path_irregularity", kAtLeast0},
+      {"rms_linear_acceleration", kAtLeast0},
+      {"rms_angular_acceleration", kAtLeast0},
+      {"rms_linear_jerk", kAtLeast0},
+      {"rms_angular_jerk", kAtLeast0},
+      {"sparc", {std::nullopt, 0.0}},
+      {"command_variation_v", kAtLeast0},
+      {"command_variation_w", kAtLeast0},
+      {"oscillation_count", kAtLeast0},
+      {"frechet_to_reference", kAtLeast0},
+      {"hausdorff_to_reference", kAtLeast0},
+      {"mover_collision", kFraction},
+      {"contact_mover", kAtLeast0},
+      {"mover_contact_speed", kAtLeast0},
+      {"stood_at_contact", kFraction},
+      {"mover_time_to_collision", kAtLeast0},
+      {"personal_space_time", kAtLeast0},
+      {"personal_space_depth", {0.0, 1.2}},
+      {"intimate_space_time", kAtLeast0},
+      {"frozen_time", kAtLeast0},
+      {"arrival_ratio", kAtLeast1},
+      {"cycle_time_mean", kAtLeast0},
+      {"cycle_time_p50", kAtLeast0},
+      {"cycle_time_p95", kAtLeast0},
+      {"cycle_time_p99", kAtLeast0},
+      {"cycle_time_max", kAtLeast0},
+      {"deadline_miss_ratio", kFraction},
+      {"density", kFraction},
+      {"cspace_density", kFraction},
+      {"clearness", kFraction},
+      {"clearness_mean_distance", kAtLeast0},
+      {"confinement", kFraction},
+      {"confinement_path", kFraction},
+      {"bottleneck_width", kAtLeast0},
+      {"narrow_fraction", kFraction},
+      {"clearance_mean", kAtLeast0},
+      {"clearance_q05", kAtLeast0},
+      {"detour_ratio", kAtLeast1},
+      {"turn_density", kAtLeast0},
+      {"trap_fraction", kFraction},
+      {"obstacle_count", kAtLeast0},
+      {"clustering", kAtLeast0},
+      {"occupancy_entropy", kFraction},
+      {"goal_visibility", kFraction},
+      {"traversability", kAtLeast0},
+      {"barn_closest_distance", kAtLeast0},
+      {"barn_visibility", kAtLeast0},
+      {"barn_dispersion", kAtLeast0},
+      {"barn_characteristic_dimension", kAtLeast0},
+      {"barn_tortuosity", kAtLeast0},
+      {"dynamic_density", kAtLeast0},
+      {"survivability", {0.0, 12.0}},
+      {"dynamic_traversability", kAtLeast0},
+      {"crossing_flow", kAtLeast0},
+  };
+  return ranges;
 }
 
 }  // namespace
 
 ValueRange range_of(const std::string& id) {
-  if (is_one_of(id, {"success", "spl", "soft_spl", "optisafe", "risk_time_ratio",
-                     "deadline_miss_ratio", "density", "clearness", "confinement"})) {
-    return {0.0, 1.0};
-  }
-  if (id == "barn_score_v2") return {0.0, 0.5};
-  if (id == "progress") return {std::nullopt, 1.0};
-  if (id == "sparc") return {std::nullopt, 0.0};
-  if (is_one_of(id, {"optimality",
-                     "safety",
-                     "optimality_area",
-                     "safety_area",
-                     "path_length",
-                     "time_to_goal",
-                     "par2_time",
-                     "time_ratio",
-                     "arrival_ratio",
-                     "inverse_clearance",
-                     "impact_speed",
-                     "min_time_to_collision",
-                     "final_distance",
-                     "closest_distance",
-                     "mean_speed",
-                     "time_stopped",
-                     "cumulative_heading_change",
-                     "angle_over_length",
-                     "bending_energy",
-                     "max_curvature",
-                     "path_irregularity",
-                     "rms_linear_acceleration",
-                     "rms_angular_acceleration",
-                     "rms_linear_jerk",
-                     "rms_angular_jerk",
-                     "command_variation_v",
-                     "command_variation_w",
-                     "oscillation_count",
-                     "frechet_to_reference",
-                     "hausdorff_to_reference",
-                     "cycle_time_mean",
-                     "cycle_time_p50",
-                     "cycle_time_p95",
-                     "cycle_time_p99",
-                     "cycle_time_max"})) {
-    return {0.0, std::nullopt};
-  }
-  return {};
+  const auto found = known_ranges().find(id);
+  return found == known_ranges().end() ? ValueRange{} : found->second;
 }
 
 }  // namespace slalom

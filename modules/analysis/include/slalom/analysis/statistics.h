@@ -84,8 +84,12 @@ std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confi
 /// Bounds of a quantity by its definition; intervals are clipped to them.
 struct ValueRange {
   std::optional<double> low, high;
+
+  bool contains(double value) const { return (!low || value >= *low) && (!high || value <= *high); }
 };
-Interval clip_to_range(const ValueRange& range, Interval interval);
+/// The interval of an estimate. One outside the range is of another definition, of a foreign
+/// table: its interval is left as it is.
+Interval clip_to_range(const ValueRange& range, double estimate, Interval interval);
 
 constexpr std::size_t kMinForBootstrap = 20, kMaxForBootstrap = 500;
 
