@@ -21,7 +21,7 @@ const rangeText = ([low, high]) => `${short(low)} to ${short(high)}`;
 function contrastRow(one) {
   const interval = one.interval ? ` [${short(one.interval[0])}, ${short(one.interval[1])}]` : "";
   const fields = [rangeText(one.failures), rangeText(one.neighbors), short(one.difference) + interval,
-                  `${one.higher} / ${one.lower} of ${one.pairs}`, short(one.adjusted_p)];
+                  `${one.higher} / ${one.lower} of ${one.pairs}`, one.p_text];
   return html("tr", { class: one.holds ? "holds" : null },
     html("th", {}, one.name + unitText(one), html("br"), html("code", {}, one.id)), fields.map((text) => html("td", {}, text)));
 }

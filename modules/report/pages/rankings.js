@@ -28,10 +28,9 @@ function profileCard(profile) {
 function rankCard(ranks) {
   const methods = ranks.methods.map(({ method, rank }) =>
     ({ label: methodLabel(method), color: report.methods[method].color, rank }));
-  const p = ranks.p < 0.001 ? "p < 0.001" : "p = " + fixed(ranks.p, 3);
   return card(html("h4", {}, "Mean ranks in " + ranks.metric), rankDiagram(methods, ranks.groups, ranks.critical_difference),
-    html("p", { class: "support" }, `Friedman test over ${ranks.scenarios} of ${plural(ranks.all_scenarios, "scenario")}: ${p}; ` +
-         `bars join methods whose mean ranks do not differ by the critical difference (Nemenyi, level ${ranks.level}).` +
+    html("p", { class: "support" }, `Friedman test over ${ranks.scenarios} of ${plural(ranks.all_scenarios, "scenario")}: ` +
+         `${ranks.p_text}; bars join methods whose mean ranks do not differ by the critical difference (Nemenyi, level ${ranks.level}).` +
          (ranks.left_out ? ` Left out: ${ranks.left_out}.` : "")));
 }
 

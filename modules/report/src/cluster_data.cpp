@@ -1,6 +1,7 @@
 #include "report_data.h"
 
 #include <slalom/analysis/cell_json.h>
+#include <slalom/analysis/cell_text.h>
 
 namespace slalom {
 namespace {
@@ -18,6 +19,7 @@ OrderedJson contrast_json(const Contrast& contrast) {
           {"interval", interval_json(contrast.difference.interval)},
           {"p", contrast.p},
           {"adjusted_p", contrast.adjusted_p},
+          {"p_text", p_number_text(contrast.adjusted_p)},
           {"holds", contrast.holds}};
 }
 

@@ -1,6 +1,7 @@
 #include "report_data.h"
 
 #include <slalom/analysis/cell_json.h>
+#include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/completion.h>
 #include <slalom/analysis/method_ranks.h>
 #include <slalom/analysis/performance_profile.h>
@@ -38,6 +39,7 @@ OrderedJson ranks_json(const ResultTable& runs, const MethodRanks& ranks) {
           {"critical_difference", ranks.test.critical_difference},
           {"level", ranks.alpha},
           {"p", ranks.test.p},
+          {"p_text", p_text(ranks.test.p)},
           {"scenarios", ranks.test.scenarios},
           {"all_scenarios", ranks.all_scenarios()},
           {"left_out", left_out_text(ranks)}};

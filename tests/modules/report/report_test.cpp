@@ -155,6 +155,7 @@ TEST_F(Report, ListsClustersOfFailuresWithTheirContrastsAndRuns) {
   EXPECT_EQ(cluster["scenarios"][0]["id"], "depth");
   EXPECT_EQ(cluster["scenarios"][0]["holds"], true);
   EXPECT_EQ(cluster["scenarios"][0]["adjusted_p"], 2 * 2.0 / 128);
+  EXPECT_EQ(cluster["scenarios"][0]["p_text"], "0.0312");
   EXPECT_EQ(cluster["scenarios"][0]["failures"], nlohmann::json::parse("[4.5, 7.5]"));
   EXPECT_EQ(cluster["scenarios"][1]["holds"], false);
   EXPECT_EQ(cluster["members"][1]["run"], 2);

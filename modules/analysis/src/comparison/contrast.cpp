@@ -86,7 +86,7 @@ std::string contrast_sentence(const Contrast& contrast, const std::string& refer
       range_text(contrast.reference), unit, three_digits(contrast.difference.estimate));
   if (const auto& interval = contrast.difference.interval)
     text += fmt::format(" [{}, {}]", three_digits(interval->low), three_digits(interval->high));
-  return text + unit + ", p " + three_digits(contrast.adjusted_p);
+  return text + unit + ", " + p_text(contrast.adjusted_p);
 }
 
 }  // namespace slalom

@@ -63,8 +63,7 @@ std::string sentence(const MethodRanks& ranks) {
   const bool shown = ranks.test.p <= ranks.alpha;
   return ranks.column.info.id + ": " +
          (shown ? "the ranks of the methods differ" : "no difference of ranks shown") + " over " +
-         count_text(ranks.test.scenarios, "scenario") +
-         " (Friedman, p = " + format_fixed(ranks.test.p, 4) +
+         count_text(ranks.test.scenarios, "scenario") + " (Friedman, " + p_text(ranks.test.p) +
          "); mean ranks differ significantly if they are more than " +
          format_fixed(ranks.test.critical_difference, 2) + " apart (Nemenyi)";
 }

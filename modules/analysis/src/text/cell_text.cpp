@@ -103,8 +103,16 @@ std::string pad_right(const std::string& text, std::size_t width) {
   return text + std::string(used < width ? width - used : 0, ' ');
 }
 
+std::string p_number_text(double p) {
+  return p < 0.0001 ? "< 0.0001" : format_fixed(p, 4);
+}
+
 std::string p_text(double p) {
-  return p < 0.0001 ? "p < 0.0001" : "p = " + format_fixed(p, 4);
+  return p < 0.0001 ? "p " + p_number_text(p) : "p = " + p_number_text(p);
+}
+
+bool is_p_column(const std::string& name) {
+  return name == "p" || name == "p_holm" || name == "p (Holm)" || name == "iman_davenport_p";
 }
 
 }  // namespace slalom

@@ -1,5 +1,6 @@
 #include "view_fields.h"
 
+#include <slalom/analysis/cell_text.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 
@@ -54,7 +55,12 @@ std::vector<ViewColumn> view_columns(const DataTable& table) {
 }
 
 std::string view_text(const DataTable& table, std::size_t row, const ViewColumn& view) {
-  const std::string text = field_text(table.at(row, view.first), view.digits);
+  const Field field = table.at(row, view.first);
+  const double* number = std::get_if<double>(&field);
+  // A metric of a foreign table may have such a name, but it has an interval.
+  const bool is_p = !view.interval && is_p_column(table.columns[view.first]);
+  if (is_p && number != nullptr) return p_number_text(*number);
+  const std::string text = field_text(field, view.digits);
   if (!view.interval) return text;
   const Field low = table.at(row, view.first + 1), high = table.at(row, view.first + 2);
   if (std::holds_alternative<std::monostate>(low)) return text;

@@ -74,7 +74,7 @@ TEST(Contrast, SaysTheQuantityItsRangesAndTheIntervalInASentence) {
                 "0.275 to 0.825 m (quartiles); difference -1.9"),
       0u)
       << text;
-  EXPECT_NE(text.find("] m, p 0.000488"), std::string::npos) << text;
+  EXPECT_NE(text.find("] m, p = 0.0005"), std::string::npos) << text;
 }
 
 RC_GTEST_PROP(Contrast, DoesNotDependOnTheOrderOfPairs, ()) {

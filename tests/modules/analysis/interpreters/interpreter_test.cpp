@@ -157,6 +157,34 @@ TEST(Interpreter, AMethodIsShownAsItIsAmongAll) {
   }
 }
 
+/// Of two methods in 20 scenarios, the second always better: p of the signed ranks is 2 / 2^20,
+/// that of Friedman's test, chi squared 20 with one degree of freedom, 8e-6.
+ResultTable clearly_different() {
+  ResultFixture fixture;
+  for (int i = 1; i <= 20; ++i) {
+    const std::string hash = fixture.add_scenario(Value::of(0.01 * i));
+    fixture.add_run(hash, "a", 0.5 + 0.01 * i);
+    fixture.add_run(hash, "b", 0.6 + 0.015 * i);
+  }
+  return fixture.table;
+}
+
+TEST(Interpreter, WritesSmallPValuesAsBoundsForPeopleAndExactlyInCsv) {
+  const ResultTable table = clearly_different();
+  for (const char* id : {"compare", "ranks"}) {
+    const auto found = named(id).interpret({table}, query("all", {"optimality"}));
+    const std::string text = render_text(found);
+    EXPECT_EQ(text.find("0.0000 "), std::string::npos) << text;
+    EXPECT_NE(text.find("  < 0.0001"), std::string::npos) << text;
+    EXPECT_NE(text.find("p < 0.0001"), std::string::npos) << text;
+    EXPECT_NE(render_html(found, "title").find("<td>&lt; 0.0001</td>"), std::string::npos);
+    EXPECT_EQ(render_csv(found).find("< 0.0001,"), std::string::npos) << render_csv(found);
+  }
+  const auto comparison = named("compare").interpret({table}, query("all", {"optimality"}));
+  EXPECT_NE(render_csv(comparison).find(",1.9073486328125e-06,"), std::string::npos)
+      << render_csv(comparison);
+}
+
 TEST(Interpreter, CompareTakesTheOthersAgainstAMethod) {
   const std::string csv = csv_of("compare", "b", "optimality");
   EXPECT_NE(csv.find("optimality,a,b,"), std::string::npos) << csv;

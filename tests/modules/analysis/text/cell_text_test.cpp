@@ -5,6 +5,15 @@
 namespace slalom {
 namespace {
 
+TEST(CellText, WritesASmallPValueAsABound) {
+  EXPECT_EQ(p_text(0.01234), "p = 0.0123");
+  EXPECT_EQ(p_text(0.0001), "p = 0.0001");
+  EXPECT_EQ(p_text(0.00009999), "p < 0.0001");
+  EXPECT_EQ(p_text(0), "p < 0.0001");
+  EXPECT_EQ(p_number_text(1), "1.0000");
+  EXPECT_EQ(p_number_text(1e-300), "< 0.0001");
+}
+
 TEST(CellText, ShowsThreeSignificantDigits) {
   Cell cell;
   const auto digits = [&](double estimate) {

@@ -42,7 +42,11 @@ std::size_t display_width(const std::string& text);
 std::string pad_left(const std::string& text, std::size_t width);
 std::string pad_right(const std::string& text, std::size_t width);
 
+/// "0.0123", or "< 0.0001": a p value in a table.
+std::string p_number_text(double p);
 /// "p = 0.0123", or "p < 0.0001".
 std::string p_text(double p);
+/// Of a table: "p", "p_holm", "p (Holm)", "iman_davenport_p".
+bool is_p_column(const std::string& name);
 
 }  // namespace slalom
