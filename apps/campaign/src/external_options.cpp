@@ -44,11 +44,12 @@ std::string folder_of(const IniFile& ini) {
   return std::filesystem::path(ini.name()).parent_path().string();
 }
 
-/// A file that comes with Slalom, and is found under its name alone.
+/// A library that comes with Slalom, by its name or its path.
 bool is_shipped(const IniFile& ini, const ExternalOption& option) {
-  if (!contains(shipped_plugins(), option.value)) return false;
-  const std::string path = resolve_plugin_path(ini, option.section, option.value);
-  return path == resolve_plugin_path(option.value, shipped_folder(), "");
+  const std::filesystem::path path = resolve_plugin_path(ini, option.section, option.value);
+  std::error_code ignored;
+  return contains(shipped_plugins(), path.filename().string()) &&
+         std::filesystem::equivalent(path.parent_path(), shipped_folder(), ignored);
 }
 
 bool is_foreign(const IniFile& ini, const ExternalOption& option) {
@@ -56,7 +57,7 @@ bool is_foreign(const IniFile& ini, const ExternalOption& option) {
     case ExternalUse::Read:
       return false;
     case ExternalUse::Load:
-      return !is_shipped(ini, option);
+      return option.key != "plugin" || !is_shipped(ini, option);
     case ExternalUse::Connect:  // other providers of LCM write files
       return option.key == "url" && !starts_with(option.value, "udpm:") &&
              !starts_with(option.value, "memq:");
