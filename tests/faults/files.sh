@@ -23,7 +23,7 @@ analyze() { slalom-analyze "$@"; }
 
 scenarios generate -c campaign.ini -o all.scenarios --quiet || exit 1
 run --scenarios all.scenarios -o all.results || exit 1
-scenarios show all.scenarios 1 >/dev/null || exit 1
+scenarios show all.scenarios random_0000 >/dev/null || exit 1
 run -o whole.results || exit 1
 whole=$(digest whole.results)
 echo "a stranger's text" >stranger.txt
@@ -91,8 +91,8 @@ wait $writer
 report "a reader holds a transaction" "status 0, 8 runs" "status $?, $(analyze dump read.results | wc -l) runs"
 
 # Text for spreadsheets.
-scenarios show all.scenarios 1 --yaml >named.scenario.yaml 2>/dev/null ||
-  scenarios export all.scenarios 1 --format yaml -o named.scenario.yaml 2>/dev/null
+scenarios show all.scenarios random_0000 --yaml >named.scenario.yaml 2>/dev/null ||
+  scenarios export all.scenarios random_0000 --format yaml -o named.scenario.yaml 2>/dev/null
 sed -i 's/^name:.*/name: "=HYPERLINK(1)"/' named.scenario.yaml
 scenarios import named.scenario.yaml -o named.scenarios --quiet 2>/dev/null
 run --scenarios named.scenarios -o named.results

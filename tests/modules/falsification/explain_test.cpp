@@ -95,7 +95,7 @@ TEST_F(Explain, SaysOfADescriptorWhatDiffersFromTheSuccessfulNeighbors) {
                 "successful neighbors 0.1 to 0.1 (quartiles); difference 0.235 ["),
             0u)
       << clusters[0].statements[0];
-  EXPECT_NE(clusters[0].statements[0].find("p 0.0156"), std::string::npos);
+  EXPECT_NE(clusters[0].statements[0].find("p = 0.0156"), std::string::npos);
   EXPECT_EQ(clusters[0].basis,
             "8 of 8 failures compared with their successful neighbors in 2 descriptors.");
 }
