@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
+#include <cmath>
 #include <thread>
 
 namespace slalom {
@@ -13,10 +13,13 @@ constexpr double kMaxPoll = 0.01;  // s, maximum duration of one poll
 /// so that a reply behind invalid messages would be lost.
 constexpr int kMaxWaiting = 100000;
 
-/// Bit by bit, so that a command that is not a number equals itself.
+/// A number that is none equals itself.
+bool are_equal(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
 bool are_equal(const command_t& a, const command_t& b) {
-  const double first[] = {a.v, a.w, a.vy}, second[] = {b.v, b.w, b.vy};
-  return std::memcmp(first, second, sizeof first) == 0;
+  return are_equal(a.v, b.v) && are_equal(a.w, b.w) && are_equal(a.vy, b.vy);
 }
 
 }  // namespace

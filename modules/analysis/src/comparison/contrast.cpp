@@ -1,3 +1,4 @@
+#include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/contrast.h>
 #include <slalom/analysis/quantile.h>
 #include <slalom/analysis/rate_tests.h>

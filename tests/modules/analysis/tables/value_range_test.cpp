@@ -35,7 +35,7 @@ Cell random_cell(RandomEngine& engine, const QuantityInfo& info, int scenarios) 
     sums.add(value.data(), static_cast<std::uint32_t>(run / 2));
   }
   sums.end_part([](std::uint32_t scenario) { return scenario; });
-  return make_cell(sums.cell(0), static_cast<std::size_t>(2 * scenarios), 0, {info}, {}, info.id);
+  return make_cell(sums.cell(0), 2 * static_cast<std::size_t>(scenarios), 0, {info}, {}, info.id);
 }
 
 TEST(ValueRange, NoIntervalOfAMeanLeavesTheRangeOfItsQuantity) {
