@@ -73,7 +73,6 @@ memory|method_crash|1
 kill|method_crash|1
 kill_group|method_crash|1
 kill_keeper|method_crash|1
-stop_keeper|method_crash|1
 CASES
 # Whose run was it, when a method kills what all workers depend on and goes on?
 confused=0
@@ -83,11 +82,6 @@ for _ in 1 2 3 4 5 6 7 8 9 10; do
   [ "$(outcomes run.results)" = method_crash ] || confused=$((confused + 1))
 done
 report "campaigns that confuse a killer of the keeper with others" 0 "$confused"
-run stop_keeper_and_live_on --set limits.run_wall_time=1000 &
-until pgrep -r T -f "[r]un base.ini" >stopped; do sleep 0.05; done
-pkill -TERM -P $!
-wait $!
-report "a campaign whose keeper is stopped, at SIGTERM" "status 130" "status $?"
 report "processes left over" 0 "$(pgrep -cf "[r]un base.ini")"
 
 # What a method may destroy as the same user, it may not in a sandbox.

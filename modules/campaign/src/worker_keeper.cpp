@@ -3,14 +3,12 @@
 
 #include <slalom/core/fork.h>
 #include <slalom/core/orphans.h>
-#include <slalom/core/wall_clock.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
@@ -38,17 +36,6 @@ bool has_ended(pid_t worker) {
   siginfo_t info = {};
   return waitid(P_PID, static_cast<id_t>(worker), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
          info.si_pid == worker;
-}
-
-/// Whether the process is stopped by a signal or a tracer.
-bool is_stopped(pid_t process) {
-  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  std::string line;
-  std::getline(file, line);
-  const std::size_t name_end = line.rfind(") ");
-  if (name_end == std::string::npos) return false;
-  const char state = line[name_end + 2];
-  return state == 'T' || state == 't';
 }
 
 /// The main loop of a keeper's process.
@@ -150,8 +137,8 @@ void drop_descriptors(bool keep_stderr, int kept, int also_kept) {
   close_range_of_descriptors(high + 1, ~0U);
 }
 
-WorkerKeeper::WorkerKeeper(bool keep_stderr, Serve serve, std::function<bool()> interrupted)
-    : keep_stderr_(keep_stderr), serve_(std::move(serve)), interrupted_(std::move(interrupted)) {}
+WorkerKeeper::WorkerKeeper(bool keep_stderr, Serve serve)
+    : keep_stderr_(keep_stderr), serve_(std::move(serve)) {}
 
 WorkerKeeper::~WorkerKeeper() {
   end();
@@ -169,36 +156,18 @@ bool WorkerKeeper::is_alive() {
   if (process_ < 0) return false;
   char reply = 0;
   bool replies = send_reply_request(socket_.number());
-  if (replies) await(socket_.number());
-  replies = replies && recv(socket_.number(), &reply, sizeof reply, 0) == sizeof reply;
+  while (replies && recv(socket_.number(), &reply, sizeof reply, 0) < 1) replies = errno == EINTR;
   if (!replies) end();
   return replies;
 }
 
-void WorkerKeeper::await(int descriptor) const {
-  constexpr int kPollMs = 20;
-  constexpr double kLongestStop = 1;  // s; a debugger attaches for less
-  double last_run = steady_seconds();
-  while (!is_readable(descriptor, kPollMs)) {
-    if (process_ < 0) continue;
-    const double now = steady_seconds();
-    if (!is_stopped(process_))
-      last_run = now;
-    else if (now - last_run > kLongestStop || (interrupted_ && interrupted_()))
-      kill(process_, SIGKILL);
-  }
-}
-
 void WorkerKeeper::begin() {
   SocketPair ends(SOCK_SEQPACKET);
-  const pid_t program = getpid();
   process_ = fork_process();
   if (process_ < 0) throw cannot_create("process", errno);
   if (process_ == 0) {
     const int socket = ends.far_end.number();
     drop_descriptors(keep_stderr_, socket, socket);
-    prctl(PR_SET_PDEATHSIG, SIGCONT);    // so that it ends also if a method has stopped it
-    if (getppid() != program) _exit(1);  // the program died before prctl()
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     sigset_t all, before;
     sigfillset(&all);
@@ -212,16 +181,9 @@ void WorkerKeeper::begin() {
 
 void WorkerKeeper::end() {
   if (process_ < 0) return;
-  shutdown(socket_.number(), SHUT_WR);
-  char reply = 0;
-  do {
-    await(socket_.number());
-  } while (recv(socket_.number(), &reply, sizeof reply, 0) > 0);
   socket_ = FileDescriptor();
-  // A tracer keeps a dead process from its parent, perhaps for ever.
-  constexpr int kMostChecks = 10000;
-  int status = SIGKILL;
-  for (int i = 0; i < kMostChecks && waitpid(process_, &status, WNOHANG) == 0; ++i) usleep(1000);
+  int status = 0;
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
   process_ = -1;
   if (WIFSIGNALED(status)) kill_orphans();
 }

@@ -18,9 +18,7 @@ constexpr int kNoWorker = -1;
 class WorkerKeeper {
  public:
   /// `serve`: executed in each worker.
-  /// `interrupted`: whether a stopped keeper is not to be waited for; may be null.
-  WorkerKeeper(bool keep_stderr, std::function<void(const WorkerStart&)> serve,
-               std::function<bool()> interrupted);
+  WorkerKeeper(bool keep_stderr, std::function<void(const WorkerStart&)> serve);
   ~WorkerKeeper();  ///< kills all workers
   WorkerKeeper(const WorkerKeeper&) = delete;
   WorkerKeeper& operator=(const WorkerKeeper&) = delete;
@@ -31,12 +29,8 @@ class WorkerKeeper {
   /// killed, there is a new one. Throws Error (Job) when there can be none.
   void start_worker(const WorkerStart& start);
 
-  /// Whether the process that started the last worker had not been killed when this was called. One
-  /// that is stopped or traced is killed.
+  /// Whether the process that started the last worker had not been killed when this was called.
   bool is_alive();
-  /// Until the descriptor, which the keeper writes to or closes, is readable. A keeper that is
-  /// stopped or traced for a second, or when interrupted, is killed: its descriptors are closed.
-  void await(int descriptor) const;
   /// The number of processes until now. The workers of the last one only are alive.
   std::size_t generation() const { return generation_; }
 
@@ -46,7 +40,6 @@ class WorkerKeeper {
 
   bool keep_stderr_;
   std::function<void(const WorkerStart&)> serve_;
-  std::function<bool()> interrupted_;
   pid_t process_ = -1;
   std::size_t generation_ = 0;
   FileDescriptor socket_;

@@ -45,25 +45,21 @@ class OrderedResults {
 
 class Pool {
  public:
-  Pool(std::size_t count, const PoolOptions& options, const WorkItem& item, OrderedResults& results,
-       const std::function<bool()>& interrupted)
+  Pool(std::size_t count, const PoolOptions& options, const WorkItem& item, OrderedResults& results)
       : count_(count),
         max_busy_(static_cast<std::size_t>(std::max(1, options.workers))),
         options_(options),
         item_(item),
         results_(results),
-        interrupted_(interrupted),
         inputs_(count, options),
-        keeper_(
-            options.keep_stderr,
-            [this, receive_file = inputs_.receiver()](const WorkerStart& start) {
-              serve_confined(start, item_, options_, receive_file);
-            },
-            interrupted) {}
+        keeper_(options.keep_stderr,
+                [this, receive_file = inputs_.receiver()](const WorkerStart& start) {
+                  serve_confined(start, item_, options_, receive_file);
+                }) {}
 
-  bool run() {
+  bool run(const std::function<bool()>& interrupted) {
     while (finished_ < count_) {
-      if (interrupted_ && interrupted_()) return false;
+      if (interrupted && interrupted()) return false;
       assign_items();
       wait_for_answers();
       collect();
@@ -196,7 +192,6 @@ class Pool {
   PoolOptions options_;
   const WorkItem& item_;
   OrderedResults& results_;
-  const std::function<bool()>& interrupted_;
   InputStore inputs_;
   WorkerKeeper keeper_;
   std::vector<Worker> workers_;
@@ -235,7 +230,7 @@ bool run_in_workers(std::size_t count, const PoolOptions& options, const WorkIte
                     const std::function<bool()>& interrupted) {
   if (options.in_process) return run_here(count, options, item, on_result, interrupted);
   OrderedResults results(on_result, options.ordered);
-  const bool complete = Pool(count, options, item, results, interrupted).run();
+  const bool complete = Pool(count, options, item, results).run(interrupted);
   results.flush();
   return complete;
 }

@@ -23,7 +23,7 @@ namespace {
 /// Larger than any valid payload; a larger size means corrupted data.
 constexpr std::uint64_t kMaxPayload = std::uint64_t{1} << 30;
 
-constexpr char kKeeperKilled[] = "its supervising process was stopped or killed";
+constexpr char kKeeperKilled[] = "its supervising process was killed";
 
 std::string describe_status(int status) {
   if (WIFSIGNALED(status))
@@ -109,8 +109,6 @@ std::optional<WorkResult> WorkerProcess::receive() {
   read_socket();
   if (auto result = take_answer()) return result;
   if (has_died) return describe_end();
-  // A stopped keeper does not tell that the worker has died.
-  if (disconnected_ && keeper_ != nullptr) keeper_->is_alive();
   const std::string limit = exceeded_limit();
   if (limit.empty()) return std::nullopt;
   return kill_with(Status::TimedOut, limit);
@@ -204,7 +202,6 @@ void WorkerProcess::await_keeper() const {
   int status = 0;
   ssize_t got = 0;
   do {
-    keeper_->await(control_.number());
     got = recv(control_.number(), &status, sizeof status, 0);
   } while (got > 0 || (got < 0 && errno == EINTR));
 }

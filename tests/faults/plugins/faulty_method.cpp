@@ -104,11 +104,6 @@ void misbehave(const Method& method) {
     for_each_descriptor([](int descriptor) { fcntl(descriptor, F_SETFL, O_NONBLOCK); });
   if (fault == "shut") for_each_descriptor([](int descriptor) { shutdown(descriptor, SHUT_RD); });
   if (fault == "kill_keeper_and_go_on") kill(getppid(), SIGKILL);
-  if (fault == "stop_keeper") kill(getppid(), SIGSTOP);
-  if (fault == "stop_keeper_and_live_on") {
-    kill(getppid(), SIGSTOP);
-    live_on();
-  }
   if (fault == "close") for_each_descriptor([](int descriptor) { close(descriptor); });
   if (fault == "garbage") for_each_descriptor(write_garbage);
   if (fault == "forge") for_each_descriptor(forge_answer);

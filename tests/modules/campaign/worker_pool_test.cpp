@@ -19,7 +19,6 @@
 #include <map>
 #include <set>
 #include <stdexcept>
-#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/time.h>
@@ -436,8 +435,7 @@ TEST(WorkerPool, AWorkItemThatKillsItsKeeperHarmsNoOther) {
   for (std::size_t i = 0; i < results.size(); ++i)
     EXPECT_EQ(results[i].payload, i == 4 ? "" : "fine") << i << ": " << results[i].detail;
   EXPECT_EQ(results[4].status, Status::Crashed);
-  EXPECT_EQ(results[4].detail,
-            "its supervising process was stopped or killed twice, the second time alone");
+  EXPECT_EQ(results[4].detail, "its supervising process was killed twice, the second time alone");
 }
 
 TEST(WorkerPool, AWorkItemThatKillsItsKeeperAndGoesOnHarmsNoOther) {
@@ -449,61 +447,6 @@ TEST(WorkerPool, AWorkItemThatKillsItsKeeperAndGoesOnHarmsNoOther) {
     for (std::size_t i = 0; i < results.size(); ++i)
       ASSERT_EQ(results[i].payload, i % 6 == 3 ? "" : "fine") << i << ": " << results[i].detail;
   }
-}
-
-/// How a work item ends that has stopped its keeper.
-class StoppedKeeper : public testing::TestWithParam<const char*> {};
-
-TEST_P(StoppedKeeper, IsReplacedAndHarmsNoOther) {
-  const std::string ending = GetParam();
-  const auto results = run_all(6, with_workers(2), [&](std::size_t i, SharedTaskLog&) {
-    if (i == 2 && kill(getppid(), SIGSTOP) == 0 && ending == "exits") std::_Exit(1);
-    return std::string("fine");
-  });
-  for (std::size_t i = 0; i < results.size(); ++i)
-    EXPECT_EQ(results[i].payload, i == 2 ? "" : "fine") << i << ": " << results[i].detail;
-  EXPECT_EQ(results[2].detail,
-            "its supervising process was stopped or killed twice, the second time alone");
-}
-
-INSTANTIATE_TEST_SUITE_P(WorkerPool, StoppedKeeper, testing::Values("answers", "exits"));
-
-TEST(WorkerPool, AnInterruptEndsAlsoWhileTheKeeperIsStopped) {
-  ManualTime stopped;  // 1 s when it is
-  const bool complete = run_in_workers(
-      1, with_workers(1),
-      [&](std::size_t, SharedTaskLog&) {
-        kill(getppid(), SIGSTOP);
-        stopped.advance(1);
-        pause();
-        return std::string();
-      },
-      [](std::size_t, WorkResult&&) {}, [&] { return stopped.clock()() > 0; });
-  EXPECT_FALSE(complete);
-}
-
-TEST(WorkerPool, AStoppedKeeperEndsWhenTheProgramIsKilled) {
-  SharedTaskLog keeper(sizeof(pid_t));
-  prctl(PR_SET_CHILD_SUBREAPER, 1);
-  const pid_t program = fork();
-  if (program == 0) {
-    run_all(1, with_workers(1), [&](std::size_t, SharedTaskLog&) -> std::string {
-      const pid_t parent = getppid();
-      kill(parent, SIGSTOP);
-      keeper.append(&parent, sizeof parent);
-      while (true) pause();
-    });
-    std::_Exit(1);
-  }
-  while (keeper.contents().size() < sizeof(pid_t)) usleep(1000);
-  kill(program, SIGKILL);
-  waitpid(program, nullptr, 0);
-  pid_t pid = 0;
-  std::memcpy(&pid, keeper.contents().data(), sizeof pid);
-  int status = -1;
-  EXPECT_EQ(waitpid(pid, &status, 0), pid) << "it has become a child of this process";
-  EXPECT_EQ(status, 0) << "it is continued and ends by itself";
-  prctl(PR_SET_CHILD_SUBREAPER, 0);
 }
 
 TEST(WorkerPool, InAProgramWhateverAProcessStartedDiesWithAKilledKeeper) {
