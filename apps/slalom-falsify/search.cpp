@@ -62,7 +62,7 @@ std::string tally_text(const SearchTally& tally) {
          ")";
 }
 
-/// What the upper limit is about, and which runs without success it is not about.
+/// States what the upper limit counts, and which runs without success it does not.
 std::string limit_text(const SearchTally& tally, const std::vector<Outcome>& counted) {
   std::vector<std::string> names, others;
   for (const Outcome outcome : counted) names.push_back(to_string(outcome));

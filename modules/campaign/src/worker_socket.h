@@ -42,7 +42,7 @@ void send_request(int socket, const Request& request, int file);
 /// Waits for a request and the descriptor that was sent with it. False when the connection ends.
 bool receive_request(int socket, Request& request, FileDescriptor& file);
 
-/// What a keeper is asked for, over a connection that keeps messages apart.
+/// A request to a keeper, one message of its connection.
 enum class KeeperRequest { Start, Reply, End };
 
 /// False when the connection has ended.
@@ -58,7 +58,7 @@ bool send_answer(int socket, const Request& request, char kind, const std::strin
 
 bool is_readable(int socket, int milliseconds);
 
-/// What a method can change in the connection of its worker.
+/// The state of a connection that the method of its worker can change.
 class SocketState {
  public:
   explicit SocketState(int socket);  ///< the current state

@@ -24,14 +24,14 @@ std::string labeled_line(const std::string& text, const std::string& label) {
   return begin < end ? text.substr(begin, end - begin) : "";
 }
 
-constexpr std::size_t kMostRead = 65536;  // bytes of an exception's text
-constexpr std::size_t kMostKept = 4096;   // bytes of a reason
+constexpr std::size_t kMaxRead = 65536;  // bytes of an exception's text
+constexpr std::size_t kMaxKept = 4096;   // bytes of a reason
 
-/// As one line, which is cut where it is longer than any reader wants.
+/// Returns one line of at most kMaxKept bytes.
 std::string shortened_line(const std::string& text) {
-  if (text.size() <= kMostKept) return printable_line(text);
-  std::size_t end = kMostKept;  // where a character of UTF-8 begins
-  while (end > kMostKept - 4 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  if (text.size() <= kMaxKept) return printable_line(text);
+  std::size_t end = kMaxKept;  // where a character of UTF-8 begins
+  while (end > kMaxKept - 4 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
   return printable_line(text.substr(0, end)) + "... (cut after " + std::to_string(end) + " bytes)";
 }
 
@@ -40,7 +40,7 @@ std::string shortened_line(const std::string& text) {
 std::string reason_of(const std::exception& error) {
   const char* what = error.what();
   if (what == nullptr) return "an exception without a text";
-  const std::string text(what, strnlen(what, kMostRead));
+  const std::string text(what, strnlen(what, kMaxRead));
   if (!starts_with(text, "==== MRPT exception ====")) return shortened_line(text);
   const std::string message = labeled_line(text, "Message:");
   return shortened_line(message.empty() ? labeled_line(text, "Location:") : message);

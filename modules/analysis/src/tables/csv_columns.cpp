@@ -284,7 +284,7 @@ std::string unread_text(const ResultTable& table) {
   return join(texts, ", ");
 }
 
-/// What is not obvious about the columns.
+/// Returns notes on columns that were not read as they stand.
 void add_notes(ResultTable& table, const KeyColumns& keys, const NumberColumns& numbers) {
   std::vector<std::string> parts;
   if (!keys.renamed().empty()) parts.push_back("taken: " + join(keys.renamed(), ", "));

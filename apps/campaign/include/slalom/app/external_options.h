@@ -8,7 +8,7 @@
 
 namespace slalom {
 
-/// What a method does with something outside of its .ini.
+/// The use that a method makes of something outside of its .ini.
 enum class ExternalUse {
   Execute,  ///< a command line
   Load,     ///< code: a library, a module, a network
@@ -23,7 +23,7 @@ struct ExternalOption {
   ExternalUse use;
 };
 
-/// Those of the given sections (see method_sections()) that are not empty.
+/// Returns the external options of the sections (see method_sections()) that are not empty.
 std::vector<ExternalOption> external_options(const IniFile& ini,
                                              const std::vector<std::string>& sections);
 

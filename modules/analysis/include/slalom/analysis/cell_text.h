@@ -46,7 +46,7 @@ std::string pad_right(const std::string& text, std::size_t width);
 std::string p_number_text(double p);
 /// "p = 0.0123", or "p < 0.0001".
 std::string p_text(double p);
-/// Of a table: "p", "p_holm", "p (Holm)", "iman_davenport_p".
+/// Whether a column of a table has p values: "p", "p_holm", "p (Holm)", "iman_davenport_p".
 bool is_p_column(const std::string& name);
 
 }  // namespace slalom

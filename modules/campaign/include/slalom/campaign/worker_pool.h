@@ -43,7 +43,7 @@ struct SharedInputs {
   std::function<void(std::size_t input, const SharedArray<std::byte>& memory)> use = nullptr;
 };
 
-/// As the kernel counts them on this machine (/proc/vmstat); 0 where it does not.
+/// Returns the count of the kernel for this machine (/proc/vmstat); 0 where there is none.
 std::uint64_t count_memory_kills();
 
 struct PoolOptions {
