@@ -27,18 +27,18 @@ struct Arguments {
   std::string output;
 };
 
-/// Keeps the list of a campaign that is continued, to which descriptors or tags may have been
-/// added.
+/// Keeps the list of a campaign that is `continued`, to which descriptors or tags may have been
+/// added; adds the scenarios of one that is extended.
 void write_scenarios(const std::vector<Scenario>& scenarios, const std::string& ini_text,
-                     const std::string& path) {
-  if (std::filesystem::exists(path)) {
-    const ScenarioList list = ScenarioList::open(path);
-    if (list.size() == scenarios.size() && list.note("campaign.ini") == ini_text) return;
-  }
-  ScenarioList::write(path, [&](ScenarioList& list) {
+                     bool continued, const std::string& path) {
+  const auto fill = [&](ScenarioList& list) {
     list.add_all(scenarios);
     list.set_note("campaign.ini", ini_text);
-  });
+  };
+  if (!continued || !std::filesystem::exists(path)) return ScenarioList::write(path, fill);
+  ScenarioList list = ScenarioList::open(path);
+  if (list.size() != scenarios.size() || list.note("campaign.ini") != ini_text)
+    list.in_transaction([&] { fill(list); });
 }
 
 /// Stores the descriptors of the results in the list, for programs that show it.
@@ -98,7 +98,9 @@ void evaluate(const Arguments& arguments) {
   const FileLock lock(results, arguments.campaign.take_over, print_notice);
   std::vector<Scenario> scenarios = campaign_scenarios(config, arguments.campaign);
   ResultFile file = open_campaign_results(config, arguments.campaign, scenarios, results, rule);
-  write_scenarios(scenarios, config.ini_text, arguments.output + "/campaign.scenarios");
+  write_scenarios(scenarios, config.ini_text,
+                  arguments.campaign.existing != ExistingResults::Overwrite,
+                  arguments.output + "/campaign.scenarios");
   const CampaignReport report =
       run_campaign_program(config, arguments.campaign, std::move(scenarios), std::move(file), rule);
   if (rule) {

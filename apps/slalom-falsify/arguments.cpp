@@ -46,7 +46,7 @@ CampaignConfig read_relative(IniFile ini, const FalsifyArguments& arguments,
                       "another method, or --witness METHOD");
   ini.set("campaign", "methods", arguments.relative);
   CampaignConfig config = read_campaign(ini);
-  config.privileged = check_methods({config.options, {}, config.methods});
+  check_campaign(config);
   return config;
 }
 
@@ -99,7 +99,7 @@ FalsifyCampaign read_falsify_campaign(IniFile ini, const FalsifyArguments& argum
   if (!arguments.relative.empty()) require_method(ini, "--relative", arguments.relative);
   ini.set("campaign", "methods", join(method_names(ini, arguments), ", "));
   CampaignConfig config = read_campaign(ini);
-  config.privileged = check_methods({config.options, {}, config.methods});
+  check_campaign(config);
   TestBench bench;
   bench.setup = config.options.setup;
   bench.limits = config.options.limits;

@@ -20,8 +20,9 @@ std::string search_identity(const FalsifyCampaign& campaign, const SearchOptions
   Hasher hasher;
   for (const CampaignConfig* config : {&campaign.config, &campaign.relative}) {
     hasher.add(config->effective_ini);
-    for (const auto& [key, path] : config->method_files)
-      hasher.add(key).add(read_file(path, "a file of a method"));
+    for (const auto* files : {&config->method_files, &config->dependencies})
+      for (const auto& [key, path] : *files)
+        hasher.add(key).add(read_file(path, "a file of a method"));
   }
   hasher.add(campaign.bench.method.name);
   for (const NamedMethod& witness : campaign.bench.witnesses) hasher.add(witness.name);

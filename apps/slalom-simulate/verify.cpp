@@ -16,9 +16,11 @@ struct VerifyArguments {
 };
 
 void verify(const VerifyArguments& arguments) {
-  const VerifyReport report =
-      verify_results(arguments.results, arguments.campaign, arguments.sample);
-  for (const std::string& line : report.environment) std::cout << "environment: " << line << "\n";
+  const VerifyReport report = verify_results(arguments.results, arguments.campaign,
+                                             arguments.sample, [](const auto& differences) {
+                                               for (const std::string& line : differences)
+                                                 std::cout << "environment: " << line << "\n";
+                                             });
   for (const std::string& line : report.differences) std::cout << line << "\n";
   if (!report.complete) throw Interrupted("nothing was changed");
   const std::string what =

@@ -63,6 +63,21 @@ TEST_F(LcmProgramTest, AMethodOverLcmHasTheSameResultsAsInProcessForAnyNumberOfW
     EXPECT_EQ(by_method.at("gap"), by_method.at("far")) << scenario;
 }
 
+TEST_F(LcmProgramTest, ALaunchedProgramThatChangedIsNoticed) {
+  write("method.sh", "#!/bin/sh\nexec slalom-lcm-method --plugin libslalom_follow_the_gap.so\n");
+  std::filesystem::permissions(folder_ / "method.sh", std::filesystem::perms::owner_all);
+  write("lcm.ini",
+        std::string(kSmallCampaign) + "[method.mine]\nadapter = lcm\nlaunch = exec ./method.sh\n");
+  const std::string command =
+      "slalom-simulate run -c lcm.ini --set campaign.methods=mine --set scenarios.count=1 "
+      "-o runs.results";
+  const ProgramResult first = run(command);
+  ASSERT_EQ(first.status, 0) << first.err;
+  EXPECT_EQ(run(command).status, 0);
+  write("method.sh", "#!/bin/sh\nexec slalom-lcm-method --plugin  libslalom_follow_the_gap.so\n");
+  expect_failure(command, 3, {"launch/method.sh of method.mine is not the one of runs.results"});
+}
+
 TEST_F(LcmProgramTest, TheHostRejectsAMissingLibrary) {
   expect_failure("slalom-lcm-method --plugin libnone.so", 2, {"library 'libnone.so' not found"});
   expect_failure("slalom-lcm-method --plugin libslalom_follow_the_gap.so --replay none.log", 3,

@@ -16,6 +16,11 @@ void add_campaign_options(CLI::App& app, CampaignArguments& arguments) {
           ->allow_extra_args(false);
   complete_with(set, setting_names);
   add_existing_options(app, arguments.existing, arguments.take_over);
+  app.add_flag_callback(
+         "--keep-finished", [&arguments] { arguments.existing = ExistingResults::KeepFinished; },
+         "Continue although a program, library, module or model of a method has changed: the "
+         "finished runs are kept, and the results say so")
+      ->excludes("--resume", "--overwrite");
   app.add_flag("--quiet", arguments.quiet, "No progress and no messages, except errors");
 }
 

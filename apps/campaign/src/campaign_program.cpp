@@ -5,11 +5,13 @@
 #include <slalom/app/campaign_program.h>
 #include <slalom/app/external_options.h>
 #include <slalom/app/interrupt.h>
+#include <slalom/app/method_dependencies.h>
 #include <slalom/app/output_folder.h>
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>
+#include <slalom/io/campaign_identity.h>
 #include <slalom/io/merge_results.h>
 #include <slalom/io/rawlog_path.h>
 #include <slalom/map_formats/map_import.h>
@@ -70,6 +72,24 @@ std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> raw
   };
 }
 
+/// The problem of the campaign in `file`, if files of methods were replaced while it ran: its runs
+/// were made with both.
+std::string replacement_problem(const CampaignConfig& config, const ResultFile& file) {
+  try {
+    const Manifest stored = file.read_manifest();
+    std::vector<IdentityDifference> replaced;
+    for (const auto& [key, hash] : hash_method_files(config)) {
+      const auto found = stored.find(key);
+      if (found != stored.end() && found->second != hash)
+        replaced.push_back({key, hash, found->second});
+    }
+    if (replaced.empty()) return "";
+    return "files of methods were replaced while they ran: " + enumerate(replaced, file.path());
+  } catch (const Error& error) {
+    return std::string("a file of a method was removed while it ran: ") + error.what();
+  }
+}
+
 /// Says how much of the campaign an earlier execution has done.
 void notify_known_runs(std::size_t known, std::size_t total, bool sequential,
                        const std::function<void(const std::string&)>& notify) {
@@ -96,6 +116,7 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
 
 CampaignConfig read_campaign(const IniFile& ini) {
   CampaignConfig config;
+  config.ini_name = ini.name();
   config.ini_text = ini.canonical_text();
   config.options = read_campaign_options(ini);
   config.reference = read_options<OmplOptions>(ini, "reference");
@@ -112,9 +133,16 @@ CampaignConfig read_campaign(const IniFile& ini) {
   return config;
 }
 
+void check_campaign(CampaignConfig& config) {
+  config.privileged = check_methods({config.options, {}, config.methods});
+  const IniFile ini = IniFile::from_text(config.ini_text, config.ini_name);
+  config.dependencies =
+      dependencies_of_methods(ini, method_sections(ini, config.methods), config.method_files);
+}
+
 std::vector<Scenario> campaign_scenarios(CampaignConfig& config,
                                          const CampaignArguments& arguments) {
-  config.privileged = check_methods({config.options, {}, config.methods});
+  check_campaign(config);
   const auto progress = make_interruptible_progress(arguments.quiet);
   ScenarioSources sources = config.sources;
   sources.context.jobs = arguments.jobs;
@@ -130,12 +158,9 @@ ResultFile open_campaign_results(const CampaignConfig& config, const CampaignArg
                                  const std::optional<StoppingRule>& rule) {
   Manifest manifest = make_manifest(config, scenarios, rule);
   if (arguments.shard.count > 1) manifest[kShardKey] = to_string(arguments.shard);
-  ResultFile file = open_results(results_path, manifest, config.options, arguments.existing);
-  const std::string stored = file.read_manifest()[kShardKey];
-  if (stored != manifest[kShardKey])
-    throw file_error(results_path, "contains " + (stored.empty() ? "no shard" : "shard " + stored),
-                     "another file, or --overwrite to start over");
-  return file;
+  return open_results(results_path, std::move(manifest),
+                      scenarios_of_shard(scenarios, arguments.shard), config.options,
+                      arguments.existing);
 }
 
 CampaignReport run_campaign_program(const CampaignConfig& config,
@@ -162,13 +187,15 @@ CampaignReport run_campaign_program(const CampaignConfig& config,
   const auto progress = make_terminal_progress(arguments.quiet);
   const InterruptGuard guard;
   const Execution execution{arguments.jobs, *progress, InterruptGuard::raised};
-  if (!rule) {
-    const bool complete = recorder.run(std::move(scenarios), execution);
-    return {complete, recorder.problem(), recorder.method_failures(), ""};
-  }
-  const SequentialReport report =
-      run_until(recorder, *rule, std::move(scenarios), config.analysis.confidence, execution);
-  return {report.complete, recorder.problem(), recorder.method_failures(), report.text};
+  SequentialReport report;
+  if (rule)
+    report =
+        run_until(recorder, *rule, std::move(scenarios), config.analysis.confidence, execution);
+  else
+    report.complete = recorder.run(std::move(scenarios), execution);
+  std::string problem = recorder.problem();
+  if (problem.empty()) problem = replacement_problem(config, recorder.file());
+  return {report.complete, problem, recorder.method_failures(), report.text};
 }
 
 void print_method_failures(const CampaignReport& report, const CampaignOptions& options) {

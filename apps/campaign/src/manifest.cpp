@@ -43,6 +43,14 @@ std::string effective_ini(const IniFile& ini, const CampaignConfig& config) {
   return effective.canonical_text();
 }
 
+Manifest hash_method_files(const CampaignConfig& config) {
+  Manifest hashes;
+  for (const auto* files : {&config.method_files, &config.dependencies})
+    for (const auto& [key, path] : *files)
+      hashes[key + "_hash"] = Hasher().add(read_file(path, "a file of a method")).hex();
+  return hashes;
+}
+
 Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>& scenarios,
                        const std::optional<StoppingRule>& rule) {
   Manifest manifest = {
@@ -59,8 +67,7 @@ Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>
       {"version.compiler", compiler_version()},
       {"environment.processor", processor_name()},
   };
-  for (const auto& [key, path] : config.method_files)
-    manifest[key + "_hash"] = Hasher().add(read_file(path, "a file of a method")).hex();
+  manifest.merge(hash_method_files(config));
   store_privileged(config.privileged, manifest);
   if (rule) {
     manifest["until"] = rule->text;

@@ -107,14 +107,16 @@ std::vector<Scenario> restrict_to_run(const ResultFile& file, const RunRecord& r
   return {file.read_scenario(run.scenario_hash)};
 }
 
-std::vector<std::string> environment_differences(const Manifest& recorded, const Manifest& here) {
+std::vector<std::string> environment_differences(const Manifest& recorded, const Manifest& here,
+                                                 const std::string& path) {
   std::vector<std::string> differences;
   for (const auto& [key, text] : here) {
     const bool is_environment = starts_with(key, "version.") || starts_with(key, "environment.") ||
                                 starts_with(key, "method.");
     const auto found = recorded.find(key);
     if (!is_environment || found == recorded.end() || found->second == text) continue;
-    differences.push_back(key + " was " + found->second + " and is " + text);
+    differences.push_back(is_method_file(key) ? to_string({key, text, found->second}, path)
+                                              : key + " was " + found->second + " and is " + text);
   }
   return differences;
 }
@@ -130,7 +132,7 @@ bool measured_movers(Manifest& manifest, const std::string& path) {
 }  // namespace
 
 VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
-                            const VerifySample& sample) {
+                            const VerifySample& sample, const EnvironmentHandler& on_environment) {
   const ResultFile file = ResultFile::open(path);
   Manifest manifest = file.read_manifest();
   const IniFile ini = arguments.config.empty() ? IniFile::from_text(manifest["campaign.ini"], path)
@@ -144,16 +146,15 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
       only ? restrict_to_run(file, *only, config) : sample_scenarios(file, sample);
   if (arguments.config.empty() && !sample.trust)
     require_no_foreign_code(ini, method_sections(ini, config.methods), path);
+  check_campaign(config);
+  on_environment(environment_differences(manifest, make_manifest(config, {}, std::nullopt), path));
   const Campaign campaign{config.options, scenarios, config.methods, planner.get()};
-  check_methods(campaign);
   const auto progress = make_terminal_progress(arguments.quiet);
   const InterruptGuard guard;
   ComparingSink sink(file, only ? only->repetition : 0);
   const CampaignSummary summary =
       run_campaign(campaign, sink, {arguments.jobs, *progress, InterruptGuard::raised});
   sink.report.complete = summary.complete;
-  sink.report.environment =
-      environment_differences(manifest, make_manifest(config, {}, std::nullopt));
   return sink.report;
 }
 

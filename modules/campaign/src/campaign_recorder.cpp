@@ -1,6 +1,5 @@
 #include <slalom/campaign/campaign_recorder.h>
 #include <slalom/core/error.h>
-#include <slalom/io/campaign_identity.h>
 
 namespace slalom {
 namespace {
@@ -10,19 +9,6 @@ std::string key_of(const std::string& hash, const std::string& method, int repet
 }
 
 }  // namespace
-
-ResultFile open_results(const std::string& path, const Manifest& manifest,
-                        const CampaignOptions& options, ExistingResults existing) {
-  const bool exists = ResultFile::exists(path);
-  if (!exists && existing == ExistingResults::Require)
-    throw file_error(path, "does not exist", "a result file to continue, or no --resume");
-  if (!exists || existing == ExistingResults::Overwrite)
-    return ResultFile::create(path, manifest, options.descriptor_infos(), options.metric_infos());
-  ResultFile file = ResultFile::open(path);
-  expect_same_campaign(manifest, file.read_manifest(), path,
-                       "the same campaign, another output, or --overwrite to start over");
-  return file;
-}
 
 CampaignRecorder::CampaignRecorder(Campaign campaign, ResultFile file, RecorderOptions options)
     : campaign_(std::move(campaign)), file_(std::move(file)), recording_(std::move(options)) {

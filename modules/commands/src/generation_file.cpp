@@ -56,9 +56,10 @@ void expect_same_generation(const ScenarioList& list, const std::string& identit
   if (!stored)
     throw file_error(list.path(), "was not written by slalom-scenarios generate", kRemedy);
   const auto differences =
-      identity_differences({{kEffectiveKey, identity}}, {{kEffectiveKey, *stored}}, list.path());
+      identity_differences({{kEffectiveKey, identity}}, {{kEffectiveKey, *stored}});
   if (!differences.empty())
-    throw file_error(list.path(), "is of another generation: " + join(differences, ", "), kRemedy);
+    throw file_error(list.path(),
+                     "is of another generation: " + enumerate(differences, list.path()), kRemedy);
 }
 
 bool is_there(const std::string& path) {

@@ -144,6 +144,22 @@ TEST_F(CampaignProgram, RefusesResultsOfAnotherCampaignNamingWhatDiffers) {
   open({});
 }
 
+TEST_F(CampaignProgram, NoticesFilesOfMethodsThatAreReplacedWhileTheyRun) {
+  const std::string path = folder_ + "/runs.results", helper = folder_ + "/helper";
+  write_file_atomically(helper, "one");
+  const auto given = arguments();
+  CampaignConfig config = read_campaign(load_campaign_ini(given));
+  auto scenarios = campaign_scenarios(config, given);
+  config.dependencies = {{"method.nd.module/helper", helper}};
+  ResultFile results = open_campaign_results(config, given, scenarios, path);
+  write_file_atomically(helper, "two");
+  const CampaignReport report =
+      run_campaign_program(config, given, std::move(scenarios), std::move(results));
+  EXPECT_NE(report.problem.find("module/helper of method.nd is not the one of " + path),
+            std::string::npos)
+      << report.problem;
+}
+
 TEST_F(CampaignProgram, StoresWhichMethodsArePrivileged) {
   const std::string path = folder_ + "/runs.results";
   const auto given = arguments();

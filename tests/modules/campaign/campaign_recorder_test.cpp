@@ -3,6 +3,7 @@
 #include "manual_time.h"
 
 #include <slalom/campaign/campaign_recorder.h>
+#include <slalom/campaign/open_results.h>
 #include <slalom/io/campaign_identity.h>
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -48,7 +49,7 @@ class CampaignRecorderTest : public testing::Test {
     };
     return CampaignRecorder(
         {options(), {}, {{"patient", make, ""}}},
-        open_results(path_, {{kEffectiveKey, ""}}, options(), ExistingResults::Continue),
+        open_results(path_, {{kEffectiveKey, ""}}, {}, options(), ExistingResults::Continue),
         recording);
   }
 

@@ -3,6 +3,7 @@
 #include "io_sample.h"
 
 #include <slalom/analysis/decision_rule.h>
+#include <slalom/campaign/open_results.h>
 #include <slalom/campaign/sequential_campaign.h>
 #include <slalom/core/hash.h>
 #include <slalom/io/campaign_identity.h>
@@ -60,7 +61,7 @@ class SequentialCampaign : public testing::Test {
                                         const std::vector<NamedMethod>& compared = methods()) {
     return CampaignRecorder(
         {options(), {}, compared},
-        open_results(path, {{kEffectiveKey, ""}}, options(), ExistingResults::Continue));
+        open_results(path, {{kEffectiveKey, ""}}, {}, options(), ExistingResults::Continue));
   }
 
   SequentialReport run(const std::string& rule, std::size_t max_runs, int pool) {

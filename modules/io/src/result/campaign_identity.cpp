@@ -16,14 +16,25 @@ int rank_of(const std::string& key) {
   return starts_with(key, "version.") ? 1 : 0;
 }
 
+constexpr const char* kAbsent = "absent";
+constexpr const char* kHashSuffix = "_hash";
+
 bool is_identity_key(const std::string& key) {
   return starts_with(key, "version.") || starts_with(key, "scenarios.") ||
-         starts_with(key, "method.") || starts_with(key, "until");
+         starts_with(key, "method.") || starts_with(key, "until") || starts_with(key, kKeptPrefix);
+}
+
+/// "plugin of method.nd" for "method.nd.plugin_hash".
+std::string file_name(const std::string& key) {
+  const std::string path = key.substr(0, key.size() - std::string(kHashSuffix).size());
+  // Neither names of options nor sections contain a slash, which begins the name of a file.
+  const std::size_t dot = path.rfind('.', path.find('/'));
+  return path.substr(dot + 1) + " of " + path.substr(0, dot);
 }
 
 std::string text_of(const std::map<std::string, std::string>& parts, const std::string& key) {
   const auto found = parts.find(key);
-  if (found == parts.end()) return "absent";
+  if (found == parts.end()) return kAbsent;
   return found->second.empty() ? "empty" : found->second;
 }
 
@@ -48,32 +59,59 @@ std::string campaign_identity(const Manifest& manifest) {
   return hasher.hex();
 }
 
-std::vector<std::string> identity_differences(const Manifest& here, const Manifest& there,
-                                              const std::string& file) {
+std::vector<IdentityDifference> identity_differences(const Manifest& here, const Manifest& there) {
   const auto first = identity_parts(here), second = identity_parts(there);
-  if (there.count(kEffectiveKey) == 0) return {file + " does not say which campaign it holds"};
   std::set<std::pair<int, std::string>> keys;
   for (const auto* parts : {&first, &second})
     for (const auto& [key, text] : *parts) keys.insert({rank_of(key), key});
-  std::vector<std::string> differences;
+  std::vector<IdentityDifference> differences;
   for (const auto& [rank, key] : keys) {
-    const std::string a = text_of(first, key), b = text_of(second, key);
-    if (a != b) differences.push_back(key + " is " + a + " here and " + b + " in " + file);
+    IdentityDifference found{key, text_of(first, key), text_of(second, key)};
+    if (found.here != found.there) differences.push_back(std::move(found));
   }
   return differences;
 }
 
+std::string to_string(const IdentityDifference& difference, const std::string& file) {
+  const auto& [key, here, there] = difference;
+  if (is_method_file(key) && here != kAbsent && there != kAbsent)
+    return file_name(key) + " is not the one of " + file;
+  return key + " is " + here + " here and " + there + " in " + file;
+}
+
+std::string enumerate(const std::vector<IdentityDifference>& differences, const std::string& file) {
+  constexpr std::size_t kMaxNamed = 3;
+  std::vector<std::string> named;
+  for (const IdentityDifference& difference : differences)
+    if (named.size() < kMaxNamed) named.push_back(to_string(difference, file));
+  const std::size_t more = differences.size() - named.size();
+  return join(named, ", ") +
+         (more == 0 ? "" : ", and " + std::to_string(more) + " more differences");
+}
+
+bool is_method_file(const std::string& key) {
+  const std::string suffix = kHashSuffix;
+  return starts_with(key, "method.") && key.size() > suffix.size() &&
+         key.compare(key.size() - suffix.size(), suffix.size(), suffix) == 0;
+}
+
 void expect_same_campaign(const Manifest& here, const Manifest& there, const std::string& file,
                           const std::string& remedy) {
-  constexpr std::size_t kMaxNamed = 3;
-  std::vector<std::string> differences = identity_differences(here, there, file);
-  if (differences.empty()) return;
-  const std::size_t more = differences.size() - std::min(differences.size(), kMaxNamed);
-  differences.resize(differences.size() - more);
-  throw file_error(file,
-                   "holds another campaign: " + join(differences, ", ") +
-                       (more == 0 ? "" : ", and " + std::to_string(more) + " more differences"),
-                   remedy);
+  if (there.count(kEffectiveKey) == 0)
+    throw file_error(file, "does not say which campaign it holds", remedy);
+  const std::vector<IdentityDifference> differences = identity_differences(here, there);
+  if (!differences.empty())
+    throw file_error(file, "holds another campaign: " + enumerate(differences, file), remedy);
+}
+
+std::vector<std::string> kept_run_notes(const Manifest& manifest) {
+  std::vector<std::string> notes;
+  for (const auto& [key, text] : manifest)
+    if (starts_with(key, kKeptPrefix))
+      notes.push_back("runs of several versions are mixed: " +
+                      file_name(key.substr(std::string(kKeptPrefix).size())) +
+                      " was replaced (before: " + text + ")");
+  return notes;
 }
 
 }  // namespace slalom

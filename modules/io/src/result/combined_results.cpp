@@ -177,6 +177,7 @@ void CombinedResults::add_runs(FileRows& part, const std::vector<std::size_t>& r
 ResultTable finish_table(ResultTable table) {
   sort_rows(table);  // runs are written in any order
   add_success(table);
+  for (std::string& note : kept_run_notes(table.manifest)) table.notes.push_back(std::move(note));
   return table;
 }
 

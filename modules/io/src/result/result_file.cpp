@@ -500,6 +500,15 @@ Manifest ResultFile::read_manifest() const {
   return reading(impl_->path, [&] { return impl_->read_manifest(); });
 }
 
+void ResultFile::replace_manifest(const Manifest& manifest) {
+  writing(impl_->path, [&] {
+    impl_->begin();
+    impl_->database->exec("DELETE FROM manifest; DELETE FROM header");
+    write_manifest(*impl_->database, manifest);
+    write_header_checksum(*impl_->database);
+  });
+}
+
 std::vector<std::string> ResultFile::read_methods() const {
   return reading(impl_->path, [&] {
     std::vector<std::string> methods;
@@ -514,6 +523,15 @@ bool ResultFile::has_scenario(const std::string& hash) const {
     SQLite::Statement row(*impl_->database, "SELECT 1 FROM scenarios WHERE hash = ?");
     row.bind(1, hash);
     return row.executeStep();
+  });
+}
+
+std::map<std::string, std::string> ResultFile::read_scenario_names() const {
+  return reading(impl_->path, [&] {
+    std::map<std::string, std::string> names;
+    SQLite::Statement rows(*impl_->database, "SELECT hash, name FROM scenarios");
+    while (rows.executeStep()) names[rows.getColumn(0).getString()] = rows.getColumn(1).getString();
+    return names;
   });
 }
 

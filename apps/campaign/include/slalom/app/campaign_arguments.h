@@ -7,7 +7,7 @@
 namespace slalom {
 
 /// Adds the options of all programs that run campaigns: -j/--jobs, --seed, --set, --resume,
-/// --overwrite, --take-over, --quiet.
+/// --overwrite, --take-over, --keep-finished, --quiet.
 void add_campaign_options(CLI::App& app, CampaignArguments& arguments);
 
 }  // namespace slalom

@@ -2,6 +2,7 @@
 
 #include <slalom/analysis/analysis_section.h>
 #include <slalom/campaign/method_failures.h>
+#include <slalom/campaign/open_results.h>
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/campaign/sequential_campaign.h>
 #include <slalom/campaign/shards.h>
@@ -36,6 +37,7 @@ IniFile load_campaign_ini(const CampaignArguments& arguments);
 
 /// A campaign's .ini as values, read once per program.
 struct CampaignConfig {
+  std::string ini_name;       ///< path of the .ini
   std::string ini_text;       ///< IniFile::canonical_text(), for manifests
   std::string effective_ini;  ///< the values that may change a result
   ScenarioSources sources;
@@ -45,7 +47,9 @@ struct CampaignConfig {
   std::vector<NamedMethod> methods;
   /// Files whose contents may change results: paths by "method.NAME.plugin", "method.NAME.config".
   std::map<std::string, std::string> method_files;
-  PrivilegedMethods privileged;  ///< see check_methods()
+  /// What those depend on: paths by "method.NAME.module/helper.py"; known after check_campaign().
+  std::map<std::string, std::string> dependencies;
+  PrivilegedMethods privileged;  ///< see check_campaign()
 };
 
 /// Throws Error (Usage) for invalid values, and for ids in [analysis] that the campaign does not
@@ -70,8 +74,12 @@ void print_method_failures(const CampaignReport& report, const CampaignOptions& 
 /// ended every run by an error of their own.
 void require_sound_runs(const CampaignReport& report, const std::string& results_path);
 
-/// The scenarios specified by the .ini; the same for any number of jobs. First checks the methods,
-/// which sets config.privileged: throws Error (Usage) if one cannot be built.
+/// Builds each method once in a process of its own and finds what it depends on: sets
+/// config.privileged and config.dependencies. Throws Error (Usage) if one cannot be built.
+void check_campaign(CampaignConfig& config);
+
+/// The scenarios specified by the .ini; the same for any number of jobs. Calls check_campaign()
+/// first.
 std::vector<Scenario> campaign_scenarios(CampaignConfig& config,
                                          const CampaignArguments& arguments);
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,14 +22,17 @@ struct VerifyReport {
   bool complete = false;  ///< false if interrupted
   std::size_t scenarios = 0, runs = 0;
   std::vector<std::string> differences;  ///< one line per run or scenario that is not the same
-  std::vector<std::string> environment;  ///< what differs from the machine that made the file
 };
 
+/// Receives what differs from the programs, files of methods and machine that made the file.
+using EnvironmentHandler = std::function<void(const std::vector<std::string>& differences)>;
+
 /// Runs a sample of the scenarios of a result file again, all methods and repetitions, or one run,
-/// and compares descriptors, references, outcomes, metrics and trajectories bit by bit. The
-/// campaign is the one in the file, or `arguments.config` if it is not empty. Throws Error, also
-/// for the former if it names foreign code, see require_no_foreign_code().
+/// and compares descriptors, references, outcomes, metrics and trajectories bit by bit;
+/// calls `on_environment` before. The campaign is the one in the file, or `arguments.config` if it
+/// is not empty. Throws Error, also for the former if it names foreign code, see
+/// require_no_foreign_code().
 VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
-                            const VerifySample& sample);
+                            const VerifySample& sample, const EnvironmentHandler& on_environment);
 
 }  // namespace slalom

@@ -13,19 +13,6 @@
 
 namespace slalom {
 
-/// What happens to a result file that exists.
-enum class ExistingResults {
-  Continue,  ///< if there is one
-  Require,   ///< it must exist and is continued
-  Overwrite
-};
-
-/// The result file of a campaign with this manifest: the existing one, or a new one. Throws Error
-/// (File) for a file of another campaign, naming what differs, for any other file, and if it is
-/// required and missing; Error (Job) when it cannot be written.
-ResultFile open_results(const std::string& path, const Manifest& manifest,
-                        const CampaignOptions& options, ExistingResults existing);
-
 struct RecorderOptions {
   WallClock clock = steady_seconds;
   /// Receives one line when another program that reads the file delays storing; null: ignored.

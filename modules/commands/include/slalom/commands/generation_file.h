@@ -1,6 +1,6 @@
 #pragma once
 
-#include <slalom/campaign/campaign_recorder.h>
+#include <slalom/campaign/open_results.h>
 #include <slalom/commands/generate_list.h>
 
 #include <functional>

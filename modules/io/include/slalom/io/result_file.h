@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <iosfwd>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -53,8 +54,11 @@ class ResultFile {
   void expect_runs(std::size_t count) const;
 
   Manifest read_manifest() const;
+  /// Replaces the manifest, with the next commit().
+  void replace_manifest(const Manifest& manifest);
   std::vector<std::string> read_methods() const;  ///< of all runs, sorted, without duplicates
   bool has_scenario(const std::string& hash) const;
+  std::map<std::string, std::string> read_scenario_names() const;  ///< by hash
   /// Calls `use` with scenario hash, method, repetition and outcome of each run, in any order.
   void for_each_key(const std::function<void(const std::string&, const std::string&, int,
                                              const std::string&)>& use) const;

@@ -1,0 +1,132 @@
+#include <slalom/app/method_dependencies.h>
+#include <slalom/core/read_file.h>
+#include <slalom/io/result_file.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <unistd.h>
+
+namespace slalom {
+namespace {
+
+class MethodDependencies : public ::testing::Test {
+ protected:
+  MethodDependencies() { std::filesystem::create_directories(folder_ + "/parts"); }
+  ~MethodDependencies() override { std::filesystem::remove_all(folder_); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    write_file_atomically(folder_ + "/" + name, text);
+    return folder_ + "/" + name;
+  }
+
+  /// The keys of the files of [method.m] with these lines, `files` being known.
+  std::vector<std::string> keys_of(const std::string& lines,
+                                   const std::map<std::string, std::string>& files = {}) const {
+    const IniFile ini = IniFile::from_text("[method.m]\n" + lines, folder_ + "/campaign.ini");
+    std::vector<std::string> keys;
+    for (const auto& [key, path] : dependencies_of_methods(ini, {"method.m"}, files)) {
+      EXPECT_TRUE(std::filesystem::is_regular_file(path)) << path;
+      keys.push_back(key);
+    }
+    return keys;
+  }
+
+  void compile(const std::string& command) const {
+    const std::string shell = "cd '" + folder_ + "' && " SLALOM_COMPILER " " + command;
+    ASSERT_EQ(std::system(shell.c_str()), 0) << shell;
+  }
+
+  const std::string folder_ = (std::filesystem::temp_directory_path() /
+                               ("slalom_method_dependencies_" + std::to_string(getpid())))
+                                  .string();
+};
+
+using Keys = std::vector<std::string>;
+
+TEST_F(MethodDependencies, OfAPythonModuleAreTheModulesOfItsFolderAlsoThoseOfFunctions) {
+  const std::string module = write("mine.py",
+                                   "import json\n"
+                                   "import near\n"
+                                   "import not_installed_anywhere\n"
+                                   "def step():\n"
+                                   "  from parts import late\n");
+  write("near.py", "import further\n");
+  write("further.py", "import near\n");  // a cycle
+  write("unused.py", "");
+  write("parts/__init__.py", "");
+  write("parts/late.py", "");
+  EXPECT_EQ(keys_of("module = mine.py\n", {{"method.m.module", module}}),
+            (Keys{"method.m.module/further.py", "method.m.module/near.py",
+                  "method.m.module/parts/__init__.py", "method.m.module/parts/late.py"}));
+}
+
+TEST_F(MethodDependencies, OfAModuleThatCannotBeParsedAreNone) {
+  const std::string module = write("mine.py", "def (:\n");
+  EXPECT_EQ(keys_of("", {{"method.m.module", module}}), Keys{});
+}
+
+TEST_F(MethodDependencies, OfACommandLineAreTheProgramItsFilesAndTheirModules) {
+  write("method.sh", "#!/bin/sh\n");
+  write("my method.py", "");
+  write("script.py", "import near\n");
+  write("near.py", "");
+  write("weights.bin", "");
+  EXPECT_EQ(keys_of("launch = LANG=C exec ./method.sh --weights=weights.bin\n"),
+            (Keys{"method.m.launch/method.sh", "method.m.launch/weights.bin"}));
+  EXPECT_EQ(keys_of("launch = test -e /bin/sh && exec python3 'script.py' 2>/dev/null\n"),
+            (Keys{"method.m.launch/near.py", "method.m.launch/script.py"}));
+}
+
+TEST_F(MethodDependencies, OfProgramsInPathAreThoseOutsideOfTheSystem) {
+  write("parts/my_program", "#!/bin/sh\n");
+  const std::string before = std::getenv("PATH");
+  setenv("PATH", (folder_ + "/parts:" + before).c_str(), 1);
+  const Keys keys = keys_of("launch = exec my_program | cat\n");
+  setenv("PATH", before.c_str(), 1);
+  EXPECT_EQ(keys, Keys{"method.m.launch/my_program"});
+}
+
+TEST_F(MethodDependencies, OfALibraryAreTheLibrariesThatItIsLinkedWith) {
+  write("far.cpp", "int far() { return 1; }\n");
+  write("near.cpp", "int far(); int near() { return far(); }\n");
+  write("plugin.cpp", "int near(); int plugin() { return near(); }\n");
+  const std::string linked = " -shared -fPIC -L. -Wl,-rpath,\"$PWD:$PWD/parts\" ";
+  compile(linked + "-o parts/libfar.so far.cpp");
+  compile(linked + "-o libnear.so near.cpp -Lparts -lfar");
+  compile(linked + "-o libplugin.so plugin.cpp -lnear");
+  EXPECT_EQ(keys_of("", {{"method.m.plugin", folder_ + "/libplugin.so"}}),
+            (Keys{"method.m.plugin/libnear.so", "method.m.plugin/parts/libfar.so"}));
+}
+
+TEST_F(MethodDependencies, OfAModelAreItsExternalData) {
+  write("parts/weights", "");
+  write("beside", "");
+  // Entries of TensorProto.external_data: key and value, each with field number, type and length.
+  const auto entry = [](const std::string& file) {
+    return "\x0a\x08location\x12" + std::string(1, static_cast<char>(file.size())) + file;
+  };
+  const std::string model =
+      write("policy.onnx", "..." + entry("parts/weights") + "..." + entry("beside") + "...");
+  EXPECT_EQ(keys_of("", {{"method.m.model", model}}),
+            (Keys{"method.m.model/beside", "method.m.model/parts/weights"}));
+  const std::string cut = write("cut.onnx", entry("parts/weights").substr(0, 11));
+  EXPECT_EQ(keys_of("", {{"method.m.model", cut}}), Keys{});
+}
+
+TEST_F(MethodDependencies, OfOtherOptionsAreTheFilesThatTheyName) {
+  write("table.csv", "");
+  write("plain", "");
+  EXPECT_EQ(keys_of("table = table.csv\ngain = 0.5\nname = plain\nfolder = parts/\n"),
+            Keys{"method.m.table/table.csv"});
+}
+
+TEST_F(MethodDependencies, OfWhatSlalomContainsAreNone) {
+  EXPECT_EQ(keys_of("", {{"method.m.plugin", SLALOM_SHIPPED "/libslalom_follow_the_gap.so"}}),
+            Keys{});
+}
+
+}  // namespace
+}  // namespace slalom
