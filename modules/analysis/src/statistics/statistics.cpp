@@ -38,6 +38,34 @@ class FastIndex {
   bool full_ = false;  ///< the lower half has not been used yet
 };
 
+/// Sums over the groups of a resample, of their residuals about the mean of the sample.
+class ResampledGroups {
+ public:
+  void add(double residual, double size) {
+    ++groups_;
+    sum_ += residual;
+    values_ += size;
+    squares_ += residual * residual;
+    products_ += residual * size;
+    sizes_ += size * size;
+  }
+
+  /// The deviation of the resample's mean from that of the sample, in standard errors.
+  double studentized(double least_error) const {
+    const double e = sum_ / values_;
+    const double residuals = std::max(0.0, squares_ - 2 * e * products_ + e * e * sizes_);
+    const double error = std::sqrt(variance_of_mean({groups_, values_, e, residuals}));
+    return e / std::max(error, least_error);
+  }
+
+ private:
+  double groups_ = 0, sum_ = 0, values_ = 0, squares_ = 0, products_ = 0, sizes_ = 0;
+};
+
+/// Of a resample, in that of the sample: resamples of nearly equal values would otherwise make
+/// the interval arbitrarily wide.
+constexpr double kLeastError = 0.25;
+
 }  // namespace
 
 double variance_of_mean(const GroupMoments& groups) {
@@ -164,19 +192,24 @@ Interval percentile_interval(std::vector<double> estimates, double confidence) {
 std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confidence,
                                            RandomEngine& engine, int resamples) {
   if (groups.groups() < 2) return std::nullopt;
-  std::vector<double> means;
-  means.reserve(static_cast<std::size_t>(resamples));
+  const GroupMoments moments = moments_of(groups);
+  const double error = std::sqrt(variance_of_mean(moments));
+  if (error == 0) return Interval{moments.mean, moments.mean};
+  std::vector<double> residuals;
+  for (std::size_t i = 0; i < groups.groups(); ++i)
+    residuals.push_back(groups.sums[i] - moments.mean * groups.sizes[i]);
+  std::vector<double> deviations;
   FastIndex drawn(engine, groups.groups());
   for (int resample = 0; resample < resamples; ++resample) {
-    double total = 0, n = 0;
+    ResampledGroups drawing;
     for (std::size_t draw = 0; draw < groups.groups(); ++draw) {
       const std::size_t chosen = drawn();
-      total += groups.sums[chosen];
-      n += groups.sizes[chosen];
+      drawing.add(residuals[chosen], groups.sizes[chosen]);
     }
-    means.push_back(total / n);
+    deviations.push_back(drawing.studentized(kLeastError * error));
   }
-  return percentile_interval(std::move(means), confidence);
+  const Interval t = percentile_interval(std::move(deviations), confidence);
+  return Interval{moments.mean - t.high * error, moments.mean - t.low * error};
 }
 
 Interval clip_to_range(const ValueRange& range, double estimate, Interval interval) {

@@ -120,19 +120,37 @@ TEST(Statistics, MiddleValuesAgreeWithSorting) {
 }
 
 TEST(Statistics, BootstrapAgreesWithAllResamples) {
-  // Of three groups there are 27 resamples; the fractions of the means at most x are known exactly.
+  // Of three groups there are 27 resamples; the fractions of their t at most x are known exactly.
   const std::vector<double> values = {0, 1, 5};
-  std::vector<double> means;
-  for (int code = 0; code < 27; ++code)
-    means.push_back((values[static_cast<std::size_t>(code % 3)] +
-                     values[static_cast<std::size_t>(code / 3 % 3)] +
-                     values[static_cast<std::size_t>(code / 9)]) /
-                    3);
-  std::sort(means.begin(), means.end());
+  const auto error = [](const std::vector<double>& v) {
+    return *standard_deviation(v) / std::sqrt(3.0);
+  };
+  std::vector<double> t;
+  for (int code = 0; code < 27; ++code) {
+    const std::vector<double> drawn = {values[static_cast<std::size_t>(code % 3)],
+                                       values[static_cast<std::size_t>(code / 3 % 3)],
+                                       values[static_cast<std::size_t>(code / 9)]};
+    t.push_back((mean(drawn) - 2) / std::max(error(drawn), error(values) / 4));
+  }
+  std::sort(t.begin(), t.end());
   RandomEngine engine(17);
   const auto interval = bootstrap_interval(singles(values), 0.8, engine, 20000);
-  EXPECT_NEAR(interval->low, means[2], 1e-12);    // 3 / 27 of them at most 1 / 3, 1 / 27 below that
-  EXPECT_NEAR(interval->high, means[24], 1e-12);  // 11 / 3
+  // At most t[2] are more than a tenth of them, below it less: 0.1 * 27 = 2.7. Likewise t[24].
+  EXPECT_NEAR(interval->low, 2 - t[24] * error(values), 1e-9);
+  EXPECT_NEAR(interval->high, 2 - t[2] * error(values), 1e-9);
+}
+
+TEST(Statistics, BootstrapOfEqualOrNearlyEqualValuesIsFinite) {
+  RandomEngine engine(19);
+  const auto equal = bootstrap_interval(singles(std::vector<double>(20, 3.0)), 0.95, engine);
+  EXPECT_EQ(equal->low, 3);
+  EXPECT_EQ(equal->high, 3);
+  std::vector<double> values(20, 0.0);
+  values.back() = 1;
+  // More than a third of the resamples are zeros: t is -0.05 / (0.05 / 4), the upper end 0.05 + 4
+  // / 20.
+  const auto rare = bootstrap_interval(singles(values), 0.95, engine);
+  EXPECT_NEAR(rare->high, 0.25, 1e-12);
 }
 
 TEST(Statistics, IntervalsStayWithinTheRangeOfTheirQuantity) {
@@ -164,20 +182,58 @@ TEST(Statistics, BootstrapOfManyScenariosApproachesStudent) {
   EXPECT_NEAR(bootstrap.high, student.high, 0.03 * width);
 }
 
-TEST(Statistics, MeanIntervalsHaveNominalCoverage) {
-  RandomEngine engine(11);
-  for (const int scenarios : {5, 19, 20, 60}) {
-    int covered = 0;
-    const int trials = 500;
-    for (int trial = 0; trial < trials; ++trial) {
-      const auto interval = mean_interval(random_singles(engine, scenarios), 0.95, engine);
-      covered += interval->low <= 3.0 && 3.0 <= interval->high ? 1 : 0;
-    }
-    // 95 % of 500 with a standard deviation of 1 %, less the 2 % undercoverage of percentiles
-    // at 20.
-    EXPECT_GT(covered, 0.90 * trials) << scenarios;
-    EXPECT_LT(covered, 0.98 * trials) << scenarios;
+/// A distribution with its mean.
+struct Drawn {
+  const char* name;
+  double mean;
+  double (*draw)(RandomEngine& engine);
+  double least_coverage;  ///< of 20 scenarios and more
+};
+
+double exponential(RandomEngine& engine) {
+  return -std::log(1 - uniform_real(engine, 0, 1));
+}
+
+constexpr int kTrials = 600;
+
+double coverage(const Drawn& drawn, int scenarios, RandomEngine& engine) {
+  int covered = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    std::vector<double> values;
+    for (int i = 0; i < scenarios; ++i) values.push_back(drawn.draw(engine));
+    const auto interval = mean_interval(singles(values), 0.95, engine);
+    covered += interval->low <= drawn.mean && drawn.mean <= interval->high ? 1 : 0;
   }
+  return static_cast<double>(covered) / kTrials;
+}
+
+TEST(Statistics, MeanIntervalsHaveNominalCoverageOfNormalValues) {
+  const Drawn normals{"normal", 3, [](RandomEngine& engine) { return normal(engine, 3.0, 2.0); },
+                      0};
+  RandomEngine engine(11);
+  const double error = std::sqrt(0.95 * 0.05 / kTrials);
+  for (const int scenarios : {5, 19, 20, 60, 200})
+    EXPECT_NEAR(coverage(normals, scenarios, engine), 0.95, 3 * error) << scenarios;
+}
+
+TEST(Statistics, MeanIntervalsCoverTheMeanOfSkewedValues) {
+  // The nominal coverage, but of the heavy tail of a lognormal distribution with 20 to 30 values.
+  const Drawn skewed[] = {
+      {"exponential", 1, exponential, 0.94},
+      {"lognormal", std::exp(0.5),
+       [](RandomEngine& engine) { return std::exp(normal(engine, 0, 1)); }, 0.91},
+      {"zeros", 0.3,
+       [](RandomEngine& engine) {
+         return uniform_real(engine, 0, 1) < 0.7 ? 0 : exponential(engine);
+       },
+       0.94}};
+  RandomEngine engine(23);
+  for (const Drawn& drawn : skewed)
+    for (const int scenarios : {20, 50, 200}) {
+      const double least = drawn.least_coverage, error = std::sqrt(least * (1 - least) / kTrials);
+      EXPECT_GT(coverage(drawn, scenarios, engine), least - 3 * error)
+          << drawn.name << " " << scenarios;
+    }
 }
 
 }  // namespace

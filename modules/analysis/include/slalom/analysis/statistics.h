@@ -76,8 +76,10 @@ std::optional<Interval> t_interval(const GroupSums& groups, double confidence);
 /// requires at least one estimate.
 Interval percentile_interval(std::vector<double> estimates, double confidence);
 
-/// Percentile bootstrap interval of the mean over all values: scenarios are resampled with all
-/// their runs, so it stays within the range of the groups' means. None for fewer than two groups.
+/// Studentized bootstrap interval of the mean over all values (bootstrap-t, Efron and Tibshirani
+/// 1993, section 12.5): scenarios are resampled with all their runs, and the deviations of their
+/// means in cluster-robust standard errors take the place of Student's t. The standard error of a
+/// resample counts as at least a quarter of that of the sample. None for fewer than two groups.
 std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confidence,
                                            RandomEngine& engine, int resamples = 2000);
 
@@ -93,8 +95,9 @@ Interval clip_to_range(const ValueRange& range, double estimate, Interval interv
 
 constexpr std::size_t kMinForBootstrap = 20, kMaxForBootstrap = 500;
 
-/// The interval used in tables: bootstrap for 20 to 500 scenarios; the t interval for fewer, where
-/// the percentile bootstrap is too narrow, and for more, where both agree and t is cheaper.
+/// The interval used in tables: bootstrap for 20 to 500 scenarios, which also covers the mean of
+/// skewed values; the t interval for fewer, which do not show their distribution, and for more,
+/// where both agree and t is cheaper.
 std::optional<Interval> mean_interval(const GroupSums& groups, double confidence,
                                       RandomEngine& engine);
 /// The same; `groups` may be empty if there are more than 500.
