@@ -172,6 +172,19 @@ double effective_sample_size(const GroupSums& groups) {
   return effective_sample_size(moments_of(groups));
 }
 
+Interval rate_interval(const GroupMoments& groups, double confidence) {
+  const double k = groups.groups, n = groups.values;
+  double runs = effective_sample_size(groups);
+  if (k > 1 && k < n) {
+    const auto quantile_of = [confidence](double freedom) {
+      return boost::math::quantile(boost::math::students_t(freedom), 0.5 + confidence / 2);
+    };
+    const double ratio = quantile_of(n - 1) / quantile_of(k - 1);
+    runs = std::max(k, runs * ratio * ratio);
+  }
+  return wilson_interval(groups.mean, runs, confidence);
+}
+
 std::optional<Interval> t_interval(const GroupMoments& groups, double confidence) {
   if (groups.groups < 2) return std::nullopt;
   const boost::math::students_t distribution(groups.groups - 1);

@@ -12,8 +12,7 @@ void add_interval(Cell& cell, const CellSums& sums, const Column& column,
                   const std::function<std::size_t(std::uint32_t)>& rank_of) {
   const GroupMoments moments = sums.moments();
   if (column.rate) {
-    cell.interval =
-        wilson_interval(*cell.estimate, effective_sample_size(moments), options.confidence);
+    cell.interval = rate_interval(moments, options.confidence);
     return;
   }
   RandomEngine engine(derive_seed(options.seed, label));

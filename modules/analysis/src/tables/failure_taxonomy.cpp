@@ -26,7 +26,7 @@ OutcomeFraction outcome_fraction(const ResultTable& table, const std::vector<std
     sums.sizes.push_back(counts.second);
   }
   result.fraction = static_cast<double>(result.runs.size()) / static_cast<double>(group.size());
-  result.interval = wilson_interval(result.fraction, effective_sample_size(sums), confidence);
+  result.interval = rate_interval(moments_of(sums), confidence);
   return result;
 }
 

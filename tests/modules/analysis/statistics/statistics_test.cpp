@@ -83,6 +83,51 @@ TEST(Statistics, RepetitionsThatVaryLikeIndependentRunsCountFully) {
   EXPECT_GT(effective_sample_size(sums_of(groups)), 0.8 * 2000);
 }
 
+TEST(Statistics, TheIntervalOfARateIsWilsonsIfEachScenarioHasOneRun) {
+  const GroupMoments groups = moments_of(singles({1, 0, 1, 1, 0, 1}));
+  const Interval interval = rate_interval(groups, 0.9), wilson = wilson_interval(4.0 / 6, 6, 0.9);
+  EXPECT_DOUBLE_EQ(interval.low, wilson.low);
+  EXPECT_DOUBLE_EQ(interval.high, wilson.high);
+}
+
+TEST(Statistics, TheIntervalOfARateCountsThatFewScenariosShowTheirVariationBadly) {
+  const GroupSums groups = sums_of({{1, 1}, {1, 0}, {0, 0}});
+  // Variance between scenarios: 3 / 2 * (1 + 0 + 1) / 36 = 1 / 12; 0.25 / (1 / 12) = 3 runs = k.
+  EXPECT_DOUBLE_EQ(effective_sample_size(groups), 3);
+  // Runs that vary as independent ones count as 8 of 8; R: (qt(0.975, 7) / qt(0.975, 3))^2 =
+  // 0.5520825, so as 4.416660, but not as fewer than the 4 scenarios.
+  const GroupSums even = sums_of({{1, 0}, {1, 0}, {1, 0}, {1, 0}});
+  const Interval interval = rate_interval(moments_of(even), 0.95),
+                 wilson = wilson_interval(0.5, 8 * 0.5520825, 0.95);
+  EXPECT_NEAR(interval.low, wilson.low, 1e-6);
+  EXPECT_NEAR(interval.high, wilson.high, 1e-6);
+}
+
+TEST(Statistics, TheIntervalOfARateCoversItWithRepetitions) {
+  // Rates of scenarios from Beta(1, (1 - rate) / rate): by inversion, 1 - (1 - u)^(1 / b).
+  constexpr int kSamples = 2000, kRepetitions = 10;
+  for (const double rate : {0.1, 0.5, 0.9})
+    for (const int scenarios : {12, 30}) {
+      RandomEngine engine(static_cast<unsigned>(scenarios));
+      int covered = 0;
+      for (int sample = 0; sample < kSamples; ++sample) {
+        ScenarioGroups groups;
+        for (int i = 0; i < scenarios; ++i) {
+          const double p =
+              1 - std::pow(1 - uniform_real(engine, 0, 1), rate / (1 - rate));
+          std::vector<double> group;
+          for (int j = 0; j < kRepetitions; ++j)
+            group.push_back(uniform_real(engine, 0, 1) < p ? 1 : 0);
+          groups.push_back(group);
+        }
+        const Interval interval = rate_interval(moments_of(sums_of(groups)), 0.95);
+        covered += interval.low <= rate && rate <= interval.high ? 1 : 0;
+      }
+      EXPECT_GT(covered, 0.91 * kSamples) << rate << " " << scenarios;
+      EXPECT_LT(covered, 0.985 * kSamples) << rate << " " << scenarios;
+    }
+}
+
 TEST(Statistics, StudentIntervalAgreesWithTheSleepData) {
   // Student 1908, drug 1: R's t.test(extra) gives -0.5297804 to 2.0297804.
   const auto interval =

@@ -66,6 +66,12 @@ Interval wilson_interval(double rate, double n, double confidence);
 double effective_sample_size(const GroupMoments& groups);
 double effective_sample_size(const GroupSums& groups);
 
+/// Interval of the rate of the 0/1 values of `groups`: Wilson's for the effective sample size. If
+/// scenarios have several runs it is reduced by (t(n - 1) / t(k - 1))^2, the ratio of the quantiles
+/// of Student's t (Korn and Graubard 1998, Survey Methodology 24), since the variance between
+/// scenarios is itself estimated from k scenarios; at least k. Requires at least one value.
+Interval rate_interval(const GroupMoments& groups, double confidence);
+
 /// Student's t interval of the mean over all values with the cluster-robust standard error (k
 /// groups, k - 1 degrees of freedom; the usual interval if each group has one value). None for
 /// fewer than two groups.
