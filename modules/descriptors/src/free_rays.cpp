@@ -16,7 +16,8 @@ double mean_free_ray(const DescriptorContext& context, const Primitives& movers)
   std::array<double, kRays> angles{};
   std::array<mrpt::math::TPoint2D, kRays> directions;
   for (std::size_t i = 0; i < kRays; ++i) {
-    angles[i] = 2 * M_PI * static_cast<double>(i) / kRays;
+    // Half a step from the axes and diagonals: along these a ray could run on a line between cells.
+    angles[i] = 2 * M_PI * (static_cast<double>(i) + 0.5) / kRays;
     directions[i] = {std::cos(angles[i]), std::sin(angles[i])};
   }
   double sum = 0;

@@ -22,7 +22,7 @@
   DESCRIPTOR(clustering, 1, "Clustering index", "-", {quadrats, resolution})                     \
   DESCRIPTOR(occupancy_entropy, 1, "Occupancy entropy", "bit", {block, resolution})              \
   DESCRIPTOR(goal_visibility, 2, "Goal visibility", "-", {robot, resolution})                    \
-  DESCRIPTOR(traversability, 2, "Traversability", "-", {robot, resolution})                      \
+  DESCRIPTOR(traversability, 3, "Traversability", "-", {robot, resolution})                      \
   DESCRIPTOR(barn_closest_distance, 2, "BARN: distance to closest obstacle", "cells",            \
              {averaged_path})                                                                    \
   DESCRIPTOR(barn_visibility, 2, "BARN: average visibility", "cells",                            \
@@ -35,8 +35,8 @@
 
 /// Those about moving obstacles.
 #define SLALOM_MOVER_DESCRIPTORS(DESCRIPTOR)                                                \
-  DESCRIPTOR(survivability, 1, "Survivability", "s", {robot, resolution})                   \
-  DESCRIPTOR(dynamic_traversability, 1, "Dynamic traversability", "-", {robot, resolution}) \
+  DESCRIPTOR(survivability, 2, "Survivability", "s", {robot, resolution})                   \
+  DESCRIPTOR(dynamic_traversability, 2, "Dynamic traversability", "-", {robot, resolution}) \
   DESCRIPTOR(crossing_flow, 1, "Flow of movers across the shortest path", "1/s",            \
              {robot, resolution})
 

@@ -1,9 +1,9 @@
-#include "contact.h"
 #include "wall_time.h"
 
 #include <slalom/references/exact_shortest.h>
 #include <slalom/references/reference.h>
 #include <slalom/references/safest_path.h>
+#include <slalom/scenario/contact.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "mover_contact.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/scenario/contact.h>
 #include <slalom/simulation/footprint_contact.h>
 
 #include <mrpt/math/wrap2pi.h>
@@ -41,9 +42,6 @@ class DiscContact : public FootprintContact {
   }
 
  private:
-  /// Exact contact is free, as for reference paths; tolerance (m) for rounding errors.
-  static constexpr double kContactTolerance = 1e-9;
-
   bool is_blocked(const TPoint2D& a, const TPoint2D& b) const {
     return world_.distance_field().segment_clearance(a, b, radius_) < radius_ - kContactTolerance;
   }

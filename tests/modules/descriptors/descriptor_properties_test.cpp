@@ -17,30 +17,30 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-struct Range {
+struct ValueRange {
   double low, high;
 };
 
 /// The ranges of all descriptors except those of BARN.
-const std::map<std::string, Range> kRanges = {{"density", {0, 1}},
-                                              {"cspace_density", {0, 1}},
-                                              {"clearness", {0, 1}},
-                                              {"clearness_mean_distance", {0, kInfinity}},
-                                              {"confinement", {0, 1}},
-                                              {"confinement_path", {0, 1}},
-                                              {"bottleneck_width", {0.5, kInfinity}},
-                                              {"narrow_fraction", {0, 1}},
-                                              {"clearance_mean", {0.25, kInfinity}},
-                                              {"clearance_q05", {0.25, kInfinity}},
-                                              {"detour_ratio", {1 - 1e-9, kInfinity}},
-                                              {"turn_density", {0, kInfinity}},
-                                              {"trap_fraction", {0, 1}},
-                                              {"obstacle_count", {0, kInfinity}},
-                                              {"clustering", {0, kInfinity}},
-                                              {"occupancy_entropy", {0, 1}},
-                                              {"goal_visibility", {0, 1}},
-                                              {"traversability", {0, kInfinity}},
-                                              {"dynamic_density", {0, kInfinity}}};
+const std::map<std::string, ValueRange> kRanges = {{"density", {0, 1}},
+                                                   {"cspace_density", {0, 1}},
+                                                   {"clearness", {0, 1}},
+                                                   {"clearness_mean_distance", {0, kInfinity}},
+                                                   {"confinement", {0, 1}},
+                                                   {"confinement_path", {0, 1}},
+                                                   {"bottleneck_width", {0.5, kInfinity}},
+                                                   {"narrow_fraction", {0, 1}},
+                                                   {"clearance_mean", {0.25, kInfinity}},
+                                                   {"clearance_q05", {0.25, kInfinity}},
+                                                   {"detour_ratio", {1 - 1e-9, kInfinity}},
+                                                   {"turn_density", {0, kInfinity}},
+                                                   {"trap_fraction", {0, 1}},
+                                                   {"obstacle_count", {0, kInfinity}},
+                                                   {"clustering", {0, kInfinity}},
+                                                   {"occupancy_entropy", {0, 1}},
+                                                   {"goal_visibility", {0, 1}},
+                                                   {"traversability", {0, kInfinity}},
+                                                   {"dynamic_density", {0, kInfinity}}};
 
 /// A small grid: cells of 0.5 m, start and goal in free corners.
 using Cells = std::vector<std::vector<bool>>;

@@ -3,6 +3,7 @@
 #include <slalom/core/random.h>
 #include <slalom/descriptors/descriptor.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,17 @@ inline DescriptorContext context_with_path(const World& world, const Path& path,
   const double path_length = length(path);
   context.shortest = search_once([path, path_length] { return KnownPath{path, path_length, ""}; });
   return context;
+}
+
+/// Cells: how far the points of traversability are from those of a lattice of 1 m, along each axis.
+inline const double kLatticeShift = std::sqrt(5.0) - 2;
+
+/// The coordinates of these points along a side of `size` m from 0, in cells of `cell` m.
+inline std::vector<double> lattice_along(int size, double cell) {
+  std::vector<double> coordinates;
+  for (int i = 0; i < size; ++i)
+    for (const double side : {-1, 1}) coordinates.push_back(i + 0.5 + side * kLatticeShift * cell);
+  return coordinates;
 }
 
 /// The value of a descriptor; NaN with a test failure would hide the reason, so NA throws.

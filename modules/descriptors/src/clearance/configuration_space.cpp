@@ -1,5 +1,7 @@
 #include "configuration_space.h"
 
+#include <slalom/scenario/contact.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +12,7 @@ namespace {
 using mrpt::math::TPoint2D;
 
 constexpr int kHeadings = 16;
-constexpr double kTouch = 1e-9;  ///< m or cells; contact counts as free
+constexpr double kTouch = 1e-9;  ///< cells; contact counts as free
 
 /// Cells first..last of row dy, relative to the robot's cell, that its outline overlaps.
 struct RowSpan {
@@ -99,7 +101,7 @@ class PolygonTest {
 FreeHeadings free_headings(const DescriptorContext& context) {
   // Distances are in single precision: a radius equal to a distance must be free.
   const auto reached = [](double radius) {
-    return static_cast<float>((radius - kTouch) * (1 - 1e-7));
+    return static_cast<float>((radius - kContactTolerance) * (1 - 1e-7));
   };
   const SharedArray<float>& distances = context.world.distance_field().centers();
   FreeHeadings result;

@@ -1,5 +1,7 @@
 #include "configuration_space.h"
 
+#include <slalom/scenario/contact.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -72,7 +74,7 @@ class SteepestDescent {
 /// Fraction of F_C from which steepest 8-connected descent of |q - g| gets stuck before g.
 Value trap_fraction(const DescriptorContext& context) {
   const mrpt::math::TPoint2D goal = context.world.scenario().goal();
-  if (context.world.distance_field().clearance(goal) < context.robot_radius() - 1e-9)
+  if (context.world.distance_field().clearance(goal) < context.robot_radius() - kContactTolerance)
     return Value::na("goal is closer to an obstacle than the robot's radius");
   const Occupancy& cells = context.world.occupancy();
   const mrpt::math::TPoint2D at = cells.to_cells(goal);

@@ -2,6 +2,7 @@
 #include "horizon.h"
 
 #include <slalom/descriptors/descriptor.h>
+#include <slalom/scenario/contact.h>
 
 #include <algorithm>
 
@@ -47,7 +48,9 @@ Value survivability(const DescriptorContext& context) {
   double sum = 0;
   std::size_t count = 0;
   for (const TPoint2D& point : lattice_points(context.world.occupancy())) {
-    if (context.world.distance_field().clearance(point) < context.robot_radius()) continue;
+    if (context.world.distance_field().clearance(point) <
+        context.robot_radius() - kContactTolerance)
+      continue;
     sum += survival_time(motions, reaches, point);
     ++count;
   }

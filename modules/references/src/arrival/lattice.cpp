@@ -1,7 +1,7 @@
-#include "../contact.h"
 #include "lattice.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/scenario/contact.h>
 
 #include <algorithm>
 #include <cmath>

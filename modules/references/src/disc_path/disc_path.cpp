@@ -1,9 +1,9 @@
-#include "../contact.h"
 #include "cones.h"
 #include "connection.h"
 
 #include <slalom/core/distance.h>
 #include <slalom/references/disc_path.h>
+#include <slalom/scenario/contact.h>
 
 namespace slalom {
 namespace disc_path {

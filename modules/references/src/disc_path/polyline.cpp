@@ -1,7 +1,7 @@
-#include "../contact.h"
 #include "occupied_rows.h"
 
 #include <slalom/references/disc_path.h>
+#include <slalom/scenario/contact.h>
 
 namespace slalom {
 namespace disc_path {

@@ -1,6 +1,8 @@
 // Descriptors of the free space, with or without the robot's size, in worlds with 1 m cells.
 #include "../small_worlds.h"
 
+#include <slalom/scenario/convert.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -129,30 +131,45 @@ TEST(TrapFraction, AcceptsAGoalOnTheBorderForAPointRobot) {
   EXPECT_DOUBLE_EQ(value_of("trap_fraction", context_of(world, 1e-12)), 0);
 }
 
+/// Mean free length (m) of the rays in an empty room of x by y cells of 1 m. Points and directions
+/// are symmetric under mirrors, so all rays have the mean of the two that head to the upper right,
+/// at 22.5 and 67.5 degrees: u m below the upper and v m left of the right wall, they end at the
+/// nearer of the two.
+double mean_free_length(int x, int y) {
+  const double small = std::sin(M_PI / 8), large = std::cos(M_PI / 8);
+  double sum = 0;
+  for (const double v : lattice_along(x, 1))
+    for (const double u : lattice_along(y, 1))
+      sum += std::min(v / large, u / small) + std::min(v / small, u / large);
+  return sum / 2 / (4 * x * y);
+}
+
 TEST(Traversability, IsTheMeanFreeRayInRobotWidths) {
-  // Lattice points are the cells' centers. Rays along a row and its opposite: 5 m together, also
-  // along a column: 10 m a point. A diagonal ray from (x, y) is sqrt 2 times the smaller distance
-  // to the two walls that it heads to. Of all pairs of 0.5 .. 4.5 the smaller ones are 9 times 0.5,
-  // 7 times 1.5, 5 times 2.5, 3 times 3.5, once 4.5: 42.5 m for each of 4 diagonals.
-  const double expected = (25 * 10 + 4 * 42.5 * std::sqrt(2.0)) / (25 * 8);
+  const double expected = mean_free_length(5, 5);
   EXPECT_NEAR(value_of("traversability", context_of(drawn_world(kEmpty), 0.5)), expected, 1e-9);
   EXPECT_NEAR(value_of("traversability", context_of(drawn_world(kEmpty), 0.25)), 2 * expected,
               1e-9);
 }
 
 TEST(Traversability, IsZeroAtOccupiedPoints) {
-  // Free cells: 0.5 m along the axes, sqrt(0.5) m along diagonals. The block counts as 0.
+  // Two of three cells are free, each closed on all sides.
   EXPECT_NEAR(value_of("traversability", context_of(drawn_world({"S#G"}), 0.5)),
-              2 * (4 * 0.5 + 4 * std::sqrt(0.5)) / 8 / 3, 1e-9);
+              mean_free_length(1, 1) * 2 / 3, 1e-9);
 }
 
-TEST(Traversability, OfHugeCellsTakesOnePointEach) {
-  // 3 x 1 cells of 10^6 m: half a cell along the axes to the wall above and below, the rest as in a
-  // row of 1 m cells: 0.5 + 2.5, 1.5 + 1.5 and 2.5 + 0.5 cells along it.
+TEST(Traversability, OfHugeCellsTakesFourPointsEach) {
   Primitives none;
   const World world(Scenario::continuous("huge", {0, 0, 3e6, 1e6}, none, {1, 1, 0}, {2, 2}), 1e6);
-  EXPECT_NEAR(value_of("traversability", context_of(world, 0.5)) / 1e6,
-              (3 + 1 + 4 * std::sqrt(0.5)) / 8, 1e-9);
+  EXPECT_NEAR(value_of("traversability", context_of(world, 0.5)) / 1e6, mean_free_length(3, 1),
+              1e-9);
+}
+
+TEST(Traversability, CountsPointsOfWorkspacesWithCellsRoundedDown) {
+  // Ten cells of 0.7 m are 6.9999999 m in single precision: seven points along each side.
+  const Scenario room = Scenario::continuous("room", {0, 0, 7, 7}, {}, {1, 1, 0}, {2, 2});
+  const World grid(convert(room, Representation::Grid, {0.7}), 1);
+  EXPECT_NEAR(value_of("traversability", context_of(grid)),
+              value_of("traversability", context_of(World(room, 0.7))), 1e-6);
 }
 
 }  // namespace

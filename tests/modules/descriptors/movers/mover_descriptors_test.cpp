@@ -8,11 +8,13 @@
 namespace slalom {
 namespace {
 
-/// An empty room of 5 m x 5 m, whose lattice points are at 0.5, 1.5, ... 4.5 m.
+constexpr double kCell = 0.1;  ///< m
+
+/// A room of 5 m x 5 m, whose lattice points are close to 0.5, 1.5, ... 4.5 m.
 World room_with(const Movers& movers, const Primitives& obstacles = {}) {
   return {Scenario::continuous("room", {0, 0, 5, 5}, obstacles, {0.5, 2.5, 0}, {4.5, 2.5})
               .with_movers(movers),
-          0.1};
+          kCell};
 }
 
 double survivability(const Movers& movers, const Primitives& obstacles = {}) {
@@ -20,11 +22,21 @@ double survivability(const Movers& movers, const Primitives& obstacles = {}) {
   return value_of("survivability", context_of(world));
 }
 
+/// Along the middle row at 1 m/s.
+const Movers kInMiddleRow{{"a", 0.25, {{0, {0.5, 2.5}}, {4, {4.5, 2.5}}}, MoverEnd::Stop}};
+
+/// When it touches a robot at x in that row, all of whose points are equally far from its path: at
+/// a distance of 0.5 m.
+double time_of_touch(double x) {
+  const double beside = kLatticeShift * kCell;
+  return std::max(0.0, x - 0.5 - std::sqrt(0.5 * 0.5 - beside * beside));
+}
+
 TEST(Survivability, IsTheMeanTimeUntilAMoverTouchesARobotThatStands) {
-  // Along the middle row at 1 m/s; reach 0.5 m. Its points are touched after 0, 0.5, 1.5, 2.5, 3.5
-  // s; the other 20 are 1 m away or more: never, which counts as 12 s.
-  const Movers movers{{"a", 0.25, {{0, {0.5, 2.5}}, {4, {4.5, 2.5}}}, MoverEnd::Stop}};
-  EXPECT_NEAR(survivability(movers), (0 + 0.5 + 1.5 + 2.5 + 3.5 + 20 * 12) / 25, 1e-12);
+  // The points of the other four rows are 0.9 m away or more: never, which counts as 12 s.
+  double row = 0;
+  for (const double x : lattice_along(5, kCell)) row += time_of_touch(x) / 10;
+  EXPECT_NEAR(survivability(kInMiddleRow), (row + 4 * 12) / 5, 1e-12);
 }
 
 TEST(Survivability, CountsOnlyMoversThatArePresent) {
@@ -38,10 +50,12 @@ TEST(Survivability, CountsOnlyMoversThatArePresent) {
 TEST(Survivability, LeavesOutPointsWhereTheRobotDoesNotFit) {
   Primitives obstacles;
   obstacles.discs.push_back({{2.5, 2.5}, 0.3});
-  const Movers movers{{"a", 0.25, {{0, {0.5, 2.5}}, {4, {4.5, 2.5}}}, MoverEnd::Stop}};
-  EXPECT_NEAR(survivability(movers, obstacles), (0 + 0.5 + 2.5 + 3.5 + 20 * 12) / 24, 1e-12);
+  double others = 0;  // of the row, without the four points in the disc
+  for (const double x : lattice_along(5, kCell))
+    if (std::abs(x - 2.5) > 0.5) others += 2 * time_of_touch(x);
+  EXPECT_NEAR(survivability(kInMiddleRow, obstacles), (others + 80 * 12) / 96, 1e-12);
   obstacles.discs[0].radius = 4;
-  const World full = room_with(movers, obstacles);
+  const World full = room_with(kInMiddleRow, obstacles);
   EXPECT_EQ(descriptor("survivability").compute(context_of(full)).reason(),
             "the robot fits at no lattice point");
 }
@@ -49,7 +63,7 @@ TEST(Survivability, LeavesOutPointsWhereTheRobotDoesNotFit) {
 TEST(Survivability, EqualsTheTimesOfASampledMotion) {
   RandomEngine engine(7);
   constexpr double kStep = 1e-3, kHorizon = 12;
-  for (int trial = 0; trial < 20; ++trial) {
+  for (int trial = 0; trial < 8; ++trial) {
     Movers movers;
     for (int i = 0; i < 3; ++i) {
       std::vector<Waypoint> waypoints;
@@ -61,8 +75,8 @@ TEST(Survivability, EqualsTheTimesOfASampledMotion) {
       movers.push_back({std::to_string(i), uniform_real(engine, 0.1, 0.5), waypoints, after});
     }
     double sum = 0;
-    for (double y = 0.5; y < 5; ++y)
-      for (double x = 0.5; x < 5; ++x) {
+    for (const double y : lattice_along(5, kCell))
+      for (const double x : lattice_along(5, kCell)) {
         double time = 0;
         const auto is_touched = [&](const Mover& mover) {
           const auto to = mover.position(time) - mrpt::math::TPoint2D(x, y);
@@ -73,7 +87,7 @@ TEST(Survivability, EqualsTheTimesOfASampledMotion) {
         sum += std::min(time, kHorizon);
       }
     // A touch of less than a step may be missed: then it differs by at most 12 s at one point.
-    EXPECT_NEAR(survivability(movers), sum / 25, 0.02) << trial;
+    EXPECT_NEAR(survivability(movers), sum / 100, 0.02) << trial;
   }
 }
 
@@ -89,19 +103,26 @@ TEST(DynamicTraversability, IsTheMeanOverTheInstantsAtWhichMoversArePresent) {
 }
 
 TEST(DynamicTraversability, RaysEndAtMovers) {
-  // A disc of 0.2 m that stands in the middle. The middle point has 0; of the others it shortens
-  // one ray of each that is in its row, column or on a diagonal: from up to 4.5 m (to the opposite
-  // wall) to their distance minus 0.2 m.
-  const World world = room_with({{"a", 0.2, {{0, {2.5, 2.5}}}, MoverEnd::Stop}});
-  const double diagonal = std::sqrt(2.0);
-  double lost = 4 * 2.5 + 4 * 2.5 * diagonal;  // the rays of the middle
-  for (const double away : {1.0, 2.0}) {
-    lost += 4 * ((2.5 + away) - (away - 0.2));
-    lost += 4 * ((2.5 + away) * diagonal - (away * diagonal - 0.2));
-  }
-  const double expected =
-      value_of("traversability", context_of(world)) - lost / 8 / 25 / (2 * 0.25);
-  EXPECT_NEAR(value_of("dynamic_traversability", context_of(world)), expected, 1e-9);
+  // A disc of 0.6 m that stands in the middle. From a point at (x, y) relative to it, a ray to (c,
+  // s) meets the wall at the nearer of two lines. It meets the disc before if it heads to it and
+  // passes its center at less than the radius: half a chord before the point nearest to the center.
+  constexpr double kRadius = 0.6;
+  const World world = room_with({{"a", kRadius, {{0, {2.5, 2.5}}}, MoverEnd::Stop}});
+  double sum = 0;
+  for (const double at_x : lattice_along(5, kCell))
+    for (const double at_y : lattice_along(5, kCell))
+      for (int i = 0; i < 8; ++i) {
+        const double x = at_x - 2.5, y = at_y - 2.5;
+        const double c = std::cos(M_PI / 8 + i * M_PI / 4), s = std::sin(M_PI / 8 + i * M_PI / 4);
+        const double wall = std::min((2.5 - std::copysign(1, c) * x) / std::abs(c),
+                                     (2.5 - std::copysign(1, s) * y) / std::abs(s));
+        const double ahead = -(x * c + y * s), beside = std::abs(x * s - y * c);
+        const bool meets = ahead > 0 && beside < kRadius;
+        if (std::hypot(x, y) > kRadius)
+          sum += meets ? ahead - std::sqrt(kRadius * kRadius - beside * beside) : wall;
+      }
+  EXPECT_NEAR(value_of("dynamic_traversability", context_of(world)), sum / 100 / 8 / (2 * 0.25),
+              1e-9);
 }
 
 double crossing_flow(const Movers& movers, const Path& path) {

@@ -118,7 +118,7 @@ constexpr auto enum_names(ReferencePlanner::Objective) {
 /// Smallest d(q) along a path (m).
 double bottleneck_of(const World& world, const Path& path);
 
-/// Whether every point of the path has a clearance of at least `radius` (less 1e-9 m).
+/// Whether every point of the path has a clearance of at least `radius` (less kContactTolerance).
 bool is_free(const World& world, const Path& path, double radius);
 
 /// Computes both references by the exact searches, then queries `planner` unless null: its path is
