@@ -65,7 +65,7 @@ TEST(DescriptorInvariants, DensityConvergesWithTheCellSize) {
 
 TEST(DescriptorInvariants, ConvergeAtFirstOrderInTheCellSize) {
   // An error proportional to the cell size, relative to cells of 0.0125 m, decreases to 1/5 from
-  // 0.2 m to 0.05 m; one of order 2/3 to 0.4. For measured orders see definitions.md.
+  // 0.2 m to 0.05 m; one of order 2/3 to 0.4. For measured errors see definitions.md.
   const std::vector<std::string> ids = {
       "density",    "clearness",         "clearness_mean_distance", "confinement",
       "clustering", "occupancy_entropy", "obstacle_count",          "traversability"};

@@ -74,8 +74,8 @@ std::string quadrats(const DescriptorContext&) {
 }
 
 /// Variance / mean of the occupied area over k x k quadrats, with the area in units of grains:
-/// discs with the same ratio of area to perimeter as the obstacles. So it does not depend on the
-/// cell size, and is 1 for equal, independently placed discs that are small relative to a quadrat.
+/// discs with the same ratio of area to perimeter as the obstacles. So it has a limit for small
+/// cells, which is 1 for equal, independently placed discs that are small relative to a quadrat.
 Value clustering(const DescriptorContext& context) {
   const Occupancy& cells = context.world.occupancy();
   const std::vector<double> areas = areas_of_quadrats(cells);
