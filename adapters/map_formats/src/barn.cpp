@@ -203,9 +203,22 @@ std::vector<std::pair<int, int>> cylinders(const NpyTable& grid) {
   return cells;
 }
 
-Scenario make_world(const std::string& name, const NpyTable& grid, Representation representation) {
-  const mrpt::math::TPose2D start(-2.25, 3, M_PI / 2);
-  const TPoint2D goal(-2.25, 13);
+struct StartAndGoal {
+  mrpt::math::TPose2D start;
+  TPoint2D goal;
+};
+
+/// The task of the trials, see BarnTask; of the challenge if there is no path.
+StartAndGoal task_of(const PublishedPath* path) {
+  if (path == nullptr) return {{-2.25, 3, M_PI / 2}, {-2.25, 13}};
+  const TPoint2D displaced(-0.15, -0.1);
+  const TPoint2D first = path->points.front() + displaced, last = path->points.back() + displaced;
+  return {{std::clamp(first.x, -3.9, -0.5), first.y - 1, M_PI / 2}, {last.x, last.y + 0.3}};
+}
+
+Scenario make_world(const std::string& name, const NpyTable& grid, Representation representation,
+                    const StartAndGoal& task) {
+  const auto& [start, goal] = task;
   if (representation == Representation::Grid) {
     auto map = make_grid_map(kSide, kLength, kCell, {-4.5, 0});
     for (const auto& [x, y] : cylinders(grid)) map.setCell(x, y, 0.0F);
@@ -217,15 +230,21 @@ Scenario make_world(const std::string& name, const NpyTable& grid, Representatio
                               goal);
 }
 
-Scenario import_world(const WorldFile& file, Representation representation) {
+Scenario import_world(const WorldFile& file, const BarnOptions& options) {
   const std::string number = std::to_string(file.number);
   const NpyTable grid = read_grid(file.grid.string());
   if (const auto map = companion(file.grid, "map_files", "map_pgm_" + number + ".pgm"))
     check_map(parse_pgm(read_file(map->string(), "a map of BARN", kMaxMapSize), map->string()),
               grid, map->string());
-  const Scenario world = make_world("barn_" + number, grid, representation);
-  const auto path = companion(file.grid, "path_files", "path_" + number + ".npy");
-  return path ? world.with_published_path(read_path(path->string())) : world;
+  const auto path_file = companion(file.grid, "path_files", "path_" + number + ".npy");
+  const PublishedPathPtr path = path_file ? read_path(path_file->string()) : nullptr;
+  const bool trials = options.task == BarnTask::Trials;
+  if (trials && (path == nullptr || path->points.empty()))
+    throw file_error(file.grid.string(), "has no path, which the task of the trials begins with",
+                     "path_" + number + ".npy beside it or in path_files");
+  const Scenario world = make_world("barn_" + number, grid, options.representation,
+                                    task_of(trials ? path.get() : nullptr));
+  return path == nullptr ? world : world.with_published_path(path);
 }
 
 }  // namespace
@@ -250,7 +269,7 @@ std::vector<Scenario> import_barn(const std::string& path, const BarnOptions& op
                      "a folder with grid_files, or a grid such as grid_7.npy");
   std::vector<Scenario> scenarios;
   for (const WorldFile& file : select_worlds(files, options.worlds, path))
-    scenarios.push_back(import_world(file, options.representation));
+    scenarios.push_back(import_world(file, options));
   return scenarios;
 }
 

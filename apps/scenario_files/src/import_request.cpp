@@ -39,6 +39,7 @@ void ImportRequest::visit_maps(OptionVisitor& v) {
 void ImportRequest::visit_data_sets(OptionVisitor& v) {
   v.option("worlds", barn.worlds,
            "BARN: worlds of a folder, such as 0-9,20 or 0-299/even; empty: all");
+  v.option("task", barn.task, "BARN: start and goal of the challenge or of the published trials");
   v.option("barn_grid", barn_as_grid, "BARN: grid with cells of 0.15 m instead of cylinders");
   v.option("cell_size", map.cell_size, "m",
            "MovingAI: cell size of the map; required for MovingAI maps", Range::at_least(0));

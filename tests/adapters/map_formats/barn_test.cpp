@@ -89,6 +89,38 @@ TEST(Barn, HasTheTaskOfTheChallenge) {
   EXPECT_EQ(world.goal().y, 13);
 }
 
+TEST(Barn, HasTheTaskOfThePublishedTrials) {
+  // run_trials.py: x = -0.075 - 30 * 0.15 + 0.15 row, y = 0.075 + 5 + 0.15 column; y - 1 at the start,
+  // whose x is in [-3.9, -0.5], and y + 4 * 0.075 at the goal.
+  const MapFolder folder;
+  write_world(folder, 7);
+  BarnOptions options;
+  options.task = BarnTask::Trials;
+  const auto task_with = [&](const Cells& path) {
+    folder.write("path_files/path_7.npy", npy(static_cast<int>(path.size() / 2), 2, path));
+    return import_barn(folder.path("grid_files/grid_7.npy"), options)[0];
+  };
+  const Scenario middle = task_with({15, 0, 15, 0, 16, 1, 12, 29});
+  EXPECT_NEAR(middle.start().x, -4.575 + 0.15 * 15, 1e-12);
+  EXPECT_NEAR(middle.start().y, 4.075, 1e-12);
+  EXPECT_NEAR(middle.start().phi, M_PI / 2, 1e-12);
+  EXPECT_NEAR(middle.goal().x, -4.575 + 0.15 * 12, 1e-12);
+  EXPECT_NEAR(middle.goal().y, 5.075 + 0.15 * 29 + 0.3, 1e-12);
+  EXPECT_EQ(task_with({1, 0, 1, 29}).start().x, -3.9);
+  EXPECT_EQ(task_with({28, 0, 28, 29}).start().x, -0.5);
+  EXPECT_NE(middle.published_path(), nullptr);
+}
+
+TEST(Barn, RejectsTheTaskOfTheTrialsWithoutAPath) {
+  const MapFolder folder;
+  write_world(folder, 7);
+  std::filesystem::remove_all(folder.path("path_files"));
+  BarnOptions options;
+  options.task = BarnTask::Trials;
+  const std::string grid = folder.path("grid_files/grid_7.npy");
+  EXPECT_TRUE(rejects(ErrorKind::File, grid, grid, {"has no path", "path_7.npy"}, options));
+}
+
 TEST(Barn, ImportsThePublishedPathWithItsDuplicatePoint) {
   const MapFolder folder;
   write_world(folder, 7);

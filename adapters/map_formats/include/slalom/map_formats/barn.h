@@ -2,10 +2,24 @@
 
 #include <slalom/scenario/scenario.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace slalom {
+
+/// Start and goal in a world of BARN.
+enum class BarnTask {
+  Challenge,  ///< of the BARN challenge (since 2022): (-2.25, 3) facing +y to (-2.25, 13)
+  /// Of the trials whose times were published with the data set (scripts/run_trials.py of
+  /// github.com/wangzizhao/jackal_timer): from 1 m before the first point of the published path to
+  /// 0.3 m behind its last one, both displaced by (-0.15, -0.1) m from the cells; x of the start at
+  /// least -3.9 and at most -0.5.
+  Trials
+};
+constexpr auto enum_names(BarnTask) {
+  return std::array{"challenge", "trials"};
+}
 
 /// How worlds of the BARN data set are imported.
 struct BarnOptions {
@@ -14,13 +28,14 @@ struct BarnOptions {
   std::string worlds;
   /// Continuous: a disc for each cylinder. Grid: the cells of 0.15 m.
   Representation representation = Representation::Continuous;
+  BarnTask task = BarnTask::Challenge;
 };
 
 /// Whether this is a grid of BARN (grid_7.npy) or a folder that contains such grids or grid_files.
 bool is_barn(const std::string& path);
 
 /// Imports worlds of BARN (Perille et al., "Benchmarking Metric Ground Navigation", 2020), sorted
-/// by number, named barn_7, with BARN's task: start (-2.25, 3) facing +y, goal (-2.25, 13).
+/// by number, named barn_7.
 ///
 /// `path` is a grid or a folder. A grid (30 x 30 rows and columns, 1 is an obstacle) is converted
 /// to cylinders of radius 0.075 m at x = -4.425 + 0.15 row, y = 5.175 + 0.15 column, with walls of
@@ -28,7 +43,7 @@ bool is_barn(const std::string& path);
 /// -4.5 to 0, y 0 to 15. The path of the same number (path_7.npy, next to the grid or in
 /// path_files) is imported as published path. A map (map_pgm_7.pgm, next to the grid or in
 /// map_files) must contain the same obstacles. Throws Error: File for unreadable or inconsistent
-/// files, Usage for worlds that do not exist.
+/// files, also for the task of the trials if there is no path, Usage for worlds that do not exist.
 std::vector<Scenario> import_barn(const std::string& path, const BarnOptions& options);
 
 }  // namespace slalom
