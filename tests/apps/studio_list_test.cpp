@@ -1,5 +1,7 @@
 #include "studio_fixture.h"
 
+#include <mrpt/img/CImage.h>
+
 #include <algorithm>
 
 namespace slalom {
@@ -19,6 +21,16 @@ class StudioList : public StudioTest {
   void make_described_list(int count) const {
     make_list(count);
     ASSERT_EQ(run("slalom-scenarios describe a.scenarios --descriptors density").status, 0);
+  }
+  /// The brightest red of the text in the filter of a window of 1280 x 800.
+  int brightest_of_filter(const std::string& file) const {
+    mrpt::img::CImage picture;
+    if (!picture.loadFromFile(folder_ / file)) ADD_FAILURE() << file << " cannot be read";
+    int brightest = 0;
+    for (unsigned y = 72; y < 92; ++y)
+      for (unsigned x = 12; x < 200; ++x)
+        brightest = std::max<int>(brightest, picture.at<std::uint8_t>(x, y, 2));
+    return brightest;
   }
   std::string names(const std::string& list) const {
     return run("slalom-scenarios list " + list).out;
@@ -130,6 +142,265 @@ TEST_F(StudioList, GivesTheFilterNeitherTheKeyThatGoesThereNorItsOwnKeysToTheLis
       "a.scenarios");
 }
 
+TEST_F(StudioList, KeepsTheFocusInTheFilterAfterEnterWithItsTextSelected) {
+  make_list(5);
+  expect_played(
+      "wait idle\n"
+      "click list \"row 1\"\n"
+      "click filter\n"
+      "type \"name glob '*1'\"\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect list contains \"1 of 5 scenarios\"\n"
+      "key Delete\n"
+      "expect filter is \"name glob '*1'\"\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect filter is \"\"\n"
+      "expect list contains \"1 selected, 5 scenarios\"\n"
+      "type \"densitty > 1\"\n"
+      "key Enter\n"
+      "expect list contains \"expected 'density'\"\n"
+      "key Ctrl+A\n"
+      "key Delete\n"
+      "key Enter\n"
+      "expect list lacks expected\n"
+      "type \"name glob '*2'\"\n"
+      "key Enter\n"
+      "type \"name glob '*3'\"\n"  // replaces it
+      "key Enter\n"
+      "wait idle\n"
+      "expect rows contains \"row 0: random_0003\"\n"
+      "expect filter is \"name glob '*3'\"\n",
+      "a.scenarios");
+  EXPECT_EQ(rows_in(names("a.scenarios")), (std::vector<int>{0, 1, 2, 3, 4}));
+}
+
+TEST_F(StudioList, LeavesTheFilterUnchangedByEscape) {
+  make_list(5);
+  make_list(2, "b.scenarios", 8);
+  expect_played(
+      "wait idle\n"
+      "click list \"tab 0\"\n"
+      "click filter\n"
+      "type \"name glob '*1'\"\n"
+      "key Enter\n"
+      "type nonsense\n"
+      "key Escape\n"
+      "wait idle\n"
+      "expect filter is \"name glob '*1'\"\n"
+      "expect list contains \"1 of 5 scenarios\"\n"
+      "key S\n"  // a key of the list
+      "expect choices contains density\n"
+      "key Escape\n"
+      "click filter\n"
+      "key Ctrl+PageDown\n"  // another list
+      "expect filter is \"\"\n"
+      "key Enter\n"
+      "expect list contains \"0 selected, 2 scenarios\"\n",
+      "a.scenarios b.scenarios");
+}
+
+TEST_F(StudioList, ClearsTheFilterByItsCross) {
+  make_list(5);
+  expect_played(
+      "wait idle\n"
+      "click filter\n"
+      "type \"name glob '*1'\"\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect list contains \"1 of 5 scenarios\"\n"
+      "click list clear\n"
+      "wait idle\n"
+      "expect filter is \"\"\n"
+      "expect list contains \"0 selected, 5 scenarios\"\n"
+      "type \"name glob '*2'\"\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect list contains \"1 of 5 scenarios\"\n",
+      "a.scenarios");
+}
+
+TEST_F(StudioList, DrawsAnAppliedFilterBrighterThanItsPlaceholder) {
+  make_list(2);
+  expect_played(
+      "size 1280 800\n"
+      "wait idle\n"
+      "screenshot placeholder.png\n"
+      "click filter\n"
+      "type \"density > 0.2 and tag = hard\"\n"
+      "key Enter\n"
+      "key Escape\n"
+      "move status at 0.5 0.5\n"
+      "wait idle\n"
+      "screenshot applied.png\n",
+      "a.scenarios");
+  const int placeholder = brightest_of_filter("placeholder.png");
+  EXPECT_GT(brightest_of_filter("applied.png"), placeholder + 32);
+}
+
+TEST_F(StudioList, DeletesOneScenarioWithAnOfferToUndoIt) {
+  make_list(5);
+  expect_played(
+      "wait idle\n"
+      "click list \"row 1\"\n"
+      "key Delete\n"
+      "wait idle\n"
+      "expect status is \"Deleted 1 scenario - Undo\"\n"
+      "expect list contains \"0 selected, 4 scenarios\"\n"
+      "key Delete\n"  // the next row is current, but not selected
+      "expect list contains \"0 selected, 4 scenarios\"\n"
+      "expect status is \"Delete: nothing is selected\"\n"
+      "click list \"row 2\"\n"
+      "key Delete\n"
+      "wait idle\n"
+      "click status undo\n"
+      "wait idle\n"
+      "expect status is \"Undone: Delete 1 scenario\"\n"
+      "expect list contains \"4 scenarios\"\n"
+      "key Ctrl+Z\n"
+      "wait idle\n"
+      "key Ctrl+Z\n"
+      "expect status is \"Undo: there is nothing to undo\"\n"
+      "key Ctrl+T\n"
+      "expect status is \"Tags...: nothing is selected\"\n"
+      "click list \"row 0\"\n"
+      "key F2\n"  // no dialog has the keys
+      "expect status is \"\"\n"
+      "type corridor\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect rows contains \"row 0: corridor\"\n"
+      "expect status contains Rename\n",
+      "a.scenarios");
+  EXPECT_EQ(rows_in(names("a.scenarios")), (std::vector<int>{1, 2, 3, 4}));
+}
+
+TEST_F(StudioList, AsksBeforeItDeletesSeveralScenarios) {
+  make_list(6);
+  expect_played(
+      "wait idle\n"
+      "click list \"row 1\"\n"
+      "click list \"row 3\" shift\n"
+      "key Delete\n"
+      "expect dialog contains \"Delete 3 scenarios of a.scenarios?\"\n"
+      "key Enter\n"  // Cancel has the focus
+      "expect list contains \"3 selected, 6 scenarios\"\n"
+      "key Delete\n"
+      "key Escape\n"
+      "expect list contains \"3 selected, 6 scenarios\"\n"
+      "key Delete\n"
+      "key Right\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect status is \"Deleted 3 scenarios - Undo\"\n"
+      "expect list contains \"0 selected, 3 scenarios\"\n"
+      "click list \"row 0\"\n"
+      "key Ctrl+A\n"
+      "key Delete\n"
+      "click dialog cancel\n"
+      "expect list contains \"3 selected, 3 scenarios\"\n",
+      "a.scenarios");
+  EXPECT_EQ(rows_in(names("a.scenarios")), (std::vector<int>{0, 4, 5}));
+}
+
+TEST_F(StudioList, NeverDeletesAScenarioThatIsNotVisible) {
+  make_described_list(40);
+  expect_played(
+      "size 1280 800\n"
+      "wait idle\n"
+      "click list \"row 0\"\n"
+      "wheel -100 rows\n"
+      "expect rows lacks selected\n"
+      "key Delete\n"
+      "expect status contains \"out of view\"\n"
+      "expect rows contains \"row 0: random_0000\"\n"
+      "expect list contains \"1 selected, 40 scenarios\"\n"
+      "click filter\n"
+      "type \"not name = random_0000\"\n"
+      "key Enter\n"
+      "key Escape\n"
+      "wait idle\n"
+      "key Delete\n"
+      "expect status is \"Delete: nothing is selected\"\n"
+      "expect list contains \"0 selected, 39 of 40 scenarios\"\n"
+      "click list clear\n"
+      "wait idle\n"
+      "key Escape\n"
+      "key Ctrl+I\n"
+      "click dialog \"field edges\"\n"
+      "type \"0, 0.5, 1\"\n"
+      "key Enter\n"
+      "wait idle\n"
+      "click list \"row 0\"\n"
+      "click list \"group 0\"\n"
+      "key Delete\n"
+      "expect status is \"Delete: nothing is selected\"\n"
+      "wheel 100 rows\n"
+      "click list \"group 0\"\n"
+      "click list \"row 0\"\n"
+      "key Delete\n"
+      "wait idle\n"
+      "expect status is \"Deleted 1 scenario - Undo\"\n",
+      "a.scenarios");
+}
+
+TEST_F(StudioList, ShowsTheStatusOfTheLastActionOnly) {
+  make_list(3);
+  make_list(2, "b.scenarios", 8);
+  expect_played(
+      "wait idle\n"
+      "click list \"tab 0\"\n"
+      "wait idle\n"
+      "click list \"row 1\"\n"
+      "wait idle\n"
+      "click view \"tool start\"\n"
+      "drag view start to view goal\n"
+      "wait idle\n"
+      "expect status is \"Move start\"\n"
+      "click list \"row 0\"\n"
+      "expect status is \"\"\n"
+      "click list \"row 2\"\n"
+      "key Delete\n"
+      "wait idle\n"
+      "click list \"row 0\"\n"
+      "expect status is \"Deleted 1 scenario - Undo\"\n"
+      "click list \"tab 1\"\n"
+      "expect status is \"b.scenarios: 2 scenarios\"\n"
+      "key Ctrl+W\n"
+      "expect status is \"b.scenarios was closed\"\n",
+      "a.scenarios b.scenarios");
+}
+
+TEST_F(StudioList, PutsAnEditedScenarioWhereItBelongs) {
+  make_described_list(30);
+  const std::string shown = expect_played(
+      "size 1280 800\n"
+      "wait idle\n"
+      "click list sort\n"
+      "click choices \"choice density\"\n"
+      "wait idle\n"
+      "click list \"row 0\"\n"
+      "wait idle\n"
+      "click view \"tool disc\"\n"
+      "drag view \"at 4 1.5\" to view \"at 4 2.5\"\n"
+      "expect status is \"Add disc\"\n"
+      "wait idle\n"
+      "print rows\n"
+      "key Ctrl+Z\n"
+      "wait idle\n"
+      "expect rows contains \"row 0: \"\n",
+      "a.scenarios");
+  std::vector<double> densities;
+  for (std::size_t at = shown.find(", density "); at != std::string::npos;
+       at = shown.find(", density ", at + 1))
+    densities.push_back(std::stod(shown.substr(at + 10)));
+  EXPECT_GE(densities.size(), 4U) << shown;
+  EXPECT_TRUE(std::is_sorted(densities.begin(), densities.end())) << shown;
+  EXPECT_NE(shown.find("current, selected"), std::string::npos) << shown;
+  EXPECT_EQ(shown.find("row 0: "), std::string::npos) << "it was the first: " << shown;
+}
+
 TEST_F(StudioList, HasKeysForDirectionGroupsAndTabs) {
   make_list(2);
   make_list(3, "b.scenarios", 8);
@@ -203,6 +474,7 @@ TEST_F(StudioList, SelectsWithTheMouseAndTagsRenamesAndRemoves) {
       "key Ctrl+A\n"
       "key Space\n"
       "key Delete\n"
+      "click dialog ok\n"
       "wait idle\n"
       "expect list contains \"1 of 6 scenarios\"\n",
       "a.scenarios");

@@ -12,6 +12,7 @@ const std::vector<PanelKey>& panel_keys() {
       {"list", {"Space"}, "toggle the selection or a group"},
       {"list", {"Left", "Right"}, "close, open the group"},
       {"list", {"Ctrl+A", "Escape"}, "select all, none"},
+      {"filter", {"Enter", "Escape"}, "apply and select the text; back to the list"},
       {"descriptors", {"Tab", "Shift+Tab"}, "next, previous tab"},
       {"descriptors", {"Up", "Down"}, "another descriptor (of the x axis)"},
       {"descriptors", {"Left", "Right"}, "another descriptor of the y axis"},

@@ -16,6 +16,10 @@ std::string describe_key(const std::string& path) {
   return kDescribe + path;
 }
 
+std::string count_of_scenarios(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " scenario" : " scenarios");
+}
+
 DescribeOptions options_for(const SceneSettings& settings) {
   DescribeOptions options;
   options.robot = settings.robot.shape();
@@ -61,6 +65,8 @@ void Studio::open_list(const std::string& path) {
   document->observe([this, source = document.get()](Change change) {
     if (source != active()) return;
     if (change == Change::Current) return current_changed();
+    if (change == Change::Command) return notices_.show_status(source->history().undo_title());
+    if (change == Change::CurrentRow) return notices_.publish(change);
     notices_.publish(change);
     read_list_values();
   });
@@ -76,6 +82,7 @@ void Studio::create_list(const std::string& path) {
 }
 
 void Studio::close_list(std::size_t index) {
+  notices_.show_status(documents_[index]->title() + " was closed");
   documents_.erase(documents_.begin() + static_cast<std::ptrdiff_t>(index));
   if (active_ > index || active_ == documents_.size()) active_ -= active_ > 0 ? 1 : 0;
   documents_changed();
@@ -108,6 +115,7 @@ void Studio::current_changed() {
   const std::string hash = current_hash();
   if (hash != current_hash_) {
     current_hash_ = hash;
+    if (!notices_.status().scenario.empty()) notices_.show_status("");
     results_.show(hash);
     descriptors_.show(active() == nullptr ? "" : active()->path(), hash);
     try {
@@ -126,10 +134,34 @@ void Studio::current_changed() {
 void Studio::edit_current(const SceneEdit& edit) {
   try {
     active()->edit_current(edit.scenario);
-    notices_.show_status(edit.title);
+    notices_.show_status(Notices::Status{edit.title, false, false, edit.scenario.hash()});
   } catch (const Error& error) {
-    notices_.show_status(error.what(), true);
+    notices_.show_status(Notices::Status{error.what(), true, false, current_hash()});
   }
+}
+
+void Studio::remove(ListDocument& list) {
+  const std::size_t count = list.selected_count();
+  list.remove_selected();
+  notices_.show_status(Notices::Status{"Deleted " + count_of_scenarios(count), false, true});
+}
+
+void Studio::remove_selected() {
+  ListDocument& list = *active();
+  const std::vector<std::string> hashes = list.selected();
+  if (hashes.size() != 1)
+    return notices_.show_form(
+        {"Delete scenarios",
+         "Delete",
+         "Delete " + count_of_scenarios(hashes.size()) + " of " + list.title() + "?",
+         {},
+         [this, &list](const FormValues&) {
+           // A job may have opened another list meanwhile.
+           if (active() != &list) throw usage_error("list", "is no longer the active one");
+           remove(list);
+         }});
+  if (reveal_(*list.view().index_of(hashes.front()))) return remove(list);
+  notices_.show_status("The selected scenario was out of view; Delete again deletes it");
 }
 
 void Studio::undo() {

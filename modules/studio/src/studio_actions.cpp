@@ -293,7 +293,7 @@ void add_edit_actions(Actions& actions, Studio& studio) {
                "Moves the selected scenarios.", opens(studio, move_form),
                needs_another_list(studio, ListAction::MoveTo)});
   actions.add({"edit.delete", "Edit", "Delete", "Delete", "Removes the selected scenarios.",
-               [&studio] { studio.active()->remove_selected(); },
+               [&studio] { studio.remove_selected(); },
                list_disabled_check(studio, ListAction::Remove)});
   actions.add({"edit.rename", "Edit", "Rename...", "F2", "Renames the current scenario.",
                opens(studio, rename_form), list_disabled_check(studio, ListAction::Rename)});

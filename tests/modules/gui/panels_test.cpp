@@ -128,7 +128,8 @@ TEST_F(Panels, HandleTheKeysOfTheHelp) {
     finish();
     for (const std::string& name : keys.keys) {
       // Those of the panel around the rows need a window: studio_list_test presses them.
-      if (keys.keys.front() == "F" || keys.keys.front() == "Ctrl+PageUp") continue;
+      if (keys.panel == "filter" || keys.keys.front() == "F" || keys.keys.front() == "Ctrl+PageUp")
+        continue;
       const KeyStroke stroke = key_stroke_of(name);
       studio_.active()->select_all();  // which Escape undoes
       EXPECT_TRUE(panels.at(keys.panel)->keyboardEvent(stroke.key, 0, GLFW_PRESS, stroke.modifiers))
@@ -141,7 +142,7 @@ TEST_F(Panels, HandleTheKeysOfTheHelp) {
 }
 
 TEST_F(Panels, OfTheStatusShowTheMessageAndTheRunningJob) {
-  auto bar = sized(make_status_bar(nullptr, studio_));
+  auto bar = sized(make_status_bar(nullptr, studio_, [] {}));
   studio_.notices().show_status("Saved");
   EXPECT_EQ(bar->text(), "Saved");
   EXPECT_FALSE(bar->rect_of("cancel"));

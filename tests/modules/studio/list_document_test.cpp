@@ -119,7 +119,7 @@ TEST_F(ListDocuments, KeepTheEditedScenarioCurrentWhereverItsRowGoes) {
   document_.set_sort("density", false);
   document_.set_current(hash_of(3));
   document_.edit_current(make_scenario(103).renamed("world_3"));  // its density was never computed
-  EXPECT_EQ(shown(), (Numbers{0, 1, 2, 4, 5, 6, 7, 3, 8, 9}));
+  EXPECT_EQ(shown(), (Numbers{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
   EXPECT_EQ(document_.current(), hash_of(103));
   document_.edit_current(make_scenario(104).renamed("world_3"));
   document_.observe([&](Change change) {
@@ -139,6 +139,40 @@ TEST_F(ListDocuments, KeepTheEditedScenarioCurrentWhereverItsRowGoes) {
   document_.set_current(hash_of(5));
   document_.undo();
   EXPECT_EQ(document_.current(), hash_of(5)) << "the user has gone on to another";
+}
+
+TEST_F(ListDocuments, PutAnEditedScenarioWhereItBelongsWhenItsValueIsStored) {
+  std::size_t moved = 0;
+  document_.observe([&](Change change) { moved += change == Change::CurrentRow ? 1 : 0; });
+  document_.set_sort("density", false);
+  document_.select_only(3);
+  document_.edit_current(make_scenario(103).renamed("world_3"));
+  EXPECT_EQ(shown(), (Numbers{0, 1, 2, 3, 4, 5, 6, 7, 8, 9})) << "its density is not yet computed";
+  EXPECT_EQ(moved, 1U);
+  const ValueKey key = descriptor_view({"density"}, {}).at("density").front();
+  document_.store_values(hash_of(5), {{key, Value::of(0)}});
+  EXPECT_EQ(shown(), (Numbers{0, 1, 2, 3, 4, 5, 6, 7, 8, 9})) << "one that is only looked at stays";
+  document_.store_values(hash_of(103), {{key, Value::of(0.65)}});
+  EXPECT_EQ(shown(), (Numbers{0, 5, 1, 2, 4, 6, 3, 7, 8, 9}));
+  EXPECT_EQ(document_.current(), hash_of(103));
+  EXPECT_EQ(selected(), Numbers{3});
+  EXPECT_EQ(moved, 2U);
+  document_.undo();
+  EXPECT_EQ(document_.current(), hash_of(3));
+  EXPECT_EQ(selected(), Numbers{3});
+}
+
+TEST_F(ListDocuments, DeselectTheScenariosOfAClosedGroup) {
+  const auto keys = descriptor_view({"density"}, {}).at("density");
+  document_.run(make_create_index(document_.list(), {"by_density", "density", keys, {0, 0.5, 1}}));
+  document_.set_group_by("by_density");
+  document_.select_all();
+  document_.toggle_group(0);
+  EXPECT_EQ(selected(), (Numbers{5, 6, 7, 8, 9}));
+  document_.select_all();
+  EXPECT_EQ(selected(), (Numbers{5, 6, 7, 8, 9}));
+  document_.select({hash_of(1), hash_of(6)});
+  EXPECT_EQ(selected(), Numbers{6});
 }
 
 TEST_F(ListDocuments, KeepTheCurrentScenarioWhenAnotherActionIsUndoneAfterAnEdit) {

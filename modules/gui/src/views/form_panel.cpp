@@ -111,7 +111,7 @@ class FormPanel : public Element {
  protected:
   std::vector<Part> parts() const override {
     std::vector<Part> all = {{"ok", ok_rect()}};
-    if (!is_message()) all.push_back({"cancel", cancel_rect()});
+    if (has_cancel()) all.push_back({"cancel", cancel_rect()});
     const auto add = [&](const std::string& name, const ScreenRect& rect) {
       if (is_in_view(rect)) all.push_back({name, to_panel(rect)});
     };
@@ -190,7 +190,7 @@ class FormPanel : public Element {
  private:
   static constexpr double kMargin = FormLayout::kMargin, kTitleHeight = 44;  ///< pixels
   /// With space for an error message above the buttons.
-  double footer_height() const { return is_message() ? 56 : 96; }
+  double footer_height() const { return has_cancel() ? 96 : 56; }
   /// The visible area of the fields.
   ScreenRect content() const {
     const double top = kTitleHeight + (is_message() ? 0 : intro_height_);
@@ -218,6 +218,7 @@ class FormPanel : public Element {
     return kind == FieldKind::Text || kind == FieldKind::Number || kind == FieldKind::Integer;
   }
   bool is_message() const { return model_.fields().empty(); }
+  bool has_cancel() const { return !is_message() || model_.description().accepted; }
   bool has_columns() const {
     return is_message() && model_.description().intro.find('\t') != std::string::npos;
   }
@@ -235,7 +236,7 @@ class FormPanel : public Element {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < model_.fields().size(); ++i)
       if (model_.is_shown(i) && model_.fields()[i].kind != FieldKind::Heading) all.push_back(i);
-    if (!is_message()) all.push_back(cancel_tab_stop());
+    if (has_cancel()) all.push_back(cancel_tab_stop());
     all.push_back(ok_tab_stop());
     return all;
   }
@@ -288,7 +289,7 @@ class FormPanel : public Element {
   void choose_by_key(int key) {
     if (focus_ >= model_.fields().size()) {
       if (key == GLFW_KEY_SPACE) focus_ == ok_tab_stop() ? accept() : cancel();
-      if (!is_message() && (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT))
+      if (has_cancel() && (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT))
         focus_ = focus_ == ok_tab_stop() ? cancel_tab_stop() : ok_tab_stop();
       return;
     }
@@ -304,7 +305,7 @@ class FormPanel : public Element {
   /// Its tab stop, or 0.
   std::size_t button_at(const Point& at) const {
     if (ok_rect().contains(at)) return ok_tab_stop();
-    return !is_message() && cancel_rect().contains(at) ? cancel_tab_stop() : 0;
+    return has_cancel() && cancel_rect().contains(at) ? cancel_tab_stop() : 0;
   }
   void press_line(const FormLine& line, const Point& at, int modifiers) {
     const std::size_t field = line.field;
@@ -375,7 +376,7 @@ class FormPanel : public Element {
     draw::line(ctx, 1, top + 0.5, width() - 1, top + 0.5, palette().border);
     draw_two_lines(ctx, {kMargin, top + 6, width() - 2 * kMargin, 38}, message_,
                    palette().error_text);
-    if (!is_message())
+    if (has_cancel())
       draw::button(ctx, cancel_rect(), "Cancel", {false, true, false, focus_ == cancel_tab_stop()});
     draw::button(ctx, ok_rect(), model_.description().accept,
                  {true, true, false, focus_ == ok_tab_stop()});

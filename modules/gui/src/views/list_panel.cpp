@@ -1,3 +1,4 @@
+#include "views/filter_box.h"
 #include "views/panels.h"
 #include "widgets/drawing.h"
 #include "widgets/menu.h"
@@ -39,20 +40,17 @@ double controls_top(double message_height) {
 /// Keys besides those of the rows: F (filter), S (sort by), D (direction), G (groups), Ctrl+Page
 /// Up, Ctrl+Page Down (previous and next tab).
 ///
-/// Parts: "tab 0", "close 0", "sort", "direction", "group_by", and those of the rows. Its elements
-/// have the ids "filter", "rows" and, while a drop-down list is open, "choices".
+/// Parts: "tab 0", "close 0", "clear" (of a filter), "sort", "direction", "group_by", and those of
+/// the rows. Its elements have the ids "filter", "rows" and, while a drop-down list is open,
+/// "choices".
 class ListPanel : public Element {
  public:
   ListPanel(nanogui::Widget* parent, Studio& studio)
       : Element(parent, "list", Focus::OnPress),
         studio_(studio),
-        filter_(new nanogui::TextBox(this, "")),
+        filter_(new FilterBox(this, [this] { rows_->requestFocus(); })),
         rows_(make_list_rows(this, studio)),
         choices_(new Menu(this, "choices", rows_)) {
-    filter_->setId("filter");
-    filter_->setEditable(true);
-    filter_->setAlignment(nanogui::TextBox::Alignment::Left);
-    filter_->setPlaceholder("filter: density > 0.2 and tag = hard");
     filter_->setFontSize(15);
     filter_->setCallback([this](const std::string& text) {
       if (document() != nullptr) document()->set_filter(text);
@@ -68,6 +66,7 @@ class ListPanel : public Element {
       return closes ? studio_.close_list(tab) : studio_.activate(tab);
     }
     if (document() == nullptr) return;
+    if (part == "clear") clear_filter();
     if (part == "sort") choose_sort();
     if (part == "group_by") choose_group();
     if (part == "direction")
@@ -96,8 +95,9 @@ class ListPanel : public Element {
   void performLayout(NVGcontext* ctx) override {
     Element::performLayout(ctx);
     if (filter_->theme() == theme() && theme() != nullptr) {
-      // The placeholder color of the theme has too little contrast.
+      // The theme's colors of text and placeholder have too little contrast and hardly differ.
       nanogui::ref<nanogui::Theme> readable = new nanogui::Theme(*theme());
+      readable->mTextColor = draw::nvg(palette().text);
       readable->mDisabledTextColor = draw::nvg(palette().faint_text);
       filter_->setTheme(readable);
       filter_->setFontSize(15);  // setTheme() resets it
@@ -120,6 +120,10 @@ class ListPanel : public Element {
       all.push_back({"tab " + std::to_string(tab), rect});
       left += tab_width;
     }
+    if (!shown_filter_.empty())
+      all.push_back({"clear",
+                     {width() - kListMargin - kCloseWidth, kTabBarHeight + kListMargin, kCloseWidth,
+                      kControlHeight}});
     const double top = controls_top(message_height_), available = width() - 2 * kListMargin;
     const double sort = std::floor(0.52 * (available - kControlHeight - 8));
     const double direction = kListMargin + sort + 4, group = direction + kControlHeight + 4;
@@ -133,6 +137,7 @@ class ListPanel : public Element {
     if (document() != nullptr && document()->filter_text() != shown_filter_) {
       shown_filter_ = document()->filter_text();
       if (!filter_->focused()) filter_->setValue(shown_filter_);
+      arrange();
     }
     draw::fill(ctx, area(), colors.panel);
     draw::fill(ctx, {0, 0, area().width, kTabBarHeight}, colors.window);
@@ -142,6 +147,7 @@ class ListPanel : public Element {
       message_height_ = message_height;
       arrange();
     }
+    if (!shown_filter_.empty()) draw_cross(ctx, "clear");
     draw_control(ctx, "sort", "Sort: " + sort_text());
     draw_direction(ctx);
     draw_control(ctx, "group_by", group_text());
@@ -152,6 +158,7 @@ class ListPanel : public Element {
   }
   /// A click beside an open drop-down list only closes it.
   bool press(const Point& at, int /*modifiers*/) override {
+    if (filter_->focused()) rows_->requestFocus();
     choices_->visible() ? choices_->close() : click(part_at(at));
     return true;
   }
@@ -159,6 +166,8 @@ class ListPanel : public Element {
     hovered_ = at ? part_at(*at) : "";
     if (hovered_.rfind("tab ", 0) == 0)
       setTooltip(studio_.documents()[std::stoul(hovered_.substr(4))]->path());
+    else if (hovered_ == "clear")
+      setTooltip("Clears the filter.");
     else
       setTooltip(at && message_rect().contains(*at) ? message() : "");
   }
@@ -214,16 +223,23 @@ class ListPanel : public Element {
   void documents_changed() {
     choices_->setVisible(false);
     shown_filter_ = document() != nullptr ? document()->filter_text() : "";
-    filter_->setValue(shown_filter_);
+    filter_->set_text(shown_filter_);
     filter_->setEnabled(document() != nullptr);
+    arrange();
     show_tab(studio_.active_index());
   }
   void arrange() {
     const int margin = static_cast<int>(kListMargin);
     filter_->setPosition({margin, static_cast<int>(kTabBarHeight + kListMargin)});
-    filter_->setSize({std::max(width() - 2 * margin, 1), static_cast<int>(kControlHeight)});
+    const int cross = shown_filter_.empty() ? 0 : static_cast<int>(kCloseWidth);
+    filter_->setSize({std::max(width() - 2 * margin - cross, 1), static_cast<int>(kControlHeight)});
     const double top = controls_top(message_height_) + kControlHeight + kListMargin;
     rows_->set_bounds({0, top, area().width, height() - kListFooterHeight - top});
+  }
+  void clear_filter() {
+    filter_->set_text("");
+    document()->set_filter("");
+    filter_->requestFocus();
   }
   std::size_t visible_tab_count() const {
     return static_cast<std::size_t>(std::max((width() - kListMargin) / kMinTabWidth, 1.0));
@@ -279,14 +295,19 @@ class ListPanel : public Element {
   }
   void draw_tab(NVGcontext* ctx, std::size_t tab) const {
     const std::string number = std::to_string(tab);
-    const auto rect = Element::rect_of("tab " + number),
-               close = Element::rect_of("close " + number);
-    if (!rect || !close) return;  // scrolled out of view
+    const auto rect = Element::rect_of("tab " + number);
+    if (!rect) return;  // scrolled out of view
     draw::tab(ctx, *rect, {rect->left + 8, rect->top, rect->width - kCloseWidth - 10, rect->height},
               studio_.documents()[tab]->title(), tab == studio_.active_index(),
               hovered_ == "tab " + number);
-    const double x = close->left + 0.5 * close->width, y = close->top + 0.5 * close->height;
-    const Color& ink = hovered_ == "close " + number ? palette().error_text : palette().faint_text;
+    draw_cross(ctx, "close " + number);
+  }
+  /// The cross of a part that closes or clears.
+  void draw_cross(NVGcontext* ctx, const std::string& part) const {
+    const auto rect = Element::rect_of(part);
+    if (!rect) return;
+    const double x = rect->left + 0.5 * rect->width, y = rect->top + 0.5 * rect->height;
+    const Color& ink = hovered_ == part ? palette().error_text : palette().faint_text;
     draw::line(ctx, x - 4, y - 4, x + 4, y + 4, ink, 1.5F);
     draw::line(ctx, x - 4, y + 4, x + 4, y - 4, ink, 1.5F);
   }
@@ -319,7 +340,7 @@ class ListPanel : public Element {
   double message_height_ = 0, message_width_ = 0;
   std::string message_, elided_message_;
   std::string shown_filter_;  ///< to notice when the filter of the document changes
-  nanogui::TextBox* filter_;
+  FilterBox* filter_;
   Element* rows_;
   Menu* choices_;
 };

@@ -6,6 +6,7 @@
 #include <slalom/studio/thumbnails.h>
 
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -58,6 +59,8 @@ class ListRows : public Table {
           if (texture && context_ != nullptr) nvgDeleteImage(context_, *texture);
         }) {
     studio.notices().observe({Change::Documents}, [this] { documents_changed(); });
+    studio.notices().observe({Change::CurrentRow}, [this] { scrolled_to_.clear(); });
+    studio.set_reveal([this](std::size_t index) { return reveal(index); });
   }
   std::string text() const override {
     std::string text;
@@ -206,6 +209,14 @@ class ListRows : public Table {
     const auto index = document()->view().index_of(scrolled_to_);
     const auto line = index ? lines().line_of(*index) : std::nullopt;
     if (line) bring_into_view(*line);
+  }
+  /// Scrolls to a row. Returns whether it was visible before.
+  bool reveal(std::size_t index) {
+    const auto line = lines().line_of(index);
+    if (!line) return false;
+    const std::vector<std::size_t> before = visible_rows();
+    bring_into_view(*line);
+    return std::find(before.begin(), before.end(), *line) != before.end();
   }
   void select(std::size_t index, int modifiers) {
     if ((modifiers & GLFW_MOD_SHIFT) != 0)

@@ -4,6 +4,7 @@
 
 #include <slalom/studio/studio.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@ namespace slalom {
 // The panels of the window and their parts, which read and call the studio and observe its changes.
 // Their keys and the parts that scripts can click are described at their classes.
 
-/// The status bar, id "status".
-Element* make_status_bar(nanogui::Widget* parent, Studio& studio);
+/// The status bar, id "status"; `undo` undoes the last change.
+Element* make_status_bar(nanogui::Widget* parent, Studio& studio, std::function<void()> undo);
 /// The descriptors of the current scenario and their distribution in the list, id "descriptors".
 Element* make_descriptor_panel(nanogui::Widget* parent, Studio& studio);
 /// The open lists, id "list".

@@ -1,12 +1,15 @@
 #include "views/panels.h"
 #include "widgets/drawing.h"
 
+#include <functional>
 #include <optional>
+#include <utility>
 
 namespace slalom {
 namespace {
 
 constexpr double kJobWidth = 560, kBarWidth = 120, kCancelWidth = 60;
+const char* const kUndo = "Undo";
 
 std::string job_text(const JobStatus& job) {
   std::string text = job.title;
@@ -14,17 +17,19 @@ std::string job_text(const JobStatus& job) {
   return text;
 }
 
-/// The status bar, id "status": the last message at the left, the running job at the right. Part
-/// "cancel" is the button that cancels the job.
+/// The status bar, id "status": the last message at the left, the running job at the right. Parts:
+/// "undo", the link after a message that offers it, and "cancel", the button that cancels the job.
 class StatusBar : public Element {
  public:
-  StatusBar(nanogui::Widget* parent, Studio& studio) : Element(parent, "status"), studio_(studio) {}
+  StatusBar(nanogui::Widget* parent, Studio& studio, std::function<void()> undo)
+      : Element(parent, "status"), studio_(studio), undo_(std::move(undo)) {}
   std::string text() const override {
     const auto job = shown_job();
-    return studio_.notices().status().text + (job ? "\n" + job_text(*job) : "");
+    return message() + (job ? "\n" + job_text(*job) : "");
   }
   void click(const std::string& part) override {
     const auto job = shown_job();
+    if (part == "undo") undo_();
     if (!job || part != "cancel") return;
     studio_.jobs().cancel(job->key);
     studio_.notices().show_status(job->title + ": canceled");
@@ -32,8 +37,10 @@ class StatusBar : public Element {
 
  protected:
   std::vector<Part> parts() const override {
-    if (!shown_job()) return {};
-    return {{"cancel", cancel_rect()}};
+    std::vector<Part> all;
+    if (shown_job()) all.push_back({"cancel", cancel_rect()});
+    if (undo_rect_) all.push_back({"undo", *undo_rect_});
+    return all;
   }
   void paint(NVGcontext* ctx) override {
     const Palette& colors = palette();
@@ -41,8 +48,16 @@ class StatusBar : public Element {
     const auto job = shown_job();
     const double bar_height = height(), right = width() - (job ? kJobWidth + 20 : 10);
     const Notices::Status& status = studio_.notices().status();
-    draw::text(ctx, {10, 0, right - 10, bar_height}, status.text,
+    draw::text(ctx, {10, 0, right - 10, bar_height}, message(),
                status.is_error ? colors.error_text : colors.text);
+    undo_rect_.reset();
+    if (status.offers_undo) {
+      const double end = 10 + draw::text_width(ctx, message());
+      const double width = draw::text_width(ctx, kUndo);
+      undo_rect_ = ScreenRect{end - width, 0, width, bar_height};
+      draw::fill(ctx, *undo_rect_, colors.panel);
+      draw::text(ctx, {end - width, 0, width + 2, bar_height}, kUndo, colors.accent);
+    }
     if (job) {
       const ScreenRect cancel = cancel_rect();
       const double bar = cancel.left - kBarWidth - 10, text = width() - kJobWidth;
@@ -62,17 +77,23 @@ class StatusBar : public Element {
       if (job.visible) return job;
     return std::nullopt;
   }
+  std::string message() const {
+    const Notices::Status& status = studio_.notices().status();
+    return status.offers_undo ? status.text + " - " + kUndo : status.text;
+  }
   ScreenRect cancel_rect() const {
     return {width() - kCancelWidth - 6, 3, kCancelWidth, height() - 6.0};
   }
 
   Studio& studio_;
+  std::function<void()> undo_;
+  std::optional<ScreenRect> undo_rect_;  ///< as last drawn
 };
 
 }  // namespace
 
-Element* make_status_bar(nanogui::Widget* parent, Studio& studio) {
-  return new StatusBar(parent, studio);
+Element* make_status_bar(nanogui::Widget* parent, Studio& studio, std::function<void()> undo) {
+  return new StatusBar(parent, studio, std::move(undo));
 }
 
 }  // namespace slalom

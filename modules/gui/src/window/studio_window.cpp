@@ -105,7 +105,7 @@ void StudioWindow::make_elements() {
   add_splitter("splitter_list", DragAxis::Horizontal, &StudioSettings::list_width, 1);
   add_splitter("splitter_descriptors", DragAxis::Vertical, &StudioSettings::descriptors_height, -1);
   add_splitter("splitter_results", DragAxis::Vertical, &StudioSettings::results_height, -1);
-  make_status_bar(this, studio());
+  make_status_bar(this, studio(), [this] { run_action("edit.undo"); });
 }
 
 bool StudioWindow::has_movers() {
@@ -124,11 +124,18 @@ void StudioWindow::next_panel() {
   panels[next]->requestFocus();
 }
 
+/// A disabled action only shows its reason in the status line. The line shows nothing of earlier
+/// actions.
 void StudioWindow::run_action(const std::string& id) {
+  const Action& action = actions_.find(id);
+  const std::string reason = action.disabled_reason();
+  studio().notices().show_status(reason.empty() ? "" : action.title + ": " + reason,
+                                 !reason.empty());
+  if (!reason.empty()) return;
   try {
     actions_.run(id);
   } catch (const Error& error) {
-    studio().notices().show_error(error.what(), actions_.find(id).title);
+    studio().notices().show_error(error.what(), action.title);
   }
 }
 

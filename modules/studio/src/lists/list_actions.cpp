@@ -70,13 +70,15 @@ void ListDocument::accept_changes() {
   refresh();
 }
 
-void ListDocument::run(ListCommandPtr command) {
+void ListDocument::run(ListCommandPtr command, const std::string& new_current) {
   const std::string file = write_error();
   if (!file.empty()) throw usage_error(title(), file);
   const std::string reason = command->disabled_reason();
   if (!reason.empty()) throw usage_error(title(), reason);
   history_.execute(std::move(command));
+  if (!new_current.empty()) pending_current_ = new_current;
   accept_changes();
+  notify(Change::Command);
 }
 
 void ListDocument::transfer(ListDocument& target, bool move) {
@@ -89,6 +91,7 @@ void ListDocument::transfer(ListDocument& target, bool move) {
       std::vector<std::shared_ptr<ScenarioList>>{list_, target.list_}, std::move(command)));
   target.accept_changes();
   if (move) accept_changes();
+  notify(Change::Command);
 }
 
 void ListDocument::copy_to(ListDocument& target) {
@@ -147,10 +150,12 @@ std::size_t ListDocument::deduplicate(
 void ListDocument::edit_current(const Scenario& scenario) {
   const std::string before = current_;
   const std::string& after = scenario.hash();
-  run(make_edit_scenario(*list_, before, scenario));
+  const auto index = view_.index_of(before);
+  ListCommandPtr command = make_edit_scenario(*list_, before, scenario);
+  if (index) request_.held = {after, *index};
+  run(std::move(command), after);
   edited_to_[before] = after;
   edited_from_[after] = before;
-  set_current(after);
 }
 
 /// To the content that the current scenario had before an edit, or has after it, where its own is

@@ -62,6 +62,7 @@ void ListDocument::set_filter(const std::string& text) {
 }
 
 void ListDocument::set_sort(const std::string& field, bool descending) {
+  request_.held.reset();
   request_.sort = field;
   request_.descending = descending;
   refresh();
@@ -124,6 +125,10 @@ void ListDocument::store_values(const std::string& hash, const std::vector<Keyed
     });
     file_ = file_on_disk();
     rows_.erase(hash);
+    if (!request_.held || request_.held->hash != hash) return;
+    request_.held.reset();
+    if (hash == current_) pending_current_ = hash;
+    refresh();
   } catch (const Error&) {
     // The file is read-only; the values can be computed again.
   }
@@ -136,9 +141,11 @@ void ListDocument::fail(const std::string& message) {
 }
 
 void ListDocument::show(ListView view) {
-  const std::vector<std::string> selected_before = selected();
+  std::vector<std::string> selected_before = selected();
   const auto old_position = view_.index_of(current_);
+  const bool current_selected = old_position && is_selected(*old_position);
   view_ = std::move(view);
+  if (current_selected && !view_.index_of(current_)) selected_before.push_back(pending_current_);
   lines_ = ListLines(view_.hashes.size(), view_.groups, collapsed_);
   rows_.clear();
   find_sort_values();
@@ -152,19 +159,21 @@ void ListDocument::find_sort_values() {
   sort_keys_.clear();
   sort_field_.reset();
   sort_unit_ = "-";
-  if (request_.sort.empty() || request_.sort == "name") return;
-  if (request_.results && request_.results->contains(request_.sort)) {
+  if (is_descriptor_sort(request_)) {
+    sort_keys_ = descriptor_view({request_.sort}, request_.describe).at(request_.sort);
+    sort_unit_ = descriptor(request_.sort).info.unit;
+  } else if (request_.results && request_.results->contains(request_.sort)) {
     sort_field_ = request_.results->read(request_.sort);
     sort_unit_ = sort_field_->unit;
-    return;
   }
-  sort_keys_ = descriptor_view({request_.sort}, request_.describe).at(request_.sort);
-  sort_unit_ = descriptor(request_.sort).info.unit;
 }
 
 void ListDocument::keep_current_valid(const std::optional<std::size_t>& old_position) {
   const std::string pending = std::exchange(pending_current_, "");
-  if (!pending.empty() && view_.index_of(pending)) return set_current(pending);
+  if (!pending.empty() && view_.index_of(pending)) {
+    set_current(pending);
+    return notify(Change::CurrentRow);
+  }
   if (view_.index_of(current_)) return;
   if (view_.hashes.empty()) {
     if (current_.empty()) return;
@@ -179,6 +188,7 @@ void ListDocument::toggle_group(std::size_t group) {
   const std::string& title = view_.groups.at(group).title;
   if (collapsed_.erase(title) == 0) collapsed_.insert(title);
   lines_ = ListLines(view_.hashes.size(), view_.groups, collapsed_);
+  deselect_hidden();
   notify(Change::View);
 }
 
@@ -257,13 +267,13 @@ void ListDocument::select_to(std::size_t index) {
   std::fill(is_selected_.begin(), is_selected_.end(), char{0});
   std::fill(is_selected_.begin() + static_cast<std::ptrdiff_t>(low),
             is_selected_.begin() + static_cast<std::ptrdiff_t>(high) + 1, char{1});
-  selected_ = high - low + 1;
+  deselect_hidden();
   set_current(view_.hashes[index]);
 }
 
 void ListDocument::select_all() {
   std::fill(is_selected_.begin(), is_selected_.end(), char{1});
-  selected_ = is_selected_.size();
+  deselect_hidden();
 }
 
 void ListDocument::select_none() {
@@ -275,6 +285,15 @@ void ListDocument::select(const std::vector<std::string>& hashes) {
   is_selected_.assign(view_.hashes.size(), 0);
   for (const std::string& hash : hashes)
     if (const auto index = view_.index_of(hash)) is_selected_[*index] = 1;
+  deselect_hidden();
+}
+
+/// Deselects the scenarios of closed groups, and counts the selected ones.
+void ListDocument::deselect_hidden() {
+  for (const ListGroup& group : view_.groups)
+    if (collapsed_.count(group.title) > 0)
+      std::fill_n(is_selected_.begin() + static_cast<std::ptrdiff_t>(group.first), group.count,
+                  char{0});
   selected_ =
       static_cast<std::size_t>(std::count(is_selected_.begin(), is_selected_.end(), char{1}));
 }

@@ -103,6 +103,20 @@ void group(ListView& view, const ScenarioList& list, const ListIndex& index) {
   view.by_hash = sorted_indices(view.hashes);
 }
 
+/// Moves a scenario from the end, where those without a value are, to its index.
+void hold(std::vector<std::string>& hashes, const ListViewRequest::Held& held) {
+  const auto from = std::find(hashes.begin(), hashes.end(), held.hash);
+  if (from == hashes.end() || from - hashes.begin() <= static_cast<std::ptrdiff_t>(held.index))
+    return;
+  std::rotate(hashes.begin() + static_cast<std::ptrdiff_t>(held.index), from, from + 1);
+}
+
+bool lacks_value(const ScenarioList& list, const std::string& hash,
+                 const std::vector<ValueKey>& keys) {
+  const std::vector<std::string> missing = list.missing_values(keys);
+  return std::find(missing.begin(), missing.end(), hash) != missing.end();
+}
+
 }  // namespace
 
 std::optional<std::size_t> ListView::index_of(const std::string& hash) const {
@@ -110,6 +124,11 @@ std::optional<std::size_t> ListView::index_of(const std::string& hash) const {
                                    [&](std::uint32_t i, const auto& h) { return hashes[i] < h; });
   if (at == by_hash.end() || hashes[*at] != hash) return std::nullopt;
   return *at;
+}
+
+bool is_descriptor_sort(const ListViewRequest& request) {
+  const bool by_result = request.results && request.results->contains(request.sort);
+  return !request.sort.empty() && request.sort != "name" && !by_result;
 }
 
 ListSelection filter_selection(const ScenarioList& list, const ListViewRequest& request) {
@@ -129,8 +148,7 @@ ListView make_list_view(const ScenarioList& list, const ListViewRequest& request
   ListSelection selection = filter_selection(list, request);
   if (!request.sort.empty()) {
     selection.order.push_back({request.sort, request.descending});
-    const bool result = request.results && request.results->contains(request.sort);
-    if (request.sort != "name" && !result)
+    if (is_descriptor_sort(request))
       selection.view.merge(descriptor_view({request.sort}, request.describe));
   }
   if (request.results) request.results->provide(selection);
@@ -139,6 +157,9 @@ ListView make_list_view(const ScenarioList& list, const ListViewRequest& request
   view.hashes = hashes_of(list, selection);
   if (request.sort.empty() && request.descending)
     std::reverse(view.hashes.begin(), view.hashes.end());
+  if (request.held && is_descriptor_sort(request) &&
+      lacks_value(list, request.held->hash, selection.view.at(request.sort)))
+    hold(view.hashes, *request.held);
   view.by_hash = sorted_indices(view.hashes);
   if (!request.group_by.empty()) group(view, list, list.index(request.group_by));
   return view;

@@ -43,7 +43,8 @@ struct FormField {
   std::string shown_if_key = {}, shown_if_value = {};
 };
 
-/// Content of a dialog. Without fields it is a message: its intro text and one button.
+/// Content of a dialog. Without fields it is a message, its intro text and one button, or a
+/// question if `accepted` is set.
 struct FormDescription {
   std::string title;
   std::string accept = "OK";  ///< label of the button

@@ -57,7 +57,9 @@ class ListDocument {
   ScenarioList& list() { return *list_; }
   CommandHistory& history() { return history_; }
 
-  /// `observer` is called with Change::Current and Change::View after they may have changed.
+  /// `observer` is called with Change::Current and Change::View after they may have changed, with
+  /// Change::CurrentRow when the current scenario was put into another row, and with
+  /// Change::Command after a command.
   void observe(std::function<void(Change)> observer) { observer_ = std::move(observer); }
 
   // The view. Each setter recomputes it.
@@ -76,7 +78,8 @@ class ListDocument {
   const std::string& notice() const { return notice_; }  ///< a change of the file, if any
   bool is_computing() const;                             ///< a view is being computed
   void refresh();                                        ///< after a change of the list
-  /// Stores computed values of a scenario; no effect if the list does not contain it.
+  /// Stores computed values of a scenario, which put an edited one where it belongs; no effect if
+  /// the list does not contain it.
   void store_values(const std::string& hash, const std::vector<KeyedValue>& values);
   const ListView& view() const { return view_; }
   const ListLines& lines() const { return lines_; }
@@ -91,7 +94,7 @@ class ListDocument {
   void set_current(const std::string& hash);
   bool is_selected(std::size_t index) const { return is_selected_[index] != 0; }
   std::size_t selected_count() const { return selected_; }
-  std::vector<std::string> selected() const;  ///< hashes, in view order
+  std::vector<std::string> selected() const;  ///< hashes, in view order; never in closed groups
   void select_only(std::size_t index);        ///< on a click
   void toggle(std::size_t index);             ///< on Ctrl+click
   void select_to(std::size_t index);          ///< on Shift+click: from the last click to here
@@ -118,13 +121,14 @@ class ListDocument {
   void drop_index(const std::string& name);
   /// Like make_deduplicate(); returns the number of removed scenarios.
   std::size_t deduplicate(const std::vector<std::pair<std::string, double>>& min_differences);
-  /// Replaces the current scenario by an edited one, which becomes current. It stays the current
-  /// one when the edit is undone and redone, whatever its row is.
+  /// Replaces the current scenario by an edited one, which becomes current, and selected if the
+  /// other was. It stays so when the edit is undone and redone, whatever its row is.
   void edit_current(const Scenario& scenario);
   void undo();
   void redo();
-  /// Runs a command on this list. Throws Error (Usage) if it is disabled.
-  void run(ListCommandPtr command);
+  /// Runs a command on this list, after which the scenario `new_current` is current, if not empty.
+  /// Throws Error (Usage) if it is disabled.
+  void run(ListCommandPtr command, const std::string& new_current = "");
   /// Updates the view after a command of another document changed this list.
   void accept_changes();
 
@@ -134,6 +138,7 @@ class ListDocument {
   std::string path_error() const;   ///< why the file is no longer at its path
   void require_enabled(ListAction action) const;
   void show(ListView view);
+  void deselect_hidden();
   void find_sort_values();
   ListRow make_row(const ScenarioList::Entry& entry);
   void fail(const std::string& message);

@@ -73,6 +73,12 @@ struct ListViewRequest {
   DescribeOptions describe = {};  ///< robot and sensor of the values to use
   /// Whose fields filter and sort may use; null for none.
   std::shared_ptr<const ResultFields> results = nullptr;
+  /// A scenario that keeps this index while its sort value is not computed.
+  struct Held {
+    std::string hash;
+    std::size_t index;
+  };
+  std::optional<Held> held = std::nullopt;
 };
 
 /// A group of a view: the scenarios in a range of an index, or in none.
@@ -91,6 +97,9 @@ struct ListView {
 
   std::optional<std::size_t> index_of(const std::string& hash) const;
 };
+
+/// Whether the view is sorted by a descriptor.
+bool is_descriptor_sort(const ListViewRequest& request);
 
 /// The selection for a filter, with the keys of the descriptors that it uses but without results.
 /// Throws Error (Usage) like parse_selection().

@@ -14,7 +14,9 @@ namespace slalom {
 enum class Change {
   Documents,    ///< a list was opened, closed or activated
   View,         ///< rows, groups or messages of the active list
+  Command,      ///< a command was executed on the active list
   Current,      ///< another current scenario, or another content of it
+  CurrentRow,   ///< the current scenario was put into another row
   Scene,        ///< of the current scenario
   Descriptors,  ///< of the current scenario
   ListValues,   ///< descriptors of the active list
@@ -36,9 +38,14 @@ class Notices {
   struct Status {
     std::string text;
     bool is_error = false;
+    bool offers_undo = false;   ///< of the last change of the active list
+    std::string scenario = {};  ///< the hash of the only one that it is about, if any
   };
   const Status& status() const { return status_; }
-  void show_status(const std::string& text, bool is_error = false) { status_ = {text, is_error}; }
+  void show_status(Status status) { status_ = std::move(status); }
+  void show_status(const std::string& text, bool is_error = false) {
+    show_status(Status{text, is_error});
+  }
   /// Shows the error in the status line and in a dialog.
   void show_error(const std::string& message, const std::string& title = "Error") {
     show_status(message, true);

@@ -43,6 +43,11 @@ class Studio {
   std::optional<ScenarioList::Entry> current_entry() const;
   /// Replaces the current scenario by an edited one; shows an error in the status line.
   void edit_current(const SceneEdit& edit);
+  /// Removes the only selected scenario of the active list if its row is visible, else scrolls to
+  /// it; asks before it removes several.
+  void remove_selected();
+  /// `reveal` scrolls to an index of the active view; returns whether its row was visible before.
+  void set_reveal(std::function<bool(std::size_t)> reveal) { reveal_ = std::move(reveal); }
   /// Undo and redo in the active list, reported in the status line. Throw as those of ListDocument.
   void undo();
   void redo();
@@ -62,6 +67,7 @@ class Studio {
  private:
   void documents_changed();
   void current_changed();
+  void remove(ListDocument& list);
   void read_list_values();
 
   Notices notices_;
@@ -75,6 +81,7 @@ class Studio {
   std::size_t active_ = 0;
   std::string current_hash_;
   std::vector<std::string> shown_ids_;
+  std::function<bool(std::size_t)> reveal_ = [](std::size_t) { return true; };
 };
 
 }  // namespace slalom

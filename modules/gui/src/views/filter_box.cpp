@@ -1,0 +1,41 @@
+#include "views/filter_box.h"
+
+#include <GLFW/glfw3.h>
+#include <utility>
+
+namespace slalom {
+
+FilterBox::FilterBox(nanogui::Widget* parent, std::function<void()> left)
+    : TextBox(parent, ""), left_(std::move(left)) {
+  setId("filter");
+  setEditable(true);
+  setAlignment(Alignment::Left);
+  setPlaceholder("filter: density > 0.2 and tag = hard");
+}
+
+void FilterBox::set_text(const std::string& text) {
+  mValue = mValueTemp = text;
+  if (focused()) select_text();
+}
+
+void FilterBox::select_text() {
+  mSelectionPos = 0;
+  mCursorPos = static_cast<int>(mValueTemp.size());
+}
+
+bool FilterBox::keyboardEvent(int key, int scancode, int action, int modifiers) {
+  const bool pressed = focused() && action == GLFW_PRESS;
+  if (pressed && key == GLFW_KEY_ESCAPE) {
+    mValueTemp = mValue;
+    left_();
+    return true;
+  }
+  if (!pressed || (key != GLFW_KEY_ENTER && key != GLFW_KEY_KP_ENTER))
+    return TextBox::keyboardEvent(key, scancode, action, modifiers);
+  focusEvent(false);  // applies the text
+  focusEvent(true);
+  select_text();
+  return true;
+}
+
+}  // namespace slalom
