@@ -123,6 +123,10 @@ class Explainer {
       if (contrast.holds)
         report.statements.push_back(contrast_sentence(contrast, "successful neighbors"));
     report.basis = basis_of(report, pairs.size());
+    if (pairs.size() == 1) {  // quartiles and tests of one failure mean nothing
+      report.scenarios.clear();
+      report.runs.clear();
+    }
     return report;
   }
 
@@ -164,6 +168,9 @@ class Explainer {
   std::string basis_of(const ReportedCluster& cluster, std::size_t pairs) const {
     if (pairs == 0) return "No failure has successful neighbors to compare with.";
     const std::size_t needed = min_pairs_to_hold(cluster.scenarios.size(), confidence_);
+    if (pairs == 1)
+      return "One failure has successful neighbors; contrasts need at least " +
+             std::to_string(needed) + ".";
     std::string text = std::to_string(pairs) + " of " + std::to_string(cluster.members.size()) +
                        " failures compared with their successful neighbors in " +
                        std::to_string(cluster.scenarios.size()) + " descriptors";

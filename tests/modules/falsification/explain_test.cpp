@@ -118,6 +118,14 @@ TEST_F(Explain, SaysNothingOfTooFewFailures) {
             "difference can hold with 7.");
 }
 
+TEST_F(Explain, HasNoContrastsOfOneFailure) {
+  const auto clusters = explain(dense_failures(1));
+  ASSERT_EQ(clusters.size(), 1u);
+  EXPECT_TRUE(clusters[0].scenarios.empty());
+  EXPECT_TRUE(clusters[0].runs.empty());
+  EXPECT_EQ(clusters[0].basis, "One failure has successful neighbors; contrasts need at least 7.");
+}
+
 TEST_F(Explain, ComparesOnlyIndependentFailuresAndSuccessfulNeighbors) {
   std::vector<ExaminedFailure> failures = dense_failures(8);
   failures.push_back(add_failure(0.5, 1));
