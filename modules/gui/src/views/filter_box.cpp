@@ -24,7 +24,7 @@ void FilterBox::select_text() {
 }
 
 bool FilterBox::keyboardEvent(int key, int scancode, int action, int modifiers) {
-  const bool pressed = focused() && action == GLFW_PRESS;
+  const bool pressed = focused() && action != GLFW_RELEASE;
   if (pressed && key == GLFW_KEY_ESCAPE) {
     mValueTemp = mValue;
     left_();
