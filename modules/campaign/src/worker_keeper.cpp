@@ -56,6 +56,8 @@ class Keeper {
     while (wait()) {
       for (std::size_t i = workers_.size(); i-- > 0;)
         if (is_released(workers_[i]) || has_ended(workers_[i].process)) end(i);
+      const auto ended = [](pid_t cleaner) { return waitpid(cleaner, nullptr, WNOHANG) != 0; };
+      cleaners_.erase(std::remove_if(cleaners_.begin(), cleaners_.end(), ended), cleaners_.end());
       if (!is_readable(socket_, 0)) continue;
       const KeeperRequest request = receive_keeper_request(socket_, start);
       if (request == KeeperRequest::End) break;
@@ -63,6 +65,7 @@ class Keeper {
       if (request == KeeperRequest::Reply) send_reply_request(socket_);
     }
     while (!workers_.empty()) end(workers_.size() - 1);
+    for (const pid_t cleaner : cleaners_) waitpid(cleaner, nullptr, 0);
   }
 
  private:
@@ -109,12 +112,24 @@ class Keeper {
       waitpid(worker.process, &status, 0);
       kill_children([this](pid_t child) {
         return std::any_of(workers_.begin(), workers_.end(),
-                           [=](const Worker& one) { return one.process == child; });
+                           [=](const Worker& one) { return one.process == child; }) ||
+               std::find(cleaners_.begin(), cleaners_.end(), child) != cleaners_.end();
       });
     }
-    std::error_code ignored;
-    if (!worker.scratch.empty()) std::filesystem::remove_all(worker.scratch, ignored);
+    if (!worker.scratch.empty()) remove_folder(worker.scratch);
     send(worker.control.number(), &status, sizeof status, MSG_NOSIGNAL);
+  }
+
+  /// In a process of its own, since methods may leave millions of files while others wait for this
+  /// process. It outlives a keeper that is killed.
+  void remove_folder(const std::string& folder) {
+    const pid_t cleaner = fork_process();
+    if (cleaner > 0) return cleaners_.push_back(cleaner);
+    // Its copies of sockets would hide that this process has ended.
+    if (cleaner == 0) close_range_of_descriptors(STDERR_FILENO + 1, ~0U);
+    std::error_code ignored;
+    std::filesystem::remove_all(folder, ignored);
+    if (cleaner == 0) _exit(0);
   }
 
   int socket_;
@@ -122,6 +137,7 @@ class Keeper {
   sigset_t signals_of_workers_;
   FileDescriptor ends_;  ///< readable when a child has ended
   std::vector<Worker> workers_;
+  std::vector<pid_t> cleaners_;  ///< processes that remove folders
 };
 
 }  // namespace
