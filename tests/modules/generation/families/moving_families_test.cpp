@@ -150,6 +150,12 @@ TEST(MovingFamilies, WalkersAreAddedToTheMoversOfTheFamily) {
   EXPECT_EQ(ids, (std::set<std::string>{"mover_0", "mover_1", "mover_2", "walker_0", "walker_1"}));
 }
 
+TEST(MovingFamilies, WithoutMoversAcceptWallsAtAnyDistance) {
+  const std::string none = "min_movers = 0\nmax_movers = 0\n";
+  EXPECT_EQ(refusal("doorway", none + "min_door = 0.3\nmax_door = 0.3\n"), "");
+  EXPECT_EQ(refusal("oncoming", none + "max_radius = 1\n"), "");
+}
+
 TEST(MovingFamilies, RejectInvalidOptions) {
   EXPECT_NE(refusal("crossing", "max_movers = 2\n").find("max_movers: is less than min_movers"),
             std::string::npos);
