@@ -41,6 +41,14 @@ std::vector<std::string> row_descriptors(const IniFile& ini, const AnalysisSecti
   return ids;
 }
 
+void require_network(const IniFile& ini, const CampaignConfig& config) {
+  if (config.options.limits.network) return;
+  for (const std::string& section : method_sections(ini, config.methods))
+    if (ini.get(section, "adapter") == "lcm")
+      throw usage_error(ini.where("limits", "network"), "[" + section + "] communicates over LCM",
+                        "true, or methods with other adapters");
+}
+
 bool have_common(const std::vector<std::string>& a, const std::vector<std::string>& b) {
   return std::any_of(a.begin(), a.end(), [&](const std::string& id) { return contains(b, id); });
 }
@@ -124,6 +132,7 @@ CampaignConfig read_campaign(const IniFile& ini) {
   config.analysis = read_options<AnalysisSection>(ini, "analysis");
   check_analysis(ini, config.analysis, config.options);
   config.methods = read_methods(ini, all_adapters());
+  require_network(ini, config);
   config.method_files = files_of_methods(ini, method_sections(ini, config.methods));
   config.effective_ini = effective_ini(ini, config);
   const RunSetup& setup = config.options.setup;

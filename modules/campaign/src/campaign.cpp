@@ -128,6 +128,7 @@ PoolOptions pool_for_methods(const CampaignOptions& options, int workers, bool i
   pool.memory_mb = limits.memory_mb;
   pool.keep_stderr = limits.method_errors;
   pool.sandbox = limits.sandbox;
+  pool.network = limits.network;
   pool.log_size = CommandJournal::size_for(options.setup.simulation);
   if (limits.deadline.deadline_policy == DeadlinePolicy::Fail)
     pool.heartbeat_timeout = limits.deadline.cycle_deadline;

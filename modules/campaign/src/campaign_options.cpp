@@ -141,6 +141,7 @@ void LimitsSection::visit(OptionVisitor& v) {
   v.option("method_errors", method_errors, "show the standard error output of methods");
   v.option("sandbox", sandbox,
            "methods can write files only to their own folder for temporary files (Linux 5.13)");
+  v.option("network", network, "methods can use networks; those over LCM must");
 }
 
 void RecordSection::visit(OptionVisitor& v) {

@@ -12,6 +12,7 @@ namespace {
 PoolOptions for_makers(PoolOptions options) {
   options.trusted = true;
   options.sandbox = false;
+  options.network = true;
   options.log_size = 0;
   options.is_valid = nullptr;
   options.at_end = nullptr;

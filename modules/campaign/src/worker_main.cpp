@@ -69,6 +69,7 @@ void serve_confined(const WorkerStart& start, const WorkItem& item, const PoolOp
   SharedTaskLog log(options.log_size, start.log.number());
   drop_descriptors(options.keep_stderr, start.socket.number(), start.socket.number());
   if (options.sandbox) enter_sandbox(start.scratch, options.writable);
+  if (!options.network && !close_networks()) _exit(EXIT_FAILURE);
   serve_work_items(start.socket.number(), item, options, receive_file, log);
 }
 

@@ -11,6 +11,7 @@
 #include <linux/landlock.h>
 #include <linux/seccomp.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -95,25 +96,51 @@ constexpr int kForbidden[] = {
 #endif
 };
 
-/// Makes these calls fail with EPERM, and all calls of another architecture's conventions.
-bool forbid_attribute_changes() {
-  if (kArchitecture == 0) return false;
-  constexpr std::uint32_t kRefuse = SECCOMP_RET_ERRNO | EPERM;
-  constexpr std::uint32_t kX32 = 0x40000000;
-  std::vector<sock_filter> program = {
-      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kArchitecture, 1, 0),
-      BPF_STMT(BPF_RET | BPF_K, kRefuse),
-      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
-      BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, kX32, 0, 1),
-      BPF_STMT(BPF_RET | BPF_K, kRefuse)};
-  for (const int call : kForbidden) {
-    program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1));
-    program.push_back(BPF_STMT(BPF_RET | BPF_K, kRefuse));
+/// A program that decides which calls fail with EPERM: those of another architecture's conventions,
+/// and those added.
+class CallFilter {
+ public:
+  CallFilter() {
+    constexpr std::uint32_t kX32 = 0x40000000;
+    program_ = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
+                BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kArchitecture, 1, 0),
+                refusal_,
+                BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+                BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, kX32, 0, 1),
+                refusal_};
   }
-  program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
-  const sock_fprog filter = {static_cast<unsigned short>(program.size()), program.data()};
-  return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+
+  void refuse(int call) {
+    program_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1));
+    program_.push_back(refusal_);
+  }
+
+  /// Refuses socket() but for sockets within the machine. The last rule, since it ends the program.
+  void refuse_networks() {
+    const std::vector<sock_filter> rule = {
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_socket, 0, 3),
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args)),  // the lower half
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, AF_UNIX, 1, 0), refusal_};
+    program_.insert(program_.end(), rule.begin(), rule.end());
+  }
+
+  /// Applies it to this process and all that it starts; false if that is not possible.
+  bool enter() {
+    if (kArchitecture == 0 || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return false;
+    program_.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
+    const sock_fprog filter = {static_cast<unsigned short>(program_.size()), program_.data()};
+    return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+  }
+
+ private:
+  const sock_filter refusal_ = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM);
+  std::vector<sock_filter> program_;
+};
+
+bool forbid_attribute_changes() {
+  CallFilter filter;
+  for (const int call : kForbidden) filter.refuse(call);
+  return filter.enter();
 }
 
 }  // namespace
@@ -135,6 +162,13 @@ bool confine_writing_to(const std::vector<std::string>& folders) {
              syscall(SYS_landlock_restrict_self, ruleset, 0) == 0 && forbid_attribute_changes();
   close(ruleset);
   return confined;
+}
+
+bool close_networks() {
+  CallFilter filter;
+  filter.refuse(SYS_io_uring_setup);
+  filter.refuse_networks();
+  return filter.enter();
 }
 
 std::string make_scratch_folder() {

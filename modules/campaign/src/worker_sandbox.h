@@ -14,6 +14,11 @@ bool can_sandbox();
 /// except that it cannot gain privileges.
 bool confine_writing_to(const std::vector<std::string>& folders);
 
+/// From now on this process and all that it starts can make no sockets of a network, only such
+/// within the machine (AF_UNIX); what is open remains so. Irrevocable. False if the kernel cannot do
+/// that (seccomp).
+bool close_networks();
+
 /// A new folder for the temporary files of one worker; "" if it cannot be created.
 std::string make_scratch_folder();
 

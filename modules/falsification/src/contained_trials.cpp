@@ -73,6 +73,7 @@ PoolOptions pool_of_trials(const TestBench& bench) {
   pool.memory_mb = bench.limits.memory_mb;
   pool.keep_stderr = bench.limits.method_errors;
   pool.sandbox = bench.limits.sandbox;
+  pool.network = bench.limits.network;
   pool.clock = bench.setup.clock;
   pool.log_size = kLogSize;
   return pool;

@@ -67,6 +67,15 @@ TEST_F(CampaignProgram, RejectsADescriptorAsAColumnBeforeGeneration) {
                            [this] { request_scenarios("analysis.columns=success,density"); }));
 }
 
+TEST_F(CampaignProgram, RefusesMethodsOverLcmWithoutNetwork) {
+  const auto read = [this](const std::string& network) {
+    read_campaign(load_campaign_ini(
+        arguments({"limits.network=" + network, "method.nd.adapter=lcm", "campaign.methods=nd"})));
+  };
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--set limits.network: ", {"[method.nd]", "LCM"},
+                           [&] { read("false"); }));
+}
+
 TEST_F(CampaignProgram, AcceptsWallClockMeasurementsAsColumns) {
   const auto given = arguments({"analysis.columns=success,cycle_time_p95"});
   EXPECT_EQ(scenarios_of(given).size(), 1U);

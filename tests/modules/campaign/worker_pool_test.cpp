@@ -666,6 +666,28 @@ TEST_F(Sandbox, OfAWorkerThatIsKilledIsRemoved) {
   EXPECT_FALSE(std::filesystem::exists(result.log)) << result.log;
 }
 
+TEST(WorkerPool, WithoutNetworkItsWorkersMakeSocketsWithinTheMachineOnly) {
+  const auto refused = [](std::size_t, SharedTaskLog&) {
+    std::string kinds;
+    for (const int family : {AF_UNIX, AF_INET, AF_INET6, AF_NETLINK, AF_PACKET}) {
+      const int made = socket(family, SOCK_DGRAM, 0);
+      if (made < 0 && errno == EPERM) kinds += std::to_string(family) + " ";
+      if (made >= 0) close(made);
+    }
+    const int status = std::system("bash -c 'echo >/dev/udp/127.0.0.1/9' 2>/dev/null");
+    return kinds + (status == 0 ? "sent" : "not sent");
+  };
+  PoolOptions options = with_workers(1);
+  // Packets need a right that the tests may not have.
+  const std::string open = run_all(1, options, refused)[0].payload;
+  EXPECT_EQ(open.find("2 "), std::string::npos) << open;
+  options.network = false;
+  const WorkResult closed = run_all(1, options, refused)[0];
+  EXPECT_EQ(closed.payload, std::to_string(AF_INET) + " " + std::to_string(AF_INET6) + " " +
+                                std::to_string(AF_NETLINK) + " " + std::to_string(AF_PACKET) +
+                                " not sent");
+}
+
 TEST(WorkerPool, SignalsThatEndTheProgramDoNotEndItsWorkItems) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     EXPECT_EQ(run_all(1, with_workers(1),

@@ -43,6 +43,7 @@ struct LimitsSection {
   double memory_mb = 2048;     ///< MiB a worker may allocate after its start; 0: unlimited
   bool method_errors = false;  ///< show the standard error output of methods
   bool sandbox = false;        ///< methods can write only to their folder for temporary files
+  bool network = true;         ///< methods can make sockets of networks
 
   void visit(OptionVisitor& v);
 };

@@ -60,6 +60,7 @@ struct PoolOptions {
   /// Workers can change files only in a folder of their own for temporary files, TMPDIR, and in
   /// `writable`. Requires that the kernel can do it; not for trusted work items.
   bool sandbox = false;
+  bool network = true;  ///< workers can make sockets of networks; not false for trusted work items
   std::vector<std::string> writable = {};
   bool in_process = false;  ///< execute work items in this process, without limits
   /// A process executes only work items of one of `groups` groups. Null: all are of one group.
