@@ -5,6 +5,7 @@
 #include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/table_latex.h>
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 #include <slalom/planner_arena/benchmark_database.h>
@@ -87,19 +88,39 @@ void write_plannerarena(const ExportData& data, const std::string& output) {
 
 struct Format {
   const char* name;
+  const char* extension;  ///< of the file; empty: a folder
   void (*write)(const ExportData& data, const std::string& output);
 };
 
 /// All formats; add new ones here.
 constexpr Format kFormats[] = {
-    {"csv", write_csv},
-    {"json", write_json},
-    {"xlsx", write_xlsx},
-    {"latex", write_latex},
-    {"plannerarena", write_plannerarena},
+    {"csv", "", write_csv},
+    {"json", "", write_json},
+    {"xlsx", ".xlsx", write_xlsx},
+    {"latex", ".tex", write_latex},
+    {"plannerarena", ".db", write_plannerarena},
 };
 
+/// The given format, or that of the output's extension.
+const Format& format_of(const ExportArguments& arguments) {
+  for (const Format& format : kFormats) {
+    const bool is_folder = format.extension[0] == '\0';
+    const bool is_named = is_folder && ends_with(arguments.output, std::string(".") + format.name);
+    if (is_named && (arguments.format.empty() || arguments.format == format.name))
+      throw usage_error("-o " + arguments.output, std::string("one ") + format.name +
+                            " file cannot hold all tables",
+                        "a folder and --format " + std::string(format.name) +
+                            ", or slalom-analyze table --csv for the tables of means");
+    if (arguments.format == format.name) return format;
+    if (arguments.format.empty() && !is_folder && ends_with(arguments.output, format.extension))
+      return format;
+  }
+  throw usage_error("-o " + arguments.output, "its name does not tell the format",
+                    "--format, or a file .xlsx, .tex or .db");
+}
+
 void run(const ExportArguments& arguments) {
+  const Format& format = format_of(arguments);
   ExportData data;
   data.results = read_detailed_results(arguments.results);
   warn_of_missing(arguments.results, data.results);
@@ -107,9 +128,7 @@ void run(const ExportArguments& arguments) {
   data.summary = build_summary(data.results, options.columns, options.analysis);
   data.cross_tables =
       build_cross_tables(data.results, options.rows, options.columns, options.analysis);
-  for (const Format& format : kFormats) {
-    if (arguments.format == format.name) format.write(data, arguments.output);
-  }
+  format.write(data, arguments.output);
   if (!arguments.quiet) std::cerr << arguments.output << ": written\n";
 }
 
@@ -125,8 +144,8 @@ void define_export(CLI::App& app) {
   for (const Format& format : kFormats) names.emplace_back(format.name);
   verb->add_option("--format", arguments.format,
                    "csv or json (a folder with a file per table), xlsx, latex, or plannerarena (a "
-                   "database for OMPL's Planner Arena)")
-      ->required()
+                   "database for OMPL's Planner Arena); default: by the output's name, .xlsx, .tex "
+                   "or .db")
       ->check(CLI::IsMember(names));
   verb->add_option("-o,--output", arguments.output, "File or folder to write")->required();
   verb->add_flag("--quiet", arguments.quiet, "No messages");

@@ -42,7 +42,7 @@ TEST_F(Export, LatexCompiles) {
 }
 
 TEST_F(Export, WorkbookHasASheetPerTable) {
-  ASSERT_EQ(run("slalom-analyze export runs.results --format xlsx -o runs.xlsx").status, 0);
+  ASSERT_EQ(run("slalom-analyze export runs.results -o runs.xlsx").status, 0);
   const ProgramResult result = run("unzip -p runs.xlsx xl/workbook.xml");
   ASSERT_EQ(result.status, 0) << result.err;
   for (const char* name : {"runs", "scenarios", "timings", "summary", "gap_by_density"})
@@ -160,6 +160,11 @@ TEST_F(Export, FiguresRejectInvalidArguments) {
 TEST_F(Export, RejectsInvalidArguments) {
   expect_failure("slalom-analyze export runs.results --format pdf -o x", 2, {"pdf", "latex"});
   expect_failure("slalom-analyze export none.results --format csv -o x", 3, {"none.results"});
+  for (const char* arguments : {"-o x.csv", "--format csv -o x.csv"})
+    expect_failure(std::string("slalom-analyze export runs.results ") + arguments, 2,
+                   {"one csv file cannot hold all tables", "a folder"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "x.csv"));
+  expect_failure("slalom-analyze export runs.results -o x", 2, {"--format", ".xlsx"});
   write("file", "");
   expect_failure("slalom-analyze export runs.results --format csv -o file/x", 1, {"file/x"});
 }
