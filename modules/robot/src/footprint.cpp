@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -19,14 +20,36 @@ double cross(const TPoint2D& a, const TPoint2D& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-std::vector<TPoint2D> parse_corners(const std::string& text) {
-  std::vector<TPoint2D> corners;
-  for (const std::string& part : split(text, ';')) {
+/// A corner as it was written.
+struct Corner {
+  TPoint2D point;
+  std::size_t number = 0;  // from 1
+};
+
+/// The texts "x, y" of "x, y; x, y; ..." or, as ROS has it, of "[[x, y], [x, y], ...]".
+std::vector<std::string> corner_texts(const std::string& text) {
+  const std::string list = trim(text);
+  if (!starts_with(list, "[") || !ends_with(list, "]")) return split(list, ';');
+  std::vector<std::string> parts = split(list.substr(1, list.size() - 2), ']');
+  if (parts.empty() || !parts.back().empty()) return {""};
+  parts.pop_back();
+  for (std::string& part : parts) {
+    const std::string opening = &part == &parts.front() ? "" : ",";
+    const std::size_t bracket = part.find('[');
+    if (bracket == std::string::npos || trim(part.substr(0, bracket)) != opening) return {""};
+    part.erase(0, bracket + 1);
+  }
+  return parts;
+}
+
+std::vector<Corner> parse_corners(const std::string& text) {
+  std::vector<Corner> corners;
+  for (const std::string& part : corner_texts(text)) {
     const std::vector<std::string> numbers = split(part, ',');
-    TPoint2D corner;
-    if (numbers.size() != 2 || !parse_number(numbers[0], corner.x) ||
-        !parse_number(numbers[1], corner.y))
-      throw std::invalid_argument("corners x,y in m, separated by ';'");
+    Corner corner{{}, corners.size() + 1};
+    if (numbers.size() != 2 || !parse_number(numbers[0], corner.point.x) ||
+        !parse_number(numbers[1], corner.point.y))
+      throw std::invalid_argument("corners x,y in m, separated by ';', or [[x, y], [x, y], ...]");
     corners.push_back(corner);
   }
   if (corners.size() < 3 || corners.size() > kMaxCorners)
@@ -34,24 +57,57 @@ std::vector<TPoint2D> parse_corners(const std::string& text) {
   return corners;
 }
 
-double signed_area(const std::vector<TPoint2D>& corners) {
+/// The sides that meet at corner i.
+std::pair<TPoint2D, TPoint2D> sides_at(const std::vector<Corner>& corners, std::size_t i) {
+  const std::size_t n = corners.size();
+  const TPoint2D& point = corners[i].point;
+  return {point - corners[(i + n - 1) % n].point, corners[(i + 1) % n].point - point};
+}
+
+/// Whether two sides are one, but for the rounding of the corners.
+bool is_straight(const TPoint2D& in, const TPoint2D& out) {
+  constexpr double kMaxTurn = 1e-9;  // rad
+  const double ahead = in.x * out.x + in.y * out.y;
+  return ahead > 0 && std::abs(cross(in, out)) <= kMaxTurn * ahead;
+}
+
+/// Without corners that do not change the shape: those that repeat their predecessor, as the first
+/// of a closed polygon does, and those on a straight side.
+std::vector<Corner> without_needless(const std::vector<Corner>& corners) {
+  std::vector<Corner> distinct, needed;
+  for (const Corner& corner : corners)
+    if (distinct.empty() || !(corner.point == distinct.back().point)) distinct.push_back(corner);
+  while (distinct.size() > 1 && distinct.back().point == distinct.front().point)
+    distinct.pop_back();
+  for (std::size_t i = 0; i < distinct.size(); ++i) {
+    const auto [in, out] = sides_at(distinct, i);
+    if (!is_straight(in, out)) needed.push_back(distinct[i]);
+  }
+  return needed;
+}
+
+double signed_area(const std::vector<Corner>& corners) {
   double twice = 0;
   for (std::size_t i = 0; i < corners.size(); ++i)
-    twice += cross(corners[i], corners[(i + 1) % corners.size()]);
+    twice += cross(corners[i].point, corners[(i + 1) % corners.size()].point);
   return 0.5 * twice;
 }
 
-/// Whether the polygon turns left at every corner, by 2 pi in total.
-bool is_convex(const std::vector<TPoint2D>& corners) {
-  const std::size_t n = corners.size();
+/// Throws std::invalid_argument unless the polygon turns left at every corner, by 2 pi in total.
+void check_convex(const std::vector<Corner>& corners) {
+  if (corners.size() < 3) throw std::invalid_argument("a convex polygon (these are on one line)");
   double total = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const TPoint2D in = corners[(i + 1) % n] - corners[i];
-    const TPoint2D out = corners[(i + 2) % n] - corners[(i + 1) % n];
-    if (!(cross(in, out) > 0)) return false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto [in, out] = sides_at(corners, i);
+    const TPoint2D& point = corners[i].point;
+    if (!(cross(in, out) > 0))
+      throw std::invalid_argument("a convex polygon (it turns inward at corner " +
+                                  std::to_string(corners[i].number) + ", " +
+                                  format_number(point.x) + "," + format_number(point.y) + ")");
     total += std::atan2(cross(in, out), in.x * out.x + in.y * out.y);
   }
-  return total < 7;  // 2 pi, not 4 pi as in a star
+  if (total > 7)  // 2 pi, not 4 pi as in a star
+    throw std::invalid_argument("a convex polygon (its sides cross)");
 }
 
 }  // namespace
@@ -64,10 +120,11 @@ Footprint Footprint::disc(double radius) {
 
 Footprint Footprint::parse(const std::string& text) {
   Footprint footprint;
-  footprint.corners_ = parse_corners(text);
+  std::vector<Corner> written = without_needless(parse_corners(text));
+  if (signed_area(written) < 0) std::reverse(written.begin(), written.end());
+  check_convex(written);
   auto& corners = footprint.corners_;
-  if (signed_area(corners) < 0) std::reverse(corners.begin(), corners.end());
-  if (!is_convex(corners)) throw std::invalid_argument("a convex polygon");
+  for (const Corner& corner : written) corners.push_back(corner.point);
   footprint.inscribed_ = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const TPoint2D& a = corners[i];

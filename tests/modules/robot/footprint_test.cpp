@@ -71,6 +71,49 @@ TEST(Footprint, EveryCornerOfARandomPolygonLiesBetweenItsRadii) {
   }
 }
 
+TEST(Footprint, CornersOnAStraightSideChangeNothing) {
+  const std::string square = "0.2,0.2; -0.2,0.2; -0.2,-0.2; 0.2,-0.2";
+  const auto expected = Footprint::parse(square).corners();
+  for (const std::string same : {"0.2,0.2; 0,0.2; -0.2,0.2; -0.2,-0.2; 0.2,-0.2",
+                                 "0.2,0.2; 0.1,0.2; 0,0.2; -0.2,0.2; -0.2,-0.2; 0.2,-0.2; 0.2,0"})
+    EXPECT_EQ(Footprint::parse(same).corners(), expected) << same;
+  // On the side from (-0.1, 0.2) to (0.5, -0.4), but for the rounding of decimal numbers.
+  EXPECT_EQ(Footprint::parse("-0.1,0.2; -0.2,-0.4; 0.5,-0.4; 0.2,-0.1; 0.1,0").corners().size(),
+            3U);
+}
+
+TEST(Footprint, APolygonMayBeClosed) {
+  const std::string square = "0.2,0.2; -0.2,0.2; -0.2,-0.2; 0.2,-0.2";
+  const auto expected = Footprint::parse(square).corners();
+  EXPECT_EQ(Footprint::parse(square + "; 0.2,0.2").corners(), expected);
+  EXPECT_EQ(Footprint::parse("0.2,0.2; " + square).corners(), expected);
+}
+
+TEST(Footprint, ReadsTheSyntaxOfRos) {
+  const auto expected =
+      Footprint::parse("-0.3,-0.3; -0.3,0.3; 0.3,0.3; 0.45,0; 0.3,-0.3").corners();
+  for (const std::string ros :
+       {"[[-0.3, -0.3], [-0.3, 0.3], [0.3, 0.3], [0.45, 0.0], [0.3, -0.3]]",
+        " [ [-0.3,-0.3],[-0.3,0.3] , [0.3,0.3],[0.45,0.0], [ 0.3,-0.3 ] ] "})
+    EXPECT_EQ(Footprint::parse(ros).corners(), expected) << ros;
+  for (const std::string wrong :
+       {"[", "]", "[]", "[[]]", "[[1, 0], [0, 1], [-1, -1]", "[1, 0], [0, 1], [-1, -1]",
+        "[[1, 0] [0, 1] [-1, -1]]", "[[1, 0], [0, 1], [-1, -1],]", "[[1, 0], [0, 1], [-1]]",
+        "[[1, 0], [0, 1], x[-1, -1]]", "[,[1, 0], [0, 1], [-1, -1]]"})
+    EXPECT_TRUE(mentions(refusal(wrong), {"x,y", "[[x, y], [x, y], ...]"})) << wrong;
+}
+
+TEST(Footprint, NamesTheCornerThatIsNotConvex) {
+  EXPECT_TRUE(mentions(refusal("1,1; 0,0.1; -1,1; -1,-1; 1,-1"), {"inward at corner 2, 0,0.1"}));
+  EXPECT_TRUE(mentions(refusal("1,-1; -1,-1; -1,1; 0,0.1; 1,1"), {"inward at corner 4, 0,0.1"}));
+  // Corners that are left out are counted.
+  EXPECT_TRUE(
+      mentions(refusal("1,1; 0.5,0.55; 0,0.1; -1,1; -1,-1; 1,-1"), {"inward at corner 3, 0,0.1"}));
+  // A side that goes back on itself.
+  EXPECT_TRUE(mentions(refusal("1,1; -1,1; -1,-1; 2,-1; 1,-1"), {"inward at corner 4, 2,-1"}));
+  EXPECT_TRUE(mentions(refusal("-1,0; 1,0; 0,0"), {"convex polygon", "on one line"}));
+}
+
 TEST(Footprint, RefusesOtherThanConvexPolygonsAroundTheCenter) {
   EXPECT_TRUE(mentions(refusal("1,0; 0,1"), {"3 to 64 corners"}));
   EXPECT_TRUE(mentions(refusal("1,0; 0,1; x,2"), {"x,y", "';'"}));
