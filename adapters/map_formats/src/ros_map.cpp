@@ -9,6 +9,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -79,7 +80,9 @@ class RosMapReader {
 
   RosMapMode mode(const YAML::Node& node) const {
     const std::string name = text("mode", node);
-    if (const auto mode = from_name<RosMapMode>(name)) return *mode;
+    std::string lower = name;
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (const auto mode = from_name<RosMapMode>(lower)) return *mode;
     throw malformed(node, "unknown mode '" + name + "'", "trinary, scale or raw");
   }
 
@@ -115,24 +118,25 @@ class RosMapReader {
   const std::string& path_;
 };
 
-/// The probability of being free: 1 free, 0 occupied, 0.5 unknown. `shade` is 0 for
-/// black, 1 for white; the formulas are those of nav2's map_io.
-float free_probability(const RosMap& map, double shade) {
+/// The probability of being free: 1 free, 0 occupied, 0.5 unknown. `shade` is 0 for black, 1 for
+/// white; the formulas are those of map_io in nav2 1.5, also their single precision, which decides
+/// where a shade equals a threshold.
+float free_probability(const RosMap& map, float shade) {
   if (map.mode == RosMapMode::Raw) {  // of 255, the occupancy in percent; beyond 100 is unknown
-    const double percent = std::round(shade * 255);
-    return percent > 100 ? 0.5F : 1.0F - static_cast<float>(percent) / 100.0F;
+    const float percent = std::round(shade * 255);
+    return percent > 100 ? 0.5F : 1.0F - percent / 100.0F;
   }
-  const double occupied = map.negate ? shade : 1 - shade;
-  if (occupied > map.occupied_threshold) return 0.0F;
-  if (occupied < map.free_threshold) return 1.0F;
+  const float occupied = map.negate ? shade : 1 - shade;
+  const auto free_from = static_cast<float>(map.free_threshold);
+  const auto occupied_from = static_cast<float>(map.occupied_threshold);
+  if (occupied <= free_from) return 1.0F;
+  if (occupied >= occupied_from) return 0.0F;
   if (map.mode == RosMapMode::Trinary) return 0.5F;
-  const double fraction =
-      (occupied - map.free_threshold) / (map.occupied_threshold - map.free_threshold);
-  return static_cast<float>(1 - fraction);
+  return 1 - (occupied - free_from) / (occupied_from - free_from);
 }
 
-double shade(const GrayImage& image, std::size_t pixel) {
-  return static_cast<double>(image.pixels[pixel]) / image.white;
+float shade(const GrayImage& image, std::size_t pixel) {
+  return static_cast<float>(image.pixels[pixel]) / static_cast<float>(image.white);
 }
 
 std::string image_path(const std::string& path, const std::string& image) {

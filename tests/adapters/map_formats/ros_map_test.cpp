@@ -75,6 +75,31 @@ TEST(RosMap, AppliesTheThresholds) {
             (std::vector<float>{rounded(0), rounded(0.5), rounded(0.5), rounded(1)}));
 }
 
+TEST(RosMap, AShadeAtAThresholdIsOccupiedOrFree) {
+  // A map of pure black and white with the widest thresholds.
+  EXPECT_EQ(row_of("occupied_thresh: 1.0\nfree_thresh: 0.0\n", "0 127 255", 3),
+            (std::vector<float>{rounded(0), rounded(0.5), rounded(1)}));
+  // Occupancies 0.6, 0.4 and 0.2 are those of 102, 153 and 204 of 255.
+  EXPECT_EQ(row_of("occupied_thresh: 0.6\nfree_thresh: 0.4\n", "102 103 152 153", 4),
+            (std::vector<float>{rounded(0), rounded(0.5), rounded(0.5), rounded(1)}));
+  EXPECT_EQ(row_of("occupied_thresh: 0.9\nfree_thresh: 0.2\n", "203 204", 2),
+            (std::vector<float>{rounded(0.5), rounded(1)}));
+  // Free at both thresholds.
+  EXPECT_EQ(row_of("occupied_thresh: 0.6\nfree_thresh: 0.6\n", "101 102 103", 3),
+            (std::vector<float>{rounded(0), rounded(1), rounded(1)}));
+}
+
+TEST(RosMap, TheModeMayBeInCapitals) {
+  const std::string thresholds = "occupied_thresh: 1\nfree_thresh: 0\n";
+  for (const std::string mode : {"trinary", "Trinary", "TRINARY"})
+    EXPECT_EQ(row_of("mode: " + mode + "\n" + thresholds, "204", 1),
+              std::vector<float>{rounded(0.5)});
+  for (const std::string mode : {"Scale", "SCALE", "sCALE"})
+    EXPECT_EQ(row_of("mode: " + mode + "\n" + thresholds, "204", 1),
+              std::vector<float>{rounded(0.8)});
+  EXPECT_EQ(row_of("mode: Raw\n", "30", 1), std::vector<float>{rounded(0.7)});
+}
+
 TEST(RosMap, NegateInvertsThePixels) {
   EXPECT_EQ(row_of("negate: 1\n", "0 255 128", 3),
             (std::vector<float>{rounded(1), rounded(0), rounded(0.5)}));
