@@ -100,8 +100,10 @@ GrayImage parse_pgm(const std::string& bytes, const std::string& path) {
   const std::uint64_t white = tokens.number(65535, "maximum gray value");
   if (width == 0 || height == 0 || white == 0 || width * height > kMaxCells)
     throw tokens.malformed("has an invalid size");
-  GrayImage image{
-      static_cast<int>(width), static_cast<int>(height), {}, static_cast<std::uint16_t>(white)};
+  GrayImage image;
+  image.width = static_cast<int>(width);
+  image.height = static_cast<int>(height);
+  image.white = static_cast<std::uint16_t>(white);
   const std::uint64_t count = width * height;
   if (binary) {
     const std::size_t begin = tokens.position() + 1;  // one white-space character after the header
@@ -122,7 +124,7 @@ GrayImage read_gray_image(const std::string& path) {
   if (bytes.size() > 1 && bytes[0] == 'P' && (bytes[1] == '5' || bytes[1] == '2'))
     return parse_pgm(bytes, path);
   check_image_size(bytes, path);
-  return read_with_mrpt(path);
+  return is_png(bytes) ? parse_png(bytes, path) : read_with_mrpt(path);
 }
 
 }  // namespace slalom

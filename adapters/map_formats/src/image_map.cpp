@@ -22,7 +22,8 @@ mrpt::maps::COccupancyGridMap2D read_image_map(const std::string& path,
   for (int row = 0; row < image.height; ++row)
     for (int x = 0; x < image.width; ++x, ++i) {
       const bool dark = image.pixels[i] * 255 < options.threshold * image.white;
-      map.setCell(x, image.height - 1 - row, dark == options.negate ? 1.0F : 0.0F);
+      const float free = dark == options.negate ? 1.0F : 0.0F;
+      map.setCell(x, image.height - 1 - row, image.is_transparent(i) ? 0.5F : free);
     }
   return map;
 }

@@ -21,14 +21,22 @@ mrpt::maps::COccupancyGridMap2D read_image_map(const std::string& path,
 struct GrayImage {
   int width = 0, height = 0;
   std::vector<std::uint16_t> pixels;
-  std::uint16_t white = 255;  ///< 1 to 65535; beyond 255 of PGM files with two bytes a pixel
+  std::uint16_t white = 255;      ///< 1 to 65535; beyond 255 of PGM files with two bytes a pixel
+  std::vector<bool> transparent;  ///< pixels that are not opaque; empty if the image has no alpha
+
+  bool is_transparent(std::size_t pixel) const {
+    return !transparent.empty() && transparent[pixel];
+  }
 };
 
-/// Reads PGM (P5 binary or P2 text) by parse_pgm(), other formats by MRPT. Throws Error (File).
+/// Reads PGM (P5 binary or P2 text) by parse_pgm(), PNG by parse_png(), other formats by MRPT,
+/// which drops their alpha. Throws Error (File).
 GrayImage read_gray_image(const std::string& path);
 /// Throws Error (File) if the header of a PNG, JPEG or BMP declares too many pixels.
 void check_image_size(const std::string& bytes, const std::string& path);
 GrayImage parse_pgm(const std::string& bytes, const std::string& path);
+bool is_png(const std::string& bytes);
+GrayImage parse_png(const std::string& bytes, const std::string& path);
 
 /// Maximum size of map files: four characters for each cell.
 constexpr std::uint64_t kMaxMapSize = 4 * kMaxCells;

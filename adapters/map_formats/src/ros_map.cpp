@@ -135,8 +135,11 @@ float free_probability(const RosMap& map, float shade) {
   return 1 - (occupied - free_from) / (occupied_from - free_from);
 }
 
-float shade(const GrayImage& image, std::size_t pixel) {
-  return static_cast<float>(image.pixels[pixel]) / static_cast<float>(image.white);
+/// Transparent pixels are unknown but in mode raw, which ignores alpha.
+float free_probability(const RosMap& map, const GrayImage& image, std::size_t pixel) {
+  if (map.mode != RosMapMode::Raw && image.is_transparent(pixel)) return 0.5F;
+  return free_probability(
+      map, static_cast<float>(image.pixels[pixel]) / static_cast<float>(image.white));
 }
 
 std::string image_path(const std::string& path, const std::string& image) {
@@ -164,7 +167,7 @@ mrpt::maps::COccupancyGridMap2D read_ros_map(const std::string& path) {
   std::size_t i = 0;
   for (int row = 0; row < image.height; ++row)
     for (int x = 0; x < image.width; ++x, ++i)
-      map.setCell(x, image.height - 1 - row, free_probability(ros, shade(image, i)));
+      map.setCell(x, image.height - 1 - row, free_probability(ros, image, i));
   return ros.yaw == 0 ? map : rotated_grid(map, ros.yaw, path);
 }
 

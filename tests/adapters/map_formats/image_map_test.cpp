@@ -36,6 +36,15 @@ TEST(ImageMap, DarkPixelsAreObstacles) {
   EXPECT_FLOAT_EQ(map.getYMax(), 1);
 }
 
+TEST(ImageMap, TransparentPixelsAreUnknown) {
+  const MapFolder folder;
+  const std::string image = png(3, 1, 8, kGrayAlpha, std::string("\xff\xff\xff\x00\x00\x7f", 6));
+  const Map map = read_image_map(folder.write("a.png", image), half_meter());
+  EXPECT_GT(map.getCell(0, 0), 0.9F);
+  EXPECT_NEAR(map.getCell(1, 0), 0.5F, 0.01F);
+  EXPECT_NEAR(map.getCell(2, 0), 0.5F, 0.01F);
+}
+
 TEST(ImageMap, AppliesThresholdAndNegate) {
   const MapFolder folder;
   const std::string path = folder.write("a.pgm", kPicture);

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string>
 #include <vector>
+#include <zlib.h>
 
 namespace slalom {
 
@@ -47,6 +48,41 @@ inline std::string decompressed(const std::string& path) {
   std::string all, part(1 << 16, '\0');
   while (const std::size_t got = file.Read(part.data(), part.size())) all.append(part, 0, got);
   return all;
+}
+
+/// Big-endian, as in PNG.
+inline std::string four_bytes(std::uint32_t number) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 0xff);
+  return bytes;
+}
+
+/// The color types of PNG.
+inline constexpr char kGray = 0, kRgb = 2, kPalette = 3, kGrayAlpha = 4, kRgbAlpha = 6;
+
+inline std::string png_chunk(const std::string& type, const std::string& data) {
+  const std::string body = type + data;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(body.data());
+  const auto sum = crc32(0, bytes, static_cast<unsigned>(body.size()));
+  return four_bytes(static_cast<std::uint32_t>(data.size())) + body +
+         four_bytes(static_cast<std::uint32_t>(sum));
+}
+
+/// A PNG of `samples`, whose rows have equal sizes. `chunks` are between its header and its pixels.
+inline std::string png(std::uint32_t width, std::uint32_t height, char bits, char color_type,
+                       const std::string& samples, const std::string& chunks = "") {
+  const std::size_t row = samples.size() / height;
+  std::string lines;
+  for (std::size_t y = 0; y < height; ++y) lines += '\0' + samples.substr(y * row, row);
+  std::string packed(compressBound(lines.size()), '\0');
+  unsigned long size = packed.size();
+  compress(reinterpret_cast<unsigned char*>(packed.data()), &size,
+           reinterpret_cast<const unsigned char*>(lines.data()), lines.size());
+  packed.resize(size);
+  const std::string header =
+      four_bytes(width) + four_bytes(height) + bits + color_type + std::string(3, '\0');
+  return "\x89PNG\r\n\x1A\n" + png_chunk("IHDR", header) + chunks + png_chunk("IDAT", packed) +
+         png_chunk("IEND", "");
 }
 
 inline bool has(const std::string& text, const std::string& part) {

@@ -100,6 +100,23 @@ TEST(RosMap, TheModeMayBeInCapitals) {
   EXPECT_EQ(row_of("mode: Raw\n", "30", 1), std::vector<float>{rounded(0.7)});
 }
 
+TEST(RosMap, TransparentPixelsAreUnknown) {
+  // White, white, black and gray; the second to the last ones are not opaque.
+  const std::string image =
+      png(4, 1, 8, kGrayAlpha, std::string("\xff\xff\xff\xfe\x00\x00\x7f\x00", 8));
+  const auto cells = [&image](const std::string& mode) {
+    const auto map = read(kHeader + ("mode: " + mode + "\n"), image);
+    return std::vector<float>{map.getCell(0, 0), map.getCell(1, 0), map.getCell(2, 0),
+                              map.getCell(3, 0)};
+  };
+  const float unknown = rounded(0.5);
+  const std::vector<float> expected{rounded(1), unknown, unknown, unknown};
+  EXPECT_EQ(cells("trinary"), expected);
+  EXPECT_EQ(cells("scale"), expected);
+  EXPECT_EQ(cells("raw"), (std::vector<float>{unknown, unknown, rounded(1), unknown}))
+      << "alpha is ignored";
+}
+
 TEST(RosMap, NegateInvertsThePixels) {
   EXPECT_EQ(row_of("negate: 1\n", "0 255 128", 3),
             (std::vector<float>{rounded(1), rounded(0), rounded(0.5)}));
