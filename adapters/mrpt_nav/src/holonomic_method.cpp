@@ -1,5 +1,6 @@
 #include "full_eval.h"
 #include "navigator_config.h"
+#include "noted_config.h"
 #include "plugin_module.h"
 #include "sectors.h"
 
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace slalom {
 namespace {
@@ -43,12 +45,16 @@ CAbstractHolonomicReactiveMethod::Ptr create_by_name(const std::string& name) {
 /// Loads the .ini of the class once, to report a missing file or key before any run.
 void check_config(const HolonomicOptions& options, const OptionLocation& where) {
   if (options.config.empty()) return;
+  std::optional<NotedConfig> config;
   try {
-    create_by_name(options.class_name)->initialize(read_navigator_config(options.config));
+    config.emplace(read_navigator_config(options.config));
+    create_by_name(options.class_name)->initialize(*config);
   } catch (const Error& e) {
     throw usage_error(where("config"), e.what());
   } catch (const std::exception& e) {
-    throw usage_error(where("config"), options.class_name + " rejects it (" + reason_of(e) + ")",
+    const std::string at = config ? config->last_read() : "";
+    throw usage_error(where("config"),
+                      options.class_name + " rejects it (" + at + reason_of(e) + ")",
                       "an MRPT .ini with the section of the class");
   }
 }

@@ -1,5 +1,6 @@
 #include "navigator_config.h"
 #include "navigator_factory.h"
+#include "noted_config.h"
 #include "plugin_module.h"
 #include "ptg_cache_folder.h"
 #include "resettable_navigator.h"
@@ -113,7 +114,12 @@ NavigatorPtr NavigatorFactory::make_built_in(mrpt::nav::CRobot2NavInterface& rob
 
 void NavigatorFactory::prepare(mrpt::nav::CAbstractNavigator& navigator) {
   disable_console_output(navigator);
-  navigator.loadConfigFile(config_);
+  const NotedConfig config(config_);
+  try {
+    navigator.loadConfigFile(config);
+  } catch (const std::exception& e) {
+    throw std::runtime_error(config.last_read() + reason_of(e));
+  }
   const PtgCacheFolder cache(options_.ptg_cache, config_.getContent());
   // There is no .ini key for it.
   if (auto* with_generators = dynamic_cast<mrpt::nav::CAbstractPTGBasedReactive*>(&navigator))

@@ -15,13 +15,14 @@ Error make(ErrorKind kind, const std::string& where, const std::string& what,
   return {kind, printable_line(message)};
 }
 
-/// The rest of the line that begins with `label`, trimmed; empty if there is no such line.
-std::string labeled_line(const std::string& text, const std::string& label) {
+/// What follows the line's beginning `label` until a line begins with `next`, trimmed; empty if no
+/// line begins with `label`.
+std::string labeled_part(const std::string& text, const std::string& label,
+                         const std::string& next) {
   const std::size_t found = text.find("\n" + label);
   if (found == std::string::npos) return "";
-  const std::size_t begin = text.find_first_not_of(' ', found + 1 + label.size());
-  const std::size_t end = text.find('\n', found + 1);
-  return begin < end ? text.substr(begin, end - begin) : "";
+  const std::size_t begin = found + 1 + label.size();
+  return trim(text.substr(begin, text.find("\n" + next, begin) - begin));
 }
 
 constexpr std::size_t kMaxRead = 65536;  // bytes of an exception's text
@@ -42,8 +43,8 @@ std::string reason_of(const std::exception& error) {
   if (what == nullptr) return "an exception without a text";
   const std::string text(what, strnlen(what, kMaxRead));
   if (!starts_with(text, "==== MRPT exception ====")) return shortened_line(text);
-  const std::string message = labeled_line(text, "Message:");
-  return shortened_line(message.empty() ? labeled_line(text, "Location:") : message);
+  const std::string message = labeled_part(text, "Message:", "Location:");
+  return shortened_line(message.empty() ? labeled_part(text, "Location:", "") : message);
 }
 
 int Error::exit_status() const {

@@ -1,6 +1,8 @@
 #include "error_text.h"
 #include "navigator_fixture.h"
 
+#include <slalom/core/read_file.h>
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -186,6 +188,20 @@ TEST(NavigatorMethod, RefusesAConfigurationWithoutANavigator) {
   EXPECT_EQ(text.rfind("campaign.ini:3: [method.nav] config: ", 0), 0U) << text;
   EXPECT_TRUE(mentions(text, {"the navigator rejects it ("}));
   EXPECT_EQ(text.find("0x"), std::string::npos) << text;
+}
+
+TEST(NavigatorMethod, ARefusedConfigurationIsNamedBySectionKeyAndNumbers) {
+  std::string config = read_file(test_config("small_navigator.ini"));
+  const std::string selected = "holonomic_method = CHolonomicND\n";
+  const std::size_t at = config.find(selected);
+  ASSERT_NE(at, std::string::npos);
+  config.replace(at, selected.size(), "holonomic_method = CHolonomicFullEval\n");
+  const std::string path = testing::TempDir() + "too_few_weights.ini";
+  std::ofstream(path) << config << "\n[CHolonomicFullEval]\nfactorWeights = 1 2 3 4\n";
+  EXPECT_TRUE(refuses_navigator(
+      "config = " + path + "\n", ":3: [method.nav] config: ",
+      {"the navigator rejects it (at [CHolonomicFullEval] factorWeights: ASSERT_EQUAL_(",
+       "factorWeights.size()=4 ", "FACTORS="}));
 }
 
 }  // namespace

@@ -69,6 +69,15 @@ TEST(ReasonOf, KeepsTheMessageOfMrptExceptionsWithoutTheirCallStack) {
   }
 }
 
+TEST(ReasonOf, KeepsAllLinesOfTheMessageOfMrptExceptions) {
+  try {
+    const int weights = 4, factors = 7;
+    ASSERT_EQUAL_(weights, factors);
+  } catch (const std::exception& e) {
+    EXPECT_EQ(reason_of(e), "ASSERT_EQUAL_(weights,factors) failed with weights=4 factors=7");
+  }
+}
+
 TEST(ReasonOf, IsTheLocationOfMrptExceptionsWithoutMessage) {
   EXPECT_EQ(reason_of(std::runtime_error("==== MRPT exception ====\nMessage:  \nLocation: no such "
                                          "file\nCall stack backtrace:\n[0 ] 0x7f01")),
