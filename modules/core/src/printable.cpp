@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace slalom {
 namespace {
@@ -38,6 +39,17 @@ std::size_t character_length(const std::string& text, std::size_t i) {
   return length;
 }
 
+/// Whether the character at `i` changes the direction of the text after it, which would show
+/// another text than there is: U+061C, U+200E, U+200F, U+202A to U+202E and U+2066 to U+2069.
+bool is_direction_control(const std::string& text, std::size_t i) {
+  const std::string_view two(text.data() + i, std::min<std::size_t>(2, text.size() - i));
+  if (two == "\xd8\x9c") return true;
+  if (i + 2 >= text.size()) return false;
+  const auto third = static_cast<unsigned char>(text[i + 2]);
+  if (two == "\xe2\x80") return third == 0x8E || third == 0x8F || (third >= 0xAA && third <= 0xAE);
+  return two == "\xe2\x81" && third >= 0xA6 && third <= 0xA9;
+}
+
 /// Bytes of the character at `i` that can be shown; 0 where there is none. U+0080 to U+009F are
 /// control characters, too.
 std::size_t shown_length(const std::string& text, std::size_t i) {
@@ -45,7 +57,7 @@ std::size_t shown_length(const std::string& text, std::size_t i) {
   const bool control =
       (is_control(first) && first != '\t') ||
       (first == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0);
-  return control ? 0 : character_length(text, i);
+  return control || is_direction_control(text, i) ? 0 : character_length(text, i);
 }
 
 std::string number_of(char c) {

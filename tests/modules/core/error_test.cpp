@@ -1,6 +1,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <mrpt/core/exceptions.h>
 
@@ -52,6 +53,18 @@ TEST(Error, KeepsLettersOfUtf8AndShowsWhatIsMalformedByItsNumbers) {
   EXPECT_STREQ(file_error("a", "\xed\xa0\x80").what(), "a: \\xed\\xa0\\x80");  // a surrogate
   EXPECT_STREQ(file_error("a", "\xf4\x90\x80\x80").what(),
                "a: \\xf4\\x90\\x80\\x80");  // above U+10FFFF
+}
+
+TEST(Error, ShowsControlsOfTheDirectionOfTextByTheirNumbers) {
+  // They let "gnp.exe" be shown as "exe.png".
+  for (const std::string control : {"\u200e", "\u200f", "\u202a", "\u202b", "\u202c", "\u202d",
+                                    "\u202e", "\u2066", "\u2067", "\u2068", "\u2069", "\u061c"}) {
+    std::string numbers;
+    for (const char c : control) numbers += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    EXPECT_EQ(printable_line("a" + control + "b"), "a" + numbers + "b");
+  }
+  const std::string neighbors = "\u200d\u2010\u2029\u202f\u2065\u206a\u061b\u061d";
+  EXPECT_EQ(printable_line(neighbors), neighbors);
 }
 
 TEST(Error, KindDeterminesTheExitStatus) {
