@@ -83,7 +83,7 @@ bool is_formula(const std::string& text) {
 
 std::string csv_field(const std::string& text) {
   const std::string field = is_formula(text) ? "'" + text : text;
-  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
+  if (field.find_first_of(",;\t\"\r\n") == std::string::npos) return field;
   std::string quoted = "\"";
   for (const char c : field) {
     if (c == '"') quoted += '"';
