@@ -75,6 +75,18 @@ TEST(ResampleScan, RaysWithoutHitsAreFree) {
   EXPECT_FLOAT_EQ(resampled.getScanRange(30), 8);
 }
 
+TEST(ResampleScan, ARangeOfTheMaximumIsNoReturn) {
+  // Drivers and simulators write the maximum where nothing is. Those that set it to the largest
+  // reading lose that one: a wall at the maximum all around would be worse.
+  auto scan = even_scan(181, 180, 4);
+  scan.maxRange = 4;
+  scan.setScanRange(90, 3);
+  const auto resampled = resample_scan(scan, sensor_of(181, 180));
+  EXPECT_FLOAT_EQ(resampled.getScanRange(90), 3);
+  EXPECT_FLOAT_EQ(resampled.getScanRange(45), 8);
+  EXPECT_FALSE(resampled.getScanRangeValidity(45));
+}
+
 TEST(ResampleScan, TransformsToTheRobotsCenter) {
   auto scan = even_scan(181, 180, 2);
   scan.sensorPose = mrpt::poses::CPose3D(0.5, 0, 0.3, 0, 0, 0);  // half a meter ahead
