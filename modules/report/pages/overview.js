@@ -30,7 +30,8 @@ function overviewSection(method) {
   const entries = report.overview.filter((one) => method === null || one.method === method);
   if (entries.length === 0) return null;
   loadScript("data/failures.js");
-  return [entries.map(overviewCard),
+  const headlines = report.headlines.filter((one) => method === null || one.method === method);
+  return [headlines.map(({ text }) => html("p", { class: "headline" }, html("strong", {}, text + "."))), entries.map(overviewCard),
           soft("Trends, and differences on the same scenarios, only where a corrected test shows them. Pictures: at most three " +
                "failures of each method; first where most other methods succeed, then collisions. A click opens the replay.")];
 }

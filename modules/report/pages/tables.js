@@ -81,7 +81,7 @@ function comparisonSection(method) {
   const all = report.comparisons.filter((one) => method === null || one.a === method || one.b === method);
   if (all.length === 0) return null;
   const others = all.filter((one) => !one.significant), sentence = (one) => finding(one.text, one.significant);
-  return [soft("On the same scenarios; p values corrected for the number of comparisons (Holm)."),
+  return [soft("On the same scenarios; p values corrected (Holm) for all pairs of methods in the same metric."),
     card(all.filter((one) => one.significant).map(sentence),
          others.length === 0 ? null : html("details", {}, html("summary", {},
            plural(others.length, "comparison") + " without a difference shown"), others.map(sentence)))];

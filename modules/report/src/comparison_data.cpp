@@ -25,6 +25,7 @@ OrderedJson comparison_json(const ResultTable& runs, const PairedComparison& pai
           {"interval", interval_json(pair.interval)},
           {"p", pair.p},
           {"adjusted_p", pair.adjusted_p},
+          {"family", pair.family},
           {"text", verdict_sentence(pair)}};
 }
 

@@ -21,4 +21,12 @@ OrderedJson overview_json(const ReportInput& input,
   return json;
 }
 
+OrderedJson headlines_json(const ReportInput& input,
+                           const std::vector<PairedComparison>& comparisons) {
+  OrderedJson json = OrderedJson::array();
+  const std::string leader = leader_sentence(input.runs, comparisons, input.options.analysis);
+  if (!leader.empty()) json.push_back({{"method", nullptr}, {"text", leader}});
+  return json;
+}
+
 }  // namespace slalom

@@ -127,6 +127,7 @@ class DataMaker {
   const std::vector<std::string>& directed() const { return directed_; }
   const std::vector<PairedComparison>& comparisons() const { return comparisons_; }
 
+  OrderedJson headlines() const { return headlines_json(input_, comparisons_); }
   OrderedJson overview() const { return overview_json(input_, comparisons_); }
 
   OrderedJson common_scenarios() {
@@ -276,6 +277,7 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
                       {"metrics", quantities_json(repeatable_metrics(runs))},
                       {"descriptors", quantities_json(descriptors)}};
   if (input.options.planned_runs > 0) json["planned_runs"] = input.options.planned_runs;
+  json["headlines"] = make.headlines();
   json["overview"] = make.overview();
   json["summary"] = make.summary();
   json["common_scenarios"] = make.common_scenarios();

@@ -41,6 +41,9 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
 /// "overview" of report.json: the first screen.
 OrderedJson overview_json(const ReportInput& input,
                           const std::vector<PairedComparison>& comparisons);
+/// What the first screen says before that: sentences, each of one method or of all.
+OrderedJson headlines_json(const ReportInput& input,
+                           const std::vector<PairedComparison>& comparisons);
 
 /// "comparisons", "completion", "ranks", "profiles" and "validity" of report.json; the metrics are
 /// those in which methods can be better.

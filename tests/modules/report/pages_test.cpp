@@ -145,7 +145,13 @@ TEST_F(ReportPages, BeginWithASentenceTheOutcomesAndTheFailuresOfEachMethod) {
   // have no common pair.
   EXPECT_EQ(count(page,
                   "</a> succeeds in 0 % [0, 24] of 12 runs; it collides in 100 %; against good "
-                  "it is 1.00 worse in success on the same scenarios, p = 0.0005."),
+                  "it is 1.00 worse in success on the same scenarios, p = 0.0005, "
+                  "Holm over 1 pair."),
+            1u)
+      << page;
+  EXPECT_EQ(count(page,
+                  "good succeeds most often (100 % of 12 runs), &lt;bad&gt; second (0 %): "
+                  "confirmed against &lt;bad&gt;: 1.00 ["),
             1u)
       << page;
   EXPECT_EQ(count(page, "</a> succeeds in 100 % [76, 100] of 12 runs; against &lt;bad&gt; it is "),

@@ -1,8 +1,13 @@
+#include "campaign_sample.h"
 #include "error_text.h"
 #include "occurrences.h"
 #include "pages.h"
 #include "report_sample.h"
 
+#include <slalom/analysis/interpreter.h>
+#include <slalom/io/read_results.h>
+
+#include <algorithm>
 #include <regex>
 #include <set>
 
@@ -107,6 +112,35 @@ TEST_F(Report, HasEveryMetricOfEveryRunAndTheQuartilesOfAllQuantities) {
                                      {"high_included", false}}));
   EXPECT_EQ(bins[3]["high_included"], true);
   EXPECT_EQ(json["results"], "runs.results");
+}
+
+TEST_F(Report, GivesTheSamePAsCompareAndSummary) {
+  CampaignSample({3, 40, 1}).write(results_path());
+  const ResultTable runs = read_results(results_path());
+  write_report(results_path(), runs, report_options(runs), report_folder().string());
+  const auto remarks_of = [&runs](const std::string& id, const std::vector<std::string>& metrics) {
+    AnalysisQuery query;
+    query.metrics = metrics;
+    for (const Interpreter& interpreter : all_interpreters())
+      if (interpreter.id == id) return interpreter.interpret({runs}, query).remarks;
+    return std::vector<std::string>();
+  };
+  std::vector<std::string> of_success;
+  const auto json = report_json();
+  for (const auto& pair : json["comparisons"]) {
+    if (pair["metric"] == "success") of_success.push_back(pair["text"]);
+    EXPECT_EQ(pair["family"], 3) << "of three methods, not of all metrics";
+  }
+  EXPECT_EQ(of_success, remarks_of("compare", {"success"}));
+  const auto with_more = remarks_of("compare", {"optimality", "success"});
+  EXPECT_EQ(of_success, std::vector<std::string>(with_more.begin() + 3, with_more.end()));
+  const std::string first = json["headlines"][0]["text"];
+  EXPECT_EQ(first, remarks_of("summary", {"optimality"}).front());
+  const std::string p =
+      first.substr(first.find(", p ") + 2, first.find(", Holm") - first.find(", p ") - 2);
+  EXPECT_TRUE(std::any_of(of_success.begin(), of_success.end(), [&](const std::string& text) {
+    return text.find(", " + p + " (exact McNemar test, Holm over 3 pairs)") != std::string::npos;
+  })) << first;
 }
 
 TEST_F(Report, EveryNumberOfATableHasItsRuns) {

@@ -3,7 +3,35 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
+#include <algorithm>
+#include <functional>
+
 namespace slalom {
+namespace {
+
+constexpr const char* kSuccess = "success";  // the primary metric
+
+/// Leaves the comparisons for which `is_kept` holds; what they are corrected for remains.
+template <typename Predicate>
+void keep_only(std::vector<PairedComparison>& comparisons, Predicate is_kept) {
+  comparisons.erase(std::remove_if(comparisons.begin(), comparisons.end(), std::not_fn(is_kept)),
+                    comparisons.end());
+}
+
+/// The pair of names that has `method`. Throws Error (Usage) if there is none.
+std::pair<std::string, std::string> pair_with(
+    const std::vector<std::pair<std::string, std::string>>& pairs, const std::string& method) {
+  std::vector<std::string> names;
+  for (const auto& [a, b] : pairs) {
+    if (a == method || b == method) return {a, b};
+    names.push_back(a);
+    if (b != a) names.push_back(b);
+  }
+  throw usage_error("method", "'" + method + "' is not in both results",
+                    expected_name(method, names));
+}
+
+}  // namespace
 
 std::vector<PairedComparison> compare_methods(const ResultTable& table,
                                               const std::vector<std::string>& metrics,
@@ -22,13 +50,15 @@ std::vector<PairedComparison> compare_methods(const ResultTable& table,
       for (std::size_t j = i + 1; j < table.methods.size(); ++j) {
         std::string a = table.methods[i], b = table.methods[j];
         if (!baseline.empty() && a != baseline && b != baseline) continue;
-        if (!method.empty() && a != method && b != method) continue;
         if (b == baseline) std::swap(a, b);
         family.push_back(compare_pair({&table, a, a}, {&table, b, b}, metric, options));
+        family.back().baseline = baseline;
       }
     }
   }
-  finish_family(family);
+  finish_families(family);
+  if (!method.empty())
+    keep_only(family, [&](const PairedComparison& c) { return c.a == method || c.b == method; });
   return family;
 }
 
@@ -36,8 +66,10 @@ std::vector<PairedComparison> directed_comparisons(const ResultTable& table,
                                                    const std::vector<Column>& columns,
                                                    const ComparisonOptions& options) {
   std::vector<std::string> metrics;
+  if (find_metric(table, kSuccess) != nullptr) metrics.emplace_back(kSuccess);
   for (const Column& column : columns)
-    if (column.info.direction != Direction::None && !column.wall_clock)
+    if (column.info.direction != Direction::None && !column.wall_clock &&
+        column.info.id != kSuccess)
       metrics.push_back(column.info.id);
   if (table.methods.size() < 2 || metrics.empty()) return {};
   try {
@@ -46,25 +78,6 @@ std::vector<PairedComparison> directed_comparisons(const ResultTable& table,
     return {};  // no common scenarios
   }
 }
-
-namespace {
-
-/// Leaves the pairs of names that have `method`. Throws Error (Usage) where there is none.
-void keep_only(std::vector<std::pair<std::string, std::string>>& pairs, const std::string& method) {
-  std::vector<std::string> names;
-  for (const auto& [a, b] : pairs) {
-    if (a == method || b == method) {
-      pairs = {{a, b}};
-      return;
-    }
-    names.push_back(a);
-    if (b != a) names.push_back(b);
-  }
-  throw usage_error("method", "'" + method + "' is not in both results",
-                    expected_name(method, names));
-}
-
-}  // namespace
 
 std::vector<PairedComparison> compare_results(const ResultTable& a, const ResultTable& b,
                                               const std::vector<std::string>& metrics,
@@ -85,16 +98,22 @@ std::vector<PairedComparison> compare_results(const ResultTable& a, const Result
                           "; there " + join(a.methods, ", ") + ")",
                       "runs of the same methods");
   }
-  if (!method.empty()) keep_only(common, method);
+  const auto shown =
+      method.empty() ? std::pair<std::string, std::string>() : pair_with(common, method);
+  const auto name_in = [](const ResultTable& table, const std::string& name) {
+    return name + " (" + table.source + ")";
+  };
   std::vector<PairedComparison> family;
   for (const std::string& metric : metrics) {
     for (const auto& [before, after] : common) {
-      const Side first{&a, before, before + " (" + a.source + ")"};
-      const Side second{&b, after, after + " (" + b.source + ")"};
+      const Side first{&a, before, name_in(a, before)};
+      const Side second{&b, after, name_in(b, after)};
       family.push_back(compare_pair(first, second, metric, options));
     }
   }
-  finish_family(family);
+  finish_families(family);
+  if (!method.empty())
+    keep_only(family, [&](const PairedComparison& c) { return c.a == name_in(a, shown.first); });
   return family;
 }
 

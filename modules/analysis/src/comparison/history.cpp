@@ -69,7 +69,7 @@ void correct_changes(std::vector<HistoryCurve>& curves) {
         family.push_back(*point.change);
         changes.push_back(&*point.change);
       }
-  finish_family(family);
+  finish_families(family);
   for (std::size_t i = 0; i < changes.size(); ++i) *changes[i] = family[i];
 }
 
@@ -129,12 +129,15 @@ History build_history(const std::vector<ResultTable>& results,
   if (results.size() < 2)
     throw usage_error("history", "fewer than two result files", "two or more, in their order");
   History history;
-  const std::vector<std::string> methods = methods_of(results, method);
+  const std::vector<std::string> shown = methods_of(results, method);
   for (const std::string& metric : metrics)
-    for (const std::string& name : methods)
+    for (const std::string& name : methods_of(results, ""))
       history.curves.push_back(curve_of(results, name, metric, options));
   correct_changes(history.curves);
-  add_changed_runs(history, results, methods);
+  const auto is_hidden = [&](const HistoryCurve& curve) { return !contains(shown, curve.method); };
+  history.curves.erase(std::remove_if(history.curves.begin(), history.curves.end(), is_hidden),
+                       history.curves.end());
+  add_changed_runs(history, results, shown);
   return history;
 }
 

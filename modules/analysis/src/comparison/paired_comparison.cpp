@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 namespace slalom {
@@ -222,6 +223,22 @@ Verdict verdict_of(const PairedComparison& comparison) {
   return up == (direction == Direction::Up) ? Verdict::Better : Verdict::Worse;
 }
 
+/// Corrects the p values of one family.
+void finish_family(const std::vector<PairedComparison*>& family) {
+  // Without a test: nothing to compare, or no difference in any pair.
+  const auto tested = [](const PairedComparison& c) { return c.scenarios > 0 && !c.identical; };
+  std::vector<double> p;
+  for (const PairedComparison* comparison : family)
+    if (tested(*comparison)) p.push_back(comparison->p);
+  const std::vector<double> adjusted = holm_adjusted(p);
+  std::size_t next = 0;
+  for (PairedComparison* comparison : family) {
+    if (tested(*comparison)) comparison->adjusted_p = adjusted[next++];
+    comparison->family = p.size();
+    comparison->verdict = verdict_of(*comparison);
+  }
+}
+
 }  // namespace
 
 PairedComparison compare_pair(const Side& a, const Side& b, const std::string& metric,
@@ -246,19 +263,11 @@ PairedComparison compare_pair(const Side& a, const Side& b, const std::string& m
   return comparison;
 }
 
-void finish_family(std::vector<PairedComparison>& family) {
-  // Without a test: nothing to compare, or no difference in any pair.
-  const auto tested = [](const PairedComparison& c) { return c.scenarios > 0 && !c.identical; };
-  std::vector<double> p;
-  for (const PairedComparison& comparison : family)
-    if (tested(comparison)) p.push_back(comparison.p);
-  const std::vector<double> adjusted = holm_adjusted(p);
-  std::size_t next = 0;
-  for (PairedComparison& comparison : family) {
-    if (tested(comparison)) comparison.adjusted_p = adjusted[next++];
-    comparison.family = p.size();
-    comparison.verdict = verdict_of(comparison);
-  }
+void finish_families(std::vector<PairedComparison>& comparisons) {
+  std::map<std::string, std::vector<PairedComparison*>> families;  // by metric
+  for (PairedComparison& comparison : comparisons)
+    families[comparison.column.info.id].push_back(&comparison);
+  for (const auto& [metric, family] : families) finish_family(family);
 }
 
 }  // namespace slalom

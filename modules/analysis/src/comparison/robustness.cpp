@@ -101,7 +101,7 @@ void correct_family(RobustnessTable& table) {
       if (point.change) family.push_back(*point.change);
     }
   }
-  finish_family(family);
+  finish_families(family);
   std::size_t next = 0;
   for (RobustnessCurve& curve : table.curves) {
     for (RobustnessPoint& point : curve.points) {
@@ -139,7 +139,6 @@ RobustnessTable build_robustness(const std::vector<ResultTable>& sweep,
   if (!method.empty()) index_of_method(first, method);
   for (const std::string& metric : metrics) {
     for (const std::string& name : first.methods) {
-      if (!method.empty() && name != method) continue;
       RobustnessCurve& curve = table.curves.emplace_back();
       curve.method = name;
       curve.column = resolve_columns(first, {metric})[0];
@@ -150,6 +149,11 @@ RobustnessTable build_robustness(const std::vector<ResultTable>& sweep,
     }
   }
   correct_family(table);
+  const auto is_hidden = [&](const RobustnessCurve& curve) {
+    return !method.empty() && curve.method != method;
+  };
+  table.curves.erase(std::remove_if(table.curves.begin(), table.curves.end(), is_hidden),
+                     table.curves.end());
   if (method.empty() && first.methods.size() > 1) add_orders(table, settings, metrics, options);
   return table;
 }

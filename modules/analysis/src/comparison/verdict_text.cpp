@@ -27,7 +27,7 @@ std::string statistics_text(const PairedComparison& c) {
             format_fixed(c.interval->high, digits) + "]";
   }
   return text + " over " + count_text(c.scenarios, "scenario") + ", " + p_text(c.adjusted_p) +
-         " (" + to_string(c.test) + ", Holm)";
+         " (" + to_string(c.test) + ", " + family_text(c) + ")";
 }
 
 std::string power_text(const PairedComparison& c) {
@@ -58,15 +58,18 @@ std::string unconfirmed(const PairedComparison& c) {
                            c.column.info.id + " is not confirmed: " + statistics_text(c) + "; ";
   if (c.adjusted_p <= test_level(c.confidence))
     return head + "the test rejects equality, but the interval includes 0";
-  const std::string correction = c.p <= test_level(c.confidence)
-                                     ? " after the correction for " + count_text(c.family, "test") +
-                                           " (before: " + p_text(c.p) + ")"
-                                     : "";
+  const std::string correction =
+      c.p <= test_level(c.confidence) ? " after the correction (before: " + p_text(c.p) + ")" : "";
   return head + "the interval excludes 0, but the test does not reject equality" + correction +
          (c.required_scenarios > c.scenarios ? more_text(c) : "");
 }
 
 }  // namespace
+
+std::string family_text(const PairedComparison& c) {
+  return "Holm over " + count_text(c.family, "pair") +
+         (c.baseline.empty() ? "" : " with " + c.baseline);
+}
 
 std::string verdict_sentence(const PairedComparison& c) {
   const std::string& metric = c.column.info.id;

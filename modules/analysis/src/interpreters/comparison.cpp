@@ -32,6 +32,7 @@ DataTable exact_table(const std::vector<PairedComparison>& family) {
     rows.add("test", Field{to_string(c.test)});
     rows.add("p", std::optional(c.p));
     rows.add("p_holm", std::optional(c.adjusted_p));
+    rows.add("family", c.family);
     rows.add("shift", c.shift ? std::optional(c.shift->estimate) : std::nullopt,
              c.shift ? c.shift->interval : std::nullopt);
     rows.add("superiority", c.superiority);
@@ -54,9 +55,10 @@ DataTable view_table(const std::vector<PairedComparison>& family) {
     rows.add("mean a", c.mean_a);
     rows.add("mean b", c.mean_b);
     rows.add("b - a", c.difference, c.interval);
-    rows.add("A12", c.superiority);
     rows.add("p (Holm)", std::optional(c.adjusted_p));
+    rows.add("family", c.family);
     rows.add("verdict", Field{to_string(c.verdict)});
+    rows.add("A12", c.superiority);
   }
   return rows.table();
 }

@@ -63,6 +63,11 @@ void RowTable::add_change(const std::optional<PairedComparison>& change) {
   add("change", change ? change->difference : std::nullopt,
       change ? change->interval : std::nullopt);
   add("p_holm", change ? std::optional(change->adjusted_p) : std::nullopt);
+  if (change) {
+    add("family", change->family);
+  } else {
+    add("family", std::optional<double>());
+  }
   add("verdict", Field{change ? to_string(change->verdict) : std::string()});
 }
 

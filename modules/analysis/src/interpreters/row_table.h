@@ -29,7 +29,8 @@ class RowTable {
   void add_cell(const std::string& column, const Cell& cell);
   /// n, estimate with interval, number of NA: what a display shows of a cell.
   void add_shown_cell(const std::string& column, const Cell& cell);
-  /// Difference with interval, corrected p, verdict; without a change empty fields.
+  /// Difference with interval, corrected p, size of its family, verdict; without a change empty
+  /// fields.
   void add_change(const std::optional<PairedComparison>& change);
   /// Ids of runs, separated by blanks; the column is called "runs".
   void add_runs(const ResultTable& table, const std::vector<std::size_t>& runs);

@@ -5,6 +5,8 @@
 #include <slalom/analysis/method_overview.h>
 #include <slalom/analysis/summary.h>
 
+#include <algorithm>
+
 namespace slalom {
 namespace {
 
@@ -37,10 +39,13 @@ std::vector<std::string> overview_sentences(const ResultTable& table, const Anal
   const std::vector<CrossTable> tables =
       build_cross_tables(table, query.rows, query.metrics, query.comparison.analysis);
   std::vector<std::string> sentences;
+  if (query.method.empty())
+    sentences.push_back(leader_sentence(table, family, query.comparison.analysis));
   for (const MethodOverview& overview :
        build_overview(table, tables, family, query.comparison.analysis))
     if (query.method.empty() || overview.method == query.method)
       sentences.push_back(overview.sentence);
+  sentences.erase(std::remove(sentences.begin(), sentences.end(), ""), sentences.end());
   return sentences;
 }
 

@@ -76,6 +76,11 @@ const std::string* other_side(const PairedComparison& comparison, const std::str
   return comparison.b == method ? &comparison.a : nullptr;
 }
 
+/// "p = 0.0430, Holm over 6 pairs".
+std::string corrected_text(const PairedComparison& comparison) {
+  return p_text(comparison.adjusted_p) + ", " + family_text(comparison);
+}
+
 /// The differences in success that are shown, largest first.
 std::vector<std::string> difference_clauses(const std::string& method,
                                             const std::vector<PairedComparison>& family) {
@@ -89,7 +94,7 @@ std::vector<std::string> difference_clauses(const std::string& method,
     shown.emplace_back(-size, *other,
                        "against " + *other + " it is " + format_fixed(size, 2) +
                            (better ? " better" : " worse") + " in success on the same scenarios, " +
-                           p_text(c.adjusted_p));
+                           corrected_text(c));
   }
   std::sort(shown.begin(), shown.end());
   std::vector<std::string> clauses;
@@ -173,7 +178,66 @@ std::vector<NotableFailure> failures_of(const ResultTable& table, const Scenario
   return notable;
 }
 
+/// The comparison of two methods in success; null if there is none.
+const PairedComparison* success_comparison(const std::vector<PairedComparison>& family,
+                                           const std::string& one, const std::string& other) {
+  for (const PairedComparison& c : family) {
+    const std::string* side = other_side(c, one);
+    if (side != nullptr && *side == other && c.column.info.id == kSuccess) return &c;
+  }
+  return nullptr;
+}
+
+/// "0.08 [0.01, 0.16] better over 70 scenarios, p = 0.0430, Holm over 6 pairs", of `method`.
+std::string advantage_text(const PairedComparison& c, const std::string& method) {
+  const double sign = c.b == method ? 1 : -1;
+  const double advantage = sign * *c.difference;
+  std::string text = format_fixed(std::abs(advantage), 2);
+  if (c.interval) {
+    double low = sign * c.interval->low, high = sign * c.interval->high;
+    if (advantage < 0) low = -low, high = -high;
+    text += " [" + format_fixed(std::min(low, high), 2) + ", " +
+            format_fixed(std::max(low, high), 2) + "]";
+  }
+  return text + (advantage < 0 ? " worse" : " better") + " over " +
+         count_text(c.scenarios, "scenario") + ", " + corrected_text(c);
+}
+
+/// Whether the first method is better than the second.
+std::string answer(const PairedComparison* c, const std::string& first, const std::string& second) {
+  if (c == nullptr || c->scenarios == 0)
+    return "not compared with " + second + ": no common scenario";
+  switch (c->verdict) {
+    case Verdict::Identical:
+      return "identical to " + second + " in " + count_text(c->pairs, "pair") + " of runs";
+    case Verdict::Better:
+    case Verdict::Worse:
+      return "confirmed against " + second + ": " + advantage_text(*c, first);
+    default:
+      return "not confirmed against " + second + ": " + advantage_text(*c, first);
+  }
+}
+
 }  // namespace
+
+std::string leader_sentence(const ResultTable& table, const std::vector<PairedComparison>& family,
+                            const AnalysisOptions& options) {
+  if (find_metric(table, kSuccess) == nullptr) return "";
+  std::vector<MethodSummary> order = build_summary(table, {kSuccess}, options).methods;
+  const auto has_none = [](const MethodSummary& method) { return !method.cells[0].estimate; };
+  order.erase(std::remove_if(order.begin(), order.end(), has_none), order.end());
+  if (order.size() < 2) return "";
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+    return *a.cells[0].estimate > *b.cells[0].estimate;
+  });
+  const MethodSummary &first = order[0], &second = order[1];
+  const double best = *first.cells[0].estimate, next = *second.cells[0].estimate;
+  return first.method + " succeeds most often (" + percent(best) + " of " +
+         count_text(first.cells[0].available, "run") + "), " + second.method +
+         (next == best ? " as often" : " second") + " (" + percent(next) + "): " +
+         answer(success_comparison(family, first.method, second.method), first.method,
+                second.method);
+}
 
 std::vector<MethodOverview> build_overview(const ResultTable& table,
                                            const std::vector<CrossTable>& tables,

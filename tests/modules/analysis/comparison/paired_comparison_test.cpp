@@ -135,14 +135,76 @@ TEST(PairedComparison, SayWhyAnIntervalWithoutZeroIsNotConfirmed) {
   EXPECT_DOUBLE_EQ(alone.p, 20.0 / 512);
   EXPECT_EQ(alone.verdict, Verdict::Worse);
   std::vector<PairedComparison> family = {alone, alone};
-  finish_family(family);
+  finish_families(family);
   EXPECT_EQ(family[0].verdict, Verdict::Unconfirmed);
   EXPECT_LT(family[0].interval->high, 0);
   const std::string sentence = verdict_sentence(family[0]);
   EXPECT_NE(sentence.find("the interval excludes 0, but the test does not reject equality after "
-                          "the correction for 2 tests (before: p = 0.0391)"),
+                          "the correction (before: p = 0.0391)"),
             std::string::npos)
       << sentence;
+  EXPECT_NE(sentence.find("p = 0.0781 (exact McNemar test, Holm over 2 pairs);"), std::string::npos)
+      << sentence;
+}
+
+/// Twelve scenarios: c is better than b, and b than a, in each.
+ResultTable three_in_order() {
+  ResultFixture fixture;
+  for (int i = 0; i < 12; ++i) {
+    const std::string hash = fixture.add_scenario(Value::of(0.1));
+    fixture.add_run(hash, "a", i < 6 ? 0.3 + 0.01 * i : -1);
+    fixture.add_run(hash, "b", i < 11 ? 0.5 + 0.02 * i : -1);
+    fixture.add_run(hash, "c", 0.7 + 0.02 * i);
+  }
+  return fixture.table;
+}
+
+TEST(PairedComparison, OfOneMetricAreAFamilyWhateverElseIsCompared) {
+  const ResultTable table = three_in_order();
+  const auto alone = compare_methods(table, {"success"}, "", {});
+  const auto among = compare_methods(table, {"optimality", "success", "path_length"}, "", {});
+  const auto of_b = compare_methods(table, {"success", "optimality"}, "", {}, "b");
+  ASSERT_EQ(among.size(), 9u);
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(among[3 + i].adjusted_p, alone[i].adjusted_p);
+    EXPECT_EQ(verdict_sentence(among[3 + i]), verdict_sentence(alone[i]));
+  }
+  ASSERT_EQ(of_b.size(), 4u);
+  EXPECT_EQ(verdict_sentence(of_b[0]), verdict_sentence(alone[0])) << "a and b";
+  EXPECT_EQ(verdict_sentence(of_b[1]), verdict_sentence(alone[2])) << "b and c";
+  EXPECT_NE(verdict_sentence(alone[0]).find(" (exact McNemar test, Holm over 3 pairs)"),
+            std::string::npos)
+      << verdict_sentence(alone[0]);
+}
+
+TEST(PairedComparison, WithABaselineAreAFamilyOfTheirOwnAndSaySo) {
+  const ResultTable table = three_in_order();
+  const auto all = compare_methods(table, {"success"}, "", {});
+  const auto against_a = compare_methods(table, {"success"}, "a", {});
+  // Six scenarios that only c solves, five that only b solves: 2 / 2^6 and 2 / 2^5.
+  EXPECT_DOUBLE_EQ(all[1].adjusted_p, 3 * 2.0 / 64);
+  EXPECT_DOUBLE_EQ(against_a[1].adjusted_p, 2 * 2.0 / 64);
+  EXPECT_NE(verdict_sentence(against_a[1]).find("Holm over 2 pairs with a)"), std::string::npos)
+      << verdict_sentence(against_a[1]);
+}
+
+TEST(PairedComparison, OfTwoResultsKeepTheirFamilyWithAMethod) {
+  ResultTable before = three_in_order(), after;
+  ResultFixture better;
+  for (int i = 0; i < 12; ++i) {
+    const std::string hash = better.add_scenario(Value::of(0.1));
+    for (const char* method : {"a", "b", "c"}) better.add_run(hash, method, 0.99 - 0.001 * i);
+  }
+  after = better.table;
+  before.source = "before";
+  after.source = "after";
+  const auto all = compare_results(before, after, {"optimality", "success"}, {});
+  const auto of_b = compare_results(before, after, {"optimality", "success"}, {}, "b");
+  ASSERT_EQ(all.size(), 6u);
+  ASSERT_EQ(of_b.size(), 2u);
+  EXPECT_EQ(of_b[0].family, 3u);
+  EXPECT_EQ(verdict_sentence(of_b[0]), verdict_sentence(all[1]));
+  EXPECT_EQ(verdict_sentence(of_b[1]), verdict_sentence(all[4]));
 }
 
 TEST(PairedComparison, FollowsTheDirectionOfTheMetric) {

@@ -190,7 +190,6 @@ TEST(Interpreter, CompareTakesTheOthersAgainstAMethod) {
   EXPECT_NE(csv.find("optimality,a,b,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("optimality,b,c,"), std::string::npos) << csv;
   EXPECT_EQ(csv.find("optimality,a,c,"), std::string::npos) << csv;
-  // The family of Holm's correction is what was asked: two comparisons, not three.
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
 }
 
@@ -388,7 +387,7 @@ TEST(Interpreter, RobustnessSaysWhetherTheOrderOfTheMethodsIsKept) {
       << text;
 }
 
-TEST(Interpreter, RobustnessCorrectsForTheChangesThatAreShown) {
+TEST(Interpreter, RobustnessOfAMethodHasTheSameCorrectionAsOfAll) {
   // All ten differences of a change have the same sign: p = 2 / 2^10. A method has two changes.
   const auto adjusted = [](const std::string& method) {
     const RobustnessTable table =
@@ -397,7 +396,7 @@ TEST(Interpreter, RobustnessCorrectsForTheChangesThatAreShown) {
     return table.curves.back().points.back().change->adjusted_p;
   };
   EXPECT_NEAR(adjusted(""), 4 * 2 / 1024.0, 1e-12);
-  EXPECT_NEAR(adjusted("b"), 2 * 2 / 1024.0, 1e-12);
+  EXPECT_NEAR(adjusted("b"), 4 * 2 / 1024.0, 1e-12);
 }
 
 TEST(Interpreter, RobustnessRejectsCampaignsWithOtherDifferences) {

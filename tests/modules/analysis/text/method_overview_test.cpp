@@ -36,12 +36,12 @@ TEST(MethodOverview, SaysInASentenceWhatHolds) {
   EXPECT_EQ(overview[0].sentence,
             "a succeeds in 80 % [67, 89] of 50 runs; it falls from 100 % to 60 % with density (in "
             "[0, 0.1) and [0.1, 0.2], p = 0.0008); it collides in 20 %; against b it is 0.20 "
-            "worse in success on the same scenarios, p = 0.0039; its values are identical to "
-            "those of c");
+            "worse in success on the same scenarios, p = 0.0039, Holm over 2 pairs; its values "
+            "are identical to those of c");
   EXPECT_EQ(overview[1].sentence,
             "b succeeds in 100 % [93, 100] of 50 runs; against a it is 0.20 better in success on "
-            "the same scenarios, p = 0.0039; against c it is 0.20 better in success on the same "
-            "scenarios, p = 0.0039");
+            "the same scenarios, p = 0.0039, Holm over 2 pairs; against c it is 0.20 better in "
+            "success on the same scenarios, p = 0.0039, Holm over 2 pairs");
 }
 
 TEST(MethodOverview, HasNoClauseWithoutEvidence) {
@@ -49,6 +49,33 @@ TEST(MethodOverview, HasNoClauseWithoutEvidence) {
   EXPECT_EQ(overview_of(table)[0].sentence,
             "a succeeds in 98 % [90, 100] of 50 runs; it collides in 2 %; its values are identical "
             "to those of c");
+}
+
+std::string leader_of(const ResultTable& table) {
+  return leader_sentence(table, directed_comparisons(table, {}, {}), {});
+}
+
+TEST(MethodOverview, NamesTheSecondAndWhetherTheFirstIsBetter) {
+  // Newcombe's interval of -0.2: sqrt((0.8 - 0.669625)^2 + ...) by hand is [0.10, 0.33].
+  EXPECT_EQ(leader_of(three_methods({25, 15})),
+            "b succeeds most often (100 % of 50 runs), a second (80 %): confirmed against a: 0.20 "
+            "[0.09, 0.33] better over 50 scenarios, p = 0.0039, Holm over 2 pairs");
+  EXPECT_EQ(leader_of(three_methods({24, 25})),
+            "b succeeds most often (100 % of 50 runs), a second (98 %): not confirmed against a: "
+            "0.02 [-0.05, 0.10] better over 50 scenarios, p = 1.0000, Holm over 2 pairs");
+  EXPECT_EQ(leader_of(three_methods({25, 25})),
+            "a succeeds most often (100 % of 50 runs), b as often (100 %): identical to b in 50 "
+            "pairs of runs");
+}
+
+TEST(MethodOverview, ComparesNoFirstWithoutACommonScenario) {
+  ResultFixture fixture;
+  fixture.add_run(fixture.add_scenario(Value::of(0.1)), "a", 0.5);
+  EXPECT_EQ(leader_of(fixture.table), "") << "the only method";
+  fixture.add_run(fixture.add_scenario(Value::of(0.1)), "b", -1);
+  EXPECT_EQ(leader_of(fixture.table),
+            "a succeeds most often (100 % of 1 run), b second (0 %): not compared with b: no "
+            "common scenario");
 }
 
 TEST(MethodOverview, ShowsFailuresWhereMostOtherMethodsSucceedFirst) {

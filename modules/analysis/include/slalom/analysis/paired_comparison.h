@@ -60,6 +60,7 @@ struct PairedComparison {
   double p = 1;
   double adjusted_p = 1;              ///< by Holm, over the family of comparisons
   std::size_t family = 1;             ///< number of tests in it
+  std::string baseline;               ///< all pairs of the family have it; empty: all pairs
   std::optional<Shift> shift;         ///< Hodges-Lehmann, for metrics that are not rates
   std::optional<double> superiority;  ///< Vargha-Delaney A12 of b over a, by scenario
 
@@ -72,32 +73,35 @@ constexpr auto enum_names(PairedComparison::Test) {
   return std::array{"no test", "exact McNemar test", "exact signed-rank test", "signed-rank test"};
 }
 
-/// Compares one pair; `adjusted_p` is `p` until `finish_family`. Throws Error (Usage) for unknown
+/// Compares one pair; `adjusted_p` is `p` until `finish_families`. Throws Error (Usage) for unknown
 /// names, and if no run has a partner.
 PairedComparison compare_pair(const Side& a, const Side& b, const std::string& metric,
                               const ComparisonOptions& options);
 
-/// Corrects the p values of a family of comparisons, and sets the verdicts. Sides that are
-/// identical or have no common pair do not enter: without a difference no sign can reject (Tarone
-/// 1990).
-void finish_family(std::vector<PairedComparison>& family);
+/// Corrects the p values of comparisons, and sets the verdicts. Those of one metric are a family,
+/// whichever metrics are compared with it. Sides that are identical or have no common pair do not
+/// enter: without a difference no sign can reject (Tarone 1990).
+void finish_families(std::vector<PairedComparison>& comparisons);
 
-/// Every pair of methods of a table (or each against `baseline`) in every metric, as one family;
-/// only the pairs with `method` if it is given. Throws Error (Usage) for unknown names.
+/// "Holm over 6 pairs", or "Holm over 3 pairs with nd" for a baseline.
+std::string family_text(const PairedComparison& comparison);
+
+/// Every pair of methods of a table (or each against `baseline`) in every metric. `method` leaves
+/// the pairs with it, and does not change their families. Throws Error (Usage) for unknown names.
 std::vector<PairedComparison> compare_methods(const ResultTable& table,
                                               const std::vector<std::string>& metrics,
                                               const std::string& baseline,
                                               const ComparisonOptions& options,
                                               const std::string& method = "");
 
-/// The same in those of the columns that have a direction, except measured times. Empty if nothing
-/// can be compared: a single method, or no common scenarios.
+/// The same in success, and in those of the columns that have a direction, except measured times.
+/// Empty if nothing can be compared: a single method, or no common scenarios.
 std::vector<PairedComparison> directed_comparisons(const ResultTable& table,
                                                    const std::vector<Column>& columns,
                                                    const ComparisonOptions& options);
 
-/// Each method that both results contain, or the single method of each; b against a, as one family;
-/// only `method` (of either) if it is given. Throws Error (Usage) if they have nothing in common.
+/// Each method that both results contain, or the single method of each; b against a. `method` (of
+/// either) leaves its pair, as above. Throws Error (Usage) if they have nothing in common.
 std::vector<PairedComparison> compare_results(const ResultTable& a, const ResultTable& b,
                                               const std::vector<std::string>& metrics,
                                               const ComparisonOptions& options,
