@@ -1,6 +1,7 @@
 #include "map_readers.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/quiet_standard_error.h>
 #include <slalom/core/read_file.h>
 
 #include <mrpt/img/CImage.h>
@@ -65,8 +66,9 @@ std::vector<std::uint16_t> binary_pixels(const char* bytes, std::size_t count,
   return pixels;
 }
 
-/// Returns false also if OpenCV throws.
+/// Returns false also if OpenCV throws. It and its decoders print errors and warnings themselves.
 bool try_load(mrpt::img::CImage& image, const std::string& path) {
+  const QuietStandardError quiet;
   try {
     return image.loadFromFile(path, 0) && image.getWidth() > 0;
   } catch (const std::exception&) {

@@ -1,4 +1,5 @@
 #include <slalom/core/error.h>
+#include <slalom/core/quiet_standard_error.h>
 #include <slalom/core/temporary_file.h>
 #include <slalom/spreadsheet/workbook.h>
 
@@ -97,6 +98,12 @@ void check_size(const DataTable& table) {
                       "at most 1048575 rows and 16384 columns; csv has no limit");
 }
 
+/// The library prints errors of writing, too.
+lxw_error close_quietly(lxw_workbook* book) {
+  const QuietStandardError quiet;
+  return workbook_close(book);
+}
+
 }  // namespace
 
 void write_workbook(const std::vector<DataTable>& tables, const std::string& path) {
@@ -110,7 +117,7 @@ void write_workbook(const std::vector<DataTable>& tables, const std::string& pat
   std::set<std::string> used;
   for (const DataTable& table : tables)
     write_sheet(book, table, sheet_name(table.name, used), formats);
-  const lxw_error error = workbook_close(book);
+  const lxw_error error = close_quietly(book);
   if (error != LXW_NO_ERROR)
     throw job_error(path, std::string("cannot be written: ") + lxw_strerror(error));
   temporary.publish();

@@ -165,6 +165,22 @@ TEST(ReadGrayImage, WritesNoWarningsOfLibpng) {
   EXPECT_EQ(image.pixels, (Pixels{'a', 'b', 'c'}));
 }
 
+TEST(ReadGrayImage, WritesNoErrorsOfOpenCv) {
+  const MapFolder folder;
+  mrpt::img::CImage image(64, 64, mrpt::img::CH_GRAY);
+  image.filledRectangle(0, 0, 63, 63, mrpt::img::TColor(9, 9, 9));
+  ASSERT_TRUE(image.saveToFile(folder.path("a.bmp")) && image.saveToFile(folder.path("a.jpg")));
+  const std::string bmp = bytes_of_file(folder.path("a.bmp")),
+                    jpeg = bytes_of_file(folder.path("a.jpg"));
+  const std::string tiff("II*\0\x08\0\0\0\x01\0\0\x01\x04\0\x01\0\0\0\xff\xff\xff\x7f", 22);
+  testing::internal::CaptureStderr();
+  for (const std::string& bytes :
+       {"P6 40000 40000 255\n"s, "P4 40000 40000\n"s, tiff, bmp.substr(0, 20), bmp.substr(0, 100)})
+    EXPECT_TRUE(rejects_image(folder.write("b", bytes), {"unsupported image"}));
+  read_gray_image(folder.write("c", jpeg.substr(0, jpeg.size() - 40)));  // libjpeg warns
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(ReadGrayImage, RecognizesAPgmByItsContent) {
   const MapFolder folder;
   EXPECT_EQ(read_gray_image(folder.write("map.png", "P2 1 1 255 7")).pixels, (Pixels{7}));

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdio>
 #include <error_text.h>
 #include <filesystem>
 #include <fstream>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace slalom {
@@ -88,6 +90,22 @@ TEST_F(Workbook, RejectsTooManyRows) {
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "table 'runs'", {"1048576 rows", "1048575"},
                            [&] { write_workbook({large}, path_); }));
   EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
+TEST_F(Workbook, AFullDiskIsAnErrorWithoutLinesOfTheLibrary) {
+  // Too small for any workbook.
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{1000, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  testing::internal::CaptureStderr();
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string text =
+      error_text(ErrorKind::Job, [&] { write_workbook({table_of("runs", {1.0})}, path_); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_TRUE(mentions(text, {path_, "cannot be written"}));
 }
 
 TEST_F(Workbook, LeavesAnExistingFileUnchangedOnErrors) {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <mutex>
+
+namespace slalom {
+
+/// Discards what is written to standard error while it lives: around calls of libraries that return
+/// errors and print them, too, without a way to keep them from it. What other threads write
+/// meanwhile is lost, so the calls must be short. A second one waits for the first.
+class QuietStandardError {
+ public:
+  QuietStandardError();
+  ~QuietStandardError();
+  QuietStandardError(const QuietStandardError&) = delete;
+  QuietStandardError& operator=(const QuietStandardError&) = delete;
+
+ private:
+  std::unique_lock<std::mutex> lock_;
+  int saved_ = -1;
+};
+
+}  // namespace slalom
