@@ -5,6 +5,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
+#include <slalom/core/ros_bag.h>
 
 #include <mrpt/obs/CRawlog.h>
 
@@ -21,6 +22,9 @@ constexpr std::size_t kMaxLogSize = 2000 * kMegabyte;  ///< of an uncompressed l
 std::string content_of(const std::string& path) {
   std::string content = gunzip(read_file(path, "a rawlog", kMaxLogSize), kMaxLogSize, path);
   if (content.empty()) throw file_error(path, "is empty", "a rawlog");
+  refuse_ros_bag(content, path,
+                 "a rawlog; MRPT's rosbag2rawlog converts bags of ROS 1, rosbags-convert those of "
+                 "ROS 2 to ROS 1");
   return content;
 }
 

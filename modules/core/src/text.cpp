@@ -78,7 +78,8 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 2) + 1;
   for (const std::string& candidate : candidates) {
     const std::size_t distance = edit_distance(word, candidate);
-    if (distance < best_distance) {
+    const bool have_common = distance < std::max(word.size(), candidate.size());
+    if (have_common && distance < best_distance) {
       best_distance = distance;
       best = candidate;
     }

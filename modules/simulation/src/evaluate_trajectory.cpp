@@ -53,7 +53,9 @@ class LogEvaluator {
   SimulationResult run() {
     const Sample& first = log_.samples.front();
     add(first);
-    if (checker_.touches(first.pose))
+    if (checker_.left_workspace(first.pose))
+      end(Outcome::UnsolvableScenario, "the log begins outside of the workspace");
+    else if (checker_.touches(first.pose))
       end(Outcome::UnsolvableScenario, "the robot touches an obstacle where the log begins");
     else if (const Mover* mover = checker_.overlapping_mover(first.pose, 0))
       end(Outcome::UnsolvableScenario,

@@ -42,6 +42,8 @@ TEST(Text, StartsAndEndsWithItselfAndTheEmptyText) {
 TEST(NearestName, IsEmptyWhenNoCandidateIsClose) {
   EXPECT_EQ(nearest_name("radus", {"radius", "max_v"}), "radius");
   EXPECT_EQ(nearest_name("zzzz", {"radius", "max_v"}), "");
+  EXPECT_EQ(nearest_name("z", {"t", "vy"}), "") << "they have no letter in common";
+  EXPECT_EQ(nearest_name("y", {"t", "vy"}), "vy");
 }
 
 TEST(ExpectedName, IsTheNearestElseAllElseTheGivenText) {

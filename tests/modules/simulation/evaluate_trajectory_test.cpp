@@ -107,6 +107,13 @@ TEST(EvaluateTrajectory, RobotThatNeverMovesDoesNotSucceed) {
   EXPECT_EQ(evaluate(square_world({2, 5, 0}, {8, 5}), {{2, 5}, {2, 5}}).outcome, Outcome::Timeout);
 }
 
+TEST(EvaluateTrajectory, ALogThatBeginsOutsideOfTheWorkspaceSaysSo) {
+  const SimulationResult result = evaluate(square_world({2, 5, 0}, {8, 5}), {{-3, 5}, {8, 5}});
+  EXPECT_EQ(result.outcome, Outcome::UnsolvableScenario);
+  EXPECT_EQ(result.detail,
+            "the log begins outside of the workspace at (-3.00, 5.00) m after 0.00 s");
+}
+
 TEST(EvaluateTrajectory, LogThatBeginsInContactIsUnsolvable) {
   const SimulationResult result = evaluate(square_world({2, 5, 0}, {8, 5}), {{0.1, 5}, {8, 5}});
   EXPECT_EQ(result.outcome, Outcome::UnsolvableScenario);

@@ -4,6 +4,7 @@
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
+#include <slalom/core/ros_bag.h>
 #include <slalom/core/text.h>
 #include <slalom/io/trajectory_file.h>
 
@@ -181,9 +182,17 @@ TrajectoryFile complete(Collector& collector, const TextLines& lines, const std:
   return file;
 }
 
+/// Separators besides the comma count only in lines without it.
+char log_separator(const std::string& line) {
+  for (const char separator : {',', ';', '\t'})
+    if (line.find(separator) != std::string::npos) return separator;
+  return ',';
+}
+
 TrajectoryFile read_csv(const std::string& header, TextLines& lines, bool sideways,
                         const LogSpan& span) {
-  const std::vector<std::size_t> indexes = read_header(split(header, ','), lines);
+  const char separator = log_separator(header);
+  const std::vector<std::size_t> indexes = read_header(split(header, separator), lines);
   std::vector<bool> has(kColumns.size(), false);
   for (const std::size_t index : indexes) has[index] = true;
   Row blank{};
@@ -191,7 +200,7 @@ TrajectoryFile read_csv(const std::string& header, TextLines& lines, bool sidewa
   if (!has[8]) blank[8] = kMissing;
   Collector collector(span);
   for (std::string line; lines.next(line);) {
-    const std::vector<double> numbers = numbers_of(split(line, ','), indexes.size(), lines);
+    const std::vector<double> numbers = numbers_of(split(line, separator), indexes.size(), lines);
     Row row = blank;
     for (std::size_t i = 0; i < indexes.size(); ++i) row[indexes[i]] = numbers[i];
     collector.add(row, lines);
@@ -218,11 +227,30 @@ TrajectoryFile read_tum(std::string line, TextLines& lines, bool sideways, const
   return complete(collector, lines, std::vector<bool>(kColumns.size(), false), sideways);
 }
 
+/// Lines of ns, x, y, z, qw, qx, qy, qz and, in ground truths, what follows: of other frames.
+TrajectoryFile read_euroc(TextLines& lines, bool sideways, const LogSpan& span) {
+  constexpr std::size_t kPose = 8;
+  Collector collector(span);
+  for (std::string line; lines.next(line);) {
+    std::vector<std::string> fields = split(line, ',');
+    fields.resize(std::min(fields.size(), kPose));
+    const auto n = numbers_of(fields, kPose, lines);
+    collector.add({1e-9 * n[0], n[1], n[2], yaw_of(n[5], n[6], n[7], n[4], lines), 0, 0, 0,
+                   kMissing, kMissing, 0},
+                  lines);
+  }
+  return complete(collector, lines, std::vector<bool>(kColumns.size(), false), sideways);
+}
+
 }  // namespace
 
 TrajectoryFile trajectory_from_text(const std::string& text, const std::string& where,
                                     bool sideways, const LogSpan& span) {
+  refuse_ros_bag(text, where,
+                 "a trajectory as CSV or TUM; evo converts topics of bags: evo_traj bag (ROS 1) or "
+                 "bag2 FILE TOPIC --save_as_tum");
   TextLines lines(text, where);
+  if (starts_with(text, "#timestamp")) return read_euroc(lines, sideways, span);
   std::string line;
   if (!lines.next(line))
     throw file_error(where, "empty file", "a trajectory as CSV with a header line, or as TUM");

@@ -13,6 +13,8 @@
 namespace slalom {
 namespace {
 
+using namespace std::string_literals;
+
 TrajectoryFile read(const std::string& text, bool sideways = false) {
   return trajectory_from_text(text, "log", sideways);
 }
@@ -173,6 +175,42 @@ TEST(TrajectoryFile, RejectsDamagedTum) {
                           "log:2: ", {"1.4142135623730951", "expected a unit quaternion"}));
   EXPECT_TRUE(refused_log("0 0 0 0 0 0 0 0\n1 0 0 0 0 0 0 1\n",
                           "log:1: ", {" 0;", "expected a unit quaternion"}));
+}
+
+TEST(TrajectoryFile, ReadsTheCsvOfEuroc) {
+  // A header that begins with '#', times in ns, w first in quaternions; ground truths have more
+  // columns. Turned by 90 degrees.
+  const std::string header = "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w []\n";
+  for (const std::string rest : {"", ",7,7,7,7,7,7,7,7,7"}) {
+    const TrajectoryFile file =
+        read(header + "1403715524907143168,1,2,3,0.70710678,0,0,0.70710678" + rest + "\n" +
+             "1403715525007143168,1,2.1,3,0.70710678,0,0,0.70710678" + rest + "\r\n");
+    ASSERT_EQ(file.trajectory.samples.size(), 2U);
+    const Sample &first = file.trajectory.samples[0], &last = file.trajectory.samples[1];
+    EXPECT_NEAR(last.t - first.t, 0.1, 1e-6);
+    EXPECT_EQ(first.pose.x, 1);
+    EXPECT_EQ(last.pose.y, 2.1);
+    EXPECT_NEAR(first.pose.phi, M_PI / 2, 1e-7);
+    EXPECT_EQ(file.notes[0], "v and w computed from pose differences");
+  }
+  EXPECT_TRUE(refused_log(header + "1,0,0\n", "log:2: ", {"3 fields", "expected 8 numbers"}));
+}
+
+TEST(TrajectoryFile, ReadsColumnsSeparatedBySemicolonsOrTabs) {
+  const auto expected = read("t,x,y,phi\n0,1,2,0.5\n1,1.5,2,0.5\n").trajectory.hash();
+  EXPECT_EQ(read("t;x;y;phi\n0;1;2;0.5\n1;1.5;2;0.5\n").trajectory.hash(), expected);
+  EXPECT_EQ(read("t\tx\ty\tphi\n0\t1\t2\t0.5\n1\t1.5\t2\t0.5\n").trajectory.hash(), expected);
+}
+
+TEST(TrajectoryFile, OfAnUnknownColumnAllNamesAreExpectedWhereNoneIsNear) {
+  EXPECT_TRUE(refused_log("t,x,y,z,phi\n", "log:1: ", {"'z'", "names from t, x, y, phi"}));
+}
+
+TEST(TrajectoryFile, NamesBagsAndTheirConverter) {
+  for (const auto& [content, name] : {std::pair("#ROSBAG V2.0\nE\0\0"s, "ROS 1 (.bag)"),
+                                      std::pair("\x89MCAP0\r\n"s, "ROS 2 (.mcap)"),
+                                      std::pair("SQLite format 3\0\x10"s, "ROS 2 (.db3)")})
+    EXPECT_TRUE(refused_log(content, "log: ", {name, "evo_traj", "--save_as_tum"}));
 }
 
 TEST(TrajectoryFile, TruncatedFilesAreRejectedOrRead) {
