@@ -7,6 +7,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/analysis_input.h>
+#include <slalom/io/result_files.h>
 
 #include <memory>
 
@@ -37,6 +38,17 @@ std::vector<ResultTable> read_inputs(const InterpretArguments& arguments,
   return results;
 }
 
+/// What counts outcomes begins its remarks with the reasons of failures of the methods themselves.
+void explain_method_failures(Interpretation& found, const std::vector<ResultTable>& results,
+                             const InterpretArguments& arguments, const Interpreter& interpreter) {
+  if (!contains({"summary", "table", "failures"}, interpreter.id)) return;
+  MethodFailures failures;
+  add_method_failures(results[0], arguments.files[0], failures);
+  const std::string& method = arguments.request.method;
+  const auto lines = method.empty() ? failures.lines() : failures.lines_of(method);
+  found.remarks.insert(found.remarks.begin(), lines.begin(), lines.end());
+}
+
 Interpretation interpret(const InterpretArguments& arguments, const Interpreter& interpreter) {
   if (auto tables = tables_of_shards(arguments, interpreter)) return std::move(*tables);
   const std::vector<ResultTable> results = read_inputs(arguments, interpreter);
@@ -47,6 +59,7 @@ Interpretation interpret(const InterpretArguments& arguments, const Interpreter&
   analysis.medians = arguments.json || interpreter.id != "table";
   query.summary = !arguments.csv && !arguments.json;
   Interpretation found = interpreter.interpret(results, query);
+  explain_method_failures(found, results, arguments, interpreter);
   mark_privileged(found, privileged_methods(results));
   return found;
 }

@@ -4,6 +4,7 @@
 #include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/table_sums.h>
 #include <slalom/io/analysis_input.h>
+#include <slalom/io/result_files.h>
 #include <slalom/io/result_parts.h>
 #include <slalom/results/privileged.h>
 
@@ -49,8 +50,10 @@ std::optional<Interpretation> tables_of_shards(const InterpretArguments& argumen
   TableSums sums(*rows, query.metrics, query.method);
   std::size_t runs = 0;
   bool is_damaged = false;
+  MethodFailures failures;
   parts.for_each(ids, [&](const ResultTable& part) {
     sums.add(part);
+    add_method_failures(part, part.source, failures);
     runs += part.size();
     is_damaged = is_damaged || !part.damaged.empty();
   });
@@ -62,6 +65,7 @@ std::optional<Interpretation> tables_of_shards(const InterpretArguments& argumen
   found.cross_tables = std::move(tables);
   if (!arguments.csv && query.method.empty())
     found.summary = sums.summary(query.rows.size(), options);
+  found.remarks = query.method.empty() ? failures.lines() : failures.lines_of(query.method);
   mark_privileged(found, privileged_methods(parts.outline().manifest));
   warn_of_missing_runs(arguments.files[0], runs, planned_runs(parts.outline()));
   return found;

@@ -70,6 +70,19 @@ TEST_F(Recording, ACrashIsRecordedAndTheCampaignContinues) {
   const ProgramResult result = run("slalom-simulate run -c campaign.ini -o runs.results -j 2");
   ASSERT_EQ(result.status, 1) << result.err;  // the method crashes in every run
   EXPECT_NE(result.err.find("crashing has ended every run"), std::string::npos) << result.err;
+  const std::string sentence =
+      "crashing: 2 of 2 runs ended with method_crash: killed by signal 11 (Segmentation fault), at "
+      "(";
+  EXPECT_NE(result.err.find(sentence), std::string::npos) << result.err;
+  for (const std::string verb : {"table", "summary", "failures", "table --method crashing"}) {
+    const std::string shown = run("slalom-analyze " + verb + " runs.results").out;
+    EXPECT_NE(shown.find("→ " + sentence), std::string::npos) << shown;
+  }
+  EXPECT_EQ(run("slalom-analyze table runs.results --method gap").out.find(sentence),
+            std::string::npos);
+  ASSERT_EQ(run("slalom-analyze report runs.results -o report").status, 0);
+  EXPECT_NE(read("report/report.json").find("\"headlines\":[{\"method\":0,\"text\":\"" + sentence),
+            std::string::npos);
   const std::string dump = run("slalom-analyze dump runs.results").out;
   EXPECT_EQ(std::count(dump.begin(), dump.end(), '\n'), 4);
   EXPECT_NE(dump.find("\"outcome\":\"method_crash\""), std::string::npos) << dump;

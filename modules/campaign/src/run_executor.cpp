@@ -6,6 +6,7 @@
 #include <slalom/campaign/measure.h>
 #include <slalom/core/error.h>
 #include <slalom/metrics/cycle_time.h>
+#include <slalom/results/method_failures.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,11 +14,6 @@
 
 namespace slalom {
 namespace {
-
-bool is_method_failure(Outcome outcome) {
-  return outcome == Outcome::MethodError || outcome == Outcome::MethodInvalidCommand ||
-         outcome == Outcome::MethodDeadline;
-}
 
 /// Forwards a replayed run to an observer with the outcome of the original run. (When a script
 /// ends, the simulator reports method_error, whatever the original outcome was.)
@@ -99,7 +95,7 @@ RunFindings RunExecutor::execute(const RunSpec& spec, SharedTaskLog& log) {
   const auto begin = std::chrono::steady_clock::now();
   const SimulationResult result = simulate_run(spec, log);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  if (is_method_failure(result.outcome)) {
+  if (is_method_failure(to_string(result.outcome))) {
     log.retire_worker();
     methods_.erase(spec.method);  // in case there is no worker process
   }

@@ -3,6 +3,7 @@
 #include <slalom/core/byte_stream.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/results/method_failures.h>
 
 namespace slalom {
 namespace {
@@ -60,11 +61,6 @@ class KnownTrials : public TrialSource {
   const std::map<std::string, Trial>& known_;
 };
 
-bool is_method_failure(Outcome outcome) {
-  return outcome == Outcome::MethodError || outcome == Outcome::MethodInvalidCommand ||
-         outcome == Outcome::MethodDeadline;
-}
-
 }  // namespace
 
 PoolOptions pool_of_trials(const TestBench& bench) {
@@ -96,7 +92,7 @@ Trial BenchMethods::run(const World& world, std::size_t index) {
     trial.outcome = Outcome::MethodError;
     trial.detail = error.what();
   }
-  if (is_method_failure(trial.outcome)) methods_.erase(index);
+  if (is_method_failure(to_string(trial.outcome))) methods_.erase(index);
   return trial;
 }
 

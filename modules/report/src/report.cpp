@@ -180,7 +180,8 @@ ReportOptions report_options(const ResultTable& runs) {
 
 void write_report(const std::string& results, const ResultTable& runs, const ReportOptions& options,
                   const std::string& directory) {
-  const ReportInput input = make_report_input(runs, options);
+  ReportInput input = make_report_input(runs, options);
+  add_method_failures(runs, results, input.failures);
   std::vector<RunGroup> groups;
   OrderedJson data = report_data(input, groups);
   data["results"] = std::filesystem::path(results).lexically_normal().filename().string();

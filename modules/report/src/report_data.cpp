@@ -249,7 +249,7 @@ void mark_texts(OrderedJson& json, const std::vector<std::string>& names) {
 ReportInput make_report_input(const ResultTable& runs, const ReportOptions& options) {
   AnalysisOptions analysis = options.analysis;
   analysis.run_ids = false;
-  ReportInput input{runs, options, build_summary(runs, options.columns, analysis), {}};
+  ReportInput input{runs, options, build_summary(runs, options.columns, analysis), {}, {}};
   // One call: the trends of all tables are one family of tests.
   std::vector<CrossTable> tables =
       build_cross_tables(runs, options.rows, options.columns, analysis);

@@ -5,6 +5,7 @@
 #include <slalom/analysis/summary.h>
 #include <slalom/core/error.h>
 #include <slalom/report/report.h>
+#include <slalom/results/method_failures.h>
 
 #include <nlohmann/json.hpp>
 
@@ -30,6 +31,7 @@ struct ReportInput {
   const ReportOptions& options;
   SummaryTable summary;
   std::vector<std::vector<CrossTable>> tables;  ///< per row specification, one table per method
+  MethodFailures failures;                      ///< of the runs, if they are known
 };
 
 /// Throws Error (Usage) for unknown ids.

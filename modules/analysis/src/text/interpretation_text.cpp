@@ -30,12 +30,19 @@ std::string footnote_text(const Interpretation& interpretation) {
   return footnote.empty() ? "" : "\n" + printable_line(footnote) + "\n";
 }
 
+std::string remarks_text(const Interpretation& interpretation) {
+  std::string text = interpretation.remarks.empty() ? "" : "\n";
+  for (const std::string& remark : interpretation.remarks)
+    text += "→ " + printable_line(remark) + "\n";
+  return text;
+}
+
 std::string cross_tables_text(const Interpretation& interpretation) {
   std::string text = interpretation.summary ? render_summary_text(*interpretation.summary) : "";
   for (const CrossTable& table : *interpretation.cross_tables) {
     text += (text.empty() ? "" : "\n\n") + render_cross_table_text(table);
   }
-  return text + footnote_text(interpretation);
+  return text + remarks_text(interpretation) + footnote_text(interpretation);
 }
 
 }  // namespace
@@ -45,10 +52,7 @@ std::string render_text(const Interpretation& interpretation) {
   std::string text;
   for (const DataTable& table : views_of(interpretation))
     text += (text.empty() ? "" : "\n") + table_text(table);
-  if (!interpretation.remarks.empty()) text += "\n";
-  for (const std::string& remark : interpretation.remarks)
-    text += "→ " + printable_line(remark) + "\n";
-  return text + footnote_text(interpretation);
+  return text + remarks_text(interpretation) + footnote_text(interpretation);
 }
 
 std::string render_json(const Interpretation& interpretation) {

@@ -1,9 +1,11 @@
 #include "database.h"
 
+#include <slalom/io/analysis_input.h>
 #include <slalom/io/merge_results.h>
 #include <slalom/io/result_files.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace slalom {
 
@@ -33,6 +35,18 @@ std::vector<const ResultFile*> ResultFiles::with_scenario(const std::string& has
     files.push_back(file.get());
   }
   return files;
+}
+
+void add_method_failures(const ResultTable& table, const std::string& path,
+                         MethodFailures& failures) {
+  std::optional<ResultFiles> files;  // opened only if there is a failure
+  failures.add(table, [&](const std::string& hash, const std::string& method, int repetition) {
+    if (!is_result_input(path)) return std::string();
+    if (!files) files.emplace(path);
+    for (const ResultFile* file : files->with_scenario(hash))
+      if (const auto run = file->read_run(hash, method, repetition)) return run->outcome_detail;
+    return std::string();
+  });
 }
 
 }  // namespace slalom

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <slalom/analysis/analysis_section.h>
-#include <slalom/campaign/method_failures.h>
 #include <slalom/campaign/open_results.h>
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/campaign/sequential_campaign.h>
 #include <slalom/campaign/shards.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/ompl/ompl_planner.h>
+#include <slalom/results/method_failures.h>
 #include <slalom/results/privileged.h>
 #include <slalom/scenario/scenario.h>
 

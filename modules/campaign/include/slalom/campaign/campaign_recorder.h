@@ -1,9 +1,9 @@
 #pragma once
 
 #include <slalom/campaign/campaign.h>
-#include <slalom/campaign/method_failures.h>
 #include <slalom/core/wall_clock.h>
 #include <slalom/io/result_file.h>
+#include <slalom/results/method_failures.h>
 
 #include <map>
 #include <optional>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/io/result_file.h>
+#include <slalom/results/method_failures.h>
 
 #include <map>
 #include <memory>
@@ -25,5 +26,10 @@ class ResultFiles {
   std::map<std::string, std::vector<std::size_t>> files_of_;       ///< by hash
   std::map<std::size_t, std::unique_ptr<const ResultFile>> open_;  ///< by index into paths_
 };
+
+/// Adds the runs of a table that was read from the file or folder `path`, with the texts of the
+/// failures there. A table that was not read from result files has none. Throws Error (File).
+void add_method_failures(const ResultTable& table, const std::string& path,
+                         MethodFailures& failures);
 
 }  // namespace slalom

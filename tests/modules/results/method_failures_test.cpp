@@ -1,6 +1,4 @@
-#include "error_text.h"
-
-#include <slalom/campaign/method_failures.h>
+#include <slalom/results/method_failures.h>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +37,33 @@ TEST(MethodFailures, OfEveryRunNameTheMethod) {
   failures.add(run("room_1", "nd", "stuck"));
   EXPECT_EQ(failures.lines().size(), 2U);
   EXPECT_EQ(failures.methods_without_a_sound_run(), std::vector<std::string>{"mine"});
+}
+
+TEST(MethodFailures, OfATableAreThoseOfItsRuns) {
+  ResultTable table;
+  table.scenario_hashes = {"h1", "h2", "h3"};
+  table.scenario_names = {"room_2", "room_1", "room_3"};
+  table.methods = {"mine", "nd"};
+  table.outcomes = {"success", "method_error"};
+  table.scenario = {0, 0, 1, 1, 2};
+  table.method = {0, 1, 0, 1, 0};
+  table.outcome = {1, 0, 1, 0, 0};
+  table.repetition = {0, 0, 0, 0, 0};
+  MethodFailures failures;
+  std::vector<std::string> asked;
+  const auto detail_of = [&](const std::string& hash, const std::string& method, int repetition) {
+    asked.push_back(hash + "/" + method + "/" + std::to_string(repetition));
+    return std::string("ValueError: b");
+  };
+  failures.add(table, detail_of);
+  EXPECT_EQ(asked, std::vector<std::string>{"h2/mine/0"});
+  const std::vector<std::string> lines = {
+      "mine: 2 of 3 runs ended with method_error: ValueError: b (first: room_1/mine/0)"};
+  EXPECT_EQ(failures.lines(), lines);
+  EXPECT_EQ(failures.lines_of("mine"), lines);
+  EXPECT_TRUE(failures.lines_of("nd").empty());
+  failures.add(table, [](const auto&...) { return std::string(); });  // of another shard
+  EXPECT_EQ(failures.lines()[0].substr(0, 18), "mine: 4 of 6 runs ");
 }
 
 TEST(MethodFailures, AreOneLineEachWhateverTheMethodSays) {
