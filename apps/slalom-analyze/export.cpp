@@ -107,8 +107,8 @@ const Format& format_of(const ExportArguments& arguments) {
     const bool is_folder = format.extension[0] == '\0';
     const bool is_named = is_folder && ends_with(arguments.output, std::string(".") + format.name);
     if (is_named && (arguments.format.empty() || arguments.format == format.name))
-      throw usage_error("-o " + arguments.output, std::string("one ") + format.name +
-                            " file cannot hold all tables",
+      throw usage_error("-o " + arguments.output,
+                        std::string("one ") + format.name + " file cannot hold all tables",
                         "a folder and --format " + std::string(format.name) +
                             ", or slalom-analyze table --csv for the tables of means");
     if (arguments.format == format.name) return format;

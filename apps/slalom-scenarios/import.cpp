@@ -78,8 +78,9 @@ void add_map_options(CLI::App& verb, ImportRequest& request) {
 void add_data_set_options(CLI::App& verb, ImportRequest& request) {
   verb.add_option("--worlds", request.barn.worlds,
                   "BARN: worlds of a folder, such as 0-9,20 or 0-299/even (default: all)");
-  add_choice(verb, "--task", request.barn.task,
-             "BARN: start and goal of the challenge (default) or of the trials with published times");
+  add_choice(
+      verb, "--task", request.barn.task,
+      "BARN: start and goal of the challenge (default) or of the trials with published times");
   verb.add_flag("--barn-grid", request.barn_as_grid,
                 "BARN: grid with cells of 0.15 m instead of cylinders");
   verb.add_option("--cell-size", request.map.cell_size, "MovingAI: cell size of the map, m")

@@ -166,7 +166,9 @@ TEST_F(Simulate, VerifyRunsASampleAgainAndNamesWhatIsDifferent) {
       run("slalom-simulate verify a.results --trust --fraction 1 --quiet");
   EXPECT_EQ(changed.status, 1);
   EXPECT_NE(changed.out.find("/gap/0: /"), std::string::npos) << changed.out;
-  EXPECT_NE(changed.out.find("environment: method.gap.plugin_hash was "), std::string::npos);
+  EXPECT_NE(changed.out.find("environment: plugin of method.gap is not the one of a.results\n"),
+            std::string::npos)
+      << changed.out;
   EXPECT_NE(changed.err.find("differences in 8 runs"), std::string::npos) << changed.err;
 }
 

@@ -15,8 +15,8 @@ bool can_sandbox();
 bool confine_writing_to(const std::vector<std::string>& folders);
 
 /// From now on this process and all that it starts can make no sockets of a network, only such
-/// within the machine (AF_UNIX); what is open remains so. Irrevocable. False if the kernel cannot do
-/// that (seccomp).
+/// within the machine (AF_UNIX); what is open remains so. Irrevocable. False if the kernel cannot
+/// do that (seccomp).
 bool close_networks();
 
 /// A new folder for the temporary files of one worker; "" if it cannot be created.

@@ -90,8 +90,8 @@ TEST(Barn, HasTheTaskOfTheChallenge) {
 }
 
 TEST(Barn, HasTheTaskOfThePublishedTrials) {
-  // run_trials.py: x = -0.075 - 30 * 0.15 + 0.15 row, y = 0.075 + 5 + 0.15 column; y - 1 at the start,
-  // whose x is in [-3.9, -0.5], and y + 4 * 0.075 at the goal.
+  // run_trials.py: x = -0.075 - 30 * 0.15 + 0.15 row, y = 0.075 + 5 + 0.15 column; y - 1 at the
+  // start, whose x is in [-3.9, -0.5], and y + 4 * 0.075 at the goal.
   const MapFolder folder;
   write_world(folder, 7);
   BarnOptions options;

@@ -113,8 +113,7 @@ TEST(Statistics, TheIntervalOfARateCoversItWithRepetitions) {
       for (int sample = 0; sample < kSamples; ++sample) {
         ScenarioGroups groups;
         for (int i = 0; i < scenarios; ++i) {
-          const double p =
-              1 - std::pow(1 - uniform_real(engine, 0, 1), rate / (1 - rate));
+          const double p = 1 - std::pow(1 - uniform_real(engine, 0, 1), rate / (1 - rate));
           std::vector<double> group;
           for (int j = 0; j < kRepetitions; ++j)
             group.push_back(uniform_real(engine, 0, 1) < p ? 1 : 0);
