@@ -45,7 +45,7 @@ TEST(NavigatorPlugin, ReceivesTheRobot) {
   RobotModel wide;
   wide.radius = 0.5;
   EXPECT_NE(load_navigator(plugin_keys("Narrow")), nullptr);
-  EXPECT_TRUE(refuses_plugin(plugin_keys("Narrow"), "", {"(robot too wide)"}, wide));
+  EXPECT_TRUE(refuses_plugin(plugin_keys("Narrow"), "", {"robot too wide"}, wide));
 }
 
 TEST(NavigatorPlugin, RefusesUnknownClassesAndMissingFunctions) {
