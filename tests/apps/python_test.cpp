@@ -118,7 +118,7 @@ TEST_F(PythonProgramTest, PackagesOfAnActivatedEnvironmentCanBeImported) {
 TEST_F(PythonProgramTest, AnotherModuleIsAnotherCampaign) {
   ASSERT_EQ(run("slalom-simulate run -c small.ini -o runs.results --quiet").status, 0);
   write("method.py", std::string(kModule) + "# changed\n");
-  expect_failure("slalom-simulate run -c small.ini -o runs.results", 3, {"method.mine.module"});
+  expect_failure("slalom-simulate run -c small.ini -o runs.results", 3, {"module of method.mine"});
 }
 
 TEST_F(PythonProgramTest, AMissingModuleStopsBeforeTheFirstRun) {

@@ -25,6 +25,11 @@ constexpr const char* kFindImports =
     "for module in finder.modules.values():\n"
     "    if module.__file__: print(os.path.abspath(module.__file__))\n";
 
+/// Absolute, also if the path has no folder, whose parent is "".
+fs::path whole_path(const std::string& path) {
+  return fs::absolute(path).lexically_normal();
+}
+
 bool is_file(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
@@ -92,7 +97,7 @@ std::vector<std::string> external_data(const std::string& path) {
       size |= static_cast<std::size_t>(byte & 0x7F) << shift;
       if (byte < 0x80) break;
     }
-    files.push_back((fs::path(path).parent_path() / model.substr(at, size)).string());
+    files.push_back((whole_path(path).parent_path() / model.substr(at, size)).string());
   }
   return files;
 }
@@ -144,30 +149,37 @@ class FilesOfOption {
 
   /// Adds what the file, which is known itself, depends on.
   void add_dependencies(const std::string& path) {
-    known_.insert(fs::absolute(path).lexically_normal().string());
+    const fs::path file = whole_path(path);
+    known_.insert(file);
     const FileKind kind = kind_of(path);
-    for (const std::string& file : dependencies_of(path, kind))
-      add(file, fs::path(path).parent_path(), kind);
+    for (const std::string& other : dependencies_of(path, kind))
+      add(other, file.parent_path(), kind);
   }
 
+  /// Adds a file that an option names, if there is one, and what it depends on.
+  void add_named(const std::string& path) {
+    if (!path.empty()) add(path, whole_path(path).parent_path(), FileKind::Other);
+  }
+
+ private:
   /// Adds a file and what it depends on, unless that is known from one of the kind `parent`. Its
   /// name is relative to `folder`.
-  void add(const std::string& path, const fs::path& folder, FileKind parent = FileKind::Other) {
+  void add(const std::string& path, const fs::path& folder, FileKind parent) {
     if (!is_file(path) || is_of_system(path)) return;
-    if (!known_.insert(fs::absolute(path).lexically_normal().string()).second) return;
-    const std::string name = fs::absolute(path).lexically_relative(fs::absolute(folder)).string();
+    const fs::path file = whole_path(path);
+    if (!known_.insert(file).second) return;
+    const std::string name = file.lexically_relative(folder).string();
     // Other folders may be elsewhere on another machine.
     const bool is_below = !name.empty() && !starts_with(name, "..");
-    std::string key = option_ + "/" + (is_below ? name : fs::path(path).filename().string());
+    std::string key = option_ + "/" + (is_below ? name : file.filename().string());
     while (files_.count(key) > 0) key += "+";
     files_[key] = path;
     if (kind_of(path) != parent) add_dependencies(path);
   }
 
- private:
   std::string option_;
   std::map<std::string, std::string>& files_;
-  std::set<std::string> known_;
+  std::set<fs::path> known_;
 };
 
 }  // namespace
@@ -183,10 +195,8 @@ std::map<std::string, std::string> dependencies_of_methods(
     for (const std::string& key : ini.keys(section)) {
       if (files.count(section + "." + key) > 0) continue;
       FilesOfOption option(section + "." + key, found);
-      for (const std::string& word : words_of(ini.get(section, key).value_or(""))) {
-        const std::string path = find_named_file(key, word, folder);
-        option.add(path, fs::path(path).parent_path());
-      }
+      for (const std::string& word : words_of(ini.get(section, key).value_or("")))
+        option.add_named(find_named_file(key, word, folder));
     }
   return found;
 }

@@ -128,6 +128,21 @@ TEST_F(MethodDependencies, OfOtherOptionsAreTheFilesThatTheyName) {
             Keys{"method.m.table/table.csv"});
 }
 
+TEST_F(MethodDependencies, AreFoundInTheCurrentFolder) {
+  write("script.py", "import near\n");
+  write("near.py", "");
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_);
+  const IniFile ini = IniFile::from_text("[method.m]\nlaunch = exec sh script.py\n", "m.ini");
+  Keys keys;
+  for (const auto& [key, path] : dependencies_of_methods(ini, {"method.m"}, {}))
+    keys.push_back(key);
+  const auto known = dependencies_of_methods(ini, {}, {{"method.m.module", "script.py"}});
+  std::filesystem::current_path(before);
+  EXPECT_EQ(keys, (Keys{"method.m.launch/near.py", "method.m.launch/script.py"}));
+  EXPECT_EQ(known.count("method.m.module/near.py"), 1U);
+}
+
 TEST_F(MethodDependencies, OfWhatSlalomContainsAreNone) {
   EXPECT_EQ(keys_of("", {{"method.m.plugin", SLALOM_SHIPPED "/libslalom_follow_the_gap.so"}}),
             Keys{});
