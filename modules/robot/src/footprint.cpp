@@ -64,11 +64,12 @@ std::pair<TPoint2D, TPoint2D> sides_at(const std::vector<Corner>& corners, std::
   return {point - corners[(i + n - 1) % n].point, corners[(i + 1) % n].point - point};
 }
 
-/// Whether two sides are one, but for the rounding of the corners.
+/// Whether two sides are one, but for the rounding of the corners: by the distance of the corner
+/// from the line through its neighbors, since very long polygons turn by tiny angles.
 bool is_straight(const TPoint2D& in, const TPoint2D& out) {
-  constexpr double kMaxTurn = 1e-9;  // rad
+  constexpr double kRounding = 1e-9;  // m
   const double ahead = in.x * out.x + in.y * out.y;
-  return ahead > 0 && std::abs(cross(in, out)) <= kMaxTurn * ahead;
+  return ahead > 0 && std::abs(cross(in, out)) <= kRounding * (in + out).norm();
 }
 
 /// Without corners that do not change the shape: those that repeat their predecessor, as the first

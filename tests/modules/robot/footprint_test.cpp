@@ -20,6 +20,11 @@ std::string refusal(const std::string& text) {
   return "";
 }
 
+TEST(Footprint, ThinPolygonsOfAnyLengthHaveAllTheirCorners) {
+  for (const std::string text : {"-1e30,-0.1; 1e30,-0.1; 0,0.1", "-9,-0.001; 9,-0.001; 0,0.001"})
+    EXPECT_EQ(Footprint::parse(text).corners().size(), 3U) << text;
+}
+
 TEST(Footprint, ADiscHasOneRadius) {
   const Footprint disc = Footprint::disc(0.3);
   EXPECT_TRUE(disc.is_disc());

@@ -152,8 +152,8 @@ TEST(MovingFamilies, WalkersAreAddedToTheMoversOfTheFamily) {
 
 TEST(MovingFamilies, WithoutMoversAcceptWallsAtAnyDistance) {
   const std::string none = "min_movers = 0\nmax_movers = 0\n";
-  EXPECT_EQ(refusal("doorway", none + "min_door = 0.3\nmax_door = 0.3\n"), "");
-  EXPECT_EQ(refusal("oncoming", none + "max_radius = 1\n"), "");
+  EXPECT_EQ(refusal("doorway", none + "min_door = 0.3\nmax_door = 0.3\n"), "no error");
+  EXPECT_EQ(refusal("oncoming", none + "max_radius = 1\n"), "no error");
 }
 
 TEST(MovingFamilies, RejectInvalidOptions) {
