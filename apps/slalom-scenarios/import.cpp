@@ -1,6 +1,7 @@
 #include "make_list.h"
 
 #include <slalom/app/import_scenarios.h>
+#include <slalom/app/program.h>
 #include <slalom/core/printable.h>
 
 #include <iostream>

@@ -57,8 +57,7 @@ TEST_F(ChangedCampaign, TheFolderOfAnExtendedOneIsExtended) {
   const std::string command = "slalom-evaluate small.ini -o out --quiet --set scenarios.count=";
   ASSERT_EQ(run(command + "2").status, 0);
   ASSERT_EQ(
-      run("slalom-scenarios tag out/campaign.scenarios --where 'density < 1' --add kept")
-          .status,
+      run("slalom-scenarios tag out/campaign.scenarios --where 'density < 1' --add kept").status,
       0);
   ASSERT_EQ(run(command + "3").status, 0);
   const std::string tagged =
