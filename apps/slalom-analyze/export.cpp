@@ -104,19 +104,13 @@ constexpr Format kFormats[] = {
 /// The given format, or that of the output's extension.
 const Format& format_of(const ExportArguments& arguments) {
   for (const Format& format : kFormats) {
-    const bool is_folder = format.extension[0] == '\0';
-    const bool is_named = is_folder && ends_with(arguments.output, std::string(".") + format.name);
-    if (is_named && (arguments.format.empty() || arguments.format == format.name))
-      throw usage_error("-o " + arguments.output,
-                        std::string("one ") + format.name + " file cannot hold all tables",
-                        "a folder and --format " + std::string(format.name) +
-                            ", or slalom-analyze table --csv for the tables of means");
+    const bool is_file = format.extension[0] != '\0';
+    const bool is_meant = arguments.format.empty() && is_file;
     if (arguments.format == format.name) return format;
-    if (arguments.format.empty() && !is_folder && ends_with(arguments.output, format.extension))
-      return format;
+    if (is_meant && ends_with(arguments.output, format.extension)) return format;
   }
   throw usage_error("-o " + arguments.output, "its name does not tell the format",
-                    "--format, or a file .xlsx, .tex or .db");
+                    "a file .xlsx, .tex or .db, or --format, as csv or json for a folder");
 }
 
 void run(const ExportArguments& arguments) {
@@ -129,7 +123,9 @@ void run(const ExportArguments& arguments) {
   data.cross_tables =
       build_cross_tables(data.results, options.rows, options.columns, options.analysis);
   format.write(data, arguments.output);
-  if (!arguments.quiet) std::cerr << arguments.output << ": written\n";
+  const bool is_folder = format.extension[0] == '\0';
+  if (!arguments.quiet)
+    std::cerr << arguments.output << (is_folder ? ": folder written\n" : ": written\n");
 }
 
 }  // namespace
