@@ -38,7 +38,7 @@ std::vector<ResultTable> read_inputs(const InterpretArguments& arguments,
   return results;
 }
 
-/// What counts outcomes begins its remarks with the reasons of failures of the methods themselves.
+/// Begins the remarks of interpretations that count outcomes with reasons of methods' failures.
 void explain_method_failures(Interpretation& found, const std::vector<ResultTable>& results,
                              const InterpretArguments& arguments, const Interpreter& interpreter) {
   if (!contains({"summary", "table", "failures"}, interpreter.id)) return;

@@ -92,9 +92,10 @@ std::string replacement_problem(const CampaignConfig& config, const ResultFile& 
         replaced.push_back({key, hash, found->second});
     }
     if (replaced.empty()) return "";
-    return "files of methods were replaced while they ran: " + enumerate(replaced, file.path());
+    return "files of methods were replaced while the campaign ran: " +
+           enumerate(replaced, file.path());
   } catch (const Error& error) {
-    return std::string("a file of a method was removed while it ran: ") + error.what();
+    return std::string("a file of a method was removed while the campaign ran: ") + error.what();
   }
 }
 

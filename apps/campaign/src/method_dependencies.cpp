@@ -39,8 +39,12 @@ bool is_file(const fs::path& path) {
 bool is_of_system(const fs::path& path) {
   std::error_code ignored;
   const std::string file = fs::canonical(path, ignored).string();
-  const auto is_below = [&](const std::string& folder) { return starts_with(file, folder + "/"); };
-  return (is_below("/usr") && !is_below("/usr/local")) || is_below(shipped_folder());
+  const fs::path programs = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  const auto is_below = [&](const std::string& folder) {
+    return !folder.empty() && starts_with(file, folder + "/");
+  };
+  return (is_below("/usr") && !is_below("/usr/local")) || is_below(shipped_folder()) ||
+         is_below(programs.string());
 }
 
 /// The words of an option, also of a command line with quotes, assignments and several commands.

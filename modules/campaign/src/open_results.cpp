@@ -16,7 +16,7 @@ constexpr const char* kRemedy =
     "the same campaign, one that only adds scenarios, methods or repetitions, another output, or "
     "--overwrite to start over";
 
-/// What a campaign changes in the one of a file.
+/// Differences between a campaign and the one of a file, by kind.
 struct Changes {
   Differences replaced;   ///< files of methods
   Differences additions;  ///< of scenarios, methods, repetitions

@@ -15,8 +15,8 @@ Error make(ErrorKind kind, const std::string& where, const std::string& what,
   return {kind, printable_line(message)};
 }
 
-/// What follows the line's beginning `label` until a line begins with `next`, trimmed; empty if no
-/// line begins with `label`.
+/// Text after `label` at the beginning of a line, until a line begins with `next`, trimmed; empty
+/// if no line begins with `label`.
 std::string labeled_part(const std::string& text, const std::string& label,
                          const std::string& next) {
   const std::size_t found = text.find("\n" + label);

@@ -43,7 +43,7 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
 /// "overview" of report.json: the first screen.
 OrderedJson overview_json(const ReportInput& input,
                           const std::vector<PairedComparison>& comparisons);
-/// What the first screen says before that: sentences, each of one method or of all.
+/// Sentences that begin the first screen, each of one method or of all.
 OrderedJson headlines_json(const ReportInput& input,
                            const std::vector<PairedComparison>& comparisons);
 

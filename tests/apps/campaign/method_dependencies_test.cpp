@@ -146,6 +146,12 @@ TEST_F(MethodDependencies, AreFoundInTheCurrentFolder) {
 TEST_F(MethodDependencies, OfWhatSlalomContainsAreNone) {
   EXPECT_EQ(keys_of("", {{"method.m.plugin", SLALOM_SHIPPED "/libslalom_follow_the_gap.so"}}),
             Keys{});
+  // Programs of Slalom are found by their own folder too, so PATH must not matter.
+  const std::string before = std::getenv("PATH");
+  setenv("PATH", (SLALOM_PROGRAMS ":" + before).c_str(), 1);
+  const Keys keys = keys_of("launch = exec slalom-lcm-method --plugin libx.so\n");
+  setenv("PATH", before.c_str(), 1);
+  EXPECT_EQ(keys, Keys{});
 }
 
 }  // namespace

@@ -62,8 +62,8 @@ class ResampledGroups {
   double groups_ = 0, sum_ = 0, values_ = 0, squares_ = 0, products_ = 0, sizes_ = 0;
 };
 
-/// Of a resample, in that of the sample: resamples of nearly equal values would otherwise make
-/// the interval arbitrarily wide.
+/// Least standard error of a resample, in that of the sample: resamples of nearly equal values
+/// would otherwise make the interval arbitrarily wide.
 constexpr double kLeastError = 0.25;
 
 }  // namespace

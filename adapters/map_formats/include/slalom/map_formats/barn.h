@@ -11,7 +11,7 @@ namespace slalom {
 /// Start and goal in a world of BARN.
 enum class BarnTask {
   Challenge,  ///< of the BARN challenge (since 2022): (-2.25, 3) facing +y to (-2.25, 13)
-  /// Of the trials whose times were published with the data set (scripts/run_trials.py of
+  /// Task of the trials with times published with the data set (scripts/run_trials.py of
   /// github.com/wangzizhao/jackal_timer): from 1 m before the first point of the published path to
   /// 0.3 m behind its last one, both displaced by (-0.15, -0.1) m from the cells; x of the start at
   /// least -3.9 and at most -0.5.

@@ -47,7 +47,7 @@ struct CampaignConfig {
   std::vector<NamedMethod> methods;
   /// Files whose contents may change results: paths by "method.NAME.plugin", "method.NAME.config".
   std::map<std::string, std::string> method_files;
-  /// What those depend on: paths by "method.NAME.module/helper.py"; known after check_campaign().
+  /// Dependencies of those: paths by "method.NAME.module/helper.py"; known after check_campaign().
   std::map<std::string, std::string> dependencies;
   PrivilegedMethods privileged;  ///< see check_campaign()
 };

@@ -8,7 +8,7 @@
 
 namespace slalom {
 
-/// What happens to a result file that exists.
+/// Treatment of a result file that exists.
 enum class ExistingResults {
   Continue,      ///< if there is one
   Require,       ///< it must exist and is continued

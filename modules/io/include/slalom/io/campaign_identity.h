@@ -11,7 +11,7 @@ namespace slalom {
 /// Manifest keys of the identity of a campaign.
 constexpr const char* kIdentityKey = "campaign.identity";    ///< campaign_identity()
 constexpr const char* kEffectiveKey = "campaign.effective";  ///< .ini with all values that matter
-/// Before the key of a replaced file of a method: its earlier contents, see keep_finished_runs().
+/// Prefix of keys of replaced files of methods, for their earlier hashes; see open_results().
 constexpr const char* kKeptPrefix = "kept.";
 
 /// Everything in a manifest that may change a result, by key: "robot.max_v",
@@ -27,7 +27,7 @@ struct IdentityDifference {
   std::string key, here, there;  ///< texts as of identity_parts(); "absent"
 };
 
-/// What differs between the identities of two campaigns, settings first; empty if they are the same
+/// Differences between the identities of two campaigns, settings first; empty if they are the same
 /// campaign.
 std::vector<IdentityDifference> identity_differences(const Manifest& here, const Manifest& there);
 
