@@ -9,6 +9,7 @@
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
@@ -38,6 +39,21 @@ bool has_ended(pid_t worker) {
          info.si_pid == worker;
 }
 
+/// How often and long a keeper may be found stopped, or held by its tracer when it has ended. A
+/// program that is suspended with its keeper and continued finds it running.
+constexpr int kMaxStopped = 50, kCheckMs = 20;
+
+/// By a signal or by a process that traces it.
+bool is_stopped(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string fields;
+  std::getline(file, fields);
+  const std::size_t name_end = fields.rfind(") ");
+  if (name_end == std::string::npos) return false;
+  const char state = fields[name_end + 2];
+  return state == 'T' || state == 't';
+}
+
 /// The main loop of a keeper's process.
 class Keeper {
  public:
@@ -50,21 +66,19 @@ class Keeper {
     ends_ = FileDescriptor(signalfd(-1, &child, 0));
   }
 
-  /// Until the other end of the socket is closed.
+  /// Until the other end of the socket is closed. It never waits for a process that is to end.
   void run() {
     WorkerStart start;
-    while (wait()) {
-      for (std::size_t i = workers_.size(); i-- > 0;)
-        if (is_released(workers_[i]) || has_ended(workers_[i].process)) end(i);
-      const auto ended = [](pid_t cleaner) { return waitpid(cleaner, nullptr, WNOHANG) != 0; };
-      cleaners_.erase(std::remove_if(cleaners_.begin(), cleaners_.end(), ended), cleaners_.end());
-      if (!is_readable(socket_, 0)) continue;
+    while (!is_ending_ || !workers_.empty()) {
+      wait();
+      end_workers();
+      clean_up();
+      if (is_ending_ || !is_readable(socket_, 0)) continue;
       const KeeperRequest request = receive_keeper_request(socket_, start);
-      if (request == KeeperRequest::End) break;
+      if (request == KeeperRequest::End) is_ending_ = true;
       if (request == KeeperRequest::Start) fork_worker(std::move(start));
       if (request == KeeperRequest::Reply) send_reply_request(socket_);
     }
-    while (!workers_.empty()) end(workers_.size() - 1);
     for (const pid_t cleaner : cleaners_) waitpid(cleaner, nullptr, 0);
   }
 
@@ -73,17 +87,22 @@ class Keeper {
     pid_t process;
     FileDescriptor control;
     std::string scratch;
+    bool is_killed = false, is_reaped = false;
+    int status = kNoWorker;
   };
 
-  bool wait() const {
-    std::vector<pollfd> events = {{ends_.number(), POLLIN, 0}, {socket_, POLLIN, 0}};
-    for (const Worker& worker : workers_) events.push_back({worker.control.number(), POLLIN, 0});
-    if (poll(events.data(), events.size(), -1) < 0) return errno == EINTR;
+  void wait() const {
+    std::vector<pollfd> events = {{ends_.number(), POLLIN, 0}};
+    if (!is_ending_) events.push_back({socket_, POLLIN, 0});
+    for (const Worker& worker : workers_)
+      if (!worker.is_killed) events.push_back({worker.control.number(), POLLIN, 0});
+    const bool is_killing = std::any_of(workers_.begin(), workers_.end(), is_reaped);
+    poll(events.data(), events.size(), is_ending_ || is_killing ? 1 : -1);
     signalfd_siginfo ignored;
-    return events[0].revents == 0 || read(ends_.number(), &ignored, sizeof ignored) > 0;
+    if (events[0].revents != 0) (void)!read(ends_.number(), &ignored, sizeof ignored);
   }
 
-  static bool is_released(const Worker& worker) { return is_readable(worker.control.number(), 0); }
+  static bool is_reaped(const Worker& worker) { return worker.is_reaped; }
 
   void fork_worker(WorkerStart start) {
     const pid_t keeper = getpid();
@@ -98,26 +117,43 @@ class Keeper {
       _exit(0);
     }
     workers_.push_back({worker, std::move(start.control), std::move(start.scratch)});
-    if (worker < 0) end(workers_.size() - 1);
+    if (worker < 0) workers_.back().is_killed = workers_.back().is_reaped = true;
   }
 
-  /// Kills the worker's group, then what it leaves to this process, which other workers do not.
-  void end(std::size_t index) {
-    const Worker worker = std::move(workers_[index]);
-    workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(index));
-    int status = kNoWorker;
-    if (worker.process > 0) {
-      kill(-worker.process, SIGKILL);
-      kill(worker.process, SIGKILL);  // it may not have its own group yet
-      waitpid(worker.process, &status, 0);
-      kill_children([this](pid_t child) {
-        return std::any_of(workers_.begin(), workers_.end(),
-                           [=](const Worker& one) { return one.process == child; }) ||
-               std::find(cleaners_.begin(), cleaners_.end(), child) != cleaners_.end();
-      });
+  /// Kills the groups of the workers that have ended or are to, and reaps those.
+  void end_workers() {
+    for (Worker& worker : workers_) {
+      const bool is_released = is_ending_ || is_readable(worker.control.number(), 0);
+      if (!worker.is_killed && (is_released || has_ended(worker.process))) {
+        kill(-worker.process, SIGKILL);
+        kill(worker.process, SIGKILL);  // it may not have its own group yet
+        worker.is_killed = true;
+      }
+      if (worker.is_killed && !worker.is_reaped)
+        worker.is_reaped = waitpid(worker.process, &worker.status, WNOHANG) != 0;
     }
-    if (!worker.scratch.empty()) remove_folder(worker.scratch);
-    send(worker.control.number(), &status, sizeof status, MSG_NOSIGNAL);
+  }
+
+  /// Kills what the reaped workers left to this process, which others do not. When there is
+  /// nothing more, reports their ends.
+  void clean_up() {
+    const auto ended = [](pid_t cleaner) { return waitpid(cleaner, nullptr, WNOHANG) != 0; };
+    cleaners_.erase(std::remove_if(cleaners_.begin(), cleaners_.end(), ended), cleaners_.end());
+    const auto reaped = std::stable_partition(
+        workers_.begin(), workers_.end(), [](const Worker& worker) { return !worker.is_reaped; });
+    if (reaped == workers_.end()) return;
+    const bool are_left = kill_present_children([&](pid_t child) {
+      return std::any_of(workers_.begin(), reaped,
+                         [=](const Worker& one) { return one.process == child; }) ||
+             std::find(cleaners_.begin(), cleaners_.end(), child) != cleaners_.end();
+    });
+    if (are_left && ++kills_ < kMaxKills) return;
+    kills_ = 0;
+    for (auto worker = reaped; worker != workers_.end(); ++worker) {
+      if (!worker->scratch.empty()) remove_folder(worker->scratch);
+      send(worker->control.number(), &worker->status, sizeof worker->status, MSG_NOSIGNAL);
+    }
+    workers_.erase(reaped, workers_.end());
   }
 
   /// In a process of its own, since methods may leave millions of files while others wait for this
@@ -136,7 +172,9 @@ class Keeper {
   const Serve& serve_;
   sigset_t signals_of_workers_;
   FileDescriptor ends_;  ///< readable when a child has ended
+  bool is_ending_ = false;
   std::vector<Worker> workers_;
+  int kills_ = 0;                ///< of what the reaped workers left, until now
   std::vector<pid_t> cleaners_;  ///< processes that remove folders
 };
 
@@ -170,11 +208,25 @@ void WorkerKeeper::start_worker(const WorkerStart& start) {
 /// A process with a pending SIGKILL executes nothing more: whoever replies had none when asked.
 bool WorkerKeeper::is_alive() {
   if (process_ < 0) return false;
-  char reply = 0;
-  bool replies = send_reply_request(socket_.number());
-  while (replies && recv(socket_.number(), &reply, sizeof reply, 0) < 1) replies = errno == EINTR;
+  const bool replies = send_reply_request(socket_.number()) && await_message();
   if (!replies) end();
   return replies;
+}
+
+void WorkerKeeper::kill_if_stopped() {
+  stopped_ = process_ > 0 && is_stopped(process_) ? stopped_ + 1 : 0;
+  if (stopped_ >= kMaxStopped) kill(process_, SIGKILL);
+}
+
+/// False when the connection has ended.
+bool WorkerKeeper::await_message() {
+  while (!is_readable(socket_.number(), kCheckMs)) kill_if_stopped();
+  char message = 0;
+  ssize_t got = 0;
+  do {
+    got = recv(socket_.number(), &message, sizeof message, 0);
+  } while (got < 0 && errno == EINTR);
+  return got > 0;
 }
 
 void WorkerKeeper::begin() {
@@ -185,6 +237,7 @@ void WorkerKeeper::begin() {
     const int socket = ends.far_end.number();
     drop_descriptors(keep_stderr_, socket, socket);
     prctl(PR_SET_CHILD_SUBREAPER, 1);
+    prctl(PR_SET_PDEATHSIG, SIGCONT);  // one that is stopped notices that the connection has ended
     sigset_t all, before;
     sigfillset(&all);
     sigprocmask(SIG_SETMASK, &all, &before);
@@ -197,9 +250,15 @@ void WorkerKeeper::begin() {
 
 void WorkerKeeper::end() {
   if (process_ < 0) return;
+  shutdown(socket_.number(), SHUT_WR);
+  while (await_message()) continue;
   socket_ = FileDescriptor();
   int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
+  // A process that is traced is left to its tracer first.
+  for (int i = 0; i < kMaxStopped && waitpid(process_, &status, WNOHANG) == 0; ++i) {
+    kill_orphans();
+    poll(nullptr, 0, kCheckMs);
+  }
   process_ = -1;
   if (WIFSIGNALED(status)) kill_orphans();
 }

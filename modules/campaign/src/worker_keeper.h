@@ -31,17 +31,22 @@ class WorkerKeeper {
 
   /// Whether the process that started the last worker had not been killed when this was called.
   bool is_alive();
+  /// To be called about every 20 ms while nothing happens: a process that does not go on reports no
+  /// end of a worker.
+  void kill_if_stopped();
   /// The number of processes until now. The workers of the last one only are alive.
   std::size_t generation() const { return generation_; }
 
  private:
   void begin();
   void end();
+  bool await_message();
 
   bool keep_stderr_;
   std::function<void(const WorkerStart&)> serve_;
   pid_t process_ = -1;
   std::size_t generation_ = 0;
+  int stopped_ = 0;  ///< how often in turn it was found stopped
   FileDescriptor socket_;
 };
 

@@ -119,12 +119,13 @@ class Pool {
     for (Worker& worker : workers_) {
       if (!worker->idle() || worker->group() != group) continue;
       if (!fresh && worker->is_sound()) return *worker;
-      worker->kill_and_reap();
+      worker->begin_end();
       if (fresh) break;
     }
     if (count(&WorkerProcess::idle) >= options_.groups + max_busy_) end_least_recently_used();
-    const auto dead = std::find_if(workers_.begin(), workers_.end(),
-                                   [](const Worker& worker) { return !worker->alive(); });
+    const auto dead = std::find_if(workers_.begin(), workers_.end(), [](const Worker& worker) {
+      return !worker->alive() && !worker->busy();
+    });
     WorkerProcess& worker = dead == workers_.end() ? *workers_.emplace_back(make_worker()) : **dead;
     worker.start(group);
     return worker;
@@ -152,12 +153,12 @@ class Pool {
     for (Worker& worker : workers_) worker->await_end();
   }
 
-  void wait_for_answers() const {
+  void wait_for_answers() {
     std::vector<pollfd> events;
     for (const Worker& worker : workers_) worker->add_events(events);
     inputs_.add_events(events);
     constexpr int kPollMs = 20;  // maximum latency of time limits and interrupts
-    poll(events.data(), events.size(), kPollMs);
+    if (poll(events.data(), events.size(), kPollMs) == 0) keeper_.kill_if_stopped();
   }
 
   void collect() {

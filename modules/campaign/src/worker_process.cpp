@@ -23,7 +23,7 @@ namespace {
 /// Larger than any valid payload; a larger size means corrupted data.
 constexpr std::uint64_t kMaxPayload = std::uint64_t{1} << 30;
 
-constexpr char kKeeperKilled[] = "its supervising process was killed";
+constexpr char kKeeperKilled[] = "its supervising process was stopped or killed";
 
 std::string describe_status(int status) {
   if (WIFSIGNALED(status))
@@ -98,12 +98,13 @@ void WorkerProcess::assign(std::size_t index, int file) {
 }
 
 void WorkerProcess::add_events(std::vector<pollfd>& events) const {
-  if (!busy_) return;
-  if (!disconnected_) events.push_back({socket_.number(), POLLIN, 0});
+  if (!busy()) return;
+  if (socket_ && !disconnected_) events.push_back({socket_.number(), POLLIN, 0});
   events.push_back({control_.number(), POLLIN, 0});
 }
 
 std::optional<WorkResult> WorkerProcess::receive() {
+  if (ending_) return take_ended();
   // In this order: a process may answer and then die.
   const bool has_died = is_readable(control_.number(), 0);
   read_socket();
@@ -147,7 +148,7 @@ std::optional<WorkResult> WorkerProcess::take_answer() {
   const bool has_more = buffer_.size() > sizeof header + header.size;
   buffer_.clear();
   busy_ = false;
-  if (log_->is_retired() || has_more || disconnected_) kill_and_reap();
+  if (log_->is_retired() || has_more || disconnected_) begin_end();
   return WorkResult{Status::Done, std::move(payload), "", ""};
 }
 
@@ -167,9 +168,18 @@ std::string WorkerProcess::exceeded_limit() {
   return "";
 }
 
-WorkResult WorkerProcess::kill_with(Status status, std::string reason) {
-  kill_and_reap();
-  return {status, "", std::move(reason), log_->contents()};
+std::optional<WorkResult> WorkerProcess::kill_with(Status status, std::string reason) {
+  result_ = WorkResult{status, "", std::move(reason), ""};
+  begin_end();
+  return take_ended();
+}
+
+std::optional<WorkResult> WorkerProcess::take_ended() {
+  if (ending_ && !is_readable(control_.number(), 0)) return std::nullopt;
+  ending_ = busy_ = false;
+  control_ = FileDescriptor();
+  if (result_) result_->log = log_->contents();
+  return std::exchange(result_, std::nullopt);
 }
 
 std::optional<int> WorkerProcess::end_status() {
@@ -181,7 +191,7 @@ std::optional<int> WorkerProcess::end_status() {
   return status;
 }
 
-WorkResult WorkerProcess::describe_end() {
+std::optional<WorkResult> WorkerProcess::describe_end() {
   const std::optional<int> ended = end_status();
   if (!ended) return kill_with(Status::Killed, kKeeperKilled);
   const int status = *ended;
@@ -196,25 +206,14 @@ WorkResult WorkerProcess::describe_end() {
   return kill_with(Status::Crashed, describe_status(status));
 }
 
-/// Until it has killed the worker and whatever that started.
-void WorkerProcess::await_keeper() const {
-  shutdown(control_.number(), SHUT_WR);
-  int status = 0;
-  ssize_t got = 0;
-  do {
-    got = recv(control_.number(), &status, sizeof status, 0);
-  } while (got > 0 || (got < 0 && errno == EINTR));
-}
-
-void WorkerProcess::kill_and_reap() {
+void WorkerProcess::begin_end() {
   if (!socket_) return;
   socket_ = FileDescriptor();
-  if (keeper_ != nullptr) await_keeper();
+  ending_ = keeper_ != nullptr;
+  if (ending_) shutdown(control_.number(), SHUT_WR);
   if (child_ > 0) kill(child_, SIGKILL);
   while (child_ > 0 && waitpid(child_, nullptr, 0) < 0 && errno == EINTR) continue;
   child_ = -1;
-  control_ = FileDescriptor();
-  busy_ = false;
 }
 
 void WorkerProcess::request_end() {
@@ -223,7 +222,7 @@ void WorkerProcess::request_end() {
 
 void WorkerProcess::await_end() {
   if (idle()) is_readable(control_.number(), static_cast<int>(kOrderlyEnd * 1000));
-  kill_and_reap();
+  begin_end();
 }
 
 }  // namespace slalom

@@ -25,12 +25,12 @@ class WorkerProcess {
   /// Without a keeper, for trusted work items.
   WorkerProcess(const PoolOptions& options, const WorkItem& item, FileReceiver receive_file)
       : options_(options), trusted_item_(&item), receive_file_(std::move(receive_file)) {}
-  ~WorkerProcess() { kill_and_reap(); }
+  ~WorkerProcess() { begin_end(); }
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
   bool alive() const { return static_cast<bool>(socket_); }
-  bool busy() const { return busy_; }
+  bool busy() const { return busy_ || ending_; }
   bool idle() const { return alive() && !busy_; }
   std::size_t group() const { return group_; }
   std::size_t last_item() const { return item_; }  ///< the current one if busy
@@ -50,13 +50,16 @@ class WorkerProcess {
   void add_events(std::vector<pollfd>& events) const;
 
   /// The result when the work item is done, its process has died, or it was killed at a time limit.
+  /// Of a process that is killed: when it and whatever it started have ended.
   std::optional<WorkResult> receive();
 
-  void kill_and_reap();
+  /// Kills the process. It is busy until the keeper has killed whatever it started; a trusted one
+  /// has ended on return.
+  void begin_end();
 
   /// Makes an idle process execute PoolOptions::at_end and exit; then await_end().
   void request_end();
-  /// Waits until the process has exited, and kills it after kOrderlyEnd.
+  /// Waits until the process has exited, or kOrderlyEnd; then begin_end().
   void await_end();
 
  private:
@@ -64,13 +67,13 @@ class WorkerProcess {
 
   void start_kept(WorkerStart& start);
   void fork_trusted(const WorkerStart& start);
-  void await_keeper() const;
   void read_socket();
   std::optional<WorkResult> take_answer();
   /// A description of the limit that was exceeded; empty if none.
   std::string exceeded_limit();
-  WorkResult kill_with(Status status, std::string reason);
-  WorkResult describe_end();  ///< of a process that has died
+  std::optional<WorkResult> kill_with(Status status, std::string reason);
+  std::optional<WorkResult> take_ended();    ///< once the process has ended
+  std::optional<WorkResult> describe_end();  ///< of a process that has died
   std::optional<int>
   end_status();  ///< waitpid's status of the worker; none if the keeper was killed
 
@@ -88,7 +91,8 @@ class WorkerProcess {
   std::size_t group_ = 0, item_ = 0;
   std::uint64_t nonce_ = 0;   ///< of the current work item
   std::size_t assigned_ = 0;  ///< work items since start()
-  bool busy_ = false, died_between_items_ = false;
+  bool busy_ = false, ending_ = false, died_between_items_ = false;
+  std::optional<WorkResult> result_;         ///< of the work item of a process that is ending
   double started_ = 0, last_heartbeat_ = 0;  ///< s, by the clock of the options
   std::uint64_t heartbeats_ = 0;
   std::string buffer_;

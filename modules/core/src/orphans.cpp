@@ -1,8 +1,10 @@
 #include <slalom/core/orphans.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -32,17 +34,17 @@ std::vector<pid_t> child_processes() {
   return pids;
 }
 
+bool kill_present_children(const std::function<bool(pid_t child)>& is_kept) {
+  std::vector<pid_t> children = child_processes();
+  children.erase(std::remove_if(children.begin(), children.end(), is_kept), children.end());
+  for (const pid_t child : children) kill(child, SIGKILL);
+  // Not waiting: one that is traced is left to its tracer, which may be among them, first.
+  for (const pid_t child : children) waitpid(child, nullptr, WNOHANG | __WALL);
+  return !children.empty();
+}
+
 void kill_children(const std::function<bool(pid_t child)>& is_kept) {
-  constexpr int kMaxPasses = 10000;  // against processes that keep forking
-  bool is_last = false;
-  for (int pass = 0; pass < kMaxPasses && !is_last; ++pass) {
-    is_last = true;
-    for (const pid_t child : child_processes()) {
-      if (is_kept(child)) continue;
-      is_last = false;
-      if (kill(child, SIGKILL) == 0) waitpid(child, nullptr, __WALL);
-    }
-  }
+  for (int i = 0; i < kMaxKills && kill_present_children(is_kept); ++i) poll(nullptr, 0, 1);
 }
 
 void kill_orphans() {

@@ -19,6 +19,8 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <sys/prctl.h>
+#include <sys/ptrace.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/time.h>
@@ -342,6 +344,7 @@ pid_t start_daemon() {
     setsid();
     const pid_t daemon = fork();
     if (daemon > 0 && write(ends[1], &daemon, sizeof daemon) > 0) _exit(0);
+    prctl(PR_SET_PTRACER, PR_SET_PTRACER_ANY);
     while (true) pause();
   }
   pid_t daemon = 0;
@@ -435,7 +438,8 @@ TEST(WorkerPool, AWorkItemThatKillsItsKeeperHarmsNoOther) {
   for (std::size_t i = 0; i < results.size(); ++i)
     EXPECT_EQ(results[i].payload, i == 4 ? "" : "fine") << i << ": " << results[i].detail;
   EXPECT_EQ(results[4].status, Status::Crashed);
-  EXPECT_EQ(results[4].detail, "its supervising process was killed twice, the second time alone");
+  EXPECT_EQ(results[4].detail,
+            "its supervising process was stopped or killed twice, the second time alone");
 }
 
 TEST(WorkerPool, AWorkItemThatKillsItsKeeperAndGoesOnHarmsNoOther) {
@@ -447,6 +451,124 @@ TEST(WorkerPool, AWorkItemThatKillsItsKeeperAndGoesOnHarmsNoOther) {
     for (std::size_t i = 0; i < results.size(); ++i)
       ASSERT_EQ(results[i].payload, i % 6 == 3 ? "" : "fine") << i << ": " << results[i].detail;
   }
+}
+
+enum class Hold { Stop, Trace, TraceByDaemon };
+
+/// Whether the keeper does not go on.
+bool hold_keeper(Hold how, pid_t keeper) {
+  if (how == Hold::Stop) return kill(keeper, SIGSTOP) == 0;
+  if (how == Hold::Trace) return ptrace(PTRACE_ATTACH, keeper, nullptr, nullptr) == 0;
+  int ends[2];
+  if (pipe(ends) != 0) return false;
+  if (fork() == 0) {
+    setsid();
+    if (fork() > 0) _exit(0);
+    const char held = hold_keeper(Hold::Trace, keeper) ? 1 : 0;
+    if (write(ends[1], &held, 1) < 1) _exit(1);
+    while (true) pause();
+  }
+  char held = 0;
+  return read(ends[0], &held, 1) == 1 && held == 1;
+}
+
+class HeldKeeper : public ::testing::TestWithParam<std::tuple<Hold, bool>> {};
+
+TEST_P(HeldKeeper, OnlyTheWorkItemThatDoesItFails) {
+  const pid_t program = fork();
+  if (program == 0) {
+    adopt_orphans();  // so that daemons end, too
+    const auto [how, goes_on] = GetParam();
+    const auto results =
+        run_all(8, with_workers(2), [how = how, goes_on = goes_on](std::size_t i, SharedTaskLog&) {
+          if (i == 3 && !hold_keeper(how, getppid())) return std::string("cannot");
+          if (i == 3 && !goes_on) pause();
+          return std::string("fine");
+        });
+    if (results[3].payload == "cannot") _exit(2);
+    for (std::size_t i = 0; i < results.size(); ++i)
+      EXPECT_EQ(results[i].payload, i == 3 ? "" : "fine") << i << ": " << results[i].detail;
+    EXPECT_EQ(results[3].detail,
+              "its supervising process was stopped or killed twice, the second time alone");
+    EXPECT_EQ(child_processes(), std::vector<pid_t>());
+    _exit(HasFailure() ? 1 : 0);
+  }
+  int status = -1;
+  waitpid(program, &status, 0);
+  if (WEXITSTATUS(status) == 2) GTEST_SKIP() << "processes must not be traced here";
+  EXPECT_EQ(status, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(WorkerPool, HeldKeeper,
+                         ::testing::Combine(::testing::Values(Hold::Stop, Hold::Trace,
+                                                              Hold::TraceByDaemon),
+                                            ::testing::Bool()));
+
+TEST(WorkerPool, AStoppedKeeperEndsWithItsProgram) {
+  prctl(PR_SET_CHILD_SUBREAPER, 1);  // the parent of the keeper when the program has ended
+  SharedTaskLog log(sizeof(pid_t));
+  const pid_t program = fork();
+  if (program == 0)
+    run_all(1, with_workers(1), [&, program = getpid()](std::size_t, SharedTaskLog&) {
+      const pid_t keeper = getppid();
+      log.append(&keeper, sizeof keeper);
+      kill(keeper, SIGSTOP);
+      kill(program, SIGKILL);
+      pause();
+      return std::string();
+    });
+  waitpid(program, nullptr, 0);
+  const std::string bytes = log.contents();
+  pid_t keeper = 0;
+  ASSERT_EQ(bytes.size(), sizeof keeper);
+  std::memcpy(&keeper, bytes.data(), sizeof keeper);
+  EXPECT_EQ(waitpid(keeper, nullptr, 0), keeper);
+  prctl(PR_SET_CHILD_SUBREAPER, 0);
+}
+
+/// Traces the process whose number is in the log until `is_over`: when that is killed it does not
+/// disappear before. `is_tracing` has 1 s when it does, 2 s if it must not.
+pid_t start_tracer(const SharedTaskLog& log, ManualTime& is_tracing,
+                   const std::function<bool()>& is_over) {
+  const pid_t tracer = fork();
+  if (tracer != 0) return tracer;
+  pid_t traced = 0;
+  while (log.contents().size() < sizeof traced) usleep(500);
+  std::memcpy(&traced, log.contents().data(), sizeof traced);
+  const bool traces = ptrace(PTRACE_SEIZE, traced, nullptr, nullptr) == 0;
+  is_tracing.advance(traces ? 1 : 2);
+  while (traces && !is_over()) usleep(500);
+  _exit(traces ? 0 : 1);
+}
+
+TEST(WorkerPool, OthersGoOnWhileWhatAProcessStartedIsKilled) {
+  constexpr std::size_t kCount = 10;
+  SharedTaskLog daemons(sizeof(pid_t));
+  ManualTime received, is_tracing;  // the seconds of the first are the results received
+  const auto are_others_received = [clock = received.clock()] { return clock() >= kCount - 1; };
+  const pid_t tracer = start_tracer(daemons, is_tracing, are_others_received);
+  PoolOptions options = with_workers(2);
+  options.ordered = false;
+  std::vector<std::size_t> order;
+  const auto receive = [&](std::size_t i, WorkResult&&) {
+    order.push_back(i);
+    received.advance(1);
+  };
+  run_in_workers(
+      kCount, options,
+      [&, clock = is_tracing.clock()](std::size_t i, SharedTaskLog&) -> std::string {
+        if (i > 0) return "fine";
+        const pid_t daemon = start_daemon();
+        daemons.append(&daemon, sizeof daemon);
+        while (clock() == 0) usleep(500);
+        std::_Exit(1);
+      },
+      receive, nullptr);
+  int status = 0;
+  waitpid(tracer, &status, 0);
+  if (status != 0) GTEST_SKIP() << "processes must not be traced here";
+  ASSERT_EQ(order.size(), kCount);
+  EXPECT_EQ(order.back(), 0U);
 }
 
 TEST(WorkerPool, InAProgramWhateverAProcessStartedDiesWithAKilledKeeper) {

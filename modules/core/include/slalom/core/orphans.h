@@ -13,8 +13,15 @@ void adopt_orphans();
 /// The child processes of all threads, also those that have ended but were not waited for.
 std::vector<pid_t> child_processes();
 
-/// Kills and waits for all child processes but those that are kept, and what they leave to this
-/// process, until there are none.
+/// Sends SIGKILL to all child processes but those that are kept, and reaps those that have ended,
+/// without waiting. Whether any are left, or may have left others to this process.
+bool kill_present_children(const std::function<bool(pid_t child)>& is_kept);
+
+/// The most often that processes are killed that keep starting others.
+constexpr int kMaxKills = 10000;
+
+/// Kills all child processes but those that are kept, and what they leave to this process, until
+/// there are none, or kMaxKills times.
 void kill_children(const std::function<bool(pid_t child)>& is_kept);
 
 /// Kills the processes that adopt_orphans() has made children of this process, if it was called.
