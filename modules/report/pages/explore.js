@@ -44,8 +44,9 @@ function choiceTable(runs, quantity, across, methods) {
     tableOf({ class: "even", style: `min-width:${9 + 9 * methods.length}rem` },
             [heading(axisLabel(across)), methods.map((method) => html("th", {}, methodName(method)))], rows.map(line)),
     html("p", { class: "support" }, "Each cell: the mean; the three quartiles; the number n of values, and why the others are " +
-         "missing. Rows: bins with about equal numbers of scenarios. With intervals:"),
-    commandLine(`slalom-analyze table ${shellWord(report.results)} --rows "${choice.by}:q4" --columns ${choice.metric}`));
+         "missing. Rows: bins with about equal numbers of scenarios." + (report.selected ? "" : " With intervals:")),
+    report.selected ? null
+      : commandLine(`slalom-analyze table ${shellWord(report.results)} --rows "${choice.by}:q4" --columns ${choice.metric}`));
 }
 
 const chartCard = (title, ...content) => html("div", { class: "card chart-card" }, html("h4", {}, title), ...content.flat());

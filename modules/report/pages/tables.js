@@ -21,15 +21,18 @@ function missingNote(rows) {
 
 function summarySection(method) {
   const rows = report.summary.filter((row) => method === null || row.method === method);
-  const scales = report.columns.map((column, i) => scaleOf(column, rows.map((row) => row.cells[i])));
+  const columns = report.selected ? [] : report.columns;
+  const scales = columns.map((column, i) => scaleOf(column, rows.map((row) => row.cells[i])));
   const line = (row) => html("tr", {},
     html("th", { class: "name" }, swatch(report.methods[row.method].color),
          html("a", { href: "method.html#" + (row.method + 1) }, methodLabel(row.method))),
     html("td", {}, html("a", { href: runsLink(row.runs) }, String(row.n))), html("td", {}, outcomeBar(row)),
     scales.map((scale, i) => tableCell(row.cells[i], scale, row.runs)));
   const percent = Number((100 * report.confidence).toPrecision(12));
-  return [card(tableOf({}, [["Method", "Runs", "Outcomes"].map(heading), report.columns.map((column) => headerCell(column, ""))], rows.map(line)),
-               missingNote(rows)),
+  const table = tableOf({}, [["Method", "Runs", "Outcomes"].map(heading), columns.map((column) => headerCell(column, ""))], rows.map(line));
+  if (report.selected)
+    return [card(table), soft("A search has selected these scenarios. They are a sample of no environment, so that outcomes are only counted.")];
+  return [card(table, missingNote(rows)),
           method !== null ? null : commonSection(),
           method !== null ? null : soft(`Each cell: the mean (for success the fraction of runs) with its ${percent} % ` +
             "confidence interval, drawn below on the column's scale; then the standard deviation and the number n of values. " +
@@ -39,6 +42,7 @@ function summarySection(method) {
 }
 
 function findingsSection() {
+  if (report.selected) return null;
   const groups = report.tables.filter((group) => group.methods.some((table) => table.rows.length > 1));
   return [soft("Each metric is tested for a trend over all bins; p values corrected for the number of tests (Holm). No trend " +
                "shown does not prove that there is none."),
@@ -66,6 +70,7 @@ function crossTable(table, descriptor, scales) {
 
 // Each descriptor folds; the first one is open.
 function tablesSection(method) {
+  if (report.selected) return null;
   return report.tables.filter((group) => group.methods.length > 0).map((group, i) => {
     const tables = group.methods.filter((table) => method === null || table.method === method);
     const scales = report.columns.map((column, at) =>
@@ -104,6 +109,7 @@ function outcomesSection(method) {
     html("th", {}, outcomeChip(row.outcome)),
     html("td", {}, fixed(row.fraction, 2) + " " + intervalText(row.interval, 2)),
     html("td", {}, html("a", { href: runsLink(row.runs) }, plural(row.n, "run")))));
+  if (rows.length === 0) return null;
   return card(html("table", {}, html("tbody", {}, rows)));
 }
 

@@ -102,8 +102,9 @@ Markup all_tables(const ReportInput& input) {
   const PrivilegedMethods privileged = privileged_methods(input.runs.manifest);
   SummaryTable summary = input.summary;
   mark_privileged(summary, privileged);
-  std::vector<Markup> parts = {element("h2", {"Summary"}), summary_table(summary),
-                               element("h2", {"Cross tables"})};
+  if (input.is_selected()) summary.columns.clear();
+  std::vector<Markup> parts = {element("h2", {"Summary"}), summary_table(summary)};
+  if (!input.tables.empty()) parts.push_back(element("h2", {"Cross tables"}));
   for (const std::vector<CrossTable>& group : input.tables)
     for (CrossTable cross : group) {
       mark_privileged(cross, privileged);

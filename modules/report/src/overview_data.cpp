@@ -24,7 +24,8 @@ OrderedJson overview_json(const ReportInput& input,
 OrderedJson headlines_json(const ReportInput& input,
                            const std::vector<PairedComparison>& comparisons) {
   OrderedJson json = OrderedJson::array();
-  const std::string leader = leader_sentence(input.runs, comparisons, input.options.analysis);
+  const std::string leader =
+      input.is_selected() ? "" : leader_sentence(input.runs, comparisons, input.options.analysis);
   for (std::size_t method = 0; method < input.runs.methods.size(); ++method)
     for (const std::string& line : input.failures.lines_of(input.runs.methods[method]))
       json.push_back({{"method", method}, {"text", line}});

@@ -51,7 +51,8 @@ class DataMaker {
     }
     ComparisonOptions comparison;
     comparison.analysis = options_.analysis;
-    comparisons_ = directed_comparisons(runs_, input.summary.columns, comparison);
+    if (!input.is_selected())
+      comparisons_ = directed_comparisons(runs_, input.summary.columns, comparison);
   }
 
   OrderedJson columns() const {
@@ -86,11 +87,12 @@ class DataMaker {
         const auto found = entry.outcomes.find(outcome);
         outcomes.push_back(found == entry.outcomes.end() ? 0 : found->second);
       }
-      json.push_back({{"method", method},
-                      {"n", entry.n},
-                      {"outcomes", outcomes},
-                      {"cells", cells_json(entry.cells)},
-                      {"runs", group("All runs of " + entry.method, std::move(runs))}});
+      json.push_back(
+          {{"method", method},
+           {"n", entry.n},
+           {"outcomes", outcomes},
+           {"cells", input_.is_selected() ? OrderedJson::array() : cells_json(entry.cells)},
+           {"runs", group("All runs of " + entry.method, std::move(runs))}});
     }
     return json;
   }
@@ -234,6 +236,20 @@ class DataMaker {
   }
 };
 
+void add_statistics(OrderedJson& json, DataMaker& make, const ReportInput& input) {
+  const ResultTable& runs = input.runs;
+  json["overview"] = make.overview();
+  json["common_scenarios"] = make.common_scenarios();
+  json["tables"] = make.tables();
+  json["outcome_fractions"] = make.outcome_fractions();
+  json["comparisons"] = comparisons_json(runs, make.comparisons());
+  json["completion"] = completion_json(runs);
+  json["ranks"] = ranks_json(runs, make.directed(), input.options.analysis);
+  json["profiles"] = profiles_json(runs, make.directed());
+  json["maps"] = make.maps();
+  json["validity"] = validity_json(runs, make.directed(), input.options.analysis);
+}
+
 /// Marks privileged methods in sentences and titles.
 void mark_texts(OrderedJson& json, const std::vector<std::string>& names) {
   for (auto& [key, value] : json.items()) {
@@ -250,6 +266,7 @@ ReportInput make_report_input(const ResultTable& runs, const ReportOptions& opti
   AnalysisOptions analysis = options.analysis;
   analysis.run_ids = false;
   ReportInput input{runs, options, build_summary(runs, options.columns, analysis), {}, {}};
+  if (input.is_selected()) return input;
   // One call: the trends of all tables are one family of tests.
   std::vector<CrossTable> tables =
       build_cross_tables(runs, options.rows, options.columns, analysis);
@@ -277,18 +294,13 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
                       {"metrics", quantities_json(repeatable_metrics(runs))},
                       {"descriptors", quantities_json(descriptors)}};
   if (input.options.planned_runs > 0) json["planned_runs"] = input.options.planned_runs;
+  json["selected"] = input.is_selected();
   json["headlines"] = make.headlines();
-  json["overview"] = make.overview();
   json["summary"] = make.summary();
-  json["common_scenarios"] = make.common_scenarios();
-  json["tables"] = make.tables();
-  json["outcome_fractions"] = make.outcome_fractions();
-  json["comparisons"] = comparisons_json(runs, make.comparisons());
-  json["completion"] = completion_json(runs);
-  json["ranks"] = ranks_json(runs, make.directed(), input.options.analysis);
-  json["profiles"] = profiles_json(runs, make.directed());
-  json["maps"] = make.maps();
-  json["validity"] = validity_json(runs, make.directed(), input.options.analysis);
+  for (const char* key : {"overview", "common_scenarios", "tables", "outcome_fractions",
+                          "comparisons", "completion", "ranks", "profiles", "maps", "validity"})
+    json[key] = OrderedJson::array();
+  if (!input.is_selected()) add_statistics(json, make, input);
   json["clusters"] = clusters_json(input.options.clusters);
   const PrivilegedMethods privileged = privileged_methods(runs.manifest);
   if (!privileged.empty()) {

@@ -32,6 +32,10 @@ struct ReportInput {
   SummaryTable summary;
   std::vector<std::vector<CrossTable>> tables;  ///< per row specification, one table per method
   MethodFailures failures;                      ///< of the runs, if they are known
+
+  /// Whether a search has selected the scenarios. They are a sample of no environment: the report
+  /// counts outcomes, and has no means, intervals or tests.
+  bool is_selected() const { return !options.clusters.empty(); }
 };
 
 /// Throws Error (Usage) for unknown ids.

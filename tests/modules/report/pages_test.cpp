@@ -255,6 +255,19 @@ TEST_F(ReportPages, TheIndexListsClustersOfFailures) {
   EXPECT_EQ(count(clusters, "7 of 7 have a higher Depth &amp; co than their neighbors"), 1u);
 }
 
+TEST_F(ReportPages, OfScenariosThatASearchSelectedCountOutcomesOnly) {
+  const ResultFile file = make_results(12);
+  write(file, options_with_cluster());
+  for (const std::string name : {"index.html", "method.html#1"}) {
+    const std::string page = open(name), summary = section(page, "summary");
+    EXPECT_EQ(count(summary, "A search has selected these scenarios"), 1u) << name;
+    EXPECT_EQ(count(page, "class=\"interval\""), 0u) << name;
+    for (const std::string id : {"findings", "tables", "comparisons", "ranks", "validity"})
+      EXPECT_EQ(count(page, " id=\"" + id + "\""), 0u) << name << ", " << id;
+  }
+  EXPECT_EQ(count(open("explore.html"), "slalom-analyze table"), 0u);
+}
+
 TEST_F(ReportPages, AClusterHasAReplayACommandContrastsAndPictures) {
   const ResultFile file = make_results(3);
   write(file, options_with_cluster());

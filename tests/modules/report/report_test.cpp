@@ -197,6 +197,34 @@ TEST_F(Report, ListsClustersOfFailuresWithTheirContrastsAndRuns) {
   EXPECT_TRUE(std::filesystem::exists(report_folder() / "cluster.html"));
 }
 
+/// How often an object below has one of the keys.
+std::size_t count_keys(const nlohmann::json& json, const std::set<std::string>& keys) {
+  std::size_t found = 0;
+  for (const auto& [key, value] : json.items()) {
+    found += json.is_object() && keys.count(key) > 0 ? 1 : 0;
+    if (value.is_structured()) found += count_keys(value, keys);
+  }
+  return found;
+}
+
+TEST_F(Report, OfScenariosThatASearchSelectedCountsOutcomesWithoutIntervalsAndTests) {
+  const std::set<std::string> inference = {"interval", "p", "adjusted_p", "mean", "rho"};
+  const ResultFile file = make_results(12);
+  write(file);
+  EXPECT_EQ(report_json()["selected"], false);
+  EXPECT_GT(count_keys(report_json(), inference), 30U);
+  write(file, options_with_cluster());
+  auto json = report_json();
+  EXPECT_EQ(json["selected"], true);
+  EXPECT_EQ(json["summary"][0]["n"], 12);
+  json.erase("clusters");  // of pairs of failures and neighbors, which are no sample either
+  EXPECT_EQ(count_keys(json, inference), 0U);
+  EXPECT_TRUE(json["headlines"].empty());
+  const std::string page = read("index.html");
+  EXPECT_NE(page.find("<th>Outcomes</th></tr>"), std::string::npos);
+  EXPECT_EQ(page.find("Cross tables"), std::string::npos);
+}
+
 TEST_F(Report, WithoutClustersHasNoPageForThem) {
   write(make_results(1));
   EXPECT_TRUE(report_json()["clusters"].empty());
