@@ -103,8 +103,14 @@ void read_csv(const std::string& header, TextLines& lines, double default_radius
   }
 }
 
-/// The frame rate at which positions change with the velocities that the file states.
-class ImpliedFrameRate {
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// What the positions and velocities of people say about the frame rate and the unit of length.
+class ImpliedUnits {
  public:
   void add(double frame, const std::string& id, const mrpt::math::TPoint2D& position,
            double speed) {
@@ -114,34 +120,37 @@ class ImpliedFrameRate {
         std::hypot(position.x - found->second.second.x, position.y - found->second.second.y);
     constexpr double kLeast = 1e-2;  // m, and m/s: people who stand say nothing
     const double rate = speed * frames / distance;
+    if (!is_new && frames > 0) steps_.push_back(distance / frames);
     if (!is_new && distance > kLeast && speed > kLeast && std::isfinite(rate))
       rates_.push_back(rate);
     found->second = {frame, position};
   }
 
-  /// Throws Error (File) if the median is another rate.
+  /// Throws Error (File) if the medians are another rate or a speed at which no crowd moves.
   void check(double rate, const std::string& where) {
-    if (rates_.empty()) return;
-    const auto middle = rates_.begin() + static_cast<std::ptrdiff_t>(rates_.size() / 2);
-    std::nth_element(rates_.begin(), middle, rates_.end());
     constexpr double kTolerance = 1.25;  // velocities may be smoothed
-    if (*middle < rate * kTolerance && rate < *middle * kTolerance) return;
-    throw file_error(where,
-                     "a frame rate of " + format_number(rate) +
-                         " contradicts the velocities, which imply " + format_fixed(*middle, 2),
-                     "frames per second of the column of frames");
+    const double implied = rates_.empty() ? rate : median(rates_);
+    if (implied > rate * kTolerance || rate > implied * kTolerance)
+      throw file_error(where,
+                       "a frame rate of " + format_number(rate) +
+                           " contradicts the velocities, which imply " + format_fixed(implied, 2),
+                       "frames per second of the column of frames");
+    constexpr double kMaxSpeed = 5;  // m/s, of runners over hours
+    if (const double speed = steps_.empty() ? 0 : median(steps_) * rate; speed > kMaxSpeed)
+      throw file_error(where, "a median speed of " + format_fixed(speed, 1) + " m/s",
+                       "positions of people in m, not in pixels");
   }
 
  private:
   std::map<std::string, std::pair<double, mrpt::math::TPoint2D>> last_;
-  std::vector<double> rates_;
+  std::vector<double> rates_, steps_;  ///< 1/s; m per frame
 };
 
 void read_obsmat(std::string line, TextLines& lines, const std::string& where,
                  const MoversFileOptions& options, MoverCollector& movers) {
   if (!(options.frame_rate > 0))
     throw lines.error("frames instead of times", "the frame rate of the recording");
-  ImpliedFrameRate implied;
+  ImpliedUnits implied;
   do {
     const auto n = numbers_of(split_at_blanks(line), 8, lines);
     if (n[1] != std::round(n[1]) || std::abs(n[1]) > 1e9)

@@ -78,6 +78,15 @@ TEST(MoversFile, AFrameRateThatContradictsTheVelocitiesIsRefused) {
       << "without velocities";
 }
 
+TEST(MoversFile, PositionsOfPeopleInPixelsAreRefused) {
+  // 50 pixels for a meter, velocities in pixels, too: 0.5 m in 6 frames at 15 per second.
+  const std::string walker = "0 1 0 0 0 62.5 0 0\n6 1 25 0 0 62.5 0 0\n12 1 50 0 0 62.5 0 0\n";
+  MoversFileOptions options;
+  options.frame_rate = 15;
+  EXPECT_TRUE(
+      refuses(walker, "f: a median speed of 62.5 m/s; expected positions of people in m", options));
+}
+
 TEST(MoversFile, ErrorsNameTheLineAndWhatWasExpected) {
   EXPECT_TRUE(refuses("", "f: empty file; expected CSV with the columns id, t, x, y"));
   EXPECT_TRUE(refuses("id,t,x\n", "f:1: missing column 'y'"));
