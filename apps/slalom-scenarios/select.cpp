@@ -1,6 +1,7 @@
 #include "filter.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 
 #include <iostream>
 
@@ -78,6 +79,68 @@ void remove(const TransferArguments& arguments) {
   print_size(ScenarioList::open(arguments.output), filter.quiet);
 }
 
+struct RestoreArguments {
+  FilterArguments filter;
+  std::vector<std::string> scenarios;
+  bool all = false;
+};
+
+std::vector<ScenarioList::Entry> restorable(const ScenarioList& list) {
+  std::vector<ScenarioList::Entry> entries;
+  for (const auto& deletion : list.deletions())
+    entries.insert(entries.end(), deletion.begin(), deletion.end());
+  return entries;
+}
+
+/// The latest deleted scenario with this name, or the one with this id or prefix of it.
+const ScenarioList::Entry& find_deleted(const std::vector<ScenarioList::Entry>& entries,
+                                        const std::string& id_or_name, const std::string& path) {
+  std::vector<std::string> names;
+  std::vector<const ScenarioList::Entry*> matches;
+  for (const ScenarioList::Entry& entry : entries) {
+    if (entry.name == id_or_name || entry.hash == id_or_name) return entry;
+    names.push_back(entry.name);
+    if (starts_with(entry.hash, id_or_name)) matches.push_back(&entry);
+  }
+  if (matches.size() == 1) return *matches.front();
+  if (matches.size() > 1)
+    throw usage_error(path, "ambiguous id '" + id_or_name + "'", "more digits");
+  throw usage_error(
+      path, "unknown deleted scenario '" + id_or_name + "'",
+      expected_name(id_or_name, names, "an id or a name listed by `slalom-scenarios restore`"));
+}
+
+void restore(const RestoreArguments& arguments) {
+  ScenarioList list = ScenarioList::open(arguments.filter.list.list);
+  const std::vector<ScenarioList::Entry> entries = restorable(list);
+  std::vector<std::string> hashes;
+  for (const std::string& scenario : arguments.scenarios)
+    hashes.push_back(find_deleted(entries, scenario, list.path()).hash);
+  for (const ScenarioList::Entry& entry : entries) {
+    if (arguments.all) hashes.push_back(entry.hash);
+    if (!arguments.all && arguments.scenarios.empty())
+      print_entry(entry, arguments.filter.list.json);
+  }
+  if (!hashes.empty()) make_restore_scenarios(list, hashes)->execute();
+  if (arguments.all || !hashes.empty()) print_size(list, arguments.filter.quiet);
+}
+
+void add_restore_verb(CLI::App& app) {
+  static RestoreArguments arguments;
+  CLI::App* verb = add_list_verb(app, "restore", "List or bring back deleted scenarios of a list",
+                                 arguments.filter.list);
+  CLI::Option* scenarios =
+      verb->add_option("scenarios", arguments.scenarios,
+                       "Deleted scenarios: ids, prefixes of ids, or names (default: list them, the "
+                       "latest deletion first)");
+  CLI::Option* all = verb->add_flag("--all", arguments.all, "Restore all")->excludes(scenarios);
+  verb->add_flag("--json", arguments.filter.list.json, "List one JSON object per scenario")
+      ->excludes(scenarios)
+      ->excludes(all);
+  verb->add_flag("--quiet", arguments.filter.quiet, "No messages");
+  verb->callback([] { restore(arguments); });
+}
+
 CLI::Option* add_output(CLI::App& verb, TransferArguments& arguments, const std::string& help) {
   return verb.add_option("-o,--output", arguments.output, help);
 }
@@ -110,6 +173,8 @@ void add_select_verbs(CLI::App& app) {
   verb->add_flag("--all", deleted.all, "Delete all scenarios; keeps the empty list");
   verb->add_flag("--file", deleted.file, "Delete the list file");
   verb->callback([] { remove(deleted); });
+
+  add_restore_verb(app);
 }
 
 }  // namespace slalom

@@ -11,7 +11,7 @@ namespace slalom {
 void add_creation_verbs(CLI::App& app);  ///< generate, import
 void add_show_verbs(CLI::App& app);      ///< list, show, render
 void add_describe_verb(CLI::App& app);   ///< describe
-void add_select_verbs(CLI::App& app);    ///< select, copy, move, delete
+void add_select_verbs(CLI::App& app);    ///< select, copy, move, delete, restore
 void add_lists_verbs(CLI::App& app);     ///< create, merge, dedupe, split
 void add_edit_verbs(CLI::App& app);      ///< tag, rename, movers
 void add_index_verbs(CLI::App& app);     ///< index create, drop, list, show

@@ -142,6 +142,28 @@ TEST_F(ScenarioLists, CopiesMovesAndDeletes) {
                  {"a.scenarios", "different"});
 }
 
+TEST_F(ScenarioLists, DeletedScenariosAreListedAndRestored) {
+  const auto all = names("list a.scenarios");
+  EXPECT_EQ(slalom("restore a.scenarios").out, "");
+  ASSERT_EQ(slalom("delete a.scenarios --quiet --ids " + all[1] + "," + all[4]).status, 0);
+  ASSERT_EQ(slalom("delete a.scenarios --quiet --ids " + all[7]).status, 0);
+  ASSERT_EQ(slalom("move a.scenarios --quiet --ids " + all[2] + " -o b.scenarios").status, 0);
+  EXPECT_EQ(names("restore a.scenarios"), (std::vector<std::string>{all[7], all[1], all[4]}));
+  EXPECT_EQ(names("restore b.scenarios"), std::vector<std::string>{});
+  const std::string id = lines_of(slalom("restore a.scenarios --json").out)[1]["id"];
+  EXPECT_EQ(slalom("restore a.scenarios " + id + " " + all[7]).err, "a.scenarios: 10 scenarios\n");
+  EXPECT_EQ(names("restore a.scenarios"), std::vector<std::string>{all[4]});
+  const std::string restore = "slalom-scenarios restore a.scenarios ";
+  expect_failure(restore + all[7], 2, {"a.scenarios: unknown deleted scenario '" + all[7] + "'"});
+  expect_failure(restore + all[4] + "x", 2, {"unknown deleted scenario", "expected '" + all[4]});
+  expect_failure(restore + "--all " + all[4], 2, {"--all"});
+  EXPECT_EQ(slalom("restore a.scenarios --all").err, "a.scenarios: 11 scenarios\n");
+  EXPECT_EQ(slalom("restore a.scenarios --all --quiet").err, "");
+  std::vector<std::string> others = all;
+  others.erase(others.begin() + 2);
+  EXPECT_EQ(names("list a.scenarios"), others) << "in their places";
+}
+
 TEST_F(ScenarioLists, TagsAndNamesAreKept) {
   const auto all = names("list a.scenarios");
   ASSERT_EQ(slalom("tag a.scenarios --ids " + all[2] + " --add narrow,hard").status, 0);

@@ -41,6 +41,13 @@ ListCommandPtr make_delete_scenarios(ScenarioList& list, ListSelection selection
       empty_selection(count));
 }
 
+ListCommandPtr make_restore_scenarios(ScenarioList& list, std::vector<std::string> hashes) {
+  const std::size_t count = hashes.size();
+  return std::make_unique<RecordedCommand>(
+      std::vector<ScenarioList*>{&list}, "Restore " + scenarios_text(count),
+      [&list, hashes = std::move(hashes)] { list.restore(hashes); }, empty_selection(count));
+}
+
 ListCommandPtr make_copy_scenarios(ScenarioList& source, ListSelection selection,
                                    ScenarioList& target) {
   expect_different(source, target);
@@ -60,7 +67,7 @@ ListCommandPtr make_move_scenarios(ScenarioList& source, ListSelection selection
       "Move " + scenarios_text(count) + to_text(target),
       [&source, &target, selection = std::move(selection)] {
         copy(source, selection, target);
-        source.remove(selection);
+        source.remove(selection, false);
       },
       empty_selection(count));
 }

@@ -124,6 +124,31 @@ FormDescription move_form(Studio& studio) {
   return transfer_form(studio, "Move", &ListDocument::move_to);
 }
 
+/// One choice for each deletion, and all of them.
+FormDescription restore_form(Studio& studio) {
+  std::vector<std::string> choices, all;
+  std::map<std::string, std::vector<std::string>> hashes;
+  for (const auto& deletion : studio.active()->list().deletions()) {
+    const std::size_t others = deletion.size() - 1;
+    choices.push_back(deletion[0].name + " (" + deletion[0].id + ")" +
+                      (others == 0 ? "" : " and " + std::to_string(others) + " more"));
+    for (const auto& entry : deletion) {
+      hashes[choices.back()].push_back(entry.hash);
+      all.push_back(entry.hash);
+    }
+  }
+  choices.push_back("all (" + std::to_string(all.size()) + ")");
+  hashes[choices.back()] = all;
+  return {"Restore deleted scenarios",
+          "Restore",
+          "Brings scenarios back that were deleted from this list, the latest first.",
+          {choice_field("scenarios", "Scenarios", choices)},
+          [&studio, hashes](const FormValues& values) {
+            studio.active()->restore(hashes.at(values.at("scenarios")));
+            studio.notices().show_status(studio.active()->history().undo_title());
+          }};
+}
+
 FormDescription rename_form(Studio& studio) {
   const std::string hash = studio.current_hash();
   return {"Rename scenario",
@@ -295,6 +320,9 @@ void add_edit_actions(Actions& actions, Studio& studio) {
   actions.add({"edit.delete", "Edit", "Delete", "Delete", "Removes the selected scenarios.",
                [&studio] { studio.remove_selected(); },
                list_disabled_check(studio, ListAction::Remove)});
+  actions.add({"edit.restore", "Edit", "Restore deleted...", "",
+               "Brings back deleted scenarios of this list, also of earlier sessions.",
+               opens(studio, restore_form), list_disabled_check(studio, ListAction::Restore)});
   actions.add({"edit.rename", "Edit", "Rename...", "F2", "Renames the current scenario.",
                opens(studio, rename_form), list_disabled_check(studio, ListAction::Rename)});
   actions.add({"edit.movers", "Edit", "Movers...", "Ctrl+M",

@@ -67,6 +67,12 @@ class ListCommands : public testing::Test {
         return make_deduplicate(*a_, sample_view(), {{"density", 0.01}, {"clearness", 0.01}});
       case 11:
         return make_describe_list(*a_, describe_density(), *silent_);
+      case 12: {
+        const auto deletions = a_->deletions();
+        return make_restore_scenarios(*a_, deletions.empty()
+                                               ? std::vector<std::string>{}
+                                               : std::vector<std::string>{deletions[0][0].hash});
+      }
       default:
         return make_drop_index(*a_, a_->indexes().empty() ? "none" : a_->indexes()[0].name);
     }
@@ -91,8 +97,8 @@ class ListCommands : public testing::Test {
 TEST_F(ListCommands, AnySequenceIsUndoneAndRedone) {
   RandomEngine engine(3);
   std::vector<std::string> dumps = {dump()}, titles;
-  for (int step = 0; step < 39; ++step) {
-    ListCommandPtr next = command(step % 13, engine);
+  for (int step = 0; step < 42; ++step) {
+    ListCommandPtr next = command(step % 14, engine);
     if (!next->disabled_reason().empty()) continue;
     titles.push_back(next->title());
     history_.execute(std::move(next));

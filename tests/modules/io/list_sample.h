@@ -16,13 +16,18 @@ namespace slalom {
 inline std::string dump_list(const std::string& path) {
   SQLite::Database database(path);
   std::string dump;
-  for (const char* table : {"scenarios", "tags", "descriptor_keys", "descriptor_values", "indexes",
-                            "notes", "sqlite_master"}) {
+  std::vector<std::string> tables = {"scenarios", "tags",  "descriptor_keys", "descriptor_values",
+                                     "indexes",   "notes", "sqlite_master"};
+  for (const char* deleted : {"deleted_scenarios", "deleted_tags", "deleted_values"})
+    if (database.tableExists(deleted)) tables.push_back(deleted);
+  for (const std::string& table : tables) {
+    // The first deletion creates tables, which stay when it is undone.
     SQLite::Statement rows(
         database,
-        std::string("SELECT * FROM ") + table +
-            (std::string(table) == "sqlite_master" ? " ORDER BY type, name" : " ORDER BY 1, 2"));
-    dump += std::string(table) + "\n";
+        "SELECT * FROM " + table +
+            (table == "sqlite_master" ? " WHERE tbl_name NOT LIKE 'deleted%' ORDER BY type, name"
+                                      : " ORDER BY 1, 2"));
+    if (table.rfind("deleted", 0) != 0) dump += table + "\n";
     while (rows.executeStep()) {
       for (int i = 0; i < rows.getColumnCount(); ++i) {
         // The page numbers of tables are not content.

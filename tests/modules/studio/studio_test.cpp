@@ -98,6 +98,36 @@ TEST_F(StudioWithoutWindow, UndoesAnEditAndSaysWhat) {
   EXPECT_TRUE(mentions(studio_.notices().status().text, {"Undone: "}));
 }
 
+TEST_F(StudioWithoutWindow, RestoresWhatAnEarlierSessionDeleted) {
+  const std::string path = make_list("a.scenarios", 6);
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "Restore deleted...", {"no list is open"},
+                           [&] { actions_.run("edit.restore"); }));
+  studio_.open_list(path);
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "Restore deleted...", {"no deleted scenarios"},
+                           [&] { actions_.run("edit.restore"); }));
+  for (const std::vector<std::string>& deletion :
+       {std::vector{hash_of(1)}, {hash_of(3), hash_of(4)}}) {
+    studio_.active()->select(deletion);
+    studio_.active()->remove_selected();
+  }
+  studio_.close_list(0);
+  studio_.open_list(path);
+  actions_.run("edit.restore");
+  FormDescription form = studio_.notices().take_form();
+  const std::string one = "world_1 (" + hash_of(1).substr(0, 12) + ")";
+  const std::string two = "world_3 (" + hash_of(3).substr(0, 12) + ") and 1 more";
+  ASSERT_EQ(form.fields.size(), 1U);
+  EXPECT_EQ(form.fields[0].choices, (std::vector<std::string>{two, one, "all (3)"}));
+  form.accepted({{"scenarios", two}});
+  EXPECT_EQ(studio_.notices().status().text, "Restore 2 scenarios");
+  EXPECT_EQ(studio_.active()->view().total, 5U);
+  EXPECT_EQ(studio_.current_hash(), hash_of(3));
+  actions_.run("edit.undo");
+  form.accepted({{"scenarios", "all (3)"}});
+  EXPECT_EQ(studio_.active()->view().total, 6U);
+  EXPECT_NE(actions_.find("edit.restore").disabled_reason(), "");
+}
+
 TEST(StudioExport, ShowsWhatTheFormatCannotHold) {
   StudioServices services;
   services.export_formats = {{"ros", ".yaml", "map"}};

@@ -5,14 +5,19 @@
 
 namespace slalom {
 
-std::size_t ScenarioList::remove(const ListSelection& selection) {
+std::size_t ScenarioList::remove(const ListSelection& selection, bool restorable) {
   return impl_->write([&] {
+    const std::size_t count = this->count(selection);
+    const bool kept = restorable && !impl_->draft && count > 0;
+    const std::int64_t deletion = kept ? impl_->begin_deletion() : 0;
     std::size_t removed = 0;
     for_each(selection, [&](const Entry& entry) {
+      if (kept && removed + kMaxDeleted >= count) impl_->keep_deleted(entry.hash, deletion);
       impl_->remove(entry.hash);
       ++removed;
       return true;
     });
+    if (kept) impl_->limit_deleted();
     return removed;
   });
 }

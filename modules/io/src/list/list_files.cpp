@@ -73,6 +73,11 @@ void ScenarioList::save_as(const std::string& path) {
     unlink(draft.name().c_str());
     copy.bind(1, draft.name());
     copy.exec();
+    if (!impl_->has_deleted_tables()) return;
+    SQLite::Database target(draft.name(), SQLite::OPEN_READWRITE);
+    for (const char* table : {"deleted_scenarios", "deleted_tags", "deleted_values"})
+      target.exec(std::string("DROP TABLE IF EXISTS ") + table);
+    target.exec("VACUUM");
   });
   chmod(draft.name().c_str(), 0644);
   publish(draft, path);

@@ -33,20 +33,21 @@ StatementUse ScenarioList::Impl::use(const char* sql) {
   return StatementUse(*statement);
 }
 
-std::vector<std::string> ScenarioList::Impl::tags_of(const std::string& hash) {
+std::vector<std::string> ScenarioList::Impl::tags_of(const std::string& hash,
+                                                     const char* tags_sql) {
   std::vector<std::string> tags;
-  StatementUse rows = use("SELECT tag FROM tags WHERE hash = ? ORDER BY tag");
+  StatementUse rows = use(tags_sql);
   rows->bind(1, hash);
   while (rows->executeStep()) tags.push_back(rows->getColumn(0).getString());
   return tags;
 }
 
-ScenarioList::Entry ScenarioList::Impl::entry_of(SQLite::Statement& row) {
+ScenarioList::Entry ScenarioList::Impl::entry_of(SQLite::Statement& row, const char* tags_sql) {
   Entry entry;
   entry.hash = row.getColumn(0).getString();
   entry.id = entry.hash.substr(0, kIdDigits);
   entry.name = row.getColumn(1).getString();
-  entry.tags = tags_of(entry.hash);
+  entry.tags = tags_of(entry.hash, tags_sql);
   const auto representation = from_name<Representation>(row.getColumn(2).getString());
   if (!representation || !has_checksum(row, entry.tags, row.getColumn(5).getInt64()))
     throw file_error(path + ": scenario '" + entry.hash + "'",

@@ -89,7 +89,12 @@ std::vector<std::string> ScenarioList::add_all(const std::vector<Scenario>& scen
 }
 
 bool ScenarioList::remove(const std::string& hash) {
-  return impl_->write([&] { return impl_->remove(hash); });
+  return impl_->write([&] {
+    if (!impl_->draft) impl_->keep_deleted(hash, impl_->begin_deletion());
+    const bool removed = impl_->remove(hash);
+    if (!impl_->draft) impl_->limit_deleted();
+    return removed;
+  });
 }
 
 void ScenarioList::set_note(const std::string& key, const std::string& text) {

@@ -41,8 +41,10 @@ struct ScenarioList::Impl {
 
   /// From the columns hash, name, representation, generator, seed, checksum. Throws Error (File) if
   /// they or the tags are damaged.
-  Entry entry_of(SQLite::Statement& row);
-  std::vector<std::string> tags_of(const std::string& hash);  ///< in their order
+  Entry entry_of(SQLite::Statement& row, const char* tags_sql = kTagsOf);
+  std::vector<std::string> tags_of(const std::string& hash,
+                                   const char* tags_sql = kTagsOf);  ///< in their order
+  static constexpr const char* kTagsOf = "SELECT tag FROM tags WHERE hash = ? ORDER BY tag";
   /// Throws Error (File) if the row or the tags of a scenario are damaged. Before
   /// update_checksum(), which would make damage valid.
   void expect_undamaged(const std::string& hash);
@@ -52,6 +54,16 @@ struct ScenarioList::Impl {
   /// Returns false if it already exists. The caller updates the checksum.
   bool add_tag(const std::string& hash, const std::string& tag);
   bool remove(const std::string& hash);  ///< false if it does not exist
+
+  bool has_deleted_tables();
+  std::int64_t begin_deletion();  ///< returns its number
+  /// Keeps a scenario that is about to be removed, for restore().
+  void keep_deleted(const std::string& hash, std::int64_t deletion);
+  void forget_deleted(const std::string& hash);
+  void limit_deleted();  ///< forgets the oldest
+  /// Returns false if it is not kept, or in the list again. Throws Error (File) if it is damaged.
+  bool restore(const std::string& hash);
+
   std::string content(const std::string& hash);
   std::vector<std::string> names();
 

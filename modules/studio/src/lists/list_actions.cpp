@@ -41,6 +41,8 @@ std::string ListDocument::disabled_reason(ListAction action) const {
       return unless(history_.can_undo(), "there is nothing to undo");
     case ListAction::Redo:
       return unless(history_.can_redo(), "there is nothing to redo");
+    case ListAction::Restore:
+      return no_deletions_reason();
     case ListAction::Rename:
       return unless(!current_.empty(), "no scenario is shown");
     case ListAction::DropIndex:
@@ -50,6 +52,14 @@ std::string ListDocument::disabled_reason(ListAction action) const {
       return unless(view_.total > 0, "the list is empty");
     default:
       return selection;
+  }
+}
+
+std::string ListDocument::no_deletions_reason() const {
+  try {
+    return list_->has_deletions() ? "" : "there are no deleted scenarios";
+  } catch (const Error& e) {
+    return reason_of(e);  // a damaged file
   }
 }
 
@@ -105,6 +115,11 @@ void ListDocument::move_to(ListDocument& target) {
 void ListDocument::remove_selected() {
   require_enabled(ListAction::Remove);
   run(make_delete_scenarios(*list_, selection()));
+}
+
+void ListDocument::restore(const std::vector<std::string>& hashes) {
+  require_enabled(ListAction::Restore);
+  run(make_restore_scenarios(*list_, hashes), hashes.empty() ? "" : hashes.front());
 }
 
 void ListDocument::rename(const std::string& hash, const std::string& name) {

@@ -54,6 +54,8 @@ using ListCommandPtr = std::unique_ptr<ListCommand>;
 ListCommandPtr make_add_scenarios(ScenarioList& list, std::vector<Scenario> scenarios,
                                   std::vector<ScenarioOrigin> origins = {});
 ListCommandPtr make_delete_scenarios(ScenarioList& list, ListSelection selection);
+/// Like ScenarioList::restore().
+ListCommandPtr make_restore_scenarios(ScenarioList& list, std::vector<std::string> hashes);
 /// Appends the selected scenarios to `target` with origins, tags and values.
 ListCommandPtr make_copy_scenarios(ScenarioList& source, ListSelection selection,
                                    ScenarioList& target);

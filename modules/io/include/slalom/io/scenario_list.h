@@ -83,8 +83,17 @@ class ScenarioList : public DescriptorStore {
   /// has one element per scenario or is empty.
   std::vector<std::string> add_all(const std::vector<Scenario>& scenarios,
                                    const std::vector<ScenarioOrigin>& origins = {});
-  bool remove(const std::string& hash);                ///< false if it does not exist
-  std::size_t remove(const ListSelection& selection);  ///< returns the number of removed scenarios
+  bool remove(const std::string& hash);  ///< false if it does not exist
+  /// Returns the number of removed scenarios.
+  std::size_t remove(const ListSelection& selection, bool restorable = true);
+  /// Removed scenarios that restore() brings back, by their removals, the latest first. The file
+  /// keeps the last kMaxDeleted with at most 64 MB of content; write() and save_as() keep none.
+  std::vector<std::vector<Entry>> deletions() const;
+  bool has_deletions() const;
+  static constexpr std::size_t kMaxDeleted = 1000;
+  /// Brings removed scenarios back with origin, tags and values: where they were, or at the end if
+  /// another one is there. Returns their number. Throws Error (File) if one is damaged.
+  std::size_t restore(const std::vector<std::string>& hashes);
   /// Adds and removes tags; returns the number of changed scenarios. Throws Error (Usage) for
   /// invalid tags.
   std::size_t tag(const ListSelection& selection, const std::vector<std::string>& add,

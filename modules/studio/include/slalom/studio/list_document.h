@@ -33,6 +33,7 @@ enum class ListAction {
   CopyTo,
   MoveTo,
   Remove,
+  Restore,
   Rename,
   Tag,
   SaveAs,
@@ -113,6 +114,7 @@ class ListDocument {
   void copy_to(ListDocument& target);
   void move_to(ListDocument& target);
   void remove_selected();
+  void restore(const std::vector<std::string>& hashes);  ///< deleted scenarios of the list
   void rename(const std::string& hash, const std::string& name);
   void tag(const std::vector<std::string>& add, const std::vector<std::string>& remove);
   void save_as(const std::string& path);  ///< a copy; this list stays open
@@ -136,6 +138,7 @@ class ListDocument {
   struct stat file_on_disk() const;
   std::string write_error() const;  ///< why the file cannot be written
   std::string path_error() const;   ///< why the file is no longer at its path
+  std::string no_deletions_reason() const;
   void require_enabled(ListAction action) const;
   void show(ListView view);
   void deselect_hidden();
