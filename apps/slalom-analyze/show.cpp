@@ -5,6 +5,7 @@
 #include <slalom/core/text.h>
 
 #include <map>
+#include <sstream>
 #include <vector>
 
 namespace slalom {
@@ -58,7 +59,13 @@ std::string run_text(const ResultFile& file, const RunRecord& run) {
     text +=
         "descriptors of the scenario\n" + quantities_text(file.descriptors(), scenario.descriptors);
   }
-  return text + "wall clock (not reproducible)\n" + timing_text(file.read_timing(run));
+  const RunTiming timing = file.read_timing(run);
+  text += "wall clock (not reproducible)\n" + timing_text(timing);
+  if (timing.output.empty()) return text;
+  text += "printed by the method (not reproducible)\n";
+  std::istringstream printed(timing.output);
+  for (std::string one; std::getline(printed, one);) text += "  " + printable_line(one) + "\n";
+  return text;
 }
 
 }  // namespace slalom

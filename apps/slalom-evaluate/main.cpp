@@ -111,7 +111,7 @@ void evaluate(const Arguments& arguments) {
     throw Interrupted("finished runs are kept in " + results + "; the same command continues");
   store_descriptors(config.options, results, arguments.output + "/campaign.scenarios");
   write_tables_and_report(arguments, results, config.analysis.report);
-  print_method_failures(report, config.options);
+  print_method_failures(report, results);
   require_sound_runs(report, results);
 }
 

@@ -38,7 +38,7 @@ void run(const RunArguments& arguments) {
   if (!report.complete)
     throw Interrupted("finished runs are kept in " + arguments.output +
                       "; the same command continues");
-  print_method_failures(report, config.options);
+  print_method_failures(report, arguments.output);
   require_sound_runs(report, arguments.output);
   if (!arguments.campaign.quiet) std::cerr << "Results: " << arguments.output << "\n";
 }

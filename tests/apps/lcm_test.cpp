@@ -46,6 +46,18 @@ class LcmProgramTest : public ProgramTest {
   inline static bool usable_ = false;
 };
 
+TEST_F(LcmProgramTest, WhatALaunchedProcessPrintsIsShownWithItsRun) {
+  write_campaign();
+  ASSERT_EQ(run("slalom-evaluate small.ini --quiet -o out --set "
+                "'method.far.launch=echo hello; exec slalom-lcm-method --plugin "
+                "libslalom_follow_the_gap.so'")
+                .status,
+            0);
+  EXPECT_NE(run("slalom-analyze show out/runs.results --run random_0000/far/0")
+                .out.find("printed by the method (not reproducible)\n  hello\n"),
+            std::string::npos);
+}
+
 TEST_F(LcmProgramTest, AMethodOverLcmHasTheSameResultsAsInProcessForAnyNumberOfWorkers) {
   write_campaign();
   const std::string one = dump("1");

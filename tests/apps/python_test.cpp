@@ -29,6 +29,7 @@ class Method:
 
     def none(self): pass
     def error(self): raise RuntimeError("lost")
+    def say(self): print("at", self.cycles, end=" of many\n")
     def kill(self): os.abort()
     def leave(self): os._exit(3)
     def hang(self):
@@ -84,6 +85,19 @@ TEST_F(PythonProgramTest, ResultsDoNotDependOnTheNumberOfWorkers) {
 
 TEST_F(PythonProgramTest, AnExceptionEndsItsRunWithTheTraceback) {
   expect_outcome("method_error", "RuntimeError: lost (method.py:", runs("error"));
+}
+
+TEST_F(PythonProgramTest, WhatAMethodPrintsIsShownWithItsRun) {
+  const auto shown = [this](const std::string& method) {
+    return run("slalom-analyze show runs.results --run random_0000/" + method + "/0").out;
+  };
+  runs("say");
+  const std::string heading = "printed by the method (not reproducible)\n";
+  EXPECT_NE(shown("mine").find(heading + "  at 5 of many\n"), std::string::npos) << shown("mine");
+  EXPECT_EQ(shown("gap").find(heading), std::string::npos);
+  runs("error");
+  EXPECT_NE(shown("mine").find("    def error(self): raise RuntimeError"), std::string::npos)
+      << shown("mine");
 }
 
 TEST_F(PythonProgramTest, AnInterpreterThatCrashesOrExitsEndsItsRun) {

@@ -54,6 +54,7 @@ class LcmMethod : public Method {
         link_(options.url, channel),
         environment_({{"SLALOM_LCM_URL", options.url},
                       {"SLALOM_LCM_CHANNEL", channel},
+                      {"PYTHONUNBUFFERED", "1"},  // what it prints is of its run
                       {"SLALOM_INI_FOLDER", options.folder}}),
         id_(first_id()) {}
 

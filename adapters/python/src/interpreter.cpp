@@ -40,6 +40,7 @@ void start_interpreter() {
   Config config;
   config.install_signal_handlers = 0;
   config.write_bytecode = 0;
+  config.buffered_stdio = 0;  // what a method prints is of its run, also if it crashes
   config.use_hash_seed = 1;
   config.hash_seed = 0;
   const std::string path = interpreter_path();

@@ -208,12 +208,12 @@ CampaignReport run_campaign_program(const CampaignConfig& config,
   return {report.complete, problem, recorder.method_failures(), report.text};
 }
 
-void print_method_failures(const CampaignReport& report, const CampaignOptions& options) {
+void print_method_failures(const CampaignReport& report, const std::string& results_path) {
   const std::vector<std::string> lines = report.failures.lines();
   for (const std::string& line : lines) std::cerr << line << "\n";
-  if (!lines.empty() && !options.limits.method_errors)
-    std::cerr << "The output of methods is shown with --set limits.method_errors=true and "
-                 "--overwrite\n";
+  if (!lines.empty())
+    std::cerr << "With what the method printed: slalom-analyze show " << results_path
+              << " --run RUN\n";
 }
 
 void require_sound_runs(const CampaignReport& report, const std::string& results_path) {

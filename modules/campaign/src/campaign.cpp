@@ -188,6 +188,7 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
     RunFindings findings = result.status == WorkResult::Status::Done
                                ? std::move(*answer)
                                : findings_of_failure(campaign, plan[i], result, executor);
+    findings.timing.output = std::move(result.output);
     if (campaign.options.record.trajectories == StoredTrajectories::None)
       findings.trajectory.samples.clear();
     sink.add_run(findings.record, findings.timing, findings.trajectory);

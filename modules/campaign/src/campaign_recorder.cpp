@@ -4,6 +4,9 @@
 namespace slalom {
 namespace {
 
+/// In a file; what methods print after it is not kept.
+constexpr std::size_t kMaxOutputs = std::size_t{64} << 20;
+
 std::string key_of(const std::string& hash, const std::string& method, int repetition) {
   return hash + "/" + method + "/" + std::to_string(repetition);
 }
@@ -74,7 +77,10 @@ void CampaignRecorder::add_scenario(const ScenarioRecord& record, const Scenario
 
 void CampaignRecorder::add_run(const RunRecord& run, const RunTiming& timing,
                                const Trajectory& trajectory) {
-  file_.add_run(run, timing, trajectory);
+  RunTiming kept = timing;
+  output_size_ += kept.output.size();
+  if (output_size_ > kMaxOutputs) kept.output.clear();
+  file_.add_run(run, kept, trajectory);
   ++added_runs_;
   failures_.add(run);
   if (first_error_.empty() && run.outcome == to_string(Outcome::InfrastructureError))

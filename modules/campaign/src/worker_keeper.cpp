@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
@@ -231,6 +233,9 @@ bool WorkerKeeper::await_message() {
 
 void WorkerKeeper::begin() {
   SocketPair ends(SOCK_SEQPACKET);
+  // Otherwise workers would print it once more.
+  std::cout.flush();
+  std::fflush(stdout);
   process_ = fork_process();
   if (process_ < 0) throw cannot_create("process", errno);
   if (process_ == 0) {

@@ -6,8 +6,10 @@
 #include <slalom/core/error.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <string>
 #include <unistd.h>
@@ -35,6 +37,15 @@ Answer execute(const WorkItem& item, std::size_t index, SharedTaskLog& log, File
   }
 }
 
+/// Each line arrives, also if the process dies.
+void print_to(int file, bool keep_stderr) {
+  dup2(file, STDOUT_FILENO);
+  if (!keep_stderr) dup2(file, STDERR_FILENO);
+  close(file);
+  static char buffer[BUFSIZ];  // another one, since lines are not ended in one that is in use
+  std::setvbuf(stdout, buffer, _IOLBF, sizeof buffer);
+}
+
 /// A worker without its sandbox must not run a method.
 void enter_sandbox(const std::string& scratch, std::vector<std::string> writable) {
   writable.push_back(scratch);
@@ -56,6 +67,8 @@ void serve_work_items(int socket, const WorkItem& item, const PoolOptions& optio
   while (receive_request(socket, request, file)) {
     limit_cpu_time(options.item_cpu_time);
     const Answer answer = execute(item, request.index, log, std::move(file), receive_file);
+    std::cout.flush();
+    std::fflush(stdout);
     if (getpid() != self) return;  // a copy, made by a method that forked
     if (!connection.restore()) log.retire_worker();
     if (!send_answer(socket, request, answer.kind, answer.payload))
@@ -67,7 +80,8 @@ void serve_work_items(int socket, const WorkItem& item, const PoolOptions& optio
 void serve_confined(const WorkerStart& start, const WorkItem& item, const PoolOptions& options,
                     const FileReceiver& receive_file) {
   SharedTaskLog log(options.log_size, start.log.number());
-  drop_descriptors(options.keep_stderr, start.socket.number(), start.socket.number());
+  drop_descriptors(options.keep_stderr, start.socket.number(), start.output.number());
+  print_to(start.output.number(), options.keep_stderr);
   if (options.sandbox) enter_sandbox(start.scratch, options.writable);
   if (!options.network && !close_networks()) _exit(EXIT_FAILURE);
   serve_work_items(start.socket.number(), item, options, receive_file, log);

@@ -58,6 +58,12 @@ void WorkerProcess::start(std::size_t group) {
 }
 
 void WorkerProcess::start_kept(WorkerStart& start) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0) throw cannot_create("pipe", errno);
+  output_ = FileDescriptor(ends[0]);
+  start.output = FileDescriptor(ends[1]);
+  fcntl(ends[1], F_SETFL, 0);                   // methods do not expect that they cannot print
+  fcntl(ends[1], F_SETPIPE_SZ, 1 << 20);        // nor to wait for it; the system may not allow it
   start.log = FileDescriptor(SharedTaskLog::make_file(options_.log_size));
   if (!start.log) throw cannot_create("log", errno);
   log_ = std::make_unique<SharedTaskLog>(options_.log_size, start.log.number());
@@ -85,6 +91,10 @@ bool WorkerProcess::is_sound() const {
 }
 
 void WorkerProcess::assign(std::size_t index, int file) {
+  read_output();  // printed between work items
+  printed_.clear();
+  printed_last_.clear();
+  left_out_ = 0;
   nonce_ = std::uint64_t{random_()} << 32U | random_();
   const Request request = {nonce_, index};
   log_->clear();
@@ -108,6 +118,7 @@ std::optional<WorkResult> WorkerProcess::receive() {
   // In this order: a process may answer and then die.
   const bool has_died = is_readable(control_.number(), 0);
   read_socket();
+  read_output();
   if (auto result = take_answer()) return result;
   if (has_died) return describe_end();
   const std::string limit = exceeded_limit();
@@ -124,6 +135,30 @@ void WorkerProcess::read_socket() {
     disconnected_ = got <= 0;
     if (got > 0) buffer_.append(chunk, static_cast<std::size_t>(got));
   }
+}
+
+void WorkerProcess::read_output() {
+  constexpr std::size_t kHalf = kMaxOutput / 2;
+  constexpr int kMaxReads = 32;  // of a method that never ends to print
+  char chunk[65536];
+  for (int i = 0; i < kMaxReads && output_; ++i) {
+    const ssize_t got = read(output_.number(), chunk, sizeof chunk);
+    if (got <= 0) return;
+    const auto size = static_cast<std::size_t>(got);
+    const std::size_t first = std::min(size, kHalf - printed_.size());
+    printed_.append(chunk, first);
+    printed_last_.append(chunk + first, size - first);
+    if (printed_last_.size() <= kHalf) continue;
+    left_out_ += printed_last_.size() - kHalf;
+    printed_last_.erase(0, printed_last_.size() - kHalf);
+  }
+}
+
+std::string WorkerProcess::take_output() {
+  read_output();
+  const std::string gap =
+      left_out_ == 0 ? "" : "\n... " + std::to_string(left_out_) + " bytes left out ...\n";
+  return printed_ + gap + printed_last_;
 }
 
 std::optional<WorkResult> WorkerProcess::take_answer() {
@@ -149,7 +184,7 @@ std::optional<WorkResult> WorkerProcess::take_answer() {
   buffer_.clear();
   busy_ = false;
   if (log_->is_retired() || has_more || disconnected_) begin_end();
-  return WorkResult{Status::Done, std::move(payload), "", ""};
+  return WorkResult{Status::Done, std::move(payload), "", "", take_output()};
 }
 
 std::string WorkerProcess::exceeded_limit() {
@@ -179,6 +214,7 @@ std::optional<WorkResult> WorkerProcess::take_ended() {
   ending_ = busy_ = false;
   control_ = FileDescriptor();
   if (result_) result_->log = log_->contents();
+  if (result_) result_->output = take_output();
   return std::exchange(result_, std::nullopt);
 }
 

@@ -68,6 +68,8 @@ class WorkerProcess {
   void start_kept(WorkerStart& start);
   void fork_trusted(const WorkerStart& start);
   void read_socket();
+  void read_output();
+  std::string take_output();
   std::optional<WorkResult> take_answer();
   /// A description of the limit that was exceeded; empty if none.
   std::string exceeded_limit();
@@ -85,6 +87,7 @@ class WorkerProcess {
   std::random_device random_;
   pid_t child_ = -1;            ///< a trusted worker
   FileDescriptor socket_;       ///< to the worker
+  FileDescriptor output_;       ///< from the worker's standard output and error
   FileDescriptor control_;      ///< to the keeper or trusted worker: closed when the worker ends
   bool disconnected_ = false;   ///< the worker's end of the socket is closed
   std::size_t generation_ = 0;  ///< of the keeper's process that has started this one
@@ -96,6 +99,8 @@ class WorkerProcess {
   double started_ = 0, last_heartbeat_ = 0;  ///< s, by the clock of the options
   std::uint64_t heartbeats_ = 0;
   std::string buffer_;
+  std::string printed_, printed_last_;  ///< the beginning and the end, of kMaxOutput / 2 each
+  std::size_t left_out_ = 0;            ///< bytes between them
 };
 
 }  // namespace slalom

@@ -33,6 +33,7 @@ struct WorkerStart {
   FileDescriptor socket;   ///< to the process that starts it
   FileDescriptor control;  ///< for its keeper: see WorkerKeeper::start_worker()
   FileDescriptor log;      ///< of SharedTaskLog::make_file()
+  FileDescriptor output;   ///< of a pipe: its standard output and error
   std::string scratch;     ///< a folder of its own; "" if it has none
 };
 

@@ -12,10 +12,12 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <iostream>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -451,6 +453,49 @@ TEST(WorkerPool, AWorkItemThatKillsItsKeeperAndGoesOnHarmsNoOther) {
     for (std::size_t i = 0; i < results.size(); ++i)
       ASSERT_EQ(results[i].payload, i % 6 == 3 ? "" : "fine") << i << ": " << results[i].detail;
   }
+}
+
+TEST(WorkerPool, WhatAWorkItemPrintsIsItsOwn) {
+  const auto results = run_all(6, with_workers(1), [](std::size_t i, SharedTaskLog&) {
+    std::printf("out %zu", i);  // without a line's end
+    std::fprintf(stderr, "|error %zu|", i);
+    std::cout << "stream " << i;
+    if (i == 2) throw std::runtime_error("thrown");
+    if (i == 3) std::printf("\n"), std::abort();
+    return std::string();
+  });
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const std::string n = std::to_string(i), out = "out " + n + "stream " + n;
+    EXPECT_EQ(results[i].output, "|error " + n + "|" + out + (i == 3 ? "\n" : ""));
+  }
+}
+
+TEST(WorkerPool, OfMuchThatIsPrintedTheBeginningAndTheEndAreKept) {
+  constexpr std::size_t kLines = 1'000'000;  // more than a pipe holds
+  const auto results = run_all(1, with_workers(1), [](std::size_t, SharedTaskLog&) {
+    for (std::size_t i = 0; i < kLines; ++i) std::printf("%07zu\n", i);
+    return std::string("fine");
+  });
+  EXPECT_EQ(results[0].payload, "fine");
+  const std::string& text = results[0].output;
+  const std::size_t left_out = 8 * kLines - kMaxOutput;
+  EXPECT_EQ(text.substr(0, 16), "0000000\n0000001\n");
+  EXPECT_EQ(text.substr(text.size() - 8), "0999999\n");
+  EXPECT_NE(text.find("... " + std::to_string(left_out) + " bytes left out ..."),
+            std::string::npos);
+  EXPECT_LT(text.size(), kMaxOutput + 100);
+}
+
+TEST(WorkerPool, WhatTheProgramHasNotYetPrintedIsOfNoWorkItem) {
+  testing::internal::CaptureStdout();
+  std::printf("of the program");
+  const auto results = run_all(2, with_workers(1), [](std::size_t, SharedTaskLog&) {
+    std::printf("own");
+    return std::string();
+  });
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "of the program");
+  EXPECT_EQ(results[0].output, "own");
+  EXPECT_EQ(results[1].output, "own");
 }
 
 enum class Hold { Stop, Trace, TraceByDaemon };

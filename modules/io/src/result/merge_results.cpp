@@ -1,6 +1,7 @@
 #include "compression.h"
 #include "database.h"
 #include "draft_file.h"
+#include "run_outputs.h"
 
 #include <slalom/core/text.h>
 #include <slalom/io/campaign_identity.h>
@@ -167,6 +168,10 @@ struct MergedResults::Impl {
       if (known > 0) expect_equal(table, file);
     }
     for (const char* table : {"trajectories", "run_timings"}) copy_by_run(table, offset);
+    if (has_run_outputs(*database, "part")) {
+      database->exec(kRunOutputs);
+      copy_by_run("run_outputs", offset);
+    }
     const auto added = static_cast<std::size_t>(count(*database, "part.runs"));
     database->exec("COMMIT");
     duplicates += static_cast<std::size_t>(known);

@@ -1,6 +1,7 @@
 #include "checked_row.h"
 #include "compression.h"
 #include "database.h"
+#include "run_outputs.h"
 #include "value_columns.h"
 #include "write_scope.h"
 
@@ -445,6 +446,12 @@ void ResultFile::add_run(const RunRecord& run, const RunTiming& timing,
         .add(timing.wall_seconds)
         .add(Json(timing.values).dump(-1, ' ', false, Json::error_handler_t::replace))
         .exec();
+    if (timing.output.empty()) return;
+    impl_->database->exec(kRunOutputs);
+    CheckedInsert(*impl_->database, "INSERT INTO run_outputs VALUES (?, ?, ?)", checksum)
+        .add_key(id)
+        .add_blob(timing.output)
+        .exec();
   });
 }
 
@@ -593,6 +600,10 @@ RunTiming ResultFile::read_timing(const RunRecord& run) const {
       timing = {row.getColumn(0).getDouble(),
                 numbers_from_json(row.getColumn(1).getString(), impl_->path)};
     });
+    if (has_run_outputs(*impl_->database, "main"))
+      impl_->with_row_of(run, "run_outputs", "content", 1, [&](SQLite::Statement& row) {
+        timing.output = row.getColumn(0).getString();
+      });
     return timing;
   });
 }

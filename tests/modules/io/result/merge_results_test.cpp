@@ -54,7 +54,8 @@ class MergeResults : public testing::Test {
       run.outcome = "timeout";
       run.trajectory_hash = trajectory.hash();
       run.metrics["optimality"] = {3, Value::of(optimality)};
-      file.add_run(run, {1, {}}, trajectory);
+      const std::string output = method == std::string("gap") ? "of " + scenario.name() : "";
+      file.add_run(run, {1, {}, output}, trajectory);
     }
   }
 
@@ -93,6 +94,7 @@ TEST_F(MergeResults, TheMergedFileHasTheDumpAndTheBlobsOfOneFileWithAllRuns) {
   file.for_each_run([&](const RunRecord& run) {
     EXPECT_EQ(file.read_trajectory(run).hash(), run.trajectory_hash);
     EXPECT_EQ(file.read_timing(run).wall_seconds, 1);
+    EXPECT_EQ(file.read_timing(run).output, run.method == "gap" ? "of " + run.scenario_name : "");
     EXPECT_EQ(file.read_scenario(run.scenario_hash).hash(), run.scenario_hash);
     EXPECT_EQ(file.read_references(run.scenario_hash).shortest_reason, "too narrow");
   });

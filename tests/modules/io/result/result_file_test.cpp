@@ -62,7 +62,7 @@ TEST_F(ResultFileTest, RestoresAllData) {
     file.add_scenario(
         {scenario_.hash(), scenario_.name(), {{"density", {1, Value::of(0.1, 1e-3)}}}}, scenario_,
         references);
-    file.add_run(run, {1.5, {{"cycle_time_mean", 0.25}}}, trajectory);
+    file.add_run(run, {1.5, {{"cycle_time_mean", 0.25}}, "printed\n\xff"}, trajectory);
     file.commit();
   }
   const ResultFile file = ResultFile::open(folder_ / "a.results");
@@ -82,6 +82,7 @@ TEST_F(ResultFileTest, RestoresAllData) {
   EXPECT_EQ(restored.metrics.at("optimality").version, 3);
   EXPECT_EQ(file.read_timing(restored).wall_seconds, 1.5);
   EXPECT_EQ(file.read_timing(restored).values.at("cycle_time_mean"), 0.25);
+  EXPECT_EQ(file.read_timing(restored).output, "printed\n\xff");
   EXPECT_EQ(file.read_trajectory(restored).hash(), trajectory.hash());
   EXPECT_EQ(file.read_scenario(scenario_.hash()).hash(), scenario_.hash());
   const References refs = file.read_references(scenario_.hash());

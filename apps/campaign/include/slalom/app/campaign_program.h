@@ -68,7 +68,7 @@ struct CampaignReport {
 };
 
 /// Prints on standard error which methods ended runs by errors of their own, and how.
-void print_method_failures(const CampaignReport& report, const CampaignOptions& options);
+void print_method_failures(const CampaignReport& report, const std::string& results_path);
 
 /// Throws Error (Job) for problems of the report: failures of the infrastructure, and methods that
 /// ended every run by an error of their own.

@@ -66,7 +66,8 @@ class CampaignRecorder : private CampaignSink {
   MethodFailures failures_;
   std::size_t added_runs_ = 0;
   std::size_t errors_ = 0;
-  std::string first_error_;  ///< of these, with its run
+  std::string first_error_;      ///< of these, with its run
+  std::size_t output_size_ = 0;  ///< of what methods printed
 };
 
 }  // namespace slalom

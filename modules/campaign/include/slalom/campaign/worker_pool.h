@@ -15,6 +15,9 @@
 namespace slalom {
 
 /// The result of one work item.
+/// Of the standard output and error of a work item. Of more the beginning and the end are kept.
+constexpr std::size_t kMaxOutput = 4096;
+
 struct WorkResult {
   enum class Status {
     Done,         ///< payload holds the returned bytes
@@ -27,7 +30,8 @@ struct WorkResult {
   Status status = Status::Done;
   std::string payload;
   std::string detail;
-  std::string log;  ///< contents of the shared log, unless Done
+  std::string log;          ///< contents of the shared log, unless Done
+  std::string output = {};  ///< printed meanwhile, at most kMaxOutput bytes and a line on the rest
 };
 
 /// Bytes that several work items use, such as the tables of a scenario. Each input is made once, in

@@ -34,10 +34,12 @@ struct RunRecord {
   std::map<std::string, VersionedValue> metrics;  ///< by id
 };
 
-/// Wall-clock figures of a run (s), separate from the deterministic results.
+/// Wall-clock figures of a run (s), separate from the deterministic results, and what else of it
+/// cannot be repeated.
 struct RunTiming {
   double wall_seconds = 0;
-  std::map<std::string, double> values;  ///< "cycle_time_mean", ..., in timing_unit()
+  std::map<std::string, double> values = {};  ///< "cycle_time_mean", ..., in timing_unit()
+  std::string output = {};                    ///< printed by the method, bounded
 };
 
 /// The unit of a wall-clock figure: "-" for ratios, else "ms".
