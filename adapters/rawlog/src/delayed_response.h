@@ -11,19 +11,43 @@ namespace slalom {
 constexpr double kSameTime = 1e-6;  // s; timestamps are rounded to 2e-7
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-/// The velocity `duration` after v, with a constant target; the acceleration is at most `limit`.
-inline double respond(double v, double target, double tau, double duration,
-                      double limit = kNoLimit) {
-  if (std::isfinite(limit)) {
-    // While the lag demands more than the limit, the velocity is a ramp.
-    const double gap = target - v;
-    const double ramp = std::max(0.0, std::abs(gap) / limit - tau);
-    v += std::copysign(limit * std::min(ramp, duration), gap);
-    if (ramp >= duration) return v;
-    duration -= ramp;
+/// The velocity of a robot with a first-order lag whose acceleration is limited.
+class LaggedVelocity {
+ public:
+  LaggedVelocity(double start, double tau, double limit)
+      : velocity_(start), tau_(tau), limit_(limit) {}
+
+  double velocity() const { return velocity_; }
+  double decay() const { return decay_; }  ///< derivative of the velocity by that at the start
+
+  void advance(double target, double duration) {
+    if (std::isfinite(limit_)) {
+      // While the lag demands more than the limit, the velocity is a ramp.
+      const double gap = target - velocity_;
+      const double ramp = std::max(0.0, std::abs(gap) / limit_ - tau_);
+      velocity_ += std::copysign(limit_ * std::min(ramp, duration), gap);
+      if (ramp >= duration) return;
+      duration -= ramp;
+    }
+    const double rest = tau_ > 0 ? exponential(duration) : 0;
+    velocity_ = target + (velocity_ - target) * rest;
+    decay_ *= rest;
   }
-  return tau > 0 ? target + (v - target) * std::exp(-duration / tau) : target;
-}
+
+ private:
+  double exponential(double duration) {
+    constexpr double kSameDuration = 1e-9;  // s; most durations are equal
+    if (!(std::abs(duration - duration_) < kSameDuration)) {
+      duration_ = duration;
+      exponential_ = std::exp(-duration / tau_);
+    }
+    return exponential_;
+  }
+
+  double velocity_, tau_, limit_;
+  double decay_ = 1;
+  double duration_ = 0, exponential_ = 1;  ///< the latest
+};
 
 /// The command in force `delay` ago, as time passes.
 class DelayedCommands {

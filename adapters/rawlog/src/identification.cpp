@@ -1,3 +1,4 @@
+#include "profile.h"
 #include "range_noise.h"
 #include "response_fit.h"
 
@@ -40,34 +41,43 @@ ResponseFit fit_velocity(const MotionLog& log, double LoggedVelocity::*velocity,
   return fit_response(data, max_delay);
 }
 
-/// The mean of both, weighted by the inverse squares of their standard errors.
-Value pooled(const Value& a, const Value& b) {
-  const double weight_a = std::pow(*a.standard_error(), -2);
-  const double weight_b = std::pow(*b.standard_error(), -2);
-  const double sum = weight_a + weight_b;
-  return Value::of((weight_a * a.number() + weight_b * b.number()) / sum, 1 / std::sqrt(sum));
+/// An interval that ends at the greatest value considered would be too short.
+Estimate profiled(const std::string& id, const std::string& unit, const Profile& profile,
+                  std::size_t samples) {
+  const Interval interval = profile_interval(profile, Identification::kConfidence);
+  if (!(interval.high < profile.highest))
+    return {id, unit,
+            Value::na("all values from " + format_fixed(interval.low, 4) + " to " +
+                      format_number(profile.highest) + " " + unit + " are as likely"),
+            samples};
+  return {id, unit, Value::of(profile.best), samples, interval};
 }
 
 /// The delay or the time constant from the fits of v and w.
 Estimate pool(const std::string& id, const ResponseFit& v, const ResponseFit& w,
-              Value ResponseFit::*member, std::vector<std::string>& warnings) {
+              Profile ResponseFit::*member, std::vector<std::string>& warnings) {
   if (!v.problem.empty() && !w.problem.empty())
     return {id, "s",
             Value::na(v.problem == w.problem ? v.problem : "v: " + v.problem + "; w: " + w.problem),
             0};
-  if (!v.problem.empty()) return {id, "s", w.*member, w.samples};
-  if (!w.problem.empty()) return {id, "s", v.*member, v.samples};
-  const Value &a = v.*member, &b = w.*member;
+  if (!v.problem.empty()) return profiled(id, "s", w.*member, w.samples);
+  if (!w.problem.empty()) return profiled(id, "s", v.*member, v.samples);
+  const Profile &a = v.*member, &b = w.*member, both = pooled(a, b);
+  Estimate estimate = profiled(id, "s", both, v.samples + w.samples);
   constexpr double kErrors = 3;
-  const double error = std::hypot(*a.standard_error(), *b.standard_error());
-  if (std::abs(a.number() - b.number()) > kErrors * error)
-    warnings.push_back(id + " differs between v (" + format_fixed(a.number(), 4) + " s) and w (" +
-                       format_fixed(b.number(), 4) + " s) by more than 3 standard errors");
-  return {id, "s", pooled(a, b), v.samples + w.samples};
+  if (both.deviance(both.best) > kErrors * kErrors) {
+    warnings.push_back(id + " differs between v (" + format_fixed(a.best, 4) + " s) and w (" +
+                       format_fixed(b.best, 4) + " s) by more than 3 standard errors");
+    const Interval of_a = profile_interval(a, Identification::kConfidence);
+    const Interval of_b = profile_interval(b, Identification::kConfidence);
+    estimate.interval = {std::min(of_a.low, of_b.low), std::max(of_a.high, of_b.high)};
+  }
+  return estimate;
 }
 
 Estimate bias(const std::string& id, const ResponseFit& fit) {
-  return {id, "-", fit.problem.empty() ? fit.gain : Value::na(fit.problem), fit.samples};
+  if (!fit.problem.empty()) return {id, "-", Value::na(fit.problem), fit.samples};
+  return profiled(id, "-", fit.gain, fit.samples);
 }
 
 void add_noise(const MotionLog& log, std::vector<Estimate>& estimates) {
@@ -78,14 +88,15 @@ void add_noise(const MotionLog& log, std::vector<Estimate>& estimates) {
   else if (log.odometry.empty())
     noise.problem = missing_label(log, log.labels.odometry);
   else
-    noise = estimate_range_noise(log);
-  const auto add = [&](const std::string& id, const std::string& unit, const Value& value) {
-    estimates.push_back(
-        {id, unit, noise.problem.empty() ? value : Value::na(noise.problem), noise.ranges});
+    noise = estimate_range_noise(log, Identification::kConfidence);
+  const auto add = [&](Estimate estimate) {
+    estimate.samples = noise.ranges;
+    if (!noise.problem.empty()) estimate.value = Value::na(noise.problem);
+    estimates.push_back(estimate);
   };
-  add("noise_sigma", "m", noise.sigma);
-  add("dropout_ratio", "-", noise.dropout_ratio);
-  add("quantum", "m", Value::of(noise.quantum));
+  add({"noise_sigma", "m", Value::of(noise.sigma), 0, noise.sigma_interval});
+  add({"dropout_ratio", "-", Value::of(noise.dropout_ratio), 0, noise.dropout_interval});
+  add({"quantum", "m", Value::of(noise.quantum), 0, {}, "a common divisor, not a mean"});
 }
 
 }  // namespace

@@ -21,9 +21,11 @@ std::string table_row(const Estimate& estimate) {
   const std::string start = cell(estimate.id, 15);
   if (estimate.value.is_na()) return start + format_value(estimate.value) + "\n";
   const std::string unit = estimate.unit == "-" ? "" : " " + estimate.unit;
-  const auto error = estimate.value.standard_error();
+  const auto& interval = estimate.interval;
   return start + cell(short_number(estimate.value.number()) + unit, 14) +
-         cell(error ? short_number(*error) + unit : "-", 16) + std::to_string(estimate.samples) +
+         cell(std::to_string(estimate.samples), 9) +
+         (interval ? short_number(interval->low) + " to " + short_number(interval->high) + unit
+                   : "NA (" + estimate.no_interval + ")") +
          "\n";
 }
 
@@ -36,8 +38,8 @@ std::string ini_line(const Estimate& estimate) {
 }  // namespace
 
 std::string render_text(const Identification& identification) {
-  std::string text =
-      identification.log + "\nquantity       estimate      standard error  samples\n";
+  std::string text = identification.log + "\nquantity       estimate      samples  " +
+                     format_number(100 * Identification::kConfidence) + " % interval\n";
   for (const Estimate& estimate : identification.estimates) text += table_row(estimate);
   for (const std::string& warning : identification.warnings) text += "Warning: " + warning + "\n";
   text += "\n[robot]\n# v_bias, w_bias: no keys; measured / commanded velocity\n";
@@ -50,6 +52,7 @@ std::string render_text(const Identification& identification) {
 
 std::string render_json(const Identification& identification) {
   nlohmann::ordered_json json = {{"log", identification.log},
+                                 {"confidence", Identification::kConfidence},
                                  {"estimates", nlohmann::ordered_json::object()},
                                  {"warnings", identification.warnings}};
   for (const Estimate& estimate : identification.estimates) {
@@ -58,11 +61,12 @@ std::string render_json(const Identification& identification) {
       entry = {{"na", estimate.value.reason()}};
       continue;
     }
-    const auto error = estimate.value.standard_error();
-    entry = {{"value", estimate.value.number()},
-             {"standard_error", error ? nlohmann::ordered_json(*error) : nullptr},
-             {"unit", estimate.unit},
-             {"samples", estimate.samples}};
+    entry = {
+        {"value", estimate.value.number()}, {"unit", estimate.unit}, {"samples", estimate.samples}};
+    if (estimate.interval)
+      entry["interval"] = {estimate.interval->low, estimate.interval->high};
+    else
+      entry["no_interval"] = estimate.no_interval;
   }
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

@@ -8,52 +8,44 @@ namespace slalom {
 
 constexpr double kModelAccuracy = 1e-3;  // m/s, rad/s; accuracy of the model of the response
 
-/// Least squares with given lag.
+/// Least squares of measured velocities with given lag and limit of acceleration.
 struct LagFit {
   double residual = 0;  ///< sum of squares
   double gain = 0;
-  double information = 0;  ///< the variance of the gain is that of the residuals divided by it
-  std::size_t samples = 0, segments = 0;
-  double sum = 0, sum_of_squares = 0;  ///< of the samples
+  double information = 0;  ///< the sum of squares grows by that times the square of a changed gain
+  std::size_t samples = 0;
+  double total = 0;  ///< sum of squares of the distances of the velocities from their mean
 
-  /// Of the residuals.
-  double variance() const {
-    const double freedom =
-        std::max(1.0, static_cast<double>(samples) - static_cast<double>(segments) - 3);
-    return std::max(residual / freedom, kModelAccuracy * kModelAccuracy);
-  }
-  /// Of the samples.
-  double total_variance() const {
-    const auto n = static_cast<double>(samples);
-    return sum_of_squares / n - std::pow(sum / n, 2);
+  /// The sum of squares with another gain.
+  double residual_with(double other_gain) const {
+    return residual + information * (other_gain - gain) * (other_gain - gain);
   }
 };
 
-/// Sums over a segment: consecutive velocities, the first of which is a free parameter. It decays
-/// as `decay`, and `forced` is the response at rest to commands with gain 1.
-class SegmentSums {
+/// Sums over velocities that are gain * response + c * decay, with free gain and c.
+class ResponseSums {
  public:
-  void add(double decay, double forced, double measured) {
+  void add(double decay, double response, double measured) {
     ++n_;
     dd_ += decay * decay;
-    df_ += decay * forced;
+    df_ += decay * response;
     dm_ += decay * measured;
-    ff_ += forced * forced;
-    fm_ += forced * measured;
+    ff_ += response * response;
+    fm_ += response * measured;
     mm_ += measured * measured;
     m_ += measured;
   }
 
-  /// Adds the sums of what the first velocity does not explain; `residual` is with gain 0 here.
-  void add_to(LagFit& fit, double& forced_measured) const {
-    if (n_ < 2) return;
-    fit.samples += n_;
-    ++fit.segments;
-    fit.residual += mm_ - dm_ * dm_ / dd_;
-    fit.sum += m_;
-    fit.sum_of_squares += mm_;
-    fit.information += ff_ - df_ * df_ / dd_;
-    forced_measured += fm_ - df_ * dm_ / dd_;
+  /// Requires at least one velocity.
+  LagFit solve() const {
+    LagFit fit;
+    fit.samples = n_;
+    fit.total = mm_ - m_ * m_ / static_cast<double>(n_);
+    fit.information = std::max(0.0, ff_ - df_ * df_ / dd_);
+    const double covariance = fm_ - df_ * dm_ / dd_;
+    if (fit.information > 0) fit.gain = covariance / fit.information;
+    fit.residual = std::max(0.0, mm_ - dm_ * dm_ / dd_ - fit.gain * covariance);
+    return fit;
   }
 
  private:

@@ -2,6 +2,9 @@
 
 #include <slalom/analysis/statistics.h>
 
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/chi_squared.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -111,9 +114,34 @@ double outlier_threshold(const std::vector<Ray>& rays, double quantum) {
          1e-6;
 }
 
+/// The standard deviation of ranges before they are rounded.
+double noise_of(double variance, double quantum) {
+  return std::sqrt(std::max(0.0, variance - quantum * quantum / 12));
+}
+
+Interval sigma_interval(double squares, double freedom, double quantum, double confidence) {
+  const boost::math::chi_squared distribution(freedom);
+  const auto bound = [&](double fraction) {
+    return noise_of(squares / boost::math::quantile(distribution, fraction), quantum);
+  };
+  const double tail = 0.5 * (1 - confidence);
+  Interval interval = {bound(1 - tail), bound(tail)};
+  if (noise_of(squares / freedom, quantum) < 0.5 * quantum)
+    interval = {0, std::max(interval.high, 0.5 * quantum)};
+  return interval;
+}
+
+/// Clopper and Pearson's.
+Interval exact_interval(double events, double n, double confidence) {
+  using boost::math::binomial;
+  const double tail = 0.5 * (1 - confidence);
+  return {binomial::find_lower_bound_on_p(n, events, tail),
+          binomial::find_upper_bound_on_p(n, events, tail)};
+}
+
 }  // namespace
 
-RangeNoise estimate_range_noise(const MotionLog& log) {
+RangeNoise estimate_range_noise(const MotionLog& log, double confidence) {
   RangeNoise noise;
   const std::vector<TimedScan> scans = stationary_scans(log);
   if (scans.size() < kMinScans) {
@@ -150,14 +178,10 @@ RangeNoise estimate_range_noise(const MotionLog& log) {
     noise.problem = "all ranges are close to the maximum while the robot is stationary";
     return noise;
   }
-  const double rounding = noise.quantum * noise.quantum / 12;
-  const double total = squares / freedom, error = total * std::sqrt(2 / freedom);
-  const double sigma = std::sqrt(std::max(0.0, total - rounding));
-  // Noise that is small against the quantum is not seen, or not more than its square root allows.
-  noise.sigma = Value::of(
-      sigma, sigma * sigma > error ? 0.5 * error / sigma : std::sqrt(std::max(error, rounding)));
-  const double n = static_cast<double>(noise.ranges), ratio = dropouts / n;
-  noise.dropout_ratio = Value::of(ratio, std::sqrt(ratio * (1 - ratio) / n));
+  noise.sigma = noise_of(squares / freedom, noise.quantum);
+  noise.sigma_interval = sigma_interval(squares, freedom, noise.quantum, confidence);
+  noise.dropout_ratio = dropouts / static_cast<double>(noise.ranges);
+  noise.dropout_interval = exact_interval(dropouts, static_cast<double>(noise.ranges), confidence);
   return noise;
 }
 

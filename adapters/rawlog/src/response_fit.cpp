@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -14,33 +16,79 @@ namespace {
 constexpr double kMaxTau = 5;  // s
 constexpr std::size_t kMinVelocities = 20;
 
-/// The delay and the time constant, s.
+/// The parameters of the response that are not linear, or strides of a search for them.
 struct Lag {
-  double delay = 0, tau = 0;
+  double delay = 0, tau = 0;  // s
+  double log_limit = 0;       // of the limit of acceleration
+
+  Lag moved(const Lag& stride, int i, int j, int k) const {
+    return {delay + i * stride.delay, tau + j * stride.tau, log_limit + k * stride.log_limit};
+  }
 };
 
 class ResponseFitter {
  public:
-  ResponseFitter(const ResponseData& data, double max_delay)
-      : data_(data), max_delay_(max_delay), limited_(data.times.size()) {}
-
-  ResponseFit fit() {
-    const auto residual_of = [this](const Lag& lag) { return evaluate(lag).residual; };
-    const Lag stride = {max_delay_ / kGridDelays, 0.05};
-    Lag lag = search(best_of_grid(residual_of), stride, residual_of);
-    const double gain = evaluate(lag).gain;
-    if (!(gain > 0)) return estimate(lag);
+  ResponseFitter(ResponseData data, double max_delay)
+      : data_(std::move(data)), max_delay_(max_delay) {
+    const Lag stride = {max_delay_ / kGridDelays, 0.05, 0};
+    best_ = search(best_of_grid(), stride, kFineStride);
+    const double gain = evaluate(best_).gain;
+    if (!(gain > 0)) return;
     start_ = data_.measured.front() / gain;
-    const double limit = find_limit(lag, greatest_acceleration() / gain);
-    if (std::isfinite(limit)) {
-      mark_limited(lag, limit);
-      lag = search(lag, {0.01, 0.01}, residual_of);
+    if (data_.max_acceleration > 0) {
+      is_limited_ = true;
+      best_ = search(best_, stride, kFineStride);
+    } else {
+      find_limit(greatest_acceleration() / gain);
     }
-    return estimate(lag);
+  }
+
+  std::string problem() const {
+    const LagFit fit = evaluate(best_);
+    if (!(fit.gain > 0 && fit.residual < 0.5 * fit.total))
+      return "the velocity does not follow the commands";
+    if (best_.delay > max_delay_ - kSameTime)
+      return "the delay exceeds the maximum of " + format_number(max_delay_) + " s";
+    if (best_.tau > kMaxTau - kSameTime)
+      return "the time constant exceeds " + format_number(kMaxTau) + " s";
+    return "";
+  }
+
+  Profile profile_of(double Lag::*member) const {
+    const double highest = member == &Lag::delay ? max_delay_ : kMaxTau;
+    return profile(best_.*member, highest, [this, member](double value) {
+      Lag lag = best_, stride = strides();
+      lag.*member = value;
+      stride.*member = 0;
+      return evaluate(search(lag, stride, kProfileStride)).residual;
+    });
+  }
+
+  Profile gain() const {
+    return profile(evaluate(best_).gain, kMaxGain, [this](double gain) {
+      const auto residual_of = [&](const Lag& lag) { return evaluate(lag).residual_with(gain); };
+      return residual_of(search_least(best_, strides(), kProfileStride, residual_of));
+    });
   }
 
  private:
   static constexpr int kGridDelays = 40;
+  static constexpr double kMaxGain = 1e3;
+  static constexpr double kFineStride = 1e-5, kProfileStride = 1e-4, kRoughStride = 1e-3;  // s
+
+  Lag strides() const { return {0.01, 0.01, is_free_ ? 0.02 : 0}; }
+
+  /// Of the parameter whose smallest sum of squares is `residual_of` its value.
+  template <typename Residual>
+  Profile profile(double best, double highest, Residual residual_of) const {
+    const double parameters = is_free_ ? 5 : 4;
+    const double freedom = static_cast<double>(data_.times.size()) - parameters;
+    const double least = evaluate(best_).residual;
+    const double variance = std::max(least / freedom, kModelAccuracy * kModelAccuracy);
+    return {best, 0, highest, freedom, [residual_of, least, variance](double value) {
+              return (residual_of(value) - least) / variance;
+            }};
+  }
 
   /// The greatest acceleration, over at least 0.1 s, since noise dominates that of shorter times.
   double greatest_acceleration() const {
@@ -56,112 +104,58 @@ class ResponseFitter {
     return greatest;
   }
 
-  /// Least squares of the response to all commands, with the acceleration limited in proportion to
-  /// the gain.
-  LagFit simulate_limited(const Lag& lag, double limit) const {
-    double mm = 0, rm = 0, rr = 0;
-    DelayedCommands commands(data_, lag.delay);
-    double response = start_;
-    for (std::size_t k = 1; k < data_.times.size(); ++k) {
-      commands.advance(data_.times[k - 1], data_.times[k], [&](double command, double duration) {
-        response = respond(response, command, lag.tau, duration, limit);
-      });
-      mm += data_.measured[k] * data_.measured[k];
-      rm += response * data_.measured[k];
-      rr += response * response;
-    }
-    LagFit fit;
-    fit.samples = data_.times.size();
-    if (rr > 0) fit.gain = rm / rr;
-    fit.residual = mm - fit.gain * rm;
-    return fit;
-  }
-
-  /// The limit of acceleration: that which is given, or with which the log is most likely; infinity
-  /// unless it is much more likely than without. At most `greatest` if it is not given. Updates
-  /// `lag` to that with the limit.
-  double find_limit(Lag& lag, double greatest) const {
-    constexpr double kRatio = 0.93, kMuchMoreLikely = 20;  // twice the logarithm of the likelihoods
-    const bool is_given = data_.max_acceleration > 0;
-    const int candidates = is_given ? 1 : 20;
-    const auto deviance = [](const LagFit& fit) {
-      return static_cast<double>(fit.samples) * std::log(fit.variance());
-    };
+  /// Adds a limit of acceleration if the log is much more likely with it.
+  void find_limit(double greatest) {
     // A limit that is active for less than the time between two velocities exceeds all measured.
-    constexpr double kExcess = 1.5;
-    double limit = is_given ? data_.max_acceleration : kExcess * greatest;
-    double least = deviance(simulate_limited(lag, kNoLimit)) - kMuchMoreLikely;
-    if (is_given) least = std::numeric_limits<double>::infinity();
-    double found = kNoLimit;
-    Lag limited = lag;
-    for (int i = 0; i < candidates; ++i, limit *= kRatio) {
-      const auto residual_of = [&](const Lag& candidate) {
-        return simulate_limited(candidate, limit).residual;
-      };
-      limited = search(limited, {max_delay_ / kGridDelays, 0.05}, residual_of);
-      const double now = deviance(simulate_limited(limited, limit));
-      if (now >= least) continue;
-      least = now;
-      lag = limited;
-      found = limit;
+    constexpr double kExcess = 1.5, kRatio = 0.85;
+    constexpr int kCandidates = 18;
+    constexpr double kMuchMoreLikely = 20;  // twice the logarithm of the likelihoods
+    const double without = evaluate(best_).residual;
+    Lag lag = best_, best = best_;
+    double least = without;
+    is_limited_ = true;
+    for (int i = 0; i < kCandidates; ++i) {
+      lag.log_limit = std::log(kExcess * greatest) + i * std::log(kRatio);
+      lag = search(lag, {max_delay_ / kGridDelays, 0.05, 0}, kRoughStride);
+      const double residual = evaluate(lag).residual;
+      if (residual >= least) continue;
+      least = residual;
+      best = lag;
     }
-    return found;
-  }
-
-  /// Marks the intervals at whose end the limit changes the velocity. It is simulated, since a
-  /// choice by measured velocities would depend on their noise.
-  void mark_limited(const Lag& lag, double limit) {
-    constexpr double kMargin = 0.9;  // a limit that is too high is worse than one that is too low
-    const auto [low, high] = std::minmax_element(data_.commands.begin(), data_.commands.end());
-    const double tolerance = 0.001 * (*high - *low);
-    DelayedCommands commands(data_, lag.delay);
-    double velocity = start_;
-    for (std::size_t k = 1; k < limited_.size(); ++k) {
-      double free = velocity, limited = velocity;
-      commands.advance(data_.times[k - 1], data_.times[k], [&](double command, double duration) {
-        free = respond(free, command, lag.tau, duration);
-        limited = respond(limited, command, lag.tau, duration, kMargin * limit);
-        velocity = respond(velocity, command, lag.tau, duration, limit);
-      });
-      if (std::abs(limited - free) > tolerance) limited_[k] = 1;
-    }
+    best = search(best, {0.01, 0.01, 0.1}, kFineStride);
+    const auto n = static_cast<double>(data_.times.size());
+    const double accuracy = n * kModelAccuracy * kModelAccuracy;
+    const double gained = n * std::log((without + accuracy) / (evaluate(best).residual + accuracy));
+    is_limited_ = is_free_ = gained > kMuchMoreLikely;
+    if (is_free_) best_ = best;
   }
 
   LagFit evaluate(const Lag& lag) const {
-    LagFit fit;
-    double forced_measured = 0, decay = 1, forced = 0;
-    SegmentSums segment;
-    segment.add(decay, forced, data_.measured[0]);
+    double limit = kNoLimit;
+    if (is_limited_)
+      limit = data_.max_acceleration > 0 ? data_.max_acceleration : std::exp(lag.log_limit);
+    LaggedVelocity response(start_, lag.tau, limit);
+    ResponseSums sums;
+    sums.add(1, start_, data_.measured[0]);
     DelayedCommands commands(data_, lag.delay);
     for (std::size_t k = 1; k < data_.times.size(); ++k) {
       commands.advance(data_.times[k - 1], data_.times[k], [&](double command, double duration) {
-        forced = respond(forced, command, lag.tau, duration);
-        decay = respond(decay, 0, lag.tau, duration);
+        response.advance(command, duration);
       });
-      if (limited_[k] != 0) {
-        segment.add_to(fit, forced_measured);
-        segment = {};
-        decay = 1;
-        forced = 0;
-      }
-      segment.add(decay, forced, data_.measured[k]);
+      sums.add(response.decay(), response.velocity(), data_.measured[k]);
     }
-    segment.add_to(fit, forced_measured);
-    if (fit.information > 0) fit.gain = forced_measured / fit.information;
-    fit.residual = std::max(0.0, fit.residual - fit.gain * forced_measured);
-    return fit;
+    return sums.solve();
   }
 
-  template <typename Residual>
-  Lag best_of_grid(Residual residual_of) const {
+  Lag best_of_grid() const {
     std::vector<double> taus = {0};
     for (double tau = 0.01; tau < kMaxTau; tau *= 1.3) taus.push_back(tau);
     Lag best;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= kGridDelays; ++i)
       for (const double tau : taus) {
-        const Lag lag = {i * max_delay_ / kGridDelays, tau};
-        const double residual = residual_of(lag);
+        const Lag lag = {i * max_delay_ / kGridDelays, tau, 0};
+        const double residual = evaluate(lag).residual;
         if (residual < least) {
           least = residual;
           best = lag;
@@ -170,100 +164,45 @@ class ResponseFitter {
     return best;
   }
 
+  Lag search(const Lag& best, const Lag& stride, double min_stride) const {
+    return search_least(best, stride, min_stride,
+                        [this](const Lag& lag) { return evaluate(lag).residual; });
+  }
+
   /// Pattern search: moves to the best neighbor, or halves the strides if there is no better one. A
   /// stride of 0 keeps that parameter.
   template <typename Residual>
-  Lag search(Lag best, Lag stride, Residual residual_of) const {
-    constexpr double kMinStride = 1e-5;  // s
+  Lag search_least(Lag best, Lag stride, double min_stride, Residual residual_of) const {
     double least = residual_of(best);
-    while (std::max(stride.delay, stride.tau) > kMinStride) {
+    while (std::max(stride.delay, stride.tau) > min_stride) {
       Lag neighbor = best;
-      for (const double i : {-1, 0, 1})
-        for (const double j : {-1, 0, 1}) {
-          if ((i != 0 && stride.delay == 0) || (j != 0 && stride.tau == 0)) continue;
-          const Lag lag = {std::clamp(best.delay + i * stride.delay, 0.0, max_delay_),
-                           std::clamp(best.tau + j * stride.tau, 0.0, kMaxTau)};
-          const double residual = residual_of(lag);
-          if (residual < least) {
+      bool is_better = false;
+      const auto ends = [](double length) { return length > 0 ? 1 : 0; };
+      for (int i = -ends(stride.delay); i <= ends(stride.delay); ++i)
+        for (int j = -ends(stride.tau); j <= ends(stride.tau); ++j)
+          for (int k = -ends(stride.log_limit); k <= ends(stride.log_limit); ++k) {
+            if (i == 0 && j == 0 && k == 0) continue;
+            Lag lag = best.moved(stride, i, j, k);
+            lag.delay = std::clamp(lag.delay, 0.0, max_delay_);
+            lag.tau = std::clamp(lag.tau, 0.0, kMaxTau);
+            const double residual = residual_of(lag);
+            if (residual >= least) continue;
             least = residual;
             neighbor = lag;
+            is_better = true;
           }
-        }
-      if (neighbor.delay == best.delay && neighbor.tau == best.tau)
-        stride = {0.5 * stride.delay, 0.5 * stride.tau};
+      if (!is_better) stride = {0.5 * stride.delay, 0.5 * stride.tau, 0.5 * stride.log_limit};
       best = neighbor;
     }
     return best;
   }
 
-  /// The distance from the best value of one member of Lag, in one direction, at which the residual
-  /// has increased by its variance; `spread` becomes the change of the gain up to there, if that is
-  /// greater.
-  double distance(const Lag& best, const LagFit& fit, double Lag::*member, double direction,
-                  double& spread) const {
-    double Lag::*other = member == &Lag::delay ? &Lag::tau : &Lag::delay;
-    const double bound = fit.residual + fit.variance();
-    const auto residual_of = [this](const Lag& lag) { return evaluate(lag).residual; };
-    const auto is_within = [&](double step) {
-      Lag lag = best, stride;
-      lag.*member += direction * step;
-      stride.*other = 0.01;
-      const LagFit moved = evaluate(search(lag, stride, residual_of));
-      if (moved.residual > bound) return false;
-      spread = std::max(spread, std::abs(moved.gain - fit.gain));
-      return true;
-    };
-    const double end = direction > 0 ? (member == &Lag::delay ? max_delay_ : kMaxTau) - best.*member
-                                     : best.*member;
-    double low = 0, high = 1e-4;  // s
-    while (high < end && is_within(high)) {
-      low = high;
-      high *= 2;
-    }
-    high = std::min(high, end);
-    constexpr int kBisections = 6;
-    for (int i = 0; i < kBisections; ++i) {
-      const double middle = 0.5 * (low + high);
-      (is_within(middle) ? low : high) = middle;
-    }
-    return high;
-  }
-
-  /// The mean of both directions, or that upwards if the other ends at 0.
-  double standard_error(const Lag& best, const LagFit& fit, double Lag::*member,
-                        double& spread) const {
-    const double up = distance(best, fit, member, 1, spread);
-    const double down = distance(best, fit, member, -1, spread);
-    return down < best.*member ? 0.5 * (up + down) : up;
-  }
-
-  ResponseFit estimate(const Lag& lag) const {
-    const LagFit fit = evaluate(lag);
-    ResponseFit result;
-    result.samples = fit.samples;
-    if (fit.samples < kMinVelocities)
-      result.problem = "only " + std::to_string(fit.samples) +
-                       " velocities measured while the acceleration is not limited; expected " +
-                       std::to_string(kMinVelocities);
-    else if (!(fit.gain > 0 && fit.variance() < 0.5 * fit.total_variance()))
-      result.problem = "the velocity does not follow the commands";
-    else if (lag.delay > max_delay_ - kSameTime)
-      result.problem = "the delay exceeds the maximum of " + format_number(max_delay_) + " s";
-    else if (lag.tau > kMaxTau - kSameTime)
-      result.problem = "the time constant exceeds " + format_number(kMaxTau) + " s";
-    if (!result.problem.empty()) return result;
-    double by_delay = 0, by_tau = 0;
-    result.delay = Value::of(lag.delay, standard_error(lag, fit, &Lag::delay, by_delay));
-    result.delay_tau = Value::of(lag.tau, standard_error(lag, fit, &Lag::tau, by_tau));
-    result.gain = Value::of(fit.gain, std::sqrt(fit.variance() / fit.information +
-                                                std::pow(std::max(by_delay, by_tau), 2)));
-    return result;
-  }
-
-  const ResponseData& data_;
+  const ResponseData data_;
   double max_delay_;
-  double start_ = 0;           ///< the first velocity, divided by the gain
-  std::vector<char> limited_;  ///< not fitted: the interval that ends with this velocity
+  double start_ = 0;         ///< the first velocity, divided by the gain
+  bool is_limited_ = false;  ///< the acceleration
+  bool is_free_ = false;     ///< its limit is fitted
+  Lag best_;
 };
 
 /// The velocities whose delayed command is known for every delay, at increasing times.
@@ -293,18 +232,25 @@ bool is_constant(const std::vector<double>& velocities) {
 
 ResponseFit fit_response(const ResponseData& data, double max_delay) {
   const ResponseData part = usable_part(data, max_delay);
-  ResponseFit failed;
-  failed.samples = part.times.size();
+  ResponseFit fit;
+  fit.samples = part.times.size();
   if (part.times.size() < kMinVelocities)
-    failed.problem = "only " + std::to_string(part.times.size()) + " velocities measured from " +
-                     format_number(max_delay) +
-                     " s after the first command to the last; expected " +
-                     std::to_string(kMinVelocities);
+    fit.problem = "only " + std::to_string(part.times.size()) + " velocities measured from " +
+                  format_number(max_delay) + " s after the first command to the last; expected " +
+                  std::to_string(kMinVelocities);
   else if (is_constant(part.commands))
-    failed.problem = "the commanded velocity is constant";
+    fit.problem = "the commanded velocity is constant";
   else if (is_constant(part.measured))
-    failed.problem = "the measured velocity is constant";
-  return failed.problem.empty() ? ResponseFitter(part, max_delay).fit() : failed;
+    fit.problem = "the measured velocity is constant";
+  if (!fit.problem.empty()) return fit;
+  const auto fitter = std::make_shared<ResponseFitter>(part, max_delay);
+  fit.problem = fitter->problem();
+  fit.delay = fitter->profile_of(&Lag::delay);
+  fit.delay_tau = fitter->profile_of(&Lag::tau);
+  fit.gain = fitter->gain();
+  for (Profile* profile : {&fit.delay, &fit.delay_tau, &fit.gain})
+    profile->deviance = [fitter, deviance = profile->deviance](double x) { return deviance(x); };
+  return fit;
 }
 
 }  // namespace slalom
