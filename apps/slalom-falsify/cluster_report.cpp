@@ -9,11 +9,14 @@
 #include <slalom/io/scenario_list.h>
 #include <slalom/report/report.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
 namespace slalom {
 namespace {
+
+constexpr std::size_t kDepartures = 3;  // of the members of a cluster that are printed
 
 // In the output folder.
 constexpr char kExaminedScenarios[] = "/examined.scenarios";
@@ -122,6 +125,9 @@ std::string clusters_text(const std::vector<ReportedCluster>& clusters, const st
             cluster.name + "\n";
     for (const std::string& statement : cluster.statements) text += "  " + statement + "\n";
     text += "  " + cluster.basis + "\n";
+    for (std::size_t i = 0; i < std::min(size, kDepartures); ++i)
+      if (!cluster.members[i].departure.empty())
+        text += "  " + cluster.members[i].departure + "\n";
   }
   return clusters.empty() ? "" : text + "\nReport: " + folder + "/index.html\n";
 }

@@ -1,43 +1,21 @@
 #include <slalom/core/text.h>
 #include <slalom/falsification/clusters.h>
+#include <slalom/falsification/departure.h>
 #include <slalom/scenario/touched_mover.h>
 
 #include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace slalom {
 namespace {
 
-/// The bearing of the nearest obstacle, where the clearance decreases most: of two equal ones that
-/// closer to the heading.
-double bearing_of_obstacle(const World& world, const mrpt::math::TPose2D& pose, double step) {
-  constexpr int kDirections = 72;
-  double nearest = std::numeric_limits<double>::infinity(), bearing = 0;
-  for (int i = 0; i < kDirections; ++i) {
-    const int step_count = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2);
-    const double offset = step_count * 2 * M_PI / kDirections;
-    const double clearance = world.distance_field().clearance(
-        {pose.x + step * std::cos(pose.phi + offset), pose.y + step * std::sin(pose.phi + offset)});
-    if (clearance >= nearest - 1e-9) continue;
-    nearest = clearance;
-    bearing = std::abs(offset);
-  }
-  return bearing;
-}
-
-/// rad, from the heading, in either direction.
-double bearing_of(const mrpt::math::TPoint2D& point, const mrpt::math::TPose2D& pose) {
-  const double direction = std::atan2(point.y - pose.y, point.x - pose.x);
-  return std::abs(mrpt::math::wrapToPi(direction - pose.phi));
-}
-
+/// `bearing`: rad, from the heading, in either direction.
 ObstacleSide side_of(double bearing) {
-  if (bearing <= M_PI / 4) return ObstacleSide::Front;
-  return bearing < 3 * M_PI / 4 ? ObstacleSide::Side : ObstacleSide::Back;
+  if (std::abs(bearing) <= M_PI / 4) return ObstacleSide::Front;
+  return std::abs(bearing) < 3 * M_PI / 4 ? ObstacleSide::Side : ObstacleSide::Back;
 }
 
 EndMotion motion_without_contact(const std::vector<Sample>& samples, double radius) {
@@ -134,7 +112,7 @@ FailureFacts measure_end(const World& world, const RobotModel& robot, Outcome ou
   facts.side = side_of(mover != nullptr ? bearing_of(mover->position(trajectory.duration()), pose)
                                         : bearing_of_obstacle(world, pose, radius / 2));
   facts.motion = end_motion(outcome, trajectory.samples, robot);
-  facts.faces_goal = bearing_of(goal, pose) <= M_PI / 2;
+  facts.faces_goal = std::abs(bearing_of(goal, pose)) <= M_PI / 2;
   return facts;
 }
 

@@ -2,9 +2,11 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/falsification/clusters.h>
+#include <slalom/falsification/departure.h>
 #include <slalom/falsification/explain.h>
 #include <slalom/metrics/mover_metrics.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -85,10 +87,31 @@ class Explainer {
     report.compared = tested_.at(failure.compared);
     report.found = failure.found;
     report.command = failure.command;
+    report.departure = departure_of(failure);
     for (const std::string& hash : failure.neighbors)
       if (const std::size_t run = tested_.at(hash); tested_.is_success(run))
         report.neighbors.push_back(run);
     return report;
+  }
+
+  /// From the path of the first method, by name, that reaches the goal in the smallest scenario.
+  std::string departure_of(const ExaminedFailure& failure) const {
+    const std::vector<RunRecord> runs = file_.read_runs(failure.smallest);
+    const auto is_tested = [&](const RunRecord& run) {
+      return run.method == examined_.method && run.repetition == examined_.repetition;
+    };
+    const auto tested = std::find_if(runs.begin(), runs.end(), is_tested);
+    const auto reference = std::find_if(runs.begin(), runs.end(), [&](const RunRecord& run) {
+      return run.method != examined_.method && run.outcome == to_string(Outcome::Success);
+    });
+    if (tested == runs.end() || reference == runs.end()) return "";
+    const Trajectory failing = file_.read_trajectory(*tested);
+    const Trajectory successful = file_.read_trajectory(*reference);
+    if (failing.samples.empty() || successful.samples.empty()) return "";
+    const World world(file_.read_scenario(failure.smallest), options_.resolution);
+    return tested->scenario_name + ": " +
+           departure_text(tested->method, reference->method,
+                          find_departure(world, options_.robot, failing, successful));
   }
 
   FailureFacts facts_of(const ExaminedFailure& failure) const {

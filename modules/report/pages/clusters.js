@@ -47,12 +47,13 @@ const replay = (index) => html("iframe", { class: "replay", title: "Replay of th
 function memberRow(member) {
   const [, , , outcome, detail] = report.runs[member.run];
   return html("tr", {}, html("th", {}, runLink(member.run)), html("td", {}, outcomeChip(report.outcomes[outcome], 0, detail)),
+    html("td", { class: "wrap" }, member.departure),
     html("td", {}, member.found), html("td", {}, member.compared === member.run ? "-" : runLink(member.compared)),
     html("td", {}, member.neighbors.map((run, i) => [i > 0 ? ", " : "", runLink(run)])));
 }
 
 function membersSection(cluster) {
-  const header = ["Smallest scenario", "Outcome", "Found", "Original", "Successful neighbors"].map(heading);
+  const header = ["Smallest scenario", "Outcome", "Departure", "Found", "Original", "Successful neighbors"].map(heading);
   const figures = cluster.members.map(({ run }) => {
     const scenario = report.runs[run][0];
     return figureOf(report.scenarios[scenario], report.runs.filter((one) => one[0] === scenario));

@@ -35,6 +35,7 @@ OrderedJson members_json(const std::vector<ReportedFailure>& members) {
     json.push_back({{"run", member.run},
                     {"found", member.found},
                     {"command", member.command},
+                    {"departure", member.departure},
                     {"compared", member.compared},
                     {"neighbors", member.neighbors}});
   return json;

@@ -282,6 +282,7 @@ TEST_F(ReportPages, AClusterHasAReplayACommandContrastsAndPictures) {
   EXPECT_EQ(count(contrasts, "<tr class=\"holds\"><th>Depth &amp; co [m]"), 1u);
   EXPECT_EQ(count(contrasts, "<td>4.5 to 7.5</td><td>1 to 1</td><td>5 ["), 1u);
   const std::string members = section(page, "members");
+  EXPECT_EQ(count(members, ">bad &lt;leaves&gt;</td>"), 1u);
   EXPECT_EQ(count(members, "<figure id=\"s-"), 2u);
   EXPECT_EQ(count(members, "<svg xmlns"), 2u) << "the pictures of both scenarios";
   EXPECT_EQ(all_matches(members, "<td><a href=\"run\\.html#[0-9a-f]{8}/(good)/0\"[^>]*>").size(),

@@ -72,8 +72,8 @@ class ReportTest : public testing::Test {
     width.reference = {1, 8, 1, 8, 9, 8, 9};
     cluster.scenarios = contrast_matched({width, depth}, 0.95);
     cluster.statements = {contrast_sentence(cluster.scenarios[0], "neighbors")};
-    cluster.members = {{0, "candidate 1", "slalom-replay play <here>", 0, {}},
-                       {2, "candidate 2", "slalom-replay play there", 2, {1, 3}}};
+    cluster.members = {{0, "candidate 1", "slalom-replay play <here>", "bad <leaves>", 0, {}},
+                       {2, "candidate 2", "slalom-replay play there", "", 2, {1, 3}}};
     made.clusters = {cluster};
     return made;
   }
