@@ -126,8 +126,7 @@ std::string clusters_text(const std::vector<ReportedCluster>& clusters, const st
     for (const std::string& statement : cluster.statements) text += "  " + statement + "\n";
     text += "  " + cluster.basis + "\n";
     for (std::size_t i = 0; i < std::min(size, kDepartures); ++i)
-      if (!cluster.members[i].departure.empty())
-        text += "  " + cluster.members[i].departure + "\n";
+      if (!cluster.members[i].departure.empty()) text += "  " + cluster.members[i].departure + "\n";
   }
   return clusters.empty() ? "" : text + "\nReport: " + folder + "/index.html\n";
 }

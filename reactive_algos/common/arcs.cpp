@@ -1,5 +1,7 @@
 #include "common/arcs.h"
 
+#include <slalom/core/math.h>
+
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
@@ -125,8 +127,8 @@ void move_along_arcs(const double* lengths, const double* turns, std::size_t cou
 void PoseBatch::assign(std::size_t size, const Pose& pose) {
   x.assign(padded(size), pose.x);
   y.assign(padded(size), pose.y);
-  cosine.assign(padded(size), std::cos(pose.phi));
-  sine.assign(padded(size), std::sin(pose.phi));
+  cosine.assign(padded(size), slalom::math::cos(pose.phi));
+  sine.assign(padded(size), slalom::math::sin(pose.phi));
 }
 
 }  // namespace reactive

@@ -1,5 +1,7 @@
 #include "common/costmap.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,7 @@ std::uint8_t Inflation::cost(double distance) const {
   if (distance <= 0) return kLethal;
   if (distance <= inscribed_radius) return kInscribed;
   if (distance > inflation_radius) return kFree;
-  const double factor = std::exp(-cost_scaling_factor * (distance - inscribed_radius));
+  const double factor = slalom::math::exp(-cost_scaling_factor * (distance - inscribed_radius));
   return static_cast<std::uint8_t>((kInscribed - 1) * factor);
 }
 

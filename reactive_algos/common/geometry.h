@@ -1,5 +1,7 @@
 #pragma once
 
+#include <slalom/core/math.h>
+
 #include <cmath>
 
 /// Common code of the included methods. Meters, radians, seconds; robot frame: x forward, y left.
@@ -20,14 +22,17 @@ inline double wrapped(double angle) {
 }
 
 inline double distance(const Point& a, const Point& b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
+  return slalom::math::hypot(a.x - b.x, a.y - b.y);
 }
 
 /// Transforms points between the robot frame at a pose and the frame of that pose.
 class Transform {
  public:
   explicit Transform(const Pose& pose)
-      : x_(pose.x), y_(pose.y), cosine_(std::cos(pose.phi)), sine_(std::sin(pose.phi)) {}
+      : x_(pose.x),
+        y_(pose.y),
+        cosine_(slalom::math::cos(pose.phi)),
+        sine_(slalom::math::sin(pose.phi)) {}
 
   Point to_world(const Point& p) const {
     return {x_ + cosine_ * p.x - sine_ * p.y, y_ + sine_ * p.x + cosine_ * p.y};

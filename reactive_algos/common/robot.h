@@ -2,6 +2,7 @@
 
 #include "common/geometry.h"
 
+#include <slalom/core/math.h>
 #include <slalom/methods/slalom_method.h>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ struct Robot {
   double reach() const {
     double result = 0;
     for (const FootprintDisc& disc : discs)
-      result = std::max(result, std::hypot(disc.center.x, disc.center.y));
+      result = std::max(result, slalom::math::hypot(disc.center.x, disc.center.y));
     return result;
   }
 };

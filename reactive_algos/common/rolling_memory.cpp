@@ -1,5 +1,7 @@
 #include "common/rolling_memory.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 
 namespace reactive {
@@ -60,8 +62,8 @@ bool RollingMemory::sees_through(const Point& local, const std::vector<double>& 
                                  const Robot& robot) {
   constexpr double kBeyond = 0.15;  // m: minimum distance behind a point
   const double step = robot.aperture / static_cast<double>(ranges.size() - 1);
-  const double at = (std::atan2(local.y, local.x) + 0.5 * robot.aperture) / step;
-  const double range = std::hypot(local.x, local.y) + kBeyond;
+  const double at = (slalom::math::atan2(local.y, local.x) + 0.5 * robot.aperture) / step;
+  const double range = slalom::math::hypot(local.x, local.y) + kBeyond;
   // Four adjacent rays must agree, because points lie at edges and rays drop out.
   const double first = std::floor(at) - 1;
   if (!(first >= 0) || first + 3 >= static_cast<double>(ranges.size())) return false;
@@ -78,7 +80,7 @@ void RollingMemory::aim(std::size_t rays, double aperture) {
   aperture_ = aperture;
   for (std::size_t i = 0; i < rays; ++i) {
     const double angle = ray_angle(i, rays, aperture);
-    rays_.push_back({std::cos(angle), std::sin(angle)});
+    rays_.push_back({slalom::math::cos(angle), slalom::math::sin(angle)});
   }
 }
 

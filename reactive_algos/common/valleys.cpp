@@ -1,5 +1,7 @@
 #include "common/valleys.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 
 namespace reactive {
@@ -48,8 +50,8 @@ std::vector<Valley> find_valleys(const Sectors& sectors, double gap, double pass
 
 Choice choose_valley(const std::vector<Valley>& valleys, const Sectors& sectors,
                      const Point& target, double horizon) {
-  const double direction = std::atan2(target.y, target.x);
-  const double target_distance = std::hypot(target.x, target.y);
+  const double direction = slalom::math::atan2(target.y, target.x);
+  const double target_distance = slalom::math::hypot(target.x, target.y);
   Choice best;
   double min_angle = HUGE_VAL;
   for (const Valley& valley : valleys) {

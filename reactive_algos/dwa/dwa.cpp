@@ -1,5 +1,7 @@
 #include "dwa/dwa.h"
 
+#include <slalom/core/math.h>
+
 namespace dwa {
 
 using namespace reactive;
@@ -60,7 +62,7 @@ double heading_term(const Pose& pose, const Twist& twist, const Point& target, c
   Pose then = integrate(pose, twist, period);
   then.phi += 0.5 * twist.w * std::abs(twist.w) / robot.max_accel_w;
   const Point seen = to_robot(then, target);
-  return 1 - std::abs(std::atan2(seen.y, seen.x)) / M_PI;
+  return 1 - std::abs(slalom::math::atan2(seen.y, seen.x)) / M_PI;
 }
 
 Dwa::Dwa(const Parameters& parameters, const Robot& robot)
@@ -149,11 +151,11 @@ Twist Dwa::step(const Observation& observation) {
   map_.update(observation);
   const Waypoint waypoint = target(observation);
   const Point seen = to_robot(observation.pose, waypoint.position);
-  const double bearing = std::atan2(seen.y, seen.x);
+  const double bearing = slalom::math::atan2(seen.y, seen.x);
   if (turn_.update(bearing, map_.clearance(), observation.pose, robot_, parameters_.margin))
     return clamp_to_limits(turn_.twist(bearing, observation.measured, robot_, task_.control_period),
                            robot_);
-  const double goal_distance = std::hypot(observation.goal.x, observation.goal.y);
+  const double goal_distance = slalom::math::hypot(observation.goal.x, observation.goal.y);
   evaluate(observation, waypoint.position,
            stopping_speed(goal_distance + 0.5 * task_.goal_tolerance, robot_));
   return clamp_to_limits(best(observation.measured), robot_);

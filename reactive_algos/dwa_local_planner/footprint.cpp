@@ -1,5 +1,7 @@
 #include "dwa_local_planner/footprint.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +17,8 @@ std::vector<Point> padded_corners(const Robot& robot, double padding) {
   if (corners.empty())
     for (int i = 0; i < kCorners; ++i) {
       const double angle = 2 * M_PI * i / kCorners;
-      corners.push_back({robot.radius * std::cos(angle), robot.radius * std::sin(angle)});
+      corners.push_back(
+          {robot.radius * slalom::math::cos(angle), robot.radius * slalom::math::sin(angle)});
     }
   const auto away = [&](double c) {
     return std::abs(c) < 1e-9 ? c : c + std::copysign(padding, c);
@@ -54,7 +57,7 @@ Footprint::Footprint(const Robot& robot, double padding)
 Footprint::Footprint(std::vector<Point> corners) : corners_(std::move(corners)) {
   circumscribed_radius_ = 0;
   for (const Point& p : corners_)
-    circumscribed_radius_ = std::max(circumscribed_radius_, std::hypot(p.x, p.y));
+    circumscribed_radius_ = std::max(circumscribed_radius_, slalom::math::hypot(p.x, p.y));
   Robot shape;
   shape.radius = circumscribed_radius_;
   shape.footprint = corners_;

@@ -3,6 +3,8 @@
 #include "common/costmap.h"
 #include "common/robot.h"
 
+#include <slalom/core/math.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -23,7 +25,7 @@ class Footprint {
 
   /// The highest cost of the cells under the outline; lethal if it touches an obstacle cell.
   std::uint8_t cost(const reactive::Costmap& map, const reactive::Pose& pose) const {
-    return cost(map, {pose.x, pose.y}, std::cos(pose.phi), std::sin(pose.phi));
+    return cost(map, {pose.x, pose.y}, slalom::math::cos(pose.phi), slalom::math::sin(pose.phi));
   }
   std::uint8_t cost(const reactive::Costmap& map, const reactive::Point& position, double cosine,
                     double sine) const;

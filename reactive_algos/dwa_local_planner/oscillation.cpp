@@ -1,5 +1,7 @@
 #include "dwa_local_planner/oscillation.h"
 
+#include <slalom/core/math.h>
+
 namespace dwa_local_planner {
 
 using namespace reactive;
@@ -25,7 +27,7 @@ void OscillationCritic::commanded(const Twist& twist, const Pose& pose) {
     return;
   }
   if (forward == 0 && rotation == 0) return;
-  const double moved = std::hypot(pose.x - reversed_at_.x, pose.y - reversed_at_.y);
+  const double moved = slalom::math::hypot(pose.x - reversed_at_.x, pose.y - reversed_at_.y);
   const double turned = std::abs(wrapped(pose.phi - reversed_at_.phi));
   if (moved > reset_dist_ || turned > reset_angle_) reset();
 }

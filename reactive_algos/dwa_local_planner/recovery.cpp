@@ -1,5 +1,7 @@
 #include "dwa_local_planner/recovery.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -57,7 +59,7 @@ std::optional<Twist> Recovery::rotate(const Costmap& map, const Pose& pose) {
 
 std::optional<Twist> Recovery::back_up(const Costmap& map, const Pose& pose) {
   const double remaining =
-      parameters_.backup_dist - std::hypot(pose.x - begin_.x, pose.y - begin_.y);
+      parameters_.backup_dist - slalom::math::hypot(pose.x - begin_.x, pose.y - begin_.y);
   if (remaining <= 0) return std::nullopt;
   for (double back = 0; back <= remaining; back += parameters_.resolution) {
     const Point p = to_world(pose, {-back, 0});

@@ -1,5 +1,7 @@
 #include "dwa_local_planner/trajectory_scorer.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -68,8 +70,9 @@ void TrajectoryScorer::prepare(const Costmap& map, const Pose& pose,
   const double inscribed = map.inflation().inscribed_radius;
   const PathCosts lengths = {std::nextafter(inscribed, HUGE_VAL), inscribed, 0};
   const double ahead = parameters_.forward_point_distance;
-  const double angle = std::atan2(goal.y - pose.y, goal.x - pose.x);
-  const Point front{goal.x + ahead * std::cos(angle), goal.y + ahead * std::sin(angle)};
+  const double angle = slalom::math::atan2(goal.y - pose.y, goal.x - pose.x);
+  const Point front{goal.x + ahead * slalom::math::cos(angle),
+                    goal.y + ahead * slalom::math::sin(angle)};
   path_.compute(map.clearance(), path, position, lengths, kEverywhere);
   goal_.compute(map.clearance(), goal, position, lengths, kEverywhere);
   goal_front_.compute(map.clearance(), front, position, lengths, kEverywhere);
@@ -85,14 +88,15 @@ double TrajectoryScorer::obstacle_cost(const Twist& twist, double limit, Pose& e
       std::ceil(std::max(length / p.sim_granularity, turn / p.angular_sim_granularity)));
   const double step_turn = steps > 0 ? twist.w * time / steps : 0;
   // A step is a chord of the arc between two turns of half the angle.
-  const double half_cosine = std::cos(0.5 * step_turn), half_sine = std::sin(0.5 * step_turn);
+  const double half_cosine = slalom::math::cos(0.5 * step_turn),
+               half_sine = slalom::math::sin(0.5 * step_turn);
   const double sinc = std::abs(step_turn) < 1e-6 ? 1 : half_sine / (0.5 * step_turn);
   const double chord = steps > 0 ? twist.v * time / steps * sinc : 0;
   const double excess = std::max(0.0, std::abs(twist.v) - p.scaling_speed) /
                         std::max(1e-3, p.max_vel_x - p.scaling_speed);
   const Footprint footprint =
       excess > 0 ? footprint_.scaled(1 + p.max_scaling_factor * excess) : footprint_;
-  double c = std::cos(pose_.phi), s = std::sin(pose_.phi);
+  double c = slalom::math::cos(pose_.phi), s = slalom::math::sin(pose_.phi);
   const auto turn_half = [&] {
     const double turned = c * half_cosine - s * half_sine;
     s = s * half_cosine + c * half_sine;
@@ -108,7 +112,7 @@ double TrajectoryScorer::obstacle_cost(const Twist& twist, double limit, Pose& e
     at = {at.x + chord * c, at.y + chord * s};
     turn_half();
   }
-  end = {at.x, at.y, std::atan2(s, c)};
+  end = {at.x, at.y, slalom::math::atan2(s, c)};
   return p.occdist_scale * highest;
 }
 

@@ -1,6 +1,8 @@
 #include "common/cost_to_go.h"
 #include "eband_local_planner/elastic_band.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +23,7 @@ double dot(const Point& a, const Point& b) {
 }  // namespace
 
 double max_radius(const BandParameters& parameters) {
-  return std::log(252) / parameters.costmap_weight;
+  return slalom::math::log(252) / parameters.costmap_weight;
 }
 
 /// B(b) = {q: |q - b| < rho(b)}. A costmap of ROS holds the distance to obstacles as its

@@ -1,5 +1,7 @@
 #include "eband_local_planner/follow_band.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 
 namespace eband_local_planner {
@@ -22,14 +24,15 @@ Twist follow(const std::vector<Bubble>& band, const Pose& pose,
              const ControllerParameters& parameters) {
   const Bubble& next = band[1];
   const Point target = to_robot(pose, next.center);
-  const double bearing = std::atan2(target.y, target.x);
+  const double bearing = slalom::math::atan2(target.y, target.x);
   const double w = parameters.k_prop * bearing;
-  const double threshold = parameters.rotation_threshold_multiplier *
-                           std::atan2(kUsedRadius * next.radius, std::hypot(target.x, target.y));
+  const double threshold =
+      parameters.rotation_threshold_multiplier *
+      slalom::math::atan2(kUsedRadius * next.radius, slalom::math::hypot(target.x, target.y));
   if (std::abs(bearing) > threshold)
     return {0, with_magnitude_in(w, parameters.min_in_place_vel_th, parameters.max_vel_th)};
   const double v = parameters.bubble_velocity_multiplier * kUsedRadius * band[0].radius *
-                   parameters.max_vel_lin * std::cos(bearing);
+                   parameters.max_vel_lin * slalom::math::cos(bearing);
   return {std::min(std::max(v, parameters.min_vel_lin), parameters.max_vel_lin),
           with_magnitude_in(w, parameters.min_vel_th, parameters.max_vel_th)};
 }

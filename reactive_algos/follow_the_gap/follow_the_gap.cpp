@@ -1,5 +1,7 @@
 #include "follow_the_gap.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +10,7 @@ namespace {
 
 /// Half the angular width of an enlarged obstacle; pi/2 if the robot is inside it.
 double half_angle(double range, double radius) {
-  return range <= radius ? M_PI / 2 : std::asin(radius / range);
+  return range <= radius ? M_PI / 2 : slalom::math::asin(radius / range);
 }
 
 double nearest_of(const std::vector<double>& ranges) {
@@ -83,7 +85,7 @@ double free_distance_ahead(const std::vector<double>& ranges, double aperture, d
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (ranges[i] >= max_range) continue;
     const double angle = ray_angle(i, ranges.size(), aperture);
-    const double x = ranges[i] * std::cos(angle), y = ranges[i] * std::sin(angle);
+    const double x = ranges[i] * slalom::math::cos(angle), y = ranges[i] * slalom::math::sin(angle);
     if (x <= 0 || std::abs(y) >= radius) continue;
     free_distance = std::min(free_distance, x - std::sqrt(radius * radius - y * y));
   }
@@ -92,8 +94,8 @@ double free_distance_ahead(const std::vector<double>& ranges, double aperture, d
 
 Twist decide(const std::vector<double>& ranges, double goal_x, double goal_y,
              const Parameters& parameters, const Robot& robot, int& last_side) {
-  const double goal_angle = std::atan2(goal_y, goal_x);
-  const double goal_distance = std::hypot(goal_x, goal_y);
+  const double goal_angle = slalom::math::atan2(goal_y, goal_x);
+  const double goal_distance = slalom::math::hypot(goal_x, goal_y);
   const double enlarged = robot.radius + parameters.margin;
   const double seen = 0.999 * robot.max_range;  // a ray without an obstacle has max_range
   const double horizon = std::min({parameters.look_ahead, goal_distance + robot.radius, seen});
@@ -112,8 +114,9 @@ Twist decide(const std::vector<double>& ranges, double goal_x, double goal_y,
   if (std::abs(heading) > parameters.turn_in_place) return {0, w};
   const double free_distance = free_distance_ahead(ranges, robot.aperture, robot.max_range,
                                                    robot.radius + 0.5 * parameters.margin);
-  const double v = std::min({robot.max_v * std::cos(heading), stopping_speed(free_distance, robot),
-                             stopping_speed(goal_distance + 0.3, robot)});
+  const double v =
+      std::min({robot.max_v * slalom::math::cos(heading), stopping_speed(free_distance, robot),
+                stopping_speed(goal_distance + 0.3, robot)});
   return {std::clamp(v, 0.0, robot.max_v), w};
 }
 

@@ -1,5 +1,7 @@
 #include "follow_the_gap_holonomic/follow_the_gap_holonomic.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 
 namespace follow_the_gap_holonomic {
@@ -36,9 +38,9 @@ double gap_center(const Sectors& sectors, const SectorRun& run) {
   const double d1 = sectors.free_distances[(run.first + n - 1) % n];
   const double d2 = sectors.free_distances[(run.first + run.length) % n];
   const double low = opening.low, high = opening.high();
-  const double x = d1 * std::cos(low) + d2 * std::cos(high);
-  const double y = d1 * std::sin(low) + d2 * std::sin(high);
-  return x * x + y * y < 1e-12 ? opening.middle() : std::atan2(y, x);
+  const double x = d1 * slalom::math::cos(low) + d2 * slalom::math::cos(high);
+  const double y = d1 * slalom::math::sin(low) + d2 * slalom::math::sin(high);
+  return x * x + y * y < 1e-12 ? opening.middle() : slalom::math::atan2(y, x);
 }
 
 double final_direction(double gap_center, double goal, double nearest, double alpha) {
@@ -47,8 +49,8 @@ double final_direction(double gap_center, double goal, double nearest, double al
 }
 
 Decision FollowTheGap::decide(const Sectors& sectors, const Point& target) {
-  const double goal = std::atan2(target.y, target.x);
-  const double target_distance = std::hypot(target.x, target.y);
+  const double goal = slalom::math::atan2(target.y, target.x);
+  const double target_distance = slalom::math::hypot(target.x, target.y);
   const double open = std::min(parameters.look_ahead, target_distance);
   SectorRun best;
   double best_value = -HUGE_VAL;

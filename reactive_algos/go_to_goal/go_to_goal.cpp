@@ -1,5 +1,7 @@
 #include "go_to_goal/go_to_goal.h"
 
+#include <slalom/core/math.h>
+
 namespace go_to_goal {
 
 using namespace reactive;
@@ -23,14 +25,14 @@ void GoToGoal::reset(const NavigationTask& task) {
 }
 
 Twist GoToGoal::step(const Observation& observation) {
-  const double bearing = std::atan2(observation.goal.y, observation.goal.x);
+  const double bearing = slalom::math::atan2(observation.goal.y, observation.goal.x);
   if (turn_.update(bearing))
     return clamp_to_limits(turn_.twist(bearing, observation.measured, robot_, control_period_),
                            robot_);
   const double braking_distance =
-      std::hypot(observation.goal.x, observation.goal.y) + 0.5 * tolerance_;
+      slalom::math::hypot(observation.goal.x, observation.goal.y) + 0.5 * tolerance_;
   const double v =
-      std::min(robot_.max_v * std::cos(bearing), stopping_speed(braking_distance, robot_));
+      std::min(robot_.max_v * slalom::math::cos(bearing), stopping_speed(braking_distance, robot_));
   return clamp_to_limits({v, stopping_angular_velocity(bearing, robot_)}, robot_);
 }
 

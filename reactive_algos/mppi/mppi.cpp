@@ -1,5 +1,7 @@
 #include "mppi/mppi.h"
 
+#include <slalom/core/math.h>
+
 #include <numeric>
 
 namespace mppi {
@@ -63,7 +65,7 @@ std::vector<double> importance_weights(const std::vector<double>& costs, double 
   std::vector<double> weights;
   weights.reserve(costs.size());
   for (const double cost : costs) {
-    weights.push_back(std::exp(-(cost - min_cost) / lambda));
+    weights.push_back(slalom::math::exp(-(cost - min_cost) / lambda));
     sum += weights.back();
   }
   for (double& weight : weights) weight /= sum;
@@ -99,8 +101,8 @@ CostRule Mppi::cost_rule(const Observation& observation, double top_speed) const
   rule.control_v = gamma / std::max(1e-9, parameters_.noise_v * parameters_.noise_v);
   rule.control_w = gamma / std::max(1e-9, parameters_.noise_w * parameters_.noise_w);
   // Near the goal the point ahead must not lie beyond it: the robot would stop too early.
-  rule.look_ahead =
-      std::min(kHeadingLookAhead, 0.5 * std::hypot(observation.goal.x, observation.goal.y));
+  rule.look_ahead = std::min(kHeadingLookAhead,
+                             0.5 * slalom::math::hypot(observation.goal.x, observation.goal.y));
   return rule;
 }
 
@@ -132,7 +134,7 @@ Twist Mppi::step(const Observation& observation) {
   const Point goal = to_world(observation.pose, observation.goal);
   const Waypoint target = local_planner_.find(map_, observation.pose, goal, kLookAhead);
   const Point seen = to_robot(observation.pose, target.position);
-  const double bearing = std::atan2(seen.y, seen.x);
+  const double bearing = slalom::math::atan2(seen.y, seen.x);
   const bool rotates =
       turn_.update(bearing, map_.clearance(), observation.pose, robot_, parameters_.margin);
   if (rotates && !brake_on_arc(observation.measured, robot_, task_.control_period)) {
@@ -140,7 +142,7 @@ Twist Mppi::step(const Observation& observation) {
     return clamp_to_limits(turn_.twist(bearing, observation.measured, robot_, task_.control_period),
                            robot_);
   }
-  const double goal_distance = std::hypot(observation.goal.x, observation.goal.y);
+  const double goal_distance = slalom::math::hypot(observation.goal.x, observation.goal.y);
   // Before it rotates in place it brakes, on a course that is optimized as well.
   const double top =
       rotates ? 0

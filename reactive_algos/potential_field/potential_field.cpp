@@ -1,5 +1,7 @@
 #include "potential_field/potential_field.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 
 namespace potential_field {
@@ -23,7 +25,7 @@ const PotentialField::Settings& PotentialField::settings() {
 }
 
 Point attraction(const Point& target, double magnitude) {
-  const double far = std::hypot(target.x, target.y);
+  const double far = slalom::math::hypot(target.x, target.y);
   if (far == 0) return {};
   return {magnitude * target.x / far, magnitude * target.y / far};
 }
@@ -48,8 +50,8 @@ Point repulsion_of(const Sectors& sectors, const Parameters& parameters) {
         nearest = (obstacle.first + i) % n;
     const double force =
         repulsion(sectors.free_distances[nearest], parameters.repulsion, parameters.influence);
-    sum.x -= force * std::cos(sectors.direction(nearest));
-    sum.y -= force * std::sin(sectors.direction(nearest));
+    sum.x -= force * slalom::math::cos(sectors.direction(nearest));
+    sum.y -= force * slalom::math::sin(sectors.direction(nearest));
   }
   return sum;
 }
@@ -58,9 +60,9 @@ Decision PotentialField::decide(const Sectors& sectors, const Point& target) {
   const Point towards = attraction(target, parameters.attraction);
   const Point away = repulsion_of(sectors, parameters);
   const Point force{towards.x + away.x, towards.y + away.y};
-  const double magnitude = std::hypot(force.x, force.y);
-  const double direction = std::atan2(force.y, force.x);
-  const double target_distance = std::hypot(target.x, target.y);
+  const double magnitude = slalom::math::hypot(force.x, force.y);
+  const double direction = slalom::math::atan2(force.y, force.x);
+  const double target_distance = slalom::math::hypot(target.x, target.y);
   // The robot stops where the forces cancel.
   const double speed = std::min(1.0, magnitude / std::max(1e-9, parameters.attraction));
   if (speed < 0.05) return {direction, 0};

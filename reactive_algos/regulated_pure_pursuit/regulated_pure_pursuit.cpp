@@ -1,5 +1,7 @@
 #include "regulated_pure_pursuit/regulated_pure_pursuit.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 
 namespace regulated_pure_pursuit {
@@ -71,7 +73,7 @@ const RegulatedPurePursuit::Settings& RegulatedPurePursuit::settings() {
 Point carrot_of(const std::vector<Point>& path, double distance) {
   Point inside;
   for (const Point& p : path) {
-    if (std::hypot(p.x, p.y) <= distance) {
+    if (slalom::math::hypot(p.x, p.y) <= distance) {
       inside = p;
       continue;
     }
@@ -167,19 +169,20 @@ Twist RegulatedPurePursuit::step(const Observation& observation) {
   map_.update(observation);
   const ClearanceMap& map = map_.clearance();
   const Point carrot = this->carrot(observation);
-  const double bearing = std::atan2(carrot.y, carrot.x);
+  const double bearing = slalom::math::atan2(carrot.y, carrot.x);
   const bool turns = turn_.update(bearing, map, observation.pose, robot_, parameters_.margin);
   const Twist rotation = turn_.twist(bearing, observation.measured, robot_, task_.control_period);
   if (turns) return clamp_to_limits(rotation, robot_);
   const double curvature = curvature_to(carrot);
   const double clearance = footprint_clearance(map, observation.pose, robot_) - robot_.radius;
   double v = regulated_speed(parameters_, curvature, clearance,
-                             std::hypot(observation.goal.x, observation.goal.y));
+                             slalom::math::hypot(observation.goal.x, observation.goal.y));
   // A robot that cannot turn faster would leave the arc.
   if (std::abs(v * curvature) > robot_.max_w) v = robot_.max_w / std::abs(curvature);
   const Twist twist{v, v * curvature};
   const double radius = clearance_radius(map, observation.pose, robot_, parameters_.margin);
-  if (!is_collision_imminent(observation.pose, twist, radius, std::hypot(carrot.x, carrot.y)))
+  if (!is_collision_imminent(observation.pose, twist, radius,
+                             slalom::math::hypot(carrot.x, carrot.y)))
     return clamp_to_limits(twist, robot_);
   // Without the recovery behavior of another node the robot would stay there: it turns to the path.
   if (can_rotate(map, observation.pose, robot_, radius, rotation.w, task_.control_period))

@@ -1,5 +1,7 @@
 #include "smooth_nd/smooth_nd.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 
 namespace smooth_nd {
@@ -56,8 +58,8 @@ double deflection(const Sectors& sectors, double direction, double safety_distan
 }
 
 Decision SmoothNd::decide(const Sectors& sectors, const Point& target) {
-  const double to_target = std::atan2(target.y, target.x);
-  const double target_distance = std::hypot(target.x, target.y);
+  const double to_target = slalom::math::atan2(target.y, target.x);
+  const double target_distance = slalom::math::hypot(target.x, target.y);
   const auto valleys =
       find_valleys(sectors.ahead(parameters.field_of_view), parameters.gap, parameters.passable);
   // Up to this distance an obstacle edge against free space is always a gap.

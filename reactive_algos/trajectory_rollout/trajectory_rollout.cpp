@@ -1,5 +1,7 @@
 #include "trajectory_rollout/trajectory_rollout.h"
 
+#include <slalom/core/math.h>
+
 namespace trajectory_rollout {
 
 using namespace reactive;
@@ -27,9 +29,10 @@ double distance_to_path(const Point& p, const std::vector<Point>& path) {
 double distance_to_movers(const std::vector<Track>& movers, const Point& p, double time) {
   double result = HUGE_VAL;
   for (const Track& mover : movers)
-    result = std::min(result, std::hypot(mover.position.x + time * mover.velocity.x - p.x,
-                                         mover.position.y + time * mover.velocity.y - p.y) -
-                                  mover.radius);
+    result =
+        std::min(result, slalom::math::hypot(mover.position.x + time * mover.velocity.x - p.x,
+                                             mover.position.y + time * mover.velocity.y - p.y) -
+                             mover.radius);
   return result;
 }
 
@@ -79,8 +82,8 @@ void Simulation::advance(const Robot& robot) {
   }
   if (!robot.is_disc())
     for (std::size_t i = 0; i < size(); ++i) {
-      poses_.cosine[i] = std::cos(headings_[i % w_.size()]);
-      poses_.sine[i] = std::sin(headings_[i % w_.size()]);
+      poses_.cosine[i] = slalom::math::cos(headings_[i % w_.size()]);
+      poses_.sine[i] = slalom::math::sin(headings_[i % w_.size()]);
     }
   std::size_t i = 0;
   for (std::size_t row = 0; row < v_.size(); ++row) {
@@ -230,7 +233,7 @@ Observation TrajectoryRollout::without_movers(Observation observation) const {
   const std::size_t rays = observation.ranges.size();
   for (std::size_t i = 0; i < rays; ++i) {
     const double angle = ray_angle(i, rays, robot_.aperture), range = observation.ranges[i];
-    const Point end{range * std::cos(angle), range * std::sin(angle)};
+    const Point end{range * slalom::math::cos(angle), range * slalom::math::sin(angle)};
     if (distance_to_movers(tracks_, end, 0) < kTolerance) observation.ranges[i] = -1;
   }
   return observation;
@@ -260,20 +263,20 @@ Twist TrajectoryRollout::step(const Observation& observation) {
     map_.update(without_movers(observation));
   const Point goal = to_world(observation.pose, observation.goal);
   // Near the goal the point ahead must not lie beyond it: the robot would stop too early.
-  heading_look_ahead_ =
-      std::min(kHeadingLookAhead, 0.5 * std::hypot(observation.goal.x, observation.goal.y));
+  heading_look_ahead_ = std::min(kHeadingLookAhead,
+                                 0.5 * slalom::math::hypot(observation.goal.x, observation.goal.y));
   const Waypoint target = local_planner_.find(map_, observation.pose, goal, parameters_.look_ahead);
   path_.clear();
   if (target.reachable && !target.is_goal)
     path_ = local_planner_.cost_to_go().path({observation.pose.x, observation.pose.y},
                                              parameters_.look_ahead);
   const Point seen = to_robot(observation.pose, target.position);
-  const double bearing = std::atan2(seen.y, seen.x);
+  const double bearing = slalom::math::atan2(seen.y, seen.x);
   if (turn_.update(bearing, map_.clearance(), observation.pose, robot_, parameters_.margin) &&
       !is_met_standing())
     return clamp_to_limits(turn_.twist(bearing, observation.measured, robot_, task_.control_period),
                            robot_);
-  const double goal_distance = std::hypot(observation.goal.x, observation.goal.y);
+  const double goal_distance = slalom::math::hypot(observation.goal.x, observation.goal.y);
   const double top =
       std::min(robot_.max_v, stopping_speed(goal_distance + 0.5 * task_.goal_tolerance, robot_));
   return clamp_to_limits(best(observation, target, top), robot_);

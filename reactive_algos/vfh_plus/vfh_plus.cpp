@@ -1,5 +1,7 @@
 #include "vfh_plus/vfh_plus.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 
 namespace vfh_plus {
@@ -72,8 +74,8 @@ double VfhPlus::cost(double candidate, double target_direction) const {
 }
 
 Decision VfhPlus::decide(const Sectors& sectors, const Point& target) {
-  const double target_direction = std::atan2(target.y, target.x);
-  const double target_distance = std::hypot(target.x, target.y);
+  const double target_direction = slalom::math::atan2(target.y, target.x);
+  const double target_distance = slalom::math::hypot(target.x, target.y);
   update_binary(primary_histogram(sectors, parameters.window, target_distance), parameters,
                 blocked_);
   Sectors binary{std::vector<double>(sectors.count()), 1};

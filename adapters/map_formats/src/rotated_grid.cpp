@@ -2,6 +2,7 @@
 #include "rotated_grid.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/grid_map.h>
 
@@ -22,7 +23,7 @@ using Cell = COccupancyGridMap2D::cellType;  // MRPT's log odds: conversion to p
 class GridRotation {
  public:
   GridRotation(const COccupancyGridMap2D& grid, double yaw)
-      : grid_(grid), cos_(std::cos(yaw)), sin_(std::sin(yaw)) {
+      : grid_(grid), cos_(math::cos(yaw)), sin_(math::sin(yaw)) {
     const double w = grid.getSizeX(), h = grid.getSizeY();
     const double xs[] = {0, w * cos_, w * cos_ - h * sin_, -h * sin_};
     const double ys[] = {0, w * sin_, w * sin_ + h * cos_, h * cos_};

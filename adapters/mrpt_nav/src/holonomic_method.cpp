@@ -5,6 +5,7 @@
 #include "sectors.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
 
@@ -119,7 +120,7 @@ class HolonomicMethod : public Method {
   /// The goal in the same units, moved to within the reference distance.
   mrpt::math::TPoint2D target(const mrpt::math::TPoint2D& goal) const {
     constexpr double kMaxTarget = 0.98;
-    const double distance = std::hypot(goal.x, goal.y) / options_.reference_distance;
+    const double distance = math::hypot(goal.x, goal.y) / options_.reference_distance;
     const double scale = distance > kMaxTarget ? kMaxTarget / distance : 1.0;
     return goal * (scale / options_.reference_distance);
   }
@@ -159,7 +160,7 @@ class HolonomicMethod : public Method {
                             const std::vector<mrpt::math::TPoint2D>& points) const {
     const double length =
         std::clamp(std::min(speed, 1.0) * robot_.max_v, 0.0, stopping_speed(direction, points));
-    const double v = length * std::cos(direction), vy = length * std::sin(direction);
+    const double v = length * math::cos(direction), vy = length * math::sin(direction);
     const double w =
         options_.turn == Heading::FaceMotion && speed > 0 ? options_.turn_gain * direction : 0;
     return {robot_.forward_only ? std::max(0.0, v) : v, std::clamp(w, -robot_.max_w, robot_.max_w),
@@ -173,7 +174,7 @@ class HolonomicMethod : public Method {
                              const std::vector<mrpt::math::TPoint2D>& points) const {
     const double w = std::clamp(options_.turn_gain * direction, -robot_.max_w, robot_.max_w);
     const bool in_place = std::abs(direction) > options_.turn_in_place;
-    const double wanted = in_place ? 0 : std::min(1.0, speed) * robot_.max_v * std::cos(direction);
+    const double wanted = in_place ? 0 : std::min(1.0, speed) * robot_.max_v * math::cos(direction);
     const double v = std::clamp(std::min(wanted, stopping_speed(0, points)), 0.0, robot_.max_v);
     const bool stops = std::abs(measured_v) <= robot_.max_accel_v * control_period_;
     if (v > 0 || stops) return {v, in_place && speed <= 0 ? 0 : w};

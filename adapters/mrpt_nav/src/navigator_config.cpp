@@ -2,6 +2,7 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 
@@ -106,11 +107,11 @@ std::vector<TPoint2D> enlarged_outline(const Footprint& shape, double margin) {
   std::vector<TPoint2D> outline;
   if (shape.is_disc()) {
     const double radius_of_corners =
-        (shape.enclosing_radius() + margin) / std::cos(M_PI / kDiscCorners);
+        (shape.enclosing_radius() + margin) / math::cos(M_PI / kDiscCorners);
     for (int i = 0; i < kDiscCorners; ++i) {
       const double angle = (2 * i + 1) * M_PI / kDiscCorners;
-      outline.emplace_back(radius_of_corners * std::cos(angle),
-                           radius_of_corners * std::sin(angle));
+      outline.emplace_back(radius_of_corners * math::cos(angle),
+                           radius_of_corners * math::sin(angle));
     }
     return outline;
   }

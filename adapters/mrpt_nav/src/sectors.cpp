@@ -1,5 +1,7 @@
 #include "sectors.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,7 @@ namespace slalom {
 namespace {
 
 mrpt::math::TPoint2D unit_vector(double direction) {
-  return {std::cos(direction), std::sin(direction)};
+  return {math::cos(direction), math::sin(direction)};
 }
 
 /// Unit vectors along the rays of a scan, kept for the next scan.
@@ -87,7 +89,7 @@ std::vector<double> Sectors::free_distances(const std::vector<mrpt::math::TPoint
     if (square > reach * reach) continue;
     long first = 0, last = count - 1;
     if (const double d = std::sqrt(square); d > radius + kMargin) {
-      const double bearing = std::atan2(static_cast<float>(p.y), static_cast<float>(p.x));
+      const double bearing = math::atan2(static_cast<float>(p.y), static_cast<float>(p.x));
       const double spread = asin_bound(radius / d) + kAngleMargin;
       const double center = (bearing + M_PI) * sectors_per_radian - 0.5;
       first = static_cast<long>(std::ceil(center - spread * sectors_per_radian));

@@ -1,6 +1,8 @@
 #include "sectors.h"
 #include "simulated_robot.h"
 
+#include <slalom/core/math.h>
+
 #include <mrpt/core/Clock.h>
 #include <mrpt/kinematics/CVehicleVelCmd_DiffDriven.h>
 #include <mrpt/kinematics/CVehicleVelCmd_Holo.h>
@@ -21,7 +23,7 @@ using mrpt::math::TPoint2D;
 namespace {
 
 TPoint2D rotated(const TPoint2D& p, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
+  const double c = math::cos(angle), s = math::sin(angle);
   return {c * p.x - s * p.y, s * p.x + c * p.y};
 }
 
@@ -149,7 +151,7 @@ Command SimulatedRobot::holonomic_command(const Holo& holo) const {
   const double ramp = holo.ramp_time;
   const double blend = ramp > 0 ? std::min(1.0, elapsed / ramp) : 1;
   const TPoint2D velocity = rotated(holo.from + (holo.to - holo.from) * blend, -phi);
-  const double scale = limit_scale(std::hypot(velocity.x, velocity.y), robot_.max_v);
+  const double scale = limit_scale(math::hypot(velocity.x, velocity.y), robot_.max_v);
   const double remaining_angle = mrpt::math::wrapToPi(holo.heading - phi);
   const double turn =
       std::min({std::abs(holo.turn), robot_.max_w, std::abs(remaining_angle) / control_period_});

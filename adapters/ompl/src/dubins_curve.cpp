@@ -1,5 +1,7 @@
 #include "dubins_curve.h"
 
+#include <slalom/core/math.h>
+
 #include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
@@ -24,10 +26,10 @@ double positive_angle(double angle) {
 DubinsCurve::DubinsCurve(const TPose2D& from, const TPose2D& to, double radius)
     : from_(from), radius_(radius) {
   const double dx = to.x - from.x, dy = to.y - from.y;
-  const double d = std::hypot(dx, dy) / radius, line = std::atan2(dy, dx);
+  const double d = math::hypot(dx, dy) / radius, line = math::atan2(dy, dx);
   const double a = positive_angle(from.phi - line), b = positive_angle(to.phi - line);
-  const double sa = std::sin(a), sb = std::sin(b), ca = std::cos(a), cb = std::cos(b);
-  const double cab = std::cos(a - b);
+  const double sa = math::sin(a), sb = math::sin(b), ca = math::cos(a), cb = math::cos(b);
+  const double cab = math::cos(a - b);
   const auto offer = [&](std::array<int, 3> turns, double t, double p, double q) {
     const std::array<double, 3> parts = {positive_angle(t), p, positive_angle(q)};
     if (parts[0] + parts[1] + parts[2] >= parts_[0] + parts_[1] + parts_[2]) return;
@@ -35,29 +37,29 @@ DubinsCurve::DubinsCurve(const TPose2D& from, const TPose2D& to, double radius)
     parts_ = parts;
   };
   {  // The circles lie on the same side, left and right: the line is parallel to their centers.
-    const double left = std::atan2(cb - ca, d + sa - sb);
-    offer({1, 0, 1}, left - a, std::hypot(cb - ca, d + sa - sb), b - left);
-    const double right = std::atan2(ca - cb, d - sa + sb);
-    offer({-1, 0, -1}, a - right, std::hypot(ca - cb, d - sa + sb), right - b);
+    const double left = math::atan2(cb - ca, d + sa - sb);
+    offer({1, 0, 1}, left - a, math::hypot(cb - ca, d + sa - sb), b - left);
+    const double right = math::atan2(ca - cb, d - sa + sb);
+    offer({-1, 0, -1}, a - right, math::hypot(ca - cb, d - sa + sb), right - b);
   }
   if (const double square = d * d - 2 + 2 * cab + 2 * d * (sa + sb); square >= 0) {
     const double p = std::sqrt(square);
-    const double heading = std::atan2(-ca - cb, d + sa + sb) - std::atan2(-2, p);
+    const double heading = math::atan2(-ca - cb, d + sa + sb) - math::atan2(-2, p);
     offer({1, 0, -1}, heading - a, p, heading - b);
   }
   if (const double square = d * d - 2 + 2 * cab - 2 * d * (sa + sb); square >= 0) {
     const double p = std::sqrt(square);
-    const double heading = std::atan2(ca + cb, d - sa - sb) - std::atan2(2, p);
+    const double heading = math::atan2(ca + cb, d - sa - sb) - math::atan2(2, p);
     offer({-1, 0, 1}, a - heading, p, b - heading);
   }
   if (const double c = 0.125 * (6 - d * d + 2 * cab + 2 * d * (sa - sb)); std::abs(c) <= 1) {
-    const double p = 2 * M_PI - std::acos(c);
-    const double t = positive_angle(a - std::atan2(ca - cb, d - sa + sb) + 0.5 * p);
+    const double p = 2 * M_PI - math::acos(c);
+    const double t = positive_angle(a - math::atan2(ca - cb, d - sa + sb) + 0.5 * p);
     offer({-1, 1, -1}, t, p, a - b - t + p);
   }
   if (const double c = 0.125 * (6 - d * d + 2 * cab - 2 * d * (sa - sb)); std::abs(c) <= 1) {
-    const double p = 2 * M_PI - std::acos(c);
-    const double t = positive_angle(std::atan2(cb - ca, d + sa - sb) - a + 0.5 * p);
+    const double p = 2 * M_PI - math::acos(c);
+    const double t = positive_angle(math::atan2(cb - ca, d + sa - sb) - a + 0.5 * p);
     offer({1, -1, 1}, t, p, b - a - t + p);
   }
 }
@@ -69,12 +71,12 @@ TPose2D DubinsCurve::at(double fraction) const {
     const double part = std::min(left, parts_[i]);
     left -= part;
     if (turns_[i] == 0) {
-      pose.x += radius_ * part * std::cos(pose.phi);
-      pose.y += radius_ * part * std::sin(pose.phi);
+      pose.x += radius_ * part * math::cos(pose.phi);
+      pose.y += radius_ * part * math::sin(pose.phi);
     } else {
       const double heading = pose.phi + turns_[i] * part;
-      pose.x += turns_[i] * radius_ * (std::sin(heading) - std::sin(pose.phi));
-      pose.y -= turns_[i] * radius_ * (std::cos(heading) - std::cos(pose.phi));
+      pose.x += turns_[i] * radius_ * (math::sin(heading) - math::sin(pose.phi));
+      pose.y -= turns_[i] * radius_ * (math::cos(heading) - math::cos(pose.phi));
       pose.phi = heading;
     }
   }

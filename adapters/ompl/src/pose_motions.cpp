@@ -3,6 +3,7 @@
 #include "pose_states.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/simulation/footprint_contact.h>
 
 #include <mrpt/math/wrap2pi.h>
@@ -178,7 +179,7 @@ std::array<TPose2D, 4> rotate_and_drive(const TPose2D& a, const TPose2D& b, bool
   constexpr double kNoDistance = 1e-9;  // m
   double heading = a.phi;
   if (distance_between(a, b) > kNoDistance) {
-    heading = std::atan2(b.y - a.y, b.x - a.x);
+    heading = math::atan2(b.y - a.y, b.x - a.x);
     const auto rotation = [&](double at) {
       return std::abs(wrapToPi(at - a.phi)) + std::abs(wrapToPi(b.phi - at));
     };

@@ -1,6 +1,7 @@
 #include "pose_roadmap.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/references/disc_path.h>
 
 #include <mrpt/math/wrap2pi.h>
@@ -26,7 +27,7 @@ struct Node {
 };
 
 double direction(const TPoint2D& from, const TPoint2D& to) {
-  return std::atan2(to.y - from.y, to.x - from.x);
+  return math::atan2(to.y - from.y, to.x - from.x);
 }
 
 class Roadmap {
@@ -83,7 +84,7 @@ class Roadmap {
         for (int j = 0; j < kDirections; ++j) {
           const double angle = problem_.start_heading + 2 * M_PI * i / kDirections;
           const double r = distance * turning_radius();
-          add({problem_.start.x + r * std::cos(angle), problem_.start.y + r * std::sin(angle),
+          add({problem_.start.x + r * math::cos(angle), problem_.start.y + r * math::sin(angle),
                mrpt::math::wrapToPi(problem_.start_heading + 2 * M_PI * j / kDirections)},
               kAroundStart);
         }

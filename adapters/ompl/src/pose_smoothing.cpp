@@ -1,5 +1,7 @@
 #include "pose_smoothing.h"
 
+#include <slalom/core/math.h>
+
 #include <mrpt/math/wrap2pi.h>
 
 #include <array>
@@ -83,7 +85,8 @@ class Smoothing {
 
   bool move_pose(std::size_t i, double step) {
     const bool is_last = i + 1 == poses_.size();
-    const double along_x = std::cos(poses_[i].phi) * step, along_y = std::sin(poses_[i].phi) * step;
+    const double along_x = math::cos(poses_[i].phi) * step,
+                 along_y = math::sin(poses_[i].phi) * step;
     const std::array<TPose2D, 6> moves = {
         TPose2D(0, 0, 2 * step),       TPose2D(0, 0, -2 * step),
         TPose2D(along_x, along_y, 0),  TPose2D(-along_x, -along_y, 0),

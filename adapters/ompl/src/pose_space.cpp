@@ -1,6 +1,8 @@
 #include "dubins_curve.h"
 #include "pose_states.h"
 
+#include <slalom/core/math.h>
+
 #include <mrpt/math/wrap2pi.h>
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/StateSampler.h>
@@ -91,7 +93,8 @@ class RotateAndDriveSpace : public ob::SE2StateSpace {
     const auto rotation = [&](int i) {
       return kRotationWeight * std::abs(wrapToPi(poses[i + 1].phi - poses[i].phi));
     };
-    return {rotation(0), std::hypot(poses[2].x - poses[1].x, poses[2].y - poses[1].y), rotation(2)};
+    return {rotation(0), math::hypot(poses[2].x - poses[1].x, poses[2].y - poses[1].y),
+            rotation(2)};
   }
 
   bool forward_only_;

@@ -2,6 +2,7 @@
 
 #include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 
 #include <algorithm>
@@ -116,11 +117,11 @@ void InputEncoder::add_scan(const Observation& observation, std::vector<float>& 
 
 void InputEncoder::add_goal(const Observation& observation, std::vector<float>& values) const {
   const auto& goal = observation.goal_in_robot;
-  const double distance = std::hypot(goal.x, goal.y);
-  const double bearing = std::atan2(goal.y, goal.x);
+  const double distance = math::hypot(goal.x, goal.y);
+  const double bearing = math::atan2(goal.y, goal.x);
   values.push_back(static_cast<float>(std::min(1.0, distance / options_.goal_distance)));
-  values.push_back(static_cast<float>(std::cos(bearing)));
-  values.push_back(static_cast<float>(std::sin(bearing)));
+  values.push_back(static_cast<float>(math::cos(bearing)));
+  values.push_back(static_cast<float>(math::sin(bearing)));
 }
 
 void InputEncoder::add_velocity(const Observation& observation, std::vector<float>& values) const {

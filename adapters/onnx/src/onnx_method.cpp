@@ -2,6 +2,7 @@
 #include "network_input.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
 #include <slalom/methods/registry.h>
@@ -88,7 +89,7 @@ class OnnxMethod : public Method {
     }
     v = std::clamp(v, robot_.forward_only ? 0 : -robot_.max_v, robot_.max_v);
     w = std::clamp(w, -robot_.max_w, robot_.max_w);
-    if (const double speed = std::hypot(v, vy); speed > robot_.max_v) {
+    if (const double speed = math::hypot(v, vy); speed > robot_.max_v) {
       v *= robot_.max_v / speed;
       vy *= robot_.max_v / speed;
     }

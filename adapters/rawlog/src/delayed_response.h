@@ -2,6 +2,8 @@
 
 #include "response_fit.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,7 +41,7 @@ class LaggedVelocity {
     constexpr double kSameDuration = 1e-9;  // s; most durations are equal
     if (!(std::abs(duration - duration_) < kSameDuration)) {
       duration_ = duration;
-      exponential_ = std::exp(-duration / tau_);
+      exponential_ = math::exp(-duration / tau_);
     }
     return exponential_;
   }

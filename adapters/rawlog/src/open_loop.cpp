@@ -2,6 +2,7 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/methods/registry.h>
 #include <slalom/rawlog/open_loop.h>
 #include <slalom/scenario/geometry.h>
@@ -75,8 +76,8 @@ Observation observe(const LoggedScan& logged, const OpenLoopSetup& setup) {
 NavigationTask task_of(const Observation& observation, const OpenLoopSetup& setup) {
   NavigationTask task;
   task.start = observation.odometry;
-  task.goal = {task.start.x + setup.goal_ahead * std::cos(task.start.phi),
-               task.start.y + setup.goal_ahead * std::sin(task.start.phi)};
+  task.goal = {task.start.x + setup.goal_ahead * math::cos(task.start.phi),
+               task.start.y + setup.goal_ahead * math::sin(task.start.phi)};
   task.goal_tolerance = setup.goal_tolerance;
   task.control_period = setup.control_period;
   return task;

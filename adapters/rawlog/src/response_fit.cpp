@@ -2,6 +2,7 @@
 #include "lag_fit.h"
 #include "response_fit.h"
 
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 
 #include <algorithm>
@@ -115,7 +116,7 @@ class ResponseFitter {
     double least = without;
     is_limited_ = true;
     for (int i = 0; i < kCandidates; ++i) {
-      lag.log_limit = std::log(kExcess * greatest) + i * std::log(kRatio);
+      lag.log_limit = math::log(kExcess * greatest) + i * math::log(kRatio);
       lag = search(lag, {max_delay_ / kGridDelays, 0.05, 0}, kRoughStride);
       const double residual = evaluate(lag).residual;
       if (residual >= least) continue;
@@ -125,7 +126,8 @@ class ResponseFitter {
     best = search(best, {0.01, 0.01, 0.1}, kFineStride);
     const auto n = static_cast<double>(data_.times.size());
     const double accuracy = n * kModelAccuracy * kModelAccuracy;
-    const double gained = n * std::log((without + accuracy) / (evaluate(best).residual + accuracy));
+    const double gained =
+        n * math::log((without + accuracy) / (evaluate(best).residual + accuracy));
     is_limited_ = is_free_ = gained > kMuchMoreLikely;
     if (is_free_) best_ = best;
   }
@@ -133,7 +135,7 @@ class ResponseFitter {
   LagFit evaluate(const Lag& lag) const {
     double limit = kNoLimit;
     if (is_limited_)
-      limit = data_.max_acceleration > 0 ? data_.max_acceleration : std::exp(lag.log_limit);
+      limit = data_.max_acceleration > 0 ? data_.max_acceleration : math::exp(lag.log_limit);
     LaggedVelocity response(start_, lag.tau, limit);
     ResponseSums sums;
     sums.add(1, start_, data_.measured[0]);

@@ -1,3 +1,4 @@
+#include <slalom/core/math.h>
 #include <slalom/rawlog/run_scene.h>
 
 #include <cmath>
@@ -13,8 +14,8 @@ constexpr const char* kTrailColor = "#1f5fa8";
 constexpr const char* kRobotColor = "#0b2e59";
 
 TPoint2D from(const TPose2D& pose, double angle, double distance) {
-  return {pose.x + distance * std::cos(pose.phi + angle),
-          pose.y + distance * std::sin(pose.phi + angle)};
+  return {pose.x + distance * math::cos(pose.phi + angle),
+          pose.y + distance * math::sin(pose.phi + angle)};
 }
 
 SceneTrajectory line(Path path, const char* color) {

@@ -1,4 +1,5 @@
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/rawlog/open_loop.h>
 
 #include <mrpt/core/bits_math.h>
@@ -27,8 +28,8 @@ bool is_hit(const CObservation2DRangeScan& scan, std::size_t i) {
 }
 
 TPoint2D to_robot_frame(const CObservation2DRangeScan& scan, double range, double angle) {
-  const auto point =
-      scan.sensorPose.asTPose().composePoint({range * std::cos(angle), range * std::sin(angle), 0});
+  const auto point = scan.sensorPose.asTPose().composePoint(
+      {range * math::cos(angle), range * math::sin(angle), 0});
   return {point.x, point.y};
 }
 
@@ -47,8 +48,8 @@ class Resampler {
 
   /// Adds a point that covers all rays within `half_angle` of it, at least the closest one.
   void add(const TPoint2D& point, double half_angle) {
-    const double range = std::hypot(point.x, point.y);
-    const double bearing = std::atan2(point.y, point.x);
+    const double range = math::hypot(point.x, point.y);
+    const double bearing = math::atan2(point.y, point.x);
     const double half = std::max(half_angle, 0.5 * spacing_);
     const int first =
         static_cast<int>(std::ceil((bearing - half + half_aperture_) / spacing_ - 1e-9));
@@ -87,7 +88,7 @@ CObservation2DRangeScan resample_scan(const CObservation2DRangeScan& scan,
   for (const TPoint2D& point : scan_points(scan)) {
     // The angle that a point covers is different from the robot's center than from the sensor.
     const double sensor_distance = distance_between(point, sensor_position);
-    const double robot_distance = std::hypot(point.x, point.y);
+    const double robot_distance = math::hypot(point.x, point.y);
     const double scale = robot_distance > 0 ? sensor_distance / robot_distance : 1;
     rays.add(point, std::min(half_spacing * scale, 0.5 * mrpt::DEG2RAD(90.0)));
   }

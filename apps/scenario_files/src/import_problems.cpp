@@ -1,6 +1,7 @@
 #include "import_problems.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/map_formats/moving_ai.h>
 #include <slalom/references/exact_shortest.h>
@@ -54,7 +55,7 @@ Scenario problem_scenario(const Scenario& map, const MovingAiProblem& problem, d
   const auto start = center(problem.start_x, problem.start_y),
              goal = center(problem.goal_x, problem.goal_y);
   return map
-      .with_start_goal({start.x, start.y, std::atan2(goal.y - start.y, goal.x - start.x)}, goal)
+      .with_start_goal({start.x, start.y, math::atan2(goal.y - start.y, goal.x - start.x)}, goal)
       .renamed(map.name() + "_bucket" + std::to_string(problem.bucket) + "_line" +
                std::to_string(problem.line));
 }

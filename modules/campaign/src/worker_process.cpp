@@ -62,8 +62,8 @@ void WorkerProcess::start_kept(WorkerStart& start) {
   if (pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0) throw cannot_create("pipe", errno);
   output_ = FileDescriptor(ends[0]);
   start.output = FileDescriptor(ends[1]);
-  fcntl(ends[1], F_SETFL, 0);                   // methods do not expect that they cannot print
-  fcntl(ends[1], F_SETPIPE_SZ, 1 << 20);        // nor to wait for it; the system may not allow it
+  fcntl(ends[1], F_SETFL, 0);             // methods do not expect that they cannot print
+  fcntl(ends[1], F_SETPIPE_SZ, 1 << 20);  // nor to wait for it; the system may not allow it
   start.log = FileDescriptor(SharedTaskLog::make_file(options_.log_size));
   if (!start.log) throw cannot_create("log", errno);
   log_ = std::make_unique<SharedTaskLog>(options_.log_size, start.log.number());

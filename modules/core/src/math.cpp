@@ -8,8 +8,7 @@
 #include <cstring>
 #include <limits>
 
-namespace slalom {
-namespace math {
+namespace slalom::math {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -549,30 +548,25 @@ double atan2_outside(double y, double x) {
 }
 
 }  // namespace
-}  // namespace math
 
 double sin(double x) {
-  using namespace math;
   if (std::abs(x) < 0x1p-26) return x;  // nearest, since |sin x - x| < 2^-54 |x|
   if (!(std::abs(x) < kInfinity)) return kNan;
   return sine(x, reduced(x), 0);
 }
 
 double cos(double x) {
-  using namespace math;
   if (!(std::abs(x) < kInfinity)) return kNan;
   return sine(x, reduced(x), 1);
 }
 
 SinCos sin_cos(double x) {
-  using namespace math;
   if (!(std::abs(x) < kInfinity)) return {kNan, kNan};
   const Reduced angle = reduced(x);
   return {std::abs(x) < 0x1p-26 ? x : sine(x, angle, 0), sine(x, angle, 1)};
 }
 
 double atan2(double y, double x) {
-  using namespace math;
   const double height = std::abs(y), width = std::abs(x);
   if (!(height > 0 && height < kInfinity && width > 0 && width < kInfinity))
     return atan2_outside(y, x);
@@ -584,7 +578,6 @@ double atan2(double y, double x) {
 }
 
 double asin(double x) {
-  using namespace math;
   const double size = std::abs(x);
   if (size < 0x1p-26) return x;  // nearest, since |asin x - x| < 2^-54 |x|
   if (size == 1) return x * kHalfPi[0];
@@ -595,7 +588,6 @@ double asin(double x) {
 }
 
 double acos(double x) {
-  using namespace math;
   const double size = std::abs(x);
   if (size < 0x1p-60)
     return kHalfPi[0];  // nearest, since the rest of pi / 2 is 0.55 of half a unit
@@ -607,13 +599,11 @@ double acos(double x) {
 }
 
 double exp(double x) {
-  using namespace math;
   if (x != x) return x;
   return rounded_exp({x, 0}, 0x1p-67, [&] { return wide_exp(wide(x)); });
 }
 
 double log(double x) {
-  using namespace math;
   if (!(x > 0 && x < kInfinity)) return log_outside(x);
   const Split sum = fast_log<false>(x);
   double result = 0;
@@ -621,7 +611,6 @@ double log(double x) {
 }
 
 double log2(double x) {
-  using namespace math;
   if (!(x > 0 && x < kInfinity)) return log_outside(x);
   double exponent = 0, result = 0;
   const Split part = product(fast_log<false>(x, &exponent), {kInverseLn2[0], kInverseLn2[1]});
@@ -632,7 +621,6 @@ double log2(double x) {
 }
 
 double pow(double x, double y) {
-  using namespace math;
   if (x == 1 || y == 0) return 1;
   const double size = std::abs(x);
   if (!(size > 0 && size < kInfinity && std::abs(y) < kInfinity)) return pow_outside(x, y);
@@ -650,7 +638,6 @@ double pow(double x, double y) {
 }
 
 double hypot(double x, double y) {
-  using namespace math;
   x = std::abs(x);
   y = std::abs(y);
   if (!(x < kInfinity && y < kInfinity))
@@ -678,4 +665,4 @@ double hypot(double x, double y) {
   return (h - (main + rest) / (2 * h)) * scale;
 }
 
-}  // namespace slalom
+}  // namespace slalom::math

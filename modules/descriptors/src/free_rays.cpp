@@ -1,6 +1,8 @@
 #include "free_rays.h"
 #include "lattice.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +12,7 @@ namespace slalom {
 double mean_free_ray(const DescriptorContext& context, const Primitives& movers) {
   constexpr int kRays = 8;
   const Bounds bounds = context.world.occupancy().bounds();
-  const double diagonal = std::hypot(bounds.width(), bounds.height());
+  const double diagonal = math::hypot(bounds.width(), bounds.height());
   const RayCaster& rays = context.world.ray_caster();
   const auto points = lattice_points(context.world.occupancy());
   std::array<double, kRays> angles{};
@@ -18,7 +20,7 @@ double mean_free_ray(const DescriptorContext& context, const Primitives& movers)
   for (std::size_t i = 0; i < kRays; ++i) {
     // Half a step from the axes and diagonals: along these a ray could run on a line between cells.
     angles[i] = 2 * M_PI * (static_cast<double>(i) + 0.5) / kRays;
-    directions[i] = {std::cos(angles[i]), std::sin(angles[i])};
+    directions[i] = {math::cos(angles[i]), math::sin(angles[i])};
   }
   double sum = 0;
   for (const mrpt::math::TPoint2D& point : points)

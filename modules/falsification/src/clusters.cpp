@@ -1,3 +1,4 @@
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/falsification/clusters.h>
 #include <slalom/falsification/departure.h>
@@ -23,7 +24,7 @@ EndMotion motion_without_contact(const std::vector<Sample>& samples, double radi
   for (std::size_t i = samples.size() - 1; i > 0; --i) {
     const mrpt::math::TPose2D &a = samples[i - 1].pose, &b = samples[i].pose;
     if (samples[i - 1].t < samples.back().t - kEndWindow - 1e-9) break;
-    driven += std::hypot(b.x - a.x, b.y - a.y);
+    driven += math::hypot(b.x - a.x, b.y - a.y);
     turned += std::abs(mrpt::math::wrapToPi(b.phi - a.phi));
   }
   if (driven >= radius) return EndMotion::Driving;
@@ -33,7 +34,7 @@ EndMotion motion_without_contact(const std::vector<Sample>& samples, double radi
 EndMotion end_motion(Outcome outcome, const std::vector<Sample>& samples, const RobotModel& robot) {
   if (outcome == Outcome::Stuck || outcome == Outcome::Timeout)
     return motion_without_contact(samples, robot.shape().enclosing_radius());
-  const double speed = std::hypot(samples.back().v, samples.back().vy);
+  const double speed = math::hypot(samples.back().v, samples.back().vy);
   return speed > robot.max_v / 2 ? EndMotion::Fast : EndMotion::Slow;
 }
 

@@ -1,4 +1,5 @@
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/falsification/departure.h>
 #include <slalom/trajectory/path.h>
@@ -17,7 +18,7 @@ Departure departure_at(const World& world, const RobotModel& robot, const Sample
   const mrpt::math::TPoint2D position(sample.pose);
   Departure departure;
   departure.t = sample.t;
-  departure.speed = std::hypot(sample.v, sample.vy);
+  departure.speed = math::hypot(sample.v, sample.vy);
   departure.goal_bearing = bearing_of(world.scenario().goal(), sample.pose);
   departure.obstacle_bearing = bearing_of_obstacle(world, sample.pose, radius / 2);
   departure.clearance = world.distance_field().clearance(position) - radius;
@@ -48,8 +49,9 @@ double bearing_of_obstacle(const World& world, const mrpt::math::TPose2D& pose, 
   for (int i = 0; i < kDirections; ++i) {
     const int step_count = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2);
     const double offset = step_count * 2 * M_PI / kDirections;
-    const double clearance = world.distance_field().clearance(
-        {pose.x + step * std::cos(pose.phi + offset), pose.y + step * std::sin(pose.phi + offset)});
+    const double clearance =
+        world.distance_field().clearance({pose.x + step * math::cos(pose.phi + offset),
+                                          pose.y + step * math::sin(pose.phi + offset)});
     if (clearance >= nearest - 1e-9) continue;
     nearest = clearance;
     bearing = offset;
@@ -58,7 +60,7 @@ double bearing_of_obstacle(const World& world, const mrpt::math::TPose2D& pose, 
 }
 
 double bearing_of(const mrpt::math::TPoint2D& point, const mrpt::math::TPose2D& pose) {
-  return mrpt::math::wrapToPi(std::atan2(point.y - pose.y, point.x - pose.x) - pose.phi);
+  return mrpt::math::wrapToPi(math::atan2(point.y - pose.y, point.x - pose.x) - pose.phi);
 }
 
 std::optional<Departure> find_departure(const World& world, const RobotModel& robot,

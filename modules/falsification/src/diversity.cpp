@@ -1,4 +1,5 @@
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/falsification/diversity.h>
 #include <slalom/scenario/occupancy.h>
 
@@ -51,15 +52,15 @@ class ObstacleTest {
 TPose2D task_frame(const Scenario& scenario) {
   const TPose2D& start = scenario.start();
   const TPoint2D& goal = scenario.goal();
-  return {start.x, start.y, std::atan2(goal.y - start.y, goal.x - start.x)};
+  return {start.x, start.y, math::atan2(goal.y - start.y, goal.x - start.x)};
 }
 
 /// The square around the origin of the task's frame that contains the workspace: its half side, m.
 double reach(const Scenario& scenario) {
   const Bounds& bounds = scenario.bounds();
   const TPose2D& start = scenario.start();
-  return std::hypot(std::max(bounds.x_max - start.x, start.x - bounds.x_min),
-                    std::max(bounds.y_max - start.y, start.y - bounds.y_min));
+  return math::hypot(std::max(bounds.x_max - start.x, start.x - bounds.x_min),
+                     std::max(bounds.y_max - start.y, start.y - bounds.y_min));
 }
 
 }  // namespace

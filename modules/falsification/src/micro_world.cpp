@@ -1,3 +1,4 @@
+#include <slalom/core/math.h>
 #include <slalom/core/random.h>
 #include <slalom/falsification/candidates.h>
 #include <slalom/generation/scene.h>
@@ -11,8 +12,8 @@ using mrpt::math::TPoint2D;
 
 /// A rectangle (m) with its longer side in direction `angle` (rad).
 Polygon bar(const TPoint2D& center, double length, double thickness, double angle) {
-  const TPoint2D along(std::cos(angle) * length / 2, std::sin(angle) * length / 2);
-  const TPoint2D across(-std::sin(angle) * thickness / 2, std::cos(angle) * thickness / 2);
+  const TPoint2D along(math::cos(angle) * length / 2, math::sin(angle) * length / 2);
+  const TPoint2D across(-math::sin(angle) * thickness / 2, math::cos(angle) * thickness / 2);
   return {{center - along - across, center + along - across, center + along + across,
            center - along + across}};
 }
@@ -37,7 +38,7 @@ class MicroWorld {
   void draw_task() {
     const double direction = uniform_real(engine_, -M_PI, M_PI), distance = length(3, 4.6);
     const TPoint2D center(scale_ * kSide / 2, scale_ * kSide / 2);
-    const TPoint2D half(std::cos(direction) * distance / 2, std::sin(direction) * distance / 2);
+    const TPoint2D half(math::cos(direction) * distance / 2, math::sin(direction) * distance / 2);
     start_ = {center.x - half.x, center.y - half.y,
               direction + uniform_real(engine_, -M_PI / 4, M_PI / 4)};
     goal_ = center + half;
@@ -56,8 +57,8 @@ class MicroWorld {
     const TPoint2D center = draw_center();
     const int kind = uniform_int(engine_, 0, 3);
     if (kind < 2) {
-      const double log_radius = uniform_real(engine_, std::log(0.03), std::log(0.5));
-      obstacles.discs.push_back({center, scale_ * std::exp(log_radius)});
+      const double log_radius = uniform_real(engine_, math::log(0.03), math::log(0.5));
+      obstacles.discs.push_back({center, scale_ * math::exp(log_radius)});
       return;
     }
     const double long_side = length(0.4, 2), thickness = length(0.06, 0.3);
@@ -66,7 +67,7 @@ class MicroWorld {
     if (kind == 2 || left < 2) return;
     --left;
     const double gap = thickness + length(0.7, 1.4);
-    const TPoint2D beside = center + TPoint2D(-std::sin(angle) * gap, std::cos(angle) * gap);
+    const TPoint2D beside = center + TPoint2D(-math::sin(angle) * gap, math::cos(angle) * gap);
     obstacles.polygons.push_back(bar(beside, long_side, thickness, angle));
   }
 

@@ -3,6 +3,7 @@
 #include "shrinker.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/falsification/candidates.h>
 #include <slalom/falsification/neighbors.h>
 
@@ -19,8 +20,8 @@ using TaskSize = std::array<double, 3>;
 
 TaskSize task_size(const Scenario& scenario) {
   const mrpt::math::TPoint2D start(scenario.start().x, scenario.start().y);
-  return {std::log(scenario.bounds().width()), std::log(scenario.bounds().height()),
-          std::log(std::max(1e-3, distance_between(start, scenario.goal())))};
+  return {math::log(scenario.bounds().width()), math::log(scenario.bounds().height()),
+          math::log(std::max(1e-3, distance_between(start, scenario.goal())))};
 }
 
 double difference_of(const TaskSize& a, const TaskSize& b) {

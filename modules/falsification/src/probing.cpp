@@ -1,6 +1,7 @@
 #include "probing.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/simulation/range_finder.h>
 
 #include <cmath>
@@ -69,7 +70,7 @@ bool StepProbe::draw(const World& world, RandomEngine& engine, CommandDifference
   const double bearing = heading + uniform_real(engine, -2, 2);
   const double distance = uniform_real(engine, 1, 5);
   probe.pose = {at.x, at.y, heading};
-  probe.goal = at + TPoint2D(std::cos(bearing), std::sin(bearing)) * distance;
+  probe.goal = at + TPoint2D(math::cos(bearing), math::sin(bearing)) * distance;
   const double clearance = world.distance_field().clearance(at);
   return clearance >= radius + kFree && clearance <= kNear + radius &&
          world.scenario().bounds().contains(probe.goal) &&
@@ -130,8 +131,8 @@ std::unique_ptr<World> approach(const CommandDifference& difference, const TestB
     const double drawn = uniform_real(engine, 0.1, 1.2), back = is_here ? 0 : drawn;
     const double turn = normal(engine, 0, 0.1), shift = normal(engine, 0, 0.03);
     const double aside = is_exact ? 0 : shift;
-    const TPose2D start(pose.x - std::cos(pose.phi) * back - std::sin(pose.phi) * aside,
-                        pose.y - std::sin(pose.phi) * back + std::cos(pose.phi) * aside,
+    const TPose2D start(pose.x - math::cos(pose.phi) * back - math::sin(pose.phi) * aside,
+                        pose.y - math::sin(pose.phi) * back + math::cos(pose.phi) * aside,
                         pose.phi + (is_exact ? 0 : turn));
     if (!difference.world->scenario().bounds().contains({start.x, start.y})) continue;
     auto world = std::make_unique<World>(

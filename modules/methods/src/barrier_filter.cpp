@@ -1,5 +1,6 @@
 #include "half_planes.h"
 
+#include <slalom/core/math.h>
 #include <slalom/methods/barrier_filter.h>
 #include <slalom/methods/registry.h>
 
@@ -80,7 +81,7 @@ std::vector<TPoint2D> obstacle_points(const mrpt::obs::CObservation2DRangeScan& 
     const auto range = static_cast<double>(scan.getScanRange(i));
     if (!scan.getScanRangeValidity(i) || range >= static_cast<double>(scan.maxRange)) continue;
     const double angle = aperture * (static_cast<double>(i) / last - 0.5);
-    points.emplace_back(range * std::cos(angle), range * std::sin(angle));
+    points.emplace_back(range * math::cos(angle), range * math::sin(angle));
   }
   return points;
 }
@@ -206,7 +207,7 @@ class BarrierFilter : public Method {
     if (robot_.holonomic()) {
       for (int i = 0; i < kSides; ++i) {
         const double angle = 2 * M_PI * i / kSides;
-        polygon.emplace_back(high * std::cos(angle), high * std::sin(angle));
+        polygon.emplace_back(high * math::cos(angle), high * math::sin(angle));
       }
       return clipped(polygon, {{1, 0}, low});
     }

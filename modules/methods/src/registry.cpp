@@ -1,4 +1,5 @@
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/methods/barrier_filter.h>
 #include <slalom/methods/registry.h>
@@ -125,8 +126,8 @@ bool is_valid_command(const Command& command, const RobotModel& robot, std::stri
     reason = out_of_limits("w", command.w, -robot.max_w, robot.max_w);
   } else if (!robot.holonomic() && command.vy != 0) {
     reason = "vy = " + format_number(command.vy) + " of a differential drive is not 0";
-  } else if (!is_within(std::hypot(command.v, command.vy), 0, robot.max_v)) {
-    reason = out_of_limits("speed", std::hypot(command.v, command.vy), 0, robot.max_v);
+  } else if (!is_within(math::hypot(command.v, command.vy), 0, robot.max_v)) {
+    reason = out_of_limits("speed", math::hypot(command.v, command.vy), 0, robot.max_v);
   } else {
     return true;
   }

@@ -1,5 +1,7 @@
 #include "common.h"
 
+#include <slalom/core/math.h>
+
 #include <cmath>
 
 namespace slalom::metrics {
@@ -20,7 +22,7 @@ Value sum_of_changes(const MetricContext& context, Change change) {
 /// Sum of |change of the commanded linear velocity|.
 Value command_variation_v(const MetricContext& context) {
   return sum_of_changes(context, [](const Sample& a, const Sample& b) {
-    return std::hypot(b.command_v - a.command_v, b.command_vy - a.command_vy);
+    return math::hypot(b.command_v - a.command_v, b.command_vy - a.command_vy);
   });
 }
 

@@ -1,5 +1,7 @@
 #include "curve.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +14,7 @@ constexpr double kSpacing = 0.1;   // m, of the points whose curvature is comput
 constexpr double kDense = 0.0125;  // m, of the points on the smooth curve
 
 double norm(const TPoint2D& p) {
-  return std::hypot(p.x, p.y);
+  return math::hypot(p.x, p.y);
 }
 
 /// The derivative by arc length at each point, of the parabola through it and its neighbors.
@@ -83,8 +85,8 @@ double rotation(const Path& path) {
   double sum = 0;
   for (std::size_t i = 2; i < points.size(); ++i) {
     const TPoint2D before = points[i - 1] - points[i - 2], after = points[i] - points[i - 1];
-    sum += std::abs(std::atan2(before.x * after.y - before.y * after.x,
-                               before.x * after.x + before.y * after.y));
+    sum += std::abs(math::atan2(before.x * after.y - before.y * after.x,
+                                before.x * after.x + before.y * after.y));
   }
   return sum;
 }

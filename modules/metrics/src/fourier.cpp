@@ -1,5 +1,7 @@
 #include "fourier.h"
 
+#include <slalom/core/math.h>
+
 #include <cmath>
 #include <complex>
 #include <utility>

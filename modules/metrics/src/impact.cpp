@@ -1,6 +1,8 @@
 #include "common.h"
 #include "mover_encounters.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 
 namespace slalom::metrics {
@@ -9,7 +11,7 @@ namespace {
 /// The pose `dt` seconds before this sample, extrapolated with the sample's velocity.
 mrpt::math::TPose2D pose_before(const Sample& sample, double dt) {
   const double phi = sample.pose.phi - sample.w * dt;
-  const double c = std::cos(phi), s = std::sin(phi);
+  const double c = math::cos(phi), s = math::sin(phi);
   return {sample.pose.x - (sample.v * c - sample.vy * s) * dt,
           sample.pose.y - (sample.v * s + sample.vy * c) * dt, phi};
 }

@@ -1,6 +1,7 @@
 #include "common.h"
 #include "mover_encounters.h"
 
+#include <slalom/core/math.h>
 #include <slalom/scenario/touched_mover.h>
 #include <slalom/trajectory/standing.h>
 
@@ -47,7 +48,7 @@ Value contact_mover(const MetricContext& context) {
 Value mover_contact_speed(const MetricContext& context) {
   if (const auto na = na_unless_touched(context)) return *na;
   const Sample& last = context.trajectory.samples.back();
-  return Value::of(std::hypot(last.v, last.vy));
+  return Value::of(math::hypot(last.v, last.vy));
 }
 
 /// 1 if the robot had stood before a contact with a mover, so that the mover ran into it.

@@ -1,6 +1,8 @@
 #include "common.h"
 #include "mover_encounters.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -46,7 +48,7 @@ Value time_nearer_than(const MetricContext& context, double distance) {
 }
 
 TPoint2D velocity_of(const Sample& sample) {
-  const double c = std::cos(sample.pose.phi), s = std::sin(sample.pose.phi);
+  const double c = math::cos(sample.pose.phi), s = math::sin(sample.pose.phi);
   return {sample.v * c - sample.vy * s, sample.v * s + sample.vy * c};
 }
 

@@ -1,6 +1,8 @@
 #include "common.h"
 #include "mover_encounters.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +55,7 @@ double smallest_gap(const Encounter& e) {
   const double a = e.movement.x * e.movement.x + e.movement.y * e.movement.y;
   const double b = e.from.x * e.movement.x + e.from.y * e.movement.y;
   const TPoint2D nearest = e.from + e.movement * (a > 0 ? std::clamp(-b / a, 0.0, 1.0) : 0.0);
-  return std::hypot(nearest.x, nearest.y) - e.reach;
+  return math::hypot(nearest.x, nearest.y) - e.reach;
 }
 
 }  // namespace slalom

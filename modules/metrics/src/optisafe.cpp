@@ -1,5 +1,7 @@
 #include "common.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 
 namespace slalom::metrics {
@@ -22,7 +24,7 @@ Value optisafe(const MetricContext& context) {
   const double nearest = *std::min_element(context.clearances.begin(), context.clearances.end());
   const double o = retained_fraction((closed.number() - best) / best);
   const double s = retained_fraction((widest - nearest) / widest);
-  return Value::of((1 - std::abs(o - s)) * std::hypot(o, s) / std::sqrt(2.0));
+  return Value::of((1 - std::abs(o - s)) * math::hypot(o, s) / std::sqrt(2.0));
 }
 
 }  // namespace slalom::metrics

@@ -1,5 +1,7 @@
 #include "path_distance.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -71,7 +73,7 @@ double PathDistance::distance_to_block(const TPoint2D& p, const Block& block,
     const TPoint2D offset = offset_from_segment(p, path_[i], path_[i + 1]);
     const double square = offset.x * offset.x + offset.y * offset.y;
     if (square * (1 - kRounding) >= best * best) continue;  // most pieces: saves their roots
-    const double distance = std::hypot(offset.x, offset.y);
+    const double distance = math::hypot(offset.x, offset.y);
     if (distance >= best) continue;
     best = distance;
     piece = i;

@@ -2,6 +2,8 @@
 #include "fourier.h"
 #include "speed.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -73,8 +75,8 @@ double spectral_arc_length(const UniformSpeed& speed) {
   while (last > first && is_low(last)) --last;
   double sum = 0;
   for (std::size_t i = first + 1; i <= last; ++i)
-    sum += std::hypot(1 / static_cast<double>(last - first),
-                      (magnitudes[i] - magnitudes[i - 1]) / highest);
+    sum += math::hypot(1 / static_cast<double>(last - first),
+                       (magnitudes[i] - magnitudes[i - 1]) / highest);
   return -sum;
 }
 
@@ -106,7 +108,7 @@ Value log_dimensionless_jerk(const MetricContext& context) {
   const double peak = *std::max_element(v.begin(), v.end());
   const double jerk = duration * duration * duration / (peak * peak) * sum;
   if (jerk < kRounding) return Value::na("zero jerk");
-  return Value::of(-std::log(jerk));
+  return Value::of(-math::log(jerk));
 }
 
 }  // namespace slalom::metrics

@@ -1,5 +1,7 @@
 #include "speed.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +21,7 @@ SpeedProfile speed_profile(const MetricContext& context) {
   SpeedProfile profile;
   for (const Sample& sample : context.trajectory.samples) {
     profile.t.push_back(sample.t);
-    profile.v.push_back(sideways ? std::hypot(sample.v, sample.vy) : sample.v);
+    profile.v.push_back(sideways ? math::hypot(sample.v, sample.vy) : sample.v);
     profile.w.push_back(sample.w);
   }
   return profile;

@@ -1,4 +1,5 @@
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/references/disc_path.h>
 #include <slalom/references/turning_bound.h>
 
@@ -27,8 +28,8 @@ struct Car {
   /// How far it can proceed in a direction by a path of length l (m).
   double max_progress(double direction, double l) const {
     const double turn = turn_to(direction), turned = l / radius;
-    if (turned < turn) return radius * (std::sin(turn) - std::sin(turn - turned));
-    return radius * std::sin(turn) + l - radius * turn;
+    if (turned < turn) return radius * (math::sin(turn) - math::sin(turn - turned));
+    return radius * math::sin(turn) + l - radius * turn;
   }
 };
 
@@ -73,7 +74,7 @@ class PositionSearch {
     for (int i = 0; i < kDirections; ++i) {
       const double direction = 2 * M_PI * i / kDirections;
       const TPoint2D moved = p - problem_.start;
-      const double progress = moved.x * std::cos(direction) + moved.y * std::sin(direction);
+      const double progress = moved.x * math::cos(direction) + moved.y * math::sin(direction);
       if (progress > car_.max_progress(direction, l_) + margin) return false;
     }
     return true;
@@ -114,7 +115,7 @@ double arc_and_line(const TPoint2D& goal, double radius) {
         from_center.x * from_center.x + from_center.y * from_center.y - radius * radius;
     if (square < 0) return -1;
     const double line = std::sqrt(square);
-    const double angle = std::atan2(from_center.y, from_center.x) + std::atan2(radius, line);
+    const double angle = math::atan2(from_center.y, from_center.x) + math::atan2(radius, line);
     constexpr double kRounding = 1e-9;
     const double turn = angle < -kRounding ? angle + 2 * M_PI : std::max(angle, 0.0);
     const double length = radius * turn + line;
@@ -133,14 +134,14 @@ double obstacle_free_bound(const PlanningProblem& problem, double min_turning_ra
   constexpr int kDirections = 3600;  // each gives a bound
   for (int i = 0; i < kDirections; ++i) {
     const double direction = 2 * M_PI * i / kDirections;
-    const double progress = to_goal.x * std::cos(direction) + to_goal.y * std::sin(direction);
+    const double progress = to_goal.x * math::cos(direction) + to_goal.y * math::sin(direction);
     const double turn = car.turn_to(direction);
     // A path that proceeds as far has turned completely: it is longer than the turn.
-    if (progress <= min_turning_radius * std::sin(turn)) continue;
-    bound = std::max(bound, progress + min_turning_radius * (turn - std::sin(turn)));
+    if (progress <= min_turning_radius * math::sin(turn)) continue;
+    bound = std::max(bound, progress + min_turning_radius * (turn - math::sin(turn)));
   }
   if (reversible) return bound;
-  const double c = std::cos(problem.start_heading), s = std::sin(problem.start_heading);
+  const double c = math::cos(problem.start_heading), s = math::sin(problem.start_heading);
   const TPoint2D in_frame(c * to_goal.x + s * to_goal.y, c * to_goal.y - s * to_goal.x);
   return std::max(bound, arc_and_line(in_frame, min_turning_radius));
 }
@@ -152,7 +153,7 @@ double turning_lower_bound(const PlanningProblem& problem, const ShortestPath& e
   if (exact.path.size() < 2) return known;
   const TPoint2D first = exact.path[1] - exact.path[0];
   const Car car{problem.start_heading, min_turning_radius, reversible};
-  const double turn = car.turn_to(std::atan2(first.y, first.x));
+  const double turn = car.turn_to(math::atan2(first.y, first.x));
   constexpr double kMinTurn = 0.05;  // rad; the cube of it is lost
   if (turn < kMinTurn) return known;
   const double l = std::min(min_turning_radius * turn, known);

@@ -1,3 +1,4 @@
+#include <slalom/core/math.h>
 #include <slalom/report/figures.h>
 
 #include <fmt/format.h>
@@ -36,7 +37,7 @@ class ProfileChart {
   explicit ProfileChart(const ProfileTable& table) : table_(table) {
     for (const PerformanceProfile& profile : table.profiles)
       for (const ProfileStep& step : profile.steps) max_ = std::max(max_, step.ratio);
-    max_ = std::exp2(std::ceil(std::log2(std::clamp(max_, 2.0, kMaxRatio))));
+    max_ = std::exp2(std::ceil(math::log2(std::clamp(max_, 2.0, kMaxRatio))));
   }
 
   std::string render() const {
@@ -49,7 +50,7 @@ class ProfileChart {
   static constexpr double kWidth = 360, kHeight = 240, kLegend = 180;  // pixels
   static constexpr double kMaxRatio = 16;                              // beyond it curves are cut
 
-  double x(double ratio) const { return kMargin + kWidth * std::log2(ratio) / std::log2(max_); }
+  double x(double ratio) const { return kMargin + kWidth * math::log2(ratio) / math::log2(max_); }
   static double y(double fraction) { return kMargin + kHeight * (1 - fraction); }
 
   std::string axes() const {

@@ -1,5 +1,6 @@
 #include "approach.h"
 
+#include <slalom/core/math.h>
 #include <slalom/robot/diff_drive.h>
 
 #include <mrpt/kinematics/CVehicleVelCmd_DiffDriven.h>
@@ -48,9 +49,9 @@ TPose2D DiffDrive::integrate(const TPose2D& pose, const Velocity& velocity, doub
   const double turn = velocity.w * dt;
   // sin(x)/x with x = turn/2: the chord of the arc, also where the turn vanishes.
   const double half = 0.5 * turn;
-  const double chord = velocity.v * dt * (std::abs(half) < 1e-9 ? 1.0 : std::sin(half) / half);
+  const double chord = velocity.v * dt * (std::abs(half) < 1e-9 ? 1.0 : math::sin(half) / half);
   const double heading = pose.phi + half;
-  return {pose.x + chord * std::cos(heading), pose.y + chord * std::sin(heading),
+  return {pose.x + chord * math::cos(heading), pose.y + chord * math::sin(heading),
           mrpt::math::wrapToPi(pose.phi + turn)};
 }
 

@@ -1,4 +1,5 @@
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/robot/footprint.h>
 
@@ -105,7 +106,7 @@ void check_convex(const std::vector<Corner>& corners) {
       throw std::invalid_argument("a convex polygon (it turns inward at corner " +
                                   std::to_string(corners[i].number) + ", " +
                                   format_number(point.x) + "," + format_number(point.y) + ")");
-    total += std::atan2(cross(in, out), in.x * out.x + in.y * out.y);
+    total += math::atan2(cross(in, out), in.x * out.x + in.y * out.y);
   }
   if (total > 7)  // 2 pi, not 4 pi as in a star
     throw std::invalid_argument("a convex polygon (its sides cross)");
@@ -147,7 +148,7 @@ Footprint Footprint::parse(const std::string& text, const std::string& where) {
 }
 
 std::vector<TPoint2D> Footprint::corners_at(const TPose2D& pose) const {
-  const double c = std::cos(pose.phi), s = std::sin(pose.phi);
+  const double c = math::cos(pose.phi), s = math::sin(pose.phi);
   std::vector<TPoint2D> transformed;
   transformed.reserve(corners_.size());
   for (const TPoint2D& p : corners_)

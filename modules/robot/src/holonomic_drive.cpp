@@ -1,5 +1,6 @@
 #include "approach.h"
 
+#include <slalom/core/math.h>
 #include <slalom/robot/holonomic_drive.h>
 
 #include <mrpt/kinematics/CVehicleVelCmd_Holo.h>
@@ -23,8 +24,8 @@ void HolonomicDrive::sendVelCmd(const mrpt::kinematics::CVehicleVelCmd& cmd_vel)
   const auto* cmd = dynamic_cast<const CVehicleVelCmd_Holo*>(&cmd_vel);
   if (cmd == nullptr) throw std::invalid_argument("HolonomicDrive: expected a CVehicleVelCmd_Holo");
   const double turn = cmd->dir_local > 0 ? cmd->rot_speed : -cmd->rot_speed;
-  command(cmd->vel * std::cos(cmd->dir_local), cmd->dir_local == 0 ? 0 : turn,
-          cmd->vel * std::sin(cmd->dir_local));
+  command(cmd->vel * math::cos(cmd->dir_local), cmd->dir_local == 0 ? 0 : turn,
+          cmd->vel * math::sin(cmd->dir_local));
 }
 
 mrpt::kinematics::CVehicleVelCmd::Ptr HolonomicDrive::getVelCmdType() const {
@@ -34,14 +35,14 @@ mrpt::kinematics::CVehicleVelCmd::Ptr HolonomicDrive::getVelCmdType() const {
 Velocity HolonomicDrive::clamp_to_limits(const Velocity& target) const {
   const RobotModel& r = robot();
   const double forward = r.forward_only ? std::max(0.0, target.v) : target.v;
-  const double speed = std::hypot(forward, target.vy);
+  const double speed = math::hypot(forward, target.vy);
   const double scale = speed > r.max_v ? r.max_v / speed : 1;
   return {scale * forward, std::clamp(target.w, -r.max_w, r.max_w), scale * target.vy};
 }
 
 Velocity HolonomicDrive::apply_acceleration_limits(const Velocity& from, const Velocity& to,
                                                    double dt) const {
-  const double change = std::hypot(to.v - from.v, to.vy - from.vy);
+  const double change = math::hypot(to.v - from.v, to.vy - from.vy);
   const double max_change = robot().max_accel_v * dt;
   const double scale = change > max_change ? max_change / change : 1;
   return {from.v + scale * (to.v - from.v), approach(from.w, to.w, robot().max_accel_w * dt),
@@ -50,7 +51,7 @@ Velocity HolonomicDrive::apply_acceleration_limits(const Velocity& from, const V
 
 TPose2D HolonomicDrive::integrate(const TPose2D& pose, const Velocity& velocity, double dt) const {
   const double turn = velocity.w * dt, heading = pose.phi + 0.5 * turn;
-  const double c = std::cos(heading), s = std::sin(heading);
+  const double c = math::cos(heading), s = math::sin(heading);
   return {pose.x + (c * velocity.v - s * velocity.vy) * dt,
           pose.y + (s * velocity.v + c * velocity.vy) * dt, mrpt::math::wrapToPi(pose.phi + turn)};
 }

@@ -1,3 +1,4 @@
+#include <slalom/core/math.h>
 #include <slalom/robot/diff_drive.h>
 #include <slalom/robot/holonomic_drive.h>
 #include <slalom/robot/vehicle.h>
@@ -39,7 +40,7 @@ Velocity Vehicle::delayed_command(double dt) {
     pending_commands_.pop_front();
   }
   if (!(robot_.delay_tau > 0)) return effective_command_;
-  const double gain = 1 - std::exp(-dt / robot_.delay_tau);
+  const double gain = 1 - math::exp(-dt / robot_.delay_tau);
   return {velocity_.v + gain * (effective_command_.v - velocity_.v),
           velocity_.w + gain * (effective_command_.w - velocity_.w),
           velocity_.vy + gain * (effective_command_.vy - velocity_.vy)};
@@ -50,8 +51,8 @@ void Vehicle::internal_simulControlStep(const double dt) {
   velocity_ = apply_acceleration_limits(before, delayed_command(dt), dt);
   const Velocity driven = mean(before, velocity_);
   m_GT_pose = integrate(m_GT_pose, driven, dt);
-  step_length_ = std::hypot(driven.v, driven.vy) * dt;
-  const double c = std::cos(m_GT_pose.phi), s = std::sin(m_GT_pose.phi);
+  step_length_ = math::hypot(driven.v, driven.vy) * dt;
+  const double c = math::cos(m_GT_pose.phi), s = math::sin(m_GT_pose.phi);
   m_GT_vel = {velocity_.v * c - velocity_.vy * s, velocity_.v * s + velocity_.vy * c, velocity_.w};
   m_odometry = m_GT_pose;
   m_odometric_vel = m_GT_vel;

@@ -1,6 +1,7 @@
 #include "cell_parts.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/contours.h>
 
@@ -123,8 +124,8 @@ void fix_ends(std::vector<Vertex>& vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (vertices[i].fixed) return;
     const TPoint2D gap = vertices[i].at - vertices[0].at;
-    if (std::hypot(gap.x, gap.y) <= distance) continue;
-    distance = std::hypot(gap.x, gap.y);
+    if (math::hypot(gap.x, gap.y) <= distance) continue;
+    distance = math::hypot(gap.x, gap.y);
     farthest = i;
   }
   vertices[0].fixed = vertices[farthest].fixed = true;

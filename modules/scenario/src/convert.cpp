@@ -1,5 +1,6 @@
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/contours.h>
 #include <slalom/scenario/convert.h>
@@ -49,8 +50,8 @@ void sample(const Disc& disc, double spacing, PointCollector& points) {
   const double n = std::max(3.0, pieces(2 * M_PI * disc.radius, spacing));
   for (double i = 0; i < n; ++i) {
     const double angle = 2 * M_PI * i / n;
-    points.add({disc.center.x + disc.radius * std::cos(angle),
-                disc.center.y + disc.radius * std::sin(angle)});
+    points.add({disc.center.x + disc.radius * math::cos(angle),
+                disc.center.y + disc.radius * math::sin(angle)});
   }
 }
 

@@ -1,6 +1,8 @@
 #include "free_rectangles.h"
 #include "rectangle_codes.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -184,7 +186,7 @@ double mean_log_exit(double width, double height) {
   double sum = 0;
   for (int i = 0; i < kDirections; ++i) {
     const double angle = (i + 0.5) * 0.5 * M_PI / kDirections;
-    sum += std::log(std::min((width - 0.5) / std::cos(angle), (height - 0.5) / std::sin(angle)));
+    sum += math::log(std::min((width - 0.5) / math::cos(angle), (height - 0.5) / math::sin(angle)));
   }
   return sum / kDirections;
 }

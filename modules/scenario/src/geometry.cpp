@@ -1,4 +1,5 @@
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/scenario/geometry.h>
 
 #include <algorithm>
@@ -129,7 +130,7 @@ TPoint2D offset_from_segment(const TPoint2D& p, const TPoint2D& a, const TPoint2
 
 double distance_to_segment(const TPoint2D& p, const TPoint2D& a, const TPoint2D& b) {
   const TPoint2D offset = offset_from_segment(p, a, b);
-  return std::hypot(offset.x, offset.y);
+  return math::hypot(offset.x, offset.y);
 }
 
 double distance(const TPoint2D& p, const Disc& disc) {
@@ -160,7 +161,7 @@ bool contains(const Polygon& polygon, const TPoint2D& p) {
 std::optional<std::pair<double, double>> range_within(const TPoint2D& from,
                                                       const TPoint2D& movement, double radius) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const double distance = std::hypot(from.x, from.y);
+  const double distance = math::hypot(from.x, from.y);
   const double a = movement.x * movement.x + movement.y * movement.y;
   const double b = from.x * movement.x + from.y * movement.y;
   // As a product: the difference of squares would lose the digits of a small gap.
@@ -191,7 +192,7 @@ bool is_simple(const Polygon& polygon) {
 
 double cast_ray(const Primitives& primitives, const Bounds& bounds, const TPoint2D& origin,
                 double angle, double max_range) {
-  const TPoint2D direction(std::cos(angle), std::sin(angle));
+  const TPoint2D direction(math::cos(angle), math::sin(angle));
   double nearest = std::min(max_range, cast_on_bounds(bounds, origin, direction));
   for (const Disc& disc : primitives.discs)
     nearest = std::min(nearest, cast_on_disc(disc, origin, direction));

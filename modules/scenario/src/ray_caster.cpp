@@ -1,6 +1,7 @@
 #include "free_rectangles.h"
 #include "scan_kernel.h"
 
+#include <slalom/core/math.h>
 #include <slalom/scenario/ray_caster.h>
 
 #include <algorithm>
@@ -39,8 +40,8 @@ const Directions& directions_of(const ScanGeometry& geometry) {
   cached = {geometry.count, geometry.aperture, empty, empty};
   for (std::size_t i = 0; i < size; ++i) {
     const double angle = geometry.angle(std::min(static_cast<int>(i), geometry.count - 1));
-    cached.cosine[i] = std::cos(angle);
-    cached.sine[i] = std::sin(angle);
+    cached.cosine[i] = math::cos(angle);
+    cached.sine[i] = math::sin(angle);
   }
   return cached;
 }
@@ -152,7 +153,7 @@ bool RayCaster::touches_corner(const std::uint8_t* rectangles, int x, int y) con
 }
 
 double RayCaster::cast(const mrpt::math::TPoint2D& origin, double angle, double max_range) const {
-  return cast(origin, {std::cos(angle), std::sin(angle)}, max_range);
+  return cast(origin, {math::cos(angle), math::sin(angle)}, max_range);
 }
 
 double RayCaster::cast(const mrpt::math::TPoint2D& origin, const mrpt::math::TPoint2D& direction,
@@ -174,8 +175,8 @@ ScanOrigin RayCaster::scan_origin(const Ray& ray, double heading, double max_ran
     origin.column[mirrored] = static_cast<std::int32_t>(column);
     origin.row[mirrored] = static_cast<std::int32_t>(row);
   }
-  origin.cosine = std::cos(heading);
-  origin.sine = std::sin(heading);
+  origin.cosine = math::cos(heading);
+  origin.sine = math::sin(heading);
   origin.limit = max_range / resolution_;
   origin.max_range = max_range;
   origin.resolution = resolution_;

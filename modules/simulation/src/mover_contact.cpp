@@ -1,6 +1,7 @@
 #include "mover_contact.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/scenario/geometry.h>
 
 #include <mrpt/math/wrap2pi.h>
@@ -118,11 +119,11 @@ double MoverContact::disc_contact(const TimedMotion& motion, const Mover& mover)
   const double a = d.x * d.x + d.y * d.y, b = p.x * d.x + p.y * d.y;
   const double nearest = a > 0 ? std::clamp(-b / a, 0.0, 1.0) : 0.0;
   const TPoint2D closest = p + d * nearest;
-  if (!(std::hypot(closest.x, closest.y) < reach - kMoverTolerance)) return kNoContact;
-  const double start_gap = std::hypot(p.x, p.y) - reach;
+  if (!(math::hypot(closest.x, closest.y) < reach - kMoverTolerance)) return kNoContact;
+  const double start_gap = math::hypot(p.x, p.y) - reach;
   if (start_gap <= 0) return 0;
   // c is computed as a product: the difference of squares would lose the digits of a small gap.
-  const double c = start_gap * (std::hypot(p.x, p.y) + reach);
+  const double c = start_gap * (math::hypot(p.x, p.y) + reach);
   return c / (-b + std::sqrt(std::max(0.0, b * b - a * c)));
 }
 
@@ -132,7 +133,7 @@ double MoverContact::polygon_contact(const TimedMotion& motion, const Mover& mov
   const TPoint2D moved = mover.position(motion.end) - mover.position(motion.begin);
   const TPoint2D relative = TPoint2D(motion.to) - TPoint2D(motion.from) - moved;
   const double length =
-      std::hypot(relative.x, relative.y) + footprint_.enclosing_radius() * turn_of(motion);
+      math::hypot(relative.x, relative.y) + footprint_.enclosing_radius() * turn_of(motion);
   for (double at = 0; at <= 1;) {
     const double now = motion.begin + at * (motion.end - motion.begin);
     const double clearance = gap(interpolate(motion.from, motion.to, at), mover, now);

@@ -1,3 +1,4 @@
+#include <slalom/core/math.h>
 #include <slalom/simulation/mover_scan.h>
 
 #include <algorithm>
@@ -13,12 +14,12 @@ MoverScan::MoverScan(const Movers& movers, const ScanGeometry& geometry)
   if (movers.empty()) return;
   directions_.reserve(static_cast<std::size_t>(geometry.count));
   for (int i = 0; i < geometry.count; ++i)
-    directions_.emplace_back(std::cos(geometry.angle(i)), std::sin(geometry.angle(i)));
+    directions_.emplace_back(math::cos(geometry.angle(i)), math::sin(geometry.angle(i)));
 }
 
 void MoverScan::add_to(const TPose2D& pose, double t, float* ranges) const {
   if (movers_.empty()) return;
-  const double cosine = std::cos(pose.phi), sine = std::sin(pose.phi);
+  const double cosine = math::cos(pose.phi), sine = math::sin(pose.phi);
   for (const Mover& mover : movers_) {
     if (!mover.present(t)) continue;
     const TPoint2D to = mover.position(t) - TPoint2D(pose);
@@ -30,13 +31,13 @@ void MoverScan::add_to(const TPose2D& pose, double t, float* ranges) const {
 
 /// A disc in the robot frame: of the rays only those that can hit it are tested.
 void MoverScan::add_disc(const TPoint2D& center, double radius, float* ranges) const {
-  const double distance = std::hypot(center.x, center.y);
+  const double distance = math::hypot(center.x, center.y);
   if (distance <= radius) {
     std::fill_n(ranges, geometry_.count, 0.0F);
     return;
   }
-  const double bearing = std::atan2(center.y, center.x);
-  const double half_width = std::asin(radius / distance);
+  const double bearing = math::atan2(center.y, center.x);
+  const double half_width = math::asin(radius / distance);
   // A disc behind the robot may be hit at both ends of an aperture beyond half a turn.
   for (const double turn : {-2 * M_PI, 0.0, 2 * M_PI})
     add_rays(bearing + turn, half_width, center, radius, ranges);

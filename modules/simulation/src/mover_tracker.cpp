@@ -1,5 +1,7 @@
 #include "mover_tracker.h"
 
+#include <slalom/core/math.h>
+
 #include <cmath>
 
 namespace slalom {
@@ -32,7 +34,7 @@ MoverTracker::MoverTracker(const Movers& movers, const TrackerModel& model, std:
 
 const std::vector<Track>& MoverTracker::sense(const TPose2D& pose, double t) {
   tracks_.clear();
-  const double cosine = std::cos(pose.phi), sine = std::sin(pose.phi);
+  const double cosine = math::cos(pose.phi), sine = math::sin(pose.phi);
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Mover& mover = movers_[i];
     const TVector2D position_error = track_error(position_, model_.position_sigma);
@@ -41,7 +43,7 @@ const std::vector<Track>& MoverTracker::sense(const TPose2D& pose, double t) {
         model_.dropout_ratio > 0 && uniform_real(dropout_, 0, 1) < model_.dropout_ratio;
     if (missing || !mover.present(t)) continue;
     const TPoint2D to = mover.position(t) - TPoint2D(pose);
-    if (std::hypot(to.x, to.y) > model_.range) continue;
+    if (math::hypot(to.x, to.y) > model_.range) continue;
     tracks_.push_back({static_cast<std::int32_t>(i), rotated(to, cosine, -sine) + position_error,
                        rotated(mover.velocity(t), cosine, -sine) + velocity_error, mover.radius});
   }

@@ -1,5 +1,7 @@
 #include "odometry.h"
 
+#include <slalom/core/math.h>
+
 #include <mrpt/math/wrap2pi.h>
 
 #include <cmath>
@@ -20,7 +22,7 @@ void Odometry::move(const TPose2D& from, const TPose2D& to) {
     return;
   }
   const double dx = to.x - from.x, dy = to.y - from.y;
-  const double turn = mrpt::math::wrapToPi(to.phi - from.phi), length = std::hypot(dx, dy);
+  const double turn = mrpt::math::wrapToPi(to.phi - from.phi), length = math::hypot(dx, dy);
   const double distance_error =
       length > 0 && model_.distance_sigma > 0
           ? normal(distance_, 0, model_.distance_sigma * std::sqrt(length))
@@ -29,7 +31,7 @@ void Odometry::move(const TPose2D& from, const TPose2D& to) {
       model_.turn_sigma > 0 ? normal(turn_, 0, model_.turn_sigma * std::sqrt(std::abs(turn))) : 0;
   const double scale = length > 0 ? 1 + distance_error / length : 1;
   // The measured motion, applied to the odometry pose.
-  const double c = std::cos(pose_.phi - from.phi), s = std::sin(pose_.phi - from.phi);
+  const double c = math::cos(pose_.phi - from.phi), s = math::sin(pose_.phi - from.phi);
   pose_ = {pose_.x + scale * (c * dx - s * dy), pose_.y + scale * (s * dx + c * dy),
            mrpt::math::wrapToPi(pose_.phi + turn + turn_error)};
 }

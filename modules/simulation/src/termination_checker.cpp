@@ -1,6 +1,7 @@
 #include "termination_checker.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/touched_mover.h>
 #include <slalom/trajectory/standing.h>
@@ -54,7 +55,7 @@ std::string TerminationChecker::describe_contact(const Trajectory& trajectory,
   const Mover* mover = touched_mover(world_, TPoint2D(last.pose), footprint_.enclosing_radius(),
                                      footprint_.corners_at(last.pose), trajectory.duration());
   if (mover == nullptr) return "contact " + where;
-  const double speed = std::hypot(last.v, last.vy);
+  const double speed = math::hypot(last.v, last.vy);
   return "contact with mover '" + mover->id + "' " + where +
          (has_stood(trajectory, last.t, last.pose, footprint_.is_disc())
               ? ", the robot had stood for " + format_number(kStandingTime) + " s"

@@ -1,4 +1,5 @@
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/trajectory/path.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ double distance_to_segment(const TPoint2D& p, const TPoint2D& a, const TPoint2D&
   const double squared = ab.x * ab.x + ab.y * ab.y;
   const double projection = squared > 0 ? ((p.x - a.x) * ab.x + (p.y - a.y) * ab.y) / squared : 0.0;
   const double t = std::clamp(projection, 0.0, 1.0);
-  return std::hypot(p.x - (a.x + t * ab.x), p.y - (a.y + t * ab.y));
+  return math::hypot(p.x - (a.x + t * ab.x), p.y - (a.y + t * ab.y));
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ Path resample(const Path& path, double spacing) {
   result.push_back(path.front());
   for (std::size_t i = 1; i < path.size(); ++i) {
     const TPoint2D step = path[i] - path[i - 1];
-    const double pieces = std::max(1.0, std::ceil(std::hypot(step.x, step.y) / spacing));
+    const double pieces = std::max(1.0, std::ceil(math::hypot(step.x, step.y) / spacing));
     for (double k = 1; k < pieces; ++k) result.push_back(path[i - 1] + step * (k / pieces));
     result.push_back(path[i]);
   }

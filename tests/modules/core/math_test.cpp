@@ -12,7 +12,7 @@
 #include <mpfr.h>
 #endif
 
-namespace slalom {
+namespace slalom::math {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -462,4 +462,4 @@ TEST(Math, IsRoundedCorrectly) {
 #endif
 
 }  // namespace
-}  // namespace slalom
+}  // namespace slalom::math

@@ -28,8 +28,8 @@ Trajectory through(const std::vector<mrpt::math::TPose2D>& poses) {
 /// Passes the disc on its left side, seen from the start.
 const Trajectory kPasses = through({{1, 5, 0}, {3, 5, 0}, {3.5, 6, 0}, {7, 6, 0}, {9, 5, 0}});
 
-/// The default robot has a radius of 0.25 m. 0.2 m beyond the corner at (3, 5) it is 0.18 m from the
-/// path, whose next part rises 2 m per m; 1 m beyond it 0.89 m.
+/// The default robot has a radius of 0.25 m. 0.2 m beyond the corner at (3, 5) it is 0.18 m from
+/// the path, whose next part rises 2 m per m; 1 m beyond it 0.89 m.
 Trajectory straight_on(double heading) {
   return through({{1, 5, 0}, {2, 5, 0}, {3, 5, 0}, {3.2, 5, 0}, {4, 5, heading}, {4.2, 5, 0}});
 }
@@ -71,9 +71,10 @@ TEST(Departure, IsASentence) {
   EXPECT_EQ(departure_text("nd", "gap", departure),
             "nd leaves the path of gap after 3.20 s at 0.45 m/s; goal 12 degrees to the left, "
             "nearest obstacle 60 degrees to the right, 0.25 m away");
-  EXPECT_EQ(departure_text("nd", "gap", Departure{0, 0, 0.001, M_PI, 0, true}),
-            "nd leaves the path of gap after 0.00 s at 0.00 m/s; goal straight ahead, nearest mover "
-            "straight behind, 0.00 m away");
+  EXPECT_EQ(
+      departure_text("nd", "gap", Departure{0, 0, 0.001, M_PI, 0, true}),
+      "nd leaves the path of gap after 0.00 s at 0.00 m/s; goal straight ahead, nearest mover "
+      "straight behind, 0.00 m away");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <slalom/analysis/sim2real.h>
 #include <slalom/analysis/statistics.h>
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 
 #include <algorithm>
@@ -205,7 +206,7 @@ std::optional<std::size_t> more_runs(const std::vector<double>& a, const std::ve
   const double difference = std::abs(mean(a) - mean(b));
   if (difference <= tie_tolerance({mean(a), mean(b)})) return std::nullopt;
   const double deviation =
-      std::hypot(standard_deviation(a).value_or(0), standard_deviation(b).value_or(0));
+      math::hypot(standard_deviation(a).value_or(0), standard_deviation(b).value_or(0));
   const std::size_t now = std::min(a.size(), b.size());
   const std::size_t least = min_pairs(alpha);
   const std::size_t required =

@@ -1,4 +1,5 @@
 #include <slalom/analysis/betting_test.h>
+#include <slalom/core/math.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ void BettingTest::add(double value) {
 }
 
 double BettingTest::p() const {
-  return std::exp(-log_evidence_);
+  return math::exp(-log_evidence_);
 }
 
 }  // namespace slalom

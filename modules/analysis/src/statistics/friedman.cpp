@@ -1,5 +1,6 @@
 #include <slalom/analysis/friedman.h>
 #include <slalom/analysis/rank_statistics.h>
+#include <slalom/core/math.h>
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
@@ -27,7 +28,7 @@ double range_probability(double q, std::size_t k) {
   double total = 0;
   for (double z = -kEnd; z <= kEnd; z += kStep) {
     const double inside = normal_cdf(z) - normal_cdf(z - q);
-    total += std::exp(-z * z / 2) * std::pow(inside, static_cast<double>(k - 1));
+    total += math::exp(-z * z / 2) * math::pow(inside, static_cast<double>(k - 1));
   }
   return scale * total;
 }
@@ -44,7 +45,7 @@ double sum_of_tie_terms(const std::vector<double>& ranks) {
 void add_statistics(FriedmanTest& test, const std::vector<double>& rank_sums, double ties) {
   const double n = static_cast<double>(test.scenarios), k = static_cast<double>(rank_sums.size());
   double squares = 0;
-  for (const double sum : rank_sums) squares += std::pow(sum - n * (k + 1) / 2, 2);
+  for (const double sum : rank_sums) squares += math::pow(sum - n * (k + 1) / 2, 2);
   const double scale = n * k * (k + 1) - ties / (k - 1);
   if (scale <= 0) return;  // all methods tied in every scenario
   test.chi_squared = 12 * squares / scale;

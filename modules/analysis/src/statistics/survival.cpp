@@ -1,4 +1,5 @@
 #include <slalom/analysis/survival.h>
+#include <slalom/core/math.h>
 
 #include <boost/math/distributions/normal.hpp>
 
@@ -92,9 +93,9 @@ std::optional<Interval> log_log_interval(double fraction, double standard_error,
                                          double confidence) {
   if (fraction <= 0 || fraction >= 1) return std::nullopt;
   const double z = boost::math::quantile(boost::math::normal(), 0.5 + confidence / 2);
-  const double spread = z * standard_error / (fraction * std::abs(std::log(fraction)));
-  const double lower = std::pow(fraction, std::exp(spread)),
-               upper = std::pow(fraction, std::exp(-spread));
+  const double spread = z * standard_error / (fraction * std::abs(math::log(fraction)));
+  const double lower = math::pow(fraction, math::exp(spread)),
+               upper = math::pow(fraction, math::exp(-spread));
   return Interval{lower, upper};
 }
 

@@ -1,6 +1,7 @@
 #include <slalom/analysis/bins.h>
 #include <slalom/analysis/cell.h>
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 
 #include <algorithm>
@@ -64,7 +65,7 @@ std::vector<double> sorted_values(const ValueColumn& column) {
 
 /// A multiple of 10^exponent, without the rounding error of a product with 0.1.
 double decimal(double multiple, int exponent) {
-  const double scale = std::pow(10.0, std::abs(exponent));
+  const double scale = math::pow(10.0, std::abs(exponent));
   return exponent < 0 ? multiple / scale : multiple * scale;
 }
 

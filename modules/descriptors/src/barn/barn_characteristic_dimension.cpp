@@ -1,5 +1,7 @@
 #include "barn_field.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,7 +27,7 @@ double characteristic_dimension(const BarnField& field, int row, int column) {
   for (const auto& [dr, dc] : kAxes) {
     const int cells =
         free_cells(field, row, column, dr, dc) + free_cells(field, row, column, -dr, -dc);
-    dimension = std::min(dimension, cells * std::hypot(dr, dc));
+    dimension = std::min(dimension, cells * math::hypot(dr, dc));
   }
   return dimension;
 }

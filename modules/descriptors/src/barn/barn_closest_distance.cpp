@@ -1,5 +1,7 @@
 #include "barn_field.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +19,7 @@ std::optional<double> distance_to_obstacle(const BarnField& field, int row, int 
       const bool whole_line = std::abs(dr) == ring;
       for (int dc = -ring; dc <= ring; dc += whole_line || ring == 0 ? 1 : 2 * ring)
         if (field.inside(row + dr, column + dc) && field.blocked(row + dr, column + dc))
-          best = std::min(best, std::hypot(dr, dc));
+          best = std::min(best, math::hypot(dr, dc));
     }
   return std::isinf(best) ? std::nullopt : std::make_optional(best);
 }

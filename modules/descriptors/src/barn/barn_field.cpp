@@ -2,6 +2,7 @@
 #include "barn_field.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,8 +78,8 @@ Bounds box_of(const Polygon& polygon) {
 }
 
 double distance_to_box(const TPoint2D& p, const Bounds& box) {
-  return std::hypot(std::max({box.x_min - p.x, 0.0, p.x - box.x_max}),
-                    std::max({box.y_min - p.y, 0.0, p.y - box.y_max}));
+  return math::hypot(std::max({box.x_min - p.x, 0.0, p.x - box.x_max}),
+                     std::max({box.y_min - p.y, 0.0, p.y - box.y_max}));
 }
 
 void mark_primitives(const Primitives& obstacles, ObstacleRasterizer& marker) {

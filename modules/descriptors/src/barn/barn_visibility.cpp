@@ -1,6 +1,8 @@
 #include "../parameters.h"
 #include "barn_field.h"
 
+#include <slalom/core/math.h>
+
 #include <cmath>
 
 namespace slalom::descriptors {
@@ -40,7 +42,7 @@ std::optional<double> visibility(const BarnField& field, int row, int column, in
       if (!ray.ends_at_obstacle) continue;
       ++rays;
       cells += ray.cells;
-      length += ray.cells * std::hypot(dr, dc);
+      length += ray.cells * math::hypot(dr, dc);
     }
   if (rays == 0) return std::nullopt;
   if (year == 2020) {

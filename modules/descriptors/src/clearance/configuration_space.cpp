@@ -1,5 +1,6 @@
 #include "configuration_space.h"
 
+#include <slalom/core/math.h>
 #include <slalom/scenario/contact.h>
 
 #include <algorithm>
@@ -116,7 +117,7 @@ FreeHeadings free_headings(const DescriptorContext& context) {
   const Bounds bounds = cells.bounds();
   // A corner farther away than the diagonal of W is always outside.
   if (context.robot.is_disc() ||
-      context.robot.enclosing_radius() > std::hypot(bounds.width(), bounds.height()))
+      context.robot.enclosing_radius() > math::hypot(bounds.width(), bounds.height()))
     return result;
   const PolygonTest test(cells, context.robot);
   for (int cy = 0; cy < cells.size_y(); ++cy)

@@ -1,5 +1,7 @@
 #include "confined_fraction.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,7 +48,7 @@ double pseudo_angle(double x, double y) {
 double angle_of(double pseudo) {
   const double y = pseudo < 1 ? pseudo : pseudo < 3 ? 2 - pseudo : pseudo - 4;
   const double x = (pseudo < 1 || pseudo > 3 ? 1 : -1) * (1 - std::abs(y));
-  const double angle = std::atan2(y, x);
+  const double angle = math::atan2(y, x);
   return pseudo >= 2 && angle < 0 ? angle + 2 * M_PI : angle;
 }
 

@@ -1,5 +1,6 @@
 #include "../parameters.h"
 
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ double entropy_of_block(const Occupancy& cells, int x0, int y0, int x1, int y1) 
   const double all = static_cast<double>(x1 - x0) * (y1 - y0);
   const double fraction = static_cast<double>(occupied) / all;
   if (occupied == 0 || fraction == 1) return 0;
-  return -all * (fraction * std::log2(fraction) + (1 - fraction) * std::log2(1 - fraction));
+  return -all * (fraction * math::log2(fraction) + (1 - fraction) * math::log2(1 - fraction));
 }
 
 }  // namespace

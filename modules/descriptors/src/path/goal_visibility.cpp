@@ -1,5 +1,6 @@
 #include "along_path.h"
 
+#include <slalom/core/math.h>
 #include <slalom/descriptors/descriptor.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ Value goal_visibility(const DescriptorContext& context) {
       segment_midpoints(shortest.path, kSegmentLength * context.world.occupancy().resolution());
   const auto sees_goal = [&](const mrpt::math::TPoint2D& point) {
     const double away = (goal - point).norm();
-    const double angle = std::atan2(goal.y - point.y, goal.x - point.x);
+    const double angle = math::atan2(goal.y - point.y, goal.x - point.x);
     return rays.cast(point, angle, away) >= away * (1 - 1e-9);
   };
   return Value::of(static_cast<double>(std::count_if(points.begin(), points.end(), sees_goal)) /

@@ -1,3 +1,4 @@
+#include <slalom/core/math.h>
 #include <slalom/descriptors/descriptor.h>
 
 #include <cmath>
@@ -16,8 +17,8 @@ Value turn_density(const DescriptorContext& context) {
     const mrpt::math::TPoint2D leg = shortest.path[i] - shortest.path[i - 1];
     if (!(leg.norm() > 0)) continue;
     if (before)
-      turned += std::abs(
-          std::atan2(before->x * leg.y - before->y * leg.x, before->x * leg.x + before->y * leg.y));
+      turned += std::abs(math::atan2(before->x * leg.y - before->y * leg.x,
+                                     before->x * leg.x + before->y * leg.y));
     before = leg;
   }
   return Value::of(turned / shortest.length);

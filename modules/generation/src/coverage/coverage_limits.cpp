@@ -1,5 +1,6 @@
 #include "coverage_limits.h"
 
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 
 #include <fmt/format.h>
@@ -27,13 +28,13 @@ double midpoint_mean(double low, double high, Function f) {
 /// Fraction of a unit disc that overlaps another one at distance `s`.
 double disc_overlap(double s) {
   if (s >= 2) return 0;
-  return (2 * std::acos(s / 2) - s / 2 * std::sqrt(4 - s * s)) / M_PI;
+  return (2 * math::acos(s / 2) - s / 2 * std::sqrt(4 - s * s)) / M_PI;
 }
 
 /// Mean over directions of min(1, R / longest chord of the square).
 double chord_bound(double side, double range) {
-  return midpoint_mean(0, M_PI / 4,
-                       [&](double angle) { return std::min(1.0, range * std::cos(angle) / side); });
+  return midpoint_mean(
+      0, M_PI / 4, [&](double angle) { return std::min(1.0, range * math::cos(angle) / side); });
 }
 
 /// 1 - mean over a disc of that area of the fraction of a disc of radius R that overlaps it.

@@ -1,5 +1,6 @@
 #include "family.h"
 
+#include <slalom/core/math.h>
 #include <slalom/generation/circle.h>
 
 #include <mrpt/core/bits_math.h>
@@ -22,7 +23,7 @@ class CircleGenerator : public Generator {
     const double side = 2 * (options_.max_circle + options_.start_goal.margin);
     const TPoint2D center{side / 2, side / 2};
     const auto at = [&](double angle) {
-      return center + TPoint2D{std::cos(angle), std::sin(angle)} * radius;
+      return center + TPoint2D{math::cos(angle), math::sin(angle)} * radius;
     };
     const double angle = uniform_real(engine, -M_PI, M_PI);
     const StartGoal ends = {at(angle), at(angle + M_PI)};
@@ -77,7 +78,7 @@ std::unique_ptr<Generator> make_generator(const CircleOptions& given,
                 "movers would touch the border", "at least 0.05 m less than margin");
   // The nearest mover of the largest number, shifted by a quarter of its step.
   const double nearest =
-      2 * options.min_circle * std::sin(0.375 * 2 * M_PI / (options.movers.max_movers + 1));
+      2 * options.min_circle * math::sin(0.375 * 2 * M_PI / (options.movers.max_movers + 1));
   checks.expect(nearest >= options.movers.max_radius + options.start_goal.clear_radius,
                 "max_movers", "movers would be within clear_radius of the start",
                 "fewer movers or a larger circle");

@@ -1,6 +1,7 @@
 #include "family.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/generation/crossing.h>
 
 #include <mrpt/core/bits_math.h>
@@ -50,8 +51,8 @@ class CrossingGenerator : public Generator {
     const TPoint2D crossed = ends.start + straight * uniform_real(engine, 0, 1);
     const double turn = mrpt::DEG2RAD(options_.max_turn_deg);
     const double direction =
-        std::atan2(straight.y, straight.x) + M_PI / 2 + uniform_real(engine, -turn, turn);
-    const TPoint2D u{std::cos(direction), std::sin(direction)};
+        math::atan2(straight.y, straight.x) + M_PI / 2 + uniform_real(engine, -turn, turn);
+    const TPoint2D u{math::cos(direction), math::sin(direction)};
     const double left = distance_to_border(crossed, u, inside),
                  right = distance_to_border(crossed, u * -1.0, inside);
     constexpr double kMinLength = 1;  // m

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/options.h>
 #include <slalom/generation/generator.h>
 #include <slalom/generation/moving.h>
@@ -84,7 +85,7 @@ class FamilyChecks {
                              double height) const {
     const double m = 2 * start_goal.margin;
     const bool fits =
-        m < width && m < height && std::hypot(width - m, height - m) >= start_goal.min_distance;
+        m < width && m < height && math::hypot(width - m, height - m) >= start_goal.min_distance;
     expect(fits, "min_distance", "start and goal cannot be min_distance apart within the margins",
            "a larger workspace or smaller min_distance and margin");
   }

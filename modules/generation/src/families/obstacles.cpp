@@ -1,4 +1,5 @@
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/generation/obstacles.h>
 
 #include <algorithm>
@@ -11,12 +12,12 @@ using mrpt::math::TPoint2D;
 
 double draw_log_normal(RandomEngine& engine, const SizeOptions& o) {
   constexpr int kDraws = 1000;
-  const double mean = (std::log(o.min_size) + std::log(o.max_size)) / 2;
+  const double mean = (math::log(o.min_size) + math::log(o.max_size)) / 2;
   for (int i = 0; i < kDraws; ++i) {
-    const double size = std::exp(normal(engine, mean, o.size_log_sigma));
+    const double size = math::exp(normal(engine, mean, o.size_log_sigma));
     if (size >= o.min_size && size <= o.max_size) return size;
   }
-  return std::exp(mean);
+  return math::exp(mean);
 }
 
 /// Inverse transform sampling, with the limit at exponent 1.
@@ -24,8 +25,8 @@ double draw_power_law(RandomEngine& engine, const SizeOptions& o) {
   const double u = uniform_real(engine, 0, 1), k = 1 - o.size_exponent;
   const double ratio = o.max_size / o.min_size;
   const double size = std::abs(k) < 1e-9
-                          ? o.min_size * std::pow(ratio, u)
-                          : o.min_size * std::pow(1 + u * (std::pow(ratio, k) - 1), 1 / k);
+                          ? o.min_size * math::pow(ratio, u)
+                          : o.min_size * math::pow(1 + u * (math::pow(ratio, k) - 1), 1 / k);
   return std::clamp(size, o.min_size, o.max_size);
 }
 
@@ -40,8 +41,8 @@ Polygon draw_polygon(RandomEngine& engine, const TPoint2D& center, double size,
   for (int i = 0; i < corners; ++i) {
     const double angle = turn + 2 * M_PI * (i + uniform_real(engine, 0.1, 0.9)) / corners;
     const double radius = concave ? size * uniform_real(engine, 0.5, 1) : size;
-    polygon.vertices.emplace_back(center.x + radius * std::cos(angle),
-                                  center.y + radius * std::sin(angle));
+    polygon.vertices.emplace_back(center.x + radius * math::cos(angle),
+                                  center.y + radius * math::sin(angle));
   }
   return polygon;
 }

@@ -1,6 +1,7 @@
 #include "family.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/generation/poisson_forest.h>
 
 #include <algorithm>
@@ -102,7 +103,7 @@ std::vector<TPoint2D> poisson_discs(RandomEngine& engine, const Bounds& bounds, 
       // The square root makes points uniform over the area of the annulus.
       const double radius = spacing * std::sqrt(uniform_real(engine, 1, 4));
       const double angle = uniform_real(engine, 0, 2 * M_PI);
-      const TPoint2D p(from.x + radius * std::cos(angle), from.y + radius * std::sin(angle));
+      const TPoint2D p(from.x + radius * math::cos(angle), from.y + radius * math::sin(angle));
       found = spaced.fits(p);
       if (!found) continue;
       spaced.add(p);

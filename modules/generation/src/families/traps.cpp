@@ -1,6 +1,7 @@
 #include "family.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/generation/traps.h>
 
 #include <mrpt/core/bits_math.h>
@@ -50,7 +51,7 @@ class TrapLayout {
     trap.center = on_line ? line_point : anywhere;
     const double turn = mrpt::DEG2RAD(options_.max_turn_deg);
     trap.direction =
-        std::atan2(start_goal_.start.y - trap.center.y, start_goal_.start.x - trap.center.x) +
+        math::atan2(start_goal_.start.y - trap.center.y, start_goal_.start.x - trap.center.x) +
         uniform_real(engine_, -turn, turn);
     return trap;
   }
@@ -100,7 +101,7 @@ Polygon outline(const Trap& trap, double wall) {
   const double x = (trap.depth + wall) / 2, inner = trap.opening / 2, outer = inner + wall;
   const double corners[][2] = {{-x, -outer},       {x, -outer}, {x, -inner}, {-x + wall, -inner},
                                {-x + wall, inner}, {x, inner},  {x, outer},  {-x, outer}};
-  const double c = std::cos(trap.direction), s = std::sin(trap.direction);
+  const double c = math::cos(trap.direction), s = math::sin(trap.direction);
   Polygon polygon;
   for (const auto& corner : corners)
     polygon.vertices.emplace_back(trap.center.x + c * corner[0] - s * corner[1],
@@ -109,7 +110,7 @@ Polygon outline(const Trap& trap, double wall) {
 }
 
 double bounding_radius(const Trap& trap, double wall) {
-  return std::hypot((trap.depth + wall) / 2, trap.opening / 2 + wall);
+  return math::hypot((trap.depth + wall) / 2, trap.opening / 2 + wall);
 }
 
 std::vector<Trap> sample_traps(RandomEngine& engine, const TrapsOptions& options,

@@ -1,5 +1,7 @@
 #include "scene_mutation.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,7 +45,7 @@ class CorridorMutator {
     double min_gap = distance(path.front(), obstacle);
     for (std::size_t i = 1; i < path.size(); ++i) {
       const TPoint2D step = path[i] - path[i - 1];
-      const double pieces = std::ceil(std::hypot(step.x, step.y) / 0.1);
+      const double pieces = std::ceil(math::hypot(step.x, step.y) / 0.1);
       for (double k = 1; k <= pieces; ++k)
         min_gap = std::min(min_gap, distance(path[i - 1] + step * (k / pieces), obstacle));
     }

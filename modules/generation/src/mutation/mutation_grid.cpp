@@ -1,5 +1,6 @@
 #include "scene_mutation.h"
 
+#include <slalom/core/math.h>
 #include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/occupancy.h>
 
@@ -58,7 +59,7 @@ class GridMutator {
     const double reach = radius / cells_.resolution();
     for (int cy = static_cast<int>(at.y - reach); cy <= static_cast<int>(at.y + reach); ++cy)
       for (int cx = static_cast<int>(at.x - reach); cx <= static_cast<int>(at.x + reach); ++cx)
-        if (cells_.inside(cx, cy) && std::hypot(cx + 0.5 - at.x, cy + 0.5 - at.y) <= reach)
+        if (cells_.inside(cx, cy) && math::hypot(cx + 0.5 - at.x, cy + 0.5 - at.y) <= reach)
           cells_.set_occupied(cx, cy, occupied);
   }
 

@@ -1,5 +1,7 @@
 #include "scene_mutation.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -72,9 +74,9 @@ class ObstacleMutator {
     Polygon polygon;
     for (int i = 0; i < corners; ++i) {
       const double angle = 2 * M_PI * (i + uniform(-0.2, 0.2)) / corners;
-      const double x = size * std::cos(angle), y = flat * size * std::sin(angle);
-      polygon.vertices.emplace_back(center.x + x * std::cos(turn) - y * std::sin(turn),
-                                    center.y + x * std::sin(turn) + y * std::cos(turn));
+      const double x = size * math::cos(angle), y = flat * size * math::sin(angle);
+      polygon.vertices.emplace_back(center.x + x * math::cos(turn) - y * math::sin(turn),
+                                    center.y + x * math::sin(turn) + y * math::cos(turn));
     }
     return polygon;
   }
@@ -99,13 +101,13 @@ class ObstacleMutator {
   bool resize() {
     const double sigma = uniform(0.05, 0.7);
     return change_some([&](Scene::Obstacle& obstacle) {
-      scale_within(obstacle, std::exp(normal(engine_, 0, sigma)));
+      scale_within(obstacle, math::exp(normal(engine_, 0, sigma)));
     });
   }
 
   bool resize_all() {
     if (scene_.obstacles.empty()) return false;
-    const double factor = std::exp(normal(engine_, 0, uniform(0.05, 0.7)));
+    const double factor = math::exp(normal(engine_, 0, uniform(0.05, 0.7)));
     for (Scene::Obstacle& obstacle : scene_.obstacles) scale_within(obstacle, factor);
     return true;
   }

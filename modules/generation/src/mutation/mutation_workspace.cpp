@@ -1,5 +1,7 @@
 #include "scene_mutation.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,7 +59,7 @@ class WorkspaceMutator {
                  max_factor = limits_.max_extent / longest;
     if (min_factor >= max_factor) return false;
     const double factor =
-        std::clamp(std::exp(normal(engine_, 0, uniform(0.05, 0.8))), min_factor, max_factor);
+        std::clamp(math::exp(normal(engine_, 0, uniform(0.05, 0.8))), min_factor, max_factor);
     for (Scene::Obstacle& obstacle : scene_.obstacles) scale_about_origin(obstacle, factor);
     Bounds& b = scene_.bounds;
     b = {b.x_min * factor, b.y_min * factor, b.x_max * factor, b.y_max * factor};

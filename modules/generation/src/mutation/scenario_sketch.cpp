@@ -1,5 +1,7 @@
 #include "scenario_sketch.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,8 +30,8 @@ double lattice_difference(const ScenarioSketch& a, const ScenarioSketch& b) {
 }
 
 double task_difference(const ScenarioSketch& a, const ScenarioSketch& b) {
-  const double start = std::hypot(a.task[0] - b.task[0], a.task[1] - b.task[1]);
-  const double goal = std::hypot(a.task[2] - b.task[2], a.task[3] - b.task[3]);
+  const double start = math::hypot(a.task[0] - b.task[0], a.task[1] - b.task[1]);
+  const double goal = math::hypot(a.task[2] - b.task[2], a.task[3] - b.task[3]);
   return (start + goal) / 2 / std::sqrt(2.0);
 }
 

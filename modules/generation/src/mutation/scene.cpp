@@ -1,5 +1,7 @@
 #include "scene_mutation.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -97,7 +99,7 @@ double distance(const TPoint2D& p, const std::vector<TPoint2D>& path) {
 }
 
 double sample_log_uniform(RandomEngine& engine, double low, double high) {
-  return std::exp(uniform_real(engine, std::log(low), std::log(std::max(low, high))));
+  return math::exp(uniform_real(engine, math::log(low), math::log(std::max(low, high))));
 }
 
 void move_start_goal(const Bounds& bounds, const MutationLimits& limits, RandomEngine& engine,
@@ -105,7 +107,7 @@ void move_start_goal(const Bounds& bounds, const MutationLimits& limits, RandomE
   const double margin = limits.robot_radius + 2 * limits.resolution;
   const int which = uniform_int(engine, 0, 2);
   const double reach =
-      sample_log_uniform(engine, 0.02, 2) * std::hypot(bounds.width(), bounds.height());
+      sample_log_uniform(engine, 0.02, 2) * math::hypot(bounds.width(), bounds.height());
   const auto moved = [&](const TPoint2D& from) -> TPoint2D {
     const Bounds near = {
         std::max(bounds.x_min, from.x - reach), std::max(bounds.y_min, from.y - reach),
@@ -117,7 +119,7 @@ void move_start_goal(const Bounds& bounds, const MutationLimits& limits, RandomE
     const TPoint2D at = moved({start.x, start.y});
     start = {at.x, at.y, start.phi};
   }
-  start.phi = std::atan2(goal.y - start.y, goal.x - start.x);
+  start.phi = math::atan2(goal.y - start.y, goal.x - start.x);
 }
 
 }  // namespace slalom

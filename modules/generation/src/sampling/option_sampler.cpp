@@ -1,6 +1,7 @@
 #include "option_sampler.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/grid_map.h>
 
@@ -35,7 +36,7 @@ class LengthFinder : public OptionVisitor {
 };
 
 double log_uniform(RandomEngine& engine, double low, double high) {
-  return std::exp(uniform_real(engine, std::log(low), std::log(high)));
+  return math::exp(uniform_real(engine, math::log(low), math::log(high)));
 }
 
 /// Reads the options that are set in the section, and draws values for all others.

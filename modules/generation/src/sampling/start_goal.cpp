@@ -1,4 +1,5 @@
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/generation/start_goal.h>
 
 #include <algorithm>
@@ -60,7 +61,7 @@ PositionFilter clearance_filter(const DistanceField& field, double radius) {
 
 mrpt::math::TPose2D start_pose(RandomEngine& engine, const StartGoal& start_goal) {
   const double bearing =
-      std::atan2(start_goal.goal.y - start_goal.start.y, start_goal.goal.x - start_goal.start.x);
+      math::atan2(start_goal.goal.y - start_goal.start.y, start_goal.goal.x - start_goal.start.x);
   const double heading = bearing + uniform_real(engine, -M_PI / 4, M_PI / 4);
   return {start_goal.start.x, start_goal.start.y, wrap_angle(heading)};
 }

@@ -1,6 +1,7 @@
 #include "views/scenario_view.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
@@ -63,10 +64,10 @@ void ScenarioView::pointer_moved(const Point& at) {
   }
   keyboard_pointer_ = false;
   pointer_ = view_.to_world(at);
-  if (scan_anchor_ && std::hypot(pointer_->x - scan_anchor_->x, pointer_->y - scan_anchor_->y) *
+  if (scan_anchor_ && math::hypot(pointer_->x - scan_anchor_->x, pointer_->y - scan_anchor_->y) *
                               view_.pixels_per_meter() >
                           kTolerance)
-    heading_ = std::atan2(pointer_->y - scan_anchor_->y, pointer_->x - scan_anchor_->x);
+    heading_ = math::atan2(pointer_->y - scan_anchor_->y, pointer_->x - scan_anchor_->x);
   editor_.move(*pointer_);
 }
 
@@ -116,7 +117,7 @@ bool ScenarioView::wheel(const Point& at, double steps) {
     return true;
   }
   fitted_ = false;
-  view_ = view_.zoomed(at, std::pow(kZoomStep, steps));
+  view_ = view_.zoomed(at, math::pow(kZoomStep, steps));
   return true;
 }
 

@@ -2,6 +2,7 @@
 #include "views/shapes.h"
 #include "widgets/drawing.h"
 
+#include <slalom/core/math.h>
 #include <slalom/simulation/mover_scan.h>
 #include <slalom/studio/palette.h>
 
@@ -145,7 +146,7 @@ void draw_scan(const LayerContext& c, const Color& color) {
   std::vector<TPoint2D> fan = {{pose.x, pose.y}}, hits;
   for (int i = 0; i < geometry.count; ++i) {
     const double angle = pose.phi + geometry.angle(i), range = ranges[static_cast<std::size_t>(i)];
-    fan.emplace_back(pose.x + range * std::cos(angle), pose.y + range * std::sin(angle));
+    fan.emplace_back(pose.x + range * math::cos(angle), pose.y + range * math::sin(angle));
     if (range < geometry.max_range) hits.push_back(fan.back());
   }
   shapes::fill_polygon(c.ctx, c.view, fan, faded(color, 0.25));

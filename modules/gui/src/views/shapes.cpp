@@ -1,6 +1,8 @@
 #include "views/shapes.h"
 #include "widgets/drawing.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,7 +22,7 @@ void trace(NVGcontext* ctx, const ViewTransform& view, const std::vector<TPoint2
   TPoint2D last;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const TPoint2D at = view.to_screen(points[i]);
-    const bool same_pixel = i > 0 && std::hypot(at.x - last.x, at.y - last.y) < 1;
+    const bool same_pixel = i > 0 && math::hypot(at.x - last.x, at.y - last.y) < 1;
     if (same_pixel && i + 1 < points.size()) continue;
     (i == 0 ? nvgMoveTo : nvgLineTo)(ctx, static_cast<float>(at.x), static_cast<float>(at.y));
     last = at;
@@ -98,7 +100,7 @@ void robot(NVGcontext* ctx, const ViewTransform& view, const Footprint& footprin
   const double length = 1.6 * std::max(radius, kMinRadius / view.pixels_per_meter());
   polyline(ctx, view,
            {{pose.x, pose.y},
-            {pose.x + length * std::cos(pose.phi), pose.y + length * std::sin(pose.phi)}},
+            {pose.x + length * math::cos(pose.phi), pose.y + length * math::sin(pose.phi)}},
            color, 2);
 }
 
@@ -117,7 +119,7 @@ void waypoint_times(NVGcontext* ctx, const ViewTransform& view, const Mover& mov
   for (const Waypoint& waypoint : mover.waypoints) {
     const TPoint2D at = view.to_screen(waypoint.position);
     const bool crowded = std::any_of(labeled.begin(), labeled.end(), [&at](const TPoint2D& other) {
-      return std::hypot(at.x - other.x, at.y - other.y) < kApart;
+      return math::hypot(at.x - other.x, at.y - other.y) < kApart;
     });
     if (crowded) continue;
     labeled.push_back(at);

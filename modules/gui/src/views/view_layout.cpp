@@ -1,5 +1,7 @@
 #include "views/view_layout.h"
 
+#include <slalom/core/math.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -84,7 +86,7 @@ ViewTransform ViewTransform::zoomed(const TPoint2D& about, double factor) const 
 ScaleBar ScaleBar::choose(double pixels_per_meter, double max_pixels) {
   const double max_meters = max_pixels / pixels_per_meter;
   // 1e-9: a length that fits exactly is not excluded by rounding.
-  const double power = std::pow(10.0, std::floor(std::log10(max_meters) + 1e-9));
+  const double power = math::pow(10.0, std::floor(std::log10(max_meters) + 1e-9));
   double meters = power;
   for (const double step : {2.0, 5.0})
     if (step * power <= max_meters * (1 + 1e-9)) meters = step * power;

@@ -1,6 +1,7 @@
 #include "svg_obstacles.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/temporary_file.h>
 #include <slalom/io/png_scene.h>
 #include <slalom/scenario/occupancy.h>
@@ -117,7 +118,7 @@ void render_png(const Scenario& scenario, const SceneOptions& options, const std
   const TPoint2D at(start.x, start.y);
   const double r = options.robot_radius;
   canvas.circle(at, r, kStart, 2);
-  canvas.line(at, {at.x + r * std::cos(start.phi), at.y + r * std::sin(start.phi)}, kStart, 2);
+  canvas.line(at, {at.x + r * math::cos(start.phi), at.y + r * math::sin(start.phi)}, kStart, 2);
   const TPoint2D goal = scenario.goal();
   canvas.circle(goal, r, kGoal, 2);
   canvas.line({goal.x - r, goal.y}, {goal.x + r, goal.y}, kGoal, 2);

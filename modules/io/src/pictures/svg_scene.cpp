@@ -1,5 +1,6 @@
 #include "svg_obstacles.h"
 
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/io/path_simplify.h>
 #include <slalom/io/svg_scene.h>
@@ -132,8 +133,8 @@ class Picture {
     const TPoint2D center = frame_.to_pixels({start.x, start.y});
     const double radius = std::max(3.0, options_.robot_radius * frame_.scale());
     // The y axis of pixels points down.
-    const double tip_x = center.x + radius * std::cos(start.phi);
-    const double tip_y = center.y - radius * std::sin(start.phi);
+    const double tip_x = center.x + radius * math::cos(start.phi);
+    const double tip_y = center.y - radius * math::sin(start.phi);
     svg_ += fmt::format(
         "<g class=\"start\" stroke=\"#0b6e4f\" stroke-width=\"1.8\"><title>start</title>"
         "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2:.1f}\" fill=\"#0b6e4f\" "

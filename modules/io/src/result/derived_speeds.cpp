@@ -1,5 +1,7 @@
 #include "derived_speeds.h"
 
+#include <slalom/core/math.h>
+
 #include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
@@ -41,7 +43,7 @@ void derive_speeds(Trajectory& trajectory, const MissingSpeeds& missing) {
   auto& samples = trajectory.samples;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const WorldVelocity velocity = velocity_at(samples, i);
-    const double c = std::cos(samples[i].pose.phi), s = std::sin(samples[i].pose.phi);
+    const double c = math::cos(samples[i].pose.phi), s = math::sin(samples[i].pose.phi);
     if (missing.v) samples[i].v = c * velocity.x + s * velocity.y;
     if (missing.vy) samples[i].vy = -s * velocity.x + c * velocity.y;
     if (missing.w) samples[i].w = velocity.w;

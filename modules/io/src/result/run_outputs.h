@@ -12,8 +12,9 @@ constexpr const char* kRunOutputs =
     "checksum INTEGER NOT NULL)";
 
 inline bool has_run_outputs(SQLite::Database& database, const std::string& schema) {
-  return database.execAndGet("SELECT count(*) FROM " + schema +
-                             ".sqlite_master WHERE name = 'run_outputs'")
+  return database
+             .execAndGet("SELECT count(*) FROM " + schema +
+                         ".sqlite_master WHERE name = 'run_outputs'")
              .getInt() > 0;
 }
 

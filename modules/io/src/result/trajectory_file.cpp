@@ -3,6 +3,7 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/ros_bag.h>
 #include <slalom/core/text.h>
@@ -147,8 +148,8 @@ void note_sideways_motion(const Trajectory& log, std::vector<std::string>& notes
     const double distance = distance_between(to, from);
     if (distance < kNoise) continue;
     const double heading = from.phi + mrpt::math::wrapToPi(to.phi - from.phi) / 2;
-    const double direction = std::atan2(to.y - from.y, to.x - from.x);
-    sideways += distance * std::abs(std::sin(direction - heading));
+    const double direction = math::atan2(to.y - from.y, to.x - from.x);
+    sideways += distance * std::abs(math::sin(direction - heading));
     total += distance;
   }
   if (total < 1 || sideways < kShare * total) return;
@@ -213,7 +214,7 @@ double yaw_of(double qx, double qy, double qz, double qw, const TextLines& lines
   const double norm = std::sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
   if (!(std::abs(norm - 1) < 0.01))
     throw lines.error("quaternion norm is " + format_number(norm), "a unit quaternion");
-  return std::atan2(2 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz);
+  return math::atan2(2 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz);
 }
 
 TrajectoryFile read_tum(std::string line, TextLines& lines, bool sideways, const LogSpan& span) {

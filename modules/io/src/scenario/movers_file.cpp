@@ -1,5 +1,6 @@
 #include "../text_lines.h"
 
+#include <slalom/core/math.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/movers_file.h>
@@ -117,7 +118,7 @@ class ImpliedUnits {
     const auto [found, is_new] = last_.try_emplace(id, frame, position);
     const double frames = frame - found->second.first;
     const double distance =
-        std::hypot(position.x - found->second.second.x, position.y - found->second.second.y);
+        math::hypot(position.x - found->second.second.x, position.y - found->second.second.y);
     constexpr double kLeast = 1e-2;  // m, and m/s: people who stand say nothing
     const double rate = speed * frames / distance;
     if (!is_new && frames > 0) steps_.push_back(distance / frames);
@@ -156,7 +157,7 @@ void read_obsmat(std::string line, TextLines& lines, const std::string& where,
     if (n[1] != std::round(n[1]) || std::abs(n[1]) > 1e9)
       throw lines.error("invalid id in field 2", "an integer");
     const std::string id = std::to_string(std::lround(n[1]));
-    implied.add(n[0], id, {n[2], n[4]}, std::hypot(n[5], n[7]));
+    implied.add(n[0], id, {n[2], n[4]}, math::hypot(n[5], n[7]));
     movers.add(id, n[0] / options.frame_rate, n[2], n[4], options.radius);
   } while (lines.next(line));
   implied.check(options.frame_rate, where);

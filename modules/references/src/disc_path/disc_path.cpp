@@ -2,6 +2,7 @@
 #include "connection.h"
 
 #include <slalom/core/distance.h>
+#include <slalom/core/math.h>
 #include <slalom/references/disc_path.h>
 #include <slalom/scenario/contact.h>
 
@@ -24,7 +25,7 @@ DiscPath path_through(const Roots& roots, int last, const Occupancy& cells) {
     const Root& root = roots[i];
     const Vector leaving = (departure - root.center) * (1 / root.radius);
     path.arcs.push_back({cells.to_world(root.center.x, root.center.y), root.turn,
-                         std::atan2(root.arrival.y, root.arrival.x),
+                         math::atan2(root.arrival.y, root.arrival.x),
                          turned_angle(root.arrival, leaving, root.turn)});
     departure = root.left_parent_at;
   }

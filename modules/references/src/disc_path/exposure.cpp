@@ -1,5 +1,7 @@
 #include "arcs.h"
 
+#include <slalom/core/math.h>
+
 namespace slalom::disc_path {
 namespace {
 
@@ -46,17 +48,17 @@ class Coverage {
     const double cosine =
         (radius_ * radius_ + square - checked_ * checked_) / (2 * radius_ * std::sqrt(square));
     if (cosine >= 1) return;
-    const double half = std::acos(std::max(cosine, -1.0)), middle = std::atan2(y, x);
+    const double half = math::acos(std::max(cosine, -1.0)), middle = math::atan2(y, x);
     add(middle - half, middle + half);
   }
 
   void add_box(double x0, double x1, double y0, double y1) {
     if (x1 <= 0 || y1 <= 0 || x0 >= radius_ || y0 >= radius_) return;
     double low = -1, high = kQuarter + 1;  // beyond the arc
-    if (x1 < radius_) low = std::max(low, std::acos(x1 / radius_));
-    if (x0 > 0) high = std::min(high, std::acos(x0 / radius_));
-    if (y0 > 0) low = std::max(low, std::asin(y0 / radius_));
-    if (y1 < radius_) high = std::min(high, std::asin(y1 / radius_));
+    if (x1 < radius_) low = std::max(low, math::acos(x1 / radius_));
+    if (x0 > 0) high = std::min(high, math::acos(x0 / radius_));
+    if (y0 > 0) low = std::max(low, math::asin(y0 / radius_));
+    if (y1 < radius_) high = std::min(high, math::asin(y1 / radius_));
     add(low, high);
   }
 

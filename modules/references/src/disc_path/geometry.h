@@ -1,5 +1,7 @@
 #pragma once
 
+#include <slalom/core/math.h>
+
 #include <mrpt/math/TPoint2D.h>
 
 #include <algorithm>
@@ -32,12 +34,12 @@ inline double norm(const Vector& a) {
   return std::sqrt(dot(a, a));
 }
 inline Vector unit(double angle) {
-  return {std::cos(angle), std::sin(angle)};
+  return {math::cos(angle), math::sin(angle)};
 }
 
 /// The angle (rad, >= 0) from a to b, turning left (+1) or right (-1); 0 if it is slightly behind.
 inline double turned_angle(const Vector& a, const Vector& b, int turn) {
-  return std::max(0.0, std::atan2(turn * cross(a, b), dot(a, b)));
+  return std::max(0.0, math::atan2(turn * cross(a, b), dot(a, b)));
 }
 
 /// A tangent of two circles: it leaves the first at center - turn * left(direction) * radius, and

@@ -1,5 +1,7 @@
 #include "open_rows.h"
 
+#include <slalom/core/math.h>
+
 namespace slalom::disc_path {
 
 /// The farthest distance of a point of a square to another square, (dx, dy) cells away, is
@@ -11,7 +13,7 @@ OpenRows::OpenRows(const OccupiedRows& occupied, double radius)
       change_(static_cast<std::size_t>(occupied.size_x()) + 1) {
   for (int dy = 0; dy < radius; ++dy) {
     int dx = static_cast<int>(std::sqrt(radius * radius - static_cast<double>(dy) * dy));
-    while (std::hypot(dx, dy) >= radius) --dx;
+    while (math::hypot(dx, dy) >= radius) --dx;
     reach_.push_back(dx);
   }
 }

@@ -1,5 +1,6 @@
 #include "occupied_rows.h"
 
+#include <slalom/core/math.h>
 #include <slalom/references/disc_path.h>
 #include <slalom/scenario/contact.h>
 
@@ -49,7 +50,7 @@ class RoundedPath {
         common_tangent(bends_[i].center, own, is_last ? goal_ : bends_[i + 1].center,
                        is_last ? 0 : arcs[i + 1].turn * radius_);
     const auto angle_of = [&](const Vector& direction) {
-      return std::atan2(-arcs[i].turn * direction.x, arcs[i].turn * direction.y);
+      return math::atan2(-arcs[i].turn * direction.x, arcs[i].turn * direction.y);
     };
     Bend& bend = bends_[i];
     bend.first_angle = arriving ? angle_of(arriving->direction) : arcs[i].first_angle;
@@ -66,7 +67,7 @@ class RoundedPath {
 /// The vertices of `count` chords that touch the arc from outside.
 std::vector<Vector> vertices_around(const RoundedPath& path, const Bend& bend, int count) {
   const double step = bend.sweep / count;
-  const double distance = path.radius() / std::cos(0.5 * step);
+  const double distance = path.radius() / math::cos(0.5 * step);
   std::vector<Vector> vertices;
   for (int i = 0; i < count; ++i)
     vertices.push_back(bend.center + unit(bend.first_angle + (i + 0.5) * step) * distance);

@@ -1,5 +1,7 @@
 #include "roots.h"
 
+#include <slalom/core/math.h>
+
 namespace slalom::disc_path {
 namespace {
 
@@ -78,7 +80,7 @@ void Roots::offer(int root, int index, int turn, const Window& window) {
   if (!window.contains(at)) return;
   const double length = departure.length + tangent->length;
   if (length + norm(space_.goal - at) >= best_length_) return;
-  const double angle = std::clamp(std::atan2(along_y, along_x), 0.0, M_PI / 2);
+  const double angle = std::clamp(math::atan2(along_y, along_x), 0.0, M_PI / 2);
   const Interval* part = exposed_part(arc, angle);
   if (part == nullptr) return;
   const int local_turn = turn * arc.out_x * arc.out_y;  // +1: angles grow
@@ -96,7 +98,7 @@ void Roots::offer(int root, int index, int turn, const Window& window) {
   next.arrival = next.last_departure = normal;
   const double last = local_turn > 0 ? part->second : part->first;
   if (local_turn * (last - angle) >= 0)
-    next.last_departure = {std::cos(last) * arc.out_x, std::sin(last) * arc.out_y};
+    next.last_departure = {math::cos(last) * arc.out_x, math::sin(last) * arc.out_y};
   next.at = at;
   next.left_parent_at = departure.at;
   next.length = length;

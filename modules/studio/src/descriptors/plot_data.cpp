@@ -1,3 +1,4 @@
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/studio/plot_data.h>
 
@@ -69,14 +70,14 @@ std::array<std::uint8_t, 256> opacities(std::size_t points) {
   std::array<std::uint8_t, 256> all{};
   for (std::size_t n = 0; n < all.size(); ++n)
     all[n] = static_cast<std::uint8_t>(
-        std::lround(255 * (1 - std::pow(1 - one, static_cast<double>(n)))));
+        std::lround(255 * (1 - math::pow(1 - one, static_cast<double>(n)))));
   return all;
 }
 
 }  // namespace
 
 double RoundStep::times(double count) const {
-  const double power = std::pow(10.0, std::abs(exponent));
+  const double power = math::pow(10.0, std::abs(exponent));
   return exponent < 0 ? count * digit / power : count * digit * power;
 }
 
@@ -229,7 +230,7 @@ std::optional<std::size_t> Scatter::nearest(const PlotAxis& x, const PlotAxis& y
   double nearest_distance = radius;
   for (const Point& point : points_) {
     const double distance =
-        std::hypot(x.to_pixel(point.x) - pixel_x, y.to_pixel(point.y) - pixel_y);
+        math::hypot(x.to_pixel(point.x) - pixel_x, y.to_pixel(point.y) - pixel_y);
     if (distance > nearest_distance || (row && distance == nearest_distance)) continue;
     nearest_distance = distance;
     row = point.row;
@@ -246,7 +247,7 @@ std::vector<std::uint8_t> draw_dots(const Scatter& scatter, const PlotAxis& x, c
     const int py = static_cast<int>(std::floor(y.to_pixel(point.y))) - top;
     for (int v = std::max(py - kDotRadius, 0); v <= std::min(py + kDotRadius, height - 1); ++v)
       for (int u = std::max(px - kDotRadius, 0); u <= std::min(px + kDotRadius, width - 1); ++u) {
-        if (std::hypot(u - px, v - py) > kDotRadius + 0.3) continue;
+        if (math::hypot(u - px, v - py) > kDotRadius + 0.3) continue;
         std::uint8_t& count = counts[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
                                      static_cast<std::size_t>(u)];
         if (count < 255) ++count;

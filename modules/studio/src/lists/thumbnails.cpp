@@ -1,4 +1,5 @@
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/scenario/occupancy.h>
 #include <slalom/studio/jobs.h>
@@ -73,7 +74,7 @@ class Canvas {
     const TPoint2D c = pixel_of(at);
     for (int y = 0; y < size_; ++y)
       for (int x = 0; x < size_; ++x)
-        set(x, y, color, radius + 0.5 - std::hypot(x + 0.5 - c.x, y + 0.5 - c.y));
+        set(x, y, color, radius + 0.5 - math::hypot(x + 0.5 - c.x, y + 0.5 - c.y));
   }
 
   /// Where it is at the beginning of a run, enlarged if it could not be seen.
@@ -86,8 +87,8 @@ class Canvas {
   /// A line from the center of a disc to 2.2 times its radius.
   void draw_heading(const TPoint2D& at, double angle, const Color& color) {
     const TPoint2D c = pixel_of(at);
-    const TPoint2D tip(c.x + 2.2 * kDiscRadius * std::cos(angle),
-                       c.y - 2.2 * kDiscRadius * std::sin(angle));
+    const TPoint2D tip(c.x + 2.2 * kDiscRadius * math::cos(angle),
+                       c.y - 2.2 * kDiscRadius * math::sin(angle));
     for (int y = 0; y < size_; ++y)
       for (int x = 0; x < size_; ++x)
         set(x, y, color, 1.3 - distance_to_segment({x + 0.5, y + 0.5}, c, tip));

@@ -1,4 +1,5 @@
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/io/result_file.h>
 #include <slalom/metrics/metric.h>
 #include <slalom/simulation/simulate.h>
@@ -71,7 +72,7 @@ void fill_series(OverlayRun& run, const World& world, const std::optional<RobotM
   for (const Sample& sample : run.trajectory->samples) {
     run.times.push_back(sample.t - run.trajectory->samples.front().t);
     run.clearances.push_back(clearance_at(world, footprint, sample.pose));
-    run.speeds.push_back(sample.vy == 0 ? sample.v : std::hypot(sample.v, sample.vy));
+    run.speeds.push_back(sample.vy == 0 ? sample.v : math::hypot(sample.v, sample.vy));
   }
 }
 

@@ -1,3 +1,4 @@
+#include <slalom/core/math.h>
 #include <slalom/references/voronoi_diagram.h>
 #include <slalom/studio/scene.h>
 
@@ -89,7 +90,7 @@ int CellPyramid::level_for(double pixels_per_meter) const {
   const double cell = resolution_ * pixels_per_meter;
   if (!(cell < 1)) return 0;
   // Minus 1e-6, so that rounding errors do not select the next level for exactly half a pixel.
-  const int level = static_cast<int>(std::ceil(std::log2(1 / cell) - 1e-6));
+  const int level = static_cast<int>(std::ceil(math::log2(1 / cell) - 1e-6));
   return std::min(level, levels() - 1);
 }
 

@@ -1,3 +1,4 @@
+#include <slalom/core/math.h>
 #include <slalom/studio/scene_editor.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ using mrpt::math::TPose2D;
 namespace {
 
 double distance_between(const TPoint2D& a, const TPoint2D& b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
+  return math::hypot(b.x - a.x, b.y - a.y);
 }
 
 /// Obstacle number `index`, translated.
@@ -162,7 +163,7 @@ bool SceneEditor::dragged() const {
 /// A drag sets the heading of the robot; a click keeps it.
 TPose2D SceneEditor::start_pose(const Scenario& scenario) const {
   const double heading =
-      dragged() ? std::atan2(at_.y - from_.y, at_.x - from_.x) : scenario.start().phi;
+      dragged() ? math::atan2(at_.y - from_.y, at_.x - from_.x) : scenario.start().phi;
   return {from_.x, from_.y, heading};
 }
 

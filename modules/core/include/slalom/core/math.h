@@ -1,6 +1,6 @@
 #pragma once
 
-namespace slalom {
+namespace slalom::math {
 
 /// Functions with the same bits on every machine: of + - * / and sqrt of doubles, of integers and
 /// of tables, with rounding to nearest and without fused multiply-add (-ffp-contract=off). The C
@@ -35,4 +35,4 @@ double pow(double x, double y);
 /// Bits are those of glibc 2.35 or later on x86-64.
 double hypot(double x, double y);
 
-}  // namespace slalom
+}  // namespace slalom::math

@@ -29,7 +29,8 @@ std::string departure_text(const std::string& method, const std::string& referen
                            const std::optional<Departure>& departure);
 
 /// rad, from the heading: the direction of the nearest static obstacle, to 5 degrees, as that in
-/// which the clearance decreases most over `step` (m). Of two equal ones that closer to the heading.
+/// which the clearance decreases most over `step` (m). Of two equal ones that closer to the
+/// heading.
 double bearing_of_obstacle(const World& world, const mrpt::math::TPose2D& pose, double step);
 
 /// rad, from the heading, positive to the left.

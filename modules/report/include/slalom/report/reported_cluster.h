@@ -10,11 +10,11 @@ namespace slalom {
 
 /// A failure of a cluster. Runs are indexes into the runs of the report.
 struct ReportedFailure {
-  std::size_t run = 0;                 ///< in the smallest scenario
-  std::string found;                   ///< where: "random candidate 52 of the search"
-  std::string command;                 ///< that repeats and shows it
-  std::string departure;               ///< where it leaves the path of a success; "" if none has one
-  std::size_t compared = 0;            ///< the failing run that is compared with the neighbors
+  std::size_t run = 0;       ///< in the smallest scenario
+  std::string found;         ///< where: "random candidate 52 of the search"
+  std::string command;       ///< that repeats and shows it
+  std::string departure;     ///< where it leaves the path of a success; "" if none has one
+  std::size_t compared = 0;  ///< the failing run that is compared with the neighbors
   std::vector<std::size_t> neighbors;  ///< successful runs of the same method
 };
 
