@@ -3,6 +3,7 @@
 #include "rawlog_objects.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/pose.h>
 #include <slalom/rawlog/run_reader.h>
 
 #include <mrpt/math/wrap2pi.h>
@@ -156,7 +157,7 @@ RecordedCycle next_cycle(RunLog& log, const RecordedRun& run, const TPoint2D& go
   const auto& velocity = odometry->velocityLocal;
   const TPose2D odometry_pose(pose.x(), pose.y(), pose.phi());
   cycle.observation = {sample.t,        odometry_pose, velocity.vx,
-                       velocity.omega,  velocity.vy,   odometry_pose.inverseComposePoint(goal),
+                       velocity.omega,  velocity.vy,   inverse_compose(odometry_pose, goal),
                        cycle.scan.get()};
   check_ground_truth(log, *log.next<CObservationRobotPose>(kTruthLabel), sample);
   const auto command = next_odometry(log, kCommandLabel)->velocityLocal;

@@ -1,5 +1,6 @@
 #include <slalom/core/distance.h>
 #include <slalom/core/math.h>
+#include <slalom/core/pose.h>
 #include <slalom/falsification/diversity.h>
 #include <slalom/scenario/occupancy.h>
 
@@ -71,7 +72,7 @@ ObstacleArea::ObstacleArea(const Scenario& scenario, double resolution) {
   const int last = static_cast<int>(std::ceil(reach(scenario) / resolution));
   for (int x = -last; x < last; ++x)
     for (int y = -last; y < last; ++y)
-      if (is_obstacle(frame.composePoint({(x + 0.5) * resolution, (y + 0.5) * resolution})))
+      if (is_obstacle(compose(frame, {(x + 0.5) * resolution, (y + 0.5) * resolution})))
         cells_.emplace_back(x, y);
 }
 

@@ -2,6 +2,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/math.h>
+#include <slalom/core/pose.h>
 #include <slalom/simulation/range_finder.h>
 
 #include <cmath>
@@ -86,7 +87,7 @@ Command StepProbe::command(std::size_t index, const CommandDifference& probe, do
   Observation observation;
   observation.odometry = probe.pose;
   observation.v = speed;
-  observation.goal_in_robot = probe.pose.inverseComposePoint(probe.goal);
+  observation.goal_in_robot = inverse_compose(probe.pose, probe.goal);
   observation.scan = &scan;
   return method.step(observation);
 }

@@ -5,6 +5,7 @@
 #include "termination_checker.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/pose.h>
 #include <slalom/core/text.h>
 #include <slalom/methods/registry.h>
 #include <slalom/robot/vehicle.h>
@@ -144,7 +145,7 @@ class Run {
     observation.v = vehicle_->v();
     observation.w = vehicle_->w();
     observation.vy = vehicle_->vy();
-    observation.goal_in_robot = observation.odometry.inverseComposePoint(world_.scenario().goal());
+    observation.goal_in_robot = inverse_compose(observation.odometry, world_.scenario().goal());
     const double scan_time = std::max(0.0, time_ - setup_.sensor.latency);
     observation.scan = &sensor_.sense(history_.at(scan_time), scan_time, clock_.at(scan_time));
     if (method_.uses_tracks()) {

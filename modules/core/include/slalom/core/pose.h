@@ -1,0 +1,27 @@
+#pragma once
+
+#include <slalom/core/math.h>
+
+#include <mrpt/math/TPose2D.h>
+
+namespace slalom {
+
+// Instead of TPose2D's functions, whose last bits depend on MRPT's package: that for ARM rounds a
+// product and a sum at once.
+
+/// The point with the coordinates `local` in the frame of `pose`.
+inline mrpt::math::TPoint2D compose(const mrpt::math::TPose2D& pose,
+                                    const mrpt::math::TPoint2D& local) {
+  const auto [s, c] = math::sin_cos(pose.phi);
+  return {pose.x + local.x * c - local.y * s, pose.y + local.x * s + local.y * c};
+}
+
+/// The coordinates of `point` in the frame of `pose`.
+inline mrpt::math::TPoint2D inverse_compose(const mrpt::math::TPose2D& pose,
+                                            const mrpt::math::TPoint2D& point) {
+  const auto [s, c] = math::sin_cos(pose.phi);
+  const double dx = point.x - pose.x, dy = point.y - pose.y;
+  return {dx * c + dy * s, -dx * s + dy * c};
+}
+
+}  // namespace slalom
