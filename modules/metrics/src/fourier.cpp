@@ -25,9 +25,10 @@ void reverse_bits(std::vector<Complex>& data) {
 void transform(std::vector<Complex>& data) {
   reverse_bits(data);
   std::vector<Complex> roots(data.size() / 2);
-  for (std::size_t k = 0; k < roots.size(); ++k)
-    roots[k] =
-        std::polar(1.0, -2 * M_PI * static_cast<double>(k) / static_cast<double>(data.size()));
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    const double angle = -2 * M_PI * static_cast<double>(k) / static_cast<double>(data.size());
+    roots[k] = {std::cos(angle), std::sin(angle)};
+  }
   for (std::size_t half = 1; half < data.size(); half *= 2) {
     const std::size_t step = roots.size() / half;
     for (std::size_t begin = 0; begin < data.size(); begin += 2 * half)
@@ -43,6 +44,11 @@ void transform(std::vector<Complex>& data) {
   }
 }
 
+/// Not std::abs(), whose last bits depend on the C library's cabs().
+double magnitude(const Complex& value) {
+  return std::hypot(value.real(), value.imag());
+}
+
 }  // namespace
 
 std::vector<double> magnitude_spectrum(const std::vector<double>& signal, std::size_t size) {
@@ -50,7 +56,7 @@ std::vector<double> magnitude_spectrum(const std::vector<double>& signal, std::s
   for (std::size_t i = 0; i < signal.size(); ++i) data[i] = signal[i];
   transform(data);
   std::vector<double> magnitudes(size / 2 + 1);
-  for (std::size_t k = 0; k < magnitudes.size(); ++k) magnitudes[k] = std::abs(data[k % size]);
+  for (std::size_t k = 0; k < magnitudes.size(); ++k) magnitudes[k] = magnitude(data[k % size]);
   return magnitudes;
 }
 
