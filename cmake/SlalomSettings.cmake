@@ -25,8 +25,10 @@ if(SLALOM_PRECOMPILE_HEADERS AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
 endif()
 
-find_program(SLALOM_MOLD mold)
-if(SLALOM_MOLD AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12.1)  # GCC's and Clang's first with -fuse-ld=mold
+# Linked in a test: GCC before 12.1 refuses the option, and cross compilers do not find the host's mold.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=mold SLALOM_LINKS_WITH_MOLD)
+if(SLALOM_LINKS_WITH_MOLD)
   add_link_options(-fuse-ld=mold)
 endif()
 
