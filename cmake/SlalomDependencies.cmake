@@ -22,6 +22,11 @@ pkg_check_modules(xlsxwriter REQUIRED IMPORTED_TARGET xlsxwriter)
 pkg_check_modules(highway REQUIRED IMPORTED_TARGET libhwy)
 find_package(fmt REQUIRED)
 
+# Vectors of unknown size (ARM's SVE, RISC-V's RVV) cannot be members of a class and do not fit in buffers. A property of
+# the library: sources that call it cannot forget this.
+set_target_properties(PkgConfig::highway PROPERTIES
+  INTERFACE_COMPILE_DEFINITIONS "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
+
 # OMPL's package defines variables only; a target keeps its include folders out of all other modules. Debian 13's lists
 # folders of packages that it does not require (HDF5), which CMake refuses in a target where they are missing.
 if(NOT TARGET OMPL::OMPL)

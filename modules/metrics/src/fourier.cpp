@@ -27,7 +27,7 @@ void transform(std::vector<Complex>& data) {
   std::vector<Complex> roots(data.size() / 2);
   for (std::size_t k = 0; k < roots.size(); ++k) {
     const double angle = -2 * M_PI * static_cast<double>(k) / static_cast<double>(data.size());
-    roots[k] = {std::cos(angle), std::sin(angle)};
+    roots[k] = {math::cos(angle), math::sin(angle)};
   }
   for (std::size_t half = 1; half < data.size(); half *= 2) {
     const std::size_t step = roots.size() / half;
@@ -46,7 +46,7 @@ void transform(std::vector<Complex>& data) {
 
 /// Not std::abs(), whose last bits depend on the C library's cabs().
 double magnitude(const Complex& value) {
-  return std::hypot(value.real(), value.imag());
+  return math::hypot(value.real(), value.imag());
 }
 
 }  // namespace

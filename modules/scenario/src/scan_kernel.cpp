@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-// Vectors of unknown size do not fit in RayVector.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "scan_kernel.cpp"
 #include <hwy/foreach_target.h>

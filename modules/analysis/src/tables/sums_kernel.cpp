@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-// Vectors of unknown size cannot be members of a struct.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sums_kernel.cpp"
 #include <hwy/foreach_target.h>
