@@ -265,10 +265,9 @@ double accurate_sine(double x, unsigned quadrants) {
 
 // Fast phase: pairs of doubles ------------------------------------------------------------------
 
-/// Leading 26 bits of x; those of two numbers, or of one and the rest of the other, have an exact
-/// product.
+/// x rounded to 26 bits; the rest has 26 bits too, so that products of heads and rests are exact.
 double head(double x) {
-  return from_bits(bits_of(x) & ~std::uint64_t{0} << 27);
+  return from_bits((bits_of(x) + (std::uint64_t{1} << 26)) & ~std::uint64_t{0} << 27);
 }
 
 /// Sum of a and b as a pair, |a| >= |b| or a = 0 (Dekker 1971).
@@ -283,7 +282,7 @@ Split exact_sum(double a, double b) {
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
-/// Product as a pair, to 2^-106 (Dekker 1971).
+/// Product as a pair (Dekker 1971).
 Split product(double a, double b) {
   const double p = a * b, ah = head(a), bh = head(b), al = a - ah, bl = b - bh;
   return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
@@ -413,7 +412,8 @@ Split fast_log(double x, double* log2 = nullptr) {
   const Split next = fast_sum(sum.head, -0.5 * (top * top));
   double tail = entry.tail + k * kLn2[1] - 0.5 * ((r - top) * (r + top));
   const double fourth =
-      -0.25 + r * 0.2 + r2 * ((-1.0 / 6 + r * (1.0 / 7)) + r2 * (-0.125 + r * (1.0 / 9)));
+      -0.25 + r * 0.2 +
+      r2 * ((-1.0 / 6 + r * (1.0 / 7)) + r2 * (-0.125 + r * (1.0 / 9) - r2 * 0.1));
   if constexpr (precise) {
     const double square_tail = (top * top - r2) + (r - top) * (r + top);
     const Split cube = product(product(r2, r), {kThird[0], kThird[1]});
@@ -437,14 +437,14 @@ double log_outside(double x) {
   return x > 0 || x != x ? x : kNan;
 }
 
-enum class Parity { none, even, odd };
+enum class Parity { None, Even, Odd };
 
 Parity parity(double y) {
   y = std::abs(y);
-  if (y >= 0x1p53) return Parity::even;
+  if (y >= 0x1p53) return Parity::Even;
   const auto whole = static_cast<std::int64_t>(y);
-  if (static_cast<double>(whole) != y) return Parity::none;
-  return whole % 2 != 0 ? Parity::odd : Parity::even;
+  if (static_cast<double>(whole) != y) return Parity::None;
+  return whole % 2 != 0 ? Parity::Odd : Parity::Even;
 }
 
 /// x^y with x or y zero, infinite or NaN, but neither x = 1 nor y = 0.
@@ -456,7 +456,7 @@ double pow_outside(double x, double y) {
     return (size > 1) == (y > 0) ? kInfinity : 0;
   }
   const double result = (size > 1) == (y > 0) ? kInfinity : 0;
-  return parity(y) == Parity::odd && bits_of(x) >> 63 != 0 ? -result : result;
+  return parity(y) == Parity::Odd && bits_of(x) >> 63 != 0 ? -result : result;
 }
 
 /// atan(n / d) from the step below it, a multiple of 1/128: head of kArcs + (head + tail), 0 <= n
@@ -508,12 +508,19 @@ double accurate_direction(Wide y, Wide x) {
   return rounded(below ? -angle : angle, true);
 }
 
+/// Either number without a branch, which takes longer than all else when it goes at random.
+double select(bool first, double a, double b) {
+  const std::uint64_t mask = std::uint64_t{0} - std::uint64_t{first};
+  return from_bits((bits_of(a) & mask) | (bits_of(b) & ~mask));
+}
+
 /// Direction of the vector (x, y) of pairs from 2^-400 to 2^400 without signs.
 bool fast_direction(const Split& y, const Split& x, bool left, double& result) {
   const bool steep = y.head > x.head;
-  const Arc arc = steep ? fast_atan(x, y) : fast_atan(y, x);
-  const double sign = steep != left ? -1 : 1;
-  const double right_angles = steep ? 1 : left ? 2 : 0;
+  const Arc arc = fast_atan({std::min(x.head, y.head), select(steep, x.tail, y.tail)},
+                            {std::max(x.head, y.head), select(steep, y.tail, x.tail)});
+  const double sign = select(steep != left, -1, 1);
+  const double right_angles = select(steep, 1, select(left, 2, 0));
   const Split sum = fast_sum(right_angles * kHalfPi[0] + sign * arc.step,
                              sign * arc.rest.head);  // first sum exact
   const double tail = sum.tail + (right_angles * kHalfPi[1] + sign * arc.rest.tail);
@@ -573,7 +580,7 @@ double atan2(double y, double x) {
   double result = 0;
   if (std::min(height, width) > 0x1p-400 && std::max(height, width) < 0x1p400 &&
       fast_direction({height, 0}, {width, 0}, x < 0, result))
-    return y < 0 ? -result : result;
+    return std::copysign(result, y);
   return accurate_direction(wide(y), wide(x));
 }
 
@@ -583,7 +590,7 @@ double asin(double x) {
   if (size == 1) return x * kHalfPi[0];
   if (!(size < 1)) return x + kNan;
   double result = 0;
-  if (fast_direction({size, 0}, other_leg(size), false, result)) return x < 0 ? -result : result;
+  if (fast_direction({size, 0}, other_leg(size), false, result)) return std::copysign(result, x);
   return accurate_direction(wide(x), wide_other_leg(x));
 }
 
@@ -600,7 +607,7 @@ double acos(double x) {
 
 double exp(double x) {
   if (x != x) return x;
-  return rounded_exp({x, 0}, 0x1p-67, [&] { return wide_exp(wide(x)); });
+  return rounded_exp({x, 0}, 0x1p-66, [&] { return wide_exp(wide(x)); });
 }
 
 double log(double x) {
@@ -625,16 +632,17 @@ double pow(double x, double y) {
   const double size = std::abs(x);
   if (!(size > 0 && size < kInfinity && std::abs(y) < kInfinity)) return pow_outside(x, y);
   const Parity whole = parity(y);
-  if (x < 0 && whole == Parity::none) return kNan;
-  const double sign = x < 0 && whole == Parity::odd ? -1 : 1;
+  if (x < 0 && whole == Parity::None) return kNan;
+  const double sign = x < 0 && whole == Parity::Odd ? -1 : 1;
   if (size == 1) return sign;
   const Split log = fast_log<true>(size);
   const double estimate = y * log.head;
   if (std::abs(estimate) > 800) return sign * (estimate > 0 ? kInfinity : 0);
   Split exponent = product(y, log.head);
   exponent = fast_sum(exponent.head, exponent.tail + y * log.tail);
+  const double error = 0x1p-66 + std::abs(exponent.head) * 0x1p-75;
   return sign *
-         rounded_exp(exponent, 0x1p-65, [&] { return wide_exp(wide(y) * accurate_log(size)); });
+         rounded_exp(exponent, error, [&] { return wide_exp(wide(y) * accurate_log(size)); });
 }
 
 double hypot(double x, double y) {
