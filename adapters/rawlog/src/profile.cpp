@@ -1,6 +1,6 @@
 #include "profile.h"
 
-#include <boost/math/distributions/fisher_f.hpp>
+#include <slalom/analysis/distributions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,8 +58,9 @@ Profile pooled(const Profile& a, const Profile& b) {
 }
 
 Interval profile_interval(const Profile& profile, double confidence) {
-  const double bound = profile.deviance(profile.best) +
-                       boost::math::quantile(boost::math::fisher_f(1, profile.freedom), confidence);
+  const double bound =
+      profile.deviance(profile.best) +
+      boost::math::quantile(distributions::FisherF(1, profile.freedom), confidence);
   return {profile.best - distance(profile, bound, profile.lowest),
           profile.best + distance(profile, bound, profile.highest)};
 }

@@ -1,9 +1,7 @@
 #include "range_noise.h"
 
+#include <slalom/analysis/distributions.h>
 #include <slalom/analysis/statistics.h>
-
-#include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/chi_squared.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +118,7 @@ double noise_of(double variance, double quantum) {
 }
 
 Interval sigma_interval(double squares, double freedom, double quantum, double confidence) {
-  const boost::math::chi_squared distribution(freedom);
+  const distributions::ChiSquared distribution(freedom);
   const auto bound = [&](double fraction) {
     return noise_of(squares / boost::math::quantile(distribution, fraction), quantum);
   };
@@ -133,10 +131,9 @@ Interval sigma_interval(double squares, double freedom, double quantum, double c
 
 /// Clopper and Pearson's.
 Interval exact_interval(double events, double n, double confidence) {
-  using boost::math::binomial;
   const double tail = 0.5 * (1 - confidence);
-  return {binomial::find_lower_bound_on_p(n, events, tail),
-          binomial::find_upper_bound_on_p(n, events, tail)};
+  return {distributions::Binomial::find_lower_bound_on_p(n, events, tail),
+          distributions::Binomial::find_upper_bound_on_p(n, events, tail)};
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
+#include <slalom/analysis/distributions.h>
 #include <slalom/analysis/friedman.h>
 #include <slalom/analysis/rank_statistics.h>
 #include <slalom/core/math.h>
 
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
@@ -50,7 +49,7 @@ void add_statistics(FriedmanTest& test, const std::vector<double>& rank_sums, do
   if (scale <= 0) return;  // all methods tied in every scenario
   test.chi_squared = 12 * squares / scale;
   test.p =
-      boost::math::cdf(boost::math::complement(boost::math::chi_squared(k - 1), test.chi_squared));
+      boost::math::cdf(boost::math::complement(distributions::ChiSquared(k - 1), test.chi_squared));
   const double rest = n * (k - 1) - test.chi_squared;
   if (rest <= 1e-12 * n * k) {
     test.iman_davenport_f = std::numeric_limits<double>::infinity();
@@ -59,7 +58,7 @@ void add_statistics(FriedmanTest& test, const std::vector<double>& rank_sums, do
   }
   test.iman_davenport_f = (n - 1) * test.chi_squared / rest;
   test.iman_davenport_p = boost::math::cdf(boost::math::complement(
-      boost::math::fisher_f(k - 1, (k - 1) * (n - 1)), test.iman_davenport_f));
+      distributions::FisherF(k - 1, (k - 1) * (n - 1)), test.iman_davenport_f));
 }
 
 /// Maximal groups of consecutive methods, in order of rank, within the critical difference.

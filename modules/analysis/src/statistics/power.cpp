@@ -1,7 +1,5 @@
+#include <slalom/analysis/distributions.h>
 #include <slalom/analysis/power.h>
-
-#include <boost/math/distributions/non_central_t.hpp>
-#include <boost/math/distributions/students_t.hpp>
 
 #include <cmath>
 
@@ -17,8 +15,8 @@ double paired_t_power(double n, double relevant, double deviation, double alpha)
   if (n < 2) return 0;
   const double degrees = n - 1, shift = relevant / deviation * std::sqrt(n);
   if (shift > kCertain) return 1;
-  const double t = boost::math::quantile(boost::math::students_t(degrees), 1 - alpha / 2);
-  const boost::math::non_central_t shifted(degrees, shift);
+  const double t = boost::math::quantile(distributions::StudentsT(degrees), 1 - alpha / 2);
+  const distributions::NonCentralT shifted(degrees, shift);
   return boost::math::cdf(boost::math::complement(shifted, t)) + boost::math::cdf(shifted, -t);
 }
 

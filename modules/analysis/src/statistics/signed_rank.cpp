@@ -1,6 +1,5 @@
+#include <slalom/analysis/distributions.h>
 #include <slalom/analysis/rank_statistics.h>
-
-#include <boost/math/distributions/normal.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +54,7 @@ double normal_p(const std::vector<double>& ranks, double statistic) {
   const double variance = n * (n + 1) * (2 * n + 1) / 24 - tie_correction(ranks);
   const double distance = std::max(0.0, std::abs(statistic - n * (n + 1) / 4) - 0.5);
   return 2 * boost::math::cdf(
-                 boost::math::complement(boost::math::normal(), distance / std::sqrt(variance)));
+                 boost::math::complement(distributions::Normal(), distance / std::sqrt(variance)));
 }
 
 /// The number of pairwise means that are at most `limit`; `sorted` is increasing.
@@ -97,7 +96,7 @@ std::size_t rank_of_bound(std::size_t n, double confidence) {
   const double tail = (1 - confidence) / 2;
   const double size = static_cast<double>(n);
   if (n > kMaxForExact) {
-    const double z = boost::math::quantile(boost::math::normal(), 0.5 + confidence / 2);
+    const double z = boost::math::quantile(distributions::Normal(), 0.5 + confidence / 2);
     return static_cast<std::size_t>(size * (size + 1) / 4 -
                                     z * std::sqrt(size * (size + 1) * (2 * size + 1) / 24));
   }

@@ -1,8 +1,6 @@
+#include <slalom/analysis/distributions.h>
 #include <slalom/analysis/quantile.h>
 #include <slalom/analysis/statistics.h>
-
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -140,7 +138,7 @@ std::optional<double> standard_deviation(const std::vector<double>& values) {
 }
 
 Interval wilson_interval(double rate, double n, double confidence) {
-  const double z = boost::math::quantile(boost::math::normal(), 0.5 + confidence / 2);
+  const double z = boost::math::quantile(distributions::Normal(), 0.5 + confidence / 2);
   const double shrink = 1 + z * z / n;
   const double center = (rate + z * z / (2 * n)) / shrink;
   const double half = z / shrink * std::sqrt(rate * (1 - rate) / n + z * z / (4 * n * n));
@@ -177,7 +175,7 @@ Interval rate_interval(const GroupMoments& groups, double confidence) {
   double runs = effective_sample_size(groups);
   if (k > 1 && k < n) {
     const auto quantile_of = [confidence](double freedom) {
-      return boost::math::quantile(boost::math::students_t(freedom), 0.5 + confidence / 2);
+      return boost::math::quantile(distributions::StudentsT(freedom), 0.5 + confidence / 2);
     };
     const double ratio = quantile_of(n - 1) / quantile_of(k - 1);
     runs = std::max(k, runs * ratio * ratio);
@@ -187,7 +185,7 @@ Interval rate_interval(const GroupMoments& groups, double confidence) {
 
 std::optional<Interval> t_interval(const GroupMoments& groups, double confidence) {
   if (groups.groups < 2) return std::nullopt;
-  const boost::math::students_t distribution(groups.groups - 1);
+  const distributions::StudentsT distribution(groups.groups - 1);
   const double half = boost::math::quantile(distribution, 0.5 + confidence / 2) *
                       std::sqrt(variance_of_mean(groups));
   return Interval{groups.mean - half, groups.mean + half};

@@ -1,7 +1,6 @@
+#include <slalom/analysis/distributions.h>
 #include <slalom/analysis/survival.h>
 #include <slalom/core/math.h>
-
-#include <boost/math/distributions/normal.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +91,7 @@ std::vector<CurvePoint> cumulative_incidence(std::vector<TimedEnd> ends, int cau
 std::optional<Interval> log_log_interval(double fraction, double standard_error,
                                          double confidence) {
   if (fraction <= 0 || fraction >= 1) return std::nullopt;
-  const double z = boost::math::quantile(boost::math::normal(), 0.5 + confidence / 2);
+  const double z = boost::math::quantile(distributions::Normal(), 0.5 + confidence / 2);
   const double spread = z * standard_error / (fraction * std::abs(math::log(fraction)));
   const double lower = math::pow(fraction, math::exp(spread)),
                upper = math::pow(fraction, math::exp(-spread));
