@@ -21,16 +21,18 @@ void verify(const VerifyArguments& arguments) {
                                                for (const std::string& line : differences)
                                                  std::cout << "environment: " << line << "\n";
                                              });
+  for (const std::string& line : report.time_limits) std::cout << "environment: " << line << "\n";
   for (const std::string& line : report.differences) std::cout << line << "\n";
   if (!report.complete) throw Interrupted("nothing was changed");
-  const std::string what =
-      std::to_string(report.runs) + (report.runs == 1 ? " run in " : " runs in ") +
-      std::to_string(report.scenarios) + (report.scenarios == 1 ? " scenario" : " scenarios");
+  const std::size_t runs = report.runs - report.time_limits.size();
+  const std::string what = std::to_string(runs) + (runs == 1 ? " run in " : " runs in ") +
+                           std::to_string(report.scenarios) +
+                           (report.scenarios == 1 ? " scenario" : " scenarios");
   if (!report.differences.empty())
     throw job_error(arguments.results,
                     std::to_string(report.differences.size()) + " differences in " + what,
                     "identical results");
-  std::cout << what << (report.runs == 1 ? " is identical\n" : " are identical\n");
+  std::cout << what << (runs == 1 ? " is identical\n" : " are identical\n");
 }
 
 }  // namespace

@@ -52,8 +52,15 @@ class ComparingSink : public CampaignSink {
     const std::string before =
         dump_line(campaign_, file_.read_record(run.scenario_hash), *recorded);
     const std::string now = dump_line(campaign_, record_[run.scenario_hash], run);
-    if (before != now)
-      report.differences.push_back("run " + run_id(run) + ": " + difference(before, now));
+    if (before == now) return;
+    for (const RunRecord* record : {&*recorded, &run}) {
+      if (record->outcome != to_string(Outcome::MethodDeadline)) continue;
+      report.time_limits.push_back("run " + run_id(run) +
+                                   ": ended at a time limit on one of the machines (" +
+                                   record->outcome_detail + ")");
+      return;
+    }
+    report.differences.push_back("run " + run_id(run) + ": " + difference(before, now));
   }
 
   VerifyReport report;

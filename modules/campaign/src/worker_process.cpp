@@ -199,7 +199,8 @@ std::string WorkerProcess::exceeded_limit() {
       now - last_heartbeat_ > options_.heartbeat_timeout)
     return "no response within " + format_number(options_.heartbeat_timeout) + " s";
   if (options_.item_wall_time > 0 && now - started_ > options_.item_wall_time)
-    return "wall-clock time limit of " + format_number(options_.item_wall_time) + " s exceeded";
+    return "run_wall_time = " + format_number(options_.item_wall_time) +
+           " s exceeded, a wall-clock limit on this machine";
   return "";
 }
 

@@ -152,6 +152,8 @@ Trial trial_of_dead_process(const WorkResult& result) {
   trial.outcome =
       result.status == Status::TimedOut ? Outcome::MethodDeadline : Outcome::MethodCrash;
   trial.detail = result.detail;
+  if (result.status == Status::TimedOut)
+    trial.detail += " (run_wall_time), a wall-clock limit on this machine";
   return trial;
 }
 

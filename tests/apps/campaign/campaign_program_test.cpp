@@ -2,6 +2,7 @@
 
 #include <slalom/analysis/cell.h>
 #include <slalom/app/campaign_program.h>
+#include <slalom/app/verify_results.h>
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>
@@ -129,6 +130,49 @@ TEST_F(CampaignProgram, ComputesReferencesAndRunsMethodsWithAllModulesLinked) {
   ASSERT_TRUE(references.shortest && references.safest);
   EXPECT_GE(length(references.safest->path), references.shortest->certificate.lower_bound);
   ASSERT_EQ(file.read_runs(hash).size(), 1U);
+}
+
+/// A copy of a result file in which its runs have this outcome.
+void copy_with_outcome(const std::string& from, const std::string& to, Outcome outcome,
+                       const std::string& detail) {
+  const ResultFile file = ResultFile::open(from);
+  ResultFile copy =
+      ResultFile::create(to, file.read_manifest(), file.descriptors(), file.metrics());
+  file.for_each_run([&](const RunRecord& run) {
+    const std::string& hash = run.scenario_hash;
+    if (!copy.has_scenario(hash))
+      copy.add_scenario(file.read_record(hash), file.read_scenario(hash),
+                        file.read_references(hash));
+    RunRecord ended = run;
+    ended.outcome = to_string(outcome);
+    ended.outcome_detail = detail;
+    copy.add_run(ended, file.read_timing(run), file.read_trajectory(run));
+  });
+  copy.commit();
+}
+
+TEST_F(CampaignProgram, VerifyTakesTimeLimitsForDifferencesOfTheMachines) {
+  const auto given = arguments();
+  CampaignConfig config = read_campaign(load_campaign_ini(given));
+  auto scenarios = campaign_scenarios(config, given);
+  const std::string path = folder_ + "/runs.results", other = folder_ + "/other.results";
+  ResultFile results = open_campaign_results(config, given, scenarios, path);
+  run_campaign_program(config, given, std::move(scenarios), std::move(results));
+  const auto verify = [&](Outcome outcome) {
+    copy_with_outcome(path, other, outcome, "run_wall_time = 60 s exceeded");
+    return verify_results(other, given, {}, [](const auto&) {});
+  };
+  const VerifyReport limited = verify(Outcome::MethodDeadline);
+  EXPECT_TRUE(limited.differences.empty());
+  ASSERT_EQ(limited.time_limits.size(), 1U);
+  EXPECT_NE(limited.time_limits[0].find("/nd/0: ended at a time limit on one of the machines "
+                                        "(run_wall_time = 60 s exceeded)"),
+            std::string::npos)
+      << limited.time_limits[0];
+  std::filesystem::remove(other);
+  const VerifyReport crashed = verify(Outcome::MethodCrash);
+  EXPECT_EQ(crashed.differences.size(), 1U);
+  EXPECT_TRUE(crashed.time_limits.empty());
 }
 
 TEST_F(CampaignProgram, RefusesResultsOfAnotherCampaignNamingWhatDiffers) {

@@ -135,7 +135,7 @@ TEST(WorkerPool, AHangingWorkItemIsKilledAtTheTimeLimit) {
     return "fine";
   });
   EXPECT_EQ(results[1].status, Status::TimedOut);
-  EXPECT_EQ(results[1].detail, "wall-clock time limit of 20 s exceeded");
+  EXPECT_EQ(results[1].detail, "run_wall_time = 20 s exceeded, a wall-clock limit on this machine");
   for (const std::size_t i : {0U, 2U, 3U}) EXPECT_EQ(results[i].payload, "fine");
 }
 

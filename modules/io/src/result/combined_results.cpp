@@ -1,4 +1,5 @@
 #include "combined_results.h"
+#include "unequal.h"
 
 #include <slalom/core/error.h>
 #include <slalom/io/campaign_identity.h>
@@ -12,12 +13,6 @@
 
 namespace slalom {
 namespace {
-
-constexpr const char* kEqual = "the results of one campaign, which are equal";
-
-Error difference(const std::string& file, const std::string& what) {
-  return file_error(file, what + " differs from that in a file before it", kEqual);
-}
 
 bool is_measured(const ValueColumn& column) {
   return column.wall_clock;
@@ -119,7 +114,7 @@ bool CombinedResults::add_scenarios(FileRows& part) {
     if (index < scenarios_.size()) {
       is_shared = true;
       if (scenarios_[index] && part.scenarios[i] && *scenarios_[index] != *part.scenarios[i])
-        throw difference(added.source, "scenario " + added.scenario_hashes[i]);
+        throw unequal(added.source, "scenario " + added.scenario_hashes[i]);
       continue;
     }
     scenarios_.push_back(part.scenarios[i]);
@@ -147,7 +142,11 @@ std::vector<std::size_t> CombinedResults::find_new_runs(const FileRows& part) co
     if (found == known.end()) {
       rows.push_back(run);
     } else if (runs_[found->second] != part.runs[run]) {
-      throw difference(added.source, "run " + run_id(table_, found->second));
+      const std::uint32_t outcomes[] = {table_.outcome[found->second], added.outcome[run]};
+      throw unequal(added.source, "run " + run_id(table_, found->second),
+                    std::any_of(std::begin(outcomes), std::end(outcomes), [&](std::uint32_t i) {
+                      return ended_at_time_limit(table_.outcomes[i]);
+                    }));
     }
   }
   return rows;

@@ -2,6 +2,7 @@
 #include "database.h"
 #include "draft_file.h"
 #include "run_outputs.h"
+#include "unequal.h"
 
 #include <slalom/core/text.h>
 #include <slalom/io/campaign_identity.h>
@@ -10,12 +11,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <sqlite3.h>
 
 namespace slalom {
 namespace {
-
-constexpr const char* kDifference = "the results of one campaign, which are equal";
 
 std::vector<std::string> columns_of(SQLite::Database& database, const std::string& table) {
   std::vector<std::string> columns;
@@ -138,14 +138,21 @@ struct MergedResults::Impl {
       differences.push_back("part." + table.name + "." + column + " IS NOT main." + table.name +
                             "." + column);
     if (differences.empty()) return;
-    SQLite::Statement unequal(*database, "SELECT " + table.label + " FROM part." + table.name +
-                                             " JOIN main." + table.name + " USING (" + table.keys +
-                                             ") WHERE " + join(differences, " OR ") + " LIMIT 1");
-    if (unequal.executeStep())
-      throw file_error(file,
-                       table.name + ": " + unequal.getColumn(0).getString() +
-                           " differs from that in a file before it",
-                       kDifference);
+    const std::string outcomes =
+        table.name == "runs" ? "part.runs.outcome, main.runs.outcome" : "'', ''";
+    SQLite::Statement rows(*database, "SELECT " + table.label + ", " + outcomes + " FROM part." +
+                                          table.name + " JOIN main." + table.name + " USING (" +
+                                          table.keys + ") WHERE " + join(differences, " OR "));
+    std::optional<Error> at_time_limit;  // reported if nothing else differs
+    while (rows.executeStep()) {
+      const bool is_limit = ended_at_time_limit(rows.getColumn(1).getString()) ||
+                            ended_at_time_limit(rows.getColumn(2).getString());
+      const Error error =
+          unequal(file, table.name + ": " + rows.getColumn(0).getString(), is_limit);
+      if (!is_limit) throw error;
+      if (!at_time_limit) at_time_limit = error;
+    }
+    if (at_time_limit) throw *at_time_limit;
   }
 
   /// The blobs and times of those runs that are new.

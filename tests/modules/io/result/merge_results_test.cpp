@@ -27,18 +27,20 @@ class MergeResults : public testing::Test {
  protected:
   /// A result file with one run of each method in the scenario with this seed.
   std::string write(const std::string& name, std::uint64_t scenario, double optimality = 0.5,
-                    const std::string& max_v = "0.5") const {
+                    const std::string& max_v = "0.5",
+                    const std::string& outcome = "timeout") const {
     const std::string path = folder_ / name;
     ResultFile file = ResultFile::create(
         path,
         {{"campaign", "test"}, {kEffectiveKey, "[robot]\nmax_v = " + max_v}, {"shard", "1/2"}},
         kMergedDescriptors, kMergedMetrics);
-    add(file, sample_scenario(scenario), optimality);
+    add(file, sample_scenario(scenario), optimality, outcome);
     file.commit();
     return path;
   }
 
-  static void add(ResultFile& file, const Scenario& scenario, double optimality) {
+  static void add(ResultFile& file, const Scenario& scenario, double optimality,
+                  const std::string& outcome = "timeout") {
     References references;
     references.shortest_reason = "too narrow";
     references.timing = {optimality, 0, 0};  // differs even where the results do not
@@ -51,7 +53,7 @@ class MergeResults : public testing::Test {
       run.scenario_hash = scenario.hash();
       run.scenario_name = scenario.name();
       run.method = method;
-      run.outcome = "timeout";
+      run.outcome = outcome;
       run.trajectory_hash = trajectory.hash();
       run.metrics["optimality"] = {3, Value::of(optimality)};
       const std::string output = method == std::string("gap") ? "of " + scenario.name() : "";
@@ -110,6 +112,23 @@ TEST_F(MergeResults, EqualDuplicatesAreCountedAndUnequalOnesAreRefused) {
   const std::string other = write("other.results", 1, 0.25);
   EXPECT_TRUE(
       throws_error(ErrorKind::File, other, {"runs: ", "/0 differs"}, [&] { merged.add(other); }));
+}
+
+TEST_F(MergeResults, ADifferenceByATimeLimitIsOneOfTheMachines) {
+  const std::string whole = write("1.results", 1),
+                    limited = write("2.results", 1, 0.5, "0.5", "method_deadline");
+  for (const auto& files : {std::pair(whole, limited), std::pair(limited, whole)}) {
+    const std::string second = files.second;
+    MergedResults merged(folder_ / "all.results", files.first);
+    merged.add(files.first);
+    EXPECT_TRUE(throws_error(ErrorKind::File, second,
+                             {"/0 differs", "ended at a time limit on one of the machines",
+                              "[limits] that the slowest machine keeps"},
+                             [&] { merged.add(second); }));
+  }
+  const std::string folder = std::filesystem::path(whole).parent_path();
+  EXPECT_TRUE(throws_error(ErrorKind::File, limited, {"ended at a time limit on one of"},
+                           [&] { read_detailed_results(folder); }));
 }
 
 TEST_F(MergeResults, OtherCampaignsAndDamagedFilesAreRefusedAndTheOutputIsKept) {

@@ -22,6 +22,9 @@ struct VerifyReport {
   bool complete = false;  ///< false if interrupted
   std::size_t scenarios = 0, runs = 0;
   std::vector<std::string> differences;  ///< one line per run or scenario that is not the same
+  /// One line per run that is not the same because a limit of time ended it: such runs depend on
+  /// the machine.
+  std::vector<std::string> time_limits;
 };
 
 /// Receives what differs from the programs, files of methods and machine that made the file.
