@@ -3,11 +3,13 @@
 # debootstrap:
 #   scripts/check_platform.sh [--folder DIR] [--mirror URL] [--jobs N] [--required-only] SUITE [CTEST_OPTION...]
 #   scripts/check_platform.sh --packages [--folder DIR] [--mirror URL] [--jobs N] SUITE
+#   scripts/check_platform.sh [--folder DIR] [--mirror URL] [--jobs N] arm64
 # SUITE is a code name, for example trixie (Debian 13). DIR (default: ${TMPDIR:-/tmp}/slalom-SUITE) holds the chroot, the
 # build and the compiler cache, about 8 GB; a second call continues there, so `rm -r DIR` starts afresh. N is the number
 # of processes, default 2. With --required-only the packages of scripts/packages_test.txt are left out, and the tests that
 # need them are skipped. Tests: those that are not slow, or those that the options of ctest select (`-R Golden`). With
-# --packages the packages of that release are made instead of running tests, for scripts/check_packages.sh.
+# --packages the packages of that release are made instead of running tests, for scripts/check_packages.sh. With arm64 the
+# programs are cross-compiled and emulated, without a chroot and without root, by scripts/check_arm64.sh.
 set -euo pipefail
 script=$(realpath "$0")
 source_folder=$(dirname "$(dirname "$script")")
@@ -37,12 +39,18 @@ done
 [ $# -ge 1 ] || refuse "expected the code name of a release of Debian, for example trixie"
 suite=$1
 shift
-[[ $suite =~ ^[a-z]+$ ]] || refuse "$suite: expected the code name of a release of Debian, for example trixie"
+[[ $suite =~ ^([a-z]+|arm64)$ ]] || refuse "$suite: expected the code name of a release of Debian, for example trixie"
 [[ $jobs =~ ^[1-9][0-9]*$ ]] || refuse "--jobs $jobs: expected a number of processes from 1"
 selection=("$@")
 [ -z "$packages" ] || [ $# -eq 0 ] || refuse "$1: --packages runs no tests, so it takes no options of ctest"
 [ $# -gt 0 ] || selection=(-LE slow)
 folder=${folder:-${TMPDIR:-/tmp}/slalom-$suite}
+
+if [ "$suite" = arm64 ]; then
+  [ -z "$packages" ] || refuse "--packages: arm64 has emulated programs only, no packages"
+  [ $# -eq 0 ] || refuse "$1: arm64 runs no tests of ctest, so it takes no options of it"
+  exec "$source_folder/scripts/check_arm64.sh" "$folder" "$mirror" "$jobs"
+fi
 
 [ "$(id -u)" -eq 0 ] || refuse "a chroot is made by root only; use sudo"
 command -v debootstrap >/dev/null || refuse "needs the package debootstrap"

@@ -79,13 +79,15 @@ refuses() {
 }
 expect "the check of a platform explains itself" check_platform --help
 expect_text "by its options" "[--folder DIR]" "$work/out"
-expect_text "to the last line" "for scripts/check_packages.sh." "$work/out"
+expect_text "to the last line" "by scripts/check_arm64.sh." "$work/out"
 expect "it refuses a missing name" refuses "expected the code name"
 expect "it refuses a path for a name" refuses "../trixie: expected the code name" ../trixie
 expect "it refuses no processes" refuses "--jobs 0: expected a number of processes" --jobs 0 trixie
 expect "it refuses an option without its value" refuses "--folder: expected a value" --folder
 expect "it refuses an unknown option" refuses "unknown option --fodler" --fodler /tmp trixie
 expect "packages and tests exclude each other" refuses "-R: --packages runs no tests" --packages trixie -R Golden
+expect "arm64 has no packages" refuses "--packages: arm64 has emulated programs" --packages arm64
+expect "arm64 has no tests of ctest" refuses "-R: arm64 runs no tests of ctest" arm64 -R Golden
 
 check_packages() { "$sources/scripts/check_packages.sh" "$@" >"$work/out" 2>"$work/err"; }
 refuses_packages() {
