@@ -1,3 +1,4 @@
+#include <slalom/core/math.h>
 #include <slalom/core/pose.h>
 #include <slalom/core/random.h>
 
@@ -49,7 +50,7 @@ TEST(Pose, FramesTurnCounterclockwise) {
 
 TEST(Pose, EachOperationIsRoundedByItself) {
   for (const auto& [pose, point] : random_examples()) {
-    const double c = std::cos(pose.phi), s = std::sin(pose.phi);
+    const double c = math::cos(pose.phi), s = math::sin(pose.phi);
     const double dx = point.x - pose.x, dy = point.y - pose.y;
     const TPoint2D local = inverse_compose(pose, point);
     ASSERT_EQ(local.x, sum_of_products(dx, c, dy, s));
