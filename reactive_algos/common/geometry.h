@@ -28,11 +28,7 @@ inline double distance(const Point& a, const Point& b) {
 /// Transforms points between the robot frame at a pose and the frame of that pose.
 class Transform {
  public:
-  explicit Transform(const Pose& pose)
-      : x_(pose.x),
-        y_(pose.y),
-        cosine_(slalom::math::cos(pose.phi)),
-        sine_(slalom::math::sin(pose.phi)) {}
+  explicit Transform(const Pose& pose) : Transform(pose, slalom::math::sin_cos(pose.phi)) {}
 
   Point to_world(const Point& p) const {
     return {x_ + cosine_ * p.x - sine_ * p.y, y_ + sine_ * p.x + cosine_ * p.y};
@@ -43,6 +39,9 @@ class Transform {
   }
 
  private:
+  Transform(const Pose& pose, const slalom::math::SinCos& heading)
+      : x_(pose.x), y_(pose.y), cosine_(heading.cos), sine_(heading.sin) {}
+
   double x_, y_, cosine_, sine_;
 };
 

@@ -11,8 +11,8 @@ Turn turn_from(double phi, double w, double time) {
   // The chord of an arc: its direction is the middle heading, its length that of the arc times
   // sin(a) / a of half the turn.
   const double half = 0.5 * turn;
-  return {std::abs(half) < 1e-6 ? 1.0 : slalom::math::sin(half) / half,
-          slalom::math::cos(phi + half), slalom::math::sin(phi + half), phi + turn};
+  const auto [sine, cosine] = slalom::math::sin_cos(phi + half);
+  return {std::abs(half) < 1e-6 ? 1.0 : slalom::math::sin(half) / half, cosine, sine, phi + turn};
 }
 
 Pose integrate(const Pose& pose, const Twist& twist, double time) {

@@ -88,15 +88,16 @@ double TrajectoryScorer::obstacle_cost(const Twist& twist, double limit, Pose& e
       std::ceil(std::max(length / p.sim_granularity, turn / p.angular_sim_granularity)));
   const double step_turn = steps > 0 ? twist.w * time / steps : 0;
   // A step is a chord of the arc between two turns of half the angle.
-  const double half_cosine = slalom::math::cos(0.5 * step_turn),
-               half_sine = slalom::math::sin(0.5 * step_turn);
+  const auto half_turn = slalom::math::sin_cos(0.5 * step_turn);
+  const double half_cosine = half_turn.cos, half_sine = half_turn.sin;
   const double sinc = std::abs(step_turn) < 1e-6 ? 1 : half_sine / (0.5 * step_turn);
   const double chord = steps > 0 ? twist.v * time / steps * sinc : 0;
   const double excess = std::max(0.0, std::abs(twist.v) - p.scaling_speed) /
                         std::max(1e-3, p.max_vel_x - p.scaling_speed);
   const Footprint footprint =
       excess > 0 ? footprint_.scaled(1 + p.max_scaling_factor * excess) : footprint_;
-  double c = slalom::math::cos(pose_.phi), s = slalom::math::sin(pose_.phi);
+  const auto heading = slalom::math::sin_cos(pose_.phi);
+  double c = heading.cos, s = heading.sin;
   const auto turn_half = [&] {
     const double turned = c * half_cosine - s * half_sine;
     s = s * half_cosine + c * half_sine;

@@ -50,9 +50,8 @@ TPose2D DiffDrive::integrate(const TPose2D& pose, const Velocity& velocity, doub
   // sin(x)/x with x = turn/2: the chord of the arc, also where the turn vanishes.
   const double half = 0.5 * turn;
   const double chord = velocity.v * dt * (std::abs(half) < 1e-9 ? 1.0 : math::sin(half) / half);
-  const double heading = pose.phi + half;
-  return {pose.x + chord * math::cos(heading), pose.y + chord * math::sin(heading),
-          mrpt::math::wrapToPi(pose.phi + turn)};
+  const auto [s, c] = math::sin_cos(pose.phi + half);
+  return {pose.x + chord * c, pose.y + chord * s, mrpt::math::wrapToPi(pose.phi + turn)};
 }
 
 }  // namespace slalom

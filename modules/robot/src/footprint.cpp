@@ -148,7 +148,7 @@ Footprint Footprint::parse(const std::string& text, const std::string& where) {
 }
 
 std::vector<TPoint2D> Footprint::corners_at(const TPose2D& pose) const {
-  const double c = math::cos(pose.phi), s = math::sin(pose.phi);
+  const auto [s, c] = math::sin_cos(pose.phi);
   std::vector<TPoint2D> transformed;
   transformed.reserve(corners_.size());
   for (const TPoint2D& p : corners_)

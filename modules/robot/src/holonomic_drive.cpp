@@ -50,8 +50,8 @@ Velocity HolonomicDrive::apply_acceleration_limits(const Velocity& from, const V
 }
 
 TPose2D HolonomicDrive::integrate(const TPose2D& pose, const Velocity& velocity, double dt) const {
-  const double turn = velocity.w * dt, heading = pose.phi + 0.5 * turn;
-  const double c = math::cos(heading), s = math::sin(heading);
+  const double turn = velocity.w * dt;
+  const auto [s, c] = math::sin_cos(pose.phi + 0.5 * turn);
   return {pose.x + (c * velocity.v - s * velocity.vy) * dt,
           pose.y + (s * velocity.v + c * velocity.vy) * dt, mrpt::math::wrapToPi(pose.phi + turn)};
 }

@@ -52,7 +52,7 @@ void Vehicle::internal_simulControlStep(const double dt) {
   const Velocity driven = mean(before, velocity_);
   m_GT_pose = integrate(m_GT_pose, driven, dt);
   step_length_ = math::hypot(driven.v, driven.vy) * dt;
-  const double c = math::cos(m_GT_pose.phi), s = math::sin(m_GT_pose.phi);
+  const auto [s, c] = math::sin_cos(m_GT_pose.phi);
   m_GT_vel = {velocity_.v * c - velocity_.vy * s, velocity_.v * s + velocity_.vy * c, velocity_.w};
   m_odometry = m_GT_pose;
   m_odometric_vel = m_GT_vel;

@@ -175,8 +175,9 @@ ScanOrigin RayCaster::scan_origin(const Ray& ray, double heading, double max_ran
     origin.column[mirrored] = static_cast<std::int32_t>(column);
     origin.row[mirrored] = static_cast<std::int32_t>(row);
   }
-  origin.cosine = math::cos(heading);
-  origin.sine = math::sin(heading);
+  const auto [sine, cosine] = math::sin_cos(heading);
+  origin.cosine = cosine;
+  origin.sine = sine;
   origin.limit = max_range / resolution_;
   origin.max_range = max_range;
   origin.resolution = resolution_;

@@ -19,7 +19,7 @@ MoverScan::MoverScan(const Movers& movers, const ScanGeometry& geometry)
 
 void MoverScan::add_to(const TPose2D& pose, double t, float* ranges) const {
   if (movers_.empty()) return;
-  const double cosine = math::cos(pose.phi), sine = math::sin(pose.phi);
+  const auto [sine, cosine] = math::sin_cos(pose.phi);
   for (const Mover& mover : movers_) {
     if (!mover.present(t)) continue;
     const TPoint2D to = mover.position(t) - TPoint2D(pose);

@@ -34,7 +34,7 @@ MoverTracker::MoverTracker(const Movers& movers, const TrackerModel& model, std:
 
 const std::vector<Track>& MoverTracker::sense(const TPose2D& pose, double t) {
   tracks_.clear();
-  const double cosine = math::cos(pose.phi), sine = math::sin(pose.phi);
+  const auto [sine, cosine] = math::sin_cos(pose.phi);
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Mover& mover = movers_[i];
     const TVector2D position_error = track_error(position_, model_.position_sigma);

@@ -31,7 +31,7 @@ void Odometry::move(const TPose2D& from, const TPose2D& to) {
       model_.turn_sigma > 0 ? normal(turn_, 0, model_.turn_sigma * std::sqrt(std::abs(turn))) : 0;
   const double scale = length > 0 ? 1 + distance_error / length : 1;
   // The measured motion, applied to the odometry pose.
-  const double c = math::cos(pose_.phi - from.phi), s = math::sin(pose_.phi - from.phi);
+  const auto [s, c] = math::sin_cos(pose_.phi - from.phi);
   pose_ = {pose_.x + scale * (c * dx - s * dy), pose_.y + scale * (s * dx + c * dy),
            mrpt::math::wrapToPi(pose_.phi + turn + turn_error)};
 }
