@@ -19,9 +19,9 @@ class Hosted : public LcmTest {
   static std::unique_ptr<Method> hosted(const std::string& keys, const RobotModel& robot = {},
                                         const SensorModel& sensor = {}) {
     const IniFile ini = IniFile::from_text(
-        "[method.a]\nadapter = lcm\n"
-        "launch = exec slalom-lcm-method --plugin " FOLLOW_THE_GAP "\n" +
-            keys,
+        std::string("[method.a]\nadapter = lcm\n"
+                    "launch = exec slalom-lcm-method --plugin " FOLLOW_THE_GAP "\n") +
+            kLongDeadlines + keys,
         "campaign.ini");
     return read_lcm_method(ini, "method.a")(robot, sensor);
   }
