@@ -325,33 +325,50 @@ Reduced reduced(double x) {
   return result;
 }
 
+/// Functions of the rest r of an angle, which are the same for its sine and cosine.
+struct RestFunctions {
+  double top;     ///< r in 26 bits
+  double sine;    ///< sin(r) - r
+  double cosine;  ///< cos(r) - 1
+  double rest;    ///< sin(r) - top
+};
+
+RestFunctions functions_of(const Split& r) {
+  const double r2 = r.head * r.head, top = r.head + 0x1.8p19 - 0x1.8p19;
+  const double sine = r.head * r2 * (-1.0 / 6 + r2 * (1.0 / 120 + r2 * (-1.0 / 5040)));
+  const double cosine = r2 * (-0.5 + r2 * (1.0 / 24 + r2 * (-1.0 / 720 + r2 * (1.0 / 40320))));
+  return {top, sine, cosine, ((r.head - top) + r.tail) + sine};
+}
+
 /// sin(a + r) = S cos(r) + C sin(r), where S and C are those of the table at a. The errors are
 /// those of r^2 / 2, below 5 roundings of 2^-15.7 S, where the sum is at least S / 2: 2^-65.4.
-bool fast_sine(const Reduced& angle, unsigned steps, double& result) {
+bool fast_sine(const Reduced& angle, const RestFunctions& of, unsigned steps, double& result) {
   const unsigned k = angle.k + steps, i = k & 127U;
   const bool odd = (k & 128U) != 0;
-  const Split s = kSines[odd ? 128 - i : i], c = kSines[odd ? i : 128 - i];
-  const double sign = odd ? -1 : 1, r = sign * angle.rest.head, tail = sign * angle.rest.tail;
-  const double r2 = r * r;
-  const double sine = r * r2 * (-1.0 / 6 + r2 * (1.0 / 120 + r2 * (-1.0 / 5040)));
+  const Split s = kSines[odd ? 128 - i : i], cosine = kSines[odd ? i : 128 - i];
+  const double sign = odd ? -1 : 1;
+  const Split c = {sign * cosine.head, sign * cosine.tail};
   Split sum{};
   if (s.head == 0) {
-    sum = {r, tail + sine};
+    sum = {sign * angle.rest.head, sign * (angle.rest.tail + of.sine)};
   } else {
-    const double cosine = r2 * (-0.5 + r2 * (1.0 / 24 + r2 * (-1.0 / 720 + r2 * (1.0 / 40320))));
-    const double top = r + 0x1.8p19 - 0x1.8p19;  // of 26 bits, so that c.head * top is exact
-    sum = fast_sum(s.head, c.head * top);
-    sum.tail += s.tail + ((s.head + s.tail) * cosine +
-                          (c.tail * top + (c.head + c.tail) * (((r - top) + tail) + sine)));
+    sum = fast_sum(s.head, c.head * of.top);  // an exact product
+    sum.tail +=
+        s.tail + ((s.head + s.tail) * of.cosine + (c.tail * of.top + (c.head + c.tail) * of.rest));
   }
   const bool known = decided(sum, std::abs(sum.head) * 0x1p-65 + angle.error, result);
   if ((k & 256U) != 0) result = -result;
   return known;
 }
 
-double sine(double x, const Reduced& angle, unsigned quadrants) {
+double sine(double x, const Reduced& angle, const RestFunctions& of, unsigned quadrants) {
   double result = 0;
-  return fast_sine(angle, quadrants * 128, result) ? result : accurate_sine(x, quadrants);
+  return fast_sine(angle, of, quadrants * 128, result) ? result : accurate_sine(x, quadrants);
+}
+
+double sine(double x, unsigned quadrants) {
+  const Reduced angle = reduced(x);
+  return sine(x, angle, functions_of(angle.rest), quadrants);
 }
 
 /// exp(x) = 2^exponent (head + tail), x normalized, |x| < 1100. With |r| <= ln 2 / 256 the errors
@@ -559,18 +576,19 @@ double atan2_outside(double y, double x) {
 double sin(double x) {
   if (std::abs(x) < 0x1p-26) return x;  // nearest, since |sin x - x| < 2^-54 |x|
   if (!(std::abs(x) < kInfinity)) return kNan;
-  return sine(x, reduced(x), 0);
+  return sine(x, 0);
 }
 
 double cos(double x) {
   if (!(std::abs(x) < kInfinity)) return kNan;
-  return sine(x, reduced(x), 1);
+  return sine(x, 1);
 }
 
 SinCos sin_cos(double x) {
   if (!(std::abs(x) < kInfinity)) return {kNan, kNan};
   const Reduced angle = reduced(x);
-  return {std::abs(x) < 0x1p-26 ? x : sine(x, angle, 0), sine(x, angle, 1)};
+  const RestFunctions of = functions_of(angle.rest);
+  return {std::abs(x) < 0x1p-26 ? x : sine(x, angle, of, 0), sine(x, angle, of, 1)};
 }
 
 double atan2(double y, double x) {
