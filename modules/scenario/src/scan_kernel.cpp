@@ -282,7 +282,8 @@ bool cast_rays(const ScanOrigin& origin, const double* cosine, const double* sin
     std::fill_n(rays.face, end, RayChunk::kUndecided);
   } else {
     walk(origin, vector_count, vectors);
-    for (int i = 0; i < vector_count; ++i) find_faces(vectors[i], rays.face + i * kLanes);
+    for (int i = 0; i < vector_count; ++i)
+      find_faces(vectors[i], rays.face + std::ptrdiff_t{i} * kLanes);
   }
   return measure(origin, end, rays);
 }

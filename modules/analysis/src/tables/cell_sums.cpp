@@ -56,7 +56,7 @@ std::size_t RowSums::padded(std::size_t cells) {
 }
 
 RowSums::RowSums(std::size_t cells)
-    : sums_(SumArrays::kKinds * padded(cells), 0.0), lists_(cells) {}
+    : sums_(SumArrays::KindCount * padded(cells), 0.0), lists_(cells) {}
 
 void RowSums::add(const double* values, std::uint32_t scenario) {
   if (scenario != scenario_) close_scenario();

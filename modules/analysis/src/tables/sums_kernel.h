@@ -21,7 +21,7 @@ struct SumArrays {
     SizeSquares,
     Available,
     Scenarios,
-    kKinds
+    KindCount
   };
   /// Strides are multiples of this.
   static constexpr std::size_t kLanes = 8;
