@@ -25,6 +25,11 @@ void verify(const VerifyArguments& arguments) {
   for (const std::string& line : report.differences) std::cout << line << "\n";
   if (!report.complete) throw Interrupted("nothing was changed");
   const std::size_t runs = report.runs - report.time_limits.size();
+  if (runs == 0 && report.runs > 0)
+    throw job_error(arguments.results,
+                    "a time limit ended each of the runs on one of the machines, so that none was "
+                    "compared",
+                    "a machine that is fast enough, or longer [limits]");
   const std::string what = std::to_string(runs) + (runs == 1 ? " run in " : " runs in ") +
                            std::to_string(report.scenarios) +
                            (report.scenarios == 1 ? " scenario" : " scenarios");

@@ -16,7 +16,7 @@ struct Profile {
   std::function<double(double)> deviance;
 };
 
-/// Of two independent fits with a common value of the parameter.
+/// Adds the profiles of two independent fits with a common value of the parameter.
 Profile pooled(const Profile& a, const Profile& b);
 
 /// The values that an F test with 1 degree of freedom does not reject (profile likelihood: D. M.

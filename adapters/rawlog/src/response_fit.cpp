@@ -79,7 +79,7 @@ class ResponseFitter {
 
   Lag strides() const { return {0.01, 0.01, is_free_ ? 0.02 : 0}; }
 
-  /// Of the parameter whose smallest sum of squares is `residual_of` its value.
+  /// Makes the profile of a parameter from `residual_of`, the smallest sum of squares by its value.
   template <typename Residual>
   Profile profile(double best, double highest, Residual residual_of) const {
     const double parameters = is_free_ ? 5 : 4;

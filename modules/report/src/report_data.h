@@ -34,7 +34,7 @@ struct ReportInput {
   MethodFailures failures;                      ///< of the runs, if they are known
 
   /// Whether a search has selected the scenarios. They are a sample of no environment: the report
-  /// counts outcomes, and has no means, intervals or tests.
+  /// counts outcomes, and has no intervals or tests.
   bool is_selected() const { return !options.clusters.empty(); }
 };
 

@@ -359,7 +359,7 @@ TEST(Identify, StatesWhyAQuantityIsNotEstimated) {
   EXPECT_TRUE(mentions(reason(changed, "delay"), {"only 15 velocities", "20"}));
 }
 
-// Of a step that is not over at the end of the log, gain and time constant are not told apart.
+// Gain and time constant of a step that is not over at the end of the log are not told apart.
 TEST(Identify, NoTimeConstantOfAStepThatIsNotOver) {
   MotionLog log;
   RandomEngine random(5);

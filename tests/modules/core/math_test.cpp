@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kLeast = 0x1p-1074;
-constexpr double kMost = std::numeric_limits<double>::max();
+constexpr double kMin = 0x1p-1074;
+constexpr double kMax = std::numeric_limits<double>::max();
 
 std::uint64_t bits(double x) {
   std::uint64_t result = 0;
@@ -83,9 +83,8 @@ double argument(int kind, std::uint64_t i, std::uint64_t stream = 0) {
       return of_bits((h & 1) << 63 | g % 2047 << 52) *
              (1 + (static_cast<double>(g % 3) - 1) * 0x1p-52);
     case 6: {
-      constexpr double kSpecial[] = {0.0,    -0.0,    1,         -1,    0.5,    -0.5,
-                                     2,      -2,      3,         kInf,  -kInf,  kNaN,
-                                     kLeast, -kLeast, 0x1p-1022, kMost, -kMost, 1e22};
+      constexpr double kSpecial[] = {0.0,  -0.0,  1,    -1,   0.5,   -0.5,      2,    -2,    3,
+                                     kInf, -kInf, kNaN, kMin, -kMin, 0x1p-1022, kMax, -kMax, 1e22};
       return h % 2 == 0 ? of_bits(g % (1ULL << 52)) : kSpecial[g % std::size(kSpecial)];
     }
     default:
@@ -124,8 +123,8 @@ TEST(Math, SpecialValuesAreThoseOfAnnexF) {
       of(exp, kInf, kInf),
       of(exp, -kInf, 0.0),
       of(exp, kNaN, kNaN),
-      of(exp, kMost, kInf),
-      of(exp, -kMost, 0.0),
+      of(exp, kMax, kInf),
+      of(exp, -kMax, 0.0),
       of(log, 0.0, -kInf),
       of(log, -0.0, -kInf),
       of(log, 1, 0.0),
@@ -138,7 +137,7 @@ TEST(Math, SpecialValuesAreThoseOfAnnexF) {
       of(log2, -1, kNaN),
       of(log2, kInf, kInf),
       of(log2, kNaN, kNaN),
-      of(log2, kLeast, -1074),
+      of(log2, kMin, -1074),
       of(log2, 8, 3),
       of(atan2, 0.0, 1, 0.0),
       of(atan2, -0.0, 1, -0.0),
@@ -172,47 +171,41 @@ TEST(Math, SpecialValuesAreThoseOfAnnexF) {
 
 TEST(Math, SpecialValuesOfPowAreThoseOfAnnexF) {
   expect_bits({
-      of(pow, 0.0, -3, kInf),      of(pow, -0.0, -3, -kInf),
-      of(pow, -0.0, -2, kInf),     of(pow, -0.0, -2.5, kInf),
-      of(pow, 0.0, -kInf, kInf),   of(pow, -0.0, 3, -0.0),
-      of(pow, 0.0, 3, 0.0),        of(pow, -0.0, 2.5, 0.0),
-      of(pow, -0.0, 0x1p53, 0.0),  of(pow, -1, kInf, 1),
-      of(pow, -1, -kInf, 1),       of(pow, 1, kNaN, 1),
-      of(pow, kNaN, 0.0, 1),       of(pow, kNaN, -0.0, 1),
-      of(pow, kInf, 0.0, 1),       of(pow, kNaN, 1, kNaN),
-      of(pow, 2, kNaN, kNaN),      of(pow, -2, 0.5, kNaN),
-      of(pow, -kMost, -2.5, kNaN), of(pow, 0.5, -kInf, kInf),
-      of(pow, -2, -kInf, 0.0),     of(pow, -0.5, kInf, 0.0),
-      of(pow, 2, kInf, kInf),      of(pow, -kInf, -3, -0.0),
-      of(pow, -kInf, -2, 0.0),     of(pow, -kInf, -0.5, 0.0),
-      of(pow, -kInf, 3, -kInf),    of(pow, -kInf, 2, kInf),
-      of(pow, kInf, -0.5, 0.0),    of(pow, kInf, 0.5, kInf),
-      of(pow, -2, 3, -8),          of(pow, -2, 1025, -kInf),
-      of(pow, -2, -1077, -0.0),    of(pow, -kMost, 0x1p60, kInf),
-      of(pow, -1, 0x1p52 + 1, -1), of(pow, -1, 0x1p53, 1),
-      of(pow, 0.5, kMost, 0.0),    of(pow, 0.5, -kMost, kInf),
+      of(pow, 0.0, -3, kInf),       of(pow, -0.0, -3, -kInf),    of(pow, -0.0, -2, kInf),
+      of(pow, -0.0, -2.5, kInf),    of(pow, 0.0, -kInf, kInf),   of(pow, -0.0, 3, -0.0),
+      of(pow, 0.0, 3, 0.0),         of(pow, -0.0, 2.5, 0.0),     of(pow, -0.0, 0x1p53, 0.0),
+      of(pow, -1, kInf, 1),         of(pow, -1, -kInf, 1),       of(pow, 1, kNaN, 1),
+      of(pow, kNaN, 0.0, 1),        of(pow, kNaN, -0.0, 1),      of(pow, kInf, 0.0, 1),
+      of(pow, kNaN, 1, kNaN),       of(pow, 2, kNaN, kNaN),      of(pow, -2, 0.5, kNaN),
+      of(pow, -kMax, -2.5, kNaN),   of(pow, 0.5, -kInf, kInf),   of(pow, -2, -kInf, 0.0),
+      of(pow, -0.5, kInf, 0.0),     of(pow, 2, kInf, kInf),      of(pow, -kInf, -3, -0.0),
+      of(pow, -kInf, -2, 0.0),      of(pow, -kInf, -0.5, 0.0),   of(pow, -kInf, 3, -kInf),
+      of(pow, -kInf, 2, kInf),      of(pow, kInf, -0.5, 0.0),    of(pow, kInf, 0.5, kInf),
+      of(pow, -2, 3, -8),           of(pow, -2, 1025, -kInf),    of(pow, -2, -1077, -0.0),
+      of(pow, -kMax, 0x1p60, kInf), of(pow, -1, 0x1p52 + 1, -1), of(pow, -1, 0x1p53, 1),
+      of(pow, 0.5, kMax, 0.0),      of(pow, 0.5, -kMax, kInf),
   });
 }
 
 TEST(Math, ResultsBelowTheLeastNormalNumberAreRoundedOnce) {
   expect_bits({
-      of(pow, 2, -1074, kLeast),
+      of(pow, 2, -1074, kMin),
       of(pow, 2, -1075, 0.0),
       of(pow, 4, -537.5, 0.0),
-      of(pow, 0x1.8p-537, 2, 2 * kLeast),
-      of(pow, 0x1.8p-1073, 1, 3 * kLeast),
+      of(pow, 0x1.8p-537, 2, 2 * kMin),
+      of(pow, 0x1.8p-1073, 1, 3 * kMin),
       of(exp, -745.2, 0.0),
-      of(exp, -745, kLeast),
+      of(exp, -745, kMin),
       // The arc is less than its tangent, which is here 1.5, 2.5 and 3.5 of the least number
-      of(atan2, 3 * kLeast, 2, kLeast),
-      of(atan2, 5 * kLeast, 2, 2 * kLeast),
-      of(atan2, -7 * kLeast, 2, -3 * kLeast),
-      of(atan2, kLeast, 2, 0.0),
-      of(atan2, kLeast, kMost, 0.0),
-      of(atan2, kLeast, -kMost, 0x1.921fb54442d18p+1),
-      of(sin, kLeast, kLeast),
+      of(atan2, 3 * kMin, 2, kMin),
+      of(atan2, 5 * kMin, 2, 2 * kMin),
+      of(atan2, -7 * kMin, 2, -3 * kMin),
+      of(atan2, kMin, 2, 0.0),
+      of(atan2, kMin, kMax, 0.0),
+      of(atan2, kMin, -kMax, 0x1.921fb54442d18p+1),
+      of(sin, kMin, kMin),
       of(sin, -0x1.fffffffffffffp-1023, -0x1.fffffffffffffp-1023),
-      of(asin, kLeast, kLeast),
+      of(asin, kMin, kMin),
   });
 }
 

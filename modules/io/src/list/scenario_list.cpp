@@ -90,10 +90,15 @@ std::vector<std::string> ScenarioList::add_all(const std::vector<Scenario>& scen
 
 bool ScenarioList::remove(const std::string& hash) {
   return impl_->write([&] {
+    {  // what is kept of an earlier deletion stays
+      StatementUse row = impl_->use("SELECT 1 FROM scenarios WHERE hash = ?");
+      row->bind(1, hash);
+      if (!row->executeStep()) return false;
+    }
     if (!impl_->draft) impl_->keep_deleted(hash, impl_->begin_deletion());
-    const bool removed = impl_->remove(hash);
+    impl_->remove(hash);
     if (!impl_->draft) impl_->limit_deleted();
-    return removed;
+    return true;
   });
 }
 

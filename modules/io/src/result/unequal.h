@@ -13,8 +13,8 @@ inline bool ended_at_time_limit(const std::string& outcome) {
   return outcome == to_string(Outcome::MethodDeadline);
 }
 
-/// What a file contains differently than a file before it. `at_time_limit`: it is a run that a
-/// limit of time ended in one of them, which tells nothing about the method.
+/// Names what differs in a file from those before it. `at_time_limit`: a run that a limit of time
+/// ended in one of them, which tells nothing about the method.
 inline Error unequal(const std::string& file, const std::string& what, bool at_time_limit = false) {
   const std::string problem = what + " differs from that in a file before it";
   if (!at_time_limit) return file_error(file, problem, kEqual);

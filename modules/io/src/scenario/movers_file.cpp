@@ -110,7 +110,7 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-/// What the positions and velocities of people say about the frame rate and the unit of length.
+/// Derives the frame rate and the unit of length from the positions and velocities of people.
 class ImpliedUnits {
  public:
   void add(double frame, const std::string& id, const mrpt::math::TPoint2D& position,

@@ -58,6 +58,14 @@ TEST_F(DeletedScenarios, AreRestoredInAnotherProgramWhereTheyWereWithTagsAndValu
   EXPECT_EQ(dump(), before);
 }
 
+TEST_F(DeletedScenarios, AreStillKeptWhenTheyAreRemovedAgain) {
+  EXPECT_FALSE(list_.remove("0123"));
+  EXPECT_FALSE(list_.has_deletions());
+  EXPECT_TRUE(list_.remove(hash(3)));
+  EXPECT_FALSE(list_.remove(hash(3)));
+  EXPECT_EQ(list_.restore({hash(3)}), 1U);
+}
+
 TEST_F(DeletedScenarios, ComeLastWhereAnotherOneTookTheirPlace) {
   list_.remove(of({hash(28), hash(29)}));
   list_.add(sample_scenario(1, "new"));

@@ -15,7 +15,7 @@
 namespace slalom {
 
 /// The result of one work item.
-/// Of the standard output and error of a work item. Of more the beginning and the end are kept.
+/// Bytes that are kept of the standard output and error of a work item: the beginning and the end.
 constexpr std::size_t kMaxOutput = 4096;
 
 struct WorkResult {
