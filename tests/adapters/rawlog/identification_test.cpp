@@ -174,7 +174,7 @@ int covered(Planted planted) {
   int count = 0;
   planted.velocity_noise = 0.02;
   for (int i = 0; i < kLogs; ++i) {
-    planted.seed = static_cast<std::uint64_t>(100 + i);
+    planted.seed = 100 + static_cast<std::uint64_t>(i);
     const Identification found = identify(drive(planted), {});
     count += covers(found, "delay", planted.robot.delay) +
              covers(found, "delay_tau", planted.robot.delay_tau) + covers(found, "v_bias", 1) +
