@@ -317,6 +317,7 @@ Reduced steps_of(double x, double tail) {
 }
 
 Reduced reduced(double x) {
+  if (std::abs(x) < 0x1p-8) return {0, {x, 0}, 0};
   if (std::abs(x) < 12800) return steps_of(x, 0);
   const WideAngle angle = wide_reduced(x);
   const double near = rounded(angle.rest);

@@ -29,7 +29,7 @@ void Vehicle::command(double v, double w, double vy) {
 }
 
 void Vehicle::advance(double dt) {
-  internal_simulControlStep(dt);
+  move(dt);
   m_time += dt;
 }
 
@@ -46,15 +46,19 @@ Velocity Vehicle::delayed_command(double dt) {
           velocity_.vy + gain * (effective_command_.vy - velocity_.vy)};
 }
 
-void Vehicle::internal_simulControlStep(const double dt) {
+void Vehicle::move(double dt) {
   const Velocity before = velocity_;
   velocity_ = apply_acceleration_limits(before, delayed_command(dt), dt);
   const Velocity driven = mean(before, velocity_);
   m_GT_pose = integrate(m_GT_pose, driven, dt);
+  m_odometry = m_GT_pose;
   step_length_ = math::hypot(driven.v, driven.vy) * dt;
+}
+
+void Vehicle::internal_simulControlStep(const double dt) {
+  move(dt);
   const auto [s, c] = math::sin_cos(m_GT_pose.phi);
   m_GT_vel = {velocity_.v * c - velocity_.vy * s, velocity_.v * s + velocity_.vy * c, velocity_.w};
-  m_odometry = m_GT_pose;
   m_odometric_vel = m_GT_vel;
 }
 

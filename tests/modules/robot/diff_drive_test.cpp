@@ -87,11 +87,11 @@ TEST(DiffDrive, KeepsItsLimitsUnderAnyCommand) {
   }
 }
 
-TEST(DiffDrive, ProvidesItsVelocityInWorldAndRobotFrame) {
+TEST(DiffDrive, ProvidesItsVelocityInWorldAndRobotFrameThroughMrptsInterface) {
   DiffDrive vehicle{RobotModel()};
   vehicle.start_at({0, 0, 2});
   vehicle.command(0.7, 0.4);
-  simulate(vehicle, 3);
+  vehicle.simulateOneTimeStep(3);
   const double phi = vehicle.getCurrentGTPose().phi;
   EXPECT_NEAR(vehicle.getCurrentGTVel().vx, 0.7 * std::cos(phi), 1e-12);
   EXPECT_NEAR(vehicle.getCurrentGTVel().vy, 0.7 * std::sin(phi), 1e-12);

@@ -25,8 +25,11 @@ class Vehicle : public mrpt::kinematics::CVehicleSimulVirtualBase {
   /// Resets to `pose` at rest, odometry equal to it, time 0.
   void start_at(const mrpt::math::TPose2D& pose);
 
-  void command(double v, double w, double vy = 0);  ///< m/s, rad/s, m/s; clamped to the limits
-  void advance(double dt);                          ///< one integration step of dt seconds
+  /// m/s, rad/s, m/s; clamped to the limits.
+  void command(double v, double w, double vy = 0);
+  /// One integration step of dt seconds. MRPT's velocities in world coordinates (getCurrentGTVel())
+  /// follow simulateOneTimeStep() only, since they take as long as the step itself.
+  void advance(double dt);
   double v() const { return velocity_.v; }
   double w() const { return velocity_.w; }
   double vy() const { return velocity_.vy; }
@@ -46,6 +49,7 @@ class Vehicle : public mrpt::kinematics::CVehicleSimulVirtualBase {
   virtual mrpt::math::TPose2D integrate(const mrpt::math::TPose2D& pose, const Velocity& velocity,
                                         double dt) const = 0;
 
+  void move(double dt);
   void internal_simulControlStep(const double dt) override;
   void internal_clear() override;
   /// The command in effect after dead time and first-order lag.
