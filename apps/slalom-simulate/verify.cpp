@@ -2,7 +2,6 @@
 
 #include <slalom/app/program.h>
 #include <slalom/app/verify_results.h>
-#include <slalom/core/error.h>
 
 #include <iostream>
 
@@ -23,21 +22,7 @@ void verify(const VerifyArguments& arguments) {
                                              });
   for (const std::string& line : report.time_limits) std::cout << "environment: " << line << "\n";
   for (const std::string& line : report.differences) std::cout << line << "\n";
-  if (!report.complete) throw Interrupted("nothing was changed");
-  const std::size_t runs = report.runs - report.time_limits.size();
-  if (runs == 0 && report.runs > 0)
-    throw job_error(arguments.results,
-                    "a time limit ended each of the runs on one of the machines, so that none was "
-                    "compared",
-                    "a machine that is fast enough, or longer [limits]");
-  const std::string what = std::to_string(runs) + (runs == 1 ? " run in " : " runs in ") +
-                           std::to_string(report.scenarios) +
-                           (report.scenarios == 1 ? " scenario" : " scenarios");
-  if (!report.differences.empty())
-    throw job_error(arguments.results,
-                    std::to_string(report.differences.size()) + " differences in " + what,
-                    "identical results");
-  std::cout << what << (runs == 1 ? " is identical\n" : " are identical\n");
+  std::cout << verdict(report, arguments.results) << "\n";
 }
 
 }  // namespace

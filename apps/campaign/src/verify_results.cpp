@@ -1,5 +1,6 @@
 #include "manifest.h"
 
+#include <slalom/analysis/cell_text.h>
 #include <slalom/app/external_options.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/app/verify_results.h>
@@ -163,6 +164,22 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
       run_campaign(campaign, sink, {arguments.jobs, *progress, InterruptGuard::raised});
   sink.report.complete = summary.complete;
   return sink.report;
+}
+
+std::string verdict(const VerifyReport& report, const std::string& path) {
+  if (!report.complete) throw Interrupted("nothing was changed");
+  const std::size_t runs = report.runs - report.time_limits.size();
+  if (runs == 0 && report.runs > 0)
+    throw job_error(path,
+                    "a time limit ended each of the runs on one of the machines, so that none was "
+                    "compared",
+                    "a machine that is fast enough, or longer [limits]");
+  const std::string what =
+      count_text(runs, "run") + " in " + count_text(report.scenarios, "scenario");
+  if (!report.differences.empty())
+    throw job_error(path, count_text(report.differences.size(), "difference") + " in " + what,
+                    "identical results");
+  return what + (runs == 1 ? " is identical" : " are identical");
 }
 
 }  // namespace slalom

@@ -169,10 +169,14 @@ TEST_F(CampaignProgram, VerifyTakesTimeLimitsForDifferencesOfTheMachines) {
                                         "(run_wall_time = 60 s exceeded)"),
             std::string::npos)
       << limited.time_limits[0];
+  EXPECT_TRUE(throws_error(ErrorKind::Job, other, {"none was compared", "longer [limits]"},
+                           [&] { verdict(limited, other); }));
   std::filesystem::remove(other);
   const VerifyReport crashed = verify(Outcome::MethodCrash);
   EXPECT_EQ(crashed.differences.size(), 1U);
   EXPECT_TRUE(crashed.time_limits.empty());
+  EXPECT_TRUE(throws_error(ErrorKind::Job, other, {"1 difference in 1 run in 1 scenario"},
+                           [&] { verdict(crashed, other); }));
 }
 
 TEST_F(CampaignProgram, RefusesResultsOfAnotherCampaignNamingWhatDiffers) {

@@ -38,4 +38,8 @@ using EnvironmentHandler = std::function<void(const std::vector<std::string>& di
 VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
                             const VerifySample& sample, const EnvironmentHandler& on_environment);
 
+/// "3 runs in 1 scenario are identical". Throws Error if a run differs, or if time limits ended all
+/// of them, and Interrupted if the report is not complete.
+std::string verdict(const VerifyReport& report, const std::string& path);
+
 }  // namespace slalom
