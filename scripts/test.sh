@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs missing packages, checks the format, builds with warnings as errors, and runs all tests: in release mode, and
+# Installs missing packages, checks the format and the documents, builds with warnings as errors, and runs all tests: in release mode, and
 # again under the address and undefined-behavior sanitizers; runs clang-tidy on changes. Prints the time of each step.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -13,6 +13,7 @@ finish_step() {
 scripts/install_packages.sh --tests
 finish_step "install packages"
 scripts/check_format.sh
+scripts/check_documents.py
 scripts/build.sh release -DSLALOM_WARNINGS_AS_ERRORS=ON
 finish_step "build, release"
 ctest --preset release -j 2

@@ -89,6 +89,17 @@ expect "packages and tests exclude each other" refuses "-R: --packages runs no t
 expect "arm64 has no packages" refuses "--packages: arm64 has emulated programs" --packages arm64
 expect "arm64 has no tests of ctest" refuses "-R: arm64 runs no tests of ctest" arm64 -R Golden
 
+document="$work/page.md"
+printf '%s\n' '# A page' '[here](#a-page), [there](page.md)' '`mover`, "a mover"' '```' 'mended' '```' >"$document"
+check_documents() { "$sources/scripts/check_documents.py" "$document" >"$work/out"; }
+expect "code, quotes and links that lead somewhere are good in documents" check_documents
+printf '%s\n' 'It was mended.' 'Two movers.' '[this](#no-page)' '[that](none.md)' >>"$document"
+expect "words of a laboratory notebook and broken links are not" not check_documents
+expect_text "the history of a defect has its line" "page.md:7: 'mended'" "$work/out"
+expect_text "so has a word that is not that of the field" "page.md:8: 'movers': moving obstacle" "$work/out"
+expect_text "a link to a missing heading" "page.md:9: (#no-page): no such heading" "$work/out"
+expect_text "a link to a missing file" "page.md:10: (none.md): no such file" "$work/out"
+
 check_packages() { "$sources/scripts/check_packages.sh" "$@" >"$work/out" 2>"$work/err"; }
 refuses_packages() {
   local text=$1
