@@ -31,7 +31,7 @@ IniFile configuration(const HostArguments& arguments) {
   ini.set(kSection, "plugin", arguments.plugin);
   for (const std::string& setting : arguments.settings)
     ini.override_key(std::string(kSection) + "." + setting);
-  ini.set(kSection, "plugin", resolve_plugin_path(ini, kSection, arguments.plugin));
+  ini.set(kSection, "plugin", resolve_plugin_path(ini, kSection, "plugin"));
   return ini;
 }
 

@@ -260,12 +260,11 @@ MethodFactory lcm_method(const LcmOptions& options, const WallClock& clock) {
 MethodFactory read_lcm_method(const IniFile& ini, const std::string& section,
                               const WallClock& clock) {
   LcmOptions options;
-  OptionReader reader(ini, section);
+  AdapterReader reader(ini, section);
   options.visit(reader);
   options.name = section.substr(section.find('.') + 1);
   options.folder = std::filesystem::absolute(ini.name()).parent_path().string();
-  for (const auto& [key, value] : method_parameters(ini, section, reader.known_keys()))
-    options.settings[key] = value;
+  for (const auto& [key, value] : reader.unvisited()) options.settings[key] = value;
   return make_factory(options, location_in(ini, section), clock);
 }
 

@@ -3,11 +3,10 @@
 namespace slalom {
 
 void LcmOptions::visit(OptionVisitor& v) {
-  std::string adapter = "lcm";
-  v.option("adapter", adapter, "adapter of this method", {"lcm"});
-  v.option("url", url, "LCM provider URL");
-  v.option("channel", channel, "prefix of the channel names");
-  v.option("launch", launch, "command line that starts the process; empty: already running");
+  v.option("url", url, External::Address, "LCM provider URL");
+  v.option("channel", channel, External::Address, "prefix of the channel names");
+  v.option("launch", launch, External::Command,
+           "command line that starts the process; empty: already running");
   v.option("deadline", deadline, "s", "wall-clock time for a reply", Range::positive());
   v.option("startup_time", startup_time, "s", "wall-clock time to start and reply",
            Range::positive());

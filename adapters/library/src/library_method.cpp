@@ -5,7 +5,6 @@
 #include <slalom/methods/registry.h>
 #include <slalom/methods/slalom_method.h>
 
-#include <filesystem>
 #include <vector>
 
 namespace slalom {
@@ -241,9 +240,8 @@ MethodFactory make_factory(const LibraryOptions& options, const OptionLocation& 
 }  // namespace
 
 void LibraryOptions::visit(OptionVisitor& v) {
-  std::string adapter = "library";
-  v.option("adapter", adapter, "adapter of this method", {"library"});
-  v.option("plugin", plugin, "shared library with the prototype of slalom_method.h");
+  v.option("plugin", plugin, External::Library,
+           "shared library with the prototype of slalom_method.h");
 }
 
 MethodFactory plugin(const LibraryOptions& options) {
@@ -256,12 +254,8 @@ MethodFactory plugin(const std::string& library,
 }
 
 MethodFactory read_library_method(const IniFile& ini, const std::string& section) {
-  LibraryOptions options;
-  OptionReader reader(ini, section);
-  options.visit(reader);
-  options.folder = std::filesystem::path(ini.name()).parent_path().string();
-  options.parameters = method_parameters(ini, section, reader.known_keys());
-  return make_factory(options, location_in(ini, section));
+  return make_factory(read_parameter_options<LibraryOptions>(ini, section),
+                      location_in(ini, section));
 }
 
 }  // namespace slalom

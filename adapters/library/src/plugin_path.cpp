@@ -48,9 +48,9 @@ std::vector<std::string> shipped_plugins() {
 }
 
 std::string resolve_plugin_path(const IniFile& ini, const std::string& section,
-                                const std::string& plugin) {
-  return resolve_plugin_path(plugin, std::filesystem::path(ini.name()).parent_path().string(),
-                             ini.where(section, "plugin"));
+                                const std::string& key) {
+  return resolve_plugin_path(ini.get(section, key).value_or(""), ini.folder(),
+                             ini.where(section, key));
 }
 
 }  // namespace slalom

@@ -7,6 +7,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/math.h>
 #include <slalom/core/text.h>
+#include <slalom/methods/registry.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
 
 #include <mrpt/nav/holonomic/CAbstractHolonomicReactiveMethod.h>
@@ -207,11 +208,9 @@ MethodFactory make_factory(const HolonomicOptions& options, const OptionLocation
 }  // namespace
 
 void HolonomicOptions::visit(OptionVisitor& v) {
-  std::string adapter = "mrpt_holonomic";
-  v.option("adapter", adapter, "adapter of this method", {"mrpt_holonomic"});
   v.option("class", class_name, "class derived from CAbstractHolonomicReactiveMethod");
-  v.option("plugin", plugin, "MRPT plug-in module to load first");
-  v.option("config", config, "MRPT .ini with the section of the class");
+  v.option("plugin", plugin, External::Library, "MRPT plug-in module to load first");
+  v.option("config", config, External::File, "MRPT .ini with the section of the class");
   v.option("sectors", sectors, "-", "sectors of the full circle", Range::between(8, 2000));
   v.option("reference_distance", reference_distance, "m", "obstacles beyond it are ignored",
            Range::positive());
@@ -237,7 +236,8 @@ MethodFactory mrpt_holonomic(const std::string& class_name) {
 }
 
 MethodFactory read_holonomic_method(const IniFile& ini, const std::string& section) {
-  return make_factory(read_options<HolonomicOptions>(ini, section), location_in(ini, section));
+  return make_factory(read_adapter_options<HolonomicOptions>(ini, section),
+                      location_in(ini, section));
 }
 
 }  // namespace slalom

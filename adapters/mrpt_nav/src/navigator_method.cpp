@@ -4,6 +4,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/methods/registry.h>
 #include <slalom/mrpt_nav/navigator_method.h>
 
 #include <optional>
@@ -143,20 +144,21 @@ MethodFactory make_factory(const NavigatorOptions& options, const OptionLocation
 }  // namespace
 
 void NavigatorOptions::visit(OptionVisitor& v) {
-  std::string adapter = "mrpt_navigator";
-  v.option("adapter", adapter, "adapter of this method", {"mrpt_navigator"});
   v.option("class", class_name,
            "CReactiveNavigationSystem (default), CReactiveNavigationSystem3D, or a plug-in class");
-  v.option("config", config, "MRPT .ini of the navigator");
-  v.option("plugin", plugin, "library with a custom navigator");
-  v.option("modules", modules, "MRPT plug-in modules to load first, separated by commas");
+  v.option("config", config, External::File, "MRPT .ini of the navigator");
+  v.option("plugin", plugin, External::Library, "library with a custom navigator");
+  v.option("modules", modules, External::Modules,
+           "MRPT plug-in modules to load first, separated by commas");
   v.option("robot", robot, "source of the robot's shape and limits");
   v.option("margin", margin, "m", "added to the robot's shape", Range::at_least(0));
   v.option("obstacle_height", obstacle_height, "m", "z coordinate of the obstacle points");
   v.option("config_set", config_set, "SECTION.KEY=VALUE; ... overrides of the file");
   v.option("obstacle_filter", obstacle_filter, "point-cloud filter");
-  v.option("ptg_cache", ptg_cache, "folder for collision grids; none: a temporary one");
-  v.option("record_navlog", record_navlog, "folder for a .reactivenavlog of each run");
+  v.option("ptg_cache", ptg_cache, External::Folder,
+           "folder for collision grids; none: a temporary one");
+  v.option("record_navlog", record_navlog, External::Folder,
+           "folder for a .reactivenavlog of each run");
 }
 
 MethodFactory mrpt_navigator(const NavigatorOptions& options) {
@@ -165,7 +167,7 @@ MethodFactory mrpt_navigator(const NavigatorOptions& options) {
 }
 
 MethodFactory read_navigator_method(const IniFile& ini, const std::string& section) {
-  auto options = read_options<NavigatorOptions>(ini, section);
+  auto options = read_adapter_options<NavigatorOptions>(ini, section);
   options.name = section.substr(section.find('.') + 1);
   return make_factory(options, location_in(ini, section));
 }

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <numeric>
 
@@ -115,9 +114,7 @@ MethodFactory make_factory(const OnnxOptions& options, const OptionLocation& whe
 }  // namespace
 
 void OnnxOptions::visit(OptionVisitor& v) {
-  std::string adapter = "onnx";
-  v.option("adapter", adapter, "adapter of this method", {"onnx"});
-  v.option("model", model, "file of the network, .onnx");
+  v.option("model", model, External::Code, "file of the network, .onnx");
   v.option("inputs", inputs,
            "inputs of the network, separated by ';': CONTENTS, or NAME: CONTENTS as 1xN, with "
            "contents of scan, goal, velocity");
@@ -129,7 +126,7 @@ void OnnxOptions::visit(OptionVisitor& v) {
   v.option("goal_distance", goal_distance, "m", "distance of the goal that is given as 1, at most",
            Range::positive());
   v.option("output", output, "fractions of the limits (scaled), or m/s and rad/s (physical)");
-  v.option("runtime", runtime, "library that evaluates networks");
+  v.option("runtime", runtime, External::Library, "library that evaluates networks");
 }
 
 MethodFactory onnx_method(const OnnxOptions& options) {
@@ -137,8 +134,8 @@ MethodFactory onnx_method(const OnnxOptions& options) {
 }
 
 MethodFactory read_onnx_method(const IniFile& ini, const std::string& section) {
-  auto options = read_options<OnnxOptions>(ini, section);
-  options.folder = std::filesystem::path(ini.name()).parent_path().string();
+  auto options = read_adapter_options<OnnxOptions>(ini, section);
+  options.folder = ini.folder();
   return make_factory(options, location_in(ini, section));
 }
 

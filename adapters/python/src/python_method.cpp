@@ -6,7 +6,6 @@
 #include <slalom/python/python_class_method.h>
 #include <slalom/python/python_method.h>
 
-#include <filesystem>
 #include <pybind11/numpy.h>
 #include <system_error>
 
@@ -262,9 +261,7 @@ MethodFactory make_factory(const PythonOptions& options, const OptionLocation& w
 }  // namespace
 
 void PythonOptions::visit(OptionVisitor& v) {
-  std::string adapter = "python";
-  v.option("adapter", adapter, "adapter of this method", {"python"});
-  v.option("module", module, "file of the Python module");
+  v.option("module", module, External::Code, "file of the Python module");
   v.option("class", class_name, "class of the module, with reset() and step()");
 }
 
@@ -284,12 +281,8 @@ MethodFactory python_method(const py::object& type, const py::dict& options,
 }
 
 MethodFactory read_python_method(const IniFile& ini, const std::string& section) {
-  PythonOptions options;
-  OptionReader reader(ini, section);
-  options.visit(reader);
-  options.folder = std::filesystem::path(ini.name()).parent_path().string();
-  options.parameters = method_parameters(ini, section, reader.known_keys());
-  return make_factory(options, location_in(ini, section));
+  return make_factory(read_parameter_options<PythonOptions>(ini, section),
+                      location_in(ini, section));
 }
 
 }  // namespace slalom

@@ -45,7 +45,23 @@ MethodRegistry all_adapters() {
 
 void visit_adapter_options(
     const std::function<void(const std::function<void(OptionVisitor&)>&)>& visit) {
-  for (const Adapter& adapter : kAdapters) visit(adapter.visit_options);
+  for (const Adapter& adapter : kAdapters)
+    visit([&](OptionVisitor& v) {
+      std::string name = adapter.name;
+      v.option("adapter", name, "adapter of this method", {name});
+      adapter.visit_options(v);
+    });
+}
+
+External external_use(const IniFile& ini, const std::string& section, const std::string& key) {
+  External found = External::None;
+  OptionFunction find([&](const Option& option) {
+    if (option.key == key) found = option.external;
+  });
+  const std::string name = ini.get(section, "adapter").value_or("");
+  for (const Adapter& adapter : kAdapters)
+    if (name == adapter.name) adapter.visit_options(find);
+  return found;
 }
 
 }  // namespace slalom

@@ -1,3 +1,4 @@
+#include <slalom/app/adapters.h>
 #include <slalom/app/method_dependencies.h>
 #include <slalom/core/child_process.h>
 #include <slalom/core/error.h>
@@ -135,14 +136,13 @@ std::vector<std::string> dependencies_of(const std::string& path, FileKind kind)
 }
 
 /// The file that a word of an option names, relative to the current folder or to that of the .ini;
-/// for `launch` also a program in PATH. Empty: none.
-std::string find_named_file(const std::string& key, const std::string& word,
-                            const fs::path& folder) {
+/// in a command line also a program in PATH. Empty: none.
+std::string find_named_file(bool is_command, const std::string& word, const fs::path& folder) {
   if (word.empty()) return "";
-  if (key != "launch" && word.find_first_of("./") == std::string::npos) return "";
+  if (!is_command && word.find_first_of("./") == std::string::npos) return "";
   for (const fs::path& path : {fs::path(word), folder / word})
     if (is_file(path)) return path.string();
-  return key == "launch" ? find_program(word) : "";
+  return is_command ? find_program(word) : "";
 }
 
 /// Collects the files of one option of a method.
@@ -194,13 +194,14 @@ std::map<std::string, std::string> dependencies_of_methods(
   std::map<std::string, std::string> found;
   for (const auto& [option, path] : files)
     if (!is_of_system(path)) FilesOfOption(option, found).add_dependencies(path);
-  const fs::path folder = fs::path(ini.name()).parent_path();
+  const fs::path folder = ini.folder();
   for (const std::string& section : sections)
     for (const std::string& key : ini.keys(section)) {
       if (files.count(section + "." + key) > 0) continue;
+      const bool is_command = external_use(ini, section, key) == External::Command;
       FilesOfOption option(section + "." + key, found);
       for (const std::string& word : words_of(ini.get(section, key).value_or("")))
-        option.add_named(find_named_file(key, word, folder));
+        option.add_named(find_named_file(is_command, word, folder));
     }
   return found;
 }

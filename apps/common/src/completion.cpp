@@ -9,37 +9,6 @@ std::map<const CLI::Option*, NameSource>& sources() {
   return by_option;
 }
 
-/// Collects the keys of one section.
-class SettingCollector : public OptionVisitor {
- public:
-  SettingCollector(SettingNames& names, const std::string& section)
-      : names_(names), prefix_(section + ".") {}
-  using OptionVisitor::option;
-
-  void option(const std::string& key, double&, const std::string&, const std::string&,
-              Range) override {
-    names_.add_names(prefix_ + key, {});
-  }
-  void option(const std::string& key, int&, const std::string&, const std::string&,
-              Range) override {
-    names_.add_names(prefix_ + key, {});
-  }
-  void option(const std::string& key, std::uint64_t&, const std::string&) override {
-    names_.add_names(prefix_ + key, {});
-  }
-  void option(const std::string& key, bool&, const std::string&) override {
-    names_.add_names(prefix_ + key, {"true", "false"});
-  }
-  void option(const std::string& key, std::string&, const std::string&,
-              const Words& choices) override {
-    names_.add_names(prefix_ + key, choices);
-  }
-
- private:
-  SettingNames& names_;
-  std::string prefix_;
-};
-
 /// The names of a fixed choice, "TEXT:{a,b}" in the help.
 Words choices(const CLI::Option& option) {
   const std::string type = option.get_type_name();
@@ -118,7 +87,10 @@ void complete_with(CLI::Option* option, NameSource names) {
 }
 
 std::unique_ptr<OptionVisitor> SettingNames::collector(const std::string& section) {
-  return std::make_unique<SettingCollector>(*this, section);
+  return std::make_unique<OptionFunction>([this, section](const Option& option) {
+    const bool flag = option.get_if<bool>() != nullptr;
+    add_names(section + "." + option.key, flag ? Words{"true", "false"} : option.choices);
+  });
 }
 
 void SettingNames::add_names(const std::string& key, const Words& names) {

@@ -7,6 +7,7 @@
 #include <mrpt/config/config_parser.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 namespace slalom {
@@ -141,6 +142,10 @@ std::string IniFile::where(const std::string& section, const std::string& key) c
 std::string IniFile::where(const std::string& section) const {
   const auto found = section_where_.find(section);
   return (found == section_where_.end() ? name_ : found->second) + ": [" + section + "]";
+}
+
+std::string IniFile::folder() const {
+  return std::filesystem::path(name_).parent_path().string();
 }
 
 std::string IniFile::canonical_text() const {

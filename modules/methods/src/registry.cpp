@@ -23,12 +23,10 @@ std::string out_of_limits(const std::string& name, double value, double low, dou
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> method_parameters(
-    const IniFile& ini, const std::string& section, const std::vector<std::string>& adapter_keys) {
-  std::vector<std::pair<std::string, std::string>> parameters;
-  for (const std::string& key : ini.keys(section))
-    if (!contains(adapter_keys, key)) parameters.emplace_back(key, *ini.get(section, key));
-  return parameters;
+AdapterReader::AdapterReader(const IniFile& ini, const std::string& section)
+    : OptionReader(ini, section) {
+  std::string adapter;
+  option("adapter", adapter, "adapter of this method");
 }
 
 void MethodRegistry::add(const std::string& adapter, MethodReader reader) {

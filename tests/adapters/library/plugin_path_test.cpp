@@ -15,8 +15,8 @@ const std::string kPluginFolder = PLUGIN_FOLDER;
 const std::string kFile = "libtest_plugin_good.so";
 
 std::string resolve(const std::string& ini_path, const std::string& plugin) {
-  const IniFile ini = IniFile::from_text("[method.a]\nplugin = x\n", ini_path);
-  return resolve_plugin_path(ini, "method.a", plugin);
+  const IniFile ini = IniFile::from_text("[method.a]\nplugin = " + plugin + "\n", ini_path);
+  return resolve_plugin_path(ini, "method.a", "plugin");
 }
 
 /// Changes the current folder during its lifetime.

@@ -34,14 +34,23 @@ MethodRegistry registry_of_two() {
   return throws_error(ErrorKind::Usage, where, words, [&] { registry_of_two().read(ini, "a"); });
 }
 
-TEST(MethodParameters, AreTheKeysThatAreNotOfTheAdapter) {
-  const IniFile ini =
-      IniFile::from_text("[method.a]\nadapter = x\ngain = 2\nplugin = y\nname = z\n");
+struct PluginOptions {
+  std::string plugin, folder;
+  std::vector<std::pair<std::string, std::string>> parameters;
+  void visit(OptionVisitor& v) { v.option("plugin", plugin, External::Library, "a library"); }
+};
+
+TEST(ReadParameterOptions, TakesKeysThatAreNotOfTheAdapterForParameters) {
+  const IniFile ini = IniFile::from_text(
+      "[method.a]\nadapter = x\ngain = 2\nplugin = y\nname = z\n", "folder/campaign.ini");
   const std::vector<std::pair<std::string, std::string>> expected = {{"gain", "2"}, {"name", "z"}};
-  auto parameters = method_parameters(ini, "method.a", {"adapter", "plugin"});
-  std::sort(parameters.begin(), parameters.end());
-  EXPECT_EQ(parameters, expected);
-  EXPECT_TRUE(method_parameters(ini, "method.none", {}).empty());
+  auto options = read_parameter_options<PluginOptions>(ini, "method.a");
+  std::sort(options.parameters.begin(), options.parameters.end());
+  EXPECT_EQ(options.parameters, expected);
+  EXPECT_EQ(options.plugin, "y");
+  EXPECT_EQ(options.folder, "folder");
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "folder/campaign.ini:", {"unknown key"},
+                           [&] { read_adapter_options<PluginOptions>(ini, "method.a"); }));
 }
 
 TEST(MethodRegistry, ReadsTheMethodOfTheSection) {

@@ -3,6 +3,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/math.h>
 #include <slalom/core/options.h>
+#include <slalom/core/text.h>
 #include <slalom/generation/generator.h>
 #include <slalom/generation/moving.h>
 #include <slalom/generation/obstacles.h>
@@ -13,25 +14,6 @@
 
 namespace slalom {
 
-/// Multiplies every length (an option in m) by a factor.
-class LengthScaler : public OptionVisitor {
- public:
-  explicit LengthScaler(double factor) : factor_(factor) {}
-
-  void option(const std::string&, double& value, const std::string& unit, const std::string&,
-              Range) override {
-    if (unit == "m") value *= factor_;
-  }
-  void option(const std::string&, int&, const std::string&, const std::string&, Range) override {}
-  void option(const std::string&, std::uint64_t&, const std::string&) override {}
-  void option(const std::string&, bool&, const std::string&) override {}
-  void option(const std::string&, std::string&, const std::string&,
-              const std::vector<std::string>&) override {}
-
- private:
-  double factor_;
-};
-
 /// Checks the options of one family.
 class FamilyChecks {
  public:
@@ -39,12 +21,14 @@ class FamilyChecks {
       : context_(context),
         where_(context.where ? context.where : location_of("generator." + family)) {}
 
-  /// The options with their lengths scaled. Throws Error (Usage) for a value out of range.
+  /// The options with their lengths (in m) scaled. Throws Error (Usage) for a value out of range.
   template <typename Options>
   Options scaled(Options options) const {
     check_options(options, where_);
-    LengthScaler scaler(context_.length_scale);
-    options.visit(scaler);
+    for_each_option(options, [&](const Option& option) {
+      if (double* length = option.get_if<double>(); length != nullptr && option.unit == "m")
+        *length *= context_.length_scale;
+    });
     return options;
   }
 
@@ -58,7 +42,7 @@ class FamilyChecks {
   void expect_order(const std::string& low, double low_value, const std::string& high,
                     double high_value) const {
     expect(low_value <= high_value, high, "is less than " + low,
-           "at least " + std::to_string(low_value));
+           "at least " + format_number(low_value));
   }
   void expect_valid(const SizeOptions& size) const {
     expect_order("min_size", size.min_size, "max_size", size.max_size);
@@ -77,7 +61,7 @@ class FamilyChecks {
   void expect_movers_fit(const MoverOptions& options, double width) const {
     expect(options.max_movers == 0 || 2 * (options.max_radius + kWallMargin) < width, "max_radius",
            "movers do not fit between the walls",
-           "less than " + std::to_string(width / 2 - kWallMargin));
+           "less than " + format_number(width / 2 - kWallMargin));
   }
 
   /// Expects that start and goal can be min_distance apart in a workspace of this size (m).

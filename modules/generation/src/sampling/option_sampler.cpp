@@ -15,25 +15,16 @@
 namespace slalom {
 namespace {
 
-/// Finds the default of the length option `key`; 0 if there is none.
-class LengthFinder : public OptionVisitor {
- public:
-  explicit LengthFinder(std::string key) : key_(std::move(key)) {}
-  void option(const std::string& key, double& value, const std::string& unit, const std::string&,
-              Range) override {
-    if (key == key_ && unit == "m") found_ = value;
-  }
-  void option(const std::string&, int&, const std::string&, const std::string&, Range) override {}
-  void option(const std::string&, std::uint64_t&, const std::string&) override {}
-  void option(const std::string&, bool&, const std::string&) override {}
-  void option(const std::string&, std::string&, const std::string&,
-              const std::vector<std::string>&) override {}
-  double found() const { return found_; }
-
- private:
-  std::string key_;
-  double found_ = 0;
-};
+/// The default of a length option of the family; 0 if there is none.
+double default_length(const std::string& family, const std::string& key) {
+  double found = 0;
+  OptionFunction find([&](const Option& option) {
+    const double* const length = option.get_if<double>();
+    if (option.key == key && option.unit == "m" && length != nullptr) found = *length;
+  });
+  visit_generator_options(family, find);
+  return found;
+}
 
 double log_uniform(RandomEngine& engine, double low, double high) {
   return math::exp(uniform_real(engine, math::log(low), math::log(high)));
@@ -52,45 +43,20 @@ class OptionDrawer : public OptionVisitor {
         spread_(spread),
         engine_(engine) {}
 
-  void option(const std::string& key, double& value, const std::string& unit,
-              const std::string& help, Range range) override {
-    if (is_given(key)) return given_.option(key, value, unit, help, range);
-    if (key == "resolution") return;
-    double drawn = value * (unit == "m" ? scale_ : 1);
-    const bool is_fraction = range.low == 0 && range.high == 1;
-    if (is_floor(key)) {
-      drawn = std::clamp(drawn * log_uniform(engine_, 0.8, 1.25), limits_.min_extent,
-                         limits_.max_extent);
-    } else if (varies()) {
-      drawn = is_fraction ? uniform_real(engine_, 0, 1) : drawn * factor();
-    }
-    set(key, value, clamped(drawn, range), drawn);
-  }
-
-  void option(const std::string& key, int& value, const std::string& unit, const std::string& help,
-              Range range) override {
-    if (is_given(key)) return given_.option(key, value, unit, help, range);
-    if (!varies()) return;
-    const double drawn = std::round(clamped(value == 0 ? value : value * factor(), range));
-    const double whole = std::clamp(drawn, -1e9, 1e9);
-    set(key, value, whole, whole);
-  }
-
-  void option(const std::string& key, std::uint64_t& value, const std::string& help) override {
-    given_.option(key, value, help);
-  }
-
-  void option(const std::string& key, bool& value, const std::string& help) override {
-    if (is_given(key)) return given_.option(key, value, help);
-    if (varies()) value = uniform_int(engine_, 0, 1) == 1;
-  }
-
-  void option(const std::string& key, std::string& value, const std::string& help,
-              const std::vector<std::string>& choices) override {
-    if (is_given(key)) return given_.option(key, value, help, choices);
-    if (choices.empty() || !varies()) return;
-    const int last = static_cast<int>(choices.size()) - 1;
-    value = choices[static_cast<std::size_t>(uniform_int(engine_, 0, last))];
+  void visit(const Option& option) override {
+    if (is_given(option.key) || option.get_if<std::uint64_t>() != nullptr)
+      given_.visit(option);
+    else if (double* number = option.get_if<double>();
+             number != nullptr && option.key != "resolution")
+      draw(option, *number);
+    else if (int* integer = option.get_if<int>(); integer != nullptr && varies())
+      draw(option, *integer);
+    else if (bool* flag = option.get_if<bool>(); flag != nullptr && varies())
+      *flag = uniform_int(engine_, 0, 1) == 1;
+    else if (std::string* text = option.get_if<std::string>();
+             text != nullptr && !option.choices.empty() && varies())
+      *text = option.choices[static_cast<std::size_t>(
+          uniform_int(engine_, 0, static_cast<int>(option.choices.size()) - 1))];
   }
 
  private:
@@ -101,6 +67,23 @@ class OptionDrawer : public OptionVisitor {
   };
   template <typename Number>
   using Minima = std::map<std::string, Minimum<Number>>;
+
+  void draw(const Option& option, double& value) {
+    double drawn = value * (option.unit == "m" ? scale_ : 1);
+    const bool is_fraction = option.range.low == 0 && option.range.high == 1;
+    if (is_floor(option.key)) {
+      drawn = std::clamp(drawn * log_uniform(engine_, 0.8, 1.25), limits_.min_extent,
+                         limits_.max_extent);
+    } else if (varies()) {
+      drawn = is_fraction ? uniform_real(engine_, 0, 1) : drawn * factor();
+    }
+    set(option.key, value, clamped(drawn, option.range), drawn);
+  }
+  void draw(const Option& option, int& value) {
+    const double drawn = std::round(clamped(value == 0 ? value : value * factor(), option.range));
+    const double whole = std::clamp(drawn, -1e9, 1e9);
+    set(option.key, value, whole, whole);
+  }
 
   bool is_given(const std::string& key) const { return ini_.get(section_, key).has_value(); }
   static bool is_floor(const std::string& key) { return key == "width" || key == "height"; }
@@ -133,13 +116,12 @@ class OptionDrawer : public OptionVisitor {
 
 double draw_scale(const CoverageOptions& limits, const std::string& family, const IniFile& ini,
                   RandomEngine& engine) {
-  LengthFinder width("width");
-  visit_generator_options(family, width);
+  const double width = default_length(family, "width");
   const std::string section = "generator." + family;
-  if (width.found() <= 0 || ini.get(section, "width") || ini.get(section, "height")) return 1;
+  if (width <= 0 || ini.get(section, "width") || ini.get(section, "height")) return 1;
   // Larger workspaces result from mutations; sampling thousands of obstacles would be too slow.
   const double largest = std::max(limits.min_extent, std::min(limits.max_extent, 40.0));
-  return log_uniform(engine, limits.min_extent, largest) / width.found();
+  return log_uniform(engine, limits.min_extent, largest) / width;
 }
 
 /// Caches maps, because each draw of options creates a new generator. Thread-safe.

@@ -19,71 +19,41 @@ std::string label_of(std::string key) {
   return key;
 }
 
-class FieldLister : public OptionVisitor {
- public:
-  explicit FieldLister(std::string prefix) : prefix_(std::move(prefix)) {}
-
-  void option(const std::string& key, double& value, const std::string& unit,
-              const std::string& help, Range range) override {
-    FormField& field = add(key, FieldKind::Number, help);
-    field.unit = unit == "-" ? "" : unit;
-    field.range = range;
-    field.required = std::isfinite(value);
-    if (field.required) field.value = format_number(value);
-  }
-  void option(const std::string& key, int& value, const std::string& unit, const std::string& help,
-              Range range) override {
-    FormField& field = add(key, FieldKind::Integer, help);
-    field.unit = unit == "-" ? "" : unit;
-    field.range = range;
-    field.value = std::to_string(value);
-  }
-  void option(const std::string& key, std::uint64_t& value, const std::string& help) override {
-    FormField& field = add(key, FieldKind::Integer, help);
-    field.range = Range::at_least(0);
-    field.value = std::to_string(value);
-  }
-  void option(const std::string& key, bool& value, const std::string& help) override {
-    add(key, FieldKind::Flag, help).value = value ? "true" : "false";
-  }
-  void option(const std::string& key, std::string& value, const std::string& help,
-              const std::vector<std::string>& choices) override {
-    FormField& field = add(key, choices.empty() ? FieldKind::Text : FieldKind::Choice, help);
-    field.value = value;
-    field.choices = choices;
+FormField field_of(const Option& option, const std::string& prefix) {
+  FormField field;
+  field.key = field_key(prefix, option.key);
+  field.label = label_of(option.key);
+  field.help = option.help;
+  field.value = option.text();
+  field.unit = option.unit == "-" ? "" : option.unit;
+  field.range = option.range;
+  field.choices = option.choices;
+  if (const double* number = option.get_if<double>()) {
+    field.kind = FieldKind::Number;
+    field.required = std::isfinite(*number);
+    if (!field.required) field.value.clear();
+  } else if (option.get_if<bool>() != nullptr) {
+    field.kind = FieldKind::Flag;
+  } else if (option.get_if<std::string>() != nullptr) {
+    field.kind = option.choices.empty() ? FieldKind::Text : FieldKind::Choice;
     field.required = false;
-    field.wide = choices.empty();
+    field.wide = option.choices.empty();
+  } else {
+    field.kind = FieldKind::Integer;
+    if (option.get_if<std::uint64_t>() != nullptr) field.range = Range::at_least(0);
   }
-
-  std::vector<FormField> fields;
-
- private:
-  FormField& add(const std::string& key, FieldKind kind, const std::string& help) {
-    FormField field;
-    field.key = field_key(prefix_, key);
-    field.label = label_of(key);
-    field.kind = kind;
-    field.help = help;
-    fields.push_back(std::move(field));
-    return fields.back();
-  }
-
-  std::string prefix_;
-};
+  return field;
+}
 
 }  // namespace
 
 std::vector<FormField> option_fields(const VisitOptions& visit, const std::string& prefix,
                                      const std::vector<std::string>& without) {
-  FieldLister lister(prefix);
-  visit(lister);
   std::vector<FormField> fields;
-  for (FormField& field : lister.fields) {
-    const bool excluded = std::any_of(without.begin(), without.end(), [&](const std::string& key) {
-      return field.key == field_key(prefix, key);
-    });
-    if (!excluded) fields.push_back(std::move(field));
-  }
+  OptionFunction add([&](const Option& option) {
+    if (!contains(without, option.key)) fields.push_back(field_of(option, prefix));
+  });
+  visit(add);
   return fields;
 }
 

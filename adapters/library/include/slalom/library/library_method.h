@@ -35,10 +35,10 @@ MethodFactory read_library_method(const IniFile& ini, const std::string& section
 std::string resolve_plugin_path(const std::string& plugin, const std::string& folder,
                                 const std::string& where);
 
-/// The path of the library that key `plugin` of the section names, searched in the folder of the
-/// .ini first.
+/// The path of the library that a key of the section names, searched in the folder of the .ini
+/// first.
 std::string resolve_plugin_path(const IniFile& ini, const std::string& section,
-                                const std::string& plugin);
+                                const std::string& key);
 
 /// The folder of the libraries that are shipped with the programs.
 std::string shipped_folder();

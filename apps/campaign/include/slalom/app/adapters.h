@@ -14,4 +14,7 @@ MethodRegistry all_adapters();
 void visit_adapter_options(
     const std::function<void(const std::function<void(OptionVisitor&)>& visit_options)>& visit);
 
+/// The thing outside of the .ini that a key of a method's section names, as its adapter declares.
+External external_use(const IniFile& ini, const std::string& section, const std::string& key);
+
 }  // namespace slalom

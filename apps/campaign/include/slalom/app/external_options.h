@@ -1,6 +1,6 @@
 #pragma once
 
-#include <slalom/core/ini_file.h>
+#include <slalom/core/options.h>
 
 #include <map>
 #include <string>
@@ -8,19 +8,10 @@
 
 namespace slalom {
 
-/// The use that a method makes of something outside of its .ini.
-enum class ExternalUse {
-  Execute,  ///< a command line
-  Load,     ///< code: a library, a module, a network
-  Read,
-  Write,   ///< a folder
-  Connect  ///< an address
-};
-
 /// An option of a method that names something outside of the .ini.
 struct ExternalOption {
   std::string section, key, value;
-  ExternalUse use;
+  External use;
 };
 
 /// Returns the external options of the sections (see method_sections()) that are not empty.

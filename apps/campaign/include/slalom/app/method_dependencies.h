@@ -11,7 +11,7 @@ namespace slalom {
 /// Files that methods execute, load or read beside those in `files` (see files_of_methods()), whose
 /// contents may change results too; paths by "method.NAME.KEY/FILE". They are
 /// - files that words of an option name, relative to the current folder or to that of the .ini, and
-///   programs in PATH that `launch` names,
+///   programs in PATH that command lines name,
 /// - and of all these: libraries that programs and libraries are linked with, modules below their
 ///   own folder that Python files import, external data of ONNX models.
 /// Files of the system (below /usr, but not /usr/local) and those shipped with Slalom are left out.

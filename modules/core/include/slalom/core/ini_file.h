@@ -31,6 +31,7 @@ class IniFile {
   std::string where(const std::string& section, const std::string& key) const;
   std::string where(const std::string& section) const;
   const std::string& name() const { return name_; }
+  std::string folder() const;  ///< of the file, relative to the current one if the name is; or ""
 
   /// The effective content as text, definitions expanded and overrides applied, sorted by section
   /// and key, as stored in manifests.

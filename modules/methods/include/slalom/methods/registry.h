@@ -38,10 +38,33 @@ std::vector<std::string> method_sections(const IniFile& ini, const std::string& 
 std::vector<std::string> method_sections(const IniFile& ini,
                                          const std::vector<NamedMethod>& methods);
 
-/// The keys of a section with their values, except those of the adapter: parameters of the method
-/// itself.
-std::vector<std::pair<std::string, std::string>> method_parameters(
-    const IniFile& ini, const std::string& section, const std::vector<std::string>& adapter_keys);
+/// Reads the options of an adapter from a method's section, whose key `adapter` chose it.
+class AdapterReader : public OptionReader {
+ public:
+  AdapterReader(const IniFile& ini, const std::string& section);
+};
+
+/// The options of an adapter. Throws Error (Usage) for an invalid or unknown key.
+template <typename Options>
+Options read_adapter_options(const IniFile& ini, const std::string& section) {
+  AdapterReader reader(ini, section);
+  Options options;
+  options.visit(reader);
+  reader.reject_unknown_keys();
+  return options;
+}
+
+/// The same where all other keys of the section are parameters of the method, and names of files
+/// are relative to the folder of the .ini.
+template <typename Options>
+Options read_parameter_options(const IniFile& ini, const std::string& section) {
+  AdapterReader reader(ini, section);
+  Options options;
+  options.visit(reader);
+  options.folder = ini.folder();
+  options.parameters = reader.unvisited();
+  return options;
+}
 
 /// The path of a file that a key names: absolute, or relative to the folder, else to the current
 /// one. `kind` is what it is, e.g. "module". Throws Error (Usage) at `where` if there is no such

@@ -1,0 +1,125 @@
+#include <slalom/core/error.h>
+#include <slalom/core/option.h>
+#include <slalom/core/text.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+constexpr char kSeedRange[] = "in [0, 9223372036854775807]";
+constexpr std::uint64_t kMaxSeed = std::numeric_limits<std::int64_t>::max();
+
+bool set_value(double& value, const std::string& text) {
+  return parse_number(text, value);
+}
+bool set_value(int& value, const std::string& text) {
+  long long number = 0;
+  if (!parse_integer(text, number) || number > std::numeric_limits<int>::max() ||
+      number < std::numeric_limits<int>::min())
+    return false;
+  value = static_cast<int>(number);
+  return true;
+}
+bool set_value(std::uint64_t& value, const std::string& text) {
+  long long number = 0;
+  if (!parse_integer(text, number) || number < 0) return false;
+  value = static_cast<std::uint64_t>(number);
+  return true;
+}
+bool set_value(bool& value, const std::string& text) {
+  value = text == "true" || text == "yes" || text == "on" || text == "1";
+  return value || text == "false" || text == "no" || text == "off" || text == "0";
+}
+bool set_value(std::string& value, const std::string& text) {
+  value = text;
+  return true;
+}
+
+std::string text_of(double value) {
+  return format_number(value);
+}
+std::string text_of(int value) {
+  return std::to_string(value);
+}
+std::string text_of(std::uint64_t value) {
+  return std::to_string(value);
+}
+std::string text_of(bool value) {
+  return value ? "true" : "false";
+}
+std::string text_of(const std::string& value) {
+  return value;
+}
+
+bool is_valid(const Option& option, double value) {
+  return std::isfinite(value) && option.range.contains(value);
+}
+bool is_valid(const Option& option, int value) {
+  return option.range.contains(value);
+}
+bool is_valid(const Option&, std::uint64_t value) {
+  return value <= kMaxSeed;
+}
+bool is_valid(const Option&, bool) {
+  return true;
+}
+bool is_valid(const Option& option, const std::string& value) {
+  return option.choices.empty() || contains(option.choices, value);
+}
+
+Error invalid_value(const Option& option, const std::string& text, const std::string& where) {
+  std::string kind;
+  if (option.get_if<double>() != nullptr) kind = "a number ";
+  if (option.get_if<int>() != nullptr || option.get_if<std::uint64_t>() != nullptr)
+    kind = "an integer ";
+  const std::string expected =
+      option.choices.empty() ? kind + option.expected() : "one of " + join(option.choices, ", ");
+  return usage_error(where, "'" + text + "' is not valid", expected);
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  return (low_open ? value > low : value >= low) && value <= high;
+}
+
+std::string Range::text() const {
+  const bool bounded_below = low > -std::numeric_limits<double>::infinity();
+  const bool bounded_above = high < std::numeric_limits<double>::infinity();
+  if (bounded_below && bounded_above)
+    return std::string("in ") + (low_open ? "(" : "[") + format_number(low) + ", " +
+           format_number(high) + "]";
+  if (bounded_below) return (low_open ? "> " : ">= ") + format_number(low);
+  if (bounded_above) return "<= " + format_number(high);
+  return "any";
+}
+
+std::string Option::text() const {
+  return std::visit([](const auto* of) { return text_of(*of); }, value);
+}
+
+std::string Option::expected() const {
+  if (get_if<std::uint64_t>() != nullptr) return kSeedRange;
+  if (get_if<bool>() != nullptr) return "true or false";
+  if (get_if<std::string>() == nullptr) return range.text();
+  return choices.empty() ? "text" : join(choices, " | ");
+}
+
+void Option::set(const std::string& text, const std::string& where) const {
+  std::visit(
+      [&](auto* to) {
+        auto read = *to;
+        if (!set_value(read, text) || !is_valid(*this, read))
+          throw invalid_value(*this, text, where);
+        *to = read;
+      },
+      value);
+}
+
+void Option::check(const std::string& where) const {
+  const bool valid = std::visit([&](const auto* of) { return is_valid(*this, *of); }, value);
+  if (!valid) throw invalid_value(*this, text(), where);
+}
+
+}  // namespace slalom
