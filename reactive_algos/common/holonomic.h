@@ -1,7 +1,7 @@
 #pragma once
 
+#include "common/parameters.h"
 #include "common/sectors.h"
-#include "common/settings.h"
 
 #include <mrpt/config/CConfigFileBase.h>
 #include <mrpt/nav/holonomic/CAbstractHolonomicReactiveMethod.h>
@@ -13,9 +13,9 @@
 
 namespace reactive {
 
-/// MRPT holonomic method for an algorithm `A` with `Parameters` (including `target_slow_down`), a
-/// static `settings()`, and `decide(sectors, target)`. Its .ini section has the keys of the
-/// settings; an invalid number or one out of range throws std::invalid_argument.
+/// MRPT holonomic method for an algorithm `A` with `Parameters`, whose `visit()` declares the
+/// options (with `target_slow_down`), and `decide(sectors, target)`. Its .ini section has their
+/// keys; an invalid value throws slalom::Error.
 template <typename A>
 class Holonomic : public mrpt::nav::CAbstractHolonomicReactiveMethod {
  public:
@@ -24,19 +24,18 @@ class Holonomic : public mrpt::nav::CAbstractHolonomicReactiveMethod {
   void initialize(const mrpt::config::CConfigFileBase& c) override {
     const std::string section = getConfigFileSectionName();
     typename A::Parameters parameters;
-    for (const auto& setting : A::settings()) {
-      const std::string text = c.read_string(section, setting.about.key, "");
-      char error[200] = "";
-      if (!text.empty() &&
-          !apply(A::settings(), setting.about.key, text.c_str(), parameters, error, sizeof error))
-        throw std::invalid_argument(error);
-    }
+    slalom::for_each_option(parameters, [&](const slalom::Option& option) {
+      const std::string text = c.read_string(section, option.key, "");
+      if (!text.empty()) option.set(text, option.key);
+    });
     algorithm_ = A(parameters);
   }
 
   void saveConfigFile(mrpt::config::CConfigFileBase& c) const override {
-    for (const auto& setting : A::settings())
-      c.write(getConfigFileSectionName(), setting.about.key, algorithm_.parameters.*setting.field);
+    slalom::write_options(algorithm_.parameters,
+                          [&](const std::string& key, const std::string& text) {
+                            c.write(getConfigFileSectionName(), key, text);
+                          });
   }
 
   double getTargetApproachSlowDownDistance() const override {
@@ -66,27 +65,32 @@ class Holonomic : public mrpt::nav::CAbstractHolonomicReactiveMethod {
 /// Defines the class slalom::NAME, which MRPT creates by name, with its default .ini section. It is
 /// registered by a variable after its class id: MRPT_INITIALIZER() may run before the id is
 /// initialized.
-#define SLALOM_HOLONOMIC_METHOD(NAME, ALGORITHM, SECTION)                                          \
-  namespace slalom {                                                                               \
-  class NAME : public reactive::Holonomic<ALGORITHM> {                                             \
-    DEFINE_SERIALIZABLE(NAME, slalom)                                                              \
-   public:                                                                                         \
-    NAME() : Holonomic(SECTION) {}                                                                 \
-  };                                                                                               \
-  IMPLEMENTS_SERIALIZABLE(NAME, mrpt::nav::CAbstractHolonomicReactiveMethod, slalom)               \
-  uint8_t NAME::serializeGetVersion() const {                                                      \
-    return 0;                                                                                      \
-  }                                                                                                \
-  void NAME::serializeTo(mrpt::serialization::CArchive& out) const {                               \
-    for (const auto& setting : ALGORITHM::settings()) out << algorithm_.parameters.*setting.field; \
-  }                                                                                                \
-  void NAME::serializeFrom(mrpt::serialization::CArchive& in, uint8_t) {                           \
-    for (const auto& setting : ALGORITHM::settings()) in >> algorithm_.parameters.*setting.field;  \
-  }                                                                                                \
-  }                                                                                                \
-  [[maybe_unused]] static const bool registered_##NAME = [] {                                      \
-    mrpt::rtti::registerClass(CLASS_ID_NAMESPACE(NAME, slalom));                                   \
-    return true;                                                                                   \
-  }();                                                                                             \
+#define SLALOM_HOLONOMIC_METHOD(NAME, ALGORITHM, SECTION)                                     \
+  namespace slalom {                                                                          \
+  class NAME : public reactive::Holonomic<ALGORITHM> {                                        \
+    DEFINE_SERIALIZABLE(NAME, slalom)                                                         \
+   public:                                                                                    \
+    NAME() : Holonomic(SECTION) {}                                                            \
+  };                                                                                          \
+  IMPLEMENTS_SERIALIZABLE(NAME, mrpt::nav::CAbstractHolonomicReactiveMethod, slalom)          \
+  uint8_t NAME::serializeGetVersion() const {                                                 \
+    return 0;                                                                                 \
+  }                                                                                           \
+  void NAME::serializeTo(mrpt::serialization::CArchive& out) const {                          \
+    slalom::write_options(algorithm_.parameters,                                              \
+                          [&](const std::string&, const std::string& text) { out << text; }); \
+  }                                                                                           \
+  void NAME::serializeFrom(mrpt::serialization::CArchive& in, uint8_t) {                      \
+    slalom::for_each_option(algorithm_.parameters, [&](const slalom::Option& option) {        \
+      std::string text;                                                                       \
+      in >> text;                                                                             \
+      option.set(text, option.key);                                                           \
+    });                                                                                       \
+  }                                                                                           \
+  }                                                                                           \
+  [[maybe_unused]] static const bool registered_##NAME = [] {                                 \
+    mrpt::rtti::registerClass(CLASS_ID_NAMESPACE(NAME, slalom));                              \
+    return true;                                                                              \
+  }();                                                                                        \
   static_assert(true)
 // NOLINTEND(bugprone-macro-parentheses)

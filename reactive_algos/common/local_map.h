@@ -12,17 +12,18 @@ namespace reactive {
 /// Options of a local map.
 struct MapOptions {
   double half_size = 8;      ///< m, from the robot to the map's border
-  double resolution = 0.05;  ///< m, cells of memory and map
   double band = 0.8;         ///< m: maximum distance that is computed
+  double resolution = 0.05;  ///< m, cells of memory and map
 };
+
+constexpr double kCheckMargin = 0.01;  ///< m beyond the robot's radius, of checks and paths
 
 /// A band of a map of this resolution for costs of the clearance up to `comfort` and checks up to
 /// `margin` beyond the robot's radius. Cells beyond the band do not change interpolated values
 /// below either of these, for the centers of interpolated cells are less than 1.5 cells apart.
 inline double clearance_band(const Robot& robot, double margin, double comfort,
                              double resolution = MapOptions().resolution) {
-  constexpr double kMinMargin = 0.01;  // m, of checks
-  return robot.radius + std::max(margin + kMinMargin, comfort) + 1.5 * resolution;
+  return robot.radius + std::max(margin + kCheckMargin, comfort) + 1.5 * resolution;
 }
 
 /// Local obstacle map: points of past scans in the odometry frame, and the distances to them.
@@ -55,6 +56,11 @@ class LocalPlanner {
   /// not close narrow passages. Costs to go are read within `reach` m of the robot.
   LocalPlanner(const PathCosts& costs, double min_clearance, double reach)
       : costs_(costs), min_clearance_(min_clearance), cost_to_go_(reach) {}
+  /// The same for a robot whose checks have this margin (m), and whose paths cost more where its
+  /// clearance is below `comfort` m.
+  LocalPlanner(const Robot& robot, double margin, double comfort, double reach)
+      : LocalPlanner({robot.radius + margin + kCheckMargin, robot.radius + comfort},
+                     robot.radius + kCheckMargin, reach) {}
 
   /// Plans a path to `goal` (odometry frame); the waypoint is at most `look_ahead` meters along it,
   /// for which the reach is at least CostToGo::kPathReach * look_ahead.

@@ -45,7 +45,7 @@ std::optional<Twist> brake_on_arc(const Twist& measured, const Robot& robot, dou
 class RotateInPlace {
  public:
   /// begin, end: bearings (rad) beyond which the rotation starts and within which it ends.
-  RotateInPlace(double begin, double end) : begin_(begin), end_(end) {}
+  explicit RotateInPlace(double begin, double end = 0.4) : begin_(begin), end_(end) {}
 
   void reset() { side_ = 0; }
   bool update(double bearing);  ///< whether to rotate in place

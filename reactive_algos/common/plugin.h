@@ -1,11 +1,13 @@
 #pragma once
 
 #include "common/geometry.h"
+#include "common/parameters.h"
 #include "common/robot.h"
-#include "common/settings.h"
 
 #include <cstdint>
+#include <cstdio>
 #include <exception>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,14 +44,18 @@ struct NavigationTask {
   std::uint64_t seed = 0;
 };
 
-/// The table of the C prototype for a class `M` with a nested `Parameters`, a static
-/// `settings()` (an array of Setting<Parameters>), a constructor from parameters and robot,
-/// `reset(task)` and `step(observation)`. Exceptions are converted to error codes.
+/// The table of the C prototype for a class `M` with a nested `Parameters`, whose `visit()`
+/// declares the options, a constructor from parameters and robot, `reset(task)` and
+/// `step(observation)`. Exceptions are converted to error codes.
 template <typename M>
 class Plugin {
  public:
   static const slalom_method_api* table(const char* name) {
-    static std::vector<slalom_parameter> parameters = described_parameters();
+    static const std::vector<Description> descriptions = described_parameters();
+    static std::vector<slalom_parameter> parameters;
+    if (parameters.empty())
+      for (const Description& d : descriptions)
+        parameters.push_back({d.key.c_str(), d.text.c_str(), d.unit.c_str(), d.help.c_str()});
     static const slalom_method_api api = {SLALOM_METHOD_ABI_VERSION,
                                           name,
                                           parameters.data(),
@@ -74,19 +80,23 @@ class Plugin {
   }
 
  private:
-  static std::vector<slalom_parameter> described_parameters() {
-    std::vector<slalom_parameter> result;
-    for (const auto& setting : M::settings()) result.push_back(setting.about);
+  struct Description {
+    std::string key, text, unit, help;
+  };
+  static std::vector<Description> described_parameters() {
+    std::vector<Description> result;
+    slalom::for_each_option(typename M::Parameters(), [&](const slalom::Option& option) {
+      result.push_back({option.key, option.text(), option.unit, option.help});
+    });
     return result;
   }
 
   static void* create(const slalom_setting* settings, size_t count, const slalom_robot* robot,
                       char* error, size_t error_size) {
-    typename M::Parameters parameters;
-    for (size_t i = 0; i < count; ++i)
-      if (!apply(M::settings(), settings[i].key, settings[i].value, parameters, error, error_size))
-        return nullptr;
     try {
+      typename M::Parameters parameters;
+      for (size_t i = 0; i < count; ++i)
+        set_parameter(parameters, settings[i].key, settings[i].value);
       return new M(parameters, robot_of(*robot));
     } catch (const std::exception& e) {
       std::snprintf(error, error_size, "%s", e.what());

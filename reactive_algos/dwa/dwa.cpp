@@ -6,39 +6,24 @@ namespace dwa {
 
 using namespace reactive;
 
-const Dwa::Settings& Dwa::settings() {
-  static constexpr Settings kSettings = {
-      {{"alpha", "0.8", "-", "weight of the heading, Eq. (13)"}, &Parameters::alpha},
-      {{"beta", "0.2", "-", "weight of the free distance"}, &Parameters::beta},
-      {{"gamma", "0.3", "-", "weight of the velocity"}, &Parameters::gamma},
-      {{"margin", "0.05", "m", "added to the robot's radius"}, &Parameters::margin, 0, 10},
-      {{"horizon", "2", "m", "free distance at which the term saturates"},
-       &Parameters::horizon,
-       0.1,
-       100},
-      {{"v_samples", "13", "-", "linear velocities in the window"},
-       &Parameters::v_samples,
-       2,
-       1000},
-      {{"w_samples", "41", "-", "angular velocities in the window"},
-       &Parameters::w_samples,
-       3,
-       1000},
-      {{"turn_in_place", "1.6", "rad",
-        "beyond this bearing of the path the robot rotates in place"},
-       &Parameters::turn_in_place,
-       0.1,
-       M_PI},
-      {{"memory", "6", "m", "half the side length of the local map"}, &Parameters::memory, 1, 50},
-      {{"guidance", "0", "-", "0: to the goal; 1: along a navigation function of the local map"},
-       &Parameters::guidance,
-       0,
-       1},
-      {{"look_ahead", "1.5", "m", "with guidance: look-ahead distance along the path"},
-       &Parameters::look_ahead,
-       0.1,
-       50}};
-  return kSettings;
+void Parameters::visit(slalom::OptionVisitor& v) {
+  using slalom::Range;
+  v.option("alpha", alpha, "-", "weight of the heading, Eq. (13)", Range::at_least(0));
+  v.option("beta", beta, "-", "weight of the free distance", Range::at_least(0));
+  v.option("gamma", gamma, "-", "weight of the velocity", Range::at_least(0));
+  v.option("margin", margin, "m", "added to the robot's radius", Range::between(0, 10));
+  v.option("horizon", horizon, "m", "free distance at which the term saturates",
+           Range::between(0.1, 100));
+  v.option("v_samples", v_samples, "-", "linear velocities in the window", Range::between(2, 1000));
+  v.option("w_samples", w_samples, "-", "angular velocities in the window",
+           Range::between(3, 1000));
+  v.option("turn_in_place", turn_in_place, "rad",
+           "beyond this bearing of the path the robot rotates in place", Range::between(0.1, M_PI));
+  v.option("memory", memory, "m", "half the side length of the local map", Range::between(1, 50));
+  v.option("guidance", guidance,
+           "along a navigation function of the local map instead of to the goal");
+  v.option("look_ahead", look_ahead, "m", "with guidance: look-ahead distance along the path",
+           Range::between(0.1, 50));
 }
 
 Window dynamic_window(const Twist& now, const Robot& robot, double period) {
@@ -68,10 +53,9 @@ double heading_term(const Pose& pose, const Twist& twist, const Point& target, c
 Dwa::Dwa(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
       robot_(covered(robot)),
-      map_({parameters.memory, 0.05, 0.8 + robot_.radius}, robot_),
-      local_planner_(
-          {robot_.radius + parameters.margin, 2 * robot_.radius + parameters.margin, 2.0},
-          robot_.radius + 0.01, CostToGo::kPathReach * parameters.look_ahead),
+      map_({parameters.memory, 0.8 + robot_.radius}, robot_),
+      local_planner_({robot_.radius + parameters.margin, 2 * robot_.radius + parameters.margin},
+                     robot_.radius + kCheckMargin, CostToGo::kPathReach * parameters.look_ahead),
       turn_(parameters.turn_in_place, 0.5) {}
 
 void Dwa::reset(const NavigationTask& task) {
@@ -82,13 +66,13 @@ void Dwa::reset(const NavigationTask& task) {
 
 Waypoint Dwa::target(const Observation& observation) {
   const Point goal = to_world(observation.pose, observation.goal);
-  if (parameters_.guidance < 0.5) return {goal, true, true};
+  if (!parameters_.guidance) return {goal, true, true};
   return local_planner_.find(map_, observation.pose, goal, parameters_.look_ahead);
 }
 
 void Dwa::evaluate(const Observation& observation, const Point& target, double top_speed) {
-  const auto rows = static_cast<int>(parameters_.v_samples);
-  const auto columns = static_cast<int>(parameters_.w_samples);
+  const int rows = parameters_.v_samples;
+  const int columns = parameters_.w_samples;
   const Window window = dynamic_window(observation.measured, robot_, task_.control_period);
   const double top = std::max(window.low.v, std::min(window.high.v, top_speed));
   const double radius =

@@ -7,7 +7,7 @@
 
 /// Dynamic Window Approach: D. Fox, W. Burgard and S. Thrun, "The Dynamic Window Approach to
 /// Collision Avoidance", IEEE Robotics & Automation Magazine 4(1), 1997, 23-33. Equation numbers
-/// refer to it. With `guidance` 1 the heading is that of a navigation function: O. Brock and
+/// refer to it. With `guidance` the heading is that of a navigation function: O. Brock and
 /// O. Khatib, "High-speed navigation using the global dynamic window approach", ICRA 1999.
 namespace dwa {
 
@@ -18,12 +18,14 @@ struct Parameters {
   double gamma = 0.3;          ///< weight of the velocity
   double margin = 0.05;        ///< added to the robot's radius
   double horizon = 2.0;        ///< free distance at which the term saturates
-  double v_samples = 13;       ///< linear velocities in the window
-  double w_samples = 41;       ///< angular velocities in the window
+  int v_samples = 13;          ///< linear velocities in the window
+  int w_samples = 41;          ///< angular velocities in the window
   double turn_in_place = 1.6;  ///< rad: beyond this bearing of the path the robot rotates in place
   double memory = 6;           ///< half the side length of the local map
-  double guidance = 0;         ///< 0: to the goal; 1: along the navigation function of the map
+  bool guidance = false;       ///< along the navigation function of the map, not to the goal
   double look_ahead = 1.5;     ///< with guidance: look-ahead distance along the path
+
+  void visit(slalom::OptionVisitor& v);
 };
 
 /// A pair of velocities with the three terms of the objective, each in [0, 1].
@@ -51,8 +53,6 @@ double heading_term(const reactive::Pose& pose, const reactive::Twist& twist,
 class Dwa {
  public:
   using Parameters = dwa::Parameters;
-  using Settings = reactive::Setting<Parameters>[11];
-  static const Settings& settings();
 
   Dwa(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);

@@ -19,10 +19,9 @@ namespace dwa_local_planner {
 class DwaLocalPlanner {
  public:
   using Parameters = dwa_local_planner::Parameters;
-  static const Settings& settings() { return dwa_local_planner::settings(); }
 
   DwaLocalPlanner(const Parameters& parameters, const reactive::Robot& robot);
-  bool uses_map() const { return parameters_.map != 0; }
+  bool uses_map() const { return parameters_.map == reactive::PathMap::Known; }
   void reset(const reactive::NavigationTask& task);
   void set_map(const reactive::KnownMap& map) { global_map_.set_known(map); }
   reactive::Twist step(const reactive::Observation& observation);

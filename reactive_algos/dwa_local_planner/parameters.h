@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/settings.h"
+#include "common/parameters.h"
 
 namespace dwa_local_planner {
 
@@ -14,7 +14,7 @@ struct Parameters {
   double acc_lim_x = 0, acc_lim_theta = 0;
   // Trajectories
   double sim_time = 1.7, sim_granularity = 0.025, angular_sim_granularity = 0.1;
-  double vx_samples = 3, vth_samples = 20;
+  int vx_samples = 3, vth_samples = 20;
   double stop_time_buffer = 0.2;
   // Their costs
   double path_distance_bias = 32, goal_distance_bias = 20, occdist_scale = 0.01;
@@ -23,7 +23,7 @@ struct Parameters {
   double oscillation_reset_dist = 0.05, oscillation_reset_angle = 0.2;
   double xy_goal_tolerance = 0.1;
   // Costmaps
-  double map = 0;  ///< 0 sensed, 1 known
+  reactive::PathMap map = reactive::PathMap::Sensed;
   double width = 6, resolution = 0.05;
   double obstacle_range = 2.5;
   double footprint_padding = 0.01, inflation_radius = 0.55, cost_scaling_factor = 10;
@@ -31,12 +31,11 @@ struct Parameters {
   double planner_frequency = 10;  ///< 1/s; 0: only when no trajectory is possible
   double planner_patience = 2, controller_patience = 2;
   double oscillation_timeout = 0, oscillation_distance = 0.5;
-  double recovery_behavior_enabled = 1, clearing_rotation_allowed = 1, backup_allowed = 0;
+  bool recovery_behavior_enabled = true, clearing_rotation_allowed = true, backup_allowed = false;
   double conservative_reset_dist = 3;
   double backup_dist = 0.3, backup_speed = 0.1;
-};
 
-using Settings = reactive::Setting<Parameters>[40];
-const Settings& settings();
+  void visit(slalom::OptionVisitor& v);
+};
 
 }  // namespace dwa_local_planner

@@ -11,11 +11,11 @@ using namespace reactive;
 
 Recovery::Recovery(const Parameters& parameters, const Robot& robot, const Footprint& footprint)
     : parameters_(parameters), footprint_(footprint) {
-  if (parameters.recovery_behavior_enabled == 0) return;
-  const bool rotates = parameters.clearing_rotation_allowed != 0;
+  if (!parameters.recovery_behavior_enabled) return;
+  const bool rotates = parameters.clearing_rotation_allowed;
   behaviors_ = {Behavior::ConservativeReset};
   if (rotates) behaviors_.push_back(Behavior::Rotate);
-  if (parameters.backup_allowed != 0 && !robot.forward_only) behaviors_.push_back(Behavior::BackUp);
+  if (parameters.backup_allowed && !robot.forward_only) behaviors_.push_back(Behavior::BackUp);
   behaviors_.push_back(Behavior::AggressiveReset);
   if (rotates) behaviors_.push_back(Behavior::Rotate);
 }

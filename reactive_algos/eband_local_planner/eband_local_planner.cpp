@@ -13,94 +13,66 @@ double limited(double wanted, double limit) {
   return wanted > 0 ? std::min(wanted, limit) : limit;
 }
 
-constexpr const char* kMaps[] = {"sensed", "known", nullptr};
-
-using P = Parameters;
-
-constexpr EbandLocalPlanner::Settings kSettings = {
-    {{"eband_min_relative_overlap", "0.7", "-",
-      "distance of neighboring bubbles per sum of their radii"},
-     &P::eband_min_relative_overlap,
-     0.1,
-     1},
-    {{"eband_tiny_bubble_distance", "0.01", "m", "bubbles this close do not pull each other"},
-     &P::eband_tiny_bubble_distance,
-     1e-6,
-     1},
-    {{"eband_tiny_bubble_expansion", "0.01", "m", "radius of a bubble in collision"},
-     &P::eband_tiny_bubble_expansion,
-     1e-3,
-     1},
-    {{"eband_internal_force_gain", "1.0", "-", "of the contraction"},
-     &P::eband_internal_force_gain},
-    {{"eband_external_force_gain", "2.0", "-", "of the repulsion by obstacles"},
-     &P::eband_external_force_gain},
-    {{"num_iterations_eband_optimization", "3", "-", "of the band per control cycle"},
-     &P::num_iterations_eband_optimization,
-     1,
-     1000},
-    {{"eband_equilibrium_approx_max_recursion_depth", "4", "-",
-      "steps to the equilibrium of a bubble"},
-     &P::eband_equilibrium_approx_max_recursion_depth,
-     0,
-     100},
-    {{"eband_equilibrium_relative_overshoot", "0.75", "-",
-      "opposite force per force before, beyond which steps are shorter"},
-     &P::eband_equilibrium_relative_overshoot},
-    {{"eband_significant_force_lower_bound", "0.15", "-", "forces below it are ignored then"},
-     &P::eband_significant_force_lower_bound},
-    {{"costmap_weight", "10.0", "1/m",
-      "cost_scaling_factor of the costmap; bubbles have a radius of at most ln(252) / "
-      "costmap_weight"},
-     &P::costmap_weight,
-     0.1,
-     1000},
-    {{"inflation_radius", "0.55", "m", "clearance beyond which bubbles have the maximum radius"},
-     &P::inflation_radius},
-    {{"max_vel_lin", "0.0", "m/s", "maximum speed; 0: that of the robot"}, &P::max_vel_lin},
-    {{"max_vel_th", "0.0", "rad/s", "maximum angular velocity; 0: that of the robot"},
-     &P::max_vel_th},
-    {{"min_vel_lin", "0.1", "m/s", "minimum speed"}, &P::min_vel_lin},
-    {{"min_vel_th", "0.0", "rad/s", "minimum angular velocity"}, &P::min_vel_th},
-    {{"min_in_place_vel_th", "0.0", "rad/s", "minimum angular velocity in place"},
-     &P::min_in_place_vel_th},
-    {{"k_prop", "4.0", "1/s", "angular velocity per bearing of the next bubble"}, &P::k_prop},
-    {{"bubble_velocity_multiplier", "2.0", "1/m",
-      "speed per maximum speed and 0.7 radii of the robot's bubble"},
-     &P::bubble_velocity_multiplier},
-    {{"rotation_threshold_multiplier", "1.0", "-",
-      "bearing, per angle that the next bubble subtends, beyond which the robot rotates in "
-      "place"},
-     &P::rotation_threshold_multiplier},
-    {{"planner_frequency", "2.0", "Hz", "frequency of new paths; 0: when the band snaps or ends"},
-     &P::planner_frequency,
-     0,
-     1000},
-    {{"footprint_padding", "0.05", "m", "added to the robot's radius"},
-     &P::footprint_padding,
-     0,
-     10},
-    {{"comfort", "0.3", "m", "clearance of the footprint beyond which a path does not cost more"},
-     &P::comfort,
-     0,
-     10},
-    {{"memory", "6", "m", "half the side length of the local map"}, &P::memory, 1, 50},
-    {{"map", "sensed", "-", "known: the path is planned on the map of the environment"},
-     &P::map,
-     0,
-     1,
-     kMaps}};
-
 }  // namespace
 
-const EbandLocalPlanner::Settings& EbandLocalPlanner::settings() {
-  return kSettings;
+void Parameters::visit(slalom::OptionVisitor& v) {
+  using slalom::Range;
+  v.option("eband_min_relative_overlap", eband_min_relative_overlap, "-",
+           "distance of neighboring bubbles per sum of their radii", Range::between(0.1, 1));
+  v.option("eband_tiny_bubble_distance", eband_tiny_bubble_distance, "m",
+           "bubbles this close do not pull each other", Range::between(1e-6, 1));
+  v.option("eband_tiny_bubble_expansion", eband_tiny_bubble_expansion, "m",
+           "radius of a bubble in collision", Range::between(1e-3, 1));
+  v.option("eband_internal_force_gain", eband_internal_force_gain, "-", "of the contraction",
+           Range::at_least(0));
+  v.option("eband_external_force_gain", eband_external_force_gain, "-",
+           "of the repulsion by obstacles", Range::at_least(0));
+  v.option("num_iterations_eband_optimization", num_iterations_eband_optimization, "-",
+           "of the band per control cycle", Range::between(1, 1000));
+  v.option("eband_equilibrium_approx_max_recursion_depth",
+           eband_equilibrium_approx_max_recursion_depth, "-",
+           "steps to the equilibrium of a bubble", Range::between(0, 100));
+  v.option("eband_equilibrium_relative_overshoot", eband_equilibrium_relative_overshoot, "-",
+           "opposite force per force before, beyond which steps are shorter", Range::at_least(0));
+  v.option("eband_significant_force_lower_bound", eband_significant_force_lower_bound, "-",
+           "forces below it are ignored then", Range::at_least(0));
+  v.option("costmap_weight", costmap_weight, "1/m",
+           "cost_scaling_factor of the costmap; bubbles have a radius of at most ln(252) / "
+           "costmap_weight",
+           Range::between(0.1, 1000));
+  v.option("inflation_radius", inflation_radius, "m",
+           "clearance beyond which bubbles have the maximum radius", Range::at_least(0));
+  v.option("max_vel_lin", max_vel_lin, "m/s", "maximum speed; 0: that of the robot",
+           Range::at_least(0));
+  v.option("max_vel_th", max_vel_th, "rad/s", "maximum angular velocity; 0: that of the robot",
+           Range::at_least(0));
+  v.option("min_vel_lin", min_vel_lin, "m/s", "minimum speed", Range::at_least(0));
+  v.option("min_vel_th", min_vel_th, "rad/s", "minimum angular velocity", Range::at_least(0));
+  v.option("min_in_place_vel_th", min_in_place_vel_th, "rad/s", "minimum angular velocity in place",
+           Range::at_least(0));
+  v.option("k_prop", k_prop, "1/s", "angular velocity per bearing of the next bubble",
+           Range::at_least(0));
+  v.option("bubble_velocity_multiplier", bubble_velocity_multiplier, "1/m",
+           "speed per maximum speed and 0.7 radii of the robot's bubble", Range::at_least(0));
+  v.option(
+      "rotation_threshold_multiplier", rotation_threshold_multiplier, "-",
+      "bearing, per angle that the next bubble subtends, beyond which the robot rotates in place",
+      Range::at_least(0));
+  v.option("planner_frequency", planner_frequency, "Hz",
+           "frequency of new paths; 0: when the band snaps or ends", Range::between(0, 1000));
+  v.option("footprint_padding", footprint_padding, "m", "added to the robot's radius",
+           Range::between(0, 10));
+  v.option("comfort", comfort, "m",
+           "clearance of the footprint beyond which a path does not cost more",
+           Range::between(0, 10));
+  v.option("memory", memory, "m", "half the side length of the local map", Range::between(1, 50));
+  v.option("map", map, "known: the path is planned on the map of the environment");
 }
 
 EbandLocalPlanner::EbandLocalPlanner(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
       robot_(robot),
-      map_({parameters.memory, 0.05,
+      map_({parameters.memory,
             clearance_band(robot, parameters.footprint_padding,
                            std::max(parameters.comfort,
                                     parameters.footprint_padding + max_radius(parameters)))},

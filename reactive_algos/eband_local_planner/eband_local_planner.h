@@ -14,7 +14,9 @@ struct Parameters : BandParameters, ControllerParameters {
   double footprint_padding = 0.05;  ///< added to the robot's radius
   double comfort = 0.3;             ///< clearance beyond which paths do not cost more
   double memory = 6;                ///< half the side length of the local map
-  double map = 0;                   ///< 0 sensed, 1 known
+  reactive::PathMap map = reactive::PathMap::Sensed;
+
+  void visit(slalom::OptionVisitor& v);
 };
 
 /// An elastic band along the path of a navigation function on the local map, or of a global planner
@@ -22,12 +24,10 @@ struct Parameters : BandParameters, ControllerParameters {
 class EbandLocalPlanner {
  public:
   using Parameters = eband_local_planner::Parameters;
-  using Settings = reactive::Setting<Parameters>[24];
-  static const Settings& settings();
 
   EbandLocalPlanner(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);
-  bool uses_map() const { return parameters_.map != 0; }
+  bool uses_map() const { return parameters_.map == reactive::PathMap::Known; }
   /// Of the environment, with map = known. Call before step().
   void set_map(const reactive::KnownMap& map) { global_map_.set_known(map); }
   reactive::Twist step(const reactive::Observation& observation);

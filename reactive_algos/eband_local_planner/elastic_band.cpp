@@ -123,8 +123,7 @@ void ElasticBand::move(std::size_t i) {
 Bubble ElasticBand::equilibrium(std::size_t i, const Point& force) const {
   Bubble result = bubbles_[i];
   Point previous = force, step = sum({}, force, 0.5 * result.radius);
-  for (double depth = 0; depth <= parameters_.eband_equilibrium_approx_max_recursion_depth;
-       ++depth) {
+  for (int depth = 0; depth <= parameters_.eband_equilibrium_approx_max_recursion_depth; ++depth) {
     const Bubble tried = bubble_at(sum(result.center, step));
     if (is_tiny(tried)) break;
     result = tried;
@@ -141,7 +140,7 @@ bool ElasticBand::optimize() {
                                 [&](const Bubble& bubble) { return is_tiny(bubble); }),
                  bubbles_.end());
   bool connected = bubbles_.size() > 1 && refine();
-  for (double k = 0; connected && k < parameters_.num_iterations_eband_optimization; ++k) {
+  for (int k = 0; connected && k < parameters_.num_iterations_eband_optimization; ++k) {
     for (std::size_t i = 1; i + 1 < bubbles_.size(); ++i) move(i);
     for (std::size_t i = bubbles_.size() - 1; i-- > 1;) move(i);
     connected = refine();

@@ -18,8 +18,8 @@ struct BandParameters {
   double eband_tiny_bubble_expansion = 0.01;  ///< radius of a bubble in collision
   double eband_internal_force_gain = 1;       ///< k_c
   double eband_external_force_gain = 2;       ///< k_r
-  double num_iterations_eband_optimization = 3;
-  double eband_equilibrium_approx_max_recursion_depth = 4;  ///< of steps that overshoot
+  int num_iterations_eband_optimization = 3;
+  int eband_equilibrium_approx_max_recursion_depth = 4;  ///< of steps that overshoot
   double eband_equilibrium_relative_overshoot = 0.75;
   double eband_significant_force_lower_bound = 0.15;
   double costmap_weight = 10;      ///< 1/m, cost_scaling_factor of the costmap

@@ -4,6 +4,10 @@
 #include <cstddef>
 #include <vector>
 
+namespace slalom {
+class OptionVisitor;
+}
+
 /// Follow-the-Gap: V. Sezer and M. Gokasan, "A novel obstacle avoidance algorithm: Follow the Gap
 /// Method", Robotics and Autonomous Systems 60 (2012) 1123-1134. Equation numbers refer to it.
 namespace follow_the_gap {
@@ -16,6 +20,8 @@ struct Parameters {
   double goal_weight = 0.6;    ///< penalty of a gap: twice this per radian from the goal
   double turn_gain = 2.0;      ///< 1/s: w = turn_gain * heading error
   double turn_in_place = 1.0;  ///< rad: beyond this heading error the robot rotates in place
+
+  void visit(slalom::OptionVisitor& v);  ///< in plugin.cpp
 };
 
 struct Robot {

@@ -8,25 +8,20 @@ namespace follow_the_gap_holonomic {
 
 using namespace reactive;
 
-const FollowTheGap::Settings& FollowTheGap::settings() {
-  static constexpr Settings kSettings = {
-      {{"alpha", "0.3", "length", "weight of the gap against the goal, Eq. (8)"},
-       &Parameters::alpha},
-      {{"look_ahead", "0.6", "length", "obstacles beyond this distance do not close gaps"},
-       &Parameters::look_ahead,
-       1e-3},
-      {{"goal_weight", "0.6", "-", "penalty of a gap: twice this per radian from the goal"},
-       &Parameters::goal_weight},
-      {{"field_of_view", "3.1416", "rad", "gaps outside it are ignored"},
-       &Parameters::field_of_view,
-       0.1,
-       2 * M_PI},
-      {{"slow_distance", "0.3", "length", "below this free distance the robot slows down"},
-       &Parameters::slow_distance},
-      {{"target_slow_down", "0.15", "length",
-        "below this distance to the target the robot slows down"},
-       &Parameters::target_slow_down}};
-  return kSettings;
+void Parameters::visit(slalom::OptionVisitor& v) {
+  using slalom::Range;
+  v.option("alpha", alpha, "length", "weight of the gap against the goal, Eq. (8)",
+           Range::at_least(0));
+  v.option("look_ahead", look_ahead, "length", "obstacles beyond this distance do not close gaps",
+           Range::at_least(1e-3));
+  v.option("goal_weight", goal_weight, "-", "penalty of a gap: twice this per radian from the goal",
+           Range::at_least(0));
+  v.option("field_of_view", field_of_view, "rad", "gaps outside it are ignored",
+           Range::between(0.1, 2 * M_PI));
+  v.option("slow_distance", slow_distance, "length",
+           "below this free distance the robot slows down", Range::at_least(0));
+  v.option("target_slow_down", target_slow_down, "length",
+           "below this distance to the target the robot slows down", Range::at_least(0));
 }
 
 double gap_center(const Sectors& sectors, const SectorRun& run) {

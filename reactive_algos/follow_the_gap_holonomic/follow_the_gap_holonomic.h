@@ -1,7 +1,7 @@
 #pragma once
 
+#include "common/parameters.h"
 #include "common/sectors.h"
-#include "common/settings.h"
 
 /// Follow-the-Gap as an MRPT holonomic method: V. Sezer and M. Gokasan, "A novel obstacle avoidance
 /// algorithm: Follow the Gap Method", Robotics and Autonomous Systems 60 (2012) 1123-1134. Equation
@@ -17,6 +17,8 @@ struct Parameters {
   double field_of_view = 3.1416;   ///< rad: gaps outside it are ignored
   double slow_distance = 0.3;      ///< below this free distance the robot slows down
   double target_slow_down = 0.15;  ///< below this distance to the target the robot slows down
+
+  void visit(slalom::OptionVisitor& v);
 };
 
 /// Direction of the midpoint between the obstacles at both ends of a gap, Eq. (7).
@@ -29,8 +31,6 @@ double final_direction(double gap_center, double goal, double nearest, double al
 class FollowTheGap {
  public:
   using Parameters = follow_the_gap_holonomic::Parameters;
-  using Settings = reactive::Setting<Parameters>[6];
-  static const Settings& settings();
 
   FollowTheGap() = default;
   explicit FollowTheGap(const Parameters& chosen) : parameters(chosen) {}

@@ -6,13 +6,10 @@ namespace go_to_goal {
 
 using namespace reactive;
 
-const GoToGoal::Settings& GoToGoal::settings() {
-  static constexpr Settings kSettings = {
-      {{"turn_in_place", "1.0", "rad", "beyond this bearing the robot rotates in place"},
-       &Parameters::turn_in_place,
-       0.1,
-       M_PI}};
-  return kSettings;
+void Parameters::visit(slalom::OptionVisitor& v) {
+  using slalom::Range;
+  v.option("turn_in_place", turn_in_place, "rad", "beyond this bearing the robot rotates in place",
+           Range::between(0.1, M_PI));
 }
 
 GoToGoal::GoToGoal(const Parameters& parameters, const Robot& robot)

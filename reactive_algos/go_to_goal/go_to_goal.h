@@ -9,13 +9,13 @@ namespace go_to_goal {
 
 struct Parameters {
   double turn_in_place = 1.0;  ///< rad: beyond this bearing the robot rotates in place
+
+  void visit(slalom::OptionVisitor& v);
 };
 
 class GoToGoal {
  public:
   using Parameters = go_to_goal::Parameters;
-  using Settings = reactive::Setting<Parameters>[1];
-  static const Settings& settings();
 
   GoToGoal(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);

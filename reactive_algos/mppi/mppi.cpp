@@ -15,48 +15,34 @@ constexpr double kLookAhead = 1.5;         // m along the path to the intermedia
 
 LocalPlanner local_planner_of(const Parameters& parameters, const Robot& robot, double period) {
   const double reach = robot.max_v * parameters.steps * period + kHeadingLookAhead;
-  return {{robot.radius + parameters.margin + 0.01, robot.radius + parameters.comfort, 2.0},
-          robot.radius + 0.01,
+  return {robot, parameters.margin, parameters.comfort,
           std::max(reach, CostToGo::kPathReach * kLookAhead)};
 }
 
 }  // namespace
 
-const Mppi::Settings& Mppi::settings() {
-  static constexpr Settings kSettings = {
-      {{"samples", "400", "-", "K, rollouts per cycle"}, &Parameters::samples, 2, 100000},
-      {{"steps", "24", "-", "T, control periods per rollout"}, &Parameters::steps, 2, 1000},
-      {{"lambda", "0.3", "m", "temperature"}, &Parameters::lambda, 1e-6, 1e6},
-      {{"noise_v", "0.2", "m/s", "standard deviation of the noise on v"}, &Parameters::noise_v},
-      {{"noise_w", "0.6", "rad/s", "standard deviation of the noise on w"}, &Parameters::noise_w},
-      {{"hold", "4", "-", "control periods for which a noise sample is held"},
-       &Parameters::hold,
-       1,
-       1000},
-      {{"control_cost", "0.02", "-", "gamma of the control term, as a fraction of lambda"},
-       &Parameters::control_cost,
-       0,
-       1},
-      {{"margin", "0.04", "m", "added to the robot's radius in collision checks"},
-       &Parameters::margin,
-       0,
-       10},
-      {{"comfort", "0.3", "m", "clearance of the footprint beyond which there is no cost"},
-       &Parameters::comfort,
-       0,
-       10},
-      {{"obstacle_weight", "1.5", "m/s",
-        "path length equivalent to one second at minimum clearance"},
-       &Parameters::obstacle_weight},
-      {{"goal_weight", "4.0", "-", "weight of the remaining distance at the end of a rollout"},
-       &Parameters::goal_weight},
-      {{"turn_in_place", "1.6", "rad",
-        "beyond this bearing of the path the robot rotates in place"},
-       &Parameters::turn_in_place,
-       0.1,
-       M_PI},
-      {{"memory", "6", "m", "half the side length of the local map"}, &Parameters::memory, 1, 50}};
-  return kSettings;
+void Parameters::visit(slalom::OptionVisitor& v) {
+  using slalom::Range;
+  v.option("samples", samples, "-", "K, rollouts per cycle", Range::between(2, 100000));
+  v.option("steps", steps, "-", "T, control periods per rollout", Range::between(2, 1000));
+  v.option("lambda", lambda, "m", "temperature", Range::between(1e-6, 1e6));
+  v.option("noise_v", noise_v, "m/s", "standard deviation of the noise on v", Range::at_least(0));
+  v.option("noise_w", noise_w, "rad/s", "standard deviation of the noise on w", Range::at_least(0));
+  v.option("hold", hold, "-", "control periods for which a noise sample is held",
+           Range::between(1, 1000));
+  v.option("control_cost", control_cost, "-", "gamma of the control term, as a fraction of lambda",
+           Range::between(0, 1));
+  v.option("margin", margin, "m", "added to the robot's radius in collision checks",
+           Range::between(0, 10));
+  v.option("comfort", comfort, "m", "clearance of the footprint beyond which there is no cost",
+           Range::between(0, 10));
+  v.option("obstacle_weight", obstacle_weight, "m/s",
+           "path length equivalent to one second at minimum clearance", Range::at_least(0));
+  v.option("goal_weight", goal_weight, "-",
+           "weight of the remaining distance at the end of a rollout", Range::at_least(0));
+  v.option("turn_in_place", turn_in_place, "rad",
+           "beyond this bearing of the path the robot rotates in place", Range::between(0.1, M_PI));
+  v.option("memory", memory, "m", "half the side length of the local map", Range::between(1, 50));
 }
 
 std::vector<double> importance_weights(const std::vector<double>& costs, double lambda) {
@@ -75,10 +61,10 @@ std::vector<double> importance_weights(const std::vector<double>& costs, double 
 Mppi::Mppi(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
       robot_(covered(robot)),
-      map_({parameters.memory, 0.05, clearance_band(robot_, parameters.margin, parameters.comfort)},
+      map_({parameters.memory, clearance_band(robot_, parameters.margin, parameters.comfort)},
            robot_),
       local_planner_(local_planner_of(parameters, robot_, task_.control_period)),
-      turn_(parameters.turn_in_place, 0.4) {}
+      turn_(parameters.turn_in_place) {}
 
 void Mppi::reset(const NavigationTask& task) {
   task_ = task;

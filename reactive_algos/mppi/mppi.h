@@ -13,11 +13,11 @@ namespace mppi {
 
 /// Lengths in m, times in s.
 struct Parameters {
-  double samples = 400;          ///< K, rollouts per cycle
-  double steps = 24;             ///< T, control periods per rollout
+  int samples = 400;             ///< K, rollouts per cycle
+  int steps = 24;                ///< T, control periods per rollout
   double lambda = 0.3;           ///< temperature of the weights
   double noise_v = 0.2;          ///< m/s, standard deviation of the noise on v
-  double hold = 4;               ///< control periods for which a noise sample is held
+  int hold = 4;                  ///< control periods for which a noise sample is held
   double noise_w = 0.6;          ///< rad/s, standard deviation of the noise on w
   double control_cost = 0.02;    ///< gamma of the control term, as a fraction of lambda
   double margin = 0.04;          ///< added to the robot's radius in collision checks
@@ -26,6 +26,8 @@ struct Parameters {
   double goal_weight = 4.0;      ///< weight of the remaining distance at the end of a rollout
   double turn_in_place = 1.6;  ///< rad: beyond this bearing of the path the robot rotates in place
   double memory = 6;           ///< half the side length of the local map
+
+  void visit(slalom::OptionVisitor& v);
 };
 
 /// Normalized weights of rollouts with these costs, Algorithm 2: exp(-(S - min S) / lambda).
@@ -34,8 +36,6 @@ std::vector<double> importance_weights(const std::vector<double>& costs, double 
 class Mppi {
  public:
   using Parameters = mppi::Parameters;
-  using Settings = reactive::Setting<Parameters>[13];
-  static const Settings& settings();
 
   Mppi(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);

@@ -8,31 +8,23 @@ namespace nd_plus {
 
 using namespace reactive;
 
-const NdPlus::Settings& NdPlus::settings() {
-  static constexpr Settings kSettings = {
-      {{"safety_distance", "0.12", "length", "D_s of the safety zone"},
-       &Parameters::safety_distance,
-       1e-3},
-      {{"gap", "0.2", "length",
-        "minimum discontinuity of the free distance threat_direction a gap"},
-       &Parameters::gap,
-       1e-3},
-      {{"passable", "0.15", "length", "sectors with a smaller free distance are closed"},
-       &Parameters::passable},
-      {{"wide_valley", "0.9", "rad", "s_max: valleys wider than this are wide"},
-       &Parameters::wide_valley,
-       0,
-       2 * M_PI},
-      {{"field_of_view", "3.1416", "rad", "valleys outside it are ignored"},
-       &Parameters::field_of_view,
-       0.1,
-       2 * M_PI},
-      {{"slow_distance", "0.3", "length", "below this free distance the robot slows down"},
-       &Parameters::slow_distance},
-      {{"target_slow_down", "0.15", "length",
-        "below this distance to the target the robot slows down"},
-       &Parameters::target_slow_down}};
-  return kSettings;
+void Parameters::visit(slalom::OptionVisitor& v) {
+  using slalom::Range;
+  v.option("safety_distance", safety_distance, "length", "D_s of the safety zone",
+           Range::at_least(1e-3));
+  v.option("gap", gap, "length",
+           "minimum discontinuity of the free distance threat_direction a gap",
+           Range::at_least(1e-3));
+  v.option("passable", passable, "length", "sectors with a smaller free distance are closed",
+           Range::at_least(0));
+  v.option("wide_valley", wide_valley, "rad", "s_max: valleys wider than this are wide",
+           Range::between(0, 2 * M_PI));
+  v.option("field_of_view", field_of_view, "rad", "valleys outside it are ignored",
+           Range::between(0.1, 2 * M_PI));
+  v.option("slow_distance", slow_distance, "length",
+           "below this free distance the robot slows down", Range::at_least(0));
+  v.option("target_slow_down", target_slow_down, "length",
+           "below this distance to the target the robot slows down", Range::at_least(0));
 }
 
 Threats find_threats(const Sectors& sectors, double direction, double safety_distance) {

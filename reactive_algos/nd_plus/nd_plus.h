@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/settings.h"
+#include "common/parameters.h"
 #include "common/valleys.h"
 
 /// ND+: J. Minguez, J. Osuna and L. Montano, "A Divide and Conquer Strategy based on Situations to
@@ -19,6 +19,8 @@ struct Parameters {
   double field_of_view = 3.1416;   ///< rad: valleys outside it are ignored
   double slow_distance = 0.3;      ///< below this free distance the robot slows down
   double target_slow_down = 0.15;  ///< below this distance to the target the robot slows down
+
+  void visit(slalom::OptionVisitor& v);
 };
 
 /// High safety: goal in region, wide region, narrow region. Low safety: goal in region, obstacles
@@ -39,8 +41,6 @@ Situation situation(const Threats& threats, bool goal_in_region, double width, d
 class NdPlus {
  public:
   using Parameters = nd_plus::Parameters;
-  using Settings = reactive::Setting<Parameters>[7];
-  static const Settings& settings();
 
   NdPlus() = default;
   explicit NdPlus(const Parameters& chosen) : parameters(chosen) {}

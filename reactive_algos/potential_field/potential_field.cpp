@@ -8,20 +8,17 @@ namespace potential_field {
 
 using namespace reactive;
 
-const PotentialField::Settings& PotentialField::settings() {
-  static constexpr Settings kSettings = {
-      {{"attraction", "1.0", "-", "force towards the goal"}, &Parameters::attraction},
-      {{"repulsion", "0.004", "length^3", "eta, of the force from an obstacle"},
-       &Parameters::repulsion},
-      {{"influence", "0.25", "length", "rho_0: obstacles farther away exert no force"},
-       &Parameters::influence,
-       1e-3},
-      {{"slow_distance", "0.3", "length", "below this free distance the robot slows down"},
-       &Parameters::slow_distance},
-      {{"target_slow_down", "0.15", "length",
-        "below this distance to the target the robot slows down"},
-       &Parameters::target_slow_down}};
-  return kSettings;
+void Parameters::visit(slalom::OptionVisitor& v) {
+  using slalom::Range;
+  v.option("attraction", attraction, "-", "force towards the goal", Range::at_least(0));
+  v.option("repulsion", repulsion, "length^3", "eta, of the force from an obstacle",
+           Range::at_least(0));
+  v.option("influence", influence, "length", "rho_0: obstacles farther away exert no force",
+           Range::at_least(1e-3));
+  v.option("slow_distance", slow_distance, "length",
+           "below this free distance the robot slows down", Range::at_least(0));
+  v.option("target_slow_down", target_slow_down, "length",
+           "below this distance to the target the robot slows down", Range::at_least(0));
 }
 
 Point attraction(const Point& target, double magnitude) {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "common/parameters.h"
 #include "common/sectors.h"
-#include "common/settings.h"
 
 /// Artificial potential field: O. Khatib, "Real-Time Obstacle Avoidance for Manipulators and Mobile
 /// Robots", International Journal of Robotics Research 5(1), 1986, 90-98. The classic lower
@@ -15,6 +15,8 @@ struct Parameters {
   double influence = 0.25;         ///< rho_0: obstacles farther away exert no force
   double slow_distance = 0.3;      ///< below this free distance the robot slows down
   double target_slow_down = 0.15;  ///< below this distance to the target the robot slows down
+
+  void visit(slalom::OptionVisitor& v);
 };
 
 /// The attraction: a force of constant magnitude towards the target, as follows from a velocity
@@ -31,8 +33,6 @@ reactive::Point repulsion_of(const reactive::Sectors& sectors, const Parameters&
 class PotentialField {
  public:
   using Parameters = potential_field::Parameters;
-  using Settings = reactive::Setting<Parameters>[5];
-  static const Settings& settings();
 
   PotentialField() = default;
   explicit PotentialField(const Parameters& chosen) : parameters(chosen) {}

@@ -23,51 +23,38 @@ std::vector<Point> straightened(const ClearanceMap& map, const Point& from, std:
 
 }  // namespace
 
-const RegulatedPurePursuit::Settings& RegulatedPurePursuit::settings() {
-  using P = Parameters;
-  static constexpr Settings kSettings = {
-      {{"desired_linear_vel", "1.0", "m/s", "speed, at most that of the robot"},
-       &P::desired_linear_vel},
-      {{"lookahead_time", "1.5", "s", "look-ahead distance per speed"}, &P::lookahead_time, 0, 30},
-      {{"min_lookahead_dist", "0.3", "m", "minimum look-ahead distance"},
-       &P::min_lookahead_dist,
-       0.05,
-       20},
-      {{"max_lookahead_dist", "0.9", "m", "maximum look-ahead distance"},
-       &P::max_lookahead_dist,
-       0.05,
-       20},
-      {{"regulated_linear_scaling_min_radius", "0.9", "m",
-        "the robot is slower in turns of a smaller radius"},
-       &P::regulated_linear_scaling_min_radius},
-      {{"regulated_linear_scaling_min_speed", "0.25", "m/s", "minimum speed of both regulations"},
-       &P::regulated_linear_scaling_min_speed},
-      {{"cost_scaling_dist", "0.6", "m", "the robot is slower at a smaller clearance"},
-       &P::cost_scaling_dist},
-      {{"cost_scaling_gain", "1.0", "-", "factor of the speed at a smaller clearance"},
-       &P::cost_scaling_gain},
-      {{"approach_velocity_scaling_dist", "0.6", "m", "the robot is slower this close to the goal"},
-       &P::approach_velocity_scaling_dist},
-      {{"min_approach_linear_velocity", "0.05", "m/s", "minimum speed close to the goal"},
-       &P::min_approach_linear_velocity},
-      {{"max_allowed_time_to_collision_up_to_carrot", "1.0", "s",
-        "the robot stops if it would collide within it"},
-       &P::max_allowed_time_to_collision_up_to_carrot},
-      {{"rotate_to_heading_min_angle", "0.785", "rad",
-        "beyond this bearing of the path the robot rotates in place"},
-       &P::rotate_to_heading_min_angle,
-       0.1,
-       M_PI},
-      {{"margin", "0.04", "m", "added to the robot's radius in collision checks"},
-       &P::margin,
-       0,
-       10},
-      {{"comfort", "0.3", "m", "clearance of the footprint beyond which a path does not cost more"},
-       &P::comfort,
-       0,
-       10},
-      {{"memory", "6", "m", "half the side length of the local map"}, &P::memory, 1, 50}};
-  return kSettings;
+void Parameters::visit(slalom::OptionVisitor& v) {
+  using slalom::Range;
+  v.option("desired_linear_vel", desired_linear_vel, "m/s", "speed, at most that of the robot",
+           Range::at_least(0));
+  v.option("lookahead_time", lookahead_time, "s", "look-ahead distance per speed",
+           Range::between(0, 30));
+  v.option("min_lookahead_dist", min_lookahead_dist, "m", "minimum look-ahead distance",
+           Range::between(0.05, 20));
+  v.option("max_lookahead_dist", max_lookahead_dist, "m", "maximum look-ahead distance",
+           Range::between(0.05, 20));
+  v.option("regulated_linear_scaling_min_radius", regulated_linear_scaling_min_radius, "m",
+           "the robot is slower in turns of a smaller radius", Range::at_least(0));
+  v.option("regulated_linear_scaling_min_speed", regulated_linear_scaling_min_speed, "m/s",
+           "minimum speed of both regulations", Range::at_least(0));
+  v.option("cost_scaling_dist", cost_scaling_dist, "m",
+           "the robot is slower at a smaller clearance", Range::at_least(0));
+  v.option("cost_scaling_gain", cost_scaling_gain, "-",
+           "factor of the speed at a smaller clearance", Range::at_least(0));
+  v.option("approach_velocity_scaling_dist", approach_velocity_scaling_dist, "m",
+           "the robot is slower this close to the goal", Range::at_least(0));
+  v.option("min_approach_linear_velocity", min_approach_linear_velocity, "m/s",
+           "minimum speed close to the goal", Range::at_least(0));
+  v.option("max_allowed_time_to_collision_up_to_carrot", max_allowed_time_to_collision_up_to_carrot,
+           "s", "the robot stops if it would collide within it", Range::at_least(0));
+  v.option("rotate_to_heading_min_angle", rotate_to_heading_min_angle, "rad",
+           "beyond this bearing of the path the robot rotates in place", Range::between(0.1, M_PI));
+  v.option("margin", margin, "m", "added to the robot's radius in collision checks",
+           Range::between(0, 10));
+  v.option("comfort", comfort, "m",
+           "clearance of the footprint beyond which a path does not cost more",
+           Range::between(0, 10));
+  v.option("memory", memory, "m", "half the side length of the local map", Range::between(1, 50));
 }
 
 Point carrot_of(const std::vector<Point>& path, double distance) {
@@ -112,13 +99,12 @@ double regulated_speed(const Parameters& parameters, double curvature, double cl
 RegulatedPurePursuit::RegulatedPurePursuit(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
       robot_(covered(robot)),
-      map_({parameters.memory, 0.05,
+      map_({parameters.memory,
             clearance_band(robot_, parameters.margin,
                            std::max(parameters.comfort, parameters.cost_scaling_dist))},
            robot_),
-      local_planner_(
-          {robot_.radius + parameters.margin + 0.01, robot_.radius + parameters.comfort, 2.0},
-          robot_.radius + 0.01, CostToGo::kPathReach * parameters.memory),
+      local_planner_(robot_, parameters.margin, parameters.comfort,
+                     CostToGo::kPathReach * parameters.memory),
       turn_(parameters.rotate_to_heading_min_angle, 0.3 * parameters.rotate_to_heading_min_angle) {
   parameters_.max_lookahead_dist =
       std::max(parameters.min_lookahead_dist, parameters.max_lookahead_dist);

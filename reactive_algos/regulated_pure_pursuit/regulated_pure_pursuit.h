@@ -28,6 +28,8 @@ struct Parameters {
   double margin = 0.04;                        ///< added to the robot's radius
   double comfort = 0.3;                        ///< clearance beyond which paths do not cost more
   double memory = 6;                           ///< half the side length of the local map
+
+  void visit(slalom::OptionVisitor& v);
 };
 
 /// Where `path`, which begins at the origin, leaves the circle of radius `distance` (m) around the
@@ -47,8 +49,6 @@ double regulated_speed(const Parameters& parameters, double curvature, double cl
 class RegulatedPurePursuit {
  public:
   using Parameters = regulated_pure_pursuit::Parameters;
-  using Settings = reactive::Setting<Parameters>[15];
-  static const Settings& settings();
 
   RegulatedPurePursuit(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);

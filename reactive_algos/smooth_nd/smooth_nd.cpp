@@ -8,35 +8,25 @@ namespace smooth_nd {
 
 using namespace reactive;
 
-const SmoothNd::Settings& SmoothNd::settings() {
-  static constexpr Settings kSettings = {
-      {{"safety_distance", "0.15", "length", "D_s: obstacles closer than this are threats"},
-       &Parameters::safety_distance,
-       1e-3},
-      {{"gap", "0.2", "length", "minimum discontinuity of the free distance at a gap"},
-       &Parameters::gap,
-       1e-3},
-      {{"passable", "0.15", "length", "sectors with a smaller free distance are closed"},
-       &Parameters::passable},
-      {{"wide_valley", "0.9", "rad",
-        "s_max: a wide valley is entered at half this angle from its gap"},
-       &Parameters::wide_valley,
-       0,
-       2 * M_PI},
-      {{"slow_angle", "1.57", "rad", "heading deviation at which the speed is minimal"},
-       &Parameters::slow_angle,
-       0.1,
-       M_PI},
-      {{"field_of_view", "3.1416", "rad", "valleys outside it are ignored"},
-       &Parameters::field_of_view,
-       0.1,
-       2 * M_PI},
-      {{"slow_distance", "0.3", "length", "below this free distance the robot slows down"},
-       &Parameters::slow_distance},
-      {{"target_slow_down", "0.15", "length",
-        "below this distance to the target the robot slows down"},
-       &Parameters::target_slow_down}};
-  return kSettings;
+void Parameters::visit(slalom::OptionVisitor& v) {
+  using slalom::Range;
+  v.option("safety_distance", safety_distance, "length",
+           "D_s: obstacles closer than this are threats", Range::at_least(1e-3));
+  v.option("gap", gap, "length", "minimum discontinuity of the free distance at a gap",
+           Range::at_least(1e-3));
+  v.option("passable", passable, "length", "sectors with a smaller free distance are closed",
+           Range::at_least(0));
+  v.option("wide_valley", wide_valley, "rad",
+           "s_max: a wide valley is entered at half this angle from its gap",
+           Range::between(0, 2 * M_PI));
+  v.option("slow_angle", slow_angle, "rad", "heading deviation at which the speed is minimal",
+           Range::between(0.1, M_PI));
+  v.option("field_of_view", field_of_view, "rad", "valleys outside it are ignored",
+           Range::between(0.1, 2 * M_PI));
+  v.option("slow_distance", slow_distance, "length",
+           "below this free distance the robot slows down", Range::at_least(0));
+  v.option("target_slow_down", target_slow_down, "length",
+           "below this distance to the target the robot slows down", Range::at_least(0));
 }
 
 double threat(double free_distance, double safety_distance) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/settings.h"
+#include "common/parameters.h"
 #include "common/valleys.h"
 
 /// Smooth Nearness-Diagram navigation: J. W. Durham and F. Bullo, "Smooth Nearness-Diagram
@@ -19,6 +19,8 @@ struct Parameters {
   double field_of_view = 3.1416;   ///< rad: valleys outside it are ignored
   double slow_distance = 0.3;      ///< below this free distance the robot slows down
   double target_slow_down = 0.15;  ///< below this distance to the target the robot slows down
+
+  void visit(slalom::OptionVisitor& v);
 };
 
 /// Threat s_i = sat((D_s - D_i) / D_s) in [0, 1], D_i the free distance in sector i (section III-B;
@@ -32,8 +34,6 @@ double deflection(const reactive::Sectors& sectors, double direction, double saf
 class SmoothNd {
  public:
   using Parameters = smooth_nd::Parameters;
-  using Settings = reactive::Setting<Parameters>[8];
-  static const Settings& settings();
 
   SmoothNd() = default;
   explicit SmoothNd(const Parameters& chosen) : parameters(chosen) {}

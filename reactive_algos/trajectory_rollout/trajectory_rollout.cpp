@@ -102,35 +102,25 @@ void Simulation::advance(const Robot& robot) {
 
 }  // namespace
 
-const TrajectoryRollout::Settings& TrajectoryRollout::settings() {
-  static constexpr Settings kSettings = {
-      {{"alpha", "1.0", "-", "weight of Obs, the lack of clearance"}, &Parameters::alpha},
-      {{"beta", "1.0", "-", "weight of Gdist, the remaining distance to the goal"},
-       &Parameters::beta},
-      {{"gamma", "0.4", "-", "weight of Pdist, the distance from the path"}, &Parameters::gamma},
-      {{"delta", "0.003", "m^3/s^2", "weight of 1 / v^2"}, &Parameters::delta},
-      {{"margin", "0.04", "m", "added to the robot's radius in collision checks"},
-       &Parameters::margin,
-       0,
-       10},
-      {{"comfort", "0.3", "m", "clearance of the footprint beyond which there is no cost"},
-       &Parameters::comfort,
-       0,
-       10},
-      {{"horizon", "1.5", "s", "simulated time"}, &Parameters::horizon, 0.1, 30},
-      {{"v_samples", "8", "-", "linear velocities"}, &Parameters::v_samples, 2, 1000},
-      {{"w_samples", "25", "-", "angular velocities"}, &Parameters::w_samples, 3, 1000},
-      {{"turn_in_place", "1.3", "rad",
-        "beyond this bearing of the path the robot rotates in place"},
-       &Parameters::turn_in_place,
-       0.1,
-       M_PI},
-      {{"memory", "6", "m", "half the side length of the local map"}, &Parameters::memory, 1, 50},
-      {{"look_ahead", "1.5", "m", "length of the path that Pdist is measured from"},
-       &Parameters::look_ahead,
-       0.1,
-       50}};
-  return kSettings;
+void Parameters::visit(slalom::OptionVisitor& v) {
+  using slalom::Range;
+  v.option("alpha", alpha, "-", "weight of Obs, the lack of clearance", Range::at_least(0));
+  v.option("beta", beta, "-", "weight of Gdist, the remaining distance to the goal",
+           Range::at_least(0));
+  v.option("gamma", gamma, "-", "weight of Pdist, the distance from the path", Range::at_least(0));
+  v.option("delta", delta, "m^3/s^2", "weight of 1 / v^2", Range::at_least(0));
+  v.option("margin", margin, "m", "added to the robot's radius in collision checks",
+           Range::between(0, 10));
+  v.option("comfort", comfort, "m", "clearance of the footprint beyond which there is no cost",
+           Range::between(0, 10));
+  v.option("horizon", horizon, "s", "simulated time", Range::between(0.1, 30));
+  v.option("v_samples", v_samples, "-", "linear velocities", Range::between(2, 1000));
+  v.option("w_samples", w_samples, "-", "angular velocities", Range::between(3, 1000));
+  v.option("turn_in_place", turn_in_place, "rad",
+           "beyond this bearing of the path the robot rotates in place", Range::between(0.1, M_PI));
+  v.option("memory", memory, "m", "half the side length of the local map", Range::between(1, 50));
+  v.option("look_ahead", look_ahead, "m", "length of the path that Pdist is measured from",
+           Range::between(0.1, 50));
 }
 
 std::vector<Rollout> roll_out(const ClearanceMap& map, const Pose& pose, const Twist& now,
@@ -162,14 +152,12 @@ std::vector<Rollout> roll_out(const ClearanceMap& map, const Pose& pose, const T
 TrajectoryRollout::TrajectoryRollout(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
       robot_(covered(robot)),
-      map_({parameters.memory, 0.05, clearance_band(robot_, parameters.margin, parameters.comfort)},
+      map_({parameters.memory, clearance_band(robot_, parameters.margin, parameters.comfort)},
            robot_),
-      local_planner_(
-          {robot_.radius + parameters.margin + 0.01, robot_.radius + parameters.comfort, 2.0},
-          robot_.radius + 0.01,
-          std::max(robot.max_v * parameters.horizon + kHeadingLookAhead,
-                   CostToGo::kPathReach * parameters.look_ahead)),
-      turn_(parameters.turn_in_place, 0.4) {}
+      local_planner_(robot_, parameters.margin, parameters.comfort,
+                     std::max(robot.max_v * parameters.horizon + kHeadingLookAhead,
+                              CostToGo::kPathReach * parameters.look_ahead)),
+      turn_(parameters.turn_in_place) {}
 
 void TrajectoryRollout::reset(const NavigationTask& task) {
   task_ = task;
@@ -198,8 +186,8 @@ double TrajectoryRollout::cost(const Rollout& rollout, const Twist& desired,
 Twist TrajectoryRollout::best(const Observation& observation, const Waypoint& target,
                               double top_speed) {
   VelocityGrid desired;
-  const auto rows = static_cast<int>(parameters_.v_samples);
-  const auto columns = static_cast<int>(parameters_.w_samples);
+  const int rows = parameters_.v_samples;
+  const int columns = parameters_.w_samples;
   for (int i = 0; i < rows; ++i) desired.v.push_back(top_speed * i / (rows - 1));
   for (int k = 0; k < columns; ++k)
     desired.w.push_back(robot_.max_w * (-1 + 2.0 * k / (columns - 1)));

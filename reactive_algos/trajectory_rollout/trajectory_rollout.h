@@ -21,11 +21,13 @@ struct Parameters {
   double margin = 0.04;        ///< added to the robot's radius in collision checks
   double comfort = 0.3;        ///< clearance of the footprint beyond which there is no cost
   double horizon = 1.5;        ///< simulated time
-  double v_samples = 8;        ///< linear velocities
-  double w_samples = 25;       ///< angular velocities
+  int v_samples = 8;           ///< linear velocities
+  int w_samples = 25;          ///< angular velocities
   double turn_in_place = 1.3;  ///< rad: beyond this bearing of the path the robot rotates in place
   double memory = 6;           ///< half the side length of the local map
   double look_ahead = 1.5;     ///< length of the path that Pdist is measured from
+
+  void visit(slalom::OptionVisitor& v);
 };
 
 /// Result of a simulated trajectory.
@@ -53,8 +55,6 @@ std::vector<Rollout> roll_out(const reactive::ClearanceMap& map, const reactive:
 class TrajectoryRollout {
  public:
   using Parameters = trajectory_rollout::Parameters;
-  using Settings = reactive::Setting<Parameters>[12];
-  static const Settings& settings();
 
   TrajectoryRollout(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);

@@ -8,32 +8,24 @@ namespace vfh_plus {
 
 using namespace reactive;
 
-const VfhPlus::Settings& VfhPlus::settings() {
-  static constexpr Settings kSettings = {
-      {{"window", "0.5", "length", "radius of the active window"}, &Parameters::window, 1e-3},
-      {{"threshold_high", "0.75", "-", "tau_high: a sector above is blocked, Eq. (8)"},
-       &Parameters::threshold_high,
-       0,
-       1},
-      {{"threshold_low", "0.6", "-", "tau_low: a sector below is free"},
-       &Parameters::threshold_low,
-       0,
-       1},
-      {{"wide_opening", "0.9", "rad", "s_max: openings wider than this are wide"},
-       &Parameters::wide_opening,
-       0,
-       2 * M_PI},
-      {{"goal_weight", "5", "-", "mu_1, Eq. (15)"}, &Parameters::goal_weight},
-      {{"heading_weight", "2", "-", "mu_2, weight of the current heading"},
-       &Parameters::heading_weight},
-      {{"previous_weight", "2", "-", "mu_3, weight of the previous direction"},
-       &Parameters::previous_weight},
-      {{"slow_distance", "0.3", "length", "below this free distance the robot slows down"},
-       &Parameters::slow_distance},
-      {{"target_slow_down", "0.15", "length",
-        "below this distance to the target the robot slows down"},
-       &Parameters::target_slow_down}};
-  return kSettings;
+void Parameters::visit(slalom::OptionVisitor& v) {
+  using slalom::Range;
+  v.option("window", window, "length", "radius of the active window", Range::at_least(1e-3));
+  v.option("threshold_high", threshold_high, "-", "tau_high: a sector above is blocked, Eq. (8)",
+           Range::between(0, 1));
+  v.option("threshold_low", threshold_low, "-", "tau_low: a sector below is free",
+           Range::between(0, 1));
+  v.option("wide_opening", wide_opening, "rad", "s_max: openings wider than this are wide",
+           Range::between(0, 2 * M_PI));
+  v.option("goal_weight", goal_weight, "-", "mu_1, Eq. (15)", Range::at_least(0));
+  v.option("heading_weight", heading_weight, "-", "mu_2, weight of the current heading",
+           Range::at_least(0));
+  v.option("previous_weight", previous_weight, "-", "mu_3, weight of the previous direction",
+           Range::at_least(0));
+  v.option("slow_distance", slow_distance, "length",
+           "below this free distance the robot slows down", Range::at_least(0));
+  v.option("target_slow_down", target_slow_down, "length",
+           "below this distance to the target the robot slows down", Range::at_least(0));
 }
 
 std::vector<double> primary_histogram(const Sectors& sectors, double window,

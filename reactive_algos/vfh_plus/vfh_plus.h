@@ -1,7 +1,7 @@
 #pragma once
 
+#include "common/parameters.h"
 #include "common/sectors.h"
-#include "common/settings.h"
 
 #include <vector>
 
@@ -22,6 +22,8 @@ struct Parameters {
   double previous_weight = 2;      ///< mu_3
   double slow_distance = 0.3;      ///< below this free distance the robot slows down
   double target_slow_down = 0.15;  ///< below this distance to the target the robot slows down
+
+  void visit(slalom::OptionVisitor& v);
 };
 
 /// Primary polar histogram, Eqs. (2) and (6): certainty^2 (a - b d^2), with a = 1 and b such that
@@ -43,8 +45,6 @@ std::vector<double> candidates(const reactive::Opening& opening, double target_d
 class VfhPlus {
  public:
   using Parameters = vfh_plus::Parameters;
-  using Settings = reactive::Setting<Parameters>[9];
-  static const Settings& settings();
 
   VfhPlus() = default;
   explicit VfhPlus(const Parameters& chosen) : parameters(chosen) {}

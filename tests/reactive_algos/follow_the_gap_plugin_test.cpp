@@ -84,11 +84,11 @@ TEST(FollowTheGapPlugin, AppliesItsParameters) {
 
 TEST(FollowTheGapPlugin, RefusesInvalidNumbersAndUnknownKeys) {
   const std::string where = "campaign.ini:1: [method.a]: follow_the_gap ";
-  EXPECT_TRUE(throws_error(ErrorKind::Usage, where, {"margin = 'wide'", "expected a number >= 0"},
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, where, {"margin: 'wide'", "expected a number >= 0"},
                            [] { load("margin = wide\n"); }));
   for (const std::string value : {"-1", "nan", "1x", "inf"})
     EXPECT_TRUE(throws_error(ErrorKind::Usage, where,
-                             {"alpha = '" + value + "'", "expected a number >= 0"},
+                             {"alpha: '" + value + "'", "expected a number >= 0"},
                              [&] { load("alpha = " + value + "\n"); }));
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "campaign.ini:4: [method.a] margins: ",
                            {"unknown parameter", "follow_the_gap", "expected 'margin'"},

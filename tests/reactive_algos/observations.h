@@ -23,7 +23,7 @@ inline Observation observe(const std::vector<Wall>& walls, const Point& goal,
 
 /// The local map after one observation from the origin.
 inline LocalMap map_of(const std::vector<Wall>& walls) {
-  LocalMap map({6, 0.05, 1.0}, {});
+  LocalMap map({6, 1.0}, {});
   map.update(observe(walls, {}));
   return map;
 }

@@ -89,7 +89,7 @@ TEST_F(MethodDependencies, OfProgramsInPathAreThoseOutsideOfTheSystem) {
   write("parts/my_program", "#!/bin/sh\n");
   const std::string before = std::getenv("PATH");
   setenv("PATH", (folder_ + "/parts:" + before).c_str(), 1);
-  const Keys keys = keys_of("launch = exec my_program | cat\n");
+  const Keys keys = keys_of("adapter = lcm\nlaunch = exec my_program | cat\n");
   setenv("PATH", before.c_str(), 1);
   EXPECT_EQ(keys, Keys{"method.m.launch/my_program"});
 }

@@ -1,5 +1,4 @@
 #include "common/motion.h"
-#include "common/settings.h"
 #include "observations.h"
 
 #include <gtest/gtest.h>
@@ -101,29 +100,6 @@ TEST(StoppingAngularVelocity, AllowsStoppingWithinTheAngle) {
     EXPECT_GT(w * angle, 0);
     EXPECT_LE(std::abs(w), robot.max_w);
   }
-}
-
-struct Numbers {
-  double a = 1, b = 2;
-};
-constexpr Setting<Numbers> kNumbers[] = {{{"a", "1", "m", "at least 0"}, &Numbers::a},
-                                         {{"b", "2", "-", "bounded"}, &Numbers::b, 1, 3}};
-
-std::string refusal(const char* key, const char* text) {
-  Numbers numbers;
-  char error[200] = "";
-  return apply(kNumbers, key, text, numbers, error, sizeof error) ? "" : error;
-}
-
-TEST(Settings, AcceptNumbersWithinTheirRange) {
-  Numbers numbers;
-  char error[200];
-  EXPECT_TRUE(apply(kNumbers, "b", "2.5", numbers, error, sizeof error));
-  EXPECT_EQ(numbers.b, 2.5);
-  EXPECT_EQ(refusal("a", "-1"), "a = '-1' is invalid; expected a number >= 0");
-  EXPECT_EQ(refusal("b", "4"), "b = '4' is invalid; expected a number in [1, 3]");
-  for (const char* text : {"nan", "inf", "1x", "", "x"}) EXPECT_NE(refusal("a", text), "") << text;
-  EXPECT_EQ(refusal("c", "1"), "unknown parameter c");
 }
 
 TEST(InscribedRadius, IsTheDistanceToTheClosestEdge) {

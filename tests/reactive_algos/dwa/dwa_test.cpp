@@ -104,7 +104,7 @@ TEST(Dwa, WithGuidanceLeavesAUShapedObstacle) {
   // A U-shaped obstacle: the exit is behind.
   const std::vector<Wall> trap = {{1, -1, 1, 1}, {-1, 1, 1, 1}, {-1, -1, 1, -1}};
   Parameters guided;
-  guided.guidance = 1;
+  guided.guidance = true;
   EXPECT_EQ(decide(trap, {4, 0.2}, {}, guided).v, 0);
   EXPECT_GT(std::abs(decide(trap, {4, 0.2}, {}, guided).w), 1);
   EXPECT_LT(std::abs(decide(trap, {4, 0.2}).w), 1);

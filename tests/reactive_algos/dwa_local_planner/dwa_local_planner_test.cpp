@@ -164,7 +164,7 @@ TEST(DwaLocalPlanner, PlansAroundWhatItHasNotSeenWithAKnownMap) {
   // A wall at x = 3 from y = -3 to 6: beyond the obstacle range of 2.5 m.
   Parameters parameters;
   EXPECT_FALSE(DwaLocalPlanner(parameters, jackal()).uses_map());
-  parameters.map = 1;
+  parameters.map = reactive::PathMap::Known;
   Drive known(parameters, jackal(), {6, 0}), sensed({}, jackal(), {6, 0});
   EXPECT_TRUE(known.method().uses_map());
   KnownMap map = {0.1, {-2, -8}, 100, 160, std::vector<std::uint8_t>(std::size_t{100} * 160)};
@@ -185,7 +185,7 @@ TEST(DwaLocalPlanner, BeginsToRecoverAfterItsPatience) {
   for (int i = 0; i < 20; ++i) EXPECT_EQ(drive.cycle({}).w, 0) << i;
   for (int i = 0; i < 4; ++i) drive.cycle({});
   EXPECT_GT(drive.twist.w, 0) << "the turn, after the costmap is cleared";
-  parameters.recovery_behavior_enabled = 0;
+  parameters.recovery_behavior_enabled = false;
   Drive stays(parameters, jackal(), {3, 0});
   for (int i = 0; i < 100; ++i) stays.cycle({});
   EXPECT_EQ(stays.pose.phi, 0);
@@ -193,14 +193,16 @@ TEST(DwaLocalPlanner, BeginsToRecoverAfterItsPatience) {
 
 TEST(DwaLocalPlanner, HasNamedChoicesThatAreChecked) {
   Parameters parameters;
-  char error[200] = "";
-  EXPECT_TRUE(apply(settings(), "map", "known", parameters, error, sizeof error));
-  EXPECT_EQ(parameters.map, 1);
-  EXPECT_TRUE(
-      apply(settings(), "recovery_behavior_enabled", "false", parameters, error, sizeof error));
-  EXPECT_EQ(parameters.recovery_behavior_enabled, 0);
-  EXPECT_FALSE(apply(settings(), "map", "guessed", parameters, error, sizeof error));
-  EXPECT_STREQ(error, "map = 'guessed' is invalid; expected one of sensed, known");
+  reactive::set_parameter(parameters, "map", "known");
+  EXPECT_EQ(parameters.map, reactive::PathMap::Known);
+  reactive::set_parameter(parameters, "recovery_behavior_enabled", "false");
+  EXPECT_FALSE(parameters.recovery_behavior_enabled);
+  try {
+    reactive::set_parameter(parameters, "map", "guessed");
+    FAIL();
+  } catch (const slalom::Error& e) {
+    EXPECT_STREQ(e.what(), "map: 'guessed' is not valid; expected one of sensed, known");
+  }
 }
 
 }  // namespace

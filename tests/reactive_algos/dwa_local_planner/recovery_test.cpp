@@ -98,7 +98,7 @@ TEST(OscillationCritic, AllowsOneReversalUntilTheRobotHasMoved) {
 
 TEST(Recovery, RunsTheBehaviorsOfMoveBaseInTheirOrder) {
   Parameters parameters = limited_parameters();
-  parameters.backup_allowed = 1;
+  parameters.backup_allowed = true;
   Robot robot = jackal();
   robot.forward_only = false;
   const Footprint footprint(robot, 0);
@@ -144,7 +144,7 @@ TEST(Recovery, RunsTheBehaviorsOfMoveBaseInTheirOrder) {
 
 TEST(Recovery, DoesNotTurnOrBackUpIntoAnObstacle) {
   Parameters parameters = limited_parameters();
-  parameters.backup_allowed = 1;
+  parameters.backup_allowed = true;
   Robot robot = jackal();
   robot.forward_only = false;
   RollingMemory memory(10, 0.05);

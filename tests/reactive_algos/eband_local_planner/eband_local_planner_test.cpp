@@ -33,7 +33,7 @@ TEST(EbandLocalPlanner, MovesStraightToAGoalInFreeSpace) {
 TEST(EbandLocalPlanner, PlansAroundWhatItHasNotSeenWithAKnownMap) {
   Parameters parameters;
   EXPECT_FALSE(EbandLocalPlanner(parameters, {}).uses_map());
-  parameters.map = 1;
+  parameters.map = reactive::PathMap::Known;
   EbandLocalPlanner method(parameters, {});
   EXPECT_TRUE(method.uses_map());
   // A wall at x = 3 from y = -3 to 6, which no scan shows.
@@ -48,7 +48,7 @@ TEST(EbandLocalPlanner, PlansAroundWhatItHasNotSeenWithAKnownMap) {
 
 TEST(EbandLocalPlanner, AlsoAvoidsWhatTheKnownMapLacks) {
   Parameters parameters;
-  parameters.map = 1;
+  parameters.map = reactive::PathMap::Known;
   EbandLocalPlanner method(parameters, {});
   method.set_map({0.1, {-2, -8}, 100, 160, std::vector<std::uint8_t>(std::size_t{100} * 160)});
   const Point goal = {5, 0};
