@@ -44,7 +44,7 @@ Outcome parse_outcome(const std::string& name) {
 MeasuredLog measure(CampaignOptions options, const IniFile& ini, const World& world,
                     const Trajectory& log, const std::string& outcome) {
   const auto planning = read_options<OmplOptions>(ini, "reference");
-  const auto planner = make_ompl_planner(planning, options.setup.robot);
+  const auto planner = make_ompl_planner(planning, options.robot);
   options.reference_gap = planning.gap;
   return measure_log(options, planner.get(), world, log,
                      outcome.empty() ? std::nullopt : std::optional(parse_outcome(outcome)));
@@ -68,10 +68,10 @@ void run(const MetricsArguments& arguments) {
   CampaignOptions options =
       ini.has_section("campaign") ? read_campaign_options(ini) : read_measuring_options(ini);
   if (!arguments.outcome.empty()) parse_outcome(arguments.outcome);
-  const World world(load_scenario_yaml(arguments.scenario), options.setup.simulation.resolution);
+  const World world(load_scenario_yaml(arguments.scenario), options.simulation.resolution);
   options.adapt_to({world.scenario()});
   TrajectoryFile file =
-      load_trajectory_file(arguments.trajectory, options.setup.robot.holonomic(), arguments.span);
+      load_trajectory_file(arguments.trajectory, options.robot.holonomic(), arguments.span);
   MeasuredLog log = measure(options, ini, world, file.trajectory, arguments.outcome);
   log.notes.insert(log.notes.begin(), file.notes.begin(), file.notes.end());
   if (arguments.json)

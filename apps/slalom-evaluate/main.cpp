@@ -47,9 +47,8 @@ void store_descriptors(const CampaignOptions& options, const std::string& result
   const ResultFile file = ResultFile::open(results);
   ScenarioList list = ScenarioList::open(path);
   const auto store = [&](const std::string& hash) {
-    const World world(list.read(hash), options.setup.simulation.resolution);
-    const DescriptorContext context{world, options.setup.robot.shape(),
-                                    options.setup.sensor.max_range,
+    const World world(list.read(hash), options.simulation.resolution);
+    const DescriptorContext context{world, options.robot.shape(), options.sensor.max_range,
                                     search_once([] { return KnownPath{}; }),  // keys need no path
                                     options.exact_confinement};
     for (const auto& [id, value] : file.read_record(hash).descriptors) {

@@ -101,7 +101,7 @@ FalsifyCampaign read_falsify_campaign(IniFile ini, const FalsifyArguments& argum
   CampaignConfig config = read_campaign(ini);
   check_campaign(config);
   TestBench bench;
-  bench.setup = config.options.setup;
+  bench.setup = config.options;
   bench.limits = config.options.limits;
   bench.seed = config.options.seed;
   bench.walkers = config.sources.section.walkers;

@@ -61,9 +61,9 @@ Json descriptors_json(const Scenario& scenario, const CampaignOptions& options,
                       DescriptorStore& store) {
   DescribeOptions describe;
   describe.ids = options.descriptors;
-  describe.robot = options.setup.robot.shape();
-  describe.sensor_range = options.setup.sensor.max_range;
-  describe.resolution = options.setup.simulation.resolution;
+  describe.robot = options.robot.shape();
+  describe.sensor_range = options.sensor.max_range;
+  describe.resolution = options.simulation.resolution;
   describe.exact_confinement = options.exact_confinement;
   Json values = Json::object();
   for (const KeyedValue& value : describe_scenario(scenario, describe, store))

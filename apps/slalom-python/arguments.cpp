@@ -81,12 +81,7 @@ IniFile to_ini(const py::dict& sections) {
 
 Options read_evaluate_options(const IniFile& ini) {
   Options options;
-  options.robot = read_robot_model(ini);
-  options.sensor = read_options<SensorModel>(ini, "sensor");
-  options.odometry = read_options<OdometryModel>(ini, "odometry");
-  options.simulation = read_options<SimulationOptions>(ini, "simulation");
-  options.limits = read_options<LimitsSection>(ini, "limits");
-  options.tracker = read_options<TrackerModel>(ini, "tracks");
+  read_run_options(ini, options);
   return options;
 }
 

@@ -32,12 +32,11 @@ void check(const CheckArguments& arguments) {
   const RecordedRun run = read_run(arguments.log);
   const IniFile ini = campaign_of(run, arguments.log, arguments.config, arguments.overrides);
   const CampaignOptions options = read_campaign_options(ini);
-  require_same_rays(run, options.setup.sensor, ini);
+  require_same_rays(run, options.sensor, ini);
   const std::string name = arguments.method.empty() ? run.manifest.method : arguments.method;
   if (arguments.config.empty() && !arguments.trust)
     require_no_foreign_code(ini, method_sections(ini, name), arguments.log);
-  const auto method =
-      all_adapters().read(ini, name).make(options.setup.robot, options.setup.sensor);
+  const auto method = all_adapters().read(ini, name).make(options.robot, options.sensor);
   const auto found = first_difference(run, *method);
   if (found) throw job_error(arguments.log, *found, "the recorded command");
   std::cout << arguments.log << ": " << name << " reproduces all " << run.cycles.size()

@@ -20,8 +20,8 @@ struct MetricsArguments {
 /// The record of the run with metrics computed from the recorded trajectory.
 RunRecord recompute_metrics(const RecordedRun& run, const std::string& path,
                             const CampaignOptions& options, const OmplOptions& reference) {
-  const auto planner = make_ompl_planner(reference, options.setup.robot);
-  const World world(scenario_of(run, path), options.setup.simulation.resolution);
+  const auto planner = make_ompl_planner(reference, options.robot);
+  const World world(scenario_of(run, path), options.simulation.resolution);
   RunRecord record = record_of(run);
   record.trajectory_hash = run.trajectory.hash();
   record.metrics = measure_run(options, world, find_references(options, planner.get(), world),

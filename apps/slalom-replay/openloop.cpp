@@ -33,14 +33,13 @@ void replay(const OpenLoopArguments& arguments) {
   const IniFile ini = load_campaign_ini(arguments.campaign);
   const CampaignOptions options = read_campaign_options(ini);
   const auto method =
-      all_adapters().read(ini, arguments.method).make(options.setup.robot, options.setup.sensor);
+      all_adapters().read(ini, arguments.method).make(options.robot, options.sensor);
   const auto scans = read_laser_log(arguments.log, arguments.label);
-  const auto& simulation = options.setup.simulation;
-  const auto answers =
-      replay_open_loop(scans,
-                       {options.setup.robot, options.setup.sensor, simulation.control_period,
-                        simulation.goal_tolerance, arguments.goal_ahead},
-                       *method);
+  const auto& simulation = options.simulation;
+  const auto answers = replay_open_loop(scans,
+                                        {options.robot, options.sensor, simulation.control_period,
+                                         simulation.goal_tolerance, arguments.goal_ahead},
+                                        *method);
   OpenLoopSummary sum = summarize(scans, answers);
   sum.log = arguments.log;
   sum.method = arguments.method;

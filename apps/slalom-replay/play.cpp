@@ -49,7 +49,7 @@ void play(const PlayArguments& arguments) {
   const Scenario scenario = scenario_of(run, arguments.log);
   if (run.trajectory.samples.empty())
     throw job_error(arguments.log, "contains no samples", "a run with at least one sample");
-  if (!arguments.folder.empty()) draw_images(run, scenario, options.setup.robot, arguments);
+  if (!arguments.folder.empty()) draw_images(run, scenario, options.robot, arguments);
   if (arguments.window) show_run(run, scenario, options, arguments.log, arguments.script);
 }
 

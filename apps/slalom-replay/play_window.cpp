@@ -27,15 +27,15 @@ ReplayContent content_of(const RecordedRun& run, const CampaignOptions& options,
                          const std::string& log) {
   ReplayContent content;
   content.title = "slalom-replay: " + std::filesystem::path(log).filename().string();
-  content.scene.robot = options.setup.robot;
-  content.scene.sensor = options.setup.sensor;
-  content.scene.resolution = options.setup.simulation.resolution;
+  content.scene.robot = options.robot;
+  content.scene.sensor = options.sensor;
+  content.scene.resolution = options.simulation.resolution;
   content.scene.gap = options.reference_gap;
   content.source.path = log;
   content.source.campaign = options.name;
   content.source.methods = {run.manifest.method};
-  content.source.robot = options.setup.robot;
-  content.source.resolution = options.setup.simulation.resolution;
+  content.source.robot = options.robot;
+  content.source.resolution = options.simulation.resolution;
   OverlayRun shown;
   shown.record = record_of(run);
   shown.record.metrics = trajectory_metrics(run);

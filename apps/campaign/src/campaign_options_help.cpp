@@ -38,7 +38,10 @@ void visit_campaign_options(const SectionVisitor& visit) {
   visit_section<SimulationOptions>(visit, "simulation");
   visit_section<OmplOptions>(visit, "reference");
   visit_section<MetricsSection>(visit, "metrics");
-  visit_section<LimitsSection>(visit, "limits");
+  visit("limits", [](OptionVisitor& visitor) {
+    DeadlineOptions().visit(visitor);
+    LimitsSection().visit(visitor);
+  });
   visit_section<RecordSection>(visit, "record");
   visit_section<AnalysisSection>(visit, "analysis");
   visit_adapter_options([&](const std::function<void(OptionVisitor&)>& visit_options) {

@@ -136,7 +136,7 @@ CampaignConfig read_campaign(const IniFile& ini) {
   require_network(ini, config);
   config.method_files = files_of_methods(ini, method_sections(ini, config.methods));
   config.effective_ini = effective_ini(ini, config);
-  const RunSetup& setup = config.options.setup;
+  const RunSetup& setup = config.options;
   config.sources = read_scenario_sources(
       ini, {setup.robot.radius, setup.simulation.resolution, config.options.seed},
       load_occupancy_grid);
@@ -178,7 +178,7 @@ CampaignReport run_campaign_program(const CampaignConfig& config,
                                     std::vector<Scenario> scenarios, ResultFile results,
                                     const std::optional<StoppingRule>& rule) {
   scenarios = scenarios_of_shard(std::move(scenarios), arguments.shard);
-  const auto planner = make_ompl_planner(config.reference, config.options.setup.robot);
+  const auto planner = make_ompl_planner(config.reference, config.options.robot);
   Campaign campaign{config.options, {}, config.methods, planner.get()};
   const std::string results_path = results.path();
   const bool rawlogs = config.options.record.rawlog != RecordedRuns::None;

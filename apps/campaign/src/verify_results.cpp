@@ -1,8 +1,8 @@
 #include "manifest.h"
 
-#include <slalom/analysis/cell_text.h>
 #include <slalom/app/external_options.h>
 #include <slalom/app/interrupt.h>
+#include <slalom/app/program.h>
 #include <slalom/app/verify_results.h>
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
@@ -147,7 +147,7 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
                                                : load_campaign_ini(arguments);
   CampaignConfig config = read_campaign(ini);
   if (measured_movers(manifest, path)) config.options.add_mover_quantities();
-  const auto planner = make_ompl_planner(config.reference, config.options.setup.robot);
+  const auto planner = make_ompl_planner(config.reference, config.options.robot);
   const std::optional<RunRecord> only =
       sample.run.empty() ? std::nullopt : std::optional(find_run(file, sample.run));
   const std::vector<Scenario> scenarios =

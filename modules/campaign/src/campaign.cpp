@@ -122,16 +122,16 @@ PoolOptions pool_for_methods(const CampaignOptions& options, int workers, bool i
   pool.workers = workers;
   pool.in_process = in_process;
   pool.ordered = false;
-  pool.clock = options.setup.clock;
+  pool.clock = options.clock;
   pool.item_wall_time = limits.run_wall_time;
   pool.item_cpu_time = limits.run_cpu_time;
   pool.memory_mb = limits.memory_mb;
   pool.keep_stderr = limits.method_errors;
   pool.sandbox = limits.sandbox;
   pool.network = limits.network;
-  pool.log_size = CommandJournal::size_for(options.setup.simulation);
-  if (limits.deadline.deadline_policy == DeadlinePolicy::Fail)
-    pool.heartbeat_timeout = limits.deadline.cycle_deadline;
+  pool.log_size = CommandJournal::size_for(options.simulation);
+  if (options.deadline.deadline_policy == DeadlinePolicy::Fail)
+    pool.heartbeat_timeout = options.deadline.cycle_deadline;
   return pool;
 }
 
@@ -155,8 +155,7 @@ SharedInputs shared_tables(const Campaign& campaign, const std::vector<RunSpec>&
     return scenario;
   };
   tables.make = [&](std::size_t scenario, const ArrayWriter::Sink& sink) {
-    World(campaign.scenarios[scenario], campaign.options.setup.simulation.resolution)
-        .write_tables(sink);
+    World(campaign.scenarios[scenario], campaign.options.simulation.resolution).write_tables(sink);
   };
   tables.use = [&](std::size_t scenario, const SharedArray<std::byte>& memory) {
     executor.use_tables(scenario, memory);
@@ -228,8 +227,7 @@ PrivilegedMethods check_methods(const Campaign& campaign) {
   PrivilegedMethods privileged;
   const WorkItem item = [&](std::size_t i, SharedTaskLog&) -> std::string {
     try {
-      const auto made =
-          methods[i].make(campaign.options.setup.robot, campaign.options.setup.sensor);
+      const auto made = methods[i].make(campaign.options.robot, campaign.options.sensor);
       return {kMade, made->uses_tracks() ? '1' : '0', made->uses_map() ? '1' : '0'};
     } catch (const std::exception& e) {
       return reason_of(e);

@@ -81,6 +81,17 @@ std::map<std::string, std::string> texts_of(const Options& options) {
   return texts;
 }
 
+/// All keys of [limits].
+struct LimitsKeys {
+  DeadlineOptions deadline;
+  LimitsSection limits;
+
+  void visit(OptionVisitor& v) {
+    deadline.visit(v);
+    limits.visit(v);
+  }
+};
+
 /// Calls visit(name, values) for each section of a campaign's .ini with these options.
 template <typename Visit>
 void for_each_section(const CampaignOptions& options, Visit visit) {
@@ -93,19 +104,16 @@ void for_each_section(const CampaignOptions& options, Visit visit) {
   metrics.descriptors = join(options.descriptors, ",");
   metrics.exact_confinement = options.exact_confinement;
   metrics.safe_distance = options.safe_distance;
-  LimitsSection limits = options.limits;
-  limits.deadline = options.setup.deadline;
   visit("campaign", campaign);
   visit("metrics", metrics);
-  visit("limits", limits);
+  visit("limits", LimitsKeys{options.deadline, options.limits});
   visit("record", options.record);
-  visit("robot", options.setup.robot);
-  visit("sensor", options.setup.sensor);
-  visit("odometry", options.setup.odometry);
-  visit("simulation", options.setup.simulation);
+  visit("robot", options.robot);
+  visit("sensor", options.sensor);
+  visit("odometry", options.odometry);
+  visit("simulation", options.simulation);
   // Campaigns from before [tracks] stay the same campaigns.
-  if (texts_of(options.setup.tracker) != texts_of(TrackerModel()))
-    visit("tracks", options.setup.tracker);
+  if (texts_of(options.tracker) != texts_of(TrackerModel())) visit("tracks", options.tracker);
 }
 
 }  // namespace
@@ -131,7 +139,6 @@ void MetricsSection::visit(OptionVisitor& v) {
 }
 
 void LimitsSection::visit(OptionVisitor& v) {
-  deadline.visit(v);
   v.option("run_wall_time", run_wall_time, "s", "wall-clock time limit of a run",
            Range::positive());
   v.option("run_cpu_time", run_cpu_time, "s", "CPU time limit of a run; 0: unlimited",
@@ -189,10 +196,21 @@ CampaignOptions read_measuring_options(const IniFile& ini) {
   resolve_groups(options, location_in(ini, "metrics"));
   options.exact_confinement = metrics.exact_confinement;
   options.safe_distance = metrics.safe_distance;
-  options.setup.robot = read_robot_model(ini);
-  options.setup.simulation = read_options<SimulationOptions>(ini, "simulation");
-  options.setup.simulation.check(location_in(ini, "simulation"));
+  options.robot = read_robot_model(ini);
+  options.simulation = read_options<SimulationOptions>(ini, "simulation");
+  options.simulation.check(location_in(ini, "simulation"));
   return options;
+}
+
+void read_run_options(const IniFile& ini, CampaignOptions& options) {
+  options.robot = read_robot_model(ini);
+  options.simulation = read_options<SimulationOptions>(ini, "simulation");
+  options.sensor = read_options<SensorModel>(ini, "sensor");
+  options.odometry = read_options<OdometryModel>(ini, "odometry");
+  options.tracker = read_options<TrackerModel>(ini, "tracks");
+  const auto limits = read_options<LimitsKeys>(ini, "limits");
+  options.deadline = limits.deadline;
+  options.limits = limits.limits;
 }
 
 CampaignOptions read_campaign_options(const IniFile& ini) {
@@ -202,12 +220,8 @@ CampaignOptions read_campaign_options(const IniFile& ini) {
   options.name = campaign.name;
   options.seed = campaign.seed;
   options.repetitions = campaign.repetitions;
-  options.limits = read_options<LimitsSection>(ini, "limits");
   options.record = read_options<RecordSection>(ini, "record");
-  options.setup.sensor = read_options<SensorModel>(ini, "sensor");
-  options.setup.odometry = read_options<OdometryModel>(ini, "odometry");
-  options.setup.tracker = read_options<TrackerModel>(ini, "tracks");
-  options.setup.deadline = options.limits.deadline;
+  read_run_options(ini, options);
   return options;
 }
 
@@ -217,8 +231,8 @@ CampaignOptions checked_options(CampaignOptions options, const std::string& orig
   for_each_section(options, [&](const char* section, const auto& values) {
     check_options(values, keys_of(section));
   });
-  options.setup.simulation.check(keys_of("simulation"));
-  options.setup.robot.set_radius_of_footprint(keys_of("robot")("footprint"));
+  options.simulation.check(keys_of("simulation"));
+  options.robot.set_radius_of_footprint(keys_of("robot")("footprint"));
   return options;
 }
 
@@ -235,7 +249,7 @@ IniFile campaign_ini(const CampaignOptions& options, const std::string& origin) 
   write_settings(options, [&](const std::string& section, const std::string& key,
                               const std::string& text) { ini.set(section, key, text, origin); });
   // A footprint determines the radius.
-  ini.remove("robot", options.setup.robot.footprint.empty() ? "footprint" : "radius");
+  ini.remove("robot", options.robot.footprint.empty() ? "footprint" : "radius");
   return ini;
 }
 

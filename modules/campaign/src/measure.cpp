@@ -9,9 +9,9 @@ namespace {
 MetricContext context_of(const CampaignOptions& options, const World& world,
                          const References& references, const Trajectory& trajectory,
                          Outcome outcome) {
-  return make_metric_context(world, options.setup.robot, trajectory, outcome, references,
-                             options.setup.simulation.max_time,
-                             options.setup.simulation.goal_tolerance, options.safe_distance);
+  return make_metric_context(world, options.robot, trajectory, outcome, references,
+                             options.simulation.max_time, options.simulation.goal_tolerance,
+                             options.safe_distance);
 }
 
 }  // namespace
@@ -22,17 +22,16 @@ References find_references(const CampaignOptions& options, const ReferencePlanne
   // For a polygon, the inscribed disc: it fits wherever the polygon fits, so no run can be shorter
   // than the reference.
   const PlanningProblem problem{world,
-                                options.setup.robot.shape().inscribed_radius(),
+                                options.robot.shape().inscribed_radius(),
                                 {scenario.start().x, scenario.start().y},
                                 scenario.goal(),
                                 scenario.start().phi};
   References references =
       compute_references(problem, planner, options.reference_gap,
                          derive_seed(options.seed, "reference/" + scenario.hash()));
-  const SimulationOptions& simulation = options.setup.simulation;
-  add_earliest_arrival(problem,
-                       {options.setup.robot.max_v, simulation.goal_tolerance, simulation.max_time},
-                       references);
+  const SimulationOptions& simulation = options.simulation;
+  add_earliest_arrival(
+      problem, {options.robot.max_v, simulation.goal_tolerance, simulation.max_time}, references);
   return references;
 }
 

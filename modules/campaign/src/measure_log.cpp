@@ -15,7 +15,7 @@ std::optional<double> goal_after(const SimulationResult& run, const Scenario& sc
   const double end = run.trajectory.samples.back().t;
   for (const Sample& sample : log.samples)
     if (sample.t > end &&
-        distance_between(sample.pose, scenario.goal()) <= options.setup.simulation.goal_tolerance)
+        distance_between(sample.pose, scenario.goal()) <= options.simulation.goal_tolerance)
       return sample.t - end;
   return std::nullopt;
 }
@@ -26,7 +26,7 @@ std::vector<std::string> position_notes(const World& world, const CampaignOption
   const auto& start = world.scenario().start();
   const auto& first = log.samples.front().pose;
   const double offset = length({{start.x, start.y}, {first.x, first.y}});
-  if (offset > options.setup.simulation.goal_tolerance)
+  if (offset > options.simulation.goal_tolerance)
     notes.push_back("the log begins " + format_fixed(offset, 2) +
                     " m from the scenario's start, where the references begin");
   const double rest = log.duration() - run.trajectory.duration();
@@ -50,7 +50,7 @@ MeasuredLog measure_log(const CampaignOptions& options, const ReferencePlanner* 
     run.detail = "as given";
     run.trajectory = log;
   } else {
-    run = evaluate_trajectory(world, options.setup.robot, options.setup.simulation, log);
+    run = evaluate_trajectory(world, options.robot, options.simulation, log);
   }
   measured.notes = position_notes(world, options, log, run);
   measured.metrics = measure_run(options, world, find_references(options, planner, world),

@@ -120,8 +120,7 @@ void note_replaced_files(const ResultFile& file, const Differences& replaced, Ma
     for (const auto& [method, number] : runs)
       if (starts_with(key, "method." + method + ".")) count = number;
     std::string& text = manifest[kKeptPrefix + key];
-    text += (text.empty() ? "" : ", ") + there + " until " + std::to_string(count) +
-            (count == 1 ? " run" : " runs");
+    text += (text.empty() ? "" : ", ") + there + " until " + count_text(count, "run");
   }
 }
 

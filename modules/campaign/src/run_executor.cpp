@@ -108,7 +108,7 @@ RunFindings RunExecutor::execute(const RunSpec& spec, SharedTaskLog& log) {
 
 /// The time limit of a control cycle: the cycle deadline if set, else the control period.
 double RunExecutor::cycle_limit() const {
-  const RunSetup& setup = campaign_.options.setup;
+  const RunSetup& setup = campaign_.options;
   return setup.deadline.cycle_deadline > 0 ? setup.deadline.cycle_deadline
                                            : setup.simulation.control_period;
 }
@@ -136,7 +136,7 @@ SimulationResult RunExecutor::simulate_contained(const RunSpec& spec, Method& me
   if (own_process_) before.emplace();
   CommandJournal journal(log);
   SimulationResult result =
-      simulate(scenario_world, campaign_.options.setup, spec.seed, method, &journal);
+      simulate(scenario_world, campaign_.options, spec.seed, method, &journal);
   std::fesetenv(&floating_point_);
   if (before && !before->restore()) log.retire_worker();
   return result;
@@ -151,7 +151,7 @@ RunFindings RunExecutor::reconstruct(const RunSpec& spec, const std::string& log
 
 SimulationResult RunExecutor::replay(const RunSpec& spec, const std::string& log, Outcome outcome,
                                      const std::string& detail, RunObserver* observer) {
-  RunSetup setup = campaign_.options.setup;
+  RunSetup setup = campaign_.options;
   setup.deadline = {};  // deadlines applied to the original run only
   ScriptedMethod script(CommandJournal::read(log, setup.robot), detail);
   OutcomeOverride outcome_override(outcome, detail, observer);
@@ -174,7 +174,7 @@ void RunExecutor::record(const RunSpec& spec, const std::string& log,
 const World& RunExecutor::world(std::size_t scenario) {
   if (!world_ || world_scenario_ != scenario) {
     world_ = std::make_unique<World>(campaign_.scenarios[scenario],
-                                     campaign_.options.setup.simulation.resolution);
+                                     campaign_.options.simulation.resolution);
     // All tables before a method can change the floating-point environment.
     world_->distance_field();
     world_->ray_caster();
@@ -187,7 +187,7 @@ void RunExecutor::use_tables(std::size_t scenario, const SharedArray<std::byte>&
   if (world_ && world_scenario_ == scenario) return;
   world_.reset();
   world_ = std::make_unique<World>(campaign_.scenarios[scenario],
-                                   campaign_.options.setup.simulation.resolution, tables);
+                                   campaign_.options.simulation.resolution, tables);
   world_scenario_ = scenario;
 }
 
@@ -196,7 +196,7 @@ Method& RunExecutor::method(const std::string& name) {
   if (!method) {
     const auto named = std::find_if(campaign_.methods.begin(), campaign_.methods.end(),
                                     [&](const NamedMethod& one) { return one.name == name; });
-    method = named->make(campaign_.options.setup.robot, campaign_.options.setup.sensor);
+    method = named->make(campaign_.options.robot, campaign_.options.sensor);
   }
   return *method;
 }

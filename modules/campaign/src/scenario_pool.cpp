@@ -12,9 +12,9 @@ namespace {
 Value describe(const Scenario& scenario, const std::string& id, const CampaignOptions& options) {
   DescribeOptions describe;
   describe.ids = {id};
-  describe.robot = options.setup.robot.shape();
-  describe.sensor_range = options.setup.sensor.max_range;
-  describe.resolution = options.setup.simulation.resolution;
+  describe.robot = options.robot.shape();
+  describe.sensor_range = options.sensor.max_range;
+  describe.resolution = options.simulation.resolution;
   describe.exact_confinement = options.exact_confinement;
   MemoryDescriptorStore store;
   return describe_scenario(scenario, describe, store).front().value;

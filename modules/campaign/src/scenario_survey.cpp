@@ -15,7 +15,7 @@ KnownPath exact_path(const CampaignOptions& options, const World& world,
   const Scenario& scenario = world.scenario();
   std::string reason;
   const auto exact = exact_shortest_path({world,
-                                          options.setup.robot.shape().inscribed_radius(),
+                                          options.robot.shape().inscribed_radius(),
                                           {scenario.start().x, scenario.start().y},
                                           scenario.goal()},
                                          reason);
@@ -26,13 +26,13 @@ KnownPath exact_path(const CampaignOptions& options, const World& world,
 
 ScenarioFindings survey_scenario(const Campaign& campaign, const Scenario& scenario) {
   const CampaignOptions& options = campaign.options;
-  const World world(scenario, options.setup.simulation.resolution);
+  const World world(scenario, options.simulation.resolution);
   ScenarioFindings findings;
   findings.record = {scenario.hash(), scenario.name(), {}};
   findings.references = find_references(options, campaign.planner, world);
   const References& references = findings.references;
   const DescriptorContext context{
-      world, options.setup.robot.shape(), options.setup.sensor.max_range,
+      world, options.robot.shape(), options.sensor.max_range,
       search_once([&] { return exact_path(options, world, references); }),
       options.exact_confinement};
   for (const std::string& id : options.descriptors) {

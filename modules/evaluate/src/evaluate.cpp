@@ -36,21 +36,7 @@ class TableSink : public CampaignSink {
 };
 
 CampaignOptions campaign_options(const Options& options, const std::vector<Scenario>& scenarios) {
-  CampaignOptions campaign;
-  campaign.seed = options.seed;
-  campaign.repetitions = options.repetitions;
-  campaign.metrics = options.metrics;
-  campaign.descriptors = options.descriptors;
-  campaign.exact_confinement = options.exact_confinement;
-  campaign.safe_distance = options.safe_distance;
-  campaign.reference_gap = options.reference_gap;
-  campaign.setup.robot = options.robot;
-  campaign.setup.sensor = options.sensor;
-  campaign.setup.odometry = options.odometry;
-  campaign.setup.simulation = options.simulation;
-  campaign.setup.tracker = options.tracker;
-  campaign.setup.deadline = options.limits.deadline;
-  campaign.limits = options.limits;
+  CampaignOptions campaign = options;
   campaign.record.trajectories =
       options.observer ? StoredTrajectories::All : StoredTrajectories::None;
   campaign = checked_options(std::move(campaign), "options ");

@@ -35,9 +35,9 @@ testing::AssertionResult refused_methods(const std::string& text, const std::str
 
 TEST(CampaignOptions, DefaultsAreTheRobotOfTheFrameworkPaper) {
   const CampaignOptions options = read_campaign_options(IniFile::from_text(kMinimal));
-  EXPECT_EQ(options.setup.sensor.rays, 181);
-  EXPECT_EQ(options.setup.sensor.aperture_deg, 180);
-  EXPECT_TRUE(options.setup.robot.forward_only);
+  EXPECT_EQ(options.sensor.rays, 181);
+  EXPECT_EQ(options.sensor.aperture_deg, 180);
+  EXPECT_TRUE(options.robot.forward_only);
   EXPECT_FALSE(options.metrics.empty());
   EXPECT_FALSE(options.descriptors.empty());
 }
@@ -107,7 +107,7 @@ TEST(CampaignOptions, EnablesExactConfinement) {
 TEST(CampaignOptions, MeasuringOptionsRequireNoMethods) {
   const CampaignOptions options = read_measuring_options(
       IniFile::from_text("[robot]\nradius = 0.4\n[metrics]\nsafe_distance = 0.7\n"));
-  EXPECT_EQ(options.setup.robot.radius, 0.4);
+  EXPECT_EQ(options.robot.radius, 0.4);
   EXPECT_EQ(options.safe_distance, 0.7);
   EXPECT_GT(options.metrics.size(), 40U);
   EXPECT_EQ(read_campaign_options(IniFile::from_text(kMinimal)).safe_distance, 0.5);
@@ -159,20 +159,20 @@ TEST(CampaignOptions, AreTheSameAfterWritingAndReading) {
   options.metrics = {"success", "spl"};
   options.descriptors = {"density"};
   options.safe_distance = 0.7;
-  options.setup.robot.max_v = 0.6;
-  options.setup.sensor.rays = 91;
-  options.setup.odometry.turn_sigma = 0.01;
-  options.setup.simulation.max_time = 30;
-  options.setup.deadline.cycle_deadline = 0.5;
+  options.robot.max_v = 0.6;
+  options.sensor.rays = 91;
+  options.odometry.turn_sigma = 0.01;
+  options.simulation.max_time = 30;
+  options.deadline.cycle_deadline = 0.5;
   options.limits.run_wall_time = 12;
   EXPECT_FALSE(campaign_ini(options, "options ").has_section("tracks")) << "as it is by default";
-  options.setup.tracker.position_sigma = 0.05;
+  options.tracker.position_sigma = 0.05;
   const IniFile ini = campaign_ini(options, "options ");
   const CampaignOptions copy = read_campaign_options(ini);
   EXPECT_EQ(copy.metrics, options.metrics);
-  EXPECT_EQ(copy.setup.deadline.cycle_deadline, 0.5);
+  EXPECT_EQ(copy.deadline.cycle_deadline, 0.5);
   EXPECT_EQ(copy.limits.run_wall_time, 12);
-  EXPECT_EQ(copy.setup.tracker.position_sigma, 0.05);
+  EXPECT_EQ(copy.tracker.position_sigma, 0.05);
   EXPECT_EQ(campaign_ini(copy, "options ").canonical_text(), ini.canonical_text());
 }
 
@@ -181,11 +181,10 @@ TEST(CampaignOptions, OfAProgramAreCheckedLikeThoseOfAFile) {
     return checked_options(options, "options ");
   };
   CampaignOptions options;
-  options.setup.robot.footprint = "0.3,0.4; -0.3,0.4; -0.3,-0.4; 0.3,-0.4";
-  EXPECT_DOUBLE_EQ(checked(options).setup.robot.radius, 0.5);
-  EXPECT_DOUBLE_EQ(read_campaign_options(campaign_ini(options, "options ")).setup.robot.radius,
-                   0.5);
-  options.setup.simulation.step = 0.03;
+  options.robot.footprint = "0.3,0.4; -0.3,0.4; -0.3,-0.4; 0.3,-0.4";
+  EXPECT_DOUBLE_EQ(checked(options).robot.radius, 0.5);
+  EXPECT_DOUBLE_EQ(read_campaign_options(campaign_ini(options, "options ")).robot.radius, 0.5);
+  options.simulation.step = 0.03;
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "options simulation.step: ", {"does not divide"},
                            [&] { checked(options); }));
 }

@@ -265,7 +265,7 @@ class CampaignTest : public testing::Test {
                       {free_field("low", 3), free_field("high", 7)},
                       read_methods(ini, registry_)};
     campaign.recorder = recorder_;
-    campaign.options.setup.clock = time_.clock();
+    campaign.options.clock = time_.clock();
     campaign_ = &campaign;
     const auto progress = make_silent_progress();
     RecordingSink sink;

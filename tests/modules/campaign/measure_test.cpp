@@ -34,7 +34,7 @@ TEST(MeasureRun, ComputesTheEnabledMetricsWithTheCampaignOptions) {
   EXPECT_EQ(measured().at("risk_time_ratio").value, Value::of(0));
   options.safe_distance = 0.7;
   EXPECT_EQ(measured().at("risk_time_ratio").value, Value::of(1));
-  options.setup.simulation.max_time = 10;
+  options.simulation.max_time = 10;
   EXPECT_EQ(measured().at("par2_time").value, Value::of(20));
 }
 
@@ -61,7 +61,7 @@ TEST(MeasureRun, AttributesACollisionAsItsDetailDoes) {
     const Mover crossing{
         "crossing", 0.3, {{at - 1.9, {7, 3.1}}, {at + 1.9, {7, 6.9}}}, MoverEnd::Vanish};
     for (const char* footprint : {"", "0.3,0.2; -0.3,0.2; -0.3,-0.2; 0.3,-0.2"}) {
-      options.setup.robot.footprint = footprint;
+      options.robot.footprint = footprint;
       const World room(Scenario::continuous("room", {0, 0, 10, 10}, {}, {2, 5, 0}, {5, 9})
                            .with_movers({crossing}),
                        0.05);
@@ -112,8 +112,8 @@ TEST(MeasureRun, NamesInATieTheMoverThatTheDetailNames) {
 TEST(FindReferences, HaveTheEarliestArrivalAmongMoversAtTheMaximumSpeed) {
   const Scenario room = Scenario::continuous("room", {0, 0, 10, 10}, {}, {2, 5, 0}, {8, 5});
   CampaignOptions options;
-  options.setup.robot.max_v = 0.5;
-  options.setup.simulation.goal_tolerance = 0.3;
+  options.robot.max_v = 0.5;
+  options.simulation.goal_tolerance = 0.3;
   const auto find = [&](const Movers& movers) {
     return find_references(options, nullptr, {room.with_movers(movers), 0.05});
   };
@@ -123,7 +123,7 @@ TEST(FindReferences, HaveTheEarliestArrivalAmongMoversAtTheMaximumSpeed) {
   ASSERT_TRUE(apart.arrival.has_value());
   EXPECT_NEAR(apart.arrival->certificate.lower_bound, (6 - 0.3) / 0.5, 1e-9);
   EXPECT_NEAR(apart.arrival->certificate.upper_bound, (6 - 0.3) / 0.5, 1e-6);
-  options.setup.simulation.max_time = 11;
+  options.simulation.max_time = 11;
   EXPECT_EQ(find({{"aside", 0.3, {{0, {5, 9}}}}}).unsolvable_reason(),
             "the goal cannot be reached within 11 s, even without moving obstacles");
 }

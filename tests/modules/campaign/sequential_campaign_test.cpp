@@ -51,7 +51,7 @@ class SequentialCampaign : public testing::Test {
     CampaignOptions options;
     options.metrics = {"success"};
     options.descriptors = {"density"};
-    options.setup.simulation.max_time = 5;
+    options.simulation.max_time = 5;
     return options;
   }
 

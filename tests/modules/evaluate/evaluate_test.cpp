@@ -206,7 +206,7 @@ TEST(Evaluate, RejectsInvalidOptionsWithTheirName) {
   options.seed = 1ULL << 63;
   EXPECT_TRUE(refused(options, "options campaign.seed: ", {"an integer in [0, "}));
   options = {};
-  options.limits.deadline.cycle_deadline = std::nan("");
+  options.deadline.cycle_deadline = std::nan("");
   EXPECT_TRUE(refused(options, "options limits.cycle_deadline: ", {"expected a number >= 0"}));
   options = {};
   options.robot.radius = -1;

@@ -48,24 +48,15 @@ class Methods {
   std::vector<NamedMethod> methods_;
 };
 
-/// How methods are evaluated. The defaults are those of the programs, except for the planner.
-struct Options {
-  RobotModel robot;
-  SensorModel sensor;
-  OdometryModel odometry;
-  SimulationOptions simulation;
-  LimitsSection limits;
-  TrackerModel tracker;   ///< for methods that use tracks
+/// How methods are evaluated: the settings of a campaign, such as `robot`, `simulation`, `metrics`,
+/// `repetitions` and `seed`, and those of this process. The defaults are those of the programs,
+/// except for the planner.
+struct Options : CampaignOptions {
+  Options() { metrics = descriptors = {"all"}; }
+
   WalkerOptions walkers;  ///< of generate(): added to each scenario
-  /// Ids, and the groups "all" (those about movers only if a scenario has some) and "movers".
-  std::vector<std::string> metrics = {"all"}, descriptors = {"all"};
-  bool exact_confinement = false;        ///< over all free cells instead of a sample
-  double safe_distance = kSafeDistance;  ///< m, less clearance counts as risk time
-  double reference_gap = 0.01;           ///< relative gap of the shortest path to its lower bound
   /// An additional planner of the references, such as make_ompl_planner(); null: exact search only.
   std::shared_ptr<const ReferencePlanner> planner = nullptr;
-  std::uint64_t seed = 1;
-  int repetitions = 1;      ///< runs of each method in each scenario
   int workers = 1;          ///< processes; results do not depend on their number
   bool in_process = false;  ///< without workers and limits, to debug a method
   /// Called with the current phase, and the number of its steps that are done and in total.

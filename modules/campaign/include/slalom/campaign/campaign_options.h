@@ -35,9 +35,8 @@ struct MetricsSection {
   void visit(OptionVisitor& v);
 };
 
-/// Section [limits].
+/// Section [limits], with the keys of DeadlineOptions.
 struct LimitsSection {
-  DeadlineOptions deadline;
   double run_wall_time = 60;   ///< s of wall-clock time per run
   double run_cpu_time = 0;     ///< s of CPU time per run; 0: unlimited
   double memory_mb = 2048;     ///< MiB a worker may allocate after its start; 0: unlimited
@@ -75,7 +74,7 @@ std::vector<std::string> all_metric_ids();
 std::vector<std::string> all_descriptor_ids();
 
 /// All settings of a campaign except its scenarios and methods.
-struct CampaignOptions {
+struct CampaignOptions : RunSetup {
   std::string name = "campaign";
   std::uint64_t seed = 1;
   int repetitions = 1;
@@ -85,7 +84,6 @@ struct CampaignOptions {
   bool all_metrics = false, all_descriptors = false;  ///< requested as "all", see adapt_to()
   bool exact_confinement = false;
   double safe_distance = kSafeDistance;  ///< m
-  RunSetup setup;
   LimitsSection limits;
   RecordSection record;
   double reference_gap = 0.01;
@@ -103,6 +101,10 @@ struct CampaignOptions {
 /// enabled metrics, from [robot], [simulation] and [metrics]. Missing sections and keys take their
 /// defaults. Throws Error (Usage).
 CampaignOptions read_measuring_options(const IniFile& ini);
+
+/// Reads [robot], [sensor], [tracks], [odometry], [simulation] and [limits] into `options`. Throws
+/// Error (Usage).
+void read_run_options(const IniFile& ini, CampaignOptions& options);
 
 /// Reads [campaign], [robot], [sensor], [tracks], [odometry], [simulation], [metrics] and [limits]
 /// and checks them against each other. Throws Error (Usage). Does not set
