@@ -4,6 +4,7 @@
 #include <slalom/campaign/shards.h>
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
+#include <slalom/core/text.h>
 #include <slalom/io/merge_results.h>
 
 #include <filesystem>
@@ -22,8 +23,8 @@ std::size_t planned_runs(const ResultTable& runs) {
 void warn_of_missing_runs(const std::string& folder, std::size_t runs, std::size_t planned) {
   if (runs >= planned) return;
   const std::size_t files = campaign_files(folder).size();
-  std::cerr << folder << ": " << runs << " of " << planned << " runs in " << files
-            << (files == 1 ? " file" : " files") << "\n";
+  std::cerr << folder << ": " << runs << " of " << planned << " runs in "
+            << count_text(files, "file") << "\n";
 }
 
 void warn_of_missing(const std::string& path, const ResultTable& runs) {

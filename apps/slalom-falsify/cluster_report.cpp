@@ -3,6 +3,7 @@
 #include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/falsification/explain.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
@@ -121,8 +122,7 @@ std::string clusters_text(const std::vector<ReportedCluster>& clusters, const st
   std::string text;
   for (const ReportedCluster& cluster : clusters) {
     const std::size_t size = cluster.members.size();
-    text += "\n" + std::to_string(size) + (size == 1 ? " failure: " : " failures: ") +
-            cluster.name + "\n";
+    text += "\n" + count_text(size, "failure") + ": " + cluster.name + "\n";
     for (const std::string& statement : cluster.statements) text += "  " + statement + "\n";
     text += "  " + cluster.basis + "\n";
     for (std::size_t i = 0; i < std::min(size, kDepartures); ++i)

@@ -86,8 +86,7 @@ std::string search_text(const SearchResult& result, const KeptFailures& kept,
     text += limit_text(state.random, counted);
   text += "adaptive  " + tally_text(state.adaptive) + "\nended     " + result.stopped + "\n";
   if (kept.failures.empty()) return text;
-  text += "kept      " + std::to_string(kept.failures.size()) +
-          (kept.failures.size() == 1 ? " failure" : " failures");
+  text += "kept      " + count_text(kept.failures.size(), "failure");
   if (kept.diversity) text += ", diversity " + format_fixed(*kept.diversity, 2);
   return text + (kept.alike > 0 ? "; " + std::to_string(kept.alike) + " alike left out\n" : "\n");
 }

@@ -5,6 +5,7 @@
 #include <slalom/commands/describe_list.h>
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
+#include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/io/result_fields.h>
 
@@ -98,9 +99,7 @@ ScenarioList open_or_create(const std::string& path) {
 }
 
 void print_size(const ScenarioList& list, bool quiet) {
-  const std::size_t size = list.size();
-  if (!quiet)
-    std::cerr << list.path() << ": " << size << (size == 1 ? " scenario\n" : " scenarios\n");
+  if (!quiet) std::cerr << list.path() << ": " << count_text(list.size(), "scenario") << "\n";
 }
 
 void print_entry(const ScenarioList::Entry& entry, bool json) {

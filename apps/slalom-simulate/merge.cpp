@@ -3,6 +3,7 @@
 #include <slalom/app/program.h>
 #include <slalom/campaign/merge_campaign.h>
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/io/merge_results.h>
 
 #include <algorithm>
@@ -47,7 +48,7 @@ void merge(const MergeArguments& arguments) {
                                             arguments.allow_incomplete, *progress);
   if (arguments.quiet) return;
   std::cerr << arguments.output << ": " << report.runs << " of " << report.planned << " runs from "
-            << report.files << (report.files == 1 ? " file" : " files");
+            << count_text(report.files, "file");
   if (report.duplicates > 0) std::cerr << ", " << report.duplicates << " equal duplicates";
   std::cerr << (report.missing.empty() ? "; complete" : "; missing: " + report.missing) << "\n";
 }

@@ -41,8 +41,7 @@ std::string status_json(const CampaignStatus& status) {
 
 std::string status_text(const CampaignStatus& status) {
   std::string text = std::to_string(status.runs()) + " of " + std::to_string(status.plan.runs()) +
-                     " runs in " + std::to_string(status.shards.size()) +
-                     (status.shards.size() == 1 ? " shard\n" : " shards\n");
+                     " runs in " + count_text(status.shards.size(), "shard") + "\n";
   std::size_t errors = 0;
   for (const ShardState state : enum_values<ShardState>()) {
     std::vector<std::size_t> numbers;

@@ -4,6 +4,7 @@
 #include "rawlog_format.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 
 #include <array>
 #include <charconv>
@@ -31,8 +32,7 @@ class ManifestReader {
   template <std::size_t N>
   std::array<double, N> numbers(const std::string& key) const {
     std::array<double, N> numbers{};
-    if (!parse_numbers(text(key), N, numbers.data()))
-      throw invalid(key, std::to_string(N) + (N == 1 ? " number" : " numbers"));
+    if (!parse_numbers(text(key), N, numbers.data())) throw invalid(key, count_text(N, "number"));
     return numbers;
   }
   double number(const std::string& key) const { return numbers<1>(key)[0]; }

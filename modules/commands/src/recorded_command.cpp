@@ -1,5 +1,7 @@
 #include "recorded_command.h"
 
+#include <slalom/core/text.h>
+
 namespace slalom {
 
 RecordedCommand::RecordedCommand(std::vector<ScenarioList*> lists, std::string title, Act act,
@@ -45,7 +47,7 @@ void RecordedCommand::in_all(std::size_t list, const Act& act) {
 }
 
 std::string scenarios_text(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " scenario" : " scenarios");
+  return count_text(count, "scenario");
 }
 
 }  // namespace slalom

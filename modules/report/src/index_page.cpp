@@ -3,6 +3,7 @@
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/privileged_marks.h>
+#include <slalom/core/text.h>
 #include <slalom/core/version.h>
 #include <slalom/results/privileged.h>
 

@@ -70,10 +70,10 @@ std::vector<std::string> MethodFailures::lines_of(const std::string& name) const
   for (const auto& [outcome, failure] : found->second.failures) {
     const RunRecord& first = failure.first;
     const std::string detail = first.outcome_detail.empty() ? "" : ": " + first.outcome_detail;
-    lines.push_back(printable_line(
-        name + ": " + std::to_string(failure.runs) + " of " + std::to_string(runs) +
-        (runs == 1 ? " run" : " runs") + " ended with " + outcome + detail + " (first: " +
-        first.scenario_name + "/" + first.method + "/" + std::to_string(first.repetition) + ")"));
+    lines.push_back(printable_line(name + ": " + std::to_string(failure.runs) + " of " +
+                                   count_text(runs, "run") + " ended with " + outcome + detail +
+                                   " (first: " + first.scenario_name + "/" + first.method + "/" +
+                                   std::to_string(first.repetition) + ")"));
   }
   return lines;
 }

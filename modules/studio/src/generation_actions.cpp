@@ -1,6 +1,7 @@
 #include "forms/requests.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/studio/actions.h>
 #include <slalom/studio/studio.h>
 
@@ -43,7 +44,7 @@ ListDocument* document_at(const Studio& studio, const std::string& path) {
 }
 
 std::string added_text(std::size_t count, const std::string& where) {
-  return std::to_string(count) + (count == 1 ? " scenario" : " scenarios") + " added to " + where;
+  return count_text(count, "scenario") + " added to " + where;
 }
 
 /// Shows a list that a worker thread added to, and adds the change to its undo history.

@@ -17,7 +17,7 @@ std::string describe_key(const std::string& path) {
 }
 
 std::string count_of_scenarios(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " scenario" : " scenarios");
+  return count_text(count, "scenario");
 }
 
 DescribeOptions options_for(const SceneSettings& settings) {

@@ -3,6 +3,7 @@
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/completion.h>
 #include <slalom/analysis/interpreter.h>
+#include <slalom/core/text.h>
 
 #include <algorithm>
 

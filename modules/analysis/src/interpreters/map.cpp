@@ -4,6 +4,7 @@
 #include <slalom/analysis/descriptor_map.h>
 #include <slalom/analysis/interpreter.h>
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 
 namespace slalom {
 namespace {

@@ -75,10 +75,6 @@ std::map<std::string, std::size_t> na_of_column(const CrossTable& table, std::si
   return reasons;
 }
 
-std::string count_text(std::size_t n, const std::string& noun) {
-  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
-}
-
 std::string percent_text(double fraction) {
   return format_number(std::round(fraction * 1e12) / 1e10);
 }

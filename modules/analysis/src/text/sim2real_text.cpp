@@ -38,10 +38,8 @@ nlohmann::ordered_json agreement_json(const Agreement& agreement) {
 
 std::string render_text(const Sim2Real& comparison) {
   const std::string unit = comparison.unit == "-" ? "" : ", " + comparison.unit;
-  const std::string runs = comparison.scenarios == 0
-                               ? "all runs"
-                               : std::to_string(comparison.scenarios) + " common scenario" +
-                                     (comparison.scenarios == 1 ? "" : "s");
+  const std::string runs =
+      comparison.scenarios == 0 ? "all runs" : count_text(comparison.scenarios, "common scenario");
   std::string text = comparison.metric + unit + ", " + runs + "\n\n";
   TextGrid methods({"method", "real", "n", "simulated", "n"});
   methods.align_right();

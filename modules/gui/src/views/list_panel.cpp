@@ -199,7 +199,7 @@ class ListPanel : public Element {
     const ListView& view = document()->view();
     std::string text = std::to_string(document()->selected_count()) + " selected, ";
     if (view.hashes.size() < view.total) text += std::to_string(view.hashes.size()) + " of ";
-    text += std::to_string(view.total) + (view.total == 1 ? " scenario" : " scenarios");
+    text += count_text(view.total, "scenario");
     return document()->is_computing() ? text + ", sorting" : text;
   }
   std::string sort_text() const {

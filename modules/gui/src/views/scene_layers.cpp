@@ -3,6 +3,7 @@
 #include "widgets/drawing.h"
 
 #include <slalom/core/math.h>
+#include <slalom/core/text.h>
 #include <slalom/simulation/mover_scan.h>
 #include <slalom/studio/palette.h>
 
@@ -200,7 +201,7 @@ SceneLayer make_obstacles_layer() {
   };
   layer.note = [](const SceneData& scene) -> std::string {
     const std::size_t count = scene.scenario().movers().size();
-    return count == 0 ? "" : std::to_string(count) + (count == 1 ? " mover" : " movers");
+    return count == 0 ? "" : count_text(count, "mover");
   };
   return layer;
 }

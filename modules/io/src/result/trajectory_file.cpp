@@ -84,7 +84,7 @@ class Collector {
     std::vector<std::string> notes;
     const auto add = [&](std::size_t rows, const std::string& why) {
       if (rows == 0) return;
-      notes.push_back(std::to_string(rows) + (rows == 1 ? " row" : " rows") + " left out: " + why);
+      notes.push_back(count_text(rows, "row") + " left out: " + why);
     };
     add(repeated_, "the time of the row before");
     add(outside_, "not from --from to --to");

@@ -27,9 +27,6 @@ std::string na_text(const Column& column, const std::map<std::string, std::size_
 /// Over all rows of a table.
 std::map<std::string, std::size_t> na_of_column(const CrossTable& table, std::size_t column);
 
-/// "1 run", "2 runs".
-std::string count_text(std::size_t n, const std::string& noun);
-
 /// "95" for 0.95: percent without the digits that binary fractions add.
 std::string percent_text(double fraction);
 

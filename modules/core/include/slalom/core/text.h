@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,9 @@ std::string join(const std::vector<std::string>& parts, const std::string& separ
 bool contains(const std::vector<std::string>& texts, const std::string& text);
 bool starts_with(std::string_view text, std::string_view start);
 bool ends_with(std::string_view text, std::string_view end);
+
+/// "1 run", "2 runs".
+std::string count_text(std::size_t n, const std::string& noun);
 
 /// The candidate with the smallest edit distance to `word`, or "" if none is close.
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
