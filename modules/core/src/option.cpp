@@ -3,6 +3,7 @@
 #include <slalom/core/text.h>
 
 #include <cmath>
+#include <limits>
 
 namespace slalom {
 namespace {
@@ -79,21 +80,6 @@ Error invalid_value(const Option& option, const std::string& text, const std::st
 }
 
 }  // namespace
-
-bool Range::contains(double value) const {
-  return (low_open ? value > low : value >= low) && value <= high;
-}
-
-std::string Range::text() const {
-  const bool bounded_below = low > -std::numeric_limits<double>::infinity();
-  const bool bounded_above = high < std::numeric_limits<double>::infinity();
-  if (bounded_below && bounded_above)
-    return std::string("in ") + (low_open ? "(" : "[") + format_number(low) + ", " +
-           format_number(high) + "]";
-  if (bounded_below) return (low_open ? "> " : ">= ") + format_number(low);
-  if (bounded_above) return "<= " + format_number(high);
-  return "any";
-}
 
 std::string Option::text() const {
   return std::visit([](const auto* of) { return text_of(*of); }, value);

@@ -66,7 +66,7 @@ TEST(ScatterObstacles, CentersLieAtValidPositions) {
 
 TEST(RandomFamily, RejectsInvalidSizes) {
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "g.ini:3: [generator.random] max_size:",
-                           {"less than min_size", "expected at least 2.0"},
+                           {"less than min_size", "expected at least 2"},
                            [] { family("random", "min_size = 2\nmax_size = 1\n"); }));
   EXPECT_NE(refusal("random", "size_distribution = normal\n").find("size_distribution"),
             std::string::npos);

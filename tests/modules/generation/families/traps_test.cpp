@@ -55,7 +55,7 @@ TEST(TrapsFamily, BlocksTheStraightLineAndFacesTheStart) {
 
 TEST(TrapsFamily, RejectsInvalidOptions) {
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "g.ini:2: [generator.traps] max_traps:",
-                           {"less than min_traps", "expected at least 2.0"},
+                           {"less than min_traps", "expected at least 2"},
                            [] { family("traps", "max_traps = 1\n"); }));
   EXPECT_NE(refusal("traps", "min_depth = 9\n").find("max_depth"), std::string::npos);
   EXPECT_NE(refusal("traps", "min_opening = 9\n").find("max_opening"), std::string::npos);

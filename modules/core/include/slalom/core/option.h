@@ -1,10 +1,10 @@
 #pragma once
 
 #include <slalom/core/enum_names.h>
+#include <slalom/core/range.h>
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -13,22 +13,6 @@
 #include <vector>
 
 namespace slalom {
-
-/// The valid range of an option.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_open = false;  ///< low itself is not allowed
-
-  static Range any() { return {}; }
-  static Range positive() { return {0.0, std::numeric_limits<double>::infinity(), true}; }
-  static Range at_least(double low) {
-    return {low, std::numeric_limits<double>::infinity(), false};
-  }
-  static Range between(double low, double high) { return {low, high, false}; }
-  bool contains(double value) const;
-  std::string text() const;  ///< e.g. "> 0", "in [0, 1]"
-};
 
 /// The thing outside of its .ini that a text option names.
 enum class External {
