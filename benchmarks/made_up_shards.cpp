@@ -18,7 +18,7 @@ namespace {
 constexpr int kMethods = 10, kMetrics = 40;
 
 std::vector<QuantityInfo> metric_infos() {
-  std::vector<QuantityInfo> infos = {{"success", 1, "Success", "-", Direction::Up},
+  std::vector<QuantityInfo> infos = {success_info(),
                                      {"optimality", 1, "Optimality", "-", Direction::Up},
                                      {"safety", 1, "Safety", "-", Direction::Up}};
   while (infos.size() < kMetrics) {

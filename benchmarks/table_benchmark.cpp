@@ -22,6 +22,7 @@ std::string metric_id(int i) {
 }
 
 QuantityInfo metric_info(int i) {
+  if (i == 0) return success_info();
   return {metric_id(i), 1, metric_id(i), "-", Direction::Up};
 }
 
@@ -52,7 +53,7 @@ ResultTable make_columns() {
   for (int m = 0; m < kMethods; ++m) columns.methods.push_back("method" + std::to_string(m));
   columns.descriptors.emplace_back(kDensity);
   for (int i = 0; i < kMetrics; ++i) {
-    columns.metrics.emplace_back(metric_info(i)).rate = i == 0;
+    columns.metrics.emplace_back(metric_info(i));
     columns.metrics.back().reserve(static_cast<std::size_t>(kScenarios) * kMethods * kRepetitions);
   }
   for (int s = 0; s < kScenarios; ++s) {

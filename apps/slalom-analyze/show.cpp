@@ -37,8 +37,7 @@ std::string quantities_text(const std::vector<QuantityInfo>& infos,
 std::string timing_text(const RunTiming& timing) {
   std::string text = line("  wall_time", format_number(timing.wall_seconds) + " s");
   for (const auto& [id, value] : timing.values) {
-    const std::string unit = timing_unit(id) == "-" ? "" : " " + timing_unit(id);
-    text += line("  " + id, format_number(value) + unit);
+    text += line("  " + id, format_value(Value::of(value), timing_info(id).unit));
   }
   return text;
 }

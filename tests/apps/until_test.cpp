@@ -66,6 +66,21 @@ TEST_F(Until, StopsWhenAComparisonIsDecidedOrThePoolIsExhausted) {
             read("out/until.txt").substr(0, result.out.find("\n\n")));
 }
 
+TEST_F(Until, ComparesInEveryBoundedMetric) {
+  const std::string command = "slalom-evaluate small.ini --quiet --set scenarios.count=12 ";
+  for (const std::string metric : {"barn_score_v2", "risk_time_ratio"}) {
+    const ProgramResult result = run(command + "-o " + metric + " --until 'compare(" + metric +
+                                     ", gap, nd) no worse than 0.45'");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find(" in " + metric + ": mean advantage "), std::string::npos)
+        << result.out;
+  }
+  expect_failure(command + "-o out --until 'compare(path_length, gap, nd) decided'", 2,
+                 {"--until", "'path_length' is not bounded"});
+  expect_failure(command + "-o out --until 'compare(sucess, gap, nd) decided'", 2,
+                 {"sucess", "'success'"});
+}
+
 TEST_F(Until, RejectsInvalidRules) {
   const std::string command = "slalom-evaluate small.ini -o out --quiet ";
   expect_failure(command + "--until 'success < 0.1'", 2, {"--until", "interval(METRIC)"});

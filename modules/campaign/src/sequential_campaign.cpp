@@ -6,6 +6,7 @@
 #include <slalom/core/hash.h>
 #include <slalom/core/text.h>
 #include <slalom/io/read_results.h>
+#include <slalom/metrics/metric.h>
 
 #include <algorithm>
 #include <set>
@@ -167,7 +168,8 @@ StoppingRule parse_stopping_rule(const std::string& text, std::size_t max_runs,
                                  const CampaignOptions& options,
                                  const std::vector<NamedMethod>& methods) {
   if (text.find("compare") != std::string::npos) {
-    const DecisionRule rule = parse_decision_rule(text);
+    const DecisionRule rule =
+        parse_decision_rule(text, [](const std::string& id) { return metric(id).info.range; });
     check_metric(rule.metric, options);
     check_methods_of(rule, methods);
     return {text, rule, max_runs};

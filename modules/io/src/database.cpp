@@ -36,7 +36,8 @@ void expect_kind(SQLite::Database& database, const std::string& path, const Data
   if (pragma(database, "application_id") != kind.application_id)
     throw file_error(path, "is a different kind of file", kind.name);
   const int version = pragma(database, "user_version");
-  if (version != kind.version)
+  const int oldest = kind.oldest_version > 0 ? kind.oldest_version : kind.version;
+  if (version < oldest || version > kind.version)
     throw file_error(path, "unsupported version " + std::to_string(version),
                      std::string(kind.name) + " of version " + std::to_string(kind.version));
 }

@@ -14,7 +14,8 @@ struct DatabaseKind {
   const char* name;  ///< for messages: "a scenario list"
   int application_id;
   int version;
-  const char* schema;  ///< SQL that creates the tables
+  const char* schema;      ///< SQL that creates the tables
+  int oldest_version = 0;  ///< that is read as well; 0: only `version`
 };
 
 /// Throws Error (File) for an existing file of another kind; an empty one can be replaced.

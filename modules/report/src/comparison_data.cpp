@@ -91,7 +91,7 @@ OrderedJson profiles_json(const ResultTable& runs, const std::vector<std::string
   OrderedJson json = OrderedJson::array();
   if (runs.methods.size() < 2) return json;
   for (const std::string& metric : metrics) {
-    if (find_metric(runs, metric)->rate) continue;
+    if (find_metric(runs, metric)->info().is_rate()) continue;
     add_if_supported(json, [&] { return profiles_json(runs, build_profiles(runs, metric)); });
   }
   return json;

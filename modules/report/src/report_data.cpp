@@ -20,12 +20,20 @@
 namespace slalom {
 namespace {
 
+/// null for an end without a bound.
+OrderedJson range_json(const Range& range) {
+  return {range.bounded_below() ? OrderedJson(range.low) : OrderedJson(),
+          range.bounded_above() ? OrderedJson(range.high) : OrderedJson()};
+}
+
 OrderedJson quantity_json(const QuantityInfo& info) {
   return {{"id", info.id},
           {"version", info.version},
           {"name", info.name},
           {"unit", info.unit},
-          {"direction", to_string(info.direction)}};
+          {"direction", to_string(info.direction)},
+          {"kind", to_string(info.kind)},
+          {"range", range_json(info.range)}};
 }
 
 OrderedJson quantities_json(const std::vector<const ValueColumn*>& columns) {
@@ -59,7 +67,7 @@ class DataMaker {
     OrderedJson json = OrderedJson::array();
     for (const Column& column : input_.summary.columns) {
       json.push_back(quantity_json(column.info));
-      json.back()["rate"] = column.rate;
+      json.back()["rate"] = column.info.is_rate();
       json.back()["wall_clock"] = column.wall_clock;
     }
     return json;

@@ -169,16 +169,15 @@ void sort_rows(ResultTable& columns) {
 }
 
 ValueColumn wall_clock_column(const std::string& id) {
-  ValueColumn column({id, 1, id, timing_unit(id), Direction::Down});
+  ValueColumn column(timing_info(id));
   column.wall_clock = true;
   return column;
 }
 
 void add_success(ResultTable& columns) {
-  if (find_metric(columns, "success") != nullptr) return;
-  ValueColumn& column =
-      columns.metrics.emplace_back(QuantityInfo{"success", 1, "Success", "-", Direction::Up});
-  column.rate = true;
+  const QuantityInfo success = success_info();
+  if (find_metric(columns, success.id) != nullptr) return;
+  ValueColumn& column = columns.metrics.emplace_back(success);
   for (const std::uint32_t index : columns.outcome) column.add(success_of(columns.outcomes[index]));
 }
 

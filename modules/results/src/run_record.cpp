@@ -7,11 +7,16 @@ Value value_of_version(const VersionedValue& versioned, int version) {
   return Value::na("other version " + std::to_string(versioned.version));
 }
 
-std::string timing_unit(const std::string& id) {
+QuantityInfo timing_info(const std::string& id) {
   const std::string ratio = "_ratio";
   const bool is_ratio =
       id.size() > ratio.size() && id.compare(id.size() - ratio.size(), ratio.size(), ratio) == 0;
-  return is_ratio ? "-" : "ms";
+  if (is_ratio) return {id, 1, id, "-", Direction::Down, QuantityKind::Ratio, Range::between(0, 1)};
+  return {id, 1, id, "ms", Direction::Down, QuantityKind::Amount, Range::at_least(0)};
+}
+
+QuantityInfo success_info() {
+  return {"success", 1, "Success", "-", Direction::Up, QuantityKind::Rate, Range::between(0, 1)};
 }
 
 std::string run_id(const RunRecord& run) {

@@ -17,7 +17,6 @@ TableBuilder::TableBuilder(std::vector<QuantityInfo> descriptors,
                            std::vector<QuantityInfo> metrics) {
   table_.descriptors = empty_columns(std::move(descriptors));
   table_.metrics = empty_columns(std::move(metrics));
-  for (ValueColumn& column : table_.metrics) column.rate = column.info().id == "success";
 }
 
 std::uint32_t TableBuilder::index_of_scenario(const std::string& hash, const std::string& name) {

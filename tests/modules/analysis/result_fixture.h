@@ -14,9 +14,11 @@ struct ResultFixture {
   ResultFixture() {
     table.descriptors.emplace_back(info("clearness", 1, "-", Direction::None));
     table.descriptors.emplace_back(info("density", 1, "-", Direction::None));
-    table.metrics.emplace_back(info("optimality", 2, "-", Direction::Up));
+    QuantityInfo optimality = info("optimality", 2, "-", Direction::Up);
+    optimality.range = Range::between(0, 1);
+    table.metrics.emplace_back(optimality);
     table.metrics.emplace_back(info("path_length", 1, "m", Direction::Down));
-    table.metrics.emplace_back(info("success", 1, "-", Direction::Up)).rate = true;
+    table.metrics.emplace_back(success_info());
     table.metrics.emplace_back(info("cycle_time_mean", 1, "ms", Direction::Down)).wall_clock = true;
   }
 

@@ -22,7 +22,7 @@ class ForeignSchema : public testing::Test {
  protected:
   ForeignSchema() {
     ResultFile::create(results_, {{"campaign", "c"}, {"campaign.effective", ""}}, {},
-                       {{"success", 1, "Success", "-", Direction::Up}});
+                       {success_info()});
     ScenarioList::create(list_);
   }
 
@@ -45,8 +45,7 @@ class ForeignSchema : public testing::Test {
 
   std::string good() const {
     const std::string path = folder_ / "good.results";
-    ResultFile::create(path, {{"campaign", "c"}, {"campaign.effective", ""}}, {},
-                       {{"success", 1, "Success", "-", Direction::Up}});
+    ResultFile::create(path, {{"campaign", "c"}, {"campaign.effective", ""}}, {}, {success_info()});
     return path;
   }
 

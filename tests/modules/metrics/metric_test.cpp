@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
 #include <set>
 
 namespace slalom::testing {
@@ -54,6 +55,16 @@ std::vector<DocumentedMetric> documented_metrics() {
   return metrics;
 }
 
+/// As the documentation states it; "" for all from 0, and for all numbers.
+std::string documented_range(const QuantityInfo& info) {
+  const Range& range = info.range;
+  if (info.is_rate()) return "0 or 1, ";
+  if (range.is_bounded())
+    return "[" + format_number(range.low) + ", " + format_number(range.high) + "], ";
+  if (range.bounded_above()) return "up to " + format_number(range.high) + ", ";
+  return range.bounded_below() && range.low != 0 ? "from " + format_number(range.low) + ", " : "";
+}
+
 TEST(Metrics, AreListedInTheOrderOfTheDocumentation) {
   const std::vector<DocumentedMetric> documented = documented_metrics();
   ASSERT_EQ(all_metrics().size(), documented.size());
@@ -64,7 +75,8 @@ TEST(Metrics, AreListedInTheOrderOfTheDocumentation) {
     const std::string& text = documented[i].unit_and_direction;
     EXPECT_EQ(info.id, documented[i].id);
     EXPECT_NE((" " + text).find(" " + info.unit + ","), std::string::npos) << info.id << text;
-    EXPECT_TRUE(ends_with(text, ", " + to_string(info.direction) + " ")) << info.id << text;
+    EXPECT_TRUE(ends_with(text, ", " + documented_range(info) + to_string(info.direction) + " "))
+        << info.id << text;
     EXPECT_GE(info.version, 1) << info.id;
     EXPECT_NE(info.name, "") << info.id;
     EXPECT_EQ(info.direction == Direction::None, info.id == "contact_mover") << info.id;
@@ -143,6 +155,94 @@ TEST(Metrics, AreInTheirRangesOnRandomTrajectories) {
     EXPECT_LE(run.number("min_clearance"), run.number("mean_clearance"));
     EXPECT_LE(run.number("safety"), 1 + 1e-12);  // y = 5 has the maximum clearance
   }
+}
+
+mrpt::math::TPoint2D any_point(RandomEngine& random) {
+  return {uniform_real(random, 1, 9), uniform_real(random, 1, 9)};
+}
+
+Primitives random_discs(RandomEngine& random) {
+  Primitives obstacles;
+  for (int k = uniform_int(random, 0, 4); k > 0; --k)
+    obstacles.discs.push_back({any_point(random), uniform_real(random, 0.1, 0.6)});
+  return obstacles;
+}
+
+Movers random_movers(RandomEngine& random) {
+  Movers movers;
+  for (int k = uniform_int(random, 0, 3); k > 0; --k) {
+    const double seconds = uniform_real(random, 1, 9);
+    movers.push_back({std::to_string(k),
+                      0.3,
+                      {{0, any_point(random)}, {seconds, any_point(random)}},
+                      MoverEnd::Stop});
+  }
+  return movers;
+}
+
+/// A run among discs and walkers with any speeds and end, which need not fit the poses.
+struct RandomRun : MeasuredRun {
+  explicit RandomRun(RandomEngine& random)
+      : MeasuredRun({}, random_discs(random), random_movers(random)) {
+    const int last = static_cast<int>(names_of<Outcome>().size()) - 1;
+    if (uniform_int(random, 0, 1) == 0)
+      outcome = static_cast<Outcome>(uniform_int(random, 0, last));
+    const bool stands = uniform_int(random, 0, 3) == 0;
+    const double step = stands ? 0 : 0.3;
+    mrpt::math::TPoint2D at(2, 5);
+    for (int k = uniform_int(random, 0, 60); k >= 0; --k) {
+      Sample sample;
+      sample.t = 0.1 * static_cast<double>(trajectory.samples.size());
+      sample.pose = {at.x, at.y, uniform_real(random, -3, 3)};
+      sample.v = sample.command_v = stands ? 0 : uniform_real(random, -1, 1);
+      sample.w = sample.command_w = stands ? 0 : uniform_real(random, -1, 1);
+      trajectory.samples.push_back(sample);
+      at = {std::clamp(at.x + uniform_real(random, -0.5, 1) * step, 0.3, 9.0),
+            std::clamp(at.y + uniform_real(random, -1, 1) * step, 0.3, 9.7)};
+      if (world.distance_field().clearance(at) < robot.radius) outcome = Outcome::Collision;
+    }
+  }
+};
+
+TEST(Metrics, OfRandomRunsAreInTheRangesThatTheirRowsState) {
+  constexpr double kRounding = 1e-9;
+  RandomEngine random(1);
+  std::map<std::string, int> numbers;
+  for (int i = 0; i < 400; ++i) {
+    const RandomRun run(random);
+    for (const Metric& tested : all_metrics()) {
+      const QuantityInfo& info = tested.info;
+      const Value value = run.value(info.id);
+      if (value.is_na()) continue;
+      ++numbers[info.id];
+      EXPECT_GE(value.number(), info.range.low - kRounding) << info.id;
+      EXPECT_LE(value.number(), info.range.high + kRounding) << info.id;
+      if (info.is_rate() || info.kind == QuantityKind::Count) {
+        EXPECT_EQ(value.number(), std::round(value.number())) << info.id;
+      }
+    }
+  }
+  for (const std::string& id : metric_ids())
+    EXPECT_TRUE(numbers[id] > 0 || id == "arrival_ratio") << id << " was never computed";
+}
+
+TEST(Metrics, HaveTheKindThatTheirUnitSays) {
+  for (const Metric& metric : all_metrics()) {
+    const QuantityInfo& info = metric.info;
+    const bool without_unit = info.kind == QuantityKind::Rate || info.kind == QuantityKind::Ratio;
+    EXPECT_EQ(without_unit, info.unit == "-" && info.id != "contact_mover") << info.id;
+    if (info.is_rate()) {
+      EXPECT_EQ(range_notation(info.range), "0..1") << info.id;
+    }
+  }
+}
+
+TEST(Metrics, WithoutRangeAreClearancesAndALogarithm) {
+  std::set<std::string> unbounded;
+  for (const Metric& metric : all_metrics())
+    if (range_notation(metric.info.range) == "..") unbounded.insert(metric.info.id);
+  EXPECT_EQ(unbounded, (std::set<std::string>{"log_dimensionless_jerk", "mean_clearance",
+                                              "min_clearance", "min_mover_clearance"}));
 }
 
 }  // namespace

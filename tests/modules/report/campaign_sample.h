@@ -40,6 +40,10 @@ class CampaignSample {
     std::vector<QuantityInfo> made;
     for (std::size_t i = 0; i < count; ++i) {
       const std::string id = i < first.size() ? first[i] : prefix + std::to_string(i);
+      if (id == success_info().id) {
+        made.push_back(success_info());
+        continue;
+      }
       made.push_back({id, 1, "The " + id, id == "time_to_goal" ? "s" : "-",
                       i < first.size() ? Direction::Up : Direction::None});
     }

@@ -33,7 +33,7 @@ class ReportTest : public testing::Test {
                          {"campaign.ini", "[analysis]\nrows = density:0,0.5,1\n"}};
     if (!privileged.empty()) manifest[kPrivilegedKey] = privileged;
     const QuantityInfo density = {"density", 1, "Density", "-", Direction::None};
-    const QuantityInfo success = {"success", 1, "Success", "-", Direction::Up};
+    const QuantityInfo success = success_info();
     const QuantityInfo optimality = {"optimality", 1, "Optimality", "-", Direction::Up};
     ResultFile file =
         ResultFile::create(results_path(), manifest, {density}, {success, optimality});

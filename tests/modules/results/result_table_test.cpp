@@ -87,7 +87,7 @@ TEST(ResultTable, SuccessFollowsFromTheOutcome) {
       {{"m", "success"}, {"m", "collision"}, {"m", "unsolvable_scenario"}, {"m", kUnknownOutcome}});
   add_success(columns);
   const ValueColumn& success = *find_metric(columns, "success");
-  EXPECT_TRUE(success.rate);
+  EXPECT_TRUE(success.info().is_rate());
   EXPECT_EQ(success.number(0), 1);
   EXPECT_EQ(success.number(1), 0);
   EXPECT_EQ(success.reason(2), "unsolvable_scenario");

@@ -15,9 +15,13 @@ RunRecord run_of(const std::string& scenario, const std::string& hash, const std
   return run;
 }
 
-TEST(TimingUnit, IsNoneForRatios) {
-  EXPECT_EQ(timing_unit("cycle_time_p95"), "ms");
-  EXPECT_EQ(timing_unit("deadline_miss_ratio"), "-");
+TEST(TimingInfo, IsAFractionForRatiosAndElseATime) {
+  const QuantityInfo time = timing_info("cycle_time_p95"),
+                     ratio = timing_info("deadline_miss_ratio");
+  EXPECT_EQ(time.unit, "ms");
+  EXPECT_EQ(range_notation(time.range), "0..");
+  EXPECT_EQ(ratio.unit, "-");
+  EXPECT_EQ(range_notation(ratio.range), "0..1");
 }
 
 TEST(RunId, IsEightDigitsOfTheHashMethodAndRepetition) {

@@ -53,10 +53,10 @@ TEST(TableBuilder, SortsRecordsIntoColumns) {
 }
 
 TEST(TableBuilder, GivesAnEmptyTableWithoutRecords) {
-  TableBuilder builder({}, {{"success", 1, "Success", "-", Direction::Up}});
+  TableBuilder builder({}, {success_info()});
   const ResultTable table = builder.finish();
   EXPECT_EQ(table.size(), 0u);
-  EXPECT_TRUE(table.metrics.at(0).rate);
+  EXPECT_TRUE(table.metrics.at(0).info().is_rate());
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ void add_test(PairedComparison& comparison, const PairedValues& values,
   for (const double d : differences) {
     ++(d > tolerance ? comparison.higher : d < -tolerance ? comparison.lower : comparison.equal);
   }
-  if (comparison.column.rate && values.one_run_each) {
+  if (comparison.column.info.is_rate() && values.one_run_each) {
     comparison.test = Test::McNemarExact;
     comparison.p = mcnemar_exact(comparison.higher, comparison.lower);
     return;
@@ -143,10 +143,8 @@ void add_test(PairedComparison& comparison, const PairedValues& values,
   comparison.p = test.p;
 }
 
-ValueRange difference_range(const std::string& id) {
-  const ValueRange range = range_of(id);
-  if (!range.low || !range.high) return {};
-  return {*range.low - *range.high, *range.high - *range.low};
+Range difference_range(const Range& range) {
+  return Range::between(range.low - range.high, range.high - range.low);
 }
 
 void add_effect(PairedComparison& comparison, const PairedValues& values,
@@ -155,7 +153,7 @@ void add_effect(PairedComparison& comparison, const PairedValues& values,
   comparison.mean_b = mean(values.b);
   comparison.difference = mean(differences);
   comparison.superiority = probability_of_superiority(values.b, values.a);
-  if (comparison.column.rate) {
+  if (comparison.column.info.is_rate()) {
     comparison.interval = paired_rate_interval(values.b, values.a, options.confidence);
     return;
   }
@@ -163,18 +161,18 @@ void add_effect(PairedComparison& comparison, const PairedValues& values,
   GroupSums groups;
   groups.sums = differences;
   groups.sizes.assign(differences.size(), 1.0);
-  const std::string& id = comparison.column.info.id;
+  const QuantityInfo& info = comparison.column.info;
   RandomEngine engine(
-      derive_seed(options.seed, join({"compare", comparison.a, comparison.b, id}, "/")));
+      derive_seed(options.seed, join({"compare", comparison.a, comparison.b, info.id}, "/")));
   comparison.interval = mean_interval(groups, options.confidence, engine);
   if (comparison.interval)
     comparison.interval =
-        clip_to_range(difference_range(id), *comparison.difference, *comparison.interval);
+        clip_to_range(difference_range(info.range), *comparison.difference, *comparison.interval);
 }
 
 double relevant_difference(const PairedComparison& comparison, const ComparisonOptions& options) {
   if (options.relevant) return *options.relevant;
-  if (comparison.column.rate) return 0.05;
+  if (comparison.column.info.is_rate()) return 0.05;
   return 0.05 * (std::abs(*comparison.mean_a) + std::abs(*comparison.mean_b)) / 2;
 }
 
@@ -182,7 +180,7 @@ double relevant_difference(const PairedComparison& comparison, const ComparisonO
 /// scenario is added in each direction, so that it is positive without discordant scenarios.
 double planning_deviation(const PairedComparison& comparison,
                           const std::vector<double>& differences) {
-  if (!comparison.column.rate) return standard_deviation(differences).value_or(0);
+  if (!comparison.column.info.is_rate()) return standard_deviation(differences).value_or(0);
   double squares = 1;
   for (const double d : differences) squares += d * d;
   return std::sqrt(squares / static_cast<double>(differences.size() + 1));

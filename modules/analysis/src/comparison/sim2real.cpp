@@ -244,7 +244,7 @@ Sim2Real sim2real(const ResultTable& real, const ResultTable& simulated, const s
   require_valid(options);
   require_methods(real, simulated);
   const QuantityInfo& info = require_metric(simulated, metric).info();
-  if (require_metric(simulated, metric).rate && !require_metric(real, metric).rate)
+  if (info.is_rate() && !require_metric(real, metric).info().is_rate())
     throw usage_error(real.source, "'" + metric + "' has other values than 0 and 1",
                       "0, 1 or NA in each line");
   if (info.direction == Direction::None)

@@ -23,9 +23,8 @@ constexpr const char* kExpected =
     "\"... no worse than DIFFERENCE\"";
 
 /// Of the difference of two means over runs.
-double bound_of(const std::string& metric) {
-  const ValueRange range = range_of(metric);
-  if (range.low && range.high) return *range.high - *range.low;
+double bound_of(const std::string& metric, const Range& range) {
+  if (range.is_bounded()) return range.high - range.low;
   throw usage_error("--until", "'" + metric + "' is not bounded, so that no number of runs decides",
                     "a metric with a lowest and a highest value, such as success or spl");
 }
@@ -34,7 +33,7 @@ double bound_of(const std::string& metric) {
 class DecisionTests {
  public:
   DecisionTests(const DecisionRule& rule, double level) : rule_(rule), level_(level) {
-    const double bound = bound_of(rule.metric), d = rule.relevant;
+    const double bound = rule.bound, d = rule.relevant;
     if (rule.no_worse)
       tests_ = {{-d, d, bound}, {-d, -d, bound}};
     else
@@ -113,7 +112,8 @@ std::string decision_text(const DecisionRule& rule, Decision decision) {
 
 }  // namespace
 
-DecisionRule parse_decision_rule(const std::string& text) {
+DecisionRule parse_decision_rule(const std::string& text,
+                                 const std::function<Range(const std::string&)>& range_of_metric) {
   static const std::regex kRule(
       R"(\s*compare\(\s*([^,\s]+)\s*,\s*([^,\s]+)\s*,\s*([^,\s)]+)\s*\)\s*)"
       R"((decided(?:\s+within\s+(\S+))?|no\s+worse\s+than\s+(\S+))\s*)");
@@ -130,11 +130,11 @@ DecisionRule parse_decision_rule(const std::string& text) {
   rule.metric = found[1];
   rule.method = found[2];
   rule.reference = found[3];
-  const double bound = bound_of(rule.metric);
-  if (rule.relevant >= bound)
+  rule.bound = bound_of(rule.metric, range_of_metric(rule.metric));
+  if (rule.relevant >= rule.bound)
     throw usage_error("--until",
                       "a difference of " + format_number(rule.relevant) + " in " + rule.metric,
-                      "less than " + format_number(bound));
+                      "less than " + format_number(rule.bound));
   return rule;
 }
 

@@ -223,11 +223,12 @@ std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confi
   return Interval{moments.mean - t.high * error, moments.mean - t.low * error};
 }
 
-Interval clip_to_range(const ValueRange& range, double estimate, Interval interval) {
-  if (!range.contains(estimate)) return interval;
-  if (range.low) interval.low = std::max(*range.low, interval.low);
-  if (range.high) interval.high = std::min(*range.high, interval.high);
-  return interval;
+Interval clip_to_range(const Range& range, double estimate, Interval interval) {
+  constexpr double kRounding = 1e-9;
+  const double within = std::clamp(estimate, range.low, range.high);
+  if (std::abs(within - estimate) > kRounding * std::max(1.0, std::abs(within))) return interval;
+  return {std::clamp(interval.low, range.low, range.high),
+          std::clamp(interval.high, range.low, range.high)};
 }
 
 std::optional<Interval> mean_interval(const GroupSums& groups, double confidence,

@@ -11,14 +11,14 @@ void add_interval(Cell& cell, const CellSums& sums, const Column& column,
                   const AnalysisOptions& options, const std::string& label,
                   const std::function<std::size_t(std::uint32_t)>& rank_of) {
   const GroupMoments moments = sums.moments();
-  if (column.rate) {
+  if (column.info.is_rate()) {
     cell.interval = rate_interval(moments, options.confidence);
     return;
   }
   RandomEngine engine(derive_seed(options.seed, label));
   cell.interval = mean_interval(moments, sums.groups(rank_of), options.confidence, engine);
   if (cell.interval)
-    cell.interval = clip_to_range(range_of(column.info.id), *cell.estimate, *cell.interval);
+    cell.interval = clip_to_range(column.info.range, *cell.estimate, *cell.interval);
 }
 
 std::size_t count_failures(const ResultTable& table, const std::vector<std::size_t>& runs) {
@@ -62,7 +62,7 @@ std::vector<Column> resolve_columns(const ResultTable& table, const std::vector<
       for (const ValueColumn& other : table.metrics) known.push_back(other.info().id);
       throw unknown_metric(id, known);
     }
-    columns.push_back({column->info(), column->rate, column->wall_clock});
+    columns.push_back({column->info(), column->wall_clock});
   }
   if (columns.empty()) throw usage_error("columns", "no columns specified", "metric ids");
   return columns;
@@ -114,7 +114,7 @@ Cell make_cell(const ResultTable& table, const std::vector<std::size_t>& runs,
   }
   sums.end_part([](std::uint32_t scenario) { return scenario; });
   Cell cell = make_cell(sums.cell(0), runs.size(), count_failures(table, runs),
-                        {values.info(), values.rate, values.wall_clock}, options, label);
+                        {values.info(), values.wall_clock}, options, label);
   add_medians(cell, numbers_of(values, runs));
   return cell;
 }

@@ -1,5 +1,6 @@
 #include "csv_table.h"
 
+#include <slalom/analysis/cell.h>
 #include <slalom/analysis/csv_columns.h>
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
@@ -240,8 +241,8 @@ class NumberColumns {
 
   /// "Success" is the metric success, unless that is a column of its own.
   std::string id_of(const std::string& name) const {
-    const bool is_success = lower(name) == "success" && !contains(csv_.header(), "success");
-    return is_success ? "success" : name;
+    const std::string success = success_info().id;
+    return lower(name) == success && !contains(csv_.header(), success) ? success : name;
   }
 
   std::string text_reason(const std::vector<std::string>& fields) const {
@@ -251,32 +252,116 @@ class NumberColumns {
 
   /// False if there are no numbers, or a field is text: text_row_.
   bool add_numbers(const std::string& id, const std::vector<std::string>& fields) {
-    QuantityInfo info{id, 1, id, "-", Direction::None};
-    if (id == "success" || contains(options_.up, id)) info.direction = Direction::Up;
-    if (contains(options_.down, id)) info.direction = Direction::Down;
-    ValueColumn column(info);
-    column.reserve(fields.size());
-    bool any = false, only_bits = true, commas = false;
+    std::vector<Value> values;
+    bool any = false, commas = false;
     for (text_row_ = 0; text_row_ < fields.size(); ++text_row_) {
       const std::string& field = fields[text_row_];
       double number = 0;
       if (is_missing(field)) {
-        column.add_na(field.empty() ? "empty" : field);
+        values.push_back(Value::na(field.empty() ? "empty" : field));
         continue;
       }
       if (!parse_field(field, csv_.separator(), number)) return false;
-      column.add_number(number);
+      values.push_back(Value::of(number));
       any = true;
-      only_bits = only_bits && (number == 0 || number == 1);
       commas = commas || field.find(',') != std::string::npos;
     }
     if (!any) return false;
-    column.rate = only_bits;
     has_decimal_commas_ = has_decimal_commas_ || commas;
-    table_.metrics.push_back(std::move(column));
+    ValueColumn& column = table_.metrics.emplace_back(info_of(id, values));
+    column.reserve(values.size());
+    for (const Value& value : values) column.add(value);
     return true;
   }
+
+  static bool is_bit(double number) { return number == 0 || number == 1; }
+
+  /// The first row with a number that `accept` refuses, or the number of rows.
+  template <typename Accept>
+  static std::size_t first_refused(const std::vector<Value>& values, Accept accept) {
+    const auto refused = std::find_if(values.begin(), values.end(), [&](const Value& value) {
+      return !value.is_na() && !accept(value.number());
+    });
+    return static_cast<std::size_t>(refused - values.begin());
+  }
+
+  template <typename Accept>
+  void require(const std::string& id, const std::vector<Value>& values, const std::string& expected,
+               Accept accept) const {
+    const std::size_t row = first_refused(values, accept);
+    if (row < values.size())
+      throw file_error(csv_.where(row), shown(id) + " is " + format_number(values[row].number()),
+                       expected);
+  }
+
+  QuantityInfo info_of(const std::string& id, const std::vector<Value>& values) const {
+    QuantityInfo info{id, 1, id, "-", Direction::None};
+    if (id == success_info().id) info.direction = success_info().direction;
+    if (contains(options_.up, id)) info.direction = Direction::Up;
+    if (contains(options_.down, id)) info.direction = Direction::Down;
+    set_kind(info, values);
+    if (const auto stated = options_.ranges.find(id); stated != options_.ranges.end()) {
+      info.range = stated->second;
+      require(id, values, "a number " + info.range.text() + ", as --range states",
+              [&](double number) { return info.range.contains(number); });
+    }
+    return info;
+  }
+
+  void set_kind(QuantityInfo& info, const std::vector<Value>& values) const {
+    const auto stated = options_.kinds.find(info.id);
+    const bool is_stated = stated != options_.kinds.end();
+    if (is_stated ? stated->second == QuantityKind::Rate
+                  : first_refused(values, is_bit) == values.size()) {
+      info.kind = QuantityKind::Rate;
+      info.range = Range::between(0, 1);
+      require(info.id, values, "0 or 1, as --kind states", is_bit);
+    } else if (is_stated) {
+      info.kind = stated->second;
+    } else {
+      take_known(info, values);
+    }
+  }
+
+  /// A rate is recognized by its values.
+  void take_known(QuantityInfo& info, const std::vector<Value>& values) const {
+    for (const QuantityInfo& known : options_.known) {
+      const auto possible = [&](double number) { return known.range.contains(number); };
+      if (known.id != info.id || known.is_rate() || first_refused(values, possible) < values.size())
+        continue;
+      info.kind = known.kind;
+      info.range = known.range;
+    }
+  }
 };
+
+/// "a=x,b=y" as pairs.
+std::vector<std::pair<std::string, std::string>> assignments(const std::string& option,
+                                                             const std::string& text,
+                                                             const std::string& expected) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const std::string& part : split_nonempty(text, ',')) {
+    const std::size_t equal = part.rfind('=');
+    if (equal == std::string::npos || equal == 0)
+      throw usage_error(option, shown(part) + " is not valid", expected);
+    pairs.emplace_back(part.substr(0, equal), part.substr(equal + 1));
+  }
+  return pairs;
+}
+
+/// Throws Error (Usage) for a statement about a column that is no metric.
+template <typename Statements>
+void require_columns(const ResultTable& table, const std::string& option,
+                     const Statements& statements) {
+  std::vector<std::string> names;
+  for (const ValueColumn& column : table.metrics) names.push_back(column.info().id);
+  for (const auto& [id, statement] : statements) {
+    require_readable(table, option, id);
+    if (!contains(names, id))
+      throw usage_error(option, table.source + " has no column of numbers " + shown(id),
+                        expected_name(id, names));
+  }
+}
 
 std::string unread_text(const ResultTable& table) {
   std::vector<std::string> texts;
@@ -299,6 +384,28 @@ void add_notes(ResultTable& table, const KeyColumns& keys, const NumberColumns& 
 
 }  // namespace
 
+std::map<std::string, QuantityKind> parse_column_kinds(const std::string& text) {
+  std::map<std::string, QuantityKind> kinds;
+  const std::string names = join(names_of<QuantityKind>(), ", ");
+  for (const auto& [id, name] : assignments("--kind", text, "COLUMN=KIND, with one of " + names)) {
+    const auto kind = from_name<QuantityKind>(name);
+    if (!kind) throw usage_error("--kind", "unknown kind " + shown(name), "one of " + names);
+    kinds[id] = *kind;
+  }
+  return kinds;
+}
+
+std::map<std::string, Range> parse_column_ranges(const std::string& text) {
+  constexpr const char* kExpected = "COLUMN=LOW..HIGH, COLUMN=LOW.. or COLUMN=..HIGH";
+  std::map<std::string, Range> ranges;
+  for (const auto& [id, notation] : assignments("--range", text, kExpected)) {
+    const auto range = parse_range(notation);
+    if (!range) throw usage_error("--range", shown(notation) + " is not valid", kExpected);
+    ranges[id] = *range;
+  }
+  return ranges;
+}
+
 ResultTable columns_from_csv(const std::string& text, const std::string& name,
                              const CsvColumnOptions& options) {
   const CsvTable csv(text, name);
@@ -313,6 +420,8 @@ ResultTable columns_from_csv(const std::string& text, const std::string& name,
   if (columns.metrics.empty())
     throw file_error(name, "no numeric columns: " + unread_text(columns),
                      "a header line and rows of numbers");
+  require_columns(columns, "--kind", options.kinds);
+  require_columns(columns, "--range", options.ranges);
   add_notes(columns, keys, numbers);
   return columns;
 }

@@ -54,7 +54,7 @@ std::vector<std::optional<Trend>> trends_of(const std::vector<const RowSums*>& r
     if (columns[column].wall_clock) continue;
     std::vector<CellSums> bins;
     for (const RowSums* row : rows) bins.push_back(row->cell(column));
-    trends[column] = find_trend(bins, columns[column].rate);
+    trends[column] = find_trend(bins, columns[column].info.is_rate());
   }
   return trends;
 }
@@ -101,7 +101,7 @@ void TableSums::add(const ResultTable& part) {
   for (const ValueColumn& column : part.metrics) known_metrics_.push_back(column.info().id);
   for (std::size_t i = 0; i < metrics_.size(); ++i) {
     const ValueColumn* column = find_metric(part, metrics_[i]);
-    if (column != nullptr) columns_[i] = Column{column->info(), column->rate, column->wall_clock};
+    if (column != nullptr) columns_[i] = Column{column->info(), column->wall_clock};
   }
   const std::vector<Method*> methods = methods_of(part);
   count_outcomes(part, methods);

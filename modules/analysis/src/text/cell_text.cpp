@@ -20,7 +20,7 @@ std::string number_text(double number, int digits) {
 }  // namespace
 
 int digits_for(const std::vector<const Cell*>& cells, const Column& column) {
-  if (column.rate) return 2;
+  if (column.info.is_rate()) return 2;
   double largest = 0;
   for (const Cell* cell : cells) {
     if (cell->estimate) largest = std::max(largest, std::abs(*cell->estimate));
@@ -47,7 +47,7 @@ std::string interval_text(const Cell& cell, int digits) {
 
 std::string support_text(const Cell& cell, const Column& column, int digits) {
   std::string text;
-  if (column.rate && cell.estimate) {
+  if (column.info.is_rate() && cell.estimate) {
     const double successes = *cell.estimate * static_cast<double>(cell.available);
     text = std::to_string(std::llround(successes)) + "/" + std::to_string(cell.available);
   } else {

@@ -3,6 +3,7 @@
 #include <slalom/core/text.h>
 #include <slalom/io/analysis_input.h>
 #include <slalom/io/read_results.h>
+#include <slalom/io/registered_quantities.h>
 #include <slalom/io/scenario_list.h>
 
 #include <filesystem>
@@ -18,8 +19,10 @@ ResultTable read_analysis_input(const std::string& path,
                                 const std::optional<std::vector<std::string>>& ids, bool csv,
                                 const CsvColumnOptions& options) {
   const bool is_table = !is_result_input(path) && (csv || ends_with(path, ".csv"));
-  return is_table ? columns_from_csv(read_text(path, "a table (.csv)"), path, options)
-                  : read_results(path, ids);
+  if (!is_table) return read_results(path, ids);
+  CsvColumnOptions with_known = options;
+  with_known.known = registered_quantities();
+  return columns_from_csv(read_text(path, "a table (.csv)"), path, with_known);
 }
 
 std::vector<BinSpec> resolve_indexes(std::vector<BinSpec> specs, const std::string& list_path) {

@@ -23,7 +23,7 @@ std::vector<ValueColumn> empty_columns(const std::vector<ValueColumn>& columns) 
   std::vector<ValueColumn> empty;
   for (const ValueColumn& column : columns) {
     if (is_measured(column)) continue;
-    empty.emplace_back(column.info()).rate = column.rate;
+    empty.emplace_back(column.info());
   }
   return empty;
 }

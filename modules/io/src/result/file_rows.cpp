@@ -203,7 +203,7 @@ class ColumnReader {
           std::find_if(stored_metrics_.begin(), stored_metrics_.end(),
                        [&](const QuantityInfo& other) { return other.id == info.id; });
       columns.push_back(kFirstMetric + static_cast<int>(stored - stored_metrics_.begin()));
-      columns_.metrics.emplace_back(info).rate = info.id == "success";
+      columns_.metrics.emplace_back(info);
     }
     return columns;
   }

@@ -7,6 +7,8 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
+#include <slalom/core/text.h>
+#include <slalom/io/registered_quantities.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/references/reference_codec.h>
@@ -22,11 +24,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr DatabaseKind kResults = {"a result file (.results)", 0x534c5253 /* "SLRS" */, 3, R"(
+constexpr DatabaseKind kResults = {"a result file (.results)", 0x534c5253 /* "SLRS" */, 4, R"(
 CREATE TABLE manifest (key TEXT PRIMARY KEY, text TEXT NOT NULL);
 CREATE TABLE quantities (position INTEGER PRIMARY KEY, kind TEXT NOT NULL, id TEXT NOT NULL,
                          version INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL,
-                         direction TEXT NOT NULL, UNIQUE (kind, id));
+                         direction TEXT NOT NULL, value_kind TEXT NOT NULL,
+                         value_range TEXT NOT NULL, UNIQUE (kind, id));
 CREATE TABLE header (checksum INTEGER NOT NULL);
 CREATE TABLE scenarios (hash TEXT PRIMARY KEY, name TEXT NOT NULL, checksum INTEGER NOT NULL,
                         content_checksum INTEGER NOT NULL, refs_checksum INTEGER NOT NULL,
@@ -41,7 +44,9 @@ CREATE TABLE reference_timings (hash TEXT PRIMARY KEY, exact_seconds REAL NOT NU
                                 checksum INTEGER NOT NULL);
 CREATE TABLE run_timings (run INTEGER PRIMARY KEY, wall_seconds REAL NOT NULL, figures TEXT NOT NULL,
                           checksum INTEGER NOT NULL);
-)"};
+)",
+                                   3};
+constexpr int kVersionOfRanges = 4;  // files of version 3 have no kinds and ranges of values
 
 /// The runs table: one row per run, one column per metric, NA reasons and standard errors as JSON,
 /// and the checksum of all of them.
@@ -101,29 +106,32 @@ void write_quantities(SQLite::Database& database, const std::string& kind,
                       const std::vector<QuantityInfo>& infos) {
   for (const QuantityInfo& info : infos) {
     SQLite::Statement row(database,
-                          "INSERT INTO quantities (kind, id, version, name, unit, direction) "
-                          "VALUES (?, ?, ?, ?, ?, ?)");
+                          "INSERT INTO quantities (kind, id, version, name, unit, direction, "
+                          "value_kind, value_range) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
     row.bind(1, kind);
     row.bind(2, info.id);
     row.bind(3, info.version);
     row.bind(4, info.name);
     row.bind(5, info.unit);
     row.bind(6, to_string(info.direction));
+    row.bind(7, to_string(info.kind));
+    row.bind(8, range_notation(info.range));
     row.exec();
   }
+}
+
+bool has_ranges(SQLite::Database& database) {
+  return database.execAndGet("PRAGMA user_version").getInt() >= kVersionOfRanges;
 }
 
 /// Checksum of the manifest and the quantities.
 std::int64_t header_checksum(SQLite::Database& database) {
   RowChecksum checksum;
-  for (const auto& [sql, columns] :
-       {std::pair{"SELECT key, text FROM manifest ORDER BY key", 2},
-        std::pair{"SELECT kind, id, version, name, unit, direction FROM quantities "
-                  "ORDER BY position",
-                  6}}) {
-    SQLite::Statement rows(database, sql);
-    while (rows.executeStep()) checksum.add_columns(rows, 0, columns);
-  }
+  SQLite::Statement manifest(database, "SELECT key, text FROM manifest ORDER BY key");
+  while (manifest.executeStep()) checksum.add_columns(manifest, 0, 2);
+  SQLite::Statement quantities(database, "SELECT * FROM quantities ORDER BY position");
+  const int end = has_ranges(database) ? 9 : 7;  // all but the position
+  while (quantities.executeStep()) checksum.add_columns(quantities, 1, end);
   return checksum.value();
 }
 
@@ -174,18 +182,33 @@ struct ResultFile::Impl {
   }
 
   std::vector<QuantityInfo> read_quantities(const std::string& kind) const {
+    const bool ranges = has_ranges(*database);
     std::vector<QuantityInfo> infos;
-    SQLite::Statement rows(*database,
-                           "SELECT id, version, name, unit, direction FROM quantities "
-                           "WHERE kind = ? ORDER BY position");
+    SQLite::Statement rows(*database, "SELECT * FROM quantities WHERE kind = ? ORDER BY position");
     rows.bind(1, kind);
     while (rows.executeStep()) {
-      infos.push_back({rows.getColumn(0).getString(), rows.getColumn(1).getInt(),
-                       rows.getColumn(2).getString(), rows.getColumn(3).getString(),
-                       direction_from_string(rows.getColumn(4).getString())});
-      check_id(infos.back());
+      const auto text = [&](int column) { return rows.getColumn(column).getString(); };
+      QuantityInfo info{text(2), rows.getColumn(3).getInt(), text(4), text(5),
+                        direction_from_string(text(6))};
+      check_id(info);
+      if (ranges)
+        read_range(text(7), text(8), info);
+      else
+        add_registered_range(info);
+      infos.push_back(std::move(info));
     }
     return infos;
+  }
+
+  void read_range(const std::string& kind, const std::string& range, QuantityInfo& info) const {
+    const auto known = from_name<QuantityKind>(kind);
+    const auto bounds = parse_range(range);
+    if (!known || !bounds)
+      throw file_error(
+          path, info.id + " is a '" + printable_line(kind) + "' in '" + printable_line(range) + "'",
+          "one of " + join(names_of<QuantityKind>(), ", ") + ", in a range like 0..1");
+    info.kind = *known;
+    info.range = *bounds;
   }
 
   std::string insert_run_sql() const {

@@ -14,12 +14,6 @@
 namespace slalom {
 namespace {
 
-std::vector<ValueColumn> columns_of(const std::vector<QuantityInfo>& infos) {
-  std::vector<ValueColumn> columns;
-  for (const QuantityInfo& info : infos) columns.emplace_back(info).rate = info.id == "success";
-  return columns;
-}
-
 /// Calls `use` with each row of a query over the file.
 template <typename Use>
 void for_each_row(const std::string& path, const std::string& sql, const std::string& argument,
@@ -43,8 +37,8 @@ ResultParts::ResultParts(const std::string& folder, int jobs)
     if (path == files_.front()) {
       manifest.erase(kShardKey);
       outline_.manifest = manifest;
-      outline_.metrics = columns_of(file.metrics());
-      outline_.descriptors = columns_of(file.descriptors());
+      outline_.metrics = {file.metrics().begin(), file.metrics().end()};
+      outline_.descriptors = {file.descriptors().begin(), file.descriptors().end()};
       add_success(outline_);
     }
     expect_same_campaign(outline_.manifest, manifest, path, "results of the same campaign");

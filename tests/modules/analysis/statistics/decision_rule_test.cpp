@@ -14,8 +14,17 @@
 namespace slalom {
 namespace {
 
-const DecisionRule kDecided = parse_decision_rule("compare(success, mine, nd) decided");
-const DecisionRule kNoWorse = parse_decision_rule("compare(success, mine, nd) no worse than 0.05");
+/// Rules about metrics in [0, 1], except the time.
+DecisionRule parse(const std::string& text) {
+  return parse_decision_rule(text, [](const std::string& metric) {
+    return metric == "time_to_goal" ? Range::at_least(0)
+           : metric == "score"      ? Range::between(-2, 0.5)
+                                    : Range::between(0, 1);
+  });
+}
+
+const DecisionRule kDecided = parse("compare(success, mine, nd) decided");
+const DecisionRule kNoWorse = parse("compare(success, mine, nd) no worse than 0.05");
 
 TEST(DecisionRule, IsParsed) {
   EXPECT_EQ(kDecided.metric, "success");
@@ -23,9 +32,9 @@ TEST(DecisionRule, IsParsed) {
   EXPECT_EQ(kDecided.reference, "nd");
   EXPECT_EQ(kDecided.relevant, 0.05);
   EXPECT_FALSE(kDecided.no_worse);
-  EXPECT_EQ(parse_decision_rule(" compare( spl ,a,b )decided  within 0.1 ").relevant, 0.1);
+  EXPECT_EQ(parse(" compare( spl ,a,b )decided  within 0.1 ").relevant, 0.1);
   EXPECT_TRUE(kNoWorse.no_worse);
-  EXPECT_EQ(parse_decision_rule("compare(success,a,b) no worse than 0.02").relevant, 0.02);
+  EXPECT_EQ(parse("compare(success,a,b) no worse than 0.02").relevant, 0.02);
 }
 
 TEST(DecisionRule, ThatIsMalformedIsRejectedWithTheExpectedForm) {
@@ -35,17 +44,19 @@ TEST(DecisionRule, ThatIsMalformedIsRejectedWithTheExpectedForm) {
         "compare(success, mine, nd) decided within 0",
         "compare(success, mine, nd) no worse than -1", "compare(success, a, b) decided in density"})
     EXPECT_TRUE(throws_error(ErrorKind::Usage, "--until",
-                             {"compare(METRIC, METHOD, REFERENCE) decided"},
-                             [&] { parse_decision_rule(text); }))
+                             {"compare(METRIC, METHOD, REFERENCE) decided"}, [&] { parse(text); }))
         << text;
 }
 
 TEST(DecisionRule, RefusesMetricsWithoutBoundsAndDifferencesThatCannotBe) {
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "--until",
                            {"'time_to_goal' is not bounded", "success"},
-                           [] { parse_decision_rule("compare(time_to_goal, a, b) decided"); }));
+                           [] { parse("compare(time_to_goal, a, b) decided"); }));
+  EXPECT_EQ(parse("compare(score, a, b) decided within 2.4").bound, 2.5);  // of a difference
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--until", {"less than 2.5"},
+                           [] { parse("compare(score, a, b) decided within 2.5"); }));
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "--until", {"less than 1"},
-                           [] { parse_decision_rule("compare(success, a, b) decided within 1"); }));
+                           [] { parse("compare(success, a, b) decided within 1"); }));
 }
 
 TEST(Decision, IsMadeByEqualResultsOnlyForNoRelevantDifference) {

@@ -198,11 +198,11 @@ TEST(Statistics, BootstrapOfEqualOrNearlyEqualValuesIsFinite) {
 }
 
 TEST(Statistics, IntervalsStayWithinTheRangeOfTheirQuantity) {
-  const Interval clipped = clip_to_range({0.0, 1.0}, 0.4, {-0.3, 1.2});
+  const Interval clipped = clip_to_range(Range::between(0, 1), 0.4, {-0.3, 1.2});
   EXPECT_EQ(clipped.low, 0);
   EXPECT_EQ(clipped.high, 1);
   EXPECT_EQ(clip_to_range({}, 0.4, {-0.3, 1.2}).low, -0.3);
-  const Interval foreign = clip_to_range({0.0, 1.0}, 1.1, {0.9, 1.3});
+  const Interval foreign = clip_to_range(Range::between(0, 1), 1.1, {0.9, 1.3});
   EXPECT_EQ(foreign.low, 0.9);
   EXPECT_EQ(foreign.high, 1.3);
 }

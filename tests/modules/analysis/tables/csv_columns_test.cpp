@@ -30,8 +30,8 @@ TEST(CsvColumns, KeyColumnsIdentifyRuns) {
   EXPECT_EQ(table.scenario_hashes.size(), 2u);
   EXPECT_EQ(table.repetition, (std::vector<std::uint32_t>{0, 0, 1}));
   EXPECT_EQ(find_metric(table, "time")->info().direction, Direction::Down);
-  EXPECT_TRUE(find_metric(table, "ok")->rate);
-  EXPECT_FALSE(find_metric(table, "time")->rate);
+  EXPECT_TRUE(find_metric(table, "ok")->info().is_rate());
+  EXPECT_FALSE(find_metric(table, "time")->info().is_rate());
 }
 
 TEST(CsvColumns, AnEmptyOutcomeIsUnknown) {
@@ -131,6 +131,47 @@ TEST(CsvColumns, KeysCanBeNamed) {
                            [&] { columns_from_csv(text, "t.csv", options); }));
 }
 
+TEST(CsvColumns, KindAndRangeCanBeStated) {
+  const std::string text = "method,fell,score,ok\na,0,0.5,1\nb,1,9,0\n";
+  CsvColumnOptions options;
+  options.kinds = parse_column_kinds("fell=count,score=ratio,ok=rate");
+  options.ranges = parse_column_ranges("score=0..10,fell=0..");
+  const ResultTable table = columns_from_csv(text, "t.csv", options);
+  const auto info = [&](const std::string& id) { return find_metric(table, id)->info(); };
+  EXPECT_EQ(info("fell").kind, QuantityKind::Count);
+  EXPECT_EQ(range_notation(info("fell").range), "0..");
+  EXPECT_EQ(info("score").kind, QuantityKind::Ratio);
+  EXPECT_EQ(range_notation(info("score").range), "0..10");
+  EXPECT_TRUE(info("ok").is_rate());
+  EXPECT_EQ(range_notation(info("ok").range), "0..1");
+  EXPECT_TRUE(columns_from_csv(text, "t.csv").metrics.at(0).info().is_rate()) << "by its values";
+}
+
+TEST(CsvColumns, ValuesThatContradictTheirStatedKindOrRangeAreRefused) {
+  const std::string text = "method,score\na,0.5\nb,9\n";
+  CsvColumnOptions rate, small, other;
+  rate.kinds = parse_column_kinds("score=rate");
+  small.ranges = parse_column_ranges("score=0..5");
+  other.ranges = parse_column_ranges("scroe=0..5");
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:2", {"'score' is 0.5", "0 or 1"},
+                           [&] { columns_from_csv(text, "t.csv", rate); }));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {"'score' is 9", "in [0, 5]"},
+                           [&] { columns_from_csv(text, "t.csv", small); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--range", {"'scroe'", "'score'"},
+                           [&] { columns_from_csv(text, "t.csv", other); }));
+}
+
+TEST(CsvColumns, MalformedKindsAndRangesAreRefused) {
+  for (const char* kind : {"score", "=rate", "score=rates"})
+    EXPECT_TRUE(throws_error(ErrorKind::Usage, "--kind", {"rate, count, amount, ratio"}, [&] {
+      parse_column_kinds(kind);
+    })) << kind;
+  for (const char* range : {"score", "score=1", "score=2..1", "=0..1"})
+    EXPECT_TRUE(throws_error(ErrorKind::Usage, "--range", {"COLUMN=LOW..HIGH"}, [&] {
+      parse_column_ranges(range);
+    })) << range;
+}
+
 TEST(CsvColumns, TwoColumnsThatMayBeTheMethodAreNotChosenFrom) {
   EXPECT_TRUE(
       throws_error(ErrorKind::File, "t.csv:1", {"'planner' and 'controller'", "--method-column"},
@@ -157,7 +198,7 @@ TEST(CsvColumns, TruthAndPercentAreNumbers) {
   const ResultTable table =
       columns_from_csv("Success,spl\nTrue,85%\nFALSE,0.5\nyes,100 %\n", "t.csv");
   const ValueColumn& success = *find_metric(table, "success");
-  EXPECT_TRUE(success.rate);
+  EXPECT_TRUE(success.info().is_rate());
   EXPECT_EQ(success.info().direction, Direction::Up);
   EXPECT_EQ(success.number(0), 1);
   EXPECT_EQ(success.number(1), 0);

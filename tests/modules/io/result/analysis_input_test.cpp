@@ -33,6 +33,15 @@ TEST_F(AnalysisInput, AByteOrderMarkIsNotPartOfTheFirstName) {
             (std::vector<std::string>{"a", "b"}));
 }
 
+TEST_F(AnalysisInput, ColumnsOfTablesWithTheIdOfAMetricHaveItsRangeIfTheirValuesAllowIt) {
+  const std::string path = folder_ / "trials.csv";
+  write_file_atomically(path, "method,spl,optimality,cost\na,0.5,90,1.5\nb,0.9,85,2\n");
+  const ResultTable table = read_analysis_input(path, std::nullopt, false, {});
+  EXPECT_EQ(range_notation(find_metric(table, "spl")->info().range), "0..1");
+  EXPECT_EQ(range_notation(find_metric(table, "optimality")->info().range), "..");  // percent
+  EXPECT_EQ(range_notation(find_metric(table, "cost")->info().range), "..");
+}
+
 TEST_F(AnalysisInput, EachOutcomeOfARunIsAWordOfTables) {
   for (const std::string& name : names_of<Outcome>()) EXPECT_EQ(outcome_of_word(name), name);
 }

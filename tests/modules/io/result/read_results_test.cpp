@@ -54,7 +54,7 @@ class ResultColumnsTest : public testing::Test {
 
   const std::vector<QuantityInfo> kReadDescriptors = {
       {"density", 1, "Density", "-", Direction::None}};
-  const std::vector<QuantityInfo> kReadMetrics = {{"success", 1, "Success", "-", Direction::Up},
+  const std::vector<QuantityInfo> kReadMetrics = {success_info(),
                                                   {"spl", 2, "SPL", "-", Direction::Up}};
   TableBuilder builder_{kReadDescriptors, kReadMetrics};  ///< with the records of the file
   TemporaryFolder folder_;
@@ -83,7 +83,7 @@ TEST_F(ResultColumnsTest, HaveTheValuesOfEachRun) {
   const ResultTable table = read_detailed_results(path_);
   const ValueColumn &success = *find_metric(table, "success"), &spl = *find_metric(table, "spl"),
                     &cycle_time = *find_metric(table, "cycle_time_mean");
-  EXPECT_TRUE(success.rate);
+  EXPECT_TRUE(success.info().is_rate());
   EXPECT_EQ(spl.info().version, 2);
   EXPECT_EQ(spl.info().direction, Direction::Up);
   EXPECT_TRUE(cycle_time.wall_clock);

@@ -17,7 +17,7 @@ namespace slalom {
 namespace {
 
 const std::vector<QuantityInfo> kDescriptors = {{"density", 1, "Density", "-", Direction::None}};
-const std::vector<QuantityInfo> kMetrics = {{"success", 1, "Success", "-", Direction::Up},
+const std::vector<QuantityInfo> kMetrics = {success_info(),
                                             {"optimality", 3, "Optimality", "-", Direction::Up}};
 
 RunRecord run_of(const Scenario& scenario, const std::string& method, int repetition) {

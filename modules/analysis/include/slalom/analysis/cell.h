@@ -27,7 +27,6 @@ void require_valid(const AnalysisOptions& options);
 /// A column of a table.
 struct Column {
   QuantityInfo info;
-  bool rate = false;        ///< fraction of runs with value 1, with a Wilson interval: "success"
   bool wall_clock = false;  ///< measured time: not reproducible
 };
 
@@ -72,8 +71,5 @@ void add_medians(Cell& cell, std::vector<double> values);  ///< both, if there a
 /// the bootstrap, so that a cell does not depend on which other cells are computed.
 Cell make_cell(const ResultTable& table, const std::vector<std::size_t>& runs,
                const ValueColumn& values, const AnalysisOptions& options, const std::string& label);
-
-/// The bounds of a metric or descriptor by its definition; none for unknown ids.
-ValueRange range_of(const std::string& id);
 
 }  // namespace slalom

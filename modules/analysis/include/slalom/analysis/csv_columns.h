@@ -2,6 +2,7 @@
 
 #include <slalom/results/result_table.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,17 @@ struct CsvColumnOptions {
   std::vector<std::string> up, down;  ///< columns of which more (less) is better
   /// The names of the columns that identify the run of a row; empty: known by their names.
   std::string method = "", scenario = "", repetition = "", outcome = "";
+  /// What the columns are, where that is stated: all values must be so.
+  std::map<std::string, QuantityKind> kinds = {};
+  std::map<std::string, Range> ranges = {};
+  /// Columns with these ids have their kind and range, unless a value is outside.
+  std::vector<QuantityInfo> known = {};
 };
+
+/// Reads "fell=count,score=amount". Throws Error (Usage).
+std::map<std::string, QuantityKind> parse_column_kinds(const std::string& text);
+/// Reads "score=0..1,time=0..". Throws Error (Usage).
+std::map<std::string, Range> parse_column_ranges(const std::string& text);
 
 /// Reads a table of numbers as runs: CSV (RFC 4180) with a header line, separated by commas,
 /// semicolons or tabs. The columns "scenario_hash" or "scenario", "method", "repetition" and
@@ -21,9 +32,10 @@ struct CsvColumnOptions {
 ///
 /// All other columns of numbers are metrics; true and false are 1 and 0, "85%" is 0.85, and words
 /// such as "", "NA", "None" and "inf" are not available, with the word as the reason. A column that
-/// contains only 0 and 1 is a rate. Columns with other text are in `unread`; what was taken as what
-/// is in `notes`. Throws Error (File), with the line, for a row with a wrong number of fields, for
-/// a first line of numbers and for an unknown outcome, and if there are no rows or no numbers.
+/// contains only 0 and 1 is a rate, unless another kind is stated. Columns with other text are in
+/// `unread`; what was taken as what is in `notes`. Throws Error (File), with the line, for a row
+/// with a wrong number of fields, for a first line of numbers and for an unknown outcome, and if
+/// there are no rows or no numbers.
 ResultTable columns_from_csv(const std::string& text, const std::string& name,
                              const CsvColumnOptions& options = {});
 

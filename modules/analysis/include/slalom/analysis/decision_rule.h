@@ -2,6 +2,7 @@
 
 #include <slalom/results/result_table.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,12 +15,14 @@ struct DecisionRule {
   std::string metric, method, reference;
   double relevant = 0.05;  ///< smallest difference of interest, of a mean over scenarios
   bool no_worse = false;
+  double bound = 1;  ///< of a difference: the highest minus the lowest value of the metric
 };
 
 /// Reads "compare(success, mine, nd) decided", "compare(success, mine, nd) decided within 0.1" or
 /// "compare(success, mine, nd) no worse than 0.02". Throws Error (Usage), also for a metric that is
-/// not bounded on both sides (range_of).
-DecisionRule parse_decision_rule(const std::string& text);
+/// not bounded on both sides.
+DecisionRule parse_decision_rule(const std::string& text,
+                                 const std::function<Range(const std::string&)>& range_of_metric);
 
 /// What is known of the method, compared with the reference.
 enum class Decision { Open, Better, Worse, NoRelevantDifference, NoWorse };

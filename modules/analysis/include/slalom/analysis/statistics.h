@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/core/random.h>
+#include <slalom/core/range.h>
 
 #include <cstddef>
 #include <optional>
@@ -89,15 +90,10 @@ Interval percentile_interval(std::vector<double> estimates, double confidence);
 std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confidence,
                                            RandomEngine& engine, int resamples = 2000);
 
-/// Bounds of a quantity by its definition; intervals are clipped to them.
-struct ValueRange {
-  std::optional<double> low, high;
-
-  bool contains(double value) const { return (!low || value >= *low) && (!high || value <= *high); }
-};
-/// The interval of an estimate. One outside the range is of another definition, of a foreign
-/// table: its interval is left as it is.
-Interval clip_to_range(const ValueRange& range, double estimate, Interval interval);
+/// The part of the interval of an estimate within the range of the quantity. An estimate outside
+/// the range, by more than rounding errors, is of another definition, of a foreign table: its
+/// interval is left as it is.
+Interval clip_to_range(const Range& range, double estimate, Interval interval);
 
 constexpr std::size_t kMinForBootstrap = 20, kMaxForBootstrap = 500;
 

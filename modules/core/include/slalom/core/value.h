@@ -1,6 +1,7 @@
 #pragma once
 
 #include <slalom/core/enum_names.h>
+#include <slalom/core/range.h>
 
 #include <optional>
 #include <string>
@@ -36,6 +37,13 @@ constexpr auto enum_names(Direction) {
   return std::array{"up", "down", "none"};
 }
 
+/// What the values of a quantity are: 0 or 1, of which the mean is a rate; numbers of things;
+/// lengths, times and the like; numbers without a unit.
+enum class QuantityKind { Rate, Count, Amount, Ratio };
+constexpr auto enum_names(QuantityKind) {
+  return std::array{"rate", "count", "amount", "ratio"};
+}
+
 /// Describes a computed quantity (a scenario descriptor or a metric). The formula of an (id,
 /// version) never changes.
 struct QuantityInfo {
@@ -44,6 +52,10 @@ struct QuantityInfo {
   std::string name;  ///< for people, e.g. "Clearness"
   std::string unit;  ///< "-" where it has none
   Direction direction = Direction::None;
+  QuantityKind kind = QuantityKind::Amount;
+  Range range = {};  ///< of its values, by its definition; keeps intervals within the possible
+
+  bool is_rate() const { return kind == QuantityKind::Rate; }
 };
 
 /// Identifies a stored value of a quantity.

@@ -35,8 +35,6 @@ class ValueColumn {
   /// Reorders rows: row i gets the value of row order[i].
   void reorder(const std::vector<std::size_t>& order);
 
-  /// Aggregated as the fraction of runs with value 1 ("success"), not as a mean.
-  bool rate = false;
   /// Measured wall-clock time: not repeatable.
   bool wall_clock = false;
 

@@ -38,12 +38,15 @@ struct RunRecord {
 /// cannot be repeated.
 struct RunTiming {
   double wall_seconds = 0;
-  std::map<std::string, double> values = {};  ///< "cycle_time_mean", ..., in timing_unit()
+  std::map<std::string, double> values = {};  ///< "cycle_time_mean", ..., by timing_info()
   std::string output = {};                    ///< printed by the method, bounded
 };
 
-/// The unit of a wall-clock figure: "-" for ratios, else "ms".
-std::string timing_unit(const std::string& id);
+/// A wall-clock figure: a fraction if it is called "..._ratio", else a time in ms.
+QuantityInfo timing_info(const std::string& id);
+
+/// The metric that every run has by its outcome.
+QuantityInfo success_info();
 
 /// The recorded data of a scenario.
 struct ScenarioRecord {
