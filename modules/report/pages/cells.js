@@ -15,7 +15,8 @@ function digitsOf(cells, column) {
 
 // The common scale of the cells of a column: `low` and `high` of whiskers, `worst` and `best` of shades.
 function scaleOf(column, cells) {
-  const scale = { column, digits: digitsOf(cells, column), low: 0, high: 1, worst: 0, best: 1 };
+  const rateEnds = column.direction === "down" ? { worst: 1, best: 0 } : { worst: 0, best: 1 };
+  const scale = { column, digits: digitsOf(cells, column), low: 0, high: 1, ...rateEnds };
   const drawn = cells.filter(enoughToDraw), means = drawn.filter((cell) => !survivorsOnly(cell)).map((cell) => cell.mean);
   if (column.rate || drawn.length === 0) return scale;
   scale.low = Math.min(...drawn.map((cell) => cell.interval[0]));
@@ -34,9 +35,12 @@ const valuesText = (cell) => "n=" + cell.n + (missing(cell) ? " NA=" + missing(c
 const reasonsText = (na) => Object.entries(na).map(([reason, n]) => n + " " + reason).join(", ");
 const support = (...children) => html("span", { class: "support" }, ...children);
 
+// "3/4": how many of the values of a rate are 1.
+const countText = ({ mean, n }) => Math.round((mean || 0) * n) + "/" + n;
+
 function supportText(cell, column, digits) {
   if (column.rate && cell.mean !== null)
-    return Math.round(cell.mean * cell.n) + "/" + cell.n + (missing(cell) ? " NA=" + missing(cell) : "");
+    return countText(cell) + (missing(cell) ? " NA=" + missing(cell) : "");
   return (cell.deviation === null ? "" : "±" + numberText(cell.deviation, digits) + " ") + valuesText(cell);
 }
 

@@ -1,4 +1,4 @@
-// Distributions of a metric by method: cumulative fractions, boxes, and runs over a second quantity.
+// Distributions of a metric by method: cumulative fractions, boxes, proportions, and runs over a second quantity.
 "use strict";
 
 // An axis from the least to the greatest of `values`, with round ticks.
@@ -40,6 +40,20 @@ function boxChart(quantity, values, groups) {
     runs.forEach((run, at) => points.push({ run, x: picture.toX(values[run]), y: middle + 17 + (at * 7) % 13 }));
   });
   return { picture, points };
+}
+
+// The fraction of the values that are 1, per method, as a bar.
+function proportionChart(groups) {
+  const row = 44, x = { label: "fraction of the values that are 1", low: 0, high: 1 };
+  const picture = chart(x, { label: "", low: 0, high: 1, ticks: [], digits: 0 }, [], CHART.top + CHART.bottom + row * groups.length);
+  groups.forEach(({ method, mean, n }, i) => {
+    const top = CHART.top + row * i;
+    picture.append(label(CHART.left + 4, top + 12, "start", `${methodLabel(method)}: ${countText({ mean, n })}`));
+    if (n > 0)
+      picture.append(svg("rect", { x: CHART.left, y: top + 18, width: Math.max(1, picture.toX(mean) - CHART.left), height: 16,
+                                   fill: report.methods[method].color }));
+  });
+  return picture;
 }
 
 // Runs by the quantity `across` and `quantity`; those without a value of the latter are in a strip at the bottom.

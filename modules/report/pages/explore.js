@@ -20,13 +20,15 @@ function wordsOf(bin) {
   return bin.high === null ? words : [...words, `${choice.by}${bin.high_included ? "<=" : "<"}${bin.high}`];
 }
 
-function describedCell(group, href, digits) {
+const isRate = (quantity) => quantity.kind === "rate";
+
+function describedCell(group, href, digits, rate) {
   const { n, mean, quantiles, na } = group, missing = reasonsText(na);
   if (n + Object.keys(na).length === 0) return html("td", { class: "na" }, "–");
   return html("td", { class: n > 0 ? "cell" : "cell na" },
     html("a", { class: "big", href }, n > 0 ? numberText(mean, digits) : "–"),
-    n > 0 ? html("span", { class: "interval" }, [1, 2, 3].map((i) => numberText(quantiles[i], digits)).join(" · ")) : null,
-    support("n=" + n, missing ? html("span", { class: "wrap" }, " NA: " + missing) : null));
+    n > 0 && !rate ? html("span", { class: "interval" }, [1, 2, 3].map((i) => numberText(quantiles[i], digits)).join(" · ")) : null,
+    support(rate && n > 0 ? countText(group) : "n=" + n, missing ? html("span", { class: "wrap" }, " NA: " + missing) : null));
 }
 
 // Means and quartiles by bin and method; every number links to its runs.
@@ -37,19 +39,27 @@ function choiceTable(runs, quantity, across, methods) {
   if (outside.length > 0) rows.push({ title: "NA", words: [choice.by + "=NA"], runs: outside });
   rows.push({ title: "all", words: [], runs });
   const groups = rows.map((row) => methods.map((method) => describe(row.runs.filter((run) => report.runs[run][1] === method), values)));
-  const digits = digitsOf(groups.flat(), { rate: false });
+  const digits = digitsOf(groups.flat(), { rate: isRate(quantity) });
   const line = (row, i) => html("tr", {}, html("th", {}, row.title),
-    methods.map((method, at) => describedCell(groups[i][at], listAddress(methodWord(method), ...row.words), digits)));
+    methods.map((method, at) => describedCell(groups[i][at], listAddress(methodWord(method), ...row.words), digits, isRate(quantity))));
   return card(html("h4", {}, `${axisLabel(quantity)} by ${axisLabel(across)}`),
     tableOf({ class: "even", style: `min-width:${9 + 9 * methods.length}rem` },
             [heading(axisLabel(across)), methods.map((method) => html("th", {}, methodName(method)))], rows.map(line)),
-    html("p", { class: "support" }, "Each cell: the mean; the three quartiles; the number n of values, and why the others are " +
-         "missing. Rows: bins with about equal numbers of scenarios." + (report.selected ? "" : " With intervals:")),
+    html("p", { class: "support" }, "Each cell: " + (isRate(quantity) ? "the fraction of the values that are 1, how many of how " +
+         "many, and why others are missing. " : "the mean; the three quartiles; the number n of values, and why the others are " +
+         "missing. ") + "Rows: bins with about equal numbers of scenarios." + (report.selected ? "" : " With intervals:")),
     report.selected ? null
       : commandLine(`slalom-analyze table ${shellWord(report.results)} --rows "${choice.by}:q4" --columns ${choice.metric}`));
 }
 
 const chartCard = (title, ...content) => html("div", { class: "card chart-card" }, html("h4", {}, title), ...content.flat());
+
+function distributionCards(quantity, values, groups) {
+  const box = boxChart(quantity, values, groups);
+  return [chartCard("Distribution by method", markChart(box.picture, box.points, runText),
+                    support("Box: quartiles; line: 5 % to 95 % of the values; below, every run.")),
+          chartCard("Cumulative distribution", cumulativeChart(quantity, groups))];
+}
 
 function showChoice() {
   let runs = [], problem = "";
@@ -57,15 +67,13 @@ function showChoice() {
   const quantity = quantityOf(choice.metric), across = quantityOf(choice.by), values = field(choice.metric);
   const methods = report.methods.map((_, i) => i).filter((method) => runs.some((run) => report.runs[run][1] === method));
   const groups = methods.map((method) => ({ method, ...describe(runs.filter((run) => report.runs[run][1] === method), values) }));
-  const box = boxChart(quantity, values, groups), scatter = scatterChart(quantity, values, across, field(choice.by), runs);
+  const scatter = scatterChart(quantity, values, across, field(choice.by), runs);
   element("count").textContent = problem || plural(runs.length, "run");
   element("report").replaceChildren(choiceTable(runs, quantity, across, methods),
     html("div", { class: "charts" },
       chartCard("Runs over " + across.name, markChart(scatter.picture, scatter.points, runText), legend(groups.map(({ method }) =>
         ({ color: report.methods[method].color, label: methodLabel(method) }))), html("div", { class: "legend" }, report.outcomes.map(markItem)), support("In the strip NA: runs without a value.")),
-      chartCard("Distribution by method", markChart(box.picture, box.points, runText),
-        support("Box: quartiles; line: 5 % to 95 % of the values; below, every run.")),
-      chartCard("Cumulative distribution", cumulativeChart(quantity, groups))));
+      isRate(quantity) ? chartCard("Proportion by method", proportionChart(groups)) : distributionCards(quantity, values, groups)));
   writeAddress("", choice);
   document.title = `${quantity.name} by ${across.name} - ${report.campaign}`;
   document.body.dataset.ready = String(runs.length);

@@ -44,7 +44,8 @@ function mapCard(map) {
   const column = report.columns.find((one) => one.id === map.metric);
   const field = (cell) => {
     if (cell.n + missing(cell) === 0) return html("td", { class: "cell na" }, "–");
-    return cellNode(cell, cell.runs, 2, column.rate && enoughToDraw(cell) ? cell.mean : null, support(valuesText(cell)));
+    return cellNode(cell, cell.runs, 2, column.rate && enoughToDraw(cell) ? goodness(cell.mean, scaleOf(column, [cell])) : null,
+                    support(valuesText(cell)));
   };
   const rows = map.rows.map((bin, i) => html("tr", {}, html("th", {}, bin), map.fields[i].map(field)));
   return card(html("h4", {}, methodName(map.method), ": " + map.metric),

@@ -246,6 +246,17 @@ TEST_F(ReportPages, AnyMetricByAnyDescriptorLeadsToItsRuns) {
   EXPECT_EQ(count(dots, "h0"), 12u) << "a point per run of good; the others are crosses";
 }
 
+TEST_F(ReportPages, ARateIsExploredByItsProportions) {
+  write(make_results(12));
+  const std::string page = open("explore.html#metric=success&by=density");
+  EXPECT_EQ(count(page, ">3/3<"), 4u) << "of good, in each quarter";
+  EXPECT_EQ(count(page, ">0/12<"), 1u) << "of <bad>, over all bins";
+  EXPECT_EQ(count(page, "good: 12/12</text>"), 1u) << "a bar per method";
+  EXPECT_EQ(count(page, "<h4>Proportion by method</h4>"), 1u);
+  EXPECT_EQ(count(page, "Cumulative distribution"), 0u);
+  EXPECT_EQ(count(page, "class=\"interval\""), 0u) << "no quartiles";
+}
+
 TEST_F(ReportPages, TheIndexListsClustersOfFailures) {
   const ResultFile file = make_results(3);
   write(file, options_with_cluster());
