@@ -13,7 +13,6 @@ import tempfile
 # A target with the flags for new sources below a folder; the adapters and methods are new targets there.
 TARGETS = {
     "modules/metrics/": "slalom_metrics",
-    "modules/analysis/": "slalom_analysis",
     "modules/descriptors/": "slalom_descriptors",
     "modules/generation/": "slalom_generation",
     "adapters/": "slalom_library",

@@ -318,6 +318,9 @@ class NumberColumns {
       require(info.id, values, "0 or 1, as --kind states", is_bit);
     } else if (is_stated) {
       info.kind = stated->second;
+      if (info.kind == QuantityKind::Count) info.range = Range::at_least(0);
+      require(info.id, values, "a number from 0, as --kind states",
+              [&](double number) { return info.range.contains(number); });
     } else {
       take_known(info, values);
     }

@@ -135,7 +135,7 @@ TEST(CsvColumns, KindAndRangeCanBeStated) {
   const std::string text = "method,fell,score,ok\na,0,0.5,1\nb,1,9,0\n";
   CsvColumnOptions options;
   options.kinds = parse_column_kinds("fell=count,score=ratio,ok=rate");
-  options.ranges = parse_column_ranges("score=0..10,fell=0..");
+  options.ranges = parse_column_ranges("score=0..10");
   const ResultTable table = columns_from_csv(text, "t.csv", options);
   const auto info = [&](const std::string& id) { return find_metric(table, id)->info(); };
   EXPECT_EQ(info("fell").kind, QuantityKind::Count);
@@ -148,13 +148,16 @@ TEST(CsvColumns, KindAndRangeCanBeStated) {
 }
 
 TEST(CsvColumns, ValuesThatContradictTheirStatedKindOrRangeAreRefused) {
-  const std::string text = "method,score\na,0.5\nb,9\n";
-  CsvColumnOptions rate, small, other;
+  const std::string text = "method,score,change\na,0.5,1\nb,9,-2\n";
+  CsvColumnOptions rate, count, small, other;
   rate.kinds = parse_column_kinds("score=rate");
+  count.kinds = parse_column_kinds("change=count");
   small.ranges = parse_column_ranges("score=0..5");
   other.ranges = parse_column_ranges("scroe=0..5");
   EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:2", {"'score' is 0.5", "0 or 1"},
                            [&] { columns_from_csv(text, "t.csv", rate); }));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {"'change' is -2", "from 0"},
+                           [&] { columns_from_csv(text, "t.csv", count); }));
   EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {"'score' is 9", "in [0, 5]"},
                            [&] { columns_from_csv(text, "t.csv", small); }));
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "--range", {"'scroe'", "'score'"},
