@@ -88,14 +88,21 @@ void evaluate(const Arguments& arguments) {
        {"/campaign.scenarios", "/runs.results", "/tables.txt", "/tables.csv", "/until.txt"})
     refuse_output_over_inputs(arguments.output + name, ini);
   CampaignConfig config = read_campaign(ini);
+  const auto read_rule = [&](const CampaignOptions& options) {
+    return parse_stopping_rule(arguments.until, arguments.max_runs, options, config.methods);
+  };
   std::optional<StoppingRule> rule;
-  if (!arguments.until.empty())
-    rule = parse_stopping_rule(arguments.until, arguments.max_runs, config.options, config.methods);
+  if (!arguments.until.empty()) {
+    CampaignOptions possible = config.options;
+    possible.add_mover_quantities();  // as if the scenarios, which are not known yet, had movers
+    rule = read_rule(possible);
+  }
   make_output_folder(arguments.output);
   const std::string results = arguments.output + "/runs.results";
   const InterruptGuard guard;  // from before the lock, which must not remain
   const FileLock lock(results, arguments.campaign.take_over, print_notice);
   std::vector<Scenario> scenarios = campaign_scenarios(config, arguments.campaign);
+  if (rule) rule = read_rule(config.options);
   ResultFile file = open_campaign_results(config, arguments.campaign, scenarios, results, rule);
   write_scenarios(scenarios, config.ini_text,
                   arguments.campaign.existing != ExistingResults::Overwrite,

@@ -81,6 +81,15 @@ TEST_F(Until, ComparesInEveryBoundedMetric) {
                  {"sucess", "'success'"});
 }
 
+TEST_F(Until, ComparesCollisionsWithMoversWhereScenariosHaveThem) {
+  const std::string rule = " --until 'compare(mover_collision, gap, nd) no worse than 0.9'";
+  const std::string command = "slalom-evaluate small.ini --quiet --set metrics.enabled=all";
+  const ProgramResult result = run(command + " -o moving --set scenarios.walkers=1" + rule);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find(" in mover_collision: mean advantage "), std::string::npos);
+  expect_failure(command + " -o standing" + rule, 2, {"'mover_collision' is not computed"});
+}
+
 TEST_F(Until, RejectsInvalidRules) {
   const std::string command = "slalom-evaluate small.ini -o out --quiet ";
   expect_failure(command + "--until 'success < 0.1'", 2, {"--until", "interval(METRIC)"});
