@@ -2,7 +2,6 @@
 #include "warnings.h"
 
 #include <slalom/analysis/data_table.h>
-#include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/table_latex.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -34,7 +33,6 @@ struct ExportData {
   std::vector<DataTable> tables() const {
     std::vector<DataTable> all = {summary_data(summary)};
     for (const CrossTable& table : cross_tables) all.push_back(cross_data(table));
-    for (DataTable& table : all) mark_privileged(table, privileged_methods(results.manifest));
     all.insert(all.begin(),
                {runs_table(results), scenarios_table(results), timings_table(results)});
     all.push_back(manifest_table(results));
@@ -71,14 +69,8 @@ void write_xlsx(const ExportData& data, const std::string& output) {
 }
 
 void write_latex(const ExportData& data, const std::string& output) {
-  const PrivilegedMethods privileged = privileged_methods(data.results.manifest);
-  SummaryTable summary = data.summary;
-  mark_privileged(summary, privileged);
-  std::vector<std::string> tables = {render_latex(summary)};
-  for (CrossTable table : data.cross_tables) {
-    mark_privileged(table, privileged);
-    tables.push_back(render_latex(table));
-  }
+  std::vector<std::string> tables = {render_latex(data.summary)};
+  for (const CrossTable& table : data.cross_tables) tables.push_back(render_latex(table));
   write_file_atomically(output, latex_document(tables));
 }
 
@@ -119,9 +111,12 @@ void run(const ExportArguments& arguments) {
   data.results = read_detailed_results(arguments.results);
   warn_of_missing(arguments.results, data.results);
   const ReportOptions options = report_options(data.results);
+  const std::vector<std::string> names = data.results.methods;
+  mark_privileged(data.results);
   data.summary = build_summary(data.results, options.columns, options.analysis);
   data.cross_tables =
       build_cross_tables(data.results, options.rows, options.columns, options.analysis);
+  data.results.methods = names;  // those of the tables of runs, which are the data
   format.write(data, arguments.output);
   const bool is_folder = format.extension[0] == '\0';
   if (!arguments.quiet)

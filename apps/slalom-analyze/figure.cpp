@@ -124,18 +124,11 @@ std::string figure(const FigureArguments& arguments) {
   if (!arguments.scenario.empty()) return RunFigures(arguments).of_scenario();
   if (!arguments.cell.empty()) return RunFigures(arguments).of_cell();
   if (!arguments.animate.empty()) return RunFigures(arguments).animated();
-  const ResultTable runs = read_results(arguments.results);
+  ResultTable runs = read_results(arguments.results);
   warn_of_missing(arguments.results, runs);
-  const std::vector<std::string> privileged = privileged_methods(runs.manifest).names();
-  if (!arguments.profile.empty()) {
-    ProfileTable table = build_profiles(runs, arguments.profile);
-    for (PerformanceProfile& profile : table.profiles)
-      profile.method = with_privileged_marks(profile.method, privileged);
-    return profile_figure(table);
-  }
-  MethodRanks ranks = build_method_ranks(runs, arguments.ranks, report_options(runs).analysis);
-  for (std::string& method : ranks.methods) method = with_privileged_marks(method, privileged);
-  return rank_figure(ranks);
+  mark_privileged(runs);
+  if (!arguments.profile.empty()) return profile_figure(build_profiles(runs, arguments.profile));
+  return rank_figure(build_method_ranks(runs, arguments.ranks, report_options(runs).analysis));
 }
 
 void run(const FigureArguments& arguments) {

@@ -1,6 +1,5 @@
 #include "history_report.h"
 
-#include <slalom/analysis/privileged_marks.h>
 #include <slalom/io/result_file.h>
 
 #include <algorithm>
@@ -46,8 +45,8 @@ void report_history(const std::vector<std::string>& paths, const std::vector<Res
                     const WriteReport& write_report) {
   const Interpreter& history = history_interpreter();
   require_number_of_results(history, results.size());
-  Interpretation found = history.interpret(results, make_query(request, history, results[0]));
-  mark_privileged(found, privileged_methods(results));
+  std::vector<ResultTable> shown = results;
+  const Interpretation found = interpret(history, shown, make_query(request, history, results[0]));
 
   std::vector<std::string> names;
   for (const std::string& path : paths) names.push_back(folder_name(path, names.size()));

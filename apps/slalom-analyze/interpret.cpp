@@ -3,11 +3,11 @@
 #include "shard_tables.h"
 #include "warnings.h"
 
-#include <slalom/analysis/privileged_marks.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/analysis_input.h>
 #include <slalom/io/result_files.h>
+#include <slalom/results/privileged.h>
 
 #include <memory>
 
@@ -44,23 +44,22 @@ void explain_method_failures(Interpretation& found, const std::vector<ResultTabl
   if (!contains({"summary", "table", "failures"}, interpreter.id)) return;
   MethodFailures failures;
   add_method_failures(results[0], arguments.files[0], failures);
-  const std::string& method = arguments.request.method;
+  const std::string method = marked_name(results[0], arguments.request.method);
   const auto lines = method.empty() ? failures.lines() : failures.lines_of(method);
   found.remarks.insert(found.remarks.begin(), lines.begin(), lines.end());
 }
 
 Interpretation interpret(const InterpretArguments& arguments, const Interpreter& interpreter) {
   if (auto tables = tables_of_shards(arguments, interpreter)) return std::move(*tables);
-  const std::vector<ResultTable> results = read_inputs(arguments, interpreter);
+  std::vector<ResultTable> results = read_inputs(arguments, interpreter);
   AnalysisQuery query = make_query(arguments.request, interpreter, results[0]);
   query.rows = resolve_indexes(std::move(query.rows), arguments.scenarios);
   AnalysisOptions& analysis = query.comparison.analysis;
   analysis.run_ids = arguments.json;
   analysis.medians = arguments.json || interpreter.id != "table";
   query.summary = !arguments.csv && !arguments.json;
-  Interpretation found = interpreter.interpret(results, query);
+  Interpretation found = interpret(interpreter, results, std::move(query));
   explain_method_failures(found, results, arguments, interpreter);
-  mark_privileged(found, privileged_methods(results));
   return found;
 }
 

@@ -1,7 +1,6 @@
 #include "shard_tables.h"
 #include "warnings.h"
 
-#include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/table_sums.h>
 #include <slalom/io/analysis_input.h>
 #include <slalom/io/result_files.h>
@@ -51,7 +50,9 @@ std::optional<Interpretation> tables_of_shards(const InterpretArguments& argumen
   std::size_t runs = 0;
   bool is_damaged = false;
   MethodFailures failures;
-  parts.for_each(ids, [&](const ResultTable& part) {
+  const PrivilegedMethods privileged = privileged_methods(parts.outline().manifest);
+  parts.for_each(ids, [&](ResultTable& part) {
+    mark_privileged(part, privileged);
     sums.add(part);
     add_method_failures(part, part.source, failures);
     runs += part.size();
@@ -66,7 +67,7 @@ std::optional<Interpretation> tables_of_shards(const InterpretArguments& argumen
   if (!arguments.csv && query.method.empty())
     found.summary = sums.summary(query.rows.size(), options);
   found.remarks = query.method.empty() ? failures.lines() : failures.lines_of(query.method);
-  mark_privileged(found, privileged_methods(parts.outline().manifest));
+  found.footnote = privileged_footnote(privileged);
   warn_of_missing_runs(arguments.files[0], runs, planned_runs(parts.outline()));
   return found;
 }

@@ -1,4 +1,4 @@
-#include <slalom/analysis/privileged_marks.h>
+#include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/table_text.h>
 #include <slalom/app/campaign_arguments.h>
 #include <slalom/app/campaign_program.h>
@@ -65,20 +65,21 @@ void store_descriptors(const CampaignOptions& options, const std::string& result
 /// Writes the tables to standard output and to files, and the report to a folder.
 void write_tables_and_report(const Arguments& arguments, const std::string& results_path,
                              bool with_report) {
-  const ResultTable runs = read_results(results_path);
+  ResultTable runs = read_results(results_path);
   warn_of_damage(results_path, runs.damaged);
+  mark_privileged(runs);
   const ReportOptions options = report_options(runs);
   const std::string text =
       render_tables_text(runs, options.rows, options.columns, options.analysis.confidence);
   write_file_atomically(arguments.output + "/tables.txt", text);
   Interpretation tables;
   tables.cross_tables = build_cross_tables(runs, options.rows, options.columns, options.analysis);
-  mark_privileged(tables, privileged_methods(runs.manifest));
+  tables.footnote = privileged_footnote(runs);
   write_file_atomically(arguments.output + "/tables.csv", render_csv(tables));
   std::cout << text;
   if (!with_report) return;
   const std::string report = arguments.output + "/report";
-  write_report(results_path, runs, options, report);
+  write_report(results_path, std::move(runs), options, report);
   std::cout << "\nReport: " << report << "/index.html\n";
 }
 

@@ -1,7 +1,6 @@
 #include "callback_progress.h"
 
 #include <slalom/analysis/cross_table.h>
-#include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/table_text.h>
 #include <slalom/campaign/campaign.h>
 #include <slalom/core/text.h>
@@ -106,13 +105,13 @@ std::string cross_table(const ResultTable& table, const std::string& rows,
                         const std::vector<std::string>& columns, double confidence) {
   AnalysisOptions analysis;
   analysis.confidence = confidence;
-  Interpretation found;
-  found.cross_tables = build_cross_tables(table, parse_bin_specs(rows), columns, analysis);
-  mark_privileged(found, privileged_methods(table.manifest));
+  ResultTable shown = table;
+  mark_privileged(shown);
   std::string text;
-  for (const CrossTable& one : *found.cross_tables)
+  for (const CrossTable& one : build_cross_tables(shown, parse_bin_specs(rows), columns, analysis))
     text += (text.empty() ? "" : "\n") + render_cross_table_text(one);
-  return found.footnote.empty() ? text : text + "\n" + found.footnote + "\n";
+  const std::string footnote = privileged_footnote(shown);
+  return footnote.empty() ? text : text + "\n" + footnote + "\n";
 }
 
 }  // namespace slalom

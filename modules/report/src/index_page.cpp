@@ -2,7 +2,6 @@
 #include "markup.h"
 
 #include <slalom/analysis/cell_text.h>
-#include <slalom/analysis/privileged_marks.h>
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
 #include <slalom/results/privileged.h>
@@ -100,18 +99,13 @@ Markup cross_table(const CrossTable& cross) {
 }
 
 Markup all_tables(const ReportInput& input) {
-  const PrivilegedMethods privileged = privileged_methods(input.runs.manifest);
   SummaryTable summary = input.summary;
-  mark_privileged(summary, privileged);
   if (input.is_selected()) summary.columns.clear();
   std::vector<Markup> parts = {element("h2", {"Summary"}), summary_table(summary)};
   if (!input.tables.empty()) parts.push_back(element("h2", {"Cross tables"}));
   for (const std::vector<CrossTable>& group : input.tables)
-    for (CrossTable cross : group) {
-      mark_privileged(cross, privileged);
-      parts.push_back(cross_table(cross));
-    }
-  if (!privileged.empty()) parts.push_back(element("p", {privileged_footnote(privileged)}));
+    for (const CrossTable& cross : group) parts.push_back(cross_table(cross));
+  if (!summary.footnote.empty()) parts.push_back(element("p", {summary.footnote}));
   return element("div", parts);
 }
 

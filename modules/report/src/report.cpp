@@ -10,6 +10,7 @@
 #include <slalom/core/text.h>
 #include <slalom/io/result_files.h>
 #include <slalom/report/report.h>
+#include <slalom/results/privileged.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -178,8 +179,9 @@ ReportOptions report_options(const ResultTable& runs) {
   return options;
 }
 
-void write_report(const std::string& results, const ResultTable& runs, const ReportOptions& options,
+void write_report(const std::string& results, ResultTable runs, const ReportOptions& options,
                   const std::string& directory) {
+  mark_privileged(runs);
   ReportInput input = make_report_input(runs, options);
   add_method_failures(runs, results, input.failures);
   std::vector<RunGroup> groups;

@@ -75,11 +75,11 @@ class DataMaker {
 
   OrderedJson methods() const {
     OrderedJson json = OrderedJson::array();
-    for (std::size_t i = 0; i < runs_.methods.size(); ++i)
-      json.push_back({{"name", runs_.methods[i]}, {"color", method_color(i)}});
-    for (const std::string& name : privileged_methods(runs_.manifest).names())
-      for (OrderedJson& method : json)
-        if (method["name"] == name) method["label"] = name + kPrivilegedMark;
+    for (std::size_t i = 0; i < runs_.methods.size(); ++i) {
+      const std::string& shown = runs_.methods[i];
+      json.push_back({{"name", unmarked_name(shown)}, {"color", method_color(i)}});
+      if (json.back()["name"] != shown) json.back()["label"] = shown;
+    }
     return json;
   }
 
@@ -258,16 +258,6 @@ void add_statistics(OrderedJson& json, DataMaker& make, const ReportInput& input
   json["validity"] = validity_json(runs, make.directed(), input.options.analysis);
 }
 
-/// Marks privileged methods in sentences and titles.
-void mark_texts(OrderedJson& json, const std::vector<std::string>& names) {
-  for (auto& [key, value] : json.items()) {
-    if (value.is_structured())
-      mark_texts(value, names);
-    else if (value.is_string() && (key == "text" || key == "title"))
-      value = with_privileged_marks(value.get<std::string>(), names);
-  }
-}
-
 }  // namespace
 
 ReportInput make_report_input(const ResultTable& runs, const ReportOptions& options) {
@@ -310,13 +300,7 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
     json[key] = OrderedJson::array();
   if (!input.is_selected()) add_statistics(json, make, input);
   json["clusters"] = clusters_json(input.options.clusters);
-  const PrivilegedMethods privileged = privileged_methods(runs.manifest);
-  if (!privileged.empty()) {
-    const std::vector<std::string> names = privileged.names();
-    mark_texts(json, names);
-    for (RunGroup& group : groups) group.title = with_privileged_marks(group.title, names);
-    json["footnote"] = privileged_footnote(privileged);
-  }
+  if (!input.summary.footnote.empty()) json["footnote"] = input.summary.footnote;
   json["manifest"] = runs.manifest;
   return json;
 }

@@ -11,7 +11,7 @@ bool is_method_failure(const std::string& outcome) {
 }
 
 void MethodFailures::add(const RunRecord& run) {
-  add_runs(1, run);
+  add_runs(run.method, 1, run);
 }
 
 void MethodFailures::add(const ResultTable& table, const DetailOf& detail_of) {
@@ -29,7 +29,7 @@ void MethodFailures::add(const ResultTable& table, const DetailOf& detail_of) {
   }
   for (const auto& [key, group] : groups) {
     RunRecord first;
-    first.method = table.methods[key.first];
+    first.method = unmarked_name(table.methods[key.first]);
     first.outcome = table.outcomes[key.second];
     if (is_method_failure(first.outcome)) {
       const std::uint32_t scenario = table.scenario[group.first];
@@ -38,12 +38,12 @@ void MethodFailures::add(const ResultTable& table, const DetailOf& detail_of) {
       first.repetition = static_cast<int>(table.repetition[group.first]);
       first.outcome_detail = detail_of(first.scenario_hash, first.method, first.repetition);
     }
-    add_runs(group.n, first);
+    add_runs(table.methods[key.first], group.n, first);
   }
 }
 
-void MethodFailures::add_runs(std::size_t runs, const RunRecord& first) {
-  Method& method = methods_[first.method];
+void MethodFailures::add_runs(const std::string& name, std::size_t runs, const RunRecord& first) {
+  Method& method = methods_[name];
   method.runs += runs;
   if (!is_method_failure(first.outcome)) return;
   method.failed += runs;

@@ -1,28 +1,9 @@
 #include <slalom/core/text.h>
 #include <slalom/results/privileged.h>
 
+#include <algorithm>
+
 namespace slalom {
-namespace {
-
-/// Whether a name that ends or begins beside this character is only a part of a longer one.
-bool continues_name(char c) {
-  const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-  return letter || c == '_' || c == '+' || c == '-' || c == '/';
-}
-
-/// A dot ends a sentence, or is part of a name.
-bool ends_at(const std::string& text, std::size_t end) {
-  if (end == text.size()) return true;
-  if (text[end] == '.') return end + 1 == text.size() || !continues_name(text[end + 1]);
-  return !continues_name(text[end]) && text[end] != kPrivilegedMark[0];
-}
-
-bool begins_at(const std::string& text, std::size_t begin) {
-  return begin == 0 || (!continues_name(text[begin - 1]) && text[begin - 1] != '.');
-}
-
-}  // namespace
-
 void PrivilegedMethods::add(const std::string& method, bool uses_tracks, bool uses_map) {
   if (uses_tracks && !contains(tracks, method)) tracks.push_back(method);
   if (uses_map && !contains(map, method)) map.push_back(method);
@@ -53,18 +34,18 @@ void store_privileged(const PrivilegedMethods& methods, Manifest& manifest) {
   if (!methods.map.empty()) manifest[kKnownMapKey] = join(methods.map, ", ");
 }
 
-std::string with_privileged_marks(const std::string& text, const std::vector<std::string>& names) {
-  std::string marked = text;
-  for (const std::string& name : names) {
-    std::size_t at = name.empty() ? std::string::npos : marked.find(name);
-    for (; at != std::string::npos; at = marked.find(name, at)) {
-      const std::size_t end = at + name.size();
-      const bool is_word = begins_at(marked, at) && ends_at(marked, end);
-      if (is_word) marked.insert(end, kPrivilegedMark);
-      at = end;
-    }
-  }
-  return marked;
+void mark_privileged(ResultTable& table, const PrivilegedMethods& methods) {
+  const std::vector<std::string> names = methods.names();
+  for (std::string& method : table.methods)
+    if (contains(names, method)) method += kPrivilegedMark;
+}
+
+void mark_privileged(ResultTable& table) {
+  mark_privileged(table, privileged_methods(table.manifest));
+}
+
+std::string marked_name(const ResultTable& table, const std::string& method) {
+  return contains(table.methods, method + kPrivilegedMark) ? method + kPrivilegedMark : method;
 }
 
 std::string privileged_footnote(const PrivilegedMethods& methods) {
@@ -78,6 +59,12 @@ std::string privileged_footnote(const PrivilegedMethods& methods) {
   add(methods.map, "the map of static obstacles");
   return std::string(kPrivilegedMark) + " privileged: " + join(parts, "; ") +
          "; methods without the mark are not";
+}
+
+std::string privileged_footnote(const ResultTable& table) {
+  const auto is_marked = [](const std::string& method) { return method != unmarked_name(method); };
+  const bool marked = std::any_of(table.methods.begin(), table.methods.end(), is_marked);
+  return marked ? privileged_footnote(privileged_methods(table.manifest)) : "";
 }
 
 }  // namespace slalom

@@ -1,3 +1,4 @@
+#include <slalom/core/text.h>
 #include <slalom/results/result_table.h>
 
 #include <algorithm>
@@ -196,7 +197,12 @@ const ValueColumn* find_descriptor(const ResultTable& columns, const std::string
 
 std::string run_id(const ResultTable& columns, std::size_t run) {
   return columns.scenario_hashes[columns.scenario[run]].substr(0, 8) + "/" +
-         columns.methods[columns.method[run]] + "/" + std::to_string(columns.repetition[run]);
+         unmarked_name(columns.methods[columns.method[run]]) + "/" +
+         std::to_string(columns.repetition[run]);
+}
+
+std::string unmarked_name(const std::string& method) {
+  return method.substr(0, method.size() - (ends_with(method, kPrivilegedMark) ? 1 : 0));
 }
 
 bool is_failure(const std::string& outcome) {

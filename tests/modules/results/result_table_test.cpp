@@ -100,21 +100,30 @@ TEST(ResultTable, SuccessFollowsFromTheOutcome) {
     EXPECT_FALSE(is_failure(outcome));
 }
 
-TEST(PrivilegedMarks, FollowWholeNamesOnly) {
-  const std::vector<std::string> names = {"nd", "nd_tracks"};
-  const auto marked = [&](const std::string& text) { return with_privileged_marks(text, names); };
-  EXPECT_EQ(marked("nd"), "nd*");
-  EXPECT_EQ(marked("nd: success falls; gap and nd_tracks."),
-            "nd*: success falls; gap and nd_tracks*.");
-  EXPECT_EQ(marked("nd.v2, nd2, find, a-nd, nd+, .nd"), "nd.v2, nd2, find, a-nd, nd+, .nd");
-  EXPECT_EQ(marked("0123abcd/nd/0"), "0123abcd/nd/0") << "the id of a run";
-  EXPECT_EQ(marked(marked("nd (nd_tracks)")), "nd* (nd_tracks*)") << "once";
-  EXPECT_EQ(with_privileged_marks("nd", {}), "nd");
+TEST(PrivilegedMarks, FollowTheNamesInATableAndAreNotInIdsOfRuns) {
+  ResultTable table;
+  table.methods = {"gap", "nd", "nd_tracks"};
+  table.manifest[kPrivilegedKey] = "nd";
+  table.scenario_hashes = {"0123abcd99"};
+  table.scenario = {0};
+  table.method = {1};
+  table.repetition = {0};
+  for (int i = 0; i < 2; ++i) {
+    mark_privileged(table);
+    EXPECT_EQ(table.methods, (std::vector<std::string>{"gap", "nd*", "nd_tracks"})) << "once";
+  }
+  EXPECT_EQ(run_id(table, 0), "0123abcd/nd/0");
+  EXPECT_EQ(marked_name(table, "nd"), "nd*");
+  EXPECT_EQ(marked_name(table, "gap"), "gap");
+  EXPECT_EQ(marked_name(table, "none"), "none");
+  EXPECT_NE(privileged_footnote(table), "");
+  table.methods = {"gap", "nd"};
+  EXPECT_EQ(privileged_footnote(table), "") << "without marks";
 }
 
 TEST(PrivilegedMarks, AreExplainedByAFootnoteFromTheManifest) {
   EXPECT_TRUE(privileged_methods({{"campaign", "a"}}).empty());
-  EXPECT_EQ(privileged_footnote({}), "");
+  EXPECT_EQ(privileged_footnote(PrivilegedMethods{}), "");
   const auto names = privileged_methods({{kPrivilegedKey, "a, b"}});
   EXPECT_EQ(names.names(), (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(
@@ -134,7 +143,7 @@ TEST(PrivilegedMarks, TellTracksFromTheMap) {
   EXPECT_EQ(privileged_footnote(methods),
             "* privileged: a, b are given the tracks of movers (positions, velocities, radii); b, "
             "c are given the map of static obstacles; methods without the mark are not");
-  EXPECT_EQ(privileged_footnote({{}, {"c"}}),
+  EXPECT_EQ(privileged_footnote(PrivilegedMethods{{}, {"c"}}),
             "* privileged: c is given the map of static obstacles; methods without the mark are "
             "not");
   Manifest manifest;

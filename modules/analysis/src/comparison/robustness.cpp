@@ -86,7 +86,8 @@ RobustnessPoint point_of(const Setting& setting, const Setting& first, const std
   }
   const std::string name = side_name(setting, method, parameter);
   point.cell = make_cell(*setting.table, point.runs, require_metric(*setting.table, metric),
-                         options.analysis, name + "/" + metric);
+                         options.analysis,
+                         side_name(setting, unmarked_name(method), parameter) + "/" + metric);
   if (setting.table != first.table) {
     point.change = compare_pair({first.table, method, side_name(first, method, parameter)},
                                 {setting.table, method, name}, metric, options);

@@ -1,4 +1,5 @@
 #include <slalom/analysis/interpreter.h>
+#include <slalom/results/privileged.h>
 
 namespace slalom {
 
@@ -56,6 +57,19 @@ const std::vector<Interpreter>& all_interpreters() {
        interpret_history, 2, 1000},
   };
   return all;
+}
+
+Interpretation interpret(const Interpreter& interpreter, std::vector<ResultTable>& results,
+                         AnalysisQuery query) {
+  PrivilegedMethods privileged;
+  for (const ResultTable& table : results) privileged.add(privileged_methods(table.manifest));
+  for (ResultTable& table : results) {
+    mark_privileged(table, privileged);
+    for (std::string* name : {&query.method, &query.baseline}) *name = marked_name(table, *name);
+  }
+  Interpretation found = interpreter.interpret(results, query);
+  found.footnote = privileged_footnote(privileged);
+  return found;
 }
 
 }  // namespace slalom

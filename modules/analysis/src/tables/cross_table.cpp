@@ -2,6 +2,7 @@
 #include <slalom/analysis/table_sums.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/results/privileged.h>
 
 #include <algorithm>
 
@@ -34,7 +35,10 @@ void add_runs(CrossTable* begin, CrossTable* end, const ResultTable& table, cons
 }  // namespace
 
 std::uint32_t index_of_method(const ResultTable& table, const std::string& method) {
-  const auto found = std::find(table.methods.begin(), table.methods.end(), method);
+  const auto found = std::find_if(table.methods.begin(), table.methods.end(),
+                                  [plain = unmarked_name(method)](const std::string& one) {
+                                    return unmarked_name(one) == plain;
+                                  });
   if (found != table.methods.end()) {
     return static_cast<std::uint32_t>(found - table.methods.begin());
   }
@@ -60,6 +64,8 @@ std::vector<CrossTable> build_cross_tables(const ResultTable& table,
     CrossTable* const first = tables.data() + i * methods;
     add_runs(first, first + methods, table, RunRows(rows[i], table), options);
   }
+  for (CrossTable& cross : tables)
+    if (cross.method != unmarked_name(cross.method)) cross.footnote = privileged_footnote(table);
   return tables;
 }
 

@@ -195,7 +195,7 @@ DataTable summary_data(const SummaryTable& table) {
 }
 
 DataTable cross_data(const CrossTable& table) {
-  DataTable data{table.method + "_by_" + table.descriptor.id,
+  DataTable data{unmarked_name(table.method) + "_by_" + table.descriptor.id,
                  table.title,
                  {"method", "descriptor", "bin", "bin_low", "bin_high", "runs"},
                  table.rows.size(),

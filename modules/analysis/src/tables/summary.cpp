@@ -1,5 +1,6 @@
 #include <slalom/analysis/summary.h>
 #include <slalom/analysis/table_sums.h>
+#include <slalom/results/privileged.h>
 
 namespace slalom {
 namespace {
@@ -25,6 +26,7 @@ SummaryTable build_summary(const ResultTable& table, const std::vector<std::stri
   sums.add(table);
   SummaryTable summary = sums.summary(0, options);
   summary.outcomes = table.outcomes;
+  summary.footnote = privileged_footnote(table);
   if (options.medians) add_summary_medians(summary, table);
   return summary;
 }

@@ -257,11 +257,12 @@ std::vector<CrossTable> TableSums::cross_tables(const AnalysisOptions& options) 
       for (std::size_t i = 0; i < rows_[table].bins.size(); ++i) {
         const Row& row = method.tables[table].rows[i];
         const Bin& bin = rows_[table].bins[i];
-        cross.rows.push_back({bin,
-                              row.runs,
-                              {},
-                              {},
-                              cells_of(row, {name, cross.descriptor.id, bin.label()}, options)});
+        cross.rows.push_back(
+            {bin,
+             row.runs,
+             {},
+             {},
+             cells_of(row, {unmarked_name(name), cross.descriptor.id, bin.label()}, options)});
       }
       std::vector<const RowSums*> sums;
       for (const Row& row : method.tables[table].rows) sums.push_back(&row.cells);
@@ -281,8 +282,8 @@ SummaryTable TableSums::summary(std::size_t rows, const AnalysisOptions& options
   std::set<std::string> outcomes;
   for (const auto& [name, method] : methods_) {
     const Row& row = method.tables.at(rows).rows.at(0);
-    summary.methods.push_back(
-        {name, row.runs, method.outcomes, cells_of(row, {name, "summary"}, options)});
+    summary.methods.push_back({name, row.runs, method.outcomes,
+                               cells_of(row, {unmarked_name(name), "summary"}, options)});
     for (const auto& [outcome, count] : method.outcomes) outcomes.insert(outcome);
   }
   for (const bool success : {true, false})

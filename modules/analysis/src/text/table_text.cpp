@@ -2,7 +2,6 @@
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/findings.h>
-#include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/table_text.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
@@ -120,7 +119,7 @@ std::string render_tables_text(const ResultTable& table, const std::vector<BinSp
   Interpretation found;
   found.summary = build_summary(table, columns, options);
   found.cross_tables = build_cross_tables(table, rows, columns, options);
-  mark_privileged(found, privileged_methods(table.manifest));
+  found.footnote = privileged_footnote(table);
   return render_text(found);
 }
 

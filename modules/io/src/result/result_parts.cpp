@@ -84,11 +84,11 @@ void ResultParts::read_values(const std::string& descriptor) {
 }
 
 void ResultParts::for_each(const std::vector<std::string>& ids,
-                           const std::function<void(const ResultTable&)>& use) const {
+                           const std::function<void(ResultTable&)>& use) const {
   const auto read = [&](std::size_t file) {
     return finish_table(read_file_rows(files_[file], {ids}).table);
   };
-  parallel_in_order(files_.size(), jobs_, read, use);
+  parallel_in_order(files_.size(), jobs_, read, [&](ResultTable table) { use(table); });
 }
 
 }  // namespace slalom

@@ -8,7 +8,6 @@
 #include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/method_ranks.h>
 #include <slalom/analysis/performance_profile.h>
-#include <slalom/analysis/privileged_marks.h>
 #include <slalom/analysis/robustness.h>
 #include <slalom/analysis/table_export.h>
 #include <slalom/analysis/table_latex.h>
@@ -93,15 +92,13 @@ TEST(Interpreter, MarksPrivilegedMethodsInAllFormats) {
     if (interpreter.min_results > 1) continue;
     std::vector<ResultTable> results = {six().table};
     const std::string rows = interpreter.id == "map" ? "density:2;density:3" : "density:2";
-    const auto found = [&](bool marked) {
-      Interpretation result = interpreter.interpret(results, query(rows, {"optimality"}));
-      if (marked) mark_privileged(result, privileged_methods(results));
-      return result;
-    };
-    EXPECT_EQ(render_text(found(true)), render_text(found(false))) << "without privileged methods";
-    EXPECT_EQ(render_csv(found(true)), render_csv(found(false)));
+    const AnalysisQuery asked = query(rows, {"optimality"});
+    const Interpretation plain = interpreter.interpret(results, asked);
+    const Interpretation same = interpret(interpreter, results, asked);
+    EXPECT_EQ(render_text(same), render_text(plain)) << "without privileged methods";
+    EXPECT_EQ(render_csv(same), render_csv(plain));
     results[0].manifest[kPrivilegedKey] = "b";
-    const Interpretation marked = found(true);
+    const Interpretation marked = interpret(interpreter, results, asked);
     for (const std::string& text : {render_text(marked), render_csv(marked)}) {
       EXPECT_NE(text.find("b*"), std::string::npos) << interpreter.id << "\n" << text;
       EXPECT_NE(text.find(footnote), std::string::npos) << interpreter.id << "\n" << text;
@@ -117,16 +114,46 @@ TEST(Interpreter, MarksPrivilegedMethodsInAllFormats) {
 }
 
 TEST(Interpreter, MarksPrivilegedMethodsInLatexOfSummaryAndCrossTables) {
-  const std::vector<ResultTable> results = {six().table};
-  AnalysisQuery asked = query("density:2", {"optimality"});
-  Interpretation found = named("table").interpret(results, asked);
-  mark_privileged(found, {{"b"}, {}});
+  std::vector<ResultTable> results = {six().table};
+  results[0].manifest[kPrivilegedKey] = "b";
+  const Interpretation found =
+      interpret(named("table"), results, query("density:2", {"optimality"}));
   const std::string summary = render_latex(*found.summary);
   EXPECT_NE(summary.find("b* & "), std::string::npos) << summary;
   EXPECT_NE(summary.find(". * privileged: b is given"), std::string::npos) << summary;
   ASSERT_EQ(found.cross_tables->size(), 2U);
   EXPECT_EQ(render_latex(found.cross_tables->at(0)).find("privileged"), std::string::npos);
   EXPECT_NE(render_latex(found.cross_tables->at(1)).find("b* by density"), std::string::npos);
+}
+
+TEST(Interpreter, MarksNamesOfPrivilegedMethodsButNoOtherWords) {
+  for (const Interpreter& interpreter : all_interpreters()) {
+    if (interpreter.min_results > 1) continue;
+    const std::string rows = interpreter.id == "map" ? "density:2;density:3" : "density:2";
+    const auto marks = [&](const std::string& name) {
+      std::vector<ResultTable> results = {six().table};
+      results[0].methods[1] = name;
+      results[0].manifest[kPrivilegedKey] = name;
+      std::string text =
+          render_text(interpret(interpreter, results, query(rows, {"optimality", "success"})));
+      return std::count(text.begin(), text.end(), '*');
+    };
+    for (const char* word : {"runs", "of", "success", "optimality", "density", "is", "succeeds"})
+      EXPECT_EQ(marks(word), marks("zzz")) << interpreter.id << ": " << word;
+  }
+}
+
+TEST(Interpreter, TakesNamesOfPrivilegedMethodsWithoutTheirMark) {
+  std::vector<ResultTable> results = {six().table};
+  results[0].manifest[kPrivilegedKey] = "b";
+  AnalysisQuery asked = query("all", {"optimality"});
+  asked.baseline = "b";
+  const std::string text = render_text(interpret(named("compare"), results, asked));
+  EXPECT_NE(text.find("b*"), std::string::npos) << text;
+  asked = query("all", {"optimality"});
+  asked.method = "b";
+  const std::string summary = render_text(interpret(named("summary"), results, asked));
+  EXPECT_NE(summary.find("b* succeeds"), std::string::npos) << summary;
 }
 
 /// Three methods over `six`; c is as good as a, and reaches nothing beyond scenario 2.

@@ -58,6 +58,11 @@ struct Interpreter {
 
 const std::vector<Interpreter>& all_interpreters();
 
+/// Interprets results in which the names of privileged methods have their mark, which it adds to
+/// them and to the names in the query, and sets the footnote.
+Interpretation interpret(const Interpreter& interpreter, std::vector<ResultTable>& results,
+                         AnalysisQuery query);
+
 /// The tables as text for a terminal (UTF-8): numbers to four digits, "x [low, high]" for a column
 /// with ".low" and ".high"; columns of run ids are omitted.
 std::string render_text(const Interpretation& interpretation);

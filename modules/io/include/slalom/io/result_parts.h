@@ -28,7 +28,7 @@ class ResultParts {
   /// Calls `use` with the results of each file, one after the other, as read_results() returns
   /// them. At most `jobs` of them are in memory. Throws Error (File).
   void for_each(const std::vector<std::string>& ids,
-                const std::function<void(const ResultTable&)>& use) const;
+                const std::function<void(ResultTable&)>& use) const;
 
  private:
   std::vector<std::string> files_;

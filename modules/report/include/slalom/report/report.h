@@ -35,7 +35,7 @@ ReportOptions report_options(const ResultTable& runs);
 /// folder with the shards of a campaign; `runs`: those in it, with all quantities. The output is
 /// deterministic, except for wall-clock columns. Throws Error (Usage) for unknown descriptors or
 /// metrics, Error (Job) when it cannot write.
-void write_report(const std::string& results, const ResultTable& runs, const ReportOptions& options,
+void write_report(const std::string& results, ResultTable runs, const ReportOptions& options,
                   const std::string& directory);
 
 /// Removes what write_report() has written into `directory`, if anything. Throws Error (Job).

@@ -41,8 +41,8 @@ class MethodFailures {
   };
   std::map<std::string, Method> methods_;
 
-  /// Adds so many runs, the first of which is this one.
-  void add_runs(std::size_t runs, const RunRecord& first);
+  /// Adds runs of the method, the first of which is this one.
+  void add_runs(const std::string& name, std::size_t runs, const RunRecord& first);
 };
 
 /// Whether the outcome is one of those.

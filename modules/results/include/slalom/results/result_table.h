@@ -106,6 +106,12 @@ void sort_rows(ResultTable& columns);
 const ValueColumn* find_metric(const ResultTable& columns, const std::string& id);
 const ValueColumn* find_descriptor(const ResultTable& columns, const std::string& id);
 
+/// The mark behind the names of privileged methods where they are shown beside others, see
+/// mark_privileged(). Names of methods do not contain it.
+constexpr const char* kPrivilegedMark = "*";
+/// The name without the mark.
+std::string unmarked_name(const std::string& method);
+
 /// As for a RunRecord: "hash8/method/repetition".
 std::string run_id(const ResultTable& columns, std::size_t run);
 
