@@ -36,7 +36,7 @@ void CampaignRecorder::count_known_run(const std::string& hash, const std::strin
 
 bool CampaignRecorder::run(std::vector<Scenario> scenarios, const Execution& execution) {
   campaign_.scenarios = std::move(scenarios);
-  // Polled all the time, also while no results come.
+  // Polled continuously, even while no results arrive.
   Execution committing = execution;
   committing.interrupted = [&] {
     commit_when_due();

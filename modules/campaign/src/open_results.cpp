@@ -52,7 +52,7 @@ bool is_addition(const IdentityDifference& difference,
   const auto& [key, here, there] = difference;
   if (key == "campaign.methods") return adds_methods(here, there);
   if (key == "campaign.repetitions") return adds_repetitions(here, there);
-  // Which scenarios there are is compared one by one.
+  // Scenarios are compared one by one.
   return starts_with(key, "scenarios.") || is_of_new_method(key, old_methods);
 }
 

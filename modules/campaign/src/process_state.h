@@ -11,10 +11,10 @@
 
 namespace slalom {
 
-/// What a method can change in its process and what would affect its next run: signal handlers and
-/// mask, timers, locale, current folder, umask, resource limits, environment variables, scheduling
-/// and other attributes of the process, threads and child processes. (The floating-point
-/// environment is not in it: the simulation restores it.)
+/// Everything that a method can change in its process and that affects its next run: signal
+/// handlers and mask, timers, locale, current folder, umask, resource limits, environment
+/// variables, scheduling and other attributes of the process, threads and child processes. (The
+/// floating-point environment is not in it: the simulation restores it.)
 class ProcessState {
  public:
   ProcessState();  ///< the current state

@@ -79,7 +79,7 @@ std::vector<bool> open_bins(const std::vector<PrecisionCell>& cells, std::size_t
   return open;
 }
 
-/// What an interim analysis shows.
+/// Result of an interim analysis.
 struct Look {
   std::vector<bool> open;  ///< by bin: the rule is not yet met
   std::string text;

@@ -25,7 +25,7 @@ class InputStore {
   bool is_awaited(std::size_t item) const;
   /// Starts a process that makes the next input. False when enough are there or being made.
   bool make_next();
-  /// Of the input of a work item that starts; -1 if there is none.
+  /// Descriptor of the input of a work item that starts; -1 if there is none.
   int descriptor_for(std::size_t item);
   /// After the last execution of a work item.
   void release(std::size_t item);

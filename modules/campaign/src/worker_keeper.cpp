@@ -45,7 +45,7 @@ bool has_ended(pid_t worker) {
 /// program that is suspended with its keeper and continued finds it running.
 constexpr int kMaxStopped = 50, kCheckMs = 20;
 
-/// By a signal or by a process that traces it.
+/// Whether a signal or a tracing process has stopped the process.
 bool is_stopped(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string fields;

@@ -22,7 +22,7 @@ class WorkerProcess {
   /// From a keeper, which has the work item.
   WorkerProcess(const PoolOptions& options, WorkerKeeper& keeper)
       : options_(options), keeper_(&keeper) {}
-  /// Without a keeper, for trusted work items.
+  /// Starts a process without a keeper, for trusted work items.
   WorkerProcess(const PoolOptions& options, const WorkItem& item, FileReceiver receive_file)
       : options_(options), trusted_item_(&item), receive_file_(std::move(receive_file)) {}
   ~WorkerProcess() { begin_end(); }
@@ -35,7 +35,7 @@ class WorkerProcess {
   std::size_t group() const { return group_; }
   std::size_t last_item() const { return item_; }  ///< the current one if busy
 
-  /// Of an idle process: it is alive and has sent nothing that was not asked for.
+  /// Whether an idle process is alive and has sent no unsolicited reply.
   bool is_sound() const;
   /// It has died before the first heartbeat of a work item that was not its first: an earlier one
   /// may be the cause.

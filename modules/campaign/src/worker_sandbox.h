@@ -9,14 +9,14 @@ namespace slalom {
 bool can_sandbox();
 
 /// From now on this process and all that it starts can change files only beneath `folders`, and
-/// write to /dev/null; since Linux 6.12 they also can send signals to each other only. What
-/// is open remains so. Irrevocable. False if that is not possible; the process is as before then,
-/// except that it cannot gain privileges.
+/// write to /dev/null; since Linux 6.12 they also can send signals to each other only. Open files
+/// remain open. Irrevocable. False if that is not possible; the process is as before then, except
+/// that it cannot gain privileges.
 bool confine_writing_to(const std::vector<std::string>& folders);
 
-/// From now on this process and all that it starts can make no sockets of a network, only such
-/// within the machine (AF_UNIX); what is open remains so. Irrevocable. False if the kernel cannot
-/// do that (seccomp).
+/// From now on this process and all that it starts can make no sockets of a network, only within
+/// the machine (AF_UNIX); open sockets remain open. Irrevocable. False if the kernel cannot do that
+/// (seccomp).
 bool close_networks();
 
 /// A new folder for the temporary files of one worker; "" if it cannot be created.

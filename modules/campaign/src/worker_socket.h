@@ -12,8 +12,8 @@
 
 namespace slalom {
 
-/// What the parent asks a worker to do. The random number is in the answer, so that only the answer
-/// to this request is taken for it.
+/// Request of the parent to a worker. The answer repeats the random number, so that no other answer
+/// is taken for it.
 struct Request {
   std::uint64_t nonce, index;
 };
@@ -28,7 +28,8 @@ constexpr char kDone = 'D';
 constexpr char kThrew = 'E';
 constexpr char kOutOfMemory = 'M';
 
-/// What a worker is started with. The worker keeps none of it but its end of the socket.
+/// File descriptors that a worker is started with. The worker keeps none of them but its end of the
+/// socket.
 struct WorkerStart {
   FileDescriptor socket;   ///< to the process that starts it
   FileDescriptor control;  ///< for its keeper: see WorkerKeeper::start_worker()
@@ -74,7 +75,7 @@ class SocketState {
   std::vector<std::string> options_;
 };
 
-/// Of a process or socket, with the system's reason.
+/// Error about a process or socket, with the system's reason.
 Error cannot_create(const std::string& what, int error);
 
 /// Two connected sockets.

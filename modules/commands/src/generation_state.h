@@ -7,13 +7,13 @@
 
 namespace slalom {
 
-// Where a generation is, as a note of its list. Reading gives the beginning if there is no note, or
-// if the generation ended, and throws Error (File) for a damaged one.
+// Progress of a generation, stored as a note of its list. Reading gives the beginning if there is
+// no note, or if the generation ended, and throws Error (File) for a damaged one.
 
 SourceState read_source_state(const ScenarioList& list);
 void store_source_state(ScenarioList& list, const SourceState& state);
 
-/// Of a coverage generation, see CoverageSettings::known.
+/// Evaluations of a coverage generation, see CoverageSettings::known.
 std::string read_evaluations(const ScenarioList& list);
 void store_evaluations(ScenarioList& list, const std::string& evaluations);
 

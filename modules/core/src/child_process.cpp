@@ -20,7 +20,7 @@ constexpr int kPollInterval = 100;          // ms
 constexpr int kTerminationIntervals = 100;  // of kPollInterval, from SIGINT to SIGKILL
 constexpr char kNullDevice[] = "/dev/null";
 
-/// What posix_spawn() is to do in the new process: its streams, and signals as in a new shell.
+/// Options of posix_spawn() for the new process: its streams, and signals as in a new shell.
 class SpawnOptions {
  public:
   explicit SpawnOptions(int output) {

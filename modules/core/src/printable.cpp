@@ -20,8 +20,8 @@ std::size_t utf8_length(unsigned char first) {
   return first >= 0xF0 && first < 0xF5 ? 4 : 0;
 }
 
-/// What the second byte must lie in, so that there is one form of each character, and neither
-/// surrogates nor numbers above U+10FFFF.
+/// Restricts the second byte, so that each character has one form, and neither surrogates nor
+/// numbers above U+10FFFF are accepted.
 bool is_second_byte(unsigned char first, unsigned char second) {
   const unsigned char least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
   const unsigned char most = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;

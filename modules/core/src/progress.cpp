@@ -28,7 +28,7 @@ std::string duration_text(double seconds) {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-/// What an earlier execution has done, by the first report.
+/// Work done by an earlier execution, from the first report.
 std::size_t done_earlier(std::size_t first_report) {
   return first_report > 1 ? first_report : 0;
 }

@@ -113,7 +113,8 @@ std::unique_ptr<World> draw_fair_world(const CandidateMix& mix, const TestBench&
     if (!may_be_fair(drawn, bench.setup.robot.shape().enclosing_radius(), fairness)) continue;
     auto world = std::make_unique<World>(std::move(drawn), bench.setup.simulation.resolution);
     if (!has_fair_geometry(*world, bench.setup.robot, fairness)) continue;
-    // Of a stream of their own: the static obstacles are those of a search without walkers.
+    // Walkers have a random stream of their own: the static obstacles are those of a search without
+    // them.
     world = with_walkers_of(bench, std::move(world), derive_seed(seed, "walkers", index));
     if (world) return world;
   }

@@ -26,7 +26,7 @@ class BenchMethods {
   std::map<std::size_t, std::unique_ptr<Method>> methods_;
 };
 
-/// Where a job gets its trials.
+/// Source of the trials of a job.
 class TrialSource {
  public:
   virtual ~TrialSource() = default;

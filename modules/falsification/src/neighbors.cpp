@@ -14,8 +14,8 @@
 namespace slalom {
 namespace {
 
-/// What neighbors have in common: the logarithms of the sides of the workspace and of the distance
-/// from start to goal.
+/// Quantities that neighbors have in common: the logarithms of the sides of the workspace and of
+/// the distance from start to goal.
 using TaskSize = std::array<double, 3>;
 
 TaskSize task_size(const Scenario& scenario) {

@@ -11,8 +11,8 @@ constexpr int kApproaches = 10;
 constexpr int kClimbs = 5;             // after the approaches, or the run with the difference
 constexpr int kWithoutDivergence = 3;  // candidates after which no run reaches the difference
 
-/// Of obstacles and of the task; those that change much, or the workspace, lead away from the
-/// parent.
+/// Mutations of obstacles and of the task; those that change much, or the workspace, lead away from
+/// the parent.
 constexpr std::array kMutations = {Mutation::Move,      Mutation::Resize, Mutation::Remove,
                                    Mutation::Duplicate, Mutation::Add,    Mutation::MoveStartGoal};
 

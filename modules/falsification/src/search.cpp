@@ -107,7 +107,7 @@ class SearchRound {
     if (is_probed) {
       if (!options_.probe && !bench_.relative)
         throw job_error("search", "a worker process died between two runs: " + result.detail);
-      // In a single step or a run of the relative, of which there is no scenario to keep.
+      // A single step or a run of the surrogate has no scenario to keep.
       const std::uint64_t index = runs.empty() ? batch.begin : runs.back().index + 1;
       runs.emplace_back();
       runs.back().index = index;

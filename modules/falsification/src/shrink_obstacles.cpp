@@ -47,7 +47,7 @@ std::vector<int> block_sides(const Scenario& scenario) {
   return {0, 32, 16, 8, kFinestBlock};
 }
 
-/// Those of the parts of which each is needed at last.
+/// A minimal subset of the parts: each one is needed.
 std::vector<int> removed_alone(const Scenario& scenario) {
   const std::vector<int> sides = block_sides(scenario);
   return sides.size() > 1 ? std::vector<int>{sides.front(), sides.back()} : sides;

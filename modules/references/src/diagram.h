@@ -45,7 +45,7 @@ class Diagram {
 
   /// The shortest path over wide cells, where lengths off the diagram are weighted by
   /// kOffDiagramCost: it leaves the diagram only to bridge gaps between cells, or where the detour
-  /// along the diagram is longer by that factor. Of several the one that, from `to` backwards,
+  /// along the diagram is longer by that factor. Ties are broken from `to` backwards: the path that
   /// comes from the cell with the largest d, then by the first of kSteps. Empty if there is none.
   std::vector<GridCell> shortest(const GridCell& from, const GridCell& to) const;
   static constexpr int kOffDiagramCost = 10;

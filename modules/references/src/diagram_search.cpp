@@ -40,7 +40,7 @@ constexpr bool goes_on(const Step& last, const Step& next) {
   return dx < -1 || dx > 1 || dy < -1 || dy > 1;
 }
 
-/// By the step before: the steps to go on by, in the order of kSteps.
+/// The steps that may follow each step, in the order of kSteps.
 struct Continuations {
   std::array<std::size_t, kStepCount + 1> count{};
   std::array<std::array<std::uint8_t, kStepCount>, kStepCount + 1> steps{};

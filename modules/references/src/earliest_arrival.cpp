@@ -16,7 +16,7 @@ using arrival::Roadmap;
 using arrival::Stay;
 using arrival::Traffic;
 
-/// Of the lattice, as a fraction of the robot's radius.
+/// Spacing of the lattice, as a fraction of the robot's radius.
 constexpr double kSpacingOfRadius = 0.5;
 
 std::vector<TimedPoint> find_plan(const PlanningProblem& problem, const ShortestPath& shortest,

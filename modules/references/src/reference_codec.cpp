@@ -4,7 +4,8 @@
 namespace slalom {
 namespace {
 
-/// That of scenarios with moving obstacles has the earliest arrival at the end.
+/// Versions of the code; the one for scenarios with moving obstacles has the earliest arrival at
+/// the end.
 constexpr std::uint8_t kVersion = 3, kVersionWithMovers = 4;
 
 void write_path(ByteWriter& out, const Path& path) {

@@ -1,4 +1,4 @@
-// What is known of each run, by name: texts, metrics and descriptors; and filters of runs in these words.
+// Fields of each run, by name: texts, metrics and descriptors; and filters of runs in these words.
 "use strict";
 
 const TEXT_FIELDS = {

@@ -9,7 +9,7 @@ function showSections(sections) {
   return shown;
 }
 
-// What answers first is open; the rest opens by a click, a link or an address.
+// Opens the sections that answer first; the rest opens by a click, a link or an address.
 function showCampaign() {
   const shown = showSections([
     ["clusters", "Failures", clustersSection(), true], ["overview", "At a glance", overviewSection(null), true], ["summary", "Summary", summarySection(null), true],

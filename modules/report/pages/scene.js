@@ -28,7 +28,7 @@ function gridPath(scenario) {
   return path;
 }
 
-// Where the center of a mover is at a time of the run; null while it is absent.
+// Center of a moving obstacle at a time of the run; null while it is absent.
 function moverAt({ waypoints, after }, time) {
   const first = waypoints[0], last = waypoints[waypoints.length - 3];
   if (time < first || (time > last && after === "vanish")) return null;

@@ -1,5 +1,5 @@
-// What the pages compute themselves from the values of runs: counts, means and quantiles. Intervals and tests come with
-// the report.
+// Statistics that the pages compute themselves from the values of runs: counts, means and quantiles. Intervals and
+// tests come with the report.
 "use strict";
 
 // Linear between the order statistics of `sorted`, as in slalom-analyze.
@@ -8,8 +8,8 @@ function quantile(sorted, fraction) {
   return sorted[low] + (at - low) * (sorted[high] - sorted[low]);
 }
 
-// Of runs (indexes) and a field: the runs with values in increasing order of these, their mean and five quantiles, and
-// the numbers of missing values by reason.
+// Describes a field of runs (indexes): the runs with values in increasing order of these, their mean and five
+// quantiles, and the numbers of missing values by reason.
 function describe(runs, values) {
   const present = runs.filter((run) => typeof values[run] === "number").sort((a, b) => values[a] - values[b]);
   const sorted = present.map((run) => values[run]), na = {};

@@ -39,7 +39,7 @@ IniFile campaign_ini(const Manifest& manifest) {
   }
 }
 
-/// By density if any scenario has it.
+/// Bins by density if any scenario has it.
 std::vector<BinSpec> default_rows(const ResultTable& runs) {
   const ValueColumn* density = find_descriptor(runs, "density");
   for (std::size_t i = 0; density != nullptr && i < density->size(); ++i)

@@ -159,7 +159,7 @@ class DataMaker {
     return json;
   }
 
-  /// Of the first column over the first two row specifications of different descriptors.
+  /// Maps of the first column over the first two row specifications of different descriptors.
   OrderedJson maps() {
     OrderedJson json = OrderedJson::array();
     std::vector<BinSpec> axes;

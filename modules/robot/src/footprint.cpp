@@ -73,8 +73,8 @@ bool is_straight(const TPoint2D& in, const TPoint2D& out) {
   return ahead > 0 && std::abs(cross(in, out)) <= kRounding * (in + out).norm();
 }
 
-/// Without corners that do not change the shape: those that repeat their predecessor, as the first
-/// of a closed polygon does, and those on a straight side.
+/// Drops corners that do not change the shape: those that repeat their predecessor, as the first of
+/// a closed polygon does, and those on a straight side.
 std::vector<Corner> without_needless(const std::vector<Corner>& corners) {
   std::vector<Corner> distinct, needed;
   for (const Corner& corner : corners)

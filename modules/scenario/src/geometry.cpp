@@ -164,7 +164,7 @@ std::optional<std::pair<double, double>> range_within(const TPoint2D& from,
   const double distance = math::hypot(from.x, from.y);
   const double a = movement.x * movement.x + movement.y * movement.y;
   const double b = from.x * movement.x + from.y * movement.y;
-  // As a product: the difference of squares would lose the digits of a small gap.
+  // A product: the difference of squares would lose the digits of a small gap.
   const double c = (distance - radius) * (distance + radius);
   if (a <= 0) return c < 0 ? std::optional(std::pair(-kInfinity, kInfinity)) : std::nullopt;
   const double discriminant = b * b - a * c;

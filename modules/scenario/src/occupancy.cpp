@@ -80,7 +80,7 @@ Occupancy from_grid(const COccupancyGridMap2D& map) {
   return cells;
 }
 
-/// As written for other processes.
+/// Layout that is written for other processes.
 struct Geometry {
   int size_x, size_y;
   double resolution, x, y;

@@ -31,7 +31,7 @@ constexpr unsigned kept_rows(std::size_t code) {
   return rows;
 }
 
-/// Where the rows of an extent begin, in rows of all extents.
+/// First row of an extent, in rows of all extents.
 constexpr std::size_t first_row(std::size_t code) {
   std::size_t rows = 0;
   for (std::size_t i = 1; i < code; ++i) rows += kept_rows(i);
@@ -40,7 +40,8 @@ constexpr std::size_t first_row(std::size_t code) {
 
 constexpr std::size_t kAllRows = first_row(kCodes);
 
-/// Which of the rectangles with these codes of height and width is better: 1 to 127, 0 when empty.
+/// Scores of the rectangles with these codes of height and width: 1 to 127, the higher the better,
+/// 0 when empty.
 struct RectangleScores {
   alignas(16) std::int8_t score[kCodes][kCodes] = {};
   RectangleScores();

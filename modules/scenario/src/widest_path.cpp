@@ -56,7 +56,7 @@ class Frontier {
   std::priority_queue<Narrower> narrower_;
 };
 
-/// What is known of each cell, with a border of occupied cells: no step needs a test of bounds.
+/// State of each cell, with a border of occupied cells: no step needs a test of bounds.
 class Marks {
  public:
   Marks(const Occupancy& cells, const DistanceField& field, double limit)
@@ -75,8 +75,8 @@ class Marks {
   void reach(GridIndex cell) { marks_[index(cell)] = kReached; }
 
   /// Calls `reach(neighbor, wide)` for each free neighbor that was not reached and is not around an
-  /// occupied corner, and marks it as reached; `wide`: d is at least the limit at its center. Those
-  /// towards `target` come last.
+  /// occupied corner, and marks it as reached; `wide`: d is at least the limit at its center.
+  /// Neighbors towards `target` come last.
   template <typename Reach>
   void reach_neighbors(GridIndex cell, GridIndex target, const Reach& reach) {
     std::uint8_t* const here = &marks_[index(cell)];

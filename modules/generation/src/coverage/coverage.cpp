@@ -17,7 +17,7 @@ namespace {
 /// archive is updated between batches.
 constexpr std::size_t kBatch = 24;
 
-/// Of an evaluation that was interrupted: whether the candidate was of use.
+/// Marks of the candidates of an interrupted evaluation: was the candidate of use?
 constexpr char kUseful = '+', kUseless = '-';
 constexpr double kKeepSeconds = 1;
 

@@ -105,8 +105,8 @@ struct MixStream::Impl {
     return generated;
   }
 
-  /// Of a stream of their own, so that the static obstacles are those of the same mix without
-  /// walkers.
+  /// Adds walkers from a random stream of their own, so that the static obstacles are those of the
+  /// same mix without walkers.
   GeneratedScenario with_walkers(const World& world, const std::string& generator,
                                  std::uint64_t seed) const {
     RandomEngine engine(derive_seed(seed, "walkers"));

@@ -86,7 +86,7 @@ class HistogramPlot : public ListPlot {
   }
   std::string x_title() const override { return with_unit(info_); }
   std::string y_title() const override { return "scenarios"; }
-  /// What the mouse is over, or how many scenarios are in no bar.
+  /// Names the bar under the mouse, or counts the scenarios that are in no bar.
   std::string remark() const override {
     return hovered_ ? bar_text(*hovered_) : missing_text(histogram_);
   }

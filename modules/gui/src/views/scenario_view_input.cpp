@@ -71,7 +71,8 @@ void ScenarioView::pointer_moved(const Point& at) {
   editor_.move(*pointer_);
 }
 
-/// By value: the action may rebuild the layout and so invalidate a reference to the part's name.
+/// Takes its argument by value: the action may rebuild the layout and so invalidate a reference to
+/// the part's name.
 // NOLINTNEXTLINE(performance-unnecessary-value-param)
 void ScenarioView::activate_part(const std::string name) {
   if (name == "legend") set_legend_open(!legend_open_);

@@ -89,7 +89,7 @@ struct TileClip {
 TileClip clip_tile(const CellPyramid& pyramid, const CellTile& tile, const ViewTransform& view,
                    double ratio);
 
-/// What layers need for drawing.
+/// Context in which layers are drawn.
 struct LayerContext {
   NVGcontext* ctx = nullptr;
   const SceneData& scene;

@@ -20,7 +20,7 @@ struct LegendColumns {
   double width, row_height;
 };
 
-/// As few columns as possible in which all rows are in the canvas and readable.
+/// The fewest columns in which all rows are in the canvas and readable.
 LegendColumns legend_columns(std::size_t layers, const ScreenRect& canvas, double width) {
   const double wide = canvas.width - 2 * kGap;
   const double tall = canvas.height - 2 * kGap - kLegendTitleHeight;

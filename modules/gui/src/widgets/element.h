@@ -48,12 +48,12 @@ class Element : public nanogui::Widget {
   /// The rectangle of a part that is not an element, "row 3", "slider": its own, or of a visible
   /// child. nullopt if it is not visible. The empty name is the whole element.
   virtual std::optional<ScreenRect> rect_of(const std::string& part) const;
-  /// What a click on a part does; the empty name is none of them.
+  /// Handles a click on a part; the empty name is none of them.
   virtual void click(const std::string& /*part*/) {}
   ScreenRect area() const;
   void set_bounds(const ScreenRect& rect);
 
-  // Of nanogui; they call the functions below, children first.
+  // Functions of nanogui; they call the functions below, children first.
   void draw(NVGcontext* ctx) override;
   bool mouseButtonEvent(const nanogui::Vector2i& p, int button, bool down, int modifiers) override;
   bool mouseMotionEvent(const nanogui::Vector2i& p, const nanogui::Vector2i& rel, int button,

@@ -14,8 +14,8 @@ struct MenuLine {
   std::string name;  ///< of the part
   std::string text;
   std::string shortcut = {}, help = {};
-  /// As in Action. Asked whenever the line is drawn or chosen: it may change while the menu is
-  /// open.
+  /// Returns the reason why the line is disabled, as in Action. Called whenever the line is drawn
+  /// or chosen: it may change while the menu is open.
   std::function<std::string()> disabled_check = {};
   bool checked = false;
 

@@ -18,7 +18,7 @@ using WindowLayout = std::map<std::string, ScreenRect>;
 /// largest element of every window: panels shrink before it does.
 StudioSettings with_fitted_panels(StudioSettings settings, int width, int height);
 
-/// What is below the scenario view.
+/// The panel below the scenario view.
 enum class BelowView { Nothing, Timeline, Results };
 
 /// Lays out the window with the panel sizes of `settings`, fitted to the window.

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kIdDigits = 12;
 constexpr std::size_t kMaxTagLength = 100;
 
-/// Of the columns hash, name, representation, generator and seed, and of the tags.
+/// Checksum of the columns hash, name, representation, generator and seed, and of the tags.
 std::int64_t checksum_of(SQLite::Statement& row, const std::vector<std::string>& tags) {
   RowChecksum checksum;
   checksum.add_columns(row, 0, 5);

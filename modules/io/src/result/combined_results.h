@@ -9,14 +9,14 @@
 
 namespace slalom {
 
-/// What was read from one result file: its table, in any order, and the checksums of the rows.
+/// Rows of one result file: its table, in any order, and the checksums of the rows.
 struct FileRows {
   ResultTable table;
   std::vector<std::int64_t> runs;
   std::vector<std::optional<std::int64_t>> scenarios;  ///< none for a damaged one
 };
 
-/// What is read of a file, see read_results().
+/// The part of a file to read, see read_results().
 struct RowsToRead {
   std::optional<std::vector<std::string>> ids;
   bool details = false;

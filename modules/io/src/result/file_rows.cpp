@@ -359,7 +359,7 @@ class ColumnReader {
 FileRows read_file_rows(const std::string& path, const RowsToRead& wanted) {
   const ResultFile file = ResultFile::open(path);
   return reading(path, [&] {
-    // Without SQLite's locks, which are taken for every value: one thread uses the connection.
+    // SQLite would take a lock for every value; one thread uses the connection.
     const auto database = open_reader(path, SQLite::OPEN_NOMUTEX);
     ColumnReader reader(file, *database);
     if (wanted.ids) reader.select(*wanted.ids);

@@ -21,14 +21,14 @@ struct RunName {
     rest = id.substr(slash);
   }
 
-  /// By its name, or by at least eight digits of its hash.
+  /// Compares its name, or at least eight digits of its hash.
   bool is_scenario(const std::string& hash, const std::string& name) const {
     return scenario == name || (scenario.size() >= 8 && starts_with(hash, scenario));
   }
 };
 
-/// What the user may have meant: another run of the scenario, or of one with a similar name. Hashes
-/// are not compared: similar ones have nothing in common.
+/// Suggests another run of the scenario, or of one with a similar name. Hashes are not compared:
+/// similar ones have nothing in common.
 std::string suggestion(const ResultTable& runs, const RunName& wanted) {
   std::vector<std::string> of_scenario, names;
   for (std::size_t run = 0; run < runs.size(); ++run) {

@@ -90,7 +90,7 @@ ResultCounts count_results(const std::string& path) {
 }
 
 struct MergedResults::Impl {
-  /// What is compared of a row that several files contain, and how a message names the row.
+  /// Columns to compare of a row that several files contain, and the name of the row in a message.
   struct Table {
     std::string name, keys, label;
     std::vector<std::string> compared;  ///< none: wall-clock time, that of the first file is kept

@@ -18,7 +18,7 @@ std::string first_file(const std::string& path) {
   return std::filesystem::is_directory(path, ignored) ? shards_in(path).front() : path;
 }
 
-/// Those of the file and the success, which every run has.
+/// Metrics of the file, and the success, which every run has.
 std::vector<QuantityInfo> metrics_in(const std::string& path) {
   std::vector<QuantityInfo> metrics = ResultFile::open(first_file(path)).metrics();
   const QuantityInfo& success = metric("success").info;

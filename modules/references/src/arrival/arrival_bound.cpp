@@ -17,8 +17,8 @@ using mrpt::math::TPoint2D;
 
 /// Side of the squares as a fraction of the robot's radius.
 constexpr double kSideOfRadius = 0.3;
-/// By which distances (m) are reduced beyond half the diagonal: more than the tolerances of
-/// contacts and, at the highest speed of movers, of times.
+/// Reduction of distances (m) beyond half the diagonal: more than the tolerances of contacts and,
+/// at the highest speed of movers, of times.
 constexpr double kMargin = 2e-6;
 /// Later labels are not examined: the bound found so far is valid, too.
 constexpr int kMaxExpanded = 500000;

@@ -62,7 +62,7 @@ class Extremes {
     }
   }
 
-  /// Where the boundary of the disc meets s = offset + slope * d.
+  /// Adds the intersection of the boundary of the disc with s = offset + slope * d.
   void add_edge(double offset, double slope) {
     const Vector constant = motion_.base + motion_.along * offset,
                  linear = motion_.across + motion_.along * slope;

@@ -170,8 +170,8 @@ void ConeExpansion::expand_pending() {
   }
 }
 
-/// As long as one run holds all of a row's part of the cone: without new limits. Returns false if
-/// the cone ended or was queued.
+/// Passes rows without new limits while one run holds all of a row's part of the cone. Returns
+/// false if the cone ended or was queued.
 bool ConeExpansion::pass_full_rows(Cone& cone) {
   constexpr int kStepsPerCheck = 8;
   for (int step = 1;; ++step) {

@@ -83,7 +83,7 @@ std::optional<DiscPath> shortest_disc_path(const Occupancy& cells, double robot_
   path->start = start;
   path->goal = goal;
   path->radius = space.radius * resolution;
-  // Of a straight path without the errors of cells.
+  // A straight path has no errors of cells.
   path->length = path->arcs.empty() ? distance_between(start, goal) : path->length * resolution;
   return path;
 }

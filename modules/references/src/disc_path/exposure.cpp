@@ -13,7 +13,7 @@ class Coverage {
  public:
   Coverage(double radius, double checked_radius) : radius_(radius), checked_(checked_radius) {}
 
-  /// By the occupied cells [x0, x1] x [y0, y0 + 1], grown by the radius: four discs, two boxes.
+  /// Adds the occupied cells [x0, x1] x [y0, y0 + 1], grown by the radius: four discs, two boxes.
   void add_cells(double x0, double x1, double y0) {
     const double y1 = y0 + 1;
     const double near_x = std::max({x0, -x1, 0.0}), near_y = std::max({y0, -y1, 0.0});

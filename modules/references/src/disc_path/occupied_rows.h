@@ -25,8 +25,8 @@ class OccupiedRows {
   int size_y() const { return cells_.size_y(); }
   bool is_occupied(int x, int y) const { return cells_.occupied(x, y); }
 
-  /// Whether no occupied square reaches into the open interval (low, high) of row y. What is
-  /// outside is occupied.
+  /// Whether no occupied square reaches into the open interval (low, high) of row y. Cells outside
+  /// are occupied.
   bool is_free(int y, double low, double high) const {
     if (y < 0 || y >= size_y() || low < 0 || high > size_x()) return false;
     return next_occupied(y)[static_cast<int>(low)] >= high;

@@ -74,7 +74,8 @@ std::vector<Vector> vertices_around(const RoundedPath& path, const Bend& bend, i
   return vertices;
 }
 
-/// As few as the excess allows, more if the chords touch what is on the other side of the path.
+/// The fewest vertices that the excess allows, more if the chords touch what is on the other side
+/// of the path.
 std::vector<Vector> free_vertices(const RoundedPath& path, const Bend& bend, double max_step,
                                   const OccupiedRows& rows, double checked_radius) {
   constexpr int kMaxCount = 1 << 15;

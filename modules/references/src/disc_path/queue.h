@@ -14,8 +14,8 @@ struct Line {
   double at(double y) const { return a + b * y; }
 };
 
-/// What is visible from a root through a window on the line y = row, upwards (direction +1) or
-/// downwards (-1), between two limiting rays.
+/// The region that is visible from a root through a window on the line y = row, upwards (direction
+/// +1) or downwards (-1), between two limiting rays.
 struct Cone {
   int root = 0;
   int row = 0;
@@ -26,7 +26,7 @@ struct Cone {
 /// In the order in which items of equal length are taken.
 enum class Kind { Goal, Root, Cone };
 
-/// What is still to be expanded, by the least possible length f of a path through it.
+/// Cones to expand, ordered by the least possible length f of a path through each.
 class Queue {
  public:
   struct Item {

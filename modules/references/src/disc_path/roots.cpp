@@ -27,7 +27,8 @@ Roots::Roots(SearchSpace& space, Queue& queue) : space_(space), queue_(queue) {
   roots_.push_back(start);
 }
 
-/// Where a path that leaves in this direction leaves the circle; false if it may not.
+/// Finds the point where a path that leaves in this direction leaves the circle; false if it may
+/// not.
 bool Roots::departs(const Root& from, const Vector& direction, Departure& departure) const {
   departure = {from.at, from.length};
   if (from.turn == 0) return true;

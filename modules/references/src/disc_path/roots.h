@@ -42,7 +42,7 @@ class Roots {
   const Root& operator[](int i) const { return roots_[static_cast<std::size_t>(i)]; }
   /// Length of the best path to the goal so far.
   double best_length() const { return best_length_; }
-  /// Where that path leaves its last circle.
+  /// Point at which that path leaves its last circle.
   const Vector& best_departure() const { return best_departure_; }
 
   /// Connects a root to the goal.

@@ -77,7 +77,7 @@ class Canvas {
         set(x, y, color, radius + 0.5 - math::hypot(x + 0.5 - c.x, y + 0.5 - c.y));
   }
 
-  /// Where it is at the beginning of a run, enlarged if it could not be seen.
+  /// Draws the mover at its initial position, enlarged if it could not be seen.
   void draw(const Mover& mover) {
     constexpr double kMinRadius = 1.5;  // pixels
     if (mover.present(0))

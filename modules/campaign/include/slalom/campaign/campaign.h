@@ -36,12 +36,13 @@ struct Campaign {
   /// Creates the observer that records a run; null: nothing is recorded. Called in worker
   /// processes, or in the calling process for runs whose worker process died.
   std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> recorder = nullptr;
-  /// In which the recorder writes: workers in a sandbox can write there too.
+  /// Folder of the recorder: workers in a sandbox can write there too.
   std::string recording_folder = {};
 };
 
 /// Receives the results of a campaign as they are obtained: scenarios before runs, each in any
-/// order. What it already has, from an earlier part of the same campaign, is not computed again.
+/// order. Results that it already has, from an earlier part of the same campaign, are not computed
+/// again.
 class CampaignSink {
  public:
   virtual ~CampaignSink() = default;

@@ -69,7 +69,7 @@ struct RecordSection {
   bool wants(Outcome outcome) const;
 };
 
-/// Those of "all" where nothing moves: without mover_metric_ids() and mover_descriptor_ids().
+/// The ids behind "all" in static scenarios: without mover_metric_ids() and mover_descriptor_ids().
 std::vector<std::string> all_metric_ids();
 std::vector<std::string> all_descriptor_ids();
 
@@ -88,7 +88,7 @@ struct CampaignOptions : RunSetup {
   RecordSection record;
   double reference_gap = 0.01;
 
-  /// Scenarios of which one has movers: "all" then includes the quantities about them.
+  /// If any scenario has movers, "all" includes their quantities.
   void adapt_to(const std::vector<Scenario>& scenarios);
   void add_mover_quantities();
 

@@ -22,8 +22,8 @@ struct RecorderOptions {
 /// Finished results are on disk after this time (s), also while further runs take long.
 constexpr double kCommitInterval = 2;
 
-/// Runs a campaign into one result file, in one or several batches of scenarios. What the file
-/// already holds is not run again. Results are stored as they are obtained.
+/// Runs a campaign into one result file, in one or several batches of scenarios. Runs that the file
+/// already holds are not repeated. Results are stored as they are obtained.
 class CampaignRecorder : private CampaignSink {
  public:
   /// The scenarios of `campaign` are not used.

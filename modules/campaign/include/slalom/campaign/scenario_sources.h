@@ -61,7 +61,7 @@ struct ScenarioSources {
 ScenarioSources read_scenario_sources(const IniFile& ini, const SourceContext& context,
                                       const MapLoader& load_map);
 
-/// Where the scenarios of the sources were interrupted.
+/// Position in the sources at which generation was interrupted.
 struct SourceState {
   std::size_t given = 0;   ///< of the list and the maps: those that are finished
   std::size_t passed = 0;  ///< scenarios of the next one that were passed

@@ -28,7 +28,7 @@ constexpr std::size_t kMaxShards = 1000000;
 /// The scenarios of a shard, in the order of the list.
 std::vector<Scenario> scenarios_of_shard(std::vector<Scenario> scenarios, const Shard& shard);
 
-/// What a result file contains when it is complete.
+/// The contents of a complete result file.
 struct RunPlan {
   Shard shard;                   ///< 1/1: the complete campaign
   std::size_t scenarios = 0;     ///< of the complete campaign

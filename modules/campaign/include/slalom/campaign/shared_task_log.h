@@ -35,7 +35,7 @@ class SharedTaskLog {
   void retire_worker();
   bool is_retired() const;
 
-  /// By a worker that cannot send its answer.
+  /// Called by a worker that cannot send its answer.
   void report_disconnected();
   bool is_disconnected() const;
 

@@ -4,7 +4,7 @@
 
 namespace slalom {
 
-/// What an interpreter in this process needs around fork(), on the thread that calls it.
+/// Hooks that an embedded interpreter runs around fork(), on the thread that calls it.
 struct ForkHooks {
   void (*before)() = nullptr;
   void (*in_parent)() = nullptr;  ///< also if fork() fails

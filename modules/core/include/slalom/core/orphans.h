@@ -6,7 +6,7 @@
 
 namespace slalom {
 
-/// From now on this process is the parent of what its descendants leave behind when they end. For
+/// Becomes the subreaper of its descendants: the parent of processes that outlive their own. For
 /// programs all of whose children in other sessions are such.
 void adopt_orphans();
 

@@ -6,13 +6,13 @@
 
 namespace slalom {
 
-/// What a line for log files says.
+/// Content of a line for log files.
 struct ProgressLine {
   std::string what;
   std::size_t done = 0, total = 0;
 };
 
-/// Of a line of make_terminal_progress(); none for other lines.
+/// Parses a line of make_terminal_progress(); none for other lines.
 std::optional<ProgressLine> parse_progress_line(const std::string& line);
 
 }  // namespace slalom

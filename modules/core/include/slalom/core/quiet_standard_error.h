@@ -5,8 +5,8 @@
 namespace slalom {
 
 /// Discards what is written to standard error while it lives: around calls of libraries that return
-/// errors and print them, too, without a way to keep them from it. What other threads write
-/// meanwhile is lost, so the calls must be short. A second one waits for the first.
+/// errors and print them, too, without a way to keep them from it. Output of other threads is lost
+/// meanwhile, so the calls must be short. A second one waits for the first.
 class QuietStandardError {
  public:
   QuietStandardError();

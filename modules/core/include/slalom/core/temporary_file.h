@@ -7,8 +7,8 @@ namespace slalom {
 
 /// A file beside `path` under a name of its own, which replaces that at `path` when it is complete.
 /// It is removed by the destructor unless it was published, and by remove_temporary_files() when
-/// the program is interrupted. What a killed program left in a folder is removed when the next one
-/// writes there.
+/// the program is interrupted. Files that a killed program left in a folder are removed when the
+/// next one writes there.
 class TemporaryFile {
  public:
   /// Chooses a name that ends with `ending`; creates nothing.

@@ -21,7 +21,7 @@ std::string count_text(std::size_t n, const std::string& noun);
 /// The candidate with the smallest edit distance to `word`, or "" if none is close.
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
 
-/// What is expected instead of an unknown name, for messages: the nearest known one in quotes;
+/// The expected names, for messages about an unknown one: the nearest known one in quotes;
 /// `otherwise` if none is close, or if that is empty, "one of" all.
 std::string expected_name(const std::string& name, const std::vector<std::string>& known,
                           const std::string& otherwise = "");

@@ -12,15 +12,15 @@
 
 namespace slalom {
 
-/// Where the nearest obstacle is at the end of a run, relative to the robot's heading: within 45
-/// degrees of it, beyond 135 degrees, or between.
+/// Direction of the nearest obstacle at the end of a run, relative to the robot's heading: within
+/// 45 degrees of it, beyond 135 degrees, or between.
 enum class ObstacleSide { Front, Side, Back };
 constexpr auto enum_names(ObstacleSide) {
   return std::array{"nearest obstacle in front", "nearest obstacle at the side",
                     "nearest obstacle behind"};
 }
 
-/// What the robot did in the last kEndWindow of a run.
+/// Motion of the robot in the last kEndWindow of a run.
 enum class EndMotion {
   Fast,     ///< ended above half of the maximum speed
   Slow,     ///< ended below it; of collisions and failures of the method
@@ -35,7 +35,7 @@ constexpr auto enum_names(EndMotion) {
 
 constexpr double kEndWindow = 5;  ///< s
 
-/// What is measured of a failing run, for clusters.
+/// Features of a failing run, for clusters.
 struct FailureFacts {
   Outcome outcome = Outcome::Collision;
   bool with_mover = false;  ///< a collision with a mover, which then is the nearest obstacle
@@ -62,14 +62,15 @@ struct FailureCluster {
   std::vector<std::size_t> members;  ///< indexes into the failures, ascending
 };
 
-/// Of fewer failures no contrast in 24 descriptors can hold (min_pairs_to_hold()).
+/// Least size of a cluster: with fewer failures no contrast in 24 descriptors can be significant
+/// (min_pairs_to_hold()).
 constexpr std::size_t kMinCluster = 10;
 
 /// Divides failures into clusters: by outcome, then fact by fact. Each value of a fact that at
 /// least kMinCluster members have becomes a cluster of its own, and the others together another
 /// one; if these are fewer than kMinCluster, the cluster is not divided by this fact. Sorted by
-/// size, the largest first, then by name and first member. Which failures are together depends on
-/// what they are, not on their order.
+/// size, the largest first, then by name and first member. The clusters do not depend on the order
+/// of the failures.
 std::vector<FailureCluster> cluster_failures(const std::vector<FailureFacts>& failures);
 
 }  // namespace slalom

@@ -9,7 +9,7 @@
 
 namespace slalom {
 
-/// Where a run leaves the path of one that reaches the goal in the same scenario.
+/// State at which a run leaves the path of one that reaches the goal in the same scenario.
 struct Departure {
   double t = 0, speed = 0;      ///< s, m/s
   double goal_bearing = 0;      ///< rad, from the heading, positive to the left
@@ -29,8 +29,8 @@ std::string departure_text(const std::string& method, const std::string& referen
                            const std::optional<Departure>& departure);
 
 /// rad, from the heading: the direction of the nearest static obstacle, to 5 degrees, as that in
-/// which the clearance decreases most over `step` (m). Of two equal ones that closer to the
-/// heading.
+/// which the clearance decreases most over `step` (m). The one closer to the heading, if two are
+/// equal.
 double bearing_of_obstacle(const World& world, const mrpt::math::TPose2D& pose, double step);
 
 /// rad, from the heading, positive to the left.

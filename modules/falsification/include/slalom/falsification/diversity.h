@@ -9,8 +9,8 @@
 namespace slalom {
 
 /// The area of a scenario's obstacles in the frame of its task: the start at the origin, the goal
-/// on the positive x axis. Of movers the area that they sweep; without the border. So scenarios of
-/// different workspaces are compared by where the obstacles are for the robot.
+/// on the positive x axis. Movers count with the area that they sweep; the border does not count.
+/// So scenarios of different workspaces are compared by where the obstacles are for the robot.
 class ObstacleArea {
  public:
   /// `resolution` (m): the size of the cells in which areas are measured, and those of continuous

@@ -24,7 +24,7 @@ struct ExaminedFailure {
   bool independent = true;
 };
 
-/// What was examined: the failures of one method.
+/// The examined failures of one method.
 struct ExaminedFailures {
   std::string method;
   int repetition = 0;
@@ -41,7 +41,7 @@ ExaminedFailures examined_failures_from_json(const std::string& text, const std:
 /// the median over the neighbors, by contrast_matched(). Statements are the contrasts of
 /// descriptors that hold: what differed before the run began. Metrics whose value follows from the
 /// outcome are left out. Throws Error (File) for damaged results, Error (Job) where a run is
-/// missing. Of the options it uses robot, resolution and confidence.
+/// missing. Uses the options robot, resolution and confidence.
 std::vector<ReportedCluster> explain_failures(const ResultFile& file, const ResultTable& runs,
                                               const ReportOptions& options,
                                               const ExaminedFailures& examined);

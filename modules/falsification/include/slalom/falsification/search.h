@@ -10,12 +10,12 @@
 
 namespace slalom {
 
-/// The two halves of a search. Only of the random one, whose scenarios are drawn independently of
-/// all results, follows a bound of the probability of failures.
+/// The two halves of a search. Only the random half bounds the failure probability, because its
+/// scenarios do not depend on results.
 enum class SearchHalf {
   Random,  ///< scenarios of the mix
   /// Changed scenarios in which the method came close to obstacles, probed ones, or those in which
-  /// a relative of the method fails.
+  /// a surrogate of the method fails.
   Adaptive
 };
 constexpr auto enum_names(SearchHalf) {
@@ -30,7 +30,7 @@ struct FoundFailure {
   Trial trial;
 };
 
-/// What was done in one half.
+/// Counts of one half of a search.
 struct SearchTally {
   std::size_t runs = 0;  ///< of the method, each in a scenario that meets the geometric conditions
   std::size_t failures = 0;  ///< with one of the outcomes searched for, where a witness arrives
@@ -42,7 +42,7 @@ struct SearchTally {
   double rule_of_three() const { return 3.0 / static_cast<double>(runs); }
 };
 
-/// Where a search was interrupted: at the end of a round.
+/// State of an interrupted search at the end of a round.
 struct SearchState {
   std::uint64_t rounds = 0;
   SearchTally random, adaptive;
@@ -66,15 +66,15 @@ struct SearchOptions {
   /// Wall-clock time; 0: unlimited. Rounds then take a few seconds each, so that the search ends
   /// soon after it; at least one is executed.
   double minutes = 0;
-  /// The search ends after the round in which so many were found; up to twice as many of it are
-  /// kept, so that those that are alike others can be left out.
+  /// The search stops after the round that reaches this number, and keeps up to twice as many so
+  /// that near-duplicates can be dropped.
   std::size_t max_failures = 10;
   int workers = 1;  ///< processes; with a budget in runs, results do not depend on it
   FairnessOptions fairness;
   /// The first witness is a reference, such as the method's last version: adaptive candidates start
-  /// where both give different commands: in single steps at poses near obstacles, or to the same
-  /// observations of a run of the reference. From such a one the search climbs towards less
-  /// clearance.
+  /// where the two commands differ: in single steps at poses near obstacles, or for the same
+  /// observations of a run of the reference. The search hill-climbs towards smaller clearance from
+  /// there.
   bool probe = false;
   std::vector<Outcome> outcomes;  ///< that count as failures
   SearchState known = {};         ///< continues this search

@@ -39,7 +39,7 @@ struct TestBench {
   std::size_t relative_index() const { return witnesses.size() + 1; }
 };
 
-/// What is kept of a run.
+/// The stored part of a run.
 struct Trial {
   Outcome outcome = Outcome::InfrastructureError;
   std::string detail;

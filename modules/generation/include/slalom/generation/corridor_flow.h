@@ -5,8 +5,8 @@
 
 namespace slalom {
 
-/// What the sections [generator.oncoming] and [generator.overtaking] have in common: a corridor
-/// along which the robot and movers go. Its walls are the border of the workspace.
+/// Common options of [generator.oncoming] and [generator.overtaking]: a corridor along which the
+/// robot and moving obstacles go. Its walls are the border of the workspace.
 struct CorridorFlowOptions {
   double length = 16;                   ///< m
   double min_width = 2, max_width = 4;  ///< m, drawn per scenario

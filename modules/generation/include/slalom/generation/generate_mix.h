@@ -57,7 +57,7 @@ struct MixDraw {
   int index = 0, attempt = 0;
 };
 
-/// Where a mix was interrupted.
+/// State of an interrupted mix.
 struct MixState {
   int begun = 0;                 ///< scenarios of the weighted round robin so far
   std::vector<MixDraw> round;    ///< of those: not generated yet

@@ -23,7 +23,7 @@ struct MazeOptions {
 std::unique_ptr<Generator> make_generator(const MazeOptions& options,
                                           const GeneratorContext& context = {});
 
-/// Which walls of a maze are open. Cells are numbered row by row.
+/// The open walls of a maze. Cells are numbered row by row.
 class Maze {
  public:
   Maze(int columns, int rows);

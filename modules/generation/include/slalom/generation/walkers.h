@@ -6,7 +6,7 @@
 
 namespace slalom {
 
-/// Movers that walk to and fro among the static obstacles of a scenario.
+/// Moving discs that walk back and forth among the static obstacles of a scenario.
 struct WalkerOptions {
   int count = 0;
   double min_radius = 0.2, max_radius = 0.4;  ///< m

@@ -29,7 +29,7 @@ class PanelWindow : public mrpt::gui::CDisplayWindowGUI {
   /// Runs until the script ends or the window is closed. Throws the errors of the script.
   void run(const std::vector<ScriptCommand>& script, const std::string& name);
 
-  // Of nanogui:
+  // Functions of nanogui:
   void performLayout(NVGcontext* ctx) override;
   bool resizeEvent(const nanogui::Vector2i& size) override;
 

@@ -9,7 +9,7 @@ namespace slalom {
 
 class Element;
 
-/// What a ReplayWindow replays.
+/// Content of a ReplayWindow.
 struct ReplayContent {
   std::string title;             ///< of the window
   SceneSettings scene;           ///< robot, sensor, resolution

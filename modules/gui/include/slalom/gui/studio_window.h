@@ -21,7 +21,7 @@ class StudioWindow : public PanelWindow {
   StudioWindow(SceneSettings scene, const StudioSettings& settings, StudioServices services);
   StudioSettings settings() const;  ///< the current layout
 
-  // Of nanogui:
+  // Functions of nanogui:
   bool keyboardEvent(int key, int scancode, int action, int modifiers) override;
   bool keyboardCharacterEvent(unsigned int letter) override;
   bool mouseButtonEvent(const nanogui::Vector2i& p, int button, bool down, int modifiers) override;

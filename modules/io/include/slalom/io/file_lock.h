@@ -14,9 +14,9 @@ using LockNotice = std::function<void(const std::string&)>;
 class FileLock {
  public:
   /// Throws Error (Job), naming the holder, if another program has the lock. `take_over` takes the
-  /// lock of a program on another host, of which is not known whether it is gone.
-  /// `notify` is told when another program keeps the lock file itself locked, as flock(1) does;
-  /// after half a minute that is an error, too.
+  /// lock of a program on another host that may still be running. `notify` is told when another
+  /// program keeps the lock file itself locked, as flock(1) does; after half a minute that is an
+  /// error, too.
   explicit FileLock(const std::string& path, bool take_over = false,
                     const LockNotice& notify = nullptr);
   ~FileLock();

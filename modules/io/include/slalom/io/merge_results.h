@@ -18,7 +18,7 @@ constexpr const char* kShardKey = "shard";
 /// if the folder cannot be read.
 std::vector<std::string> campaign_files(const std::string& folder);
 
-/// What a result file contains.
+/// Contents of a result file.
 struct ResultCounts {
   Manifest manifest;
   std::size_t runs = 0;

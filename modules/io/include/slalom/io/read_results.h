@@ -9,13 +9,12 @@
 namespace slalom {
 
 /// Reads the runs of a result file, sorted by scenario name, hash, method and repetition, without
-/// details. Of a folder the campaign_files() are read, one after the other, into the table that the
-/// file merged from them has; runs that several files contain must be equal. Reads only the
-/// metrics, timings and descriptors in `ids`, or all if it is none or contains an unknown id (so
-/// that an error message can suggest the nearest). Damaged runs are left out and listed in
-/// `damaged`. A value of a version other than the file's is NA ("other version 1"), one that the
-/// file does not contain is NA ("not recorded"). Throws Error (File), also for files of different
-/// campaigns in a folder.
+/// details. For a folder, reads its campaign_files() one after the other into the table of the file
+/// merged from them; runs that several files contain must be equal. Reads only the metrics, timings
+/// and descriptors in `ids`, or all if it is none or contains an unknown id (so that an error
+/// message can suggest the nearest). Damaged runs are left out and listed in `damaged`. A value of
+/// a version other than the file's is NA ("other version 1"), one that the file does not contain is
+/// NA ("not recorded"). Throws Error (File), also for files of different campaigns in a folder.
 ResultTable read_results(const std::string& path,
                          const std::optional<std::vector<std::string>>& ids = std::nullopt);
 

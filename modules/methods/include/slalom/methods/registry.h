@@ -31,10 +31,10 @@ class MethodRegistry {
   std::map<std::string, MethodReader> readers_;
 };
 
-/// The sections of a method: its own, then those that its filters are around, the adapter's last.
-/// Throws Error (Usage) for a filter without a base, a missing section and a filter of itself.
+/// The sections of a method: its own, then those of the methods it wraps, innermost last. Throws
+/// Error (Usage) for a filter without a base, a missing section and a filter of itself.
 std::vector<std::string> method_sections(const IniFile& ini, const std::string& name);
-/// Those of several methods, one after another.
+/// The sections of several methods, one after another.
 std::vector<std::string> method_sections(const IniFile& ini,
                                          const std::vector<NamedMethod>& methods);
 

@@ -7,7 +7,7 @@
 
 namespace slalom {
 
-/// What counts as an arrival.
+/// Conditions of an arrival.
 struct ArrivalLimits {
   double max_speed = 1;         ///< m/s
   double goal_tolerance = 0.2;  ///< m: whoever is as near to the goal has arrived

@@ -15,9 +15,9 @@ namespace slalom {
 constexpr char kExactPlanner[] = "exact";
 
 /// Proven bounds of the length of the shortest path (m), or of the time of the earliest arrival
-/// (s): lower_bound <= minimum <= upper_bound. Those of a path are equal for a disc that can rotate
-/// in place. With a planner whose robot is another one (ReferencePlanner::lower_bound()) they are
-/// those of its robot.
+/// (s): lower_bound <= minimum <= upper_bound. The bounds of a path are equal for a disc that can
+/// rotate in place. With a planner whose robot is another one (ReferencePlanner::lower_bound())
+/// they are those of its robot.
 struct Certificate {
   double lower_bound = 0;
   double upper_bound = 0;  ///< infinite if no path of such a robot was found
@@ -97,7 +97,7 @@ class ReferencePlanner {
 
   virtual ~ReferencePlanner() = default;
   virtual std::string name() const = 0;
-  /// Which of the two references it plans.
+  /// The reference that it plans.
   virtual Objective objective() const { return Objective::Length; }
   /// A proven lower bound (m) of the paths of its robot, if that is not the disc: its paths are
   /// longer because of its turning radius or its polygon. `exact` is the disc's.

@@ -7,9 +7,9 @@
 
 namespace slalom {
 
-/// Which cells of row `y` lie on the ridge of the distance field, on which the generalized Voronoi
-/// diagram lies: `ridge` is set to 1 there, to 0 elsewhere, for all cells of the row. It means
-/// nothing for occupied cells.
+/// Finds the cells of row `y` on the ridge of the distance field, on which the generalized Voronoi
+/// diagram lies: `ridge` is set to 1 there, to 0 elsewhere, for all cells of the row. It is
+/// undefined for occupied cells.
 void find_ridge(const DistanceField& field, const Occupancy& cells, int y, std::uint8_t* ridge);
 
 /// The cells of the diagram, row-major, 1 on it, 0 elsewhere: those on the ridge with at least

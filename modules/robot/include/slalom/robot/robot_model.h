@@ -38,8 +38,8 @@ struct RobotModel {
 /// around the center, or if both footprint and radius are given.
 RobotModel read_robot_model(const IniFile& ini);
 
-/// The range sensor at the robot's center, oriented along its heading. Section [sensor]. Without
-/// noise by default; each kind of noise uses its own random stream.
+/// The range sensor at the robot's center, oriented along its heading. Section [sensor]. There is
+/// no noise by default; each kind of noise uses its own random stream.
 struct SensorModel {
   double aperture_deg = 180;
   int rays = 181;
@@ -54,7 +54,7 @@ struct SensorModel {
 };
 
 /// The tracker of movers, for methods that declare that they use tracks. It sees all around the
-/// robot, also what is hidden behind walls. Without noise by default. Section [tracks].
+/// robot, also what is hidden behind walls. There is no noise by default. Section [tracks].
 struct TrackerModel {
   double range = 8.0;         ///< m, to the centers of movers
   double position_sigma = 0;  ///< m, standard deviation of each coordinate

@@ -13,7 +13,7 @@ namespace slalom {
 
 class Hasher;
 
-/// What a mover does after its last waypoint.
+/// Behavior of a moving obstacle after its last waypoint.
 enum class MoverEnd { Stop, Loop, Vanish };
 constexpr auto enum_names(MoverEnd) {
   return std::array{"stop", "loop", "vanish"};

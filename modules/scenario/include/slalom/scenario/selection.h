@@ -28,7 +28,7 @@ void name_field(SelectionVocabulary& vocabulary, const std::string& name, const 
 using SelectionOperand = std::variant<double, std::string>;
 
 enum class Comparison { Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual };
-/// As in SQL.
+/// Operators of SQL.
 constexpr auto enum_names(Comparison) {
   return std::array{"<", "<=", ">", ">=", "=", "<>"};
 }

@@ -17,8 +17,8 @@ class World {
  public:
   /// `resolution` (m) is the cell size for scenarios that are not grids themselves.
   World(Scenario scenario, double resolution);
-  /// With tables that another process wrote for the same scenario and resolution. Those of the
-  /// distance field and ray caster stay where they are. Throws Error when `tables` is malformed.
+  /// Takes tables that another process wrote for the same scenario and resolution. The tables of
+  /// the distance field and ray caster are not copied. Throws Error when `tables` is malformed.
   World(Scenario scenario, double resolution, const SharedArray<std::byte>& tables);
 
   /// Writes all tables for other processes, after computing those that are missing.

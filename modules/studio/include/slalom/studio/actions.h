@@ -21,11 +21,11 @@ struct KeyStroke {
 KeyStroke key_stroke_of(const std::string& name);
 
 // The letters of an American keyboard, which GLFW's numbers of keys speak of.
-/// What is pressed to type a letter (Unicode); the key is GLFW_KEY_UNKNOWN where there is none.
+/// Keys to press for a letter (Unicode); GLFW_KEY_UNKNOWN if there are none.
 KeyStroke key_stroke_typing(unsigned int letter);
-/// Whether a text field takes it: all that types a letter or moves and edits in a text.
+/// Whether a text field takes the stroke: it types a letter, or moves and edits in a text.
 bool is_key_of_text(const KeyStroke& stroke);
-/// What a key types; 0 for nothing, as with Ctrl or Alt.
+/// Letter that a key types; 0 for nothing, as with Ctrl or Alt.
 unsigned int letter_typed_by(const KeyStroke& stroke);
 
 /// An action of the user. Menus, keyboard shortcuts, the help and scripts are made from these.

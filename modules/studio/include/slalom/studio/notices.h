@@ -10,7 +10,7 @@
 
 namespace slalom {
 
-/// What has changed in the studio.
+/// Kind of a change in the studio.
 enum class Change {
   Documents,    ///< a list was opened, closed or activated
   View,         ///< rows, groups or messages of the active list
@@ -24,7 +24,8 @@ enum class Change {
   Form          ///< a dialog is to be shown
 };
 
-/// What the studio tells the window: changes, the status line and dialogs. Not thread-safe.
+/// Events that the studio reports to the window: changes, the status line and dialogs. Not
+/// thread-safe.
 class Notices {
  public:
   /// `observer` is called after each of these changes, for as long as this object lives.
