@@ -75,7 +75,8 @@ std::string reported_path(const std::string& path) {
   return is_examined ? (folder / "examined.results").string() : path;
 }
 
-/// Which failures slalom-falsify has examined in these results; empty if it did not write them.
+/// Path of the failures that slalom-falsify has examined in these results; empty if it did not
+/// write them.
 std::string examined_path(std::filesystem::path results) {
   results.replace_extension(".json");
   const bool exists = results.filename() == "examined.json" && std::filesystem::exists(results);

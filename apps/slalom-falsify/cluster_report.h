@@ -19,7 +19,7 @@ std::vector<ReportedCluster> write_cluster_report(const std::vector<Failure>& fa
                                                   const FalsifyCampaign& campaign,
                                                   const FalsifyArguments& arguments);
 
-/// What distinguishes each cluster, and where the report is; for people.
+/// Text for people: the distinctive features of each cluster, and the path of the report.
 std::string clusters_text(const std::vector<ReportedCluster>& clusters, const std::string& folder);
 
 }  // namespace slalom

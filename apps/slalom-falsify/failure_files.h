@@ -14,8 +14,8 @@ struct Failure {
   std::string origin;  ///< where it was found: "run 0123abcd/mine/0", "candidate 17"
   Scenario original;
   ShrinkResult small;
-  /// Where the method reaches the goal, though the failing scenario is similar: successful ones of
-  /// the mix, similar to the original, or the smallest scenario without each of its obstacles.
+  /// Scenarios similar to the failing one in which the method reaches the goal: successful ones of
+  /// the mix, or the smallest scenario without each of its obstacles.
   std::vector<Scenario> neighbors = {};
   bool is_original_compared = false;  ///< with the neighbors; else the smallest scenario
   bool independent = true;            ///< see ExaminedFailure
@@ -34,7 +34,7 @@ void write_failures(const std::vector<Failure>& failures, const FalsifyCampaign&
 IniFile ini_of_list(const FalsifyCampaign& campaign, const std::string& list_path,
                     RecordedRuns rawlogs);
 
-/// What was found, why it is fair, and the proof that all of it is needed; for people.
+/// Text for people: the failure, why it is fair, and the proof that each part of it is needed.
 std::string failure_text(const Failure& failure, const TestBench& bench);
 
 /// The commands that run and show a failure.

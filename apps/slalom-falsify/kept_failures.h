@@ -16,9 +16,8 @@ struct KeptFailures {
   std::optional<double> diversity;  ///< of the smallest scenarios; of two failures or more
 };
 
-/// Shrinks what was found, in this order, until `count` failures are kept. Those that are not fair
-/// are left out, and those whose obstacles are alike those of one kept earlier with the same
-/// outcome (ObstacleArea). Throws Interrupted.
+/// Shrinks the found failures in this order until `count` are kept. Drops unfair ones, and
+/// near-duplicates of a kept one with the same outcome (ObstacleArea). Throws Interrupted.
 KeptFailures shrink_found(const std::vector<FoundFailure>& found, std::size_t count,
                           const TestBench& bench, const FalsifyArguments& arguments,
                           ShrunkFile shrunk);

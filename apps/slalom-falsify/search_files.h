@@ -10,8 +10,8 @@
 
 namespace slalom {
 
-/// What the result of a search depends on, as a hash: the campaign, its methods and the contents of
-/// their files, and the options.
+/// Hash of everything that the result of a search depends on: the campaign, its methods and the
+/// contents of their files, and the options.
 std::string search_identity(const FalsifyCampaign& campaign, const SearchOptions& options);
 
 /// search.state in the output folder: the rounds of an interrupted search, after the identity of
@@ -29,8 +29,8 @@ class StateFile {
   std::string path_, search_;
 };
 
-/// search.shrunk in the output folder: the failures of the search that are shrunk already, which is
-/// not repeated. Those of other searches or options are ignored.
+/// search.shrunk in the output folder: failures of the search that are shrunk already. Failures of
+/// other searches or options are ignored.
 class ShrunkFile {
  public:
   ShrunkFile(const std::string& folder, const std::string& search,

@@ -27,7 +27,7 @@ struct ShrinkArguments {
   bool trust = false;
 };
 
-/// What is to be shrunk.
+/// The failing scenario to shrink.
 struct ShrinkInput {
   IniFile ini;
   Scenario scenario;

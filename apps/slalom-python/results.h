@@ -10,7 +10,7 @@
 namespace slalom {
 
 /// Columns by name, one value per run: scenario, scenario_hash, method, repetition, outcome, then
-/// metrics and descriptors as float64 arrays, NaN where NA. Without wall-clock figures.
+/// metrics and descriptors as float64 arrays, NaN where NA. Wall-clock figures are not included.
 pybind11::dict columns_of(const ResultTable& table);
 
 /// Wall-clock figures by name: float64 arrays, one value per run. They differ from run to run.

@@ -47,7 +47,7 @@ std::vector<Scenario> read_scenarios(const std::string& path) {
   return scenarios;
 }
 
-/// As in YAML.
+/// Moving obstacles with the keys that they have in YAML.
 py::list movers_of(const Scenario& scenario) {
   py::list movers;
   for (const Mover& mover : scenario.movers()) {

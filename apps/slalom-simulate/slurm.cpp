@@ -56,7 +56,7 @@ std::string submit(const std::string& folder, const std::string& command) {
   return parse_job_id(output);
 }
 
-/// Of `slalom-simulate run`, and of this verb.
+/// Options for `slalom-simulate run`, from those of this verb.
 std::vector<std::string> campaign_options(const SlurmArguments& arguments) {
   std::vector<std::string> options = {"-c", absolute(arguments.campaign.config), "--scenarios",
                                       absolute(arguments.scenarios)};

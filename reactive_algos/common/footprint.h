@@ -13,8 +13,8 @@ namespace reactive {
 /// corner is sharper than a right angle.
 Robot covered(Robot robot);
 
-/// What the clearance of the center is for a disc: the distance from the footprint to the closest
-/// obstacle point, plus the robot's radius; m.
+/// Clearance of the footprint on the scale of a disc's center: the distance from the footprint to
+/// the closest obstacle point, plus the robot's radius; m.
 double footprint_clearance(const ClearanceMap& map, const Pose& pose, const Robot& robot);
 /// The same at the first `count` poses. Arrays have padded(count) elements.
 void footprint_clearances(const ClearanceMap& map, const PoseBatch& poses, std::size_t count,

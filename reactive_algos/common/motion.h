@@ -8,7 +8,7 @@
 
 namespace reactive {
 
-/// What an arc does to the heading: it depends on the angular velocity only.
+/// Effect of an arc on the heading: it depends on the angular velocity only.
 struct Turn {
   double sinc = 1;              ///< length of the chord per length of the arc
   double cosine = 1, sine = 0;  ///< of the chord's direction

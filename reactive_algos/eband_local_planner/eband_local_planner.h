@@ -28,7 +28,7 @@ class EbandLocalPlanner {
   EbandLocalPlanner(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);
   bool uses_map() const { return parameters_.map == reactive::PathMap::Known; }
-  /// Of the environment, with map = known. Call before step().
+  /// Sets the map of the environment, with map = known. Call before step().
   void set_map(const reactive::KnownMap& map) { global_map_.set_known(map); }
   reactive::Twist step(const reactive::Observation& observation);
 

@@ -10,8 +10,8 @@ using namespace reactive;
 
 namespace {
 
-/// Of the angle within which the robot moves, and of the speed: the fraction of a bubble's radius
-/// that counts in eband_local_planner.
+/// Fraction of a bubble's radius that counts in eband_local_planner, for the angle within which the
+/// robot moves and for the speed.
 constexpr double kUsedRadius = 0.7;
 
 double with_magnitude_in(double value, double low, double high) {

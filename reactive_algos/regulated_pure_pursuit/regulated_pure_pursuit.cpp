@@ -10,8 +10,8 @@ using namespace reactive;
 
 namespace {
 
-/// Without the cells before the farthest one that a disc of `radius` reaches straight: cells follow
-/// each other in eight directions only.
+/// Drops the cells before the farthest one that a disc of `radius` reaches in a straight line:
+/// cells follow each other in eight directions only.
 std::vector<Point> straightened(const ClearanceMap& map, const Point& from, std::vector<Point> path,
                                 double radius) {
   const auto blocked = std::find_if(path.begin(), path.end(), [&](const Point& p) {
@@ -170,7 +170,8 @@ Twist RegulatedPurePursuit::step(const Observation& observation) {
   if (!is_collision_imminent(observation.pose, twist, radius,
                              slalom::math::hypot(carrot.x, carrot.y)))
     return clamp_to_limits(twist, robot_);
-  // Without the recovery behavior of another node the robot would stay there: it turns to the path.
+  // The robot turns to the path: it would stay there, as it lacks the recovery behavior of another
+  // node.
   if (can_rotate(map, observation.pose, robot_, radius, rotation.w, task_.control_period))
     return clamp_to_limits(rotation, robot_);
   return {};

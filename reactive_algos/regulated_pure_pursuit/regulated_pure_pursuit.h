@@ -32,8 +32,8 @@ struct Parameters {
   void visit(slalom::OptionVisitor& v);
 };
 
-/// Where `path`, which begins at the origin, leaves the circle of radius `distance` (m) around the
-/// origin; its end if it does not.
+/// Point at which `path`, which begins at the origin, leaves the circle of radius `distance` (m)
+/// around the origin; its end if it does not.
 reactive::Point carrot_of(const std::vector<reactive::Point>& path, double distance);
 
 /// The curvature (1/m, left positive) of the arc from the robot to `carrot` (robot frame):

@@ -36,7 +36,7 @@ double distance_to_movers(const std::vector<Track>& movers, const Point& p, doub
   return result;
 }
 
-/// What footprint_clearance() is for obstacles, for movers.
+/// footprint_clearance() with respect to movers.
 double clearance_to_movers(const std::vector<Track>& movers, const Pose& pose, double time,
                            const Robot& robot) {
   if (movers.empty()) return HUGE_VAL;

@@ -54,7 +54,7 @@ class PgmTokens {
 };
 
 /// The pixels of a P5: two bytes each, the higher one first, where white is beyond one byte
-/// (netpbm's pgm(5)). What exceeds white is white.
+/// (netpbm's pgm(5)). Values above white are white.
 std::vector<std::uint16_t> binary_pixels(const char* bytes, std::size_t count,
                                          std::uint16_t white) {
   std::vector<std::uint16_t> pixels(count);

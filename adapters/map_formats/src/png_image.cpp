@@ -10,7 +10,7 @@
 namespace slalom {
 namespace {
 
-/// A decoder of a PNG in memory. What libpng has to say would otherwise be on standard error.
+/// A decoder of a PNG in memory. Keeps messages of libpng off standard error.
 class PngDecoder {
  public:
   explicit PngDecoder(const std::string& bytes) : bytes_(bytes) {

@@ -86,7 +86,7 @@ class RosMapReader {
     throw malformed(node, "unknown mode '" + name + "'", "trinary, scale or raw");
   }
 
-  /// As nav2's map_io reads it: an integer (0 is false), else a YAML boolean.
+  /// Reads a flag like nav2's map_io: an integer (0 is false), else a YAML boolean.
   bool flag(const std::string& key, const YAML::Node& node) const {
     int integer = 0;
     bool value = false;

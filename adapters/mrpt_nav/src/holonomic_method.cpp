@@ -77,7 +77,7 @@ class HolonomicMethod : public Method {
     if (!method_) throw MethodError("class " + options_.class_name + " cannot be created");
     configure();
     paths_ = complete_full_eval(*method_, static_cast<std::size_t>(options_.sectors));
-    // Without slow-down near the target CHolonomicVFF always returns speed 0.
+    // CHolonomicVFF always returns speed 0 unless it slows down near the target.
     method_->enableApproachTargetSlowDown(true);
     clearance_.clear();
   }
@@ -99,7 +99,7 @@ class HolonomicMethod : public Method {
   }
 
  private:
-  /// Without an .ini the defaults of the class are used: initialize() requires some keys.
+  /// Keeps the defaults of the class if there is no .ini, as initialize() requires some keys.
   void configure() {
     if (options_.config.empty()) return;
     method_->initialize(read_navigator_config(options_.config));

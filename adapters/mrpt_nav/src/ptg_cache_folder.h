@@ -4,8 +4,8 @@
 
 namespace slalom {
 
-/// The folder for a navigator's collision grids during its initialization. Without `folder`: a
-/// temporary one that is removed with this object. Otherwise: a permanent subfolder for this
+/// The folder for a navigator's collision grids during its initialization. An empty `folder` means
+/// a temporary one that is removed with this object. Otherwise it is a permanent subfolder for this
 /// content of the .ini, locked against other processes during the lifetime of this object.
 class PtgCacheFolder {
  public:

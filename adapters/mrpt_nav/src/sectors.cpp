@@ -27,8 +27,8 @@ const std::vector<mrpt::math::TPoint2D>& ray_directions(std::size_t count, float
   return directions;
 }
 
-/// What is left of `distance` in the direction u once a point is in the way of a disc. A disc that
-/// already touches the point may be left with less than 0.
+/// The part of `distance` in the direction u that a disc can move before it touches the point. Can
+/// be negative for a disc that already touches the point.
 double distance_to(const mrpt::math::TPoint2D& p, const mrpt::math::TPoint2D& u, double radius,
                    double distance) {
   const double along = p.x * u.x + p.y * u.y;

@@ -86,7 +86,7 @@ bool SimulatedRobot::getCurrentPoseAndSpeeds(mrpt::math::TPose2D& pose,
 
 bool SimulatedRobot::senseObstacles(mrpt::maps::CSimplePointsMap& obstacles,
                                     mrpt::system::TTimeStamp& timestamp) {
-  // Without this, points accumulate over the cycles.
+  // Points would accumulate over the cycles.
   obstacles.clear();
   if (observation_.scan == nullptr) return false;
   const auto height = static_cast<float>(obstacle_height_);
@@ -143,8 +143,9 @@ Command SimulatedRobot::diff_drive_command(const DiffDrive& diff_drive) const {
   return {robot_.forward_only && v < 0 ? 0 : v, scale * diff_drive.w, 0};
 }
 
-/// As in MRPT's simulator: during the ramp time the velocity blends from the one at the command to
-/// the commanded one, whose direction is fixed in the world, while the robot turns to face it.
+/// Blends, as MRPT's simulator does, from the velocity at the command to the commanded one during
+/// the ramp time. The direction of the commanded one is fixed in the world, while the robot turns
+/// to face it.
 Command SimulatedRobot::holonomic_command(const Holo& holo) const {
   const double phi = observation_.odometry.phi;
   const double elapsed = now() - holo.begin + control_period_;

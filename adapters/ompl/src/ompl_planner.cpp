@@ -164,7 +164,7 @@ class PosePlanner : public ReferencePlanner {
   }
 
  private:
-  /// By OMPL; empty if it finds no path.
+  /// Runs OMPL's planner; empty if it finds no path.
   std::vector<TPose2D> planned(const PlanningProblem& problem, const References& exact,
                                std::uint64_t seed, const PoseMotions& motions,
                                const std::vector<TPose2D>& seeds) const {

@@ -143,7 +143,7 @@ class CurveMotions : public PoseMotions {
     TPose2D pose;
   };
 
-  /// By bisection: a part whose middle has a clearance of half its length is free.
+  /// Bisects the part: it is free if the clearance of its middle is half its length.
   bool is_free_part(Curve& curve, const PoseAt& a, const PoseAt& b, double& known_free) const {
     const double part = (b.fraction - a.fraction) * curve.length();
     if (part <= step_) {

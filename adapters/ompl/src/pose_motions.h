@@ -59,7 +59,7 @@ std::array<mrpt::math::TPose2D, 4> rotate_and_drive(const mrpt::math::TPose2D& a
 
 double length(const PoseMotions& motions, const std::vector<mrpt::math::TPose2D>& poses);
 
-/// Without points on the straight line between their neighbors.
+/// The positions, less those on the straight line between their neighbors.
 Path positions_along(const PoseMotions& motions, const std::vector<mrpt::math::TPose2D>& poses);
 
 }  // namespace slalom

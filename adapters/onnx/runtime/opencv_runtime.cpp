@@ -12,7 +12,7 @@ namespace {
 
 using cv::dnn::Net;
 
-/// What OpenCV says, without the location in its source, on one line.
+/// Copies OpenCV's reason as one line, without the location in its source.
 void copy_reason(const cv::Exception& exception, char* error, std::size_t error_size) {
   std::string text = exception.err.empty() ? exception.what() : exception.err;
   std::replace(text.begin(), text.end(), '\n', ' ');

@@ -8,7 +8,7 @@
 
 namespace slalom {
 
-/// What a part of an input contains.
+/// The content of a part of an input.
 enum class InputContent {
   Scan,     ///< scan_size values
   Goal,     ///< distance / goal_distance, at most 1; cosine and sine of its bearing

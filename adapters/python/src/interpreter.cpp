@@ -65,7 +65,7 @@ void prepare_forks() {
 
 std::string describe(const pybind11::error_already_set& error) {
   namespace py = pybind11;
-  // Of an error in a call itself, as with wrong arguments, there is no trace.
+  // An error in a call itself, as with wrong arguments, has no trace.
   const py::object trace = error.trace() ? error.trace() : py::none();
   py::module_::import("traceback").attr("print_exception")(error.type(), error.value(), trace);
   std::string text = py::str(error.type().attr("__name__"));

@@ -153,7 +153,7 @@ class PythonMethod : public Method {
       : object_(std::make_unique<PythonObject>(object)),
         uses_tracks_(object_->uses_tracks()),
         uses_map_(object_->uses_map()) {}
-  // Without memory for the lock the process ends.
+  // The process ends if there is no memory for the lock.
   // NOLINTNEXTLINE(bugprone-exception-escape)
   ~PythonMethod() override {
     const py::gil_scoped_acquire lock;
@@ -230,7 +230,7 @@ class PythonClass {
       : type_(type), options_(options), where_(std::move(where)) {
     prepare_forks();
   }
-  // Without memory for the lock the process ends.
+  // The process ends if there is no memory for the lock.
   // NOLINTNEXTLINE(bugprone-exception-escape)
   ~PythonClass() {
     const py::gil_scoped_acquire lock;

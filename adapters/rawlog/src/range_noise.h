@@ -15,12 +15,13 @@ struct RangeNoise {
   std::size_t ranges = 0;  ///< of rays whose median is valid
 };
 
-/// Of the scans in the longest phase in which the measured velocity stays below 0.01 m/s and
-/// 0.02 rad/s. `sigma` is the standard deviation of each ray, pooled over the rays whose median is
-/// valid, without ranges more than five deviations from the median, which are of other objects, and
-/// without the variance quantum^2/12 of rounding (B. Widrow, I. Kollar, "Quantization Noise",
-/// 2008). Rounding has that variance only if the noise exceeds half a quantum; otherwise the
-/// interval of `sigma` ends there. Dropouts count as independent of each other.
+/// Estimates the noise of the scans in the longest phase in which the measured velocity stays below
+/// 0.01 m/s and 0.02 rad/s. `sigma` is the standard deviation of each ray, pooled over the rays
+/// whose median is valid. It excludes ranges more than five deviations from the median, which
+/// belong to other objects, and the variance quantum^2/12 of rounding (B. Widrow, I. Kollar,
+/// "Quantization Noise", 2008). Rounding has that variance only if the noise exceeds half a
+/// quantum; otherwise the interval of `sigma` ends there. Dropouts count as independent of each
+/// other.
 RangeNoise estimate_range_noise(const MotionLog& log, double confidence);
 
 }  // namespace slalom

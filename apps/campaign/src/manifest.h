@@ -5,8 +5,8 @@
 
 namespace slalom {
 
-/// The .ini with all values that may change a result, including the defaults of absent keys. What
-/// only selects scenarios, tables or recordings is not part of it.
+/// The .ini with all values that may change a result, including the defaults of absent keys. Keys
+/// that only select scenarios, tables or recordings are not part of it.
 std::string effective_ini(const IniFile& ini, const CampaignConfig& config);
 
 /// The hashes of config.method_files and config.dependencies by "method.NAME.plugin_hash". Throws

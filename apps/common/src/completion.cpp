@@ -60,7 +60,7 @@ Words verb_names(const CLI::App& app) {
   return names;
 }
 
-/// Where the last word stands: in a verb, perhaps as the value of an option.
+/// Position of the last word: in a verb, perhaps as the value of an option.
 struct Place {
   const CLI::App* verb;
   const CLI::Option* option = nullptr;

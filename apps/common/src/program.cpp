@@ -103,10 +103,10 @@ void end_interrupted(int signal) {
   _exit(kInterrupted);
 }
 
-/// What every program needs before anything else: all three standard streams, so that no file takes
-/// the number of a closed one and is written to as such; an error instead of a signal when a file
-/// becomes too large; no temporary files after a signal; and nothing that a method started after
-/// the death of its keeper.
+/// Prepares the process before anything else: opens all three standard streams, so that no file
+/// gets the number of a closed one; turns the signal for a file that becomes too large into an
+/// error; removes temporary files after a signal; and ends the processes of methods that outlive
+/// their fork server.
 void prepare_process() {
   program_process = getpid();
   adopt_orphans();

@@ -7,7 +7,7 @@
 
 namespace slalom {
 
-/// What the numbers of a network's output mean.
+/// The meaning of the numbers of a network's output.
 enum class NetworkOutput {
   Scaled,   ///< in [-1, 1]: fractions of the robot's limits; v of a forward_only robot: 0 to max_v
   Physical  ///< m/s and rad/s
