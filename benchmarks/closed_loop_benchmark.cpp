@@ -37,7 +37,7 @@ Scenario random_discs() {
   return convert(discs, Representation::Grid, kResolution);
 }
 
-/// Discs that walk to and fro at 0.4 to 1.2 m/s.
+/// Discs that walk back and forth at 0.4 to 1.2 m/s.
 Movers random_movers(int count) {
   RandomEngine random(13);
   Movers movers;

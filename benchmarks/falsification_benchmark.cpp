@@ -53,7 +53,7 @@ constexpr std::array kPlantings = {Planting{"tie", false},
                                    Planting{"after_turn", true},
                                    Planting{"cycle_128", true}};
 
-/// Of this process and of its workers that ended.
+/// CPU time of this process and of its workers that ended.
 double cpu_seconds() {
   double seconds = 0;
   for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -128,7 +128,7 @@ void print_random(std::uint64_t candidates, std::uint64_t seed) {
   }
 }
 
-/// Of one seed; NAN if there was none.
+/// First failure found with one seed; NAN if there was none.
 struct FirstHit {
   double runs = NAN;  ///< of the method
   double seconds = NAN;
@@ -167,7 +167,7 @@ void print_probing(std::uint64_t runs, std::uint64_t seeds, const std::string& o
   }
 }
 
-/// What is printed of the shrunk failures of one defect.
+/// Printed columns about the shrunk failures of one defect.
 struct ShrinkTable {
   std::vector<double> before, after, runs, seconds, moved;
   std::size_t minimal = 0, fair = 0;

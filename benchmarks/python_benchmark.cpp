@@ -1,4 +1,4 @@
-// What the adapter python adds to a cycle of a method with 181 rays: `python_method` is
+// Time that the adapter python adds to a cycle of a method with 181 rays: `python_method` is
 // Method::step() of a class whose step() returns a constant, `bare_call` a call of the same
 // function with nothing but an object as argument.
 #include <slalom/python/python_method.h>

@@ -5,7 +5,7 @@ set(package_of_development libslalom-dev)
 set(package_of_python python3-slalom)
 set(package_of_documentation slalom-doc)
 
-# What packages hold, without the tests.
+# The contents of packages, without the tests.
 get_property(apps GLOBAL PROPERTY SLALOM_APPS)
 add_custom_target(packaged DEPENDS slalom_reactive_methods ${apps})
 if(NOT SLALOM_SANITIZE)
@@ -23,7 +23,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}-doc/examples
         COMPONENT documentation)
 
-# What Debian requires of every package: the license, and the changelog of the package.
+# Files that Debian requires of every package: the license, and the changelog of the package.
 set(legal ${PROJECT_BINARY_DIR}/packages)
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
 string(REGEX REPLACE "\n\n+" "\n.\n" license "${license}")

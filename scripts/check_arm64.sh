@@ -108,7 +108,7 @@ check_test_bed() {
     "$(sed -n "s/^| \`$1\`.*\`\([0-9a-f]\{32\}\)\` |.*/\1/p" docs/testbeds.md)"
 }
 
-# Without MRPT's method, in whose package for arm64 products and sums are rounded at once.
+# Omits MRPT's method, in whose package for arm64 products and sums are rounded at once.
 check_golden_campaign() {
   local run
   sed -n '/kSmallCampaign = R"(/,/^)";/{s/.*R"(//; /^)";/d; p}' tests/apps/program_run.h >"$folder/golden.ini"

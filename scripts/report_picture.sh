@@ -9,7 +9,7 @@ picture=$(realpath -m "${2:-$root/docs/images/report.png}")
 command -v chromium >/dev/null || { echo "needs the package chromium" >&2; exit 1; }
 profile=$(mktemp -d)
 trap 'rm -rf "$profile"' EXIT
-# Without the wait for all stages a picture can be taken of a page that is drawn in part.
+# Waits for all stages: otherwise the picture can show a page that is drawn in part.
 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,900 --virtual-time-budget=3000 \
   --run-all-compositor-stages-before-draw \
   --user-data-dir="$profile" --screenshot="$picture" "file://$report/index.html" 2>"$profile/log" ||

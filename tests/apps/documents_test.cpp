@@ -15,7 +15,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// What a document asks for, in order: a file with the lines of a block, or a command and the lines
+/// A step of a document, in order: a file with the lines of a block, or a command and the lines
 /// shown below it.
 struct Step {
   std::size_t line = 0;  // in the document, from 1

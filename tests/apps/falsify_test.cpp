@@ -240,7 +240,7 @@ TEST_F(Falsify, TheSameCommandShrinksNothingAgain) {
   ASSERT_EQ(first.status, 0) << first.err;
   ASSERT_GE(failures("out")["failures"].size(), 1U);
   const std::string shrunk = read("out/search.shrunk");
-  // What is kept is reported: here with a mark that no new result would have.
+  // Kept files are reported: here with a mark that no new result would have.
   std::string marked = shrunk;
   const std::size_t verdict = marked.find("squeeze: success");
   ASSERT_NE(verdict, std::string::npos);

@@ -60,7 +60,7 @@ TEST_F(Interrupt, ShowsHowFarTheRunsWere) {
   const std::string shown = read("terminal.txt");
   const std::size_t last = shown.rfind("Running methods");
   ASSERT_NE(last, std::string::npos) << shown;
-  // 4 scenarios in 20000 repetitions. What it counts is what the file holds.
+  // 4 scenarios in 20000 repetitions. The program counts the runs that the file holds.
   const std::size_t total = shown.find("/80000 ", last), count = shown.rfind(' ', total);
   ASSERT_NE(total, std::string::npos) << shown.substr(last);
   const std::string dump = run("slalom-analyze dump out/runs.results").out;

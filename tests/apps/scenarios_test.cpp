@@ -129,7 +129,7 @@ TEST_F(Scenarios, ReferencesHaveACertificate) {
             0);
   const auto json =
       nlohmann::json::parse(run("slalom-scenarios reference room.scenarios --json").out);
-  // Without obstacles: 2 m straight.
+  // No obstacles: 2 m straight.
   EXPECT_NEAR(json["shortest_length"].get<double>(), 2, 1e-9);
   EXPECT_LE(json["lower_bound"].get<double>(), 2 + 1e-9);
 }

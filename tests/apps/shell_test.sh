@@ -52,7 +52,7 @@ for program in "$build"/completion/slalom-*; do
   done
 done
 
-# What bash proposes for a line, with the words split as bash does.
+# Words that bash proposes for a line, which is split as bash does.
 completed() {
   bash --norc -c 'source "$1/completion/$2"
     compopt() { :; }

@@ -140,7 +140,7 @@ scontrol update nodename="$node" state=down reason=test
 scontrol update nodename="$node" state=resume 2>/dev/null || true # if it has not come back by itself
 await_end
 
-# What is missing is submitted again.
+# Missing shards are submitted again.
 for _ in 1 2 3; do
   [ -n "$(slalom-simulate status out --missing)" ] || [ ! -f out/all.results ] || break
   submit >/dev/null

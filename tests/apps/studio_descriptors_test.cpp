@@ -9,7 +9,7 @@ namespace {
 
 class StudioDescriptors : public StudioTest {
  protected:
-  /// What the command line computes for the first scenario of the list, in its own copy.
+  /// Values that the command line computes for the first scenario of the list, in its own copy.
   nlohmann::json described() const {
     std::filesystem::copy_file(folder_ / "a.scenarios", folder_ / "copy.scenarios");
     std::istringstream lines(run("slalom-scenarios describe copy.scenarios --json").out);

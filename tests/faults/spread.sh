@@ -76,7 +76,7 @@ for i in 1 2; do run $random --shard 1/6 -o folder/$i.results; done
 merge folder --allow-incomplete
 report "merge with a shard twice, unequal" "status 3, differ" "$(seen $? merge.log differ)"
 
-# What cannot be divided.
+# Campaigns that cannot be divided.
 slalom-evaluate campaign.ini -o out --until 'interval(success) < 0.1' --shard 1/4 2>run.log
 report "a stopping rule with shards" "status 2, --shard" "$(seen $? run.log --shard)"
 

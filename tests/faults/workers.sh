@@ -74,7 +74,7 @@ kill|method_crash|1
 kill_group|method_crash|1
 kill_keeper|method_crash|1
 CASES
-# Whose run was it, when a method kills what all workers depend on and goes on?
+# A method kills what all workers depend on and goes on: is the failure attributed to its run?
 confused=0
 for _ in 1 2 3 4 5 6 7 8 9 10; do
   jobs=2 run kill_keeper_and_go_on
@@ -84,7 +84,7 @@ done
 report "campaigns that confuse a killer of the keeper with others" 0 "$confused"
 report "processes left over" 0 "$(pgrep -cf "[r]un base.ini")"
 
-# What a method may destroy as the same user, it may not in a sandbox.
+# A method may destroy files as the same user, but not in a sandbox.
 echo content >innocent
 run destroy "--set=method.faulty.file=$PWD/innocent" --set limits.sandbox=true
 status=$?

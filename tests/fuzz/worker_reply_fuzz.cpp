@@ -18,7 +18,7 @@ void read_twice(const std::string& bytes, Read read) {
 
 }  // namespace
 
-/// What a worker process answers: findings of a run or of a scenario.
+/// Decodes the answer of a worker process: findings of a run or of a scenario.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes = slalom::fuzz::text_of(data, size);
   read_twice(bytes, slalom::run_findings_from_wire);

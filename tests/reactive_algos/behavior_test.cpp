@@ -212,7 +212,7 @@ TEST(Behavior, TracksHelpToEvadeWalkersThatDoNotGiveWay) {
   EXPECT_EQ(outcome(kDwa, world), "collision");
   EXPECT_EQ(outcome(kRollout, world), "collision");
   EXPECT_EQ(outcome(kRolloutTracks, world), "success");
-  // Without movers the method is trajectory_rollout.
+  // The method equals trajectory_rollout if there are no movers.
   for (const World& still : {post(), door(), u_trap()})
     EXPECT_EQ(trajectory_of(kRolloutTracks, still).hash(), trajectory_of(kRollout, still).hash());
 }

@@ -74,7 +74,7 @@ def main():
             command = [moved(word, sources, build, tree) for word in flags(build, target)]
             command += [f"-I{path}" for path in sorted(tree.glob("adapters/*/include"))]
             command += ["-fsyntax-only", "-x", "c++", "-"]
-            # As in unity builds, in one go: reading the headers takes most of the time.
+            # Compiles in one go, like unity builds: reading the headers takes most of the time.
             lines = "".join(f'#include "{tree / name}"\n' for name in together)
             if subprocess.run(command, input=lines, text=True).returncode != 0:
                 print(f"{', '.join(together)} of docs/extending.md: does not compile")

@@ -7,7 +7,7 @@
 
 namespace slalom {
 
-/// What dump() writes.
+/// Output of dump().
 inline std::string dump_text(const ResultFile& file, const DamageHandler& report = {}) {
   std::ostringstream text;
   dump(file, text, report);

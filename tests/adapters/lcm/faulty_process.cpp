@@ -68,7 +68,7 @@ class Process {
     if (fault_ == "error") return refuse(run);
     if (fault_ == "nan") return answer(run, sequence, std::numeric_limits<double>::quiet_NaN());
     if (fault_ == "garbled") send_garbage();
-    // As many as the socket's buffer holds: more than LCM would keep.
+    // Fills the socket's buffer: more than LCM would keep.
     for (int i = 0; fault_ == "flooded" && i < 40; ++i) send_garbage();
     if (fault_ == "late") answer(run, sequence - 1, 0.1);
     if (fault_ == "slow") usleep(1600 * 1000);

@@ -145,7 +145,7 @@ TEST(MovingAiProblems, LengthsAreOfEightConnectedPathsWithoutCuttingCorners) {
   const Map map = read_moving_ai_map(folder.write("m.map", map_text("\n")), 1);
   for (const auto& problem : read_moving_ai_problems(folder.write("m.scen", kProblems)))
     EXPECT_DOUBLE_EQ(dijkstra(map, problem), problem.published_length) << problem.line;
-  // Without obstacles: 2 diagonals and 1 straight step, as published with 6 digits.
+  // No obstacles: 2 diagonals and 1 straight step, as published with 6 digits.
   const Map open = read_moving_ai_map(
       folder.write("o.map", "type octile\nheight 3\nwidth 4\nmap\n....\n....\n....\n"), 1);
   const auto across = read_moving_ai_problems(

@@ -23,7 +23,7 @@ TEST(NavigatorPlugin, ReachesTheGoal) {
   EXPECT_EQ(result.outcome, Outcome::Success) << result.detail;
 }
 
-// Without a reset these navigators get slower with each navigation: 1, 1/2, 1/3 m/s.
+// These navigators get slower with each navigation, 1, 1/2, 1/3 m/s, unless they are reset.
 TEST(NavigatorPlugin, NavigatorsAreResetOrCreatedAgainForEachRun) {
   for (const std::string name : {"Ahead", "Resetting", "NotResetting"}) {
     const auto method = load_navigator(plugin_keys(name));

@@ -7,7 +7,7 @@
 
 namespace slalom {
 
-/// What `action` returns in a child process: OMPL's seed is set once per process.
+/// Returns the text of `action` in a child process: OMPL's seed is set once per process.
 inline std::string in_child(const std::function<std::string()>& action) {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) return "no pipe";

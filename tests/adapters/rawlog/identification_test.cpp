@@ -16,7 +16,7 @@ namespace {
 
 using mrpt::obs::CObservation2DRangeScan;
 
-/// What a robot is given in a test.
+/// True parameters of a robot in a test.
 struct Planted {
   RobotModel robot;
   double v_bias = 1, w_bias = 1;

@@ -194,7 +194,7 @@ TEST_F(CampaignProgram, RefusesResultsOfAnotherCampaignNamingWhatDiffers) {
   EXPECT_TRUE(throws_error(ErrorKind::File, path + ": holds another campaign: ",
                            {"robot.max_v is 1 here and 0.6 in " + path, "--overwrite"},
                            [&] { open({}); }));
-  // What changes no result may differ.
+  // Settings that change no result may differ.
   open({"robot.max_v=0.60", "record.rawlog=all", "analysis.rows=density:2"},
        ExistingResults::Require);
   open({}, ExistingResults::Overwrite);

@@ -1,4 +1,4 @@
-# What the scripts of the groups and the test on a Slurm cluster use in common.
+# Common functions of the scripts of the groups and the test on a Slurm cluster.
 
 # A case for the table of scripts/faults.sh: report CASE EXPECTED SEEN.
 report() { printf '%s\t%s\t%s\n' "$1" "$2" "$3"; }

@@ -43,7 +43,7 @@ class SpeechlessError : public std::exception {
   const char* what() const noexcept override { return nullptr; }
 };
 
-/// What a run can do to its process so that the next run needs a new one.
+/// Changes of a run to its process that require a new one for the next run.
 const std::vector<std::string> kMarks = {
     "thread",  "clone", "child", "nonblocking", "asynchronous", "shut",      "impatient",
     "curious", "timer", "nice",  "scheduler",   "unprivileged", "undumpable"};
@@ -195,7 +195,7 @@ class TestMethod : public Method {
   static void overwrite_shared_tables() {
     for (const auto& [bytes, size] : shared_tables()) {
       EXPECT_NE(mprotect(bytes, size, PROT_READ | PROT_WRITE), 0);
-      // What is left: other memory at the same address.
+      // The remaining possibility: other memory at the same address.
       EXPECT_EQ(
           mmap(bytes, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0),
           bytes);

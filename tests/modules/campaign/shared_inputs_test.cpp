@@ -51,7 +51,7 @@ class Inputs : public testing::Test {
     return payloads;
   }
 
-  /// What a work item got, without the process.
+  /// The input that a work item received, without the process.
   std::string received() {
     const std::string text = text_ ? text_->substr(0, text_->find(" by")) : "none";
     text_.reset();

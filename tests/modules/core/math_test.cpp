@@ -423,7 +423,7 @@ INSTANTIATE_TEST_SUITE_P(All, MathAgainstMpfr,
                                          Reference{"atan2", nullptr, atan2, nullptr, mpfr_atan2}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
-/// Where e^x or x^y is anywhere in the range of doubles, with the least of them.
+/// Covers e^x and x^y in the range of doubles, with the least of them.
 TEST(Math, ExponentialsAreRoundedCorrectlyInTheirWholeRange) {
   mpfr_set_emin(-1073);
   mpfr_set_emax(1024);

@@ -92,7 +92,7 @@ TEST_F(ProgressOnATerminal, EndsItsLineWhenAnErrorEndsTheWork) {
   EXPECT_NE(shown.find("] 1/4 "), std::string::npos) << shown;
 }
 
-/// What is printed when `total` pieces of work take `seconds` each and standard error is a file.
+/// Lines printed when `total` pieces of work take `seconds` each and standard error is a file.
 std::string lines_of_work(std::size_t total, double seconds, bool quiet = false) {
   double now = 1000;
   testing::internal::CaptureStderr();

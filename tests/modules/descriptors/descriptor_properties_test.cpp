@@ -141,7 +141,7 @@ RC_GTEST_PROP(DescriptorProperties, AnAdditionalObstacleNeverDecreasesDensityOrI
   RC_ASSERT(change("narrow_fraction") >= 0);
   RC_ASSERT(change("goal_visibility") <= 0);
   RC_ASSERT(change("traversability") <= 1e-9);
-  // Of means over F, which shrinks, only the integral is monotonic.
+  // Means over F, which shrinks, are not monotonic; their integral is.
   const auto integral = [](const World& world, const std::string& id) {
     return value_of(id, with_straight_path(world)) *
            (1 - value_of("density", with_straight_path(world)));

@@ -22,7 +22,7 @@ using mrpt::math::TPose2D;
 
 constexpr double kCell = 0.05;  ///< m, of the samples
 
-/// By how much values may differ, relative to those above 1.
+/// Differences that values may have, relative to those above 1.
 struct Tolerance {
   double moved;   ///< as a grid, and moved by whole cells
   double turned;  ///< turned or mirrored
@@ -31,7 +31,7 @@ struct Tolerance {
 /// Grids hold corners and cell sizes in single precision.
 constexpr Tolerance kRounding = {1e-6, 1e-6};
 
-/// Those of descriptors that a law holds for less exactly, with the reason; all others have
+/// Tolerances of descriptors that a law holds for less exactly, with the reason; all others have
 /// kRounding.
 const std::map<std::string, Tolerance> kTolerances = {
     // Sampled to a standard error of 0.005 at points that are not turned with the cells.
@@ -68,7 +68,7 @@ Placement moved_by(double x, double y) {
           [](double heading) { return heading; }};
 }
 
-/// By a quarter turn about the origin.
+/// A quarter turn about the origin.
 const Placement kTurned = {[](const TPoint2D& p) { return TPoint2D(-p.y, p.x); },
                            [](double heading) { return heading + M_PI / 2; }};
 const Placement kMirrored = {[](const TPoint2D& p) { return TPoint2D(-p.x, p.y); },

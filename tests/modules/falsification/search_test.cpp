@@ -257,7 +257,7 @@ TEST(Search, CandidatesAreScenariosInWhichARelativeFails) {
   TestBench bench = planted_bench("squeeze");
   bench.relative = planted("squeeze");
   const SearchResult result = search(bench, options_of(40));
-  // What is tested is its own relative: it fails in each of its candidates, as both are
+  // The tested method is its own surrogate: it fails in each of its candidates, as both are
   // deterministic. In some of them the witness fails as well.
   EXPECT_EQ(result.state.adaptive.runs, 20U);
   EXPECT_EQ(result.state.adaptive.failures + result.state.adaptive.unsolved, 20U);

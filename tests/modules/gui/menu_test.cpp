@@ -61,8 +61,8 @@ TEST_F(Menus, ChooseByAClick) {
   EXPECT_EQ(chosen_, 2U);
 }
 
-/// Of a class of its own, since MRPT's library frees its widgets itself, in another way than they
-/// are allocated here.
+/// A class of its own, since MRPT's library frees its widgets itself, in another way than they are
+/// allocated here.
 struct PlainWidget : nanogui::Widget {
   PlainWidget() : nanogui::Widget(nullptr) {}
 };

@@ -127,7 +127,7 @@ TEST_F(Panels, HandleTheKeysOfTheHelp) {
     studio_.active()->set_current(overlay_room().hash());
     finish();
     for (const std::string& name : keys.keys) {
-      // Those of the panel around the rows need a window: studio_list_test presses them.
+      // Keys of the panel around the rows need a window: studio_list_test presses them.
       if (keys.panel == "filter" || keys.keys.front() == "F" || keys.keys.front() == "Ctrl+PageUp")
         continue;
       const KeyStroke stroke = key_stroke_of(name);

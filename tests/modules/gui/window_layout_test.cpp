@@ -31,7 +31,7 @@ const std::vector<std::pair<int, int>> kSizes = {{640, 480},   {800, 600},   {10
                                                  {1280, 800},  {1920, 1080}, {3840, 2160},
                                                  {1000, 2000}, {2500, 500}};
 
-/// As the window is at first, and dragged as far as can be in all directions.
+/// The initial settings of the window, and the panels dragged to the limit in all directions.
 std::vector<StudioSettings> settings_to_try() {
   std::vector<StudioSettings> all = {StudioSettings()};
   for (const int list_width : {0, 8192})

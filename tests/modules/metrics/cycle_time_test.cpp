@@ -9,7 +9,7 @@ TEST(CycleTimeStatistics, AreMillisecondsByNearestRank) {
   std::vector<double> seconds;
   for (int i = 100; i >= 1; --i) seconds.push_back(0.001 * i);
   const auto statistics = cycle_time_statistics(seconds, 0.0905);
-  // Of 1, 2, ..., 100 ms the smallest with at least 50, 95, 99 % at or below it.
+  // The smallest of 1, 2, ..., 100 ms with at least 50, 95, 99 % at or below it.
   EXPECT_EQ(statistics.size(), 6U);
   EXPECT_NEAR(statistics.at("cycle_time_mean"), 50.5, 1e-9);
   EXPECT_NEAR(statistics.at("cycle_time_p50"), 50, 1e-9);

@@ -61,7 +61,7 @@ class PlainCosts {
   std::vector<double> cost_;
 };
 
-/// Of all cells from which a shortest path may enter `to`: the first of those with the largest d.
+/// The first cell with the largest d from which a shortest path may enter `to`.
 GridCell best_predecessor(const Diagram& diagram, const World& world, const PlainCosts& costs,
                           const GridCell& to) {
   GridCell best = to;

@@ -47,7 +47,7 @@ double lower_bound_in(const World& world, double max_time) {
                                std::numeric_limits<double>::infinity());
 }
 
-/// By sampling.
+/// Checks the plan by sampling.
 void expect_feasible(const World& world, const EarliestArrival& arrival) {
   const auto& plan = arrival.plan;
   for (std::size_t i = 1; i < plan.size(); ++i) {

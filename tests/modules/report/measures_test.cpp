@@ -19,7 +19,8 @@ class PageMeasures : public ReportTest {
     write_report(results_path(), runs, report_options(runs), report_folder().string());
   }
 
-  /// What a script calls show() with. It follows page_probe.h and sees `frames`, the loaded pages.
+  /// Returns the value with which a script calls show(). It follows page_probe.h and sees `frames`,
+  /// the loaded pages.
   nlohmann::json probe(const std::vector<std::string>& pages, int width, const std::string& script,
                        const std::string& options = "", PageTime time = PageTime::Virtual) const {
     std::ofstream page(report_folder() / "probe.html");

@@ -125,7 +125,7 @@ TEST_F(ReportPages, ReportMissingValuesAndSkippedComparisons) {
 TEST_F(ReportPages, ShadeNoFieldOfAMapWithFewerThanFiveValues) {
   const ResultFile file = make_results(12);
   ReportOptions two_axes = options();
-  // Of each method 2 scenarios lie below 0.0015 and 10 above.
+  // Each method has 2 scenarios below 0.0015 and 10 above.
   two_axes.rows = parse_bin_specs("density:0,0.0015,1;success:0,0.5,1");
   write(file, two_axes);
   const std::string maps = section(open("index.html"), "maps");

@@ -77,7 +77,7 @@ struct ReferenceRay {
   }
 };
 
-/// What RayCaster::cast_scan should return.
+/// The expected result of RayCaster::cast_scan.
 std::vector<float> reference_scan(const Occupancy& cells, const mrpt::math::TPose2D& pose,
                                   const ScanGeometry& geometry) {
   std::vector<float> ranges;
@@ -110,7 +110,7 @@ ScanSetup random_scan(RandomEngine& random, const Occupancy& cells) {
           {uniform_int(random, 0, 1) ? 181 : 9, M_PI, geometry.max_range}};
 }
 
-/// Those of this machine that the program is compiled for.
+/// Instruction sets of this machine that the program is compiled for.
 std::vector<std::int64_t> instruction_sets() {
   std::vector<std::int64_t> sets;
   for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1)

@@ -84,7 +84,7 @@ TEST(FootprintContact, SweptPolygonStopsAtItsFirstContact) {
     TPose2D reached = to;
     double fraction = 1;
     const bool hit = contact->find_contact(from, reached, fraction);
-    // By brute force: the first of 1000 interpolated poses that touches.
+    // Brute force: the first of 1000 interpolated poses that touches.
     double first = 2;
     for (int k = 0; k <= 1000 && first > 1; ++k) {
       const double at = k / 1000.0;

@@ -12,7 +12,7 @@ Scenario scenario_with_movers() {
   return Scenario::continuous("room", {0, 0, 10, 6}, {}, {1, 5, 0}, {9, 5}).with_movers(movers);
 }
 
-/// What the form makes of the scenario with these fields typed.
+/// The scenario that the form makes of these fields.
 Scenario typed(const FormValues& input) {
   FormModel form(movers_form(scenario_with_movers()));
   for (const auto& [key, text] : input) form.set_value(form.index_of(key), text);

@@ -51,7 +51,7 @@ TEST_F(ResultsOverlayTest, AFileWithoutACampaignHasNoRobot) {
     EXPECT_FALSE(open_overlay_source(path_).robot);
     const ResultsOverlay overlay = opened();
     EXPECT_FALSE(overlay.trajectories().front().footprint);
-    // Of the robot's center: 1 m above the lower wall.
+    // Clearance of the robot's center: 1 m above the lower wall.
     EXPECT_NEAR(1, overlay.runs()[0].clearances[4], 1e-6);
   }
 }

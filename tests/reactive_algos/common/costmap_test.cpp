@@ -89,7 +89,7 @@ TEST(GlobalPlanner, PrefersALongerPathAwayFromObstacles) {
   for (const Point& p : planner.plan(room(points), {-2, 0}, {2, 0}))
     highest = std::max(highest, std::abs(p.y));
   EXPECT_GT(highest, 0.5) << "around";
-  // Without costs of the clearance the straight passage is the shortest.
+  // The straight passage is the shortest if the clearance has no cost.
   Costmap steep(4, 0.05, {0.165, 0.3, 1000});
   steep.build({0, 0}, points);
   for (const Point& p : planner.plan(steep, {-2, 0}, {2, 0})) EXPECT_LT(std::abs(p.y), 0.2);

@@ -169,7 +169,7 @@ TEST(ElasticBand, DeformsAroundAnObstacleThatMovesIntoIt) {
   const bool below = std::any_of(band.bubbles().begin(), band.bubbles().end(),
                                  [](const Bubble& bubble) { return bubble.center.y < -0.5; });
   EXPECT_TRUE(below);
-  // Without the post it is straight again.
+  // The band is straight again when the post is gone.
   map = map_with({});
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(band.update(path.front()));
   EXPECT_NEAR(length_of(band), 6, 0.02);

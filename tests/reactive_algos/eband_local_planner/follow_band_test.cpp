@@ -7,7 +7,7 @@ namespace {
 
 using namespace reactive;
 
-/// Of a robot of 0.5 m/s and 1 rad/s.
+/// Parameters for a robot of 0.5 m/s and 1 rad/s.
 ControllerParameters parameters() {
   ControllerParameters result;
   result.max_vel_lin = 0.5;

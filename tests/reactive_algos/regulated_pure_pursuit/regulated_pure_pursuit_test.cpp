@@ -55,7 +55,7 @@ TEST(RegulatedSpeed, FallsWithTheClearance) {
   EXPECT_EQ(regulated_speed(p, 0, 0.6, 5), 1);
   EXPECT_NEAR(regulated_speed(p, 0, 0.3, 5), 0.5, 1e-12);
   EXPECT_EQ(regulated_speed(p, 0, 0.01, 5), 0.25) << "not below the minimum";
-  // Of both heuristics the slower one counts: 0.5 of the radius, 2/3 of the clearance.
+  // The slower one of both heuristics counts: 0.5 of the radius, 2/3 of the clearance.
   EXPECT_NEAR(regulated_speed(p, 1 / 0.45, 0.4, 5), 0.5, 1e-12);
 }
 

@@ -184,8 +184,8 @@ TEST(Interpreter, AMethodIsShownAsItIsAmongAll) {
   }
 }
 
-/// Of two methods in 20 scenarios, the second always better: p of the signed ranks is 2 / 2^20,
-/// that of Friedman's test, chi squared 20 with one degree of freedom, 8e-6.
+/// Two methods in 20 scenarios, the second always better: p of the signed ranks is 2 / 2^20, that
+/// of Friedman's test, chi squared 20 with one degree of freedom, 8e-6.
 ResultTable clearly_different() {
   ResultFixture fixture;
   for (int i = 1; i <= 20; ++i) {

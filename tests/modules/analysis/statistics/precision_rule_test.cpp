@@ -34,9 +34,9 @@ TEST(PrecisionRule, ThatIsMalformedIsRejectedWithTheExpectedForm) {
   }
 }
 
-/// What becomes of campaigns whose method succeeds at `rate`, computed from the binomial
-/// distribution: looks at 10 runs and half as many more each time, until the interval at
-/// `confidence_of` look is narrower than `width`.
+/// Campaigns whose method succeeds at `rate`, computed from the binomial distribution: looks at 10
+/// runs and half as many more each time, until the interval at `confidence_of` look is narrower
+/// than `width`.
 struct Stopped {
   double coverage = 0, mean_runs = 0;
 };

@@ -172,7 +172,7 @@ TEST(RankStatistics, SpearmanAgreesWithPublishedExamples) {
 }
 
 TEST(RankStatistics, KendallCountsPairsInTheSameOrder) {
-  // Of six pairs five are in the same order.
+  // Five of six pairs are in the same order.
   EXPECT_DOUBLE_EQ(*kendall_tau({1, 2, 3, 4}, {1, 2, 4, 3}), 4.0 / 6);
   EXPECT_DOUBLE_EQ(*kendall_tau({1, 2, 3}, {9, 8, 7}), -1);
   // Two of three pairs are in the same order, the third is tied in x: 2 / sqrt(2 * 3).
@@ -187,7 +187,7 @@ TEST(RankStatistics, SpearmanIsUndefinedForConstantsAndFewValues) {
 }
 
 TEST(RankStatistics, SpearmanIntervalHasNominalCoverage) {
-  // Of bivariate normal values with correlation r, rho is 6 / pi asin(r / 2) (Pearson 1907).
+  // Bivariate normal values with correlation r have rho = 6 / pi asin(r / 2) (Pearson 1907).
   RandomEngine engine(12);
   const double r = 0.5, truth = 6 / M_PI * std::asin(r / 2);
   int covered = 0;

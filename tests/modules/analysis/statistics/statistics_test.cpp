@@ -164,7 +164,7 @@ TEST(Statistics, MiddleValuesAgreeWithSorting) {
 }
 
 TEST(Statistics, BootstrapAgreesWithAllResamples) {
-  // Of three groups there are 27 resamples; the fractions of their t at most x are known exactly.
+  // Three groups have 27 resamples; the fractions of their t at most x are known exactly.
   const std::vector<double> values = {0, 1, 5};
   const auto error = [](const std::vector<double>& v) {
     return *standard_deviation(v) / std::sqrt(3.0);

@@ -32,7 +32,7 @@ TEST(TableExport, QuotesSpecialCharactersInCsv) {
   // Separators of spreadsheets in other locales.
   EXPECT_EQ(csv_field("x;=1+1"), "\"x;=1+1\"");
   EXPECT_EQ(csv_field("x\t=1"), "\"x\t=1\"");
-  // What a spreadsheet would evaluate; numbers are not.
+  // Texts that a spreadsheet would evaluate; numbers are not.
   for (const char* text : {"=1+1", "+x", "-x", "@SUM(A1)", "-"})
     EXPECT_EQ(csv_field(text), std::string(text) == "-" ? "-" : std::string("'") + text) << text;
   EXPECT_EQ(csv_field("\t=1"), "\"'\t=1\"");

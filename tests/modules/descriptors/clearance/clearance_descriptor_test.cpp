@@ -45,7 +45,7 @@ TEST(ClearanceMean, IsTheMeanOverCollisionFreeCells) {
 }
 
 TEST(ClearanceQ05, IsTheFivePercentQuantile) {
-  // Of 3 x 7 centers the middle 5 are 1.5 m from walls, the others 0.5 m. For a robot of 0.6 m only
+  // The middle 5 of 3 x 7 centers are 1.5 m from walls, the others 0.5 m. For a robot of 0.6 m only
   // the 5 remain.
   const World hall = drawn_world({".......", "S.....G", "......."});
   EXPECT_NEAR(value_of("clearance_q05", context_of(hall, 0.6)), 1.5, 1e-6);
@@ -60,7 +60,7 @@ TEST(CspaceDensity, IsTheFractionOfCellsInCollision) {
       << "contact counts as free";
   // Centers next to a wall are 0.5 m from it; 9 others remain.
   EXPECT_DOUBLE_EQ(value_of("cspace_density", context_of(empty, 0.6)), 1 - 9.0 / 25);
-  // Of those 9 a block in the middle excludes itself and its 4 sides; the 4 cells at its corners
+  // A block in the middle of those 9 excludes itself and its 4 sides; the 4 cells at its corners
   // are sqrt(0.5) = 0.71 m from it.
   const World block = drawn_world({".....", ".....", "S.#.G", ".....", "....."});
   EXPECT_DOUBLE_EQ(value_of("cspace_density", context_of(block, 0.6)), 1 - 4.0 / 25);

@@ -28,7 +28,7 @@ TEST(ObstacleCount, CellsThatShareACornerAreOneComponent) {
   EXPECT_DOUBLE_EQ(value_of("obstacle_count", context_of(chain)), 0) << "it touches the border";
 }
 
-/// By filling each component from one of its cells.
+/// Counts components by filling each one from one of its cells.
 int components_by_filling(const Occupancy& cells) {
   std::vector<std::uint8_t> left = cells.cells();
   int count = 0;

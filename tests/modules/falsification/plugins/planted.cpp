@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-/// Of the method "watch": the defects that would have begun since its last reset, a bit for each in
-/// the order of kDefects. Until a defect begins, a method with it is the one without.
+/// Defects of the method "watch" that would have begun since its last reset, a bit for each in the
+/// order of kDefects. Until a defect begins, a method with it equals the one without.
 extern "C" SLALOM_METHOD_EXPORT unsigned planted_defects_begun;
 unsigned planted_defects_begun = 0;
 

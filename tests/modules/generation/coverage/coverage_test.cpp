@@ -214,7 +214,7 @@ TEST(Coverage, RejectsInvalidGeneratorOptionsImmediately) {
 }
 
 TEST(Coverage, KeepsGivenGeneratorOptions) {
-  // Without mutations every scenario is as generated: discs only, in the given workspace.
+  // Every scenario is as generated if there are no mutations: discs only, in the given workspace.
   const auto result = fill(
       plan_of("descriptors = density\nedges.density = 0, 0.2\nper_bin = 4\nfresh_fraction = 1\n",
               "width = 7\nheight = 6\npolygon_fraction = 0\nmin_distance = 3\n"));

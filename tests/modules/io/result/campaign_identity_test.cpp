@@ -15,7 +15,7 @@ Manifest manifest() {
           {"version.mrpt", "2.4.1"}};
 }
 
-/// What differs, as sentences.
+/// The differences, as sentences.
 std::vector<std::string> sentences(const Manifest& here, const Manifest& there) {
   std::vector<std::string> texts;
   for (const IdentityDifference& difference : identity_differences(here, there))

@@ -63,7 +63,7 @@ class MergeResults : public testing::Test {
 
   std::string dump_of(const std::string& path) const { return dump_text(ResultFile::open(path)); }
 
-  /// What tables and exports are made of, as CSV, except the name of the source.
+  /// The content of tables and exports as CSV, except the name of the source.
   static std::string tables_of(const std::string& path) {
     const ResultTable results = read_detailed_results(path);
     std::string text;
