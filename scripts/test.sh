@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs missing packages, checks the format and the documents, builds with warnings as errors, and runs all tests: in release mode, and
-# again under the address and undefined-behavior sanitizers; runs clang-tidy on changes. Prints the time of each step.
+# Installs missing packages, checks format, documents and comments, builds with warnings as errors, and runs all tests: in
+# release mode, and again under the address and undefined-behavior sanitizers; runs clang-tidy on changes. Prints the time of each step.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -14,6 +14,7 @@ scripts/install_packages.sh --tests
 finish_step "install packages"
 scripts/check_format.sh
 scripts/check_documents.py
+scripts/check_comments.py
 scripts/build.sh release -DSLALOM_WARNINGS_AS_ERRORS=ON
 finish_step "build, release"
 ctest --preset release -j 2

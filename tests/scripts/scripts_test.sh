@@ -100,6 +100,27 @@ expect_text "so has a word that is not that of the field" "page.md:8: 'movers': 
 expect_text "a link to a missing heading" "page.md:9: (#no-page): no such heading" "$work/out"
 expect_text "a link to a missing file" "page.md:10: (none.md): no such file" "$work/out"
 
+printf '%s\n' '// Returns a length.' 'int a;  // of a wall' '/// A length,' '/// what else.' >"$work/good.h"
+check_comments() { "$sources/scripts/check_comments.py" "$1" >"$work/out"; }
+expect "nouns, verbs and later lines are good in comments" check_comments "$work/good.h"
+printf '%s\n' 'int a;' '/// What it does.' 'int b;  ///< Of walls.' >"$work/bad.h"
+expect "comments without a head are not" not check_comments "$work/bad.h"
+expect_text "one above code has its line" "bad.h:2: headless: What it does." "$work/out"
+expect_text "one behind code too" "bad.h:3: headless: Of walls." "$work/out"
+
+# Programs without those of Clang.
+mkdir "$work/tools"
+for tool in bash dirname env git grep; do ln -s "$(command -v "$tool")" "$work/tools"; done
+for check in check_format check_tidy; do
+  without_clang() { env -u CI PATH="$work/tools" "$@" "$sources/scripts/$check.sh" >"$work/out" 2>&1; }
+  expect "$check.sh checks nothing without its version of Clang" without_clang
+  expect "it fails in continuous integration then" not without_clang CI=true
+done
+
+hooks=$(sed -n 's/^ *entry: //p' "$sources/.pre-commit-config.yaml")
+expect "there are hooks of pre-commit" test -n "$hooks"
+for hook in $hooks; do expect "the hook $hook is a program" test -x "$sources/$hook"; done
+
 check_packages() { "$sources/scripts/check_packages.sh" "$@" >"$work/out" 2>"$work/err"; }
 refuses_packages() {
   local text=$1
