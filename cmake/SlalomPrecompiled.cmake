@@ -1,5 +1,5 @@
-# Headers of MRPT and the standard library that most sources include, compiled once for all modules and once for all
-# tests; they take more than half of the compile time otherwise. Sources still include what they use: the build also
+# Headers of MRPT and the standard library that most sources include, compiled once for all modules, once for all
+# programs and once for all tests; they take more than half of the compile time otherwise. Sources still include what they use: the build also
 # works with -DSLALOM_PRECOMPILE_HEADERS=OFF.
 set(SLALOM_PRECOMPILED_HEADERS
   <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <optional> <set> <string> <variant> <vector>
@@ -54,5 +54,14 @@ function(slalom_precompile_tests TARGET OPTIMIZATION)
     target_link_libraries(${TARGET} PRIVATE slalom_scenario GTest::gtest GTest::gtest_main)
     target_compile_options(${TARGET} PRIVATE ${OPTIMIZATION})
     slalom_precompile(${TARGET} <gtest/gtest.h> <sstream>)
+  endif()
+endfunction()
+
+# For the programs: all of them parse command lines, most write JSON.
+function(slalom_precompile_for_apps TARGET)
+  if(SLALOM_PRECOMPILE_HEADERS)
+    add_executable(${TARGET} ${SLALOM_EMPTY_SOURCE})
+    target_link_libraries(${TARGET} PRIVATE slalom_scenario CLI11::CLI11 nlohmann_json::nlohmann_json)
+    slalom_precompile(${TARGET} <CLI/CLI.hpp> <nlohmann/json.hpp> <iostream>)
   endif()
 endfunction()

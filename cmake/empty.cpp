@@ -1,1 +1,2 @@
-// The source of the targets that own the precompiled headers; see SlalomPrecompiled.cmake.
+// The source of the targets that own the precompiled headers, some of which are programs; see SlalomPrecompiled.cmake.
+int main() {}
