@@ -97,7 +97,7 @@ void print_random(std::uint64_t candidates, std::uint64_t seed) {
   const TestBench bench = planted_bench("watch");
   const CandidateMix mix(bench.setup.robot);
   const unsigned& begun = defects_begun();
-  BenchMethods watch(bench);
+  MethodPool watch(bench);
   std::vector<TestBench> benches;
   for (const Planting& planting : kPlantings) benches.push_back(planted_bench(planting.defect));
   std::array<std::size_t, kPlantings.size()> begins{}, hits{};
@@ -110,7 +110,7 @@ void print_random(std::uint64_t candidates, std::uint64_t seed) {
     for (std::size_t i = 0; i < kPlantings.size(); ++i) {
       if ((begun >> i & 1U) == 0) continue;
       ++begins[i];
-      if (arrives && is_severe(BenchMethods(benches[i]).run(*world, 0).outcome)) ++hits[i];
+      if (arrives && is_severe(MethodPool(benches[i]).run(*world, 0).outcome)) ++hits[i];
     }
   }
   fmt::print("{} candidates, {:.0f} a minute (processor time)\n\n", candidates,

@@ -34,17 +34,17 @@ void require_method(const IniFile& ini, const std::string& option, const std::st
                     expected_name(name, known));
 }
 
-/// The campaign of the light relative alone: the one that repeats the failures does not run it.
-CampaignConfig read_relative(IniFile ini, const FalsifyArguments& arguments,
-                             const TestBench& bench) {
-  const std::string option = "--relative " + arguments.relative;
-  if (arguments.relative == arguments.method)
+/// The campaign of the light surrogate alone: the one that repeats the failures does not run it.
+CampaignConfig read_surrogate(IniFile ini, const FalsifyArguments& arguments,
+                              const TestBench& bench) {
+  const std::string option = "--surrogate " + arguments.surrogate;
+  if (arguments.surrogate == arguments.method)
     throw usage_error(option, "is the method that is tested", "another method");
   if (arguments.fairness.witness && bench.witnesses.size() == 1 &&
-      bench.witnesses.front().name == arguments.relative)
+      bench.witnesses.front().name == arguments.surrogate)
     throw usage_error(option, "is the only witness, and fails in all these scenarios",
                       "another method, or --witness METHOD");
-  ini.set("campaign", "methods", arguments.relative);
+  ini.set("campaign", "methods", arguments.surrogate);
   CampaignConfig config = read_campaign(ini);
   check_campaign(config);
   return config;
@@ -96,7 +96,7 @@ void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
 FalsifyCampaign read_falsify_campaign(IniFile ini, const FalsifyArguments& arguments) {
   require_method(ini, "--method", arguments.method);
   for (const std::string& witness : arguments.witnesses) require_method(ini, "--witness", witness);
-  if (!arguments.relative.empty()) require_method(ini, "--relative", arguments.relative);
+  if (!arguments.surrogate.empty()) require_method(ini, "--surrogate", arguments.surrogate);
   ini.set("campaign", "methods", join(method_names(ini, arguments), ", "));
   CampaignConfig config = read_campaign(ini);
   check_campaign(config);
@@ -107,12 +107,12 @@ FalsifyCampaign read_falsify_campaign(IniFile ini, const FalsifyArguments& argum
   bench.walkers = config.sources.section.walkers;
   bench.method = config.methods.front();
   bench.witnesses.assign(config.methods.begin() + 1, config.methods.end());
-  CampaignConfig relative;
-  if (!arguments.relative.empty()) {
-    relative = read_relative(ini, arguments, bench);
-    bench.relative = relative.methods.front();
+  CampaignConfig surrogate;
+  if (!arguments.surrogate.empty()) {
+    surrogate = read_surrogate(ini, arguments, bench);
+    bench.surrogate = surrogate.methods.front();
   }
-  return {std::move(ini), std::move(config), std::move(bench), std::move(relative)};
+  return {std::move(ini), std::move(config), std::move(bench), std::move(surrogate)};
 }
 
 }  // namespace slalom

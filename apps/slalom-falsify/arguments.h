@@ -15,7 +15,7 @@ struct FalsifyArguments {
   CampaignArguments campaign;
   std::string method;
   std::vector<std::string> witnesses;  ///< empty: the other methods of the campaign
-  std::string relative;                ///< a light method that fails in similar scenarios; or none
+  std::string surrogate;               ///< a light method that fails in similar scenarios; or none
   std::string output;
   FairnessOptions fairness;
   std::size_t max_runs = 5000;  ///< to shrink one failure
@@ -29,7 +29,7 @@ struct FalsifyCampaign {
   IniFile ini;
   CampaignConfig config;
   TestBench bench;
-  CampaignConfig relative = {};  ///< with the relative as its only method, if there is one
+  CampaignConfig surrogate = {};  ///< with the surrogate as its only method, if there is one
 };
 
 /// Throws Error (Usage) for a method without section and without an adapter that can build it.

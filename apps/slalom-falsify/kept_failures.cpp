@@ -64,7 +64,7 @@ KeptFailures shrink_found(const std::vector<FoundFailure>& all, std::size_t coun
     if (!small.fairness.fair())
       std::cerr << origin << ": left out, " << join(small.fairness.violations, "; ") << "\n";
     else if (!areas.insert(small))
-      ++kept.alike;
+      ++kept.near_duplicates;
     else
       kept.failures.push_back(
           {origin, found.scenario, std::move(small), {}, true, found.half == SearchHalf::Random});

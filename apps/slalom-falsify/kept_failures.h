@@ -12,7 +12,7 @@ namespace slalom {
 /// The failures that are reported.
 struct KeptFailures {
   std::vector<Failure> failures;    ///< the simplest first
-  std::size_t alike = 0;            ///< others that are alike one of them
+  std::size_t near_duplicates = 0;  ///< dropped, see ObstacleArea
   std::optional<double> diversity;  ///< of the smallest scenarios; of two failures or more
 };
 

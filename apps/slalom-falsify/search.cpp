@@ -57,8 +57,9 @@ std::string tally_text(const SearchTally& tally) {
     parts.push_back(std::to_string(runs) + " " + outcome);
   return std::to_string(tally.failures) + " failures in " + std::to_string(tally.runs) + " runs (" +
          join(parts, ", ") +
-         (tally.unsolved > 0 ? "; " + std::to_string(tally.unsolved) + " failures without a witness"
-                             : "") +
+         (tally.without_witness > 0
+              ? "; " + std::to_string(tally.without_witness) + " failures without a witness"
+              : "") +
          ")";
 }
 
@@ -69,8 +70,8 @@ std::string limit_text(const SearchTally& tally, const std::vector<Outcome>& cou
   for (const auto& [outcome, runs] : tally.outcomes)
     if (outcome != to_string(Outcome::Success) && !contains(names, outcome))
       others.push_back(std::to_string(runs) + " " + outcome);
-  if (tally.unsolved > 0)
-    others.push_back(std::to_string(tally.unsolved) + " failures without a witness");
+  if (tally.without_witness > 0)
+    others.push_back(std::to_string(tally.without_witness) + " failures without a witness");
   return "          0 of " + std::to_string(tally.runs) +
          " failed where a witness reaches the goal: with 95 % confidence at most " +
          format_number(std::round(tally.rule_of_three() * 1e6) / 1e6) +
@@ -88,13 +89,15 @@ std::string search_text(const SearchResult& result, const KeptFailures& kept,
   if (kept.failures.empty()) return text;
   text += "kept      " + count_text(kept.failures.size(), "failure");
   if (kept.diversity) text += ", diversity " + format_fixed(*kept.diversity, 2);
-  return text + (kept.alike > 0 ? "; " + std::to_string(kept.alike) + " alike left out\n" : "\n");
+  return text + (kept.near_duplicates > 0
+                     ? "; " + std::to_string(kept.near_duplicates) + " near-duplicates left out\n"
+                     : "\n");
 }
 
 nlohmann::json tally_json(const SearchTally& tally) {
   return {{"runs", tally.runs},
           {"failures", tally.failures},
-          {"without_witness", tally.unsolved},
+          {"without_witness", tally.without_witness},
           {"outcomes", tally.outcomes}};
 }
 
@@ -104,7 +107,7 @@ std::string search_json(const SearchArguments& arguments, const SearchResult& re
                          {"random", tally_json(result.state.random)},
                          {"adaptive", tally_json(result.state.adaptive)},
                          {"ended", result.stopped},
-                         {"alike_left_out", kept.alike}};
+                         {"near_duplicates", kept.near_duplicates}};
   if (kept.diversity) json["diversity"] = *kept.diversity;
   if (result.state.random.failures == 0 && result.state.random.runs > 0)
     json["upper_limit_95"] = result.state.random.rule_of_three();
@@ -222,22 +225,23 @@ void define_search(CLI::App& app) {
                     ->required(),
                 known_methods);
   add_falsify_options(*verb, arguments.common);
-  CLI::Option* relative = verb->add_option(
-      "--relative", arguments.common.relative,
-      "A light method that fails in similar scenarios as a heavy one: adaptive runs are in random "
-      "scenarios in which it fails");
-  complete_with(relative, known_methods);
+  CLI::Option* surrogate = verb->add_option(
+      "--surrogate", arguments.common.surrogate,
+      "A surrogate: a cheap method with similar failures, which preselects random scenarios for "
+      "adaptive runs");
+  complete_with(surrogate, known_methods);
   CLI::Option* against = verb->add_option(
       "--against", arguments.against,
       "The only witness: a method, or a library (.so) with an earlier version of a compiled method "
       "and the same parameters");
-  against->excludes("--witness")->excludes(relative);
+  against->excludes("--witness")->excludes(surrogate);
   complete_with(against, known_methods);
   verb->add_flag("--all-outcomes", arguments.all_outcomes,
-                 "Also stuck and timeout are failures, which are frequent");
-  verb->add_option("--failures", arguments.search.max_failures,
-                   "End after the round in which so many failures were found, and report so many "
-                   "that differ")
+                 "Also count stuck and timeout, which are frequent, as failures");
+  verb->add_option(
+          "--failures", arguments.search.max_failures,
+          "Stop after the round that reaches this many failures, and report as many distinct "
+          "ones")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   CLI::Option* runs =

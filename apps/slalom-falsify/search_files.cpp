@@ -18,7 +18,7 @@ std::string key_of(const FoundFailure& found) {
 
 std::string search_identity(const FalsifyCampaign& campaign, const SearchOptions& options) {
   Hasher hasher;
-  for (const CampaignConfig* config : {&campaign.config, &campaign.relative}) {
+  for (const CampaignConfig* config : {&campaign.config, &campaign.surrogate}) {
     hasher.add(config->effective_ini);
     for (const auto* files : {&config->method_files, &config->dependencies})
       for (const auto& [key, path] : *files)

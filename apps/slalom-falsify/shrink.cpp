@@ -127,7 +127,7 @@ void shrink_verb(ShrinkArguments& arguments) {
 void define_shrink(CLI::App& app) {
   static ShrinkArguments arguments;
   CLI::App* verb = app.add_subcommand(
-      "shrink", "Shrink a failure to the smallest scenario in which the method fails alike");
+      "shrink", "Shrink a failure to the smallest scenario that reproduces the failure");
   verb->add_option("input", arguments.input,
                    "A result file (.results), a recorded run (.rawlog) or a .scenario.yaml")
       ->required();

@@ -50,7 +50,7 @@ void run(ReferenceArguments arguments) {
   std::vector<Scenario> scenarios;
   for (const auto& entry : entries) scenarios.push_back(list.read(entry.hash));
   PoolOptions pool;
-  pool.fresh_process = true;
+  pool.process_per_item = true;
   pool.trusted = true;
   run_in_workers(
       entries.size(), pool,

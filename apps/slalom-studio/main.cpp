@@ -88,7 +88,7 @@ void show_window(const StudioArguments& arguments) {
   StudioWindow window(scene_settings(arguments), settings, make_services());
   open_files(window, arguments);
   if (!warning.empty())
-    window.studio().notices().show_status("The default layout is used: " + warning, true);
+    window.studio().events().show_status("The default layout is used: " + warning, true);
   arguments.script.empty() ? window.run() : window.run(commands, arguments.script);
   if (!file.empty()) write_studio_settings(window.settings(), file);
 }

@@ -38,7 +38,7 @@ std::string export_to(const Scenario& scenario, const std::string& format, doubl
 }
 
 /// Runs slalom-falsify, since methods run in processes that the window must not fork: only the
-/// thread that forks exists in them, and what the others have locked stays so.
+/// forking thread survives in them, and locks held by others are never released.
 std::string falsify(std::vector<std::string> command, Progress& progress) {
   const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   command.insert(command.begin(), (folder / "slalom-falsify").string());

@@ -68,7 +68,7 @@ double farthest(const std::vector<Point>& points, const std::vector<Point>& cent
 
 /// One row of discs covers the border: their centers are at a third of the inradius from it, twice
 /// that apart. Others cover what remains around the longest line in the middle.
-Robot covered(Robot robot) {
+Robot with_cover_discs(Robot robot) {
   const Polygon& corners = robot.footprint;
   if (corners.empty()) return robot;
   const double max_depth = inradius(corners), depth = max_depth / 3;

@@ -11,7 +11,7 @@ namespace reactive {
 /// The robot with discs that cover its footprint: several discs for a polygon, whose radius is then
 /// that of the largest disc inside and what the discs exceed the polygon by, 0.16 of it if no
 /// corner is sharper than a right angle.
-Robot covered(Robot robot);
+Robot with_cover_discs(Robot robot);
 
 /// Clearance of the footprint on the scale of a disc's center: the distance from the footprint to
 /// the closest obstacle point, plus the robot's radius; m.

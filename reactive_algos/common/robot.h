@@ -19,7 +19,8 @@ struct FootprintDisc {
 
 /// Robot and sensor parameters of a method.
 struct Robot {
-  double radius = 0.25;  ///< m, of the disc that contains the footprint; see also covered()
+  double radius =
+      0.25;  ///< m, of the disc that contains the footprint; see also with_cover_discs()
   double max_v = 1, max_w = 1.5;
   double max_accel_v = 1, max_accel_w = 3;
   double aperture = M_PI;  ///< rad, of the scan

@@ -52,7 +52,7 @@ double heading_term(const Pose& pose, const Twist& twist, const Point& target, c
 
 Dwa::Dwa(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
-      robot_(covered(robot)),
+      robot_(with_cover_discs(robot)),
       map_({parameters.memory, 0.8 + robot_.radius}, robot_),
       local_planner_({robot_.radius + parameters.margin, 2 * robot_.radius + parameters.margin},
                      robot_.radius + kCheckMargin, CostToGo::kPathReach * parameters.look_ahead),

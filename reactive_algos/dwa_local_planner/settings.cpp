@@ -2,8 +2,6 @@
 
 namespace dwa_local_planner {
 
-namespace {}  // namespace
-
 void Parameters::visit(slalom::OptionVisitor& v) {
   using slalom::Range;
   v.option("max_vel_x", max_vel_x, "m/s", "maximum linear velocity; 0: that of the robot",
@@ -66,7 +64,7 @@ void Parameters::visit(slalom::OptionVisitor& v) {
            "time without a trajectory before a recovery", Range::at_least(0));
   v.option("oscillation_timeout", oscillation_timeout, "s",
            "time without progress before a recovery; 0: never", Range::at_least(0));
-  v.option("oscillation_distance", oscillation_distance, "m", "... of this distance",
+  v.option("oscillation_distance", oscillation_distance, "m", "distance that counts as progress",
            Range::at_least(0));
   v.option("recovery_behavior_enabled", recovery_behavior_enabled,
            "whether there are recovery behaviors");
@@ -74,7 +72,7 @@ void Parameters::visit(slalom::OptionVisitor& v) {
            "whether one of them is a rotation in place");
   v.option("backup_allowed", backup_allowed, "whether one of them is to back up");
   v.option("conservative_reset_dist", conservative_reset_dist, "m",
-           "side of the square that the first one does not clear", Range::at_least(0));
+           "side of the square kept by the conservative reset", Range::at_least(0));
   v.option("backup_dist", backup_dist, "m", "how far to back up", Range::at_least(0));
   v.option("backup_speed", backup_speed, "m/s", "how fast to back up", Range::at_least(0));
 }

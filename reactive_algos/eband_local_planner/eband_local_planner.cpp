@@ -33,7 +33,7 @@ void Parameters::visit(slalom::OptionVisitor& v) {
            eband_equilibrium_approx_max_recursion_depth, "-",
            "steps to the equilibrium of a bubble", Range::between(0, 100));
   v.option("eband_equilibrium_relative_overshoot", eband_equilibrium_relative_overshoot, "-",
-           "opposite force per force before, beyond which steps are shorter", Range::at_least(0));
+           "relative overshoot of the force above which the step is reduced", Range::at_least(0));
   v.option("eband_significant_force_lower_bound", eband_significant_force_lower_bound, "-",
            "forces below it are ignored then", Range::at_least(0));
   v.option("costmap_weight", costmap_weight, "1/m",

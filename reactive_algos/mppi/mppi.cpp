@@ -60,7 +60,7 @@ std::vector<double> importance_weights(const std::vector<double>& costs, double 
 
 Mppi::Mppi(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
-      robot_(covered(robot)),
+      robot_(with_cover_discs(robot)),
       map_({parameters.memory, clearance_band(robot_, parameters.margin, parameters.comfort)},
            robot_),
       local_planner_(local_planner_of(parameters, robot_, task_.control_period)),

@@ -98,7 +98,7 @@ double regulated_speed(const Parameters& parameters, double curvature, double cl
 
 RegulatedPurePursuit::RegulatedPurePursuit(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
-      robot_(covered(robot)),
+      robot_(with_cover_discs(robot)),
       map_({parameters.memory,
             clearance_band(robot_, parameters.margin,
                            std::max(parameters.comfort, parameters.cost_scaling_dist))},

@@ -151,7 +151,7 @@ std::vector<Rollout> roll_out(const ClearanceMap& map, const Pose& pose, const T
 
 TrajectoryRollout::TrajectoryRollout(const Parameters& parameters, const Robot& robot)
     : parameters_(parameters),
-      robot_(covered(robot)),
+      robot_(with_cover_discs(robot)),
       map_({parameters.memory, clearance_band(robot_, parameters.margin, parameters.comfort)},
            robot_),
       local_planner_(robot_, parameters.margin, parameters.comfort,

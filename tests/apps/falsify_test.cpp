@@ -181,10 +181,10 @@ TEST_F(Falsify, SearchReportsTheSimplestFirstAndHowDiverseTheyAre) {
 }
 
 TEST_F(Falsify, SearchRunsTheMethodWhereARelativeFails) {
-  write("relative.ini", read("planted.ini") + "[method.twin]\nadapter = library\nplugin = " +
-                            PLANTED_PLUGIN + "\ndefect = squeeze\n");
-  const std::string search = "slalom-falsify search relative.ini --method squeeze --quiet -o out ";
-  const ProgramResult result = run(search + "--runs 40 --failures 1 --relative twin");
+  write("surrogate.ini", read("planted.ini") + "[method.twin]\nadapter = library\nplugin = " +
+                             PLANTED_PLUGIN + "\ndefect = squeeze\n");
+  const std::string search = "slalom-falsify search surrogate.ini --method squeeze --quiet -o out ";
+  const ProgramResult result = run(search + "--runs 40 --failures 1 --surrogate twin");
   ASSERT_EQ(result.status, 0) << result.err;
   // The twin has the same defect: each adaptive run fails, some without a witness.
   const Json adaptive = failures("out")["search"]["adaptive"];
@@ -192,10 +192,10 @@ TEST_F(Falsify, SearchRunsTheMethodWhereARelativeFails) {
   EXPECT_EQ(adaptive["failures"].get<int>() + adaptive["without_witness"].get<int>(), 20);
   EXPECT_EQ(read("out/failures.ini").find("methods = squeeze, twin"), std::string::npos);
   expect_failure(search + "--runs 40", 2, {"other settings"});
-  expect_failure(search + "--relative other", 2, {"no section [method.other]"});
-  expect_failure(search + "--relative squeeze", 2, {"is the method that is tested"});
-  expect_failure(search + "--relative base", 2, {"is the only witness", "--witness METHOD"});
-  expect_failure(search + "--relative twin --against base", 2, {"--relative", "--against"});
+  expect_failure(search + "--surrogate other", 2, {"no section [method.other]"});
+  expect_failure(search + "--surrogate squeeze", 2, {"is the method that is tested"});
+  expect_failure(search + "--surrogate base", 2, {"is the only witness", "--witness METHOD"});
+  expect_failure(search + "--surrogate twin --against base", 2, {"--surrogate", "--against"});
 }
 
 TEST_F(Falsify, SearchFindsShrinksAndReportsFailuresTheSameForAnyNumberOfWorkers) {

@@ -78,7 +78,7 @@ expect_bash "slalom-lcm-method --plugin libslalom_fo" \
   "libslalom_follow_the_gap.so libslalom_follow_the_gap_holonomic.so"
 expect_bash "slalom-analyze table my.ini --method s" "slow"
 expect_bash "slalom-falsify search my.ini --method s" "slow"
-expect_bash "slalom-falsify search my.ini --method slow --relative f" "fast"
+expect_bash "slalom-falsify search my.ini --method slow --surrogate f" "fast"
 expect_bash "slalom-falsify shrink a.scenario.yaml -c my.ini --witness " "fast slow"
 expect_bash "slalom-replay check a.rawlog -c my.ini --method s" "slow"
 expect_bash "slalom-replay openloop a.rawlog -c my.ini --method f" "fast"

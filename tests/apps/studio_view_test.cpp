@@ -239,19 +239,19 @@ TEST_F(StudioView, ShowsMoversAtAnInstantAndPlaysThem) {
   expect_played(
       "size 1280 800\n"
       "wait idle\n"
-      "expect view contains \"Obstacles: on, 2 movers\"\n"
-      "expect view contains \"mover a at 0.00 s: 3.000 4.000 m, radius 0.5 m\"\n"
-      "expect view contains \"mover b at 0.00 s: not there\"\n"
+      "expect view contains \"Obstacles: on, 2 moving obstacles\"\n"
+      "expect view contains \"moving obstacle a at 0.00 s: 3.000 4.000 m, radius 0.5 m\"\n"
+      "expect view contains \"moving obstacle b at 0.00 s: not there\"\n"
       "expect timeline contains \"time 0.00 of 8.00 s, paused\"\n"
       "screenshot begin.png\n"
       "click timeline slider\n"
-      "expect view contains \"mover a at 4.00 s: 3.000 2.000 m\"\n"
-      "expect view contains \"mover b at 4.00 s: 5.333 4.000 m\"\n"  // 2 of 6 s of 2 m
+      "expect view contains \"moving obstacle a at 4.00 s: 3.000 2.000 m\"\n"
+      "expect view contains \"moving obstacle b at 4.00 s: 5.333 4.000 m\"\n"  // 2 of 6 s of 2 m
       "screenshot later.png\n"
       "key Home\n"
       "do view.play\n"
       "wait until timeline contains \"time 8.00 of 8.00 s, paused\"\n"
-      "expect view contains \"mover b at 8.00 s: 4.000 4.000 m\"\n",
+      "expect view contains \"moving obstacle b at 8.00 s: 4.000 4.000 m\"\n",
       "walk.scenarios");
   EXPECT_NE(read("begin.png"), read("later.png"));
   const ProgramResult still = play("wait idle\nclick timeline slider\n", "room.scenarios");
@@ -271,8 +271,8 @@ TEST_F(StudioView, DrawsEditsMovesAndDeletesMoversUndoably) {
       "click view \"at 5 2\"\n"
       "key Enter\n"
       "wait idle\n"
-      "expect status contains \"Add mover\"\n"
-      "expect view contains \"mover mover_1 at 0.00 s\"\n"
+      "expect status contains \"Add moving obstacle\"\n"
+      "expect view contains \"moving obstacle mover_1 at 0.00 s\"\n"
       "do edit.movers\n"
       "click dialog \"field waypoints.0\"\n"
       "key Ctrl+A\n"
@@ -284,7 +284,7 @@ TEST_F(StudioView, DrawsEditsMovesAndDeletesMoversUndoably) {
       "type \"0 3 4; 2 5 4; 8 5 1\"\n"
       "key Enter\n"
       "wait idle\n"
-      "expect status contains \"Edit movers\"\n"
+      "expect status contains \"Edit moving obstacles\"\n"
       "expect timeline contains \"of 8.00 s\"\n"
       "key Ctrl+Z\n"
       "wait idle\n"
@@ -294,7 +294,7 @@ TEST_F(StudioView, DrawsEditsMovesAndDeletesMoversUndoably) {
       "click view \"tool move\"\n"
       "drag view \"mover mover_1\" to view \"at 2 5\"\n"
       "wait idle\n"
-      "expect status contains \"Move mover\"\n",
+      "expect status contains \"Move moving obstacle\"\n",
       "room.scenarios");
   EXPECT_NE(exported("room").find("mover_1"), std::string::npos);
   const std::string shown = expect_played(
@@ -305,10 +305,10 @@ TEST_F(StudioView, DrawsEditsMovesAndDeletesMoversUndoably) {
       "expect timeline contains \"time 8.00 of 8.00 s\"\n"  // the move keeps the times
       "print view\n",
       "room.scenarios");
-  const auto [x0, y0] = numbers_after(shown, "mover mover_1 at 0.00 s:");
+  const auto [x0, y0] = numbers_after(shown, "moving obstacle mover_1 at 0.00 s:");
   EXPECT_NEAR(x0, 2, 2 * kPixel);
   EXPECT_NEAR(y0, 5, 2 * kPixel);
-  const auto [x8, y8] = numbers_after(shown, "mover mover_1 at 8.00 s:");
+  const auto [x8, y8] = numbers_after(shown, "moving obstacle mover_1 at 8.00 s:");
   EXPECT_NEAR(x8, 4, 2 * kPixel) << "from (5, 1), as the start from (3, 4)";
   EXPECT_NEAR(y8, 2, 2 * kPixel);
   expect_played(
@@ -316,8 +316,8 @@ TEST_F(StudioView, DrawsEditsMovesAndDeletesMoversUndoably) {
       "click view \"tool delete\"\n"
       "click view \"mover mover_1\"\n"
       "wait idle\n"
-      "expect status contains \"Delete mover\"\n"
-      "expect view lacks \"mover mover_1\"\n",
+      "expect status contains \"Delete moving obstacle\"\n"
+      "expect view lacks \"moving obstacle mover_1\"\n",
       "room.scenarios");
   EXPECT_EQ(exported("room").find("movers"), std::string::npos);
 }

@@ -30,8 +30,8 @@ TEST_F(Until, ReportsAnExhaustedPool) {
       run("slalom-evaluate small.ini -o out --quiet --until 'interval(success) < 0.05'");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("0 of 2 cells reached after 8 runs"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("no more scenarios"), std::string::npos) << result.out;
-  EXPECT_NE(read("out/until.txt").find("no more scenarios"), std::string::npos);
+  EXPECT_NE(result.out.find("no scenarios left"), std::string::npos) << result.out;
+  EXPECT_NE(read("out/until.txt").find("no scenarios left"), std::string::npos);
 }
 
 TEST_F(Until, IsTheSameWithManyWorkersAndAddsRunsOnlyToOpenBins) {

@@ -1,9 +1,11 @@
 # The readers and their dependencies, compiled for libFuzzer with sanitizers; the rest of the project is not built.
 set(MODULES ${PROJECT_SOURCE_DIR}/modules)
 set(FORMATS ${PROJECT_SOURCE_DIR}/adapters/map_formats/src)
-file(GLOB FUZZED_SOURCES CONFIGURE_DEPENDS
-  ${MODULES}/core/src/*.cpp ${MODULES}/scenario/src/*.cpp ${MODULES}/trajectory/src/*.cpp
-  ${MODULES}/results/src/*.cpp)
+foreach(module core scenario trajectory results)
+  get_target_property(sources slalom_${module} SOURCES)
+  list(TRANSFORM sources PREPEND ${MODULES}/${module}/)
+  list(APPEND FUZZED_SOURCES ${sources})
+endforeach()
 add_library(slalom_fuzzed STATIC
   ${FUZZED_SOURCES}
   ${MODULES}/campaign/src/wire.cpp
@@ -12,7 +14,7 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/io/src/checked_row.cpp
   ${MODULES}/io/src/compression.cpp
   ${MODULES}/io/src/database.cpp
-  ${MODULES}/io/src/draft_file.cpp
+  ${MODULES}/io/src/sibling_temp_file.cpp
   ${MODULES}/io/src/file_access.cpp
   ${MODULES}/io/src/result/campaign_identity.cpp
   ${MODULES}/io/src/result/combined_results.cpp
@@ -29,7 +31,7 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/io/src/scenario/yaml_reader.cpp
   ${MODULES}/io/src/result/trajectory_file.cpp
   ${MODULES}/io/src/text_lines.cpp
-  ${MODULES}/io/src/write_scope.cpp
+  ${MODULES}/io/src/transaction.cpp
   ${MODULES}/references/src/reference_codec.cpp
   ${FORMATS}/gray_image.cpp
   ${FORMATS}/image_size.cpp

@@ -32,8 +32,9 @@ void write_png(const Scenario& scenario, const MapExportOptions& /*options*/,
 
 std::string left_out(const Scenario& scenario, const ExportFormat& format) {
   if (scenario.movers().empty() || format.has_movers) return "";
-  return "scenario " + scenario.name() + ": " + count_text(scenario.movers().size(), "mover") +
-         " left out, the format " + format.name + " has static obstacles only";
+  return "scenario " + scenario.name() + ": " +
+         count_text(scenario.movers().size(), "moving obstacle") + " left out, the format " +
+         format.name + " has static obstacles only";
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ void end_interrupted(int signal) {
 /// their fork server.
 void prepare_process() {
   program_process = getpid();
-  adopt_orphans();
+  become_subreaper();
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0) _exit(kJobFailed);
   std::signal(SIGXFSZ, SIG_IGN);

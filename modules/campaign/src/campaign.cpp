@@ -69,7 +69,7 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
   pool.workers = execution.workers;
   // Planners may have a state of their process, such as OMPL's random generators; the rest of a
   // survey has none, and no method runs there.
-  pool.fresh_process = campaign.planner != nullptr;
+  pool.process_per_item = campaign.planner != nullptr;
   pool.ordered = false;
   pool.trusted = true;
   pool.in_process = execution.in_process;
@@ -242,7 +242,7 @@ PrivilegedMethods check_methods(const Campaign& campaign) {
     privileged.add(methods[i].name, answer[1] == '1', answer[2] == '1');
   };
   PoolOptions pool = pool_for_methods(campaign.options, 1);
-  pool.fresh_process = true;
+  pool.process_per_item = true;
   run_in_workers(methods.size(), pool, item, receive, nullptr);
   return privileged;
 }

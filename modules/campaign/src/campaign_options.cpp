@@ -24,10 +24,10 @@ std::vector<std::string> without(std::vector<std::string> ids,
 }
 
 /// The ids of the words, which are ids and the groups "all" and "movers". Throws Error (Usage).
-std::vector<std::string> without_groups(const std::vector<std::string>& words,
-                                        std::vector<std::string> known,
-                                        const std::vector<std::string>& movers,
-                                        const std::string& where) {
+std::vector<std::string> expand_groups(const std::vector<std::string>& words,
+                                       std::vector<std::string> known,
+                                       const std::vector<std::string>& movers,
+                                       const std::string& where) {
   std::vector<std::string> ids;
   for (const std::string& word : words) {
     if (word == "all")
@@ -50,9 +50,9 @@ void resolve_groups(CampaignOptions& options, const OptionLocation& where) {
   options.all_metrics = options.all_metrics || contains(options.metrics, "all");
   options.all_descriptors = options.all_descriptors || contains(options.descriptors, "all");
   options.metrics =
-      without_groups(options.metrics, metric_ids(), mover_metric_ids(), where("enabled"));
-  options.descriptors = without_groups(options.descriptors, descriptor_ids(),
-                                       mover_descriptor_ids(), where("descriptors"));
+      expand_groups(options.metrics, metric_ids(), mover_metric_ids(), where("enabled"));
+  options.descriptors = expand_groups(options.descriptors, descriptor_ids(), mover_descriptor_ids(),
+                                      where("descriptors"));
 }
 
 /// Names of campaigns and methods become parts of file names.
@@ -127,10 +127,10 @@ void CampaignSection::visit(OptionVisitor& v) {
 }
 
 void MetricsSection::visit(OptionVisitor& v) {
-  v.option(
-      "enabled", enabled,
-      "metrics to compute: ids, comma-separated; all: those about movers only if a scenario has "
-      "some; movers: those about movers");
+  v.option("enabled", enabled,
+           "metrics to compute: ids, comma-separated; all: those about moving obstacles only if a "
+           "scenario has "
+           "some; movers: those about moving obstacles");
   v.option("descriptors", descriptors, "scenario descriptors: likewise");
   v.option("exact_confinement", exact_confinement,
            "confinement over all free cells instead of a sample; seconds per scenario");

@@ -52,9 +52,9 @@ std::vector<GeneratedScenario> ScenarioStream::next(Progress& progress) {
   return part;
 }
 
-void ScenarioStream::settle(const std::vector<std::size_t>& duplicates) {
+void ScenarioStream::commit_part(const std::vector<std::size_t>& duplicates) {
   if (state_.given >= given_.size()) {
-    mix_->settle(duplicates);
+    mix_->commit_part(duplicates);
     state_.mix = mix_->state();
     return;
   }
@@ -103,7 +103,7 @@ void stream_scenarios(const ScenarioSources& sources, const MapLoader& load_map,
   ScenarioStream stream(sources, load_map);
   while (!stream.finished()) {
     std::vector<GeneratedScenario> part = stream.next(progress);
-    stream.settle(sink(part));
+    stream.commit_part(sink(part));
   }
   if (!sources.families.empty()) progress.finish();
 }

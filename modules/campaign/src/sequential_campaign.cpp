@@ -80,23 +80,24 @@ std::vector<bool> open_bins(const std::vector<PrecisionCell>& cells, std::size_t
 }
 
 /// Result of an interim analysis.
-struct Look {
+struct InterimAnalysis {
   std::vector<bool> open;  ///< by bin: the rule is not yet met
   std::string text;
 };
 
 /// The interim analyses of a rule; the scenarios so far are given by their hashes in the order of
 /// the batches.
-class Looks {
+class InterimAnalyses {
  public:
-  Looks(const CampaignRecorder& recorder, double confidence) : recorder_(recorder) {
+  InterimAnalyses(const CampaignRecorder& recorder, double confidence) : recorder_(recorder) {
     analysis_.confidence = confidence;
   }
 
   std::size_t count() const { return count_; }
   std::size_t runs() const { return runs_; }
 
-  Look look(const PrecisionRule& rule, std::size_t bins, const std::vector<std::string>& hashes) {
+  InterimAnalysis analyze(const PrecisionRule& rule, std::size_t bins,
+                          const std::vector<std::string>& hashes) {
     const auto cells = precision_cells(read(ids_of(rule), hashes), rule, analysis_);
     const auto reached = std::count_if(cells.begin(), cells.end(),
                                        [](const PrecisionCell& cell) { return cell.reached; });
@@ -104,7 +105,8 @@ class Looks {
                                         " of " + std::to_string(cells.size()) + " cells reached"};
   }
 
-  Look look(const DecisionRule& rule, std::size_t, const std::vector<std::string>& hashes) {
+  InterimAnalysis analyze(const DecisionRule& rule, std::size_t,
+                          const std::vector<std::string>& hashes) {
     const auto advantages = scenario_advantages(read({rule.metric}, hashes), rule, hashes);
     const DecisionState state = decide(rule, advantages, analysis_.confidence);
     return {{state.decision == Decision::Open}, decision_sentence(rule, state) + "\nended"};
@@ -138,27 +140,27 @@ SequentialReport run_in_batches(CampaignRecorder& recorder, const Rule& rule, Sc
                                 const Execution& execution) {
   SequentialReport report;
   report.complete = !execution.is_interrupted();
-  Looks looks(recorder, confidence);
-  Look last{std::vector<bool>(pool.bins(), true), "ended"};
+  InterimAnalyses analyses(recorder, confidence);
+  InterimAnalysis last{std::vector<bool>(pool.bins(), true), "ended"};
   std::string stop_reason;
   std::vector<std::string> taken;
   while (report.complete && stop_reason.empty()) {
     const std::vector<Scenario> batch = pool.next_batch(last.open);
     if (batch.empty()) {
-      stop_reason = "no more scenarios in which the rule is open";
+      stop_reason = "no scenarios left in bins that still need runs";
       break;
     }
     report.complete = recorder.run(batch, execution);
     if (!report.complete) break;
     for (const Scenario& scenario : batch) taken.push_back(scenario.hash());
-    last = looks.look(rule, pool.bins(), taken);
+    last = analyses.analyze(rule, pool.bins(), taken);
     report.reached = std::find(last.open.begin(), last.open.end(), true) == last.open.end();
     if (report.reached) stop_reason = "the rule is met";
-    if (stop_reason.empty() && max_runs > 0 && looks.runs() >= max_runs)
+    if (stop_reason.empty() && max_runs > 0 && analyses.runs() >= max_runs)
       stop_reason = "maximum number of runs reached";
   }
-  report.text = last.text + " after " + count_text(looks.runs(), "run") + " and " +
-                count_text(looks.count(), "look") + ": " + stop_reason + "\n";
+  report.text = last.text + " after " + count_text(analyses.runs(), "run") + " and " +
+                count_text(analyses.count(), "look") + ": " + stop_reason + "\n";
   return report;
 }
 

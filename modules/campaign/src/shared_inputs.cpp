@@ -45,23 +45,23 @@ class InputWriter {
 
 }  // namespace
 
-InputStore::InputStore(std::size_t count, const PoolOptions& options)
+SharedInputPool::SharedInputPool(std::size_t count, const PoolOptions& options)
     : count_(count),
       options_(for_makers(options)),
       nothing_([](std::size_t, SharedTaskLog&) { return std::string(); }) {}
 
-std::optional<std::size_t> InputStore::input_of(std::size_t item) const {
+std::optional<std::size_t> SharedInputPool::input_of(std::size_t item) const {
   return options_.inputs.of ? options_.inputs.of(item) : std::nullopt;
 }
 
-bool InputStore::is_awaited(std::size_t item) const {
+bool SharedInputPool::is_awaited(std::size_t item) const {
   const auto key = input_of(item);
   if (!key) return false;
   const auto input = inputs_.find(*key);
   return input == inputs_.end() ? item >= ahead_ : !input->second.is_made;
 }
 
-bool InputStore::make_next() {
+bool SharedInputPool::make_next() {
   const auto waiting = std::count_if(inputs_.begin(), inputs_.end(),
                                      [](const auto& input) { return !input.second.is_used; });
   if (waiting >= std::max(1, options_.workers)) return false;
@@ -83,7 +83,7 @@ bool InputStore::make_next() {
   return true;
 }
 
-std::shared_ptr<InputStore::Maker> InputStore::idle_maker() {
+std::shared_ptr<SharedInputPool::Maker> SharedInputPool::idle_maker() {
   for (const auto& maker : makers_)
     if (maker->process->idle() && maker->process->is_sound()) return maker;
   for (auto& maker : makers_)
@@ -97,7 +97,7 @@ std::shared_ptr<InputStore::Maker> InputStore::idle_maker() {
   return makers_.back();
 }
 
-int InputStore::descriptor_for(std::size_t item) {
+int SharedInputPool::descriptor_for(std::size_t item) {
   const auto key = input_of(item);
   const auto input = key ? inputs_.find(*key) : inputs_.end();
   if (input == inputs_.end()) return -1;
@@ -105,7 +105,7 @@ int InputStore::descriptor_for(std::size_t item) {
   return input->second.memory.number();
 }
 
-void InputStore::release(std::size_t item) {
+void SharedInputPool::release(std::size_t item) {
   const auto key = input_of(item);
   const auto input = key ? inputs_.find(*key) : inputs_.end();
   if (input == inputs_.end() || --input->second.items > 0) return;
@@ -114,16 +114,16 @@ void InputStore::release(std::size_t item) {
   inputs_.erase(input);
 }
 
-std::size_t InputStore::busy() const {
+std::size_t SharedInputPool::busy() const {
   return static_cast<std::size_t>(std::count_if(
       makers_.begin(), makers_.end(), [](const auto& maker) { return maker->process->busy(); }));
 }
 
-void InputStore::add_events(std::vector<pollfd>& events) const {
+void SharedInputPool::add_events(std::vector<pollfd>& events) const {
   for (const auto& maker : makers_) maker->process->add_events(events);
 }
 
-void InputStore::collect() {
+void SharedInputPool::collect() {
   for (const auto& maker : makers_) {
     if (!maker->process->busy()) continue;
     const auto result = maker->process->receive();
@@ -135,7 +135,7 @@ void InputStore::collect() {
   }
 }
 
-FileReceiver InputStore::receiver() const {
+FileReceiver SharedInputPool::receiver() const {
   const auto reader = std::make_shared<SharedReader>();  // each process has its own after the fork
   return [inputs = options_.inputs, reader](std::size_t item, int file) {
     const SharedArray<std::byte> memory = reader->read(file);

@@ -16,10 +16,10 @@ namespace slalom {
 /// The SharedInputs of a pool: makes them in processes of their own, ahead of the work items that
 /// use them, and holds the descriptors of their memory until all of these are finished; then the
 /// process that wrote it uses it again.
-class InputStore {
+class SharedInputPool {
  public:
   /// `count`: number of work items.
-  InputStore(std::size_t count, const PoolOptions& options);
+  SharedInputPool(std::size_t count, const PoolOptions& options);
 
   /// Whether a work item has to wait for its input.
   bool is_awaited(std::size_t item) const;

@@ -15,10 +15,11 @@ namespace slalom {
 namespace {
 
 /// Forwards results in the order of their indexes, or as they come.
-class OrderedResults {
+class ResultForwarder {
  public:
   using Receiver = std::function<void(std::size_t, WorkResult&&)>;
-  OrderedResults(const Receiver& receiver, bool ordered) : receiver_(receiver), ordered_(ordered) {}
+  ResultForwarder(const Receiver& receiver, bool ordered)
+      : receiver_(receiver), ordered_(ordered) {}
 
   void put(std::size_t index, WorkResult&& result) {
     if (!ordered_) return receiver_(index, std::move(result));
@@ -45,7 +46,8 @@ class OrderedResults {
 
 class Pool {
  public:
-  Pool(std::size_t count, const PoolOptions& options, const WorkItem& item, OrderedResults& results)
+  Pool(std::size_t count, const PoolOptions& options, const WorkItem& item,
+       ResultForwarder& results)
       : count_(count),
         max_busy_(static_cast<std::size_t>(std::max(1, options.workers))),
         options_(options),
@@ -73,11 +75,11 @@ class Pool {
 
   void assign_items() {
     if (is_repeating()) return;
-    if (!again_.empty()) {
+    if (!retry_queue_.empty()) {
       // Alone, so that whatever another work item does to it or takes from it is not there.
       if (busy() > 0) return;
-      const std::size_t index = again_.back();
-      again_.pop_back();
+      const std::size_t index = retry_queue_.back();
+      retry_queue_.pop_back();
       memory_kills_ = options_.memory_kills();
       return assign(index, true);
     }
@@ -88,7 +90,7 @@ class Pool {
     }
     while (busy() < max_busy_ && next_ < count_) {
       if (!inputs_.is_awaited(next_))
-        assign(next_++, options_.fresh_process);
+        assign(next_++, options_.process_per_item);
       else if (!inputs_.make_next())
         return;
     }
@@ -99,7 +101,7 @@ class Pool {
   /// Whether a work item is executed once more.
   bool is_repeating() const {
     return std::any_of(workers_.begin(), workers_.end(), [this](const Worker& worker) {
-      return worker->busy() && killed_.count(worker->last_item()) > 0;
+      return worker->busy() && killed_once_.count(worker->last_item()) > 0;
     });
   }
 
@@ -177,7 +179,7 @@ class Pool {
 
   void finish(std::size_t index, WorkResult&& result) {
     if (result.status == WorkResult::Status::Killed) {
-      if (killed_.insert(index).second) return again_.push_back(index);
+      if (killed_once_.insert(index).second) return retry_queue_.push_back(index);
       result.detail += " twice, the second time alone";
       if (options_.memory_kills() == memory_kills_)
         result.status = WorkResult::Status::Crashed;
@@ -192,15 +194,15 @@ class Pool {
   std::size_t count_, max_busy_;
   PoolOptions options_;
   const WorkItem& item_;
-  OrderedResults& results_;
-  InputStore inputs_;
+  ResultForwarder& results_;
+  SharedInputPool inputs_;
   WorkerKeeper keeper_;
   std::vector<Worker> workers_;
   std::size_t next_ = 0, finished_ = 0;
-  std::set<std::size_t> killed_;        ///< work items whose process was killed
-  std::vector<std::size_t> again_;      ///< those that are to be executed once more, alone
-  std::uint64_t memory_kills_ = 0;      ///< when the last of these was started
-  std::vector<std::size_t> restarted_;  ///< those that are to be executed in a new process
+  std::set<std::size_t> killed_once_;     ///< work items whose process was killed
+  std::vector<std::size_t> retry_queue_;  ///< those that are to be executed once more, alone
+  std::uint64_t memory_kills_ = 0;        ///< when the last of these was started
+  std::vector<std::size_t> restarted_;    ///< those that are to be executed in a new process
 };
 
 bool run_here(std::size_t count, const PoolOptions& options, const WorkItem& item,
@@ -230,7 +232,7 @@ bool run_in_workers(std::size_t count, const PoolOptions& options, const WorkIte
                     const std::function<void(std::size_t, WorkResult&&)>& on_result,
                     const std::function<bool()>& interrupted) {
   if (options.in_process) return run_here(count, options, item, on_result, interrupted);
-  OrderedResults results(on_result, options.ordered);
+  ResultForwarder results(on_result, options.ordered);
   const bool complete = Pool(count, options, item, results).run(interrupted);
   results.flush();
   return complete;

@@ -170,7 +170,7 @@ std::optional<WorkResult> WorkerProcess::take_answer() {
   if (!is_known || header.size > kMaxPayload)
     return kill_with(Status::Crashed, "wrote invalid data to the worker's socket");
   if (header.request.nonce != nonce_ || header.request.index != item_)
-    return kill_with(Status::Crashed, "answered a request that had not been made");
+    return kill_with(Status::Crashed, "sent an unsolicited reply");
   if (buffer_.size() < sizeof header + header.size) return std::nullopt;
   // A method may have killed the keeper and answered before it died with it.
   if (keeper_ != nullptr && (generation_ != keeper_->generation() || !keeper_->is_alive()))
@@ -258,7 +258,7 @@ void WorkerProcess::request_end() {
 }
 
 void WorkerProcess::await_end() {
-  if (idle()) is_readable(control_.number(), static_cast<int>(kOrderlyEnd * 1000));
+  if (idle()) is_readable(control_.number(), static_cast<int>(kShutdownTimeout * 1000));
   begin_end();
 }
 

@@ -59,7 +59,7 @@ class WorkerProcess {
 
   /// Makes an idle process execute PoolOptions::at_end and exit; then await_end().
   void request_end();
-  /// Waits until the process has exited, or kOrderlyEnd; then begin_end().
+  /// Waits until the process has exited, or kShutdownTimeout; then begin_end().
   void await_end();
 
  private:

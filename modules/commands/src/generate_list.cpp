@@ -62,7 +62,7 @@ void fill_from_sources(ScenarioList& list, const ScenarioSources& sources,
   while (!stream.finished()) {
     const std::vector<GeneratedScenario> part = stream.next(progress);
     list.in_transaction([&] {
-      stream.settle(keep_generated(list, part));
+      stream.commit_part(keep_generated(list, part));
       store_source_state(list, stream.state());
     });
     if (stream.state().mix.begun > 0)

@@ -32,8 +32,7 @@ void with_state(const ScenarioList& list, Read read) {
     const Json json = Json::parse(list.note(kStateNote).value_or(kNone));
     if (!json.empty()) read(json);
   } catch (const Json::exception&) {
-    throw file_error(list.path(), "contains a damaged note of where its generation is",
-                     "a list as it was written");
+    throw file_error(list.path(), "has a corrupt resume state", "an unmodified file");
   }
 }
 

@@ -17,7 +17,7 @@ bool is_adopting = false;
 
 }  // namespace
 
-void adopt_orphans() {
+void become_subreaper() {
   is_adopting = prctl(PR_SET_CHILD_SUBREAPER, 1) == 0;
 }
 

@@ -61,7 +61,8 @@ Manifest make_manifest(const Campaign& campaign) {
 }
 
 /// The methods, which are added to `privileged` when they are made and are so.
-std::vector<NamedMethod> observed(std::vector<NamedMethod> methods, PrivilegedMethods& privileged) {
+std::vector<NamedMethod> recording_privileges(std::vector<NamedMethod> methods,
+                                              PrivilegedMethods& privileged) {
   for (NamedMethod& method : methods)
     method.make = [make = method.make, name = method.name, &privileged](const RobotModel& robot,
                                                                         const SensorModel& sensor) {
@@ -89,7 +90,7 @@ ResultTable evaluate(const Methods& methods, const std::vector<Scenario>& scenar
   PrivilegedMethods privileged;
   const Campaign campaign{
       campaign_options(options, scenarios), without_duplicates(scenarios),
-      options.in_process ? observed(methods.list(), privileged) : methods.list(),
+      options.in_process ? recording_privileges(methods.list(), privileged) : methods.list(),
       options.planner.get()};
   if (!options.in_process) privileged = check_methods(campaign);
   TableSink sink(campaign.options, options);

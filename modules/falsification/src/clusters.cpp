@@ -124,7 +124,7 @@ std::vector<std::string> facts_in_words(const FailureFacts& facts) {
   const char* bottleneck = facts.bottleneck_width < 2   ? "bottleneck below 2 robot widths"
                            : facts.bottleneck_width < 4 ? "bottleneck of 2 to 4 robot widths"
                                                         : "bottleneck of at least 4 robot widths";
-  return {to_string(facts.outcome) + (facts.with_mover ? " with a mover" : ""),
+  return {to_string(facts.outcome) + (facts.with_mover ? " with a moving obstacle" : ""),
           to_string(facts.side),
           to_string(facts.motion),
           facts.faces_goal ? "faces the goal" : "faces away from the goal",

@@ -82,7 +82,7 @@ std::string departure_text(const std::string& method, const std::string& referen
   return method + " leaves the path of " + reference + " after " + format_fixed(departure->t, 2) +
          " s at " + format_fixed(departure->speed, 2) + " m/s; goal " +
          bearing_text(departure->goal_bearing) + ", nearest " +
-         (departure->is_mover ? "mover " : "obstacle ") +
+         (departure->is_mover ? "moving obstacle " : "obstacle ") +
          bearing_text(departure->obstacle_bearing) + ", " + format_fixed(departure->clearance, 2) +
          " m away";
 }

@@ -198,7 +198,7 @@ class Explainer {
                        " failures compared with their successful neighbors in " +
                        std::to_string(cluster.scenarios.size()) + " descriptors";
     if (pairs < needed)
-      return text + ": too few, a difference can hold with " + std::to_string(needed) + ".";
+      return text + ", too few: significance needs at least " + std::to_string(needed) + ".";
     return text + (cluster.statements.empty() ? ": no difference holds." : ".");
   }
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contained_trials.h"
+#include "isolated_trials.h"
 
 #include <slalom/falsification/fairness.h>
 

@@ -1,4 +1,4 @@
-#include "contained_trials.h"
+#include "isolated_trials.h"
 
 #include <slalom/core/distance.h>
 #include <slalom/core/text.h>

@@ -1,4 +1,4 @@
-#include "contained_trials.h"
+#include "isolated_trials.h"
 #include "obstacle_parts.h"
 #include "shrinker.h"
 
@@ -72,7 +72,7 @@ class Matcher {
 std::optional<std::vector<std::vector<Scenario>>> successful_neighbors(
     const TestBench& bench, const std::vector<Scenario>& failures, const NeighborOptions& options) {
   std::vector<Scenario> successes;
-  ContainedTrials trials(bench, options.interrupted);
+  IsolatedTrials trials(bench, options.interrupted);
   const auto job = [&](TrialSource& source) {
     successes =
         successes_of_mix(source, bench, options, failures.size() * options.runs_per_failure);

@@ -89,8 +89,8 @@ ObstacleParts::ObstacleParts(const Scenario& scenario, int block, double resolut
     divide_points((block > 0 ? block : kPointBlock) * resolution);
   static_parts_ = size();
   for (const Mover& mover : scenario.movers())
-    descriptions_.push_back("mover '" + mover.id + "' of radius " + format_fixed(mover.radius, 2) +
-                            " m");
+    descriptions_.push_back("moving obstacle '" + mover.id + "' of radius " +
+                            format_fixed(mover.radius, 2) + " m");
 }
 
 void ObstacleParts::divide_primitives() {

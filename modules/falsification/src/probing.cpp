@@ -27,9 +27,9 @@ bool are_same(const Command& a, const Command& b) {
 }
 
 /// A method; another one gets the same observations until its command is a different one.
-class Shadowed : public Method {
+class ShadowRun : public Method {
  public:
-  Shadowed(Method& method, Method& shadow) : method_(method), shadow_(shadow) {}
+  ShadowRun(Method& method, Method& shadow) : method_(method), shadow_(shadow) {}
   void reset(const NavigationTask& task) override {
     method_.reset(task);
     compare([&] {
@@ -93,7 +93,7 @@ Command StepProbe::command(std::size_t index, const CommandDifference& probe, do
 }
 
 std::optional<CommandDifference> StepProbe::find_in_run(const std::shared_ptr<const World>& world) {
-  Shadowed both(methods_.method(1), methods_.method(0));
+  ShadowRun both(methods_.method(1), methods_.method(0));
   run_trial(*world, bench_, both);
   const Scenario& scenario = world->scenario();
   if (!both.differs()) return std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contained_trials.h"
+#include "isolated_trials.h"
 
 #include <slalom/core/random.h>
 #include <slalom/falsification/fairness.h>
@@ -21,7 +21,7 @@ struct CommandDifference {
 /// Compares commands of the method and of the first witness, its reference.
 class StepProbe {
  public:
-  StepProbe(const TestBench& bench, BenchMethods& methods) : bench_(bench), methods_(methods) {}
+  StepProbe(const TestBench& bench, MethodPool& methods) : bench_(bench), methods_(methods) {}
 
   /// The first difference in single steps at random poses near obstacles, each after a reset. None
   /// for methods that use tracks or the map, which a single observation does not have.
@@ -37,7 +37,7 @@ class StepProbe {
                   const mrpt::obs::CObservation2DRangeScan& scan);
 
   const TestBench& bench_;
-  BenchMethods& methods_;
+  MethodPool& methods_;
 };
 
 /// A scenario in which the robot comes to the pose by itself, the one of this number from 1. The

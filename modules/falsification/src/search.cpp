@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t kBatch = 100;  // candidates
 constexpr std::uint64_t kRound = 400;  // candidates of each half
 constexpr std::size_t kMaxCloseCalls = 64;
-constexpr std::size_t kKept = 2;  // failures for each one that is searched
+constexpr std::size_t kOverSampling = 2;  // failures for each one that is searched
 
 /// How many candidates of each half the rounds have. With a budget of time the first is small, and
 /// the others so large that they take some seconds.
@@ -52,7 +52,7 @@ class SearchRound {
         state_(state),
         candidates_(candidates),
         runner_(bench, options) {
-    runner_.set_parents(state.close_calls);
+    runner_.set_parents(state.near_misses);
   }
 
   /// False when interrupted; the state is then as before.
@@ -105,7 +105,7 @@ class SearchRound {
     const Trial dead = trial_of_dead_process(result);
     const bool is_probed = runs.empty() || runs.back().complete;
     if (is_probed) {
-      if (!options_.probe && !bench_.relative)
+      if (!options_.probe && !bench_.surrogate)
         throw job_error("search", "a worker process died between two runs: " + result.detail);
       // A single step or a run of the surrogate has no scenario to keep.
       const std::uint64_t index = runs.empty() ? batch.begin : runs.back().index + 1;
@@ -139,18 +139,18 @@ class SearchRound {
     ++tally.runs;
     ++tally.outcomes[to_string(run.trial.outcome)];
     if (run.trial.outcome == Outcome::Success) {
-      if (half == SearchHalf::Random) add_close_call(run);
+      if (half == SearchHalf::Random) add_near_miss(run);
     } else if (runner_.is_failure(run.trial.outcome)) {
       const bool counts = !run.scenario.empty() && (run.witnessed || !options_.fairness.witness);
-      ++(counts ? tally.failures : tally.unsolved);
-      if (counts && state_.failures.size() < kKept * options_.max_failures)
+      ++(counts ? tally.failures : tally.without_witness);
+      if (counts && state_.failures.size() < kOverSampling * options_.max_failures)
         state_.failures.push_back(
             {half, run.index, deserialize_scenario(run.scenario, "search"), run.trial});
     }
   }
 
-  void add_close_call(const CandidateRun& run) {
-    auto& calls = state_.close_calls;
+  void add_near_miss(const CandidateRun& run) {
+    auto& calls = state_.near_misses;
     if (calls.size() >= kMaxCloseCalls && run.trial.clearance >= calls.back().clearance) return;
     calls.push_back({deserialize_scenario(run.scenario, "search"), run.trial.clearance});
     std::stable_sort(calls.begin(), calls.end(),
@@ -173,9 +173,9 @@ std::string limit_reached(const SearchState& state, const SearchOptions& options
   if (state.failures.size() >= options.max_failures)
     return std::to_string(state.failures.size()) + " failures were found";
   if (options.runs > 0 && state.runs() >= options.runs)
-    return std::to_string(state.runs()) + " runs were made";
+    return "run budget exhausted after " + std::to_string(state.runs()) + " runs";
   if (options.minutes > 0 && steady_seconds() - began >= 60 * options.minutes)
-    return "the time is over";
+    return "time budget exhausted";
   return "";
 }
 

@@ -34,18 +34,18 @@ std::unique_ptr<World> BatchRunner::draw(SearchHalf half, std::uint64_t index, S
 
 std::unique_ptr<World> BatchRunner::draw_adaptive(std::uint64_t index, SharedTaskLog& log) {
   if (options_.probe) return hunt_.draw(index, [&] { log.heartbeat(); });
-  if (bench_.relative) return draw_of_relative(index, log);
+  if (bench_.surrogate) return draw_of_surrogate(index, log);
   return parents_->empty() ? nullptr : draw_changed(index);
 }
 
-/// The first of some random scenarios in which the relative fails.
-std::unique_ptr<World> BatchRunner::draw_of_relative(std::uint64_t index, SharedTaskLog& log) {
+/// The first of some random scenarios in which the surrogate fails.
+std::unique_ptr<World> BatchRunner::draw_of_surrogate(std::uint64_t index, SharedTaskLog& log) {
   constexpr std::uint64_t kWorlds = 200;
-  const std::uint64_t seed = derive_seed(options_.seed, "relative", index);
+  const std::uint64_t seed = derive_seed(options_.seed, "surrogate", index);
   for (std::uint64_t i = 0; i < kWorlds; ++i) {
     log.heartbeat();
     auto world = draw_fair_world(mix_, bench_, options_.fairness, seed, i);
-    if (is_failure(methods_.run(*world, bench_.relative_index()).outcome)) return world;
+    if (is_failure(methods_.run(*world, bench_.surrogate_index()).outcome)) return world;
   }
   return nullptr;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "contained_trials.h"
-#include "probe_hunt.h"
+#include "difference_search.h"
+#include "isolated_trials.h"
 
 #include <slalom/falsification/candidates.h>
 #include <slalom/falsification/search.h>
@@ -31,7 +31,7 @@ class BatchRunner {
   BatchRunner(const TestBench& bench, const SearchOptions& options);
 
   /// Adaptive candidates are changed ones of these; the reference must remain valid.
-  void set_parents(const std::vector<SearchState::CloseCall>& parents) { parents_ = &parents; }
+  void set_parents(const std::vector<SearchState::NearMiss>& parents) { parents_ = &parents; }
   /// Logs the beginning and the end of each run; `begun` gets a heartbeat for each.
   void execute(const SearchBatch& batch, SharedTaskLog& log, SharedTaskLog& begun);
   /// One candidate; a probed one depends on those since the last batch began. Whether it is a
@@ -43,16 +43,16 @@ class BatchRunner {
  private:
   std::unique_ptr<World> draw(SearchHalf half, std::uint64_t index, SharedTaskLog& log);
   std::unique_ptr<World> draw_adaptive(std::uint64_t index, SharedTaskLog& log);
-  std::unique_ptr<World> draw_of_relative(std::uint64_t index, SharedTaskLog& log);
+  std::unique_ptr<World> draw_of_surrogate(std::uint64_t index, SharedTaskLog& log);
   std::unique_ptr<World> draw_changed(std::uint64_t index) const;
   bool has_witness(const World& world);
 
   const TestBench& bench_;
   const SearchOptions& options_;
   CandidateMix mix_;
-  BenchMethods methods_;
-  ProbeHunt hunt_;
-  const std::vector<SearchState::CloseCall>* parents_ = nullptr;
+  MethodPool methods_;
+  DifferenceSearch hunt_;
+  const std::vector<SearchState::NearMiss>* parents_ = nullptr;
 };
 
 /// The runs in the log of a batch.

@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint8_t kVersion = 1;
 
 void write(ByteWriter& writer, const SearchTally& tally) {
-  writer.u64(tally.runs).u64(tally.failures).u64(tally.unsolved).u64(tally.outcomes.size());
+  writer.u64(tally.runs).u64(tally.failures).u64(tally.without_witness).u64(tally.outcomes.size());
   for (const auto& [outcome, runs] : tally.outcomes) writer.text(outcome).u64(runs);
 }
 
@@ -16,7 +16,7 @@ SearchTally read_tally(ByteReader& reader) {
   SearchTally tally;
   tally.runs = reader.u64();
   tally.failures = reader.u64();
-  tally.unsolved = reader.u64();
+  tally.without_witness = reader.u64();
   for (std::size_t left = reader.count(2 * sizeof(std::uint64_t)); left > 0; --left) {
     const std::string outcome = reader.text();
     tally.outcomes[outcome] = reader.u64();
@@ -37,8 +37,8 @@ std::string to_bytes(const SearchState& state) {
         .u64(found.index)
         .text(serialize(found.scenario))
         .text(to_bytes(found.trial));
-  writer.u64(state.close_calls.size());
-  for (const SearchState::CloseCall& call : state.close_calls)
+  writer.u64(state.near_misses.size());
+  for (const SearchState::NearMiss& call : state.near_misses)
     writer.f64(call.clearance).text(serialize(call.scenario));
   return writer.take();
 }
@@ -60,7 +60,7 @@ SearchState search_state_from_bytes(const std::string& bytes, const std::string&
   }
   for (std::size_t left = reader.count(1); left > 0; --left) {
     const double clearance = reader.f64();
-    state.close_calls.push_back({deserialize_scenario(reader.text(), where), clearance});
+    state.near_misses.push_back({deserialize_scenario(reader.text(), where), clearance});
   }
   reader.expect_end();
   return state;

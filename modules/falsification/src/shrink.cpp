@@ -91,7 +91,7 @@ std::optional<ShrinkResult> shrink(const TestBench& bench, const Scenario& scena
                                    const ShrinkOptions& options) {
   std::optional<ShrinkResult> result;
   std::size_t begun = 0;
-  ContainedTrials trials(bench, [&] {
+  IsolatedTrials trials(bench, [&] {
     if (options.on_runs && trials.begun() > begun) options.on_runs(begun = trials.begun());
     return options.interrupted && options.interrupted();
   });

@@ -1,5 +1,5 @@
 #include "database.h"
-#include "write_scope.h"
+#include "transaction.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
@@ -167,7 +167,7 @@ void expect_count_of_runs(SQLite::Database& database, const std::string& path, s
     throw file_error(path,
                      "is damaged (contains " + std::to_string(count) + " runs, " +
                          std::to_string(indexed) + " in its index)",
-                     "a file as it was written");
+                     "an unmodified file");
 }
 
 void expect_replaceable(const std::string& path, const DatabaseKind& kind) {
@@ -195,7 +195,7 @@ std::unique_ptr<SQLite::Database> create_database(
         path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeoutMs);
     if (!is_empty(*database)) reset(*database);
     // One transaction: a file is either empty or complete, whenever the program is killed.
-    WriteScope scope(*database);
+    Transaction scope(*database);
     database->exec("PRAGMA application_id = " + std::to_string(kind.application_id));
     database->exec("PRAGMA user_version = " + std::to_string(kind.version));
     database->exec(kind.schema);

@@ -62,14 +62,14 @@ class FileIdentity {
 };
 
 /// A transaction for reading, also within another one: all statements see the same state.
-class ReadScope {
+class ReadTransaction {
  public:
-  explicit ReadScope(SQLite::Database& database) : database_(database) {
+  explicit ReadTransaction(SQLite::Database& database) : database_(database) {
     database.exec("SAVEPOINT read_scope");
   }
-  ~ReadScope() { database_.tryExec("RELEASE read_scope"); }
-  ReadScope(const ReadScope&) = delete;
-  ReadScope& operator=(const ReadScope&) = delete;
+  ~ReadTransaction() { database_.tryExec("RELEASE read_scope"); }
+  ReadTransaction(const ReadTransaction&) = delete;
+  ReadTransaction& operator=(const ReadTransaction&) = delete;
 
  private:
   SQLite::Database& database_;

@@ -57,7 +57,7 @@ function moveMovers(scenario, time) {
 // The path and the disc of a mover.
 function drawMover(scenario, { id, radius, waypoints }) {
   const points = waypoints.filter((_, i) => i % 3 > 0);
-  return svg("g", {}, svg("title", {}, "mover " + id), svg("path", { d: pathOfPoints(scenario, points), fill: "none",
+  return svg("g", {}, svg("title", {}, "moving obstacle " + id), svg("path", { d: pathOfPoints(scenario, points), fill: "none",
     stroke: "#8a5a00", "stroke-dasharray": "4 2" }), svg("circle", { r: radius * scenario.scale, fill: "#e0a030", stroke: "#8a5a00" }));
 }
 

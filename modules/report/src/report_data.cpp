@@ -49,9 +49,9 @@ OrderedJson cells_json(const std::vector<Cell>& cells) {
 }
 
 /// Makes the fields of report.json.
-class DataMaker {
+class ReportBuilder {
  public:
-  DataMaker(const ReportInput& input, std::vector<RunGroup>& groups)
+  ReportBuilder(const ReportInput& input, std::vector<RunGroup>& groups)
       : input_(input), runs_(input.runs), options_(input.options), groups_(groups) {
     for (const Column& column : input.summary.columns) {
       if (column.info.direction != Direction::None && !column.wall_clock)
@@ -244,7 +244,7 @@ class DataMaker {
   }
 };
 
-void add_statistics(OrderedJson& json, DataMaker& make, const ReportInput& input) {
+void add_statistics(OrderedJson& json, ReportBuilder& make, const ReportInput& input) {
   const ResultTable& runs = input.runs;
   json["overview"] = make.overview();
   json["common_scenarios"] = make.common_scenarios();
@@ -281,7 +281,7 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
   const ResultTable& runs = input.runs;
   std::vector<const ValueColumn*> descriptors;
   for (const ValueColumn& column : runs.descriptors) descriptors.push_back(&column);
-  DataMaker make(input, groups);
+  ReportBuilder make(input, groups);
   OrderedJson json = {{"format", kReportFormat},
                       {"slalom", version()},
                       {"campaign", campaign_name(runs.manifest)},

@@ -69,7 +69,7 @@ std::string sensor_warning(const IniFile& ini) {
 }
 
 void TrackerModel::visit(OptionVisitor& v) {
-  v.option("range", range, "m", "movers within it have tracks", Range::positive());
+  v.option("range", range, "m", "moving obstacles within it have tracks", Range::positive());
   v.option("position_sigma", position_sigma, "m", "standard deviation of each coordinate",
            Range::at_least(0));
   v.option("velocity_sigma", velocity_sigma, "m/s", "standard deviation of each coordinate",

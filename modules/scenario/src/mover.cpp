@@ -143,8 +143,8 @@ std::vector<MoverSegment> segments_of(const Mover& mover, double horizon) {
 void check_movers(const std::string& name, const Movers& movers) {
   std::set<std::string> ids;
   for (std::size_t i = 0; i < movers.size(); ++i) {
-    check_id(name + ": mover " + std::to_string(i), movers[i].id);
-    const std::string where = name + ": mover '" + movers[i].id + "'";
+    check_id(name + ": moving obstacle " + std::to_string(i), movers[i].id);
+    const std::string where = name + ": moving obstacle '" + movers[i].id + "'";
     if (!ids.insert(movers[i].id).second) throw file_error(where, "duplicate id", "unique ids");
     check_mover(where, movers[i]);
   }

@@ -59,7 +59,7 @@ class LogEvaluator {
       end(Outcome::UnsolvableScenario, "the robot touches an obstacle where the log begins");
     else if (const Mover* mover = checker_.overlapping_mover(first.pose, 0))
       end(Outcome::UnsolvableScenario,
-          "mover '" + mover->id + "' touches the robot where the log begins");
+          "moving obstacle '" + mover->id + "' touches the robot where the log begins");
     else
       check_sample(first);
     for (std::size_t i = 1; i < log_.samples.size() && !finished_; ++i) {

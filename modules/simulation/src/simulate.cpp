@@ -54,7 +54,7 @@ class Run {
       end(Outcome::UnsolvableScenario, "the robot touches an obstacle where it starts");
     else if (const Mover* mover = checker_.overlapping_mover(pose(), 0))
       end(Outcome::UnsolvableScenario,
-          "mover '" + mover->id + "' touches the robot where it starts");
+          "moving obstacle '" + mover->id + "' touches the robot where it starts");
     else
       begin();
     while (!finished_) cycle();

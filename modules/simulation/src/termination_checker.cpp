@@ -56,7 +56,7 @@ std::string TerminationChecker::describe_contact(const Trajectory& trajectory,
                                      footprint_.corners_at(last.pose), trajectory.duration());
   if (mover == nullptr) return "contact " + where;
   const double speed = math::hypot(last.v, last.vy);
-  return "contact with mover '" + mover->id + "' " + where +
+  return "contact with moving obstacle '" + mover->id + "' " + where +
          (has_stood(trajectory, last.t, last.pose, footprint_.is_disc())
               ? ", the robot had stood for " + format_number(kStandingTime) + " s"
               : ", the robot at " + format_fixed(speed, 2) + " m/s");

@@ -54,7 +54,7 @@ void show_added(Studio& studio, AddedScenarios& added, const std::string& list) 
     document->run(std::move(added.command));
     document->set_current(added.first);
   }
-  studio.notices().show_status(added_text(added.count, list));
+  studio.events().show_status(added_text(added.count, list));
 }
 
 using CreateList = std::function<MadeList(Progress&)>;
@@ -75,9 +75,9 @@ Jobs::Delivery create_and_add(Studio& studio, const std::string& list, const Cre
       else if (added != nullptr)
         show_added(studio, *added, list);
     } catch (const Error& error) {
-      studio.notices().show_message("Add scenarios", error.what());
+      studio.events().show_message("Add scenarios", error.what());
     }
-    if (!report.empty()) studio.notices().show_message("Result", report);
+    if (!report.empty()) studio.events().show_message("Result", report);
   };
 }
 
@@ -89,8 +89,8 @@ void start_job(Studio& studio, const std::string& title, CreateList create) {
         return create_and_add(studio, list, create, progress);
       },
       [&studio, title](const std::string& message) {
-        studio.notices().show_status(title + ": " + message, true);
-        studio.notices().show_message(title, message);
+        studio.events().show_status(title + ": " + message, true);
+        studio.events().show_message(title, message);
       });
 }
 
@@ -102,7 +102,7 @@ void open_generation_form(Studio& studio, FormDescription form, ReadGeneration r
       return generate(request, studio.services().load_map, progress);
     });
   };
-  studio.notices().show_form(std::move(form));
+  studio.events().show_form(std::move(form));
 }
 
 void open_export_form(Studio& studio) {
@@ -116,15 +116,13 @@ void open_export_form(Studio& studio) {
         [&studio, scenario, values](Progress&) -> Jobs::Delivery {
           const std::string left_out = export_as(studio.services(), scenario, values);
           return [&studio, left_out, name = scenario.name(), file = values.at("file")] {
-            studio.notices().show_status(name + " was exported to " + file);
-            if (!left_out.empty()) studio.notices().show_message("Export", left_out);
+            studio.events().show_status(name + " was exported to " + file);
+            if (!left_out.empty()) studio.events().show_message("Export", left_out);
           };
         },
-        [&studio](const std::string& message) {
-          studio.notices().show_message("Export", message);
-        });
+        [&studio](const std::string& message) { studio.events().show_message("Export", message); });
   };
-  studio.notices().show_form(std::move(form));
+  studio.events().show_form(std::move(form));
 }
 
 /// Only one generation, import, search or shrinking runs at a time.
@@ -162,7 +160,7 @@ void open_search_form(Studio& studio) {
                 return search_into_list(studio.services(), request, progress);
               });
   };
-  studio.notices().show_form(std::move(form));
+  studio.events().show_form(std::move(form));
 }
 
 void open_import_form(Studio& studio, const std::vector<std::string>& files) {
@@ -173,7 +171,7 @@ void open_import_form(Studio& studio, const std::vector<std::string>& files) {
                 return import_into_list(studio.services(), request, progress);
               });
   };
-  studio.notices().show_form(std::move(form));
+  studio.events().show_form(std::move(form));
 }
 
 }  // namespace
@@ -196,7 +194,7 @@ void open_shrink_form(Studio& studio) {
                 return shrink_into_list(studio.services(), request, progress);
               });
   };
-  studio.notices().show_form(std::move(form));
+  studio.events().show_form(std::move(form));
 }
 
 /// Sorted by name, so that the order of the files has no effect.
@@ -213,7 +211,7 @@ void open_files(Studio& studio, std::vector<std::string> files) {
       else
         others.push_back(file);
     } catch (const Error& error) {
-      studio.notices().show_message("Open", error.what());
+      studio.events().show_message("Open", error.what());
     }
   }
   if (!others.empty()) open_import_form(studio, others);
@@ -253,7 +251,7 @@ void add_generate_actions(Actions& actions, Studio& studio) {
                [&studio] { open_search_form(studio); },
                [&studio] { return search_disabled_reason(studio); }});
   actions.add({"generate.shrink", "Generate", "Shrink run...", "",
-               "Finds the smallest scenario in which the selected run fails alike.",
+               "Finds the smallest scenario that reproduces the failure of the run.",
                [&studio] { open_shrink_form(studio); },
                [&studio] { return shrink_disabled_reason(studio); }});
 }

@@ -33,17 +33,17 @@ DescribeOptions options_for(const SceneSettings& settings) {
 Studio::Studio(SceneSettings settings, StudioServices services, std::function<void()> wake)
     : services_(std::move(services)),
       jobs_(std::move(wake)),
-      scenes_(jobs_, notices_, std::move(settings)),
-      results_(jobs_, notices_),
+      scenes_(jobs_, events_, std::move(settings)),
+      results_(jobs_, events_),
       describe_options_(options_for(scenes_.settings())),
-      descriptors_(jobs_, notices_, describe_options_,
+      descriptors_(jobs_, events_, describe_options_,
                    [this](const std::string& hash, const std::vector<KeyedValue>& values) {
                      for (const auto& document : documents_) document->store_values(hash, values);
                    }) {
-  notices_.observe({Change::Runs}, [this] {
+  events_.observe({Change::Runs}, [this] {
     for (const auto& document : documents_) document->set_results(results_.fields());
   });
-  notices_.observe({Change::Scene}, [this] {
+  events_.observe({Change::Scene}, [this] {
     const ScenePtr& scene = scenes_.scene();
     results_.overlay().set_movers_duration(scene ? last_waypoint_time(scene->scenario().movers())
                                                  : 0);
@@ -65,9 +65,9 @@ void Studio::open_list(const std::string& path) {
   document->observe([this, source = document.get()](Change change) {
     if (source != active()) return;
     if (change == Change::Current) return current_changed();
-    if (change == Change::Command) return notices_.show_status(source->history().undo_title());
-    if (change == Change::CurrentRow) return notices_.publish(change);
-    notices_.publish(change);
+    if (change == Change::Command) return events_.show_status(source->history().undo_title());
+    if (change == Change::CurrentRow) return events_.publish(change);
+    events_.publish(change);
     read_list_values();
   });
   documents_.push_back(std::move(document));
@@ -82,7 +82,7 @@ void Studio::create_list(const std::string& path) {
 }
 
 void Studio::close_list(std::size_t index) {
-  notices_.show_status(documents_[index]->title() + " was closed");
+  events_.show_status(documents_[index]->title() + " was closed");
   documents_.erase(documents_.begin() + static_cast<std::ptrdiff_t>(index));
   if (active_ > index || active_ == documents_.size()) active_ -= active_ > 0 ? 1 : 0;
   documents_changed();
@@ -91,12 +91,12 @@ void Studio::close_list(std::size_t index) {
 void Studio::activate(std::size_t index) {
   active_ = index;
   documents_changed();
-  notices_.show_status(active()->title() + ": " + std::to_string(active()->list().size()) +
-                       " scenarios");
+  events_.show_status(active()->title() + ": " + std::to_string(active()->list().size()) +
+                      " scenarios");
 }
 
 void Studio::documents_changed() {
-  notices_.publish(Change::Documents);
+  events_.publish(Change::Documents);
   read_list_values();
   current_changed();
 }
@@ -115,7 +115,7 @@ void Studio::current_changed() {
   const std::string hash = current_hash();
   if (hash != current_hash_) {
     current_hash_ = hash;
-    if (!notices_.status().scenario.empty()) notices_.show_status("");
+    if (!events_.status().scenario.empty()) events_.show_status("");
     results_.show(hash);
     descriptors_.show(active() == nullptr ? "" : active()->path(), hash);
     try {
@@ -125,32 +125,32 @@ void Studio::current_changed() {
         scenes_.show(active()->list().read(hash));
     } catch (const Error& error) {
       scenes_.clear();
-      notices_.show_error(error.what());
+      events_.show_error(error.what());
     }
   }
-  notices_.publish(Change::Current);
+  events_.publish(Change::Current);
 }
 
 void Studio::edit_current(const SceneEdit& edit) {
   try {
     active()->edit_current(edit.scenario);
-    notices_.show_status(Notices::Status{edit.title, false, false, edit.scenario.hash()});
+    events_.show_status(StudioEvents::Status{edit.title, false, false, edit.scenario.hash()});
   } catch (const Error& error) {
-    notices_.show_status(Notices::Status{error.what(), true, false, current_hash()});
+    events_.show_status(StudioEvents::Status{error.what(), true, false, current_hash()});
   }
 }
 
 void Studio::remove(ListDocument& list) {
   const std::size_t count = list.selected_count();
   list.remove_selected();
-  notices_.show_status(Notices::Status{"Deleted " + count_of_scenarios(count), false, true});
+  events_.show_status(StudioEvents::Status{"Deleted " + count_of_scenarios(count), false, true});
 }
 
 void Studio::remove_selected() {
   ListDocument& list = *active();
   const std::vector<std::string> hashes = list.selected();
   if (hashes.size() != 1)
-    return notices_.show_form(
+    return events_.show_form(
         {"Delete scenarios",
          "Delete",
          "Delete " + count_of_scenarios(hashes.size()) + " of " + list.title() + "?",
@@ -161,22 +161,22 @@ void Studio::remove_selected() {
            remove(list);
          }});
   if (reveal_(*list.view().index_of(hashes.front()))) return remove(list);
-  notices_.show_status("The selected scenario was out of view; Delete again deletes it");
+  events_.show_status("The selected scenario was out of view; Delete again deletes it");
 }
 
 void Studio::undo() {
   const std::string title = active()->history().undo_title();
   active()->undo();
-  notices_.show_status("Undone: " + title);
+  events_.show_status("Undone: " + title);
 }
 
 void Studio::redo() {
   const std::string title = active()->history().redo_title();
   active()->redo();
-  notices_.show_status("Redone: " + title);
+  events_.show_status("Redone: " + title);
 }
 
-void Studio::show_values_of(const std::vector<std::string>& ids) {
+void Studio::track_descriptors(const std::vector<std::string>& ids) {
   shown_ids_ = ids;
   read_list_values();
 }
@@ -201,11 +201,11 @@ void Studio::describe_list() {
         return [this, path] {
           for (const auto& document : documents_)
             if (document->path() == path) document->refresh();
-          notices_.publish(Change::Current);
-          notices_.show_status("All descriptors are computed");
+          events_.publish(Change::Current);
+          events_.show_status("All descriptors are computed");
         };
       },
-      [this](const std::string& message) { notices_.show_error(message); });
+      [this](const std::string& message) { events_.show_error(message); });
 }
 
 std::string Studio::describe_progress() const {
@@ -224,7 +224,7 @@ bool Studio::poll() {
 void Studio::check_files() {
   for (const auto& document : documents_)
     if (!jobs_.is_pending(describe_key(document->path())) && document->update_from_file())
-      notices_.show_status(document->notice());
+      events_.show_status(document->notice());
 }
 
 }  // namespace slalom

@@ -145,7 +145,7 @@ FormDescription restore_form(Studio& studio) {
           {choice_field("scenarios", "Scenarios", choices)},
           [&studio, hashes](const FormValues& values) {
             studio.active()->restore(hashes.at(values.at("scenarios")));
-            studio.notices().show_status(studio.active()->history().undo_title());
+            studio.events().show_status(studio.active()->history().undo_title());
           }};
 }
 
@@ -212,7 +212,7 @@ FormDescription deduplicate_form(Studio& studio) {
             parse_number(values.at("min_difference"), difference);
             const std::size_t removed =
                 studio.active()->deduplicate({{values.at("descriptor"), difference}});
-            studio.notices().show_status(std::to_string(removed) + " near-duplicates removed");
+            studio.events().show_status(std::to_string(removed) + " near-duplicates removed");
           }};
 }
 
@@ -220,7 +220,7 @@ FormDescription edit_movers_form(Studio& studio) {
   const Scenario scenario = studio.active()->list().read(studio.current_hash());
   FormDescription form = movers_form(scenario);
   form.accepted = [&studio, scenario](const FormValues& values) {
-    studio.edit_current({read_movers(scenario, values), "Edit movers"});
+    studio.edit_current({read_movers(scenario, values), "Edit moving obstacles"});
   };
   return form;
 }
@@ -248,7 +248,7 @@ DisabledCheck needs_another_list(Studio& studio, ListAction action) {
 }
 
 std::function<void()> opens(Studio& studio, Form form) {
-  return [&studio, form] { studio.notices().show_form(form(studio)); };
+  return [&studio, form] { studio.events().show_form(form(studio)); };
 }
 
 /// For example "Undo: delete 3 scenarios".
@@ -325,13 +325,13 @@ void add_edit_actions(Actions& actions, Studio& studio) {
                opens(studio, restore_form), list_disabled_check(studio, ListAction::Restore)});
   actions.add({"edit.rename", "Edit", "Rename...", "F2", "Renames the current scenario.",
                opens(studio, rename_form), list_disabled_check(studio, ListAction::Rename)});
-  actions.add({"edit.movers", "Edit", "Movers...", "Ctrl+M",
+  actions.add({"edit.movers", "Edit", "Moving obstacles...", "Ctrl+M",
                "Edits ids, radii, positions and times of the moving obstacles of the scenario.",
                opens(studio, edit_movers_form), [&studio]() -> std::string {
                  const ScenePtr& scene = studio.scenes().scene();
                  if (!scene || studio.current_hash().empty()) return "no scenario is shown";
                  return scene->scenario().movers().empty()
-                            ? "this scenario has no movers; the tool + Mover adds one"
+                            ? "this scenario has no moving obstacles; the tool + Mover adds one"
                             : "";
                }});
   actions.add({"edit.tag", "Edit", "Tags...", "Ctrl+T",
@@ -361,10 +361,10 @@ void add_list_actions(Actions& actions, Studio& studio) {
 
 void add_help_actions(Actions& actions, Studio& studio) {
   actions.add({"help.keys", "Help", "Keys", "F1", "Lists the keyboard shortcuts.",
-               [&studio, &actions] { studio.notices().show_message("Keys", key_lines(actions)); }});
+               [&studio, &actions] { studio.events().show_message("Keys", key_lines(actions)); }});
   actions.add({"help.about", "Help", "About", "", "Shows the version.", [&studio] {
-                 studio.notices().show_message("Slalom Studio",
-                                               "Version " + version() + ", MRPT " + mrpt_version());
+                 studio.events().show_message("Slalom Studio",
+                                              "Version " + version() + ", MRPT " + mrpt_version());
                }});
 }
 

@@ -195,8 +195,9 @@ TEST(MapExport, SaysThatMoversAreLeftOut) {
       EXPECT_EQ(read_file(path, "an export").find("walker") != std::string::npos, is_text)
           << format.name;
     } else {
-      EXPECT_EQ(left_out, "scenario " + moving.name() + ": 1 mover left out, the format " +
-                              format.name + " has static obstacles only");
+      EXPECT_EQ(left_out, "scenario " + moving.name() +
+                              ": 1 moving obstacle left out, the format " + format.name +
+                              " has static obstacles only");
     }
   }
   const std::string world = folder.path("world.xml");

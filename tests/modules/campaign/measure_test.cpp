@@ -68,7 +68,8 @@ TEST(MeasureRun, AttributesACollisionAsItsDetailDoes) {
       const MeasuredLog measured =
           measure_log(options, nullptr, room, log_to_the_wall(), std::nullopt);
       ASSERT_EQ(measured.run.outcome, Outcome::Collision);
-      const bool named = starts_with(measured.run.detail, "contact with mover 'crossing'");
+      const bool named =
+          starts_with(measured.run.detail, "contact with moving obstacle 'crossing'");
       EXPECT_EQ(measured.metrics.at("mover_collision").value, Value::of(named ? 1 : 0))
           << at << " " << measured.run.detail;
       with_mover += named ? 1 : 0;
@@ -102,7 +103,7 @@ TEST(MeasureRun, NamesInATieTheMoverThatTheDetailNames) {
     EXPECT_EQ(measured.metrics.at("mover_collision").value, Value::of(1));
     const double index = measured.metrics.at("contact_mover").value.number();
     const std::string id = room.scenario().movers().at(static_cast<std::size_t>(index)).id;
-    EXPECT_TRUE(starts_with(measured.run.detail, "contact with mover '" + id + "'"))
+    EXPECT_TRUE(starts_with(measured.run.detail, "contact with moving obstacle '" + id + "'"))
         << i << ": " << measured.run.detail;
     named.insert(id);
   }

@@ -103,7 +103,7 @@ TEST_F(SequentialCampaign, TakesHalfAsManyMoreUntilThePoolIsExhausted) {
   EXPECT_TRUE(report.complete);
   EXPECT_FALSE(report.reached);
   EXPECT_EQ(recorded_runs(), 15U);
-  EXPECT_TRUE(mentions(report.text, {"15 runs and 2 looks", "no more scenarios"}));
+  EXPECT_TRUE(mentions(report.text, {"15 runs and 2 looks", "no scenarios left"}));
 }
 
 TEST_F(SequentialCampaign, StartsNoBatchAfterTheMaximumNumberOfRuns) {

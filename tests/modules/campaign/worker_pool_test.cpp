@@ -242,7 +242,7 @@ TEST(WorkerPool, FreshProcessesDoNotShareState) {
   int state = 0;
   PoolOptions options = with_workers(2);
   const WorkItem item = [&state](std::size_t, SharedTaskLog&) { return std::to_string(++state); };
-  options.fresh_process = true;
+  options.process_per_item = true;
   for (const bool trusted : {false, true}) {
     options.trusted = trusted;
     for (const WorkResult& result : run_all(5, options, item)) EXPECT_EQ(result.payload, "1");
@@ -374,7 +374,7 @@ TEST(WorkerPool, OnlyTheAnswerToARequestIsTakenForIt) {
     return "item " + std::to_string(i);
   });
   EXPECT_EQ(results[1].status, Status::Crashed);
-  EXPECT_EQ(results[1].detail, "answered a request that had not been made");
+  EXPECT_EQ(results[1].detail, "sent an unsolicited reply");
   EXPECT_EQ(results[3].detail, "wrote invalid data to the worker's socket");
   for (const std::size_t i : {0U, 2U, 4U})
     EXPECT_EQ(results[i].payload, "item " + std::to_string(i));
@@ -420,7 +420,7 @@ TEST(WorkerPool, WhateverAProcessStartedDiesWithIt) {
 
 TEST(WorkerPool, ReplacedProcessesAreOfTheSameKeeper) {
   PoolOptions options = with_workers(1);
-  options.fresh_process = true;
+  options.process_per_item = true;
   std::set<std::string> keepers;
   for (const WorkResult& result : run_all(3, options, [](std::size_t i, SharedTaskLog&) {
          if (i == 1) std::_Exit(1);
@@ -522,7 +522,7 @@ class HeldKeeper : public ::testing::TestWithParam<std::tuple<Hold, bool>> {};
 TEST_P(HeldKeeper, OnlyTheWorkItemThatDoesItFails) {
   const pid_t program = fork();
   if (program == 0) {
-    adopt_orphans();  // so that daemons end, too
+    become_subreaper();  // so that daemons end, too
     const auto [how, goes_on] = GetParam();
     const auto results =
         run_all(8, with_workers(2), [how = how, goes_on = goes_on](std::size_t i, SharedTaskLog&) {
@@ -620,7 +620,7 @@ TEST(WorkerPool, InAProgramWhateverAProcessStartedDiesWithAKilledKeeper) {
   SharedTaskLog daemons(2 * sizeof(pid_t));  // of both times that it is executed
   const pid_t program = fork();
   if (program == 0) {
-    adopt_orphans();
+    become_subreaper();
     run_all(1, with_workers(1), [&](std::size_t, SharedTaskLog&) -> std::string {
       const pid_t daemon = start_daemon();
       daemons.append(&daemon, sizeof daemon);

@@ -56,7 +56,7 @@ int status_of(Check check) {
 
 TEST(Orphans, OfAProcessThatAdoptsThemAreKilledAndItsOwnChildrenAreNot) {
   EXPECT_EQ(status_of([] {
-              adopt_orphans();
+              become_subreaper();
               const pid_t own = waiting_child(), left = orphan();
               if (!exists(left)) return 1;
               kill_orphans();
@@ -69,7 +69,7 @@ TEST(Orphans, OfAProcessThatAdoptsThemAreKilledAndItsOwnChildrenAreNot) {
 
 TEST(Orphans, OfOtherProcessesAreLeftAlone) {
   EXPECT_EQ(status_of([] {
-              prctl(PR_SET_CHILD_SUBREAPER, 1);  // not by adopt_orphans()
+              prctl(PR_SET_CHILD_SUBREAPER, 1);  // not by become_subreaper()
               const pid_t left = orphan();
               kill_orphans();
               const bool right = exists(left);

@@ -143,7 +143,7 @@ TEST(Clusters, OfCollisionsWithMoversSaySo) {
   };
   const FailureFacts with_mover = measure(8, Outcome::Collision);
   EXPECT_EQ(with_mover.side, ObstacleSide::Back);
-  EXPECT_EQ(facts_in_words(with_mover).front(), "collision with a mover");
+  EXPECT_EQ(facts_in_words(with_mover).front(), "collision with a moving obstacle");
   EXPECT_EQ(facts_in_words(measure(4.25, Outcome::Collision)).front(), "collision");
   EXPECT_EQ(facts_in_words(measure(8, Outcome::Timeout)).front(), "timeout");
 }

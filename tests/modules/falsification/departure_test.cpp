@@ -71,10 +71,10 @@ TEST(Departure, IsASentence) {
   EXPECT_EQ(departure_text("nd", "gap", departure),
             "nd leaves the path of gap after 3.20 s at 0.45 m/s; goal 12 degrees to the left, "
             "nearest obstacle 60 degrees to the right, 0.25 m away");
-  EXPECT_EQ(
-      departure_text("nd", "gap", Departure{0, 0, 0.001, M_PI, 0, true}),
-      "nd leaves the path of gap after 0.00 s at 0.00 m/s; goal straight ahead, nearest mover "
-      "straight behind, 0.00 m away");
+  EXPECT_EQ(departure_text("nd", "gap", Departure{0, 0, 0.001, M_PI, 0, true}),
+            "nd leaves the path of gap after 0.00 s at 0.00 m/s; goal straight ahead, nearest "
+            "moving obstacle "
+            "straight behind, 0.00 m away");
 }
 
 }  // namespace

@@ -114,8 +114,8 @@ TEST_F(Explain, SaysNothingOfTooFewFailures) {
   EXPECT_TRUE(clusters[0].statements.empty());
   // 2 * 2^(1 - n) <= 0.05 is n >= 6.3.
   EXPECT_EQ(clusters[0].basis,
-            "6 of 6 failures compared with their successful neighbors in 2 descriptors: too few, a "
-            "difference can hold with 7.");
+            "6 of 6 failures compared with their successful neighbors in 2 descriptors, too few: "
+            "significance needs at least 7.");
 }
 
 TEST_F(Explain, HasNoContrastsOfOneFailure) {

@@ -93,7 +93,8 @@ TEST(Search, FindsCollisionsWithWalkers) {
   int with_mover = 0;
   for (const FoundFailure& found : search(bench, options).state.failures) {
     EXPECT_EQ(found.scenario.movers().size(), 3U);
-    if (found.trial.detail.find("contact with mover 'walker_") == std::string::npos) continue;
+    if (found.trial.detail.find("contact with moving obstacle 'walker_") == std::string::npos)
+      continue;
     EXPECT_NEAR(found.trial.clearance, 0, 1e-6);
     ++with_mover;
   }
@@ -161,7 +162,7 @@ TEST(Search, AFailureThatNoWitnessAvoidsIsNone) {
   bench.witnesses = {planted("squeeze")};
   const SearchResult result = search(bench, options_of(160));
   EXPECT_TRUE(result.state.failures.empty());
-  EXPECT_GE(result.state.random.unsolved, 1U);
+  EXPECT_GE(result.state.random.without_witness, 1U);
   EXPECT_EQ(result.state.random.failures, 0U);
   EXPECT_DOUBLE_EQ(result.state.random.rule_of_three(), 3.0 / 80);
 }
@@ -179,7 +180,7 @@ TEST(Search, ABudgetOfTimeDoesNotWaitForALargeRound) {
   SearchOptions options = options_of(0);
   options.minutes = 0.003;  // 0.18 s: a round of 800 runs takes a second or more
   const SearchResult result = search(planted_bench("none"), options);
-  EXPECT_EQ(result.stopped, "the time is over");
+  EXPECT_EQ(result.stopped, "time budget exhausted");
   EXPECT_GE(result.state.runs(), 16U);
   EXPECT_LT(result.state.runs(), 800U);
 }
@@ -207,8 +208,8 @@ TEST(Search, WalkersOfTheBenchAreInAllScenarios) {
   ASSERT_FALSE(result.state.failures.empty()) << "a method that does not predict movers";
   for (const FoundFailure& found : result.state.failures)
     EXPECT_GE(found.scenario.movers().size(), 2U);
-  ASSERT_FALSE(result.state.close_calls.empty());
-  EXPECT_EQ(result.state.close_calls[0].scenario.movers().size(), 2U);
+  ASSERT_FALSE(result.state.near_misses.empty());
+  EXPECT_EQ(result.state.near_misses[0].scenario.movers().size(), 2U);
 }
 
 TEST(Search, ProbingAReferenceFindsARareDefectMoreOften) {
@@ -235,7 +236,7 @@ TEST(StepProbe, ARunOfTheReferenceShowsADefectWithMemoryAndSingleStepsDoNot) {
   // none of 300 shows it with a probability of 0.003.
   const TestBench bench = planted_bench("beside_wall");
   const CandidateMix mix(bench.setup.robot);
-  BenchMethods methods(bench);
+  MethodPool methods(bench);
   StepProbe probe(bench, methods);
   std::size_t differences = 0;
   for (std::uint64_t index = 0; index < 300; ++index) {
@@ -255,17 +256,17 @@ TEST(StepProbe, ARunOfTheReferenceShowsADefectWithMemoryAndSingleStepsDoNot) {
 
 TEST(Search, CandidatesAreScenariosInWhichARelativeFails) {
   TestBench bench = planted_bench("squeeze");
-  bench.relative = planted("squeeze");
+  bench.surrogate = planted("squeeze");
   const SearchResult result = search(bench, options_of(40));
   // The tested method is its own surrogate: it fails in each of its candidates, as both are
   // deterministic. In some of them the witness fails as well.
   EXPECT_EQ(result.state.adaptive.runs, 20U);
-  EXPECT_EQ(result.state.adaptive.failures + result.state.adaptive.unsolved, 20U);
+  EXPECT_EQ(result.state.adaptive.failures + result.state.adaptive.without_witness, 20U);
 }
 
 TEST(Search, ACrashOfTheRelativeDoesNotEndTheSearch) {
   TestBench bench = planted_bench("none");
-  bench.relative = planted("crash");
+  bench.surrogate = planted("crash");
   EXPECT_EQ(search(bench, options_of(20)).state.runs(), 20U);
 }
 

@@ -143,7 +143,7 @@ TEST_F(Panels, HandleTheKeysOfTheHelp) {
 
 TEST_F(Panels, OfTheStatusShowTheMessageAndTheRunningJob) {
   auto bar = sized(make_status_bar(nullptr, studio_, [] {}));
-  studio_.notices().show_status("Saved");
+  studio_.events().show_status("Saved");
   EXPECT_EQ(bar->text(), "Saved");
   EXPECT_FALSE(bar->rect_of("cancel"));
   studio_.jobs().start("wait", "Waiting",

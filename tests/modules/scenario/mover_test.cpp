@@ -171,7 +171,7 @@ TEST(Mover, IsRefusedWithItsIdWhenInvalid) {
   const auto refused = [](const std::function<void(Mover&)>& change, const std::string& what) {
     Mover mover = turning_mover();
     change(mover);
-    return throws_error(ErrorKind::File, "still: mover ", {what}, [&] {
+    return throws_error(ErrorKind::File, "still: moving obstacle ", {what}, [&] {
       still().with_movers({circling_mover(), mover});
     });
   };

@@ -115,7 +115,8 @@ TEST(Movers, EndARunAtTheExactTimeAndPlace) {
   EXPECT_EQ(result.outcome, Outcome::Collision);
   EXPECT_NEAR(result.trajectory.samples.back().t, 2, 1e-9);
   EXPECT_EQ(result.detail,
-            "contact with mover 'm' at (5.00, 5.00) m after 2.00 s, the robot had stood for 0.5 s");
+            "contact with moving obstacle 'm' at (5.00, 5.00) m after 2.00 s, the robot had stood "
+            "for 0.5 s");
 }
 
 TEST(Movers, AreToldFromWallsInTheDetail) {
@@ -125,7 +126,8 @@ TEST(Movers, AreToldFromWallsInTheDetail) {
   const SimulationResult hit = run(world, ahead, {}, robot);
   EXPECT_EQ(hit.outcome, Outcome::Collision);
   EXPECT_NEAR(hit.trajectory.samples.back().pose.x, 6.5, 1e-8);  // 7 - 0.3 - 0.2
-  EXPECT_NE(hit.detail.find("contact with mover 'm' at (6.50, 5.00) m"), std::string::npos);
+  EXPECT_NE(hit.detail.find("contact with moving obstacle 'm' at (6.50, 5.00) m"),
+            std::string::npos);
   EXPECT_NE(hit.detail.find(", the robot at 0.50 m/s"), std::string::npos);
   const SimulationResult wall = run(square_world({5, 5, 0}, {9, 9}), ahead, {}, robot);
   EXPECT_EQ(wall.detail.find("mover"), std::string::npos);
@@ -136,7 +138,7 @@ TEST(Movers, ThatTouchTheStartMakeAScenarioUnsolvable) {
   const SimulationResult result =
       run(world_with({5, 5, 0}, {mover_from(5.4, 5, 1, 0)}), still, {}, disc_robot());
   EXPECT_EQ(result.outcome, Outcome::UnsolvableScenario);
-  EXPECT_EQ(result.detail, "mover 'm' touches the robot where it starts");
+  EXPECT_EQ(result.detail, "moving obstacle 'm' touches the robot where it starts");
   const SimulationResult beside =
       run(world_with({5, 5, 0}, {mover_from(5.6, 5, 1, 0)}), still, {}, disc_robot());
   EXPECT_NE(beside.outcome, Outcome::UnsolvableScenario);

@@ -32,14 +32,14 @@ class DescriptorLoaders : public testing::Test {
       list.add(scenario(1));
       list.add(scenario(2));
     });
-    notices_.observe({Change::Descriptors}, [this] {
+    events_.observe({Change::Descriptors}, [this] {
       const DescriptorModel& model = loader_.model();
       for (const DescriptorModel::Row& row : model.rows())
         if (row.state == DescriptorModel::State::Known)
           loaded_[model.hash()][row.info.id] = row.described.value;
       if (model.failed()) failed_[model.hash()] = model.status();
     });
-    notices_.observe({Change::ListValues}, [this] { failed_["list"] = loader_.list_message(); });
+    events_.observe({Change::ListValues}, [this] { failed_["list"] = loader_.list_message(); });
   }
   void wait() { finish_jobs(jobs_); }
 
@@ -47,8 +47,8 @@ class DescriptorLoaders : public testing::Test {
   std::string path_;
   const std::string hash_ = scenario(1).hash();
   Jobs jobs_;
-  Notices notices_;
-  DescriptorLoader loader_{jobs_, notices_, options(),
+  StudioEvents events_;
+  DescriptorLoader loader_{jobs_, events_, options(),
                            [this](const std::string& hash, const std::vector<KeyedValue>& values) {
                              ScenarioList list = ScenarioList::open(path_);
                              for (const KeyedValue& value : values) {

@@ -54,19 +54,20 @@ TEST(MoversForm, DerivesTimesFromASpeed) {
 
 TEST(MoversForm, SaysWhatIsWrong) {
   for (const std::string text : {"0 1", "0 1 2 3", "0 1 x", "0, 1, 2"})
-    EXPECT_TRUE(throws_error(ErrorKind::Usage, "mover 1", {"is not a waypoint", "0 1 2; 4 5 2"},
+    EXPECT_TRUE(throws_error(ErrorKind::Usage, "moving obstacle 1",
+                             {"is not a waypoint", "0 1 2; 4 5 2"},
                              [&] {
                                typed({{"waypoints.0", text}});
                              }))
         << text;
-  EXPECT_TRUE(
-      throws_error(ErrorKind::File, "room: mover 'a'", {"waypoint 1", "increasing times"}, [] {
-        typed({{"waypoints.0", "4 2 2; 3 6 2"}});
-      }));
-  EXPECT_TRUE(throws_error(ErrorKind::File, "room: mover 'a'", {"not closed"}, [] {
+  EXPECT_TRUE(throws_error(ErrorKind::File, "room: moving obstacle 'a'",
+                           {"waypoint 1", "increasing times"}, [] {
+                             typed({{"waypoints.0", "4 2 2; 3 6 2"}});
+                           }));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "room: moving obstacle 'a'", {"not closed"}, [] {
     typed({{"after.0", "loop"}});
   }));
-  EXPECT_TRUE(throws_error(ErrorKind::File, "room: mover 'b'", {"duplicate id"}, [] {
+  EXPECT_TRUE(throws_error(ErrorKind::File, "room: moving obstacle 'b'", {"duplicate id"}, [] {
     typed({{"id.0", "b"}});
   }));
 }

@@ -26,8 +26,8 @@ class ResultsLoaderTest : public testing::Test {
 
   std::string folder_;
   Jobs jobs_;
-  Notices notices_;
-  ResultsLoader loader_{jobs_, notices_};
+  StudioEvents events_;
+  ResultsLoader loader_{jobs_, events_};
   const ResultsOverlay& overlay_ = loader_.overlay();
 };
 
@@ -67,14 +67,14 @@ TEST_F(ResultsLoaderTest, AReadErrorLeavesTheOpenFile) {
   std::ofstream(folder_ + "/bad.results") << "not a database";
   loader_.open(folder_ + "/bad.results");
   wait();
-  EXPECT_NE(std::string::npos, notices_.status().text.find("bad.results"));
+  EXPECT_NE(std::string::npos, events_.status().text.find("bad.results"));
   EXPECT_EQ(folder_ + "/a.results", overlay_.source().path);
   EXPECT_EQ(4U, overlay_.runs().size());
   std::filesystem::remove(folder_ + "/a.results");
-  notices_.show_status("");
+  events_.show_status("");
   loader_.show(overlay_room("other", 8).hash());
   wait();
-  EXPECT_NE(std::string::npos, notices_.status().text.find("a.results"));
+  EXPECT_NE(std::string::npos, events_.status().text.find("a.results"));
   EXPECT_TRUE(overlay_.runs().empty());
 }
 

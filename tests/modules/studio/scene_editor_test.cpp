@@ -179,7 +179,7 @@ TEST(SceneEditor, DrawsThePathOfAMoverWithTimes) {
   EXPECT_FALSE(drag(editor, scenario, {4, 1}, {4, 1}).has_value());
   const auto edit = editor.finish(scenario);
   ASSERT_TRUE(edit.has_value());
-  EXPECT_EQ(edit->title, "Add mover");
+  EXPECT_EQ(edit->title, "Add moving obstacle");
   const Mover expected{"mover_1", 0.3, {{0, {2, 1}}, {4, {4, 1}}}, MoverEnd::Stop};
   EXPECT_EQ(edit->scenario.movers(), Movers{expected});
   EXPECT_FALSE(editor.busy());
@@ -209,7 +209,7 @@ TEST(SceneEditor, MovesAndDeletesMoversWhereTheyAre) {
   };
   const auto all = drag_at(2, {4.1, 1}, {4.1, 2});  // its disc is at (4, 1)
   ASSERT_TRUE(all.has_value());
-  EXPECT_EQ(all->title, "Move mover");
+  EXPECT_EQ(all->title, "Move moving obstacle");
   EXPECT_EQ(all->scenario.movers()[0].waypoints[0].position.y, 2);
   EXPECT_EQ(all->scenario.movers()[0].waypoints[1].position.y, 2);
   const auto end = drag_at(2, {6.05, 1}, {6.05, 2});
@@ -222,7 +222,7 @@ TEST(SceneEditor, MovesAndDeletesMoversWhereTheyAre) {
   editor.set_tool(EditTool::Delete);
   const auto deleted = drag_at(2, {4.1, 1}, {4.1, 1});
   EXPECT_EQ(deleted->scenario.hash(), room().hash());
-  EXPECT_EQ(deleted->title, "Delete mover");
+  EXPECT_EQ(deleted->title, "Delete moving obstacle");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class SearchFailures : public ListFiles {
   /// Fills in the form of the action with its default values, but another campaign.
   void start(const std::string& campaign) {
     actions_.run("generate.search");
-    FormDescription form = studio_.notices().take_form();
+    FormDescription form = studio_.events().take_form();
     FormValues values;
     for (const FormField& field : form.fields) values[field.key] = field.value;
     values["campaign"] = folder_ / campaign;
@@ -61,7 +61,7 @@ TEST_F(SearchFailures, OpensTheListOfWhatWasFoundBesideTheActiveOne) {
   EXPECT_EQ(studio_.active()->path(), folder_ / "failures/failures.scenarios");
   EXPECT_EQ(studio_.current_hash(), hash_of(7));
   EXPECT_EQ(studio_.documents().size(), 2U);
-  EXPECT_EQ(studio_.notices().take_form().intro, "1 failure");
+  EXPECT_EQ(studio_.events().take_form().intro, "1 failure");
 }
 
 TEST_F(SearchFailures, SaysWhatWasSearchedIfNothingIsFound) {
@@ -69,7 +69,7 @@ TEST_F(SearchFailures, SaysWhatWasSearchedIfNothingIsFound) {
   finds_ = false;
   start("my.ini");
   EXPECT_EQ(studio_.active()->path(), folder_ / "a.scenarios");
-  EXPECT_EQ(studio_.notices().take_form().intro, "0 failures in 10000 runs");
+  EXPECT_EQ(studio_.events().take_form().intro, "0 failures in 10000 runs");
 }
 
 TEST_F(SearchFailures, RefusesACampaignThatDoesNotExist) {

@@ -55,7 +55,7 @@ class ShrinkRun : public ListFiles {
   /// Fills in the form of the action with its default values, but another folder.
   void start(const std::string& folder) {
     actions_.run("generate.shrink");
-    FormDescription form = studio_.notices().take_form();
+    FormDescription form = studio_.events().take_form();
     FormValues values;
     for (const FormField& field : form.fields) values[field.key] = field.value;
     EXPECT_EQ(values["folder"], folder_ / ("shrunk_" + id_of("ptg", 1)));
@@ -91,7 +91,7 @@ TEST_F(ShrinkRun, AddsWhatWasFoundToTheListAndCanBeUndone) {
   EXPECT_TRUE(request_.requires_witness);
   EXPECT_EQ(studio_.current_hash(), hash_of(7));
   EXPECT_EQ(studio_.current_entry()->tags, std::vector<std::string>{"stuck"});
-  EXPECT_EQ(studio_.notices().take_form().intro, "1 -> 1 obstacles");
+  EXPECT_EQ(studio_.events().take_form().intro, "1 -> 1 obstacles");
   studio_.undo();
   EXPECT_EQ(studio_.active()->list().size(), 2U);
   studio_.redo();
@@ -103,14 +103,14 @@ TEST_F(ShrinkRun, SaysSoIfTheListHasTheSmallestScenarioAlready) {
   select("ptg 1");
   start("small");
   finish();
-  studio_.notices().take_form();
+  studio_.events().take_form();
   studio_.active()->set_current(overlay_room().hash());
   finish();
   select("ptg 1");
   start("again");
   finish();
   EXPECT_EQ(studio_.active()->list().size(), 3U);
-  EXPECT_EQ(studio_.notices().status().text, "0 scenarios added to " + list_);
+  EXPECT_EQ(studio_.events().status().text, "0 scenarios added to " + list_);
 }
 
 TEST_F(ShrinkRun, EndsItsWorkWhenItIsCanceled) {
@@ -124,7 +124,7 @@ TEST_F(ShrinkRun, EndsItsWorkWhenItIsCanceled) {
   finish();
   EXPECT_TRUE(canceled_);
   EXPECT_EQ(studio_.active()->list().size(), 2U);
-  EXPECT_FALSE(studio_.notices().has_form());
+  EXPECT_FALSE(studio_.events().has_form());
 }
 
 TEST_F(ShrinkRun, DoesNotWriteIntoAFolderThatExists) {

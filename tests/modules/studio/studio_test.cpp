@@ -16,7 +16,7 @@ class StudioWithoutWindow : public ListFiles {
     for (const Change change :
          {Change::Documents, Change::View, Change::Current, Change::Scene, Change::Descriptors,
           Change::ListValues, Change::Runs, Change::Form})
-      studio_.notices().observe({change}, [this, change] { changes_.push_back(change); });
+      studio_.events().observe({change}, [this, change] { changes_.push_back(change); });
     add_file_actions(actions_, studio_);
     add_import_export_actions(actions_, studio_);
     add_edit_actions(actions_, studio_);
@@ -48,7 +48,7 @@ TEST_F(StudioWithoutWindow, PublishesWhatBelongsToTheCurrentScenario) {
   ASSERT_TRUE(studio_.scenes().scene());
   EXPECT_TRUE(studio_.scenes().scene()->complete());
   EXPECT_EQ(studio_.descriptors().model().hash(), hash_of(0));
-  EXPECT_EQ(studio_.notices().status().text, "a.scenarios: 3 scenarios");
+  EXPECT_EQ(studio_.events().status().text, "a.scenarios: 3 scenarios");
   studio_.close_list(0);
   EXPECT_FALSE(studio_.scenes().scene());
   EXPECT_EQ(studio_.active(), nullptr);
@@ -56,7 +56,7 @@ TEST_F(StudioWithoutWindow, PublishesWhatBelongsToTheCurrentScenario) {
 
 TEST_F(StudioWithoutWindow, ReadsTheShownValuesAgainWhenTheListChanges) {
   studio_.open_list(make_list("a.scenarios", 9));
-  studio_.show_values_of({"density"});
+  studio_.track_descriptors({"density"});
   finish();
   ASSERT_TRUE(studio_.descriptors().list_values());
   EXPECT_EQ(studio_.descriptors().list_values()->size(), 9U);
@@ -64,38 +64,38 @@ TEST_F(StudioWithoutWindow, ReadsTheShownValuesAgainWhenTheListChanges) {
   finish();
   EXPECT_EQ(studio_.active()->filter_text(), "0.2 <= density < 0.5");
   EXPECT_EQ(studio_.descriptors().list_values()->size(), 3U);
-  studio_.show_values_of({});
+  studio_.track_descriptors({});
   EXPECT_FALSE(studio_.descriptors().list_values());
 }
 
 TEST_F(StudioWithoutWindow, AsksForFormsAndRunsThem) {
   actions_.run("file.new");
   ASSERT_TRUE(published(Change::Form));
-  FormDescription form = studio_.notices().take_form();
+  FormDescription form = studio_.events().take_form();
   EXPECT_EQ(form.title, "New list");
   form.accepted({{"file", folder_ / "new.scenarios"}});
   ASSERT_NE(studio_.active(), nullptr);
   EXPECT_EQ(studio_.active()->title(), "new.scenarios");
-  EXPECT_FALSE(studio_.notices().has_form());
+  EXPECT_FALSE(studio_.events().has_form());
   EXPECT_THROW(actions_.run("edit.undo"), Error);
 }
 
 TEST_F(StudioWithoutWindow, ReportsErrorsInTheStatusLineAndInAForm) {
   studio_.results().open(folder_ / "none.results");
   finish();
-  EXPECT_TRUE(studio_.notices().status().is_error);
-  EXPECT_TRUE(mentions(studio_.notices().take_form().intro, {"none.results"}));
+  EXPECT_TRUE(studio_.events().status().is_error);
+  EXPECT_TRUE(mentions(studio_.events().take_form().intro, {"none.results"}));
 }
 
 TEST_F(StudioWithoutWindow, UndoesAnEditAndSaysWhat) {
   studio_.open_list(make_list("a.scenarios", 2));
   const Scenario before = make_scenario(0);
   studio_.edit_current({with_goal(before, {8, 2}), "Move goal"});
-  EXPECT_EQ(studio_.notices().status().text, "Move goal");
+  EXPECT_EQ(studio_.events().status().text, "Move goal");
   EXPECT_NE(studio_.current_hash(), before.hash());
   studio_.undo();
   EXPECT_EQ(studio_.current_hash(), before.hash());
-  EXPECT_TRUE(mentions(studio_.notices().status().text, {"Undone: "}));
+  EXPECT_TRUE(mentions(studio_.events().status().text, {"Undone: "}));
 }
 
 TEST_F(StudioWithoutWindow, RestoresWhatAnEarlierSessionDeleted) {
@@ -113,13 +113,13 @@ TEST_F(StudioWithoutWindow, RestoresWhatAnEarlierSessionDeleted) {
   studio_.close_list(0);
   studio_.open_list(path);
   actions_.run("edit.restore");
-  FormDescription form = studio_.notices().take_form();
+  FormDescription form = studio_.events().take_form();
   const std::string one = "world_1 (" + hash_of(1).substr(0, 12) + ")";
   const std::string two = "world_3 (" + hash_of(3).substr(0, 12) + ") and 1 more";
   ASSERT_EQ(form.fields.size(), 1U);
   EXPECT_EQ(form.fields[0].choices, (std::vector<std::string>{two, one, "all (3)"}));
   form.accepted({{"scenarios", two}});
-  EXPECT_EQ(studio_.notices().status().text, "Restore 2 scenarios");
+  EXPECT_EQ(studio_.events().status().text, "Restore 2 scenarios");
   EXPECT_EQ(studio_.active()->view().total, 5U);
   EXPECT_EQ(studio_.current_hash(), hash_of(3));
   actions_.run("edit.undo");
@@ -131,7 +131,7 @@ TEST_F(StudioWithoutWindow, RestoresWhatAnEarlierSessionDeleted) {
 TEST(StudioExport, ShowsWhatTheFormatCannotHold) {
   StudioServices services;
   services.export_formats = {{"ros", ".yaml", "map"}};
-  std::string left_out = "scenario room: 2 movers left out";
+  std::string left_out = "scenario room: 2 moving obstacles left out";
   services.export_scenario = [&left_out](const Scenario&, const std::string&, double,
                                          const std::string&) { return left_out; };
   Studio studio({}, services, {});
@@ -143,11 +143,11 @@ TEST(StudioExport, ShowsWhatTheFormatCannotHold) {
   studio.open_list(folder / "a.scenarios");
   const auto messages_of_export = [&] {
     actions.run("file.export");
-    const FormModel form(studio.notices().take_form());
+    const FormModel form(studio.events().take_form());
     form.description().accepted(form.values());
     finish_jobs(studio.jobs());
     std::vector<std::string> messages;
-    while (studio.notices().has_form()) messages.push_back(studio.notices().take_form().intro);
+    while (studio.events().has_form()) messages.push_back(studio.events().take_form().intro);
     return messages;
   };
   EXPECT_EQ(messages_of_export(), std::vector<std::string>{left_out});

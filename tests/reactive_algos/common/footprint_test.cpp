@@ -28,7 +28,7 @@ const Corners kPolygons[] = {
 Robot robot_with(const Corners& corners) {
   Robot robot;
   robot.footprint = corners;
-  return covered(robot);
+  return with_cover_discs(robot);
 }
 
 /// 0 inside.
@@ -76,7 +76,7 @@ TEST(Cover, OfTheJackalIsMuchNarrowerThanItsEnclosingDisc) {
 }
 
 TEST(Cover, OfADiscIsTheDisc) {
-  const Robot disc = covered({});
+  const Robot disc = with_cover_discs({});
   EXPECT_EQ(disc.radius, Robot().radius);
   ASSERT_TRUE(disc.is_disc());
   EXPECT_EQ(disc.discs.front().inset, 0);

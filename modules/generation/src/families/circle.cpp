@@ -59,8 +59,8 @@ class CircleGenerator : public Generator {
 void CircleOptions::visit(OptionVisitor& v) {
   v.option("min_circle", min_circle, "m", "minimum radius of the circle", Range::positive());
   v.option("max_circle", max_circle, "m", "maximum radius of the circle", Range::positive());
-  v.option("max_shift_deg", max_shift_deg, "deg", "maximum shift of a mover along the circle",
-           Range::between(0, 180));
+  v.option("max_shift_deg", max_shift_deg, "deg",
+           "maximum shift of a moving obstacle along the circle", Range::between(0, 180));
   movers.visit(v);
   start_goal.visit(v);
 }
@@ -75,13 +75,13 @@ std::unique_ptr<Generator> make_generator(const CircleOptions& given,
                 "start and goal cannot be min_distance apart on the circle",
                 "at most twice min_circle");
   checks.expect(options.movers.max_radius + kWallMargin <= options.start_goal.margin, "max_radius",
-                "movers would touch the border", "at least 0.05 m less than margin");
+                "moving obstacles would touch the border", "at least 0.05 m less than margin");
   // The nearest mover of the largest number, shifted by a quarter of its step.
   const double nearest =
       2 * options.min_circle * math::sin(0.375 * 2 * M_PI / (options.movers.max_movers + 1));
   checks.expect(nearest >= options.movers.max_radius + options.start_goal.clear_radius,
-                "max_movers", "movers would be within clear_radius of the start",
-                "fewer movers or a larger circle");
+                "max_movers", "moving obstacles would be within clear_radius of the start",
+                "fewer moving obstacles or a larger circle");
   return std::make_unique<CircleGenerator>(options);
 }
 

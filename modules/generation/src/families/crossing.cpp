@@ -73,7 +73,7 @@ void CrossingOptions::visit(OptionVisitor& v) {
   v.option("width", width, "m", "width of the room", Range::positive());
   v.option("height", height, "m", "height of the room", Range::positive());
   v.option("max_turn_deg", max_turn_deg, "deg",
-           "maximum angle between a mover's path and the normal of the robot's",
+           "maximum angle between a moving obstacle's path and the normal of the robot's",
            Range::between(0, 80));
   movers.visit(v);
   start_goal.visit(v);

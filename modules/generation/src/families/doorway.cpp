@@ -67,7 +67,7 @@ void DoorwayOptions::visit(OptionVisitor& v) {
   v.option("min_door", min_door, "m", "minimum clear width of the door", Range::positive());
   v.option("max_door", max_door, "m", "maximum clear width of the door", Range::positive());
   v.option("wall", wall, "m", "thickness of the wall", Range::positive());
-  v.option("max_wait", max_wait, "s", "latest time at which a mover begins to walk",
+  v.option("max_wait", max_wait, "s", "latest time at which a moving obstacle begins to walk",
            Range::between(0, 3600));
   movers.visit(v);
   start_goal.visit(v);

@@ -60,7 +60,7 @@ class FamilyChecks {
   /// Expects that all movers fit into a passage of that width (m).
   void expect_movers_fit(const MoverOptions& options, double width) const {
     expect(options.max_movers == 0 || 2 * (options.max_radius + kWallMargin) < width, "max_radius",
-           "movers do not fit between the walls",
+           "moving obstacles do not fit between the walls",
            "less than " + format_number(width / 2 - kWallMargin));
   }
 

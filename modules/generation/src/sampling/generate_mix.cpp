@@ -171,7 +171,7 @@ std::vector<GeneratedScenario> MixStream::next(Progress& progress) {
   return part;
 }
 
-void MixStream::settle(const std::vector<std::size_t>& duplicates) {
+void MixStream::commit_part(const std::vector<std::size_t>& duplicates) {
   MixState& state = impl_->state;
   for (const std::size_t i : duplicates) {
     state.redraws.push_back(impl_->part[i]);
@@ -196,7 +196,7 @@ void generate_mix(const std::vector<WeightedGenerator>& mix, const MixSettings& 
   progress.start("Generating scenarios", static_cast<std::size_t>(settings.each.count));
   while (!stream.finished()) {
     std::vector<GeneratedScenario> part = stream.next(progress);
-    stream.settle(sink(part));
+    stream.commit_part(sink(part));
     progress.advance(static_cast<std::size_t>(stream.state().done()));
   }
   progress.finish();

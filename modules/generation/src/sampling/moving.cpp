@@ -45,12 +45,16 @@ Movers sample_movers(RandomEngine& engine, const MoverOptions& options, MoverEnd
 }
 
 void MoverOptions::visit(OptionVisitor& v) {
-  v.option("min_movers", min_movers, "-", "minimum number of movers", Range::between(0, 1000));
-  v.option("max_movers", max_movers, "-", "maximum number of movers", Range::between(0, 1000));
-  v.option("min_radius", min_radius, "m", "minimum radius of a mover", Range::positive());
-  v.option("max_radius", max_radius, "m", "maximum radius of a mover", Range::positive());
-  v.option("min_speed", min_speed, "m/s", "minimum speed of a mover", Range::between(0.01, 100));
-  v.option("max_speed", max_speed, "m/s", "maximum speed of a mover", Range::between(0.01, 100));
+  v.option("min_movers", min_movers, "-", "minimum number of moving obstacles",
+           Range::between(0, 1000));
+  v.option("max_movers", max_movers, "-", "maximum number of moving obstacles",
+           Range::between(0, 1000));
+  v.option("min_radius", min_radius, "m", "minimum radius of a moving obstacle", Range::positive());
+  v.option("max_radius", max_radius, "m", "maximum radius of a moving obstacle", Range::positive());
+  v.option("min_speed", min_speed, "m/s", "minimum speed of a moving obstacle",
+           Range::between(0.01, 100));
+  v.option("max_speed", max_speed, "m/s", "maximum speed of a moving obstacle",
+           Range::between(0.01, 100));
 }
 
 }  // namespace slalom

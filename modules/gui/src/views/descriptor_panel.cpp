@@ -151,8 +151,8 @@ class DescriptorPanel : public Element {
         scatter_(make_scatter_plot(this, studio)) {
     set_tab(Tab::Values);
     update_plots();
-    studio.notices().observe({Change::Descriptors, Change::ListValues, Change::Current},
-                             [this] { update_plots(); });
+    studio.events().observe({Change::Descriptors, Change::ListValues, Change::Current},
+                            [this] { update_plots(); });
   }
   /// The elements of the tabs have a text() of their own.
   std::string text() const override {
@@ -258,7 +258,7 @@ class DescriptorPanel : public Element {
   }
   void choice_changed() {
     update_plots();
-    studio_.show_values_of(shown_ids());
+    studio_.track_descriptors(shown_ids());
   }
   /// The descriptors whose values over the list are displayed: none, one or two.
   std::vector<std::string> shown_ids() const {

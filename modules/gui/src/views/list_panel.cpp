@@ -57,7 +57,7 @@ class ListPanel : public Element {
       return true;
     });
     documents_changed();
-    studio.notices().observe({Change::Documents}, [this] { documents_changed(); });
+    studio.events().observe({Change::Documents}, [this] { documents_changed(); });
   }
   void click(const std::string& part) override {
     const bool closes = part.rfind("close ", 0) == 0;

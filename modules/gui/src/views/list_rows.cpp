@@ -58,8 +58,8 @@ class ListRows : public Table {
         textures_(kMaxTextures, [this](Texture& texture) {
           if (texture && context_ != nullptr) nvgDeleteImage(context_, *texture);
         }) {
-    studio.notices().observe({Change::Documents}, [this] { documents_changed(); });
-    studio.notices().observe({Change::CurrentRow}, [this] { scrolled_to_.clear(); });
+    studio.events().observe({Change::Documents}, [this] { documents_changed(); });
+    studio.events().observe({Change::CurrentRow}, [this] { scrolled_to_.clear(); });
     studio.set_reveal([this](std::size_t index) { return reveal(index); });
   }
   std::string text() const override {

@@ -40,7 +40,7 @@ class RunTable : public Table {
         studio_(studio),
         results_(studio.results()),
         menu_(new Menu(this, "run_menu", this)) {
-    studio.notices().observe({Change::Runs}, [this] { refresh(); });
+    studio.events().observe({Change::Runs}, [this] { refresh(); });
   }
   std::string text() const override {
     if (rows_.empty()) return results_.message();
@@ -126,7 +126,7 @@ class RunTable : public Table {
                        std::max(std::min(at.y, area().height - kMinRunMenuHeight), 0.0));
     menu_->open(
         corner, wide, area().height,
-        {{"shrink", "Shrink...", "", "Finds the smallest scenario in which the method fails alike.",
+        {{"shrink", "Shrink...", "", "Finds the smallest scenario that reproduces the failure.",
           [this] { return shrink_disabled_reason(studio_); }}},
         0, [this](std::size_t) { open_shrink_form(studio_); });
   }

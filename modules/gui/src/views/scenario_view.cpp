@@ -37,7 +37,7 @@ std::string format(const char* pattern, Numbers... numbers) {
 }
 
 std::string mover_line(const Mover& mover, double time) {
-  const std::string head = "mover " + mover.id + format(" at %.2f s: ", time);
+  const std::string head = "moving obstacle " + mover.id + format(" at %.2f s: ", time);
   if (!mover.present(time)) return head + "not there\n";
   const mrpt::math::TPoint2D at = mover.position(time);
   return head + format("%.3f %.3f m, radius %.3g m\n", at.x, at.y, mover.radius);
@@ -58,7 +58,7 @@ ScenarioView::ScenarioView(nanogui::Widget* parent, Studio& studio, Mode mode)
       mode_(mode),
       layers_(make_scene_layers()),
       layout_(make_layout()) {
-  studio.notices().observe({Change::Scene}, [this] { set_scene(studio_.scenes().scene()); });
+  studio.events().observe({Change::Scene}, [this] { set_scene(studio_.scenes().scene()); });
 }
 
 ViewLayout ScenarioView::make_layout() const {

@@ -201,7 +201,7 @@ SceneLayer make_obstacles_layer() {
   };
   layer.note = [](const SceneData& scene) -> std::string {
     const std::size_t count = scene.scenario().movers().size();
-    return count == 0 ? "" : count_text(count, "mover");
+    return count == 0 ? "" : count_text(count, "moving obstacle");
   };
   return layer;
 }

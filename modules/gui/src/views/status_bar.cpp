@@ -32,7 +32,7 @@ class StatusBar : public Element {
     if (part == "undo") undo_();
     if (!job || part != "cancel") return;
     studio_.jobs().cancel(job->key);
-    studio_.notices().show_status(job->title + ": canceled");
+    studio_.events().show_status(job->title + ": canceled");
   }
 
  protected:
@@ -47,7 +47,7 @@ class StatusBar : public Element {
     draw::fill(ctx, area(), colors.panel);
     const auto job = shown_job();
     const double bar_height = height(), right = width() - (job ? kJobWidth + 20 : 10);
-    const Notices::Status& status = studio_.notices().status();
+    const StudioEvents::Status& status = studio_.events().status();
     draw::text(ctx, {10, 0, right - 10, bar_height}, message(),
                status.is_error ? colors.error_text : colors.text);
     undo_rect_.reset();
@@ -78,7 +78,7 @@ class StatusBar : public Element {
     return std::nullopt;
   }
   std::string message() const {
-    const Notices::Status& status = studio_.notices().status();
+    const StudioEvents::Status& status = studio_.events().status();
     return status.offers_undo ? status.text + " - " + kUndo : status.text;
   }
   ScreenRect cancel_rect() const {

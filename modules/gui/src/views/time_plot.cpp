@@ -27,7 +27,7 @@ class TimePlot : public Plot {
         values_(values),
         overlay_(studio.results().overlay()),
         clock_(overlay_.clock()) {
-    studio.notices().observe({Change::Runs}, [this] { refresh(); });
+    studio.events().observe({Change::Runs}, [this] { refresh(); });
   }
   std::string text() const override {
     std::string text = y_title_ + " over " + x_title();

@@ -82,8 +82,8 @@ PanelWindow::PanelWindow(const std::string& title, int width, int height, SceneS
       studio_(std::make_unique<Studio>(std::move(scene), std::move(services),
                                        [] { glfwPostEmptyEvent(); })) {
   setBackground(draw::nvg(palette().window));
-  studio_->notices().observe({Change::Form},
-                             [this] { open_form(*this, studio_->notices().take_form()); });
+  studio_->events().observe({Change::Form},
+                            [this] { open_form(*this, studio_->events().take_form()); });
 }
 
 PanelWindow::~PanelWindow() {

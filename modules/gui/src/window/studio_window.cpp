@@ -59,11 +59,11 @@ StudioWindow::StudioWindow(SceneSettings scene, const StudioSettings& settings,
   add_actions();
   // Created last, to be drawn on top.
   menu_ = new MenuBar(this, actions_, [this](const std::string& id) { run_action(id); });
-  studio().notices().observe({Change::Current}, [this] {
+  studio().events().observe({Change::Current}, [this] {
     const auto entry = studio().current_entry();
     setWindowTitle((entry ? entry->name + " - " : "") + "Slalom Studio");
   });
-  studio().notices().observe({Change::Runs, Change::Scene}, [this] {
+  studio().events().observe({Change::Runs, Change::Scene}, [this] {
     if (results_->visible() != results_shown() || timeline_->visible() != timeline_shown())
       arrange();
   });
@@ -129,13 +129,13 @@ void StudioWindow::next_panel() {
 void StudioWindow::run_action(const std::string& id) {
   const Action& action = actions_.find(id);
   const std::string reason = action.disabled_reason();
-  studio().notices().show_status(reason.empty() ? "" : action.title + ": " + reason,
-                                 !reason.empty());
+  studio().events().show_status(reason.empty() ? "" : action.title + ": " + reason,
+                                !reason.empty());
   if (!reason.empty()) return;
   try {
     actions_.run(id);
   } catch (const Error& error) {
-    studio().notices().show_error(error.what(), action.title);
+    studio().events().show_error(error.what(), action.title);
   }
 }
 
@@ -288,13 +288,13 @@ void StudioWindow::add_view_actions() {
                 [this]() -> std::string {
                   return studio().current_hash().empty() ? "no scenario is selected" : "";
                 }});
-  actions_.add({"view.play", "View", "Play movers", "Ctrl+P",
+  actions_.add({"view.play", "View", "Play moving obstacles", "Ctrl+P",
                 "Plays or pauses the moving obstacles, and the runs if results are open.",
                 [this] { studio().results().overlay().clock().toggle(); },
                 [this]() -> std::string {
                   if (studio().results().overlay().clock().duration() > 0) return "";
-                  return has_movers() ? "no mover of this scenario moves"
-                                      : "this scenario has no movers";
+                  return has_movers() ? "no moving obstacle of this scenario moves"
+                                      : "this scenario has no moving obstacles";
                 }});
   actions_.add({"view.next_panel", "View", "Next panel", "F6",
                 "Moves the focus to the list, the descriptors, the scenario, the results or times.",

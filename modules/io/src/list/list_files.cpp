@@ -1,6 +1,6 @@
-#include "draft_file.h"
 #include "list_schema.h"
 #include "scenario_list_impl.h"
+#include "sibling_temp_file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -28,7 +28,7 @@ std::unique_ptr<SQLite::Database> lock_old(const std::string& path) {
 
 /// Replaces the old list while holding a lock on it: a program that waits for the lock then detects
 /// that the file was replaced.
-void publish(Draft& draft, const std::string& path) {
+void publish(SiblingTempFile& draft, const std::string& path) {
   const auto old = lock_old(path);
   draft.publish();
 }
@@ -42,7 +42,7 @@ ScenarioList ScenarioList::create(const std::string& path) {
 
 void ScenarioList::write(const std::string& path, const std::function<void(ScenarioList&)>& fill) {
   expect_replaceable(path);
-  Draft draft(path);
+  SiblingTempFile draft(path);
   auto impl = std::make_unique<Impl>();
   impl->path = path;
   impl->database = create_database(draft.name(), kScenarioList);
@@ -67,7 +67,7 @@ ScenarioList ScenarioList::open(const std::string& path) {
 
 void ScenarioList::save_as(const std::string& path) {
   expect_replaceable(path);
-  Draft draft(path);
+  SiblingTempFile draft(path);
   writing(path, [&] {
     SQLite::Statement copy(*impl_->database, "VACUUM INTO ?");
     unlink(draft.name().c_str());

@@ -51,7 +51,7 @@ ScenarioList::Entry ScenarioList::Impl::entry_of(SQLite::Statement& row, const c
   const auto representation = from_name<Representation>(row.getColumn(2).getString());
   if (!representation || !has_checksum(row, entry.tags, row.getColumn(5).getInt64()))
     throw file_error(path + ": scenario '" + entry.hash + "'",
-                     "is damaged (does not match its checksum)", "a list as it was written");
+                     "is damaged (does not match its checksum)", "an unmodified file");
   entry.representation = *representation;
   entry.generator = row.getColumn(3).getString();
   if (!row.getColumn(4).isNull())

@@ -24,7 +24,7 @@ Value ScenarioList::Impl::value_of(SQLite::Statement& row, const std::string& ha
                         row.getColumn(6).getString()};
   if (value_checksum(hash, key, value) != row.getColumn(3).getInt64())
     throw file_error(path + ": " + key.id + " of scenario " + hash,
-                     "is damaged (does not match its checksum)", "a list as it was written");
+                     "is damaged (does not match its checksum)", "an unmodified file");
   return value;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "database.h"
-#include "write_scope.h"
+#include "transaction.h"
 
 #include <slalom/core/error.h>
 #include <slalom/io/scenario_list.h>
@@ -118,7 +118,7 @@ void check_tag(const std::string& tag);
 template <typename Act>
 auto ScenarioList::Impl::write(Act act) -> decltype(act()) {
   return writing(path, [&] {
-    WriteScope scope(*database);
+    Transaction scope(*database);
     expect_same_file();
     if constexpr (std::is_void_v<decltype(act())>) {
       act();

@@ -62,7 +62,8 @@ std::string moving_disc(const Mover& mover, const Trajectory& trajectory, const 
   for (const Sample& sample : trajectory.samples) add(sample.t - start);
   add(trajectory.duration());  // at rest in the pause, like the robot
   return fmt::format(
-      "<circle class=\"moving\" r=\"{:.1f}\" fill=\"#e0a030\" stroke=\"#8a5a00\"><title>mover "
+      "<circle class=\"moving\" r=\"{:.1f}\" fill=\"#e0a030\" stroke=\"#8a5a00\"><title>moving "
+      "obstacle "
       "{}</title>{}"
       "<animate attributeName=\"visibility\" calcMode=\"discrete\" values=\"{}\" keyTimes=\"{}\" "
       "dur=\"{:.3f}s\" repeatCount=\"indefinite\"/></circle>",

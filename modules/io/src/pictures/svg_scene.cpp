@@ -74,7 +74,7 @@ class Picture {
     Path path;
     for (const Waypoint& waypoint : mover.waypoints) path.push_back(waypoint.position);
     const double t = instant_shown(mover, options_.time);
-    const std::string name = "mover " + mover.id;
+    const std::string name = "moving obstacle " + mover.id;
     svg_ += line(path, "mover", "#8a5a00", "stroke-width=\"1\" stroke-dasharray=\"4 2\"", name);
     if (!mover.present(t)) return;
     const std::string title = name + " at " + format_number(t) + " s";

@@ -169,7 +169,7 @@ class ColumnReader {
   void read_details() { details_ = true; }
 
   FileRows read() {
-    const ReadScope scope(database_);
+    const ReadTransaction scope(database_);
     read_runs();
     if (timings_) read_timings();
     read_scenarios();

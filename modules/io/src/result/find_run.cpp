@@ -63,7 +63,7 @@ RunRecord find_run(const ResultFile& file, const std::string& id) {
   const std::string short_id = wanted.scenario.substr(0, 8) + wanted.rest;
   if (!found && contains(runs.damaged, "run " + short_id))
     throw file_error(file.path() + ": run " + short_id, "is damaged (does not match its checksum)",
-                     "a file as it was written");
+                     "an unmodified file");
   if (!found) {
     const std::string meant = suggestion(runs, wanted);
     std::string expected = "SCENARIO/METHOD/REPETITION with the name or the hash of a scenario";

@@ -1,7 +1,7 @@
 #include "compression.h"
 #include "database.h"
-#include "draft_file.h"
 #include "run_outputs.h"
+#include "sibling_temp_file.h"
 #include "unequal.h"
 
 #include <slalom/core/text.h>
@@ -99,7 +99,7 @@ struct MergedResults::Impl {
   explicit Impl(const std::string& output) : path(output), draft(output) {}
 
   std::string path;
-  Draft draft;
+  SiblingTempFile draft;
   Manifest manifest;
   std::unique_ptr<SQLite::Database> database;
   std::vector<Table> tables;

@@ -2,8 +2,8 @@
 #include "compression.h"
 #include "database.h"
 #include "run_outputs.h"
+#include "transaction.h"
 #include "value_columns.h"
-#include "write_scope.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
@@ -91,7 +91,7 @@ std::string reason_in(const Json& reasons, const std::string& id) {
   return known ? found->get<std::string>() : kNotRecorded;
 }
 
-constexpr const char* kIntact = "a file as it was written";
+constexpr const char* kIntact = "an unmodified file";
 
 void write_manifest(SQLite::Database& database, const Manifest& manifest) {
   for (const auto& [key, text] : manifest) {
@@ -154,7 +154,7 @@ void check_id(const QuantityInfo& info) {
 struct ResultFile::Impl {
   std::string path;
   std::unique_ptr<SQLite::Database> database;
-  std::unique_ptr<WriteScope> transaction;  ///< open while there are uncommitted changes
+  std::unique_ptr<Transaction> transaction;  ///< open while there are uncommitted changes
   std::vector<QuantityInfo> descriptors, metrics;
   FileIdentity file;  ///< after the last commit
 
@@ -178,7 +178,7 @@ struct ResultFile::Impl {
     database->setBusyTimeout(kPatienceMs);
     database->exec("PRAGMA cache_spill = OFF");
     database->exec("PRAGMA journal_mode = DELETE");  // another one damages files on network drives
-    transaction = std::make_unique<WriteScope>(*database);
+    transaction = std::make_unique<Transaction>(*database);
   }
 
   std::vector<QuantityInfo> read_quantities(const std::string& kind) const {
@@ -579,7 +579,7 @@ void ResultFile::for_each_key(const std::function<void(const std::string&, const
 void ResultFile::for_each_run(const std::function<void(const RunRecord&)>& use,
                               const DamageHandler& report) const {
   reading(impl_->path, [&] {
-    const ReadScope scope(*impl_->database);
+    const ReadTransaction scope(*impl_->database);
     SQLite::Statement rows(*impl_->database,
                            "SELECT * FROM runs ORDER BY scenario_name, scenario, method, "
                            "repetition");

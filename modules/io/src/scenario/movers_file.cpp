@@ -119,11 +119,10 @@ class ImpliedUnits {
     const double frames = frame - found->second.first;
     const double distance =
         math::hypot(position.x - found->second.second.x, position.y - found->second.second.y);
-    constexpr double kLeast = 1e-2;  // m, and m/s: people who stand say nothing
+    constexpr double kMin = 1e-2;  // m, and m/s: people who stand say nothing
     const double rate = speed * frames / distance;
     if (!is_new && frames > 0) steps_.push_back(distance / frames);
-    if (!is_new && distance > kLeast && speed > kLeast && std::isfinite(rate))
-      rates_.push_back(rate);
+    if (!is_new && distance > kMin && speed > kMin && std::isfinite(rate)) rates_.push_back(rate);
     found->second = {frame, position};
   }
 
@@ -180,7 +179,7 @@ Movers movers_from_text(const std::string& text, const std::string& where,
 }
 
 Movers load_movers_file(const std::string& path, const MoversFileOptions& options) {
-  return movers_from_text(read_text(path, "positions of movers"), path, options);
+  return movers_from_text(read_text(path, "positions of moving obstacles"), path, options);
 }
 
 }  // namespace slalom

@@ -7,7 +7,7 @@ namespace slalom {
 namespace {
 
 Mover mover_from_yaml(const YamlReader& reader) {
-  reader.expect(reader.root().IsMap(), reader.root(), "not a mover", "keys and values");
+  reader.expect(reader.root().IsMap(), reader.root(), "not a moving obstacle", "keys and values");
   reader.reject_unknown_keys({"id", "radius", "after", "waypoints"});
   Mover mover;
   mover.id = reader.text("id");

@@ -147,7 +147,8 @@ Movers read_movers(ByteReader& in) {
     mover.id = in.text();
     mover.radius = in.f64();
     const std::uint8_t after = in.u8();
-    if (after >= enum_names(MoverEnd{}).size()) throw in.broken("unknown end of a mover's path");
+    if (after >= enum_names(MoverEnd{}).size())
+      throw in.broken("unknown end of a moving obstacle's path");
     mover.after = static_cast<MoverEnd>(after);
     mover.waypoints.resize(in.count(kWaypointSize));
     for (Waypoint& w : mover.waypoints) {

@@ -132,7 +132,7 @@ std::string DescriptorModel::describe(const Row& row) const {
 void DescriptorLoader::show(const std::string& path, const std::string& hash) {
   jobs_.cancel(kDescriptorsKey);
   model_.show(hash);
-  notices_.publish(Change::Descriptors);
+  events_.publish(Change::Descriptors);
   if (hash.empty()) return;
   DescribeOptions options = options_;
   if (options.ids.empty()) options.ids = descriptor_ids();
@@ -172,12 +172,12 @@ void DescriptorLoader::compute(const std::string& path, const std::string& hash,
 
 void DescriptorLoader::set_values(const std::string& hash, const std::vector<KeyedValue>& values) {
   model_.set_values(hash, values);
-  notices_.publish(Change::Descriptors);
+  events_.publish(Change::Descriptors);
 }
 
 void DescriptorLoader::fail(const std::string& hash, const std::string& message) {
   model_.fail(hash, message);
-  notices_.publish(Change::Descriptors);
+  events_.publish(Change::Descriptors);
 }
 
 void DescriptorLoader::update_progress() {
@@ -206,7 +206,7 @@ void DescriptorLoader::set_list_values(std::shared_ptr<const ListValues> values,
                                        const std::string& message) {
   list_values_ = std::move(values);
   if (!message.empty()) list_message_ = message;
-  notices_.publish(Change::ListValues);
+  events_.publish(Change::ListValues);
 }
 
 }  // namespace slalom

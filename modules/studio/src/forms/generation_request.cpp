@@ -54,7 +54,7 @@ std::vector<FormField> walker_fields() {
 /// them stay in sight.
 void add_walkers(FormDescription& form) {
   form.fields.push_back({"moving", "Moving obstacles", FieldKind::Flag, "false", "",
-                         "add walkers, discs that walk to and fro, to each scenario"});
+                         "add walkers, moving discs that walk back and forth, to each scenario"});
   for (FormField& field : walker_fields()) {
     if (field.key == "walkers") field.value = "4";
     field.shown_if_key = "moving";

@@ -68,7 +68,7 @@ void add_fields(FormDescription& form, std::size_t i, const Mover& mover) {
 }
 
 Mover read_mover(const FormValues& values, std::size_t i) {
-  const std::string where = "mover " + std::to_string(i + 1);
+  const std::string where = "moving obstacle " + std::to_string(i + 1);
   Mover mover;
   mover.id = values.at(key_of("id", i));
   parse_number(values.at(key_of("radius", i)), mover.radius);
@@ -83,9 +83,9 @@ Mover read_mover(const FormValues& values, std::size_t i) {
 
 FormDescription movers_form(const Scenario& scenario) {
   FormDescription form;
-  form.title = "Movers of " + scenario.name();
+  form.title = "Moving obstacles of " + scenario.name();
   form.accept = "Apply";
-  FormField mover{"mover", "Mover", FieldKind::Choice};
+  FormField mover{"mover", "Obstacle", FieldKind::Choice};
   form.fields.push_back(mover);
   for (std::size_t i = 0; i < scenario.movers().size(); ++i) {
     form.fields[0].choices.push_back(std::to_string(i + 1) + ": " + scenario.movers()[i].id);

@@ -21,9 +21,9 @@ FormDescription search_form(const std::string& folder) {
                    "for the list, a campaign that repeats it and a report; of a search that was "
                    "interrupted: continues it"};
   campaign.wide = target.wide = true;
-  FormField runs{"runs", "Runs", FieldKind::Integer, "10000", "", "of the method, at most"};
+  FormField runs{"runs", "Runs", FieldKind::Integer, "10000", "", "budget: runs of the method"};
   FormField failures{"failures", "Failures", FieldKind::Integer,
-                     "10",       "",         "ends when so many were found"};
+                     "10",       "",         "stop after this many failures"};
   runs.range = failures.range = Range::between(1, 1e9);
   form.fields = {campaign,
                  {"method", "Method", FieldKind::Text, "", "", "of the campaign"},
@@ -31,7 +31,7 @@ FormDescription search_form(const std::string& folder) {
                  runs,
                  failures,
                  {"all_outcomes", "All outcomes", FieldKind::Flag, "false", "",
-                  "also stuck and timeout are failures, which are frequent"},
+                  "also count stuck and timeout, which are frequent, as failures"},
                  {"witness", "Witness", FieldKind::Flag, "true", "",
                   "another method of the campaign must reach the goal"}};
   return form;

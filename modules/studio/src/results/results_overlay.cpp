@@ -261,7 +261,7 @@ void ResultsLoader::open(const std::string& path) {
           read_runs();
         };
       },
-      [this](const std::string& message) { notices_.show_error(message); });
+      [this](const std::string& message) { events_.show_error(message); });
 }
 
 void ResultsLoader::close() {
@@ -292,7 +292,7 @@ void ResultsLoader::read_runs() {
       },
       [this](const std::string& message) {
         set_runs({}, "Reading the runs failed: " + message);
-        notices_.show_error(message);
+        events_.show_error(message);
       },
       false);
 }
@@ -306,12 +306,12 @@ void ResultsLoader::show_runs(const OverlaySource& source, std::vector<OverlayRu
 void ResultsLoader::set_runs(std::vector<OverlayRun> runs, const std::string& message) {
   message_ = runs.empty() ? message : "";
   overlay_.set_runs(std::move(runs));
-  notices_.publish(Change::Runs);
+  events_.publish(Change::Runs);
 }
 
 void ResultsLoader::toggle(const OverlayRow& row) {
   overlay_.toggle(row);
-  notices_.publish(Change::Runs);
+  events_.publish(Change::Runs);
 }
 
 void ResultsLoader::replay() {
@@ -330,7 +330,7 @@ std::string ResultsLoader::replay_disabled_reason() const {
 
 void ResultsLoader::show_all(bool shown) {
   overlay_.show_all(shown);
-  notices_.publish(Change::Runs);
+  events_.publish(Change::Runs);
 }
 
 }  // namespace slalom

@@ -167,7 +167,7 @@ void SceneLoader::start(const std::string& title, Compute compute) {
       [this, compute = std::move(compute)](Progress& progress) -> Jobs::Delivery {
         return [this, scene = compute(progress)] { set_scene(scene); };
       },
-      [this](const std::string& message) { notices_.show_error(message); }, false);
+      [this](const std::string& message) { events_.show_error(message); }, false);
 }
 
 void SceneLoader::show(const Scenario& scenario) {
@@ -178,12 +178,12 @@ void SceneLoader::show(const Scenario& scenario) {
 void SceneLoader::clear() {
   jobs_.cancel(kSceneKey);
   scene_ = nullptr;
-  notices_.publish(Change::Scene);
+  events_.publish(Change::Scene);
 }
 
 void SceneLoader::set_scene(const ScenePtr& scene) {
   scene_ = scene;
-  notices_.publish(Change::Scene);
+  events_.publish(Change::Scene);
   if (scene->complete()) return;
   start("Compute paths and clearance of " + scene->scenario().name(),
         [scene](Progress& progress) { return compute_next_step(scene, progress); });

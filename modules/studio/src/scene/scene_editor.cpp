@@ -44,8 +44,8 @@ const std::vector<EditToolInfo>& edit_tools() {
       {EditTool::Mover, "mover", "+ Mover", 'O',
        "click the path; Enter ends it, a click on its start closes it; < and > radius, T and Y "
        "speed"},
-      {EditTool::Move, "move", "Move", 'M', "drag an obstacle, a mover or a waypoint"},
-      {EditTool::Delete, "delete", "Delete", 'X', "click an obstacle or a mover"},
+      {EditTool::Move, "move", "Move", 'M', "drag an obstacle or a waypoint"},
+      {EditTool::Delete, "delete", "Delete", 'X', "click an obstacle"},
       {EditTool::Paint, "paint", "Paint", 'B', "drag to add obstacles; < and > change the brush"},
       {EditTool::Erase, "erase", "Erase", 'E',
        "drag to remove obstacles; < and > change the brush"}};
@@ -142,7 +142,7 @@ std::optional<SceneEdit> SceneEditor::finish(const Scenario& scenario) {
   if (!can_finish()) return std::nullopt;
   if (tool_ == EditTool::Mover) {
     const Mover mover = mover_along(std::exchange(vertices_, {}), brush_, speed_);
-    return SceneEdit{with_mover_added(scenario, mover), "Add mover"};
+    return SceneEdit{with_mover_added(scenario, mover), "Add moving obstacle"};
   }
   const Polygon polygon{std::exchange(vertices_, {})};
   return SceneEdit{with_obstacle_added(scenario, polygon), "Add polygon"};
@@ -201,10 +201,10 @@ Mover SceneEditor::dragged_mover(const Scenario& scenario) const {
 
 std::optional<SceneEdit> SceneEditor::edit_mover(const Scenario& scenario) const {
   if (tool_ == EditTool::Delete)
-    return SceneEdit{with_mover_removed(scenario, *mover_), "Delete mover"};
+    return SceneEdit{with_mover_removed(scenario, *mover_), "Delete moving obstacle"};
   if (!dragged()) return std::nullopt;
   return SceneEdit{with_mover_replaced(scenario, *mover_, dragged_mover(scenario)),
-                   waypoint_ ? "Move waypoint" : "Move mover"};
+                   waypoint_ ? "Move waypoint" : "Move moving obstacle"};
 }
 
 std::optional<SceneEdit> SceneEditor::edit_obstacle(const Scenario& scenario) const {

@@ -159,8 +159,9 @@ TEST(MovingFamilies, WithoutMoversAcceptWallsAtAnyDistance) {
 TEST(MovingFamilies, RejectInvalidOptions) {
   EXPECT_NE(refusal("crossing", "max_movers = 2\n").find("max_movers: is less than min_movers"),
             std::string::npos);
-  EXPECT_NE(refusal("oncoming", "max_radius = 1\n").find("movers do not fit between the walls"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal("oncoming", "max_radius = 1\n").find("moving obstacles do not fit between the walls"),
+      std::string::npos);
   EXPECT_NE(refusal("circle", "max_movers = 100\n").find("within clear_radius of the start"),
             std::string::npos);
   EXPECT_NE(refusal("doorway", "max_door = 9\n").find("max_door: is higher than the rooms"),

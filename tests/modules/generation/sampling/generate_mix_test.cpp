@@ -119,7 +119,7 @@ TEST(GenerateMix, AMixThatIsInterruptedAfterEachPartContinuesAsIfItWereNot) {
     stream.next(*progress);  // what was not settled is lost
     MixStream again(sample_mix(), settings_of(140), state, [&] { return now += 0.125; });
     part = again.next(*progress);
-    again.settle(collect(part, interrupted));
+    again.commit_part(collect(part, interrupted));
     state = again.state();
   }
   EXPECT_GT(parts, 14U);
@@ -133,7 +133,7 @@ TEST(GenerateMix, APartHasAtLeastOneScenarioHoweverLongItTakes) {
   const auto progress = make_silent_progress();
   for (int i = 1; i <= 3; ++i) {
     EXPECT_EQ(stream.next(*progress).size(), 1U);
-    stream.settle({});
+    stream.commit_part({});
     EXPECT_EQ(stream.state().done(), i);
   }
   EXPECT_TRUE(stream.finished());

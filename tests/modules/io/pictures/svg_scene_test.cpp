@@ -69,8 +69,8 @@ TEST(SvgScene, MoversAreDrawnWithTheirPathsWhereTheyBegin) {
   EXPECT_EQ(count(svg, "<polyline class=\"mover\""), 2U);
   EXPECT_EQ(count(svg, "cx=\"200.0\" cy=\"150.0\" r=\"15.0\""), 1U);  // at (4, 1) at 0 s
   EXPECT_EQ(count(svg, "cx=\"300.0\" cy=\"100.0\" r=\"25.0\""), 1U);  // appears at 2 s
-  EXPECT_EQ(count(svg, "mover &lt;a&gt; at 0 s"), 1U);
-  EXPECT_EQ(count(svg, "mover b at 2 s"), 1U);
+  EXPECT_EQ(count(svg, "moving obstacle &lt;a&gt; at 0 s"), 1U);
+  EXPECT_EQ(count(svg, "moving obstacle b at 2 s"), 1U);
   EXPECT_EQ(count(render_svg(still, options), "mover"), 0U);
 }
 

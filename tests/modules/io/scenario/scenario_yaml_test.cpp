@@ -67,7 +67,7 @@ TEST(ScenarioYaml, ReportsErrorsInMoversWithTheirLine) {
   EXPECT_TRUE(refused(mover + "    after: stop\n    waypoints:\n      - [0, 1]\n",
                       "f.yaml:13: ", {"expected [3 numbers]"}));
   EXPECT_TRUE(refused(mover + "    after: stop\n    waypoints: [[1, 0, 0], [1, 2, 0]]\n",
-                      "f.yaml:9: mover 'p'", {"waypoint 1", "increasing times"}));
+                      "f.yaml:9: moving obstacle 'p'", {"waypoint 1", "increasing times"}));
 }
 
 TEST(ScenarioYaml, GridRowsAreInTopDownOrder) {

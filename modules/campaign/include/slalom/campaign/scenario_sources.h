@@ -79,7 +79,7 @@ class ScenarioStream {
   /// The next scenarios; throws as stream_scenarios() does.
   std::vector<GeneratedScenario> next(Progress& progress);
   /// To be called after next(), with the indexes of the duplicates in that part.
-  void settle(const std::vector<std::size_t>& duplicates);
+  void commit_part(const std::vector<std::size_t>& duplicates);
   const SourceState& state() const { return state_; }
 
  private:

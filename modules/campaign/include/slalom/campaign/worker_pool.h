@@ -52,15 +52,15 @@ std::uint64_t count_memory_kills();
 
 struct PoolOptions {
   int workers = 1;
-  double item_wall_time = 0;     ///< s; a work item that takes longer is killed; 0: unlimited
-  double item_cpu_time = 0;      ///< s of CPU time; 0: unlimited
-  double heartbeat_timeout = 0;  ///< s, maximum time after a heartbeat; 0: unlimited
-  double memory_mb = 0;          ///< MiB a worker may allocate after its start; 0: unlimited
-  std::size_t log_size = 0;      ///< bytes, capacity of the shared log
-  bool keep_stderr = false;      ///< do not discard the workers' standard error
-  bool fresh_process = false;    ///< a new process for each work item
-  bool ordered = true;           ///< results in the order of the indexes, or as they are obtained
-  bool trusted = false;          ///< work items start no processes: no keeper, which costs a fork
+  double item_wall_time = 0;      ///< s; a work item that takes longer is killed; 0: unlimited
+  double item_cpu_time = 0;       ///< s of CPU time; 0: unlimited
+  double heartbeat_timeout = 0;   ///< s, maximum time after a heartbeat; 0: unlimited
+  double memory_mb = 0;           ///< MiB a worker may allocate after its start; 0: unlimited
+  std::size_t log_size = 0;       ///< bytes, capacity of the shared log
+  bool keep_stderr = false;       ///< do not discard the workers' standard error
+  bool process_per_item = false;  ///< a new process for each work item
+  bool ordered = true;            ///< results in the order of the indexes, or as they are obtained
+  bool trusted = false;           ///< work items start no processes: no keeper, which costs a fork
   /// Workers can change files only in a folder of their own for temporary files, TMPDIR, and in
   /// `writable`. Requires that the kernel can do it; not for trusted work items.
   bool sandbox = false;
@@ -74,8 +74,8 @@ struct PoolOptions {
   /// In the calling process, of the payload of a work item that is done, before it is passed on.
   /// When it is false the item has crashed, and its process is replaced. Null: all are valid.
   std::function<bool(std::size_t index, const std::string& payload)> is_valid = nullptr;
-  /// Executed in a worker process that is no longer needed, before it exits. It has kOrderlyEnd
-  /// to complete. Not executed when the process is killed or replaced.
+  /// Executed in a worker process that is no longer needed, before it exits. It has
+  /// kShutdownTimeout to complete. Not executed when the process is killed or replaced.
   std::function<void()> at_end = nullptr;
   /// For item_wall_time and heartbeat_timeout; read in the parent process.
   WallClock clock = steady_seconds;
@@ -87,7 +87,7 @@ struct PoolOptions {
 constexpr char kInvalidPayload[] = "the worker's reply was corrupted";
 
 /// Time for PoolOptions::at_end, after which the process is killed; s.
-constexpr double kOrderlyEnd = 2;
+constexpr double kShutdownTimeout = 2;
 
 /// A work item, executed in a worker process. Returns bytes for the parent process.
 using WorkItem = std::function<std::string(std::size_t index, SharedTaskLog& log)>;

@@ -6,9 +6,9 @@
 
 namespace slalom {
 
-/// Becomes the subreaper of its descendants: the parent of processes that outlive their own. For
-/// programs all of whose children in other sessions are such.
-void adopt_orphans();
+/// Becomes the subreaper of its descendants: the parent of processes that outlive their own.
+/// Only for programs that start no daemons of their own.
+void become_subreaper();
 
 /// The child processes of all threads, also those that have ended but were not waited for.
 std::vector<pid_t> child_processes();
@@ -24,7 +24,7 @@ constexpr int kMaxKills = 10000;
 /// there are none, or kMaxKills times.
 void kill_children(const std::function<bool(pid_t child)>& is_kept);
 
-/// Kills the processes that adopt_orphans() has made children of this process, if it was called.
+/// Kills the processes that become_subreaper() has made children of this process, if it was called.
 void kill_orphans();
 
 }  // namespace slalom

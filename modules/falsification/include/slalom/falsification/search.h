@@ -34,7 +34,7 @@ struct FoundFailure {
 struct SearchTally {
   std::size_t runs = 0;  ///< of the method, each in a scenario that meets the geometric conditions
   std::size_t failures = 0;  ///< with one of the outcomes searched for, where a witness arrives
-  std::size_t unsolved = 0;  ///< the same, but no witness arrives: they do not count
+  std::size_t without_witness = 0;  ///< the same, but no witness arrives: they do not count
   std::map<std::string, std::size_t> outcomes;  ///< runs by outcome
 
   /// Upper limit (95 %) of the probability of a failure, if there was none: 3 / runs (rule of
@@ -47,11 +47,11 @@ struct SearchState {
   std::uint64_t rounds = 0;
   SearchTally random, adaptive;
   std::vector<FoundFailure> failures;  ///< in the order of their candidates
-  struct CloseCall {
+  struct NearMiss {
     Scenario scenario;
     double clearance = 0;  ///< m, of a run that reached the goal
   };
-  std::vector<CloseCall> close_calls;  ///< by clearance; parents of adaptive candidates
+  std::vector<NearMiss> near_misses;  ///< by clearance; parents of adaptive candidates
 
   std::size_t runs() const { return random.runs + adaptive.runs; }
 };
@@ -97,7 +97,7 @@ struct SearchResult {
 /// Searches scenarios in which the method of the bench fails although a witness reaches the goal.
 /// Half of the runs are in scenarios drawn at random from a CandidateMix, half in changed ones
 /// (mutate()) of those in which the robot came closest to obstacles, in probed ones, or, if the
-/// bench has a relative, in those random ones in which that fails. Runs are in batches, each in a
+/// bench has a surrogate, in those random ones in which that fails. Runs are in batches, each in a
 /// worker process; when the method crashes, that run is a failure, and the rest of the batch is
 /// executed in another process. Throws Error (Usage) if there is no budget, or nothing to compare
 /// single steps with.

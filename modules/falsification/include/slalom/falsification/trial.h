@@ -29,14 +29,14 @@ struct TestBench {
   WalkerOptions walkers = {};
 
   /// A light method that fails in similar scenarios: see SearchOptions.
-  std::optional<NamedMethod> relative = {};
+  std::optional<NamedMethod> surrogate = {};
 
-  /// 0: the method; then the witnesses, and the relative.
+  /// 0: the method; then the witnesses, and the surrogate.
   const NamedMethod& method_at(std::size_t index) const {
     if (index == 0) return method;
-    return index <= witnesses.size() ? witnesses[index - 1] : relative.value();
+    return index <= witnesses.size() ? witnesses[index - 1] : surrogate.value();
   }
-  std::size_t relative_index() const { return witnesses.size() + 1; }
+  std::size_t surrogate_index() const { return witnesses.size() + 1; }
 };
 
 /// The stored part of a run.

@@ -16,7 +16,7 @@ struct CrossingOptions {
   void visit(OptionVisitor& v);
 };
 
-/// Each mover walks to and fro on a line through a point between start and goal, from border to
+/// Each mover walks back and forth on a line through a point between start and goal, from border to
 /// border; it begins anywhere on it.
 std::unique_ptr<Generator> make_generator(const CrossingOptions& options,
                                           const GeneratorContext& context = {});

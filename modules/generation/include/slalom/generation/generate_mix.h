@@ -80,7 +80,7 @@ class MixStream {
   /// The next scenarios; throws as generate_solvable() does.
   std::vector<GeneratedScenario> next(Progress& progress);
   /// To be called after next(), with the indexes of the duplicates in that part.
-  void settle(const std::vector<std::size_t>& duplicates);
+  void commit_part(const std::vector<std::size_t>& duplicates);
   const MixState& state() const;
   int count() const;  ///< scenarios in total
 

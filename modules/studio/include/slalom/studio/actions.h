@@ -84,7 +84,7 @@ void add_file_actions(Actions& actions, Studio& studio);
 void add_edit_actions(Actions& actions, Studio& studio);
 void add_list_actions(Actions& actions, Studio& studio);
 void add_generate_actions(Actions& actions, Studio& studio);
-/// `actions` must outlive the studio's notices.
+/// `actions` must outlive the studio's events.
 void add_help_actions(Actions& actions, Studio& studio);
 
 /// Import and export, of the menu File.

@@ -4,7 +4,7 @@
 #include <slalom/generation/generate_mix.h>
 #include <slalom/studio/jobs.h>
 #include <slalom/studio/list_view.h>
-#include <slalom/studio/notices.h>
+#include <slalom/studio/studio_events.h>
 
 #include <cstddef>
 #include <functional>
@@ -80,8 +80,8 @@ class DescriptorLoader {
  public:
   /// Stores newly computed values, which the list did not contain.
   using Store = std::function<void(const std::string& hash, const std::vector<KeyedValue>& values)>;
-  DescriptorLoader(Jobs& jobs, Notices& notices, DescribeOptions options, Store store)
-      : jobs_(jobs), notices_(notices), options_(std::move(options)), store_(std::move(store)) {}
+  DescriptorLoader(Jobs& jobs, StudioEvents& events, DescribeOptions options, Store store)
+      : jobs_(jobs), events_(events), options_(std::move(options)), store_(std::move(store)) {}
 
   DescriptorModel& model() { return model_; }
   const DescriptorModel& model() const { return model_; }
@@ -104,7 +104,7 @@ class DescriptorLoader {
   void set_list_values(std::shared_ptr<const ListValues> values, const std::string& message = "");
 
   Jobs& jobs_;
-  Notices& notices_;
+  StudioEvents& events_;
   DescribeOptions options_;
   Store store_;
   DescriptorModel model_;

@@ -3,7 +3,7 @@
 #include <slalom/commands/list_command.h>
 #include <slalom/generation/generate_mix.h>
 #include <slalom/studio/list_view.h>
-#include <slalom/studio/notices.h>
+#include <slalom/studio/studio_events.h>
 
 #include <functional>
 #include <map>

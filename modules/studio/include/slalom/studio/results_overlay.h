@@ -6,8 +6,8 @@
 #include <slalom/robot/robot_model.h>
 #include <slalom/scenario/world.h>
 #include <slalom/studio/jobs.h>
-#include <slalom/studio/notices.h>
 #include <slalom/studio/palette.h>
+#include <slalom/studio/studio_events.h>
 #include <slalom/trajectory/trajectory.h>
 
 #include <memory>
@@ -183,7 +183,7 @@ class ResultsOverlay {
 /// background jobs. Publishes Change::Runs.
 class ResultsLoader {
  public:
-  ResultsLoader(Jobs& jobs, Notices& notices) : jobs_(jobs), notices_(notices) {}
+  ResultsLoader(Jobs& jobs, StudioEvents& events) : jobs_(jobs), events_(events) {}
 
   ResultsOverlay& overlay() { return overlay_; }
   const ResultsOverlay& overlay() const { return overlay_; }
@@ -210,7 +210,7 @@ class ResultsLoader {
   void set_runs(std::vector<OverlayRun> runs, const std::string& message);
 
   Jobs& jobs_;
-  Notices& notices_;
+  StudioEvents& events_;
   ResultsOverlay overlay_;
   std::shared_ptr<const ResultFields> fields_;
   bool replay_when_read_ = false;

@@ -7,7 +7,7 @@
 #include <slalom/scenario/occupancy.h>
 #include <slalom/scenario/world.h>
 #include <slalom/studio/jobs.h>
-#include <slalom/studio/notices.h>
+#include <slalom/studio/studio_events.h>
 
 #include <cstdint>
 #include <memory>
@@ -121,8 +121,8 @@ CellPyramid clearance_pyramid(const Occupancy& cells, const DistanceField& field
 /// Change::Scene.
 class SceneLoader {
  public:
-  SceneLoader(Jobs& jobs, Notices& notices, SceneSettings settings)
-      : jobs_(jobs), notices_(notices), settings_(std::move(settings)) {}
+  SceneLoader(Jobs& jobs, StudioEvents& events, SceneSettings settings)
+      : jobs_(jobs), events_(events), settings_(std::move(settings)) {}
 
   const SceneSettings& settings() const { return settings_; }
   const ScenePtr& scene() const { return scene_; }  ///< null if there is no scenario
@@ -135,7 +135,7 @@ class SceneLoader {
   void set_scene(const ScenePtr& scene);
 
   Jobs& jobs_;
-  Notices& notices_;
+  StudioEvents& events_;
   SceneSettings settings_;
   ScenePtr scene_;
 };

@@ -51,7 +51,7 @@ struct StudioServices {
     bool requires_witness = true;
     bool trust = false;  ///< execute the libraries, modules and commands that the results name
   };
-  /// Writes the smallest scenario in which the method fails alike to the list failures.scenarios in
+  /// Writes the smallest scenario that reproduces the failure to the list failures.scenarios in
   /// the folder. Returns a summary for the user. Null if the program cannot shrink.
   std::function<std::string(const ShrinkRequest& request, Progress& progress)> shrink_run;
 

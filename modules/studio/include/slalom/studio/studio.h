@@ -21,7 +21,7 @@ class Studio {
   /// `wake` may be called from any thread, when poll() has something to do.
   Studio(SceneSettings settings, StudioServices services, std::function<void()> wake);
 
-  Notices& notices() { return notices_; }
+  StudioEvents& events() { return events_; }
   Jobs& jobs() { return jobs_; }
   SceneLoader& scenes() { return scenes_; }
   ResultsLoader& results() { return results_; }
@@ -53,7 +53,7 @@ class Studio {
   void redo();
 
   /// Reads the values of these descriptors for the active list, now and whenever it changes.
-  void show_values_of(const std::vector<std::string>& ids);
+  void track_descriptors(const std::vector<std::string>& ids);
   /// Computes the missing descriptors of all scenarios of the active list.
   void describe_list();
   std::string describe_progress() const;  ///< "computing 30 of 1000"; empty if it does not
@@ -70,7 +70,7 @@ class Studio {
   void remove(ListDocument& list);
   void read_list_values();
 
-  Notices notices_;
+  StudioEvents events_;
   StudioServices services_;  ///< used by jobs
   Jobs jobs_;
   SceneLoader scenes_;

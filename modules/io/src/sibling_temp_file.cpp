@@ -1,4 +1,4 @@
-#include "draft_file.h"
+#include "sibling_temp_file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -8,13 +8,13 @@
 
 namespace slalom {
 
-Draft::Draft(const std::string& path) : path_(path), file_(path) {
+SiblingTempFile::SiblingTempFile(const std::string& path) : path_(path), file_(path) {
   const int file = open(name().c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0644);
   if (file < 0) throw failure("cannot be created");
   close(file);
 }
 
-void Draft::publish() {
+void SiblingTempFile::publish() {
   sync(name());
   for (const char* suffix : {"-journal", "-wal", "-shm"}) unlink((path_ + suffix).c_str());
   file_.publish();
@@ -22,11 +22,11 @@ void Draft::publish() {
   sync(folder.empty() ? "." : folder.string());
 }
 
-Error Draft::failure(const std::string& what) const {
+Error SiblingTempFile::failure(const std::string& what) const {
   return job_error(path_, what + " (" + std::strerror(errno) + ")", "a writable path");
 }
 
-void Draft::sync(const std::string& path) const {
+void SiblingTempFile::sync(const std::string& path) const {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool done = file >= 0 && fsync(file) == 0;
   if (file >= 0) close(file);

@@ -26,7 +26,7 @@ enum class Change {
 
 /// Events that the studio reports to the window: changes, the status line and dialogs. Not
 /// thread-safe.
-class Notices {
+class StudioEvents {
  public:
   /// `observer` is called after each of these changes, for as long as this object lives.
   void observe(const std::vector<Change>& changes, const std::function<void()>& observer) {

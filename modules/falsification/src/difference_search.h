@@ -18,10 +18,10 @@ std::unique_ptr<World> draw_changed_world(const Scenario& parent, const TestBenc
 /// Candidates that approach a difference of commands, and then climb from the run that came
 /// closest to a failure: (1+1), by the clearance that the method lost against its reference. That
 /// has no gradient before the two differ, but has one then.
-class ProbeHunt {
+class DifferenceSearch {
  public:
-  ProbeHunt(const TestBench& bench, const SearchOptions& options, const CandidateMix& mix,
-            BenchMethods& methods)
+  DifferenceSearch(const TestBench& bench, const SearchOptions& options, const CandidateMix& mix,
+                   MethodPool& methods)
       : bench_(bench), options_(options), mix_(mix), probe_(bench, methods) {}
 
   /// Forgets what was found, so that candidates depend only on those since.

@@ -14,9 +14,9 @@ PoolOptions pool_of_trials(const TestBench& bench);
 
 /// Creates the methods of a bench when they are needed, and again after a failure that may have
 /// damaged them.
-class BenchMethods {
+class MethodPool {
  public:
-  explicit BenchMethods(const TestBench& bench) : bench_(bench) {}
+  explicit MethodPool(const TestBench& bench) : bench_(bench) {}
   /// An error of the method's construction is the outcome method_error.
   Trial run(const World& world, std::size_t method);
   Method& method(std::size_t index);
@@ -41,9 +41,9 @@ using TrialJob = std::function<void(TrialSource& source)>;
 /// memory that this process shares. When the worker dies, the trial that it had begun is a crash,
 /// and the job is repeated in a new worker with the trials that are known. In the end it is
 /// executed in this process, with all trials known, for its results.
-class ContainedTrials {
+class IsolatedTrials {
  public:
-  ContainedTrials(const TestBench& bench, std::function<bool()> interrupted)
+  IsolatedTrials(const TestBench& bench, std::function<bool()> interrupted)
       : bench_(bench), interrupted_(std::move(interrupted)) {}
 
   /// False when interrupted. Throws Error (Job) when the job throws.

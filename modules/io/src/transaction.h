@@ -7,12 +7,12 @@ namespace slalom {
 /// A transaction: changes during its lifetime are rolled back unless commit() was called. Scopes
 /// can be nested; only the outermost commits to disk. It acquires the write lock immediately, so
 /// that concurrent writers wait for each other instead of failing midway.
-class WriteScope {
+class Transaction {
  public:
-  explicit WriteScope(SQLite::Database& database);
-  ~WriteScope();
-  WriteScope(const WriteScope&) = delete;
-  WriteScope& operator=(const WriteScope&) = delete;
+  explicit Transaction(SQLite::Database& database);
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
 
   void commit();
 

@@ -1,4 +1,4 @@
-#include "contained_trials.h"
+#include "isolated_trials.h"
 
 #include <slalom/core/byte_stream.h>
 #include <slalom/core/error.h>
@@ -25,10 +25,10 @@ void append(SharedTaskLog& log, const std::string& text, std::size_t& logged) {
 
 struct LogIsFull {};
 
-class LoggedTrials : public TrialSource {
+class JournaledTrials : public TrialSource {
  public:
-  LoggedTrials(const TestBench& bench, std::map<std::string, Trial> known, SharedTaskLog& log,
-               SharedTaskLog& begun)
+  JournaledTrials(const TestBench& bench, std::map<std::string, Trial> known, SharedTaskLog& log,
+                  SharedTaskLog& begun)
       : methods_(bench), known_(std::move(known)), log_(log), begun_(begun) {}
 
   const Trial& trial(const World& world, std::size_t method) override {
@@ -44,15 +44,15 @@ class LoggedTrials : public TrialSource {
   }
 
  private:
-  BenchMethods methods_;
+  MethodPool methods_;
   std::map<std::string, Trial> known_;
   SharedTaskLog &log_, &begun_;
   std::size_t logged_ = 0;
 };
 
-class KnownTrials : public TrialSource {
+class CachedTrials : public TrialSource {
  public:
-  explicit KnownTrials(const std::map<std::string, Trial>& known) : known_(known) {}
+  explicit CachedTrials(const std::map<std::string, Trial>& known) : known_(known) {}
   const Trial& trial(const World& world, std::size_t method) override {
     return known_.at(key_of(world.scenario(), method));
   }
@@ -75,13 +75,13 @@ PoolOptions pool_of_trials(const TestBench& bench) {
   return pool;
 }
 
-Method& BenchMethods::method(std::size_t index) {
+Method& MethodPool::method(std::size_t index) {
   std::unique_ptr<Method>& method = methods_[index];
   if (!method) method = bench_.method_at(index).make(bench_.setup.robot, bench_.setup.sensor);
   return *method;
 }
 
-Trial BenchMethods::run(const World& world, std::size_t index) {
+Trial MethodPool::run(const World& world, std::size_t index) {
   // All tables before a method can change the floating-point environment.
   world.distance_field();
   world.ray_caster();
@@ -96,18 +96,18 @@ Trial BenchMethods::run(const World& world, std::size_t index) {
   return trial;
 }
 
-bool ContainedTrials::execute(const TrialJob& job) {
+bool IsolatedTrials::execute(const TrialJob& job) {
   for (bool complete = false; !complete;)
     if (!extend(job, complete)) return false;
-  KnownTrials known(known_);
+  CachedTrials known(known_);
   job(known);
   return true;
 }
 
 /// Executes the job in a worker as far as it gets.
-bool ContainedTrials::extend(const TrialJob& job, bool& complete) {
+bool IsolatedTrials::extend(const TrialJob& job, bool& complete) {
   const WorkItem item = [&](std::size_t, SharedTaskLog& log) -> std::string {
-    LoggedTrials trials(bench_, known_, log, begun_);
+    JournaledTrials trials(bench_, known_, log, begun_);
     try {
       job(trials);
     } catch (const LogIsFull&) {
@@ -125,7 +125,7 @@ bool ContainedTrials::extend(const TrialJob& job, bool& complete) {
       interrupted_);
 }
 
-void ContainedTrials::read_log(const std::string& log, const WorkResult& result) {
+void IsolatedTrials::read_log(const std::string& log, const WorkResult& result) {
   ByteReader reader(log, kLogName);
   std::string begun;
   for (std::size_t position = 0; position < log.size();) {
@@ -160,7 +160,7 @@ Trial trial_of_dead_process(const WorkResult& result) {
 Trial run_alone(const TestBench& bench, const Scenario& scenario, std::size_t method) {
   const World world(scenario, bench.setup.simulation.resolution);
   Trial trial;
-  ContainedTrials(bench, nullptr).execute([&](TrialSource& source) {
+  IsolatedTrials(bench, nullptr).execute([&](TrialSource& source) {
     trial = source.trial(world, method);
   });
   return trial;

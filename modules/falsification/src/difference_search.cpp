@@ -1,4 +1,4 @@
-#include "probe_hunt.h"
+#include "difference_search.h"
 
 #include <slalom/generation/mutation.h>
 
@@ -36,7 +36,7 @@ std::unique_ptr<World> draw_changed_world(const Scenario& parent, const TestBenc
   return has_fair_geometry(*world, bench.setup.robot, fairness) ? std::move(world) : nullptr;
 }
 
-void ProbeHunt::find_difference(std::uint64_t index, const std::function<void()>& alive) {
+void DifferenceSearch::find_difference(std::uint64_t index, const std::function<void()>& alive) {
   constexpr std::uint64_t kWorlds = 40;
   difference_.reset();
   best_.reset();
@@ -51,7 +51,8 @@ void ProbeHunt::find_difference(std::uint64_t index, const std::function<void()>
   }
 }
 
-std::unique_ptr<World> ProbeHunt::draw(std::uint64_t index, const std::function<void()>& alive) {
+std::unique_ptr<World> DifferenceSearch::draw(std::uint64_t index,
+                                              const std::function<void()>& alive) {
   const int before_climbs = difference_ && difference_->in_run ? 1 : kApproaches;
   const bool is_over = candidates_ >= before_climbs + kClimbs ||
                        (candidates_ >= kWithoutDivergence && !best_.has_value());
@@ -71,7 +72,8 @@ std::unique_ptr<World> ProbeHunt::draw(std::uint64_t index, const std::function<
   return nullptr;
 }
 
-void ProbeHunt::report(const Scenario& scenario, const Trial& method, const Trial& reference) {
+void DifferenceSearch::report(const Scenario& scenario, const Trial& method,
+                              const Trial& reference) {
   if (!difference_ || is_same_run(method, reference)) return;
   const double loss = reference.clearance - method.clearance;
   if (best_ && loss < best_loss_) return;

@@ -8,9 +8,9 @@
 namespace slalom {
 
 /// An empty temporary file next to `path` for a new database; removed unless it was published.
-class Draft {
+class SiblingTempFile {
  public:
-  explicit Draft(const std::string& path);  ///< throws Error (Job)
+  explicit SiblingTempFile(const std::string& path);  ///< throws Error (Job)
 
   const std::string& name() const { return file_.name(); }
 
