@@ -42,7 +42,7 @@
   DESCRIPTOR(barn_tortuosity, 2, "BARN: tortuosity", "-", Ratio, at_least(1), {averaged_path})    \
   DESCRIPTOR(dynamic_density, 1, "Moving-obstacle density", "-", Ratio, at_least(0), {})
 
-/// Those about moving obstacles.
+/// Descriptors of moving obstacles.
 #define SLALOM_MOVER_DESCRIPTORS(DESCRIPTOR)                                                      \
   DESCRIPTOR(survivability, 2, "Survivability", "s", Amount, between(0, 12), {robot, resolution}) \
   DESCRIPTOR(dynamic_traversability, 2, "Dynamic traversability", "-", Ratio, at_least(0),        \

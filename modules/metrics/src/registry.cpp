@@ -48,7 +48,7 @@
   METRIC(frechet_to_reference, 2, "Frechet distance to P*", "m", Down, Amount, at_least(0))       \
   METRIC(hausdorff_to_reference, 2, "Hausdorff distance to P*", "m", Down, Amount, at_least(0))
 
-/// Those about moving obstacles.
+/// Metrics about moving obstacles.
 #define SLALOM_MOVER_METRICS(METRIC)                                                               \
   METRIC(mover_collision, 1, "Collision with a mover", "-", Down, Rate, between(0, 1))             \
   METRIC(contact_mover, 1, "Mover in contact", "-", None, Count, at_least(0))                      \

@@ -68,7 +68,7 @@ std::vector<std::size_t> order_of_runs(const ResultTable& columns,
   std::vector<std::size_t> order(columns.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (std::is_sorted(order.begin(), order.end(), before)) return {};
-  // By counting, then within each scenario: much faster than sorting all runs.
+  // Counting sort, then a sort within each scenario: much faster than sorting all runs.
   std::vector<std::size_t> ends(rank.size() + 1, 0);
   for (const std::uint32_t scenario : columns.scenario) ++ends[rank[scenario] + 1];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());

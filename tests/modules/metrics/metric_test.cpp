@@ -55,7 +55,7 @@ std::vector<DocumentedMetric> documented_metrics() {
   return metrics;
 }
 
-/// As the documentation states it; "" for all from 0, and for all numbers.
+/// Range as the documentation states it; "" for all from 0, and for all numbers.
 std::string documented_range(const QuantityInfo& info) {
   const Range& range = info.range;
   if (info.is_rate()) return "0 or 1, ";

@@ -223,7 +223,7 @@ Verdict verdict_of(const PairedComparison& comparison) {
 
 /// Corrects the p values of one family.
 void finish_family(const std::vector<PairedComparison*>& family) {
-  // Without a test: nothing to compare, or no difference in any pair.
+  // No test if there is nothing to compare, or no difference in any pair.
   const auto tested = [](const PairedComparison& c) { return c.scenarios > 0 && !c.identical; };
   std::vector<double> p;
   for (const PairedComparison* comparison : family)

@@ -18,10 +18,10 @@ struct PairedScenario {
   std::vector<double> first, other;
 };
 
-/// By scenario hash.
+/// Values by scenario hash.
 using ScenarioValues = std::map<std::string, std::vector<double>>;
 
-/// Of the scenarios in which all methods have a value.
+/// Values of the scenarios in which all methods have one.
 ScenarioValues values_of_methods(const ResultTable& table, const std::vector<std::string>& methods,
                                  const std::string& metric) {
   std::vector<std::vector<std::optional<double>>> means;

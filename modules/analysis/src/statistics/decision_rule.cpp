@@ -22,7 +22,7 @@ constexpr const char* kExpected =
     "\"compare(METRIC, METHOD, REFERENCE) decided\", \"... decided within DIFFERENCE\" or "
     "\"... no worse than DIFFERENCE\"";
 
-/// Of the difference of two means over runs.
+/// Bound of the difference of two means over runs.
 double bound_of(const std::string& metric, const Range& range) {
   if (range.is_bounded()) return range.high - range.low;
   throw usage_error("--until", "'" + metric + "' is not bounded, so that no number of runs decides",

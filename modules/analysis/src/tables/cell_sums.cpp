@@ -82,7 +82,7 @@ void RowSums::close_scenario() {
   is_open_ = false;
 }
 
-/// Those of the scenario, before it is closed.
+/// Adds the groups of the scenario, before it is closed.
 void RowSums::add_groups() {
   const std::size_t stride = padded(lists_.size());
   has_groups_ = false;

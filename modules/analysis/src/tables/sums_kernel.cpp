@@ -44,7 +44,7 @@ class Lanes {
     hn::StoreU(value, Reals(), sums_ + kind * stride_);
   }
   void add(SumArrays::Kind kind, Vector term) const { set(kind, hn::Add(get(kind), term)); }
-  /// As PreciseSum::add(); the low part follows the high one.
+  /// Adds like PreciseSum::add(); the low part follows the high one.
   void add_precisely(SumArrays::Kind high, Vector term, Vector term_error) const {
     const auto low = static_cast<SumArrays::Kind>(high + 1);
     const Vector before = get(high), sum = hn::Add(before, term), part = hn::Sub(sum, before);

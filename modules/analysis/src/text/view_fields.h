@@ -15,7 +15,7 @@ struct ViewFields {
 };
 ViewFields view_fields(const DataTable& table);
 
-/// Those for display.
+/// The tables for display.
 const std::vector<DataTable>& views_of(const Interpretation& interpretation);
 
 }  // namespace slalom

@@ -7,7 +7,7 @@ struct Direction16 {
   int row, column;
 };
 
-/// As published: in the order of the angle, except that (-2, -1) and (-1, -2) are swapped.
+/// The published order: by the angle, except that (-2, -1) and (-1, -2) are swapped.
 constexpr Direction16 kDirections[] = {{0, 1},  {1, 2},  {1, 1},  {2, 1},   {1, 0},   {2, -1},
                                        {1, -1}, {1, -2}, {0, -1}, {-2, -1}, {-1, -1}, {-1, -2},
                                        {-1, 0}, {-2, 1}, {-1, 1}, {-1, 2}};

@@ -2,7 +2,7 @@
 
 namespace slalom::descriptors {
 
-/// As in AvoidBench (Yu, de Croon, De Wagter 2023).
+/// Traversability of AvoidBench (Yu, de Croon, De Wagter 2023).
 Value traversability(const DescriptorContext& context) {
   return Value::of(mean_free_ray(context));
 }

@@ -95,7 +95,7 @@ class RowSums {
   CellSums cell(std::size_t index) const;
 
  private:
-  /// What is not a sum.
+  /// Values that are not sums.
   struct Lists {
     std::vector<CellSums::Group> groups;
     std::size_t named = 0;  ///< groups whose key is not of the current part

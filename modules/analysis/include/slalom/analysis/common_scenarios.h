@@ -16,8 +16,9 @@ struct CommonScenarios {
   std::vector<std::vector<std::size_t>> runs;  ///< parallel: those of the cell
 };
 
-/// Of the metrics of which a method has values of its survivors only (is_survivors_only()), except
-/// measured times; none with a single method. Throws Error (Usage) for an unknown metric.
+/// Finds the common scenarios of the metrics of which a method has values of its survivors only
+/// (is_survivors_only()), except measured times; none with a single method. Throws Error (Usage)
+/// for an unknown metric.
 std::vector<CommonScenarios> build_common_scenarios(const ResultTable& table,
                                                     const std::vector<std::string>& metrics,
                                                     const AnalysisOptions& options);

@@ -13,7 +13,7 @@ struct CsvColumnOptions {
   std::vector<std::string> up, down;  ///< columns of which more (less) is better
   /// The names of the columns that identify the run of a row; empty: known by their names.
   std::string method = "", scenario = "", repetition = "", outcome = "";
-  /// What the columns are, where that is stated: all values must be so.
+  /// Stated kinds and ranges of columns, which all values must have.
   std::map<std::string, QuantityKind> kinds = {};
   std::map<std::string, Range> ranges = {};
   /// Columns with these ids have their kind and range, unless a value is outside.

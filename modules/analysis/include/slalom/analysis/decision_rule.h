@@ -24,7 +24,7 @@ struct DecisionRule {
 DecisionRule parse_decision_rule(const std::string& text,
                                  const std::function<Range(const std::string&)>& range_of_metric);
 
-/// What is known of the method, compared with the reference.
+/// Conclusion about the method, compared with the reference.
 enum class Decision { Open, Better, Worse, NoRelevantDifference, NoWorse };
 
 struct DecisionState {

@@ -32,7 +32,8 @@ struct FailureTaxonomy {
   double confidence = 0.95;
 };
 
-/// Of `method` alone where one is named. Throws Error (Usage) for unknown names.
+/// Counts the failures of all methods, or of `method` if one is named. Throws Error (Usage) for
+/// unknown names.
 FailureTaxonomy build_failure_taxonomy(const ResultTable& table, const BinSpec& spec,
                                        const AnalysisOptions& options,
                                        const std::string& method = "");

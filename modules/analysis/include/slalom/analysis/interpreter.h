@@ -73,7 +73,7 @@ std::string render_csv(const Interpretation& interpretation);
 
 /// The tables as a LaTeX document, as render_text() shows them; requires no packages.
 std::string render_latex(const Interpretation& interpretation);
-/// Where a field of a table leads to, given the name of its column; empty for plain text.
+/// Address that a field of a table leads to, given the name of its column; empty for plain text.
 using FieldAddress =
     std::function<std::string(const std::string& column, const std::string& field)>;
 /// One page with the remarks and the tables, for A4 paper; self-contained but for the addresses.

@@ -14,7 +14,7 @@ struct NotableFailure {
   std::string why;      ///< "collision; others that succeed here: 3 of 3"
 };
 
-/// What the first screen of a report says about a method.
+/// Statements of the first screen of a report about a method.
 struct MethodOverview {
   std::string method;
   std::string sentence;                  ///< only with clauses that hold
@@ -37,7 +37,7 @@ std::vector<MethodOverview> build_overview(const ResultTable& table,
                                            const std::vector<PairedComparison>& family,
                                            const AnalysisOptions& options);
 
-/// Which method succeeds most often, which is second, and whether the first is better: "gap
+/// Names the two methods that succeed most often, and states whether the first is better: "gap
 /// succeeds most often (79 % of 70 runs), nd second (71 %): not confirmed against nd: 0.08 [0.01,
 /// 0.16] better over 70 scenarios, p = 0.0430, Holm over 6 pairs". Differences are taken from
 /// `family`. Empty for fewer than two methods with a success.

@@ -4,7 +4,7 @@
 
 namespace slalom {
 
-/// By linear interpolation between order statistics (type 7 of Hyndman and Fan 1996); requires at
+/// Interpolates linearly between order statistics (type 7 of Hyndman and Fan 1996); requires at
 /// least one value, ascending.
 double quantile(const std::vector<double>& sorted, double fraction);
 

@@ -15,11 +15,11 @@ struct RankStability {
   std::optional<Interval> interval;  ///< percentile bootstrap over scenarios
 };
 
-/// Of the methods that both results contain, by their means over the common scenarios (mean over
-/// the runs of a scenario). tau = 1: the same order, -1: the opposite one. Without a value for
-/// fewer than two methods or no common scenario, without an interval for fewer than two scenarios.
-/// Resamples without a defined tau (all methods tied) are left out. `label` seeds the bootstrap.
-/// Throws Error (Usage) for an unknown metric.
+/// Compares the order of the methods that both results contain, by their means over the common
+/// scenarios (mean over the runs of a scenario). tau = 1: the same order, -1: the opposite one.
+/// There is no value for fewer than two methods or no common scenario, and no interval for fewer
+/// than two scenarios. Resamples without a defined tau (all methods tied) are left out. `label`
+/// seeds the bootstrap. Throws Error (Usage) for an unknown metric.
 RankStability rank_stability(const ResultTable& first, const ResultTable& other,
                              const std::string& metric, const AnalysisOptions& options,
                              const std::string& label);

@@ -34,7 +34,7 @@ struct RobustnessOrder {
 struct RobustnessTable {
   std::string parameter;  ///< "sensor.noise_sigma"
   std::vector<RobustnessCurve> curves;
-  /// Of the metrics with a direction, if there are at least two methods: metrics outermost.
+  /// Orders by the metrics with a direction, if there are at least two methods: metrics outermost.
   std::vector<RobustnessOrder> orders;
   double confidence = 0.95;
 };

@@ -28,7 +28,7 @@ struct GroupSums {
 };
 GroupSums sums_of(const ScenarioGroups& groups);
 
-/// What the variance of the mean over all values of such groups depends on.
+/// Moments on which the variance of the mean over all values of groups depends.
 struct GroupMoments {
   double groups = 0, values = 0;  ///< their numbers
   double mean = 0;                ///< over all values

@@ -49,7 +49,7 @@ class TableSums {
 
   /// Per rows and method; rows outermost. Throws Error (Usage) for a metric that was in no part.
   std::vector<CrossTable> cross_tables(const AnalysisOptions& options) const;
-  /// Of rows with a single bin, with all runs. Throws as cross_tables() does.
+  /// Summary over rows with a single bin, with all runs. Throws as cross_tables() does.
   SummaryTable summary(std::size_t rows, const AnalysisOptions& options) const;
 
  private:

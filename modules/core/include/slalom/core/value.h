@@ -37,8 +37,8 @@ constexpr auto enum_names(Direction) {
   return std::array{"up", "down", "none"};
 }
 
-/// What the values of a quantity are: 0 or 1, of which the mean is a rate; numbers of things;
-/// lengths, times and the like; numbers without a unit.
+/// Kind of the values of a quantity: 0 or 1, whose mean is a rate; numbers of things; lengths,
+/// times and the like; numbers without a unit.
 enum class QuantityKind { Rate, Count, Amount, Ratio };
 constexpr auto enum_names(QuantityKind) {
   return std::array{"rate", "count", "amount", "ratio"};

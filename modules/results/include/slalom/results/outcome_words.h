@@ -11,7 +11,7 @@ namespace slalom {
 /// between words. "failure" is one without a known kind. None for other words.
 std::optional<std::string> outcome_of_word(const std::string& word);
 
-/// What outcome_of_word() returns.
+/// Outcomes that outcome_of_word() can return.
 std::vector<std::string> known_outcomes();
 
 }  // namespace slalom

@@ -48,7 +48,7 @@ class ValueColumn {
 /// A column for a wall-clock figure.
 ValueColumn wall_clock_column(const std::string& id);
 
-/// What identifies and explains a run beyond its keys and values.
+/// Data that identify and explain a run beyond its keys and values.
 struct RunDetails {
   std::uint64_t seed = 0;
   std::string outcome_detail, trajectory_hash;
@@ -112,7 +112,7 @@ constexpr const char* kPrivilegedMark = "*";
 /// The name without the mark.
 std::string unmarked_name(const std::string& method);
 
-/// As for a RunRecord: "hash8/method/repetition".
+/// Id of a run, as for a RunRecord: "hash8/method/repetition".
 std::string run_id(const ResultTable& columns, std::size_t run);
 
 /// Whether an outcome is a failure of the method: neither a success, nor inconclusive (such as an
