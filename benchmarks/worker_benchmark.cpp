@@ -2,7 +2,7 @@
 // needs a new process, compared with jobs that end normally in a reused one. Counter `tasks` is
 // jobs per second; the difference of the times per job is the cost of a restart. The process
 // allocates as much memory as the tables of a large map, since forking copies page tables.
-#include <slalom/campaign/worker_pool.h>
+#include <slalom/workers/worker_pool.h>
 
 #include <benchmark/benchmark.h>
 

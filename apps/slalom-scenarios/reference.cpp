@@ -1,12 +1,12 @@
 #include "verbs.h"
 
 #include <slalom/app/program.h>
-#include <slalom/campaign/worker_pool.h>
 #include <slalom/core/error.h>
 #include <slalom/io/reference_text.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/ompl/ompl_planner.h>
 #include <slalom/references/earliest_arrival.h>
+#include <slalom/workers/worker_pool.h>
 
 #include <iostream>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <slalom/campaign/shared_task_log.h>
 #include <slalom/simulation/run_observer.h>
+#include <slalom/workers/shared_task_log.h>
 
 #include <string>
 #include <vector>

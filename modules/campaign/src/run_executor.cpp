@@ -1,5 +1,4 @@
 #include "command_journal.h"
-#include "process_state.h"
 #include "run_executor.h"
 #include "scripted_method.h"
 
@@ -7,6 +6,7 @@
 #include <slalom/core/error.h>
 #include <slalom/metrics/cycle_time.h>
 #include <slalom/results/method_failures.h>
+#include <slalom/workers/process_state.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,7 @@
 #include "scenario_survey.h"
 
 #include <slalom/campaign/measure.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/references/exact_shortest.h>
 
 namespace slalom {

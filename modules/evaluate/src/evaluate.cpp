@@ -2,7 +2,7 @@
 
 #include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/table_text.h>
-#include <slalom/campaign/campaign.h>
+#include <slalom/campaign/run_campaign.h>
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
 #include <slalom/results/privileged.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <slalom/campaign/worker_pool.h>
 #include <slalom/falsification/trial.h>
+#include <slalom/workers/worker_pool.h>
 
 #include <functional>
 #include <map>

@@ -2,7 +2,7 @@
 #include "manual_time.h"
 #include "open_files.h"
 
-#include <slalom/campaign/campaign.h>
+#include <slalom/campaign/run_campaign.h>
 
 #include <gtest/gtest.h>
 

@@ -1,31 +1,13 @@
 #pragma once
 
-#include "memory_folder.h"
+#include "temporary_folder.h"
 
 #include <slalom/core/random.h>
 #include <slalom/scenario/occupancy.h>
 
-#include <filesystem>
 #include <string>
-#include <unistd.h>
 
 namespace slalom {
-
-/// A folder for one test, removed afterwards.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (memory_folder() / "slalom-XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
-};
 
 /// A scenario with random discs and polygons.
 inline Scenario sample_scenario(std::uint64_t seed, const std::string& name = "sample") {

@@ -1,19 +1,14 @@
 #pragma once
 
 #include <slalom/campaign/campaign_options.h>
-#include <slalom/core/progress.h>
-#include <slalom/descriptors/descriptor.h>
-#include <slalom/metrics/metric.h>
 #include <slalom/references/reference.h>
-#include <slalom/results/privileged.h>
-#include <slalom/results/run_record.h>
 #include <slalom/scenario/scenario.h>
 #include <slalom/simulation/run_observer.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,52 +35,9 @@ struct Campaign {
   std::string recording_folder = {};
 };
 
-/// Receives the results of a campaign as they are obtained: scenarios before runs, each in any
-/// order. Results that it already has, from an earlier part of the same campaign, are not computed
-/// again.
-class CampaignSink {
- public:
-  virtual ~CampaignSink() = default;
-  /// The references of a scenario that the sink has; none otherwise.
-  virtual std::optional<References> known_references(const Scenario&) { return std::nullopt; }
-  virtual bool has_run(const Scenario&, const RunSpec&) { return false; }
-  virtual void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
-                            const References& references) = 0;
-  virtual void add_run(const RunRecord& run, const RunTiming& timing,
-                       const Trajectory& trajectory) = 0;
-};
-
-/// Execution settings; none of them affects deterministic results.
-struct Execution {
-  int workers = 1;
-  Progress& progress;
-  std::function<bool()> interrupted;  ///< polled; null: never interrupted
-  bool in_process = false;            ///< without worker processes and their limits
-
-  bool is_interrupted() const { return interrupted && interrupted(); }
-};
-
-struct CampaignSummary {
-  bool complete = false;                        ///< false when interrupted
-  std::size_t runs = 0;                         ///< that were executed
-  std::map<std::string, std::size_t> outcomes;  ///< these runs by outcome
-  std::size_t infrastructure_errors() const;
-};
-
 /// The seed of a run. It is the same for all methods, so that they are exposed to the same noise,
 /// and independent of the other scenarios, methods and repetitions.
 std::uint64_t run_seed(std::uint64_t campaign_seed, const std::string& scenario_hash,
                        int repetition);
-
-/// Builds every method once in a separate process, so that an invalid option, class or library is
-/// reported before the first run. Throws Error (Usage) with the method's origin. Returns the
-/// methods that use tracks or the map.
-PrivilegedMethods check_methods(const Campaign& campaign);
-
-/// Computes the descriptors and references of every scenario (in processes of their own), then runs
-/// every method on it in worker processes, except what the sink already has. The records do not
-/// depend on the number of workers.
-CampaignSummary run_campaign(const Campaign& campaign, CampaignSink& sink,
-                             const Execution& execution);
 
 }  // namespace slalom

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <slalom/campaign/campaign.h>
+#include <slalom/campaign/run_campaign.h>
 #include <slalom/core/wall_clock.h>
 #include <slalom/io/result_file.h>
 #include <slalom/results/method_failures.h>

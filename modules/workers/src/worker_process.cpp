@@ -1,10 +1,10 @@
 #include "worker_keeper.h"
 #include "worker_process.h"
-#include "worker_sandbox.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/fork.h>
 #include <slalom/core/text.h>
+#include <slalom/workers/worker_sandbox.h>
 
 #include <cerrno>
 #include <csignal>

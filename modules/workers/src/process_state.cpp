@@ -1,7 +1,6 @@
-#include "process_state.h"
-
 #include <slalom/core/orphans.h>
 #include <slalom/core/text.h>
+#include <slalom/workers/process_state.h>
 
 #include <algorithm>
 #include <cstdlib>

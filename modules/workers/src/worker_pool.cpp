@@ -1,8 +1,8 @@
 #include "shared_inputs.h"
 #include "worker_process.h"
 
-#include <slalom/campaign/worker_pool.h>
 #include <slalom/core/error.h>
+#include <slalom/workers/worker_pool.h>
 
 #include <algorithm>
 #include <map>

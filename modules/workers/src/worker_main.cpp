@@ -1,9 +1,9 @@
 #include "worker_keeper.h"
 #include "worker_limits.h"
 #include "worker_main.h"
-#include "worker_sandbox.h"
 
 #include <slalom/core/error.h>
+#include <slalom/workers/worker_sandbox.h>
 
 #include <csignal>
 #include <cstdio>

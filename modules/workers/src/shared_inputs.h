@@ -3,7 +3,7 @@
 #include "file_descriptor.h"
 #include "worker_process.h"
 
-#include <slalom/campaign/worker_pool.h>
+#include <slalom/workers/pool_options.h>
 
 #include <cstddef>
 #include <map>

@@ -1,4 +1,4 @@
-#include "worker_sandbox.h"
+#include <slalom/workers/worker_sandbox.h>
 
 #include <cerrno>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "worker_limits.h"
 
-#include <slalom/campaign/worker_pool.h>
+#include <slalom/workers/pool_options.h>
 
 #include <algorithm>
 #include <cmath>

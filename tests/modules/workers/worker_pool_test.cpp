@@ -1,12 +1,11 @@
-#include "io_sample.h"
 #include "manual_time.h"
 #include "open_files.h"
-#include "worker_sandbox.h"
+#include "temporary_folder.h"
 
-#include <slalom/campaign/worker_pool.h>
 #include <slalom/core/orphans.h>
 #include <slalom/core/read_file.h>
-#include <slalom/io/result_file.h>
+#include <slalom/workers/worker_pool.h>
+#include <slalom/workers/worker_sandbox.h>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +16,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <set>
@@ -740,7 +740,7 @@ class Sandbox : public testing::Test {
 
 TEST_F(Sandbox, FilesOutsideAreReadButNotChanged) {
   const std::string kept = folder_ / "kept";
-  write_file_atomically(kept, "content");
+  std::ofstream(kept) << "content";
   for (const char* mode : {"w", "a", "r+"})
     EXPECT_EQ(
         run_confined([&](std::size_t, SharedTaskLog&) { return cannot_open(kept, mode); }).payload,
@@ -760,7 +760,7 @@ TEST_F(Sandbox, FilesOutsideAreReadButNotChanged) {
 
 TEST_F(Sandbox, PermissionsOwnersTimesAndAttributesOfFilesAreNotChanged) {
   const std::string kept = folder_ / "kept";
-  write_file_atomically(kept, "content");
+  std::ofstream(kept) << "content";
   chmod(kept.c_str(), 0640);
   struct stat before = {}, after = {};
   ASSERT_EQ(stat(kept.c_str(), &before), 0);
@@ -798,7 +798,7 @@ TEST_F(Sandbox, PermissionsOwnersTimesAndAttributesOfFilesAreNotChanged) {
 TEST_F(Sandbox, ItsFolderIsRemovedWhateverTheMethodDoesToItsPermissions) {
   const WorkResult result = run_confined([&](std::size_t, SharedTaskLog&) {
     const std::string own = std::filesystem::temp_directory_path().string();
-    write_file_atomically(own + "/file", "content");
+    std::ofstream(own + "/file") << "content";
     chmod(own.c_str(), 0);
     return own;
   });

@@ -2,7 +2,7 @@
 
 #include "worker_socket.h"
 
-#include <slalom/campaign/worker_pool.h>
+#include <slalom/workers/pool_options.h>
 
 #include <cstddef>
 #include <functional>

@@ -1,5 +1,5 @@
-#include <slalom/campaign/shared_task_log.h>
 #include <slalom/core/error.h>
+#include <slalom/workers/shared_task_log.h>
 
 #include <algorithm>
 #include <atomic>

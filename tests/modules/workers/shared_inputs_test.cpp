@@ -1,7 +1,7 @@
 #include "manual_time.h"
 #include "open_files.h"
 
-#include <slalom/campaign/worker_pool.h>
+#include <slalom/workers/worker_pool.h>
 
 #include <gtest/gtest.h>
 

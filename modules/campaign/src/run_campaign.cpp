@@ -1,0 +1,253 @@
+#include "command_journal.h"
+#include "run_executor.h"
+#include "scenario_survey.h"
+#include "wire.h"
+
+#include <slalom/campaign/run_campaign.h>
+#include <slalom/core/enum_names.h>
+#include <slalom/core/error.h>
+#include <slalom/workers/worker_pool.h>
+#include <slalom/workers/worker_sandbox.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace slalom {
+namespace {
+
+/// The findings in the payload of a work item; nullopt when malformed (corrupted process).
+template <typename Read>
+auto read_payload(const std::string& payload, Read read) -> std::optional<decltype(read(payload))> {
+  try {
+    return read(payload);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+/// The plan without the runs that the sink already has.
+std::vector<RunSpec> remaining_plan(const Campaign& campaign, CampaignSink& sink) {
+  std::vector<RunSpec> plan = make_plan(campaign);
+  const auto is_known = [&](const RunSpec& spec) {
+    return sink.has_run(campaign.scenarios[spec.scenario], spec);
+  };
+  plan.erase(std::remove_if(plan.begin(), plan.end(), is_known), plan.end());
+  return plan;
+}
+
+/// First phase: descriptors and reference paths of every scenario.
+bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execution& execution,
+                      std::vector<References>& references) {
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < campaign.scenarios.size(); ++i) {
+    if (auto known = sink.known_references(campaign.scenarios[i])) {
+      references[i] = std::move(*known);
+    } else {
+      missing.push_back(i);
+    }
+  }
+  const WorkItem item = [&](std::size_t i, SharedTaskLog&) {
+    return to_wire(survey_scenario(campaign, campaign.scenarios[missing[i]]));
+  };
+  std::size_t done = campaign.scenarios.size() - missing.size();
+  const auto receive = [&](std::size_t i, WorkResult&& result) {
+    const Scenario& scenario = campaign.scenarios[missing[i]];
+    const auto findings = result.status == WorkResult::Status::Done
+                              ? read_payload(result.payload, scenario_findings_from_wire)
+                              : std::nullopt;
+    if (!findings)
+      throw job_error("scenario " + scenario.name(),
+                      "its descriptors and references could not be computed: " + result.detail);
+    references[missing[i]] = findings->references;
+    sink.add_scenario(findings->record, scenario, findings->references);
+    execution.progress.advance(++done);
+  };
+  execution.progress.start("Describing scenarios", campaign.scenarios.size());
+  if (done > 0) execution.progress.advance(done);
+  PoolOptions pool;
+  pool.workers = execution.workers;
+  // Planners may have a state of their process, such as OMPL's random generators; the rest of a
+  // survey has none, and no method runs there.
+  pool.process_per_item = campaign.planner != nullptr;
+  pool.ordered = false;
+  pool.trusted = true;
+  pool.in_process = execution.in_process;
+  const bool complete = run_in_workers(missing.size(), pool, item, receive, execution.interrupted);
+  execution.progress.finish();
+  return complete;
+}
+
+/// The outcome of a run whose work item did not complete.
+Outcome outcome_of(const WorkResult& result) {
+  using Status = WorkResult::Status;
+  if (result.status == Status::TimedOut) return Outcome::MethodDeadline;
+  // The simulator catches exceptions of methods: any other is an infrastructure error.
+  if (result.status == Status::Threw || result.status == Status::Killed)
+    return Outcome::InfrastructureError;
+  return Outcome::MethodCrash;
+}
+
+/// Whether a worker's findings are those of the planned run. A method may have damaged its process.
+bool are_findings_of(const Campaign& campaign, const RunSpec& spec, const RunFindings& findings) {
+  const RunRecord& record = findings.record;
+  const RunRecord planned = make_run_record(campaign, spec);
+  const std::vector<std::string>& metrics = campaign.options.metrics;
+  const bool has_not_run = record.trajectory_hash.empty() && findings.trajectory.samples.empty();
+  return record.scenario_hash == planned.scenario_hash &&
+         record.scenario_name == planned.scenario_name && record.method == planned.method &&
+         record.repetition == planned.repetition && record.seed == planned.seed &&
+         from_name<Outcome>(record.outcome) &&
+         (has_not_run || record.trajectory_hash == findings.trajectory.hash()) &&
+         record.metrics.size() == metrics.size() &&
+         std::all_of(metrics.begin(), metrics.end(),
+                     [&](const std::string& id) { return record.metrics.count(id) == 1; });
+}
+
+/// The findings of a run that was not completed.
+RunFindings findings_of_failure(const Campaign& campaign, const RunSpec& spec,
+                                const WorkResult& result, RunExecutor& executor) {
+  const Outcome outcome = outcome_of(result);
+  if (outcome == Outcome::InfrastructureError)
+    return findings_without_run(campaign, spec, outcome, result.detail);
+  return executor.reconstruct(spec, result.log, outcome, result.detail);
+}
+
+PoolOptions pool_for_methods(const CampaignOptions& options, int workers, bool in_process = false) {
+  const LimitsSection& limits = options.limits;
+  if (limits.sandbox && !can_sandbox())
+    throw usage_error("limits.sandbox", "the kernel cannot confine processes",
+                      "false, or Linux 5.13 or later with Landlock");
+  PoolOptions pool;
+  pool.workers = workers;
+  pool.in_process = in_process;
+  pool.ordered = false;
+  pool.clock = options.clock;
+  pool.item_wall_time = limits.run_wall_time;
+  pool.item_cpu_time = limits.run_cpu_time;
+  pool.memory_mb = limits.memory_mb;
+  pool.keep_stderr = limits.method_errors;
+  pool.sandbox = limits.sandbox;
+  pool.network = limits.network;
+  pool.log_size = CommandJournal::size_for(options.simulation);
+  if (options.deadline.deadline_policy == DeadlinePolicy::Fail)
+    pool.heartbeat_timeout = options.deadline.cycle_deadline;
+  return pool;
+}
+
+std::size_t method_index(const Campaign& campaign, const std::string& name) {
+  const auto named = std::find_if(campaign.methods.begin(), campaign.methods.end(),
+                                  [&](const NamedMethod& one) { return one.name == name; });
+  return static_cast<std::size_t>(named - campaign.methods.begin());
+}
+
+/// The tables of scenarios, for runs that several processes execute.
+SharedInputs shared_tables(const Campaign& campaign, const std::vector<RunSpec>& plan,
+                           const std::vector<References>& references, int workers,
+                           RunExecutor& executor) {
+  SharedInputs tables;
+  if (campaign.methods.size() < 2 && workers < 2) return tables;
+  tables.of = [&](std::size_t i) -> std::optional<std::size_t> {
+    const std::size_t scenario = plan[i].scenario;
+    const bool has_others = (i > 0 && plan[i - 1].scenario == scenario) ||
+                            (i + 1 < plan.size() && plan[i + 1].scenario == scenario);
+    if (!has_others || !references[scenario].unsolvable_reason().empty()) return std::nullopt;
+    return scenario;
+  };
+  tables.make = [&](std::size_t scenario, const ArrayWriter::Sink& sink) {
+    World(campaign.scenarios[scenario], campaign.options.simulation.resolution).write_tables(sink);
+  };
+  tables.use = [&](std::size_t scenario, const SharedArray<std::byte>& memory) {
+    executor.use_tables(scenario, memory);
+  };
+  return tables;
+}
+
+/// Second phase: every method in every scenario.
+bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& execution,
+                 const std::vector<References>& references, CampaignSummary& summary) {
+  const std::size_t total = make_plan(campaign).size();
+  const std::vector<RunSpec> plan = remaining_plan(campaign, sink);
+  std::size_t done = total - plan.size();
+  RunExecutor executor(campaign, references,
+                       !execution.in_process);  // each worker has its own copy after the fork
+  const WorkItem item = [&](std::size_t i, SharedTaskLog& log) {
+    const References& known = references[plan[i].scenario];
+    const std::string& reason = known.unsolvable_reason();
+    return to_wire(reason.empty() ? executor.execute(plan[i], log)
+                                  : findings_without_run(campaign, plan[i],
+                                                         Outcome::UnsolvableScenario, reason));
+  };
+  std::optional<RunFindings> answer;  // of the run that is received next
+  const auto is_valid = [&](std::size_t i, const std::string& payload) {
+    answer = read_payload(payload, run_findings_from_wire);
+    return answer && are_findings_of(campaign, plan[i], *answer);
+  };
+  const auto receive = [&](std::size_t i, WorkResult&& result) {
+    RunFindings findings = result.status == WorkResult::Status::Done
+                               ? std::move(*answer)
+                               : findings_of_failure(campaign, plan[i], result, executor);
+    findings.timing.output = std::move(result.output);
+    if (campaign.options.record.trajectories == StoredTrajectories::None)
+      findings.trajectory.samples.clear();
+    sink.add_run(findings.record, findings.timing, findings.trajectory);
+    ++summary.runs;
+    ++summary.outcomes[findings.record.outcome];
+    execution.progress.advance(++done);
+  };
+  execution.progress.start("Running methods", total);
+  if (done > 0) execution.progress.advance(done);
+  PoolOptions pool = pool_for_methods(campaign.options, execution.workers, execution.in_process);
+  if (!campaign.recording_folder.empty()) pool.writable = {campaign.recording_folder};
+  pool.groups = campaign.methods.size();
+  pool.group = [&](std::size_t i) { return method_index(campaign, plan[i].method); };
+  pool.inputs = shared_tables(campaign, plan, references, execution.workers, executor);
+  pool.is_valid = is_valid;
+  pool.at_end = [&] { executor.destroy_methods(); };
+  const bool complete = run_in_workers(plan.size(), pool, item, receive, execution.interrupted);
+  execution.progress.finish();
+  return complete;
+}
+
+}  // namespace
+
+std::size_t CampaignSummary::infrastructure_errors() const {
+  const auto found = outcomes.find(to_string(Outcome::InfrastructureError));
+  return found == outcomes.end() ? 0 : found->second;
+}
+
+PrivilegedMethods check_methods(const Campaign& campaign) {
+  constexpr char kMade = '\0';  // begins an answer that is no message
+  const std::vector<NamedMethod>& methods = campaign.methods;
+  PrivilegedMethods privileged;
+  const WorkItem item = [&](std::size_t i, SharedTaskLog&) -> std::string {
+    try {
+      const auto made = methods[i].make(campaign.options.robot, campaign.options.sensor);
+      return {kMade, made->uses_tracks() ? '1' : '0', made->uses_map() ? '1' : '0'};
+    } catch (const std::exception& e) {
+      return reason_of(e);
+    }
+  };
+  const auto receive = [&](std::size_t i, WorkResult&& result) {
+    if (result.status != WorkResult::Status::Done)
+      throw usage_error(methods[i].where, "the method could not be built: " + result.detail);
+    const std::string& answer = result.payload;
+    const bool made = answer.size() == 3 && answer[0] == kMade;
+    if (!made) throw Error(ErrorKind::Usage, answer);  // a complete message
+    privileged.add(methods[i].name, answer[1] == '1', answer[2] == '1');
+  };
+  PoolOptions pool = pool_for_methods(campaign.options, 1);
+  pool.process_per_item = true;
+  run_in_workers(methods.size(), pool, item, receive, nullptr);
+  return privileged;
+}
+
+CampaignSummary run_campaign(const Campaign& campaign, CampaignSink& sink,
+                             const Execution& execution) {
+  CampaignSummary summary;
+  std::vector<References> references(campaign.scenarios.size());
+  summary.complete = survey_scenarios(campaign, sink, execution, references) &&
+                     run_methods(campaign, sink, execution, references, summary);
+  return summary;
+}
+
+}  // namespace slalom
