@@ -1,2 +1,3 @@
-// The source of the targets that own the precompiled headers, some of which are programs; see SlalomPrecompiled.cmake.
+// The source of the targets that own the precompiled headers, some of which are programs; see
+// SlalomPrecompiled.cmake.
 int main() {}

@@ -50,8 +50,8 @@ void run(ReferenceArguments arguments) {
   std::vector<Scenario> scenarios;
   for (const auto& entry : entries) scenarios.push_back(list.read(entry.hash));
   PoolOptions pool;
-  pool.process_per_item = true;
-  pool.trusted = true;
+  pool.schedule.process_per_item = true;
+  pool.schedule.trusted = true;
   run_in_workers(
       entries.size(), pool,
       [&](std::size_t i, SharedTaskLog&) { return compute(arguments, entries[i], scenarios[i]); },

@@ -3,11 +3,11 @@
 #include "scenario_survey.h"
 #include "wire.h"
 
+#include <slalom/campaign/method_pool.h>
 #include <slalom/campaign/run_campaign.h>
 #include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>
 #include <slalom/workers/worker_pool.h>
-#include <slalom/workers/worker_sandbox.h>
 
 #include <algorithm>
 #include <optional>
@@ -65,13 +65,13 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
   execution.progress.start("Describing scenarios", campaign.scenarios.size());
   if (done > 0) execution.progress.advance(done);
   PoolOptions pool;
-  pool.workers = execution.workers;
+  pool.schedule.workers = execution.workers;
   // Planners may have a state of their process, such as OMPL's random generators; the rest of a
   // survey has none, and no method runs there.
-  pool.process_per_item = campaign.planner != nullptr;
-  pool.ordered = false;
-  pool.trusted = true;
-  pool.in_process = execution.in_process;
+  pool.schedule.process_per_item = campaign.planner != nullptr;
+  pool.schedule.ordered = false;
+  pool.schedule.trusted = true;
+  pool.schedule.in_process = execution.in_process;
   const bool complete = run_in_workers(missing.size(), pool, item, receive, execution.interrupted);
   execution.progress.finish();
   return complete;
@@ -112,25 +112,16 @@ RunFindings findings_of_failure(const Campaign& campaign, const RunSpec& spec,
   return executor.reconstruct(spec, result.log, outcome, result.detail);
 }
 
-PoolOptions pool_for_methods(const CampaignOptions& options, int workers, bool in_process = false) {
-  const LimitsSection& limits = options.limits;
-  if (limits.sandbox && !can_sandbox())
-    throw usage_error("limits.sandbox", "the kernel cannot confine processes",
-                      "false, or Linux 5.13 or later with Landlock");
-  PoolOptions pool;
-  pool.workers = workers;
-  pool.in_process = in_process;
-  pool.ordered = false;
-  pool.clock = options.clock;
-  pool.item_wall_time = limits.run_wall_time;
-  pool.item_cpu_time = limits.run_cpu_time;
-  pool.memory_mb = limits.memory_mb;
-  pool.keep_stderr = limits.method_errors;
-  pool.sandbox = limits.sandbox;
-  pool.network = limits.network;
+PoolOptions pool_of_runs(const CampaignOptions& options, int workers, bool in_process = false) {
+  PoolOptions pool = method_pool(options.limits, options.clock);
+  pool.schedule.workers = workers;
+  pool.schedule.in_process = in_process;
+  pool.schedule.ordered = false;
+  pool.limits.item_wall_time = options.limits.run_wall_time;
+  pool.limits.item_cpu_time = options.limits.run_cpu_time;
   pool.log_size = CommandJournal::size_for(options.simulation);
   if (options.deadline.deadline_policy == DeadlinePolicy::Fail)
-    pool.heartbeat_timeout = options.deadline.cycle_deadline;
+    pool.limits.heartbeat_timeout = options.deadline.cycle_deadline;
   return pool;
 }
 
@@ -196,13 +187,13 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
   };
   execution.progress.start("Running methods", total);
   if (done > 0) execution.progress.advance(done);
-  PoolOptions pool = pool_for_methods(campaign.options, execution.workers, execution.in_process);
-  if (!campaign.recording_folder.empty()) pool.writable = {campaign.recording_folder};
-  pool.groups = campaign.methods.size();
-  pool.group = [&](std::size_t i) { return method_index(campaign, plan[i].method); };
+  PoolOptions pool = pool_of_runs(campaign.options, execution.workers, execution.in_process);
+  if (!campaign.recording_folder.empty()) pool.limits.writable = {campaign.recording_folder};
+  pool.schedule.groups = campaign.methods.size();
+  pool.schedule.group = [&](std::size_t i) { return method_index(campaign, plan[i].method); };
   pool.inputs = shared_tables(campaign, plan, references, execution.workers, executor);
-  pool.is_valid = is_valid;
-  pool.at_end = [&] { executor.destroy_methods(); };
+  pool.hooks.is_valid = is_valid;
+  pool.hooks.at_end = [&] { executor.destroy_methods(); };
   const bool complete = run_in_workers(plan.size(), pool, item, receive, execution.interrupted);
   execution.progress.finish();
   return complete;
@@ -235,8 +226,8 @@ PrivilegedMethods check_methods(const Campaign& campaign) {
     if (!made) throw Error(ErrorKind::Usage, answer);  // a complete message
     privileged.add(methods[i].name, answer[1] == '1', answer[2] == '1');
   };
-  PoolOptions pool = pool_for_methods(campaign.options, 1);
-  pool.process_per_item = true;
+  PoolOptions pool = pool_of_runs(campaign.options, 1);
+  pool.schedule.process_per_item = true;
   run_in_workers(methods.size(), pool, item, receive, nullptr);
   return privileged;
 }

@@ -1,5 +1,6 @@
 #include "isolated_trials.h"
 
+#include <slalom/campaign/method_pool.h>
 #include <slalom/core/byte_stream.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -64,13 +65,8 @@ class CachedTrials : public TrialSource {
 }  // namespace
 
 PoolOptions pool_of_trials(const TestBench& bench) {
-  PoolOptions pool;
-  pool.heartbeat_timeout = bench.limits.run_wall_time;
-  pool.memory_mb = bench.limits.memory_mb;
-  pool.keep_stderr = bench.limits.method_errors;
-  pool.sandbox = bench.limits.sandbox;
-  pool.network = bench.limits.network;
-  pool.clock = bench.setup.clock;
+  PoolOptions pool = method_pool(bench.limits, bench.setup.clock);
+  pool.limits.heartbeat_timeout = bench.limits.run_wall_time;
   pool.log_size = kLogSize;
   return pool;
 }

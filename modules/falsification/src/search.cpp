@@ -96,7 +96,7 @@ class SearchRound {
       for (CandidateRun& run : runs) found_.push_back({batches[i].half, std::move(run)});
     };
     PoolOptions pool = pool_of_trials(bench_);
-    pool.workers = options_.workers;
+    pool.schedule.workers = options_.workers;
     return run_in_workers(batches.size(), pool, item, receive, [this] { return interrupted(); });
   }
 

@@ -10,12 +10,12 @@ namespace slalom {
 namespace {
 
 PoolOptions for_makers(PoolOptions options) {
-  options.trusted = true;
-  options.sandbox = false;
-  options.network = true;
+  options.schedule.trusted = true;
+  options.limits.sandbox = false;
+  options.limits.network = true;
   options.log_size = 0;
-  options.is_valid = nullptr;
-  options.at_end = nullptr;
+  options.hooks.is_valid = nullptr;
+  options.hooks.at_end = nullptr;
   return options;
 }
 
@@ -64,7 +64,7 @@ bool SharedInputPool::is_awaited(std::size_t item) const {
 bool SharedInputPool::make_next() {
   const auto waiting = std::count_if(inputs_.begin(), inputs_.end(),
                                      [](const auto& input) { return !input.second.is_used; });
-  if (waiting >= std::max(1, options_.workers)) return false;
+  if (waiting >= std::max(1, options_.schedule.workers)) return false;
   while (ahead_ < count_ && !input_of(ahead_)) ++ahead_;
   if (ahead_ == count_) return false;
   const std::size_t key = *input_of(ahead_);

@@ -59,13 +59,13 @@ void serve_work_items(int socket, const WorkItem& item, const PoolOptions& optio
                       const FileReceiver& receive_file, SharedTaskLog& log) {
   // Interrupts are handled by the parent.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
-  limit_memory(static_cast<std::size_t>(options.memory_mb * 1024 * 1024));
+  limit_memory(static_cast<std::size_t>(options.limits.memory_mb * 1024 * 1024));
   const pid_t self = getpid();
   Request request = {};
   FileDescriptor file;
   const SocketState connection(socket);
   while (receive_request(socket, request, file)) {
-    limit_cpu_time(options.item_cpu_time);
+    limit_cpu_time(options.limits.item_cpu_time);
     const Answer answer = execute(item, request.index, log, std::move(file), receive_file);
     std::cout.flush();
     std::fflush(stdout);
@@ -74,7 +74,7 @@ void serve_work_items(int socket, const WorkItem& item, const PoolOptions& optio
     if (!send_answer(socket, request, answer.kind, answer.payload))
       return log.report_disconnected();
   }
-  if (options.at_end) options.at_end();
+  if (options.hooks.at_end) options.hooks.at_end();
 }
 
 void serve_confined(const WorkerStart& start, const WorkItem& item, const PoolOptions& options,
@@ -82,8 +82,8 @@ void serve_confined(const WorkerStart& start, const WorkItem& item, const PoolOp
   SharedTaskLog log(options.log_size, start.log.number());
   drop_descriptors(options.keep_stderr, start.socket.number(), start.output.number());
   print_to(start.output.number(), options.keep_stderr);
-  if (options.sandbox) enter_sandbox(start.scratch, options.writable);
-  if (!options.network && !close_networks()) _exit(EXIT_FAILURE);
+  if (options.limits.sandbox) enter_sandbox(start.scratch, options.limits.writable);
+  if (!options.limits.network && !close_networks()) _exit(EXIT_FAILURE);
   serve_work_items(start.socket.number(), item, options, receive_file, log);
 }
 

@@ -49,7 +49,7 @@ class Pool {
   Pool(std::size_t count, const PoolOptions& options, const WorkItem& item,
        ResultForwarder& results)
       : count_(count),
-        max_busy_(static_cast<std::size_t>(std::max(1, options.workers))),
+        max_busy_(static_cast<std::size_t>(std::max(1, options.schedule.workers))),
         options_(options),
         item_(item),
         results_(results),
@@ -80,7 +80,7 @@ class Pool {
       if (busy() > 0) return;
       const std::size_t index = retry_queue_.back();
       retry_queue_.pop_back();
-      memory_kills_ = options_.memory_kills();
+      memory_kills_ = options_.hooks.memory_kills();
       return assign(index, true);
     }
     while (busy() < max_busy_ && !restarted_.empty()) {
@@ -90,7 +90,7 @@ class Pool {
     }
     while (busy() < max_busy_ && next_ < count_) {
       if (!inputs_.is_awaited(next_))
-        assign(next_++, options_.process_per_item);
+        assign(next_++, options_.schedule.process_per_item);
       else if (!inputs_.make_next())
         return;
     }
@@ -106,7 +106,7 @@ class Pool {
   }
 
   void assign(std::size_t index, bool fresh) {
-    const std::size_t group = options_.group ? options_.group(index) : 0;
+    const std::size_t group = options_.schedule.group ? options_.schedule.group(index) : 0;
     worker_for(group, fresh).assign(index, inputs_.descriptor_for(index));
   }
 
@@ -124,7 +124,8 @@ class Pool {
       worker->begin_end();
       if (fresh) break;
     }
-    if (count(&WorkerProcess::idle) >= options_.groups + max_busy_) end_least_recently_used();
+    if (count(&WorkerProcess::idle) >= options_.schedule.groups + max_busy_)
+      end_least_recently_used();
     const auto dead = std::find_if(workers_.begin(), workers_.end(), [](const Worker& worker) {
       return !worker->alive() && !worker->busy();
     });
@@ -134,7 +135,7 @@ class Pool {
   }
 
   Worker make_worker() {
-    if (options_.trusted)
+    if (options_.schedule.trusted)
       return std::make_unique<WorkerProcess>(options_, item_, inputs_.receiver());
     return std::make_unique<WorkerProcess>(options_, keeper_);
   }
@@ -181,7 +182,7 @@ class Pool {
     if (result.status == WorkResult::Status::Killed) {
       if (killed_once_.insert(index).second) return retry_queue_.push_back(index);
       result.detail += " twice, the second time alone";
-      if (options_.memory_kills() == memory_kills_)
+      if (options_.hooks.memory_kills() == memory_kills_)
         result.status = WorkResult::Status::Crashed;
       else
         result.detail += "; the system was out of memory";
@@ -215,7 +216,7 @@ bool run_here(std::size_t count, const PoolOptions& options, const WorkItem& ite
     WorkResult result;
     try {
       result.payload = item(i, log);
-      if (options.is_valid && !options.is_valid(i, result.payload))
+      if (options.hooks.is_valid && !options.hooks.is_valid(i, result.payload))
         result = {WorkResult::Status::Crashed, "", kInvalidPayload, log.contents()};
     } catch (const std::exception& error) {
       result.status = WorkResult::Status::Threw;
@@ -231,8 +232,8 @@ bool run_here(std::size_t count, const PoolOptions& options, const WorkItem& ite
 bool run_in_workers(std::size_t count, const PoolOptions& options, const WorkItem& item,
                     const std::function<void(std::size_t, WorkResult&&)>& on_result,
                     const std::function<bool()>& interrupted) {
-  if (options.in_process) return run_here(count, options, item, on_result, interrupted);
-  ResultForwarder results(on_result, options.ordered);
+  if (options.schedule.in_process) return run_here(count, options, item, on_result, interrupted);
+  ResultForwarder results(on_result, options.schedule.ordered);
   const bool complete = Pool(count, options, item, results).run(interrupted);
   results.flush();
   return complete;

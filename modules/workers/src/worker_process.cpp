@@ -67,8 +67,8 @@ void WorkerProcess::start_kept(WorkerStart& start) {
   start.log = FileDescriptor(SharedTaskLog::make_file(options_.log_size));
   if (!start.log) throw cannot_create("log", errno);
   log_ = std::make_unique<SharedTaskLog>(options_.log_size, start.log.number());
-  if (options_.sandbox) start.scratch = make_scratch_folder();
-  if (options_.sandbox && start.scratch.empty())
+  if (options_.limits.sandbox) start.scratch = make_scratch_folder();
+  if (options_.limits.sandbox && start.scratch.empty())
     throw cannot_create("folder for temporary files", errno);
   keeper_->start_worker(start);
   generation_ = keeper_->generation();
@@ -102,7 +102,7 @@ void WorkerProcess::assign(std::size_t index, int file) {
   item_ = index;
   ++assigned_;
   busy_ = true;
-  started_ = last_heartbeat_ = options_.clock();
+  started_ = last_heartbeat_ = options_.hooks.clock();
   // The death of a worker is detected by the next receive().
   send_request(socket_.number(), request, file);
 }
@@ -178,7 +178,7 @@ std::optional<WorkResult> WorkerProcess::take_answer() {
   std::string payload = buffer_.substr(sizeof header, header.size);
   if (header.kind == kThrew) return kill_with(Status::Threw, std::move(payload));
   if (header.kind == kOutOfMemory) return kill_with(Status::OutOfMemory, std::move(payload));
-  if (options_.is_valid && !options_.is_valid(item_, payload))
+  if (options_.hooks.is_valid && !options_.hooks.is_valid(item_, payload))
     return kill_with(Status::Crashed, kInvalidPayload);
   const bool has_more = buffer_.size() > sizeof header + header.size;
   buffer_.clear();
@@ -189,17 +189,17 @@ std::optional<WorkResult> WorkerProcess::take_answer() {
 
 std::string WorkerProcess::exceeded_limit() {
   // The clock is read first: a heartbeat in between must not count as missing.
-  const double now = options_.clock();
+  const double now = options_.hooks.clock();
   const std::uint64_t heartbeats = log_->heartbeats();
   if (heartbeats != heartbeats_) {
     heartbeats_ = heartbeats;
     last_heartbeat_ = now;
   }
-  if (options_.heartbeat_timeout > 0 && heartbeats_ > 0 &&
-      now - last_heartbeat_ > options_.heartbeat_timeout)
-    return "no response within " + format_number(options_.heartbeat_timeout) + " s";
-  if (options_.item_wall_time > 0 && now - started_ > options_.item_wall_time)
-    return "run_wall_time = " + format_number(options_.item_wall_time) +
+  if (options_.limits.heartbeat_timeout > 0 && heartbeats_ > 0 &&
+      now - last_heartbeat_ > options_.limits.heartbeat_timeout)
+    return "no response within " + format_number(options_.limits.heartbeat_timeout) + " s";
+  if (options_.limits.item_wall_time > 0 && now - started_ > options_.limits.item_wall_time)
+    return "run_wall_time = " + format_number(options_.limits.item_wall_time) +
            " s exceeded, a wall-clock limit on this machine";
   return "";
 }
@@ -235,8 +235,9 @@ std::optional<WorkResult> WorkerProcess::describe_end() {
   died_between_items_ = assigned_ > 1 && log_->heartbeats() == 0;
   if (status == kNoWorker) throw cannot_create("process", EAGAIN);
   if (was_killed_by(status, SIGXCPU))
-    return kill_with(Status::TimedOut,
-                     "CPU time limit of " + format_number(options_.item_cpu_time) + " s exceeded");
+    return kill_with(
+        Status::TimedOut,
+        "CPU time limit of " + format_number(options_.limits.item_cpu_time) + " s exceeded");
   if (was_killed_by(status, SIGKILL)) return kill_with(Status::Killed, describe_status(status));
   if (log_->is_disconnected())
     return kill_with(Status::Crashed, "closed the worker's connection to the simulator");

@@ -57,7 +57,7 @@ class WorkerProcess {
   /// has ended on return.
   void begin_end();
 
-  /// Makes an idle process execute PoolOptions::at_end and exit; then await_end().
+  /// Makes an idle process execute WorkHooks::at_end and exit; then await_end().
   void request_end();
   /// Waits until the process has exited, or kShutdownTimeout; then begin_end().
   void await_end();

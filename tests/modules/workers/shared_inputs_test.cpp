@@ -24,7 +24,7 @@ constexpr std::size_t kItemsPerInput = 3;
 class Inputs : public testing::Test {
  protected:
   Inputs() {
-    options_.ordered = false;
+    options_.schedule.ordered = false;
     options_.inputs.of = [](std::size_t i) {
       return std::optional<std::size_t>(i / kItemsPerInput);
     };
@@ -66,7 +66,7 @@ class Inputs : public testing::Test {
 
 TEST_F(Inputs, AreMadeOnceForAllWorkItemsThatUseThem) {
   for (const int workers : {1, 2, 5, 40}) {
-    options_.workers = workers;
+    options_.schedule.workers = workers;
     const double before = made_.clock()();
     const auto payloads = run(60, [&](std::size_t, SharedTaskLog&) { return received(); });
     for (std::size_t i = 0; i < payloads.size(); ++i)
@@ -76,7 +76,7 @@ TEST_F(Inputs, AreMadeOnceForAllWorkItemsThatUseThem) {
 }
 
 TEST_F(Inputs, AreNotMadeByProcessesThatExecuteWorkItems) {
-  options_.workers = 2;
+  options_.schedule.workers = 2;
   std::set<std::string> makers, others;
   for (const std::string& payload : run(60, [&](std::size_t, SharedTaskLog&) {
          return *text_ + "/" + std::to_string(getpid());
@@ -115,7 +115,7 @@ TEST_F(Inputs, AreThereForItemsOfReplacedProcesses) {
 }
 
 TEST_F(Inputs, ThatCannotBeMadeAreNone) {
-  options_.workers = 2;
+  options_.schedule.workers = 2;
   options_.inputs.make = [](std::size_t input, const ArrayWriter::Sink& sink) {
     sink("text", 4);
     if (input == 1) throw std::runtime_error("too large");
@@ -131,7 +131,7 @@ TEST_F(Inputs, AreOnlyMadeForWorkItemsThatUseOne) {
   options_.inputs.of = [](std::size_t i) {
     return i % 10 < 5 ? std::nullopt : std::optional<std::size_t>(i / 10);
   };
-  options_.workers = 3;
+  options_.schedule.workers = 3;
   const auto payloads = run(35, [&](std::size_t, SharedTaskLog&) { return received(); });
   for (std::size_t i = 0; i < payloads.size(); ++i)
     EXPECT_EQ(payloads[i], i % 10 < 5 ? "none" : "input " + std::to_string(i / 10)) << i;
@@ -145,9 +145,9 @@ TEST_F(Inputs, OfAnySizeFollowEachOther) {
     sink(text.data() + text.size() / 2, text.size() - text.size() / 2);
   };
   for (const int workers : {1, 3}) {
-    options_.workers = workers;
-    options_.groups = 3;
-    options_.group = [](std::size_t i) { return i % 3; };
+    options_.schedule.workers = workers;
+    options_.schedule.groups = 3;
+    options_.schedule.group = [](std::size_t i) { return i % 3; };
     const auto payloads = run(100 * kItemsPerInput, [&](std::size_t, SharedTaskLog&) {
       return text_ ? *std::exchange(text_, std::nullopt) : "none";
     });
@@ -170,7 +170,7 @@ TEST_F(Inputs, OfAnInterruptedPoolAreReleased) {
 }
 
 TEST_F(Inputs, AreReleasedWhenTheirWorkItemsAreFinished) {
-  options_.workers = 2;
+  options_.schedule.workers = 2;
   const std::size_t before = open_files().size();
   const auto payloads =
       run(2000 * kItemsPerInput, [&](std::size_t, SharedTaskLog&) { return received(); });

@@ -50,14 +50,14 @@ std::vector<WorkResult> run_all(std::size_t count, const PoolOptions& options,
 
 PoolOptions with_workers(int workers) {
   PoolOptions options;
-  options.workers = workers;
+  options.schedule.workers = workers;
   return options;
 }
 
 TEST(WorkerPool, UnorderedResultsArriveWhileAnEarlierWorkItemTakesLong) {
   ManualTime time;  // shared memory: 1 s when item 1 has arrived
   PoolOptions options = with_workers(2);
-  options.ordered = false;
+  options.schedule.ordered = false;
   const WallClock clock = time.clock();
   const WorkItem item = [&](std::size_t i, SharedTaskLog&) {
     while (i == 0 && clock() < 1) usleep(500);
@@ -101,7 +101,7 @@ class CrashOfAWorker : public testing::TestWithParam<bool> {};
 
 TEST_P(CrashOfAWorker, AffectsOnlyItsOwnWorkItem) {
   PoolOptions options = with_workers(2);
-  options.trusted = GetParam();
+  options.schedule.trusted = GetParam();
   const auto results = run_all(6, options, [](std::size_t i, SharedTaskLog&) -> std::string {
     if (i == 1) {
       std::signal(SIGSEGV, SIG_DFL);  // sanitizers would catch it and exit
@@ -128,8 +128,8 @@ INSTANTIATE_TEST_SUITE_P(Trusted, CrashOfAWorker, testing::Bool());
 TEST(WorkerPool, AHangingWorkItemIsKilledAtTheTimeLimit) {
   ManualTime time;
   PoolOptions options = with_workers(1);
-  options.clock = time.clock();
-  options.item_wall_time = 20;
+  options.hooks.clock = time.clock();
+  options.limits.item_wall_time = 20;
   const auto results = run_all(4, options, [&time](std::size_t i, SharedTaskLog&) -> std::string {
     time.advance_observed(i == 1 ? 20.1 : 19.9);
     return "fine";
@@ -155,9 +155,9 @@ TEST(WorkerPool, TheLogSurvivesTheProcess) {
 TEST(WorkerPool, AWorkItemWithoutHeartbeatIsKilled) {
   ManualTime time;
   PoolOptions options = with_workers(1);
-  options.clock = time.clock();
-  options.heartbeat_timeout = 0.5;
-  options.item_wall_time = 20;
+  options.hooks.clock = time.clock();
+  options.limits.heartbeat_timeout = 0.5;
+  options.limits.item_wall_time = 20;
   const auto results =
       run_all(3, options, [&time](std::size_t i, SharedTaskLog& log) -> std::string {
         if (i == 0) time.advance_observed(19);  // no first heartbeat: no timeout
@@ -175,8 +175,8 @@ TEST(WorkerPool, AWorkItemWithoutHeartbeatIsKilled) {
 
 TEST(WorkerPool, AWorkItemIsKilledAtItsCpuTimeLimit) {
   PoolOptions options = with_workers(1);
-  options.item_cpu_time = 0.5;
-  options.item_wall_time = 60;
+  options.limits.item_cpu_time = 0.5;
+  options.limits.item_wall_time = 60;
   const auto results = run_all(2, options, [](std::size_t i, SharedTaskLog&) -> std::string {
     volatile bool forever = i == 0;
     while (forever) {
@@ -191,7 +191,7 @@ TEST(WorkerPool, AWorkItemIsKilledAtItsCpuTimeLimit) {
 #if !defined(SLALOM_SANITIZE)
 TEST(WorkerPool, ExhaustedMemoryAffectsOnlyItsOwnWorkItem) {
   PoolOptions options = with_workers(1);
-  options.memory_mb = 200;
+  options.limits.memory_mb = 200;
   const auto results = run_all(2, options, [](std::size_t i, SharedTaskLog&) {
     return std::to_string(std::string(i == 0 ? 300 << 20 : 100 << 20, 'x').size());
   });
@@ -216,7 +216,7 @@ TEST(WorkerPool, AWorkerWhosePayloadIsNotValidIsReplaced) {
   PoolOptions options = with_workers(1);
   options.log_size = 10;
   std::vector<std::size_t> checked;
-  options.is_valid = [&](std::size_t i, const std::string& payload) {
+  options.hooks.is_valid = [&](std::size_t i, const std::string& payload) {
     checked.push_back(i);
     return payload != "2";
   };
@@ -225,7 +225,7 @@ TEST(WorkerPool, AWorkerWhosePayloadIsNotValidIsReplaced) {
     return std::to_string(++executed);
   };
   for (const bool in_process : {false, true}) {
-    options.in_process = in_process;
+    options.schedule.in_process = in_process;
     checked.clear();
     const auto results = run_all(3, options, item);
     EXPECT_EQ(checked, (std::vector<std::size_t>{0, 1, 2}));
@@ -242,9 +242,9 @@ TEST(WorkerPool, FreshProcessesDoNotShareState) {
   int state = 0;
   PoolOptions options = with_workers(2);
   const WorkItem item = [&state](std::size_t, SharedTaskLog&) { return std::to_string(++state); };
-  options.process_per_item = true;
+  options.schedule.process_per_item = true;
   for (const bool trusted : {false, true}) {
-    options.trusted = trusted;
+    options.schedule.trusted = trusted;
     for (const WorkResult& result : run_all(5, options, item)) EXPECT_EQ(result.payload, "1");
   }
   EXPECT_EQ(state, 0) << "work items must not run in the calling process";
@@ -259,8 +259,8 @@ TEST(WorkerPool, AProcessOnlyGetsWorkItemsOfOneGroup) {
   };
   for (const int workers : {1, 2, 5}) {
     PoolOptions options = with_workers(workers);
-    options.group = [](std::size_t i) { return i % 3; };
-    options.groups = 3;
+    options.schedule.group = [](std::size_t i) { return i % 3; };
+    options.schedule.groups = 3;
     std::map<std::size_t, std::set<std::string>> processes;
     const auto results = run_all(60, options, item);
     for (std::size_t i = 0; i < results.size(); ++i) processes[i % 3].insert(results[i].payload);
@@ -274,8 +274,8 @@ TEST(WorkerPool, AProcessOnlyGetsWorkItemsOfOneGroup) {
 TEST(WorkerPool, AtMostOneWorkItemPerWorkerIsExecutedAtATime) {
   ManualTime busy;  // seconds count the work items that are being executed
   PoolOptions options = with_workers(1);
-  options.group = [](std::size_t i) { return i; };
-  options.groups = 10;
+  options.schedule.group = [](std::size_t i) { return i; };
+  options.schedule.groups = 10;
   const auto results = run_all(10, options, [&](std::size_t, SharedTaskLog&) {
     busy.advance(1);
     usleep(1000);
@@ -288,10 +288,10 @@ TEST(WorkerPool, AtMostOneWorkItemPerWorkerIsExecutedAtATime) {
 
 TEST(WorkerPool, IdleProcessesOfManyGroupsAreEnded) {
   PoolOptions options = with_workers(1);
-  options.group = [](std::size_t i) { return i; };
-  options.groups = 2;  // three processes are kept
+  options.schedule.group = [](std::size_t i) { return i; };
+  options.schedule.groups = 2;  // three processes are kept
   ManualTime ended;
-  options.at_end = [&] { ended.advance(1); };
+  options.hooks.at_end = [&] { ended.advance(1); };
   const auto results = run_all(10, options, [&](std::size_t, SharedTaskLog&) {
     return std::to_string(static_cast<int>(ended.clock()()));
   });
@@ -303,7 +303,7 @@ TEST(WorkerPool, IdleProcessesOfManyGroupsAreEnded) {
 
 TEST(WorkerPool, AProcessThatDoesNotEndIsKilled) {
   PoolOptions options = with_workers(1);
-  options.at_end = [] {
+  options.hooks.at_end = [] {
     while (true) pause();
   };
   EXPECT_EQ(run_all(1, options, [](std::size_t, SharedTaskLog&) { return "fine"; })[0].payload,
@@ -420,7 +420,7 @@ TEST(WorkerPool, WhateverAProcessStartedDiesWithIt) {
 
 TEST(WorkerPool, ReplacedProcessesAreOfTheSameKeeper) {
   PoolOptions options = with_workers(1);
-  options.process_per_item = true;
+  options.schedule.process_per_item = true;
   std::set<std::string> keepers;
   for (const WorkResult& result : run_all(3, options, [](std::size_t i, SharedTaskLog&) {
          if (i == 1) std::_Exit(1);
@@ -593,7 +593,7 @@ TEST(WorkerPool, OthersGoOnWhileWhatAProcessStartedIsKilled) {
   const auto are_others_received = [clock = received.clock()] { return clock() >= kCount - 1; };
   const pid_t tracer = start_tracer(daemons, is_tracing, are_others_received);
   PoolOptions options = with_workers(2);
-  options.ordered = false;
+  options.schedule.ordered = false;
   std::vector<std::size_t> order;
   const auto receive = [&](std::size_t i, WorkResult&&) {
     order.push_back(i);
@@ -661,7 +661,7 @@ TEST(WorkerPool, AWorkItemWhoseProcessIsKilledIsExecutedOnceMore) {
 TEST(WorkerPool, AProcessThatIsKilledWhileTheSystemIsOutOfMemoryHasNotCrashed) {
   ManualTime killed;
   PoolOptions options = with_workers(1);
-  options.memory_kills = [&] { return static_cast<std::uint64_t>(killed.clock()()); };
+  options.hooks.memory_kills = [&] { return static_cast<std::uint64_t>(killed.clock()()); };
   const auto results = run_all(2, options, [&](std::size_t i, SharedTaskLog&) {
     if (i == 0) killed.advance(1);
     std::raise(SIGKILL);
@@ -722,8 +722,8 @@ class Sandbox : public testing::Test {
   static WorkResult run_confined(const WorkItem& item,
                                  const std::vector<std::string>& writable = {}) {
     PoolOptions options = with_workers(1);
-    options.sandbox = true;
-    options.writable = writable;
+    options.limits.sandbox = true;
+    options.limits.writable = writable;
     return run_all(1, options, item)[0];
   }
 
@@ -822,7 +822,7 @@ TEST_F(Sandbox, ItsOwnFolderAndThoseAllowedCanBeWrittenTo) {
 
 TEST_F(Sandbox, OfAWorkerThatIsKilledIsRemoved) {
   PoolOptions options = with_workers(1);
-  options.sandbox = true;
+  options.limits.sandbox = true;
   options.log_size = 200;
   const WorkResult result = run_all(1, options, [](std::size_t, SharedTaskLog& log) -> std::string {
     const std::string own = std::filesystem::temp_directory_path().string();
@@ -848,7 +848,7 @@ TEST(WorkerPool, WithoutNetworkItsWorkersMakeSocketsWithinTheMachineOnly) {
   // Packets need a right that the tests may not have.
   const std::string open = run_all(1, options, refused)[0].payload;
   EXPECT_EQ(open.find("2 "), std::string::npos) << open;
-  options.network = false;
+  options.limits.network = false;
   const WorkResult closed = run_all(1, options, refused)[0];
   EXPECT_EQ(closed.payload, std::to_string(AF_INET) + " " + std::to_string(AF_INET6) + " " +
                                 std::to_string(AF_NETLINK) + " " + std::to_string(AF_PACKET) +

@@ -50,27 +50,33 @@ struct SharedInputs {
 /// Returns the count of the kernel for this machine (/proc/vmstat); 0 where there is none.
 std::uint64_t count_memory_kills();
 
-struct PoolOptions {
-  int workers = 1;
-  double item_wall_time = 0;      ///< s; a work item that takes longer is killed; 0: unlimited
-  double item_cpu_time = 0;       ///< s of CPU time; 0: unlimited
-  double heartbeat_timeout = 0;   ///< s, maximum time after a heartbeat; 0: unlimited
-  double memory_mb = 0;           ///< MiB a worker may allocate after its start; 0: unlimited
-  std::size_t log_size = 0;       ///< bytes, capacity of the shared log
-  bool keep_stderr = false;       ///< do not discard the workers' standard error
-  bool process_per_item = false;  ///< a new process for each work item
-  bool ordered = true;            ///< results in the order of the indexes, or as they are obtained
-  bool trusted = false;           ///< work items start no processes: no keeper, which costs a fork
+/// The limits of a worker process, and what it can change.
+struct WorkerLimits {
+  double item_wall_time = 0;     ///< s; a work item that takes longer is killed; 0: unlimited
+  double item_cpu_time = 0;      ///< s of CPU time; 0: unlimited
+  double heartbeat_timeout = 0;  ///< s, maximum time after a heartbeat; 0: unlimited
+  double memory_mb = 0;          ///< MiB a worker may allocate after its start; 0: unlimited
   /// Workers can change files only in a folder of their own for temporary files, TMPDIR, and in
   /// `writable`. Requires that the kernel can do it; not for trusted work items.
   bool sandbox = false;
-  bool network = true;  ///< workers can make sockets of networks; not false for trusted work items
   std::vector<std::string> writable = {};
-  bool in_process = false;  ///< execute work items in this process, without limits
+  bool network = true;  ///< workers can make sockets of networks; not false for trusted work items
+};
+
+/// Schedule of the work items over processes.
+struct WorkSchedule {
+  int workers = 1;
+  bool ordered = true;            ///< results in the order of the indexes, or as they are obtained
+  bool process_per_item = false;  ///< a new process for each work item
+  bool trusted = false;           ///< work items start no processes: no keeper, which costs a fork
+  bool in_process = false;        ///< execute work items in this process, without limits
   /// A process executes only work items of one of `groups` groups. Null: all are of one group.
   std::function<std::size_t(std::size_t index)> group = nullptr;
   std::size_t groups = 1;
-  SharedInputs inputs = {};
+};
+
+/// Functions that the pool calls.
+struct WorkHooks {
   /// In the calling process, of the payload of a work item that is done, before it is passed on.
   /// When it is false the item has crashed, and its process is replaced. Null: all are valid.
   std::function<bool(std::size_t index, const std::string& payload)> is_valid = nullptr;
@@ -83,10 +89,19 @@ struct PoolOptions {
   std::function<std::uint64_t()> memory_kills = count_memory_kills;
 };
 
+struct PoolOptions {
+  WorkerLimits limits = {};
+  WorkSchedule schedule = {};
+  WorkHooks hooks = {};
+  SharedInputs inputs = {};
+  std::size_t log_size = 0;  ///< bytes, capacity of the shared log
+  bool keep_stderr = false;  ///< do not discard the workers' standard error
+};
+
 /// The detail of a work item whose payload was not valid.
 constexpr char kInvalidPayload[] = "the worker's reply was corrupted";
 
-/// Time for PoolOptions::at_end, after which the process is killed; s.
+/// Time for WorkHooks::at_end, after which the process is killed; s.
 constexpr double kShutdownTimeout = 2;
 
 /// A work item, executed in a worker process. Returns bytes for the parent process.

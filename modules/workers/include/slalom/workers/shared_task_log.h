@@ -27,7 +27,7 @@ class SharedTaskLog {
   void append(const void* data, std::size_t size);  ///< ignored when the capacity is exceeded
   std::string contents() const;
 
-  void heartbeat();  ///< signals progress, see PoolOptions::heartbeat_timeout
+  void heartbeat();  ///< signals progress, see WorkerLimits::heartbeat_timeout
   std::uint64_t heartbeats() const;
 
   /// Requests that the worker process be replaced after this work item, since its state may be

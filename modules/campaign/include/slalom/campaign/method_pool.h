@@ -1,0 +1,12 @@
+#pragma once
+
+#include <slalom/campaign/campaign_options.h>
+#include <slalom/workers/pool_options.h>
+
+namespace slalom {
+
+/// A pool for work items in which methods run, without limits of time. Throws Error (Usage) when
+/// the kernel cannot confine processes as `limits` requires.
+PoolOptions method_pool(const LimitsSection& limits, const WallClock& clock);
+
+}  // namespace slalom
