@@ -1,4 +1,4 @@
-#include "interpret.h"
+#include "interpret_options.h"
 #include "key_options.h"
 
 #include <slalom/app/campaign_names.h>

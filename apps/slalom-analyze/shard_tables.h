@@ -1,6 +1,6 @@
 #pragma once
 
-#include "interpret.h"
+#include "interpret_options.h"
 
 namespace slalom {
 

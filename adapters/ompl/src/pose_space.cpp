@@ -1,4 +1,5 @@
 #include "dubins_curve.h"
+#include "planning_space.h"
 #include "pose_states.h"
 
 #include <slalom/core/math.h>

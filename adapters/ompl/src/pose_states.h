@@ -1,7 +1,5 @@
 #pragma once
 
-#include "planning_space.h"
-
 #include <mrpt/math/TPose2D.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 

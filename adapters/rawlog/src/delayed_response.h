@@ -1,17 +1,24 @@
 #pragma once
 
-#include "response_fit.h"
-
 #include <slalom/core/math.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace slalom {
 
 constexpr double kSameTime = 1e-6;  // s; timestamps are rounded to 2e-7
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+/// One velocity of a robot (linear or angular), in m/s or rad/s.
+struct ResponseData {
+  std::vector<double> command_times, commands;  ///< each is in force until the next
+  std::vector<double> times, measured;
+  double max_acceleration = 0;  ///< m/s^2, rad/s^2; 0: unknown
+};
 
 /// The velocity of a robot with a first-order lag whose acceleration is limited.
 class LaggedVelocity {

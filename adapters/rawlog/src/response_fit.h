@@ -1,19 +1,12 @@
 #pragma once
 
+#include "delayed_response.h"
 #include "profile.h"
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace slalom {
-
-/// One velocity of a robot (linear or angular), in m/s or rad/s.
-struct ResponseData {
-  std::vector<double> command_times, commands;  ///< each is in force until the next
-  std::vector<double> times, measured;
-  double max_acceleration = 0;  ///< m/s^2, rad/s^2; 0: unknown
-};
 
 /// A response to commands: dead time, first-order lag, and gain (measured / commanded in the steady
 /// state).

@@ -1,4 +1,5 @@
 #include "free_rectangles.h"
+#include "rectangle_codes.h"
 #include "scan_kernel.h"
 
 #include <slalom/core/math.h>

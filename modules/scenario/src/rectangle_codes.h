@@ -1,8 +1,15 @@
 #pragma once
 
-#include "free_rectangles.h"
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace slalom {
+
+/// Codes of extents (cells) in tables of free rectangles: code i means kExtents[i], and less than
+/// the next; 0 is an occupied cell. Each extent but 1 is at most twice an earlier one.
+constexpr std::array<std::uint8_t, 16> kExtents = {0,  1,  2,  3,  4,  6,  8,   12,
+                                                   16, 24, 32, 48, 64, 96, 128, 192};
 
 constexpr std::size_t kCodes = kExtents.size();
 

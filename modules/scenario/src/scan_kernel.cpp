@@ -1,4 +1,4 @@
-#include "free_rectangles.h"
+#include "rectangle_codes.h"
 #include "scan_kernel.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "free_rectangles.h"
 #include "random_worlds.h"
+#include "rectangle_codes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+#include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/summary.h>
 #include <slalom/analysis/table_sums.h>
 #include <slalom/results/privileged.h>

@@ -1,5 +1,4 @@
 #include "widgets/drawing.h"
-#include "widgets/line_editor.h"
 
 #include <slalom/core/text.h>
 

@@ -50,10 +50,6 @@ class LineEditor {
   std::size_t cursor_ = 0, anchor_ = 0;
 };
 
-/// Whether `c` is a continuation byte of UTF-8.
-inline bool is_continuation_byte(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
 /// Encodes a Unicode code point as UTF-8; empty for control characters and invalid code points.
 std::string utf8_of(unsigned int code_point);
 

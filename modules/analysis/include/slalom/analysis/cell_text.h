@@ -1,6 +1,6 @@
 #pragma once
 
-#include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/table_types.h>
 
 #include <string>
 #include <vector>

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <slalom/analysis/cell_sums.h>
-#include <slalom/analysis/cross_table.h>
-#include <slalom/analysis/summary.h>
+#include <slalom/analysis/table_types.h>
 
 #include <cstdint>
 #include <map>

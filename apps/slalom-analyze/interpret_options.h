@@ -1,0 +1,30 @@
+#pragma once
+
+#include <slalom/analysis/analysis_request.h>
+#include <slalom/analysis/csv_columns.h>
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// Command-line arguments of an analysis.
+struct InterpretArguments {
+  AnalysisRequest request;
+  std::vector<std::string> files;
+  std::string scenarios;   ///< list with the indexes of the rows
+  std::string csv_file;    ///< of --csv
+  std::string up, down;    ///< columns of CSV files
+  CsvColumnOptions table;  ///< of CSV files, without these
+  std::string output;
+  bool csv = false, json = false, latex = false, html = false;
+  int jobs = 1;  ///< threads that read shards
+};
+
+/// Adds the options of the verb.
+void add_interpreter_options(CLI::App& verb, InterpretArguments& arguments,
+                             const Interpreter& interpreter);
+
+}  // namespace slalom
