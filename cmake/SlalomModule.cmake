@@ -1,7 +1,7 @@
 # slalom_add_module(NAME [COMPUTES] SOURCES a.cpp ... DEPENDS module ... LIBRARIES target ...)
 #
-# A module of modules/ (or adapters/): one static library target slalom_NAME with one include root of its
-# own, so that including a header of a module that is not in DEPENDS is a build error. COMPUTES: see SlalomPrecompiled.cmake.
+# A module of modules/ (or adapters/): one static library target slalom_NAME with one include root of its own. It includes
+# headers only of core and of the modules in DEPENDS (scripts/check_includes.py). COMPUTES: see SlalomPrecompiled.cmake.
 function(slalom_add_module NAME)
   cmake_parse_arguments(MODULE "COMPUTES" "" "SOURCES;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   add_library(slalom_${NAME} STATIC ${MODULE_SOURCES})

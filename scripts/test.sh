@@ -15,6 +15,7 @@ finish_step "install packages"
 scripts/check_format.sh
 scripts/check_documents.py
 scripts/check_comments.py
+scripts/check_includes.py
 scripts/build.sh release -DSLALOM_WARNINGS_AS_ERRORS=ON
 finish_step "build, release"
 ctest --preset release -j 2

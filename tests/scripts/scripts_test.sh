@@ -121,6 +121,26 @@ hooks=$(sed -n 's/^ *entry: //p' "$sources/.pre-commit-config.yaml")
 expect "there are hooks of pre-commit" test -n "$hooks"
 for hook in $hooks; do expect "the hook $hook is a program" test -x "$sources/$hook"; done
 
+tree="$work/tree"
+mkdir -p "$tree"/{adapters,apps} "$tree"/modules/{low,high}/{include/slalom,src}
+mkdir "$tree"/modules/{low/include/slalom/low,high/include/slalom/high}
+echo 'slalom_add_module(low SOURCES src/low.cpp)' >"$tree/modules/low/CMakeLists.txt"
+echo 'slalom_add_module(high SOURCES src/top.cpp DEPENDS low)' >"$tree/modules/high/CMakeLists.txt"
+touch "$tree"/modules/low/include/slalom/low/{low,side}.h "$tree/modules/high/include/slalom/high/top.h"
+echo '#include <slalom/high/top.h>' >"$tree/modules/high/src/helper.h"
+printf '%s\n' '#include "helper.h"' '#include <slalom/low/low.h>' >"$tree/modules/high/src/top.cpp"
+check_includes() { "$sources/scripts/check_includes.py" "$tree" >"$work/out"; }
+expect "dependencies, and private headers behind a public one, are good includes" check_includes
+echo '#include <slalom/high/top.h>' >"$tree/modules/low/src/low.cpp"
+echo '#include <slalom/low/side.h>' >>"$tree/modules/low/src/low.cpp"
+echo '#include <slalom/low/low.h>' >"$tree/modules/low/src/side.cpp"
+expect "includes upwards and in a circle are not" not check_includes
+expect_text "the file and the module that it must not include" "modules/low/src/low.cpp: high is not in" "$work/out"
+expect_text "the components of a circle" "modules/low/low -> modules/low/side -> modules/low/low" "$work/out"
+echo 'slalom_add_module(low SOURCES src/low.cpp DEPENDS high)' >"$tree/modules/low/CMakeLists.txt"
+expect "dependencies in a circle are not" not check_includes
+expect_text "its modules" "modules/high -> modules/low -> modules/high" "$work/out"
+
 check_packages() { "$sources/scripts/check_packages.sh" "$@" >"$work/out" 2>"$work/err"; }
 refuses_packages() {
   local text=$1

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""Fails if the includes of modules/, adapters/ and apps/ contradict their layers: check_includes.py [SOURCES]
+
+A module includes headers only of core and of modules in its DEPENDS. No modules depend on each other in a circle; nor do
+components of a module (a header with its source). Public headers are interfaces: the private components behind them may
+include them, and the sources of FACTORIES what implements them."""
+
+import pathlib
+import re
+import sys
+
+INCLUDE = re.compile(r'^#include [<"]([^>"]+)[>"]', re.MULTILINE)
+MODULE = re.compile(r"slalom_add_module\((\w+)([^)]*)\)")
+# Their headers declare an interface, their sources make or call what implements it.
+FACTORIES = ["modules/generation/generator", "modules/methods/registry", "modules/references/reference",
+             "modules/robot/vehicle", "modules/simulation/simulate"]
+
+
+class Sources:
+    def __init__(self, root):
+        self.root = root
+        self.folders, self.allowed = {"core": "modules/core"}, {}  # of modules by name; names by folder
+        self.public, self.private, self.files = {}, {}, []  # headers by the name that is included; all
+        for top in ("modules", "adapters", "apps"):
+            for path in sorted((root / top).rglob("*")):
+                if path.name == "CMakeLists.txt":
+                    self.read_modules(path)
+                elif path.suffix in (".h", ".cpp"):
+                    self.files.append(path)
+        for path in self.files:
+            _, include, name = str(path.relative_to(root)).partition("/include/")
+            if include:
+                self.public[name] = path
+            elif path.suffix == ".h":
+                self.private[self.unit(path), path.name] = path
+
+    def read_modules(self, path):
+        for name, arguments in MODULE.findall(path.read_text()):
+            depends = re.search(r"\bDEPENDS\b([a-z_\s]*)", arguments)
+            self.folders[name] = self.unit(path)
+            self.allowed[self.unit(path)] = ["core"] + (depends.group(1).split() if depends else [])
+
+    def unit(self, path):
+        """The folder of the module, adapter or program of a file."""
+        return "/".join(path.relative_to(self.root).parts[:2])
+
+    def component(self, path):
+        return f"{self.unit(path)}/{path.stem}"
+
+    def included(self, path):
+        """The headers of modules, adapters and programs that a file includes."""
+        for name in INCLUDE.findall(path.read_text()):
+            header = self.public.get(name) or self.private.get((self.unit(path), pathlib.Path(name).name))
+            if header:
+                yield header
+
+
+def foreign(sources):
+    """Includes of modules that are not among the dependencies."""
+    for path in sources.files:
+        allowed = sources.allowed.get(sources.unit(path))
+        if allowed is None:
+            continue
+        folders = {sources.folders.get(name) for name in allowed} | {sources.unit(path)}
+        for header in sources.included(path):
+            if sources.unit(header) not in folders:
+                name = sources.unit(header).partition("/")[2]
+                yield f"{path.relative_to(sources.root)}: {name} is not in the DEPENDS of its module"
+
+
+def graph(sources):
+    """By component, those of the same module that it includes."""
+    public = {sources.component(path) for path in sources.public.values()}
+    edges = {}
+    for path in sources.files:
+        here = sources.component(path)
+        if path.suffix == ".cpp" and here in FACTORIES:
+            continue
+        for header in sources.included(path):
+            there = sources.component(header)
+            is_interface = there in public and here not in public
+            if there != here and sources.unit(header) == sources.unit(path) and not is_interface:
+                edges.setdefault(here, set()).add(there)
+    return edges
+
+
+def modules(sources):
+    """By module, its dependencies."""
+    return {unit: {sources.folders.get(name, name) for name in names} - {unit} for unit, names in sources.allowed.items()}
+
+
+def circles(edges):
+    """A circle through each component that is in one and was in none before."""
+    seen = set()
+    for start in sorted(edges):
+        if start in seen:
+            continue
+        came_from, open_ = {}, [start]
+        while open_ and start not in came_from:
+            here = open_.pop(0)
+            for there in sorted(edges.get(here, ())):
+                if there not in came_from:
+                    came_from[there] = here
+                    open_.append(there)
+        if start in came_from:
+            circle = [start]
+            while len(circle) == 1 or circle[-1] != start:
+                circle.append(came_from[circle[-1]])
+            seen.update(circle)
+            yield " -> ".join(reversed(circle))
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else __file__).resolve()
+    sources = Sources(root if root.is_dir() else root.parent.parent)
+    findings = sorted(set(foreign(sources))) + list(circles(modules(sources))) + list(circles(graph(sources)))
+    print("\n".join(findings), end="\n" if findings else "")
+    sys.exit(len(findings) > 0)
+
+
+if __name__ == "__main__":
+    main()
