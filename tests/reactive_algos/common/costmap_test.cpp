@@ -153,7 +153,7 @@ TEST(GlobalCostmap, MovesWithTheRobotOverWhatWasSensed) {
 
 TEST(GlobalCostmap, CoversTheKnownMapWithWhatWasSensed) {
   GlobalCostmap map(2, 0.05, kInflation);
-  KnownMap known = {0.1, {-1, 2}, 80, 20, std::vector<std::uint8_t>(80 * 20)};
+  KnownMap known = {0.1, {-1, 2}, 80, 20, std::vector<std::uint8_t>(std::size_t{80} * 20)};
   known.cells[19 * 80 + 79] = 1;  // from (6.9, 3.9) to (7, 4)
   map.set_known(known);
   map.build({0, 3}, {{0.52, 3.02}});
