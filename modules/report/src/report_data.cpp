@@ -77,7 +77,7 @@ class ReportBuilder {
     OrderedJson json = OrderedJson::array();
     for (std::size_t i = 0; i < runs_.methods.size(); ++i) {
       const std::string& shown = runs_.methods[i];
-      json.push_back({{"name", unmarked_name(shown)}, {"color", method_color(i)}});
+      json.push_back({{"name", unmarked_name(runs_, shown)}, {"color", method_color(i)}});
       if (json.back()["name"] != shown) json.back()["label"] = shown;
     }
     return json;

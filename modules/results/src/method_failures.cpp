@@ -1,6 +1,7 @@
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/results/method_failures.h>
+#include <slalom/results/privileged.h>
 
 #include <tuple>
 
@@ -29,7 +30,7 @@ void MethodFailures::add(const ResultTable& table, const DetailOf& detail_of) {
   }
   for (const auto& [key, group] : groups) {
     RunRecord first;
-    first.method = unmarked_name(table.methods[key.first]);
+    first.method = unmarked_name(table, table.methods[key.first]);
     first.outcome = table.outcomes[key.second];
     if (is_method_failure(first.outcome)) {
       const std::uint32_t scenario = table.scenario[group.first];

@@ -1,9 +1,8 @@
 #include <slalom/core/text.h>
 #include <slalom/results/privileged.h>
 
-#include <algorithm>
-
 namespace slalom {
+
 void PrivilegedMethods::add(const std::string& method, bool uses_tracks, bool uses_map) {
   if (uses_tracks && !contains(tracks, method)) tracks.push_back(method);
   if (uses_map && !contains(map, method)) map.push_back(method);
@@ -34,18 +33,8 @@ void store_privileged(const PrivilegedMethods& methods, Manifest& manifest) {
   if (!methods.map.empty()) manifest[kKnownMapKey] = join(methods.map, ", ");
 }
 
-void mark_privileged(ResultTable& table, const PrivilegedMethods& methods) {
-  const std::vector<std::string> names = methods.names();
-  for (std::string& method : table.methods)
-    if (contains(names, method)) method += kPrivilegedMark;
-}
-
-void mark_privileged(ResultTable& table) {
-  mark_privileged(table, privileged_methods(table.manifest));
-}
-
-std::string marked_name(const ResultTable& table, const std::string& method) {
-  return contains(table.methods, method + kPrivilegedMark) ? method + kPrivilegedMark : method;
+std::string unmarked_name(const std::string& method) {
+  return method.substr(0, method.size() - (ends_with(method, kPrivilegedMark) ? 1 : 0));
 }
 
 std::string privileged_footnote(const PrivilegedMethods& methods) {
@@ -59,12 +48,6 @@ std::string privileged_footnote(const PrivilegedMethods& methods) {
   add(methods.map, "the map of static obstacles");
   return std::string(kPrivilegedMark) + " privileged: " + join(parts, "; ") +
          "; methods without the mark are not";
-}
-
-std::string privileged_footnote(const ResultTable& table) {
-  const auto is_marked = [](const std::string& method) { return method != unmarked_name(method); };
-  const bool marked = std::any_of(table.methods.begin(), table.methods.end(), is_marked);
-  return marked ? privileged_footnote(privileged_methods(table.manifest)) : "";
 }
 
 }  // namespace slalom

@@ -195,14 +195,40 @@ const ValueColumn* find_descriptor(const ResultTable& columns, const std::string
   return find(columns.descriptors, id);
 }
 
-std::string run_id(const ResultTable& columns, std::size_t run) {
-  return columns.scenario_hashes[columns.scenario[run]].substr(0, 8) + "/" +
-         unmarked_name(columns.methods[columns.method[run]]) + "/" +
-         std::to_string(columns.repetition[run]);
+void mark_privileged(ResultTable& table, const PrivilegedMethods& methods) {
+  const std::vector<std::string> names = methods.names();
+  for (std::string& method : table.methods)
+    if (contains(names, method)) method += kPrivilegedMark;
 }
 
-std::string unmarked_name(const std::string& method) {
-  return method.substr(0, method.size() - (ends_with(method, kPrivilegedMark) ? 1 : 0));
+void mark_privileged(ResultTable& table) {
+  mark_privileged(table, privileged_methods(table.manifest));
+}
+
+std::string marked_name(const ResultTable& table, const std::string& method) {
+  const std::string marked = method + kPrivilegedMark;
+  return !contains(table.methods, method) && contains(table.methods, marked) ? marked : method;
+}
+
+std::string unmarked_name(const ResultTable& table, const std::string& method) {
+  std::string plain = unmarked_name(method);
+  if (plain == method || !contains(privileged_methods(table.manifest).names(), plain))
+    return method;
+  return plain;
+}
+
+std::string privileged_footnote(const ResultTable& table) {
+  const auto is_marked = [&](const std::string& method) {
+    return method != unmarked_name(table, method);
+  };
+  const bool marked = std::any_of(table.methods.begin(), table.methods.end(), is_marked);
+  return marked ? privileged_footnote(privileged_methods(table.manifest)) : "";
+}
+
+std::string run_id(const ResultTable& columns, std::size_t run) {
+  return columns.scenario_hashes[columns.scenario[run]].substr(0, 8) + "/" +
+         unmarked_name(columns, columns.methods[columns.method[run]]) + "/" +
+         std::to_string(columns.repetition[run]);
 }
 
 bool is_failure(const std::string& outcome) {

@@ -1,6 +1,7 @@
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/common_scenarios.h>
 #include <slalom/core/text.h>
+#include <slalom/results/privileged.h>
 
 #include <algorithm>
 
@@ -44,7 +45,7 @@ CommonScenarios make_common(const ResultTable& table, const Column& column,
   for (std::size_t i = 0; i < made.runs.size(); ++i)
     made.cells.push_back(
         make_cell(table, made.runs[i], values, options,
-                  join({unmarked_name(table.methods[i]), "common", column.info.id}, "/")));
+                  join({unmarked_name(table, table.methods[i]), "common", column.info.id}, "/")));
   return made;
 }
 

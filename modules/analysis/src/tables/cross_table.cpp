@@ -35,10 +35,8 @@ void add_runs(CrossTable* begin, CrossTable* end, const ResultTable& table, cons
 }  // namespace
 
 std::uint32_t index_of_method(const ResultTable& table, const std::string& method) {
-  const auto found = std::find_if(table.methods.begin(), table.methods.end(),
-                                  [plain = unmarked_name(method)](const std::string& one) {
-                                    return unmarked_name(one) == plain;
-                                  });
+  const auto found =
+      std::find(table.methods.begin(), table.methods.end(), marked_name(table, method));
   if (found != table.methods.end()) {
     return static_cast<std::uint32_t>(found - table.methods.begin());
   }
@@ -65,7 +63,8 @@ std::vector<CrossTable> build_cross_tables(const ResultTable& table,
     add_runs(first, first + methods, table, RunRows(rows[i], table), options);
   }
   for (CrossTable& cross : tables)
-    if (cross.method != unmarked_name(cross.method)) cross.footnote = privileged_footnote(table);
+    if (cross.method != unmarked_name(table, cross.method))
+      cross.footnote = privileged_footnote(table);
   return tables;
 }
 

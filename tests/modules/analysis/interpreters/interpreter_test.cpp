@@ -142,6 +142,20 @@ TEST(Interpreter, MarksNamesOfPrivilegedMethodsButNoOtherWords) {
   }
 }
 
+TEST(Interpreter, TakesNamesOfForeignMethodsThatEndLikeTheMarkAsTheyAre) {
+  std::vector<ResultTable> results = {six().table};
+  results[0].methods = {"RRT", "RRT*"};
+  EXPECT_EQ(index_of_method(results[0], "RRT"), 0U);
+  EXPECT_EQ(index_of_method(results[0], "RRT*"), 1U);
+  EXPECT_EQ(marked_name(results[0], "RRT"), "RRT");
+  const std::string compared =
+      render_text(interpret(named("compare"), results, query("all", {"optimality"})));
+  EXPECT_EQ(compared.find("identical"), std::string::npos) << compared;
+  const std::size_t last = results[0].size() - 1;
+  EXPECT_NE(run_id(results[0], last).find("/" + results[0].methods[results[0].method[last]] + "/"),
+            std::string::npos);
+}
+
 TEST(Interpreter, TakesNamesOfPrivilegedMethodsWithoutTheirMark) {
   std::vector<ResultTable> results = {six().table};
   results[0].manifest[kPrivilegedKey] = "b";

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <slalom/results/result_table.h>
+#include <slalom/results/run_record.h>
 
 #include <string>
 #include <vector>
@@ -26,17 +26,13 @@ struct PrivilegedMethods {
 PrivilegedMethods privileged_methods(const Manifest& manifest);
 void store_privileged(const PrivilegedMethods& methods, Manifest& manifest);
 
-/// Puts the mark behind the names of those methods, so that all that is made of the table shows it.
-/// Ids of runs, names of files and random streams have the names without it.
-void mark_privileged(ResultTable& table, const PrivilegedMethods& methods);
-/// The same as the manifest says. Nothing changes in a table with marks.
-void mark_privileged(ResultTable& table);
-/// The name as it is marked in the table; a name that is not in it stays.
-std::string marked_name(const ResultTable& table, const std::string& method);
+/// The mark behind the names of privileged methods where they are shown beside others, see
+/// mark_privileged(). Names of methods in a campaign do not contain it.
+constexpr const char* kPrivilegedMark = "*";
+/// The name without the mark.
+std::string unmarked_name(const std::string& method);
 
 /// The footnote that explains the mark; "" without methods.
 std::string privileged_footnote(const PrivilegedMethods& methods);
-/// The same for a table with marks.
-std::string privileged_footnote(const ResultTable& table);
 
 }  // namespace slalom

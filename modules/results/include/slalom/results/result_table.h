@@ -1,5 +1,6 @@
 #pragma once
 
+#include <slalom/results/privileged.h>
 #include <slalom/results/run_record.h>
 
 #include <cstddef>
@@ -106,11 +107,17 @@ void sort_rows(ResultTable& columns);
 const ValueColumn* find_metric(const ResultTable& columns, const std::string& id);
 const ValueColumn* find_descriptor(const ResultTable& columns, const std::string& id);
 
-/// The mark behind the names of privileged methods where they are shown beside others, see
-/// mark_privileged(). Names of methods do not contain it.
-constexpr const char* kPrivilegedMark = "*";
-/// The name without the mark.
-std::string unmarked_name(const std::string& method);
+/// Puts the mark behind the names of those methods, so that all that is made of the table shows it.
+/// Ids of runs, names of files and random streams of tables have the names without it.
+void mark_privileged(ResultTable& table, const PrivilegedMethods& methods);
+/// The same as the manifest says. Nothing changes in a table with marks.
+void mark_privileged(ResultTable& table);
+/// The name as it is marked in the table; a name that is in it, or is not marked, stays.
+std::string marked_name(const ResultTable& table, const std::string& method);
+/// The name without the mark, if its method is privileged: foreign tables have names such as RRT*.
+std::string unmarked_name(const ResultTable& table, const std::string& method);
+/// The footnote that explains the marks of the table; "" without marks.
+std::string privileged_footnote(const ResultTable& table);
 
 /// Id of a run, as for a RunRecord: "hash8/method/repetition".
 std::string run_id(const ResultTable& columns, std::size_t run);
