@@ -26,7 +26,7 @@ bool is_foreign(const IniFile& ini, const ExternalOption& option) {
     case External::Library:
       return !is_shipped(ini, option);
     case External::Address:  // other providers of LCM write files
-      return option.value.find("://") != std::string::npos && !starts_with(option.value, "udpm:") &&
+      return option.value.find(':') != std::string::npos && !starts_with(option.value, "udpm:") &&
              !starts_with(option.value, "memq:");
     default:
       return true;

@@ -50,7 +50,7 @@ class WorkerProcess {
   void add_events(std::vector<pollfd>& events) const;
 
   /// The result when the work item is done, its process has died, or it was killed at a time limit.
-  /// That of a process that is killed comes when it and whatever it started have ended.
+  /// Waits, if the process is killed, until it and whatever it started have ended.
   std::optional<WorkResult> receive();
 
   /// Kills the process. It is busy until the keeper has killed whatever it started; a trusted one
