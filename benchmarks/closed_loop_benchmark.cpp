@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Closed-loop control steps per second on one core, in a grid of 400 x 400 cells of 0.05 m with
 // random discs: 181 rays over 180 degrees up to 8 m, ten motion steps of 0.01 s per control step.
 // `slalom` is simulate() with all features: sensing, a cheap method, motion, collision checking,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// Fills 10 bins x 20 scenarios of density, clearness and confinement, and a joint 6 x 6 map of
 /// density and confinement; prints the tables with wall-clock time, processor time and memory.
 ///

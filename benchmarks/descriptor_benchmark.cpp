@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Time of scenario descriptors in random scenarios of 400 x 400 cells of 0.05 m with 25 to 60
 // discs, starting from the scenario: cells, distances, ray tables and shortest path are recomputed
 // each time. `first_three` is density, clearness and confinement, `all` every descriptor;

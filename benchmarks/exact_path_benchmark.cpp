@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Processor time of the exact shortest path of a disc in the scenarios of lists, such as imported
 // maps:
 //   slalom-scenarios import FOLDER_OR_MAPS -o maps.scenarios --pairs 10

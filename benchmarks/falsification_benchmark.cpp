@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Searches for planted defects (tests/modules/falsification/plugins/planted.cpp), as tables in
 // Markdown: how often each is hit in random candidates, and when probing finds it. Times are of the
 // processor, of one core.

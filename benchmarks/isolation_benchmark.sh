@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The cost of isolating methods: processor time of campaigns of one light method under four names,
 # each with its own worker process, compared with the same runs as four repetitions under one name
 # in a single worker (there is no noise: repetitions are equal). The sum over four light methods of

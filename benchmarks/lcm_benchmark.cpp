@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lock-step control cycles per second over LCM with 181 rays, against bare LCM round trips in the
 // same run: 181 floats one way, two doubles back, in two processes. `lcm_lockstep` is
 // Method::step() with a method that slalom::serve_method() hosts, `bare_lcm` only publish() and

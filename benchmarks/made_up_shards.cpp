@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes made-up results of ten methods with forty metrics as the shards of a campaign, to measure
 // programs that read them: made_up_shards FOLDER SHARDS SCENARIOS (of each shard; 10 runs in each).
 #include "checked_row.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Time of a control cycle of the shipped methods that score trajectories, on one core, without the
 // simulator: observations of their runs in 8 scenarios of discs are recorded, then played to them.
 // Counter `cycle` is the processor time of a control cycle, in seconds.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Control cycles per second of MRPT's CReactiveNavigationSystem with its default configuration, on
 // one core. `simulated` is simulate() with the navigator as its method (sensing, motion, collision
 // checking, recording). `alone` is the navigator only: the same cycles, with previously recorded

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Time that the adapter python adds to a cycle of a method with 181 rays: `python_method` is
 // Method::step() of a class whose step() returns a constant, `bare_call` a call of the same
 // function with nothing but an object as argument.

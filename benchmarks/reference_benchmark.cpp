@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Planning time of reference paths in random scenarios of 400 x 400 cells of 0.05 m with 25 to 60
 // discs, for a robot radius of 0.25 m. `exact` is the exact shortest path; `safest` the path on the
 // Voronoi diagram; its peer `mrpt_voronoi` is only buildVoronoiDiagram(), on the same grids. The

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scans per second: the exact RayCaster against MRPT's laserScanSimulator, on the same maps and
 // poses: 181 rays over 180 degrees, 8 m. Counter `rays` is rays per second.
 #include <slalom/core/random.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Selections from a list of 100,000 scenarios, with and without an index; and the cost of creating
 // and reading it.
 #include <slalom/core/random.h>

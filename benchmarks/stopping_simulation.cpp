@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How often the interval of a campaign that stopped by its width holds the true mean, and how many
 // scenarios that took: the table of docs/campaigns.md. One method in one bin; rates are computed
 // exactly by the test of look_confidence().

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A million runs with forty metrics: cross tables in memory, and reading from a result file
 // (created once in the folder for temporary files), compared with SQLite's GROUP BY over the same
 // file. Counter `peak_MB` is the peak memory of the process so far: run benchmarks one by one

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Frames per second of the scenario view while it is panned and zoomed over a grid of 4,000 x 4,000
 // cells in a window of 1280 x 800. With software rendering on a virtual display:
 //   LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -s "-screen 0 1280x800x24" view_benchmark

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The cost of a crash in a campaign beyond its own run: jobs that crash their worker, so that each
 // needs a new process, compared with jobs that end normally in a reused one. Counter `tasks` is
 // jobs per second; the difference of the times per job is the cost of a restart. The process

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Third-party dependencies of the libraries, all from the distribution's packages. Installed: find_package(slalom) with
 # components includes it.
 find_package(mrpt-config REQUIRED)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the example configurations, the modules and adapters as static libraries with their headers, and a CMake
 # package: find_package(slalom) for methods built out of tree, with components for programs that use the libraries.
 include(CMakePackageConfigHelpers)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # slalom_add_method(NAME source...): an avoidance method as a shared library with the plain C prototype of
 # <slalom/methods/slalom_method.h>. All symbols except the exported function are hidden.
 function(slalom_add_method NAME)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # slalom_add_module(NAME [COMPUTES] SOURCES a.cpp ... DEPENDS module ... LIBRARIES target ...)
 #
 # A module of modules/ (or adapters/): one static library target slalom_NAME with one include root of its own. It includes

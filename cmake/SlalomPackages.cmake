@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Debian packages, "cpack -G DEB" or scripts/package.sh: one for each component of the installation.
 set(SLALOM_COMPONENTS programs development python documentation)
 set(package_of_programs slalom)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Headers of MRPT and the standard library that most sources include, compiled once for all modules, once for all
 # programs and once for all tests; they take more than half of the compile time otherwise. Sources still include what they use: the build also
 # works with -DSLALOM_PRECOMPILE_HEADERS=OFF.

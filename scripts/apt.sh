@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Questions to the package database, for scripts that source this file.
 
 # The names in a list of packages.

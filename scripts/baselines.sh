@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Makes the tables of docs/baselines-*.md again, as Markdown: scripts/baselines.sh FOLDER [PAGE...]
 # PAGE is barn, slalom-small, slalom-standard, slalom-dynamic-small or slalom-dynamic-standard; all by default. The
 # tables are written to FOLDER/PAGE.md. Environment variables: BARN, the folder of that data set; METHODS, a list with
@@ -6,7 +7,7 @@
 # Each method has its own result file in FOLDER/PAGE, which is used again if it is complete: a new method costs its own
 # runs only. Delete the files of methods that have changed.
 set -euo pipefail
-[ $# -ge 1 ] || { sed -n '2,7s/^# //p' "$0" >&2; exit 2; }
+[ $# -ge 1 ] || { sed -n '3,8s/^# //p' "$0" >&2; exit 2; }
 cd "$(dirname "$0")/.."
 folder=$1 pages=("${@:2}")
 [ ${#pages[@]} -gt 0 ] || pages=(barn slalom-small slalom-standard slalom-dynamic-small slalom-dynamic-standard)

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Configures and builds one preset: scripts/build.sh [release|dev|asan] [-DOPTION=VALUE...] [TARGET...]
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The part of scripts/check_platform.sh for arm64: cross-compiles the programs with unpacked packages of the release of
 # Debian that runs here, emulates them and compares their results with those documented and those of build/release:
 #   scripts/check_arm64.sh FOLDER MIRROR JOBS

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Fails if a comment opens without a head, as "Of the parts, ..." or "What it does": check_comments.py [FILE...]
 
 A comment begins with a noun phrase ("A minimal subset: ...") or a verb ("Returns ..."), so that its first words say what it

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Fails if a document has a broken link, or words of a laboratory notebook: check_documents.py [FILE...]
 
 Documents describe the present program to its users: measurements in progress and the history of defects belong in commit

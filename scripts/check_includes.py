@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Fails if the includes of modules/, adapters/ and apps/ contradict their layers: check_includes.py [SOURCES]
 
 A module includes headers only of core and of modules in its DEPENDS. No modules depend on each other in a circle; nor do

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the packages of scripts/package.sh in a new Debian system below /tmp, as root, evaluates a method in Python and
 # runs the first campaign of the README there, removes the packages, and fails if they left anything:
 #   scripts/check_packages.sh [SUITE [FOLDER]]
@@ -6,7 +7,7 @@
 # `scripts/check_platform.sh --packages` makes them for another one. Needs the packages debootstrap or mmdebstrap and
 # util-linux, and a mirror. Not part of scripts/test.sh, as it downloads a system.
 set -euo pipefail
-usage() { sed -n '2,/^set /{/^set /d; s/^# \{0,1\}//; p}' "$0"; }
+usage() { sed -n '3,/^set /{/^set /d; s/^# \{0,1\}//; p}' "$0"; }
 refuse() {
   echo "check_packages.sh: $1" >&2
   exit 2

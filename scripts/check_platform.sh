@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds Slalom and runs its tests in another release of Debian, in a chroot; prints what failed. Requires root, and
 # debootstrap:
 #   scripts/check_platform.sh [--folder DIR] [--mirror URL] [--jobs N] [--required-only] SUITE [CTEST_OPTION...]
@@ -15,7 +16,7 @@ script=$(realpath "$0")
 source_folder=$(dirname "$(dirname "$script")")
 
 usage() {
-  sed -n '2,/^set /{/^set /d; s/^# \{0,1\}//; p}' "$script"
+  sed -n '3,/^set /{/^set /d; s/^# \{0,1\}//; p}' "$script"
 }
 
 refuse() {

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs clang-tidy (.clang-tidy; every finding is an error) on sources: scripts/check_tidy.sh [--all | FILE...]. Without
 # arguments on those that changed since SLALOM_TIDY_BASE (origin/main, or where that is HEAD itself 20 commits before it),
 # the latest change first: 16 in any case, more until SLALOM_TIDY_SECONDS (150) have passed; it names the others. Larger

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs missing packages, builds the programs that the demo needs, and evaluates four methods in two real
 # laser-scanned buildings and 60 generated scenarios. Prints the tables and the path of the report.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the API reference with Doxygen, build/release/api/html/index.html; a warning is an error. Its first page is the
 # table of modules of docs/architecture.md.
 set -euo pipefail

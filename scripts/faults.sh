@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Ends, interrupts and obstructs the programs of the release build at random moments and prints a table of the cases:
 # what must hold, and what was seen. Exit status 1 if they differ.
 #

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Fuzzes the readers of files and messages: scripts/fuzz.sh [SECONDS per target] [TARGET...]
 # Requires clang-14 and libclang-rt-14-dev. Findings are written to build/fuzz/found; inputs of fixed defects belong in
 # tests/fuzz/corpus/TARGET, which every test run replays. Longer inputs of the corpus are cut to 4,096 bytes here, since

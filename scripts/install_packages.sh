@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the missing packages of scripts/packages.txt with apt (with sudo unless root). With --tests also those packages
 # of scripts/packages_test.txt that the distribution provides.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes modules/core/src/math_tables.h, the tables of slalom/core/math.h, from integer arithmetic alone.
 
 Fixed-point integers of 1600 bits stand for real numbers; every series is summed until its terms vanish.
@@ -153,7 +154,8 @@ def constants():
 
 
 def main():
-    print("// Written by scripts/math_tables.py; included by math.cpp only.\n// clang-format off\n")
+    print("// SPDX-License-Identifier: BSD-3-Clause\n"
+          "// Written by scripts/math_tables.py; included by math.cpp only.\n// clang-format off\n")
     constants()
     two_over_pi = 2 * ONE * ONE // PI
     words = [two_over_pi >> (BITS - 64 * (i + 1)) & (1 << 64) - 1 for i in range(22)]

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the Debian packages slalom, libslalom-dev, python3-slalom and slalom-doc in build/release, and checks them with
 # lintian: scripts/package.sh
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Makes the README's picture of the report of the demo campaign, after scripts/demo.sh: report_picture.sh
 # [REPORT_FOLDER [PICTURE]]. To be run again whenever the report or what the demo computes has changed.
 set -euo pipefail

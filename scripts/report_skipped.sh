@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Prints the tests that a run of ctest skipped, with their reasons: scripts/report_skipped.sh BUILD_FOLDER. Fails when a
 # reason is a package ("needs the package NAME") that the distribution has.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs missing packages, checks format, documents and comments, builds with warnings as errors, and runs all tests: in
 # release mode, and again under the address and undefined-behavior sanitizers; runs clang-tidy on changes. Prints the time of each step.
 set -euo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "figure.h"
 #include "figure_file.h"
 #include "warnings.h"

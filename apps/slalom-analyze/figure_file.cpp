@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "figure_file.h"
 
 #include <slalom/core/error.h>

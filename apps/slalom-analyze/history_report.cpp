@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "history_report.h"
 
 #include <slalom/io/result_file.h>

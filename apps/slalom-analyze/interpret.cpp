@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "interpret.h"
 #include "output.h"
 #include "shard_tables.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "interpret_options.h"
 #include "key_options.h"
 

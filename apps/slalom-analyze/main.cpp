@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "export.h"
 #include "figure.h"
 #include "history_report.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "shard_tables.h"
 #include "warnings.h"
 

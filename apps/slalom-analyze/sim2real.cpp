@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "key_options.h"
 #include "sim2real.h"
 #include "warnings.h"

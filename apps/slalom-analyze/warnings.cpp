@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "warnings.h"
 
 #include <slalom/app/program.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/table_text.h>
 #include <slalom/app/campaign_arguments.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cluster_report.h"
 
 #include <slalom/app/interrupt.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "failure_files.h"
 
 #include <slalom/app/output_folder.h>

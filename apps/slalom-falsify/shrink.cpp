@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cluster_report.h"
 #include "failure_files.h"
 #include "verbs.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/completion.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "play_window.h"
 #include "verbs.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "make_list.h"
 
 #include <slalom/app/import_scenarios.h>

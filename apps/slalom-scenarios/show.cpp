@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "filter.h"
 
 #include <slalom/commands/list_hash.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "dwa_local_planner/footprint.h"
 
 #include <slalom/core/math.h>

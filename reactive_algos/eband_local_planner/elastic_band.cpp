@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "common/cost_to_go.h"
 #include "eband_local_planner/elastic_band.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "eband_local_planner/follow_band.h"
 
 #include <slalom/core/math.h>

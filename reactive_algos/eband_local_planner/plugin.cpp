@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "eband_local_planner/eband_local_planner.h"
 
 const slalom_method_api* slalom_method_get_api(void) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "follow_the_gap.h"
 
 #include <slalom/core/math.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "common/plugin.h"
 #include "follow_the_gap.h"
 

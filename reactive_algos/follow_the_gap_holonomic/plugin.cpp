@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "common/holonomic.h"
 #include "follow_the_gap_holonomic/follow_the_gap_holonomic.h"
 

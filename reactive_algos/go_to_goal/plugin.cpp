@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "go_to_goal/go_to_goal.h"
 
 const slalom_method_api* slalom_method_get_api(void) {

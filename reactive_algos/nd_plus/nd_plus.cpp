@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "nd_plus/nd_plus.h"
 
 #include <slalom/core/math.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "potential_field/potential_field.h"
 
 #include <slalom/core/math.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "regulated_pure_pursuit/regulated_pure_pursuit.h"
 
 const slalom_method_api* slalom_method_get_api(void) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "common/holonomic.h"
 #include "smooth_nd/smooth_nd.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "smooth_nd/smooth_nd.h"
 
 #include <slalom/core/math.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vfh_plus/vfh_plus.h"
 
 #include <slalom/core/math.h>

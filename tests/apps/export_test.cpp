@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "occurrences.h"
 #include "program_run.h"
 

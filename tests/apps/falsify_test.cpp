@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "browser.h"
 #include "planted_failure.h"
 #include "program_run.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The results of one campaign to the bit, as Box2D tests its determinism: a change that alters them
 // is noticed, and says so by changing the hash.
 #include "program_run.h"

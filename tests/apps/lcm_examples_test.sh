@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the C++ example method against an installed Slalom, generates the messages of the Lua and the Java example, and
 # runs each in a campaign: lcm_examples_test.sh SOURCE_FOLDER BUILD_FOLDER
 set -euo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "private_network.h"
 #include "program_run.h"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs Slalom into a temporary folder, builds the examples against it, and runs a campaign with the installed
 # programs and an evaluation with the installed libraries: out_of_tree_test.sh SOURCE_FOLDER BUILD_FOLDER
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Completion and manual pages of the programs in BUILD/bin: shell_test.sh BUILD_FOLDER
 set -uo pipefail
 build=$1

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs a campaign of 16 shards on a Slurm cluster of one node, which is started on the loopback device and ended again:
 # slurm_cluster_test.sh BIN_FOLDER. A task is requeued, one is killed, one gets the signal of the time limit, and the node
 # goes down. What is missing is submitted again. The merged results are those of one run.

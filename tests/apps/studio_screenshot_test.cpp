@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "png_file.h"
 #include "studio_fixture.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "studio_fixture.h"
 
 #include <mrpt/img/CImage.h>

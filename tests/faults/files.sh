@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Hostile, damaged and doubled files, and machines at their limits: see scripts/faults.sh.
 set -u
 seconds=$1

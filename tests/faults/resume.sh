@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Campaigns that are ended in the middle and continued: see scripts/faults.sh.
 set -u
 seconds=$1

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Campaigns in shards whose files are missing, damaged, doubled or of another campaign: see scripts/faults.sh.
 set -u
 seconds=$1

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Methods that harm their process, and the innocent method beside them: see scripts/faults.sh.
 set -u
 source "$(dirname "$0")/common/campaign.sh"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The readers and their dependencies, compiled for libFuzzer with sanitizers; the rest of the project is not built.
 set(MODULES ${PROJECT_SOURCE_DIR}/modules)
 set(FORMATS ${PROJECT_SOURCE_DIR}/adapters/map_formats/src)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz_target.h"
 
 #include <slalom/map_formats/map_task.h>

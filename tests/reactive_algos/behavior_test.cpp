@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Properties of these methods that are known from the literature, each in its own scenario, with
 // the simulator and the plug-ins.
 #include <slalom/library/library_method.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Finds what makes hashes and dumps depend on the C library: check_libm.sh SOURCES BUILD_FOLDER. Libraries and plug-ins
 # must not call functions whose last bits IEEE 754 leaves open, nor MRPT's coordinates in frames of poses, whose bits are
 # those of its package; sources must not name the former. slalom/core/math.h and slalom/core/pose.h replace them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Preloaded: Highway uses only the vectors that each processor of this architecture has.
 #include <hwy/targets.h>
 

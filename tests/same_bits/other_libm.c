@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /* Preloaded: the mathematical functions of the C library, with another last bit in a third of their
    results, chosen by the arguments. Zeros, infinities, NaN and results of few digits (sin(0),
    pow(2, 3)) stay: every library has these. */

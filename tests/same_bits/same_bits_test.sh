@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs the programs as on other machines and compares bits: same_bits_test.sh dumps|testbeds SOURCES BIN LIBM VECTORS,
 # where LIBM and VECTORS are the libraries of other_libm.c and narrow_vectors.cpp.
 set -euo pipefail

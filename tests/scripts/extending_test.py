@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The diffs in docs/extending.md apply to the tree, one after another, and their sources compile:
 extending_test.py SOURCES BUILD"""
 

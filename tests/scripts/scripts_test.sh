@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Tests of scripts/ that run in a second, with a package database and test logs made up here: scripts_test.sh SOURCES
 set -uo pipefail
 sources=$1

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // in_private_network COMMAND ARGUMENTS...: runs a test in its own network namespace (if not
 // permitted, in that of the machine).
 #include "private_network.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/lcm/lcm_method.h>
 
 namespace slalom {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/library/shared_library.h>
 
 #include <windows.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "map_writers.h"
 
 #include <slalom/core/text.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "full_eval.h"
 
 #include <mrpt/config/CConfigFileMemory.h>

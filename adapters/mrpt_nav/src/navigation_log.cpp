@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "navigation_log.h"
 
 #include <fmt/format.h>

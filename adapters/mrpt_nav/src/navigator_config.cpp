@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "navigator_config.h"
 
 #include <slalom/core/distance.h>

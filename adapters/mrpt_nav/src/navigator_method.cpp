@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "navigation_log.h"
 #include "navigator_factory.h"
 #include "simulated_robot.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ptg_cache_folder.h"
 
 #include <slalom/core/hash.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sectors.h"
 
 #include <slalom/core/math.h>

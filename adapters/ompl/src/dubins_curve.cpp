@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "dubins_curve.h"
 
 #include <slalom/core/math.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/distance.h>
 #include <slalom/ompl/exact_disc_planner.h>
 #include <slalom/references/disc_path.h>

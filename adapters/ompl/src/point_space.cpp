@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "planning_space.h"
 
 #include <slalom/ompl/disc_checks.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "dubins_curve.h"
 #include "pose_motions.h"
 #include "pose_states.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "pose_smoothing.h"
 
 #include <slalom/core/math.h>

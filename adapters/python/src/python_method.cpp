@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "interpreter.h"
 #include "python_class.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "checked_archive.h"
 
 #include <slalom/core/text.h>

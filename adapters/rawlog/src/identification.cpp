@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "profile.h"
 #include "range_noise.h"
 #include "response_fit.h"

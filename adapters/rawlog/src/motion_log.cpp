@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "rawlog_objects.h"
 
 #include <slalom/core/text.h>

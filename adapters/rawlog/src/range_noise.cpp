@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "range_noise.h"
 
 #include <slalom/analysis/distributions.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "delayed_response.h"
 #include "lag_fit.h"
 #include "response_fit.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "manifest_reader.h"
 #include "rawlog_format.h"
 #include "rawlog_objects.h"

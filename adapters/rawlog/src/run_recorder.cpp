@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "gzip.h"
 #include "manifest_text.h"
 #include "rawlog_format.h"

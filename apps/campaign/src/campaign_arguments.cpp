@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/campaign_arguments.h>
 #include <slalom/app/campaign_names.h>
 #include <slalom/app/existing_options.h>

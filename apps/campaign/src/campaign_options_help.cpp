@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/adapters.h>
 #include <slalom/app/campaign_names.h>
 #include <slalom/app/campaign_program.h>

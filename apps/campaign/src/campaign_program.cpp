@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "manifest.h"
 
 #include <slalom/analysis/bins.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/adapters.h>
 #include <slalom/app/external_options.h>
 #include <slalom/core/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/adapters.h>
 #include <slalom/app/method_dependencies.h>
 #include <slalom/core/child_process.h>

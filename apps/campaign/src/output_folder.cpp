@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/output_folder.h>
 #include <slalom/core/error.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/campaign_program.h>
 #include <slalom/app/recorded_campaign.h>
 #include <slalom/core/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/man_page.h>
 #include <slalom/core/text.h>
 

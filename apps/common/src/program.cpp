@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/completion.h>
 #include <slalom/app/man_page.h>
 #include <slalom/app/program.h>

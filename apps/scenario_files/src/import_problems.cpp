@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "import_problems.h"
 
 #include <slalom/core/error.h>

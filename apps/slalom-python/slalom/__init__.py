@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Automatic evaluation of obstacle avoidance methods for mobile robots.
 
     import slalom

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/campaign/campaign_folder.h>
 #include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/campaign/campaign_recorder.h>
 #include <slalom/core/error.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "command_journal.h"
 
 #include <slalom/methods/registry.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/campaign/measure_log.h>
 #include <slalom/core/distance.h>
 #include <slalom/core/text.h>

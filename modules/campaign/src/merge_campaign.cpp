@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/campaign/merge_campaign.h>
 #include <slalom/campaign/shards.h>
 #include <slalom/core/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/campaign/method_pool.h>
 #include <slalom/core/error.h>
 #include <slalom/workers/worker_sandbox.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "command_journal.h"
 #include "run_executor.h"
 #include "scripted_method.h"

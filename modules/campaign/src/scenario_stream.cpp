@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/text.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "scenario_survey.h"
 
 #include <slalom/campaign/measure.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "scenario_pool.h"
 
 #include <slalom/analysis/cell_text.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/commands/convert_list.h>
 #include <slalom/commands/list_command.h>
 #include <slalom/core/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edit_checks.h"
 
 #include <slalom/commands/edit_geometry.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/commands/edit_movers.h>
 #include <slalom/core/distance.h>
 

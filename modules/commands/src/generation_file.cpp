@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "generation_state.h"
 
 #include <slalom/commands/generation_file.h>

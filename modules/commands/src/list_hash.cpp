@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/commands/list_hash.h>
 #include <slalom/core/hash.h>
 

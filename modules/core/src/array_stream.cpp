@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/array_stream.h>
 #include <slalom/core/error.h>
 

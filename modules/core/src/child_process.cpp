@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/child_process.h>
 #include <slalom/core/error.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Written by scripts/math_tables.py; included by math.cpp only.
 // clang-format off
 

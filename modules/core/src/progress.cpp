@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/printable.h>
 #include <slalom/core/progress.h>
 #include <slalom/core/progress_line.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/quiet_standard_error.h>
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/text.h>
 #include <slalom/core/value.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/descriptors/descriptor_cache.h>
 
 namespace slalom {

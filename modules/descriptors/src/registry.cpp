@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "parameters.h"
 
 /// The descriptors, in the order of definitions.md: id, version, name, unit, kind and range of the

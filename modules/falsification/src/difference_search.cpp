@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "difference_search.h"
 
 #include <slalom/generation/mutation.h>

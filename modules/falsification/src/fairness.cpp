@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "isolated_trials.h"
 
 #include <slalom/core/distance.h>

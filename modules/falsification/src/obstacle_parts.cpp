@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "obstacle_parts.h"
 
 #include <slalom/core/text.h>

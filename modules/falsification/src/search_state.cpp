@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/byte_stream.h>
 #include <slalom/falsification/search.h>
 #include <slalom/io/scenario_list.h>

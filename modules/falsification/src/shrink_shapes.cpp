@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "shrinker.h"
 
 #include <slalom/generation/scene.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "transaction.h"
 
 #include <sqlite3.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "common.h"
 #include "mover_encounters.h"
 #include "speed.h"

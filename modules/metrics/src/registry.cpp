@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/metrics/metric.h>
 #include <slalom/metrics/mover_metrics.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "arrival/arrival_bound.h"
 #include "arrival/lattice.h"
 #include "arrival/safe_interval_search.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/references/disc_path.h>
 #include <slalom/references/exact_shortest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "wall_time.h"
 
 #include <slalom/references/exact_shortest.h>

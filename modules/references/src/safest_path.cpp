@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "diagram.h"
 
 #include <slalom/references/safest_path.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/references/voronoi_diagram.h>
 
 namespace slalom {

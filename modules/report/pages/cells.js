@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cells of tables: digits, shades, whiskers, reasons of missing values; small builders of cards and texts.
 "use strict";
 

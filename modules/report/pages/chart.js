@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Charts as SVG; the colors of text and axes follow the style sheet, for print and dark mode.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Clusters of failures: their section of index.html, and cluster.html#INDEX (from 1). Uses the builders of report.js.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Shared by all pages: the report's data, builders of elements, texts. Works from a local file, without a network.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Distributions of a metric by method: cumulative fractions, boxes, proportions, and runs over a second quantity.
 "use strict";
 

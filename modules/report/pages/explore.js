@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The page on which the reader chooses: any metric, by any descriptor or metric, of the runs that a filter leaves. The
 // address has the choices.
 "use strict";

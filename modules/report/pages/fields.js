@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fields of each run, by name: texts, metrics and descriptors; and filters of runs in these words.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sections that fold: a heading that opens and closes its content.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The gallery of scenarios: pictures, outcomes, values.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tables of links are one stop of the tab key; arrow keys, Home and End move within them.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs as points of a chart: drawn as one path per method and kind of outcome, found by the pointer or by keys, opened by a click.
 "use strict";
 

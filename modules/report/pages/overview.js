@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The first screen of index.html and method.html: a sentence per method, its outcomes, its failures worth looking at.
 "use strict";
 

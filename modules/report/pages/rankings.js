@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sections that compare methods by curves and ranks, and maps over two descriptors.
 "use strict";
 

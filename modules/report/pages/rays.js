@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ray casting in a scenario: the distance from (x, y) along (dx, dy) to the nearest obstacle, at most `range`.
 "use strict";
 

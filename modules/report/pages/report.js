@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Draws index.html (the whole campaign), method.html#INDEX (one method, from 1) and, with clusters.js, cluster.html from
 // the data of report.json.
 "use strict";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The page of one run: the scenario, the trajectory, a time slider with the scan at that time, clearance
 // and speed, and all values. The data is in data/s-HASH8.js, which calls slalomScenario(), and data/summary.js.
 "use strict";

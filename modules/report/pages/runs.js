@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The page of many runs: those of one number of a table (runs.html#cell-12) or all (runs.html), as a table that can be
 // sorted, filtered and extended by any metric or descriptor. The address has the choices.
 "use strict";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The picture of a run: the scenario, the reference paths, and layers for scan, tracks and robot.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Statistics that the pages compute themselves from the values of runs: counts, means and quantiles. Intervals and
 // tests come with the report.
 "use strict";

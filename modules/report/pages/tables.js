@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sections of index.html and method.html that are tables and sentences; `method` restricts them to one, null: all.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "markup.h"
 
 #include <slalom/io/svg_scene.h>

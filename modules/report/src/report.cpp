@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "index_page.h"
 #include "pages.h"
 #include "report_data.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "value_data.h"
 
 #include <slalom/analysis/cell_json.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/results/outcome_words.h>
 #include <slalom/results/run_record.h>
 

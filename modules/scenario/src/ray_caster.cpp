@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "free_rectangles.h"
 #include "rectangle_codes.h"
 #include "scan_kernel.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "selection_parser.h"
 
 #include <slalom/core/text.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mover_contact.h"
 
 #include <slalom/core/distance.h>

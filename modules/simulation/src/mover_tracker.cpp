@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mover_tracker.h"
 
 #include <slalom/core/math.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/simulation/range_finder.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mover_tracker.h"
 #include "odometry.h"
 #include "pose_history.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "termination_checker.h"
 
 #include <slalom/core/distance.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #define GLFW_INCLUDE_NONE  // only the names of keys
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "worker_keeper.h"
 #include "worker_limits.h"
 #include "worker_main.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "shared_inputs.h"
 #include "worker_process.h"
 

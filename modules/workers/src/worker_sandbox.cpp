@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/workers/worker_sandbox.h>
 
 #include <cerrno>

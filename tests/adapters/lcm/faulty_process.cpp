@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An external method with one fault: faulty_process FAULT. It commands 0.5 m/s straight ahead. The
 // fault occurs at the fourth observation of runs with seed 13; all other runs are normal.
 #include <slalom/lcm/protocol.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
 #include "lcm_fixture.h"
 

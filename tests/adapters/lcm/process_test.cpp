@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "lcm_fixture.h"
 #include "wait_until.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/mrpt_nav/holonomic_method.h>
 #include <slalom/simulation/simulate.h>
 

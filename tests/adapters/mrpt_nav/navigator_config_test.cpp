@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
 #include "navigator_config.h"
 #include "navigator_fixture.h"

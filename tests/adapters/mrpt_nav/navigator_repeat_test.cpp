@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "navigator_fixture.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // navigator_runs CONFIG COUNT MAX_TIME: prints the hashes of runs, for comparison with another
 // process.
 #include "navigator_fixture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "ompl_worlds.h"
 
 #include <slalom/ompl/exact_disc_planner.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs the example and checks what it prints and writes: ompl_benchmark_test.sh PROGRAM
 set -euo pipefail
 folder=$(mktemp -d)

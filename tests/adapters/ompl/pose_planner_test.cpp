@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "in_child.h"
 #include "ompl_worlds.h"
 #include "pose_motions.h"

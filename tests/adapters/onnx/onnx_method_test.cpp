@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The networks are linear (networks/make_networks.py): of the inputs x0, x1, ... the first output
 // is the sum of 2^i xi, the second the sum of i xi.
 #include "error_text.h"

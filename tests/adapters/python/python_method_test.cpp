@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
 
 #include <slalom/python/python_method.h>
@@ -173,7 +174,7 @@ TEST(PythonMethod, ImportsModulesOfItsFolder) {
 TEST(PythonMethod, ReportsAnExceptionWithItsTracebackOnOneLine) {
   const std::string text = error_of("raise");
   EXPECT_EQ(text.find("KeyError: 'no such\\nplan' (echo.py:"), 0u) << text;
-  EXPECT_NE(text.find("helper.py:6 in fail)"), std::string::npos) << text;
+  EXPECT_NE(text.find("helper.py:7 in fail)"), std::string::npos) << text;
 }
 
 TEST(PythonMethod, DoesNotEndTheProcessByExit) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recorded_runs.h"
 
 #include <slalom/rawlog/laser_log.h>

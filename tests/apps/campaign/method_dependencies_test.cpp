@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/method_dependencies.h>
 #include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Common functions of the scripts of the groups and the test on a Slurm cluster.
 
 # A case for the table of scripts/faults.sh: report CASE EXPECTED SEEN.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A method that moves straight ahead and does what `fault` names, once in each run, after one
 // second.
 #include <slalom/methods/slalom_method.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
 #include "manual_time.h"
 #include "open_files.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "io_sample.h"
 
 #include <slalom/campaign/describe_scenario.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "list_sample.h"
 
 #include <slalom/commands/list_hash.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "aligned_copy.h"
 
 #include <slalom/core/array_stream.h>

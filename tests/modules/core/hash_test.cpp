@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/hash.h>
 
 #include <gtest/gtest.h>

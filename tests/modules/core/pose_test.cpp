@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/math.h>
 #include <slalom/core/pose.h>
 #include <slalom/core/random.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/shared_array.h>
 
 #include <gtest/gtest.h>

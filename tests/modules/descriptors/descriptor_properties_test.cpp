@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Invariants of all scenarios, tested on random scenarios by RapidCheck.
 #include "small_worlds.h"
 

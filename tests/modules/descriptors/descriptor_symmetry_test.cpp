@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The laws of every registered descriptor: the value depends on the cells, not on where they lie,
 // how they are turned or as what they are given.
 #include "small_worlds.h"

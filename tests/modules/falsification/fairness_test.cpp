@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "planted_methods.h"
 
 #include <slalom/falsification/candidates.h>

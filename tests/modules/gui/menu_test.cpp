@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "widgets/menu.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // No run is shorter than the shortest path: tested by RapidCheck on random grids and trajectories.
 #include <slalom/core/distance.h>
 #include <slalom/metrics/metric.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "disc_problems.h"
 #include "reference_worlds.h"
 #include "tangent_graph.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "browser.h"
 #include "memory_folder.h"
 #include "occurrences.h"

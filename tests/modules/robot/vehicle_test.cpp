@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/robot/vehicle.h>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "one_target.h"
 #include "random_worlds.h"
 

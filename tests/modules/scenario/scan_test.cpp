@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scans, which vectors of rays compute in single precision, against single rays in double
 // precision, from cell to cell.
 #include "one_target.h"

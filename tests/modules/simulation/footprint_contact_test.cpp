@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "test_runs.h"
 
 #include <slalom/simulation/footprint_contact.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mover_contact.h"
 #include "mover_tracker.h"
 #include "test_runs.h"

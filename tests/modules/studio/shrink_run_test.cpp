@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "finish_jobs.h"
 #include "list_files.h"
 #include "results_sample.h"

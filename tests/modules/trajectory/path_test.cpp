@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/random.h>
 #include <slalom/trajectory/path.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "open_files.h"
 #include "shared_memory.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "manual_time.h"
 #include "open_files.h"
 #include "temporary_folder.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "common/arcs.h"
 #include "common/motion.h"
 #include "one_target.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "common/cost_to_go.h"
 #include "observations.h"
 #include "one_target.h"

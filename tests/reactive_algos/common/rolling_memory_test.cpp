@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "common/rolling_memory.h"
 #include "observations.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "common/sectors.h"
 #include "common/valleys.h"
 #include "holonomic_scenes.h"

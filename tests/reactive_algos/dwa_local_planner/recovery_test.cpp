@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "common/motion.h"
 #include "dwa_local_planner/footprint.h"
 #include "dwa_local_planner/jackal.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "eband_local_planner/elastic_band.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "follow_the_gap_holonomic/follow_the_gap_holonomic.h"
 #include "holonomic_scenes.h"
 

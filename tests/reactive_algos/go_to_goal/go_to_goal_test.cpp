@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "go_to_goal/go_to_goal.h"
 #include "observations.h"
 

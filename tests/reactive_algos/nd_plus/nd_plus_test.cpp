@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "holonomic_scenes.h"
 #include "nd_plus/nd_plus.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "holonomic_scenes.h"
 #include "potential_field/potential_field.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "observations.h"
 #include "regulated_pure_pursuit/regulated_pure_pursuit.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "observations.h"
 #include "trajectory_rollout/trajectory_rollout.h"
 

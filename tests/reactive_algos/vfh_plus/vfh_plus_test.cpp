@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "holonomic_scenes.h"
 #include "vfh_plus/vfh_plus.h"
 

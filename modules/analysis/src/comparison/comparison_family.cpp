@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/paired_comparison.h>
 #include <slalom/core/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/contrast.h>
 #include <slalom/analysis/quantile.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/history.h>
 #include <slalom/analysis/scenario_means.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/method_ranks.h>
 #include <slalom/analysis/scenario_means.h>
 #include <slalom/core/error.h>

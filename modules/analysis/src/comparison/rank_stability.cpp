@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/rank_stability.h>
 #include <slalom/analysis/rank_statistics.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/campaign_settings.h>
 #include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/robustness.h>

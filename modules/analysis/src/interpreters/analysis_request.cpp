@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/analysis_request.h>
 #include <slalom/analysis/analysis_section.h>
 #include <slalom/core/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "row_table.h"
 
 #include <slalom/analysis/cell_text.h>

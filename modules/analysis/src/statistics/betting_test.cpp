@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/betting_test.h>
 #include <slalom/core/math.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/distributions.h>
 #include <slalom/analysis/quantile.h>
 #include <slalom/analysis/statistics.h>

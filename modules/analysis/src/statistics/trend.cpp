@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/rank_statistics.h>
 #include <slalom/analysis/trend.h>
 

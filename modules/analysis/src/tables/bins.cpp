@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/bins.h>
 #include <slalom/analysis/cell.h>
 #include <slalom/core/error.h>

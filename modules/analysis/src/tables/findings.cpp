@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/findings.h>
 #include <slalom/core/text.h>

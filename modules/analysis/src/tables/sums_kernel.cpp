@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sums_kernel.h"
 
 #include <cmath>

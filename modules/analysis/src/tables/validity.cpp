@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/scenario_means.h>
 #include <slalom/analysis/validity.h>
 

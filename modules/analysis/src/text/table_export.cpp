@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/cell_json.h>
 #include <slalom/analysis/table_export.h>
 #include <slalom/core/text.h>

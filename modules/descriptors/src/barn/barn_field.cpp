@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "../parameters.h"
 #include "barn_field.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "horizon.h"
 
 #include <slalom/descriptors/descriptor.h>

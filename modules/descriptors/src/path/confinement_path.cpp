@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "../clearance/confined_fraction.h"
 #include "along_path.h"
 

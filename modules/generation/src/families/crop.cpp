@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "grid_scenario.h"
 #include "load_windows.h"
 

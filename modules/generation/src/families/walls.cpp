@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "walls.h"
 
 #include <boost/pending/disjoint_sets.hpp>

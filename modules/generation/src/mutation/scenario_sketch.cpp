@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "scenario_sketch.h"
 
 #include <slalom/core/math.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "views/filter_box.h"
 
 #include <GLFW/glfw3.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "views/form_layout.h"
 #include "views/form_panel.h"
 #include "widgets/drawing.h"

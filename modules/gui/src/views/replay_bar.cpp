@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "views/panels.h"
 #include "widgets/drawing.h"
 

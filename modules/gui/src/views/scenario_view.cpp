@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "views/scenario_view.h"
 #include "views/shapes.h"
 #include "widgets/drawing.h"

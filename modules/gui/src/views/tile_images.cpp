@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #define GL_GLEXT_PROTOTYPES  // for the functions of OpenGL 3
 #include "views/scene_layers.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "widgets/element.h"
 
 #include <GLFW/glfw3.h>

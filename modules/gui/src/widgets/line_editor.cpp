@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "widgets/drawing.h"
 #include "widgets/line_editor.h"
 

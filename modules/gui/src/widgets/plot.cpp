@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "widgets/drawing.h"
 #include "widgets/plot.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "views/form_panel.h"
 #include "widgets/drawing.h"
 #include "window/script_player.h"

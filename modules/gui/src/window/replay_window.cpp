@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "views/panels.h"
 #include "views/scenario_view.h"
 #include "window/script_player.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "window/script_player.h"
 
 #include <slalom/core/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "widgets/splitter.h"
 #include "window/window_layout.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "scenario_list_impl.h"
 
 #include <sqlite3.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "list_schema.h"
 #include "scenario_list_impl.h"
 #include "sibling_temp_file.h"

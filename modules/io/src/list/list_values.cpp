@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "checked_row.h"
 #include "scenario_list_impl.h"
 #include "value_columns.h"

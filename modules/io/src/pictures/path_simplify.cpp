@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/io/path_simplify.h>
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "svg_obstacles.h"
 
 #include <slalom/scenario/occupancy.h>

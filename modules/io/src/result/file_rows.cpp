@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "checked_row.h"
 #include "combined_results.h"
 #include "database.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/io/rawlog_path.h>
 
 #include <filesystem>

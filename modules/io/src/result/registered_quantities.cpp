@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/io/registered_quantities.h>
 #include <slalom/metrics/metric.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "checked_row.h"
 #include "compression.h"
 #include "database.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "database.h"
 
 #include <slalom/io/analysis_input.h>

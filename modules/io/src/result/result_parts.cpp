@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "combined_results.h"
 #include "database.h"
 #include "value_columns.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "../disc_path/occupied_rows.h"
 #include "arrival_bound.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "../disc_path/geometry.h"
 #include "unsafe_departures.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "arcs.h"
 
 namespace slalom::disc_path {

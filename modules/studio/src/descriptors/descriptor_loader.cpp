@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/commands/describe_list.h>
 #include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "forms/requests.h"
 
 #include <slalom/core/text.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/studio/list_view.h>

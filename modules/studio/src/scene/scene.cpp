@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/math.h>
 #include <slalom/references/voronoi_diagram.h>
 #include <slalom/studio/scene.h>

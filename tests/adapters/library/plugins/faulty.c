@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /* A plug-in with one fault, selected by a macro. */
 #include <slalom/methods/slalom_method.h>
 

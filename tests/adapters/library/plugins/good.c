@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /* A plug-in that returns its inputs as commands, so that tests can check the interface. */
 #include <slalom/methods/slalom_method.h>
 

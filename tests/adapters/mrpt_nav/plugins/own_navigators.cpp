@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Custom navigators, selected by name. All move straight ahead, at a speed that decreases with the
 // number of navigations started, which reveals a missing reset.
 #include <slalom/mrpt_nav/navigator_plugin.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes the networks of onnx_method_test.cpp: linear layers with the weights that it states."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Methods for python_method_test.cpp."""
 
 import helper  # a module of the same folder

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 def command():
     return 0.125, 0.5
 

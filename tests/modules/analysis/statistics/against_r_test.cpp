@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares the statistics with those of R; skipped if Rscript is not installed.
 #include <slalom/analysis/friedman.h>
 #include <slalom/analysis/power.h>

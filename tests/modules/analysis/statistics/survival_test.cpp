@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/survival.h>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "result_fixture.h"
 
 #include <slalom/analysis/findings.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // No interval of a table or comparison leaves the range of its quantity: all registered ones.
 #include "result_fixture.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Descriptors of the free space, with or without the robot's size, in worlds with 1 m cells.
 #include "../small_worlds.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Descriptors of the obstacles alone, in worlds with 1 m cells.
 #include "../small_worlds.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Descriptors along the shortest path, with paths given by their vertices.
 #include "../small_worlds.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Follow-the-gap with a planted defect that begins in rare situations, so that tests know what a
 // search has to find. Key defect: none, watch, or one of kDefects.
 //

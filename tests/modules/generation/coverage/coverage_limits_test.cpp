@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "coverage/coverage_limits.h"
 #include "error_text.h"
 

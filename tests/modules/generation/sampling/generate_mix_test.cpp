@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "family_samples.h"
 
 #include <slalom/generation/generate_mix.h>

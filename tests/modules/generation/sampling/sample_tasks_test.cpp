@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/error.h>
 #include <slalom/generation/generator.h>
 #include <slalom/references/exact_shortest.h>

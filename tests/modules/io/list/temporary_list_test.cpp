@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "io_sample.h"
 
 #include <slalom/io/temporary_list.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "arrival/safe_interval_search.h"
 
 #include <slalom/core/distance.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "arrival/unsafe_departures.h"
 
 #include <slalom/core/random.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The parts of the search for the shortest path of a disc, each against its definition.
 #include "disc_path/arcs.h"
 #include "disc_path/connection.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The exact shortest path of a disc on random grids, compared with brute force.
 #include "disc_problems.h"
 #include "tangent_graph.h"

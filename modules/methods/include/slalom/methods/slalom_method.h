@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /* The function prototype of a compiled obstacle avoidance method: plain C.
  *
  * A method is a shared library with one exported function, slalom_method_get_api(), which returns
