@@ -16,9 +16,9 @@ endif()
 
 find_program(SLALOM_CCACHE ccache)
 if(SLALOM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Required by ccache for precompiled headers.
+  # The first is required by ccache for precompiled headers; by the second, builds in several folders share objects.
   set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
-      ${SLALOM_CCACHE})
+      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${SLALOM_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()

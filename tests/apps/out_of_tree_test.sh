@@ -11,7 +11,7 @@ warnings="-Wall -Wextra -Werror"
 build_example() {
   cp -r "$source/examples/$1" "$folder/$1"
   cd "$folder/$1"
-  cmake --no-warn-unused-cli -S . -B build -DCMAKE_PREFIX_PATH="$folder/installed" \
+  cmake --no-warn-unused-cli -S . -B build -DCMAKE_PREFIX_PATH="$folder/installed" "${@:2}" \
         -DCMAKE_C_FLAGS="$warnings" -DCMAKE_CXX_FLAGS="$warnings" >/dev/null
   cmake --build build >/dev/null
 }
@@ -29,10 +29,17 @@ done
 
 # docs/library.md shows the program and its output.
 block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$source/docs/library.md" | sed '1d;$d'; }
-build_example library_cpp
+# Its components need no packages of others.
+build_example library_cpp $(printf -- '-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON ' ompl pybind11 Python OpenCV mrpt-gui)
 diff <(block cpp) main.cpp
 ./build/my_evaluation >output
 diff <(block text) output
 
 build_example ompl_benchmark
 "$source/tests/adapters/ompl/ompl_benchmark_test.sh" ./build/ompl_benchmark
+
+mkdir "$folder/absent" && cd "$folder/absent"
+printf '%s\n' 'cmake_minimum_required(VERSION 3.20)' 'project(absent)' 'find_package(slalom REQUIRED COMPONENTS evaluate nothing)' \
+  >CMakeLists.txt
+! cmake -S . -B build -DCMAKE_PREFIX_PATH="$folder/installed" >log 2>&1
+grep -q 'this Slalom was built without: nothing' log || { cat log; exit 1; }

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/adapters.h>
 #include <slalom/core/options.h>
-#include <slalom/lcm/lcm_method.h>
+#include <slalom/core/version.h>
 #include <slalom/library/library_method.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
 #include <slalom/mrpt_nav/navigator_method.h>
+
+#ifdef SLALOM_WITH_LCM
+#include <slalom/lcm/lcm_method.h>
+#endif
+#ifdef SLALOM_WITH_ONNX
 #include <slalom/onnx/onnx_method.h>
+#endif
+#ifdef SLALOM_WITH_PYTHON
 #include <slalom/python/python_method.h>
+#endif
 
 namespace slalom {
 namespace {
@@ -22,24 +30,41 @@ void options_of(OptionVisitor& visitor) {
   Options().visit(visitor);
 }
 
+#ifdef SLALOM_WITH_LCM
 MethodFactory read_lcm(const IniFile& ini, const std::string& section) {
   return read_lcm_method(ini, section);
 }
+#endif
 
 /// A new adapter is registered here.
 constexpr Adapter kAdapters[] = {
     {"mrpt_holonomic", read_holonomic_method, options_of<HolonomicOptions>},
     {"mrpt_navigator", read_navigator_method, options_of<NavigatorOptions>},
     {"library", read_library_method, options_of<LibraryOptions>},
+#ifdef SLALOM_WITH_PYTHON
     {"python", read_python_method, options_of<PythonOptions>},
+#endif
+#ifdef SLALOM_WITH_ONNX
     {"onnx", read_onnx_method, options_of<OnnxOptions>},
+#endif
+#ifdef SLALOM_WITH_LCM
     {"lcm", read_lcm, options_of<LcmOptions>},
+#endif
 };
+
+/// Adapters that are optional parts of a build, with their options of CMake.
+constexpr std::pair<const char*, const char*> kOptionalAdapters[] = {
+    {"lcm", "SLALOM_WITH_LCM"}, {"onnx", "SLALOM_WITH_ONNX"}, {"python", "SLALOM_WITH_PYTHON"}};
 
 }  // namespace
 
 MethodRegistry all_adapters() {
   MethodRegistry registry;
+  for (const auto& [name, part] : kOptionalAdapters)
+    registry.add(name,
+                 [part = part](const IniFile& ini, const std::string& section) -> MethodFactory {
+                   throw not_built(ini.where(section, "adapter"), part);
+                 });
   for (const Adapter& adapter : kAdapters) registry.add(adapter.name, adapter.read);
   return registry;
 }

@@ -44,4 +44,9 @@ std::string processor_name() {
   return "unknown";
 }
 
+Error not_built(const std::string& where, const std::string& part) {
+  return usage_error(where, "Slalom was built without this part",
+                     "a build by CMake with -D" + part + "=ON");
+}
+
 }  // namespace slalom
