@@ -86,7 +86,7 @@ for page in "${pages[@]}"; do
   methods=${methods//,/ }
   for method in $methods; do
     "$bin/slalom-simulate" run -c configs/baselines.ini --scenarios "$list" -o "$folder/$page/$method.results" \
-      -j "${JOBS:-2}" --quiet --set "campaign.methods=$method" "${options[@]}"
+      -j "${JOBS:-2}" --quiet --set limits.run_wall_time=3600 --set "campaign.methods=$method" "${options[@]}"
   done
   table "$page" all "$columns" >"$folder/$page/all.csv"
   table "$page" "$bins" "${metrics// /,}" >"$folder/$page/bins.csv"
