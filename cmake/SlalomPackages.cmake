@@ -17,7 +17,7 @@ foreach(module ${modules})
   add_dependencies(packaged slalom_${module})
 endforeach()
 
-install(DIRECTORY ${PROJECT_BINARY_DIR}/api/html/ DESTINATION ${CMAKE_INSTALL_DOCDIR}-doc/html COMPONENT documentation
+install(DIRECTORY ${PROJECT_BINARY_DIR}/site/ DESTINATION ${CMAKE_INSTALL_DOCDIR}-doc/html COMPONENT documentation
         OPTIONAL)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}-doc/guide COMPONENT documentation
         PATTERN Doxyfile EXCLUDE)

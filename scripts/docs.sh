@@ -1,22 +1,52 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds the API reference with Doxygen, build/release/api/html/index.html; a warning is an error. Its first page is the
-# table of modules of docs/architecture.md.
+# Builds the documents and the API reference as a site that can be read and searched as files, without a network:
+# scripts/docs.sh [FOLDER], default build/release/site (packages doxygen, mkdocs, mkdocs-material and libjs-mathjax). A
+# warning is an error. SLALOM_API=OFF leaves out the reference.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-output=${1:-build/release/api}
-mkdir -p "$output"
+output=$(realpath -m "${1:-build/release/site}")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+version=$(sed -n 's/^project(slalom VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+
+# Its first page is the table of modules.
 {
   echo "# Slalom's modules {#mainpage}"
   sed -n '/^## Modules$/,/^## Design invariants$/p' docs/architecture.md | sed '1d;$d'
-} >"$output/modules.md"
-version=$(sed -n 's/^project(slalom VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+} >"$work/modules.md"
 {
   cat docs/Doxyfile
   echo "PROJECT_NUMBER = $version"
-  echo "OUTPUT_DIRECTORY = $output"
-  echo "INPUT += $output/modules.md"
-  echo "USE_MDFILE_AS_MAINPAGE = $output/modules.md"
-} | doxygen -
-rm "$output/modules.md"
-echo "API reference: $output/html/index.html"
+  echo "OUTPUT_DIRECTORY = $work"
+  echo "INPUT += $work/modules.md"
+  echo "USE_MDFILE_AS_MAINPAGE = $work/modules.md"
+} >"$work/Doxyfile"
+[ "${SLALOM_API:-ON}" = OFF ] || { doxygen "$work/Doxyfile" && mv "$work/html" "$work/api"; }
+
+mkdir "$work/theme"
+cat >"$work/theme/main.html" <<'END'
+{% extends "base.html" %}
+{% block libs %}<script src="{{ 'search/offline.js' | url }}"></script>{% endblock %}
+END
+cat >"$work/mkdocs.yml" <<END
+site_name: Slalom $version
+docs_dir: $PWD/docs
+site_dir: $output
+use_directory_urls: false
+theme:
+  name: material
+  custom_dir: $work/theme
+  font: false
+  features: [navigation.tabs, navigation.top, search.highlight, toc.follow]
+  palette:
+    - {media: "(prefers-color-scheme: light)", scheme: default, primary: indigo, toggle: {icon: material/weather-night, name: Dark}}
+    - {media: "(prefers-color-scheme: dark)", scheme: slate, primary: indigo, toggle: {icon: material/weather-sunny, name: Light}}
+plugins: [search]
+hooks: [$PWD/scripts/docs_site.py]
+extra: {made: "$work", generator: false}
+markdown_extensions: [tables, fenced_code, {toc: {permalink: true}}]
+END
+mkdocs build --strict --config-file "$work/mkdocs.yml" >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
+rm "$output/Doxyfile" "$output"/sitemap.xml*
+echo "Documents: $output/index.html"

@@ -4,11 +4,11 @@
 # lintian: scripts/package.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
-for tool in doxygen lintian; do
+for tool in doxygen lintian mkdocs; do
   command -v $tool >/dev/null || { echo "needs the package $tool" >&2; exit 1; }
 done
 scripts/build.sh release packaged
-scripts/docs.sh build/release/api
+scripts/docs.sh build/release/site
 (cd build/release && rm -f ./*.deb && cpack -G DEB)
 lintian --fail-on error build/release/*.deb
 ls -l build/release/*.deb

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Hook of mkdocs (scripts/docs.sh): the menu follows docs/README.md, links to headers lead to the API reference, and the
+search works in pages opened as files, where browsers fetch no index and start no worker of another file."""
+import json
+import pathlib
+import re
+
+from mkdocs.structure.files import File
+
+LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)#\s]*)(#[^)\s]*)?\)")
+
+
+def on_config(config):
+    """The sections of the index with their pages, each page where it is named last: readers come from somewhere first."""
+    docs = pathlib.Path(config["docs_dir"])
+    section_of = {}
+    for section in (docs / "README.md").read_text().split("\n## ")[1:]:
+        for _, target, _ in LINK.findall(section):
+            if target.endswith(".md") and "/" not in target:
+                section_of.pop(target, None)
+                section_of[target] = section.split("\n", 1)[0]
+    for page in sorted(docs.glob("*.md")):
+        if page.name != "README.md":
+            section_of.setdefault(page.name, "More")
+    sections = {}
+    for page, section in section_of.items():
+        sections.setdefault(section, []).append(page)
+    config["nav"] = [{"Home": "README.md"}] + [{section: pages} for section, pages in sections.items()]
+    return config
+
+
+def on_files(files, config):
+    """The API reference, which is made already."""
+    made = pathlib.Path(config["extra"]["made"])
+    for file in sorted((made / "api").rglob("*")):
+        if file.is_file():
+            files.append(File(str(file.relative_to(made)), str(made), config["site_dir"], False))
+    return files
+
+
+def header_page(path):
+    """The page of a public header in the API reference; empty for other files."""
+    header = re.search(r"/include/slalom/(?:.*/)?([^/]+)\.h$", path)
+    return header[1].replace("_", "__") + "_8h.html" if header else ""
+
+
+def on_page_markdown(markdown, page, config, files):
+    """Other files outside the documents have no page: their links become texts."""
+    def resolve(match):
+        text, target, anchor = match.groups()
+        if not target.startswith("../"):
+            return match[0]
+        path = "api/" + header_page(target)
+        return f"[{text}]({path})" if files.get_file_from_path(path) else text
+    if page.file.src_path == "README.md" and files.get_file_from_path("api/index.html"):
+        markdown += "\n## API reference\n\n[All modules and headers](api/index.html)\n"
+    return LINK.sub(resolve, markdown)
+
+
+def on_post_build(config):
+    """The index and the source of the worker as a script of all pages."""
+    site = pathlib.Path(config["site_dir"])
+    index = json.dumps(json.loads((site / "search/search_index.json").read_text()), sort_keys=True)
+    worker = next(site.glob("assets/javascripts/workers/search.*.min.js")).read_text()
+    script = (f"var __search = {{index: Promise.resolve({index}), worker: URL.createObjectURL(new Blob("
+              f"[{json.dumps(worker)}], {{type: 'text/javascript'}}))}};\n")
+    (site / "search/offline.js").write_text(script.replace("</", "<\\/"))

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The site of scripts/docs.sh, opened as files in Chromium: site_test.py SOURCE_FOLDER"""
+import html.parser
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+FOUND = "[...document.querySelectorAll('.md-search-result__link')].map(a => a.href)"
+
+
+class Browser:
+    """Chromium, controlled by its debugging protocol over two pipes."""
+
+    def __enter__(self):
+        command, self.write = os.pipe()
+        self.read, reply = os.pipe()
+        shell = f"exec chromium --headless --no-sandbox --disable-gpu --remote-debugging-pipe 3<&{command} 4>&{reply}"
+        self.process = subprocess.Popen(["bash", "-c", shell], pass_fds=(command, reply), stderr=subprocess.DEVNULL)
+        os.close(reply)
+        self.count, self.buffer, self.session = 0, b"", {}
+        target = self.call("Target.createTarget", url="about:blank")["targetId"]
+        session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        self.session = {"sessionId": session}
+        return self
+
+    def __exit__(self, *_):
+        self.process.kill()
+        self.process.wait()
+
+    def call(self, method, **params):
+        self.count += 1
+        message = {"id": self.count, "method": method, "params": params, **self.session}
+        os.write(self.write, json.dumps(message).encode() + b"\0")
+        while True:
+            while b"\0" not in self.buffer:
+                part = os.read(self.read, 1 << 16)
+                assert part, "the browser ended"
+                self.buffer += part
+            text, self.buffer = self.buffer.split(b"\0", 1)
+            answer = json.loads(text)
+            if answer.get("id") == self.count:
+                return answer["result"]
+
+    def wait_for(self, url, expression):
+        """The value of the expression in the page once it is neither empty nor false."""
+        self.call("Page.navigate", url=url)
+        promise = ("new Promise(done => { const look = () => { const value = " + expression +
+                   "; value && value.length ? done(value) : setTimeout(look, 50) }; look() })")
+        while True:
+            answer = self.call("Runtime.evaluate", expression=promise, awaitPromise=True, returnByValue=True)
+            if "value" in answer.get("result", {}):  # else the page was left meanwhile
+                return answer["result"]["value"]
+
+
+class Links(html.parser.HTMLParser):
+    def __init__(self):
+        super().__init__()
+        self.targets = set()
+
+    def handle_starttag(self, tag, attributes):
+        self.targets |= {value.split("#")[0] for name, value in attributes if name in ("href", "src") and value}
+
+
+def broken_links(site):
+    for page in site.glob("*.html"):
+        if page.name == "404.html":
+            continue
+        links = Links()
+        links.feed(page.read_text())
+        for target in links.targets:
+            if target and ":" not in target and not (page.parent / target).exists():
+                yield f"{page.name}: {target}"
+
+
+def main(source):
+    for tool in ("mkdocs", "chromium"):
+        if not shutil.which(tool):
+            print("skipped: needs the package " + tool)
+            sys.exit(77)
+    with tempfile.TemporaryDirectory() as folder:
+        site = pathlib.Path(folder) / "site"
+        subprocess.run([f"{source}/scripts/docs.sh", site], check=True, env={**os.environ, "SLALOM_API": "OFF"})
+        pages = {page.stem for page in pathlib.Path(source, "docs").glob("*.md")} - {"README"} | {"index"}
+        assert pages <= {page.stem for page in site.glob("*.html")}, "a page is missing"
+        assert not list(broken_links(site)), list(broken_links(site))
+        text = (site / "index.html").read_text()
+        assert all(f'href="{page}.html' in text for page in pages - {"index"}), "a page is not in the menu"
+        with Browser() as browser:
+            found = browser.wait_for(f"file://{site}/tutorial.html?q=troubleshooting", FOUND)
+            assert any("/troubleshooting.html" in url for url in found), found
+
+
+main(sys.argv[1])
