@@ -6,8 +6,9 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
-#include <slalom/io/analysis_input.h>
+#include <slalom/io/read_results.h>
 #include <slalom/io/result_files.h>
+#include <slalom/report/analysis_input.h>
 #include <slalom/results/privileged.h>
 
 #include <memory>

@@ -3,9 +3,9 @@
 #include "warnings.h"
 
 #include <slalom/analysis/table_sums.h>
-#include <slalom/io/analysis_input.h>
 #include <slalom/io/result_files.h>
 #include <slalom/io/result_parts.h>
+#include <slalom/report/analysis_input.h>
 #include <slalom/results/privileged.h>
 
 #include <filesystem>

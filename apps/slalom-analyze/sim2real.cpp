@@ -6,8 +6,8 @@
 #include <slalom/analysis/sim2real.h>
 #include <slalom/app/campaign_names.h>
 #include <slalom/app/completion.h>
-#include <slalom/io/analysis_input.h>
 #include <slalom/metrics/metric.h>
+#include <slalom/report/analysis_input.h>
 
 #include <nlohmann/json.hpp>
 

@@ -51,4 +51,9 @@ bool is_database(const std::string& path) {
   return file && head == magic;
 }
 
+bool is_result_input(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored) || is_database(path);
+}
+
 }  // namespace slalom

@@ -4,7 +4,6 @@
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_fields.h>
 #include <slalom/io/result_file.h>
-#include <slalom/metrics/metric.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -22,7 +21,7 @@ std::string first_file(const std::string& path) {
 /// Metrics of the file, and the success, which every run has.
 std::vector<QuantityInfo> metrics_in(const std::string& path) {
   std::vector<QuantityInfo> metrics = ResultFile::open(first_file(path)).metrics();
-  const QuantityInfo& success = metric("success").info;
+  const QuantityInfo success = success_info();
   if (std::none_of(metrics.begin(), metrics.end(),
                    [&](const QuantityInfo& info) { return info.id == success.id; }))
     metrics.insert(metrics.begin(), success);

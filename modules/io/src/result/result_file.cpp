@@ -9,7 +9,6 @@
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
-#include <slalom/io/registered_quantities.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/references/reference_codec.h>
@@ -47,7 +46,43 @@ CREATE TABLE run_timings (run INTEGER PRIMARY KEY, wall_seconds REAL NOT NULL, f
                           checksum INTEGER NOT NULL);
 )",
                                    3};
-constexpr int kVersionOfRanges = 4;  // files of version 3 have no kinds and ranges of values
+constexpr int kVersionOfRanges = 4;
+
+/// The kinds and ranges of values that files of version 3 do not state, by id. All other quantities
+/// there are amounts without a range.
+struct KnownRange {
+  const char *kind, *range, *ids;
+};
+constexpr KnownRange kRangesOfVersion3[] = {
+    {"rate", "0..1", "success mover_collision stood_at_contact"},
+    {"count", "0..", "oscillation_count contact_mover obstacle_count"},
+    {"ratio", "..", "log_dimensionless_jerk"},
+    {"ratio", "..-1", "sparc"},
+    {"ratio", "..1", "progress"},
+    {"ratio", "0..",
+     "safety path_excess time_ratio clustering traversability dynamic_density "
+     "dynamic_traversability"},
+    {"ratio", "0..0.5", "barn_score_v2"},
+    {"ratio", "0..1",
+     "optimality optisafe spl soft_spl risk_time_ratio density cspace_density clearness "
+     "confinement confinement_path narrow_fraction trap_fraction goal_visibility"},
+    {"ratio", "0..16", "barn_dispersion"},
+    {"ratio", "1..", "arrival_ratio detour_ratio barn_tortuosity"},
+    {"amount", "0..",
+     "optimality_area safety_area path_length time_to_goal par2_time impact_speed "
+     "min_time_to_collision final_distance closest_distance mean_speed time_stopped "
+     "cumulative_heading_change angle_over_length bending_energy max_curvature path_irregularity "
+     "rms_linear_acceleration rms_angular_acceleration rms_linear_jerk rms_angular_jerk "
+     "command_variation_v command_variation_w frechet_to_reference hausdorff_to_reference "
+     "mover_contact_speed mover_time_to_collision personal_space_time intimate_space_time "
+     "frozen_time clearness_mean_distance bottleneck_width clearance_mean clearance_q05 "
+     "turn_density barn_closest_distance barn_visibility barn_characteristic_dimension "
+     "crossing_flow"},
+    {"amount", "0..1", "occupancy_entropy"},
+    {"amount", "0..1.2", "personal_space_depth"},
+    {"amount", "0..12", "survivability"},
+    {"amount", "0..100", "inverse_clearance"},
+};
 
 /// The runs table: one row per run, one column per metric, NA reasons and standard errors as JSON,
 /// and the checksum of all of them.
@@ -195,7 +230,9 @@ struct ResultFile::Impl {
       if (ranges)
         read_range(text(7), text(8), info);
       else
-        add_registered_range(info);
+        for (const KnownRange& known : kRangesOfVersion3)
+          if (contains(split_nonempty(known.ids, ' '), info.id))
+            read_range(known.kind, known.range, info);
       infos.push_back(std::move(info));
     }
     return infos;

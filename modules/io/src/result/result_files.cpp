@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "database.h"
 
-#include <slalom/io/analysis_input.h>
 #include <slalom/io/merge_results.h>
+#include <slalom/io/read_results.h>
 #include <slalom/io/result_files.h>
 
 #include <filesystem>

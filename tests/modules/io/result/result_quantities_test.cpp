@@ -3,14 +3,10 @@
 #include "error_text.h"
 #include "io_sample.h"
 
-#include <slalom/io/registered_quantities.h>
 #include <slalom/io/result_file.h>
-#include <slalom/metrics/metric.h>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
-
-#include <set>
 
 namespace slalom {
 namespace {
@@ -56,7 +52,7 @@ TEST_F(QuantitiesOfAFile, HaveTheirKindAndRange) {
   EXPECT_EQ(range_notation(file.descriptors().at(0).range), "..");
 }
 
-TEST_F(QuantitiesOfAFile, OfVersion3AreThoseThatAreRegistered) {
+TEST_F(QuantitiesOfAFile, OfVersion3HaveTheKindsAndRangesOfThatTime) {
   ResultFile::create(path_, {{"campaign", "test"}}, {plain("density")},
                      {plain("success"), plain("mover_collision"), plain("optimality"),
                       plain("frozen_time"), plain("of_another_program")});
@@ -93,23 +89,6 @@ TEST_F(QuantitiesOfAFile, ThatWereChangedAreDamaged) {
   execute("UPDATE quantities SET value_range = '0..2'");
   EXPECT_TRUE(
       throws_error(ErrorKind::File, path_, {"is damaged"}, [&] { ResultFile::open(path_); }));
-}
-
-TEST(RegisteredQuantities, HaveDifferentIds) {
-  std::set<std::string> ids;
-  for (const QuantityInfo& info : registered_quantities())
-    EXPECT_TRUE(ids.insert(info.id).second) << info.id;
-}
-
-TEST(RegisteredQuantities, ContainTheSuccessThatTablesDeriveFromTheOutcome) {
-  const QuantityInfo &registered = metric("success").info, derived = success_info();
-  EXPECT_EQ(registered.id, derived.id);
-  EXPECT_EQ(registered.version, derived.version);
-  EXPECT_EQ(registered.name, derived.name);
-  EXPECT_EQ(registered.unit, derived.unit);
-  EXPECT_EQ(registered.direction, derived.direction);
-  EXPECT_EQ(registered.kind, derived.kind);
-  EXPECT_EQ(range_notation(registered.range), range_notation(derived.range));
 }
 
 }  // namespace

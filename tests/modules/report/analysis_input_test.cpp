@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
-#include "list_sample.h"
+#include "temporary_folder.h"
 
-#include <slalom/io/analysis_input.h>
+#include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/io/result_file.h>
+#include <slalom/io/scenario_list.h>
+#include <slalom/metrics/metric.h>
+#include <slalom/report/analysis_input.h>
 #include <slalom/results/outcome_words.h>
 #include <slalom/trajectory/trajectory.h>
 
@@ -56,7 +60,7 @@ TEST_F(AnalysisInput, ResultFilesAreReadAsSuchWhateverTheirName) {
 TEST_F(AnalysisInput, IndexesBecomeTheirEdges) {
   const std::string path = folder_ / "a.scenarios";
   ScenarioList::create(path).create_index(
-      {"by_density", "density", sample_view().at("density"), {0, 0.25, 1}});
+      {"by_density", "density", {{"density", 1, ""}}, {0, 0.25, 1}});
   const auto specs = resolve_indexes(parse_bin_specs("all;density:@by_density"), path);
   ASSERT_EQ(specs.size(), 2U);
   EXPECT_EQ(specs[0].kind, BinSpec::Kind::All);
@@ -67,6 +71,21 @@ TEST_F(AnalysisInput, IndexesBecomeTheirEdges) {
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "rows 'clearness:@by_density'", {"density"}, [&] {
     resolve_indexes(parse_bin_specs("clearness:@by_density"), path);
   }));
+}
+
+TEST(KnownQuantities, HaveDifferentIds) {
+  for (const std::string& id : descriptor_ids()) EXPECT_FALSE(contains(metric_ids(), id)) << id;
+}
+
+TEST(KnownQuantities, ContainTheSuccessThatTablesDeriveFromTheOutcome) {
+  const QuantityInfo &registered = metric("success").info, derived = success_info();
+  EXPECT_EQ(registered.id, derived.id);
+  EXPECT_EQ(registered.version, derived.version);
+  EXPECT_EQ(registered.name, derived.name);
+  EXPECT_EQ(registered.unit, derived.unit);
+  EXPECT_EQ(registered.direction, derived.direction);
+  EXPECT_EQ(registered.kind, derived.kind);
+  EXPECT_EQ(range_notation(registered.range), range_notation(derived.range));
 }
 
 }  // namespace

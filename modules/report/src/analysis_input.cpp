@@ -2,19 +2,13 @@
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
-#include <slalom/io/analysis_input.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/io/read_results.h>
-#include <slalom/io/registered_quantities.h>
 #include <slalom/io/scenario_list.h>
-
-#include <filesystem>
+#include <slalom/metrics/metric.h>
+#include <slalom/report/analysis_input.h>
 
 namespace slalom {
-
-bool is_result_input(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::is_directory(path, ignored) || is_database(path);
-}
 
 ResultTable read_analysis_input(const std::string& path,
                                 const std::optional<std::vector<std::string>>& ids, bool csv,
@@ -22,7 +16,9 @@ ResultTable read_analysis_input(const std::string& path,
   const bool is_table = !is_result_input(path) && (csv || ends_with(path, ".csv"));
   if (!is_table) return read_results(path, ids);
   CsvColumnOptions with_known = options;
-  with_known.known = registered_quantities();
+  for (const Metric& metric : all_metrics()) with_known.known.push_back(metric.info);
+  for (const Descriptor& descriptor : all_descriptors())
+    with_known.known.push_back(descriptor.info);
   return columns_from_csv(read_text(path, "a table (.csv)"), path, with_known);
 }
 

@@ -10,9 +10,6 @@
 
 namespace slalom {
 
-/// Whether the file or folder is one for read_results(): a folder, or an SQLite database.
-bool is_result_input(const std::string& path);
-
 /// Reads runs for an analysis: a result file or a folder of them, of which only the columns in
 /// `ids` (see read_results()), or a table of numbers if the file is `csv` or its name ends with
 /// ".csv". Throws Error (File).
