@@ -24,7 +24,9 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/io/src/result/file_rows.cpp
   ${MODULES}/io/src/result/merge_results.cpp
   ${MODULES}/io/src/result/read_results.cpp
-  ${MODULES}/io/src/result/result_file.cpp
+  ${MODULES}/io/src/result/result_reader.cpp
+  ${MODULES}/io/src/result/result_schema.cpp
+  ${MODULES}/io/src/result/result_writer.cpp
   ${MODULES}/io/src/scenario/scenario_codec.cpp
   ${MODULES}/io/src/scenario/movers_file.cpp
   ${MODULES}/io/src/scenario/movers_yaml.cpp

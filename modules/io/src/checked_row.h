@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <SQLiteCpp/SQLiteCpp.h>
+#include "database.h"
+
+#include <slalom/core/value.h>
 
 #include <cstdint>
 #include <string>
@@ -35,35 +37,27 @@ class RowChecksum {
   void add_bytes(const void* bytes, std::size_t size);
 };
 
+struct Blob {
+  std::string bytes;
+};
+
 /// Binds the values of a new row one after the other, followed by its checksum.
 class CheckedInsert {
  public:
-  CheckedInsert(SQLite::Database& database, const std::string& sql) : row_(database, sql) {}
-  /// For a row that belongs to the row with the checksum `owner`.
-  CheckedInsert(SQLite::Database& database, const std::string& sql, std::int64_t owner)
-      : CheckedInsert(database, sql) {
+  /// `columns`: "a, b", without that of the checksum.
+  CheckedInsert(SQLite::Database& database, const std::string& table, const std::string& columns)
+      : row_(database, insert_sql(table, columns + ", checksum")) {}
+  /// For a row of the run `run` with the checksum `owner`.
+  CheckedInsert(SQLite::Database& database, const std::string& table, const std::string& columns,
+                std::int64_t run, std::int64_t owner)
+      : CheckedInsert(database, table, "run, " + columns) {
+    row_.bind(++column_, run);
     checksum_.add(owner);
   }
 
-  template <typename T>
-  CheckedInsert& add(const T& value) {
-    checksum_.add(value);
-    row_.bind(++column_, value);
-    return *this;
-  }
-  CheckedInsert& add_null() {
-    checksum_.add_null();
-    ++column_;
-    return *this;
-  }
-  CheckedInsert& add_blob(const std::string& bytes) {
-    checksum_.add(bytes);
-    row_.bind(++column_, bytes.data(), static_cast<int>(bytes.size()));
-    return *this;
-  }
-  /// A number that the checksum does not contain, such as that of the row.
-  CheckedInsert& add_key(std::int64_t number) {
-    row_.bind(++column_, number);
+  template <typename... Values>
+  CheckedInsert& add(const Values&... values) {
+    (add_one(values), ...);
     return *this;
   }
   /// Returns the checksum.
@@ -78,6 +72,21 @@ class CheckedInsert {
   SQLite::Statement row_;
   RowChecksum checksum_;
   int column_ = 0;
+
+  template <typename T>
+  void add_one(const T& value) {
+    checksum_.add(value);
+    row_.bind(++column_, value);
+  }
+  void add_one(const Blob& blob) {
+    checksum_.add(blob.bytes);
+    row_.bind(++column_, blob.bytes.data(), static_cast<int>(blob.bytes.size()));
+  }
+  void add_one(const Value& value) {
+    if (!value.is_na()) return add_one(value.number());
+    checksum_.add_null();
+    ++column_;
+  }
 };
 
 }  // namespace slalom

@@ -137,6 +137,18 @@ void distrust(SQLite::Database& database, const std::string& path, const std::st
   refuse_foreign_schema(database, path, schema);
 }
 
+bool has_table(SQLite::Database& database, const std::string& name, const std::string& schema) {
+  return bound(database, "SELECT 1 FROM " + schema + ".sqlite_master WHERE name = ?", name)
+      .executeStep();
+}
+
+std::string insert_sql(const std::string& table, const std::string& columns) {
+  std::string values = "?";
+  for (const char c : columns)
+    if (c == ',') values += ", ?";
+  return "INSERT INTO " + table + " (" + columns + ") VALUES (" + values + ")";
+}
+
 FileIdentity::FileIdentity(const std::string& path) {
   struct stat found = {};
   if (stat(path.c_str(), &found) != 0) return;

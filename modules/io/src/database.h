@@ -2,6 +2,7 @@
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
 
 #include <cstdint>
 #include <functional>
@@ -61,6 +62,21 @@ class FileIdentity {
   std::uint64_t device_ = 0, node_ = 0;  ///< 0: no file
   std::int64_t size_ = 0;
 };
+
+bool has_table(SQLite::Database& database, const std::string& name,
+               const std::string& schema = "main");
+
+/// A statement with values for its parameters.
+template <typename... Values>
+SQLite::Statement bound(SQLite::Database& database, const std::string& sql,
+                        const Values&... values) {
+  SQLite::Statement statement(database, sql);
+  SQLite::bind(statement, values...);
+  return statement;
+}
+
+/// "INSERT INTO table (a, b) VALUES (?, ?)"
+std::string insert_sql(const std::string& table, const std::string& columns);
 
 /// A transaction for reading, also within another one: all statements see the same state.
 class ReadTransaction {

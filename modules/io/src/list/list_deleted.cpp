@@ -6,7 +6,7 @@
 namespace slalom {
 namespace {
 
-constexpr std::int64_t kMaxDeletedBytes = 64 * 1024 * 1024;
+constexpr std::int64_t kMaxDeletedBytes = std::int64_t{64} * 1024 * 1024;
 
 /// The rows of deleted scenarios as they were, with the number of the deletion. Created by the
 /// first one, and unknown to earlier versions of Slalom, which leave the tables unchanged.
@@ -22,11 +22,6 @@ constexpr const char* kTables =
     " PRIMARY KEY (hash, key)) WITHOUT ROWID;";
 
 }  // namespace
-
-bool ScenarioList::Impl::has_deleted_tables() {
-  return database->execAndGet("SELECT count(*) FROM sqlite_master WHERE name = 'deleted_scenarios'")
-             .getInt() > 0;
-}
 
 std::int64_t ScenarioList::Impl::begin_deletion() {
   database->exec(kTables);
@@ -98,7 +93,7 @@ bool ScenarioList::Impl::restore(const std::string& hash) {
 
 bool ScenarioList::has_deletions() const {
   return reading(impl_->path, [&] {
-    return impl_->has_deleted_tables() &&
+    return has_table(*impl_->database, "deleted_scenarios") &&
            impl_->database
                    ->execAndGet(
                        "SELECT EXISTS (SELECT 1 FROM deleted_scenarios WHERE hash NOT IN "
@@ -110,7 +105,7 @@ bool ScenarioList::has_deletions() const {
 std::vector<std::vector<ScenarioList::Entry>> ScenarioList::deletions() const {
   return reading(impl_->path, [&] {
     std::vector<std::vector<Entry>> deletions;
-    if (!impl_->has_deleted_tables()) return deletions;
+    if (!has_table(*impl_->database, "deleted_scenarios")) return deletions;
     StatementUse rows = impl_->use(
         "SELECT hash, name, representation, generator, seed, checksum, deletion "
         "FROM deleted_scenarios WHERE hash NOT IN (SELECT hash FROM scenarios) "
@@ -129,7 +124,7 @@ std::vector<std::vector<ScenarioList::Entry>> ScenarioList::deletions() const {
 
 std::size_t ScenarioList::restore(const std::vector<std::string>& hashes) {
   return impl_->write([&] {
-    if (!impl_->has_deleted_tables()) return std::size_t{0};
+    if (!has_table(*impl_->database, "deleted_scenarios")) return std::size_t{0};
     return static_cast<std::size_t>(
         std::count_if(hashes.begin(), hashes.end(), [&](const std::string& hash) {
           if (!impl_->restore(hash)) return false;

@@ -70,11 +70,9 @@ void ScenarioList::save_as(const std::string& path) {
   expect_replaceable(path);
   SiblingTempFile draft(path);
   writing(path, [&] {
-    SQLite::Statement copy(*impl_->database, "VACUUM INTO ?");
     unlink(draft.name().c_str());
-    copy.bind(1, draft.name());
-    copy.exec();
-    if (!impl_->has_deleted_tables()) return;
+    bound(*impl_->database, "VACUUM INTO ?", draft.name()).exec();
+    if (!has_table(*impl_->database, "deleted_scenarios")) return;
     SQLite::Database target(draft.name(), SQLite::OPEN_READWRITE);
     for (const char* table : {"deleted_scenarios", "deleted_tags", "deleted_values"})
       target.exec(std::string("DROP TABLE IF EXISTS ") + table);

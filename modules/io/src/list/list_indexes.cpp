@@ -103,12 +103,9 @@ void ScenarioList::create_index(const ListIndex& index) {
   impl_->write([&] {
     std::vector<std::string> keys;
     for (const ValueKey& key : index.keys) keys.push_back(std::to_string(impl_->key_of(key)));
-    SQLite::Statement row(*impl_->database, "INSERT INTO indexes VALUES (?, ?, ?, ?)");
-    row.bind(1, index.name);
-    row.bind(2, index.descriptor);
-    row.bind(3, join(keys, ","));
-    row.bind(4, text_of(index.edges));
-    row.exec();
+    bound(*impl_->database, "INSERT INTO indexes VALUES (?, ?, ?, ?)", index.name, index.descriptor,
+          join(keys, ","), text_of(index.edges))
+        .exec();
     impl_->synchronize_indexes();
   });
 }
@@ -116,9 +113,7 @@ void ScenarioList::create_index(const ListIndex& index) {
 void ScenarioList::drop_index(const std::string& name) {
   index(name);
   impl_->write([&] {
-    SQLite::Statement row(*impl_->database, "DELETE FROM indexes WHERE name = ?");
-    row.bind(1, name);
-    row.exec();
+    bound(*impl_->database, "DELETE FROM indexes WHERE name = ?", name).exec();
     impl_->synchronize_indexes();
   });
 }

@@ -107,19 +107,16 @@ void ScenarioList::set_note(const std::string& key, const std::string& text) {
   impl_->write([&] {
     // Keeps the row of an existing note: the bytes of a list do not depend on how often it was
     // written.
-    SQLite::Statement row(*impl_->database,
-                          "INSERT INTO notes VALUES (?, ?) "
-                          "ON CONFLICT (key) DO UPDATE SET text = excluded.text");
-    row.bind(1, key);
-    row.bind(2, text);
-    row.exec();
+    bound(*impl_->database,
+          "INSERT INTO notes VALUES (?, ?) ON CONFLICT (key) DO UPDATE SET text = excluded.text",
+          key, text)
+        .exec();
   });
 }
 
 std::optional<std::string> ScenarioList::note(const std::string& key) const {
   return reading(impl_->path, [&]() -> std::optional<std::string> {
-    SQLite::Statement row(*impl_->database, "SELECT text FROM notes WHERE key = ?");
-    row.bind(1, key);
+    auto row = bound(*impl_->database, "SELECT text FROM notes WHERE key = ?", key);
     if (!row.executeStep()) return std::nullopt;
     return row.getColumn(0).getString();
   });

@@ -56,7 +56,6 @@ struct ScenarioList::Impl {
   bool add_tag(const std::string& hash, const std::string& tag);
   bool remove(const std::string& hash);  ///< false if it does not exist
 
-  bool has_deleted_tables();
   std::int64_t begin_deletion();  ///< returns its number
   /// Keeps a scenario that is about to be removed, for restore().
   void keep_deleted(const std::string& hash, std::int64_t deletion);

@@ -2,12 +2,11 @@
 #include "checked_row.h"
 #include "combined_results.h"
 #include "database.h"
+#include "result_schema.h"
 #include "value_columns.h"
 
 #include <slalom/core/error.h>
 #include <slalom/io/result_file.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -16,13 +15,6 @@
 
 namespace slalom {
 namespace {
-
-using Json = nlohmann::json;
-
-/// The columns of a run, followed by those of the metrics of the file and the checksum.
-constexpr int kRun = 0, kScenario = 1, kScenarioName = 2, kMethod = 3, kRepetition = 4, kSeed = 5,
-              kOutcome = 6, kOutcomeDetail = 7, kTrajectoryHash = 8, kReasons = 9,
-              kFirstMetric = 11;
 
 std::vector<QuantityInfo> sorted_by_id(std::vector<QuantityInfo> infos) {
   std::sort(infos.begin(), infos.end(),
@@ -125,14 +117,9 @@ class Reasons {
   const std::pair<const std::string, std::vector<std::string>>* last_ = nullptr;
 
   std::vector<std::string> parse(const std::string& text) const {
-    const Json json = Json::parse(text, nullptr, false);
-    if (!json.is_object()) throw file_error(path_, "contains a damaged row", "a JSON object");
+    const nlohmann::json json = object_in(text, path_);
     std::vector<std::string> reasons;
-    for (const QuantityInfo& info : metrics_) {
-      const auto found = json.find(info.id);
-      const bool known = found != json.end() && found->is_string();
-      reasons.push_back(known ? found->get<std::string>() : kNotRecorded);
-    }
+    for (const QuantityInfo& info : metrics_) reasons.push_back(reason_in(json, info.id));
     return reasons;
   }
 };
@@ -203,7 +190,8 @@ class ColumnReader {
       const auto stored =
           std::find_if(stored_metrics_.begin(), stored_metrics_.end(),
                        [&](const QuantityInfo& other) { return other.id == info.id; });
-      columns.push_back(kFirstMetric + static_cast<int>(stored - stored_metrics_.begin()));
+      columns.push_back(RunColumn::FirstMetric +
+                        static_cast<int>(stored - stored_metrics_.begin()));
       columns_.metrics.emplace_back(info);
     }
     return columns;
@@ -211,43 +199,46 @@ class ColumnReader {
 
   void read_runs() {
     const std::vector<int> metric_columns = this->metric_columns();
-    const int checksum = kFirstMetric + static_cast<int>(stored_metrics_.size());
-    FastRows rows(database_, "SELECT * FROM runs");
+    const int checksum = RunColumn::FirstMetric + static_cast<int>(stored_metrics_.size());
+    FastRows rows(database_, select_runs(stored_metrics_));
     CachedNameIndex scenarios(columns_.scenario_hashes), methods(columns_.methods),
         outcomes(columns_.outcomes);
     Reasons reasons(metrics_, path_);
     std::int64_t count = 0;
     for (; rows.next(); ++count) {
-      if (!rows.is_intact(kScenario, checksum)) {
+      if (!rows.is_intact(RunColumn::Scenario, checksum)) {
         report_damage("run", rows);
         continue;
       }
-      keys_.push_back(rows.integer(kRun));
+      keys_.push_back(rows.integer(RunColumn::Run));
       checksums_.push_back(rows.integer(checksum));
-      columns_.scenario.push_back(scenarios.index_of(rows.text(kScenario)));
+      columns_.scenario.push_back(scenarios.index_of(rows.text(RunColumn::Scenario)));
       if (columns_.scenario.back() == columns_.scenario_names.size()) {
-        columns_.scenario_names.emplace_back(rows.text(kScenarioName));
+        columns_.scenario_names.emplace_back(rows.text(RunColumn::ScenarioName));
       }
-      columns_.method.push_back(methods.index_of(rows.text(kMethod)));
-      columns_.repetition.push_back(static_cast<std::uint32_t>(rows.integer(kRepetition)));
-      columns_.outcome.push_back(outcomes.index_of(rows.text(kOutcome)));
+      columns_.method.push_back(methods.index_of(rows.text(RunColumn::Method)));
+      columns_.repetition.push_back(
+          static_cast<std::uint32_t>(rows.integer(RunColumn::Repetition)));
+      columns_.outcome.push_back(outcomes.index_of(rows.text(RunColumn::Outcome)));
       for (std::size_t i = 0; i < metrics_.size(); ++i) {
         if (rows.is_null(metric_columns[i])) {
-          columns_.metrics[i].add_na(reasons.of(rows.text(kReasons), i));
+          columns_.metrics[i].add_na(reasons.of(rows.text(RunColumn::Reasons), i));
         } else {
           columns_.metrics[i].add_number(rows.number(metric_columns[i]));
         }
       }
       if (!details_) continue;
-      columns_.details.push_back({std::strtoull(rows.text(kSeed), nullptr, 10),
-                                  rows.text(kOutcomeDetail), rows.text(kTrajectoryHash), 0});
+      columns_.details.push_back({std::strtoull(rows.text(RunColumn::Seed), nullptr, 10),
+                                  rows.text(RunColumn::OutcomeDetail),
+                                  rows.text(RunColumn::TrajectoryHash), 0});
     }
     expect_count_of_runs(database_, path_, count);
   }
 
   void report_damage(const std::string& what, FastRows& row) {
-    columns_.damaged.push_back(what + " " + std::string(row.text(kScenario)).substr(0, 8) + "/" +
-                               row.text(kMethod) + "/" + row.text(kRepetition));
+    columns_.damaged.push_back(what + " " +
+                               std::string(row.text(RunColumn::Scenario)).substr(0, 8) + "/" +
+                               row.text(RunColumn::Method) + "/" + row.text(RunColumn::Repetition));
   }
 
   void read_timings() {
@@ -264,8 +255,7 @@ class ColumnReader {
       if (keys_[row] != run || !rows.is_intact(1, kChecksum, checksums_[row])) continue;
       found[row] = true;
       if (details_) columns_.details[row].wall_seconds = rows.number(kWallSeconds);
-      const Json json = Json::parse(rows.text(kFigures), nullptr, false);
-      if (!json.is_object()) throw file_error(path_, "contains a damaged row", "a JSON object");
+      const nlohmann::json json = object_in(rows.text(kFigures), path_);
       for (const auto& [id, value] : json.items()) {
         if (value.is_number()) figures[id].emplace_back(row, value.get<double>());
       }

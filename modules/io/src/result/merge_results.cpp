@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compression.h"
 #include "database.h"
-#include "run_outputs.h"
+#include "result_schema.h"
 #include "sibling_temp_file.h"
 #include "unequal.h"
 
@@ -20,8 +20,7 @@ namespace {
 
 std::vector<std::string> columns_of(SQLite::Database& database, const std::string& table) {
   std::vector<std::string> columns;
-  SQLite::Statement rows(database, "SELECT name FROM pragma_table_info(?)");
-  rows.bind(1, table);
+  auto rows = bound(database, "SELECT name FROM pragma_table_info(?)", table);
   while (rows.executeStep()) columns.push_back('"' + rows.getColumn(0).getString() + '"');
   return columns;
 }
@@ -42,9 +41,7 @@ bool is_shard(const std::string& path) {
 class Attached {
  public:
   Attached(SQLite::Database& database, const std::string& path) : database_(database) {
-    SQLite::Statement attach(database_, "ATTACH ? AS part");
-    attach.bind(1, path);
-    attach.exec();
+    bound(database_, "ATTACH ? AS part", path).exec();
     distrust(database_, path, "part");
   }
   ~Attached() {
@@ -176,8 +173,8 @@ struct MergedResults::Impl {
       if (known > 0) expect_equal(table, file);
     }
     for (const char* table : {"trajectories", "run_timings"}) copy_by_run(table, offset);
-    if (has_run_outputs(*database, "part")) {
-      database->exec(kRunOutputs);
+    if (has_table(*database, "run_outputs", "part")) {
+      database->exec(kCreateRunOutputs);
       copy_by_run("run_outputs", offset);
     }
     const auto added = static_cast<std::size_t>(count(*database, "part.runs"));

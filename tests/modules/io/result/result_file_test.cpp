@@ -4,8 +4,10 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
+#include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -94,6 +96,28 @@ TEST_F(ResultFileTest, RestoresAllData) {
   EXPECT_EQ(refs.shortest->planner_length, 5.0);
   EXPECT_EQ(refs.timing.safest, 0.3);
   EXPECT_EQ(refs.safest_reason, "too narrow");
+}
+
+TEST_F(ResultFileTest, FindsTheColumnsOfRunsByTheirNames) {
+  const std::string path = folder_ / "a.results";
+  {
+    ResultFile file = create("a.results");
+    file.add_scenario({scenario_.hash(), scenario_.name(), {}}, scenario_, {});
+    file.add_run(run_of(scenario_, "nd", 2), {}, {});
+    file.commit();
+  }
+  const std::string lines = dump_text(ResultFile::open(path));
+  SQLite::Database(path, SQLite::OPEN_READWRITE)
+      .exec(
+          "CREATE TABLE reversed AS SELECT checksum, m_optimality, m_success, standard_errors, "
+          "reasons, trajectory_hash, outcome_detail, outcome, seed, repetition, method, "
+          "scenario_name, scenario, run FROM runs; "
+          "DROP TABLE runs; ALTER TABLE reversed RENAME TO runs");
+  EXPECT_EQ(dump_text(ResultFile::open(path)), lines);
+  const ResultTable table = read_results(path);
+  EXPECT_TRUE(table.damaged.empty());
+  ASSERT_EQ(table.size(), 1U);
+  EXPECT_EQ(find_metric(table, "optimality")->reason(0), "outcome: collision");
 }
 
 TEST_F(ResultFileTest, ReadsTheRunsOfOneScenario) {

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "checked_row.h"
+#include "compression.h"
+#include "result_file_impl.h"
+#include "result_schema.h"
+#include "value_columns.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/printable.h>
+#include <slalom/io/scenario_list.h>
+#include <slalom/references/reference_codec.h>
+#include <slalom/trajectory/trajectory_codec.h>
+
+#include <filesystem>
+#include <sqlite3.h>
+
+namespace slalom {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The text of a JSON column.
+std::string json_text(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+template <typename... Values>
+void insert(SQLite::Database& database, const std::string& table, const std::string& columns,
+            const Values&... values) {
+  bound(database, insert_sql(table, columns), values...).exec();
+}
+
+void insert_manifest(SQLite::Database& database, const Manifest& manifest) {
+  for (const auto& [key, text] : manifest) insert(database, "manifest", "key, text", key, text);
+}
+
+void insert_header_checksum(SQLite::Database& database) {
+  insert(database, "header", "checksum", header_checksum(database));
+}
+
+void insert_quantities(SQLite::Database& database, const std::string& kind,
+                       const std::vector<QuantityInfo>& infos) {
+  for (const QuantityInfo& info : infos)
+    insert(database, "quantities",
+           "kind, id, version, name, unit, direction, value_kind, value_range", kind, info.id,
+           info.version, info.name, info.unit, to_string(info.direction), to_string(info.kind),
+           range_notation(info.range));
+}
+
+void insert_descriptors(SQLite::Database& database, const ScenarioRecord& record) {
+  for (const auto& [id, versioned] : record.descriptors) {
+    SQLite::Statement row = bound(
+        database, insert_sql("descriptors", "hash, id, version, value, standard_error, reason"),
+        record.hash, id, versioned.version);
+    bind_value(row, 4, versioned.value);
+    row.exec();
+  }
+}
+
+/// Checksum of a scenario and its descriptors, as they were inserted.
+std::int64_t checksum_of(SQLite::Database& database, const ScenarioRecord& record) {
+  RowChecksum checksum;
+  checksum.add(record.hash).add(record.name);
+  SQLite::Statement rows = bound(database, kSelectDescriptors, record.hash);
+  while (rows.executeStep()) checksum.add_columns(rows, 0, rows.getColumnCount());
+  return checksum.value();
+}
+
+void insert_scenario(SQLite::Database& database, const ScenarioRecord& record,
+                     const std::string& content, const std::string& refs) {
+  SQLite::Statement row =
+      bound(database,
+            insert_sql("scenarios",
+                       "hash, name, checksum, content_checksum, refs_checksum, content, refs"),
+            record.hash, record.name, checksum_of(database, record),
+            RowChecksum().add(record.hash).add(content).value(),
+            RowChecksum().add(record.hash).add(refs).value());
+  row.bind(6, content.data(), static_cast<int>(content.size()));
+  row.bind(7, refs.data(), static_cast<int>(refs.size()));
+  row.exec();
+}
+
+/// Returns the checksum of the row.
+std::int64_t insert_run(SQLite::Database& database, const RunRecord& run,
+                        const std::vector<QuantityInfo>& metrics) {
+  std::vector<Value> values;
+  Json reasons = Json::object(), errors = Json::object();
+  for (const QuantityInfo& info : metrics) {
+    const auto found = run.metrics.find(info.id);
+    values.push_back(found == run.metrics.end() ? Value::na(kNotComputed) : found->second.value);
+    if (values.back().is_na()) reasons[info.id] = values.back().reason();
+    if (values.back().standard_error()) errors[info.id] = *values.back().standard_error();
+  }
+  CheckedInsert row(database, "runs", run_columns(metrics));
+  row.add(run.scenario_hash, run.scenario_name, run.method, std::int64_t{run.repetition},
+          std::to_string(run.seed), run.outcome, printable_line(run.outcome_detail),
+          run.trajectory_hash, json_text(reasons), json_text(errors));
+  for (const Value& value : values) row.add(value);
+  return row.exec();
+}
+
+}  // namespace
+
+void ResultFile::Impl::expect_unchanged() const {
+  std::string change = file.change(path);
+  if (change.empty() && FileIdentity(path).size() != file.size())
+    change = "was truncated or written by another program";
+  if (!change.empty())
+    throw job_error(path, change + "; " + rescue(), "a file that nobody else changes");
+}
+
+/// Readers only delay the writer: it waits long for its lock, and keeps changes in memory while it
+/// cannot get at the file.
+void ResultFile::Impl::begin() {
+  if (transaction) return;
+  expect_unchanged();
+  constexpr int kPatienceMs = 3600 * 1000;
+  database->setBusyTimeout(kPatienceMs);
+  database->exec("PRAGMA cache_spill = OFF");
+  database->exec("PRAGMA journal_mode = DELETE");  // another one damages files on network drives
+  transaction = std::make_unique<Transaction>(*database);
+}
+
+ResultFile ResultFile::create(const std::string& path, const Manifest& manifest,
+                              const std::vector<QuantityInfo>& descriptors,
+                              const std::vector<QuantityInfo>& metrics) {
+  for (const QuantityInfo& info : metrics) expect_column_name(info);
+  auto impl = std::make_unique<Impl>();
+  impl->path = path;
+  impl->descriptors = descriptors;
+  impl->metrics = metrics;
+  impl->database = create_database(path, kResultFile, [&](SQLite::Database& database) {
+    database.exec(create_runs(metrics));
+    insert_manifest(database, manifest);
+    insert_quantities(database, "descriptor", descriptors);
+    insert_quantities(database, "metric", metrics);
+    insert_header_checksum(database);
+  });
+  impl->file = FileIdentity(path);
+  return ResultFile(std::move(impl));
+}
+
+void ResultFile::add_scenario(const ScenarioRecord& record, const Scenario& scenario,
+                              const References& references) {
+  writing(impl_->path, [&] {
+    impl_->begin();
+    insert_descriptors(*impl_->database, record);
+    insert_scenario(*impl_->database, record, serialize(scenario), compress(to_bytes(references)));
+    const ReferenceTiming& timing = references.timing;
+    CheckedInsert(*impl_->database, "reference_timings",
+                  "hash, exact_seconds, planner_seconds, safest_seconds")
+        .add(record.hash, timing.exact, timing.planner, timing.safest)
+        .exec();
+  });
+}
+
+void ResultFile::add_run(const RunRecord& run, const RunTiming& timing,
+                         const Trajectory& trajectory) {
+  writing(impl_->path, [&] {
+    impl_->begin();
+    SQLite::Database& database = *impl_->database;
+    const std::int64_t checksum = insert_run(database, run, impl_->metrics);
+    const auto of_run = [&, id = database.getLastInsertRowid()](const std::string& table,
+                                                                const std::string& columns) {
+      return CheckedInsert(database, table, columns, id, checksum);
+    };
+    of_run("trajectories", "content").add(Blob{compress(to_bytes(trajectory))}).exec();
+    of_run("run_timings", "wall_seconds, figures")
+        .add(timing.wall_seconds, json_text(timing.values))
+        .exec();
+    if (timing.output.empty()) return;
+    database.exec(kCreateRunOutputs);
+    of_run("run_outputs", "content").add(Blob{timing.output}).exec();
+  });
+}
+
+bool ResultFile::commit(double patience) {
+  if (!impl_->transaction) return true;
+  impl_->expect_unchanged();
+  impl_->database->setBusyTimeout(static_cast<int>(1000 * patience));
+  try {
+    impl_->transaction->commit();
+  } catch (const SQLite::Exception& e) {
+    if (e.getErrorCode() == SQLITE_BUSY) return false;  // the transaction goes on
+    throw_write_error(impl_->path, e);
+  }
+  impl_->transaction.reset();
+  impl_->file = FileIdentity(impl_->path);
+  return true;
+}
+
+std::string ResultFile::Impl::rescue() const {
+  const std::string copy = path + ".rescued";
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, void (*)(void*)> content(
+      sqlite3_serialize(database->getHandle(), "main", &size, 0), sqlite3_free);
+  try {
+    if (content == nullptr) throw std::bad_alloc();
+    write_file_atomically(
+        copy, {reinterpret_cast<const char*>(content.get()), static_cast<std::size_t>(size)});
+    std::size_t runs = 0;
+    ResultFile::open(copy).for_each_run([&](const RunRecord&) { ++runs; });
+    return std::to_string(runs) + (runs == 1 ? " run is" : " runs are") + " kept in " + copy;
+  } catch (const std::exception& e) {
+    std::error_code ignored;
+    std::filesystem::remove(copy, ignored);
+    return std::string("its runs cannot be kept (") + reason_of(e) + ")";
+  }
+}
+
+std::string ResultFile::rescue() const {
+  return impl_->rescue();
+}
+
+void ResultFile::expect_runs(std::size_t count) const {
+  impl_->expect_unchanged();
+  const auto stored = reading(impl_->path, [&] {
+    return open_reader(impl_->path)->execAndGet("SELECT count(*) FROM runs").getInt64();
+  });
+  if (static_cast<std::size_t>(stored) != count)
+    throw job_error(impl_->path, "contains " + std::to_string(stored) + " runs; " + rescue(),
+                    std::to_string(count) + " runs");
+}
+
+void ResultFile::replace_manifest(const Manifest& manifest) {
+  writing(impl_->path, [&] {
+    impl_->begin();
+    impl_->database->exec("DELETE FROM manifest; DELETE FROM header");
+    insert_manifest(*impl_->database, manifest);
+    insert_header_checksum(*impl_->database);
+  });
+}
+
+}  // namespace slalom
