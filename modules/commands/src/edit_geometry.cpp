@@ -2,6 +2,7 @@
 #include "edit_checks.h"
 
 #include <slalom/commands/edit_geometry.h>
+#include <slalom/core/geometry.h>
 #include <slalom/core/text.h>
 
 #include <algorithm>
@@ -43,10 +44,6 @@ bool touches(const Bounds& b, const Polygon& polygon) {
                 box.vertices[k], box.vertices[(k + 1) % 4]))
         return true;
   return false;
-}
-
-bool is_finite(const TPoint2D& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
 void expect_valid(const Scenario& scenario, const Disc& disc) {

@@ -2,6 +2,7 @@
 #include "edit_checks.h"
 
 #include <slalom/commands/edit_geometry.h>
+#include <slalom/core/geometry.h>
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/maps/CSimplePointsMap.h>
@@ -17,8 +18,7 @@ using mrpt::maps::CSimplePointsMap;
 using mrpt::math::TPoint2D;
 
 void expect_valid(const Scenario& scenario, const Stroke& stroke) {
-  const auto finite = [](const TPoint2D& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
-  if (stroke.points.empty() || !std::all_of(stroke.points.begin(), stroke.points.end(), finite))
+  if (stroke.points.empty() || !std::all_of(stroke.points.begin(), stroke.points.end(), is_finite))
     refuse_edit(scenario, "the stroke has no finite points", "one or more finite points");
   if (!std::isfinite(stroke.radius) || stroke.radius < 0)
     refuse_edit(scenario, "invalid brush radius", "a radius of 0 or more");

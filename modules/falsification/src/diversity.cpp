@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/distance.h>
+#include <slalom/core/geometry.h>
 #include <slalom/core/math.h>
 #include <slalom/core/pose.h>
 #include <slalom/falsification/diversity.h>
@@ -14,18 +15,11 @@ namespace {
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
-double distance_to_segment(const TPoint2D& p, const TPoint2D& a, const TPoint2D& b) {
-  const TPoint2D along = b - a;
-  const double square = along.x * along.x + along.y * along.y;
-  const TPoint2D to = p - a;
-  const double part = square > 0 ? (to.x * along.x + to.y * along.y) / square : 0;
-  return distance_between(p, a + along * std::clamp(part, 0.0, 1.0));
-}
-
 bool sweeps(const Mover& mover, const TPoint2D& p) {
   TPoint2D from = mover.waypoints.front().position;
   return std::any_of(mover.waypoints.begin(), mover.waypoints.end(), [&](const Waypoint& next) {
-    const bool is_near = distance_to_segment(p, from, next.position) <= mover.radius;
+    const TPoint2D nearest = nearest_on_segment(p, from, next.position);
+    const bool is_near = distance_between(p, nearest) <= mover.radius;
     from = next.position;
     return is_near;
   });

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "half_planes.h"
 
-#include <algorithm>
+#include <slalom/core/geometry.h>
+
 #include <cstddef>
 
 namespace slalom {
@@ -19,13 +20,6 @@ std::vector<TPoint2D> clipped(const std::vector<TPoint2D>& polygon, const HalfPl
       result.push_back(a + (b - a) * (at_a / (at_a - at_b)));
   }
   return result;
-}
-
-TPoint2D nearest_on_segment(const TPoint2D& p, const TPoint2D& a, const TPoint2D& b) {
-  const TPoint2D edge = b - a, to_p = p - a;
-  const double length2 = edge.x * edge.x + edge.y * edge.y;
-  if (length2 <= 0) return a;
-  return a + edge * std::clamp((to_p.x * edge.x + to_p.y * edge.y) / length2, 0.0, 1.0);
 }
 
 TPoint2D nearest_on_border(const TPoint2D& p, const std::vector<TPoint2D>& polygon) {

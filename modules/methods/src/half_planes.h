@@ -23,11 +23,6 @@ struct HalfPlane {
 std::vector<mrpt::math::TPoint2D> clipped(const std::vector<mrpt::math::TPoint2D>& polygon,
                                           const HalfPlane& half_plane);
 
-/// The point of the segment from a to b that is nearest to p.
-mrpt::math::TPoint2D nearest_on_segment(const mrpt::math::TPoint2D& p,
-                                        const mrpt::math::TPoint2D& a,
-                                        const mrpt::math::TPoint2D& b);
-
 /// The point of the polygon's border that is nearest to p. Requires a corner.
 mrpt::math::TPoint2D nearest_on_border(const mrpt::math::TPoint2D& p,
                                        const std::vector<mrpt::math::TPoint2D>& polygon);

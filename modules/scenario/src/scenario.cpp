@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/error.h>
+#include <slalom/core/geometry.h>
 #include <slalom/core/hash.h>
 #include <slalom/core/printable.h>
 #include <slalom/scenario/grid_map.h>
@@ -25,13 +26,9 @@ std::string text(const TPoint2D& p) {
   return out.str();
 }
 
-bool finite(const TPoint2D& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y);
-}
-
 void check_bounds(const std::string& name, const Bounds& b) {
-  const bool good =
-      finite({b.x_min, b.y_min}) && finite({b.x_max, b.y_max}) && b.width() > 0 && b.height() > 0;
+  const bool good = is_finite({b.x_min, b.y_min}) && is_finite({b.x_max, b.y_max}) &&
+                    b.width() > 0 && b.height() > 0;
   if (!good)
     throw file_error(name,
                      "bounds from " + text({b.x_min, b.y_min}) + " to " + text({b.x_max, b.y_max}),
@@ -68,13 +65,13 @@ void check_task(const std::string& name, const Bounds& bounds, const TPose2D& st
 void check_primitives(const std::string& name, const Primitives& obstacles) {
   for (std::size_t i = 0; i < obstacles.discs.size(); ++i) {
     const Disc& disc = obstacles.discs[i];
-    if (!finite(disc.center) || !std::isfinite(disc.radius) || !(disc.radius > 0))
+    if (!is_finite(disc.center) || !std::isfinite(disc.radius) || !(disc.radius > 0))
       throw file_error(name, "disc " + std::to_string(i) + " is degenerate",
                        "a finite center and a radius above 0");
   }
   for (std::size_t i = 0; i < obstacles.polygons.size(); ++i) {
     bool good = true;
-    for (const TPoint2D& vertex : obstacles.polygons[i].vertices) good = good && finite(vertex);
+    for (const TPoint2D& vertex : obstacles.polygons[i].vertices) good = good && is_finite(vertex);
     if (!good || !is_simple(obstacles.polygons[i]))
       throw file_error(name, "polygon " + std::to_string(i) + " is degenerate",
                        "at least 3 finite vertices, positive area and no edges that cross");

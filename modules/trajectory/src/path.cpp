@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/distance.h>
+#include <slalom/core/geometry.h>
 #include <slalom/core/math.h>
 #include <slalom/trajectory/path.h>
 
@@ -9,19 +10,8 @@
 #include <stdexcept>
 
 namespace slalom {
-namespace {
 
 using mrpt::math::TPoint2D;
-
-double distance_to_segment(const TPoint2D& p, const TPoint2D& a, const TPoint2D& b) {
-  const TPoint2D ab = b - a;
-  const double squared = ab.x * ab.x + ab.y * ab.y;
-  const double projection = squared > 0 ? ((p.x - a.x) * ab.x + (p.y - a.y) * ab.y) / squared : 0.0;
-  const double t = std::clamp(projection, 0.0, 1.0);
-  return math::hypot(p.x - (a.x + t * ab.x), p.y - (a.y + t * ab.y));
-}
-
-}  // namespace
 
 double length(const Path& path) {
   double sum = 0;
@@ -33,7 +23,7 @@ double distance_to_path(const TPoint2D& p, const Path& path) {
   if (path.empty()) throw std::invalid_argument("distance_to_path: the path is empty");
   double best = distance_between(p, path[0]);
   for (std::size_t i = 1; i < path.size(); ++i)
-    best = std::min(best, distance_to_segment(p, path[i - 1], path[i]));
+    best = std::min(best, distance_between(p, nearest_on_segment(p, path[i - 1], path[i])));
   return best;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/core/distance.h>
 #include <slalom/core/math.h>
 #include <slalom/studio/scene_editor.h>
 
@@ -12,10 +13,6 @@ using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
 namespace {
-
-double distance_between(const TPoint2D& a, const TPoint2D& b) {
-  return math::hypot(b.x - a.x, b.y - a.y);
-}
 
 /// Obstacle number `index`, translated.
 Primitives translated(const Primitives& all, std::size_t index, double dx, double dy) {
