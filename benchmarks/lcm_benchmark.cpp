@@ -6,6 +6,7 @@
 //   --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true
 #include "private_network.h"
 
+#include <slalom/core/program_path.h>
 #include <slalom/lcm/lcm_method.h>
 #include <slalom/lcm/method_host.h>
 
@@ -21,7 +22,6 @@ namespace {
 
 constexpr int kRays = 181;
 constexpr char kHost[] = "--host";  // argument to run this program as the method's process
-std::string own_path;
 
 /// Reads every range, the minimum work of a method.
 class Nearest : public Method {
@@ -68,8 +68,8 @@ void in_process(benchmark::State& state) {
 }
 
 void lcm_lockstep(benchmark::State& state) {
-  const IniFile ini = IniFile::from_text("[method.a]\nadapter = lcm\nlaunch = exec '" + own_path +
-                                         "' " + kHost + "\n");
+  const IniFile ini = IniFile::from_text("[method.a]\nadapter = lcm\nlaunch = exec '" +
+                                         program_path() + "' " + kHost + "\n");
   const ScanObservation input;
   const auto method = read_lcm_method(ini, "method.a")(RobotModel(), SensorModel());
   method->reset(NavigationTask());
@@ -150,9 +150,6 @@ BENCHMARK(in_process)->UseRealTime()->Unit(benchmark::kMicrosecond);
 int main(int argc, char** argv) {
   if (argc == 2 && std::string(argv[1]) == slalom::kHost) return slalom::host();
   slalom::enter_private_network();
-  char path[4096] = "";
-  slalom::own_path.assign(path, static_cast<std::size_t>(std::max<ssize_t>(
-                                    readlink("/proc/self/exe", path, sizeof path), 0)));
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

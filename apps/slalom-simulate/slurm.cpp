@@ -6,6 +6,7 @@
 #include <slalom/app/program.h>
 #include <slalom/campaign/campaign_folder.h>
 #include <slalom/core/error.h>
+#include <slalom/core/program_path.h>
 #include <slalom/core/read_file.h>
 #include <slalom/io/merge_results.h>
 #include <slalom/io/result_file.h>
@@ -81,7 +82,7 @@ std::string resubmit_command(const SlurmArguments& arguments, const SlurmCampaig
 
 SlurmCampaign slurm_campaign(const SlurmArguments& arguments) {
   SlurmCampaign campaign;
-  campaign.program = fs::read_symlink("/proc/self/exe").string();
+  campaign.program = program_path();
   campaign.run_options = campaign_options(arguments);
   campaign.work_folder = fs::current_path().string();
   campaign.folder = absolute(arguments.output);

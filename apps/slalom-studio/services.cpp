@@ -5,11 +5,10 @@
 #include <slalom/core/child_process.h>
 #include <slalom/core/error.h>
 #include <slalom/core/options.h>
+#include <slalom/core/program_path.h>
 #include <slalom/core/progress_line.h>
 #include <slalom/core/text.h>
 #include <slalom/map_formats/map_export.h>
-
-#include <filesystem>
 
 namespace slalom {
 namespace {
@@ -41,8 +40,7 @@ std::string export_to(const Scenario& scenario, const std::string& format, doubl
 /// Runs slalom-falsify, since methods run in processes that the window must not fork: only the
 /// forking thread survives in them, and locks held by others are never released.
 std::string falsify(std::vector<std::string> command, Progress& progress) {
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  command.insert(command.begin(), (folder / "slalom-falsify").string());
+  command.insert(command.begin(), program_folder() + "/slalom-falsify");
   std::string output, last;
   ProgressLine now;
   const auto read_line = [&](const std::string& line) {

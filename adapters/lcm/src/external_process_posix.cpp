@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "external_process.h"
 
+#include <slalom/core/program_path.h>
+
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
-#include <filesystem>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -21,11 +22,6 @@ namespace {
 
 constexpr int kTerminationTimeout = 300;  // ms from SIGTERM to SIGKILL
 constexpr int kCannotExecute = 127;       // exit status, as in shells
-
-std::string program_folder() {
-  std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path().string();
-}
 
 /// Returns "NAME=VALUE" of this process's environment and of the added variables, which take
 /// precedence.

@@ -2,7 +2,6 @@
 #include <slalom/library/shared_library.h>
 
 #include <dlfcn.h>
-#include <filesystem>
 
 namespace slalom {
 namespace {
@@ -28,11 +27,6 @@ std::unique_ptr<SharedLibrary> load_shared_library(const std::string& path, std:
   const char* reason = dlerror();
   error = reason == nullptr ? "unknown reason" : reason;
   return nullptr;
-}
-
-std::string program_folder() {
-  std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path().string();
 }
 
 }  // namespace slalom

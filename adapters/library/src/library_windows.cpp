@@ -30,12 +30,4 @@ std::unique_ptr<SharedLibrary> load_shared_library(const std::string& path, std:
   return nullptr;
 }
 
-std::string program_folder() {
-  char buffer[MAX_PATH];
-  const DWORD size = GetModuleFileNameA(nullptr, buffer, MAX_PATH);
-  const std::string path(buffer, size);
-  const std::size_t slash = path.find_last_of("\\/");
-  return slash == std::string::npos ? "." : path.substr(0, slash);
-}
-
 }  // namespace slalom

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/error.h>
+#include <slalom/core/program_path.h>
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
-#include <slalom/library/shared_library.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -2,6 +2,7 @@
 #include "plugin_module.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/program_path.h>
 #include <slalom/core/read_file.h>
 
 #include <dlfcn.h>
@@ -17,8 +18,8 @@ std::string module_file(const std::string& path) {
   namespace fs = std::filesystem;
   if (path.find('/') != std::string::npos) return path;
   std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed).parent_path();
-  if (failed) return path;
+  const fs::path program = program_folder();
+  if (program.empty()) return path;
   for (const char* folder : {"../lib/slalom", "../lib"}) {
     const fs::path candidate = program / folder / path;
     if (fs::is_regular_file(candidate, failed)) return candidate.string();

@@ -3,6 +3,7 @@
 #include <slalom/app/method_dependencies.h>
 #include <slalom/core/child_process.h>
 #include <slalom/core/error.h>
+#include <slalom/core/program_path.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
@@ -41,12 +42,11 @@ bool is_file(const fs::path& path) {
 bool is_of_system(const fs::path& path) {
   std::error_code ignored;
   const std::string file = fs::canonical(path, ignored).string();
-  const fs::path programs = fs::read_symlink("/proc/self/exe", ignored).parent_path();
   const auto is_below = [&](const std::string& folder) {
     return !folder.empty() && starts_with(file, folder + "/");
   };
   return (is_below("/usr") && !is_below("/usr/local")) || is_below(shipped_folder()) ||
-         is_below(programs.string());
+         is_below(program_folder());
 }
 
 /// The words of an option, also of a command line with quotes, assignments and several commands.

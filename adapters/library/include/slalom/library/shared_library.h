@@ -16,7 +16,4 @@ class SharedLibrary {
 /// Returns null and sets `error` if it cannot be loaded.
 std::unique_ptr<SharedLibrary> load_shared_library(const std::string& path, std::string& error);
 
-/// Returns the folder of the running program, or "." if unknown.
-std::string program_folder();
-
 }  // namespace slalom
