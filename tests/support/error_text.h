@@ -2,21 +2,14 @@
 #pragma once
 
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cctype>
 #include <initializer_list>
 #include <string>
 
 namespace slalom {
-
-inline std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 /// Whether `text` contains each of `words`, in any order, ignoring case.
 inline ::testing::AssertionResult mentions(const std::string& text,

@@ -10,7 +10,6 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -81,9 +80,7 @@ class RosMapReader {
 
   RosMapMode mode(const YAML::Node& node) const {
     const std::string name = text("mode", node);
-    std::string lower = name;
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (const auto mode = from_name<RosMapMode>(lower)) return *mode;
+    if (const auto mode = from_name<RosMapMode>(lower_case(name))) return *mode;
     throw malformed(node, "unknown mode '" + name + "'", "trinary, scale or raw");
   }
 

@@ -2,9 +2,9 @@
 #include <slalom/core/error.h>
 #include <slalom/core/quiet_standard_error.h>
 #include <slalom/core/temporary_file.h>
+#include <slalom/core/text.h>
 #include <slalom/spreadsheet/workbook.h>
 
-#include <algorithm>
 #include <set>
 #include <xlsxwriter.h>
 
@@ -42,10 +42,7 @@ std::string sheet_name(const std::string& requested, std::set<std::string>& used
   for (int number = 1;; ++number) {
     const std::string end = number == 1 ? "" : "_" + std::to_string(number);
     const std::string name = base.substr(0, kMaxSheetName - end.size()) + end;
-    std::string key = name;
-    std::transform(key.begin(), key.end(), key.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    if (used.insert(key).second) return name;
+    if (used.insert(lower_case(name)).second) return name;
   }
 }
 

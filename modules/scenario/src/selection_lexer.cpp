@@ -3,7 +3,6 @@
 
 #include <slalom/core/text.h>
 
-#include <algorithm>
 #include <cctype>
 
 namespace slalom {
@@ -110,11 +109,7 @@ bool SelectionToken::is_symbol(const char* symbol) const {
 }
 
 bool SelectionToken::is_keyword(const char* word) const {
-  const std::string keyword = word;
-  return kind == Kind::Word &&
-         std::equal(text.begin(), text.end(), keyword.begin(), keyword.end(), [](char a, char b) {
-           return std::tolower(static_cast<unsigned char>(a)) == b;
-         });
+  return kind == Kind::Word && lower_case(text) == word;
 }
 
 std::string SelectionToken::quoted_text() const {
@@ -130,12 +125,6 @@ std::vector<SelectionToken> tokenize_selection(const std::string& text) {
     throw selection_error(kMaxLength + 1, "expression is too long",
                           "at most " + std::to_string(kMaxLength) + " characters");
   return Lexer(text).tokens();
-}
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 Error selection_error(std::size_t position, const std::string& what, const std::string& expected) {

@@ -25,9 +25,6 @@ struct SelectionToken {
 /// position.
 std::vector<SelectionToken> tokenize_selection(const std::string& text);
 
-/// ASCII letters in lower case.
-std::string lower_case(std::string text);
-
 /// "selection, character N: WHAT; expected EXPECTED"
 Error selection_error(std::size_t position, const std::string& what, const std::string& expected);
 

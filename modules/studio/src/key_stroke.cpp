@@ -34,12 +34,6 @@ const std::map<std::string, int>& named_keys() {
   return keys;
 }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 int modifier_of(const std::string& name) {
   if (name == "ctrl") return GLFW_MOD_CONTROL;
   if (name == "shift") return GLFW_MOD_SHIFT;
@@ -94,7 +88,7 @@ unsigned int letter_typed_by(const KeyStroke& stroke) {
 
 KeyStroke key_stroke_of(const std::string& name) {
   KeyStroke stroke;
-  const std::vector<std::string> parts = split(lower(name), '+');
+  const std::vector<std::string> parts = split(lower_case(name), '+');
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
     const int modifier = modifier_of(parts[i]);
     if (modifier == 0)

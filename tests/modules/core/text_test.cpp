@@ -15,6 +15,11 @@ TEST(Text, SplitTrimsPartsAndKeepsEmptyOnes) {
   EXPECT_EQ(split_nonempty(" a, b ,,c", ','), (std::vector<std::string>{"a", "b", "c"}));
 }
 
+TEST(Text, LowerCaseChangesLettersOfAsciiOnly) {
+  EXPECT_EQ(lower_case("Map_2.YAML"), "map_2.yaml");
+  EXPECT_EQ(lower_case("\xC3\x84"), "\xC3\x84");
+}
+
 TEST(Text, EndsWithComparesCompleteEndings) {
   EXPECT_TRUE(ends_with("map.yaml", ".yaml"));
   EXPECT_TRUE(ends_with("map", ""));

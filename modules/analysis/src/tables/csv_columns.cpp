@@ -10,17 +10,11 @@
 #include <slalom/results/outcome_words.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <set>
 
 namespace slalom {
 namespace {
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// A field in a message.
 std::string shown(const std::string& field) {
@@ -33,12 +27,12 @@ bool is_missing(const std::string& field) {
   static const std::set<std::string> words = {"",     "na",       "n/a",      "nan", "none",
                                               "null", "-",        "--",       "inf", "+inf",
                                               "-inf", "infinity", "-infinity"};
-  return words.count(lower(field)) > 0;
+  return words.count(lower_case(field)) > 0;
 }
 
 /// 1 or 0 for a word that means it.
 std::optional<double> truth_of(const std::string& field) {
-  const std::string word = lower(field);
+  const std::string word = lower_case(field);
   if (word == "true" || word == "yes") return 1;
   if (word == "false" || word == "no") return 0;
   return std::nullopt;
@@ -68,7 +62,7 @@ struct KeyColumn {
 
 /// The name of a column in lower case, with "_" between words.
 std::string plain_name(const std::string& id) {
-  std::string name = lower(id);
+  std::string name = lower_case(id);
   for (char& c : name) c = c == ' ' || c == '-' ? '_' : c;
   return name;
 }
@@ -243,7 +237,7 @@ class NumberColumns {
   /// "Success" is the metric success, unless that is a column of its own.
   std::string id_of(const std::string& name) const {
     const std::string success = success_info().id;
-    return lower(name) == success && !contains(csv_.header(), success) ? success : name;
+    return lower_case(name) == success && !contains(csv_.header(), success) ? success : name;
   }
 
   std::string text_reason(const std::vector<std::string>& fields) const {

@@ -96,8 +96,7 @@ void ScenarioList::create_index(const ListIndex& index) {
     throw usage_error("index '" + index.name + "'", "invalid edges",
                       "two or more increasing edges");
   for (const ListIndex& other : indexes())
-    if (std::equal(other.name.begin(), other.name.end(), index.name.begin(), index.name.end(),
-                   [](unsigned char a, unsigned char b) { return tolower(a) == tolower(b); }))
+    if (lower_case(other.name) == lower_case(index.name))
       throw usage_error(impl_->path, "index '" + other.name + "' already exists",
                         "another name, or `index drop` first");
   impl_->write([&] {

@@ -2,6 +2,7 @@
 #include "selection_sql.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 
 #include <algorithm>
 
@@ -111,9 +112,8 @@ class Translator {
     return "(" + above + " AND " + value + (high_open ? " < " : " <= ") + bound(high) + ")";
   }
 
-  std::string begins_with(const std::string& column, std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::string begins_with(const std::string& column, const std::string& start) {
+    const std::string text = lower_case(start);
     const std::string from = column + " >= " + bound(text);
     return "(" + from + " AND " + column + " < " + bound(text + "g") + ")";  // 'g' follows 'f'
   }

@@ -9,6 +9,7 @@
 namespace slalom {
 
 std::string trim(const std::string& text);
+std::string lower_case(std::string text);  ///< changes ASCII letters only
 std::vector<std::string> split(const std::string& text, char separator);  ///< parts trimmed
 std::vector<std::string> split_nonempty(const std::string& text, char separator);
 std::string join(const std::vector<std::string>& parts, const std::string& separator);
