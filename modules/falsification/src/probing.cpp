@@ -4,6 +4,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/math.h>
 #include <slalom/core/pose.h>
+#include <slalom/generation/start_goal.h>
 #include <slalom/simulation/range_finder.h>
 
 #include <cmath>
@@ -15,11 +16,6 @@ using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
 constexpr int kProbes = 1000;  // drawn in one world, of which about 200 are near obstacles
-
-TPoint2D draw_point(const Bounds& bounds, RandomEngine& engine) {
-  const double x = uniform_real(engine, bounds.x_min, bounds.x_max);
-  return {x, uniform_real(engine, bounds.y_min, bounds.y_max)};
-}
 
 bool are_same(const Command& a, const Command& b) {
   constexpr double kTolerance = 1e-9;
@@ -67,7 +63,7 @@ class ShadowRun : public Method {
 bool StepProbe::draw(const World& world, RandomEngine& engine, CommandDifference& probe) const {
   constexpr double kNear = 0.9, kFree = 0.03, kGoalFree = 0.1;  // m
   const double radius = bench_.setup.robot.shape().enclosing_radius();
-  const TPoint2D at = draw_point(world.scenario().bounds(), engine);
+  const TPoint2D at = sample_position(engine, world.scenario().bounds());
   const double heading = uniform_real(engine, -M_PI, M_PI);
   const double bearing = heading + uniform_real(engine, -2, 2);
   const double distance = uniform_real(engine, 1, 5);

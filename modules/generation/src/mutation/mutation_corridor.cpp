@@ -82,7 +82,7 @@ class CorridorMutator {
     const Bounds& b = scene_.bounds;
     to = std::min(to, b.x_max);
     if (to - from < pitch / 2) return;
-    scene_.obstacles.emplace_back(make_block(from, y, to, std::min(y + pitch, b.y_max)));
+    scene_.obstacles.emplace_back(rectangle(from, y, to, std::min(y + pitch, b.y_max)));
   }
 
   Scene& scene_;

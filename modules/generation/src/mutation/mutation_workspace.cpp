@@ -50,7 +50,7 @@ class WorkspaceMutator {
          {std::array{b.x_min, b.y_min, x0, b.y_max}, std::array{x1, b.y_min, b.x_max, b.y_max},
           std::array{x0, b.y_min, x1, y0}, std::array{x0, y1, x1, b.y_max}})
       if (xb - xa > limits_.resolution && yb - ya > limits_.resolution)
-        scene_.obstacles.emplace_back(make_block(xa, ya, xb, yb));
+        scene_.obstacles.emplace_back(rectangle(xa, ya, xb, yb));
     return true;
   }
 

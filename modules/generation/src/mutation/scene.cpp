@@ -2,6 +2,7 @@
 #include "scene_mutation.h"
 
 #include <slalom/core/math.h>
+#include <slalom/generation/start_goal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +22,6 @@ void change(Scene::Obstacle& obstacle, Point point, Radius radius) {
   } else {
     for (TPoint2D& vertex : std::get<Polygon>(obstacle).vertices) point(vertex);
   }
-}
-
-TPoint2D sample_position(const Bounds& b, double margin, RandomEngine& engine) {
-  const double x = uniform_real(engine, b.x_min + margin, b.x_max - margin);
-  return {x, uniform_real(engine, b.y_min + margin, b.y_max - margin)};
 }
 
 }  // namespace
@@ -78,16 +74,12 @@ double distance(const TPoint2D& p, const Scene::Obstacle& obstacle) {
   return std::visit([&](const auto& shape) { return distance(p, shape); }, obstacle);
 }
 
-Polygon make_block(double x_min, double y_min, double x_max, double y_max) {
-  return {{{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}}};
-}
-
 std::vector<TPoint2D> sample_path(const Bounds& bounds, const TPose2D& start, const TPoint2D& goal,
                                   RandomEngine& engine) {
   std::vector<TPoint2D> path = {{start.x, start.y}};
   const double margin = std::min(bounds.width(), bounds.height()) / 10;
   for (int between = uniform_int(engine, 0, 2); between > 0; --between)
-    path.push_back(sample_position(bounds, margin, engine));
+    path.push_back(sample_position(engine, bounds, margin));
   path.push_back(goal);
   return path;
 }
@@ -113,7 +105,7 @@ void move_start_goal(const Bounds& bounds, const MutationLimits& limits, RandomE
     const Bounds near = {
         std::max(bounds.x_min, from.x - reach), std::max(bounds.y_min, from.y - reach),
         std::min(bounds.x_max, from.x + reach), std::min(bounds.y_max, from.y + reach)};
-    return sample_position(near, std::min({margin, near.width() / 2, near.height() / 2}), engine);
+    return sample_position(engine, near, std::min({margin, near.width() / 2, near.height() / 2}));
   };
   if (which != 0) goal = moved(goal);
   if (which != 1) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "families/walls.h"
+
 #include <slalom/generation/mutation.h>
 #include <slalom/generation/scene.h>
 
@@ -17,8 +19,6 @@ inline double shorter_side(const Scene& scene) {
 inline double clearance_margin(const MutationLimits& limits) {
   return limits.robot_radius + 1.5 * limits.resolution;
 }
-
-Polygon make_block(double x_min, double y_min, double x_max, double y_max);
 
 /// A random polyline from start to goal with up to two intermediate points within the bounds.
 std::vector<mrpt::math::TPoint2D> sample_path(const Bounds& bounds,

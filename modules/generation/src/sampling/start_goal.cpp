@@ -14,11 +14,6 @@ using mrpt::math::TPoint2D;
 
 constexpr int kMaxPairs = 1000, kMaxPositions = 200;
 
-TPoint2D sample_position(RandomEngine& engine, const Bounds& bounds, double margin) {
-  const double x = uniform_real(engine, bounds.x_min + margin, bounds.x_max - margin);
-  return {x, uniform_real(engine, bounds.y_min + margin, bounds.y_max - margin)};
-}
-
 std::optional<TPoint2D> sample_valid_position(RandomEngine& engine, const Bounds& bounds,
                                               double margin, const PositionFilter& is_valid) {
   for (int i = 0; i < kMaxPositions; ++i) {
@@ -29,6 +24,11 @@ std::optional<TPoint2D> sample_valid_position(RandomEngine& engine, const Bounds
 }
 
 }  // namespace
+
+TPoint2D sample_position(RandomEngine& engine, const Bounds& bounds, double margin) {
+  const double x = uniform_real(engine, bounds.x_min + margin, bounds.x_max - margin);
+  return {x, uniform_real(engine, bounds.y_min + margin, bounds.y_max - margin)};
+}
 
 StartGoal sample_start_goal(RandomEngine& engine, const Bounds& bounds,
                             const StartGoalOptions& options, const PositionFilter& is_valid) {

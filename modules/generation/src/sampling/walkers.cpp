@@ -17,11 +17,6 @@ using mrpt::math::TPoint2D;
 constexpr int kSegments = 6, kStarts = 200, kTargets = 30;
 constexpr double kStartMargin = 1, kMinSegment = 0.5;  // m
 
-TPoint2D sample_position(RandomEngine& engine, const Bounds& bounds) {
-  const double x = uniform_real(engine, bounds.x_min, bounds.x_max);
-  return {x, uniform_real(engine, bounds.y_min, bounds.y_max)};
-}
-
 /// Samples the paths of walkers that keep `clearance` (m) from obstacles with their centers.
 class PathSampler {
  public:

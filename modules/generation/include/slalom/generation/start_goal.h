@@ -24,6 +24,9 @@ struct StartGoal {
   mrpt::math::TPoint2D start, goal;
 };
 
+/// Samples a position uniformly from the bounds less `margin` (m) on each side.
+mrpt::math::TPoint2D sample_position(RandomEngine& engine, const Bounds& bounds, double margin = 0);
+
 /// Whether a position is valid as start or goal.
 using PositionFilter = std::function<bool(const mrpt::math::TPoint2D& position)>;
 
