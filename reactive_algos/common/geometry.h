@@ -4,6 +4,7 @@
 #include <slalom/core/math.h>
 
 #include <cmath>
+#include <cstddef>
 
 /// Common code of the included methods. Meters, radians, seconds; robot frame: x forward, y left.
 namespace reactive {
@@ -20,6 +21,13 @@ struct Pose {
 inline double wrapped(double angle) {
   const double turned = std::remainder(angle, 2 * M_PI);
   return turned <= -M_PI ? turned + 2 * M_PI : turned;
+}
+
+/// Direction of ray i of `count` in the robot's frame.
+inline double ray_angle(std::size_t i, std::size_t count, double aperture) {
+  return count < 2
+             ? 0.0
+             : -0.5 * aperture + aperture * static_cast<double>(i) / static_cast<double>(count - 1);
 }
 
 inline double distance(const Point& a, const Point& b) {

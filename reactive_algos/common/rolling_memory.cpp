@@ -7,12 +7,6 @@
 
 namespace reactive {
 
-double ray_angle(std::size_t i, std::size_t count, double aperture) {
-  return count < 2
-             ? 0.0
-             : -0.5 * aperture + aperture * static_cast<double>(i) / static_cast<double>(count - 1);
-}
-
 RollingMemory::RollingMemory(double half_size, double resolution)
     : half_size_(half_size),
       resolution_(resolution),

@@ -10,9 +10,6 @@
 
 namespace reactive {
 
-/// Direction of ray i of `count` in the robot's frame.
-double ray_angle(std::size_t i, std::size_t count, double aperture);
-
 /// Obstacle points of past scans around the robot. Points are in the odometry frame, at most one
 /// per cell of a square window that moves with the robot. A point is removed when it leaves the
 /// window or when later scans see through it.

@@ -30,12 +30,6 @@ Twist rotate_in_place(int side, const Robot& robot) {
 
 }  // namespace
 
-double ray_angle(std::size_t i, std::size_t count, double aperture) {
-  return count < 2
-             ? 0.0
-             : -0.5 * aperture + aperture * static_cast<double>(i) / static_cast<double>(count - 1);
-}
-
 std::vector<Gap> find_gaps(const std::vector<double>& ranges, double aperture, double radius,
                            double horizon) {
   const std::size_t count = ranges.size();

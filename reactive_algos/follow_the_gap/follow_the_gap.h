@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/geometry.h"
+
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -41,8 +43,7 @@ struct Twist {
   double v = 0, w = 0;
 };
 
-/// Direction of ray i of `count`.
-double ray_angle(std::size_t i, std::size_t count, double aperture);
+using reactive::ray_angle;
 
 /// Gaps between obstacles nearer than `horizon`, each enlarged to a circle of `radius` about its
 /// point (section 3.1: a ray is closed if it intersects such a circle), from right to left.

@@ -7,13 +7,6 @@
 #include <algorithm>
 
 namespace slalom {
-namespace {
-
-Field field_of(const std::optional<double>& number) {
-  return number ? Field{*number} : Field{};
-}
-
-}  // namespace
 
 void RowTable::begin_row() {
   rows_.emplace_back();
@@ -26,7 +19,7 @@ void RowTable::add(const std::string& column, Field field) {
 }
 
 void RowTable::add(const std::string& column, const std::optional<double>& number) {
-  add(column, field_of(number));
+  add(column, number ? Field{*number} : Field{});
 }
 
 void RowTable::add(const std::string& column, std::size_t count) {
@@ -35,7 +28,7 @@ void RowTable::add(const std::string& column, std::size_t count) {
 
 void RowTable::add(const std::string& column, const std::optional<double>& estimate,
                    const std::optional<Interval>& interval) {
-  add(column, field_of(estimate));
+  add(column, estimate);
   add(column + ".low", interval ? Field{interval->low} : Field{});
   add(column + ".high", interval ? Field{interval->high} : Field{});
 }
