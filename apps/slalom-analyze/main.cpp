@@ -17,7 +17,7 @@
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>
-#include <slalom/falsification/explain.h>
+#include <slalom/falsification/cluster_report.h>
 #include <slalom/io/find_run.h>
 #include <slalom/io/rawlog_path.h>
 #include <slalom/io/read_results.h>
@@ -72,15 +72,15 @@ ReportOptions effective_options(const ResultTable& runs, const Arguments& argume
 /// The results of a folder of slalom-falsify are the runs that it has examined.
 std::string reported_path(const std::string& path) {
   const std::filesystem::path folder(path);
-  const bool is_examined = std::filesystem::exists(folder / "examined.json");
-  return is_examined ? (folder / "examined.results").string() : path;
+  const bool is_examined = std::filesystem::exists(folder / kExaminedFailures);
+  return is_examined ? (folder / kExaminedResults).string() : path;
 }
 
 /// Path of the failures that slalom-falsify has examined in these results; empty if it did not
 /// write them.
 std::string examined_path(std::filesystem::path results) {
   results.replace_extension(".json");
-  const bool exists = results.filename() == "examined.json" && std::filesystem::exists(results);
+  const bool exists = results.filename() == kExaminedFailures && std::filesystem::exists(results);
   return exists ? results.string() : "";
 }
 

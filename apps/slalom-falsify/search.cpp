@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cluster_report.h"
-#include "failure_files.h"
-#include "kept_failures.h"
-#include "search_files.h"
+#include "failure_campaign.h"
 #include "verbs.h"
 
 #include <slalom/app/campaign_names.h>
@@ -11,15 +8,13 @@
 #include <slalom/app/output_folder.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
+#include <slalom/core/hash.h>
 #include <slalom/core/progress.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/core/wall_clock.h>
-#include <slalom/falsification/neighbors.h>
-#include <slalom/falsification/search.h>
+#include <slalom/falsification/search_summary.h>
 #include <slalom/io/file_lock.h>
-#include <slalom/io/result_file.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -52,82 +47,16 @@ std::string add_reference(IniFile& ini, const SearchArguments& arguments) {
   return kReference;
 }
 
-std::string tally_text(const SearchTally& tally) {
-  std::vector<std::string> parts;
-  for (const auto& [outcome, runs] : tally.outcomes)
-    parts.push_back(std::to_string(runs) + " " + outcome);
-  return std::to_string(tally.failures) + " failures in " + std::to_string(tally.runs) + " runs (" +
-         join(parts, ", ") +
-         (tally.without_witness > 0
-              ? "; " + std::to_string(tally.without_witness) + " failures without a witness"
-              : "") +
-         ")";
-}
-
-/// States what the upper limit counts, and which runs without success it does not.
-std::string limit_text(const SearchTally& tally, const std::vector<Outcome>& counted) {
-  std::vector<std::string> names, others;
-  for (const Outcome outcome : counted) names.push_back(to_string(outcome));
-  for (const auto& [outcome, runs] : tally.outcomes)
-    if (outcome != to_string(Outcome::Success) && !contains(names, outcome))
-      others.push_back(std::to_string(runs) + " " + outcome);
-  if (tally.without_witness > 0)
-    others.push_back(std::to_string(tally.without_witness) + " failures without a witness");
-  return "          0 of " + std::to_string(tally.runs) +
-         " failed where a witness reaches the goal: with 95 % confidence at most " +
-         format_number(std::round(tally.rule_of_three() * 1e6) / 1e6) +
-         " of such scenarios do\n          a failure is " + join(names, ", ") +
-         (others.empty() ? "" : "; not counted: " + join(others, ", ")) + "\n";
-}
-
-std::string search_text(const SearchResult& result, const KeptFailures& kept,
-                        const std::vector<Outcome>& counted) {
-  const SearchState& state = result.state;
-  std::string text = "random    " + tally_text(state.random) + "\n";
-  if (state.random.failures == 0 && state.random.runs > 0)
-    text += limit_text(state.random, counted);
-  text += "adaptive  " + tally_text(state.adaptive) + "\nended     " + result.stopped + "\n";
-  if (kept.failures.empty()) return text;
-  text += "kept      " + count_text(kept.failures.size(), "failure");
-  if (kept.diversity) text += ", diversity " + format_fixed(*kept.diversity, 2);
-  return text + (kept.near_duplicates > 0
-                     ? "; " + std::to_string(kept.near_duplicates) + " near-duplicates left out\n"
-                     : "\n");
-}
-
-nlohmann::json tally_json(const SearchTally& tally) {
-  return {{"runs", tally.runs},
-          {"failures", tally.failures},
-          {"without_witness", tally.without_witness},
-          {"outcomes", tally.outcomes}};
-}
-
-std::string search_json(const SearchArguments& arguments, const SearchResult& result,
-                        const KeptFailures& kept) {
-  nlohmann::json json = {{"seed", arguments.search.seed},
-                         {"random", tally_json(result.state.random)},
-                         {"adaptive", tally_json(result.state.adaptive)},
-                         {"ended", result.stopped},
-                         {"near_duplicates", kept.near_duplicates}};
-  if (kept.diversity) json["diversity"] = *kept.diversity;
-  if (result.state.random.failures == 0 && result.state.random.runs > 0)
-    json["upper_limit_95"] = result.state.random.rule_of_three();
-  return json.dump();
-}
-
-/// Gives each failure its successful neighbors in the mix.
-void find_neighbors(std::vector<Failure>& failures, const FalsifyCampaign& campaign,
-                    const SearchOptions& search) {
-  NeighborOptions options;
-  options.fairness = search.fairness;
-  options.seed = search.seed;
-  options.interrupted = InterruptGuard::raised;
-  std::vector<Scenario> originals;
-  for (const Failure& failure : failures) originals.push_back(failure.original);
-  auto neighbors = successful_neighbors(campaign.bench, originals, options);
-  if (!neighbors) throw Interrupted("the same command continues");
-  for (std::size_t i = 0; i < failures.size(); ++i)
-    failures[i].neighbors = std::move((*neighbors)[i]);
+/// Hash of the settings, and of the methods with the contents of their files.
+std::string hash_of_methods(const FalsifyCampaign& campaign) {
+  Hasher hasher;
+  for (const CampaignConfig* config : {&campaign.config, &campaign.surrogate}) {
+    hasher.add(config->effective_ini);
+    for (const auto* files : {&config->method_files, &config->dependencies})
+      for (const auto& [key, path] : *files)
+        hasher.add(key).add(read_file(path, "a file of a method"));
+  }
+  return hasher.hex();
 }
 
 /// Shows how many runs were made, or with a budget of time how many seconds passed, and how many
@@ -161,6 +90,21 @@ class SearchProgress {
   std::unique_ptr<Progress> progress_;
 };
 
+KeptFailures kept_failures(const SearchResult& result, const FalsifyCampaign& campaign,
+                           const FalsifyArguments& arguments, const SearchOptions& search,
+                           const std::string& identity) {
+  KeepOptions options;
+  options.count = search.max_failures;
+  options.shrink = {arguments.fairness, arguments.max_runs, InterruptGuard::raised};
+  ShrunkFile shrunk(arguments.output, identity, options.shrink, arguments.campaign.existing);
+  options.known = &shrunk;
+  options.notify = print_notice;
+  const auto progress = make_terminal_progress(arguments.campaign.quiet);
+  auto kept = shrink_found(result.state.failures, campaign.bench, options, *progress);
+  if (!kept) throw Interrupted("the same command continues");
+  return std::move(*kept);
+}
+
 void search_verb(SearchArguments& arguments) {
   FalsifyArguments& common = arguments.common;
   SearchOptions& options = arguments.search;
@@ -181,7 +125,7 @@ void search_verb(SearchArguments& arguments) {
   options.outcomes = severe_outcomes();
   if (arguments.all_outcomes)
     options.outcomes.insert(options.outcomes.end(), {Outcome::Stuck, Outcome::Timeout});
-  const std::string identity = search_identity(campaign, options);
+  const std::string identity = search_identity(hash_of_methods(campaign), campaign.bench, options);
   const StateFile file(common.output, identity);
   options.known = file.load(common.campaign.existing);
   const InterruptGuard guard;
@@ -197,13 +141,17 @@ void search_verb(SearchArguments& arguments) {
   if (!result.complete)
     throw Interrupted(std::to_string(result.state.runs()) +
                       " runs are kept; the same command continues");
-  KeptFailures kept = shrink_found(result.state.failures, options.max_failures, campaign.bench,
-                                   common, ShrunkFile(common.output, identity, common));
+  KeptFailures kept = kept_failures(result, campaign, common, options, identity);
   std::vector<Failure>& failures = kept.failures;
   name_failures(failures, common.method);
-  write_failures(failures, campaign, common.output, search_json(arguments, result, kept));
-  find_neighbors(failures, campaign, options);
-  const std::vector<ReportedCluster> clusters = write_cluster_report(failures, campaign, common);
+  write_output(failures, campaign, common.output, search_json(result, kept, options.seed));
+  NeighborOptions neighbors;
+  neighbors.fairness = options.fairness;
+  neighbors.seed = options.seed;
+  neighbors.interrupted = InterruptGuard::raised;
+  if (!find_neighbors(failures, campaign.bench, neighbors))
+    throw Interrupted("the same command continues");
+  const std::vector<ReportedCluster> clusters = report_clusters(failures, campaign, common);
   std::cout << search_text(result, kept, options.outcomes);
   for (const Failure& failure : failures)
     std::cout << "\n" << failure_text(failure, campaign.bench);

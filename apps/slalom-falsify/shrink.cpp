@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cluster_report.h"
-#include "failure_files.h"
+#include "failure_campaign.h"
 #include "verbs.h"
 
 #include <slalom/app/campaign_names.h>
@@ -11,7 +10,6 @@
 #include <slalom/core/error.h>
 #include <slalom/core/progress.h>
 #include <slalom/core/text.h>
-#include <slalom/falsification/neighbors.h>
 #include <slalom/io/find_run.h>
 #include <slalom/io/scenario_yaml.h>
 
@@ -92,7 +90,7 @@ void shrink_verb(ShrinkArguments& arguments) {
     require_no_foreign_code(input.ini, {}, arguments.input);
   refuse_output_over_inputs(common.output, input.ini);
   std::error_code ignored;
-  if (std::filesystem::equivalent(arguments.input, common.output + kExaminedResults, ignored))
+  if (std::filesystem::equivalent(arguments.input, common.output + "/" + kExaminedResults, ignored))
     throw usage_error("-o " + common.output, "would replace " + arguments.input, "another folder");
   FalsifyCampaign campaign = read_falsify_campaign(input.ini, common);
   campaign.bench.repetition = input.repetition;
@@ -108,8 +106,8 @@ void shrink_verb(ShrinkArguments& arguments) {
   name_failures(failures, common.method);
   failures[0].neighbors =
       one_removal_variants(failures[0].small.scenario, campaign.bench.setup.simulation.resolution);
-  write_failures(failures, campaign, common.output);
-  const std::vector<ReportedCluster> clusters = write_cluster_report(failures, campaign, common);
+  write_output(failures, campaign, common.output);
+  const std::vector<ReportedCluster> clusters = report_clusters(failures, campaign, common);
   std::cout << failure_text(failures[0], campaign.bench) << "  show it    "
             << show_command(failures[0], campaign.bench, common.output) << "\n"
             << clusters_text(clusters, common.output);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/campaign/campaign_options.h>
 #include <slalom/campaign/describe_scenario.h>
 #include <slalom/references/exact_shortest.h>
 
@@ -14,6 +15,16 @@ KnownPath shortest_path(const World& world, double robot_radius) {
 }
 
 }  // namespace
+
+DescribeOptions describe_options(const CampaignOptions& options) {
+  DescribeOptions result;
+  result.ids = options.descriptors;
+  result.robot = options.robot.shape();
+  result.sensor_range = options.sensor.max_range;
+  result.resolution = options.simulation.resolution;
+  result.exact_confinement = options.exact_confinement;
+  return result;
+}
 
 std::vector<KeyedValue> describe_scenario(const Scenario& scenario, const DescribeOptions& options,
                                           DescriptorStore& store,

@@ -11,12 +11,8 @@ namespace slalom {
 namespace {
 
 Value describe(const Scenario& scenario, const std::string& id, const CampaignOptions& options) {
-  DescribeOptions describe;
+  DescribeOptions describe = describe_options(options);
   describe.ids = {id};
-  describe.robot = options.robot.shape();
-  describe.sensor_range = options.sensor.max_range;
-  describe.resolution = options.simulation.resolution;
-  describe.exact_confinement = options.exact_confinement;
   MemoryDescriptorStore store;
   return describe_scenario(scenario, describe, store).front().value;
 }

@@ -11,6 +11,8 @@
 
 namespace slalom {
 
+struct CampaignOptions;
+
 /// The descriptors to compute and the robot and sensor for which they are computed.
 struct DescribeOptions {
   std::vector<std::string> ids;  ///< of descriptors; empty for all
@@ -20,6 +22,9 @@ struct DescribeOptions {
   bool exact_confinement = false;
   int barn_visibility = 2021;  ///< which published version, 2021 or 2020
 };
+
+/// The descriptors, robot and sensor of a campaign.
+DescribeOptions describe_options(const CampaignOptions& options);
 
 /// Called with each value as soon as it is available. It may throw to cancel.
 using DescribeObserver = std::function<void(const KeyedValue&)>;

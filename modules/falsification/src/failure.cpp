@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "failure_files.h"
-
 #include <slalom/core/text.h>
+#include <slalom/falsification/failure.h>
 #include <slalom/io/rawlog_path.h>
+
+#include <map>
 
 namespace slalom {
 namespace {
@@ -22,6 +23,26 @@ std::string size_text(const Bounds& bounds) {
 }
 
 }  // namespace
+
+void name_failures(std::vector<Failure>& failures, const std::string& method) {
+  std::map<std::string, int> counts;
+  for (Failure& failure : failures) {
+    const std::string kind = method + "_" + to_string(failure.small.trial.outcome);
+    failure.small.scenario =
+        failure.small.scenario.renamed(kind + "_" + std::to_string(++counts[kind]));
+  }
+}
+
+bool find_neighbors(std::vector<Failure>& failures, const TestBench& bench,
+                    const NeighborOptions& options) {
+  std::vector<Scenario> originals;
+  for (const Failure& failure : failures) originals.push_back(failure.original);
+  auto neighbors = successful_neighbors(bench, originals, options);
+  if (!neighbors) return false;
+  for (std::size_t i = 0; i < failures.size(); ++i)
+    failures[i].neighbors = std::move((*neighbors)[i]);
+  return true;
+}
 
 std::string failure_text(const Failure& failure, const TestBench& bench) {
   const ShrinkResult& small = failure.small;

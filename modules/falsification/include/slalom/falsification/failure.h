@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "arguments.h"
-
+#include <slalom/falsification/neighbors.h>
 #include <slalom/falsification/shrink.h>
 
 #include <string>
@@ -25,20 +24,14 @@ struct Failure {
 /// Names the smallest scenarios METHOD_OUTCOME_1, ...
 void name_failures(std::vector<Failure>& failures, const std::string& method);
 
-/// Writes failures.scenarios (the list of the smallest scenarios), failures.ini (a campaign that
-/// runs method and witnesses in them), failures.json, and NAME.scenario.yaml, NAME.svg of each.
-/// `search` is added to failures.json under "search", unless empty: JSON. Throws Error (Job).
-void write_failures(const std::vector<Failure>& failures, const FalsifyCampaign& campaign,
-                    const std::string& folder, const std::string& search = "");
-
-/// The campaign's .ini with the list in `list_path` as its only source of scenarios.
-IniFile ini_of_list(const FalsifyCampaign& campaign, const std::string& list_path,
-                    RecordedRuns rawlogs);
+/// Gives each failure the successful_neighbors() of its original; false when interrupted.
+bool find_neighbors(std::vector<Failure>& failures, const TestBench& bench,
+                    const NeighborOptions& options);
 
 /// Text for people: the failure, why it is fair, and the proof that each part of it is needed.
 std::string failure_text(const Failure& failure, const TestBench& bench);
 
-/// The commands that run and show a failure.
+/// The commands that run and show a failure of the campaign FOLDER/failures.ini.
 std::string show_command(const Failure& failure, const TestBench& bench, const std::string& folder);
 
 }  // namespace slalom

@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kept_failures.h"
-
-#include <slalom/app/interrupt.h>
-#include <slalom/app/program.h>
-#include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/falsification/diversity.h>
+#include <slalom/falsification/kept_failures.h>
 
 #include <algorithm>
-#include <iostream>
 #include <map>
 
 namespace slalom {
 namespace {
 
-ShrinkResult shrink_once(const FoundFailure& found, const TestBench& bench,
-                         const FalsifyArguments& arguments, ShrunkFile& shrunk) {
-  if (const ShrinkResult* known = shrunk.find(found)) return *known;
-  auto small = shrink(bench, found.scenario,
-                      {arguments.fairness, arguments.max_runs, InterruptGuard::raised});
-  if (!small) throw Interrupted("the same command continues");
-  shrunk.save(found, *small);
-  return std::move(*small);
+std::optional<ShrinkResult> shrink_once(const FoundFailure& found, const TestBench& bench,
+                                        const KeepOptions& options) {
+  if (options.known != nullptr)
+    if (const ShrinkResult* known = options.known->find(found)) return *known;
+  auto small = shrink(bench, found.scenario, options.shrink);
+  if (small && options.known != nullptr) options.known->save(found, *small);
+  return small;
 }
 
 /// Obstacles of what is kept, by outcome.
@@ -49,28 +43,30 @@ class DistinctAreas {
 
 }  // namespace
 
-KeptFailures shrink_found(const std::vector<FoundFailure>& all, std::size_t count,
-                          const TestBench& bench, const FalsifyArguments& arguments,
-                          ShrunkFile shrunk) {
+std::optional<KeptFailures> shrink_found(const std::vector<FoundFailure>& all,
+                                         const TestBench& bench, const KeepOptions& options,
+                                         Progress& progress) {
   KeptFailures kept;
   DistinctAreas areas(bench.setup.simulation.resolution);
-  const auto progress = make_terminal_progress(arguments.campaign.quiet);
-  progress->start("Shrinking failures", all.size());
-  for (std::size_t i = 0; i < all.size() && kept.failures.size() < count; ++i) {
+  progress.start("Shrinking failures", all.size());
+  for (std::size_t i = 0; i < all.size() && kept.failures.size() < options.count; ++i) {
     const FoundFailure& found = all[i];
-    ShrinkResult small = shrink_once(found, bench, arguments, shrunk);
-    progress->advance(i + 1);
+    auto small = shrink_once(found, bench, options);
+    if (!small) return std::nullopt;
+    progress.advance(i + 1);
     const std::string origin =
         to_string(found.half) + " candidate " + std::to_string(found.index) + " of the search";
-    if (!small.fairness.fair())
-      std::cerr << origin << ": left out, " << join(small.fairness.violations, "; ") << "\n";
-    else if (!areas.insert(small))
+    if (!small->fairness.fair()) {
+      if (options.notify)
+        options.notify(origin + ": left out, " + join(small->fairness.violations, "; "));
+    } else if (!areas.insert(*small)) {
       ++kept.near_duplicates;
-    else
+    } else {
       kept.failures.push_back(
-          {origin, found.scenario, std::move(small), {}, true, found.half == SearchHalf::Random});
+          {origin, found.scenario, std::move(*small), {}, true, found.half == SearchHalf::Random});
+    }
   }
-  progress->finish();
+  progress.finish();
   std::stable_sort(kept.failures.begin(), kept.failures.end(),
                    [](const Failure& a, const Failure& b) { return is_simpler(a.small, b.small); });
   kept.diversity = areas.diversity();

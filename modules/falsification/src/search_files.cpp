@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "search_files.h"
-
 #include <slalom/core/byte_stream.h>
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
 #include <slalom/core/read_file.h>
+#include <slalom/falsification/search_files.h>
+#include <slalom/io/result_file.h>
 
 #include <filesystem>
 
@@ -17,17 +17,12 @@ std::string key_of(const FoundFailure& found) {
 
 }  // namespace
 
-std::string search_identity(const FalsifyCampaign& campaign, const SearchOptions& options) {
+std::string search_identity(const std::string& methods, const TestBench& bench,
+                            const SearchOptions& options) {
   Hasher hasher;
-  for (const CampaignConfig* config : {&campaign.config, &campaign.surrogate}) {
-    hasher.add(config->effective_ini);
-    for (const auto* files : {&config->method_files, &config->dependencies})
-      for (const auto& [key, path] : *files)
-        hasher.add(key).add(read_file(path, "a file of a method"));
-  }
-  hasher.add(campaign.bench.method.name);
-  for (const NamedMethod& witness : campaign.bench.witnesses) hasher.add(witness.name);
-  const WalkerOptions& walkers = campaign.bench.walkers;
+  hasher.add(methods).add(bench.method.name);
+  for (const NamedMethod& witness : bench.witnesses) hasher.add(witness.name);
+  const WalkerOptions& walkers = bench.walkers;
   hasher.add(std::uint64_t(walkers.count)).add(walkers.min_radius).add(walkers.max_radius);
   hasher.add(walkers.min_speed).add(walkers.max_speed);
   const FairnessOptions& fairness = options.fairness;
@@ -55,13 +50,12 @@ void StateFile::save(const SearchState& state) const {
 }
 
 ShrunkFile::ShrunkFile(const std::string& folder, const std::string& search,
-                       const FalsifyArguments& arguments)
+                       const ShrinkOptions& options, ExistingResults existing)
     : path_(folder + "/search.shrunk") {
   Hasher hasher;
-  hasher.add(search).add(std::uint64_t{arguments.max_runs});
-  identity_ = hasher.add(std::uint64_t{arguments.fairness.repeatable}).hex();
-  const bool is_new = arguments.campaign.existing == ExistingResults::Overwrite;
-  if (is_new || !std::filesystem::exists(path_)) return;
+  hasher.add(search).add(std::uint64_t{options.max_runs});
+  identity_ = hasher.add(std::uint64_t{options.fairness.repeatable}).hex();
+  if (existing == ExistingResults::Overwrite || !std::filesystem::exists(path_)) return;
   const std::string bytes = read_file(path_, "shrunk failures");
   ByteReader reader(bytes, path_);
   if (reader.text() != identity_) return;
