@@ -95,23 +95,23 @@ unsigned& defects_begun() {
 /// Until its defect begins, a method is the one without: one run of that shows in which candidates
 /// which defects are to be run.
 void print_random(std::uint64_t candidates, std::uint64_t seed) {
-  const TestBench bench = planted_bench("watch");
-  const CandidateMix mix(bench.setup.robot);
+  const FalsificationSetup setup = planted_setup("watch");
+  const CandidateMix mix(setup.run.robot);
   const unsigned& begun = defects_begun();
-  MethodPool watch(bench);
-  std::vector<TestBench> benches;
-  for (const Planting& planting : kPlantings) benches.push_back(planted_bench(planting.defect));
+  MethodPool watch(setup);
+  std::vector<FalsificationSetup> setups;
+  for (const Planting& planting : kPlantings) setups.push_back(planted_setup(planting.defect));
   std::array<std::size_t, kPlantings.size()> begins{}, hits{};
   double base_seconds = 0;
   for (std::uint64_t index = 0; index < candidates; ++index) {
     const double began = cpu_seconds();
-    const auto world = draw_fair_world(mix, bench, {}, derive_seed(seed, "random"), index);
+    const auto world = draw_fair_world(mix, setup, {}, derive_seed(seed, "random"), index);
     const bool arrives = watch.run(*world, 0).outcome == Outcome::Success;
     base_seconds += cpu_seconds() - began;
     for (std::size_t i = 0; i < kPlantings.size(); ++i) {
       if ((begun >> i & 1U) == 0) continue;
       ++begins[i];
-      if (arrives && is_severe(MethodPool(benches[i]).run(*world, 0).outcome)) ++hits[i];
+      if (arrives && is_severe(MethodPool(setups[i]).run(*world, 0).outcome)) ++hits[i];
     }
   }
   fmt::print("{} candidates, {:.0f} a minute (processor time)\n\n", candidates,
@@ -136,15 +136,15 @@ struct FirstHit {
 };
 
 FirstHit probe_until_hit(const char* defect, std::uint64_t runs, std::uint64_t seed) {
-  const TestBench bench = planted_bench(defect);
+  const FalsificationSetup setup = planted_setup(defect);
   SearchOptions options = options_of(seed);
   options.probe = true;
-  BatchRunner runner(bench, options);
+  BatchRunner runner(setup, options);
   SharedTaskLog log(1U << 22U);
   const double began = cpu_seconds();
   for (std::uint64_t index = 0; index < runs; ++index) {
     log.clear();
-    if (runner.run(SearchHalf::Adaptive, index, log))
+    if (runner.run(SearchStrategy::Adaptive, index, log))
       return {static_cast<double>(index + 1), cpu_seconds() - began};
   }
   return {};
@@ -174,9 +174,9 @@ struct ShrinkTable {
   std::size_t minimal = 0, fair = 0;
   std::set<std::string> kinds;  ///< facts of the last moments, that clusters are made of
 
-  void add(const TestBench& bench, const FoundFailure& found) {
+  void add(const FalsificationSetup& setup, const FoundFailure& found) {
     const double began = cpu_seconds();
-    const auto small = shrink(bench, found.scenario);
+    const auto small = shrink(setup, found.scenario);
     seconds.push_back(cpu_seconds() - began);
     before.push_back(static_cast<double>(small->parts_before));
     after.push_back(static_cast<double>(small->parts_after));
@@ -184,7 +184,7 @@ struct ShrinkTable {
     moved.push_back(small->moved);
     minimal += small->minimal && small->trial.outcome == found.trial.outcome ? 1 : 0;
     fair += small->fairness.fair() ? 1 : 0;
-    kinds.insert(kind_of(bench, *small));
+    kinds.insert(kind_of(setup, *small));
   }
 
   void print(const char* defect) const {
@@ -201,12 +201,12 @@ struct ShrinkTable {
   static double largest(const std::vector<double>& values) {
     return values.empty() ? NAN : *std::max_element(values.begin(), values.end());
   }
-  static std::string kind_of(const TestBench& bench, const ShrinkResult& small) {
-    const World world(small.scenario, bench.setup.simulation.resolution);
-    const auto method = bench.method.make(bench.setup.robot, bench.setup.sensor);
-    const std::uint64_t seed = run_seed(bench.seed, small.scenario.hash(), bench.repetition);
-    const SimulationResult run = simulate(world, bench.setup, seed, *method, nullptr);
-    FailureFacts facts = measure_end(world, bench.setup.robot, run.outcome, run.trajectory);
+  static std::string kind_of(const FalsificationSetup& setup, const ShrinkResult& small) {
+    const World world(small.scenario, setup.run.simulation.resolution);
+    const auto method = setup.method.make(setup.run.robot, setup.run.sensor);
+    const std::uint64_t seed = run_seed(setup.seed, small.scenario.hash(), setup.repetition);
+    const SimulationResult run = simulate(world, setup.run, seed, *method, nullptr);
+    FailureFacts facts = measure_end(world, setup.run.robot, run.outcome, run.trajectory);
     facts.obstacles = small.parts_after;
     facts.bottleneck_width = small.fairness.geometry.bottleneck;
     return join(facts_in_words(facts), ", ");
@@ -222,13 +222,13 @@ void print_shrinking(std::size_t failures, const std::string& only) {
       "| fair | kinds |\n|---|---|---|---|---|---|---|---|---|\n");
   for (const Planting& planting : kPlantings) {
     if (!only.empty() && only != planting.defect) continue;
-    const TestBench bench = planted_bench(planting.defect);
+    const FalsificationSetup setup = planted_setup(planting.defect);
     SearchOptions options = options_of(1);
     options.probe = true;
     options.runs = kRuns;
     options.max_failures = failures;
     ShrinkTable table;
-    for (const FoundFailure& found : search(bench, options).state.failures) table.add(bench, found);
+    for (const FoundFailure& found : search(setup, options).state.failures) table.add(setup, found);
     table.print(planting.defect);
   }
 }

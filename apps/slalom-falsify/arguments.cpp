@@ -37,12 +37,12 @@ void require_method(const IniFile& ini, const std::string& option, const std::st
 
 /// The campaign of the light surrogate alone: the one that repeats the failures does not run it.
 CampaignConfig read_surrogate(IniFile ini, const FalsifyArguments& arguments,
-                              const TestBench& bench) {
+                              const FalsificationSetup& setup) {
   const std::string option = "--surrogate " + arguments.surrogate;
   if (arguments.surrogate == arguments.method)
     throw usage_error(option, "is the method that is tested", "another method");
-  if (arguments.fairness.witness && bench.witnesses.size() == 1 &&
-      bench.witnesses.front().name == arguments.surrogate)
+  if (arguments.fairness.witness && setup.witnesses.size() == 1 &&
+      setup.witnesses.front().name == arguments.surrogate)
     throw usage_error(option, "is the only witness, and fails in all these scenarios",
                       "another method, or --witness METHOD");
   ini.set("campaign", "methods", arguments.surrogate);
@@ -101,19 +101,19 @@ FalsifyCampaign read_falsify_campaign(IniFile ini, const FalsifyArguments& argum
   ini.set("campaign", "methods", join(method_names(ini, arguments), ", "));
   CampaignConfig config = read_campaign(ini);
   check_campaign(config);
-  TestBench bench;
-  bench.setup = config.options;
-  bench.limits = config.options.limits;
-  bench.seed = config.options.seed;
-  bench.walkers = config.sources.section.walkers;
-  bench.method = config.methods.front();
-  bench.witnesses.assign(config.methods.begin() + 1, config.methods.end());
+  FalsificationSetup setup;
+  setup.run = config.options;
+  setup.limits = config.options.limits;
+  setup.seed = config.options.seed;
+  setup.walkers = config.sources.section.walkers;
+  setup.method = config.methods.front();
+  setup.witnesses.assign(config.methods.begin() + 1, config.methods.end());
   CampaignConfig surrogate;
   if (!arguments.surrogate.empty()) {
-    surrogate = read_surrogate(ini, arguments, bench);
-    bench.surrogate = surrogate.methods.front();
+    surrogate = read_surrogate(ini, arguments, setup);
+    setup.surrogate = surrogate.methods.front();
   }
-  return {std::move(ini), std::move(config), std::move(bench), std::move(surrogate)};
+  return {std::move(ini), std::move(config), std::move(setup), std::move(surrogate)};
 }
 
 }  // namespace slalom

@@ -29,7 +29,7 @@ void add_falsify_options(CLI::App& app, FalsifyArguments& arguments);
 struct FalsifyCampaign {
   IniFile ini;
   CampaignConfig config;
-  TestBench bench;
+  FalsificationSetup setup;
   CampaignConfig surrogate = {};  ///< with the surrogate as its only method, if there is one
 };
 

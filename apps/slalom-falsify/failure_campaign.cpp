@@ -23,7 +23,7 @@ IniFile ini_of_list(const FalsifyCampaign& campaign, const std::string& list_pat
       for (const std::string& key : campaign.ini.keys(section)) ini.remove(section, key);
   const auto list = std::filesystem::absolute(list_path).lexically_normal();
   ini.set("scenarios", "list", list.string());
-  ini.set("campaign", "repetitions", std::to_string(campaign.bench.repetition + 1));
+  ini.set("campaign", "repetitions", std::to_string(campaign.setup.repetition + 1));
   ini.set("record", "rawlog", to_string(rawlogs));
   ini.set("record", "trajectories", to_string(StoredTrajectories::All));
   // Files that were found where the .ini is or in the current folder, where the copy may not be.
@@ -59,7 +59,7 @@ void run_examination(const Examination& examination, const FalsifyCampaign& camp
 void write_output(const std::vector<Failure>& failures, const FalsifyCampaign& campaign,
                   const std::string& folder, const std::string& search) {
   make_output_folder(folder);
-  write_failures(failures, campaign.bench, describe_options(campaign.config.options), folder,
+  write_failures(failures, campaign.setup, describe_options(campaign.config.options), folder,
                  search);
   const IniFile ini = ini_of_list(campaign, folder + "/failures.scenarios", RecordedRuns::All);
   write_file_atomically(folder + "/failures.ini", ini.canonical_text());
@@ -72,7 +72,7 @@ std::vector<ReportedCluster> report_clusters(const std::vector<Failure>& failure
     remove_cluster_report(arguments.output);
     return {};
   }
-  const Examination examination = examination_of(failures, campaign.bench, arguments.output);
+  const Examination examination = examination_of(failures, campaign.setup, arguments.output);
   run_examination(examination, campaign, arguments);
   return write_cluster_report(examination, arguments.output);
 }

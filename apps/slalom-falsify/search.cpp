@@ -100,7 +100,7 @@ KeptFailures kept_failures(const SearchResult& result, const FalsifyCampaign& ca
   options.known = &shrunk;
   options.notify = print_notice;
   const auto progress = make_terminal_progress(arguments.campaign.quiet);
-  auto kept = shrink_found(result.state.failures, campaign.bench, options, *progress);
+  auto kept = shrink_found(result.state.failures, campaign.setup, options, *progress);
   if (!kept) throw Interrupted("the same command continues");
   return std::move(*kept);
 }
@@ -112,12 +112,12 @@ void search_verb(SearchArguments& arguments) {
   if (!arguments.against.empty()) common.witnesses = {add_reference(ini, arguments)};
   refuse_output_over_inputs(common.output, ini);
   const FalsifyCampaign campaign = read_falsify_campaign(ini, common);
-  if (campaign.bench.witnesses.empty() && common.fairness.witness)
+  if (campaign.setup.witnesses.empty() && common.fairness.witness)
     throw usage_error("--witness", "there is no other method in the campaign",
                       "--witness METHOD, or --no-witness");
   make_output_folder(common.output);
   const FileLock lock(common.output + "/search.state", common.campaign.take_over, print_notice);
-  options.seed = common.campaign.seed.value_or(campaign.bench.seed);
+  options.seed = common.campaign.seed.value_or(campaign.setup.seed);
   options.runs = arguments.runs.value_or(options.minutes > 0 ? 0 : kDefaultRuns);
   options.workers = common.campaign.jobs;
   options.fairness = common.fairness;
@@ -125,7 +125,7 @@ void search_verb(SearchArguments& arguments) {
   options.outcomes = severe_outcomes();
   if (arguments.all_outcomes)
     options.outcomes.insert(options.outcomes.end(), {Outcome::Stuck, Outcome::Timeout});
-  const std::string identity = search_identity(hash_of_methods(campaign), campaign.bench, options);
+  const std::string identity = search_identity(hash_of_methods(campaign), campaign.setup, options);
   const StateFile file(common.output, identity);
   options.known = file.load(common.campaign.existing);
   const InterruptGuard guard;
@@ -136,7 +136,7 @@ void search_verb(SearchArguments& arguments) {
     file.save(state);
     progress.show(state);
   };
-  const SearchResult result = search(campaign.bench, options);
+  const SearchResult result = search(campaign.setup, options);
   progress.finish();
   if (!result.complete)
     throw Interrupted(std::to_string(result.state.runs()) +
@@ -149,15 +149,15 @@ void search_verb(SearchArguments& arguments) {
   neighbors.fairness = options.fairness;
   neighbors.seed = options.seed;
   neighbors.interrupted = InterruptGuard::raised;
-  if (!find_neighbors(failures, campaign.bench, neighbors))
+  if (!find_neighbors(failures, campaign.setup, neighbors))
     throw Interrupted("the same command continues");
   const std::vector<ReportedCluster> clusters = report_clusters(failures, campaign, common);
   std::cout << search_text(result, kept, options.outcomes);
   for (const Failure& failure : failures)
-    std::cout << "\n" << failure_text(failure, campaign.bench);
+    std::cout << "\n" << failure_text(failure, campaign.setup);
   if (!failures.empty())
     std::cout << clusters_text(clusters, common.output) << "\nshow one  "
-              << show_command(failures[0], campaign.bench, common.output) << "\n";
+              << show_command(failures[0], campaign.setup, common.output) << "\n";
 }
 
 }  // namespace

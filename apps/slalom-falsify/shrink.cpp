@@ -93,23 +93,23 @@ void shrink_verb(ShrinkArguments& arguments) {
   if (std::filesystem::equivalent(arguments.input, common.output + "/" + kExaminedResults, ignored))
     throw usage_error("-o " + common.output, "would replace " + arguments.input, "another folder");
   FalsifyCampaign campaign = read_falsify_campaign(input.ini, common);
-  campaign.bench.repetition = input.repetition;
+  campaign.setup.repetition = input.repetition;
   const InterruptGuard guard;
   const auto progress = make_terminal_progress(common.campaign.quiet);
   progress->start("Shrinking", common.max_runs);
   ShrinkOptions options{common.fairness, common.max_runs, InterruptGuard::raised,
                         [&progress](std::size_t runs) { progress->advance(runs); }};
-  auto small = shrink(campaign.bench, input.scenario, options);
+  auto small = shrink(campaign.setup, input.scenario, options);
   progress->finish();
   if (!small) throw Interrupted("nothing was written");
   std::vector<Failure> failures = {{input.origin, input.scenario, std::move(*small)}};
   name_failures(failures, common.method);
   failures[0].neighbors =
-      one_removal_variants(failures[0].small.scenario, campaign.bench.setup.simulation.resolution);
+      one_removal_variants(failures[0].small.scenario, campaign.setup.run.simulation.resolution);
   write_output(failures, campaign, common.output);
   const std::vector<ReportedCluster> clusters = report_clusters(failures, campaign, common);
-  std::cout << failure_text(failures[0], campaign.bench) << "  show it    "
-            << show_command(failures[0], campaign.bench, common.output) << "\n"
+  std::cout << failure_text(failures[0], campaign.setup) << "  show it    "
+            << show_command(failures[0], campaign.setup, common.output) << "\n"
             << clusters_text(clusters, common.output);
   const Trial& trial = failures[0].small.trial;
   if (input.recorded && input.recorded->outcome != to_string(trial.outcome))

@@ -67,15 +67,15 @@ bool may_be_fair(const Scenario& scenario, double radius, const FairnessOptions&
   });
 }
 
-/// The world with the walkers of the bench; null if there is no room for one.
-std::unique_ptr<World> with_walkers_of(const TestBench& bench, std::unique_ptr<World> world,
-                                       std::uint64_t seed) {
-  if (bench.walkers.count == 0) return world;
+/// The world with the walkers of the setup; null if there is no room for one.
+std::unique_ptr<World> with_walkers_of(const FalsificationSetup& setup,
+                                       std::unique_ptr<World> world, std::uint64_t seed) {
+  if (setup.walkers.count == 0) return world;
   RandomEngine engine(seed);
   try {
     return std::make_unique<World>(
-        with_walkers(*world, bench.setup.robot.shape().enclosing_radius(), bench.walkers, engine),
-        bench.setup.simulation.resolution);
+        with_walkers(*world, setup.run.robot.shape().enclosing_radius(), setup.walkers, engine),
+        setup.run.simulation.resolution);
   } catch (const Error&) {
     return nullptr;
   }
@@ -104,26 +104,26 @@ Scenario CandidateMix::draw(RandomEngine& engine) const {
   return generator.generate(generator.name(), engine);
 }
 
-std::unique_ptr<World> draw_fair_world(const CandidateMix& mix, const TestBench& bench,
+std::unique_ptr<World> draw_fair_world(const CandidateMix& mix, const FalsificationSetup& setup,
                                        const FairnessOptions& fairness, std::uint64_t seed,
                                        std::uint64_t index) {
   constexpr int kMaxAttempts = 1000;
   RandomEngine engine(derive_seed(seed, "candidate", index));
   for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
     Scenario drawn = mix.draw(engine);
-    if (!may_be_fair(drawn, bench.setup.robot.shape().enclosing_radius(), fairness)) continue;
-    auto world = std::make_unique<World>(std::move(drawn), bench.setup.simulation.resolution);
-    if (!has_fair_geometry(*world, bench.setup.robot, fairness)) continue;
+    if (!may_be_fair(drawn, setup.run.robot.shape().enclosing_radius(), fairness)) continue;
+    auto world = std::make_unique<World>(std::move(drawn), setup.run.simulation.resolution);
+    if (!has_fair_geometry(*world, setup.run.robot, fairness)) continue;
     // Walkers have a random stream of their own: the static obstacles are those of a search without
     // them.
-    world = with_walkers_of(bench, std::move(world), derive_seed(seed, "walkers", index));
+    world = with_walkers_of(setup, std::move(world), derive_seed(seed, "walkers", index));
     if (world) return world;
   }
   throw job_error("search",
                   "none of " + std::to_string(kMaxAttempts) +
                       " random scenarios meets the geometric conditions" +
-                      (bench.walkers.count > 0 ? " and has room for the walkers" : ""),
-                  bench.walkers.count > 0 ? "weaker conditions, or fewer or smaller walkers"
+                      (setup.walkers.count > 0 ? " and has room for the walkers" : ""),
+                  setup.walkers.count > 0 ? "weaker conditions, or fewer or smaller walkers"
                                           : "weaker conditions");
 }
 

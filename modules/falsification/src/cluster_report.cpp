@@ -17,16 +17,17 @@ constexpr std::size_t kDepartures = 3;  // of the members of a cluster that are 
 
 class Examiner {
  public:
-  Examiner(const TestBench& bench, const std::string& folder) : bench_(bench), folder_(folder) {}
+  Examiner(const FalsificationSetup& setup, const std::string& folder)
+      : setup_(setup), folder_(folder) {}
 
   Examination examine(const std::vector<Failure>& failures) {
-    result_.examined = {bench_.method.name, bench_.repetition, {}};
+    result_.examined = {setup_.method.name, setup_.repetition, {}};
     for (const Failure& failure : failures) add(failure);
     return std::move(result_);
   }
 
  private:
-  const TestBench& bench_;
+  const FalsificationSetup& setup_;
   const std::string& folder_;
   Examination result_;
   std::set<std::string> hashes_;
@@ -35,7 +36,7 @@ class Examiner {
     const Scenario& smallest = failure.small.scenario;
     ExaminedFailure examined;
     examined.found = failure.origin;
-    examined.command = show_command(failure, bench_, folder_);
+    examined.command = show_command(failure, setup_, folder_);
     examined.smallest = smallest.hash();
     examined.compared = failure.is_original_compared ? failure.original.hash() : smallest.hash();
     examined.obstacles = failure.small.parts_after;
@@ -60,9 +61,9 @@ class Examiner {
 
 }  // namespace
 
-Examination examination_of(const std::vector<Failure>& failures, const TestBench& bench,
+Examination examination_of(const std::vector<Failure>& failures, const FalsificationSetup& setup,
                            const std::string& folder) {
-  return Examiner(bench, folder).examine(failures);
+  return Examiner(setup, folder).examine(failures);
 }
 
 void write_scenarios(const Examination& examination, const std::string& path) {

@@ -17,11 +17,11 @@ constexpr int kWithoutDivergence = 3;  // candidates after which no run reaches 
 constexpr std::array kMutations = {Mutation::Move,      Mutation::Resize, Mutation::Remove,
                                    Mutation::Duplicate, Mutation::Add,    Mutation::MoveStartGoal};
 
-std::optional<Scenario> changed(const Scenario& parent, const TestBench& bench,
+std::optional<Scenario> changed(const Scenario& parent, const FalsificationSetup& setup,
                                 RandomEngine& engine) {
   MutationLimits limits;
-  limits.robot_radius = bench.setup.robot.shape().enclosing_radius();
-  limits.resolution = bench.setup.simulation.resolution;
+  limits.robot_radius = setup.run.robot.shape().enclosing_radius();
+  limits.resolution = setup.run.simulation.resolution;
   limits.min_distance = 4 * limits.robot_radius;
   const int which = uniform_int(engine, 0, static_cast<int>(kMutations.size()) - 1);
   return mutate(parent, kMutations[static_cast<std::size_t>(which)], limits, engine);
@@ -29,12 +29,12 @@ std::optional<Scenario> changed(const Scenario& parent, const TestBench& bench,
 
 }  // namespace
 
-std::unique_ptr<World> draw_changed_world(const Scenario& parent, const TestBench& bench,
+std::unique_ptr<World> draw_changed_world(const Scenario& parent, const FalsificationSetup& setup,
                                           const FairnessOptions& fairness, RandomEngine& engine) {
-  const auto child = changed(parent, bench, engine);
+  const auto child = changed(parent, setup, engine);
   if (!child) return nullptr;
-  auto world = std::make_unique<World>(*child, bench.setup.simulation.resolution);
-  return has_fair_geometry(*world, bench.setup.robot, fairness) ? std::move(world) : nullptr;
+  auto world = std::make_unique<World>(*child, setup.run.simulation.resolution);
+  return has_fair_geometry(*world, setup.run.robot, fairness) ? std::move(world) : nullptr;
 }
 
 void DifferenceSearch::find_difference(std::uint64_t index, const std::function<void()>& alive) {
@@ -46,7 +46,7 @@ void DifferenceSearch::find_difference(std::uint64_t index, const std::function<
   for (std::uint64_t i = 0; i < kWorlds && !difference_; ++i) {
     alive();
     const std::shared_ptr<const World> world =
-        draw_fair_world(mix_, bench_, options_.fairness, seed, i);
+        draw_fair_world(mix_, setup_, options_.fairness, seed, i);
     RandomEngine engine(derive_seed(seed, "poses", i));
     difference_ = i % 2 == 0 ? probe_.find_in_steps(world, engine) : probe_.find_in_run(world);
   }
@@ -63,12 +63,12 @@ std::unique_ptr<World> DifferenceSearch::draw(std::uint64_t index,
   ++candidates_;
   if (difference_->in_run && candidates_ == 1)
     return std::make_unique<World>(difference_->world->scenario(),
-                                   bench_.setup.simulation.resolution);
+                                   setup_.run.simulation.resolution);
   if (!difference_->in_run && candidates_ <= kApproaches)
-    return approach(*difference_, bench_, options_.fairness, candidates_, engine);
+    return approach(*difference_, setup_, options_.fairness, candidates_, engine);
   constexpr int kAttempts = 20;
   for (int attempt = 0; attempt < kAttempts && best_; ++attempt)
-    if (auto world = draw_changed_world(*best_, bench_, options_.fairness, engine)) return world;
+    if (auto world = draw_changed_world(*best_, setup_, options_.fairness, engine)) return world;
   difference_.reset();
   return nullptr;
 }

@@ -13,7 +13,7 @@
 namespace slalom {
 
 /// A small random change of a scenario that is fair; null if there is none in a few attempts.
-std::unique_ptr<World> draw_changed_world(const Scenario& parent, const TestBench& bench,
+std::unique_ptr<World> draw_changed_world(const Scenario& parent, const FalsificationSetup& setup,
                                           const FairnessOptions& fairness, RandomEngine& engine);
 
 /// Candidates that approach a difference of commands, and then climb from the run that came
@@ -21,9 +21,9 @@ std::unique_ptr<World> draw_changed_world(const Scenario& parent, const TestBenc
 /// has no gradient before the two differ, but has one then.
 class DifferenceSearch {
  public:
-  DifferenceSearch(const TestBench& bench, const SearchOptions& options, const CandidateMix& mix,
-                   MethodPool& methods)
-      : bench_(bench), options_(options), mix_(mix), probe_(bench, methods) {}
+  DifferenceSearch(const FalsificationSetup& setup, const SearchOptions& options,
+                   const CandidateMix& mix, MethodPool& methods)
+      : setup_(setup), options_(options), mix_(mix), probe_(setup, methods) {}
 
   /// Forgets what was found, so that candidates depend only on those since.
   void reset() { difference_.reset(); }
@@ -37,7 +37,7 @@ class DifferenceSearch {
  private:
   void find_difference(std::uint64_t index, const std::function<void()>& alive);
 
-  const TestBench& bench_;
+  const FalsificationSetup& setup_;
   const SearchOptions& options_;
   const CandidateMix& mix_;
   StepProbe probe_;

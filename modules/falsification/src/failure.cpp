@@ -33,22 +33,22 @@ void name_failures(std::vector<Failure>& failures, const std::string& method) {
   }
 }
 
-bool find_neighbors(std::vector<Failure>& failures, const TestBench& bench,
+bool find_neighbors(std::vector<Failure>& failures, const FalsificationSetup& setup,
                     const NeighborOptions& options) {
   std::vector<Scenario> originals;
   for (const Failure& failure : failures) originals.push_back(failure.original);
-  auto neighbors = successful_neighbors(bench, originals, options);
+  auto neighbors = successful_neighbors(setup, originals, options);
   if (!neighbors) return false;
   for (std::size_t i = 0; i < failures.size(); ++i)
     failures[i].neighbors = std::move((*neighbors)[i]);
   return true;
 }
 
-std::string failure_text(const Failure& failure, const TestBench& bench) {
+std::string failure_text(const Failure& failure, const FalsificationSetup& setup) {
   const ShrinkResult& small = failure.small;
   const std::string before = std::to_string(small.parts_before);
   const std::string after = std::to_string(small.parts_after);
-  std::string text = small.scenario.name() + ": " + bench.method.name + " ends as " +
+  std::string text = small.scenario.name() + ": " + setup.method.name + " ends as " +
                      to_string(small.trial.outcome) + "\n";
   text += "  found      " + failure.origin + "\n";
   text += "  shrunk     " + before + " -> " + after + " obstacles, " +
@@ -63,12 +63,12 @@ std::string failure_text(const Failure& failure, const TestBench& bench) {
   return text;
 }
 
-std::string show_command(const Failure& failure, const TestBench& bench,
+std::string show_command(const Failure& failure, const FalsificationSetup& setup,
                          const std::string& folder) {
   const std::string results = folder + "/check/runs.results";
   return "slalom-evaluate " + folder + "/failures.ini -o " + folder +
          "/check && slalom-replay play " +
-         rawlog_path(results, failure.small.scenario.hash(), bench.method.name, bench.repetition) +
+         rawlog_path(results, failure.small.scenario.hash(), setup.method.name, setup.repetition) +
          " --gui";
 }
 

@@ -18,11 +18,11 @@ SceneTrajectory scene_trajectory(const std::string& name, const Trial& trial, st
   return drawn;
 }
 
-std::string picture(const Failure& failure, const TestBench& bench) {
+std::string picture(const Failure& failure, const FalsificationSetup& setup) {
   SceneOptions options;
-  options.robot_radius = bench.setup.robot.shape().enclosing_radius();
+  options.robot_radius = setup.run.robot.shape().enclosing_radius();
   const FairnessReport& fairness = failure.small.fairness;
-  options.trajectories = {scene_trajectory(bench.method.name, failure.small.trial, 0)};
+  options.trajectories = {scene_trajectory(setup.method.name, failure.small.trial, 0)};
   if (!fairness.witness.empty())
     options.trajectories.push_back(scene_trajectory(fairness.witness, fairness.witness_run, 1));
   return render_svg(failure.small.scenario, options);
@@ -61,11 +61,11 @@ Json descriptors_json(const Scenario& scenario, const DescribeOptions& options,
 }
 
 /// The failure without its descriptors.
-Json failure_json(const Failure& failure, const TestBench& bench) {
+Json failure_json(const Failure& failure, const FalsificationSetup& setup) {
   const ShrinkResult& small = failure.small;
   return {{"name", small.scenario.name()},
           {"scenario", small.scenario.hash()},
-          {"method", bench.method.name},
+          {"method", setup.method.name},
           {"outcome", to_string(small.trial.outcome)},
           {"detail", small.trial.detail},
           {"found", failure.origin},
@@ -78,23 +78,23 @@ Json failure_json(const Failure& failure, const TestBench& bench) {
 
 }  // namespace
 
-void write_failures(const std::vector<Failure>& failures, const TestBench& bench,
+void write_failures(const std::vector<Failure>& failures, const FalsificationSetup& setup,
                     const DescribeOptions& describe, const std::string& folder,
                     const std::string& search) {
-  Json document = {{"method", bench.method.name}};
+  Json document = {{"method", setup.method.name}};
   if (!search.empty()) document["search"] = Json::parse(search);
   document["failures"] = Json::array();
   ScenarioList::write(folder + "/failures.scenarios", [&](ScenarioList& list) {
     for (const Failure& failure : failures) {
       const Scenario& scenario = failure.small.scenario;
       list.add(scenario, {"", std::nullopt, {to_string(failure.small.trial.outcome)}});
-      Json json = failure_json(failure, bench);
+      Json json = failure_json(failure, setup);
       json["descriptors"] = descriptors_json(scenario, describe, list);
-      json["show"] = show_command(failure, bench, folder);
+      json["show"] = show_command(failure, setup, folder);
       document["failures"].push_back(std::move(json));
       const std::string path = folder + "/" + scenario.name();
       write_file_atomically(path + ".scenario.yaml", scenario_to_yaml(scenario));
-      write_file_atomically(path + ".svg", picture(failure, bench) + "\n");
+      write_file_atomically(path + ".svg", picture(failure, setup) + "\n");
     }
   });
   write_file_atomically(folder + "/failures.json", document.dump(2) + "\n");

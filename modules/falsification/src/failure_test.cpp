@@ -10,27 +10,27 @@ const Verdict& FailureTest::judge(const Scenario& scenario) {
 }
 
 const Trial& FailureTest::trial(const Scenario& scenario) {
-  return trials_.trial(World(scenario, bench_.setup.simulation.resolution), 0);
+  return trials_.trial(World(scenario, setup_.run.simulation.resolution), 0);
 }
 
 Verdict FailureTest::decide(const Scenario& scenario) {
   if (exhausted()) return {false, "not run: the limit of runs is reached"};
-  const World world(scenario, bench_.setup.simulation.resolution);
-  const GeometryReport geometry = judge_geometry(world, bench_.setup.robot, fairness_);
+  const World world(scenario, setup_.run.simulation.resolution);
+  const GeometryReport geometry = judge_geometry(world, setup_.run.robot, fairness_);
   if (!geometry.violation.empty()) {
     ++unfair_;
     return {false, geometry.violation};
   }
   ++runs_;
   const Trial& run = trials_.trial(world, 0);
-  if (run.outcome != outcome_) return {false, bench_.method.name + ": " + to_string(run.outcome)};
-  if (!fairness_.witness || bench_.witnesses.empty()) return {true, "the same failure"};
+  if (run.outcome != outcome_) return {false, setup_.method.name + ": " + to_string(run.outcome)};
+  if (!fairness_.witness || setup_.witnesses.empty()) return {true, "the same failure"};
   std::string reason;
-  for (std::size_t i = 1; i <= bench_.witnesses.size(); ++i) {
+  for (std::size_t i = 1; i <= setup_.witnesses.size(); ++i) {
     ++runs_;
     const Outcome outcome = trials_.trial(world, i).outcome;
     if (outcome == Outcome::Success) return {true, "the same failure"};
-    reason += (reason.empty() ? "" : ", ") + bench_.method_at(i).name + ": " + to_string(outcome);
+    reason += (reason.empty() ? "" : ", ") + setup_.method_at(i).name + ": " + to_string(outcome);
   }
   return {false, reason};
 }

@@ -20,10 +20,10 @@ struct Verdict {
 /// its geometry, then the method, then the witnesses.
 class FailureTest {
  public:
-  FailureTest(TrialSource& trials, const TestBench& bench, Outcome outcome,
+  FailureTest(TrialSource& trials, const FalsificationSetup& setup, Outcome outcome,
               const FairnessOptions& fairness, std::size_t max_runs)
       : trials_(trials),
-        bench_(bench),
+        setup_(setup),
         outcome_(outcome),
         fairness_(fairness),
         max_runs_(max_runs) {}
@@ -39,7 +39,7 @@ class FailureTest {
   Verdict decide(const Scenario& scenario);
 
   TrialSource& trials_;
-  const TestBench& bench_;
+  const FalsificationSetup& setup_;
   Outcome outcome_;
   FairnessOptions fairness_;
   std::size_t max_runs_, runs_ = 0, unfair_ = 0;

@@ -74,22 +74,22 @@ bool has_fair_geometry(const World& world, const RobotModel& robot,
   return has_bottleneck(world, {start.x, start.y}, scenario.goal(), width);
 }
 
-FairnessReport judge_failure(const TestBench& bench, const Scenario& scenario, const Trial& failure,
-                             const FairnessOptions& options) {
+FairnessReport judge_failure(const FalsificationSetup& setup, const Scenario& scenario,
+                             const Trial& failure, const FairnessOptions& options) {
   FairnessReport report;
-  const World world(scenario, bench.setup.simulation.resolution);
-  report.geometry = judge_geometry(world, bench.setup.robot, options);
+  const World world(scenario, setup.run.simulation.resolution);
+  report.geometry = judge_geometry(world, setup.run.robot, options);
   if (!report.geometry.violation.empty()) report.violations.push_back(report.geometry.violation);
-  for (std::size_t i = 1; i <= bench.witnesses.size() && report.witness.empty(); ++i) {
-    Trial run = run_alone(bench, scenario, i);
+  for (std::size_t i = 1; i <= setup.witnesses.size() && report.witness.empty(); ++i) {
+    Trial run = run_alone(setup, scenario, i);
     if (run.outcome != Outcome::Success) continue;
-    report.witness = bench.method_at(i).name;
+    report.witness = setup.method_at(i).name;
     report.witness_run = std::move(run);
   }
   if (options.witness && report.witness.empty())
-    report.violations.emplace_back(bench.witnesses.empty() ? "no witness is named"
+    report.violations.emplace_back(setup.witnesses.empty() ? "no witness is named"
                                                            : "no witness reaches the goal");
-  report.repeatable = is_same_run(failure, run_alone(bench, scenario, 0));
+  report.repeatable = is_same_run(failure, run_alone(setup, scenario, 0));
   if (options.repeatable && !report.repeatable)
     report.violations.emplace_back("a new process does not repeat the run");
   return report;

@@ -29,9 +29,9 @@ struct LogIsFull {};
 
 class JournaledTrials : public TrialSource {
  public:
-  JournaledTrials(const TestBench& bench, std::map<std::string, Trial> known, SharedTaskLog& log,
-                  SharedTaskLog& begun)
-      : methods_(bench), known_(std::move(known)), log_(log), begun_(begun) {}
+  JournaledTrials(const FalsificationSetup& setup, std::map<std::string, Trial> known,
+                  SharedTaskLog& log, SharedTaskLog& begun)
+      : methods_(setup), known_(std::move(known)), log_(log), begun_(begun) {}
 
   const Trial& trial(const World& world, std::size_t method) override {
     const std::string key = key_of(world.scenario(), method);
@@ -65,16 +65,16 @@ class CachedTrials : public TrialSource {
 
 }  // namespace
 
-PoolOptions pool_of_trials(const TestBench& bench) {
-  PoolOptions pool = method_pool(bench.limits, bench.setup.clock);
-  pool.limits.heartbeat_timeout = bench.limits.run_wall_time;
+PoolOptions pool_of_trials(const FalsificationSetup& setup) {
+  PoolOptions pool = method_pool(setup.limits, setup.run.clock);
+  pool.limits.heartbeat_timeout = setup.limits.run_wall_time;
   pool.log_size = kLogSize;
   return pool;
 }
 
 Method& MethodPool::method(std::size_t index) {
   std::unique_ptr<Method>& method = methods_[index];
-  if (!method) method = bench_.method_at(index).make(bench_.setup.robot, bench_.setup.sensor);
+  if (!method) method = setup_.method_at(index).make(setup_.run.robot, setup_.run.sensor);
   return *method;
 }
 
@@ -84,7 +84,7 @@ Trial MethodPool::run(const World& world, std::size_t index) {
   world.ray_caster();
   Trial trial;
   try {
-    trial = run_trial(world, bench_, method(index));
+    trial = run_trial(world, setup_, method(index));
   } catch (const Error& error) {
     trial.outcome = Outcome::MethodError;
     trial.detail = error.what();
@@ -104,7 +104,7 @@ bool IsolatedTrials::execute(const TrialJob& job) {
 /// Executes the job in a worker as far as it gets.
 bool IsolatedTrials::extend(const TrialJob& job, bool& complete) {
   const WorkItem item = [&](std::size_t, SharedTaskLog& log) -> std::string {
-    JournaledTrials trials(bench_, known_, log, begun_);
+    JournaledTrials trials(setup_, known_, log, begun_);
     try {
       job(trials);
     } catch (const LogIsFull&) {
@@ -113,7 +113,7 @@ bool IsolatedTrials::extend(const TrialJob& job, bool& complete) {
     return "done." + log.contents();
   };
   return run_in_workers(
-      1, pool_of_trials(bench_), item,
+      1, pool_of_trials(setup_), item,
       [&](std::size_t, WorkResult&& result) {
         const bool done = result.status == WorkResult::Status::Done;
         complete = done && starts_with(result.payload, "done.");
@@ -154,10 +154,10 @@ Trial trial_of_dead_process(const WorkResult& result) {
   return trial;
 }
 
-Trial run_alone(const TestBench& bench, const Scenario& scenario, std::size_t method) {
-  const World world(scenario, bench.setup.simulation.resolution);
+Trial run_alone(const FalsificationSetup& setup, const Scenario& scenario, std::size_t method) {
+  const World world(scenario, setup.run.simulation.resolution);
   Trial trial;
-  IsolatedTrials(bench, nullptr).execute([&](TrialSource& source) {
+  IsolatedTrials(setup, nullptr).execute([&](TrialSource& source) {
     trial = source.trial(world, method);
   });
   return trial;

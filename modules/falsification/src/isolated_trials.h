@@ -11,19 +11,19 @@
 namespace slalom {
 
 /// The limits of processes in which methods run, for work items that are many runs.
-PoolOptions pool_of_trials(const TestBench& bench);
+PoolOptions pool_of_trials(const FalsificationSetup& setup);
 
-/// Creates the methods of a bench when they are needed, and again after a failure that may have
+/// Creates the methods of a setup when they are needed, and again after a failure that may have
 /// damaged them.
 class MethodPool {
  public:
-  explicit MethodPool(const TestBench& bench) : bench_(bench) {}
+  explicit MethodPool(const FalsificationSetup& setup) : setup_(setup) {}
   /// An error of the method's construction is the outcome method_error.
   Trial run(const World& world, std::size_t method);
   Method& method(std::size_t index);
 
  private:
-  const TestBench& bench_;
+  const FalsificationSetup& setup_;
   std::map<std::size_t, std::unique_ptr<Method>> methods_;
 };
 
@@ -31,7 +31,7 @@ class MethodPool {
 class TrialSource {
  public:
   virtual ~TrialSource() = default;
-  /// `method` as in TestBench::method_at().
+  /// `method` as in FalsificationSetup::method_at().
   virtual const Trial& trial(const World& world, std::size_t method) = 0;
 };
 
@@ -44,8 +44,8 @@ using TrialJob = std::function<void(TrialSource& source)>;
 /// executed in this process, with all trials known, for its results.
 class IsolatedTrials {
  public:
-  IsolatedTrials(const TestBench& bench, std::function<bool()> interrupted)
-      : bench_(bench), interrupted_(std::move(interrupted)) {}
+  IsolatedTrials(const FalsificationSetup& setup, std::function<bool()> interrupted)
+      : setup_(setup), interrupted_(std::move(interrupted)) {}
 
   /// False when interrupted. Throws Error (Job) when the job throws.
   bool execute(const TrialJob& job);
@@ -57,7 +57,7 @@ class IsolatedTrials {
   bool extend(const TrialJob& job, bool& complete);
   void read_log(const std::string& log, const WorkResult& result);
 
-  const TestBench& bench_;
+  const FalsificationSetup& setup_;
   std::function<bool()> interrupted_;
   SharedTaskLog begun_{0};              ///< a heartbeat for each trial
   std::map<std::string, Trial> known_;  ///< by key
@@ -67,6 +67,6 @@ class IsolatedTrials {
 Trial trial_of_dead_process(const WorkResult& result);
 
 /// One trial in a new process.
-Trial run_alone(const TestBench& bench, const Scenario& scenario, std::size_t method);
+Trial run_alone(const FalsificationSetup& setup, const Scenario& scenario, std::size_t method);
 
 }  // namespace slalom

@@ -9,11 +9,11 @@
 namespace slalom {
 namespace {
 
-std::optional<ShrinkResult> shrink_once(const FoundFailure& found, const TestBench& bench,
+std::optional<ShrinkResult> shrink_once(const FoundFailure& found, const FalsificationSetup& setup,
                                         const KeepOptions& options) {
   if (options.known != nullptr)
     if (const ShrinkResult* known = options.known->find(found)) return *known;
-  auto small = shrink(bench, found.scenario, options.shrink);
+  auto small = shrink(setup, found.scenario, options.shrink);
   if (small && options.known != nullptr) options.known->save(found, *small);
   return small;
 }
@@ -44,26 +44,30 @@ class DistinctAreas {
 }  // namespace
 
 std::optional<KeptFailures> shrink_found(const std::vector<FoundFailure>& all,
-                                         const TestBench& bench, const KeepOptions& options,
-                                         Progress& progress) {
+                                         const FalsificationSetup& setup,
+                                         const KeepOptions& options, Progress& progress) {
   KeptFailures kept;
-  DistinctAreas areas(bench.setup.simulation.resolution);
+  DistinctAreas areas(setup.run.simulation.resolution);
   progress.start("Shrinking failures", all.size());
   for (std::size_t i = 0; i < all.size() && kept.failures.size() < options.count; ++i) {
     const FoundFailure& found = all[i];
-    auto small = shrink_once(found, bench, options);
+    auto small = shrink_once(found, setup, options);
     if (!small) return std::nullopt;
     progress.advance(i + 1);
     const std::string origin =
-        to_string(found.half) + " candidate " + std::to_string(found.index) + " of the search";
+        to_string(found.strategy) + " candidate " + std::to_string(found.index) + " of the search";
     if (!small->fairness.fair()) {
       if (options.notify)
         options.notify(origin + ": left out, " + join(small->fairness.violations, "; "));
     } else if (!areas.insert(*small)) {
       ++kept.near_duplicates;
     } else {
-      kept.failures.push_back(
-          {origin, found.scenario, std::move(*small), {}, true, found.half == SearchHalf::Random});
+      kept.failures.push_back({origin,
+                               found.scenario,
+                               std::move(*small),
+                               {},
+                               true,
+                               found.strategy == SearchStrategy::Random});
     }
   }
   progress.finish();

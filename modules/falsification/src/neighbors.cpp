@@ -29,13 +29,13 @@ double difference_of(const TaskSize& a, const TaskSize& b) {
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
 }
 
-std::vector<Scenario> successes_of_mix(TrialSource& trials, const TestBench& bench,
+std::vector<Scenario> successes_of_mix(TrialSource& trials, const FalsificationSetup& setup,
                                        const NeighborOptions& options, std::size_t runs) {
-  const CandidateMix mix(bench.setup.robot);
+  const CandidateMix mix(setup.run.robot);
   const std::uint64_t seed = derive_seed(options.seed, "neighbors");
   std::vector<Scenario> successes;
   for (std::size_t i = 0; i < runs; ++i) {
-    const auto world = draw_fair_world(mix, bench, options.fairness, seed, i);
+    const auto world = draw_fair_world(mix, setup, options.fairness, seed, i);
     if (trials.trial(*world, 0).outcome == Outcome::Success) successes.push_back(world->scenario());
   }
   return successes;
@@ -71,12 +71,13 @@ class Matcher {
 }  // namespace
 
 std::optional<std::vector<std::vector<Scenario>>> successful_neighbors(
-    const TestBench& bench, const std::vector<Scenario>& failures, const NeighborOptions& options) {
+    const FalsificationSetup& setup, const std::vector<Scenario>& failures,
+    const NeighborOptions& options) {
   std::vector<Scenario> successes;
-  IsolatedTrials trials(bench, options.interrupted);
+  IsolatedTrials trials(setup, options.interrupted);
   const auto job = [&](TrialSource& source) {
     successes =
-        successes_of_mix(source, bench, options, failures.size() * options.runs_per_failure);
+        successes_of_mix(source, setup, options, failures.size() * options.runs_per_failure);
   };
   if (!trials.execute(job)) return std::nullopt;
   Matcher matcher(std::move(successes));

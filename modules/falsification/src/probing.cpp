@@ -62,7 +62,7 @@ class ShadowRun : public Method {
 
 bool StepProbe::draw(const World& world, RandomEngine& engine, CommandDifference& probe) const {
   constexpr double kNear = 0.9, kFree = 0.03, kGoalFree = 0.1;  // m
-  const double radius = bench_.setup.robot.shape().enclosing_radius();
+  const double radius = setup_.run.robot.shape().enclosing_radius();
   const TPoint2D at = sample_position(engine, world.scenario().bounds());
   const double heading = uniform_real(engine, -M_PI, M_PI);
   const double bearing = heading + uniform_real(engine, -2, 2);
@@ -78,9 +78,9 @@ bool StepProbe::draw(const World& world, RandomEngine& engine, CommandDifference
 Command StepProbe::command(std::size_t index, const CommandDifference& probe, double speed,
                            const mrpt::obs::CObservation2DRangeScan& scan) {
   Method& method = methods_.method(index);
-  const SimulationOptions& simulation = bench_.setup.simulation;
+  const SimulationOptions& simulation = setup_.run.simulation;
   method.reset(
-      {probe.pose, probe.goal, simulation.goal_tolerance, simulation.control_period, bench_.seed});
+      {probe.pose, probe.goal, simulation.goal_tolerance, simulation.control_period, setup_.seed});
   Observation observation;
   observation.odometry = probe.pose;
   observation.v = speed;
@@ -91,7 +91,7 @@ Command StepProbe::command(std::size_t index, const CommandDifference& probe, do
 
 std::optional<CommandDifference> StepProbe::find_in_run(const std::shared_ptr<const World>& world) {
   ShadowRun both(methods_.method(1), methods_.method(0));
-  run_trial(*world, bench_, both);
+  run_trial(*world, setup_, both);
   const Scenario& scenario = world->scenario();
   if (!both.differs()) return std::nullopt;
   return CommandDifference{world, scenario.start(), scenario.goal(), true};
@@ -103,11 +103,11 @@ std::optional<CommandDifference> StepProbe::find_in_steps(const std::shared_ptr<
     return methods_.method(i).uses_tracks() || methods_.method(i).uses_map();
   };
   if (is_privileged(0) || is_privileged(1)) return std::nullopt;
-  RangeFinder sensor(*world, bench_.setup.sensor, bench_.seed);
+  RangeFinder sensor(*world, setup_.run.sensor, setup_.seed);
   CommandDifference probe{world, {}, {}};
   for (int i = 0; i < kProbes; ++i) {
     const bool is_near = draw(*world, engine, probe);
-    const double speed = uniform_real(engine, 0, bench_.setup.robot.max_v);
+    const double speed = uniform_real(engine, 0, setup_.run.robot.max_v);
     if (!is_near) continue;
     const auto& scan = sensor.sense(probe.pose, 0, mrpt::Clock::time_point());
     try {
@@ -119,8 +119,9 @@ std::optional<CommandDifference> StepProbe::find_in_steps(const std::shared_ptr<
   return std::nullopt;
 }
 
-std::unique_ptr<World> approach(const CommandDifference& difference, const TestBench& bench,
-                                const FairnessOptions& fairness, int number, RandomEngine& engine) {
+std::unique_ptr<World> approach(const CommandDifference& difference,
+                                const FalsificationSetup& setup, const FairnessOptions& fairness,
+                                int number, RandomEngine& engine) {
   constexpr int kMaxAttempts = 30;
   constexpr int kExact = 5;  // of the first ones
   const TPose2D& pose = difference.pose;
@@ -135,8 +136,8 @@ std::unique_ptr<World> approach(const CommandDifference& difference, const TestB
     if (!difference.world->scenario().bounds().contains({start.x, start.y})) continue;
     auto world = std::make_unique<World>(
         difference.world->scenario().with_start_goal(start, difference.goal),
-        bench.setup.simulation.resolution);
-    if (has_fair_geometry(*world, bench.setup.robot, fairness)) return world;
+        setup.run.simulation.resolution);
+    if (has_fair_geometry(*world, setup.run.robot, fairness)) return world;
   }
   return nullptr;
 }

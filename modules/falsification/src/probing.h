@@ -22,7 +22,8 @@ struct CommandDifference {
 /// Compares commands of the method and of the first witness, its reference.
 class StepProbe {
  public:
-  StepProbe(const TestBench& bench, MethodPool& methods) : bench_(bench), methods_(methods) {}
+  StepProbe(const FalsificationSetup& setup, MethodPool& methods)
+      : setup_(setup), methods_(methods) {}
 
   /// The first difference in single steps at random poses near obstacles, each after a reset. None
   /// for methods that use tracks or the map, which a single observation does not have.
@@ -37,14 +38,15 @@ class StepProbe {
   Command command(std::size_t method, const CommandDifference& probe, double speed,
                   const mrpt::obs::CObservation2DRangeScan& scan);
 
-  const TestBench& bench_;
+  const FalsificationSetup& setup_;
   MethodPool& methods_;
 };
 
 /// A scenario in which the robot comes to the pose by itself, the one of this number from 1. The
 /// first one starts at the pose, if that is fair, the others up to 1.2 m behind it; from the sixth
 /// on they are turned and shifted a little. None if no such start is fair.
-std::unique_ptr<World> approach(const CommandDifference& difference, const TestBench& bench,
-                                const FairnessOptions& fairness, int number, RandomEngine& engine);
+std::unique_ptr<World> approach(const CommandDifference& difference,
+                                const FalsificationSetup& setup, const FairnessOptions& fairness,
+                                int number, RandomEngine& engine);
 
 }  // namespace slalom

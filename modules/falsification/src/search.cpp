@@ -10,12 +10,12 @@ namespace slalom {
 namespace {
 
 constexpr std::uint64_t kBatch = 100;  // candidates
-constexpr std::uint64_t kRound = 400;  // candidates of each half
+constexpr std::uint64_t kRound = 400;  // candidates of each strategy
 constexpr std::size_t kMaxCloseCalls = 64;
 constexpr std::size_t kOverSampling = 2;  // failures for each one that is searched
 
-/// How many candidates of each half the rounds have. With a budget of time the first is small, and
-/// the others so large that they take some seconds.
+/// How many candidates of each strategy the rounds have. With a budget of time the first is small,
+/// and the others so large that they take some seconds.
 class RoundSizes {
  public:
   explicit RoundSizes(const SearchOptions& options)
@@ -38,30 +38,30 @@ class RoundSizes {
   std::uint64_t size_;
 };
 
-SearchTally& tally_of(SearchState& state, SearchHalf half) {
-  return half == SearchHalf::Random ? state.random : state.adaptive;
+SearchTally& tally_of(SearchState& state, SearchStrategy strategy) {
+  return strategy == SearchStrategy::Random ? state.random : state.adaptive;
 }
 
 /// Executes the batches of one round.
 class SearchRound {
  public:
-  /// `candidates`: of each half.
-  SearchRound(const TestBench& bench, const SearchOptions& options, SearchState& state,
+  /// `candidates`: of each strategy.
+  SearchRound(const FalsificationSetup& setup, const SearchOptions& options, SearchState& state,
               std::uint64_t candidates)
-      : bench_(bench),
+      : setup_(setup),
         options_(options),
         state_(state),
         candidates_(candidates),
-        runner_(bench, options) {
+        runner_(setup, options) {
     runner_.set_parents(state.near_misses);
   }
 
   /// False when interrupted; the state is then as before.
   bool execute() {
-    for (const SearchHalf half : enum_values<SearchHalf>()) {
-      const std::uint64_t begin = tally_of(state_, half).runs, end = begin + candidates_;
+    for (const SearchStrategy strategy : enum_values<SearchStrategy>()) {
+      const std::uint64_t begin = tally_of(state_, strategy).runs, end = begin + candidates_;
       for (std::uint64_t i = begin; i < end; i += kBatch)
-        batches_.push_back({half, i, std::min(i + kBatch, end)});
+        batches_.push_back({strategy, i, std::min(i + kBatch, end)});
     }
     while (!batches_.empty())
       if (!execute_batches()) return false;
@@ -71,7 +71,7 @@ class SearchRound {
 
  private:
   struct Found {
-    SearchHalf half;
+    SearchStrategy strategy;
     CandidateRun run;
   };
 
@@ -94,9 +94,9 @@ class SearchRound {
       const bool done = result.status == WorkResult::Status::Done;
       std::vector<CandidateRun> runs = read_batch_log(done ? result.payload : result.log);
       if (!done) continue_after_death(batches[i], runs, result);
-      for (CandidateRun& run : runs) found_.push_back({batches[i].half, std::move(run)});
+      for (CandidateRun& run : runs) found_.push_back({batches[i].strategy, std::move(run)});
     };
-    PoolOptions pool = pool_of_trials(bench_);
+    PoolOptions pool = pool_of_trials(setup_);
     pool.schedule.workers = options_.workers;
     return run_in_workers(batches.size(), pool, item, receive, [this] { return interrupted(); });
   }
@@ -106,7 +106,7 @@ class SearchRound {
     const Trial dead = trial_of_dead_process(result);
     const bool is_probed = runs.empty() || runs.back().complete;
     if (is_probed) {
-      if (!options_.probe && !bench_.surrogate)
+      if (!options_.probe && !setup_.surrogate)
         throw job_error("search", "a worker process died between two runs: " + result.detail);
       // A single step or a run of the surrogate has no scenario to keep.
       const std::uint64_t index = runs.empty() ? batch.begin : runs.back().index + 1;
@@ -116,37 +116,37 @@ class SearchRound {
     CandidateRun& last = runs.back();
     last.trial = dead;
     last.witnessed = !is_probed && runner_.is_failure(dead.outcome) && has_witness_alone(last);
-    if (last.index + 1 < batch.end) batches_.push_back({batch.half, last.index + 1, batch.end});
+    if (last.index + 1 < batch.end) batches_.push_back({batch.strategy, last.index + 1, batch.end});
   }
 
   bool has_witness_alone(const CandidateRun& run) const {
     const Scenario scenario = deserialize_scenario(run.scenario, "search");
-    for (std::size_t i = 1; i <= bench_.witnesses.size(); ++i)
-      if (run_alone(bench_, scenario, i).outcome == Outcome::Success) return true;
+    for (std::size_t i = 1; i <= setup_.witnesses.size(); ++i)
+      if (run_alone(setup_, scenario, i).outcome == Outcome::Success) return true;
     return false;
   }
 
   /// Adds the runs of the round to the state, in an order that does not depend on processes.
   void finish() {
     std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
-      return std::make_pair(a.half, a.run.index) < std::make_pair(b.half, b.run.index);
+      return std::make_pair(a.strategy, a.run.index) < std::make_pair(b.strategy, b.run.index);
     });
-    for (const Found& found : found_) add(found.half, found.run);
+    for (const Found& found : found_) add(found.strategy, found.run);
     ++state_.rounds;
   }
 
-  void add(SearchHalf half, const CandidateRun& run) {
-    SearchTally& tally = tally_of(state_, half);
+  void add(SearchStrategy strategy, const CandidateRun& run) {
+    SearchTally& tally = tally_of(state_, strategy);
     ++tally.runs;
     ++tally.outcomes[to_string(run.trial.outcome)];
     if (run.trial.outcome == Outcome::Success) {
-      if (half == SearchHalf::Random) add_near_miss(run);
+      if (strategy == SearchStrategy::Random) add_near_miss(run);
     } else if (runner_.is_failure(run.trial.outcome)) {
       const bool counts = !run.scenario.empty() && (run.witnessed || !options_.fairness.witness);
       ++(counts ? tally.failures : tally.without_witness);
       if (counts && state_.failures.size() < kOverSampling * options_.max_failures)
         state_.failures.push_back(
-            {half, run.index, deserialize_scenario(run.scenario, "search"), run.trial});
+            {strategy, run.index, deserialize_scenario(run.scenario, "search"), run.trial});
     }
   }
 
@@ -159,7 +159,7 @@ class SearchRound {
     if (calls.size() > kMaxCloseCalls) calls.pop_back();
   }
 
-  const TestBench& bench_;
+  const FalsificationSetup& setup_;
   const SearchOptions& options_;
   SearchState& state_;
   std::uint64_t candidates_;
@@ -187,10 +187,10 @@ std::vector<Outcome> severe_outcomes() {
           Outcome::MethodDeadline, Outcome::MethodInvalidCommand, Outcome::MethodError};
 }
 
-SearchResult search(const TestBench& bench, const SearchOptions& options) {
+SearchResult search(const FalsificationSetup& setup, const SearchOptions& options) {
   if (options.runs == 0 && options.minutes <= 0)
     throw usage_error("search", "no budget", "a number of runs or of minutes");
-  if (options.probe && bench.witnesses.empty())
+  if (options.probe && setup.witnesses.empty())
     throw usage_error("search", "no reference to compare single steps with", "a witness");
   const double began = steady_seconds();
   SearchResult result;
@@ -198,7 +198,7 @@ SearchResult search(const TestBench& bench, const SearchOptions& options) {
   RoundSizes sizes(options);
   while ((result.stopped = limit_reached(result.state, options, began)).empty()) {
     const double round_began = steady_seconds();
-    SearchRound round(bench, options, result.state, sizes.next(result.state));
+    SearchRound round(setup, options, result.state, sizes.next(result.state));
     if (!round.execute()) {
       result.stopped = "interrupted";
       return result;

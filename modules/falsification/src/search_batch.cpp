@@ -14,28 +14,29 @@ constexpr char kBatchLog[] = "log of a batch";
 
 }  // namespace
 
-BatchRunner::BatchRunner(const TestBench& bench, const SearchOptions& options)
-    : bench_(bench),
+BatchRunner::BatchRunner(const FalsificationSetup& setup, const SearchOptions& options)
+    : setup_(setup),
       options_(options),
-      mix_(bench.setup.robot),
-      methods_(bench),
-      hunt_(bench, options, mix_, methods_) {}
+      mix_(setup.run.robot),
+      methods_(setup),
+      hunt_(setup, options, mix_, methods_) {}
 
 bool BatchRunner::is_failure(Outcome outcome) const {
   return std::find(options_.outcomes.begin(), options_.outcomes.end(), outcome) !=
          options_.outcomes.end();
 }
 
-std::unique_ptr<World> BatchRunner::draw(SearchHalf half, std::uint64_t index, SharedTaskLog& log) {
-  if (half == SearchHalf::Adaptive)
+std::unique_ptr<World> BatchRunner::draw(SearchStrategy strategy, std::uint64_t index,
+                                         SharedTaskLog& log) {
+  if (strategy == SearchStrategy::Adaptive)
     if (auto world = draw_adaptive(index, log)) return world;
-  const std::uint64_t seed = derive_seed(options_.seed, to_string(half));
-  return draw_fair_world(mix_, bench_, options_.fairness, seed, index);
+  const std::uint64_t seed = derive_seed(options_.seed, to_string(strategy));
+  return draw_fair_world(mix_, setup_, options_.fairness, seed, index);
 }
 
 std::unique_ptr<World> BatchRunner::draw_adaptive(std::uint64_t index, SharedTaskLog& log) {
   if (options_.probe) return hunt_.draw(index, [&] { log.heartbeat(); });
-  if (bench_.surrogate) return draw_of_surrogate(index, log);
+  if (setup_.surrogate) return draw_of_surrogate(index, log);
   return parents_->empty() ? nullptr : draw_changed(index);
 }
 
@@ -45,8 +46,8 @@ std::unique_ptr<World> BatchRunner::draw_of_surrogate(std::uint64_t index, Share
   const std::uint64_t seed = derive_seed(options_.seed, "surrogate", index);
   for (std::uint64_t i = 0; i < kWorlds; ++i) {
     log.heartbeat();
-    auto world = draw_fair_world(mix_, bench_, options_.fairness, seed, i);
-    if (is_failure(methods_.run(*world, bench_.surrogate_index()).outcome)) return world;
+    auto world = draw_fair_world(mix_, setup_, options_.fairness, seed, i);
+    if (is_failure(methods_.run(*world, setup_.surrogate_index()).outcome)) return world;
   }
   return nullptr;
 }
@@ -58,14 +59,14 @@ std::unique_ptr<World> BatchRunner::draw_changed(std::uint64_t index) const {
   for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
     const int last = static_cast<int>(parents_->size()) - 1;
     const auto& parent = (*parents_)[static_cast<std::size_t>(uniform_int(engine, 0, last))];
-    if (auto world = draw_changed_world(parent.scenario, bench_, options_.fairness, engine))
+    if (auto world = draw_changed_world(parent.scenario, setup_, options_.fairness, engine))
       return world;
   }
   return nullptr;
 }
 
 bool BatchRunner::has_witness(const World& world) {
-  for (std::size_t i = 1; i <= bench_.witnesses.size(); ++i)
+  for (std::size_t i = 1; i <= setup_.witnesses.size(); ++i)
     if (methods_.run(world, i).outcome == Outcome::Success) return true;
   return false;
 }
@@ -74,23 +75,23 @@ void BatchRunner::execute(const SearchBatch& batch, SharedTaskLog& log, SharedTa
   hunt_.reset();
   for (std::uint64_t index = batch.begin; index < batch.end; ++index) {
     begun.heartbeat();
-    run(batch.half, index, log);
+    run(batch.strategy, index, log);
   }
 }
 
-bool BatchRunner::run(SearchHalf half, std::uint64_t index, SharedTaskLog& log) {
+bool BatchRunner::run(SearchStrategy strategy, std::uint64_t index, SharedTaskLog& log) {
   const auto append = [&](ByteWriter& entry) {
     const std::string bytes = ByteWriter().text(entry.take()).take();
     log.append(bytes.data(), bytes.size());
   };
-  const auto world = draw(half, index, log);
+  const auto world = draw(strategy, index, log);
   log.heartbeat();
   append(ByteWriter().u64(index).text(serialize(world->scenario())));
   const Trial trial = methods_.run(*world, 0);
   log.heartbeat();
   const bool witnessed = is_failure(trial.outcome) && has_witness(*world);
   append(ByteWriter().u8(witnessed ? 1 : 0).text(to_bytes(trial)));
-  if (half == SearchHalf::Adaptive && options_.probe) {
+  if (strategy == SearchStrategy::Adaptive && options_.probe) {
     if (witnessed)
       hunt_.succeed();
     else

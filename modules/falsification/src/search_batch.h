@@ -11,9 +11,9 @@
 
 namespace slalom {
 
-/// Consecutive candidates of one half, executed in one process.
+/// Consecutive candidates of one strategy, executed in one process.
 struct SearchBatch {
-  SearchHalf half = SearchHalf::Random;
+  SearchStrategy strategy = SearchStrategy::Random;
   std::uint64_t begin = 0, end = 0;  ///< indexes
 };
 
@@ -29,7 +29,7 @@ struct CandidateRun {
 /// Draws and runs the candidates of batches. A worker process has a copy of its own.
 class BatchRunner {
  public:
-  BatchRunner(const TestBench& bench, const SearchOptions& options);
+  BatchRunner(const FalsificationSetup& setup, const SearchOptions& options);
 
   /// Adaptive candidates are changed ones of these; the reference must remain valid.
   void set_parents(const std::vector<SearchState::NearMiss>& parents) { parents_ = &parents; }
@@ -37,18 +37,18 @@ class BatchRunner {
   void execute(const SearchBatch& batch, SharedTaskLog& log, SharedTaskLog& begun);
   /// One candidate; a probed one depends on those since the last batch began. Whether it is a
   /// failure, and a witness reaches the goal.
-  bool run(SearchHalf half, std::uint64_t index, SharedTaskLog& log);
+  bool run(SearchStrategy strategy, std::uint64_t index, SharedTaskLog& log);
 
   bool is_failure(Outcome outcome) const;
 
  private:
-  std::unique_ptr<World> draw(SearchHalf half, std::uint64_t index, SharedTaskLog& log);
+  std::unique_ptr<World> draw(SearchStrategy strategy, std::uint64_t index, SharedTaskLog& log);
   std::unique_ptr<World> draw_adaptive(std::uint64_t index, SharedTaskLog& log);
   std::unique_ptr<World> draw_of_surrogate(std::uint64_t index, SharedTaskLog& log);
   std::unique_ptr<World> draw_changed(std::uint64_t index) const;
   bool has_witness(const World& world);
 
-  const TestBench& bench_;
+  const FalsificationSetup& setup_;
   const SearchOptions& options_;
   CandidateMix mix_;
   MethodPool methods_;

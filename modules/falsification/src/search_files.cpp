@@ -12,17 +12,17 @@ namespace slalom {
 namespace {
 
 std::string key_of(const FoundFailure& found) {
-  return to_string(found.half) + " " + std::to_string(found.index);
+  return to_string(found.strategy) + " " + std::to_string(found.index);
 }
 
 }  // namespace
 
-std::string search_identity(const std::string& methods, const TestBench& bench,
+std::string search_identity(const std::string& methods, const FalsificationSetup& setup,
                             const SearchOptions& options) {
   Hasher hasher;
-  hasher.add(methods).add(bench.method.name);
-  for (const NamedMethod& witness : bench.witnesses) hasher.add(witness.name);
-  const WalkerOptions& walkers = bench.walkers;
+  hasher.add(methods).add(setup.method.name);
+  for (const NamedMethod& witness : setup.witnesses) hasher.add(witness.name);
+  const WalkerOptions& walkers = setup.walkers;
   hasher.add(std::uint64_t(walkers.count)).add(walkers.min_radius).add(walkers.max_radius);
   hasher.add(walkers.min_speed).add(walkers.max_speed);
   const FairnessOptions& fairness = options.fairness;

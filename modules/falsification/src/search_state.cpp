@@ -34,7 +34,7 @@ std::string to_bytes(const SearchState& state) {
   write(writer, state.adaptive);
   writer.u64(state.failures.size());
   for (const FoundFailure& found : state.failures)
-    writer.u8(static_cast<std::uint8_t>(found.half))
+    writer.u8(static_cast<std::uint8_t>(found.strategy))
         .u64(found.index)
         .text(serialize(found.scenario))
         .text(to_bytes(found.trial));
@@ -52,11 +52,11 @@ SearchState search_state_from_bytes(const std::string& bytes, const std::string&
   state.random = read_tally(reader);
   state.adaptive = read_tally(reader);
   for (std::size_t left = reader.count(1); left > 0; --left) {
-    const std::size_t half = reader.u8();
-    if (half >= enum_values<SearchHalf>().size()) throw reader.broken("unknown half");
+    const std::size_t strategy = reader.u8();
+    if (strategy >= enum_values<SearchStrategy>().size()) throw reader.broken("unknown strategy");
     const std::uint64_t index = reader.u64();
     Scenario scenario = deserialize_scenario(reader.text(), where);
-    state.failures.push_back({static_cast<SearchHalf>(half), index, std::move(scenario),
+    state.failures.push_back({static_cast<SearchStrategy>(strategy), index, std::move(scenario),
                               trial_from_bytes(reader.text(), where)});
   }
   for (std::size_t left = reader.count(1); left > 0; --left) {

@@ -26,8 +26,9 @@ FairnessOptions attainable(const FairnessOptions& wanted, const GeometryReport& 
   return options;
 }
 
-bool any_witness_succeeds(TrialSource& trials, const TestBench& bench, const World& world) {
-  for (std::size_t i = 1; i <= bench.witnesses.size(); ++i)
+bool any_witness_succeeds(TrialSource& trials, const FalsificationSetup& setup,
+                          const World& world) {
+  for (std::size_t i = 1; i <= setup.witnesses.size(); ++i)
     if (trials.trial(world, i).outcome == Outcome::Success) return true;
   return false;
 }
@@ -52,18 +53,18 @@ std::size_t count_parts(const Scenario& scenario, double resolution) {
 }
 
 /// The computation, which depends only on trials.
-ShrinkResult shrink_with(TrialSource& trials, const TestBench& bench, const Scenario& original,
-                         const ShrinkOptions& options) {
-  const World world(original, bench.setup.simulation.resolution);
+ShrinkResult shrink_with(TrialSource& trials, const FalsificationSetup& setup,
+                         const Scenario& original, const ShrinkOptions& options) {
+  const World world(original, setup.run.simulation.resolution);
   const Trial failure = trials.trial(world, 0);
   if (failure.outcome == Outcome::Success)
-    throw job_error("scenario " + original.name(), bench.method.name + " reaches the goal in it",
+    throw job_error("scenario " + original.name(), setup.method.name + " reaches the goal in it",
                     "a scenario in which it fails");
-  const GeometryReport geometry = judge_geometry(world, bench.setup.robot, options.fairness);
-  const bool witness = any_witness_succeeds(trials, bench, world);
-  FailureTest test(trials, bench, failure.outcome, attainable(options.fairness, geometry, witness),
+  const GeometryReport geometry = judge_geometry(world, setup.run.robot, options.fairness);
+  const bool witness = any_witness_succeeds(trials, setup, world);
+  FailureTest test(trials, setup, failure.outcome, attainable(options.fairness, geometry, witness),
                    options.max_runs);
-  Shrinker shrinker(test, original, bench);
+  Shrinker shrinker(test, original, setup);
   for (int round = 0; round < kMaxRounds && one_round(shrinker); ++round) continue;
   const RemovalRound last = remove_each_once(shrinker);
   ShrinkResult result{shrinker.scenario(), shrinker.trial()};
@@ -88,18 +89,18 @@ bool is_simpler(const ShrinkResult& a, const ShrinkResult& b) {
   return key(a) < key(b);
 }
 
-std::optional<ShrinkResult> shrink(const TestBench& bench, const Scenario& scenario,
+std::optional<ShrinkResult> shrink(const FalsificationSetup& setup, const Scenario& scenario,
                                    const ShrinkOptions& options) {
   std::optional<ShrinkResult> result;
   std::size_t begun = 0;
-  IsolatedTrials trials(bench, [&] {
+  IsolatedTrials trials(setup, [&] {
     if (options.on_runs && trials.begun() > begun) options.on_runs(begun = trials.begun());
     return options.interrupted && options.interrupted();
   });
   if (!trials.execute(
-          [&](TrialSource& source) { result = shrink_with(source, bench, scenario, options); }))
+          [&](TrialSource& source) { result = shrink_with(source, setup, scenario, options); }))
     return std::nullopt;
-  result->fairness = judge_failure(bench, result->scenario, result->trial, options.fairness);
+  result->fairness = judge_failure(setup, result->scenario, result->trial, options.fairness);
   return result;
 }
 

@@ -14,13 +14,13 @@ namespace slalom {
 /// The smallest scenario so far, and the test that decides whether another one replaces it.
 class Shrinker {
  public:
-  Shrinker(FailureTest& test, Scenario scenario, const TestBench& bench)
-      : test_(test), bench_(bench), scenario_(std::move(scenario)) {}
+  Shrinker(FailureTest& test, Scenario scenario, const FalsificationSetup& setup)
+      : test_(test), setup_(setup), scenario_(std::move(scenario)) {}
 
   const Scenario& scenario() const { return scenario_; }
   const Trial& trial() { return test_.trial(scenario_); }
-  double resolution() const { return bench_.setup.simulation.resolution; }
-  const TestBench& bench() const { return bench_; }
+  double resolution() const { return setup_.run.simulation.resolution; }
+  const FalsificationSetup& setup() const { return setup_; }
   const FailureTest& test() const { return test_; }
   FailureTest& test() { return test_; }
 
@@ -30,7 +30,7 @@ class Shrinker {
 
  private:
   FailureTest& test_;
-  const TestBench& bench_;
+  const FalsificationSetup& setup_;
   Scenario scenario_;
 };
 

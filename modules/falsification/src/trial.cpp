@@ -19,13 +19,13 @@ std::vector<mrpt::math::TPose2D> waypoints_of(const Trajectory& trajectory) {
 
 }  // namespace
 
-Trial run_trial(const World& world, const TestBench& bench, Method& method) {
+Trial run_trial(const World& world, const FalsificationSetup& setup, Method& method) {
   const SimulationResult result =
-      simulate(world, bench.setup, run_seed(bench.seed, world.scenario().hash(), bench.repetition),
+      simulate(world, setup.run, run_seed(setup.seed, world.scenario().hash(), setup.repetition),
                method, nullptr);
   Trial trial{result.outcome, result.detail, result.trajectory.hash(),
               waypoints_of(result.trajectory)};
-  trial.clearance = bench.setup.sensor.max_range;
+  trial.clearance = setup.run.sensor.max_range;
   for (const Sample& sample : result.trajectory.samples) {
     const mrpt::math::TPoint2D position(sample.pose);
     trial.clearance = std::min(trial.clearance, world.distance_field().clearance(position));
@@ -34,7 +34,7 @@ Trial run_trial(const World& world, const TestBench& bench, Method& method) {
         trial.clearance = std::min(
             trial.clearance, distance_between(mover.position(sample.t), position) - mover.radius);
   }
-  trial.clearance -= bench.setup.robot.shape().enclosing_radius();
+  trial.clearance -= setup.run.robot.shape().enclosing_radius();
   return trial;
 }
 

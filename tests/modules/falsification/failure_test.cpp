@@ -44,7 +44,7 @@ TEST(Failures, AreNamedByMethodOutcomeAndNumber) {
 }
 
 TEST(Failures, AreDescribedWithTheirOriginAndTheProofThatTheyAreMinimal) {
-  const std::string text = failure_text(made_up(0.2, Outcome::Collision), planted_bench("squeeze"));
+  const std::string text = failure_text(made_up(0.2, Outcome::Collision), planted_setup("squeeze"));
   for (const char* part : {"squeeze ends as collision", "candidate 7", "4 -> 1 obstacles",
                            "minimal", "without disc: mine: success", "no witness"})
     EXPECT_NE(text.find(part), std::string::npos) << text;
@@ -57,7 +57,7 @@ TEST(Failures, AreWrittenAsAListAndAsFilesWithDescriptors) {
   name_failures(failures, "squeeze");
   DescribeOptions describe;
   describe.ids = {"density"};
-  write_failures(failures, planted_bench("squeeze"), describe, folder / "out", R"({"seed": 5})");
+  write_failures(failures, planted_setup("squeeze"), describe, folder / "out", R"({"seed": 5})");
   const std::string hash = failures[0].small.scenario.hash();
   const auto entries = ScenarioList::open(folder / "out/failures.scenarios").entries();
   ASSERT_EQ(entries.size(), 1U);
@@ -75,7 +75,7 @@ TEST(Failures, AreWrittenAsAListAndAsFilesWithDescriptors) {
 TEST(Failures, AreExaminedInEachScenarioOnce) {
   const std::vector<Failure> failures = {made_up(0.2, Outcome::Collision),
                                          made_up(0.3, Outcome::Collision)};
-  const Examination examination = examination_of(failures, planted_bench("squeeze"), "out");
+  const Examination examination = examination_of(failures, planted_setup("squeeze"), "out");
   // Two of each role and the neighbor that both have.
   EXPECT_EQ(examination.roles,
             (std::vector<std::string>{"failure", "original", "neighbor", "neighbor", "failure",

@@ -67,9 +67,9 @@ TEST(Fairness, AGoalAtTheStartIsUnfairUnlessSwitchedOff) {
   EXPECT_EQ(judge(scenario, options).violation, "");
 }
 
-Trial squeeze_trial(const TestBench& bench) {
-  const auto method = bench.method.make(bench.setup.robot, bench.setup.sensor);
-  return run_trial(World(passage(), 0.05), bench, *method);
+Trial squeeze_trial(const FalsificationSetup& setup) {
+  const auto method = setup.method.make(setup.run.robot, setup.run.sensor);
+  return run_trial(World(passage(), 0.05), setup, *method);
 }
 
 TEST(Fairness, TheFastDecisionIsThatOfTheReport) {
@@ -95,33 +95,33 @@ TEST(Fairness, TheFastDecisionIsThatOfTheReport) {
 }
 
 TEST(Fairness, AWitnessProvesThatTheScenarioCanBeSolved) {
-  TestBench bench = planted_bench("squeeze");
-  const Trial failure = squeeze_trial(bench);
-  EXPECT_TRUE(judge_failure(bench, passage(), failure, {}).fair());
-  bench.witnesses = {planted("squeeze"), planted("none")};
-  EXPECT_EQ(judge_failure(bench, passage(), failure, {}).witness, "base");
-  bench.witnesses = {planted("squeeze")};
-  EXPECT_FALSE(judge_failure(bench, passage(), failure, {}).fair());
+  FalsificationSetup setup = planted_setup("squeeze");
+  const Trial failure = squeeze_trial(setup);
+  EXPECT_TRUE(judge_failure(setup, passage(), failure, {}).fair());
+  setup.witnesses = {planted("squeeze"), planted("none")};
+  EXPECT_EQ(judge_failure(setup, passage(), failure, {}).witness, "base");
+  setup.witnesses = {planted("squeeze")};
+  EXPECT_FALSE(judge_failure(setup, passage(), failure, {}).fair());
   FairnessOptions options;
   options.witness = false;
-  EXPECT_TRUE(judge_failure(bench, passage(), failure, options).fair());
+  EXPECT_TRUE(judge_failure(setup, passage(), failure, options).fair());
 }
 
 TEST(Fairness, ARunThatANewProcessDoesNotRepeatIsUnfair) {
-  const TestBench bench = planted_bench("squeeze");
-  Trial failure = squeeze_trial(bench);
+  const FalsificationSetup setup = planted_setup("squeeze");
+  Trial failure = squeeze_trial(setup);
   failure.trajectory_hash.back() = failure.trajectory_hash.back() == '0' ? '1' : '0';
-  const FairnessReport report = judge_failure(bench, passage(), failure, {});
+  const FairnessReport report = judge_failure(setup, passage(), failure, {});
   EXPECT_FALSE(report.repeatable);
   ASSERT_EQ(report.violations.size(), 1U);
   EXPECT_NE(report.violations[0].find("does not repeat"), std::string::npos);
   FairnessOptions options;
   options.repeatable = false;
-  EXPECT_TRUE(judge_failure(bench, passage(), failure, options).fair());
+  EXPECT_TRUE(judge_failure(setup, passage(), failure, options).fair());
 }
 
 TEST(Fairness, TrialsAreReadAsTheyWereWritten) {
-  const Trial trial = squeeze_trial(planted_bench("squeeze"));
+  const Trial trial = squeeze_trial(planted_setup("squeeze"));
   EXPECT_LE(trial.clearance, 0.01);
   EXPECT_EQ(trial.waypoints.size(), kWaypoints);
   const std::string bytes = to_bytes(trial);

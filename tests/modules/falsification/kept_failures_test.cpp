@@ -15,11 +15,11 @@ namespace slalom {
 namespace {
 
 std::vector<FoundFailure> found_twice() {
-  return {{SearchHalf::Random, 3, passage(), {}}, {SearchHalf::Adaptive, 8, passage(), {}}};
+  return {{SearchStrategy::Random, 3, passage(), {}}, {SearchStrategy::Adaptive, 8, passage(), {}}};
 }
 
 std::optional<KeptFailures> kept(const KeepOptions& options) {
-  return shrink_found(found_twice(), planted_bench("squeeze"), options, *make_silent_progress());
+  return shrink_found(found_twice(), planted_setup("squeeze"), options, *make_silent_progress());
 }
 
 TEST(KeptFailures, LackNearDuplicates) {
@@ -99,17 +99,17 @@ TEST(StateFile, IsOfOneSearch) {
                            [&] { other.load(ExistingResults::Continue); }));
 }
 
-TEST(SearchIdentity, IsOfMethodsBenchAndOptions) {
-  const TestBench bench = planted_bench("squeeze");
-  const std::string identity = search_identity("methods", bench, {});
-  EXPECT_EQ(search_identity("methods", bench, {}), identity);
-  EXPECT_NE(search_identity("other", bench, {}), identity);
-  EXPECT_NE(search_identity("methods", planted_bench("crash"), {}), identity);
+TEST(SearchIdentity, IsOfMethodsSetupAndOptions) {
+  const FalsificationSetup setup = planted_setup("squeeze");
+  const std::string identity = search_identity("methods", setup, {});
+  EXPECT_EQ(search_identity("methods", setup, {}), identity);
+  EXPECT_NE(search_identity("other", setup, {}), identity);
+  EXPECT_NE(search_identity("methods", planted_setup("crash"), {}), identity);
   SearchOptions options;
   options.workers = 7;
-  EXPECT_EQ(search_identity("methods", bench, options), identity) << "results are the same";
+  EXPECT_EQ(search_identity("methods", setup, options), identity) << "results are the same";
   options.seed = 2;
-  EXPECT_NE(search_identity("methods", bench, options), identity);
+  EXPECT_NE(search_identity("methods", setup, options), identity);
 }
 
 TEST(SearchSummary, BoundsTheProbabilityOfFailuresThatWereNotFound) {

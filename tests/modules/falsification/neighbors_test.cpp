@@ -22,10 +22,10 @@ NeighborOptions ten_runs() {
 }
 
 TEST(Neighbors, AreSuccessesOfASimilarTaskAndEachIsUsedOnce) {
-  const TestBench bench = planted_bench("none");
+  const FalsificationSetup setup = planted_setup("none");
   // A micro-world and a family: 6 m x 6 m are only micro-worlds.
   const std::vector<Scenario> failures = {empty_task(6, 4), empty_task(12, 9)};
-  const auto neighbors = successful_neighbors(bench, failures, ten_runs());
+  const auto neighbors = successful_neighbors(setup, failures, ten_runs());
   ASSERT_TRUE(neighbors);
   ASSERT_EQ(neighbors->size(), 2u);
   std::set<std::string> hashes;
@@ -33,8 +33,8 @@ TEST(Neighbors, AreSuccessesOfASimilarTaskAndEachIsUsedOnce) {
     EXPECT_EQ(group.size(), 3u);
     for (const Scenario& scenario : group) {
       EXPECT_TRUE(hashes.insert(scenario.hash()).second);
-      const auto method = bench.method.make(bench.setup.robot, bench.setup.sensor);
-      EXPECT_EQ(run_trial(World(scenario, 0.05), bench, *method).outcome, Outcome::Success);
+      const auto method = setup.method.make(setup.run.robot, setup.run.sensor);
+      EXPECT_EQ(run_trial(World(scenario, 0.05), setup, *method).outcome, Outcome::Success);
     }
   }
   for (const Scenario& scenario : (*neighbors)[0]) EXPECT_EQ(scenario.bounds().width(), 6);
@@ -42,10 +42,10 @@ TEST(Neighbors, AreSuccessesOfASimilarTaskAndEachIsUsedOnce) {
 }
 
 TEST(Neighbors, AreTheSameEachTime) {
-  const TestBench bench = planted_bench("none");
+  const FalsificationSetup setup = planted_setup("none");
   const std::vector<Scenario> failures = {empty_task(6, 4)};
-  const auto first = successful_neighbors(bench, failures, ten_runs());
-  const auto second = successful_neighbors(bench, failures, ten_runs());
+  const auto first = successful_neighbors(setup, failures, ten_runs());
+  const auto second = successful_neighbors(setup, failures, ten_runs());
   ASSERT_TRUE(first && second);
   ASSERT_FALSE((*first)[0].empty());
   for (std::size_t i = 0; i < (*first)[0].size(); ++i)
@@ -55,7 +55,7 @@ TEST(Neighbors, AreTheSameEachTime) {
 TEST(Neighbors, AreNoneWhenInterrupted) {
   NeighborOptions options = ten_runs();
   options.interrupted = [] { return true; };
-  EXPECT_FALSE(successful_neighbors(planted_bench("none"), {empty_task(6, 4)}, options));
+  EXPECT_FALSE(successful_neighbors(planted_setup("none"), {empty_task(6, 4)}, options));
 }
 
 TEST(Neighbors, OneRemovalVariantsLackOneObstacleEach) {

@@ -12,12 +12,12 @@ inline NamedMethod planted(const std::string& defect) {
 }
 
 /// A method with a planted defect; the one without is the witness.
-inline TestBench planted_bench(const std::string& defect) {
-  TestBench bench;
-  bench.setup.simulation.max_time = 40;
-  bench.method = planted(defect);
-  bench.witnesses = {planted("none")};
-  return bench;
+inline FalsificationSetup planted_setup(const std::string& defect) {
+  FalsificationSetup setup;
+  setup.run.simulation.max_time = 40;
+  setup.method = planted(defect);
+  setup.witnesses = {planted("none")};
+  return setup;
 }
 
 /// A wall with a door, 1.1 m wide, that triggers squeeze and crash, and eleven other obstacles far

@@ -30,9 +30,10 @@ SearchOptions options_of(std::size_t runs) {
   return options;
 }
 
-Outcome outcome_here(const Scenario& scenario, const TestBench& bench, const NamedMethod& method) {
-  const auto made = method.make(bench.setup.robot, bench.setup.sensor);
-  return run_trial(World(scenario, bench.setup.simulation.resolution), bench, *made).outcome;
+Outcome outcome_here(const Scenario& scenario, const FalsificationSetup& setup,
+                     const NamedMethod& method) {
+  const auto made = method.make(setup.run.robot, setup.run.sensor);
+  return run_trial(World(scenario, setup.run.simulation.resolution), setup, *made).outcome;
 }
 
 TEST(Candidates, MicroWorldsAreSmallWithOneToSixObstaclesAboutAStraightTask) {
@@ -55,13 +56,13 @@ TEST(Candidates, MicroWorldsAreSmallWithOneToSixObstaclesAboutAStraightTask) {
 }
 
 TEST(Candidates, AreFairAndDependOnSeedAndIndexOnly) {
-  const TestBench bench = planted_bench("none");
-  const CandidateMix mix(bench.setup.robot);
+  const FalsificationSetup setup = planted_setup("none");
+  const CandidateMix mix(setup.run.robot);
   std::set<std::string> hashes;
   for (std::uint64_t index = 0; index < 20; ++index) {
-    const auto world = draw_fair_world(mix, bench, {}, 7, index);
-    EXPECT_EQ(judge_geometry(*world, bench.setup.robot, {}).violation, "");
-    EXPECT_EQ(draw_fair_world(mix, bench, {}, 7, index)->scenario().hash(),
+    const auto world = draw_fair_world(mix, setup, {}, 7, index);
+    EXPECT_EQ(judge_geometry(*world, setup.run.robot, {}).violation, "");
+    EXPECT_EQ(draw_fair_world(mix, setup, {}, 7, index)->scenario().hash(),
               world->scenario().hash());
     hashes.insert(world->scenario().hash());
   }
@@ -69,30 +70,30 @@ TEST(Candidates, AreFairAndDependOnSeedAndIndexOnly) {
   FairnessOptions impossible;
   impossible.min_bottleneck = 1000;
   EXPECT_TRUE(throws_error(ErrorKind::Job, "search", {"geometric conditions"},
-                           [&] { draw_fair_world(mix, bench, impossible, 7, 0); }));
+                           [&] { draw_fair_world(mix, setup, impossible, 7, 0); }));
 }
 
-TEST(Candidates, HaveTheWalkersOfTheBench) {
-  TestBench bench = planted_bench("none");
-  const CandidateMix mix(bench.setup.robot);
-  const auto standing = draw_fair_world(mix, bench, {}, 7, 3);
-  bench.walkers.count = 2;
-  const auto walked = draw_fair_world(mix, bench, {}, 7, 3);
+TEST(Candidates, HaveTheWalkersOfTheSetup) {
+  FalsificationSetup setup = planted_setup("none");
+  const CandidateMix mix(setup.run.robot);
+  const auto standing = draw_fair_world(mix, setup, {}, 7, 3);
+  setup.walkers.count = 2;
+  const auto walked = draw_fair_world(mix, setup, {}, 7, 3);
   EXPECT_EQ(walked->scenario().movers().size(), 2U);
   EXPECT_EQ(walked->scenario().with_movers({}).hash(), standing->scenario().hash());
-  EXPECT_EQ(draw_fair_world(mix, bench, {}, 7, 3)->scenario().hash(), walked->scenario().hash());
-  bench.walkers.min_radius = bench.walkers.max_radius = 9;
+  EXPECT_EQ(draw_fair_world(mix, setup, {}, 7, 3)->scenario().hash(), walked->scenario().hash());
+  setup.walkers.min_radius = setup.walkers.max_radius = 9;
   EXPECT_TRUE(throws_error(ErrorKind::Job, "search", {"has room for the walkers"},
-                           [&] { draw_fair_world(mix, bench, {}, 7, 3); }));
+                           [&] { draw_fair_world(mix, setup, {}, 7, 3); }));
 }
 
 TEST(Search, FindsCollisionsWithWalkers) {
-  TestBench bench = planted_bench("none");
-  bench.walkers.count = 3;
+  FalsificationSetup setup = planted_setup("none");
+  setup.walkers.count = 3;
   SearchOptions options = options_of(40);
   options.fairness.witness = false;
   int with_mover = 0;
-  for (const FoundFailure& found : search(bench, options).state.failures) {
+  for (const FoundFailure& found : search(setup, options).state.failures) {
     EXPECT_EQ(found.scenario.movers().size(), 3U);
     if (found.trial.detail.find("contact with moving obstacle 'walker_") == std::string::npos)
       continue;
@@ -103,8 +104,8 @@ TEST(Search, FindsCollisionsWithWalkers) {
 }
 
 TEST(Search, FindsScenariosInWhichThePlantedDefectCollides) {
-  const TestBench bench = planted_bench("squeeze");
-  const SearchResult result = search(bench, options_of(160));
+  const FalsificationSetup setup = planted_setup("squeeze");
+  const SearchResult result = search(setup, options_of(160));
   ASSERT_TRUE(result.complete);
   EXPECT_EQ(result.state.random.runs, 80U);
   EXPECT_EQ(result.state.adaptive.runs, 80U);
@@ -112,27 +113,27 @@ TEST(Search, FindsScenariosInWhichThePlantedDefectCollides) {
   EXPECT_EQ(result.state.failures.size(),
             result.state.random.failures + result.state.adaptive.failures);
   for (const FoundFailure& found : result.state.failures) {
-    EXPECT_EQ(outcome_here(found.scenario, bench, bench.method), found.trial.outcome);
-    EXPECT_EQ(outcome_here(found.scenario, bench, bench.witnesses[0]), Outcome::Success);
-    EXPECT_EQ(judge_geometry(World(found.scenario, 0.05), bench.setup.robot, {}).violation, "");
+    EXPECT_EQ(outcome_here(found.scenario, setup, setup.method), found.trial.outcome);
+    EXPECT_EQ(outcome_here(found.scenario, setup, setup.witnesses[0]), Outcome::Success);
+    EXPECT_EQ(judge_geometry(World(found.scenario, 0.05), setup.run.robot, {}).violation, "");
   }
 }
 
 TEST(Search, ResultsDoNotDependOnTheWorkers) {
-  const TestBench bench = planted_bench("crash");
+  const FalsificationSetup setup = planted_setup("crash");
   SearchOptions options = options_of(any_number(60));
-  const std::string two = to_bytes(search(bench, options).state);
+  const std::string two = to_bytes(search(setup, options).state);
   options.workers = 1;
-  EXPECT_EQ(to_bytes(search(bench, options).state), two);
+  EXPECT_EQ(to_bytes(search(setup, options).state), two);
   options.seed = 2;
-  EXPECT_NE(to_bytes(search(bench, options).state), two);
+  EXPECT_NE(to_bytes(search(setup, options).state), two);
 }
 
 TEST(Search, AnInterruptedSearchContinues) {
-  TestBench bench = planted_bench("tie");
-  bench.setup.simulation.max_time = 4;      // longer ones would show no more
+  FalsificationSetup setup = planted_setup("tie");
+  setup.run.simulation.max_time = 4;        // longer ones would show no more
   SearchOptions options = options_of(900);  // two rounds, of 800 and 100 runs
-  const std::string complete = to_bytes(search(bench, options).state);
+  const std::string complete = to_bytes(search(setup, options).state);
   bool stop = false;
   SearchState saved;
   options.save = [&](const SearchState& state) {
@@ -140,17 +141,17 @@ TEST(Search, AnInterruptedSearchContinues) {
     stop = true;
   };
   options.interrupted = [&] { return stop; };
-  EXPECT_FALSE(search(bench, options).complete);
+  EXPECT_FALSE(search(setup, options).complete);
   EXPECT_EQ(saved.runs(), 800U);
   options.known = saved;
   options.interrupted = nullptr;
-  const SearchResult continued = search(bench, options);
+  const SearchResult continued = search(setup, options);
   EXPECT_TRUE(continued.complete);
   EXPECT_EQ(to_bytes(continued.state), complete);
 }
 
 TEST(Search, ACrashIsAFailureAndCostsNoOtherRun) {
-  const SearchResult result = search(planted_bench("crash"), options_of(60));
+  const SearchResult result = search(planted_setup("crash"), options_of(60));
   EXPECT_EQ(result.state.runs(), 60U);
   std::size_t crashes = 0;
   for (const FoundFailure& found : result.state.failures)
@@ -159,9 +160,9 @@ TEST(Search, ACrashIsAFailureAndCostsNoOtherRun) {
 }
 
 TEST(Search, AFailureThatNoWitnessAvoidsIsNone) {
-  TestBench bench = planted_bench("squeeze");
-  bench.witnesses = {planted("squeeze")};
-  const SearchResult result = search(bench, options_of(160));
+  FalsificationSetup setup = planted_setup("squeeze");
+  setup.witnesses = {planted("squeeze")};
+  const SearchResult result = search(setup, options_of(160));
   EXPECT_TRUE(result.state.failures.empty());
   EXPECT_GE(result.state.random.without_witness, 1U);
   EXPECT_EQ(result.state.random.failures, 0U);
@@ -171,7 +172,7 @@ TEST(Search, AFailureThatNoWitnessAvoidsIsNone) {
 TEST(Search, EndsWhenEnoughWasFound) {
   SearchOptions options = options_of(100000);
   options.max_failures = 1;
-  const SearchResult result = search(planted_bench("squeeze"), options);
+  const SearchResult result = search(planted_setup("squeeze"), options);
   EXPECT_TRUE(result.complete);
   EXPECT_EQ(result.state.failures.size(), 2U) << "a second one, if the first is left out";
   EXPECT_LT(result.state.runs(), 100000U);
@@ -180,7 +181,7 @@ TEST(Search, EndsWhenEnoughWasFound) {
 TEST(Search, ABudgetOfTimeDoesNotWaitForALargeRound) {
   SearchOptions options = options_of(0);
   options.minutes = 0.003;  // 0.18 s: a round of 800 runs takes a second or more
-  const SearchResult result = search(planted_bench("none"), options);
+  const SearchResult result = search(planted_setup("none"), options);
   EXPECT_EQ(result.stopped, "time budget exhausted");
   EXPECT_GE(result.state.runs(), 16U);
   EXPECT_LT(result.state.runs(), 800U);
@@ -195,17 +196,17 @@ TEST(Search, ReportsTheRunsOfARoundBeforeItEnds) {
     EXPECT_LE(reported.back(), 40U);
     EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
   };
-  search(planted_bench("none"), options);
+  search(planted_setup("none"), options);
 }
 
-TEST(Search, WalkersOfTheBenchAreInAllScenarios) {
-  TestBench bench = planted_bench("none");
-  bench.walkers.count = 2;
-  bench.witnesses.clear();
+TEST(Search, WalkersOfTheSetupAreInAllScenarios) {
+  FalsificationSetup setup = planted_setup("none");
+  setup.walkers.count = 2;
+  setup.witnesses.clear();
   SearchOptions options = options_of(any_number(40));
   options.fairness.witness = false;
   options.outcomes.push_back(Outcome::Timeout);
-  const SearchResult result = search(bench, options);
+  const SearchResult result = search(setup, options);
   ASSERT_FALSE(result.state.failures.empty()) << "a method that does not predict movers";
   for (const FoundFailure& found : result.state.failures)
     EXPECT_GE(found.scenario.movers().size(), 2U);
@@ -219,29 +220,29 @@ TEST(Search, ProbingAReferenceFindsARareDefectMoreOften) {
 #endif
   // tie: 352 failures in 100,000 random runs. At that rate 400 runs have eight or more with a
   // probability of less than 0.001.
-  const TestBench bench = planted_bench("tie");
+  const FalsificationSetup setup = planted_setup("tie");
   SearchOptions options = options_of(800);
   options.probe = true;
-  const SearchResult result = search(bench, options);
+  const SearchResult result = search(setup, options);
   EXPECT_EQ(result.state.adaptive.runs, 400U);
   EXPECT_GE(result.state.adaptive.failures, 8U);
   for (const FoundFailure& found : result.state.failures) {
-    EXPECT_EQ(outcome_here(found.scenario, bench, bench.method), found.trial.outcome);
-    EXPECT_EQ(outcome_here(found.scenario, bench, bench.witnesses[0]), Outcome::Success);
-    EXPECT_EQ(judge_geometry(World(found.scenario, 0.05), bench.setup.robot, {}).violation, "");
+    EXPECT_EQ(outcome_here(found.scenario, setup, setup.method), found.trial.outcome);
+    EXPECT_EQ(outcome_here(found.scenario, setup, setup.witnesses[0]), Outcome::Success);
+    EXPECT_EQ(judge_geometry(World(found.scenario, 0.05), setup.run.robot, {}).violation, "");
   }
 }
 
 TEST(StepProbe, ARunOfTheReferenceShowsADefectWithMemoryAndSingleStepsDoNot) {
   // The defect begins after 60 cycles beside a wall, in 1,949 of 100,000 scenarios: at that rate
   // none of 300 shows it with a probability of 0.003.
-  const TestBench bench = planted_bench("beside_wall");
-  const CandidateMix mix(bench.setup.robot);
-  MethodPool methods(bench);
-  StepProbe probe(bench, methods);
+  const FalsificationSetup setup = planted_setup("beside_wall");
+  const CandidateMix mix(setup.run.robot);
+  MethodPool methods(setup);
+  StepProbe probe(setup, methods);
   std::size_t differences = 0;
   for (std::uint64_t index = 0; index < 300; ++index) {
-    const std::shared_ptr<const World> world = draw_fair_world(mix, bench, {}, 1, index);
+    const std::shared_ptr<const World> world = draw_fair_world(mix, setup, {}, 1, index);
     RandomEngine engine(index);
     if (index % 10 == 0) {
       EXPECT_FALSE(probe.find_in_steps(world, engine));
@@ -256,9 +257,9 @@ TEST(StepProbe, ARunOfTheReferenceShowsADefectWithMemoryAndSingleStepsDoNot) {
 }
 
 TEST(Search, CandidatesAreScenariosInWhichARelativeFails) {
-  TestBench bench = planted_bench("squeeze");
-  bench.surrogate = planted("squeeze");
-  const SearchResult result = search(bench, options_of(40));
+  FalsificationSetup setup = planted_setup("squeeze");
+  setup.surrogate = planted("squeeze");
+  const SearchResult result = search(setup, options_of(40));
   // The tested method is its own surrogate: it fails in each of its candidates, as both are
   // deterministic. In some of them the witness fails as well.
   EXPECT_EQ(result.state.adaptive.runs, 20U);
@@ -266,36 +267,36 @@ TEST(Search, CandidatesAreScenariosInWhichARelativeFails) {
 }
 
 TEST(Search, ACrashOfTheRelativeDoesNotEndTheSearch) {
-  TestBench bench = planted_bench("none");
-  bench.surrogate = planted("crash");
-  EXPECT_EQ(search(bench, options_of(20)).state.runs(), 20U);
+  FalsificationSetup setup = planted_setup("none");
+  setup.surrogate = planted("crash");
+  EXPECT_EQ(search(setup, options_of(20)).state.runs(), 20U);
 }
 
 TEST(Search, ProbingDoesNotDependOnTheWorkers) {
   SearchOptions options = options_of(any_number(300));  // in release two batches of each half
   options.probe = true;
-  const std::string two = to_bytes(search(planted_bench("tie"), options).state);
+  const std::string two = to_bytes(search(planted_setup("tie"), options).state);
   options.workers = 1;
-  EXPECT_EQ(to_bytes(search(planted_bench("tie"), options).state), two);
+  EXPECT_EQ(to_bytes(search(planted_setup("tie"), options).state), two);
 }
 
 TEST(Search, ACrashInAProbedStepEndsNeitherTheSearchNorTheBatch) {
   SearchOptions options = options_of(40);
   options.probe = true;
-  EXPECT_EQ(search(planted_bench("crash"), options).state.runs(), 40U);
+  EXPECT_EQ(search(planted_setup("crash"), options).state.runs(), 40U);
 }
 
 TEST(Search, RefusesAnEmptyBudgetAndMalformedStates) {
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "search", {"no budget", "minutes"},
-                           [] { search(planted_bench("none"), options_of(0)); }));
+                           [] { search(planted_setup("none"), options_of(0)); }));
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "search", {"no reference", "a witness"}, [] {
-    TestBench bench = planted_bench("none");
-    bench.witnesses.clear();
+    FalsificationSetup setup = planted_setup("none");
+    setup.witnesses.clear();
     SearchOptions options = options_of(10);
     options.probe = true;
-    search(bench, options);
+    search(setup, options);
   }));
-  const std::string bytes = to_bytes(search(planted_bench("squeeze"), options_of(20)).state);
+  const std::string bytes = to_bytes(search(planted_setup("squeeze"), options_of(20)).state);
   for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 100)
     EXPECT_THROW(search_state_from_bytes(bytes.substr(0, size), "state"), Error);
   EXPECT_THROW(search_state_from_bytes(bytes + "x", "state"), Error);

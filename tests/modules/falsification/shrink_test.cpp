@@ -19,58 +19,59 @@ namespace slalom {
 namespace {
 
 /// The outcome of a run in this process, without the code that is tested.
-Outcome outcome_in(const Scenario& scenario, const TestBench& bench, const NamedMethod& method) {
-  const auto made = method.make(bench.setup.robot, bench.setup.sensor);
-  return run_trial(World(scenario, bench.setup.simulation.resolution), bench, *made).outcome;
+Outcome outcome_in(const Scenario& scenario, const FalsificationSetup& setup,
+                   const NamedMethod& method) {
+  const auto made = method.make(setup.run.robot, setup.run.sensor);
+  return run_trial(World(scenario, setup.run.simulation.resolution), setup, *made).outcome;
 }
 
 /// Removes each obstacle of a continuous scenario alone.
-void expect_minimal(const Scenario& scenario, const TestBench& bench, Outcome outcome) {
+void expect_minimal(const Scenario& scenario, const FalsificationSetup& setup, Outcome outcome) {
   const std::size_t count = Scene(scenario).obstacles.size();
   for (std::size_t i = 0; i < count; ++i) {
     Scene scene(scenario);
     scene.obstacles.erase(scene.obstacles.begin() + static_cast<std::ptrdiff_t>(i));
     const Scenario without = scene.scenario("without");
-    EXPECT_FALSE(outcome_in(without, bench, bench.method) == outcome &&
-                 outcome_in(without, bench, bench.witnesses[0]) == Outcome::Success)
+    EXPECT_FALSE(outcome_in(without, setup, setup.method) == outcome &&
+                 outcome_in(without, setup, setup.witnesses[0]) == Outcome::Success)
         << "obstacle " << i << " is not needed";
   }
 }
 
 TEST(Shrink, KeepsOnlyTheObstaclesThatTheFailureNeeds) {
-  const TestBench bench = planted_bench("squeeze");
-  ASSERT_EQ(outcome_in(passage(), bench, bench.method), Outcome::Collision);
-  const auto small = shrink(bench, passage());
+  const FalsificationSetup setup = planted_setup("squeeze");
+  ASSERT_EQ(outcome_in(passage(), setup, setup.method), Outcome::Collision);
+  const auto small = shrink(setup, passage());
   ASSERT_TRUE(small);
   EXPECT_EQ(small->parts_before, 13U);
   EXPECT_LE(small->parts_after, 3U);
   EXPECT_EQ(small->trial.outcome, Outcome::Collision);
-  EXPECT_EQ(outcome_in(small->scenario, bench, bench.method), Outcome::Collision);
-  EXPECT_EQ(outcome_in(small->scenario, bench, bench.witnesses[0]), Outcome::Success);
+  EXPECT_EQ(outcome_in(small->scenario, setup, setup.method), Outcome::Collision);
+  EXPECT_EQ(outcome_in(small->scenario, setup, setup.witnesses[0]), Outcome::Success);
   EXPECT_TRUE(small->minimal);
   EXPECT_EQ(small->removals.size(), small->parts_after);
-  expect_minimal(small->scenario, bench, Outcome::Collision);
+  expect_minimal(small->scenario, setup, Outcome::Collision);
   EXPECT_LE(small->runs, 500U);
   RecordProperty("runs", static_cast<int>(small->runs));
 }
 
 TEST(Shrink, RemovesMoversThatTheFailureDoesNotNeed) {
-  const TestBench bench = planted_bench("squeeze");
+  const FalsificationSetup setup = planted_setup("squeeze");
   // One that comes when the run is long over, one that stands in a corner.
   const Movers movers{{"late", 0.3, {{1e5, {5, 5}}}, MoverEnd::Stop},
                       {"aside", 0.1, {{0, {0.2, 9.8}}}, MoverEnd::Stop}};
   for (const Scenario& scenario : {passage(), convert(passage(), Representation::Grid, 0.05)}) {
-    const auto small = shrink(bench, scenario.with_movers(movers));
+    const auto small = shrink(setup, scenario.with_movers(movers));
     ASSERT_TRUE(small);
     EXPECT_EQ(small->parts_before, 15U);
     EXPECT_TRUE(small->scenario.movers().empty());
     EXPECT_TRUE(small->minimal);
-    EXPECT_EQ(outcome_in(small->scenario, bench, bench.method), Outcome::Collision);
+    EXPECT_EQ(outcome_in(small->scenario, setup, setup.method), Outcome::Collision);
   }
 }
 
 TEST(Shrink, TheResultIsFair) {
-  const auto small = shrink(planted_bench("squeeze"), passage());
+  const auto small = shrink(planted_setup("squeeze"), passage());
   ASSERT_TRUE(small);
   EXPECT_TRUE(small->fairness.fair());
   EXPECT_GE(small->fairness.geometry.bottleneck, 1.5);
@@ -86,7 +87,7 @@ TEST(Shrink, TheResultIsFair) {
 }
 
 TEST(Shrink, NumbersAreMultiplesOfFiveCentimeters) {
-  const auto small = shrink(planted_bench("squeeze"), passage());
+  const auto small = shrink(planted_setup("squeeze"), passage());
   ASSERT_TRUE(small);
   const auto is_round = [](double x) { return std::abs(x * 20 - std::round(x * 20)) < 1e-9; };
   for (const Disc& disc : small->scenario.primitives().discs) {
@@ -101,8 +102,8 @@ TEST(Shrink, NumbersAreMultiplesOfFiveCentimeters) {
 }
 
 TEST(Shrink, GivesTheSameScenarioAgain) {
-  const TestBench bench = planted_bench("squeeze");
-  const auto first = shrink(bench, passage()), second = shrink(bench, passage());
+  const FalsificationSetup setup = planted_setup("squeeze");
+  const auto first = shrink(setup, passage()), second = shrink(setup, passage());
   ASSERT_TRUE(first && second);
   EXPECT_EQ(first->scenario.hash(), second->scenario.hash());
   EXPECT_TRUE(is_same_run(first->trial, second->trial));
@@ -110,7 +111,7 @@ TEST(Shrink, GivesTheSameScenarioAgain) {
 }
 
 TEST(Shrink, ACrashOfTheMethodIsAFailureLikeAnyOther) {
-  const auto small = shrink(planted_bench("crash"), passage());
+  const auto small = shrink(planted_setup("crash"), passage());
   ASSERT_TRUE(small);
   EXPECT_EQ(small->trial.outcome, Outcome::MethodCrash);
   EXPECT_LE(small->parts_after, 3U);
@@ -119,14 +120,14 @@ TEST(Shrink, ACrashOfTheMethodIsAFailureLikeAnyOther) {
 }
 
 TEST(Shrink, AMapIsShrunkByGroupsOfCells) {
-  const TestBench bench = planted_bench("squeeze");
+  const FalsificationSetup setup = planted_setup("squeeze");
   const Scenario map = convert(passage(), Representation::Grid, 0.05);
-  ASSERT_EQ(outcome_in(map, bench, bench.method), Outcome::Collision);
-  const auto small = shrink(bench, map);
+  ASSERT_EQ(outcome_in(map, setup, setup.method), Outcome::Collision);
+  const auto small = shrink(setup, map);
   ASSERT_TRUE(small);
   EXPECT_EQ(small->parts_before, 13U);
   EXPECT_LE(small->parts_after, 3U);
-  EXPECT_EQ(outcome_in(small->scenario, bench, bench.method), Outcome::Collision);
+  EXPECT_EQ(outcome_in(small->scenario, setup, setup.method), Outcome::Collision);
   EXPECT_TRUE(small->minimal);
   EXPECT_TRUE(small->fairness.fair());
 }
@@ -152,10 +153,10 @@ Scenario connected_map() {
 }
 
 TEST(Shrink, OfAMapWithConnectedWallsNoGroupAndNoBlockCanBeRemoved) {
-  const TestBench bench = planted_bench("squeeze");
+  const FalsificationSetup setup = planted_setup("squeeze");
   const Scenario map = connected_map();
-  ASSERT_EQ(outcome_in(map, bench, bench.method), Outcome::Collision);
-  const auto small = shrink(bench, map);
+  ASSERT_EQ(outcome_in(map, setup, setup.method), Outcome::Collision);
+  const auto small = shrink(setup, map);
   ASSERT_TRUE(small);
   EXPECT_EQ(small->parts_before, 1U);
   EXPECT_TRUE(small->minimal);
@@ -178,8 +179,8 @@ TEST(Shrink, OfAMapWithConnectedWallsNoGroupAndNoBlockCanBeRemoved) {
       occupied += removed;
       const Scenario rest =
           Scenario::grid("without", without, small->scenario.start(), small->scenario.goal());
-      EXPECT_FALSE(outcome_in(rest, bench, bench.method) == Outcome::Collision &&
-                   outcome_in(rest, bench, bench.witnesses[0]) == Outcome::Success)
+      EXPECT_FALSE(outcome_in(rest, setup, setup.method) == Outcome::Collision &&
+                   outcome_in(rest, setup, setup.witnesses[0]) == Outcome::Success)
           << "the block at " << bx << ", " << by << " is not needed";
     }
   EXPECT_GE(blocks, 1U);
@@ -190,15 +191,15 @@ TEST(Shrink, OfAMapWithConnectedWallsNoGroupAndNoBlockCanBeRemoved) {
 }
 
 TEST(Shrink, APointMapIsShrunkBySquaresOfPoints) {
-  const TestBench bench = planted_bench("squeeze");
+  const FalsificationSetup setup = planted_setup("squeeze");
   const Scenario points =
       convert(convert(passage(), Representation::Grid, 0.05), Representation::Points, 0.05);
-  ASSERT_EQ(outcome_in(points, bench, bench.method), Outcome::Collision);
-  const auto small = shrink(bench, points);
+  ASSERT_EQ(outcome_in(points, setup, setup.method), Outcome::Collision);
+  const auto small = shrink(setup, points);
   ASSERT_TRUE(small);
   EXPECT_TRUE(small->minimal);
   EXPECT_TRUE(small->fairness.fair());
-  EXPECT_EQ(outcome_in(small->scenario, bench, bench.method), Outcome::Collision);
+  EXPECT_EQ(outcome_in(small->scenario, setup, setup.method), Outcome::Collision);
   const auto& map = *small->scenario.point_map();
   EXPECT_LE(map.size(), points.point_map()->size() / 10);
   constexpr double kSquare = 0.2;  // m, four times the resolution
@@ -219,35 +220,35 @@ TEST(Shrink, APointMapIsShrunkBySquaresOfPoints) {
     }
     const Scenario without = Scenario::points("without", small->scenario.bounds(), rest,
                                               small->scenario.start(), small->scenario.goal());
-    EXPECT_FALSE(outcome_in(without, bench, bench.method) == Outcome::Collision &&
-                 outcome_in(without, bench, bench.witnesses[0]) == Outcome::Success)
+    EXPECT_FALSE(outcome_in(without, setup, setup.method) == Outcome::Collision &&
+                 outcome_in(without, setup, setup.witnesses[0]) == Outcome::Success)
         << "the square at " << square.first << ", " << square.second << " is not needed";
   }
 }
 
 TEST(Shrink, AnUnfairFailureStaysAsFairAsItIs) {
-  TestBench bench = planted_bench("squeeze");
+  FalsificationSetup setup = planted_setup("squeeze");
   ShrinkOptions options;
   options.fairness.min_bottleneck = 3;  // robot widths; the passage has less
-  const auto small = shrink(bench, passage(), options);
+  const auto small = shrink(setup, passage(), options);
   ASSERT_TRUE(small);
   EXPECT_LE(small->parts_after, 3U);
   EXPECT_FALSE(small->fairness.fair());
   const World original(passage(), 0.05);
   EXPECT_GE(small->fairness.geometry.bottleneck,
-            judge_geometry(original, bench.setup.robot, {}).bottleneck - 1e-9);
+            judge_geometry(original, setup.run.robot, {}).bottleneck - 1e-9);
 }
 
 TEST(Shrink, RefusesARunThatReachesTheGoal) {
-  const TestBench bench = planted_bench("none");
+  const FalsificationSetup setup = planted_setup("none");
   EXPECT_TRUE(throws_error(ErrorKind::Job, "scenario passage", {"base", "reaches the goal"},
-                           [&] { shrink(bench, passage()); }));
+                           [&] { shrink(setup, passage()); }));
 }
 
 TEST(Shrink, EndsAtTheLimitOfRunsWithoutAProof) {
   ShrinkOptions options;
   options.max_runs = 10;
-  const auto small = shrink(planted_bench("squeeze"), passage(), options);
+  const auto small = shrink(planted_setup("squeeze"), passage(), options);
   ASSERT_TRUE(small);
   EXPECT_LE(small->runs, 11U);
   EXPECT_FALSE(small->minimal);
@@ -259,13 +260,13 @@ TEST(Shrink, ReportsTheNumberOfRunsWhileItWorks) {
   options.on_runs = [&](std::size_t runs) { reported.push_back(runs); };
   // Ends after 20 runs, however many of them were seen one by one.
   options.interrupted = [&] { return !reported.empty() && reported.back() >= 20; };
-  TestBench bench = planted_bench("squeeze");
+  FalsificationSetup setup = planted_setup("squeeze");
   // Read twice in each control cycle: runs last longer than it takes to see them, on any machine.
-  bench.setup.clock = [] {
+  setup.run.clock = [] {
     usleep(50);
     return steady_seconds();
   };
-  EXPECT_FALSE(shrink(bench, passage(), options));
+  EXPECT_FALSE(shrink(setup, passage(), options));
   ASSERT_FALSE(reported.empty());
   EXPECT_GE(reported.back(), 20U);
   EXPECT_TRUE(std::adjacent_find(reported.begin(), reported.end(), std::greater_equal<>()) ==
@@ -273,7 +274,7 @@ TEST(Shrink, ReportsTheNumberOfRunsWhileItWorks) {
 }
 
 TEST(Shrink, ResultsAreReadAsTheyWereWritten) {
-  const auto small = shrink(planted_bench("squeeze"), passage());
+  const auto small = shrink(planted_setup("squeeze"), passage());
   ASSERT_TRUE(small);
   const std::string bytes = to_bytes(*small);
   const ShrinkResult read = shrink_result_from_bytes(bytes, "shrunk");
@@ -301,7 +302,7 @@ TEST(Shrink, ResultsAreReadAsTheyWereWritten) {
 TEST(Shrink, IsInterrupted) {
   ShrinkOptions options;
   options.interrupted = [] { return true; };
-  EXPECT_FALSE(shrink(planted_bench("squeeze"), passage(), options));
+  EXPECT_FALSE(shrink(planted_setup("squeeze"), passage(), options));
 }
 
 TEST(Shrink, TheSimplerOneHasFewerObstaclesThenAWiderBottleneckThenAShorterWay) {

@@ -30,8 +30,8 @@ class CandidateMix {
 };
 
 /// Candidate number `index`: the first one that meets the geometric conditions, with the walkers
-/// of the bench. Throws Error (Job) if a thousand attempts do not suffice.
-std::unique_ptr<World> draw_fair_world(const CandidateMix& mix, const TestBench& bench,
+/// of the setup. Throws Error (Job) if a thousand attempts do not suffice.
+std::unique_ptr<World> draw_fair_world(const CandidateMix& mix, const FalsificationSetup& setup,
                                        const FairnessOptions& fairness, std::uint64_t seed,
                                        std::uint64_t index);
 

@@ -23,7 +23,7 @@ struct Examination {
 };
 
 /// `folder`: that of write_failures(), for the commands that repeat a failure.
-Examination examination_of(const std::vector<Failure>& failures, const TestBench& bench,
+Examination examination_of(const std::vector<Failure>& failures, const FalsificationSetup& setup,
                            const std::string& folder);
 
 /// Writes the scenarios as a list, with their roles as tags. Throws Error (Job).

@@ -25,13 +25,14 @@ struct Failure {
 void name_failures(std::vector<Failure>& failures, const std::string& method);
 
 /// Gives each failure the successful_neighbors() of its original; false when interrupted.
-bool find_neighbors(std::vector<Failure>& failures, const TestBench& bench,
+bool find_neighbors(std::vector<Failure>& failures, const FalsificationSetup& setup,
                     const NeighborOptions& options);
 
 /// Text for people: the failure, why it is fair, and the proof that each part of it is needed.
-std::string failure_text(const Failure& failure, const TestBench& bench);
+std::string failure_text(const Failure& failure, const FalsificationSetup& setup);
 
 /// The commands that run and show a failure of the campaign FOLDER/failures.ini.
-std::string show_command(const Failure& failure, const TestBench& bench, const std::string& folder);
+std::string show_command(const Failure& failure, const FalsificationSetup& setup,
+                         const std::string& folder);
 
 }  // namespace slalom

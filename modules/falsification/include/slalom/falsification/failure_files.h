@@ -13,7 +13,7 @@ namespace slalom {
 /// failures.json (with their descriptors), and NAME.scenario.yaml, NAME.svg of each. `search` is
 /// added to failures.json under "search", unless empty: JSON, as of search_json(). Throws Error
 /// (Job) when it cannot write.
-void write_failures(const std::vector<Failure>& failures, const TestBench& bench,
+void write_failures(const std::vector<Failure>& failures, const FalsificationSetup& setup,
                     const DescribeOptions& describe, const std::string& folder,
                     const std::string& search = "");
 

@@ -48,7 +48,7 @@ struct FairnessReport {
 
 /// Runs the witnesses, and the method once more, each in a new process. `failure` is the trial to
 /// repeat.
-FairnessReport judge_failure(const TestBench& bench, const Scenario& scenario, const Trial& failure,
-                             const FairnessOptions& options);
+FairnessReport judge_failure(const FalsificationSetup& setup, const Scenario& scenario,
+                             const Trial& failure, const FairnessOptions& options);
 
 }  // namespace slalom

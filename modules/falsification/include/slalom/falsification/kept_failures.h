@@ -32,7 +32,7 @@ struct KeepOptions {
 /// near-duplicates of a kept one with the same outcome (ObstacleArea). nullopt when interrupted.
 /// Throws as shrink().
 std::optional<KeptFailures> shrink_found(const std::vector<FoundFailure>& found,
-                                         const TestBench& bench, const KeepOptions& options,
-                                         Progress& progress);
+                                         const FalsificationSetup& setup,
+                                         const KeepOptions& options, Progress& progress);
 
 }  // namespace slalom

@@ -27,7 +27,8 @@ struct NeighborOptions {
 /// successes the last failures have fewer neighbors, or none. Deterministic; nullopt when
 /// interrupted.
 std::optional<std::vector<std::vector<Scenario>>> successful_neighbors(
-    const TestBench& bench, const std::vector<Scenario>& failures, const NeighborOptions& options);
+    const FalsificationSetup& setup, const std::vector<Scenario>& failures,
+    const NeighborOptions& options);
 
 /// The scenario without each of its obstacles, one at a time: the variants whose runs prove that a
 /// shrunk scenario is 1-minimal. `resolution`: cell size (m) of continuous scenarios.

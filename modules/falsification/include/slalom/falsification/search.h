@@ -11,27 +11,27 @@
 
 namespace slalom {
 
-/// The two halves of a search. Only the random half bounds the failure probability, because its
-/// scenarios do not depend on results.
-enum class SearchHalf {
+/// How a scenario is chosen: half of the runs are of each strategy. Only the random one bounds the
+/// failure probability, because its scenarios do not depend on results.
+enum class SearchStrategy {
   Random,  ///< scenarios of the mix
   /// Changed scenarios in which the method came close to obstacles, probed ones, or those in which
   /// a surrogate of the method fails.
   Adaptive
 };
-constexpr auto enum_names(SearchHalf) {
+constexpr auto enum_names(SearchStrategy) {
   return std::array{"random", "adaptive"};
 }
 
 /// A fair failure, except for its repetition.
 struct FoundFailure {
-  SearchHalf half = SearchHalf::Random;
-  std::uint64_t index = 0;  ///< of the candidate in its half
+  SearchStrategy strategy = SearchStrategy::Random;
+  std::uint64_t index = 0;  ///< of the candidate of its strategy
   Scenario scenario;
   Trial trial;
 };
 
-/// Counts of one half of a search.
+/// Counts of one strategy of a search.
 struct SearchTally {
   std::size_t runs = 0;  ///< of the method, each in a scenario that meets the geometric conditions
   std::size_t failures = 0;  ///< with one of the outcomes searched for, where a witness arrives
@@ -95,13 +95,13 @@ struct SearchResult {
   std::string stopped;    ///< why the search ended
 };
 
-/// Searches scenarios in which the method of the bench fails although a witness reaches the goal.
+/// Searches scenarios in which the method of the setup fails although a witness reaches the goal.
 /// Half of the runs are in scenarios drawn at random from a CandidateMix, half in changed ones
 /// (mutate()) of those in which the robot came closest to obstacles, in probed ones, or, if the
-/// bench has a surrogate, in those random ones in which that fails. Runs are in batches, each in a
+/// setup has a surrogate, in those random ones in which that fails. Runs are in batches, each in a
 /// worker process; when the method crashes, that run is a failure, and the rest of the batch is
 /// executed in another process. Throws Error (Usage) if there is no budget, or nothing to compare
 /// single steps with.
-SearchResult search(const TestBench& bench, const SearchOptions& options);
+SearchResult search(const FalsificationSetup& setup, const SearchOptions& options);
 
 }  // namespace slalom

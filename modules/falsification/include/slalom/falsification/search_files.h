@@ -10,9 +10,9 @@
 
 namespace slalom {
 
-/// Hash of everything that the result of a search depends on: the bench, the options, and
+/// Hash of everything that the result of a search depends on: the setup, the options, and
 /// `methods`, a hash of its settings and of what its methods are: their parameters and files.
-std::string search_identity(const std::string& methods, const TestBench& bench,
+std::string search_identity(const std::string& methods, const FalsificationSetup& setup,
                             const SearchOptions& options);
 
 /// search.state in a folder: the rounds of an interrupted search, after the identity of the search
@@ -45,7 +45,7 @@ class ShrunkFile {
 
  private:
   std::string path_, identity_;
-  std::map<std::string, ShrinkResult> known_;  ///< by half and candidate
+  std::map<std::string, ShrinkResult> known_;  ///< by strategy and candidate
 };
 
 }  // namespace slalom

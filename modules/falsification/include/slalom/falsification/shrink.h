@@ -49,14 +49,14 @@ std::string to_bytes(const ShrinkResult& result);
 /// Throws Error (File) at `where` for malformed bytes.
 ShrinkResult shrink_result_from_bytes(const std::string& bytes, const std::string& where);
 
-/// Shrinks a failure: a scenario in which `bench.method` does not reach the goal. The result fails
+/// Shrinks a failure: a scenario in which `setup.method` does not reach the goal. The result fails
 /// with the same outcome; a witness reaches its goal, if one does in the original; no geometric
 /// condition is violated more than in the original, and the workspace does not grow. Obstacles are
 /// removed by delta debugging (Zeller and Hildebrandt, "Simplifying and Isolating Failure-Inducing
 /// Input", IEEE TSE 2002; complements only), start and goal come closer to the failure, the
 /// workspace is cropped, shapes get fewer corners, numbers fewer digits. Deterministic; nullopt
 /// when interrupted. Throws Error (Job) when the run is no failure.
-std::optional<ShrinkResult> shrink(const TestBench& bench, const Scenario& scenario,
+std::optional<ShrinkResult> shrink(const FalsificationSetup& setup, const Scenario& scenario,
                                    const ShrinkOptions& options = {});
 
 }  // namespace slalom

@@ -16,8 +16,8 @@ namespace slalom {
 
 /// The method whose failures are searched, and how it is run: as in a campaign with these settings,
 /// this seed and this repetition.
-struct TestBench {
-  RunSetup setup;
+struct FalsificationSetup {
+  RunSetup run;
   LimitsSection limits;
   std::uint64_t seed = 1;
   int repetition = 0;
@@ -55,7 +55,7 @@ struct Trial {
 constexpr std::size_t kWaypoints = 48;  ///< at most, of a trial
 
 /// Runs a method in this process.
-Trial run_trial(const World& world, const TestBench& bench, Method& method);
+Trial run_trial(const World& world, const FalsificationSetup& setup, Method& method);
 
 /// Whether both are the same run, to the last bit of the trajectory.
 bool is_same_run(const Trial& a, const Trial& b);
