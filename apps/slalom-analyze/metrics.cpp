@@ -3,7 +3,7 @@
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/app/campaign_program.h>
-#include <slalom/campaign/measure_log.h>
+#include <slalom/campaign/evaluate_log.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_yaml.h>
@@ -42,16 +42,16 @@ Outcome parse_outcome(const std::string& name) {
 }
 
 /// The planner and its gap are those of [reference].
-MeasuredLog measure(CampaignOptions options, const IniFile& ini, const World& world,
-                    const Trajectory& log, const std::string& outcome) {
+EvaluatedLog measure(CampaignOptions options, const IniFile& ini, const World& world,
+                     const Trajectory& log, const std::string& outcome) {
   const auto planning = read_options<OmplOptions>(ini, "reference");
   const auto planner = make_ompl_planner(planning, options.robot);
   options.reference_gap = planning.gap;
-  return measure_log(options, planner.get(), world, log,
-                     outcome.empty() ? std::nullopt : std::optional(parse_outcome(outcome)));
+  return evaluate_log(options, planner.get(), world, log,
+                      outcome.empty() ? std::nullopt : std::optional(parse_outcome(outcome)));
 }
 
-std::string text_of(const MeasuredLog& log, const CampaignOptions& options) {
+std::string text_of(const EvaluatedLog& log, const CampaignOptions& options) {
   const auto line = [](const std::string& name, const std::string& value) {
     return pad_right(name, 28) + "  " + value + "\n";
   };
@@ -73,7 +73,7 @@ void run(const MetricsArguments& arguments) {
   options.adapt_to({world.scenario()});
   TrajectoryFile file =
       load_trajectory_file(arguments.trajectory, options.robot.holonomic(), arguments.span);
-  MeasuredLog log = measure(options, ini, world, file.trajectory, arguments.outcome);
+  EvaluatedLog log = measure(options, ini, world, file.trajectory, arguments.outcome);
   log.notes.insert(log.notes.begin(), file.notes.begin(), file.notes.end());
   if (arguments.json)
     std::cout << render_json(log, world.scenario()) << "\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/campaign/evaluate_log.h>
 #include <slalom/campaign/measure.h>
-#include <slalom/campaign/measure_log.h>
 #include <slalom/core/text.h>
 
 #include <gtest/gtest.h>
@@ -66,8 +66,8 @@ TEST(MeasureRun, AttributesACollisionAsItsDetailDoes) {
       const World room(Scenario::continuous("room", {0, 0, 10, 10}, {}, {2, 5, 0}, {5, 9})
                            .with_movers({crossing}),
                        0.05);
-      const MeasuredLog measured =
-          measure_log(options, nullptr, room, log_to_the_wall(), std::nullopt);
+      const EvaluatedLog measured =
+          evaluate_log(options, nullptr, room, log_to_the_wall(), std::nullopt);
       ASSERT_EQ(measured.run.outcome, Outcome::Collision);
       const bool named =
           starts_with(measured.run.detail, "contact with moving obstacle 'crossing'");
@@ -99,7 +99,7 @@ TEST(MeasureRun, NamesInATieTheMoverThatTheDetailNames) {
     const World room(Scenario::continuous("room", {-10, 0, 20, 10}, {}, {x, 0.25, 0}, {8, 9})
                          .with_movers({from("left", -1), from("right", 1)}),
                      0.05);
-    const MeasuredLog measured = measure_log(options, nullptr, room, log, std::nullopt);
+    const EvaluatedLog measured = evaluate_log(options, nullptr, room, log, std::nullopt);
     ASSERT_EQ(measured.run.outcome, Outcome::Collision);
     EXPECT_EQ(measured.metrics.at("mover_collision").value, Value::of(1));
     const double index = measured.metrics.at("contact_mover").value.number();

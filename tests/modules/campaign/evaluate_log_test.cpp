@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <slalom/campaign/measure_log.h>
+#include <slalom/campaign/evaluate_log.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -20,18 +20,19 @@ Trajectory straight_log(double from, double to) {
   return log;
 }
 
-class MeasureLog : public testing::Test {
+class EvaluateLog : public testing::Test {
  protected:
-  MeasuredLog measured(const Trajectory& log, std::optional<Outcome> outcome = std::nullopt) const {
+  EvaluatedLog evaluated(const Trajectory& log,
+                         std::optional<Outcome> outcome = std::nullopt) const {
     CampaignOptions options;
     options.metrics = {"path_length", "time_to_goal"};
-    return measure_log(options, nullptr, world_, log, outcome);
+    return evaluate_log(options, nullptr, world_, log, outcome);
   }
   const World world_{Scenario::continuous("room", {0, 0, 10, 10}, {}, {2, 5, 0}, {6, 5}), 0.05};
 };
 
-TEST_F(MeasureLog, EndsAtTheGoalAndTellsWhatIsLeftOut) {
-  const MeasuredLog log = measured(straight_log(2, 8));
+TEST_F(EvaluateLog, EndsAtTheGoalAndTellsWhatIsLeftOut) {
+  const EvaluatedLog log = evaluated(straight_log(2, 8));
   EXPECT_EQ(log.run.outcome, Outcome::Success);
   EXPECT_NEAR(log.metrics.at("path_length").value.number(), 3.8, 0.05);  // to the tolerance
   ASSERT_EQ(log.notes.size(), 1U);
@@ -40,15 +41,15 @@ TEST_F(MeasureLog, EndsAtTheGoalAndTellsWhatIsLeftOut) {
       << log.notes[0];
 }
 
-TEST_F(MeasureLog, IsCompleteIfItsOutcomeIsGiven) {
-  const MeasuredLog log = measured(straight_log(2, 8), Outcome::Stuck);
+TEST_F(EvaluateLog, IsCompleteIfItsOutcomeIsGiven) {
+  const EvaluatedLog log = evaluated(straight_log(2, 8), Outcome::Stuck);
   EXPECT_EQ(log.run.detail, "as given");
   EXPECT_NEAR(log.metrics.at("path_length").value.number(), 6, 1e-12);
   EXPECT_TRUE(log.metrics.at("time_to_goal").value.is_na());
   EXPECT_TRUE(log.notes.empty());
 }
 
-TEST_F(MeasureLog, NotesThatALogThatWasStuckReachesTheGoal) {
+TEST_F(EvaluateLog, NotesThatALogThatWasStuckReachesTheGoal) {
   Trajectory log = straight_log(2, 6);
   for (Sample& sample : log.samples) sample.t += 20;
   for (int t = 0; t < 20; ++t) {  // stands before it drives
@@ -57,20 +58,20 @@ TEST_F(MeasureLog, NotesThatALogThatWasStuckReachesTheGoal) {
     sample.pose = {2, 5, 0};
     log.samples.insert(log.samples.begin() + t, sample);
   }
-  const MeasuredLog measured_log = measured(log);
-  EXPECT_EQ(measured_log.run.outcome, Outcome::Stuck);
-  EXPECT_EQ(measured_log.notes.back().find("the log reaches the goal"), 0U)
-      << measured_log.notes.back();
+  const EvaluatedLog evaluated_log = evaluated(log);
+  EXPECT_EQ(evaluated_log.run.outcome, Outcome::Stuck);
+  EXPECT_EQ(evaluated_log.notes.back().find("the log reaches the goal"), 0U)
+      << evaluated_log.notes.back();
 }
 
-TEST_F(MeasureLog, NotesThatItBeginsElsewhere) {
-  const MeasuredLog log = measured(straight_log(3, 5), Outcome::Timeout);
+TEST_F(EvaluateLog, NotesThatItBeginsElsewhere) {
+  const EvaluatedLog log = evaluated(straight_log(3, 5), Outcome::Timeout);
   ASSERT_EQ(log.notes.size(), 1U);
   EXPECT_EQ(log.notes[0].find("the log begins 1.00 m from the scenario's start"), 0U);
 }
 
-TEST_F(MeasureLog, JsonHasValuesReasonsAndVersions) {
-  const MeasuredLog log = measured(straight_log(2, 8), Outcome::Stuck);
+TEST_F(EvaluateLog, JsonHasValuesReasonsAndVersions) {
+  const EvaluatedLog log = evaluated(straight_log(2, 8), Outcome::Stuck);
   const auto json = nlohmann::json::parse(render_json(log, world_.scenario()));
   EXPECT_EQ(json["scenario"]["hash"], world_.scenario().hash());
   EXPECT_EQ(json["outcome"], "stuck");

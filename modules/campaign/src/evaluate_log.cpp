@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <slalom/campaign/measure_log.h>
+#include <slalom/campaign/evaluate_log.h>
 #include <slalom/core/distance.h>
 #include <slalom/core/text.h>
 #include <slalom/simulation/evaluate_trajectory.h>
@@ -42,10 +42,11 @@ std::vector<std::string> position_notes(const World& world, const CampaignOption
 
 }  // namespace
 
-MeasuredLog measure_log(const CampaignOptions& options, const ReferencePlanner* planner,
-                        const World& world, const Trajectory& log, std::optional<Outcome> outcome) {
-  MeasuredLog measured;
-  SimulationResult& run = measured.run;
+EvaluatedLog evaluate_log(const CampaignOptions& options, const ReferencePlanner* planner,
+                          const World& world, const Trajectory& log,
+                          std::optional<Outcome> outcome) {
+  EvaluatedLog evaluated;
+  SimulationResult& run = evaluated.run;
   if (outcome) {
     run.outcome = *outcome;
     run.detail = "as given";
@@ -53,13 +54,13 @@ MeasuredLog measure_log(const CampaignOptions& options, const ReferencePlanner* 
   } else {
     run = evaluate_trajectory(world, options.robot, options.simulation, log);
   }
-  measured.notes = position_notes(world, options, log, run);
-  measured.metrics = measure_run(options, world, find_references(options, planner, world),
-                                 run.trajectory, run.outcome);
-  return measured;
+  evaluated.notes = position_notes(world, options, log, run);
+  evaluated.metrics = measure_run(options, world, find_references(options, planner, world),
+                                  run.trajectory, run.outcome);
+  return evaluated;
 }
 
-std::string render_json(const MeasuredLog& log, const Scenario& scenario) {
+std::string render_json(const EvaluatedLog& log, const Scenario& scenario) {
   using Json = nlohmann::ordered_json;
   Json metrics = Json::object();
   for (const auto& [id, versioned] : log.metrics) {
