@@ -23,6 +23,7 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/io/src/result/dump.cpp
   ${MODULES}/io/src/result/file_rows.cpp
   ${MODULES}/io/src/result/merge_results.cpp
+  ${MODULES}/io/src/result/packed_trajectory.cpp
   ${MODULES}/io/src/result/read_results.cpp
   ${MODULES}/io/src/result/result_reader.cpp
   ${MODULES}/io/src/result/result_schema.cpp

@@ -2,6 +2,8 @@
 #include "fuzz_target.h"
 #include "wire.h"
 
+#include <slalom/core/hash.h>
+
 namespace {
 
 /// The bytes of what was read are those that are read again.
@@ -19,9 +21,11 @@ void read_twice(const std::string& bytes, Read read) {
 
 }  // namespace
 
-/// Decodes the answer of a worker process: findings of a run or of a scenario.
+/// Decodes the answer of a worker process, which may be hostile: with a correct checksum, findings
+/// of a run or of a scenario.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string bytes = slalom::fuzz::text_of(data, size);
+  const std::string content = slalom::fuzz::text_of(data, size);
+  const std::string bytes = slalom::Hasher().add(content).hex() + content;
   read_twice(bytes, slalom::run_findings_from_wire);
   read_twice(bytes, slalom::scenario_findings_from_wire);
   return 0;

@@ -46,7 +46,7 @@ class ComparingSink : public CampaignSink {
                                    ": its reference paths are different");
   }
 
-  void add_run(const RunRecord& run, const RunTiming&, const Trajectory&) override {
+  void add_run(const RunRecord& run, const RunTiming&, const PackedTrajectory&) override {
     if (run.repetition < first_repetition_) return;
     const auto recorded = file_.read_run(run.scenario_hash, run.method, run.repetition);
     if (!recorded) return;  // of an incomplete campaign

@@ -77,7 +77,7 @@ void CampaignRecorder::add_scenario(const ScenarioRecord& record, const Scenario
 }
 
 void CampaignRecorder::add_run(const RunRecord& run, const RunTiming& timing,
-                               const Trajectory& trajectory) {
+                               const PackedTrajectory& trajectory) {
   RunTiming kept = timing;
   output_size_ += kept.output.size();
   if (output_size_ > kMaxOutputs) kept.output.clear();

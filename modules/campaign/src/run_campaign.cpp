@@ -93,13 +93,10 @@ bool are_findings_of(const Campaign& campaign, const RunSpec& spec, const RunFin
   const RunRecord& record = findings.record;
   const RunRecord planned = make_run_record(campaign, spec);
   const std::vector<std::string>& metrics = campaign.options.metrics;
-  const bool has_not_run = record.trajectory_hash.empty() && findings.trajectory.samples.empty();
   return record.scenario_hash == planned.scenario_hash &&
          record.scenario_name == planned.scenario_name && record.method == planned.method &&
          record.repetition == planned.repetition && record.seed == planned.seed &&
-         from_name<Outcome>(record.outcome) &&
-         (has_not_run || record.trajectory_hash == findings.trajectory.hash()) &&
-         record.metrics.size() == metrics.size() &&
+         from_name<Outcome>(record.outcome) && record.metrics.size() == metrics.size() &&
          std::all_of(metrics.begin(), metrics.end(),
                      [&](const std::string& id) { return record.metrics.count(id) == 1; });
 }
@@ -179,8 +176,6 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
                                ? std::move(*answer)
                                : findings_of_failure(campaign, plan[i], result, executor);
     findings.timing.output = std::move(result.output);
-    if (campaign.options.record.trajectories == StoredTrajectories::None)
-      findings.trajectory.samples.clear();
     sink.add_run(findings.record, findings.timing, findings.trajectory);
     ++summary.runs;
     ++summary.outcomes[findings.record.outcome];

@@ -1,145 +1,147 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wire.h"
 
+#include <slalom/core/byte_stream.h>
 #include <slalom/core/error.h>
+#include <slalom/core/hash.h>
 #include <slalom/references/reference_codec.h>
-#include <slalom/trajectory/trajectory_codec.h>
 
-#include <nlohmann/json.hpp>
-
+#include <algorithm>
+#include <climits>
 #include <cmath>
+#include <string_view>
 
 namespace slalom {
 namespace {
 
-using Json = nlohmann::json;
+constexpr char kSource[] = "a worker";
 
-Json to_json(const Value& value) {
-  if (value.is_na()) return value.reason();
-  if (value.standard_error()) return Json::array({value.number(), *value.standard_error()});
-  return value.number();
+enum class ValueForm : std::uint8_t { Number, WithError, Na };
+
+void write(ByteWriter& out, const std::map<std::string, VersionedValue>& values) {
+  out.u64(values.size());
+  for (const auto& [id, versioned] : values) {
+    const Value& value = versioned.value;
+    const ValueForm form = value.is_na()            ? ValueForm::Na
+                           : value.standard_error() ? ValueForm::WithError
+                                                    : ValueForm::Number;
+    out.text(id).u64(static_cast<std::uint64_t>(versioned.version));
+    out.u8(static_cast<std::uint8_t>(form));
+    if (form == ValueForm::Na)
+      out.text(value.reason());
+    else
+      out.f64(value.number());
+    if (form == ValueForm::WithError) out.f64(*value.standard_error());
+  }
 }
 
-Value value_from(const Json& json) {
-  if (json.is_string()) return Value::na(json.get<std::string>());
-  if (json.is_array()) return Value::of(json.at(0).get<double>(), json.at(1).get<double>());
-  return Value::of(json.get<double>());
+Value read_value(ByteReader& in) {
+  const auto form = static_cast<ValueForm>(in.u8());
+  if (form == ValueForm::Na) return Value::na(in.text());
+  const double number = in.f64();
+  if (form == ValueForm::Number) return Value::of(number);
+  if (form != ValueForm::WithError) throw in.broken("unknown form of a value");
+  return Value::of(number, in.f64());
 }
 
-Json to_json(const std::map<std::string, VersionedValue>& values) {
-  Json json = Json::object();
-  for (const auto& [id, value] : values)
-    json[id] = Json::array({value.version, to_json(value.value)});
-  return json;
+/// An integer that fits.
+int read_int(ByteReader& in) {
+  const std::uint64_t value = in.u64();
+  if (value > INT_MAX) throw in.broken("a number that is too large");
+  return static_cast<int>(value);
 }
 
-std::map<std::string, VersionedValue> values_from(const Json& json) {
+std::map<std::string, VersionedValue> read_values(ByteReader& in) {
+  constexpr std::size_t kLeast = 8 + 8 + 1 + 8;
   std::map<std::string, VersionedValue> values;
-  for (const auto& [id, value] : json.items())
-    values[id] = {value.at(0).get<int>(), value_from(value.at(1))};
+  for (std::size_t left = in.count(kLeast); left > 0; --left) {
+    const std::string id = in.text();
+    const int version = read_int(in);
+    values[id] = {version, read_value(in)};
+  }
   return values;
 }
 
-Json binary(const std::string& bytes) {
-  return Json::binary(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
-}
-
-std::string bytes_of(const Json& json) {
-  const auto& bytes = json.get_binary();
-  return {bytes.begin(), bytes.end()};
-}
-
-// MessagePack: unlike CBOR its strings are not nested, so that the reader recurses in containers
-// only.
-std::string pack(const Json& json) {
-  const std::vector<std::uint8_t> bytes = Json::to_msgpack(json);
-  return {bytes.begin(), bytes.end()};
-}
-
-/// Refuses values that are nested more deeply than those of pack(): they would exhaust the stack.
-class ShallowParser : public nlohmann::detail::json_sax_dom_parser<Json> {
-  using Base = nlohmann::detail::json_sax_dom_parser<Json>;
-  static constexpr int kMaxDepth = 8;
-  int depth_ = 0;
-
- public:
-  using Base::Base;
-  bool start_object(std::size_t size) { return ++depth_ <= kMaxDepth && Base::start_object(size); }
-  bool start_array(std::size_t size) { return ++depth_ <= kMaxDepth && Base::start_array(size); }
-  bool end_object() { return --depth_, Base::end_object(); }
-  bool end_array() { return --depth_, Base::end_array(); }
-};
-
-Json unpack(const std::string& bytes) {
-  Json json;
-  ShallowParser parser(json);
-  if (!Json::sax_parse(bytes, &parser, Json::input_format_t::msgpack))
-    throw file_error("a worker", "sent values that are nested too deeply");
-  return json;
-}
-
 /// Throws for a time that cannot be stored.
-double seconds_from(const Json& json) {
-  const double seconds = json.get<double>();
-  if (!std::isfinite(seconds)) throw file_error("a worker", "sent a time that is not finite");
+double read_seconds(ByteReader& in) {
+  const double seconds = in.f64();
+  if (!std::isfinite(seconds)) throw in.broken("a time that is not finite");
   return seconds;
+}
+
+/// With a checksum: methods share the process that sends the bytes.
+std::string sealed(const std::string& bytes) {
+  return Hasher().add(bytes).hex() + bytes;
+}
+
+std::string_view opened(std::string_view bytes) {
+  constexpr std::size_t kChecksum = 32;
+  const std::string_view content = bytes.substr(std::min(kChecksum, bytes.size()));
+  if (bytes.substr(0, kChecksum) != Hasher().add(content).hex())
+    throw file_error(kSource, "sent bytes that do not match their checksum");
+  return content;
 }
 
 }  // namespace
 
 std::string to_wire(const ScenarioFindings& findings) {
   const ReferenceTiming& timing = findings.references.timing;
-  return pack({{"hash", findings.record.hash},
-               {"name", findings.record.name},
-               {"descriptors", to_json(findings.record.descriptors)},
-               {"references", binary(to_bytes(findings.references))},
-               {"timing", {timing.exact, timing.planner, timing.safest}}});
+  ByteWriter out;
+  out.text(findings.record.hash).text(findings.record.name);
+  write(out, findings.record.descriptors);
+  out.text(to_bytes(findings.references));
+  out.f64(timing.exact).f64(timing.planner).f64(timing.safest);
+  return sealed(out.take());
 }
 
 ScenarioFindings scenario_findings_from_wire(const std::string& bytes) {
-  const Json json = unpack(bytes);
-  ScenarioFindings findings = {
-      {json.at("hash").get<std::string>(), json.at("name").get<std::string>(),
-       values_from(json.at("descriptors"))},
-      references_from_bytes(bytes_of(json.at("references")), "a worker")};
-  const Json& timing = json.at("timing");
-  findings.references.timing = {seconds_from(timing.at(0)), seconds_from(timing.at(1)),
-                                seconds_from(timing.at(2))};
+  ByteReader in(opened(bytes), kSource);
+  ScenarioFindings findings;
+  findings.record.hash = in.text();
+  findings.record.name = in.text();
+  findings.record.descriptors = read_values(in);
+  findings.references = references_from_bytes(in.text(), kSource);
+  ReferenceTiming& timing = findings.references.timing;
+  timing.exact = read_seconds(in);
+  timing.planner = read_seconds(in);
+  timing.safest = read_seconds(in);
+  in.expect_end();
   return findings;
 }
 
 std::string to_wire(const RunFindings& findings) {
   const RunRecord& r = findings.record;
-  return pack({{"scenario_hash", r.scenario_hash},
-               {"scenario_name", r.scenario_name},
-               {"method", r.method},
-               {"repetition", r.repetition},
-               {"seed", r.seed},
-               {"outcome", r.outcome},
-               {"outcome_detail", r.outcome_detail},
-               {"trajectory_hash", r.trajectory_hash},
-               {"metrics", to_json(r.metrics)},
-               {"wall_seconds", findings.timing.wall_seconds},
-               {"timing", findings.timing.values},
-               {"trajectory", binary(to_bytes(findings.trajectory))}});
+  ByteWriter out;
+  out.text(r.scenario_hash).text(r.scenario_name).text(r.method);
+  out.u64(static_cast<std::uint64_t>(r.repetition)).u64(r.seed);
+  out.text(r.outcome).text(r.outcome_detail).text(r.trajectory_hash);
+  write(out, r.metrics);
+  out.f64(findings.timing.wall_seconds).u64(findings.timing.values.size());
+  for (const auto& [id, seconds] : findings.timing.values) out.text(id).f64(seconds);
+  out.text(findings.trajectory.bytes());
+  return sealed(out.take());
 }
 
 RunFindings run_findings_from_wire(const std::string& bytes) {
-  const Json json = unpack(bytes);
+  ByteReader in(opened(bytes), kSource);
   RunFindings findings;
   RunRecord& r = findings.record;
-  r.scenario_hash = json.at("scenario_hash").get<std::string>();
-  r.scenario_name = json.at("scenario_name").get<std::string>();
-  r.method = json.at("method").get<std::string>();
-  r.repetition = json.at("repetition").get<int>();
-  r.seed = json.at("seed").get<std::uint64_t>();
-  r.outcome = json.at("outcome").get<std::string>();
-  r.outcome_detail = json.at("outcome_detail").get<std::string>();
-  r.trajectory_hash = json.at("trajectory_hash").get<std::string>();
-  r.metrics = values_from(json.at("metrics"));
-  findings.timing.wall_seconds = seconds_from(json.at("wall_seconds"));
-  findings.timing.values = json.at("timing").get<std::map<std::string, double>>();
-  findings.trajectory = trajectory_from_bytes(bytes_of(json.at("trajectory")), "a worker");
+  r.scenario_hash = in.text();
+  r.scenario_name = in.text();
+  r.method = in.text();
+  r.repetition = read_int(in);
+  r.seed = in.u64();
+  r.outcome = in.text();
+  r.outcome_detail = in.text();
+  r.trajectory_hash = in.text();
+  r.metrics = read_values(in);
+  findings.timing.wall_seconds = read_seconds(in);
+  for (std::size_t left = in.count(8 + 8); left > 0; --left) {
+    const std::string id = in.text();
+    findings.timing.values[id] = in.f64();
+  }
+  findings.trajectory = PackedTrajectory::of_bytes(in.text());
+  in.expect_end();
   return findings;
 }
 

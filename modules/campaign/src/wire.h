@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/io/packed_trajectory.h>
 #include <slalom/references/reference.h>
 #include <slalom/results/run_record.h>
-#include <slalom/trajectory/trajectory.h>
 
 #include <string>
 
@@ -19,11 +19,11 @@ struct ScenarioFindings {
 struct RunFindings {
   RunRecord record;
   RunTiming timing;
-  Trajectory trajectory;
+  PackedTrajectory trajectory;
 };
 
 /// Serialization of findings between the processes of a campaign; doubles are exact.
-/// Reading throws std::exception for invalid bytes.
+/// Reading throws Error (File) for invalid bytes. The trajectory of a run is not unpacked.
 std::string to_wire(const ScenarioFindings& findings);
 std::string to_wire(const RunFindings& findings);
 ScenarioFindings scenario_findings_from_wire(const std::string& bytes);

@@ -24,9 +24,9 @@ class TableSink : public CampaignSink {
     builder_.add_scenario(record);
   }
   void add_run(const RunRecord& run, const RunTiming& timing,
-               const Trajectory& trajectory) override {
+               const PackedTrajectory& trajectory) override {
     builder_.add_run(run, timing);
-    if (options_.observer) options_.observer(run, trajectory);
+    if (options_.observer) options_.observer(run, trajectory.unpack(run_id(run)));
   }
   ResultTable finish() { return builder_.finish(); }
 

@@ -64,6 +64,12 @@ RowChecksum& RowChecksum::add_null() {
   return *this;
 }
 
+RowChecksum& RowChecksum::add(const Value& value) {
+  if (value.is_na()) return add_null().add_null().add(value.reason());
+  add(value.number());
+  return (value.standard_error() ? add(*value.standard_error()) : add_null()).add_null();
+}
+
 RowChecksum& RowChecksum::add_values(sqlite3_value* const* begin, sqlite3_value* const* end) {
   const auto room = [&](sqlite3_value* const* value) {
     return make_room(kNumber * static_cast<std::size_t>(end - value));

@@ -20,6 +20,7 @@ class RowChecksum {
   RowChecksum& add(std::int64_t number);
   RowChecksum& add(double number);
   RowChecksum& add_null();
+  RowChecksum& add(const Value& value);  ///< in three columns: bind_value()
   /// Columns `begin` to `end` (exclusive) of the current row.
   RowChecksum& add_columns(SQLite::Statement& row, int begin, int end);
   /// The same of values that were read, for millions of rows.
@@ -37,21 +38,19 @@ class RowChecksum {
   void add_bytes(const void* bytes, std::size_t size);
 };
 
+/// Binds the bytes where they are.
 struct Blob {
-  std::string bytes;
+  const std::string& bytes;
 };
 
-/// Binds the values of a new row one after the other, followed by its checksum.
+/// Binds the values of a new row one after the other, followed by its checksum, to an INSERT with
+/// that column as its last one.
 class CheckedInsert {
  public:
-  /// `columns`: "a, b", without that of the checksum.
-  CheckedInsert(SQLite::Database& database, const std::string& table, const std::string& columns)
-      : row_(database, insert_sql(table, columns + ", checksum")) {}
-  /// For a row of the run `run` with the checksum `owner`.
-  CheckedInsert(SQLite::Database& database, const std::string& table, const std::string& columns,
-                std::int64_t run, std::int64_t owner)
-      : CheckedInsert(database, table, "run, " + columns) {
-    row_.bind(++column_, run);
+  explicit CheckedInsert(SQLite::Statement& row) : row_(row) {}
+  /// For a row of the run `run`, its first column, with the checksum `owner`.
+  CheckedInsert(SQLite::Statement& row, std::int64_t run, std::int64_t owner) : CheckedInsert(row) {
+    row_->bind(++column_, run);
     checksum_.add(owner);
   }
 
@@ -63,24 +62,24 @@ class CheckedInsert {
   /// Returns the checksum.
   std::int64_t exec() {
     const std::int64_t checksum = checksum_.value();
-    row_.bind(++column_, checksum);
-    row_.exec();
+    row_->bind(++column_, checksum);
+    row_->exec();
     return checksum;
   }
 
  private:
-  SQLite::Statement row_;
+  StatementUse row_;
   RowChecksum checksum_;
   int column_ = 0;
 
   template <typename T>
   void add_one(const T& value) {
     checksum_.add(value);
-    row_.bind(++column_, value);
+    row_->bind(++column_, value);
   }
   void add_one(const Blob& blob) {
     checksum_.add(blob.bytes);
-    row_.bind(++column_, blob.bytes.data(), static_cast<int>(blob.bytes.size()));
+    row_->bindNoCopy(++column_, blob.bytes.data(), static_cast<int>(blob.bytes.size()));
   }
   void add_one(const Value& value) {
     if (!value.is_na()) return add_one(value.number());

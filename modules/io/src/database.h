@@ -66,6 +66,23 @@ class FileIdentity {
 bool has_table(SQLite::Database& database, const std::string& name,
                const std::string& schema = "main");
 
+/// A prepared statement in use; reset afterwards to release its locks.
+class StatementUse {
+ public:
+  explicit StatementUse(SQLite::Statement& statement) : statement_(statement) {}
+  ~StatementUse() {
+    statement_.tryReset();
+    statement_.clearBindings();
+  }
+  StatementUse(const StatementUse&) = delete;
+  StatementUse& operator=(const StatementUse&) = delete;
+  SQLite::Statement* operator->() const { return &statement_; }
+  SQLite::Statement& operator*() const { return statement_; }
+
+ private:
+  SQLite::Statement& statement_;
+};
+
 /// A statement with values for its parameters.
 template <typename... Values>
 SQLite::Statement bound(SQLite::Database& database, const std::string& sql,

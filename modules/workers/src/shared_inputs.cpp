@@ -127,7 +127,8 @@ void SharedInputPool::add_events(std::vector<pollfd>& events) const {
 void SharedInputPool::collect() {
   for (const auto& maker : makers_) {
     if (!maker->process->busy()) continue;
-    const auto result = maker->process->receive();
+    maker->process->read();
+    const auto result = maker->process->receive(true);
     if (!result) continue;
     Input& input = inputs_.at(maker->process->last_item());
     input.is_made = true;

@@ -76,7 +76,7 @@ class Keeper {
       wait();
       end_workers();
       clean_up();
-      if (is_ending_ || !is_readable(socket_, 0)) continue;
+      if (is_ending_ || !has_request_) continue;
       const KeeperRequest request = receive_keeper_request(socket_, start);
       if (request == KeeperRequest::End) is_ending_ = true;
       if (request == KeeperRequest::Start) fork_worker(std::move(start));
@@ -90,19 +90,24 @@ class Keeper {
     pid_t process;
     FileDescriptor control;
     std::string scratch;
-    bool is_killed = false, is_reaped = false;
+    bool is_released = false, is_killed = false, is_reaped = false;
     int status = kNoWorker;
   };
 
-  void wait() const {
-    std::vector<pollfd> events = {{ends_.number(), POLLIN, 0}};
-    if (!is_ending_) events.push_back({socket_, POLLIN, 0});
+  /// Notes which workers are to be looked at: with hundreds of them, all are only when one ended.
+  void wait() {
+    std::vector<pollfd> events = {{ends_.number(), POLLIN, 0}, {socket_, POLLIN, 0}};
+    if (is_ending_) events[1].fd = -1;
     for (const Worker& worker : workers_)
-      if (!worker.is_killed) events.push_back({worker.control.number(), POLLIN, 0});
+      events.push_back({worker.is_killed ? -1 : worker.control.number(), POLLIN, 0});
     const bool is_killing = std::any_of(workers_.begin(), workers_.end(), is_reaped);
     poll(events.data(), events.size(), is_ending_ || is_killing ? 1 : -1);
     signalfd_siginfo ignored;
-    if (events[0].revents != 0) (void)!read(ends_.number(), &ignored, sizeof ignored);
+    has_end_ = events[0].revents != 0;
+    if (has_end_) (void)!read(ends_.number(), &ignored, sizeof ignored);
+    for (std::size_t i = 0; i < workers_.size(); ++i)
+      workers_[i].is_released = is_ending_ || events[i + 2].revents != 0;
+    has_request_ = events[1].revents != 0;
   }
 
   static bool is_reaped(const Worker& worker) { return worker.is_reaped; }
@@ -126,8 +131,7 @@ class Keeper {
   /// Kills the groups of the workers that have ended or are to, and reaps those.
   void end_workers() {
     for (Worker& worker : workers_) {
-      const bool is_released = is_ending_ || is_readable(worker.control.number(), 0);
-      if (!worker.is_killed && (is_released || has_ended(worker.process))) {
+      if (!worker.is_killed && (worker.is_released || (has_end_ && has_ended(worker.process)))) {
         kill(-worker.process, SIGKILL);
         kill(worker.process, SIGKILL);  // it may not have its own group yet
         worker.is_killed = true;
@@ -175,7 +179,7 @@ class Keeper {
   const Serve& serve_;
   sigset_t signals_of_workers_;
   FileDescriptor ends_;  ///< readable when a child has ended
-  bool is_ending_ = false;
+  bool is_ending_ = false, has_end_ = false, has_request_ = false;
   std::vector<Worker> workers_;
   int kills_ = 0;                ///< of what the reaped workers left, until now
   std::vector<pid_t> cleaners_;  ///< processes that remove folders

@@ -64,8 +64,7 @@ class Pool {
     while (finished_ < count_) {
       if (interrupted && interrupted()) return false;
       assign_items();
-      wait_for_answers();
-      collect();
+      collect(wait_for_answers());
     }
     end_workers();
     return true;
@@ -157,20 +156,40 @@ class Pool {
     for (Worker& worker : workers_) worker->await_end();
   }
 
-  void wait_for_answers() {
-    std::vector<pollfd> events;
-    for (const Worker& worker : workers_) worker->add_events(events);
-    inputs_.add_events(events);
+  /// Returns the busy workers that have sent something or ended; all of them every kPollMs, for
+  /// their time limits and what they print.
+  std::vector<WorkerProcess*> wait_for_answers() {
     constexpr int kPollMs = 20;  // maximum latency of time limits and interrupts
+    std::vector<pollfd> events;
+    std::vector<std::size_t> ends;  // of the events of each worker
+    for (const Worker& worker : workers_) {
+      worker->add_events(events);
+      ends.push_back(events.size());
+    }
+    inputs_.add_events(events);
     if (poll(events.data(), events.size(), kPollMs) == 0) keeper_.kill_if_stopped();
+    const double now = steady_seconds();
+    const bool all = now - looked_at_all_ >= kPollMs * 1e-3;
+    if (all) looked_at_all_ = now;
+    std::vector<WorkerProcess*> ready;
+    for (std::size_t i = 0, event = 0; i < ends.size(); ++i) {
+      bool is_ready = all && workers_[i]->busy();
+      for (; event < ends[i]; ++event) is_ready = is_ready || events[event].revents != 0;
+      if (is_ready) ready.push_back(workers_[i].get());
+      if (all && workers_[i]->busy()) workers_[i]->read_output();
+    }
+    return ready;
   }
 
-  void collect() {
+  void collect(const std::vector<WorkerProcess*>& ready) {
     inputs_.collect();
-    for (Worker& worker : workers_) {
-      if (!worker->busy()) continue;
+    for (WorkerProcess* worker : ready) worker->read();
+    // Asked once, after all answers that were read.
+    const bool keeper_is_alive =
+        !ready.empty() && (options_.schedule.trusted || keeper_.is_alive());
+    for (WorkerProcess* worker : ready) {
       const std::size_t index = worker->last_item();
-      auto result = worker->receive();
+      auto result = worker->receive(keeper_is_alive);
       if (!result) continue;
       if (result->status == WorkResult::Status::Crashed && worker->died_between_items())
         restarted_.push_back(index);  // in a new process, whose death is the item's own
@@ -200,6 +219,7 @@ class Pool {
   SharedInputPool inputs_;
   WorkerKeeper keeper_;
   std::vector<Worker> workers_;
+  double looked_at_all_ = 0;  ///< s, when all busy workers were looked at
   std::size_t next_ = 0, finished_ = 0;
   std::set<std::size_t> killed_once_;     ///< work items whose process was killed
   std::vector<std::size_t> retry_queue_;  ///< those that are to be executed once more, alone

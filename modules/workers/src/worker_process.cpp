@@ -51,7 +51,7 @@ void WorkerProcess::start(std::size_t group) {
   socket_ = std::move(work.near_end);
   control_ = std::move(control.near_end);
   fcntl(socket_.number(), F_SETFL, O_NONBLOCK);
-  disconnected_ = false;
+  disconnected_ = has_died_ = false;
   group_ = group;
   assigned_ = 0;
   died_between_items_ = false;
@@ -88,7 +88,8 @@ void WorkerProcess::fork_trusted(const WorkerStart& start) {
 
 bool WorkerProcess::is_sound() const {
   const bool is_kept = keeper_ == nullptr || generation_ == keeper_->generation();
-  return is_kept && !is_readable(socket_.number(), 0) && !is_readable(control_.number(), 0);
+  pollfd events[] = {{socket_.number(), POLLIN, 0}, {control_.number(), POLLIN, 0}};
+  return is_kept && poll(events, 2, 0) == 0;
 }
 
 void WorkerProcess::assign(std::size_t index, int file) {
@@ -114,14 +115,25 @@ void WorkerProcess::add_events(std::vector<pollfd>& events) const {
   events.push_back({control_.number(), POLLIN, 0});
 }
 
-std::optional<WorkResult> WorkerProcess::receive() {
-  if (ending_) return take_ended();
-  // In this order: a process may answer and then die.
-  const bool has_died = is_readable(control_.number(), 0);
+void WorkerProcess::read() {
+  if (ending_) return;
   read_socket();
-  read_output();
-  if (auto result = take_answer()) return result;
-  if (has_died) return describe_end();
+  if (has_answer()) return;
+  has_died_ = is_readable(control_.number(), 0);
+  if (has_died_) read_socket();  // a process may answer and then die
+}
+
+bool WorkerProcess::has_answer() const {
+  AnswerHeader header = {};
+  if (buffer_.size() < sizeof header) return false;
+  std::memcpy(&header, buffer_.data(), sizeof header);
+  return header.size > kMaxPayload || buffer_.size() - sizeof header >= header.size;
+}
+
+std::optional<WorkResult> WorkerProcess::receive(bool keeper_is_alive) {
+  if (ending_) return take_ended();
+  if (auto result = take_answer(keeper_is_alive)) return result;
+  if (has_died_) return describe_end();
   const std::string limit = exceeded_limit();
   if (limit.empty()) return std::nullopt;
   return kill_with(Status::TimedOut, limit);
@@ -129,7 +141,7 @@ std::optional<WorkResult> WorkerProcess::receive() {
 
 void WorkerProcess::read_socket() {
   char chunk[65536];
-  while (!disconnected_) {
+  while (!disconnected_ && !has_answer()) {
     const ssize_t got = recv(socket_.number(), chunk, sizeof chunk, 0);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) break;
@@ -143,7 +155,7 @@ void WorkerProcess::read_output() {
   constexpr int kMaxReads = 32;  // of a method that never ends to print
   char chunk[65536];
   for (int i = 0; i < kMaxReads && output_; ++i) {
-    const ssize_t got = read(output_.number(), chunk, sizeof chunk);
+    const ssize_t got = ::read(output_.number(), chunk, sizeof chunk);
     if (got <= 0) return;
     const auto size = static_cast<std::size_t>(got);
     const std::size_t first = std::min(size, kHalf - printed_.size());
@@ -162,7 +174,7 @@ std::string WorkerProcess::take_output() {
   return printed_ + gap + printed_last_;
 }
 
-std::optional<WorkResult> WorkerProcess::take_answer() {
+std::optional<WorkResult> WorkerProcess::take_answer(bool keeper_is_alive) {
   AnswerHeader header = {};
   if (buffer_.size() < sizeof header) return std::nullopt;
   std::memcpy(&header, buffer_.data(), sizeof header);
@@ -174,7 +186,7 @@ std::optional<WorkResult> WorkerProcess::take_answer() {
     return kill_with(Status::Crashed, "sent an unsolicited reply");
   if (buffer_.size() < sizeof header + header.size) return std::nullopt;
   // A method may have killed the keeper and answered before it died with it.
-  if (keeper_ != nullptr && (generation_ != keeper_->generation() || !keeper_->is_alive()))
+  if (keeper_ != nullptr && (generation_ != keeper_->generation() || !keeper_is_alive))
     return kill_with(Status::Killed, kKeeperKilled);
   std::string payload = buffer_.substr(sizeof header, header.size);
   if (header.kind == kThrew) return kill_with(Status::Threw, std::move(payload));

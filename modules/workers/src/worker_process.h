@@ -47,12 +47,17 @@ class WorkerProcess {
   /// With a descriptor for the FileReceiver, or -1. It stays open here.
   void assign(std::size_t index, int file = -1);
 
-  /// Adds the descriptors that become readable when receive() is to be called.
+  /// Adds the descriptors that become readable when read() is to be called.
   void add_events(std::vector<pollfd>& events) const;
 
-  /// The result when the work item is done, its process has died, or it was killed at a time limit.
-  /// Waits, if the process is killed, until it and whatever it started have ended.
-  std::optional<WorkResult> receive();
+  /// Reads what the process has sent.
+  void read();
+  /// Reads what it has printed, so that it does not wait for room.
+  void read_output();
+  /// The result when, by what was read, the work item is done or its process has died, or when it
+  /// was killed at a time limit. An answer counts only if the keeper was alive after read(). Waits,
+  /// if the process is killed, until it and whatever it started have ended.
+  std::optional<WorkResult> receive(bool keeper_is_alive);
 
   /// Kills the process. It is busy until the keeper has killed whatever it started; a trusted one
   /// has ended on return.
@@ -69,9 +74,9 @@ class WorkerProcess {
   void start_kept(WorkerStart& start);
   void fork_trusted(const WorkerStart& start);
   void read_socket();
-  void read_output();
+  bool has_answer() const;  ///< all of it, or nonsense
   std::string take_output();
-  std::optional<WorkResult> take_answer();
+  std::optional<WorkResult> take_answer(bool keeper_is_alive);
   /// A description of the limit that was exceeded; empty if none.
   std::string exceeded_limit();
   std::optional<WorkResult> kill_with(Status status, std::string reason);
@@ -91,6 +96,7 @@ class WorkerProcess {
   FileDescriptor output_;       ///< from the worker's standard output and error
   FileDescriptor control_;      ///< to the keeper or trusted worker: closed when the worker ends
   bool disconnected_ = false;   ///< the worker's end of the socket is closed
+  bool has_died_ = false;       ///< by the last read()
   std::size_t generation_ = 0;  ///< of the keeper's process that has started this one
   std::size_t group_ = 0, item_ = 0;
   std::uint64_t nonce_ = 0;   ///< of the current work item

@@ -126,8 +126,9 @@ bool send_reply_request(int socket) {
 
 bool send_answer(int socket, const Request& request, char kind, const std::string& payload) {
   const AnswerHeader header = {request, payload.size(), static_cast<unsigned char>(kind)};
-  return send_all(socket, reinterpret_cast<const char*>(&header), sizeof header) &&
-         send_all(socket, payload.data(), payload.size());
+  std::string message(reinterpret_cast<const char*>(&header), sizeof header);
+  message += payload;  // sent at once: the parent wakes up once
+  return send_all(socket, message.data(), message.size());
 }
 
 bool is_readable(int socket, int milliseconds) {

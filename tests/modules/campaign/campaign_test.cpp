@@ -225,7 +225,8 @@ class RecordingSink : public CampaignSink {
   void add_scenario(const ScenarioRecord& record, const Scenario&, const References&) override {
     scenarios.push_back(record);
   }
-  void add_run(const RunRecord& run, const RunTiming&, const Trajectory& trajectory) override {
+  void add_run(const RunRecord& run, const RunTiming&, const PackedTrajectory& packed) override {
+    const Trajectory trajectory = packed.unpack(run_id(run));
     EXPECT_TRUE(trajectory.samples.empty() || trajectory.hash() == run.trajectory_hash);
     runs.push_back(run);
   }

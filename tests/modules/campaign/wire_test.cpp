@@ -26,10 +26,12 @@ RunFindings sample_run() {
   r.metrics["with_error"] = {1, Value::of(0.5, 1e-300)};
   findings.timing = {1.25, {{"cycle_time_mean", 0.007}}};
   RandomEngine engine(5);
+  Trajectory trajectory;
   for (int i = 0; i < 100; ++i) {
     const auto x = [&] { return normal(engine, 0, 1); };
-    findings.trajectory.samples.push_back({0.1 * i, {x(), x(), x()}, x(), x(), x(), x()});
+    trajectory.samples.push_back({0.1 * i, {x(), x(), x()}, x(), x(), x(), x()});
   }
+  findings.trajectory = trajectory;
   return findings;
 }
 
@@ -37,7 +39,7 @@ TEST(Wire, ARunIsRestoredExactly) {
   const RunFindings sent = sample_run();
   const RunFindings received = run_findings_from_wire(to_wire(sent));
   EXPECT_EQ(to_wire(received), to_wire(sent));
-  EXPECT_EQ(received.trajectory.hash(), sent.trajectory.hash());
+  EXPECT_EQ(received.trajectory.unpack("").hash(), sent.trajectory.unpack("").hash());
   EXPECT_EQ(received.record.seed, sent.record.seed);
   EXPECT_EQ(received.record.metrics.at("optimality").value, Value::of(0.1 + 0.2));
   EXPECT_EQ(received.record.metrics.at("optimality").version, 2);
@@ -72,15 +74,12 @@ TEST(Wire, RejectsDamagedBytes) {
   EXPECT_THROW(run_findings_from_wire("garbage"), std::exception);
 }
 
-/// A hundred thousand arrays in each other: a reader that recurses without a limit exhausts the
-/// stack.
-TEST(Wire, RejectsDeeplyNestedBytes) {
-  constexpr char kArrayOfOne = '\x91', kMapOfOne = '\x81', kTextOfOne = '\xa1';  // of MessagePack
-  std::string arrays(100'000, kArrayOfOne), maps;
-  for (int i = 0; i < 100'000; ++i) maps += {kMapOfOne, kTextOfOne, 'a'};
-  for (const std::string& bytes : {arrays, maps}) {
-    EXPECT_THROW(run_findings_from_wire(bytes), std::exception);
-    EXPECT_THROW(scenario_findings_from_wire(bytes), std::exception);
+TEST(Wire, NoticesEveryChangedByte) {
+  const std::string bytes = to_wire(sample_run());
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string changed = bytes;
+    changed[i] = static_cast<char>(changed[i] ^ 1);
+    EXPECT_THROW(run_findings_from_wire(changed), std::exception) << "byte " << i;
   }
 }
 

@@ -11,23 +11,6 @@
 
 namespace slalom {
 
-/// A prepared statement in use; reset afterwards to release its locks.
-class StatementUse {
- public:
-  explicit StatementUse(SQLite::Statement& statement) : statement_(statement) {}
-  ~StatementUse() {
-    statement_.tryReset();
-    statement_.clearBindings();
-  }
-  StatementUse(const StatementUse&) = delete;
-  StatementUse& operator=(const StatementUse&) = delete;
-  SQLite::Statement* operator->() { return &statement_; }
-  SQLite::Statement& operator*() { return statement_; }
-
- private:
-  SQLite::Statement& statement_;
-};
-
 /// The implementation of an open list, used by scenario_list.cpp and list_*.cpp.
 struct ScenarioList::Impl {
   std::string path;

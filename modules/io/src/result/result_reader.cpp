@@ -10,7 +10,6 @@
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/references/reference_codec.h>
-#include <slalom/trajectory/trajectory_codec.h>
 
 #include <filesystem>
 
@@ -337,7 +336,7 @@ Trajectory ResultFile::read_trajectory(const RunRecord& run) const {
         use_row_of(run, *impl_, "trajectories", "content",
                    [&](SQLite::Statement& row) { content = row.getColumn(1).getString(); });
     if (!found) throw file_error(where, "has no trajectory");
-    return trajectory_from_bytes(decompress(content, where), where);
+    return PackedTrajectory::of_bytes(content).unpack(where);
   });
 }
 

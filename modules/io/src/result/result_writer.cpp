@@ -9,7 +9,6 @@
 #include <slalom/core/printable.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/references/reference_codec.h>
-#include <slalom/trajectory/trajectory_codec.h>
 
 #include <filesystem>
 #include <sqlite3.h>
@@ -47,41 +46,8 @@ void insert_quantities(SQLite::Database& database, const std::string& kind,
            range_notation(info.range));
 }
 
-void insert_descriptors(SQLite::Database& database, const ScenarioRecord& record) {
-  for (const auto& [id, versioned] : record.descriptors) {
-    SQLite::Statement row = bound(
-        database, insert_sql("descriptors", "hash, id, version, value, standard_error, reason"),
-        record.hash, id, versioned.version);
-    bind_value(row, 4, versioned.value);
-    row.exec();
-  }
-}
-
-/// Checksum of a scenario and its descriptors, as they were inserted.
-std::int64_t checksum_of(SQLite::Database& database, const ScenarioRecord& record) {
-  RowChecksum checksum;
-  checksum.add(record.hash).add(record.name);
-  SQLite::Statement rows = bound(database, kSelectDescriptors, record.hash);
-  while (rows.executeStep()) checksum.add_columns(rows, 0, rows.getColumnCount());
-  return checksum.value();
-}
-
-void insert_scenario(SQLite::Database& database, const ScenarioRecord& record,
-                     const std::string& content, const std::string& refs) {
-  SQLite::Statement row =
-      bound(database,
-            insert_sql("scenarios",
-                       "hash, name, checksum, content_checksum, refs_checksum, content, refs"),
-            record.hash, record.name, checksum_of(database, record),
-            RowChecksum().add(record.hash).add(content).value(),
-            RowChecksum().add(record.hash).add(refs).value());
-  row.bind(6, content.data(), static_cast<int>(content.size()));
-  row.bind(7, refs.data(), static_cast<int>(refs.size()));
-  row.exec();
-}
-
 /// Returns the checksum of the row.
-std::int64_t insert_run(SQLite::Database& database, const RunRecord& run,
+std::int64_t insert_run(SQLite::Statement& insert, const RunRecord& run,
                         const std::vector<QuantityInfo>& metrics) {
   std::vector<Value> values;
   Json reasons = Json::object(), errors = Json::object();
@@ -91,7 +57,7 @@ std::int64_t insert_run(SQLite::Database& database, const RunRecord& run,
     if (values.back().is_na()) reasons[info.id] = values.back().reason();
     if (values.back().standard_error()) errors[info.id] = *values.back().standard_error();
   }
-  CheckedInsert row(database, "runs", run_columns(metrics));
+  CheckedInsert row(insert);
   row.add(run.scenario_hash, run.scenario_name, run.method, std::int64_t{run.repetition},
           std::to_string(run.seed), run.outcome, printable_line(run.outcome_detail),
           run.trajectory_hash, json_text(reasons), json_text(errors));
@@ -121,6 +87,13 @@ void ResultFile::Impl::begin() {
   transaction = std::make_unique<Transaction>(*database);
 }
 
+SQLite::Statement& ResultFile::Impl::insert_into(const std::string& table,
+                                                 const std::string& columns) {
+  const auto known = inserts.find(table);
+  if (known != inserts.end()) return known->second;
+  return inserts.try_emplace(table, *database, insert_sql(table, columns)).first->second;
+}
+
 ResultFile ResultFile::create(const std::string& path, const Manifest& manifest,
                               const std::vector<QuantityInfo>& descriptors,
                               const std::vector<QuantityInfo>& metrics) {
@@ -144,33 +117,56 @@ void ResultFile::add_scenario(const ScenarioRecord& record, const Scenario& scen
                               const References& references) {
   writing(impl_->path, [&] {
     impl_->begin();
-    insert_descriptors(*impl_->database, record);
-    insert_scenario(*impl_->database, record, serialize(scenario), compress(to_bytes(references)));
+    RowChecksum checksum;
+    checksum.add(record.hash).add(record.name);
+    SQLite::Statement& descriptor =
+        impl_->insert_into("descriptors", "hash, id, version, value, standard_error, reason");
+    for (const auto& [id, versioned] : record.descriptors) {
+      const StatementUse row(descriptor);
+      SQLite::bind(*row, record.hash, id, versioned.version);
+      bind_value(*row, 4, versioned.value);
+      row->exec();
+      checksum.add(id).add(std::int64_t{versioned.version}).add(versioned.value);
+    }
+    const std::string content = serialize(scenario), refs = compress(to_bytes(references));
+    const StatementUse row(impl_->insert_into(
+        "scenarios", "hash, name, checksum, content_checksum, refs_checksum, content, refs"));
+    SQLite::bind(*row, record.hash, record.name, checksum.value(),
+                 RowChecksum().add(record.hash).add(content).value(),
+                 RowChecksum().add(record.hash).add(refs).value());
+    row->bindNoCopy(6, content.data(), static_cast<int>(content.size()));
+    row->bindNoCopy(7, refs.data(), static_cast<int>(refs.size()));
+    row->exec();
     const ReferenceTiming& timing = references.timing;
-    CheckedInsert(*impl_->database, "reference_timings",
-                  "hash, exact_seconds, planner_seconds, safest_seconds")
+    CheckedInsert(
+        impl_->insert_into("reference_timings",
+                           "hash, exact_seconds, planner_seconds, safest_seconds, checksum"))
         .add(record.hash, timing.exact, timing.planner, timing.safest)
         .exec();
   });
 }
 
 void ResultFile::add_run(const RunRecord& run, const RunTiming& timing,
-                         const Trajectory& trajectory) {
+                         const PackedTrajectory& trajectory) {
   writing(impl_->path, [&] {
     impl_->begin();
-    SQLite::Database& database = *impl_->database;
-    const std::int64_t checksum = insert_run(database, run, impl_->metrics);
-    const auto of_run = [&, id = database.getLastInsertRowid()](const std::string& table,
-                                                                const std::string& columns) {
-      return CheckedInsert(database, table, columns, id, checksum);
-    };
-    of_run("trajectories", "content").add(Blob{compress(to_bytes(trajectory))}).exec();
-    of_run("run_timings", "wall_seconds, figures")
+    if (impl_->columns_of_runs.empty())
+      impl_->columns_of_runs = run_columns(impl_->metrics) + ", checksum";
+    const std::int64_t checksum =
+        insert_run(impl_->insert_into("runs", impl_->columns_of_runs), run, impl_->metrics);
+    const std::int64_t id = impl_->database->getLastInsertRowid();
+    CheckedInsert(impl_->insert_into("trajectories", "run, content, checksum"), id, checksum)
+        .add(Blob{trajectory.bytes()})
+        .exec();
+    CheckedInsert(impl_->insert_into("run_timings", "run, wall_seconds, figures, checksum"), id,
+                  checksum)
         .add(timing.wall_seconds, json_text(timing.values))
         .exec();
     if (timing.output.empty()) return;
-    database.exec(kCreateRunOutputs);
-    of_run("run_outputs", "content").add(Blob{timing.output}).exec();
+    impl_->database->exec(kCreateRunOutputs);
+    CheckedInsert(impl_->insert_into("run_outputs", "run, content, checksum"), id, checksum)
+        .add(Blob{timing.output})
+        .exec();
   });
 }
 

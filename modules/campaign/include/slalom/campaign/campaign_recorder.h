@@ -50,7 +50,7 @@ class CampaignRecorder : private CampaignSink {
   void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
                     const References& references) override;
   void add_run(const RunRecord& run, const RunTiming& timing,
-               const Trajectory& trajectory) override;
+               const PackedTrajectory& trajectory) override;
   void count_known_run(const std::string& hash, const std::string& method, int repetition,
                        const std::string& outcome);
   void expect_commit();

@@ -3,9 +3,9 @@
 
 #include <slalom/campaign/campaign.h>
 #include <slalom/core/progress.h>
+#include <slalom/io/packed_trajectory.h>
 #include <slalom/results/privileged.h>
 #include <slalom/results/run_record.h>
-#include <slalom/trajectory/trajectory.h>
 
 #include <cstddef>
 #include <functional>
@@ -26,7 +26,7 @@ class CampaignSink {
   virtual void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
                             const References& references) = 0;
   virtual void add_run(const RunRecord& run, const RunTiming& timing,
-                       const Trajectory& trajectory) = 0;
+                       const PackedTrajectory& trajectory) = 0;
 };
 
 /// Execution settings; none of them affects deterministic results.

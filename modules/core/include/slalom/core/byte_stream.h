@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 namespace slalom {
 
@@ -17,7 +18,9 @@ class ByteWriter {
     return *this;
   }
   ByteWriter& u64(std::uint64_t value) {
-    for (int i = 0; i < 8; ++i) bytes_ += static_cast<char>(value >> (8 * i));
+    char bytes[8];
+    for (int i = 0; i < 8; ++i) bytes[i] = static_cast<char>(value >> (8 * i));
+    bytes_.append(bytes, sizeof bytes);
     return *this;
   }
   ByteWriter& f64(double value) {
@@ -39,8 +42,8 @@ class ByteWriter {
 /// Deserializes them with bounds checks. Throws Error (File) with source and position.
 class ByteReader {
  public:
-  ByteReader(const std::string& bytes, std::string where)
-      : bytes_(bytes), where_(std::move(where)) {}
+  /// The bytes must outlive it.
+  ByteReader(std::string_view bytes, std::string where) : bytes_(bytes), where_(std::move(where)) {}
 
   std::uint8_t u8() { return static_cast<std::uint8_t>(*take(1)); }
   std::uint64_t u64() {
@@ -86,7 +89,7 @@ class ByteReader {
  private:
   std::size_t left() const { return bytes_.size() - position_; }
 
-  const std::string& bytes_;
+  std::string_view bytes_;
   std::string where_;
   std::size_t position_ = 0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/io/packed_trajectory.h>
 #include <slalom/references/reference.h>
 #include <slalom/results/run_record.h>
 #include <slalom/scenario/scenario.h>
@@ -43,7 +44,7 @@ class ResultFile {
 
   void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
                     const References& references);
-  void add_run(const RunRecord& run, const RunTiming& timing, const Trajectory& trajectory);
+  void add_run(const RunRecord& run, const RunTiming& timing, const PackedTrajectory& trajectory);
   /// Makes everything added so far durable; false if the file is being read by a program that does
   /// not release it within `patience` (s): it can be tried again. Throws Error (Job) if the file
   /// was removed, renamed, replaced or truncated; its content is then kept beside it, see rescue().
