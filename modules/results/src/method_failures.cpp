@@ -80,6 +80,11 @@ std::vector<std::string> MethodFailures::lines_of(const std::string& name) const
   return lines;
 }
 
+std::size_t MethodFailures::runs_of(const std::string& method) const {
+  const auto found = methods_.find(method);
+  return found == methods_.end() ? 0 : found->second.runs;
+}
+
 std::vector<std::string> MethodFailures::methods_without_a_sound_run() const {
   std::vector<std::string> names;
   for (const auto& [name, method] : methods_)

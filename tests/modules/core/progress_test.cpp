@@ -8,9 +8,12 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <poll.h>
+#include <sstream>
 #include <string>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
+#include <vector>
 
 namespace slalom {
 namespace {
@@ -34,8 +37,28 @@ class ProgressOnATerminal : public testing::Test {
     close(screen_);
   }
 
-  /// The last state of the last line that is not empty.
-  std::string last_shown() {
+  void set_width(unsigned short columns) const {
+    const winsize size{24, columns, 0, 0};
+    ASSERT_EQ(ioctl(screen_, TIOCSWINSZ, &size), 0);
+  }
+
+  /// The states of the line when `done` of 400 are done after these seconds, and the work ends.
+  std::vector<std::string> states_of_work(double seconds, std::size_t done,
+                                          const std::string& detail = "") {
+    double now = 1000;
+    {
+      const auto progress = make_terminal_progress(false, [&now] { return now; });
+      if (!detail.empty()) progress->set_detail([&detail] { return detail; });
+      progress->start("Running methods", 400);
+      progress->advance(1);
+      now += seconds;
+      progress->advance(done);
+    }
+    return states();
+  }
+
+  /// The states of the line, without the spaces at their ends.
+  std::vector<std::string> states() {
     std::string written, part(1 << 16, '\0');
     // The kernel passes on what was written in the background.
     pollfd screen{screen_, POLLIN, 0};
@@ -48,8 +71,16 @@ class ProgressOnATerminal : public testing::Test {
     EXPECT_EQ(written.substr(std::max<std::size_t>(written.size(), 2) - 2), "\r\n")
         << "what is written next would stand in the same line";
     written.resize(std::max<std::size_t>(written.size(), 2) - 2);
-    return written.substr(written.rfind('\r') + 1);
+    std::vector<std::string> states;
+    std::istringstream lines(written);
+    for (std::string state; std::getline(lines, state, '\r');) {
+      longest_ = std::max(longest_, state.size());
+      states.push_back(state.substr(0, state.find_last_not_of(' ') + 1));
+    }
+    return states;
   }
+  std::string last_shown() { return states().back() + " "; }
+  std::size_t longest() const { return longest_; }
 
  private:
   void restore() {
@@ -60,6 +91,7 @@ class ProgressOnATerminal : public testing::Test {
   }
 
   int screen_ = -1, stderr_ = -1;
+  std::size_t longest_ = 0;  ///< bytes of the longest state, with spaces
 };
 
 TEST_F(ProgressOnATerminal, ShowsThatAllIsDone) {
@@ -91,6 +123,81 @@ TEST_F(ProgressOnATerminal, EndsItsLineWhenAnErrorEndsTheWork) {
   }
   const std::string shown = last_shown();
   EXPECT_NE(shown.find("] 1/4 "), std::string::npos) << shown;
+}
+
+TEST_F(ProgressOnATerminal, ShowsTheRateAndTheTimeLeft) {
+  set_width(120);
+  // 100 in 20 s are 5/s, and the other 300 take 60 s.
+  const auto states = states_of_work(20, 100);
+  ASSERT_GE(states.size(), 2U);
+  const std::string begin = "Running methods        [########........................] 100/400  ";
+  EXPECT_EQ(states[states.size() - 2], begin + "5.0/s, 1 min left");
+  EXPECT_EQ(states.back(), begin + "20 s, 5.0/s") << "nothing is left";
+}
+
+TEST_F(ProgressOnATerminal, ShowsSlowWorkPerMinute) {
+  set_width(120);
+  // 4 in 240 s are one per minute; the other 396 take 6 h 36 min.
+  const auto states = states_of_work(240, 4);
+  EXPECT_NE(states[states.size() - 2].find("] 4/400  1.0/min, 6 h 36 min left"), std::string::npos)
+      << states[states.size() - 2];
+}
+
+TEST_F(ProgressOnATerminal, ShowsNoRateBeforeItCanBeKnown) {
+  set_width(120);
+  for (const std::string& state : states_of_work(0.9, 100))
+    EXPECT_EQ(state.find("/s"), std::string::npos) << state;
+}
+
+TEST_F(ProgressOnATerminal, DoesNotTakeTheRateFromWhatWasDoneEarlier) {
+  double now = 0;
+  {
+    const auto progress = make_terminal_progress(false, [&now] { return now; });
+    progress->start("Working", 640);
+    progress->advance(412);  // at once
+    now += 30;
+    progress->advance(412);
+    now += 10;
+    progress->advance(432);
+  }
+  const auto shown = states();
+  ASSERT_EQ(shown.size(), 5U);  // nothing, the start, two counts, the end
+  EXPECT_NE(shown[2].find("] 412/640  30 s"), std::string::npos) << shown[2];
+  EXPECT_EQ(shown[2].find("left"), std::string::npos) << shown[2];
+  // 20 in 40 s; 208 remain, 2 s each
+  EXPECT_NE(shown[3].find("] 432/640  0.5/s, 7 min left"), std::string::npos) << shown[3];
+}
+
+TEST_F(ProgressOnATerminal, ShowsADetailInAShorterBar) {
+  set_width(80);
+  const auto states = states_of_work(20, 100, "nd 60/200, gap 40/200");
+  EXPECT_EQ(states[states.size() - 2],
+            "Running methods    [##......] 100/400  5.0/s, 1 min left, nd 60/200, gap 40/200");
+  EXPECT_EQ(longest(), 79U) << "terminals may break a line that fills the last column";
+}
+
+TEST_F(ProgressOnATerminal, IsCutToTheWidth) {
+  set_width(58);
+  const auto states = states_of_work(20, 100, "né 60/200, gap 40/200");
+  EXPECT_EQ(longest(), 57U);
+  EXPECT_EQ(states[states.size() - 2], "Running methods [##......] 100/400  5.0/s, 1 min left, n")
+      << "only the first byte of é fits";
+}
+
+TEST_F(ProgressOnATerminal, LeavesNothingOfALongerState) {
+  set_width(120);
+  double now = 0;
+  std::string detail = "a long text";
+  {
+    const auto progress = make_terminal_progress(false, [&now] { return now; });
+    progress->set_detail([&detail] { return detail; });
+    progress->start("Working", 4);
+    detail = "";
+  }
+  // The end overwrites ", a long text", 13 bytes, with spaces.
+  const std::string end = "Working                [................................] 0/4  0 s";
+  EXPECT_EQ(states().back(), end);
+  EXPECT_EQ(longest(), end.size() + 13);
 }
 
 /// Lines printed when `total` pieces of work take `seconds` each and standard error is a file.

@@ -29,6 +29,8 @@ TEST(MethodFailures, AreNamedWithTheReasonAndTheFirstRunInWhateverOrderTheyCome)
             "mine: 2 of 3 runs ended with method_error: AttributeError: a (mine.py:5) (first: "
             "room_1/mine/0)");
   EXPECT_TRUE(failures.methods_without_a_sound_run().empty());
+  EXPECT_EQ(failures.runs_of("mine"), 3U);
+  EXPECT_EQ(failures.runs_of("gap"), 0U);
 }
 
 TEST(MethodFailures, OfEveryRunNameTheMethod) {

@@ -28,6 +28,9 @@ class MethodFailures {
   std::vector<std::string> lines() const;
   std::vector<std::string> lines_of(const std::string& method) const;
 
+  /// All runs of the method, with those that ended otherwise.
+  std::size_t runs_of(const std::string& method) const;
+
   /// The methods that ended all of their runs so, by name.
   std::vector<std::string> methods_without_a_sound_run() const;
 
