@@ -5,10 +5,10 @@
 #include <slalom/app/campaign_names.h>
 #include <slalom/app/program.h>
 #include <slalom/campaign/campaign_options.h>
+#include <slalom/core/available_cores.h>
 #include <slalom/descriptors/descriptor.h>
 
 #include <algorithm>
-#include <thread>
 
 namespace slalom {
 namespace {
@@ -46,7 +46,7 @@ void add_comparison_options(CLI::App& verb, InterpretArguments& a) {
 
 /// Each thread has a file in memory.
 int default_jobs() {
-  return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U));
+  return std::min(available_cores(), 8);
 }
 
 void add_special_options(CLI::App& verb, InterpretArguments& a, const std::string& id) {
@@ -71,10 +71,10 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
   }
   if (id == "table") {
     a.jobs = default_jobs();
-    verb.add_option("-j,--jobs", a.jobs,
-                    "Threads that read the shards of a folder (default: the processors, at most "
-                    "8); tables do not depend on their number")
-        ->check(CLI::Range(1, 1024));
+    add_jobs_option(verb, a.jobs,
+                    "Threads that read the shards of a folder (default: the cores, at most 8); "
+                    "tables do not depend on their number")
+        ->default_str("");
   }
   if (id == "compare" || id == "robustness" || id == "history") {
     add_comparison_options(verb, a);

@@ -3,6 +3,7 @@
 #include "warnings.h"
 
 #include <slalom/analysis/table_sums.h>
+#include <slalom/core/available_cores.h>
 #include <slalom/io/result_files.h>
 #include <slalom/io/result_parts.h>
 #include <slalom/report/analysis_input.h>
@@ -38,7 +39,7 @@ std::optional<std::vector<BinnedRows>> bin_all(const AnalysisQuery& query, Resul
 std::optional<Interpretation> tables_of_shards(const InterpretArguments& arguments,
                                                const Interpreter& interpreter) {
   if (!is_for_tables_of_shards(arguments, interpreter)) return std::nullopt;
-  ResultParts parts(arguments.files[0], arguments.jobs);
+  ResultParts parts(arguments.files[0], worker_count(arguments.jobs));
   if (!parts.are_disjoint()) return std::nullopt;
   AnalysisQuery query = make_query(arguments.request, interpreter, parts.outline());
   query.rows = resolve_indexes(std::move(query.rows), arguments.scenarios);

@@ -129,6 +129,7 @@ void define(CLI::App& app) {
   app.add_option("-o,--output", arguments.output,
                  "Folder for campaign.scenarios, runs.results, tables and report/")
       ->required();
+  arguments.campaign.jobs = 0;
   add_campaign_options(app, arguments.campaign);
   CLI::Option* until = app.add_option("--until", arguments.until,
                                       "Run until a precision is reached, \"interval(success) < "

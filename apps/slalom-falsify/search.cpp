@@ -119,7 +119,7 @@ void search_verb(SearchArguments& arguments) {
   const FileLock lock(common.output + "/search.state", common.campaign.take_over, print_notice);
   options.seed = common.campaign.seed.value_or(campaign.setup.seed);
   options.runs = arguments.runs.value_or(options.minutes > 0 ? 0 : kDefaultRuns);
-  options.workers = common.campaign.jobs;
+  options.workers = campaign_workers(campaign.config, common.campaign);
   options.fairness = common.fairness;
   options.probe = !arguments.against.empty();
   options.outcomes = severe_outcomes();
@@ -201,9 +201,7 @@ void define_search(CLI::App& app) {
       ->check(CLI::PositiveNumber)
       ->excludes(runs);
   verb->add_option("--seed", campaign.seed, "Seed instead of [campaign] seed");
-  verb->add_option("-j,--jobs", campaign.jobs, "Worker processes")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_jobs_option(*verb, campaign.jobs, "Worker processes");
   add_existing_options(*verb, campaign.existing, campaign.take_over);
   verb->callback([] { search_verb(arguments); });
 }

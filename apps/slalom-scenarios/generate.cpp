@@ -7,6 +7,7 @@
 #include <slalom/app/program.h>
 #include <slalom/commands/describe_list.h>
 #include <slalom/commands/generation_file.h>
+#include <slalom/core/available_cores.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>
@@ -96,7 +97,7 @@ void generate(const GenerateArguments& arguments) {
   if (ini.has_section("coverage") && !arguments.descriptors.empty())
     throw usage_error("--describe", "cannot be combined with [coverage]",
                       "descriptors in that section");
-  const GenerationOptions order = {seed_of(ini, arguments), arguments.jobs,
+  const GenerationOptions order = {seed_of(ini, arguments), worker_count(arguments.jobs),
                                    split(arguments.descriptors, ',')};
   const auto progress = make_interruptible_progress(arguments.quiet);
   const auto notify = [&](const std::string& line) {
@@ -131,9 +132,7 @@ void add_generate_verb(CLI::App& app) {
                    "[coverage] per_bin")
       ->check(CLI::PositiveNumber);
   verb->add_option("--seed", arguments.seed, "Seed instead of [campaign] seed (default: 1)");
-  verb->add_option("-j,--jobs", arguments.jobs, "Threads; the list does not depend on their number")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_jobs_option(*verb, arguments.jobs, "Threads; the list does not depend on their number");
   complete_with(verb->add_option("--describe", arguments.descriptors,
                                  "Descriptors to compute and store, comma-separated"),
                 [](const Words&) { return descriptor_ids(); });

@@ -120,6 +120,8 @@ void submit_all(const SlurmCampaign& campaign, const std::vector<std::size_t>& s
 }
 
 void write_slurm(const SlurmArguments& arguments) {
+  if (arguments.campaign.jobs == 0)
+    throw usage_error("-j 0", "a task of Slurm has a fixed number of cores", "1 to 1024");
   // Errors are found here, not in a thousand tasks.
   const IniFile ini = load_campaign_ini(arguments.campaign);
   for (const char* name : {"/job.sbatch", "/merge.sbatch", "/README.txt"})
@@ -159,6 +161,7 @@ void define_slurm(CLI::App& app) {
   verb->add_flag("--submit", arguments.submit,
                  "Submit the shards that are neither done nor running, and the merge");
   add_campaign_options(*verb, arguments.campaign);
+  verb->get_option("--jobs")->description("Cores and worker processes of each task");
   verb->callback([] { write_slurm(arguments); });
 }
 

@@ -45,9 +45,7 @@ void define_verify(CLI::App& app) {
                    "The campaign's .ini, if its files are elsewhere; default: that in the results");
   verb->add_flag("--trust", arguments.sample.trust,
                  "Execute the libraries, modules and commands that the results name");
-  verb->add_option("-j,--jobs", arguments.campaign.jobs, "Worker processes")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_jobs_option(*verb, arguments.campaign.jobs, "Worker processes");
   verb->add_flag("--quiet", arguments.campaign.quiet, "No progress");
   verb->callback([] { verify(arguments); });
 }

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program_run.h"
 
+#include <slalom/core/available_cores.h>
+#include <slalom/core/text.h>
+
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <nlohmann/json.hpp>
+
+#include <sched.h>
 
 namespace slalom {
 namespace {
@@ -36,6 +41,51 @@ TEST_F(Evaluate, TheSameSeedGivesIdenticalResultsForAnyNumberOfWorkers) {
   EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 8);
   EXPECT_EQ(one, run("slalom-analyze dump two/runs.results").out);
   EXPECT_EQ(read("one/tables.csv"), read("two/tables.csv"));
+}
+
+TEST_F(Evaluate, UsesAllCoresUnlessTheirNumberIsGiven) {
+  // The first core of the test's affinity is the only one that the program may use.
+  cpu_set_t all, one;
+  ASSERT_EQ(sched_getaffinity(0, sizeof(all), &all), 0);
+  int first = 0;
+  while (!CPU_ISSET(first, &all)) ++first;
+  CPU_ZERO(&one);
+  CPU_SET(first, &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof(one), &one), 0);
+  const std::string alone = run("slalom-evaluate small.ini -o alone").err;
+  ASSERT_EQ(sched_setaffinity(0, sizeof(all), &all), 0);
+  EXPECT_EQ(alone, "1 worker\n");
+  const std::string shown = run("slalom-evaluate small.ini -o out").err;
+  EXPECT_EQ(shown, count_text(static_cast<std::size_t>(available_cores()), "worker") + "\n");
+  EXPECT_EQ(run("slalom-evaluate small.ini -o out").err, "all 8 runs are there\n");
+  EXPECT_EQ(run("slalom-evaluate small.ini -o zero -j 0").err, shown);
+  EXPECT_EQ(run("slalom-evaluate small.ini -o three -j 3").err, "");
+  EXPECT_EQ(run("slalom-evaluate small.ini -o quiet --quiet").err, "");
+  const std::string dump = run("slalom-analyze dump out/runs.results").out;
+  for (const std::string folder : {"alone", "zero", "three"})
+    EXPECT_EQ(run("slalom-analyze dump " + folder + "/runs.results").out, dump) << folder;
+  for (const std::string jobs : {"-1", "1025", "many"})
+    expect_failure("slalom-evaluate small.ini -o none -j " + jobs, 2, {"--jobs"});
+}
+
+TEST_F(Evaluate, HasOneWorkerIfAMethodIsARunningProcess) {
+  // Nothing listens there, so that each run ends at once.
+  write("running.ini",
+        std::string(kSmallCampaign) + "[method.running]\nadapter = lcm\nstartup_time = 0.01\n");
+  const std::string command = "slalom-evaluate running.ini --set campaign.methods=";
+  EXPECT_EQ(run(command + "gap,running -o out").err.find("1 worker\n"), 0U);
+  EXPECT_EQ(run(command + "gap -o gap -j 0")
+                .err.find(count_text(static_cast<std::size_t>(available_cores()), "worker")),
+            0U);
+}
+
+TEST_F(Evaluate, ShowsTheRunsOfEachMethodOnATerminal) {
+  if (std::system("command -v script >/dev/null 2>&1") != 0)
+    GTEST_SKIP() << "needs the package bsdutils";
+  run("script -qec 'stty cols 120; slalom-evaluate small.ini -o out' terminal.txt");
+  EXPECT_NE(read("terminal.txt").find("] 8/8 "), std::string::npos);
+  EXPECT_NE(read("terminal.txt").find(", nd 4/4, gap 4/4"), std::string::npos)
+      << read("terminal.txt");
 }
 
 TEST_F(Evaluate, MeasuresMoversWhereThereAreSome) {
@@ -195,7 +245,8 @@ TEST_F(Evaluate, TakesTheConfigurationAsAnArgumentOrAnOption) {
 
 TEST_F(Evaluate, WarnsOnceAboutAnApertureInRadians) {
   const std::string command =
-      "slalom-evaluate small.ini -o out --set campaign.methods=gap --set sensor.aperture_deg=3.14";
+      "slalom-evaluate small.ini -o out -j 1 --set campaign.methods=gap "
+      "--set sensor.aperture_deg=3.14";
   const ProgramResult result = run(command);
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err,

@@ -232,6 +232,7 @@ TEST_F(Slurm, TheScriptsRunTheShardsAndOnlyWhatIsMissingIsSubmittedAgain) {
   EXPECT_EQ(run(command("--shards 5 --submit")).out,
             "submitted job 2: 1-3\nsubmitted job 4: merge\n");
   expect_failure(command("--shards 6"), 2, {"--shards 6", "expected 5"});
+  expect_failure(command("--shards 5 -j 0"), 2, {"-j 0", "expected 1 to 1024"});
   for (const std::string i : {"1", "2", "3"})
     ASSERT_EQ(run("SLURM_ARRAY_TASK_ID=" + i + " bash 'é out/job.sbatch' 0").status, 0);
   ASSERT_EQ(run("bash 'é out/merge.sbatch'").status, 0);

@@ -2,14 +2,12 @@
 #include <slalom/app/campaign_arguments.h>
 #include <slalom/app/campaign_names.h>
 #include <slalom/app/existing_options.h>
+#include <slalom/app/program.h>
 
 namespace slalom {
 
 void add_campaign_options(CLI::App& app, CampaignArguments& arguments) {
-  app.add_option("-j,--jobs", arguments.jobs,
-                 "Worker processes, and threads for scenario generation")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_jobs_option(app, arguments.jobs, "Worker processes, and threads for scenario generation");
   app.add_option("--seed", arguments.seed, "Seed instead of [campaign] seed");
   CLI::Option* set =
       app.add_option("--set", arguments.overrides, "Override a key of the .ini: SECTION.KEY=VALUE")

@@ -9,6 +9,7 @@
 #include <slalom/app/method_dependencies.h>
 #include <slalom/app/output_folder.h>
 #include <slalom/campaign/scenario_sources.h>
+#include <slalom/core/available_cores.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>
@@ -48,6 +49,14 @@ void require_network(const IniFile& ini, const CampaignConfig& config) {
     if (ini.get(section, "adapter") == "lcm")
       throw usage_error(ini.where("limits", "network"), "[" + section + "] communicates over LCM",
                         "true, or methods with other adapters");
+}
+
+/// Whether a method communicates with a running process over LCM.
+bool has_running_process(const IniFile& ini, const CampaignConfig& config) {
+  const std::vector<std::string> sections = method_sections(ini, config.methods);
+  return std::any_of(sections.begin(), sections.end(), [&](const std::string& section) {
+    return ini.get(section, "adapter") == "lcm" && ini.get(section, "launch").value_or("").empty();
+  });
 }
 
 bool have_common(const std::vector<std::string>& a, const std::vector<std::string>& b) {
@@ -110,6 +119,20 @@ void notify_known_runs(std::size_t known, std::size_t total, bool sequential,
   notify("continues: " + count + (sequential ? "" : " of " + all) + " runs are there");
 }
 
+/// "gap 40/200, nd 80/200"; "" for one method and before the first run.
+std::string runs_by_method(const MethodFailures& runs, const std::vector<NamedMethod>& methods,
+                           std::size_t runs_of_each) {
+  std::string text;
+  bool begun = false;
+  for (const NamedMethod& method : methods) {
+    const std::size_t done = runs.runs_of(method.name);
+    begun = begun || done > 0;
+    text += (text.empty() ? "" : ", ") + method.name + " " + std::to_string(done) + "/" +
+            std::to_string(runs_of_each);
+  }
+  return begun && methods.size() > 1 ? text : "";
+}
+
 }  // namespace
 
 IniFile load_campaign_ini(const CampaignArguments& arguments) {
@@ -135,6 +158,7 @@ CampaignConfig read_campaign(const IniFile& ini) {
   check_analysis(ini, config.analysis, config.options);
   config.methods = read_methods(ini, all_adapters());
   require_network(ini, config);
+  config.one_worker = has_running_process(ini, config);
   config.method_files = files_of_methods(ini, method_sections(ini, config.methods));
   config.effective_ini = effective_ini(ini, config);
   const RunSetup& setup = config.options;
@@ -142,6 +166,10 @@ CampaignConfig read_campaign(const IniFile& ini) {
       ini, {setup.robot.radius, setup.simulation.resolution, config.options.seed},
       load_occupancy_grid);
   return config;
+}
+
+int campaign_workers(const CampaignConfig& config, const CampaignArguments& arguments) {
+  return arguments.jobs == 0 && config.one_worker ? 1 : worker_count(arguments.jobs);
 }
 
 void check_campaign(CampaignConfig& config) {
@@ -156,7 +184,7 @@ std::vector<Scenario> campaign_scenarios(CampaignConfig& config,
   check_campaign(config);
   const auto progress = make_interruptible_progress(arguments.quiet);
   ScenarioSources sources = config.sources;
-  sources.context.jobs = arguments.jobs;
+  sources.context.jobs = worker_count(arguments.jobs);
   std::vector<Scenario> scenarios = collect_scenarios(sources, load_occupancy_grid, *progress);
   config.options.adapt_to(scenarios);
   config.effective_ini = effective_ini(IniFile::from_text(config.ini_text), config);
@@ -190,14 +218,21 @@ CampaignReport run_campaign_program(const CampaignConfig& config,
   const auto notify = [&arguments](const std::string& line) {
     if (!arguments.quiet) std::cerr << line << std::endl;
   };
-  const std::size_t total = scenarios.size() * config.methods.size() *
-                            static_cast<std::size_t>(config.options.repetitions);
+  const std::size_t runs_of_each =
+      scenarios.size() * static_cast<std::size_t>(config.options.repetitions);
+  const std::size_t total = runs_of_each * config.methods.size();
   CampaignRecorder recorder(std::move(campaign), std::move(results), {steady_seconds, notify});
   notify_known_runs(recorder.known_runs(), total, rule.has_value(), notify);
+  const int workers = campaign_workers(config, arguments);
+  if (arguments.jobs == 0 && (rule || recorder.known_runs() < total))
+    notify(count_text(static_cast<std::size_t>(workers), "worker"));
   if (rawlogs) make_output_folder(rawlog_folder(results_path));
   const auto progress = make_terminal_progress(arguments.quiet);
+  if (!rule)  // how many runs each method will have is not known with one
+    progress->set_detail(
+        [&] { return runs_by_method(recorder.method_failures(), config.methods, runs_of_each); });
   const InterruptGuard guard;
-  const Execution execution{arguments.jobs, *progress, InterruptGuard::raised};
+  const Execution execution{workers, *progress, InterruptGuard::raised};
   SequentialReport report;
   if (rule)
     report =

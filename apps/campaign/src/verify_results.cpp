@@ -161,8 +161,8 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
   const auto progress = make_terminal_progress(arguments.quiet);
   const InterruptGuard guard;
   ComparingSink sink(file, only ? only->repetition : 0);
-  const CampaignSummary summary =
-      run_campaign(campaign, sink, {arguments.jobs, *progress, InterruptGuard::raised});
+  const CampaignSummary summary = run_campaign(
+      campaign, sink, {campaign_workers(config, arguments), *progress, InterruptGuard::raised});
   sink.report.complete = summary.complete;
   return sink.report;
 }

@@ -193,6 +193,12 @@ void add_argument(CLI::App& app, const Argument& argument, std::string& value) {
   });
 }
 
+CLI::Option* add_jobs_option(CLI::App& app, int& jobs, const std::string& help) {
+  return app.add_option("-j,--jobs", jobs, help + "; 0: all cores that the program may use")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
 void refuse_output_over_inputs(const std::string& output, const IniFile& ini) {
   refuse_output_over_input(output, ini.name(), ini.name());
   for (const std::string& section : ini.sections())

@@ -103,7 +103,7 @@ def generate(
 
     `family` is the name of a generator ("random", "maze", ...), `options` are the keys of its section
     in an .ini; `robot` and `simulation` are dicts of the keys of theirs. `walkers` moving obstacles
-    are added to each scenario. `workers` is the number of threads.
+    are added to each scenario. `workers` is the number of threads; 0 is one per core.
     """
     sections = {
         "robot": robot,

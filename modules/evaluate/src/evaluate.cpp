@@ -4,6 +4,7 @@
 #include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/table_text.h>
 #include <slalom/campaign/run_campaign.h>
+#include <slalom/core/available_cores.h>
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
 #include <slalom/results/privileged.h>
@@ -96,7 +97,8 @@ ResultTable evaluate(const Methods& methods, const std::vector<Scenario>& scenar
   if (!options.in_process) privileged = check_methods(campaign);
   TableSink sink(campaign.options, options);
   CallbackProgress progress(options);
-  run_campaign(campaign, sink, {options.workers, progress, options.cancel, options.in_process});
+  run_campaign(campaign, sink,
+               {worker_count(options.workers), progress, options.cancel, options.in_process});
   ResultTable table = sink.finish();
   table.manifest = make_manifest(campaign);
   store_privileged(privileged, table.manifest);

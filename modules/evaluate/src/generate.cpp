@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "callback_progress.h"
 
+#include <slalom/core/available_cores.h>
 #include <slalom/generation/generate_mix.h>
 
 namespace slalom {
@@ -12,7 +13,7 @@ std::vector<Scenario> generate(std::shared_ptr<const Generator> family, int coun
   mix.each.count = count;
   mix.each.robot_radius = options.robot.shape().enclosing_radius();
   mix.each.resolution = options.simulation.resolution;
-  mix.jobs = options.workers;
+  mix.jobs = worker_count(options.workers);
   mix.walkers = options.walkers;
   CallbackProgress progress(options);
   DistinctScenarios distinct;

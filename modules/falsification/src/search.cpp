@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "search_batch.h"
 
+#include <slalom/core/available_cores.h>
 #include <slalom/core/error.h>
 #include <slalom/io/scenario_list.h>
 
@@ -97,7 +98,7 @@ class SearchRound {
       for (CandidateRun& run : runs) found_.push_back({batches[i].strategy, std::move(run)});
     };
     PoolOptions pool = pool_of_trials(setup_);
-    pool.schedule.workers = options_.workers;
+    pool.schedule.workers = worker_count(options_.workers);
     return run_in_workers(batches.size(), pool, item, receive, [this] { return interrupted(); });
   }
 

@@ -96,11 +96,14 @@ TEST(Evaluate, ResultsDoNotDependOnTheWorkers) {
   const ResultTable one = evaluate(towards_goal_only(), two_fields(), options);
   options.workers = 3;
   const ResultTable three = evaluate(towards_goal_only(), two_fields(), options);
+  options.workers = 0;  // one per core
+  const ResultTable all = evaluate(towards_goal_only(), two_fields(), options);
   options.workers = 1;
   options.in_process = true;
   const ResultTable here = evaluate(towards_goal_only(), two_fields(), options);
   for (const std::string& id : options.metrics) {
     EXPECT_EQ(values_of(three, id), values_of(one, id)) << id;
+    EXPECT_EQ(values_of(all, id), values_of(one, id)) << id;
     EXPECT_EQ(values_of(here, id), values_of(one, id)) << id;
   }
   options.seed = 2;

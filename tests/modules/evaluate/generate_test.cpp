@@ -37,6 +37,8 @@ TEST(Generate, IsTheSameWithAnyNumberOfWorkers) {
   Options options;
   options.workers = 3;
   EXPECT_EQ(hashes_of(generate(family, 5, 1, options)), hashes_of(generate(family, 5, 1)));
+  options.workers = 0;
+  EXPECT_EQ(hashes_of(generate(family, 5, 1, options)), hashes_of(generate(family, 5, 1)));
   EXPECT_NE(hashes_of(generate(family, 5, 2)), hashes_of(generate(family, 5, 1)));
 }
 

@@ -58,7 +58,7 @@ struct Options : CampaignOptions {
   WalkerOptions walkers;  ///< of generate(): added to each scenario
   /// An additional planner of the references, such as make_ompl_planner(); null: exact search only.
   std::shared_ptr<const ReferencePlanner> planner = nullptr;
-  int workers = 1;          ///< processes; results do not depend on their number
+  int workers = 1;          ///< processes, 0: one per core; results do not depend on them
   bool in_process = false;  ///< without workers and limits, to debug a method
   /// Called with the current phase, and the number of its steps that are done and in total.
   std::function<void(const std::string& phase, std::size_t done, std::size_t total)> progress = {};

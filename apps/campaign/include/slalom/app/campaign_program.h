@@ -25,7 +25,7 @@ struct CampaignArguments {
   std::string config;                  ///< the campaign's .ini
   std::vector<std::string> overrides;  ///< SECTION.KEY=VALUE
   std::optional<std::uint64_t> seed;   ///< instead of [campaign] seed
-  int jobs = 1;                        ///< worker processes, and threads for scenario generation
+  int jobs = 1;  ///< worker processes, and threads for scenario generation; 0: one per core
   bool quiet = false;
   ExistingResults existing = ExistingResults::Continue;
   bool take_over = false;  ///< see FileLock
@@ -51,11 +51,16 @@ struct CampaignConfig {
   /// Dependencies of those: paths by "method.NAME.module/helper.py"; known after check_campaign().
   std::map<std::string, std::string> dependencies;
   PrivilegedMethods privileged;  ///< see check_campaign()
+  bool one_worker = false;       ///< a method is a running process, which serves one worker only
 };
 
 /// Throws Error (Usage) for invalid values, and for ids in [analysis] that the campaign does not
 /// compute.
 CampaignConfig read_campaign(const IniFile& ini);
+
+/// The number of worker processes that the arguments say; for 0 one per core, or one in total if a
+/// method can serve only one.
+int campaign_workers(const CampaignConfig& config, const CampaignArguments& arguments);
 
 /// All sections and keys of a campaign .ini with default, unit, range and description.
 std::string campaign_options_help();

@@ -30,6 +30,9 @@ struct Argument {
 /// argument per app. `value` must outlive the app.
 void add_argument(CLI::App& app, const Argument& argument, std::string& value);
 
+/// Adds -j/--jobs; 0 is for all cores, see worker_count(). `jobs` must outlive the app.
+CLI::Option* add_jobs_option(CLI::App& app, int& jobs, const std::string& help);
+
 /// Adds an option whose values are the names of an enum. `value` must outlive the app.
 template <typename Enum>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,

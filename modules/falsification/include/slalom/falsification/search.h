@@ -70,7 +70,8 @@ struct SearchOptions {
   /// The search stops after the round that reaches this number, and keeps up to twice as many so
   /// that near-duplicates can be dropped.
   std::size_t max_failures = 10;
-  int workers = 1;  ///< processes; with a budget in runs, results do not depend on it
+  /// Processes, 0: one per core. With a budget in runs, results do not depend on their number.
+  int workers = 1;
   FairnessOptions fairness;
   /// The first witness is a reference, such as the method's last version: adaptive candidates start
   /// where the two commands differ: in single steps at poses near obstacles, or for the same
