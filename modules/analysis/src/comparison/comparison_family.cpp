@@ -32,6 +32,14 @@ std::pair<std::string, std::string> pair_with(
                     expected_name(method, names));
 }
 
+/// Methods may have been run in different scenarios, but not all of them.
+void expect_partners(const std::vector<PairedComparison>& family) {
+  for (const PairedComparison& comparison : family)
+    if (comparison.has_partners()) return;
+  throw usage_error(family.front().b + " against " + family.front().a,
+                    "no common scenario and repetition", "results of the same scenarios");
+}
+
 }  // namespace
 
 std::vector<PairedComparison> compare_methods(const ResultTable& table,
@@ -60,6 +68,7 @@ std::vector<PairedComparison> compare_methods(const ResultTable& table,
   finish_families(family);
   if (!method.empty())
     keep_only(family, [&](const PairedComparison& c) { return c.a == method || c.b == method; });
+  if (!family.empty()) expect_partners(family);
   return family;
 }
 
@@ -115,6 +124,7 @@ std::vector<PairedComparison> compare_results(const ResultTable& a, const Result
   finish_families(family);
   if (!method.empty())
     keep_only(family, [&](const PairedComparison& c) { return c.a == name_in(a, shown.first); });
+  if (!family.empty()) expect_partners(family);
   return family;
 }
 

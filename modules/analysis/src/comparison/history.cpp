@@ -28,11 +28,8 @@ std::vector<std::string> methods_of(const std::vector<ResultTable>& results,
 std::optional<PairedComparison> change_of(const Side& before, const Side& now,
                                           const std::string& metric,
                                           const ComparisonOptions& options) {
-  try {
-    return compare_pair(before, now, metric, options);
-  } catch (const Error&) {
-    return std::nullopt;  // no common scenarios
-  }
+  PairedComparison change = compare_pair(before, now, metric, options);
+  return change.has_partners() ? std::optional(std::move(change)) : std::nullopt;
 }
 
 HistoryCurve curve_of(const std::vector<ResultTable>& results, const std::string& method,

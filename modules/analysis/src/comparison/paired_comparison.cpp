@@ -109,9 +109,7 @@ PairedValues paired_values(PairedComparison& comparison, const Side& a, const Si
   }
   const std::size_t partners = comparison.pairs + comparison.without_value;
   comparison.unpaired = left.size() + right.size() - 2 * partners;
-  if (partners > 0) return pairing.values();
-  throw usage_error(comparison.b + " against " + comparison.a, "no common scenario and repetition",
-                    "results of the same scenarios");
+  return pairing.values();
 }
 
 /// Within which differences are zero or tied.

@@ -90,8 +90,11 @@ RobustnessPoint point_of(const Setting& setting, const Setting& first, const std
                          options.analysis,
                          side_name(setting, unmarked_name(method), parameter) + "/" + metric);
   if (setting.table != first.table) {
-    point.change = compare_pair({first.table, method, side_name(first, method, parameter)},
-                                {setting.table, method, name}, metric, options);
+    const Side before{first.table, method, side_name(first, method, parameter)};
+    point.change = compare_pair(before, {setting.table, method, name}, metric, options);
+    if (!point.change->has_partners())
+      throw usage_error(name + " against " + before.name, "no common scenario and repetition",
+                        "results of the same scenarios");
   }
   return point;
 }

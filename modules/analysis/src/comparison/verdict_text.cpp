@@ -44,6 +44,7 @@ std::string more_text(const PairedComparison& c) {
 std::string not_enough(const PairedComparison& c) {
   const std::string head =
       "not enough runs to compare " + c.b + " with " + c.a + " in " + c.column.info.id + ": ";
+  if (!c.has_partners()) return head + "no common scenario and repetition";
   if (c.scenarios == 0) {
     return head + "no pair with values (" + count_text(c.without_value, "pair") + " without)";
   }

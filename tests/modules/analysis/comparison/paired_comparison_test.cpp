@@ -117,6 +117,28 @@ TEST(PairedComparison, WithoutACommonPairIsNotATestOfTheFamily) {
   }
 }
 
+TEST(PairedComparison, WithoutACommonScenarioDoesNotEndTheOthers) {
+  ResultFixture fixture;
+  for (int i = 0; i < 12; ++i) {
+    const std::string hash = fixture.add_scenario(Value::of(0.1));
+    fixture.add_run(hash, "a", 0.5 + 0.01 * i);
+    fixture.add_run(hash, "b", 0.7 + 0.01 * i);
+    fixture.add_run(fixture.add_scenario(Value::of(0.1)), "c", 0.9);
+  }
+  const auto family = compare_methods(fixture.table, {"optimality"}, "", {});
+  ASSERT_EQ(family.size(), 3u);
+  EXPECT_DOUBLE_EQ(family[0].adjusted_p, 2.0 / 4096);  // a and b, the only test
+  for (const auto& c : {family[1], family[2]}) {
+    EXPECT_FALSE(c.has_partners());
+    EXPECT_EQ(c.verdict, Verdict::NotEnough);
+    EXPECT_EQ(verdict_sentence(c), "not enough runs to compare c with " + c.a +
+                                       " in optimality: no common scenario and repetition");
+  }
+  const auto columns = resolve_columns(fixture.table, {"optimality"});
+  EXPECT_EQ(directed_comparisons(fixture.table, columns, {}).size(), 6u);  // and in success
+  EXPECT_THROW(compare_methods(fixture.table, {"optimality"}, "c", {}), Error);
+}
+
 TEST(PairedComparison, EqualMeansOfDifferentRepetitionsAreNotIdentical) {
   ResultFixture fixture;
   const std::string hash = fixture.add_scenario(Value::of(0.1));

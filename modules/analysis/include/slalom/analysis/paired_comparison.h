@@ -69,13 +69,16 @@ struct PairedComparison {
   double relevant = 0;                 ///< smallest difference of interest
   std::size_t required_scenarios = 0;  ///< for that difference and power; 0: unknown
   Verdict verdict = Verdict::NotEnough;
+
+  /// Whether a scenario and repetition has runs of both sides.
+  bool has_partners() const { return pairs + without_value > 0; }
 };
 constexpr auto enum_names(PairedComparison::Test) {
   return std::array{"no test", "exact McNemar test", "exact signed-rank test", "signed-rank test"};
 }
 
 /// Compares one pair; `adjusted_p` is `p` until `finish_families`. Throws Error (Usage) for unknown
-/// names, and if no run has a partner.
+/// names.
 PairedComparison compare_pair(const Side& a, const Side& b, const std::string& metric,
                               const ComparisonOptions& options);
 
@@ -88,7 +91,8 @@ void finish_families(std::vector<PairedComparison>& comparisons);
 std::string family_text(const PairedComparison& comparison);
 
 /// Every pair of methods of a table (or each against `baseline`) in every metric. `method` leaves
-/// the pairs with it, and does not change their families. Throws Error (Usage) for unknown names.
+/// the pairs with it, and does not change their families. Throws Error (Usage) for unknown names,
+/// and if no pair has_partners().
 std::vector<PairedComparison> compare_methods(const ResultTable& table,
                                               const std::vector<std::string>& metrics,
                                               const std::string& baseline,
