@@ -22,12 +22,20 @@ std::vector<BinSpec> rows_of(const AnalysisRequest& request, const AnalysisSecti
   return parse_bin_specs(find_descriptor(results, "density") != nullptr ? "density:q4" : "all");
 }
 
+/// Each once: a metric that is named twice does not enlarge a family of tests.
+std::vector<std::string> distinct_ids(const std::string& text) {
+  std::vector<std::string> ids;
+  for (std::string& id : split_nonempty(text, ','))
+    if (!contains(ids, id)) ids.push_back(std::move(id));
+  return ids;
+}
+
 std::vector<std::string> metrics_of(const AnalysisRequest& request, const AnalysisSection& defaults,
                                     const Interpreter& interpreter, const ResultTable& results) {
-  if (!request.metrics.empty()) return split_nonempty(request.metrics, ',');
+  if (!request.metrics.empty()) return distinct_ids(request.metrics);
   if (!request.gates.empty()) return {};
   const bool tables = interpreter.id == "table" || interpreter.id == "summary";
-  if (tables && !defaults.columns.empty()) return split_nonempty(defaults.columns, ',');
+  if (tables && !defaults.columns.empty()) return distinct_ids(defaults.columns);
   std::vector<std::string> metrics;
   for (const std::string& id : interpreter.default_metrics) {
     if (find_metric(results, id) != nullptr) metrics.push_back(id);

@@ -57,6 +57,15 @@ TEST(AnalysisRequest, TheCampaignPrecedesTheDefaultsAndTheRequestPrecedesTheCamp
   EXPECT_EQ(query.comparison.analysis.confidence, 0.99);
 }
 
+TEST(AnalysisRequest, AMetricThatIsNamedTwiceIsOne) {
+  AnalysisRequest request;
+  request.metrics = "success,optimality,success";
+  const Ids once = {"success", "optimality"};
+  EXPECT_EQ(make_query(request, interpreter_named("compare"), one_scenario()).metrics, once);
+  const ResultTable results = one_scenario("columns = success, optimality, success\n");
+  EXPECT_EQ(make_query({}, interpreter_named("table"), results).metrics, once);
+}
+
 TEST(AnalysisRequest, GatesReplaceTheDefaultMetrics) {
   AnalysisRequest request;
   request.gates = {"success >= -0.02"};
