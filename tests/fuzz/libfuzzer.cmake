@@ -43,6 +43,7 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/moving_ai.cpp
   ${FORMATS}/mrpt_maps.cpp
   ${FORMATS}/npy.cpp
+  ${FORMATS}/png_image.cpp
   ${FORMATS}/point_map.cpp
   ${FORMATS}/ros_map.cpp
   ${FORMATS}/rotated_grid.cpp)
@@ -55,7 +56,7 @@ target_include_directories(slalom_fuzzed PUBLIC ${FORMATS} ${MODULES}/campaign/s
 target_compile_options(slalom_fuzzed PUBLIC -fsanitize=fuzzer-no-link,address,undefined
                        -fno-sanitize-recover=undefined -fno-sanitize=vptr -fno-omit-frame-pointer)
 target_link_libraries(slalom_fuzzed PUBLIC mrpt::config mrpt::math mrpt::maps mrpt::obs mrpt::img mrpt::poses
-  mrpt::kinematics PkgConfig::xxhash PkgConfig::highway PkgConfig::zstd fmt::fmt yaml-cpp Boost::headers
+  mrpt::kinematics PkgConfig::xxhash PkgConfig::highway PkgConfig::zstd fmt::fmt yaml-cpp PNG::PNG Boost::headers
   SQLiteCpp SQLite::SQLite3 nlohmann_json::nlohmann_json)
 
 add_custom_target(fuzz)
