@@ -88,6 +88,17 @@ Outcome outcome_of(const WorkResult& result) {
   return Outcome::MethodCrash;
 }
 
+/// Whether the trajectory, if it is stored, is the one that was hashed: its method may have damaged
+/// the process meanwhile.
+bool is_intact(const RunFindings& findings, StoredTrajectories stored) {
+  const std::string& hash = findings.record.trajectory_hash;
+  if (hash.empty() || stored == StoredTrajectories::None) return true;
+  const auto trajectory = read_payload(findings.trajectory.bytes(), [](const std::string& bytes) {
+    return PackedTrajectory::of_bytes(bytes).unpack("the trajectory of a run");
+  });
+  return trajectory && trajectory->hash() == hash;
+}
+
 /// Whether a worker's findings are those of the planned run. A method may have damaged its process.
 bool are_findings_of(const Campaign& campaign, const RunSpec& spec, const RunFindings& findings) {
   const RunRecord& record = findings.record;
@@ -162,9 +173,12 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
   const WorkItem item = [&](std::size_t i, SharedTaskLog& log) {
     const References& known = references[plan[i].scenario];
     const std::string& reason = known.unsolvable_reason();
-    return to_wire(reason.empty() ? executor.execute(plan[i], log)
-                                  : findings_without_run(campaign, plan[i],
-                                                         Outcome::UnsolvableScenario, reason));
+    const RunFindings findings =
+        reason.empty()
+            ? executor.execute(plan[i], log)
+            : findings_without_run(campaign, plan[i], Outcome::UnsolvableScenario, reason);
+    // An empty answer is that of a damaged process.
+    return is_intact(findings, campaign.options.record.trajectories) ? to_wire(findings) : "";
   };
   std::optional<RunFindings> answer;  // of the run that is received next
   const auto is_valid = [&](std::size_t i, const std::string& payload) {

@@ -50,14 +50,6 @@ class OutcomeOverride : public RunObserver {
   RunObserver* next_;
 };
 
-/// Throws if a method has damaged the trajectory meanwhile.
-PackedTrajectory packed(const Trajectory& trajectory, const std::string& hash) {
-  PackedTrajectory packed(trajectory);
-  if (packed.unpack("the trajectory of the run").hash() != hash)
-    throw job_error("the trajectory of the run", "has changed after the run");
-  return packed;
-}
-
 /// The commands that repeat a run alone, from the list and the .ini of its campaign.
 std::string reproduction(const Campaign& campaign, const RunSpec& spec) {
   return "slalom-scenarios select LIST.scenarios --ids " +
@@ -226,7 +218,7 @@ RunFindings RunExecutor::evaluate(const RunSpec& spec, const SimulationResult& r
   record.metrics = measure_run(campaign_.options, world(spec.scenario), references_[spec.scenario],
                                result.trajectory, result.outcome);
   if (campaign_.options.record.trajectories != StoredTrajectories::None)
-    findings.trajectory = packed(result.trajectory, record.trajectory_hash);
+    findings.trajectory = result.trajectory;
   return findings;
 }
 

@@ -52,7 +52,7 @@ int read_int(ByteReader& in) {
 }
 
 std::map<std::string, VersionedValue> read_values(ByteReader& in) {
-  constexpr std::size_t kLeast = 8 + 8 + 1 + 8;
+  constexpr std::size_t kLeast = 8 + 8 + 1 + 8;  // length of the id, version, form, number
   std::map<std::string, VersionedValue> values;
   for (std::size_t left = in.count(kLeast); left > 0; --left) {
     const std::string id = in.text();
