@@ -94,7 +94,7 @@ class Keeper {
     int status = kNoWorker;
   };
 
-  /// Notes which workers are to be looked at: with hundreds of them, all are only when one ended.
+  /// Notes which workers are released, and whether any has ended: only then all are looked at.
   void wait() {
     std::vector<pollfd> events = {{ends_.number(), POLLIN, 0}, {socket_, POLLIN, 0}};
     if (is_ending_) events[1].fd = -1;

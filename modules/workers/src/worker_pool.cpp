@@ -174,9 +174,9 @@ class Pool {
     std::vector<WorkerProcess*> ready;
     for (std::size_t i = 0, event = 0; i < ends.size(); ++i) {
       bool is_ready = all && workers_[i]->busy();
+      if (is_ready) workers_[i]->read_output();
       for (; event < ends[i]; ++event) is_ready = is_ready || events[event].revents != 0;
       if (is_ready) ready.push_back(workers_[i].get());
-      if (all && workers_[i]->busy()) workers_[i]->read_output();
     }
     return ready;
   }
