@@ -11,6 +11,9 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// Limits that a slow machine does not reach.
+constexpr char kLongDeadlines[] = "deadline = 100\nstartup_time = 100\n";
+
 /// Campaigns with methods in other processes, in a private network namespace if permitted.
 class LcmProgramTest : public ProgramTest {
  protected:
@@ -32,7 +35,8 @@ class LcmProgramTest : public ProgramTest {
     text.replace(text.find("nd, gap"), 7, "gap, far");
     write("small.ini", text +
                            "[method.far]\nadapter = lcm\nlaunch = exec slalom-lcm-method --plugin "
-                           "libslalom_follow_the_gap.so\n");
+                           "libslalom_follow_the_gap.so\n" +
+                           kLongDeadlines);
   }
 
   std::string dump(const std::string& jobs) const {
@@ -79,8 +83,9 @@ TEST_F(LcmProgramTest, AMethodOverLcmHasTheSameResultsAsInProcessForAnyNumberOfW
 TEST_F(LcmProgramTest, ALaunchedProgramThatChangedIsNoticed) {
   write("method.sh", "#!/bin/sh\nexec slalom-lcm-method --plugin libslalom_follow_the_gap.so\n");
   std::filesystem::permissions(folder_ / "method.sh", std::filesystem::perms::owner_all);
-  write("lcm.ini",
-        std::string(kSmallCampaign) + "[method.mine]\nadapter = lcm\nlaunch = exec ./method.sh\n");
+  write("lcm.ini", std::string(kSmallCampaign) +
+                       "[method.mine]\nadapter = lcm\nlaunch = exec ./method.sh\n" +
+                       kLongDeadlines);
   const std::string command =
       "slalom-simulate run -c lcm.ini --set campaign.methods=mine --set scenarios.count=1 "
       "-o runs.results";
