@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "external_process.h"
 #include "method_link.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/lcm/lcm_method.h>
+#include <slalom/methods/external_process.h>
 #include <slalom/methods/registry.h>
 
 #include <filesystem>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "external_process.h"
-
 #include <slalom/core/program_path.h>
+#include <slalom/methods/external_process.h>
 
 #include <cerrno>
 #include <csignal>
