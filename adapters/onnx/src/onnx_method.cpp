@@ -87,13 +87,7 @@ class OnnxMethod : public Method {
       w *= robot_.max_w;
       vy *= robot_.max_v;
     }
-    v = std::clamp(v, robot_.forward_only ? 0 : -robot_.max_v, robot_.max_v);
-    w = std::clamp(w, -robot_.max_w, robot_.max_w);
-    if (const double speed = math::hypot(v, vy); speed > robot_.max_v) {
-      v *= robot_.max_v / speed;
-      vy *= robot_.max_v / speed;
-    }
-    return {v, w, vy};
+    return limited_command({v, w, vy}, robot_);
   }
 
   NetworkOutput output_;

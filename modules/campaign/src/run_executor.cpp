@@ -103,6 +103,7 @@ RunFindings RunExecutor::execute(const RunSpec& spec, SharedTaskLog& log) {
   record(spec, log.contents(), result);
   RunFindings findings = evaluate(spec, result);
   findings.timing.values = cycle_time_statistics(result.cycle_seconds, cycle_limit());
+  findings.timing.values.insert(result.figures.begin(), result.figures.end());
   findings.timing.wall_seconds = elapsed.count();
   return findings;
 }

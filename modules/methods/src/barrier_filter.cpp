@@ -120,6 +120,7 @@ class BarrierFilter : public Method {
   }
   bool uses_tracks() const override { return base_->uses_tracks(); }
   bool uses_map() const override { return base_->uses_map(); }
+  std::map<std::string, double> run_figures() const override { return base_->run_figures(); }
   void finish(const std::string& outcome) override { base_->finish(outcome); }
 
   Command step(const Observation& observation) override {

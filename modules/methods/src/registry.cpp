@@ -5,6 +5,7 @@
 #include <slalom/methods/barrier_filter.h>
 #include <slalom/methods/registry.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -113,6 +114,17 @@ const std::vector<Track>& tracks_of(const Observation& observation) {
   if (observation.tracks == nullptr)
     throw MethodError("the method needs the tracks of movers, which this input does not contain");
   return *observation.tracks;
+}
+
+Command limited_command(const Command& command, const RobotModel& robot) {
+  Command limited = {std::clamp(command.v, robot.forward_only ? 0 : -robot.max_v, robot.max_v),
+                     std::clamp(command.w, -robot.max_w, robot.max_w),
+                     robot.holonomic() ? std::clamp(command.vy, -robot.max_v, robot.max_v) : 0};
+  if (const double speed = math::hypot(limited.v, limited.vy); speed > robot.max_v) {
+    limited.v *= robot.max_v / speed;
+    limited.vy *= robot.max_v / speed;
+  }
+  return limited;
 }
 
 bool is_valid_command(const Command& command, const RobotModel& robot, std::string& reason) {

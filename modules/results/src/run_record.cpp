@@ -13,6 +13,8 @@ QuantityInfo timing_info(const std::string& id) {
   const bool is_ratio =
       id.size() > ratio.size() && id.compare(id.size() - ratio.size(), ratio.size(), ratio) == 0;
   if (is_ratio) return {id, 1, id, "-", Direction::Down, QuantityKind::Ratio, Range::between(0, 1)};
+  if (id.rfind("commands_", 0) == 0)
+    return {id, 1, id, "-", Direction::Down, QuantityKind::Count, Range::at_least(0)};
   return {id, 1, id, "ms", Direction::Down, QuantityKind::Amount, Range::at_least(0)};
 }
 

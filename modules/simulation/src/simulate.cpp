@@ -84,6 +84,7 @@ class Run {
   void notify_method() {
     try {
       method_.finish(to_string(result_.outcome));
+      result_.figures = method_.run_figures();
     } catch (...) {
       return;
     }

@@ -8,6 +8,7 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 
 #include <cstdint>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -91,6 +92,9 @@ class Method {
   /// Whether the method needs the map of static obstacles: privileged, too, and the same for the
   /// life of the object.
   virtual bool uses_map() const { return false; }
+  /// Figures of the run that depend on the wall clock, by id ("commands_missing", ...), as of
+  /// commands that came too late. Called after the run; timing_info() of results describes them.
+  virtual std::map<std::string, double> run_figures() const { return {}; }
   /// The run has ended with this outcome ("success", "collision", ...). For information only.
   virtual void finish(const std::string& /*outcome*/) {}
 };

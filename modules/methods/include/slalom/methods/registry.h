@@ -77,4 +77,8 @@ std::string resolve_method_file(const std::string& kind, const std::string& file
 /// otherwise `reason` names the violation.
 bool is_valid_command(const Command& command, const RobotModel& robot, std::string& reason);
 
+/// The nearest command within the robot's limits, of each velocity and then of the speed, as the
+/// driver of a real base gives it. NaN stays.
+Command limited_command(const Command& command, const RobotModel& robot);
+
 }  // namespace slalom

@@ -43,7 +43,8 @@ struct RunTiming {
   std::string output = {};                    ///< printed by the method, bounded
 };
 
-/// A wall-clock figure: a fraction if it is called "..._ratio", else a time in ms.
+/// A wall-clock figure: a fraction if it is called "..._ratio", a number of commands if
+/// "commands_...", else a time in ms.
 QuantityInfo timing_info(const std::string& id);
 
 /// The metric that every run has by its outcome.

@@ -9,6 +9,7 @@
 #include <slalom/trajectory/trajectory.h>
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,7 @@ struct SimulationResult {
   Trajectory trajectory;  ///< one sample per control cycle, and the final one
   std::vector<double>
       cycle_seconds;  ///< wall clock of the method's step(), per cycle; not deterministic
+  std::map<std::string, double> figures;  ///< Method::run_figures(); not deterministic
 };
 
 class RunObserver;
