@@ -7,14 +7,16 @@ set(SLALOM_PKG_CONFIG_xxhash libxxhash)
 set(SLALOM_PKG_CONFIG_highway libhwy)
 set(SLALOM_PKG_CONFIG_xlsxwriter xlsxwriter)
 
-# slalom_find(TARGET [QUIET|REQUIRED]): the package of an imported target. Other names, as of the linker, have none. A macro,
-# since packages set variables, too.
+# slalom_find(TARGET [QUIET|REQUIRED]): the package of an imported target, or a program as program::NAME. Other names, as of
+# the linker, have none. A macro, since packages set variables, too.
 macro(slalom_find TARGET)
   if(TARGET ${TARGET})
   elseif(${TARGET} MATCHES "^mrpt::(.*)$")
     find_package(mrpt-${CMAKE_MATCH_1} ${ARGN})
   elseif(${TARGET} MATCHES "^PkgConfig::(.*)$")
     pkg_check_modules(${CMAKE_MATCH_1} ${ARGN} IMPORTED_TARGET ${SLALOM_PKG_CONFIG_${CMAKE_MATCH_1}})
+  elseif(${TARGET} MATCHES "^program::(.*)$")
+    slalom_find_program(${CMAKE_MATCH_1} ${ARGN})
   elseif(${TARGET} STREQUAL Boost::headers)
     find_package(Boost CONFIG ${ARGN})
   elseif(${TARGET} STREQUAL OMPL::OMPL)
@@ -43,6 +45,15 @@ macro(slalom_find TARGET)
       INTERFACE_COMPILE_DEFINITIONS "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
   endif()
 endmacro()
+
+function(slalom_find_program NAME)
+  list(REMOVE_ITEM ARGN QUIET)
+  find_program(SLALOM_PROGRAM_${NAME} ${NAME} ${ARGN})
+  if(SLALOM_PROGRAM_${NAME})
+    add_executable(program::${NAME} IMPORTED)
+    set_target_properties(program::${NAME} PROPERTIES IMPORTED_LOCATION ${SLALOM_PROGRAM_${NAME}})
+  endif()
+endfunction()
 
 # OMPL's package defines variables only; a target keeps its include folders out of all other modules. Debian 13's lists
 # folders of packages that it does not require (HDF5), which CMake refuses in a target where they are missing.

@@ -18,7 +18,7 @@ scripts/check_documents.py
 scripts/check_comments.py
 scripts/check_includes.py
 # All parts: one that is not found would leave out its tests.
-mapfile -t parts < <(sed -n 's/^slalom_part(\([A-Z]*\) .*/-DSLALOM_WITH_\1=ON/p' cmake/SlalomParts.cmake)
+mapfile -t parts < <(sed -n 's/^slalom_part(\([A-Z0-9]*\) .*/-DSLALOM_WITH_\1=ON/p' cmake/SlalomParts.cmake)
 scripts/build.sh release -DSLALOM_WARNINGS_AS_ERRORS=ON "${parts[@]}"
 finish_step "build, release"
 ctest --preset release -j 2

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "private_network.h"
 #include "program_run.h"
 
 namespace slalom {
@@ -29,16 +30,26 @@ class Configs : public ProgramTest {
   }
 };
 
+/// A node in place of Nav2, which is not in the distribution; it answers at once and seeks no goal.
+std::string node_of_the_test(const std::string& text) {
+  return text.find("adapter      = ros2") == std::string::npos
+             ? ""
+             : " --set method.nav2.mode=lockstep --set 'method.nav2.launch=exec " CYCLONE_PEER "'";
+}
+
 TEST_F(Configs, EveryCampaignExampleRuns) {
+  enter_private_network();
   for (const auto& path : examples(false)) {
     const ProgramResult result =
         run("slalom-evaluate '" + path.string() +
             "' -o out --overwrite -j 1 --quiet --set scenarios.count=2 --set "
             "scenarios.maps= --set campaign.repetitions=1" +
-            shared_grids(read_text(path)));
+            shared_grids(read_text(path)) + node_of_the_test(read_text(path)));
     EXPECT_EQ(result.status, 0) << path << "\n" << result.err;
     const std::string dump = run("slalom-analyze dump out/runs.results").out;
-    EXPECT_NE(dump.find("\"outcome\":\"success\""), std::string::npos) << path;
+    const bool seeks_goals = node_of_the_test(read_text(path)).empty();
+    const char* const outcome = seeks_goals ? "\"outcome\":\"success\"" : "\"outcome\":";
+    EXPECT_NE(dump.find(outcome), std::string::npos) << path;
     EXPECT_EQ(dump.find("\"method_"), std::string::npos) << path << " has a method that fails";
   }
 }

@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 fail() { echo "$1:" && cat "$2" && exit 1; }
 
-parts=$(sed -n 's/^slalom_part(\([A-Z]*\) .*/\1/p' "$source/cmake/SlalomParts.cmake")
+parts=$(sed -n 's/^slalom_part(\([A-Z0-9]*\) .*/\1/p' "$source/cmake/SlalomParts.cmake")
 [ "$(wc -w <<<"$parts")" -ge 6 ] || { echo "expected at least 6 optional parts, got: $parts"; exit 1; }
 settings=$(sed -nE 's/^((CMAKE_(BUILD_TYPE|UNITY_BUILD|CXX_COMPILER)|SLALOM_WARNINGS_AS_ERRORS):[A-Z]+=.*)/-D\1/p' \
   "$build/CMakeCache.txt")
@@ -20,7 +20,7 @@ cmake -S "$source" -B "$minimal" -G Ninja $settings -DSLALOM_BUILD_TESTS=OFF -DS
 cmake --build "$minimal" --target slalom-evaluate slalom-analyze slalom_follow_the_gap >"$work/log" 2>&1 ||
   fail "the build failed" "$work/log"
 ldd "$minimal/bin/slalom-evaluate" "$minimal/bin/slalom-analyze" >"$work/libraries"
-! grep -E 'lib(ompl|lcm|python[0-9.]*|opencv_dnn|xlsxwriter|mrpt-gui)\.so' "$work/libraries" ||
+! grep -E 'lib(ompl|lcm|python[0-9.]*|opencv_dnn|ddsc|xlsxwriter|mrpt-gui)\.so' "$work/libraries" ||
   fail "libraries of optional parts" "$work/libraries"
 
 cat >"$work/my.ini" <<'END'
@@ -46,7 +46,7 @@ refused() {
   grep -q "built without this part; expected a build by CMake with -DSLALOM_WITH_$1=ON" "$work/error" ||
     fail "expected $1 in the error" "$work/error"
 }
-for adapter in lcm onnx python; do refused "${adapter^^}" --set "method.gap.adapter=$adapter"; done
+for adapter in lcm onnx python ros2; do refused "${adapter^^}" --set "method.gap.adapter=$adapter"; done
 refused OMPL --set robot.min_turning_radius=0.3 --set robot.forward_only=true
 if "$minimal/bin/slalom-analyze" export "$work/full/runs.results" -o "$work/t.xlsx" 2>"$work/error"; then
   fail "expected an error of XLSX" "$work/error"

@@ -17,6 +17,7 @@ report   * scales of figures
 studio   * digits of scales on the screen
 core     exp Boost.Random compares it with a uniform number in 1 of 400 normal ones, and has no other use for it
 mppi     exp the same
+ros2_runtime exp the same
 '
 of_c='sin|cos|tan|sincos|asin|acos|atan|atan2|sinh|cosh|tanh|asinh|acosh|atanh'
 of_c+='|exp|exp2|exp10|pow10|expm1|log|log2|log10|log1p|pow|hypot|cbrt|erf|erfc|tgamma|lgamma|j[01n]|y[01n]'
@@ -31,6 +32,7 @@ folder_of() {
     app_*) echo "apps/${1#app_}" ;;
     reactive_common) echo reactive_algos/common ;;
     onnx_runtime) echo adapters/onnx ;;
+    ros2_runtime) echo adapters/ros2 ;;
     *) ls -d {modules,adapters,reactive_algos}/"$1" 2>/dev/null || true ;;
   esac
 }

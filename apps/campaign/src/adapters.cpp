@@ -15,6 +15,9 @@
 #ifdef SLALOM_WITH_PYTHON
 #include <slalom/python/python_method.h>
 #endif
+#ifdef SLALOM_WITH_ROS2
+#include <slalom/ros2/ros2_method.h>
+#endif
 
 namespace slalom {
 namespace {
@@ -36,6 +39,12 @@ MethodFactory read_lcm(const IniFile& ini, const std::string& section) {
 }
 #endif
 
+#ifdef SLALOM_WITH_ROS2
+MethodFactory read_ros2(const IniFile& ini, const std::string& section) {
+  return read_ros2_method(ini, section);
+}
+#endif
+
 /// A new adapter is registered here.
 constexpr Adapter kAdapters[] = {
     {"mrpt_holonomic", read_holonomic_method, options_of<HolonomicOptions>},
@@ -50,11 +59,17 @@ constexpr Adapter kAdapters[] = {
 #ifdef SLALOM_WITH_LCM
     {"lcm", read_lcm, options_of<LcmOptions>},
 #endif
+#ifdef SLALOM_WITH_ROS2
+    {"ros2", read_ros2, options_of<Ros2Options>},
+#endif
 };
 
 /// Adapters that are optional parts of a build, with their options of CMake.
 constexpr std::pair<const char*, const char*> kOptionalAdapters[] = {
-    {"lcm", "SLALOM_WITH_LCM"}, {"onnx", "SLALOM_WITH_ONNX"}, {"python", "SLALOM_WITH_PYTHON"}};
+    {"lcm", "SLALOM_WITH_LCM"},
+    {"onnx", "SLALOM_WITH_ONNX"},
+    {"python", "SLALOM_WITH_PYTHON"},
+    {"ros2", "SLALOM_WITH_ROS2"}};
 
 }  // namespace
 
@@ -77,6 +92,10 @@ void visit_adapter_options(
       v.option("adapter", name, "adapter of this method", {name});
       adapter.visit_options(v);
     });
+}
+
+bool uses_network(const std::string& adapter) {
+  return adapter == "lcm" || adapter == "ros2";
 }
 
 External external_use(const IniFile& ini, const std::string& section, const std::string& key) {

@@ -46,16 +46,18 @@ std::vector<std::string> row_descriptors(const IniFile& ini, const AnalysisSecti
 void require_network(const IniFile& ini, const CampaignConfig& config) {
   if (config.options.limits.network) return;
   for (const std::string& section : method_sections(ini, config.methods))
-    if (ini.get(section, "adapter") == "lcm")
-      throw usage_error(ini.where("limits", "network"), "[" + section + "] communicates over LCM",
+    if (uses_network(ini.get(section, "adapter").value_or("")))
+      throw usage_error(ini.where("limits", "network"),
+                        "[" + section + "] communicates over the network",
                         "true, or methods with other adapters");
 }
 
-/// Whether a method communicates with a running process over LCM.
+/// Whether a method communicates with a running process.
 bool has_running_process(const IniFile& ini, const CampaignConfig& config) {
   const std::vector<std::string> sections = method_sections(ini, config.methods);
   return std::any_of(sections.begin(), sections.end(), [&](const std::string& section) {
-    return ini.get(section, "adapter") == "lcm" && ini.get(section, "launch").value_or("").empty();
+    return uses_network(ini.get(section, "adapter").value_or("")) &&
+           ini.get(section, "launch").value_or("").empty();
   });
 }
 

@@ -74,7 +74,7 @@ TEST_F(CampaignProgram, RefusesMethodsOverLcmWithoutNetwork) {
     read_campaign(load_campaign_ini(
         arguments({"limits.network=" + network, "method.nd.adapter=lcm", "campaign.methods=nd"})));
   };
-  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--set limits.network: ", {"[method.nd]", "LCM"},
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--set limits.network: ", {"[method.nd]", "network"},
                            [&] { read("false"); }));
 }
 
@@ -241,6 +241,43 @@ TEST_F(CampaignProgram, NeverReplacesAFileThatHoldsNoResults) {
                              [&] { open_campaign_results(config, given, {}, path); }));
     EXPECT_EQ(read_file(path), "a stranger's text");
   }
+}
+
+/// A campaign whose method and robot have the parameters of a file with this text.
+class RosParameterCampaign : public CampaignProgram {
+ protected:
+  void check(const std::string& yaml) const {
+    write_file_atomically(folder_ + "/nav.yaml", yaml);
+    CampaignConfig config = read_campaign(
+        load_campaign_ini(arguments({"robot.from=nav.yaml", "sensor.from=nav.yaml",
+                                     "method.ros.from=nav.yaml", "campaign.methods=ros"})));
+    check_campaign(config);
+    EXPECT_EQ(config.ini_text.find("nav.yaml"), std::string::npos) << config.ini_text;
+    EXPECT_NE(config.ini_text.find("plugin = libslalom_"), std::string::npos) << config.ini_text;
+  }
+};
+
+TEST_F(RosParameterCampaign, ControllersOfNav2BecomeMethodsThatAcceptTheirParameters) {
+  for (const char* name : {"/humble.yaml", "/jazzy.yaml"})
+    check(read_text(ROS_PARAMETERS + std::string(name), "parameters", kMaxConfigSize));
+  check(
+      "A: {plugin: \"nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController\",\n"
+      "  desired_linear_vel: 0.5, use_rotate_to_heading: false, use_collision_detection: false}\n");
+}
+
+TEST_F(RosParameterCampaign, PlannersOfMoveBaseBecomeMethodsThatAcceptTheirParameters) {
+  check("DWAPlannerROS: {max_vel_x: 0.5, min_rot_vel: -0.3, vth_samples: 12}\n");
+  check("TrajectoryPlannerROS: {vtheta_samples: 9, pdist_scale: 0.6, gdist_scale: 0.8}\n");
+  check(
+      "EBandPlannerROS: {num_iterations_eband_optimization: 2, k_prop: 3}\nplanner_frequency: 1\n");
+}
+
+TEST_F(RosParameterCampaign, ValuesThatTheMethodRefusesAreNamedWithTheirLine) {
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "", {"vth_samples", "2"},
+                           [&] { check("DWAPlannerROS:\n  vth_samples: 1\n"); }));
+  EXPECT_TRUE(throws_error(
+      ErrorKind::Usage, folder_ + "/nav.yaml:2: DWAPlannerROS.max_vel_x: ", {"robot.max_v", "> 0"},
+      [&] { check("DWAPlannerROS:\n  max_vel_x: -1\n"); }));
 }
 
 }  // namespace

@@ -15,6 +15,9 @@ MethodRegistry all_adapters();
 void visit_adapter_options(
     const std::function<void(const std::function<void(OptionVisitor&)>& visit_options)>& visit);
 
+/// Whether the methods of this adapter are in other processes, which they reach over a network.
+bool uses_network(const std::string& adapter);
+
 /// The thing outside of the .ini that a key of a method's section names, as its adapter declares.
 External external_use(const IniFile& ini, const std::string& section, const std::string& key);
 

@@ -1,0 +1,522 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The topics of ROS 2 on Cyclone DDS, in a library of its own that is loaded when a campaign has a
+// method of ROS 2. Names, types and encodings are those of rmw_cyclonedds and rmw_fastrtps.
+#include "../src/ros2_link.h"
+#include "ros2_messages.h"
+
+#include <slalom/core/math.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <dds/dds.h>
+#include <limits>
+#include <map>
+
+namespace slalom {
+namespace {
+
+/// The settings of rmw_cyclonedds with ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST. The interface is
+/// chosen by Cyclone: participants that are bound to the loopback device are not found by nodes
+/// that also use others.
+constexpr char kLocalHost[] =
+    "<CycloneDDS><Domain Id=\"any\"><General><AllowMulticast>false</AllowMulticast></General>"
+    "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
+    "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
+    "<Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery>"
+    // Data of a run that has ended need not be acknowledged.
+    "<Internal><WriterLingerDuration>0 s</WriterLingerDuration></Internal>"
+    "</Domain></CycloneDDS>";
+
+constexpr int kDepth = 10;
+constexpr double kMapTime = 10;  // s, wall-clock time until all readers have the map
+
+/// A type of messages with the hash that nodes since Iron announce and expect (REP 2016).
+struct Type {
+  const dds_topic_descriptor_t* descriptor;
+  const char* hash;
+};
+const Type kClock = {&rosgraph_msgs_msg_dds__Clock__desc,
+                     "692f7a66e93a3c83e71765d033b60349ba68023a8c689a79e48078bcb5c58564"};
+const Type kOdometry = {&nav_msgs_msg_dds__Odometry__desc,
+                        "3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0"};
+const Type kTransforms = {&tf2_msgs_msg_dds__TFMessage__desc,
+                          "e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"};
+const Type kScan = {&sensor_msgs_msg_dds__LaserScan__desc,
+                    "64c191398013af96509d518dac71d5164f9382553fce5c1f8cca5be7924bd828"};
+const Type kPose = {&geometry_msgs_msg_dds__PoseStamped__desc,
+                    "10f3786d7d40fd2b54367835614bff85d4ad3b5dab62bf8bca0cc232d73b4cd8"};
+const Type kGrid = {&nav_msgs_msg_dds__OccupancyGrid__desc,
+                    "8d348150c12913a31ee0ec170fbf25089e4745d17035792a1ba94d6f0bc0cfc7"};
+const Type kTwist = {&geometry_msgs_msg_dds__Twist__desc,
+                     "9c45bf16fe0983d80e3cfe750d6835843d265a9a6c46bd2e609fcddde6fb8d2a"};
+const Type kTwistStamped = {&geometry_msgs_msg_dds__TwistStamped__desc,
+                            "5f0fcd4f81d5d06ad9b4c4c63e3ea51b82d6ae4d0558f1d475229b1121db6f64"};
+
+dds_entity_t check(const std::string& what, dds_entity_t entity) {
+  if (entity < 0) throw MethodError("DDS: " + what + ": " + dds_strretcode(-entity));
+  return entity;
+}
+
+/// An entity of DDS and all that belongs to it.
+class Entity {
+ public:
+  Entity() = default;
+  Entity(const std::string& what, dds_entity_t entity) : entity_(check(what, entity)) {}
+  Entity(Entity&& other) noexcept : entity_(std::exchange(other.entity_, 0)) {}
+  Entity& operator=(Entity&& other) noexcept {
+    std::swap(entity_, other.entity_);
+    return *this;
+  }
+  ~Entity() {
+    if (entity_ > 0) dds_delete(entity_);
+  }
+  operator dds_entity_t() const { return entity_; }  // as the functions of DDS expect
+
+ private:
+  dds_entity_t entity_ = 0;
+};
+
+using Qos = std::unique_ptr<dds_qos_t, decltype(&dds_delete_qos)>;
+
+Qos make_qos(bool reliable, bool latched, const char* hash) {
+  Qos qos(dds_create_qos(), dds_delete_qos);
+  dds_qset_reliability(qos.get(), reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
+                       DDS_SECS(1));
+  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, latched ? 1 : kDepth);
+  if (latched) dds_qset_durability(qos.get(), DDS_DURABILITY_TRANSIENT_LOCAL);
+  if (hash != nullptr) {
+    const std::string text = std::string("typehash=RIHS01_") + hash + ";";
+    dds_qset_userdata(qos.get(), text.data(), text.size());
+  }
+  return qos;
+}
+
+/// Takes all that a reader has, one sample after another.
+template <typename Message, typename Function>
+void take_all(dds_entity_t reader, Function function) {
+  for (;;) {
+    void* sample = nullptr;
+    dds_sample_info_t info;
+    const auto count = dds_take(reader, &sample, &info, 1, 1);
+    if (count <= 0) return;
+    const bool more = function(*static_cast<const Message*>(sample), info);
+    dds_return_loan(reader, &sample, 1);
+    if (!more) return;
+  }
+}
+
+/// A publisher of another participant, from discovery.
+struct Publication {
+  std::string topic, type;
+  bool reliable = true;
+  bool fast_dds = false;  ///< by the vendor in the first bytes of its address
+};
+
+class Publications {
+ public:
+  explicit Publications(dds_entity_t participant)
+      : reader_("discovery", dds_create_reader(participant, DDS_BUILTIN_TOPIC_DCPSPUBLICATION,
+                                               nullptr, nullptr)) {}
+
+  dds_entity_t reader() const { return reader_; }
+
+  void update() {
+    take_all<dds_builtintopic_endpoint_t>(reader_, [this](
+                                                       const dds_builtintopic_endpoint_t& endpoint,
+                                                       const dds_sample_info_t& info) {
+      const std::string key(reinterpret_cast<const char*>(endpoint.key.v), sizeof endpoint.key.v);
+      if (info.instance_state == DDS_IST_ALIVE && info.valid_data)
+        all_[key] = publication_of(endpoint);
+      else
+        all_.erase(key);
+      return true;
+    });
+  }
+
+  int count(const std::string& topic) const {
+    return static_cast<int>(std::count_if(
+        all_.begin(), all_.end(), [&](const auto& one) { return one.second.topic == topic; }));
+  }
+
+  std::vector<Publication> on(const std::string& topic) const {
+    std::vector<Publication> found;
+    for (const auto& [key, one] : all_)
+      if (one.topic == topic) found.push_back(one);
+    return found;
+  }
+
+ private:
+  static Publication publication_of(const dds_builtintopic_endpoint_t& endpoint) {
+    dds_reliability_kind_t kind = DDS_RELIABILITY_BEST_EFFORT;
+    dds_duration_t blocking = 0;
+    dds_qget_reliability(endpoint.qos, &kind, &blocking);
+    const std::uint8_t* vendor = endpoint.participant_key.v;
+    return {endpoint.topic_name, endpoint.type_name, kind == DDS_RELIABILITY_RELIABLE,
+            vendor[0] == 0x01 && vendor[1] == 0x0f};
+  }
+
+  Entity reader_;
+  std::map<std::string, Publication> all_;
+};
+
+Entity make_reader(dds_entity_t participant, const std::string& topic,
+                   const dds_topic_descriptor_t* type, const Qos& qos) {
+  const Entity handle(topic, dds_create_topic(participant, type, topic.c_str(), nullptr, nullptr));
+  Entity reader(topic, dds_create_reader(participant, handle, qos.get(), nullptr));
+  dds_set_status_mask(reader, DDS_DATA_AVAILABLE_STATUS);
+  return reader;
+}
+
+Entity make_writer(dds_entity_t participant, const std::string& topic,
+                   const dds_topic_descriptor_t* type, const Qos& qos) {
+  const Entity handle(topic, dds_create_topic(participant, type, topic.c_str(), nullptr, nullptr));
+  return {topic, dds_create_writer(participant, handle, qos.get(), nullptr)};
+}
+
+/// A question to a node, which it answers after the callbacks of the data that it received before:
+/// services and subscriptions are in one callback group by default.
+class Barrier {
+ public:
+  Barrier(dds_entity_t participant, std::string node)
+      : participant_(participant), node_(std::move(node)) {}
+
+  /// Whether the node offers its service and has found this client.
+  bool is_matched(const Publications& publications) {
+    const auto replies = publications.on(topic("rr", "Reply"));
+    if (replies.empty()) return false;
+    if (request_ <= 0) connect(replies.front().fast_dds);
+    dds_publication_matched_status_t readers;
+    dds_subscription_matched_status_t writers;
+    dds_get_publication_matched_status(request_, &readers);
+    dds_get_subscription_matched_status(reply_, &writers);
+    return readers.current_count > 0 && writers.current_count > 0;
+  }
+
+  bool pass(double seconds) {
+    if (!asked_) ask();
+    if (take_reply()) return true;
+    dds_attach_t hit = 0;
+    dds_waitset_wait(waitset_, &hit, 1, static_cast<dds_duration_t>(seconds * 1e9));
+    return take_reply();
+  }
+
+ private:
+  static constexpr std::uint64_t kClient = 0x51a10a;
+
+  std::string topic(const std::string& prefix, const std::string& suffix) const {
+    return prefix + node_ + "/get_parameter_types" + suffix;
+  }
+
+  /// The types have the names of ROS 2, not those of this program.
+  void connect(bool fast_dds) {
+    fast_dds_ = fast_dds;
+    request_type_.emplace(fast_dds ? slalom_ros2_FastRequest_desc
+                                   : slalom_ros2_CycloneRequest_desc);
+    reply_type_.emplace(fast_dds ? slalom_ros2_FastReply_desc : slalom_ros2_CycloneReply_desc);
+    request_type_->m_typename = "rcl_interfaces::srv::dds_::GetParameterTypes_Request_";
+    reply_type_->m_typename = "rcl_interfaces::srv::dds_::GetParameterTypes_Response_";
+    const Qos qos = make_qos(true, false, nullptr);
+    reply_ = make_reader(participant_, topic("rr", "Reply"), &*reply_type_, qos);
+    request_ = make_writer(participant_, topic("rq", "Request"), &*request_type_, qos);
+    waitset_ = Entity("waitset", dds_create_waitset(participant_));
+    dds_waitset_attach(waitset_, reply_, 0);
+  }
+
+  void ask() {
+    std::array<char, 13> name = {"use_sim_time"};
+    std::array<char*, 1> names = {name.data()};
+    slalom_ros2_CycloneRequest cyclone{};
+    slalom_ros2_FastRequest fast{};
+    cyclone.client = kClient;
+    cyclone.number = ++number_;
+    cyclone.names._buffer = fast.names._buffer = names.data();
+    cyclone.names._length = cyclone.names._maximum = 1;
+    fast.names._length = fast.names._maximum = 1;
+    check("barrier", dds_write(request_, fast_dds_ ? static_cast<void*>(&fast) : &cyclone));
+    asked_ = true;
+  }
+
+  /// Replies to other clients have other numbers. Those of Fast DDS have none here: there is one
+  /// question at a time.
+  bool take_reply() {
+    bool found = false;
+    take_all<slalom_ros2_CycloneReply>(
+        reply_, [&](const slalom_ros2_CycloneReply& reply, const dds_sample_info_t& info) {
+          found = info.valid_data &&
+                  (fast_dds_ || (reply.client == kClient && reply.number == number_));
+          return !found;
+        });
+    if (found) asked_ = false;
+    return found;
+  }
+
+  dds_entity_t participant_;
+  std::string node_;
+  bool fast_dds_ = false, asked_ = false;
+  std::int64_t number_ = 0;
+  std::optional<dds_topic_descriptor_t> request_type_, reply_type_;
+  Entity request_, reply_, waitset_;
+};
+
+builtin_interfaces_msg_dds__Time_ to_ros(RosTime time) {
+  return {static_cast<std::int32_t>(time / 1'000'000'000),
+          static_cast<std::uint32_t>(time % 1'000'000'000)};
+}
+
+geometry_msgs_msg_dds__Quaternion_ to_ros(double heading) {
+  return {0, 0, math::sin(heading / 2), math::cos(heading / 2)};
+}
+
+class CycloneLink : public RosLink {
+ public:
+  CycloneLink(const Ros2Options& options, int domain, const SensorModel& sensor)
+      : options_(options),
+        command_topic_(topic(options.command)),
+        sensor_(sensor),
+        domain_("domain", dds_create_domain(static_cast<dds_domainid_t>(domain), kLocalHost)),
+        participant_("participant",
+                     dds_create_participant(static_cast<dds_domainid_t>(domain), nullptr, nullptr)),
+        waitset_("waitset", dds_create_waitset(participant_)),
+        publications_(participant_),
+        clock_(writer("/clock", kClock)),
+        odometry_(writer(options.odometry, kOdometry)),
+        transforms_(writer(options.tf, kTransforms)),
+        static_transforms_(writer(options.tf + "_static", kTransforms, true)),
+        scan_(writer(options.scan, kScan)),
+        goal_(writer(options.goal, kPose, true)) {
+    if (options.map == Ros2Map::Known) map_ = writer(options.map_topic, kGrid, true);
+    for (const std::string& node : barrier_nodes(options))
+      barriers_.emplace_back(participant_, node);
+    dds_waitset_attach(waitset_, publications_.reader(), 0);
+    dds_set_status_mask(publications_.reader(), DDS_DATA_AVAILABLE_STATUS);
+    send_static_transforms();
+  }
+
+  std::vector<std::string> missing() override {
+    publications_.update();
+    follow_command_type();
+    std::vector<std::string> missing;
+    dds_publication_matched_status_t readers;
+    dds_get_publication_matched_status(scan_, &readers);
+    if (readers.current_count == 0)
+      missing.push_back("reader of " + name(options_.scan) + incompatible_policy());
+    dds_subscription_matched_status_t writers = {};
+    if (command_ > 0) dds_get_subscription_matched_status(command_, &writers);
+    if (writers.current_count == 0) missing.push_back("publisher of " + name(options_.command));
+    const std::vector<std::string> nodes = barrier_nodes(options_);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (!barriers_[i].is_matched(publications_))
+        missing.push_back("node " + nodes[i] + " with parameters");
+    return missing;
+  }
+
+  int publishers() override {
+    publications_.update();
+    return publications_.count(command_topic_);
+  }
+
+  void send_goal(const mrpt::math::TPose2D& goal, RosTime stamp) override {
+    geometry_msgs_msg_dds__PoseStamped_ message{};
+    message.header = header(options_.map_frame, stamp);
+    message.pose.position = {goal.x, goal.y, 0};
+    message.pose.orientation = to_ros(goal.phi);
+    write(goal_, message);
+  }
+
+  void send_map(const KnownMap& map, RosTime stamp) override {
+    std::vector<std::uint8_t> cells(map.cells->size());
+    std::transform(map.cells->begin(), map.cells->end(), cells.begin(),
+                   [](std::uint8_t cell) { return cell == 0 ? 0 : 100; });
+    nav_msgs_msg_dds__OccupancyGrid_ message{};
+    message.header = header(options_.map_frame, stamp);
+    message.info.map_load_time = to_ros(stamp);
+    message.info.resolution = static_cast<float>(map.resolution);
+    message.info.width = static_cast<std::uint32_t>(map.size_x);
+    message.info.height = static_cast<std::uint32_t>(map.size_y);
+    message.info.origin.position = {map.origin.x, map.origin.y, 0};
+    message.info.origin.orientation = to_ros(0.0);
+    message.data._buffer = cells.data();
+    message.data._length = message.data._maximum = static_cast<std::uint32_t>(cells.size());
+    write(map_, message);
+    dds_wait_for_acks(map_, static_cast<dds_duration_t>(kMapTime * 1e9));
+  }
+
+  void send_observation(const Observation& observation, RosTime now, RosTime scan_time) override {
+    send_transform(observation, now);
+    send_odometry(observation, now);
+    send_scan(*observation.scan, scan_time);
+  }
+
+  void send_clock(RosTime now) override {
+    rosgraph_msgs_msg_dds__Clock_ message{};
+    message.clock = to_ros(now);
+    write(clock_, message);
+  }
+
+  bool pass_barrier(std::size_t node, double seconds) override {
+    return barriers_[node].pass(seconds);
+  }
+
+  std::optional<RosCommand> take_command() override {
+    std::optional<RosCommand> command;
+    if (command_ <= 0) return command;
+    if (is_stamped_)
+      take_all<geometry_msgs_msg_dds__TwistStamped_>(
+          command_, [&](const auto& message, const dds_sample_info_t& info) {
+            if (!info.valid_data) return true;
+            const auto& stamp = message.header.stamp;
+            command = {velocity_of(message.twist),
+                       stamp.sec * RosTime{1'000'000'000} + static_cast<RosTime>(stamp.nanosec)};
+            return false;
+          });
+    else
+      take_all<geometry_msgs_msg_dds__Twist_>(
+          command_, [&](const auto& message, const dds_sample_info_t& info) {
+            if (!info.valid_data) return true;
+            command = {velocity_of(message), std::nullopt};
+            return false;
+          });
+    return command;
+  }
+
+  void wait(double seconds) override {
+    dds_attach_t hit = 0;
+    dds_waitset_wait(waitset_, &hit, 1, static_cast<dds_duration_t>(seconds * 1e9));
+  }
+
+ private:
+  std::string name(const std::string& key) const { return ros_name(options_, key); }
+  std::string topic(const std::string& key) const { return "rt" + name(key); }
+
+  Entity writer(const std::string& key, const Type& type, bool latched = false) const {
+    return make_writer(participant_, topic(key), type.descriptor,
+                       make_qos(true, latched, type.hash));
+  }
+
+  template <typename Message>
+  static void write(dds_entity_t writer, const Message& message) {
+    check("write", dds_write(writer, &message));
+  }
+
+  static Command velocity_of(const geometry_msgs_msg_dds__Twist_& twist) {
+    return {twist.linear.x, twist.angular.z, twist.linear.y};
+  }
+
+  static std_msgs_msg_dds__Header_ header(const std::string& frame, RosTime stamp) {
+    return {to_ros(stamp), const_cast<char*>(frame.c_str())};  // written, never changed
+  }
+
+  /// Reads commands in the type in which they are published. A best-effort publisher does not match
+  /// a reliable reader.
+  void follow_command_type() {
+    const auto found = publications_.on(command_topic_);
+    if (found.empty()) return;
+    const bool is_stamped = found.front().type == kTwistStamped.descriptor->m_typename;
+    for (const Publication& one : found)
+      if (one.type != kTwist.descriptor->m_typename &&
+          one.type != kTwistStamped.descriptor->m_typename)
+        throw MethodError(name(options_.command) + " has the type " + one.type +
+                          "; expected Twist or TwistStamped of geometry_msgs");
+    const bool is_reliable = std::all_of(found.begin(), found.end(),
+                                         [](const Publication& one) { return one.reliable; });
+    if (command_ > 0 && is_stamped == is_stamped_ && is_reliable == is_reliable_) return;
+    const Type& type = is_stamped ? kTwistStamped : kTwist;
+    command_ = {};
+    command_ = make_reader(participant_, command_topic_, type.descriptor,
+                           make_qos(is_reliable, false, type.hash));
+    dds_waitset_attach(waitset_, command_, 0);
+    is_stamped_ = is_stamped;
+    is_reliable_ = is_reliable;
+  }
+
+  /// The policy by which a reader of scans asks for more than is offered; "" if there is none.
+  std::string incompatible_policy() const {
+    dds_offered_incompatible_qos_status_t status;
+    dds_get_offered_incompatible_qos_status(scan_, &status);
+    if (status.total_count == 0) return "";
+    const bool durable = status.last_policy_id == DDS_DURABILITY_QOS_POLICY_ID;
+    return " with a compatible QoS (" +
+           (durable ? std::string("durability: scans are volatile")
+                    : "policy " + std::to_string(status.last_policy_id)) +
+           ")";
+  }
+
+  void send_static_transforms() {
+    std::array<geometry_msgs_msg_dds__TransformStamped_, 2> both{};
+    const std::array<const std::string*, 4> frames = {&options_.map_frame, &options_.odometry_frame,
+                                                      &options_.base_frame, &options_.scan_frame};
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < frames.size(); i += 2) {
+      if (*frames[i] == *frames[i + 1]) continue;  // the same frame has no transform
+      both[count].header = header(*frames[i], 0);
+      both[count].child_frame_id = const_cast<char*>(frames[i + 1]->c_str());
+      both[count++].transform.rotation = to_ros(0.0);
+    }
+    tf2_msgs_msg_dds__TFMessage_ message{};
+    message.transforms._buffer = both.data();
+    message.transforms._length = message.transforms._maximum = count;
+    write(static_transforms_, message);
+  }
+
+  void send_transform(const Observation& observation, RosTime now) const {
+    geometry_msgs_msg_dds__TransformStamped_ one{};
+    one.header = header(options_.odometry_frame, now);
+    one.child_frame_id = const_cast<char*>(options_.base_frame.c_str());
+    one.transform.translation = {observation.odometry.x, observation.odometry.y, 0};
+    one.transform.rotation = to_ros(observation.odometry.phi);
+    tf2_msgs_msg_dds__TFMessage_ message{};
+    message.transforms._buffer = &one;
+    message.transforms._length = message.transforms._maximum = 1;
+    write(transforms_, message);
+  }
+
+  void send_odometry(const Observation& observation, RosTime now) const {
+    nav_msgs_msg_dds__Odometry_ message{};
+    message.header = header(options_.odometry_frame, now);
+    message.child_frame_id = const_cast<char*>(options_.base_frame.c_str());
+    message.pose.pose.position = {observation.odometry.x, observation.odometry.y, 0};
+    message.pose.pose.orientation = to_ros(observation.odometry.phi);
+    message.twist.twist.linear = {observation.v, observation.vy, 0};
+    message.twist.twist.angular = {0, 0, observation.w};
+    write(odometry_, message);
+  }
+
+  /// Rays without return are +inf, as REP 117 requires.
+  void send_scan(const mrpt::obs::CObservation2DRangeScan& scan, RosTime time) {
+    const std::size_t rays = scan.getScanSize();
+    ranges_.resize(rays);
+    for (std::size_t i = 0; i < rays; ++i)
+      ranges_[i] = scan.getScanRangeValidity(i) ? scan.getScanRange(i)
+                                                : std::numeric_limits<float>::infinity();
+    const double aperture = sensor_.aperture();
+    sensor_msgs_msg_dds__LaserScan_ message{};
+    message.header = header(options_.scan_frame, time);
+    message.angle_min = static_cast<float>(-aperture / 2);
+    message.angle_max = static_cast<float>(aperture / 2);
+    message.angle_increment = static_cast<float>(aperture / static_cast<double>(rays - 1));
+    message.range_max = static_cast<float>(sensor_.max_range);
+    message.ranges._buffer = ranges_.data();
+    message.ranges._length = message.ranges._maximum = static_cast<std::uint32_t>(rays);
+    write(scan_, message);
+  }
+
+  Ros2Options options_;
+  std::string command_topic_;
+  SensorModel sensor_;
+  Entity domain_, participant_, waitset_;
+  Publications publications_;
+  Entity clock_, odometry_, transforms_, static_transforms_, scan_, goal_, map_;
+  Entity command_;
+  bool is_stamped_ = false, is_reliable_ = true;
+  std::vector<Barrier> barriers_;
+  std::vector<float> ranges_;
+};
+
+}  // namespace
+}  // namespace slalom
+
+extern "C" __attribute__((visibility("default"))) slalom::RosLink* slalom_ros2_make_link(
+    const slalom::Ros2Options& options, int domain, const slalom::SensorModel& sensor) {
+  return new slalom::CycloneLink(options, domain, sensor);
+}

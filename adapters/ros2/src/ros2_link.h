@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <slalom/methods/method.h>
+#include <slalom/ros2/ros2_method.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// Time of ROS, ns.
+using RosTime = std::int64_t;
+
+struct RosCommand {
+  Command velocity;
+  std::optional<RosTime> stamp;  ///< of a TwistStamped
+};
+
+/// The simulator's end of the topics of one DDS domain. Created by a library that is loaded when it
+/// is needed: with DDS every program would start later.
+class RosLink {
+ public:
+  virtual ~RosLink() = default;
+
+  /// The counterparts that were not found yet, e.g. "a reader of /scan"; empty if all are there.
+  /// Throws MethodError if one is there that does not fit.
+  virtual std::vector<std::string> missing() = 0;
+  /// Programs that publish commands now.
+  virtual int publishers() = 0;
+
+  /// Poses in the frame of odometry, which is also that of the map.
+  virtual void send_goal(const mrpt::math::TPose2D& goal, RosTime stamp) = 0;
+  /// Returns when the readers have the map.
+  virtual void send_map(const KnownMap& map, RosTime stamp) = 0;
+  /// The transform and odometry of `now`, and the scan of `scan_time`.
+  virtual void send_observation(const Observation& observation, RosTime now, RosTime scan_time) = 0;
+  virtual void send_clock(RosTime now) = 0;
+
+  /// Whether the node of the barrier with this index has handled all data sent so far, after
+  /// waiting up to this time (s).
+  virtual bool pass_barrier(std::size_t node, double seconds) = 0;
+
+  /// The next command received.
+  virtual std::optional<RosCommand> take_command() = 0;
+  /// Waits for a command up to this time (s).
+  virtual void wait(double seconds) = 0;
+};
+
+/// The absolute name of a topic or node.
+std::string ros_name(const Ros2Options& options, const std::string& name);
+/// The absolute names of the nodes of the barrier.
+std::vector<std::string> barrier_nodes(const Ros2Options& options);
+
+using RosLinkFactory =
+    std::function<std::unique_ptr<RosLink>(const Ros2Options&, int domain, const SensorModel&)>;
+
+/// The same with another link than that of DDS. `launch` is started with the domain 1.
+std::unique_ptr<Method> make_ros2_method(const Ros2Options& options, const RobotModel& robot,
+                                         const SensorModel& sensor, const WallClock& clock,
+                                         const RosLinkFactory& make_link);
+
+}  // namespace slalom

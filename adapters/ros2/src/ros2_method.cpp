@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros2_link.h"
+#include "ros_domain.h"
+
+#include <slalom/core/error.h>
+#include <slalom/core/math.h>
+#include <slalom/core/text.h>
+#include <slalom/library/library_method.h>
+#include <slalom/library/shared_library.h>
+#include <slalom/methods/external_process.h>
+#include <slalom/methods/registry.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+constexpr char kRuntime[] = "runtime/libslalom_ros2_runtime.so";
+
+constexpr RosTime kSecond = 1'000'000'000;
+/// Runs begin at multiples of it, so that they begin at the same phase of the nodes' timers.
+constexpr RosTime kGrid = 10 * kSecond;
+/// The robot stands at its start for at least this time, so that transforms and costmaps fill.
+constexpr double kRest = 1;             // s, simulated
+constexpr double kGoalPeriod = 1;       // s, until nodes that are starting have read the goal
+constexpr double kSettlingTime = 0.02;  // s, for commands beyond those that are expected
+constexpr double kShortWait = 0.02;     // s, for a command of nodes that may not be ready
+constexpr double kHealthPeriod = 0.05;  // s, between two looks at the process
+
+RosTime nanoseconds(double seconds) {
+  return static_cast<RosTime>(std::llround(seconds * 1e9));
+}
+
+/// Later than the time of any earlier program: running nodes outlive the simulator, and their time
+/// must not go back. A simulation is at most 1000 times as fast as real time; seconds of ROS have
+/// 31 bits.
+RosTime time_of_running_nodes() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now).count();
+  return seconds % 2'000'000 * 1000 * kSecond;
+}
+
+/// The simulator's side of the nodes.
+class Ros2Method : public Method {
+ public:
+  using MakeLink = std::function<std::unique_ptr<RosLink>()>;
+
+  Ros2Method(const Ros2Options& options, const RobotModel& robot, const SensorModel& sensor,
+             int domain, WallClock clock, MakeLink make_link)
+      : options_(options),
+        barrier_(barrier_nodes(options)),
+        robot_(robot),
+        scan_latency_(sensor.latency),
+        environment_({{"ROS_DOMAIN_ID", std::to_string(domain)},
+                      {"ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST"},
+                      {"ROS_LOCALHOST_ONLY", "1"},
+                      {"PYTHONUNBUFFERED", "1"}}),  // what they print is of their run
+        clock_(std::move(clock)),
+        make_link_(std::move(make_link)),
+        last_(options.launch.empty() ? time_of_running_nodes() : 0) {
+    if (!options.rmw.empty()) environment_.emplace_back("RMW_IMPLEMENTATION", options.rmw);
+  }
+
+  bool uses_map() const override { return options_.map == Ros2Map::Known; }
+
+  /// Starts the nodes, if they are to be launched, and waits until they are there.
+  void connect() {
+    if (!link_) link_ = make_link_();
+    if (!options_.launch.empty() && !process_)
+      process_ = std::make_unique<ExternalProcess>(options_.launch, environment_);
+    const double until = clock_() + options_.startup_time;
+    for (std::vector<std::string> missing; !(missing = link_->missing()).empty();) {
+      check_health();
+      if (clock_() >= until)
+        fail<MethodTimeout>("there is no " + join(missing, ", no ") + " after " +
+                            format_number(options_.startup_time) + " s of wall-clock time");
+      link_->wait(0.01);
+    }
+    connected_ = true;
+    answered_ = counted_ = false;
+  }
+
+  void reset(const NavigationTask& task) override {
+    // Nodes that exited between two runs: no run fails.
+    if (process_ && (options_.restart == Ros2Restart::Run || process_->exit_description())) stop();
+    if (!connected_ || !link_->missing().empty()) connect();
+    check_publishers();
+    figures_ = {{"commands_missing", 0}, {"commands_stale", 0}, {"commands_late", 0}};
+    period_ = task.control_period;
+    start_ = (last_ / kGrid + 1) * kGrid;
+    rested_ = false;
+    command_ = {};
+    goal_ = {task.goal.x, task.goal.y,
+             math::atan2(task.goal.y - task.start.y, task.goal.x - task.start.x)};
+    link_->send_goal(goal_, start_);
+    if (uses_map()) link_->send_map(map_of(task), start_);
+  }
+
+  Command step(const Observation& observation) override {
+    if (!rested_) rest(observation);
+    const RosTime now = start_ + nanoseconds(observation.time);
+    return options_.mode == Ros2Mode::Realtime ? step_in_real_time(observation, now)
+                                               : step_in_lockstep(observation, now);
+  }
+
+  std::map<std::string, double> run_figures() const override { return figures_; }
+
+ private:
+  /// Simulated time passes at the start pose in whole blocks of kRest, until the nodes have
+  /// answered each observation of the last one: a node that has just appeared may have missed the
+  /// first ones. Nodes that may be silent for a while, or publish at their own rate, have answered
+  /// once.
+  void rest(const Observation& observation) {
+    const int block = std::max(1, static_cast<int>(std::ceil(kRest / period_)));
+    const bool each = options_.mode == Ros2Mode::Lockstep && options_.patience == 0;
+    last_command_time_ = clock_();
+    const double until = clock_() + options_.startup_time;
+    double next_goal = clock_() + kGoalPeriod;
+    int answers = 0;
+    for (int cycle = 0; cycle == 0 || cycle % block != 0 || answers < (each ? block : 1); ++cycle) {
+      const bool answered = is_answered(observation);
+      answers = answered ? answers + 1 : each ? 0 : answers;
+      start_ += nanoseconds(period_);
+      if (!answered_ && clock_() >= next_goal) {
+        link_->send_goal(goal_, start_);
+        next_goal = clock_() + kGoalPeriod;
+      }
+      if (clock_() >= until)
+        fail<MethodTimeout>("there is no command on " + command_topic() + " within " +
+                            format_number(options_.startup_time) +
+                            " s of wall-clock time after the goal");
+    }
+    if (options_.mode == Ros2Mode::Lockstep && !counted_) count_commands();
+    take_commands();
+    figures_["commands_stale"] = figures_["commands_late"] = 0;
+    rested_ = true;
+    next_cycle_ = last_command_time_ = clock_();
+  }
+
+  /// A node that publishes more commands than expected would be ahead of the data by one command,
+  /// and then by another.
+  void count_commands() {
+    const double until = clock_() + kSettlingTime;
+    int more = take_commands();
+    for (double left; (left = until - clock_()) > 0; more += take_commands()) link_->wait(left);
+    if (more > 0)
+      fail<MethodError>("further commands on " + command_topic() +
+                        " followed an observation, beyond commands_per_cycle = " +
+                        std::to_string(options_.commands_per_cycle));
+    counted_ = true;
+  }
+
+  bool is_answered(const Observation& observation) {
+    const double end = clock_() + period_;
+    take_commands();
+    send(observation, start_);
+    const bool paced = options_.mode == Ros2Mode::Realtime;
+    const bool answered = await_commands(answered_ && !paced ? patience() : kShortWait);
+    if (answered_ && !answered) check_silence();
+    answered_ = answered_ || answered;
+    if (paced)
+      for (double left; (left = end - clock_()) > 0;) link_->wait(left), take_commands();
+    return answered;
+  }
+
+  Command step_in_lockstep(const Observation& observation, RosTime now) {
+    figures_["commands_late"] += take_commands();
+    send(observation, now);
+    if (!await_commands(patience())) {
+      figures_["commands_missing"] += 1;
+      check_silence();
+    }
+    check_publishers();
+    return limited_command(command_, robot_);
+  }
+
+  /// Returns the latest command at the end of the period. After a delay no cycle is shortened.
+  Command step_in_real_time(const Observation& observation, RosTime now) {
+    send(observation, now);
+    next_cycle_ = std::max(next_cycle_ + period_, clock_());
+    int received = 0;
+    for (double left; (left = next_cycle_ - clock_()) > 0; received += take_commands()) {
+      check_health();
+      link_->wait(std::min(left, kHealthPeriod));
+    }
+    received += take_commands();
+    if (received == 0) {
+      figures_["commands_missing"] += 1;
+      check_silence();
+    }
+    return limited_command(command_, robot_);
+  }
+
+  double patience() const { return options_.patience > 0 ? options_.patience : options_.deadline; }
+
+  /// Sends the data of a cycle, then its time. The nodes' timers fire with the time, and must find
+  /// the data.
+  void send(const Observation& observation, RosTime now) {
+    scan_time_ = std::max(now - nanoseconds(scan_latency_), start_ - kGrid);
+    link_->send_observation(observation, now, scan_time_);
+    if (options_.mode == Ros2Mode::Lockstep)
+      for (std::size_t node = 0; node < barrier_.size(); ++node) pass_barrier(node);
+    const RosTime step =
+        options_.clock_step > 0 ? nanoseconds(options_.clock_step) : nanoseconds(period_);
+    for (RosTime time = std::max(last_ + step, now - nanoseconds(period_) + step); time < now;
+         time += step)
+      link_->send_clock(time);
+    link_->send_clock(now);
+    last_ = now;
+  }
+
+  void pass_barrier(std::size_t node) {
+    const double until = clock_() + options_.deadline;
+    while (!link_->pass_barrier(node, kHealthPeriod)) {
+      check_health();
+      if (clock_() >= until)
+        fail<MethodTimeout>("the node " + barrier_[node] +
+                            " does not reply to the barrier within " +
+                            format_number(options_.deadline) + " s of wall-clock time");
+    }
+  }
+
+  /// Whether the commands of a cycle arrived within this time (s).
+  bool await_commands(double seconds) {
+    const double until = clock_() + seconds;
+    for (int count = 0; count < options_.commands_per_cycle;) {
+      if (take_command()) {
+        ++count;
+        continue;
+      }
+      check_health();
+      const double left = until - clock_();
+      if (left <= 0) return false;
+      link_->wait(std::min(left, kHealthPeriod));
+    }
+    return true;
+  }
+
+  bool take_command() {
+    const auto command = link_->take_command();
+    if (!command) return false;
+    command_ = command->velocity;
+    last_command_time_ = clock_();
+    // Nodes that do not know the time of their data leave the stamp empty.
+    if (command->stamp && *command->stamp > 0 && *command->stamp < scan_time_)
+      figures_["commands_stale"] += 1;
+    return true;
+  }
+
+  int take_commands() {
+    int count = 0;
+    while (take_command()) ++count;
+    return count;
+  }
+
+  std::string command_topic() const { return ros_name(options_, options_.command); }
+
+  void check_silence() {
+    if (clock_() - last_command_time_ >= options_.deadline)
+      fail<MethodTimeout>("no command on " + command_topic() + " within " +
+                          format_number(options_.deadline) + " s of wall-clock time");
+  }
+
+  void check_publishers() {
+    const int count = link_->publishers();
+    if (count > options_.publishers)
+      fail<MethodError>(std::to_string(count) + " programs publish " + command_topic() +
+                        ", and publishers = " + std::to_string(options_.publishers));
+  }
+
+  void check_health() {
+    if (process_) {
+      if (const auto end = process_->exit_description())
+        fail<MethodError>("the launched process ended (" + *end + ")");
+    }
+    if (!connected_) return;
+    check_publishers();
+    if (link_->publishers() == 0) fail<MethodError>("no node publishes " + command_topic());
+  }
+
+  template <typename Failure>
+  [[noreturn]] void fail(const std::string& reason) {
+    stop();
+    throw Failure(reason);
+  }
+
+  /// The next run starts new nodes.
+  void stop() {
+    connected_ = false;
+    process_.reset();
+    if (!options_.launch.empty()) link_.reset();
+  }
+
+  Ros2Options options_;
+  std::vector<std::string> barrier_;
+  RobotModel robot_;
+  double scan_latency_;  ///< s
+  EnvironmentVariables environment_;
+  WallClock clock_;
+  MakeLink make_link_;
+  std::unique_ptr<RosLink> link_;
+  std::unique_ptr<ExternalProcess> process_;  ///< ends before the link
+  RosTime last_;                              ///< of /clock
+  RosTime start_ = 0, scan_time_ = 0;
+  bool connected_ = false, rested_ = false;
+  bool answered_ = false, counted_ = false;                     ///< since these nodes were found
+  double period_ = 0, next_cycle_ = 0, last_command_time_ = 0;  ///< s
+  Command command_;
+  mrpt::math::TPose2D goal_;
+  std::map<std::string, double> figures_;
+};
+
+/// The library that links DDS, loaded once. It is never unloaded: destructors of the threads of DDS
+/// outlive the last link.
+RosLinkFactory load_runtime(const OptionLocation& where) {
+  static std::unique_ptr<SharedLibrary> library;
+  std::string reason = "no slalom_ros2_make_link()";
+  const std::string path = resolve_plugin_path(kRuntime, "", where("adapter"));
+  if (!library) library = load_shared_library(path, reason);
+  using MakeLink = RosLink* (*)(const Ros2Options&, int, const SensorModel&);
+  const auto make =
+      library ? reinterpret_cast<MakeLink>(library->find("slalom_ros2_make_link")) : nullptr;
+  if (make == nullptr)
+    throw usage_error(where("adapter"), path + " cannot be loaded: " + reason,
+                      "Cyclone DDS of the distribution (libddsc)");
+  return [make](const Ros2Options& options, int domain, const SensorModel& sensor) {
+    return std::unique_ptr<RosLink>(make(options, domain, sensor));
+  };
+}
+
+bool is_ros_name(const std::string& name) {
+  const bool plain = !name.empty() && name.find("//") == std::string::npos && name.back() != '/' &&
+                     name.find_first_not_of(
+                         "abcdefghijklmnopqrstuvwxyz0123456789_/"
+                         "ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
+  for (std::size_t i = 0; plain && i < name.size(); ++i)
+    if ((i == 0 || name[i - 1] == '/') && name[i] >= '0' && name[i] <= '9') return false;
+  return plain;
+}
+
+void check_names(const Ros2Options& o, const OptionLocation& where) {
+  std::vector<std::pair<const char*, std::string>> names = {
+      {"command", o.command}, {"scan", o.scan},           {"odometry", o.odometry},
+      {"goal", o.goal},       {"map_topic", o.map_topic}, {"tf", o.tf}};
+  if (!o.name_space.empty()) names.emplace_back("namespace", o.name_space);
+  for (const std::string& node : split(o.barrier, ',')) names.emplace_back("barrier", node);
+  for (const auto& [key, name] : names)
+    if (!is_ros_name(name))
+      throw usage_error(where(key), "invalid name '" + name + "'",
+                        "a name of ROS: letters, digits, '_' and '/'");
+  if (o.mode == Ros2Mode::Realtime && !o.barrier.empty())
+    throw usage_error(where("barrier"), "simulated time does not wait with mode = realtime",
+                      "mode = lockstep, or no barrier");
+  if (o.restart == Ros2Restart::Run && o.launch.empty())
+    throw usage_error(where("restart"), "the nodes are not started by Slalom",
+                      "a command line in launch, or restart = never");
+}
+
+/// A method in a domain that it keeps to itself.
+class Ros2MethodInDomain : public Ros2Method {
+ public:
+  Ros2MethodInDomain(RosDomain domain, const Ros2Options& options, const RobotModel& robot,
+                     const SensorModel& sensor, const WallClock& clock,
+                     const RosLinkFactory& make_link)
+      : Ros2Method(options, robot, sensor, domain.id(), clock,
+                   [=, id = domain.id()] { return make_link(options, id, sensor); }),
+        domain_(std::move(domain)) {}
+
+ private:
+  RosDomain domain_;
+};
+
+RosDomain domain_of(const Ros2Options& options, const OptionLocation& where) {
+  if (options.launch.empty()) {
+    if (auto domain = RosDomain::share(options.domain)) return std::move(*domain);
+    throw usage_error(where("domain"),
+                      "another worker of Slalom uses domain " + std::to_string(options.domain),
+                      "a domain for each, or a command line in launch");
+  }
+  if (auto domain = RosDomain::find_free(options.domain, kLastRosDomain)) return std::move(*domain);
+  throw usage_error(where("domain"),
+                    "all domains from " + std::to_string(options.domain) + " to " +
+                        std::to_string(kLastRosDomain) + " are in use",
+                    "a smaller number, or fewer workers");
+}
+
+MethodFactory make_factory(const Ros2Options& options, const OptionLocation& where,
+                           const WallClock& clock) {
+  check_names(options, where);
+  return [=](const RobotModel& robot, const SensorModel& sensor) -> std::unique_ptr<Method> {
+    auto method = std::make_unique<Ros2MethodInDomain>(domain_of(options, where), options, robot,
+                                                       sensor, clock, load_runtime(where));
+    if (options.launch.empty()) return method;
+    try {
+      method->connect();
+    } catch (const std::runtime_error& failure) {
+      throw usage_error(where("launch"), failure.what());
+    }
+    return method;
+  };
+}
+
+}  // namespace
+
+std::unique_ptr<Method> make_ros2_method(const Ros2Options& options, const RobotModel& robot,
+                                         const SensorModel& sensor, const WallClock& clock,
+                                         const RosLinkFactory& make_link) {
+  return std::make_unique<Ros2Method>(options, robot, sensor, kFirstRosDomain, clock,
+                                      [=] { return make_link(options, kFirstRosDomain, sensor); });
+}
+
+MethodFactory ros2_method(const Ros2Options& options, const WallClock& clock) {
+  check_options(options, location_of("ros2_method"));
+  return make_factory(options, location_of("ros2_method"), clock);
+}
+
+MethodFactory read_ros2_method(const IniFile& ini, const std::string& section,
+                               const WallClock& clock) {
+  return make_factory(read_adapter_options<Ros2Options>(ini, section), location_in(ini, section),
+                      clock);
+}
+
+}  // namespace slalom

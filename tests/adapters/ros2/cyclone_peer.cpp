@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The node of a test on Cyclone DDS, with the topics and the parameter service of a node of rclcpp
+// under rmw_cyclonedds; single-threaded, with the order of rclcpp's executor: timers,
+// subscriptions, services.
+#include "navigating_node.h"
+#include "ros2_messages.h"
+
+#include <cstring>
+#include <dds/dds.h>
+
+namespace {
+
+using slalom::NavigatingNode;
+
+constexpr char kLocalHost[] =
+    "<CycloneDDS><Domain Id=\"any\"><General><AllowMulticast>false</AllowMulticast></General>"
+    "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
+    "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
+    "<Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery></Domain></CycloneDDS>";
+
+std::int64_t nanoseconds(const builtin_interfaces_msg_dds__Time_& time) {
+  return time.sec * std::int64_t{1'000'000'000} + static_cast<std::int64_t>(time.nanosec);
+}
+
+class Peer {
+ public:
+  Peer(int argc, char** argv)
+      : node_(argc, argv, [this](const NavigatingNode::Answer& answer) { publish(answer); }) {
+    const char* domain = std::getenv("ROS_DOMAIN_ID");
+    const auto id = static_cast<dds_domainid_t>(domain == nullptr ? 0 : std::atoi(domain));
+    dds_create_domain(id, kLocalHost);
+    participant_ = dds_create_participant(id, nullptr, nullptr);
+    waitset_ = dds_create_waitset(participant_);
+    clock_ = reader("rt/clock", rosgraph_msgs_msg_dds__Clock__desc, false);
+    goal_ = reader("rt/goal_pose", geometry_msgs_msg_dds__PoseStamped__desc, true);
+    odometry_ = reader("rt/odom", nav_msgs_msg_dds__Odometry__desc, true);
+    scan_ = reader("rt/scan", sensor_msgs_msg_dds__LaserScan__desc, false);
+    dds_topic_descriptor_t question = slalom_ros2_CycloneRequest_desc;
+    dds_topic_descriptor_t reply = slalom_ros2_CycloneReply_desc;
+    question.m_typename = "rcl_interfaces::srv::dds_::GetParameterTypes_Request_";
+    reply.m_typename = "rcl_interfaces::srv::dds_::GetParameterTypes_Response_";
+    question_ = reader("rq/method/get_parameter_typesRequest", question, true);
+    reply_ = writer("rr/method/get_parameter_typesReply", reply);
+    command_ = writer("rt/cmd_vel", node_.fault() == "wrong_type"
+                                        ? geometry_msgs_msg_dds__PoseStamped__desc
+                                    : node_.stamped() ? geometry_msgs_msg_dds__TwistStamped__desc
+                                                      : geometry_msgs_msg_dds__Twist__desc);
+  }
+
+  void spin() {
+    for (;;) {
+      dds_attach_t hit = 0;
+      dds_waitset_wait(waitset_, &hit, 1, DDS_INFINITY);
+      take<rosgraph_msgs_msg_dds__Clock_>(
+          clock_, [this](const auto& m) { node_.on_clock(nanoseconds(m.clock)); });
+      take<geometry_msgs_msg_dds__PoseStamped_>(
+          goal_, [this](const auto& m) { node_.on_goal(m.pose.position.y); });
+      take<nav_msgs_msg_dds__Odometry_>(
+          odometry_, [this](const auto& m) { node_.on_odometry(m.twist.twist.linear.x); });
+      take<sensor_msgs_msg_dds__LaserScan_>(scan_, [this](const auto& m) {
+        const float* first = m.ranges._buffer;
+        node_.on_scan(nanoseconds(m.header.stamp), {first, first + m.ranges._length}, m.angle_min,
+                      m.angle_increment);
+        if (node_.fault() == "two" && node_.has_fault_now() && second_ == 0) publish_twice();
+      });
+      take<slalom_ros2_CycloneRequest>(question_, [this](const auto& m) {
+        if (node_.fault() == "deaf" && node_.has_fault_now()) return;
+        slalom_ros2_CycloneReply reply{};
+        reply.client = m.client;
+        reply.number = m.number;
+        dds_write(reply_, &reply);
+      });
+    }
+  }
+
+ private:
+  dds_entity_t topic(const char* name, const dds_topic_descriptor_t& type) const {
+    return dds_create_topic(participant_, &type, name, nullptr, nullptr);
+  }
+
+  dds_entity_t reader(const char* name, const dds_topic_descriptor_t& type, bool reliable) const {
+    dds_qos_t* qos = dds_create_qos();
+    dds_qset_reliability(qos, reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
+                         DDS_SECS(1));
+    const auto made = dds_create_reader(participant_, topic(name, type), qos, nullptr);
+    dds_delete_qos(qos);
+    dds_set_status_mask(made, DDS_DATA_AVAILABLE_STATUS);
+    dds_waitset_attach(waitset_, made, 0);
+    return made;
+  }
+
+  dds_entity_t writer(const char* name, const dds_topic_descriptor_t& type) const {
+    dds_qos_t* qos = dds_create_qos();
+    dds_qset_reliability(
+        qos,
+        node_.fault() == "best_effort" ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE,
+        DDS_SECS(1));
+    const auto made = dds_create_writer(participant_, topic(name, type), qos, nullptr);
+    dds_delete_qos(qos);
+    return made;
+  }
+
+  /// Returns when the simulator has found the second publisher.
+  void publish_twice() {
+    second_ = writer("rt/cmd_vel", geometry_msgs_msg_dds__Twist__desc);
+    const geometry_msgs_msg_dds__Twist_ twist{};
+    dds_write(second_, &twist);
+    dds_wait_for_acks(second_, DDS_INFINITY);
+  }
+
+  template <typename Message, typename Function>
+  static void take(dds_entity_t reader, Function function) {
+    for (;;) {
+      void* sample = nullptr;
+      dds_sample_info_t info;
+      if (dds_take(reader, &sample, &info, 1, 1) <= 0) return;
+      if (info.valid_data) function(*static_cast<const Message*>(sample));
+      dds_return_loan(reader, &sample, 1);
+    }
+  }
+
+  void publish(const NavigatingNode::Answer& answer) const {
+    geometry_msgs_msg_dds__Twist_ twist{};
+    twist.linear.x = answer.velocity.v;
+    twist.angular.z = answer.velocity.w;
+    if (!node_.stamped()) {
+      dds_write(command_, &twist);
+      return;
+    }
+    geometry_msgs_msg_dds__TwistStamped_ message{};
+    message.header.stamp = {static_cast<std::int32_t>(answer.stamp / 1'000'000'000),
+                            static_cast<std::uint32_t>(answer.stamp % 1'000'000'000)};
+    std::string frame(answer.padding, 'x');
+    message.header.frame_id = frame.data();
+    message.twist = twist;
+    dds_write(command_, &message);
+  }
+
+  NavigatingNode node_;
+  dds_entity_t participant_ = 0, waitset_ = 0, clock_ = 0, goal_ = 0, odometry_ = 0, scan_ = 0,
+               question_ = 0;
+  dds_entity_t reply_ = 0, command_ = 0, second_ = 0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Peer(argc, argv).spin();
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nodes over DDS, in a private network with a second interface where permitted.
+#include "error_text.h"
+#include "hurrying_clock.h"
+#include "private_network.h"
+#include "steering.h"
+
+#include <slalom/methods/external_process.h>
+#include <slalom/ros2/ros2_method.h>
+#include <slalom/simulation/simulate.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace slalom {
+namespace {
+
+/// The law of the nodes, in this process.
+class SteeringMethod : public Method {
+ public:
+  void reset(const NavigationTask&) override {}
+  Command step(const Observation& observation) override {
+    const auto& scan = *observation.scan;
+    const std::size_t rays = scan.getScanSize();
+    const double aperture = SensorModel().aperture();
+    const Steering steering = steer(&scan.getScanRange(0), rays, static_cast<float>(-aperture / 2),
+                                    static_cast<float>(aperture / static_cast<double>(rays - 1)));
+    return {steering.v, steering.w};
+  }
+};
+
+class Ros2NodesTest : public testing::Test {
+ protected:
+  /// Participants that are bound to the loopback device are only found where there is no other.
+  static void SetUpTestSuite() {
+    if (enter_private_network() &&
+        std::system("ip link add v0 type veth peer name v1 && ip addr add 10.9.0.1/24 dev v0 && "
+                    "ip link set v0 up && ip link set v1 up") != 0)
+      std::puts("There is no second network interface.");
+  }
+
+  /// A method by these keys. A slow machine does not reach its limits.
+  static std::unique_ptr<Method> make(const std::string& keys,
+                                      const WallClock& clock = steady_seconds) {
+    const IniFile ini = IniFile::from_text(
+        "[method.a]\nadapter = ros2\nstartup_time = 100\ndeadline = 100\n" + keys, "my.ini");
+    return read_ros2_method(ini, "method.a", clock)(RobotModel(), SensorModel());
+  }
+  static std::unique_ptr<Method> launch(const std::string& command, const std::string& keys = "",
+                                        const WallClock& clock = steady_seconds) {
+    return make("launch = exec " + command + "\n" + keys, clock);
+  }
+
+  /// Columns between start and goal.
+  static const World& columns() {
+    static const World world = [] {
+      Primitives obstacles;
+      for (int i = 0; i < 5; ++i)
+        obstacles.discs.push_back({{2.0 + i, i % 2 == 0 ? 1.7 : 2.6}, 0.3});
+      return World(
+          Scenario::continuous("columns", {0, 0, 8, 4}, obstacles, {0.7, 2, 0.2}, {7.3, 2}), 0.05);
+    }();
+    return world;
+  }
+  /// Its goal is where nodes have their fault.
+  static const World& faulty() {
+    static const World world(columns().scenario().with_start_goal({0.7, 2, 0.2}, {7.3, 3.5}), 0.05);
+    return world;
+  }
+
+  static SimulationResult run(Method& method, const World& world = columns()) {
+    RunSetup setup;
+    setup.simulation.max_time = 12;
+    return simulate(world, setup, 1, method);
+  }
+  static std::string expected_hash() {
+    SteeringMethod local;
+    const SimulationResult result = run(local);
+    EXPECT_GT(result.trajectory.samples.size(), 50U) << result.detail;
+    return result.trajectory.hash();
+  }
+
+  /// Two runs have the hash of the law in this process, and all commands are of their cycle.
+  static void expect_equal_runs(Method& method) {
+    for (int i = 0; i < 2; ++i) {
+      const SimulationResult result = run(method);
+      EXPECT_EQ(result.trajectory.hash(), expected_hash()) << result.detail;
+      for (const auto& [id, count] : method.run_figures()) EXPECT_EQ(count, 0) << id;
+    }
+  }
+};
+
+TEST_F(Ros2NodesTest, NodesOfBothMiddlewaresGiveTheTrajectoryOfTheirLawInThisProcess) {
+  for (const std::string peer : {CYCLONE_PEER, DESCRIBED_PEER, FAST_PEER})
+    for (const std::string type : {"", " --stamped"}) {
+      if (peer.empty()) continue;  // there is no Fast DDS 2
+      SCOPED_TRACE(peer + type);
+      expect_equal_runs(*launch(peer + type));
+    }
+}
+
+TEST_F(Ros2NodesTest, BehindTheBarrierATimerNeverCommandsFromAnOlderScan) {
+  for (const std::string peer : {CYCLONE_PEER, FAST_PEER}) {
+    if (peer.empty()) continue;
+    SCOPED_TRACE(peer);
+    const auto method = launch(peer + " --stamped --timer", "barrier = method\n");
+    for (std::size_t cycles = 0; cycles < 10'000;) {
+      const SimulationResult result = run(*method);
+      ASSERT_EQ(result.trajectory.hash(), expected_hash()) << result.detail;
+      for (const auto& [id, count] : method->run_figures()) ASSERT_EQ(count, 0) << id;
+      cycles += result.trajectory.samples.size();
+    }
+  }
+}
+
+TEST_F(Ros2NodesTest, ABestEffortPublisherIsHeard) {
+  expect_equal_runs(*launch(CYCLONE_PEER " best_effort"));
+}
+
+TEST_F(Ros2NodesTest, MethodsInDomainsOfTheirOwnDoNotHearEachOther) {
+  const auto one = launch(CYCLONE_PEER), other = launch(CYCLONE_PEER " fast");
+  expect_equal_runs(*one);
+  expect_equal_runs(*other);
+  expect_equal_runs(*one);
+}
+
+TEST_F(Ros2NodesTest, ProcessesAreStartedAnewForEachRunOnRequest) {
+  expect_equal_runs(*launch(CYCLONE_PEER, "restart = run\n"));
+}
+
+TEST_F(Ros2NodesTest, RunningNodesAreFoundByTheirDomain) {
+  const ExternalProcess node("exec " CYCLONE_PEER, {{"ROS_DOMAIN_ID", "77"}});
+  const auto method = make("domain = 77\n");
+  expect_equal_runs(*method);
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "my.ini", {"domain", "another worker", "77"},
+                           [&] { make("domain = 77\n"); }));
+}
+
+TEST_F(Ros2NodesTest, EachFaultEndsItsRunWithItsOutcomeAndTheNextRunIsSound) {
+  struct Fault {
+    std::string name;
+    Outcome outcome;
+    std::string detail, keys;
+  };
+  for (const Fault& fault :
+       {Fault{"exit", Outcome::MethodError, "exit status 3", ""},
+        Fault{"killed", Outcome::MethodError, "signal 9", ""},
+        Fault{"nan", Outcome::MethodInvalidCommand, "not a finite number", ""},
+        Fault{"two", Outcome::MethodError, "2 programs publish /cmd_vel", "barrier = method\n"},
+        Fault{"silent", Outcome::MethodDeadline, "no command on /cmd_vel within 100 s", ""},
+        Fault{"deaf", Outcome::MethodDeadline, "the node /method does not reply",
+              "barrier = method\n"}}) {
+    SCOPED_TRACE(fault.name);
+    HurryingClock clock;
+    const auto method = launch(CYCLONE_PEER " " + fault.name, fault.keys, clock);
+    HookedMethod hurried = hurry_from(*method, clock, 0.5);
+    const SimulationResult result = run(hurried, faulty());
+    EXPECT_EQ(result.outcome, fault.outcome) << result.detail;
+    EXPECT_TRUE(mentions(result.detail, {fault.detail}));
+    EXPECT_EQ(run(*method).trajectory.hash(), expected_hash());
+  }
+}
+
+TEST_F(Ros2NodesTest, StaleAndMissingCommandsAreCounted) {
+  const auto stale = launch(CYCLONE_PEER " --stamped stale");
+  run(*stale, faulty());
+  EXPECT_GT(stale->run_figures().at("commands_stale"), 50);
+  const auto pauses = launch(CYCLONE_PEER " pauses", "patience = 0.02\n");
+  run(*pauses, faulty());
+  EXPECT_GT(pauses->run_figures().at("commands_missing"), 20);
+}
+
+TEST_F(Ros2NodesTest, CommandsBeyondTheSizeOfADatagramAreRead) {
+  SteeringMethod local;
+  const auto method = launch(CYCLONE_PEER " --stamped huge");
+  EXPECT_EQ(run(*method, faulty()).trajectory.hash(), run(local, faulty()).trajectory.hash());
+}
+
+TEST_F(Ros2NodesTest, TheLastOfSeveralCommandsForAScanCountsIfTheirNumberIsKnown) {
+  expect_equal_runs(*launch(CYCLONE_PEER " twice", "commands_per_cycle = 2\n"));
+  const auto unknown = launch(CYCLONE_PEER " twice");
+  EXPECT_TRUE(
+      mentions(run(*unknown).detail,
+               {"further commands on /cmd_vel followed an observation", "commands_per_cycle = 1"}));
+}
+
+TEST_F(Ros2NodesTest, WhatIsMissingAtTheStartIsNamed) {
+  const auto refused = [](const std::string& keys, std::initializer_list<std::string> words) {
+    return throws_error(ErrorKind::Usage, "my.ini:3: [method.a] launch", words, [&] {
+      const IniFile ini = IniFile::from_text("[method.a]\nadapter = ros2\n" + keys, "my.ini");
+      read_ros2_method(ini, "method.a")(RobotModel(), SensorModel());
+    });
+  };
+  EXPECT_TRUE(refused("launch = exec sleep 100\nstartup_time = 0.3\n",
+                      {"no reader of /scan", "no publisher of /cmd_vel", "0.3 s"}));
+  EXPECT_TRUE(refused("launch = exec " CYCLONE_PEER "\nstartup_time = 2\nbarrier = other\n",
+                      {"no node /other"}));
+  EXPECT_TRUE(refused("launch = exec " CYCLONE_PEER " wrong_type\n",
+                      {"/cmd_vel has the type geometry_msgs::msg::dds_::PoseStamped_", "Twist"}));
+  EXPECT_TRUE(refused("launch = exit 7\n", {"exit status 7"}));
+}
+
+TEST_F(Ros2NodesTest, ADomainThatAnotherProgramUsesIsPassedOver) {
+  const ExternalProcess stranger("exec " CYCLONE_PEER, {{"ROS_DOMAIN_ID", "42"}});
+  {
+    const auto waiting = make("domain = 42\n");  // until it is there
+    EXPECT_EQ(run(*waiting).trajectory.hash(), expected_hash());
+  }
+  expect_equal_runs(*launch(CYCLONE_PEER));
+}
+
+}  // namespace
+}  // namespace slalom

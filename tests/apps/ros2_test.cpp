@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Campaigns with nodes of ROS 2, in a private network namespace if permitted.
+#include "private_network.h"
+#include "program_run.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace slalom {
+namespace {
+
+using Json = nlohmann::json;
+
+class Ros2ProgramTest : public ProgramTest {
+ protected:
+  static void SetUpTestSuite() { enter_private_network(); }
+
+  /// The small campaign with nodes on Cyclone DDS. A slow machine does not reach their limits.
+  void write_campaign(const std::string& methods, const std::string& sections) const {
+    std::string text = kSmallCampaign;
+    text.replace(text.find("nd, gap"), 7, methods);
+    write("small.ini", text + sections);
+  }
+  static std::string section(const std::string& name, const std::string& arguments,
+                             const std::string& keys = "") {
+    return "[method." + name + "]\nadapter = ros2\nlaunch = exec " CYCLONE_PEER " " + arguments +
+           "\ndeadline = 100\nstartup_time = 100\n" + keys;
+  }
+
+  /// The runs by scenario and method, without the name of the method.
+  std::map<std::string, std::map<std::string, Json>> runs(const std::string& jobs) const {
+    const ProgramResult result =
+        run("slalom-evaluate small.ini --quiet -o out" + jobs + " -j " + jobs);
+    EXPECT_EQ(result.status, 0) << result.err;
+    std::istringstream lines(run("slalom-analyze dump out" + jobs + "/runs.results").out);
+    std::map<std::string, std::map<std::string, Json>> runs;
+    for (std::string line; std::getline(lines, line);) {
+      Json record = Json::parse(line);
+      const std::string method = record.at("method");
+      record.erase("method");
+      runs[record.at("scenario").dump()][method] = record;
+    }
+    return runs;
+  }
+
+  /// Processes that execute the node.
+  static int running_nodes() {
+    int count = 0;
+    for (const auto& process : std::filesystem::directory_iterator("/proc")) {
+      std::error_code error;
+      const auto program = std::filesystem::read_symlink(process.path() / "exe", error);
+      if (!error && program == CYCLONE_PEER) ++count;
+    }
+    return count;
+  }
+};
+
+TEST_F(Ros2ProgramTest, ACampaignHasTheSameResultsForAnyNumberOfWorkersAndBothModes) {
+  write_campaign("scan, timer", section("scan", "--stamped") +
+                                    section("timer", "--stamped --timer", "barrier = method\n"));
+  const auto one = runs("1");
+  EXPECT_EQ(one, runs("2"));
+  ASSERT_EQ(one.size(), 4U);
+  for (const auto& [scenario, by_method] : one)
+    EXPECT_EQ(by_method.at("scan"), by_method.at("timer")) << scenario;
+  EXPECT_EQ(running_nodes(), 0);
+}
+
+TEST_F(Ros2ProgramTest, ACampaignGoesOnAfterNodesThatAreKilled) {
+  write_campaign("node", section("node", "killed"));
+  const auto all = runs("2");
+  ASSERT_EQ(all.size(), 4U);
+  int killed = 0;
+  for (const auto& [scenario, by_method] : all)
+    if (by_method.at("node").at("outcome") == "method_error") ++killed;
+  EXPECT_GT(killed, 0);
+  EXPECT_LT(killed, 4);  // goals with y > 3 only
+  EXPECT_EQ(running_nodes(), 0);
+}
+
+TEST_F(Ros2ProgramTest, StaleCommandsAreShownWithTheCampaignInTablesAndWithTheirRun) {
+  write_campaign("node", section("node", "--stamped stale"));
+  const ProgramResult evaluated = run("slalom-evaluate small.ini -o out1 -j 1");
+  EXPECT_NE(evaluated.err.find("node: commands were stale ("), std::string::npos) << evaluated.err;
+  EXPECT_NE(read("out1/report/report.json").find("node: commands were stale ("), std::string::npos);
+  const ProgramResult table =
+      run("slalom-analyze table out1/runs.results --columns success,commands_stale --csv");
+  EXPECT_NE(table.out.find("commands_stale"), std::string::npos) << table.err;
+  const ProgramResult shown = run("slalom-analyze show out1/runs.results --run random_0000/node/0");
+  for (const char* const id : {"commands_stale", "commands_missing", "commands_late"})
+    EXPECT_NE(shown.out.find(id), std::string::npos) << shown.out;
+}
+
+TEST_F(Ros2ProgramTest, ProgramsDoNotLoadDdsWithoutSuchAMethod) {
+  for (const std::string program : {"slalom-evaluate", "slalom-simulate", "slalom-studio"})
+    EXPECT_EQ(run("ldd \"$(command -v " + program + ")\"").out.find("ddsc"), std::string::npos);
+}
+
+TEST_F(Ros2ProgramTest, AMethodInADomainNeedsTheNetwork) {
+  write_campaign("node", section("node", ""));
+  expect_failure("slalom-evaluate small.ini -o out --set limits.network=false", 2,
+                 {"network", "[method.node] communicates over the network", "expected true"});
+}
+
+}  // namespace
+}  // namespace slalom
