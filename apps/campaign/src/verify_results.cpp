@@ -37,12 +37,12 @@ class ComparingSink : public CampaignSink {
         campaign_(file.read_manifest()["campaign"]),
         first_repetition_(first_repetition) {}
 
-  void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
-                    const References& references) override {
+  void add_scenario(const ScenarioRecord& record, const References& references,
+                    const PackedScenario&) override {
     record_[record.hash] = record;
     ++report.scenarios;
     if (to_bytes(references) != to_bytes(file_.read_references(record.hash)))
-      report.differences.push_back("scenario " + scenario.name() +
+      report.differences.push_back("scenario " + record.name +
                                    ": its reference paths are different");
   }
 

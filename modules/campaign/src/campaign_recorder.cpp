@@ -70,9 +70,9 @@ bool CampaignRecorder::has_run(const Scenario& scenario, const RunSpec& spec) {
   return known_runs_.count(key_of(scenario.hash(), spec.method, spec.repetition)) > 0;
 }
 
-void CampaignRecorder::add_scenario(const ScenarioRecord& record, const Scenario& scenario,
-                                    const References& references) {
-  file_.add_scenario(record, scenario, references);
+void CampaignRecorder::add_scenario(const ScenarioRecord& record, const References& references,
+                                    const PackedScenario& packed) {
+  file_.add_scenario(record, packed, references.timing);
   expect_commit();
 }
 

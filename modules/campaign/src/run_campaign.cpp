@@ -36,6 +36,21 @@ std::vector<RunSpec> remaining_plan(const Campaign& campaign, CampaignSink& sink
   return plan;
 }
 
+bool are_values_of(const std::vector<std::string>& ids,
+                   const std::map<std::string, VersionedValue>& values) {
+  return values.size() == ids.size() &&
+         std::all_of(ids.begin(), ids.end(),
+                     [&](const std::string& id) { return values.count(id) == 1; });
+}
+
+/// Whether findings are those of the scenario: all that the parent of the workers compares.
+bool are_findings_of(const Campaign& campaign, const Scenario& scenario,
+                     const ScenarioFindings& findings) {
+  const ScenarioRecord& record = findings.record;
+  return record.hash == scenario.hash() && record.name == scenario.name() &&
+         are_values_of(campaign.options.descriptors, record.descriptors);
+}
+
 /// First phase: descriptors and reference paths of every scenario.
 bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execution& execution,
                       std::vector<References>& references) {
@@ -53,14 +68,14 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
   std::size_t done = campaign.scenarios.size() - missing.size();
   const auto receive = [&](std::size_t i, WorkResult&& result) {
     const Scenario& scenario = campaign.scenarios[missing[i]];
-    const auto findings = result.status == WorkResult::Status::Done
-                              ? read_payload(result.payload, scenario_findings_from_wire)
-                              : std::nullopt;
-    if (!findings)
+    auto findings = result.status == WorkResult::Status::Done
+                        ? read_payload(result.payload, scenario_findings_from_wire)
+                        : std::nullopt;
+    if (!findings || !are_findings_of(campaign, scenario, *findings))
       throw job_error("scenario " + scenario.name(),
                       "its descriptors and references could not be computed: " + result.detail);
-    references[missing[i]] = findings->references;
-    sink.add_scenario(findings->record, scenario, findings->references);
+    sink.add_scenario(findings->record, findings->references, findings->packed);
+    references[missing[i]] = std::move(findings->references);
     execution.progress.advance(++done);
   };
   execution.progress.start("Describing scenarios", campaign.scenarios.size());
@@ -103,13 +118,11 @@ bool is_intact(const RunFindings& findings, StoredTrajectories stored) {
 bool are_findings_of(const Campaign& campaign, const RunSpec& spec, const RunFindings& findings) {
   const RunRecord& record = findings.record;
   const RunRecord planned = make_run_record(campaign, spec);
-  const std::vector<std::string>& metrics = campaign.options.metrics;
   return record.scenario_hash == planned.scenario_hash &&
          record.scenario_name == planned.scenario_name && record.method == planned.method &&
          record.repetition == planned.repetition && record.seed == planned.seed &&
-         from_name<Outcome>(record.outcome) && record.metrics.size() == metrics.size() &&
-         std::all_of(metrics.begin(), metrics.end(),
-                     [&](const std::string& id) { return record.metrics.count(id) == 1; });
+         from_name<Outcome>(record.outcome) &&
+         are_values_of(campaign.options.metrics, record.metrics);
 }
 
 /// The findings of a run that was not completed.

@@ -41,6 +41,7 @@ ScenarioFindings survey_scenario(const Campaign& campaign, const Scenario& scena
     const Descriptor& enabled = descriptor(id);
     findings.record.descriptors[id] = {enabled.info.version, enabled.compute(context)};
   }
+  findings.packed = {scenario, references};
   return findings;
 }
 

@@ -4,7 +4,6 @@
 #include <slalom/core/byte_stream.h>
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
-#include <slalom/references/reference_codec.h>
 
 #include <algorithm>
 #include <climits>
@@ -89,7 +88,7 @@ std::string to_wire(const ScenarioFindings& findings) {
   ByteWriter out;
   out.text(findings.record.hash).text(findings.record.name);
   write(out, findings.record.descriptors);
-  out.text(to_bytes(findings.references));
+  out.text(findings.packed.content).text(findings.packed.refs);
   out.f64(timing.exact).f64(timing.planner).f64(timing.safest);
   return sealed(out.take());
 }
@@ -100,7 +99,9 @@ ScenarioFindings scenario_findings_from_wire(const std::string& bytes) {
   findings.record.hash = in.text();
   findings.record.name = in.text();
   findings.record.descriptors = read_values(in);
-  findings.references = references_from_bytes(in.text(), kSource);
+  findings.packed.content = in.text();
+  findings.packed.refs = in.text();
+  findings.references = findings.packed.unpack_references(kSource);
   ReferenceTiming& timing = findings.references.timing;
   timing.exact = read_seconds(in);
   timing.planner = read_seconds(in);

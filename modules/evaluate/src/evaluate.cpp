@@ -21,7 +21,8 @@ class TableSink : public CampaignSink {
   TableSink(const CampaignOptions& campaign, const Options& options)
       : builder_(campaign.descriptor_infos(), campaign.metric_infos()), options_(options) {}
 
-  void add_scenario(const ScenarioRecord& record, const Scenario&, const References&) override {
+  void add_scenario(const ScenarioRecord& record, const References&,
+                    const PackedScenario&) override {
     builder_.add_scenario(record);
   }
   void add_run(const RunRecord& run, const RunTiming& timing,

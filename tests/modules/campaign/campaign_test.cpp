@@ -4,6 +4,8 @@
 #include "open_files.h"
 
 #include <slalom/campaign/run_campaign.h>
+#include <slalom/io/scenario_list.h>
+#include <slalom/references/reference_codec.h>
 
 #include <gtest/gtest.h>
 
@@ -222,7 +224,10 @@ Scenario free_field(const std::string& name, double goal_y) {
 
 class RecordingSink : public CampaignSink {
  public:
-  void add_scenario(const ScenarioRecord& record, const Scenario&, const References&) override {
+  void add_scenario(const ScenarioRecord& record, const References& references,
+                    const PackedScenario& packed) override {
+    EXPECT_EQ(deserialize_scenario(packed.content, record.name).hash(), record.hash);
+    EXPECT_EQ(to_bytes(packed.unpack_references(record.name)), to_bytes(references));
     scenarios.push_back(record);
   }
   void add_run(const RunRecord& run, const RunTiming&, const PackedTrajectory& packed) override {

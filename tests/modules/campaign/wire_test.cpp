@@ -2,6 +2,7 @@
 #include "wire.h"
 
 #include <slalom/core/random.h>
+#include <slalom/io/scenario_list.h>
 
 #include <gtest/gtest.h>
 
@@ -48,16 +49,23 @@ TEST(Wire, ARunIsRestoredExactly) {
   EXPECT_EQ(received.timing.values, sent.timing.values);
 }
 
+ScenarioFindings sample_scenario(const References& references) {
+  const auto scenario = Scenario::continuous("name", {0, 0, 4, 4}, {}, {1, 1, 0}, {3, 3});
+  return {{scenario.hash(), "name", {}}, references, {scenario, references}};
+}
+
 TEST(Wire, AScenarioIsRestoredWithItsReferences) {
-  ScenarioFindings sent;
-  sent.record = {"hash", "name", {{"density", {1, Value::of(0.25)}}}};
-  sent.references.shortest =
-      ShortestPath{{{0, 0}, {1, 2}}, 2.5, {2.4, 2.5}, "exact", "a note", 2.5};
-  sent.references.shortest->planner_length = 2.75;
-  sent.references.timing = {0.1, 0.2, 0.3};
-  sent.references.safest_reason = "start is not free";
+  References references;
+  references.shortest = ShortestPath{{{0, 0}, {1, 2}}, 2.5, {2.4, 2.5}, "exact", "a note", 2.5};
+  references.shortest->planner_length = 2.75;
+  references.timing = {0.1, 0.2, 0.3};
+  references.safest_reason = "start is not free";
+  ScenarioFindings sent = sample_scenario(references);
+  sent.record.descriptors["density"] = {1, Value::of(0.25)};
   const ScenarioFindings received = scenario_findings_from_wire(to_wire(sent));
   EXPECT_EQ(to_wire(received), to_wire(sent));
+  EXPECT_EQ(received.packed.refs, sent.packed.refs);
+  EXPECT_EQ(deserialize_scenario(received.packed.content, "").hash(), sent.record.hash);
   ASSERT_TRUE(received.references.shortest.has_value());
   EXPECT_EQ(received.references.shortest->path.back().y, 2);
   EXPECT_EQ(received.references.shortest->certificate.lower_bound, 2.4);
@@ -87,9 +95,19 @@ TEST(Wire, RejectsTimesThatCannotBeStored) {
   RunFindings run = sample_run();
   run.timing.wall_seconds = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(run_findings_from_wire(to_wire(run)), std::exception);
-  ScenarioFindings scenario;
-  scenario.references.timing.planner = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(scenario_findings_from_wire(to_wire(scenario)), std::exception);
+  References references;
+  references.timing.planner = 1;
+  EXPECT_NO_THROW(scenario_findings_from_wire(to_wire(sample_scenario(references))));
+  references.timing.planner = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(scenario_findings_from_wire(to_wire(sample_scenario(references))), std::exception);
+}
+
+TEST(Wire, RejectsPackedReferencesThatAreDamaged) {
+  ScenarioFindings forged = sample_scenario({});
+  for (const std::string& bytes : {std::string(), std::string("garbage"), forged.packed.content}) {
+    forged.packed.refs = bytes;
+    EXPECT_THROW(scenario_findings_from_wire(to_wire(forged)), std::exception);
+  }
 }
 
 }  // namespace

@@ -321,8 +321,9 @@ Scenario ResultFile::read_scenario(const std::string& hash) const {
 References ResultFile::read_references(const std::string& hash) const {
   const std::string what = "references of " + hash, where = impl_->path + ": " + what;
   return reading(impl_->path, [&] {
-    const std::string content = decompress(read_blob(*impl_, "refs", hash, what), where);
-    References references = references_from_bytes(content, where);
+    PackedScenario packed;
+    packed.refs = read_blob(*impl_, "refs", hash, what);
+    References references = packed.unpack_references(where);
     references.timing = read_reference_timing(*impl_, hash);
     return references;
   });

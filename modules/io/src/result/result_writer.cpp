@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "checked_row.h"
-#include "compression.h"
 #include "result_file_impl.h"
 #include "result_schema.h"
 #include "value_columns.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
-#include <slalom/io/scenario_list.h>
-#include <slalom/references/reference_codec.h>
 
 #include <filesystem>
 #include <sqlite3.h>
@@ -113,8 +110,8 @@ ResultFile ResultFile::create(const std::string& path, const Manifest& manifest,
   return ResultFile(std::move(impl));
 }
 
-void ResultFile::add_scenario(const ScenarioRecord& record, const Scenario& scenario,
-                              const References& references) {
+void ResultFile::add_scenario(const ScenarioRecord& record, const PackedScenario& packed,
+                              const ReferenceTiming& timing) {
   writing(impl_->path, [&] {
     impl_->begin();
     RowChecksum checksum;
@@ -128,16 +125,14 @@ void ResultFile::add_scenario(const ScenarioRecord& record, const Scenario& scen
       row->exec();
       checksum.add(id).add(std::int64_t{versioned.version}).add(versioned.value);
     }
-    const std::string content = serialize(scenario), refs = compress(to_bytes(references));
     const StatementUse row(impl_->insert_into(
         "scenarios", "hash, name, checksum, content_checksum, refs_checksum, content, refs"));
     SQLite::bind(*row, record.hash, record.name, checksum.value(),
-                 RowChecksum().add(record.hash).add(content).value(),
-                 RowChecksum().add(record.hash).add(refs).value());
-    row->bindNoCopy(6, content.data(), static_cast<int>(content.size()));
-    row->bindNoCopy(7, refs.data(), static_cast<int>(refs.size()));
+                 RowChecksum().add(record.hash).add(packed.content).value(),
+                 RowChecksum().add(record.hash).add(packed.refs).value());
+    row->bindNoCopy(6, packed.content.data(), static_cast<int>(packed.content.size()));
+    row->bindNoCopy(7, packed.refs.data(), static_cast<int>(packed.refs.size()));
     row->exec();
-    const ReferenceTiming& timing = references.timing;
     CheckedInsert(
         impl_->insert_into("reference_timings",
                            "hash, exact_seconds, planner_seconds, safest_seconds, checksum"))

@@ -47,8 +47,8 @@ class CampaignRecorder : private CampaignSink {
  private:
   std::optional<References> known_references(const Scenario& scenario) override;
   bool has_run(const Scenario& scenario, const RunSpec& spec) override;
-  void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
-                    const References& references) override;
+  void add_scenario(const ScenarioRecord& record, const References& references,
+                    const PackedScenario& packed) override;
   void add_run(const RunRecord& run, const RunTiming& timing,
                const PackedTrajectory& trajectory) override;
   void count_known_run(const std::string& hash, const std::string& method, int repetition,

@@ -3,6 +3,7 @@
 
 #include <slalom/campaign/campaign.h>
 #include <slalom/core/progress.h>
+#include <slalom/io/packed_scenario.h>
 #include <slalom/io/packed_trajectory.h>
 #include <slalom/results/privileged.h>
 #include <slalom/results/run_record.h>
@@ -23,8 +24,8 @@ class CampaignSink {
   /// The references of a scenario that the sink has; none otherwise.
   virtual std::optional<References> known_references(const Scenario&) { return std::nullopt; }
   virtual bool has_run(const Scenario&, const RunSpec&) { return false; }
-  virtual void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
-                            const References& references) = 0;
+  virtual void add_scenario(const ScenarioRecord& record, const References& references,
+                            const PackedScenario& packed) = 0;
   virtual void add_run(const RunRecord& run, const RunTiming& timing,
                        const PackedTrajectory& trajectory) = 0;
 };

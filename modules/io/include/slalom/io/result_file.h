@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/io/packed_scenario.h>
 #include <slalom/io/packed_trajectory.h>
 #include <slalom/references/reference.h>
 #include <slalom/results/run_record.h>
@@ -43,7 +44,11 @@ class ResultFile {
   const std::vector<QuantityInfo>& metrics() const;
 
   void add_scenario(const ScenarioRecord& record, const Scenario& scenario,
-                    const References& references);
+                    const References& references) {
+    add_scenario(record, PackedScenario(scenario, references), references.timing);
+  }
+  void add_scenario(const ScenarioRecord& record, const PackedScenario& packed,
+                    const ReferenceTiming& timing);
   void add_run(const RunRecord& run, const RunTiming& timing, const PackedTrajectory& trajectory);
   /// Makes everything added so far durable; false if the file is being read by a program that does
   /// not release it within `patience` (s): it can be tried again. Throws Error (Job) if the file
