@@ -70,7 +70,7 @@ std::optional<Interpretation> tables_of_shards(const InterpretArguments& argumen
     found.summary = sums.summary(query.rows.size(), options);
   found.remarks = query.method.empty() ? failures.lines() : failures.lines_of(query.method);
   found.footnote = privileged_footnote(privileged);
-  warn_of_missing_runs(arguments.files[0], runs, planned_runs(parts.outline()));
+  warn_of_missing_runs(arguments.files[0], parts.files(), runs, planned_runs(parts.outline()));
   return found;
 }
 

@@ -21,9 +21,9 @@ std::size_t planned_runs(const ResultTable& runs) {
   }
 }
 
-void warn_of_missing_runs(const std::string& folder, std::size_t runs, std::size_t planned) {
+void warn_of_missing_runs(const std::string& folder, std::size_t files, std::size_t runs,
+                          std::size_t planned) {
   if (runs >= planned) return;
-  const std::size_t files = campaign_files(folder).size();
   std::cerr << folder << ": " << runs << " of " << planned << " runs in "
             << count_text(files, "file") << "\n";
 }
@@ -34,7 +34,7 @@ void warn_of_missing(const std::string& path, const ResultTable& runs) {
     std::cerr << path << ": " << printable_line(note) << "\n";
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
-    warn_of_missing_runs(path, runs.size(), planned_runs(runs));
+    warn_of_missing_runs(path, campaign_files(path).size(), runs.size(), planned_runs(runs));
 }
 
 }  // namespace slalom

@@ -109,6 +109,7 @@ void refuse_foreign_schema(SQLite::Database& database, const std::string& path,
                        "a file written by Slalom");
   };
   const std::string objects = schema + ".sqlite_master";
+  const ReadTransaction scope(database);  // one lock for all statements
   refuse("SELECT name FROM " + objects + " WHERE type NOT IN ('table', 'index')",
          "a view or trigger");
   refuse("SELECT name FROM " + objects +

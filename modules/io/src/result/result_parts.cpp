@@ -27,39 +27,43 @@ void for_each_row(const std::string& path, const std::string& sql, const std::st
   });
 }
 
+struct Shard {
+  Manifest manifest;
+  std::vector<std::uint64_t> scenarios;  ///< half of each hash: 8 bytes per scenario
+};
+
+Shard read_shard(const std::string& path) {
+  Shard shard{ResultFile::open(path).read_manifest(), {}};
+  for_each_row(path, "SELECT substr(hash, 1, 16) FROM scenarios", "", [&](SQLite::Statement& row) {
+    shard.scenarios.push_back(std::strtoull(row.getColumn(0).getText(), nullptr, 16));
+  });
+  return shard;
+}
+
 }  // namespace
 
 ResultParts::ResultParts(const std::string& folder, int jobs)
     : files_(shards_in(folder)), jobs_(jobs) {
   outline_.source = folder;
-  for (const std::string& path : files_) {
-    const ResultFile file = ResultFile::open(path);
-    Manifest manifest = file.read_manifest();
-    if (path == files_.front()) {
-      manifest.erase(kShardKey);
-      outline_.manifest = manifest;
-      outline_.metrics = {file.metrics().begin(), file.metrics().end()};
-      outline_.descriptors = {file.descriptors().begin(), file.descriptors().end()};
-      add_success(outline_);
-    }
-    expect_same_campaign(outline_.manifest, manifest, path, "results of the same campaign");
-  }
-  check_disjoint();
+  const ResultFile first = ResultFile::open(files_.front());
+  outline_.manifest = first.read_manifest();
+  outline_.manifest.erase(kShardKey);
+  outline_.metrics = {first.metrics().begin(), first.metrics().end()};
+  outline_.descriptors = {first.descriptors().begin(), first.descriptors().end()};
+  add_success(outline_);
+  check_files();
 }
 
-void ResultParts::check_disjoint() {
-  std::vector<std::uint64_t> all;  // half of each hash: 8 bytes per scenario
-  const auto read_hashes = [&](std::size_t file) {
-    std::vector<std::uint64_t> hashes;
-    for_each_row(files_[file], "SELECT substr(hash, 1, 16) FROM scenarios", "",
-                 [&](SQLite::Statement& row) {
-                   hashes.push_back(std::strtoull(row.getColumn(0).getText(), nullptr, 16));
-                 });
-    return hashes;
+void ResultParts::check_files() {
+  std::vector<std::uint64_t> all;
+  auto path = files_.begin();
+  const auto add = [&](const Shard& shard) {
+    expect_same_campaign(outline_.manifest, shard.manifest, *path++,
+                         "results of the same campaign");
+    all.insert(all.end(), shard.scenarios.begin(), shard.scenarios.end());
   };
-  parallel_in_order(files_.size(), jobs_, read_hashes, [&](std::vector<std::uint64_t> hashes) {
-    all.insert(all.end(), hashes.begin(), hashes.end());
-  });
+  parallel_in_order(
+      files_.size(), jobs_, [&](std::size_t file) { return read_shard(files_[file]); }, add);
   std::sort(all.begin(), all.end());
   disjoint_ = std::adjacent_find(all.begin(), all.end()) == all.end();
 }

@@ -202,6 +202,7 @@ ResultFile ResultFile::open(const std::string& path) {
   impl->path = path;
   impl->database = open_database(path, kResultFile);
   reading(path, [&] {
+    const ReadTransaction scope(*impl->database);
     expect_intact_header(*impl);
     impl->descriptors = read_quantities(*impl, "descriptor");
     impl->metrics = read_quantities(*impl, "metric");

@@ -2,6 +2,7 @@
 #include "dump_text.h"
 #include "error_text.h"
 #include "io_sample.h"
+#include "open_files.h"
 
 #include <slalom/analysis/data_table.h>
 #include <slalom/core/error.h>
@@ -14,7 +15,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <sys/resource.h>
 
 namespace slalom {
 namespace {
@@ -220,6 +223,7 @@ TEST_F(MergeResults, AFolderIsReadFileByFile) {
   const std::string folder = folder_ / "";
   ResultParts parts(folder);
   EXPECT_TRUE(parts.are_disjoint());
+  EXPECT_EQ(parts.files(), 2U);
   EXPECT_EQ(parts.outline().size(), 0U);
   EXPECT_EQ(parts.outline().manifest.count("shard"), 0U);
   EXPECT_NE(find_metric(parts.outline(), "success"), nullptr);
@@ -239,9 +243,32 @@ TEST_F(MergeResults, AFolderIsReadFileByFile) {
   write("3.results", 1, 0.25);
   EXPECT_FALSE(ResultParts(folder).are_disjoint());
   write("4.results", 4, 0.5, "0.6");
-  EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "4.results",
-                           {"another campaign", "robot.max_v"},
-                           [&] { ResultParts parts_of_two(folder); }));
+  for (const int jobs : {1, 4})
+    EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "4.results",
+                             {"another campaign", "robot.max_v"},
+                             [&] { ResultParts parts_of_two(folder, jobs); }));
+}
+
+TEST_F(MergeResults, AFolderMayContainMoreFilesThanAProcessCanOpen) {
+  constexpr int kFiles = 24, kJobs = 2;
+  constexpr rlim_t kFree = 12;  // of each thread two connections and the journal of one
+  for (int i = 1; i <= kFiles; ++i)
+    write(std::to_string(i) + ".results", static_cast<std::uint64_t>(i));
+  rlimit before = {};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  const std::vector<int> open = open_files();
+  const auto used = static_cast<rlim_t>(*std::max_element(open.begin(), open.end())) + 1;
+  const rlimit few = {used + kFree, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &few), 0);
+  std::size_t runs = 0;
+  EXPECT_NO_THROW({
+    ResultParts parts(folder_ / "", kJobs);
+    parts.read_values("density");
+    parts.for_each({"optimality"}, [&](const ResultTable& part) { runs += part.size(); });
+    EXPECT_EQ(read_results(folder_ / "").size(), 2U * kFiles);
+  });
+  EXPECT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_EQ(runs, 2U * kFiles);
 }
 
 TEST_F(MergeResults, ScenariosAreFoundInTheFilesOfAFolder) {

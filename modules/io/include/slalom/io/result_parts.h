@@ -20,6 +20,7 @@ class ResultParts {
   /// The campaign without runs and scenarios, with the infos of all columns but wall-clock figures.
   /// Its descriptors have the values that read_values() read, in any order.
   const ResultTable& outline() const { return outline_; }
+  std::size_t files() const { return files_.size(); }
   /// Whether no two files contain the same scenario, as those of shards.
   bool are_disjoint() const { return disjoint_; }
 
@@ -37,7 +38,7 @@ class ResultParts {
   ResultTable outline_;
   bool disjoint_ = true;
 
-  void check_disjoint();
+  void check_files();
 };
 
 }  // namespace slalom
