@@ -14,6 +14,7 @@
 #include <slalom/generation/generator.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/robot/robot_model.h>
+#include <slalom/ros_parameters/resolve.h>
 
 #include <nlohmann/json.hpp>
 
@@ -46,6 +47,8 @@ IniFile load_ini(const GenerateArguments& arguments) {
     ini.set(fills_bins ? "coverage" : "scenarios", fills_bins ? "per_bin" : "count",
             std::to_string(arguments.count));
   }
+  for (const RosParameterReport& report : resolve_ros_parameters(ini))
+    if (!arguments.quiet) std::cerr << report.summary() << "\n";
   const std::string warning = sensor_warning(ini);
   if (!warning.empty() && !arguments.quiet) std::cerr << "warning: " << warning << "\n";
   return ini;

@@ -64,6 +64,7 @@ void define(CLI::App& app) {
   verb->callback([] { run(arguments); });
   define_merge(app);
   define_status(app);
+  define_parameters(app);
   define_slurm(app);
   define_verify(app);
 }

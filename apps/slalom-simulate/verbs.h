@@ -7,6 +7,7 @@ namespace slalom {
 
 // Each adds one verb.
 void define_merge(CLI::App& app);
+void define_parameters(CLI::App& app);
 void define_slurm(CLI::App& app);
 void define_status(CLI::App& app);
 void define_verify(CLI::App& app);

@@ -8,6 +8,7 @@
 #include <slalom/gui/panel_window.h>
 #include <slalom/gui/studio_window.h>
 #include <slalom/io/result_file.h>
+#include <slalom/ros_parameters/resolve.h>
 #include <slalom/simulation/simulate.h>
 
 #include <cstdlib>
@@ -52,6 +53,7 @@ IniFile base_ini(const StudioArguments& arguments) {
 SceneSettings scene_settings(const StudioArguments& arguments) {
   IniFile ini = base_ini(arguments);
   for (const std::string& assignment : arguments.assignments) ini.override_key(assignment);
+  resolve_ros_parameters(ini);
   SceneSettings settings;
   settings.robot = read_robot_model(ini);
   settings.sensor = read_options<SensorModel>(ini, "sensor");

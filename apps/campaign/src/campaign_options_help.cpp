@@ -11,6 +11,7 @@
 #include <slalom/library/library_method.h>
 #include <slalom/methods/barrier_filter.h>
 #include <slalom/metrics/metric.h>
+#include <slalom/ros_parameters/resolve.h>
 
 #include <functional>
 
@@ -26,14 +27,23 @@ void visit_section(const SectionVisitor& visit, const std::string& section) {
   visit(section, [](OptionVisitor& visitor) { Options().visit(visitor); });
 }
 
+/// A section whose keys can come from a file of parameters.
+template <typename Options>
+void visit_section_with_source(const SectionVisitor& visit, const std::string& section) {
+  visit(section, [](OptionVisitor& visitor) {
+    Options().visit(visitor);
+    RosParameterSource().visit(visitor);
+  });
+}
+
 void visit_campaign_options(const SectionVisitor& visit) {
   visit_section<CampaignSection>(visit, "campaign");
   visit_section<ScenariosSection>(visit, "scenarios");
   for (const std::string& family : generator_names())
     visit("generator." + family,
           [&](OptionVisitor& visitor) { visit_generator_options(family, visitor); });
-  visit_section<RobotModel>(visit, "robot");
-  visit_section<SensorModel>(visit, "sensor");
+  visit_section_with_source<RobotModel>(visit, "robot");
+  visit_section_with_source<SensorModel>(visit, "sensor");
   visit_section<OdometryModel>(visit, "odometry");
   visit_section<TrackerModel>(visit, "tracks");
   visit_section<SimulationOptions>(visit, "simulation");
@@ -49,6 +59,7 @@ void visit_campaign_options(const SectionVisitor& visit) {
     visit("method.NAME", visit_options);
   });
   visit_section<BarrierFilterOptions>(visit, "method.NAME");
+  visit_section<RosParameterSource>(visit, "method.NAME");
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include <slalom/metrics/cycle_time.h>
 #include <slalom/metrics/mover_metrics.h>
 #include <slalom/rawlog/run_recorder.h>
+#include <slalom/ros_parameters/resolve.h>
 
 #include <algorithm>
 #include <iostream>
@@ -144,6 +145,8 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
   ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor",
                                "odometry", "tracks", "simulation", "reference", "metrics", "limits",
                                "record", "analysis", "method.*"});
+  for (const RosParameterReport& report : resolve_ros_parameters(ini))
+    if (!arguments.quiet) std::cerr << report.summary() << "\n";
   const std::string warning = sensor_warning(ini);
   if (!warning.empty() && !arguments.quiet) std::cerr << "warning: " << warning << "\n";
   return ini;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <slalom/core/ini_file.h>
+#include <slalom/core/option.h>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// The keys that name files of parameters, in [robot], [sensor] and [method.NAME].
+struct RosParameterSource {
+  std::string from;        ///< files, comma-separated
+  std::string controller;  ///< of the files; empty: the only one
+
+  void visit(OptionVisitor& v);
+};
+
+/// What became of the parameters of one section with `from`.
+struct RosParameterReport {
+  struct Line {
+    std::string parameter;  ///< "FollowPath.max_vel_x = 0.26"
+    std::string result;     ///< "max_v = 0.26", or the reason
+  };
+  std::string section, source;  ///< "method.dwb"; "nav2.yaml, FollowPath (CLASS)"
+  std::vector<Line> mapped, overridden, without_counterpart;
+  std::vector<std::string> unknown;  ///< "FILE:LINE: SECTION.KEY"
+
+  std::string summary() const;  ///< one line
+  std::string listing() const;  ///< all lines
+};
+
+/// Replaces `from` and `controller` by the keys that follow from the files, except keys that the
+/// section has. Throws Error: (File) for a file that cannot be read, (Usage) for a value that
+/// cannot be converted, a controller that is not in the files or that has no method here.
+std::vector<RosParameterReport> resolve_ros_parameters(IniFile& ini);
+
+}  // namespace slalom

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "conversions.h"
+#include "parameter_files.h"
+
+#include <slalom/core/enum_names.h>
+#include <slalom/core/error.h>
+#include <slalom/core/options.h>
+#include <slalom/core/printable.h>
+#include <slalom/core/text.h>
+#include <slalom/robot/robot_model.h>
+#include <slalom/ros_parameters/resolve.h>
+#include <slalom/simulation/simulate.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace slalom {
+namespace {
+
+using ros::Controller;
+using ros::ParameterFiles;
+
+/// The files of `from`, relative to the folder of the .ini or to the current one.
+std::vector<std::string> files_of(const IniFile& ini, const std::string& section,
+                                  const std::string& from) {
+  std::vector<std::string> files;
+  for (const std::string& name : split_nonempty(from, ',')) {
+    const std::filesystem::path beside = std::filesystem::path(ini.folder()) / name;
+    std::error_code ignored;
+    files.push_back(std::filesystem::exists(beside, ignored) ? beside.string() : name);
+  }
+  if (files.empty())
+    throw usage_error(ini.where(section, "from"), "names no file", "a .yaml of Nav2 or move_base");
+  return files;
+}
+
+std::vector<std::string> names_of(const std::vector<Controller>& controllers) {
+  std::vector<std::string> names;
+  for (const Controller& controller : controllers) names.push_back(controller.name);
+  return names;
+}
+
+/// The controller that the section names, else the only one of the files.
+std::optional<Controller> choose_controller(const IniFile& ini, const std::string& section,
+                                            const std::vector<Controller>& controllers) {
+  const std::string name = ini.get(section, "controller").value_or("");
+  const std::vector<std::string> names = names_of(controllers);
+  if (name.empty()) {
+    if (controllers.size() > 1)
+      throw usage_error(ini.where(section, "from"), "has several controllers",
+                        "controller = " + join(names, " or "));
+    return controllers.empty() ? std::nullopt : std::make_optional(controllers.front());
+  }
+  for (const Controller& controller : controllers)
+    if (controller.name == name) return controller;
+  throw usage_error(ini.where(section, "controller"), "no controller '" + name + "' in the file",
+                    expected_name(name, names, names.empty() ? "a file with controllers" : ""));
+}
+
+/// Classes of Nav2 and sections of move_base that are in the table.
+std::optional<RosFamily> family_of(const std::string& kind) {
+  const std::string short_kind =  // TEB has its class in ROS 2, too
+      kind.substr(kind.rfind(':') == std::string::npos ? 0 : kind.rfind(':') + 1);
+  for (const std::string& name : {kind, short_kind})
+    if (const auto family = from_name<RosFamily>(name); family && *family < RosFamily::LocalCostmap)
+      return family;
+  return std::nullopt;
+}
+
+/// A part of the files whose parameters are of one family.
+struct Part {
+  RosFamily family;
+  std::string name;  ///< precedes the keys in reports
+  std::vector<RosParameter> parameters;
+};
+
+/// Resolves one section.
+class SectionResolver {
+ public:
+  SectionResolver(IniFile& ini, const std::string& section)
+      : ini_(ini), section_(section), kind_(section) {}
+
+  RosParameterReport resolve() {
+    const std::string from = ini_.get(section_, "from").value_or("");
+    const ParameterFiles files = ParameterFiles::load(files_of(ini_, section_, from));
+    report_.section = section_;
+    report_.source = from;
+    read_controller(files);
+    add_part(files, RosFamily::LocalCostmap);
+    if (section_ == "robot") add_part(files, RosFamily::VelocitySmoother);
+    if (is_method()) {
+      add_part(files, RosFamily::ControllerServer);
+      add_part(files, RosFamily::MoveBase);
+      set_library();
+    }
+    remove("from");
+    remove("controller");
+    convert_all();
+    return report_;
+  }
+
+ private:
+  bool is_method() const { return starts_with(section_, "method."); }
+  void remove(const std::string& key) { ini_.remove(section_, key); }
+
+  /// The parameters of a node, without those of the controllers in it.
+  void add_part(const ParameterFiles& files, RosFamily family) {
+    Part part{family, to_string(family), files.of_node(family)};
+    const auto is_of_controller = [&](const RosParameter& parameter) {
+      const std::vector<std::string> names = split(parameter.key, '.');
+      return names.size() > 1 && contains(controllers_, names.front());
+    };
+    part.parameters.erase(
+        std::remove_if(part.parameters.begin(), part.parameters.end(), is_of_controller),
+        part.parameters.end());
+    parts_.push_back(std::move(part));
+  }
+
+  /// Robots have the limits of their controller first.
+  void read_controller(const ParameterFiles& files) {
+    const std::vector<Controller> controllers = files.controllers();
+    controllers_ = names_of(controllers);
+    const auto controller = choose_controller(ini_, section_, controllers);
+    if (!controller) {
+      if (is_method())
+        throw usage_error(ini_.where(section_, "from"), "has no controller",
+                          "a section with plugin: CLASS, or DWAPlannerROS and the like");
+      return;
+    }
+    prefix_ = controller->name;
+    report_.source += ", " + controller->name;
+    if (controller->kind != controller->name) report_.source += " (" + controller->kind + ")";
+    std::vector<RosParameter> parameters = files.below(controller->path);
+    auto family = family_of(controller->kind);
+    if (family == RosFamily::RotationShim) {
+      const auto primary =
+          std::find_if(parameters.begin(), parameters.end(),
+                       [](const RosParameter& p) { return p.key == "primary_controller"; });
+      if (primary != parameters.end()) family = family_of(ros::scalar(*primary, "a class"));
+      is_shim_ = true;
+    }
+    if (is_method()) require_method(*controller, family);
+    if (!family) return;
+    kind_ = is_method() ? method_of(*family) : section_;
+    parts_.push_back({*family, controller->name, std::move(parameters)});
+  }
+
+  void require_method(const Controller& controller, const std::optional<RosFamily>& family) const {
+    if (family && !method_of(*family).empty()) return;
+    throw usage_error(controller.where, "no shipped method is a '" + controller.kind + "'",
+                      "DWB, regulated pure pursuit, MPPI, DWAPlannerROS, TrajectoryPlannerROS or "
+                      "EBandPlannerROS");
+  }
+
+  void set_library() {
+    const std::string library = "libslalom_" + kind_ + ".so";
+    const std::string adapter = ini_.get(section_, "adapter").value_or("library");
+    if (adapter != "library")
+      throw usage_error(ini_.where(section_, "adapter"), "parameters are of a shipped method",
+                        "library, or no key from");
+    const auto plugin = ini_.get(section_, "plugin");
+    if (plugin && std::filesystem::path(*plugin).filename() != library)
+      throw usage_error(ini_.where(section_, "plugin"),
+                        "'" + *plugin + "' is not the method of " + report_.source,
+                        library + ", or no key plugin; the controller is the key controller");
+    const std::string origin = ini_.where(section_, "from") + ": ";
+    if (!ini_.get(section_, "adapter")) ini_.set(section_, "adapter", "library", origin);
+    if (!plugin) ini_.set(section_, "plugin", library, origin);
+  }
+
+  void convert_all() {
+    const double period = read_options<SimulationOptions>(ini_, "simulation").control_period;
+    const double radius =
+        section_ == "robot" ? 0 : read_robot_model(ini_).shape().inscribed_radius();
+    for (const std::string& key : ini_.keys(section_)) given_.insert(key);
+    for (const Part& part : parts_)
+      for (const RosParameter& parameter : part.parameters)
+        convert(part, parameter, {part.parameters, period, radius});
+  }
+
+  std::vector<const RosMapping*> rows_of(const Part& part, const RosParameter& parameter) const {
+    std::vector<const RosMapping*> rows = find_mappings(part.family, parameter.key);
+    if (rows.empty() && is_shim_ && part.name == prefix_)
+      rows = find_mappings(RosFamily::RotationShim, parameter.key);
+    return rows;
+  }
+
+  void convert(const Part& part, const RosParameter& parameter, const RosContext& context) {
+    const std::vector<const RosMapping*> rows = rows_of(part, parameter);
+    const std::string name = part.name + "." + parameter.key;
+    bool has_target = false;
+    std::string reason;
+    for (const RosMapping* row : rows) {
+      if (row->section == kind_) {
+        has_target = true;
+        if (part.family == RosFamily::VelocitySmoother && set_.count(row->target) > 0) continue;
+        set(*row, parameter, name, row->convert(parameter, context));
+      } else if (*row->section == '\0') {
+        reason = row->note;
+      }
+    }
+    if (has_target || !is_method()) return;
+    if (rows.empty())
+      report_.unknown.push_back(parameter.where);
+    else
+      report_.without_counterpart.push_back({name, reason});
+  }
+
+  bool is_given(const std::string& target) const {
+    const bool is_shape = section_ == "robot" && (target == "radius" || target == "footprint");
+    return given_.count(target) > 0 ||
+           (is_shape && given_.count("radius") + given_.count("footprint") > 0);
+  }
+
+  void set(const RosMapping& row, const RosParameter& parameter, const std::string& name,
+           const std::optional<std::string>& value) {
+    const std::string text =
+        parameter.items ? "[" + join(*parameter.items, ", ") + "]" : parameter.text;
+    const RosParameterReport::Line line{name + " = " + text,
+                                        row.target + (" = " + value.value_or(""))};
+    if (!value) {
+      report_.without_counterpart.push_back({line.parameter, row.note});
+    } else if (is_given(row.target)) {
+      report_.overridden.push_back(
+          {line.parameter,
+           row.target + (" = " + ini_.get(section_, row.target).value_or("")) + " in the .ini"});
+    } else if (set_.insert(row.target).second) {
+      ini_.set(section_, row.target, *value, parameter.where + ": ");
+      report_.mapped.push_back(line);
+    } else if (ini_.get(section_, row.target) == value) {
+      report_.mapped.push_back(line);
+    } else {
+      report_.overridden.push_back(
+          {line.parameter,
+           row.target + (" = " + ini_.get(section_, row.target).value_or("")) + " of another one"});
+    }
+  }
+
+  IniFile& ini_;
+  const std::string section_;
+  std::string kind_;    // the section of rows of the table
+  std::string prefix_;  // the controller
+  bool is_shim_ = false;
+  std::vector<std::string> controllers_;  // of the files
+  std::vector<Part> parts_;
+  std::set<std::string> given_, set_;
+  RosParameterReport report_;
+};
+
+std::string lines_of(const std::string& title, const std::vector<RosParameterReport::Line>& lines) {
+  if (lines.empty()) return "";
+  std::string text = title + "\n";
+  for (const RosParameterReport::Line& line : lines)
+    text += "  " + printable_line(line.parameter + ": " + line.result) + "\n";
+  return text;
+}
+
+}  // namespace
+
+void RosParameterSource::visit(OptionVisitor& v) {
+  v.option("from", from, "parameters of Nav2 or move_base (.yaml), comma-separated files");
+  v.option("controller", controller, "with from: a controller of these files; empty: the only one");
+}
+
+std::string RosParameterReport::summary() const {
+  std::string text = "[" + section + "] from " + source + ": " +
+                     count_text(mapped.size(), "parameter") + " mapped";
+  if (!overridden.empty()) text += ", " + std::to_string(overridden.size()) + " overridden";
+  if (!without_counterpart.empty())
+    text += ", " + std::to_string(without_counterpart.size()) + " without counterpart";
+  if (unknown.empty()) return printable_line(text);
+  constexpr std::size_t kShown = 3;
+  const std::vector<std::string> shown(unknown.begin(),
+                                       unknown.begin() + std::min(kShown, unknown.size()));
+  text += "; unknown: " + join(shown, ", ");
+  if (unknown.size() > kShown) text += " and " + std::to_string(unknown.size() - kShown) + " more";
+  return printable_line(text);
+}
+
+std::string RosParameterReport::listing() const {
+  std::string text = printable_line("[" + section + "] from " + source) + "\n";
+  text += lines_of("mapped", mapped) + lines_of("overridden", overridden) +
+          lines_of("without counterpart", without_counterpart);
+  if (!unknown.empty()) text += "unknown\n";
+  for (const std::string& where : unknown) text += "  " + printable_line(where) + "\n";
+  return text;
+}
+
+std::vector<RosParameterReport> resolve_ros_parameters(IniFile& ini) {
+  std::vector<std::string> sections;
+  for (const std::string& section : ini.sections())
+    if (ini.get(section, "from") &&
+        (section == "robot" || section == "sensor" || starts_with(section, "method.")))
+      sections.push_back(section);
+  // Conversions of methods use the robot.
+  std::stable_partition(sections.begin(), sections.end(),
+                        [](const std::string& section) { return section == "robot"; });
+  std::vector<RosParameterReport> reports;
+  for (const std::string& section : sections)
+    reports.push_back(SectionResolver(ini, section).resolve());
+  return reports;
+}
+
+}  // namespace slalom
