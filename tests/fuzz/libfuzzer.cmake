@@ -2,6 +2,7 @@
 # The readers and their dependencies, compiled for libFuzzer with sanitizers; the rest of the project is not built.
 set(MODULES ${PROJECT_SOURCE_DIR}/modules)
 set(FORMATS ${PROJECT_SOURCE_DIR}/adapters/map_formats/src)
+set(PARAMETERS ${PROJECT_SOURCE_DIR}/adapters/ros_parameters/src)
 foreach(module core scenario trajectory results)
   get_target_property(sources slalom_${module} SOURCES)
   list(TRANSFORM sources PREPEND ${MODULES}/${module}/)
@@ -46,8 +47,15 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/png_image.cpp
   ${FORMATS}/point_map.cpp
   ${FORMATS}/ros_map.cpp
-  ${FORMATS}/rotated_grid.cpp)
-foreach(module core scenario io campaign falsification map_formats)
+  ${FORMATS}/rotated_grid.cpp
+  ${MODULES}/robot/src/footprint.cpp
+  ${MODULES}/robot/src/robot_model.cpp
+  ${MODULES}/simulation/src/simulation_options.cpp
+  ${PARAMETERS}/conversions.cpp
+  ${PARAMETERS}/parameter_files.cpp
+  ${PARAMETERS}/parameter_table.cpp
+  ${PARAMETERS}/resolve.cpp)
+foreach(module core scenario io campaign falsification map_formats ros_parameters)
   target_include_directories(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},INCLUDE_DIRECTORIES>)
   target_compile_definitions(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},COMPILE_DEFINITIONS>)
 endforeach()

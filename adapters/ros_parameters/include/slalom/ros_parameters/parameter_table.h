@@ -8,7 +8,7 @@
 
 namespace slalom {
 
-/// Where a parameter of Nav2 or move_base belongs: a controller, a costmap or a node.
+/// The owner of a parameter of Nav2 or move_base: a controller, a costmap or a node.
 enum class RosFamily {
   Dwb,
   RegulatedPurePursuit,
@@ -46,7 +46,7 @@ struct RosParameter {
   std::string where;                              ///< "FILE:LINE: SECTION.KEY", for messages
 };
 
-/// What conversions use besides the value itself.
+/// The input of a conversion besides the value itself.
 struct RosContext {
   const std::vector<RosParameter>& siblings;  ///< of the same section
   double control_period = 0.1;                ///< s, of the campaign

@@ -17,7 +17,7 @@ struct RosParameterSource {
   void visit(OptionVisitor& v);
 };
 
-/// What became of the parameters of one section with `from`.
+/// The fate of the parameters of one section with `from`.
 struct RosParameterReport {
   struct Line {
     std::string parameter;  ///< "FollowPath.max_vel_x = 0.26"
