@@ -14,6 +14,7 @@ namespace {
 struct ParametersArguments {
   std::string config;
   std::vector<std::string> overrides;
+  bool diff = false;
 };
 
 void print_parameters(const ParametersArguments& arguments) {
@@ -23,7 +24,14 @@ void print_parameters(const ParametersArguments& arguments) {
   if (reports.empty())
     throw usage_error(arguments.config, "no section has the key from",
                       "from = FILE in [robot], [sensor] or [method.NAME]");
-  for (const RosParameterReport& report : reports) std::cout << report.listing();
+  if (!arguments.diff) {
+    for (const RosParameterReport& report : reports) std::cout << report.listing();
+    return;
+  }
+  std::cout << ros_parameter_diff(reports);
+  for (const RosParameterReport& report : reports)
+    for (const std::string& parameter : report.not_in_file)
+      print_notice("not in " + report.source + ": " + parameter);
 }
 
 }  // namespace
@@ -39,6 +47,8 @@ void define_parameters(CLI::App& app) {
                          ->take_all()
                          ->allow_extra_args(false);
   complete_with(set, setting_names);
+  verb->add_flag("--diff", arguments.diff,
+                 "A diff that writes the values of the .ini into the files, for patch");
   verb->callback([] { print_parameters(arguments); });
 }
 

@@ -119,6 +119,15 @@ Result whole(const RosParameter& p, const RosContext&) {
   return format_number(value);
 }
 
+Result inverse(RosConversion conversion, const std::string& value) {
+  double converted = 0;
+  if (conversion == flag) return value;
+  if (!parse_number(value, converted)) return std::nullopt;
+  if (conversion == half) return format_number(2 * converted);
+  const bool is_same = conversion == number || conversion == whole || conversion == largest;
+  return is_same ? Result(format_number(converted)) : std::nullopt;
+}
+
 Result flag(const RosParameter& p, const RosContext&) {
   return truth_text(truth_of(p));
 }

@@ -40,6 +40,9 @@ Result mppi_kinematics(const RosParameter& p, const RosContext& c);
 Result mppi_turning_radius(const RosParameter& p, const RosContext& c);
 Result path_per_goal_weight(const RosParameter& p, const RosContext& c);
 
+/// The value of ROS for a value of an .ini; none for conversions that have no inverse.
+Result inverse(RosConversion conversion, const std::string& value);
+
 /// The text of a parameter; throws for a list and for a substitution of a launch file.
 std::string scalar(const RosParameter& p, const std::string& expected);
 

@@ -72,7 +72,10 @@ class YamlFlattener {
   }
 
   void add(const std::string& key, const YAML::Node& at, const YAML::Node& node) {
-    RosParameter parameter{key, "", std::nullopt, position(at) + ": " + key};
+    RosParameter parameter{key, "", std::nullopt, position(at) + ": " + key, ""};
+    parameter.file = path_;
+    parameter.line = node.Mark().line;
+    parameter.column = node.Mark().column;
     if (node.IsScalar()) parameter.text = node.Scalar();
     if (node.IsSequence()) {
       parameter.items.emplace();

@@ -6,6 +6,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/options.h>
 #include <slalom/core/printable.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/robot/robot_model.h>
 #include <slalom/ros_parameters/resolve.h>
@@ -13,7 +14,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
+#include <sstream>
 
 namespace slalom {
 namespace {
@@ -177,6 +180,7 @@ class SectionResolver {
     for (const Part& part : parts_)
       for (const RosParameter& parameter : part.parameters)
         convert(part, parameter, {part.parameters, period, radius});
+    list_not_in_file();
   }
 
   std::vector<const RosMapping*> rows_of(const Part& part, const RosParameter& parameter) const {
@@ -213,6 +217,39 @@ class SectionResolver {
            (is_shape && given_.count("radius") + given_.count("footprint") > 0);
   }
 
+  void add_edit(const RosMapping& row, const RosParameter& parameter,
+                const std::string& converted) {
+    found_.insert(row.target);
+    const std::string given = ini_.get(section_, row.target).value_or("");
+    const auto text = ros::inverse(row.convert, given);
+    if (text && text != ros::inverse(row.convert, converted))
+      report_.edits.push_back(
+          {parameter.file, parameter.line, parameter.column, parameter.text, *text});
+  }
+
+  /// Keys of the .ini whose parameter the files do not have.
+  void list_not_in_file() {
+    for (const std::string& key : given_) {
+      if (found_.count(key) > 0) continue;
+      for (const Part& part : parts_) {
+        const std::string name = name_of(part.family, key);
+        if (name.empty()) continue;
+        report_.not_in_file.push_back(part.name + "." + name);
+        break;
+      }
+    }
+  }
+
+  /// "sim_time: 2" for a key of the .ini that is a parameter of the family, else "".
+  std::string name_of(RosFamily family, const std::string& key) const {
+    for (const RosMapping& row : ros_parameter_table()) {
+      if (row.family != family || row.section != kind_ || row.target != key) continue;
+      const auto text = ros::inverse(row.convert, ini_.get(section_, key).value_or(""));
+      if (text && !starts_with(row.key, "*")) return row.key + (": " + *text);
+    }
+    return "";
+  }
+
   void set(const RosMapping& row, const RosParameter& parameter, const std::string& name,
            const std::optional<std::string>& value) {
     const std::string text =
@@ -222,6 +259,7 @@ class SectionResolver {
     if (!value) {
       report_.without_counterpart.push_back({line.parameter, row.note});
     } else if (is_given(row.target)) {
+      add_edit(row, parameter, *value);
       report_.overridden.push_back(
           {line.parameter,
            row.target + (" = " + ini_.get(section_, row.target).value_or("")) + " in the .ini"});
@@ -244,7 +282,7 @@ class SectionResolver {
   bool is_shim_ = false;
   std::vector<std::string> controllers_;  // of the files
   std::vector<Part> parts_;
-  std::set<std::string> given_, set_;
+  std::set<std::string> given_, set_, found_;  // keys of the .ini: its own, new, in the files
   RosParameterReport report_;
 };
 
@@ -254,6 +292,26 @@ std::string lines_of(const std::string& title, const std::vector<RosParameterRep
   for (const RosParameterReport::Line& line : lines)
     text += "  " + printable_line(line.parameter + ": " + line.result) + "\n";
   return text;
+}
+
+/// The lines of a file; a last one without a line break has the mark of diffs after it.
+std::vector<std::string> lines_of_file(const std::string& path) {
+  const std::string text =
+      read_text(path, "parameters of Nav2 or move_base (.yaml)", kMaxConfigSize);
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  if (!lines.empty() && text.back() != '\n') lines.back() += "\n\\ No newline at end of file";
+  return lines;
+}
+
+void replace_value(const RosParameterReport::Edit& edit, std::string& line) {
+  const auto column = static_cast<std::size_t>(edit.column);
+  if (line.size() < column || line.compare(column, edit.old_text.size(), edit.old_text) != 0)
+    throw file_error(edit.file + ":" + std::to_string(edit.line + 1),
+                     "the value '" + edit.old_text + "' is not written in its line",
+                     "a number without quotes, tags or aliases, in a file of ASCII");
+  line.replace(column, edit.old_text.size(), edit.new_text);
 }
 
 }  // namespace
@@ -300,6 +358,38 @@ std::vector<RosParameterReport> resolve_ros_parameters(IniFile& ini) {
   for (const std::string& section : sections)
     reports.push_back(SectionResolver(ini, section).resolve());
   return reports;
+}
+
+std::string ros_parameter_diff(const std::vector<RosParameterReport>& reports) {
+  using Edit = RosParameterReport::Edit;
+  std::map<std::string, std::map<std::pair<int, int>, Edit>> files;  // by line, last column first
+  for (const RosParameterReport& report : reports)
+    for (const Edit& edit : report.edits) {
+      const auto [known, is_new] = files[edit.file].insert({{edit.line, -edit.column}, edit});
+      if (!is_new && known->second.new_text != edit.new_text)
+        throw usage_error(
+            edit.file + ":" + std::to_string(edit.line + 1),
+            "sections have different values, " + known->second.new_text + " and " + edit.new_text,
+            "the same value in all sections of the .ini");
+    }
+  std::string text;
+  for (const auto& [file, edits] : files) {
+    const std::vector<std::string> lines = lines_of_file(file);
+    std::map<int, std::string> changed;
+    for (const auto& [position, edit] : edits) {
+      const auto line = static_cast<std::size_t>(edit.line);
+      std::string& written =
+          changed.try_emplace(edit.line, line < lines.size() ? lines[line] : "").first->second;
+      replace_value(edit, written);
+    }
+    text += "--- " + file + "\n+++ " + file + "\n";
+    for (const auto& [line, written] : changed) {
+      const std::string number = std::to_string(line + 1);
+      text += "@@ -" + number + " +" + number + " @@\n-" + lines[static_cast<std::size_t>(line)] +
+              "\n+" + written + "\n";
+    }
+  }
+  return text;
 }
 
 }  // namespace slalom

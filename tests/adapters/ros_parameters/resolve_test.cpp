@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <unistd.h>
@@ -345,6 +346,50 @@ TEST_F(RosParameters, TextOfTheFileNeverBecomesAKeyOfTheIni) {
   write("a.yaml", "local_costmap: {footprint: \"[[1,1],[-1,1],[-1,-1],[1,-1]]\"}\n");
   EXPECT_EQ(value(resolve("[robot]\nfrom = a.yaml\n"), "robot", "footprint"),
             "1,1;-1,1;-1,-1;1,-1");
+}
+
+TEST_F(RosParameters, TheDiffWritesTheValuesOfTheIniIntoTheFile) {
+  const std::string text =
+      "FollowPath:  # the only one\n  plugin: " + kDwb +
+      "\n  PathDist.scale: 32.0  # weight\n  more: {sim_time: 9}\n  sim_time: 1.7\n"
+      "local_costmap: {width: 3, resolution: 0.05, a: {inflation_radius: 0.5}}\n";
+  const std::string path = write("nav.yaml", text);
+  const std::string keys =
+      "[method.m]\nfrom = nav.yaml\npath_distance_bias = 20\nsim_time = 1.7\nresolution = 0.1\n"
+      "width = 4.5\nvx_samples = 9\n";
+  resolve(keys);
+  EXPECT_EQ(
+      ros_parameter_diff(reports_),
+      "--- " + path + "\n+++ " + path +
+          "\n@@ -3 +3 @@\n-  PathDist.scale: 32.0  # weight\n+  PathDist.scale: 40  # weight\n"
+          "@@ -6 +6 @@\n-local_costmap: {width: 3, resolution: 0.05, a: {inflation_radius: "
+          "0.5}}\n+local_costmap: {width: 4.5, resolution: 0.1, a: {inflation_radius: 0.5}}\n");
+  EXPECT_EQ(reports_[0].not_in_file, (std::vector<std::string>{"FollowPath.vx_samples: 9"}));
+  const std::string patch = write("tuned.diff", ros_parameter_diff(reports_));
+  ASSERT_EQ(std::system(("patch -s -d / -p0 <" + patch).c_str()), 0);
+  resolve(keys);
+  EXPECT_EQ(ros_parameter_diff(reports_), "");
+}
+
+TEST_F(RosParameters, PatchAppliesADiffOfAdjacentLinesAndOfALastLineWithoutItsBreak) {
+  const std::string head = "A:\n  plugin: " + kDwb + "\n";
+  const std::string path = write("nav.yaml", head + "  sim_time: 1\n  vx_samples: 5");
+  resolve("[method.m]\nfrom = nav.yaml\nsim_time = 2\nvx_samples = 6\n");
+  const std::string patch = write("tuned.diff", ros_parameter_diff(reports_));
+  ASSERT_EQ(std::system(("patch -s -d / -p0 <" + patch).c_str()), 0);
+  EXPECT_EQ(read_text(path, "parameters", kMaxConfigSize), head + "  sim_time: 2\n  vx_samples: 6");
+}
+
+TEST_F(RosParameters, TheDiffRefusesWhatItCannotWrite) {
+  const std::string path = write("nav.yaml", "A:\n  plugin: " + kDwb +
+                                                 "\n  sim_time: \"1.7\"\n"
+                                                 "  max_vel_x: 1\n");
+  resolve("[method.m]\nfrom = nav.yaml\nsim_time = 2\n");
+  EXPECT_TRUE(throws_error(ErrorKind::File, path + ":3: ", {"'1.7'", "without quotes"},
+                           [&] { ros_parameter_diff(reports_); }));
+  resolve("[method.m]\nfrom = nav.yaml\nmax_vel_x = 2\n[robot]\nfrom = nav.yaml\nmax_v = 3\n");
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, path + ":4: ", {"3 and 2", "same value"},
+                           [&] { ros_parameter_diff(reports_); }));
 }
 
 }  // namespace

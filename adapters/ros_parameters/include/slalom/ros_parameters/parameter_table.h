@@ -44,6 +44,8 @@ struct RosParameter {
   std::string text;                               ///< of a scalar
   std::optional<std::vector<std::string>> items;  ///< of a list, flattened
   std::string where;                              ///< "FILE:LINE: SECTION.KEY", for messages
+  std::string file;
+  int line = 0, column = 0;  ///< of the value, from 0
 };
 
 /// The input of a conversion besides the value itself.

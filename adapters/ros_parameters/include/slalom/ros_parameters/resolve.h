@@ -19,13 +19,21 @@ struct RosParameterSource {
 
 /// The fate of the parameters of one section with `from`.
 struct RosParameterReport {
+  /// A value of the file that the .ini overrides.
+  struct Edit {
+    std::string file;
+    int line, column;  ///< from 0
+    std::string old_text, new_text;
+  };
   struct Line {
     std::string parameter;  ///< "FollowPath.max_vel_x = 0.26"
     std::string result;     ///< "max_v = 0.26", or the reason
   };
   std::string section, source;  ///< "method.dwb"; "nav2.yaml, FollowPath (CLASS)"
   std::vector<Line> mapped, overridden, without_counterpart;
-  std::vector<std::string> unknown;  ///< "FILE:LINE: SECTION.KEY"
+  std::vector<Edit> edits;
+  std::vector<std::string> not_in_file;  ///< "FollowPath.sim_time: 2", of keys of the .ini
+  std::vector<std::string> unknown;      ///< "FILE:LINE: SECTION.KEY"
 
   std::string summary() const;  ///< one line
   std::string listing() const;  ///< all lines
@@ -35,5 +43,10 @@ struct RosParameterReport {
 /// section has. Throws Error: (File) for a file that cannot be read, (Usage) for a value that
 /// cannot be converted, a controller that is not in the files or that has no method here.
 std::vector<RosParameterReport> resolve_ros_parameters(IniFile& ini);
+
+/// The overridden values of all sections as a unified diff of their files, for `patch`; "" if there
+/// are none. Throws Error (Usage) where sections differ in a value, (File) for a value that is not
+/// in its line as it is written in plain YAML.
+std::string ros_parameter_diff(const std::vector<RosParameterReport>& reports);
 
 }  // namespace slalom
