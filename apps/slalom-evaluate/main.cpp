@@ -14,6 +14,7 @@
 #include <slalom/io/scenario_list.h>
 #include <slalom/report/report.h>
 #include <slalom/results/privileged.h>
+#include <slalom/results/untimely_commands.h>
 
 #include <filesystem>
 #include <iostream>
@@ -78,6 +79,9 @@ void write_tables_and_report(const Arguments& arguments, const std::string& resu
   tables.footnote = privileged_footnote(runs);
   write_file_atomically(arguments.output + "/tables.csv", render_csv(tables));
   std::cout << text;
+  for (const std::string& method : runs.methods)
+    if (const std::string line = untimely_commands(runs, method); !line.empty())
+      std::cerr << line << "\n";
   if (!with_report) return;
   const std::string report = arguments.output + "/report";
   write_report(results_path, std::move(runs), options, report);

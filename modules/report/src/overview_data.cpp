@@ -2,6 +2,7 @@
 #include "report_data.h"
 
 #include <slalom/analysis/method_overview.h>
+#include <slalom/results/untimely_commands.h>
 
 namespace slalom {
 
@@ -29,6 +30,10 @@ OrderedJson headlines_json(const ReportInput& input,
       input.is_selected() ? "" : leader_sentence(input.runs, comparisons, input.options.analysis);
   for (std::size_t method = 0; method < input.runs.methods.size(); ++method)
     for (const std::string& line : input.failures.lines_of(input.runs.methods[method]))
+      json.push_back({{"method", method}, {"text", line}});
+  for (std::size_t method = 0; method < input.runs.methods.size(); ++method)
+    if (const std::string line = untimely_commands(input.runs, input.runs.methods[method]);
+        !line.empty())
       json.push_back({{"method", method}, {"text", line}});
   if (!leader.empty()) json.push_back({{"method", nullptr}, {"text", leader}});
   return json;

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <slalom/results/result_table.h>
+
+#include <string>
+
+namespace slalom {
+
+/// The line about runs whose commands were not all given in their cycle, as methods in other
+/// processes count them ("commands_missing", ...): "nav2: commands were missing (35) or stale (2)
+/// in 12 of 40 runs, which depend on the speed of the machine". Empty if there are none.
+std::string untimely_commands(const ResultTable& table, const std::string& method);
+
+}  // namespace slalom
