@@ -4,6 +4,7 @@
 #include <slalom/analysis/cell_text.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
+#include <slalom/results/repeatability.h>
 
 #include <map>
 #include <sstream>
@@ -53,6 +54,8 @@ std::string run_text(const ResultFile& file, const RunRecord& run) {
                      line("seed", std::to_string(run.seed)) + line("outcome", run.outcome);
   if (!run.outcome_detail.empty()) text += line("detail", run.outcome_detail);
   text += line("trajectory", run.trajectory_hash);
+  const Repeatability measured = repeatability_of(file.read_manifest())[run.method];
+  if (!measured.is_repeatable()) text += line("of the method", to_string(measured));
   text += "metrics\n" + quantities_text(file.metrics(), run.metrics);
   if (file.has_scenario(run.scenario_hash)) {
     const ScenarioRecord scenario = file.read_record(run.scenario_hash);

@@ -6,6 +6,7 @@
 #include <slalom/app/interrupt.h>
 #include <slalom/app/output_folder.h>
 #include <slalom/app/program.h>
+#include <slalom/app/repeatability.h>
 #include <slalom/core/error.h>
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/io/file_lock.h>
@@ -121,6 +122,7 @@ void evaluate(const Arguments& arguments) {
   }
   if (!report.complete || InterruptGuard::raised())
     throw Interrupted("finished runs are kept in " + results + "; the same command continues");
+  measure_repeatability(config, arguments.campaign, results);
   store_descriptors(config.options, results, arguments.output + "/campaign.scenarios");
   write_tables_and_report(arguments, results, config.analysis.report);
   print_method_failures(report, results);

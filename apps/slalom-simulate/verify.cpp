@@ -22,6 +22,7 @@ void verify(const VerifyArguments& arguments) {
                                                  std::cout << "environment: " << line << "\n";
                                              });
   for (const std::string& line : report.time_limits) std::cout << "environment: " << line << "\n";
+  for (const std::string& line : report.not_repeatable) std::cout << line << "\n";
   for (const std::string& line : report.differences) std::cout << line << "\n";
   std::cout << verdict(report, arguments.results) << "\n";
 }

@@ -54,12 +54,14 @@ TEST_F(Evaluate, UsesAllCoresUnlessTheirNumberIsGiven) {
   ASSERT_EQ(sched_setaffinity(0, sizeof(one), &one), 0);
   const std::string alone = run("slalom-evaluate small.ini -o alone").err;
   ASSERT_EQ(sched_setaffinity(0, sizeof(all), &all), 0);
-  EXPECT_EQ(alone, "1 worker\n");
+  const std::string repeated = "nd, gap: repeatable in 4 of 4 runs\n";
+  EXPECT_EQ(alone, "1 worker\n" + repeated);
   const std::string shown = run("slalom-evaluate small.ini -o out").err;
-  EXPECT_EQ(shown, count_text(static_cast<std::size_t>(available_cores()), "worker") + "\n");
-  EXPECT_EQ(run("slalom-evaluate small.ini -o out").err, "all 8 runs are there\n");
+  EXPECT_EQ(shown,
+            count_text(static_cast<std::size_t>(available_cores()), "worker") + "\n" + repeated);
+  EXPECT_EQ(run("slalom-evaluate small.ini -o out").err, "all 8 runs are there\n" + repeated);
   EXPECT_EQ(run("slalom-evaluate small.ini -o zero -j 0").err, shown);
-  EXPECT_EQ(run("slalom-evaluate small.ini -o three -j 3").err, "");
+  EXPECT_EQ(run("slalom-evaluate small.ini -o three -j 3").err, repeated);
   EXPECT_EQ(run("slalom-evaluate small.ini -o quiet --quiet").err, "");
   const std::string dump = run("slalom-analyze dump out/runs.results").out;
   for (const std::string folder : {"alone", "zero", "three"})
@@ -251,7 +253,7 @@ TEST_F(Evaluate, WarnsOnceAboutAnApertureInRadians) {
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err,
             "warning: --set sensor.aperture_deg: 3.14 degrees looks like radians; expected 179.9 "
-            "for that angle in degrees\n");
+            "for that angle in degrees\ngap: repeatable in 4 of 4 runs\n");
   EXPECT_EQ(run(command + " --quiet").err, "");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "manifest.h"
+#include "repeated_runs.h"
 
 #include <slalom/app/external_options.h>
 #include <slalom/app/interrupt.h>
@@ -16,8 +17,7 @@
 #include <slalom/methods/registry.h>
 #include <slalom/metrics/mover_metrics.h>
 #include <slalom/references/reference_codec.h>
-
-#include <nlohmann/json.hpp>
+#include <slalom/results/repeatability.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,11 @@
 namespace slalom {
 namespace {
 
-using Json = nlohmann::json;
+/// A run that is not the one in the file.
+struct DifferingRun {
+  ExecutedRun run;
+  std::string difference;
+};
 
 /// Compares the results of a campaign with those in a file.
 class ComparingSink : public CampaignSink {
@@ -46,7 +50,8 @@ class ComparingSink : public CampaignSink {
                                    ": its reference paths are different");
   }
 
-  void add_run(const RunRecord& run, const RunTiming&, const PackedTrajectory&) override {
+  void add_run(const RunRecord& run, const RunTiming&,
+               const PackedTrajectory& trajectory) override {
     if (run.repetition < first_repetition_) return;
     const auto recorded = file_.read_run(run.scenario_hash, run.method, run.repetition);
     if (!recorded) return;  // of an incomplete campaign
@@ -62,24 +67,13 @@ class ComparingSink : public CampaignSink {
                                    record->outcome_detail + ")");
       return;
     }
-    report.differences.push_back("run " + run_id(run) + ": " + difference(before, now));
+    differing.push_back({{run, trajectory}, line_difference(before, now)});
   }
 
   VerifyReport report;
+  std::vector<DifferingRun> differing;
 
  private:
-  static std::string difference(const std::string& before, const std::string& now) {
-    const Json old = Json::parse(before), found = Json::parse(now);
-    const Json changes = Json::diff(old, found);
-    const Json::json_pointer at(changes.at(0).at("path").get<std::string>());
-    const auto value = [&](const Json& json) {
-      return json.contains(at) ? json.at(at).dump() : std::string("absent");
-    };
-    const std::size_t more = changes.size() - 1;
-    return at.to_string() + " was " + value(old) + " and is " + value(found) +
-           (more == 0 ? "" : ", and " + std::to_string(more) + " more values");
-  }
-
   const ResultFile& file_;
   std::string campaign_;
   int first_repetition_;
@@ -138,6 +132,41 @@ bool measured_movers(Manifest& manifest, const std::string& path) {
          contains(options.descriptors, mover_descriptor_ids()[0]);
 }
 
+/// Says of each differing run whether the method or the file is the reason. Each method executes
+/// one of them once more: the last, so that other runs of its process are before it. The file is
+/// not asked, since it would then excuse itself.
+bool explain_differences(const std::vector<DifferingRun>& runs, const Manifest& manifest,
+                         const Campaign& campaign, const Execution& execution,
+                         VerifyReport& report) {
+  std::map<std::string, const ExecutedRun*> last;
+  for (const DifferingRun& one : runs) last[one.run.record.method] = &one.run;
+  std::set<RunKey> chosen;
+  for (const auto& [method, run] : last) chosen.insert(key_of(run->record));
+  RepeatedRuns again{true, {}};
+  if (!chosen.empty()) again = execute_again(campaign, chosen, nullptr, execution);
+  std::map<std::string, std::string> found;  // by method, "" for equal executions
+  for (const auto& [key, run] : again.runs) {
+    const ExecutedRun& before = *last.at(run.record.method);
+    const Trajectory trajectory = before.trajectory.unpack("");
+    found[run.record.method] = execution_difference(before.record, &trajectory, run);
+  }
+  std::map<std::string, Repeatability> measured = repeatability_of(manifest);
+  for (const DifferingRun& one : runs) {
+    const std::string &method = one.run.record.method, id = "run " + run_id(one.run.record) + ": ";
+    const auto executed = found.find(method);
+    if (executed != found.end() && !executed->second.empty())
+      report.not_repeatable.push_back(id + "not repeatable: " + method +
+                                      ", executed once more here, " + executed->second);
+    else
+      report.differences.push_back(
+          id + one.difference +
+          (executed == found.end() ? ""
+                                   : "; " + method + ", executed once more here, repeats itself") +
+          (measured[method].is_repeatable() ? "" : ", though the file says that it does not"));
+  }
+  return again.complete;
+}
+
 }  // namespace
 
 VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
@@ -161,16 +190,18 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
   const auto progress = make_terminal_progress(arguments.quiet);
   const InterruptGuard guard;
   ComparingSink sink(file, only ? only->repetition : 0);
-  const CampaignSummary summary = run_campaign(
-      campaign, sink, {campaign_workers(config, arguments), *progress, InterruptGuard::raised});
-  sink.report.complete = summary.complete;
+  const Execution execution{campaign_workers(config, arguments), *progress, InterruptGuard::raised};
+  const CampaignSummary summary = run_campaign(campaign, sink, execution);
+  sink.report.complete = summary.complete && explain_differences(sink.differing, manifest, campaign,
+                                                                 execution, sink.report);
   return sink.report;
 }
 
 std::string verdict(const VerifyReport& report, const std::string& path) {
   if (!report.complete) throw Interrupted("nothing was changed");
-  const std::size_t runs = report.runs - report.time_limits.size();
-  if (runs == 0 && report.runs > 0)
+  const std::size_t unequal = report.not_repeatable.size(),
+                    runs = report.runs - report.time_limits.size() - unequal;
+  if (runs == 0 && unequal == 0 && report.runs > 0)
     throw job_error(path,
                     "a time limit ended each of the runs on one of the machines, so that none was "
                     "compared",
@@ -180,7 +211,9 @@ std::string verdict(const VerifyReport& report, const std::string& path) {
   if (!report.differences.empty())
     throw job_error(path, count_text(report.differences.size(), "difference") + " in " + what,
                     "identical results");
-  return what + (runs == 1 ? " is identical" : " are identical");
+  return what + (runs == 1 ? " is identical" : " are identical") +
+         (unequal == 0 ? ""
+                       : "; " + count_text(unequal, "run") + " of methods that are not repeatable");
 }
 
 }  // namespace slalom

@@ -155,6 +155,10 @@ void LimitsSection::visit(OptionVisitor& v) {
 void RecordSection::visit(OptionVisitor& v) {
   v.option("rawlog", rawlog, "runs to record as MRPT rawlogs");
   v.option("trajectories", trajectories, "runs whose trajectories are stored in the results");
+  v.option("repeated_runs", repeated_runs, "-",
+           "runs of each method that slalom-evaluate executes a second time, to measure whether it "
+           "is repeatable; 0: none",
+           Range::between(0, 1000));
 }
 
 std::vector<std::string> all_metric_ids() {

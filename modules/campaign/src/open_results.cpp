@@ -152,6 +152,7 @@ ResultFile open_results(const std::string& path, Manifest manifest,
         "of this version");
   if (changes.replaced.empty() && changes.additions.empty()) return file;
   note_replaced_files(file, changes.replaced, manifest);
+  add_repeated_runs(stored, manifest);
   manifest[kIdentityKey] = campaign_identity(manifest);
   file.replace_manifest(manifest);
   if (!file.commit()) throw job_error(path, "is being read by another program");

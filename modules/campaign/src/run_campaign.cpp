@@ -215,6 +215,7 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
   pool.schedule.groups = campaign.methods.size();
   pool.schedule.group = [&](std::size_t i) { return method_index(campaign, plan[i].method); };
   pool.inputs = shared_tables(campaign, plan, references, execution.workers, executor);
+  pool.schedule.process_per_item = execution.process_per_run;
   pool.hooks.is_valid = is_valid;
   pool.hooks.at_end = [&] { executor.destroy_methods(); };
   const bool complete = run_in_workers(plan.size(), pool, item, receive, execution.interrupted);

@@ -41,6 +41,7 @@ CampaignOptions campaign_options(const Options& options, const std::vector<Scena
   CampaignOptions campaign = options;
   campaign.record.trajectories =
       options.observer ? StoredTrajectories::All : StoredTrajectories::None;
+  campaign.record.repeated_runs = 0;  // not measured here
   campaign = checked_options(std::move(campaign), "options ");
   campaign.adapt_to(scenarios);
   return campaign;

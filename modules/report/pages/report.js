@@ -6,7 +6,7 @@
 // Draws sections, [id, title, content, open]; those without content are left out.
 function showSections(sections) {
   const shown = sections.filter(([, , content]) => content !== null);
-  element("report").replaceChildren(...shown.map((section) => fold(...section)), ...(report.footnote ? [soft(report.footnote)] : []));
+  element("report").replaceChildren(...shown.map((section) => fold(...section)), ...(report.footnote ? [soft(report.footnote)] : []), ...report.notes.map((note) => soft(note)));
   return shown;
 }
 

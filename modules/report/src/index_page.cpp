@@ -6,6 +6,7 @@
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
 #include <slalom/results/privileged.h>
+#include <slalom/results/repeatability.h>
 
 namespace slalom {
 namespace {
@@ -107,6 +108,8 @@ Markup all_tables(const ReportInput& input) {
   for (const std::vector<CrossTable>& group : input.tables)
     for (const CrossTable& cross : group) parts.push_back(cross_table(cross));
   if (!summary.footnote.empty()) parts.push_back(element("p", {summary.footnote}));
+  for (const std::string& note : repeatability_notes(input.runs))
+    parts.push_back(element("p", {note}));
   return element("div", parts);
 }
 

@@ -8,10 +8,12 @@
 #include <slalom/analysis/findings.h>
 #include <slalom/analysis/paired_comparison.h>
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
 #include <slalom/io/svg_scene.h>
 #include <slalom/results/privileged.h>
+#include <slalom/results/repeatability.h>
 
 #include <fmt/format.h>
 
@@ -259,6 +261,15 @@ void add_statistics(OrderedJson& json, ReportBuilder& make, const ReportInput& i
   json["validity"] = validity_json(runs, make.directed(), input.options.analysis);
 }
 
+OrderedJson repeatability_json(const std::map<std::string, Repeatability>& measured) {
+  OrderedJson json = OrderedJson::object();
+  for (const auto& [method, found] : measured)
+    json[method] = {{"repeated", found.repeated},
+                    {"equal", found.equal},
+                    {"difference", printable_line(found.difference)}};
+  return json;
+}
+
 }  // namespace
 
 ReportInput make_report_input(const ResultTable& runs, const ReportOptions& options) {
@@ -302,6 +313,9 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
   if (!input.is_selected()) add_statistics(json, make, input);
   json["clusters"] = clusters_json(input.options.clusters);
   if (!input.summary.footnote.empty()) json["footnote"] = input.summary.footnote;
+  if (const auto measured = repeatability_of(runs.manifest); !measured.empty())
+    json["repeatability"] = repeatability_json(measured);
+  json["notes"] = repeatability_notes(runs);
   json["manifest"] = runs.manifest;
   return json;
 }

@@ -2,6 +2,7 @@
 #include <slalom/analysis/campaign_settings.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/core/text.h>
+#include <slalom/results/repeatability.h>
 
 #include <set>
 
@@ -30,7 +31,7 @@ std::map<std::string, std::string> settings(const Manifest& manifest) {
 bool cannot_affect_runs(const std::string& key) {
   const auto begins = [&key](const char* prefix) { return starts_with(key, prefix); };
   return key == "seed" || begins("campaign") || begins("analysis.") || begins("record.") ||
-         begins("scenarios.") || begins("generator.");
+         begins(kRepeatedPrefix) || begins("scenarios.") || begins("generator.");
 }
 
 std::string value_or_default(const std::map<std::string, std::string>& flat,

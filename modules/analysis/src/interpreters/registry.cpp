@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/interpreter.h>
 #include <slalom/results/privileged.h>
+#include <slalom/results/repeatability.h>
 
 namespace slalom {
 
@@ -69,6 +70,9 @@ Interpretation interpret(const Interpreter& interpreter, std::vector<ResultTable
     for (std::string* name : {&query.method, &query.baseline}) *name = marked_name(table, *name);
   }
   Interpretation found = interpreter.interpret(results, query);
+  for (const ResultTable& table : results)
+    for (const std::string& note : repeatability_notes(table))
+      found.remarks.push_back((results.size() > 1 ? table.source + ": " : "") + note);
   found.footnote = privileged_footnote(privileged);
   return found;
 }

@@ -3,10 +3,12 @@
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/findings.h>
+#include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/table_text.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/results/privileged.h>
+#include <slalom/results/repeatability.h>
 
 namespace slalom {
 namespace {
@@ -120,6 +122,7 @@ std::string render_tables_text(const ResultTable& table, const std::vector<BinSp
   Interpretation found;
   found.summary = build_summary(table, columns, options);
   found.cross_tables = build_cross_tables(table, rows, columns, options);
+  found.remarks = repeatability_notes(table);
   found.footnote = privileged_footnote(table);
   return render_text(found);
 }

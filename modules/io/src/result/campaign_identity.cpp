@@ -4,6 +4,7 @@
 #include <slalom/core/ini_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/campaign_identity.h>
+#include <slalom/results/repeatability.h>
 
 #include <algorithm>
 #include <set>
@@ -103,6 +104,19 @@ void expect_same_campaign(const Manifest& here, const Manifest& there, const std
   const std::vector<IdentityDifference> differences = identity_differences(here, there);
   if (!differences.empty())
     throw file_error(file, "holds another campaign: " + enumerate(differences, file), remedy);
+}
+
+bool mixes_versions(const Manifest& manifest, const std::string& method) {
+  const std::string prefix = std::string(kKeptPrefix) + "method." + method + ".";
+  const auto found = manifest.lower_bound(prefix);
+  return found != manifest.end() && starts_with(found->first, prefix);
+}
+
+void add_repeated_runs(const Manifest& from, Manifest& to) {
+  for (const auto& [key, difference] : from)
+    if (const std::string method = repeated_method(key);
+        !method.empty() && !mixes_versions(to, method))
+      to[key] = difference;
 }
 
 std::vector<std::string> kept_run_notes(const Manifest& manifest) {

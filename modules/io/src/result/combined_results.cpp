@@ -87,6 +87,7 @@ void CombinedResults::add(FileRows part) {
   } else {
     expect_same_campaign(table_.manifest, added.manifest, added.source,
                          "results of the same campaign");
+    add_repeated_runs(added.manifest, table_.manifest);
     expect_same_columns(table_.metrics, added.metrics, added.source);
     expect_same_columns(table_.descriptors, added.descriptors, added.source);
   }

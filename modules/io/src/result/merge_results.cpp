@@ -9,6 +9,7 @@
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/merge_results.h>
 #include <slalom/io/result_file.h>
+#include <slalom/results/repeatability.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -198,8 +199,9 @@ MergedResults::MergedResults(const std::string& path, const std::string& first) 
 MergedResults::~MergedResults() = default;
 
 std::size_t MergedResults::add(const std::string& file) {
-  expect_same_campaign(impl_->manifest, ResultFile::open(file).read_manifest(), file,
-                       "results of the same campaign");
+  const Manifest manifest = ResultFile::open(file).read_manifest();
+  expect_same_campaign(impl_->manifest, manifest, file, "results of the same campaign");
+  add_repeated_runs(manifest, impl_->manifest);
   try {
     return impl_->add(file);
   } catch (const SQLite::Exception& e) {
@@ -222,6 +224,11 @@ std::size_t MergedResults::duplicates() const {
 
 void MergedResults::publish() {
   impl_->database.reset();
+  if (!repeatability_of(impl_->manifest).empty()) {
+    ResultFile file = ResultFile::open(impl_->draft.name());
+    file.replace_manifest(impl_->manifest);
+    file.commit();
+  }
   impl_->draft.publish();
 }
 

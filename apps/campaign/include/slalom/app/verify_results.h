@@ -26,6 +26,9 @@ struct VerifyReport {
   /// One line per run that is not the same because a limit of time ended it: such runs depend on
   /// the machine.
   std::vector<std::string> time_limits;
+  /// One line per run that is not the same because its method is not repeatable, as it showed
+  /// when it was executed once more.
+  std::vector<std::string> not_repeatable;
 };
 
 /// Receives what differs from the programs, files of methods and machine that made the file.
@@ -39,8 +42,9 @@ using EnvironmentHandler = std::function<void(const std::vector<std::string>& di
 VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
                             const VerifySample& sample, const EnvironmentHandler& on_environment);
 
-/// "3 runs in 1 scenario are identical". Throws Error if a run differs, or if time limits ended all
-/// of them, and Interrupted if the report is not complete.
+/// "3 runs in 1 scenario are identical; 2 runs of methods that are not repeatable". Throws Error if
+/// a run differs, or if time limits ended all of them, and Interrupted if the report is not
+/// complete.
 std::string verdict(const VerifyReport& report, const std::string& path);
 
 }  // namespace slalom

@@ -65,6 +65,7 @@ constexpr auto enum_names(StoredTrajectories) {
 struct RecordSection {
   RecordedRuns rawlog = RecordedRuns::None;
   StoredTrajectories trajectories = StoredTrajectories::All;
+  int repeated_runs = 5;  ///< runs of each method that are executed a second time
 
   void visit(OptionVisitor& v);
   bool wants(Outcome outcome) const;

@@ -36,6 +36,7 @@ struct Execution {
   Progress& progress;
   std::function<bool()> interrupted;  ///< polled; null: never interrupted
   bool in_process = false;            ///< without worker processes and their limits
+  bool process_per_run = false;       ///< a worker process for each run
 
   bool is_interrupted() const { return interrupted && interrupted(); }
 };

@@ -46,6 +46,13 @@ bool is_method_file(const std::string& key);
 void expect_same_campaign(const Manifest& here, const Manifest& there, const std::string& file,
                           const std::string& remedy);
 
+/// Whether runs of several versions of the method are in the file of this manifest.
+bool mixes_versions(const Manifest& manifest, const std::string& method);
+
+/// Adds what `from` says about runs that were executed a second time, except of methods that `to`
+/// mixes: their files were replaced since.
+void add_repeated_runs(const Manifest& from, Manifest& to);
+
 /// One line for each replacement of a file of a method, after which finished runs were kept.
 std::vector<std::string> kept_run_notes(const Manifest& manifest);
 
