@@ -2,6 +2,7 @@
 # Packages of other projects, all from the distribution, found by the targets that need them. Installed: find_package(slalom)
 # with components includes it.
 find_package(PkgConfig REQUIRED)
+set(SLALOM_PKG_CONFIG_lz4 liblz4)
 set(SLALOM_PKG_CONFIG_zstd libzstd)
 set(SLALOM_PKG_CONFIG_xxhash libxxhash)
 set(SLALOM_PKG_CONFIG_highway libhwy)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The readers and their dependencies, compiled for libFuzzer with sanitizers; the rest of the project is not built.
 set(MODULES ${PROJECT_SOURCE_DIR}/modules)
+set(BAGS ${PROJECT_SOURCE_DIR}/adapters/bags/src)
 set(FORMATS ${PROJECT_SOURCE_DIR}/adapters/map_formats/src)
 set(PARAMETERS ${PROJECT_SOURCE_DIR}/adapters/ros_parameters/src)
 foreach(module core scenario trajectory results)
@@ -38,6 +39,15 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/io/src/text_lines.cpp
   ${MODULES}/io/src/transaction.cpp
   ${MODULES}/references/src/reference_codec.cpp
+  ${BAGS}/bag_info.cpp
+  ${BAGS}/bag_info_text.cpp
+  ${BAGS}/chunk_data.cpp
+  ${BAGS}/frame_tree.cpp
+  ${BAGS}/mcap_bag.cpp
+  ${BAGS}/read_bag.cpp
+  ${BAGS}/ros1_bag.cpp
+  ${BAGS}/ros_messages.cpp
+  ${BAGS}/sqlite_bag.cpp
   ${FORMATS}/gray_image.cpp
   ${FORMATS}/image_size.cpp
   ${FORMATS}/map_task.cpp
@@ -55,7 +65,7 @@ add_library(slalom_fuzzed STATIC
   ${PARAMETERS}/parameter_files.cpp
   ${PARAMETERS}/parameter_table.cpp
   ${PARAMETERS}/resolve.cpp)
-foreach(module core scenario io campaign falsification map_formats ros_parameters)
+foreach(module core scenario io campaign falsification map_formats ros_parameters bags)
   target_include_directories(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},INCLUDE_DIRECTORIES>)
   target_compile_definitions(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},COMPILE_DEFINITIONS>)
 endforeach()
@@ -64,7 +74,7 @@ target_include_directories(slalom_fuzzed PUBLIC ${FORMATS} ${MODULES}/campaign/s
 target_compile_options(slalom_fuzzed PUBLIC -fsanitize=fuzzer-no-link,address,undefined
                        -fno-sanitize-recover=undefined -fno-sanitize=vptr -fno-omit-frame-pointer)
 target_link_libraries(slalom_fuzzed PUBLIC mrpt::config mrpt::math mrpt::maps mrpt::obs mrpt::img mrpt::poses
-  mrpt::kinematics PkgConfig::xxhash PkgConfig::highway PkgConfig::zstd fmt::fmt yaml-cpp PNG::PNG Boost::headers
+  mrpt::kinematics PkgConfig::xxhash PkgConfig::highway PkgConfig::zstd PkgConfig::lz4 BZip2::BZip2 ZLIB::ZLIB fmt::fmt yaml-cpp PNG::PNG Boost::headers
   SQLiteCpp SQLite::SQLite3 nlohmann_json::nlohmann_json)
 
 add_custom_target(fuzz)

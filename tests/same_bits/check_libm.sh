@@ -11,6 +11,7 @@ cd "$sources"
 # an error, so that the check cannot pass by finding nothing.
 excused='
 analysis * statistics of finished runs, which no hash and no dump has
+bags     * frames in three dimensions of recorded robots, which no hash and no dump has
 gui      * digits of scales on the screen
 rawlog   * identification of robots from their logs
 report   * scales of figures

@@ -4,6 +4,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
+#include <slalom/io/foreign_database.h>
 #include <slalom/io/read_results.h>
 
 #include <cerrno>
@@ -101,12 +102,12 @@ class StepLimit {
 };
 
 void refuse_foreign_schema(SQLite::Database& database, const std::string& path,
-                           const std::string& schema) {
+                           const std::string& schema, const std::string& kind) {
   const auto refuse = [&](const std::string& sql, const std::string& what) {
     SQLite::Statement found(database, sql);
     if (found.executeStep())
       throw file_error(path, "contains " + what + " '" + found.getColumn(0).getString() + "'",
-                       "a file written by Slalom");
+                       kind);
   };
   const std::string objects = schema + ".sqlite_master";
   const ReadTransaction scope(database);  // one lock for all statements
@@ -126,7 +127,8 @@ void refuse_foreign_schema(SQLite::Database& database, const std::string& path,
 
 }  // namespace
 
-void distrust(SQLite::Database& database, const std::string& path, const std::string& schema) {
+void distrust(SQLite::Database& database, const std::string& path, const std::string& schema,
+              const std::string& kind) {
   sqlite3* const handle = database.getHandle();
   for (const auto& [option, value] :
        {std::pair{SQLITE_DBCONFIG_DEFENSIVE, 1}, std::pair{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
@@ -135,7 +137,7 @@ void distrust(SQLite::Database& database, const std::string& path, const std::st
     sqlite3_db_config(handle, option, value, nullptr);
   sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 1);
   if (schema == "main") StepLimit::install(handle);
-  refuse_foreign_schema(database, path, schema);
+  refuse_foreign_schema(database, path, schema, kind);
 }
 
 bool has_table(SQLite::Database& database, const std::string& name, const std::string& schema) {
@@ -237,6 +239,16 @@ std::unique_ptr<SQLite::Database> open_reader(const std::string& path, int flags
       std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY | flags, kBusyTimeoutMs);
   distrust(*database, path);
   return database;
+}
+
+std::unique_ptr<SQLite::Database> open_foreign_database(const std::string& path,
+                                                        const std::string& kind) {
+  require_regular_files(path, kind);
+  return reading(path, [&] {
+    auto database = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY, kBusyTimeoutMs);
+    distrust(*database, path, "main", kind);
+    return database;
+  });
 }
 
 std::unique_ptr<SQLite::Database> open_database(const std::string& path, const DatabaseKind& kind) {

@@ -44,9 +44,11 @@ std::unique_ptr<SQLite::Database> open_reader(const std::string& path, int flags
 /// Makes a connection safe for files of strangers, as sqlite.org/security.html advises: no trusted
 /// schema, defensive, a limited number of attached files, and a limit on the steps of one statement
 /// that grows with the file. Throws Error (File) if `schema` ("main", or an attached one) contains
-/// views, triggers, virtual tables, computed columns or indexes of expressions.
+/// views, triggers, virtual tables, computed columns or indexes of expressions; `kind` is what was
+/// expected.
 void distrust(SQLite::Database& database, const std::string& path,
-              const std::string& schema = "main");
+              const std::string& schema = "main",
+              const std::string& kind = "a file written by Slalom");
 
 /// The file at a path, to notice that it was removed, renamed or replaced: SQLite does not.
 class FileIdentity {
