@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bag_options.h"
 #include "verbs.h"
 
 #include <slalom/app/campaign_program.h>
@@ -15,6 +16,7 @@ struct IdentifyArguments {
   std::string log;
   CampaignArguments campaign;
   MotionLabels labels;
+  BagSelection selection;
   double max_delay = IdentificationSetup().max_delay;
   bool json = false;
 };
@@ -32,7 +34,9 @@ void identify_robot(const IdentifyArguments& arguments) {
   setup.max_delay = arguments.max_delay;
   if (!arguments.campaign.config.empty())
     setup.robot = read_robot_model(load_campaign_ini(arguments.campaign));
-  Identification identification = identify(read_motion_log(arguments.log, arguments.labels), setup);
+  const LogObjects log = load_log(arguments.log, arguments.selection);
+  print_notes(log);
+  Identification identification = identify(read_motion_log(log, arguments.labels), setup);
   const auto& estimates = identification.estimates;
   if (std::all_of(estimates.begin(), estimates.end(),
                   [](const Estimate& estimate) { return estimate.value.is_na(); }))
@@ -47,8 +51,10 @@ void identify_robot(const IdentifyArguments& arguments) {
 void define_identify(CLI::App& app) {
   static IdentifyArguments arguments;
   CLI::App* verb = app.add_subcommand(
-      "identify", "Estimate delay, lag, speed bias and range noise of the robot of a rawlog");
-  verb->add_option("log", arguments.log, "Rawlog with velocities as CObservationOdometry")
+      "identify",
+      "Estimate delay, lag, speed bias and range noise of the robot of a rawlog or bag");
+  verb->add_option("log", arguments.log,
+                   "Rawlog with velocities as CObservationOdometry, or bag of ROS")
       ->required();
   CLI::Option* config = verb->add_option("-c,--config", arguments.campaign.config,
                                          "Campaign .ini with the robot's limits");
@@ -63,6 +69,7 @@ void define_identify(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--label", arguments.labels.scan,
                    "Use only scans of the sensor with this label");
+  add_bag_options(*verb, arguments.selection);
   verb->add_option("--max-delay", arguments.max_delay, "Maximum delay of commands, s")
       ->check(CLI::Range(0.01, 10.0))
       ->capture_default_str();

@@ -12,6 +12,8 @@ void define(CLI::App& app) {
   define_metrics(app);
   define_openloop(app);
   define_identify(app);
+  define_info(app);
+  define_import(app);
 }
 
 }  // namespace
@@ -20,6 +22,6 @@ void define(CLI::App& app) {
 int main(int argc, char** argv) {
   return slalom::run_program(
       "slalom-replay",
-      "Replays recorded runs, runs methods on rawlogs, and estimates robots from them.", argc, argv,
-      slalom::define);
+      "Replays recorded runs; runs methods on rawlogs and bags, and estimates robots from them.",
+      argc, argv, slalom::define);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bag_options.h"
 #include "verbs.h"
 
 #include <slalom/app/adapters.h>
@@ -17,6 +18,7 @@ namespace {
 struct OpenLoopArguments {
   std::string log, method, label;
   CampaignArguments campaign;
+  BagSelection selection;
   double goal_ahead = 5;
   bool each = false, json = false;
 };
@@ -35,7 +37,9 @@ void replay(const OpenLoopArguments& arguments) {
   const CampaignOptions options = read_campaign_options(ini);
   const auto method =
       all_adapters().read(ini, arguments.method).make(options.robot, options.sensor);
-  const auto scans = read_laser_log(arguments.log, arguments.label);
+  const LogObjects log = load_log(arguments.log, arguments.selection);
+  print_notes(log);
+  const auto scans = read_laser_log(log, arguments.label);
   const auto& simulation = options.simulation;
   const auto answers = replay_open_loop(scans,
                                         {options.robot, options.sensor, simulation.control_period,
@@ -58,8 +62,9 @@ void replay(const OpenLoopArguments& arguments) {
 void define_openloop(CLI::App& app) {
   static OpenLoopArguments arguments;
   CLI::App* verb = app.add_subcommand(
-      "openloop", "Pass each 2D scan of any rawlog to a method and predict contacts");
-  verb->add_option("log", arguments.log, "Rawlog with CObservation2DRangeScan")->required();
+      "openloop", "Pass each 2D scan of any rawlog or bag to a method and predict contacts");
+  verb->add_option("log", arguments.log, "Rawlog with CObservation2DRangeScan, or bag of ROS")
+      ->required();
   complete_with(
       verb->add_option("--method", arguments.method, "Method of the campaign .ini")->required(),
       known_methods);
@@ -74,6 +79,7 @@ void define_openloop(CLI::App& app) {
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
   verb->add_option("--label", arguments.label, "Use only scans of the sensor with this label");
+  add_bag_options(*verb, arguments.selection);
   verb->add_flag("--each", arguments.each, "Also print the answer to each scan");
   verb->add_flag("--json", arguments.json, "Print one JSON object");
   verb->callback([] { replay(arguments); });

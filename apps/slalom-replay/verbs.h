@@ -11,5 +11,7 @@ void define_check(CLI::App& app);
 void define_metrics(CLI::App& app);
 void define_openloop(CLI::App& app);
 void define_identify(CLI::App& app);
+void define_info(CLI::App& app);
+void define_import(CLI::App& app);
 
 }  // namespace slalom

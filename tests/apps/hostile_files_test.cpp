@@ -74,6 +74,7 @@ TEST_F(HostileFiles, AreRefusedInPlaceOfListsAndResults) {
                  {"folder.results: is a folder", "expected one result file", "merge"});
   expect_refused("slalom-analyze table pipe.csv", "pipe.csv", "is a pipe");
   expect_refused("slalom-replay check pipe.rawlog", "pipe.rawlog", "is a pipe");
+  expect_refused("slalom-replay info pipe.csv", "pipe.csv", "is a pipe");
 }
 
 TEST_F(HostileFiles, AreRefusedInPlaceOfFilesOfMethods) {

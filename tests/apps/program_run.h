@@ -27,10 +27,10 @@ inline std::string read_text(const std::filesystem::path& path) {
 }
 
 /// Runs programs in a temporary folder, one for each test.
-class ProgramTest : public testing::Test {
+class ProgramTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string name = testing::TempDir() + "slalom_apps_XXXXXX";
+    std::string name = ::testing::TempDir() + "slalom_apps_XXXXXX";
     ASSERT_NE(mkdtemp(name.data()), nullptr);
     folder_ = name;
   }

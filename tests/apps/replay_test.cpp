@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../adapters/bags/message_bytes.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
@@ -197,6 +198,64 @@ TEST_F(Replay, PrintsHelp) {
     EXPECT_NE(result.out.find("Usage"), std::string::npos);
   }
   EXPECT_EQ(run("slalom-replay --version").out.substr(0, 14), "slalom-replay ");
+}
+
+/// A bag of a robot that drives 0.5 m/s towards a wall, and an .ini with a method.
+class ReplayBag : public ProgramTest {
+ protected:
+  void SetUp() override {
+    using testing::kSecond;
+    constexpr auto kCdr = testing::Layout::CdrLittle;
+    ProgramTest::SetUp();
+    testing::McapWriter bag;
+    const auto laser = testing::pose_numbers(0.25, 0, 0);
+    bag.add({"/tf_static", "tf2_msgs/TFMessage", 0,
+             testing::transform_bytes(kCdr, 0, "base_link", "laser", laser)});
+    for (int i = 1; i < 10; ++i) {
+      const std::int64_t time = i * kSecond / 10;
+      bag.add({"/odom", "nav_msgs/Odometry", time,
+               testing::odometry_bytes(kCdr, time, "base_link",
+                                       testing::pose_numbers(0.05 * i, 0, 0), 0.5, 0)});
+      bag.add({"/scan", "sensor_msgs/LaserScan", time,
+               testing::scan_bytes(kCdr, time, "laser", -1, 0.02F, 8,
+                                   std::vector<float>(101, 3.0F - 0.05F * float(i)))});
+    }
+    write("drive.mcap", bag.bytes());
+    write("small.ini", kSmallCampaign);
+  }
+};
+
+TEST_F(ReplayBag, OpenLoopAnswersABagAsItsRawlog) {
+  const ProgramResult imported = run("slalom-replay import drive.mcap -o drive.rawlog");
+  ASSERT_EQ(imported.status, 0) << imported.err;
+  EXPECT_NE(imported.out.find("drive.rawlog: 18 observations"), std::string::npos) << imported.out;
+  EXPECT_NE(imported.err.find("laser 'laser' is at (0.250, 0.000, 0.000) m"), std::string::npos);
+  const std::string options = " -c small.ini --method nd --each --json";
+  const ProgramResult bag = run("slalom-replay openloop drive.mcap" + options);
+  const ProgramResult rawlog = run("slalom-replay openloop drive.rawlog" + options);
+  ASSERT_EQ(bag.status, 0) << bag.err;
+  Json of_bag = Json::parse(bag.out), of_rawlog = Json::parse(rawlog.out);
+  EXPECT_EQ(of_bag["scans"], 9);
+  EXPECT_EQ(of_bag["with_odometry"], 9);
+  of_bag.erase("log");
+  of_rawlog.erase("log");
+  EXPECT_EQ(of_bag, of_rawlog);
+}
+
+TEST_F(ReplayBag, ABagIsNotOverwritten) {
+  expect_failure("slalom-replay import drive.mcap -o drive.mcap", 2,
+                 {"drive.mcap", "is also an input"});
+  EXPECT_EQ(run("slalom-replay info drive.mcap").status, 0);
+  expect_failure("slalom-replay import small.ini -o a.rawlog", 3,
+                 {"small.ini", "is not a bag", ".mcap"});
+  expect_failure("slalom-replay openloop drive.mcap -c small.ini --method nd --scan /scam", 3,
+                 {"no topic '/scam'", "'/scan'"});
+}
+
+TEST_F(ReplayBag, InfoListsTopics) {
+  const ProgramResult info = run("slalom-replay info drive.mcap --json");
+  ASSERT_EQ(info.status, 0) << info.err;
+  EXPECT_EQ(Json::parse(info.out)["topics"].size(), 3U);
 }
 
 }  // namespace

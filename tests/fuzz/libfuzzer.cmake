@@ -25,6 +25,7 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/io/src/result/dump.cpp
   ${MODULES}/io/src/result/file_rows.cpp
   ${MODULES}/io/src/result/merge_results.cpp
+  ${MODULES}/io/src/result/packed_scenario.cpp
   ${MODULES}/io/src/result/packed_trajectory.cpp
   ${MODULES}/io/src/result/read_results.cpp
   ${MODULES}/io/src/result/result_reader.cpp
@@ -48,6 +49,7 @@ add_library(slalom_fuzzed STATIC
   ${BAGS}/ros1_bag.cpp
   ${BAGS}/ros_messages.cpp
   ${BAGS}/sqlite_bag.cpp
+  ${BAGS}/topic_choice.cpp
   ${FORMATS}/gray_image.cpp
   ${FORMATS}/image_size.cpp
   ${FORMATS}/map_task.cpp

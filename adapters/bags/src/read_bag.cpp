@@ -26,7 +26,7 @@ struct Container {
 };
 
 constexpr std::array<Container, 3> kContainers = {{
-    {"#ROSBAG V", "bag of ROS 1", read_ros1_bag},
+    {"#ROS", "bag of ROS 1", read_ros1_bag},  // versions before 2.0: #ROSRECORD
     {"\x89MCAP", "MCAP", read_mcap_bag},
     {"SQLite format 3", "rosbag2 in SQLite", read_sqlite_bag},
 }};

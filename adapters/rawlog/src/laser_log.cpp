@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rawlog_format.h"
-#include "rawlog_objects.h"
 
 #include <slalom/core/error.h>
 #include <slalom/rawlog/laser_log.h>
@@ -119,15 +118,19 @@ class LaserLogReader {
 
 }  // namespace
 
-std::vector<LoggedScan> read_laser_log(const std::string& path, const std::string& label) {
+std::vector<LoggedScan> read_laser_log(const LogObjects& log, const std::string& label) {
   LaserLogReader reader(label);
-  for (const auto& object : read_objects(path)) reader.add(object);
+  for (const auto& object : log.objects) reader.add(object);
   std::vector<LoggedScan> scans = std::move(reader).scans();
   if (scans.empty())
     throw file_error(
-        path, label.empty() ? "contains no 2D scan" : "contains no 2D scan of '" + label + "'",
-        "a rawlog with CObservation2DRangeScan");
+        log.path, label.empty() ? "contains no 2D scan" : "contains no 2D scan of '" + label + "'",
+        "a rawlog with CObservation2DRangeScan, or a bag with LaserScan");
   return scans;
+}
+
+std::vector<LoggedScan> read_laser_log(const std::string& path, const std::string& label) {
+  return read_laser_log(load_log(path), label);
 }
 
 }  // namespace slalom

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rawlog_objects.h"
-
 #include <slalom/core/text.h>
 #include <slalom/rawlog/motion_log.h>
 
@@ -106,10 +104,14 @@ class MotionLogReader {
 
 }  // namespace
 
-MotionLog read_motion_log(const std::string& path, const MotionLabels& labels) {
+MotionLog read_motion_log(const LogObjects& log, const MotionLabels& labels) {
   MotionLogReader reader(labels);
-  for (const auto& object : read_objects(path)) reader.add(object);
+  for (const auto& object : log.objects) reader.add(object);
   return std::move(reader).log();
+}
+
+MotionLog read_motion_log(const std::string& path, const MotionLabels& labels) {
+  return read_motion_log(load_log(path), labels);
 }
 
 }  // namespace slalom

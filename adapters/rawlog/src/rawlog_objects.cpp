@@ -4,9 +4,11 @@
 #include "memory_guard.h"
 #include "rawlog_objects.h"
 
+#include <slalom/bags/bag.h>
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/ros_bag.h>
+#include <slalom/rawlog/log_objects.h>
 
 #include <mrpt/obs/CRawlog.h>
 
@@ -24,8 +26,7 @@ std::string content_of(const std::string& path) {
   std::string content = gunzip(read_file(path, "a rawlog", kMaxLogSize), kMaxLogSize, path);
   if (content.empty()) throw file_error(path, "is empty", "a rawlog");
   refuse_ros_bag(content, path,
-                 "a rawlog; MRPT's rosbag2rawlog converts bags of ROS 1, rosbags-convert those of "
-                 "ROS 2 to ROS 1");
+                 "a recorded run; slalom-replay info, import, openloop and identify read bags");
   return content;
 }
 
@@ -36,6 +37,14 @@ void add(Objects& objects, const CSerializable::Ptr& object) {
 }
 
 }  // namespace
+
+LogObjects load_log(const std::string& path, const BagSelection& selection) {
+  if (is_bag(path)) return import_bag(path, selection);
+  if (!selection.is_default())
+    throw usage_error(path, "is not a bag, whose topics and frames can be chosen",
+                      "no --scan, --odom, --command and --base, or a bag of ROS");
+  return {path, read_objects(path), {}};
+}
 
 Objects read_objects(const std::string& path) {
   const std::string content = content_of(path);

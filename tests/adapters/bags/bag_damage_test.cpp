@@ -56,7 +56,7 @@ class BagDamage : public ::testing::Test {
 
 TEST_F(BagDamage, EveryCutIsNoticed) {
   for (const auto& [name, bytes] : {std::pair{"a.mcap", mcap_.bytes()}, {"a.bag", bag_.bytes()}}) {
-    // What follows the end of the data: MCAP's footer; the repeated connections of ROS 1.
+    // Nothing is lost without MCAP's footer or the repeated connections of ROS 1.
     const std::size_t data_end =
         name[2] == 'm' ? bytes.size() - 8 - 29 - 13 : bytes.rfind("op=\4") - 8;
     for (std::size_t size = 13; size < data_end; ++size) {

@@ -187,7 +187,7 @@ TEST_F(ReadBag, FilesThatAreCompressedAsAWholeAreNamed) {
 }
 
 TEST_F(ReadBag, OtherFilesAreRefused) {
-  for (const char* bytes : {"", "t,x,y\n", "#ROSBAG", "\x89MCA"}) {
+  for (const char* bytes : {"", "t,x,y\n", "#RO", "\x89MCA"}) {
     const std::string path = write("a.bag", bytes);
     EXPECT_FALSE(is_bag(path));
     EXPECT_TRUE(
@@ -196,7 +196,7 @@ TEST_F(ReadBag, OtherFilesAreRefused) {
   EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "none", {"cannot be read"},
                            [&] { read_lines(folder_ / "none"); }));
   EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "a.bag", {"version 2.0", "rosbag fix"},
-                           [&] { read_lines(write("a.bag", "#ROSBAG V1.2\n")); }));
+                           [&] { read_lines(write("a.bag", "#ROSRECORD V1.2\n")); }));
 }
 
 TEST_F(ReadBag, TopicsWithoutMessagesAreReturned) {

@@ -158,9 +158,9 @@ TEST_F(DamagedRun, RejectsOtherFiles) {
   write("text.rawlog", "[campaign]\nmethods = nd\n");
   EXPECT_TRUE(mentions(error_of("text.rawlog"), {"object 1"})) << error_of("text.rawlog");
   write("a.bag", "#ROSBAG V2.0\nE");
-  EXPECT_TRUE(mentions(error_of("a.bag"), {"a.bag: ", "ROS 1 (.bag)", "rosbag2rawlog"}));
+  EXPECT_TRUE(mentions(error_of("a.bag"), {"a.bag: ", "ROS 1 (.bag)", "slalom-replay info"}));
   write("a.mcap", "\x89MCAP0\r\n");
-  EXPECT_TRUE(mentions(error_of("a.mcap"), {"a.mcap: ", "ROS 2 (.mcap)", "rosbags-convert"}));
+  EXPECT_TRUE(mentions(error_of("a.mcap"), {"a.mcap: ", "ROS 2 (.mcap)", "slalom-replay info"}));
   write("empty.rawlog", "");
   EXPECT_TRUE(mentions(error_of("empty.rawlog"), {"is empty"}));
   EXPECT_TRUE(mentions(error_of("missing.rawlog"), {"cannot be read"}));

@@ -9,14 +9,14 @@
 
 namespace slalom {
 
-/// What a bag has of one topic.
+/// One topic of a bag.
 struct BagTopicInfo {
   BagTopic topic;
   std::size_t messages = 0;
   std::vector<std::string> frames;  ///< of the headers of types that are decoded
 };
 
-/// What is in a bag.
+/// The contents of a bag.
 struct BagInfo {
   std::string file, format;
   std::vector<BagTopicInfo> topics;  ///< by name

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/rawlog/log_objects.h>
+
 #include <mrpt/math/TPose2D.h>
 #include <mrpt/math/TTwist2D.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
@@ -19,10 +21,12 @@ struct LoggedScan {
   std::optional<mrpt::math::TTwist2D> velocity;  ///< m/s, rad/s, robot frame
 };
 
-/// All 2D scans of a rawlog in either of MRPT's formats (observations; actions and sensory frames),
-/// in file order. Velocities are those of the odometry, or else differences of its poses. `label`
-/// selects one sensor by its label; empty selects all. Throws Error (File) with file and reason if
-/// the file is missing, corrupt, truncated, or contains no such scan.
+/// All 2D scans of a log: a rawlog in either of MRPT's formats (observations; actions and sensory
+/// frames) or a bag, in the order of the file. Velocities are those of the odometry, or else
+/// differences of its poses. `label` selects one sensor by its label; empty selects all. Throws
+/// Error (File) with file and reason if the file is missing, corrupt, truncated, or contains no
+/// such scan.
+std::vector<LoggedScan> read_laser_log(const LogObjects& log, const std::string& label = "");
 std::vector<LoggedScan> read_laser_log(const std::string& path, const std::string& label = "");
 
 }  // namespace slalom

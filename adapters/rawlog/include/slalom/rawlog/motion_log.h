@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/rawlog/log_objects.h>
+
 #include <mrpt/obs/CObservation2DRangeScan.h>
 
 #include <string>
@@ -36,10 +38,11 @@ struct MotionLog {
   std::vector<TimedScan> scans;  ///< of one sensor: the same label and number of rays
 };
 
-/// Reads a rawlog in either of MRPT's formats (observations; actions and sensory frames).
+/// Reads a rawlog in either of MRPT's formats (observations; actions and sensory frames) or a bag.
 /// Odometry without velocities gives those between its poses, at the middle of their times.
 /// Observations without timestamp or with velocities that are not finite are left out. Throws Error
 /// (File) with file and reason if the file is missing, corrupt or truncated.
+MotionLog read_motion_log(const LogObjects& log, const MotionLabels& labels = {});
 MotionLog read_motion_log(const std::string& path, const MotionLabels& labels = {});
 
 }  // namespace slalom
