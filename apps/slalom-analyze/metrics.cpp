@@ -3,6 +3,8 @@
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/app/campaign_program.h>
+#include <slalom/bags/bag.h>
+#include <slalom/bags/bag_trajectory.h>
 #include <slalom/campaign/evaluate_log.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -17,7 +19,7 @@ namespace slalom {
 namespace {
 
 struct MetricsArguments {
-  std::string trajectory, scenario, outcome, radius;
+  std::string trajectory, topic, scenario, outcome, radius;
   CampaignArguments campaign;
   LogSpan span;
   bool json = false;
@@ -64,6 +66,15 @@ std::string text_of(const EvaluatedLog& log, const CampaignOptions& options) {
   return text;
 }
 
+TrajectoryFile load_log(const MetricsArguments& arguments, bool sideways) {
+  if (is_bag(arguments.trajectory))
+    return load_bag_trajectory(arguments.trajectory, arguments.topic, sideways, arguments.span);
+  if (!arguments.topic.empty())
+    throw usage_error("--topic", arguments.trajectory + " is not a bag of ROS",
+                      "a log without --topic, or a bag");
+  return load_trajectory_file(arguments.trajectory, sideways, arguments.span);
+}
+
 void run(const MetricsArguments& arguments) {
   const IniFile ini = metrics_ini(arguments);
   CampaignOptions options =
@@ -71,8 +82,7 @@ void run(const MetricsArguments& arguments) {
   if (!arguments.outcome.empty()) parse_outcome(arguments.outcome);
   const World world(load_scenario_yaml(arguments.scenario), options.simulation.resolution);
   options.adapt_to({world.scenario()});
-  TrajectoryFile file =
-      load_trajectory_file(arguments.trajectory, options.robot.holonomic(), arguments.span);
+  TrajectoryFile file = load_log(arguments, options.robot.holonomic());
   EvaluatedLog log = measure(options, ini, world, file.trajectory, arguments.outcome);
   log.notes.insert(log.notes.begin(), file.notes.begin(), file.notes.end());
   if (arguments.json)
@@ -91,8 +101,11 @@ void define_metrics(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("metrics", "Compute the metrics of a trajectory from any robot's log");
   verb->add_option("--trajectory", arguments.trajectory,
-                   "The log: CSV with a header line t,x,y,phi[,v,w,...], or TUM")
+                   "The log: CSV with a header line t,x,y,phi[,v,w,...], TUM, or a bag of ROS")
       ->required();
+  verb->add_option("--topic", arguments.topic,
+                   "Topic of a bag with Odometry or poses (default: the only one), or frames: "
+                   "/tf:map.base_link");
   verb->add_option("--scenario", arguments.scenario, "Scenario of the log (YAML)")->required();
   verb->add_option("-c,--config", arguments.campaign.config,
                    "Campaign .ini for the robot, termination conditions and reference");

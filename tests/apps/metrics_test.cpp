@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../adapters/bags/message_bytes.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
@@ -114,6 +115,26 @@ TEST_F(MetricsOfALog, RejectInvalidInput) {
   expect_failure(verb + "log.csv --robot-radius 0", 2, {"robot.radius", "> 0"});
   expect_failure(verb + "log.csv --set metrics.safe=1", 2, {"metrics", "safe_distance"});
   expect_failure("slalom-analyze metrics --scenario log.csv --trajectory log.csv", 3, {"log.csv"});
+}
+
+TEST_F(MetricsOfALog, OfABagAreThoseOfItsPoses) {
+  testing::McapWriter bag;
+  for (int i = 0; i <= 40; ++i) {
+    const double time = 0.25 * i, y = 3 + 1.2 * std::sin(M_PI * time / 10);
+    const auto stamp = std::int64_t(1e9 * time) + 1;
+    bag.add({"/pose", "geometry_msgs/PoseStamped", stamp,
+             testing::ByteList(testing::Layout::CdrLittle)
+                 .header(stamp, "map")
+                 .doubles(testing::pose_numbers(1 + 0.8 * time, y, 0))
+                 .bytes()});
+  }
+  write("drive.mcap", bag.bytes());
+  const auto json = metrics("--trajectory drive.mcap");
+  EXPECT_EQ(json["outcome"], "success");
+  EXPECT_EQ(json["notes"][0], "poses of '/pose' in frame 'map'");
+  const std::string verb = "slalom-analyze metrics --scenario room.yaml --trajectory ";
+  expect_failure(verb + "drive.mcap --topic /odom", 3, {"drive.mcap", "no topic '/odom'"});
+  expect_failure(verb + "log.csv --topic /odom", 2, {"--topic", "log.csv is not a bag"});
 }
 
 }  // namespace

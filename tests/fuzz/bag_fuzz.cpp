@@ -2,6 +2,7 @@
 #include "fuzz_target.h"
 
 #include <slalom/bags/bag_info.h>
+#include <slalom/bags/bag_trajectory.h>
 
 namespace {
 
@@ -33,5 +34,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::expect(info.frames.pose_in(frame.parent, name, moving).has_value(),
                    "a frame has a pose in its parent");
   });
+  for (const char* topic : {"", "/odom", "/tf:base_link.laser"})
+    fuzz::read_or_refuse([&] {
+      const auto log = load_bag_trajectory(file.path(), topic, false);
+      fuzz::expect(log.trajectory.samples.size() > 1, "a trajectory has samples");
+    });
   return 0;
 }

@@ -42,6 +42,7 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/references/src/reference_codec.cpp
   ${BAGS}/bag_info.cpp
   ${BAGS}/bag_info_text.cpp
+  ${BAGS}/bag_trajectory.cpp
   ${BAGS}/chunk_data.cpp
   ${BAGS}/frame_tree.cpp
   ${BAGS}/mcap_bag.cpp

@@ -31,11 +31,18 @@ constexpr std::array<Container, 3> kContainers = {{
     {"SQLite format 3", "rosbag2 in SQLite", read_sqlite_bag},
 }};
 
+/// Also false for a path that cannot be looked up.
+bool is_folder(const std::string& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
 /// The first bytes of a file, "" if it cannot be read.
 std::string begin_of(const std::string& path) {
   std::string bytes(16, '\0');
   std::ifstream file;
-  if (fs::is_regular_file(path)) file.open(path, std::ios::binary);
+  std::error_code error;
+  if (fs::is_regular_file(path, error)) file.open(path, std::ios::binary);
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
   return bytes;
@@ -71,7 +78,7 @@ std::vector<BagTopic> read_bag_file(const std::string& path, const UseMessage& u
   if (const Container* container = container_of(path)) return container->read(path, use);
   if (is_zstd(begin_of(path)))
     throw file_error(path, "is compressed as a whole",
-                     "compression_mode MESSAGE, or the file uncompressed: unzstd " + path);
+                     "its uncompressed file: unzstd " + path + ", and its name without .zstd");
   throw file_error(path, "is not a bag", kExpected);
 }
 
@@ -118,18 +125,18 @@ std::string type_of_ros1(std::string_view type) {
 }
 
 bool is_bag(const std::string& path) {
-  return fs::is_directory(path) ? fs::exists(fs::path(path) / kMetadata)
-                                : container_of(path) != nullptr;
+  std::error_code error;
+  return is_folder(path) ? fs::exists(fs::path(path) / kMetadata, error)
+                         : container_of(path) != nullptr;
 }
 
 std::string bag_format(const std::string& path) {
-  const Container* container =
-      container_of(fs::is_directory(path) ? listed_files(path).front() : path);
+  const Container* container = container_of(is_folder(path) ? listed_files(path).front() : path);
   return container == nullptr ? "" : container->format;
 }
 
 std::vector<BagTopic> read_bag(const std::string& path, const UseMessage& use) {
-  if (!fs::is_directory(path)) return read_bag_file(path, use);
+  if (!is_folder(path)) return read_bag_file(path, use);
   if (!is_bag(path))
     throw file_error(path, "a folder without metadata.yaml",
                      "a folder of rosbag2, or its files one by one");

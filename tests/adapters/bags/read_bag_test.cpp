@@ -21,7 +21,7 @@ using testing::McapWriter;
 using testing::Ros1BagWriter;
 using testing::WrittenMessage;
 
-const std::string kCdr("\0\1\0\0", 4);
+const std::string kCdrHead("\0\1\0\0", 4);
 
 /// Messages of two topics in order of time.
 std::vector<WrittenMessage> some_messages(std::size_t count = 20) {
@@ -30,7 +30,7 @@ std::vector<WrittenMessage> some_messages(std::size_t count = 20) {
     messages.push_back({i % 3 == 0 ? "/scan" : "/odom",
                         i % 3 == 0 ? "sensor_msgs/LaserScan" : "nav_msgs/Odometry",
                         1'700'000'000'000'000'000 + 7'000'003 * std::int64_t(i),
-                        kCdr + std::string(i % 7, char(i))});
+                        kCdrHead + std::string(i % 7, char(i))});
   return messages;
 }
 
@@ -197,6 +197,12 @@ TEST_F(ReadBag, OtherFilesAreRefused) {
                            [&] { read_lines(folder_ / "none"); }));
   EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "a.bag", {"version 2.0", "rosbag fix"},
                            [&] { read_lines(write("a.bag", "#ROSRECORD V1.2\n")); }));
+}
+
+TEST_F(ReadBag, APathThatCannotBeLookedUpIsNoBag) {
+  const std::string path = folder_ / std::string(5000, 'a');
+  EXPECT_FALSE(is_bag(path));
+  EXPECT_TRUE(throws_error(ErrorKind::File, path, {"cannot be read"}, [&] { read_lines(path); }));
 }
 
 TEST_F(ReadBag, TopicsWithoutMessagesAreReturned) {

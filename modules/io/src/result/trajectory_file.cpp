@@ -249,8 +249,7 @@ TrajectoryFile read_euroc(TextLines& lines, bool sideways, const LogSpan& span) 
 TrajectoryFile trajectory_from_text(const std::string& text, const std::string& where,
                                     bool sideways, const LogSpan& span) {
   refuse_ros_bag(text, where,
-                 "a trajectory as CSV or TUM; evo converts topics of bags: evo_traj bag (ROS 1) or "
-                 "bag2 FILE TOPIC --save_as_tum");
+                 "a trajectory as CSV or TUM; slalom-analyze metrics --trajectory reads bags");
   TextLines lines(text, where);
   if (starts_with(text, "#timestamp")) return read_euroc(lines, sideways, span);
   std::string line;

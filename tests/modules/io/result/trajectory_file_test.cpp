@@ -211,7 +211,7 @@ TEST(TrajectoryFile, NamesBagsAndTheirConverter) {
   for (const auto& [content, name] : {std::pair("#ROSBAG V2.0\nE\0\0"s, "ROS 1 (.bag)"),
                                       std::pair("\x89MCAP0\r\n"s, "ROS 2 (.mcap)"),
                                       std::pair("SQLite format 3\0\x10"s, "ROS 2 (.db3)")})
-    EXPECT_TRUE(refused_log(content, "log: ", {name, "evo_traj", "--save_as_tum"}));
+    EXPECT_TRUE(refused_log(content, "log: ", {name, "slalom-analyze metrics"}));
 }
 
 TEST(TrajectoryFile, TruncatedFilesAreRejectedOrRead) {
