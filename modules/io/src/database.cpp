@@ -30,6 +30,14 @@ void require_regular_files(const std::string& path, const std::string& kind) {
   }
 }
 
+/// The path within a URI.
+std::string uri_path(const std::string& path) {
+  std::string text;
+  for (const char c : path)
+    text += c == '%' ? "%25" : c == '?' ? "%3f" : c == '#' ? "%23" : std::string(1, c);
+  return text;
+}
+
 int pragma(SQLite::Database& database, const std::string& name) {
   return database.execAndGet("PRAGMA " + name).getInt();
 }
@@ -245,7 +253,14 @@ std::unique_ptr<SQLite::Database> open_foreign_database(const std::string& path,
                                                         const std::string& kind) {
   require_regular_files(path, kind);
   return reading(path, [&] {
-    auto database = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY, kBusyTimeoutMs);
+    std::string name = path;
+    int mode = SQLite::OPEN_READONLY;
+    // SQLite would make a new log beside a file whose writer used one and closed it.
+    if (access((path + "-wal").c_str(), F_OK) != 0) {
+      name = "file:" + uri_path(path) + "?immutable=1";
+      mode |= SQLite::OPEN_URI;
+    }
+    auto database = std::make_unique<SQLite::Database>(name, mode, kBusyTimeoutMs);
     distrust(*database, path, "main", kind);
     return database;
   });

@@ -90,6 +90,20 @@ TEST_F(ReadBag, ADatabaseIsReadInTheOrderOfTimes) {
   EXPECT_EQ(read_lines(folder_ / "a.db3"), expected);
 }
 
+TEST_F(ReadBag, NothingIsMadeBesideADatabaseWithALog) {
+  for (const char* name : {"a.db3", "100%? #1.db3"}) {
+    const std::string path = folder_ / name;
+    testing::write_sqlite_bag(path, some_messages(), "PRAGMA journal_mode = WAL");
+    std::vector<std::string> lines;
+    read_bag(path, [&](const BagMessage&) {
+      lines.emplace_back();
+      EXPECT_FALSE(std::filesystem::exists(path + "-wal"));
+      EXPECT_FALSE(std::filesystem::exists(path + "-shm"));
+    });
+    EXPECT_EQ(lines.size(), some_messages().size());
+  }
+}
+
 TEST_F(ReadBag, MessagesThatRosbag2HasCompressedAreDecompressed) {
   const auto messages = some_messages();
   auto packed = messages;
