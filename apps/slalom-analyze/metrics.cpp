@@ -21,7 +21,7 @@ namespace {
 struct MetricsArguments {
   std::string trajectory, topic, scenario, outcome, radius;
   CampaignArguments campaign;
-  LogSpan span;
+  LogSelection selection;
   bool json = false;
 };
 
@@ -68,11 +68,12 @@ std::string text_of(const EvaluatedLog& log, const CampaignOptions& options) {
 
 TrajectoryFile load_log(const MetricsArguments& arguments, bool sideways) {
   if (is_bag(arguments.trajectory))
-    return load_bag_trajectory(arguments.trajectory, arguments.topic, sideways, arguments.span);
+    return load_bag_trajectory(arguments.trajectory, arguments.topic, sideways,
+                               arguments.selection);
   if (!arguments.topic.empty())
     throw usage_error("--topic", arguments.trajectory + " is not a bag of ROS",
                       "a log without --topic, or a bag");
-  return load_trajectory_file(arguments.trajectory, sideways, arguments.span);
+  return load_trajectory_file(arguments.trajectory, sideways, arguments.selection);
 }
 
 void run(const MetricsArguments& arguments) {
@@ -101,11 +102,14 @@ void define_metrics(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("metrics", "Compute the metrics of a trajectory from any robot's log");
   verb->add_option("--trajectory", arguments.trajectory,
-                   "The log: CSV with a header line t,x,y,phi[,v,w,...], TUM, or a bag of ROS")
+                   "The log: CSV with a header line t,x,y[,phi,v,w,...], TUM, or a bag of ROS")
       ->required();
   verb->add_option("--topic", arguments.topic,
                    "Topic of a bag with Odometry or poses (default: the only one), or frames: "
                    "/tf:map.base_link");
+  verb->add_option("--columns", arguments.selection.columns,
+                   "Columns of the log with other names or units, NAME=COLUMN[*FACTOR],..., e.g. "
+                   "t=%time*1e-9,x=field.pose.pose.position.x");
   verb->add_option("--scenario", arguments.scenario, "Scenario of the log (YAML)")->required();
   verb->add_option("-c,--config", arguments.campaign.config,
                    "Campaign .ini for the robot, termination conditions and reference");
@@ -115,9 +119,9 @@ void define_metrics(CLI::App& app) {
       ->allow_extra_args(false);
   verb->add_option("--robot-radius", arguments.radius,
                    "Radius of the robot, m; the same as --set robot.radius=");
-  verb->add_option("--from", arguments.span.from,
+  verb->add_option("--from", arguments.selection.from,
                    "Time in the log at which the run begins, s (default: its first)");
-  verb->add_option("--to", arguments.span.to,
+  verb->add_option("--to", arguments.selection.to,
                    "Time in the log at which the run ends, s (default: its last); a log whose time "
                    "goes back ends there");
   verb->add_option("--outcome", arguments.outcome,

@@ -83,6 +83,32 @@ TEST_F(MetricsOfALog, AreComputedUpToACollision) {
   EXPECT_GT(value(given, "path_length"), 8);
 }
 
+/// The same log as `rostopic echo -p` writes it: ns, further columns, the heading as a quaternion.
+TEST_F(MetricsOfALog, AreTheSameForColumnsOfRos) {
+  std::istringstream tum(read("log.tum"));
+  std::string header, csv =
+                          "%time,field.header.frame_id,field.pose.pose.position.x,"
+                          "field.pose.pose.position.y,field.pose.pose.orientation.z,"
+                          "field.pose.pose.orientation.w\n";
+  std::getline(tum, header);
+  double t, x, y, z, qx, qy, qz, qw;
+  while (tum >> t >> x >> y >> z >> qx >> qy >> qz >> qw)
+    csv += std::to_string(std::llround(t * 1e9)) + ",odom," + std::to_string(x) + "," +
+           std::to_string(y) + "," + std::to_string(qz) + "," + std::to_string(qw) + "\n";
+  write("ros.csv", csv);
+  const auto expected = metrics("--trajectory log.tum");
+  const auto json = metrics("--trajectory ros.csv --columns t=%time*1e-9");
+  EXPECT_EQ(json["notes"][0], "1 column not used: field.header.frame_id");
+  EXPECT_EQ(json["outcome"], "success");
+  for (const char* id : {"path_length", "time_to_goal", "optimality"})
+    EXPECT_NEAR(value(json, id), value(expected, id), 1e-6) << id;
+  const ProgramResult plain =
+      run("slalom-analyze metrics --scenario room.yaml --trajectory ros.csv");
+  EXPECT_NE(plain.err.find("is t in nanoseconds instead of s? --columns t=%time*1e-09"),
+            std::string::npos)
+      << plain.err;
+}
+
 TEST_F(MetricsOfALog, UseTheCampaignsRobotAndOptions) {
   write("campaign.ini", std::string(kSmallCampaign) +
                             "[robot]\nmax_v = 2\n[metrics]\nenabled = time_ratio, "
@@ -112,6 +138,8 @@ TEST_F(MetricsOfALog, RejectInvalidInput) {
   expect_failure(verb + "bad.csv", 3, {"bad.csv:3", "field 3", "number"});
   expect_failure(verb + "none.csv", 3, {"none.csv"});
   expect_failure(verb + "log.csv --outcome sucess", 2, {"--outcome", "sucess", "success"});
+  expect_failure(verb + "log.csv --columns x=z", 3, {"log.csv:1", "no column 'z' for x", "phi"});
+  expect_failure(verb + "log.csv --columns x", 2, {"--columns", "NAME=COLUMN"});
   expect_failure(verb + "log.csv --robot-radius 0", 2, {"robot.radius", "> 0"});
   expect_failure(verb + "log.csv --set metrics.safe=1", 2, {"metrics", "safe_distance"});
   expect_failure("slalom-analyze metrics --scenario log.csv --trajectory log.csv", 3, {"log.csv"});

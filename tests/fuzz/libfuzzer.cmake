@@ -24,6 +24,7 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/io/src/result/derived_speeds.cpp
   ${MODULES}/io/src/result/dump.cpp
   ${MODULES}/io/src/result/file_rows.cpp
+  ${MODULES}/io/src/result/log_columns.cpp
   ${MODULES}/io/src/result/merge_results.cpp
   ${MODULES}/io/src/result/packed_scenario.cpp
   ${MODULES}/io/src/result/packed_trajectory.cpp

@@ -168,14 +168,14 @@ std::string csv_of(const Poses& poses) {
 }  // namespace
 
 TrajectoryFile load_bag_trajectory(const std::string& path, const std::string& topic, bool sideways,
-                                   const LogSpan& span) {
+                                   const LogSelection& selection) {
   constexpr std::string_view kFrames = "/tf:";
   std::vector<std::string> notes;
   Poses poses = starts_with(topic, kFrames)
                     ? FramePoses(topic.substr(kFrames.size())).read(path, notes)
                     : TopicPoses(topic).read(path, notes);
   std::stable_sort(poses.begin(), poses.end(), is_earlier);
-  TrajectoryFile file = trajectory_from_text(csv_of(poses), path, sideways, span);
+  TrajectoryFile file = trajectory_from_text(csv_of(poses), path, sideways, selection);
   file.notes.insert(file.notes.begin(), notes.begin(), notes.end());
   return file;
 }

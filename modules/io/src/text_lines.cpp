@@ -16,7 +16,9 @@ bool TextLines::next(std::string& line) {
     line = trim(text_.substr(begin_, end - begin_));
     begin_ = end + 1;
     ++number_;
-    if (!line.empty() && line[0] != '#') return true;
+    if (line.empty()) continue;
+    if (line[0] != '#') return true;
+    remark_ = line;
   }
   return false;
 }

@@ -16,11 +16,14 @@ class TextLines {
 
   bool next(std::string& line);  ///< trimmed; false at the end
   std::string here() const;      ///< WHERE:LINE of the last one
+  std::size_t number() const { return number_; }
+  /// The last line that began with '#', trimmed; "" if none did.
+  const std::string& remark() const { return remark_; }
   Error error(const std::string& what, const std::string& expected) const;
 
  private:
   const std::string& text_;
-  std::string where_;
+  std::string where_, remark_;
   std::size_t begin_ = 0, number_ = 0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "derived_speeds.h"
 
+#include <slalom/core/distance.h>
 #include <slalom/core/math.h>
 
 #include <mrpt/math/wrap2pi.h>
@@ -48,6 +49,21 @@ void derive_speeds(Trajectory& trajectory, const MissingSpeeds& missing) {
     if (missing.v) samples[i].v = c * velocity.x + s * velocity.y;
     if (missing.vy) samples[i].vy = -s * velocity.x + c * velocity.y;
     if (missing.w) samples[i].w = velocity.w;
+  }
+}
+
+void derive_headings(Trajectory& trajectory) {
+  constexpr double kNoise = 1e-3;  // m
+  auto& samples = trajectory.samples;
+  double heading = 0;
+  for (std::size_t begin = 0, end = 1; begin < samples.size(); ++end) {
+    const auto& from = samples[begin].pose;
+    if (end < samples.size()) {
+      const auto& to = samples[end].pose;
+      if (distance_between(to, from) <= kNoise) continue;
+      heading = math::atan2(to.y - from.y, to.x - from.x);
+    }
+    for (; begin < end; ++begin) samples[begin].pose.phi = heading;
   }
 }
 

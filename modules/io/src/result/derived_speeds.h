@@ -15,4 +15,8 @@ struct MissingSpeeds {
 /// heading, vy the component to the left. Requires at least two samples.
 void derive_speeds(Trajectory& trajectory, const MissingSpeeds& missing);
 
+/// Sets each heading to the direction of the next displacement of more than 1 mm, after the last of
+/// them to that of the last one.
+void derive_headings(Trajectory& trajectory);
+
 }  // namespace slalom

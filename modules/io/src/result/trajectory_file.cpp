@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../text_lines.h"
 #include "derived_speeds.h"
+#include "log_columns.h"
 
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
@@ -13,7 +14,6 @@
 #include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -24,54 +24,30 @@ namespace {
 constexpr std::size_t kMaxSamples = 5'000'000;
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
 constexpr double kMaxDistance = 1e5;  // m
-
-/// In the order of the elements of Row.
-const std::vector<std::string> kColumns = {"t", "x",  "y",         "phi",       "v",
-                                           "w", "vy", "command_v", "command_w", "command_vy"};
-constexpr std::size_t kRequired = 4;
-using Row = std::array<double, 10>;
-
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-
-/// The index in Row of each column of the header.
-std::vector<std::size_t> read_header(const std::vector<std::string>& names,
-                                     const TextLines& lines) {
-  std::vector<std::size_t> indexes;
-  for (const std::string& name : names) {
-    const auto found = std::find(kColumns.begin(), kColumns.end(), name);
-    if (found == kColumns.end())
-      throw lines.error("unknown column '" + name + "'",
-                        expected_name(name, kColumns, "names from " + join(kColumns, ", ")));
-    indexes.push_back(static_cast<std::size_t>(found - kColumns.begin()));
-    if (std::count(indexes.begin(), indexes.end(), indexes.back()) > 1)
-      throw lines.error("duplicate column '" + name + "'", "each column once");
-  }
-  for (std::size_t i = 0; i < kRequired; ++i)
-    if (std::find(indexes.begin(), indexes.end(), i) == indexes.end())
-      throw lines.error("missing column '" + kColumns[i] + "'", "a header line with t, x, y, phi");
-  return indexes;
-}
 
 /// Wraps an angle to [-pi, pi]; angles inside remain bitwise unchanged.
 double wrapped(double angle) {
   return std::abs(angle) <= M_PI ? angle : mrpt::math::wrapToPi(angle);
 }
 
-/// Collects the samples of a span and checks their plausibility.
+/// Collects the selected samples and checks their plausibility.
 class Collector {
  public:
-  explicit Collector(const LogSpan& span) : span_(span) {}
+  explicit Collector(const LogSelection& selection) : selection_(selection) {}
 
-  void add(const Row& row, const TextLines& lines) {
+  void add(const LogRow& row, const TextLines& lines) {
     auto& samples = trajectory_.samples;
     Sample sample;
-    sample.t = row[0];
-    sample.pose = {row[1], row[2], wrapped(row[3])};
-    sample.v = row[4], sample.w = row[5], sample.vy = row[6];
-    sample.command_v = row[7], sample.command_w = row[8], sample.command_vy = row[9];
+    sample.t = row[kTime];
+    sample.pose = {row[kX], row[kY], wrapped(row[kPhi])};
+    sample.v = row[kV], sample.w = row[kW], sample.vy = row[kVy];
+    sample.command_v = row[kCommandV], sample.command_w = row[kCommandW];
+    sample.command_vy = row[kCommandVy];
     if (is_left_out(sample, lines)) return;
     if (!samples.empty()) check(samples.back(), sample, lines);
     samples.push_back(sample);
+    largest_angle_ = std::max(largest_angle_, std::abs(row[kPhi]));
   }
 
   Trajectory take(const TextLines& lines) {
@@ -87,27 +63,32 @@ class Collector {
       if (rows == 0) return;
       notes.push_back(count_text(rows, "row") + " left out: " + why);
     };
-    add(repeated_, "the time of the row before");
+    add(repeated_,
+        "the time of the row before (first in line " + std::to_string(first_repeated_) + ")");
     add(outside_, "not from --from to --to");
     add(after_step_back_, "the time goes back");
     return notes;
   }
+
+  double largest_angle() const { return largest_angle_; }
 
  private:
   /// The first sample of a time counts.
   bool is_left_out(const Sample& now, const TextLines& lines) {
     const auto& samples = trajectory_.samples;
     const bool goes_back = !samples.empty() && now.t < samples.back().t;
-    if (has_ended_ || (goes_back && std::isfinite(span_.to))) {
+    if (has_ended_ || (goes_back && std::isfinite(selection_.to))) {
       has_ended_ = true;
       return ++after_step_back_ > 0;
     }
-    if (now.t < span_.from || now.t > span_.to) return ++outside_ > 0;
+    if (now.t < selection_.from || now.t > selection_.to) return ++outside_ > 0;
     if (goes_back)
       throw lines.error(
           "t = " + format_number(now.t) + " goes back from " + format_number(samples.back().t),
           "times that increase; --from and --to read a part");
-    return !samples.empty() && now.t == samples.back().t && ++repeated_ > 0;
+    if (samples.empty() || now.t != samples.back().t) return false;
+    if (repeated_++ == 0) first_repeated_ = lines.number();
+    return true;
   }
 
   void check(const Sample& before, const Sample& now, const TextLines& lines) {
@@ -118,30 +99,42 @@ class Collector {
       throw lines.error("path longer than 100 km", "coordinates in meters");
   }
 
-  LogSpan span_;
+  LogSelection selection_;
   Trajectory trajectory_;
-  double distance_ = 0;
-  std::size_t repeated_ = 0, outside_ = 0, after_step_back_ = 0;
+  double distance_ = 0, largest_angle_ = 0;
+  std::size_t repeated_ = 0, first_repeated_ = 0, outside_ = 0, after_step_back_ = 0;
   bool has_ended_ = false;
 };
 
 /// A note if the steps between samples are too long for a robot's log in s.
-void note_unit_of_time(const Trajectory& log, std::vector<std::string>& notes) {
+void note_unit_of_time(const Trajectory& log, const LogColumns& columns,
+                       std::vector<std::string>& notes) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < log.samples.size(); ++i)
     steps.push_back(log.samples[i].t - log.samples[i - 1].t);
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   if (*middle < 5) return;
-  const char* unit = *middle < 2e3   ? "milliseconds"
-                     : *middle < 2e6 ? "microseconds"
-                                     : "nanoseconds";
+  const auto [unit, factor] = *middle < 2e3   ? std::pair("milliseconds", 1e-3)
+                              : *middle < 2e6 ? std::pair("microseconds", 1e-6)
+                                              : std::pair("nanoseconds", 1e-9);
   notes.push_back("samples are " + format_number(*middle) + " s apart (median): is t in " + unit +
-                  " instead of s?");
+                  " instead of s? " + columns.scaled(kTime, factor));
+}
+
+/// A note if headings are too large for rad. True if so.
+bool note_unit_of_heading(double largest, const LogColumns& columns,
+                          std::vector<std::string>& notes) {
+  constexpr double kTurns = 4;  // of a robot whose heading is not wrapped
+  if (largest < 2 * M_PI * kTurns || !columns.has(kPhi)) return false;
+  notes.push_back("phi is up to " + format_number(largest) +
+                  " rad: is it in degrees instead of rad? " + columns.scaled(kPhi, M_PI / 180));
+  return true;
 }
 
 /// A note if a robot that cannot move sideways does so.
-void note_sideways_motion(const Trajectory& log, std::vector<std::string>& notes) {
+void note_sideways_motion(const Trajectory& log, const LogColumns& columns,
+                          std::vector<std::string>& notes) {
   constexpr double kNoise = 1e-3, kShare = 0.25;  // m; of the path
   double sideways = 0, total = 0;
   for (std::size_t i = 1; i < log.samples.size(); ++i) {
@@ -154,8 +147,10 @@ void note_sideways_motion(const Trajectory& log, std::vector<std::string>& notes
     total += distance;
   }
   if (total < 1 || sideways < kShare * total) return;
+  const std::string option = columns.has(kPhi) ? " (" + columns.scaled(kPhi, M_PI / 180) + ")" : "";
   notes.push_back("the robot moves sideways to phi (" + format_fixed(100 * sideways / total, 0) +
-                  " % of the path): is phi in degrees instead of rad, or the robot holonomic?");
+                  " % of the path): is phi in degrees instead of rad" + option +
+                  ", or the robot holonomic?");
 }
 
 /// "a", "a and b", "a, b and c"
@@ -164,50 +159,30 @@ std::string enumeration(const std::vector<std::string>& names) {
   return join({names.begin(), names.end() - 1}, ", ") + " and " + names.back();
 }
 
-/// Computes missing velocities; reports missing columns and what is implausible.
-TrajectoryFile complete(Collector& collector, const TextLines& lines, const std::vector<bool>& has,
+/// Computes missing headings and velocities; reports missing columns and what is implausible.
+TrajectoryFile complete(Collector& collector, const TextLines& lines, const LogColumns& columns,
                         bool sideways) {
   TrajectoryFile file{collector.take(lines), collector.notes()};
-  note_unit_of_time(file.trajectory, file.notes);
-  if (!sideways) note_sideways_motion(file.trajectory, file.notes);
-  const bool derive_vy = sideways && !has[6];
+  if (const std::string note = columns.note(); !note.empty()) file.notes.push_back(note);
+  note_unit_of_time(file.trajectory, columns, file.notes);
+  if (!columns.has_heading()) {
+    derive_headings(file.trajectory);
+    file.notes.push_back("phi computed from the direction of motion");
+  } else if (!note_unit_of_heading(collector.largest_angle(), columns, file.notes) && !sideways) {
+    note_sideways_motion(file.trajectory, columns, file.notes);
+  }
+  const bool derive_vy = sideways && !columns.has(kVy);
   std::vector<std::string> derived, commands;
-  if (!has[4]) derived.push_back("v");
-  if (!has[5]) derived.push_back("w");
+  if (!columns.has(kV)) derived.push_back("v");
+  if (!columns.has(kW)) derived.push_back("w");
   if (derive_vy) derived.push_back("vy");
   if (!derived.empty())
     file.notes.push_back(enumeration(derived) + " computed from pose differences");
-  derive_speeds(file.trajectory, {!has[4], !has[5], derive_vy});
-  for (const std::size_t i : {7, 8})
-    if (!has[i]) commands.push_back(kColumns[i]);
+  derive_speeds(file.trajectory, {!columns.has(kV), !columns.has(kW), derive_vy});
+  if (!columns.has(kCommandV)) commands.push_back("command_v");
+  if (!columns.has(kCommandW)) commands.push_back("command_w");
   if (!commands.empty()) file.notes.push_back("no " + enumeration(commands));
   return file;
-}
-
-/// Separators besides the comma count only in lines without it.
-char log_separator(const std::string& line) {
-  for (const char separator : {',', ';', '\t'})
-    if (line.find(separator) != std::string::npos) return separator;
-  return ',';
-}
-
-TrajectoryFile read_csv(const std::string& header, TextLines& lines, bool sideways,
-                        const LogSpan& span) {
-  const char separator = log_separator(header);
-  const std::vector<std::size_t> indexes = read_header(split(header, separator), lines);
-  std::vector<bool> has(kColumns.size(), false);
-  for (const std::size_t index : indexes) has[index] = true;
-  Row blank{};
-  if (!has[7]) blank[7] = kMissing;
-  if (!has[8]) blank[8] = kMissing;
-  Collector collector(span);
-  for (std::string line; lines.next(line);) {
-    const std::vector<double> numbers = numbers_of(split(line, separator), indexes.size(), lines);
-    Row row = blank;
-    for (std::size_t i = 0; i < indexes.size(); ++i) row[indexes[i]] = numbers[i];
-    collector.add(row, lines);
-  }
-  return complete(collector, lines, has, sideways);
 }
 
 /// The yaw of a unit quaternion: the heading of the rotated x axis in the plane.
@@ -218,54 +193,40 @@ double yaw_of(double qx, double qy, double qz, double qw, const TextLines& lines
   return math::atan2(2 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz);
 }
 
-TrajectoryFile read_tum(std::string line, TextLines& lines, bool sideways, const LogSpan& span) {
-  Collector collector(span);
-  do {
-    const auto n = numbers_of(split_at_blanks(line), 8, lines);
-    collector.add(
-        {n[0], n[1], n[2], yaw_of(n[4], n[5], n[6], n[7], lines), 0, 0, 0, kMissing, kMissing, 0},
-        lines);
-  } while (lines.next(line));
-  return complete(collector, lines, std::vector<bool>(kColumns.size(), false), sideways);
-}
-
-/// Lines of ns, x, y, z, qw, qx, qy, qz and, in ground truths, what follows: of other frames.
-TrajectoryFile read_euroc(TextLines& lines, bool sideways, const LogSpan& span) {
-  constexpr std::size_t kPose = 8;
-  Collector collector(span);
-  for (std::string line; lines.next(line);) {
-    std::vector<std::string> fields = split(line, ',');
-    fields.resize(std::min(fields.size(), kPose));
-    const auto n = numbers_of(fields, kPose, lines);
-    collector.add({1e-9 * n[0], n[1], n[2], yaw_of(n[5], n[6], n[7], n[4], lines), 0, 0, 0,
-                   kMissing, kMissing, 0},
-                  lines);
+TrajectoryFile read_log(std::string line, TextLines& lines, bool sideways,
+                        const LogSelection& selection) {
+  const LogColumns columns = find_log_columns(line, selection.columns, lines);
+  LogRow row{};
+  row[kCommandV] = row[kCommandW] = kMissing;
+  Collector collector(selection);
+  for (bool more = columns.first_line_has_numbers || lines.next(line); more;
+       more = lines.next(line)) {
+    columns.read(line, row, lines);
+    if (columns.has(kQz)) row[kPhi] = yaw_of(row[kQx], row[kQy], row[kQz], row[kQw], lines);
+    collector.add(row, lines);
   }
-  return complete(collector, lines, std::vector<bool>(kColumns.size(), false), sideways);
+  return complete(collector, lines, columns, sideways);
 }
 
 }  // namespace
 
 TrajectoryFile trajectory_from_text(const std::string& text, const std::string& where,
-                                    bool sideways, const LogSpan& span) {
+                                    bool sideways, const LogSelection& selection) {
   refuse_ros_bag(text, where,
                  "a trajectory as CSV or TUM; slalom-analyze metrics --trajectory reads bags");
   TextLines lines(text, where);
-  if (starts_with(text, "#timestamp")) return read_euroc(lines, sideways, span);
   std::string line;
   if (!lines.next(line))
     throw file_error(where, "empty file", "a trajectory as CSV with a header line, or as TUM");
-  double number = 0;
-  const std::vector<std::string> parts = split_at_blanks(line);
-  const bool is_tum = line.find(',') == std::string::npos && parse_number(parts[0], number);
-  return is_tum ? read_tum(line, lines, sideways, span) : read_csv(line, lines, sideways, span);
+  return read_log(line, lines, sideways, selection);
 }
 
-TrajectoryFile load_trajectory_file(const std::string& path, bool sideways, const LogSpan& span) {
+TrajectoryFile load_trajectory_file(const std::string& path, bool sideways,
+                                    const LogSelection& selection) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (!error && size > kMaxBytes) throw file_error(path, "file too large", "at most 512 MiB");
-  return trajectory_from_text(read_text(path, "a trajectory"), path, sideways, span);
+  return trajectory_from_text(read_text(path, "a trajectory"), path, sideways, selection);
 }
 
 }  // namespace slalom

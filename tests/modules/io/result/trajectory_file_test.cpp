@@ -16,13 +16,17 @@ namespace {
 
 using namespace std::string_literals;
 
-TrajectoryFile read(const std::string& text, bool sideways = false) {
-  return trajectory_from_text(text, "log", sideways);
+TrajectoryFile read(const std::string& text, bool sideways = false,
+                    const std::string& columns = "") {
+  LogSelection selection;
+  selection.columns = columns;
+  return trajectory_from_text(text, "log", sideways, selection);
 }
 
 testing::AssertionResult refused_log(const std::string& text, const std::string& where,
-                                     std::initializer_list<std::string> words) {
-  return throws_error(ErrorKind::File, where, words, [&] { read(text); });
+                                     std::initializer_list<std::string> words,
+                                     const std::string& columns = "") {
+  return throws_error(ErrorKind::File, where, words, [&] { read(text, false, columns); });
 }
 
 TEST(TrajectoryFile, ReadsCsvColumnsInAnyOrder) {
@@ -114,7 +118,7 @@ TEST(TrajectoryFile, RejectsDamagedCsvWithItsLine) {
 }
 
 /// Straight along x with 1 m/s; `rows` follow.
-TrajectoryFile drive(double unit, const std::string& rows = "", const LogSpan& span = {}) {
+TrajectoryFile drive(double unit, const std::string& rows = "", const LogSelection& span = {}) {
   std::string text = "t,x,y,phi\n";
   for (int i = 0; i < 5; ++i) text += std::to_string(unit * i) + "," + std::to_string(i) + ",0,0\n";
   return trajectory_from_text(text + rows, "log", false, span);
@@ -128,7 +132,8 @@ TEST(TrajectoryFile, LeavesRepeatedTimesOutAndSaysSo) {
   const TrajectoryFile file = drive(1, "4,9,9,0\n4,4,0,0\n5,5,0,0\n");
   EXPECT_EQ(file.trajectory.samples.size(), 6U);
   EXPECT_EQ(file.trajectory.samples[4].pose.x, 4) << "the first of a time counts";
-  EXPECT_TRUE(mentions(notes_of(file), {"2 rows left out: the time of the row before"}));
+  EXPECT_TRUE(
+      mentions(notes_of(file), {"2 rows left out: the time of the row before (first in line 7)"}));
 }
 
 TEST(TrajectoryFile, ReadsAPartOfALog) {
@@ -142,29 +147,32 @@ TEST(TrajectoryFile, ReadsAPartOfALog) {
 }
 
 TEST(TrajectoryFile, SaysThatTheUnitOfTimeIsImplausible) {
-  EXPECT_TRUE(mentions(notes_of(drive(1e8)), {"100000000 s apart", "nanoseconds"}));
+  EXPECT_TRUE(
+      mentions(notes_of(drive(1e8)), {"100000000 s apart", "nanoseconds", "--columns t=t*1e-09"}));
   EXPECT_TRUE(mentions(notes_of(drive(1e5)), {"microseconds"}));
   EXPECT_TRUE(mentions(notes_of(drive(100)), {"samples are 100 s apart", "milliseconds"}));
   EXPECT_EQ(notes_of(drive(1)).find("apart"), std::string::npos);
 }
 
 TEST(TrajectoryFile, SaysThatADifferentialDriveMovesSideways) {
-  const std::string degrees = "t,x,y,phi\n0,0,0,90\n1,0,1,90\n2,0,2,90\n";
+  const std::string degrees = "t,x,y,phi\n0,0,0,20\n1,-1,2,20\n2,-2,4,20\n";
   EXPECT_TRUE(mentions(notes_of(trajectory_from_text(degrees, "log", false)),
-                       {"moves sideways to phi", "degrees"}));
+                       {"moves sideways to phi", "degrees", "--columns phi=phi*0.017"}));
   EXPECT_EQ(notes_of(trajectory_from_text(degrees, "log", true)).find("degrees"),
             std::string::npos);
   EXPECT_EQ(notes_of(drive(1)).find("degrees"), std::string::npos);
 }
 
 TEST(TrajectoryFile, RejectsInvalidHeadersAndSuggestsTheNearestName) {
-  EXPECT_TRUE(refused_log("t,x,y,phi,comand_v\n0,0,0,0,0\n1,0,0,0,0\n",
-                          "log:1: ", {"'comand_v'", "expected 'command_v'"}));
-  EXPECT_TRUE(refused_log("t,x,y,v\n0,0,0,0\n", "log:1: ",
-                          {"missing", "'phi'", "expected a header line with t, x, y, phi"}));
-  EXPECT_TRUE(refused_log("t,x,y,phi,x\n0,0,0,0,0\n",
-                          "log:1: ", {"duplicate", "'x'", "expected each column once"}));
-  EXPECT_TRUE(refused_log("0,0,0,0\n", "log:1: ", {"unknown column '0'"}));
+  EXPECT_TRUE(refused_log(
+      "t,x,v\n0,0,0\n", "log:1: ",
+      {"missing column 'y'", "a header line with t, x, y", "--columns y=COLUMN, one of t, x, v"}));
+  EXPECT_TRUE(refused_log("t,x,y,phi,x\n0,0,0,0,0\n", "log:1: ",
+                          {"duplicate column of x: 'x', 'x'", "expected each column once"}));
+  EXPECT_TRUE(refused_log("t,/a/position/x,/b/position/x,y\n0,0,0,0\n",
+                          "log:1: ", {"'/a/position/x', '/b/position/x'", "--columns x=COLUMN"}));
+  EXPECT_TRUE(refused_log("0,0,0,0\n", "log:1: ", {"no header line before 4 numbers", "TUM"}));
+  EXPECT_TRUE(refused_log("0 0 0 0 0\n", "log:1: ", {"no header line before 5 numbers"}));
   EXPECT_TRUE(refused_log("", "log: ", {"empty"}));
   EXPECT_TRUE(refused_log(std::string(1000, '\0'), "log:1: ", {}));
 }
@@ -179,32 +187,181 @@ TEST(TrajectoryFile, RejectsDamagedTum) {
 }
 
 TEST(TrajectoryFile, ReadsTheCsvOfEuroc) {
-  // A header that begins with '#', times in ns, w first in quaternions; ground truths have more
+  // Times in ns, with and without their unit; w first in quaternions; ground truths have more
   // columns. Turned by 90 degrees.
-  const std::string header = "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w []\n";
-  for (const std::string rest : {"", ",7,7,7,7,7,7,7,7,7"}) {
-    const TrajectoryFile file =
-        read(header + "1403715524907143168,1,2,3,0.70710678,0,0,0.70710678" + rest + "\n" +
-             "1403715525007143168,1,2.1,3,0.70710678,0,0,0.70710678" + rest + "\r\n");
-    ASSERT_EQ(file.trajectory.samples.size(), 2U);
-    const Sample &first = file.trajectory.samples[0], &last = file.trajectory.samples[1];
-    EXPECT_NEAR(last.t - first.t, 0.1, 1e-6);
-    EXPECT_EQ(first.pose.x, 1);
-    EXPECT_EQ(last.pose.y, 2.1);
-    EXPECT_NEAR(first.pose.phi, M_PI / 2, 1e-7);
-    EXPECT_EQ(file.notes[0], "v and w computed from pose differences");
-  }
-  EXPECT_TRUE(refused_log(header + "1,0,0\n", "log:2: ", {"3 fields", "expected 8 numbers"}));
+  const std::string pose =
+      ",p_RS_R_x [m], p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []";
+  for (const std::string time : {"#timestamp", "#timestamp [ns]", "# timestamp[ns]"})
+    for (const bool more : {false, true}) {
+      const std::string rest = more ? ",7,7" : "";
+      const TrajectoryFile file =
+          read(time + pose + (more ? ",v_RS_R_x [m s^-1],b_w_RS_S_x [rad s^-1]" : "") +
+               "\n1403715524907143168,1,2,3,0.70710678,0,0,0.70710678" + rest +
+               "\n1403715525007143168,1,2.1,3,0.70710678,0,0,0.70710678" + rest + "\r\n");
+      ASSERT_EQ(file.trajectory.samples.size(), 2U);
+      const Sample &first = file.trajectory.samples[0], &last = file.trajectory.samples[1];
+      EXPECT_NEAR(last.t - first.t, 0.1, 1e-6);
+      EXPECT_EQ(first.pose.x, 1);
+      EXPECT_EQ(last.pose.y, 2.1);
+      EXPECT_NEAR(first.pose.phi, M_PI / 2, 1e-7);
+      EXPECT_EQ(file.notes[0],
+                more ? "3 columns not used: p_RS_R_z [m], v_RS_R_x [m s^-1], b_w_RS_S_x [rad s^-1]"
+                     : "1 column not used: p_RS_R_z [m]");
+    }
+  EXPECT_TRUE(refused_log("#timestamp [ns]" + pose + "\n1,0,0,0,1,0,0,0\n2,0,0\n",
+                          "log:3: ", {"3 fields", "expected 8 numbers"}));
 }
 
-TEST(TrajectoryFile, ReadsColumnsSeparatedBySemicolonsOrTabs) {
+TEST(TrajectoryFile, SeparatorsAreDetectedFromTheHeader) {
   const auto expected = read("t,x,y,phi\n0,1,2,0.5\n1,1.5,2,0.5\n").trajectory.hash();
   EXPECT_EQ(read("t;x;y;phi\n0;1;2;0.5\n1;1.5;2;0.5\n").trajectory.hash(), expected);
   EXPECT_EQ(read("t\tx\ty\tphi\n0\t1\t2\t0.5\n1\t1.5\t2\t0.5\n").trajectory.hash(), expected);
+  EXPECT_EQ(read("t  x y phi\n0 1  2 0.5\n1 1.5 2 0.5\n").trajectory.hash(), expected);
+  EXPECT_EQ(read("# t x y phi\n0 1 2 0.5\n1\t1.5\t2\t0.5\n").trajectory.hash(), expected);
 }
 
-TEST(TrajectoryFile, OfAnUnknownColumnAllNamesAreExpectedWhereNoneIsNear) {
-  EXPECT_TRUE(refused_log("t,x,y,z,phi\n", "log:1: ", {"'z'", "names from t, x, y, phi"}));
+/// The first of two samples with t, x, y and a further column.
+Sample sample_with(const std::string& column, const std::string& value) {
+  return read("t,x,y," + column + "\n0,1,2," + value + "\n1,1.5,2," + value + "\n")
+      .trajectory.samples[0];
+}
+
+TEST(TrajectoryFile, KnowsTheUsualNamesOfColumnsInAnyCase) {
+  const auto expected = read("t,x,y,phi\n0,1,2,0.5\n1,1.5,2,0.5\n").trajectory.hash();
+  for (const std::string header :
+       {"Time,X,Y,Theta", "timestamp,tx,ty,yaw", "stamp,pose_x,pose_y,heading",
+        "%time,field.x,field.y,field.theta", "__time,/odom/position/x,/odom/position/y,yaw [rad]",
+        "field.header.stamp,field.pose.pose.position.x,field.pose.pose.position.y,PHI"}) {
+    const TrajectoryFile file = read(header + "\n0,1,2,0.5\n1,1.5,2,0.5\n");
+    EXPECT_EQ(file.trajectory.hash(), expected) << header;
+    EXPECT_EQ(notes_of(file).find("not used"), std::string::npos) << header;
+  }
+  for (const std::string name : {"vx", "field.twist.twist.linear.x", "Linear_X"})
+    EXPECT_EQ(sample_with(name, "0.25").v, 0.25) << name;
+  for (const std::string name : {"wz", "omega", "/odom/twist/twist/angular/z"})
+    EXPECT_EQ(sample_with(name, "0.25").w, 0.25) << name;
+  for (const std::string name : {"cmd_v", "/cmd_vel/linear/x"})
+    EXPECT_EQ(sample_with(name, "0.25").command_v, 0.25) << name;
+}
+
+TEST(TrajectoryFile, OfSeveralNamesForAQuantityTheFirstOfTheTableCounts) {
+  const TrajectoryFile file = read("field.header.stamp,%time,x,y,phi\n7,0,1,2,0\n7,1,2,2,0\n");
+  EXPECT_EQ(file.trajectory.samples[1].t, 1);
+  EXPECT_EQ(file.notes[0], "1 column not used: field.header.stamp");
+}
+
+TEST(TrajectoryFile, UnitsInBracketsAreThoseOfTheColumn) {
+  const TrajectoryFile file =
+      read("time [ms],x (mm),y [m],yaw [deg]\n0,1000,2,90\n500,1000,2.5,90\n");
+  const Sample& last = file.trajectory.samples[1];
+  EXPECT_EQ(last.t, 0.5);
+  EXPECT_EQ(last.pose.x, 1);
+  EXPECT_EQ(last.pose.y, 2.5);
+  EXPECT_NEAR(last.pose.phi, M_PI / 2, 1e-15);
+}
+
+TEST(TrajectoryFile, ReadsTheHeadingOfQuaternionsUnlessThereIsPhi) {
+  // Turned by 60 degrees: qz = sin(30 deg), qw = cos(30 deg).
+  const std::string qw = format_number(std::sqrt(3.0) / 2);
+  const auto heading = [](const TrajectoryFile& file) {
+    return file.trajectory.samples[0].pose.phi;
+  };
+  const TrajectoryFile two = read("t,x,y,qz,qw\n0,0,0,0.5," + qw + "\n1,1,0,0.5," + qw + "\n");
+  EXPECT_NEAR(heading(two), M_PI / 3, 1e-15);
+  const TrajectoryFile four =
+      read("t,x,y,qw,qx,qy,qz\n0,0,0," + qw + ",0,0,0.5\n1,1,0," + qw + ",0,0,0.5\n");
+  EXPECT_NEAR(heading(four), M_PI / 3, 1e-15);
+  const TrajectoryFile both =
+      read("t,x,y,phi,qz,qw\n0,0,0,0.1,0.5," + qw + "\n1,1,0,0.1,0.5," + qw + "\n");
+  EXPECT_EQ(heading(both), 0.1);
+  EXPECT_EQ(both.notes[0], "2 columns not used: qz, qw");
+  EXPECT_TRUE(refused_log("t,x,y,qz,qw\n0,0,0,1,1\n", "log:2: ", {"unit quaternion"}));
+}
+
+TEST(TrajectoryFile, ColumnsThatAreNotUsedMayContainTextAndAreNamed) {
+  const std::string rows = "\n0,odom,0,0,0,,-\n1,odom,1,0,0,,-\n";
+  EXPECT_EQ(read("t,frame,x,y,phi,b,c" + rows).notes[0], "3 columns not used: frame, b, c");
+  EXPECT_EQ(read("t,x,y,phi,a,b,c,d,e,f,comand_v\n0,0,0,0,1,1,1,1,1,1,1\n1,1,0,0,1,1,1,1,1,1,1\n")
+                .notes[0],
+            "7 columns not used: a, b, c, d, e and 2 others");
+}
+
+TEST(TrajectoryFile, ColumnsAreChosenWithFactors) {
+  const std::string log =
+      "%time,field.header.seq,pose.x,pose.y,a*b,deg\n1000000000,7,9,2,100,90\n"
+      "1500000000,8,9,2,150,90\n";
+  const TrajectoryFile file =
+      read(log, false, "t=%time*1e-9, x=a*b*0.01,phi=DEG*0.017453292519943295");
+  const Sample &first = file.trajectory.samples[0], &last = file.trajectory.samples[1];
+  EXPECT_NEAR(first.t, 1, 1e-12);
+  EXPECT_NEAR(last.t, 1.5, 1e-12);
+  EXPECT_NEAR(first.pose.x, 1, 1e-12);
+  EXPECT_EQ(first.pose.y, 2) << "by its usual name";
+  EXPECT_NEAR(last.pose.phi, M_PI / 2, 1e-12);
+  EXPECT_EQ(file.notes[0], "2 columns not used: field.header.seq, pose.x");
+  EXPECT_NEAR(
+      read("time [ms],x,y\n0,1,2\n500,1,3\n", false, "t=time [ms]*1").trajectory.samples[1].t, 500,
+      1e-9)
+      << "a factor takes the place of the unit";
+  EXPECT_NEAR(read("0 1 2 3 0 0 0 1\n5000 1 3 3 0 0 0 1\n", false, "t=t*1e-3,y=z")
+                  .trajectory.samples[1]
+                  .pose.y,
+              3, 0)
+      << "the names of logs without header";
+}
+
+TEST(TrajectoryFile, RejectsColumnsThatAreNotThere) {
+  const std::string log = "stamp,pos_east,pos_north\n0,1,2\n1,2,2\n";
+  EXPECT_TRUE(refused_log(log, "log:1: ", {"no column 'pos_eest' for x", "expected 'pos_east'"},
+                          "x=pos_eest"));
+  EXPECT_TRUE(
+      refused_log(log, "log:1: ", {"no column 'q' for x", "stamp, pos_east, pos_north"}, "x=q"));
+  EXPECT_TRUE(refused_log(log, "log:1: ", {"missing column 'y'"}, "x=pos_east"));
+  const auto refused_option = [&](const std::string& columns,
+                                  std::initializer_list<std::string> words) {
+    return throws_error(ErrorKind::Usage, "--columns: ", words, [&] { read(log, false, columns); });
+  };
+  EXPECT_TRUE(refused_option("x", {"no '=' in 'x'", "NAME=COLUMN*FACTOR"}));
+  EXPECT_TRUE(refused_option("comand_v=stamp", {"'comand_v'", "'command_v'"}));
+  EXPECT_TRUE(refused_option("x=pos_east*a", {"factor", "other than 0"}));
+  EXPECT_TRUE(refused_option("x=pos_east*0", {"factor", "other than 0"}));
+  EXPECT_TRUE(refused_option("x=pos_east,x=pos_north", {"two columns of 'x'"}));
+}
+
+TEST(TrajectoryFile, ComputesMissingHeadingsFromTheMotion) {
+  // At rest with noise of 0.5 mm, along y, along -x, at rest.
+  const TrajectoryFile file = read("t,x,y\n0,1,1\n1,1,1.0005\n2,1,2\n3,0,2\n4,0,2\n5,0,2.0005\n");
+  const auto& samples = file.trajectory.samples;
+  EXPECT_NEAR(samples[0].pose.phi, M_PI / 2, 1e-12);
+  EXPECT_NEAR(samples[1].pose.phi, M_PI / 2, 1e-12);
+  for (std::size_t i = 2; i < samples.size(); ++i)
+    EXPECT_NEAR(std::abs(samples[i].pose.phi), M_PI, 1e-12) << i;
+  EXPECT_EQ(file.notes[0], "phi computed from the direction of motion");
+  EXPECT_EQ(read("t,x,y\n0,1,1\n1,1,1\n").trajectory.samples[0].pose.phi, 0) << "without motion";
+}
+
+TEST(TrajectoryFile, SaysThatTheUnitOfHeadingsIsImplausible) {
+  const std::string degrees = "t,x,y,yaw\n0,0,0,90\n1,0,1,90\n2,0,2,90\n";
+  for (const bool sideways : {false, true}) {
+    const TrajectoryFile file = read(degrees, sideways);
+    EXPECT_TRUE(mentions(notes_of(file), {"phi is up to 90 rad", "degrees",
+                                          "--columns phi=yaw*0.017453292519943295"}));
+    EXPECT_NEAR(file.trajectory.samples[0].pose.phi, 90 - 28 * M_PI, 1e-12) << "is not changed";
+  }
+  EXPECT_EQ(notes_of(read(degrees, false, "phi=yaw*0.017453292519943295")).find("degrees"),
+            std::string::npos);
+  EXPECT_EQ(notes_of(read("t,x,y,phi\n0,0,0,0\n1,1,0,25\n", true)).find("degrees"),
+            std::string::npos)
+      << "a robot may turn four times";
+}
+
+TEST(TrajectoryFile, ReadsLinesOfNumbersOfMrpt) {
+  const TrajectoryFile four = read("0 1 2 0.5\n1 1.5 2 0.5\n");
+  EXPECT_EQ(four.trajectory.hash(), read("t,x,y,phi\n0,1,2,0.5\n1,1.5,2,0.5\n").trajectory.hash());
+  EXPECT_EQ(four.notes[0], "no header line: read as t x y phi");
+  const TrajectoryFile seven = read("0 1 2 9 0.5 8 8\n1 1.5 2 9 0.5 8 8\n");
+  EXPECT_EQ(seven.trajectory.hash(), four.trajectory.hash());
+  EXPECT_EQ(seven.notes[0], "no header line: read as t x y z yaw pitch roll");
 }
 
 TEST(TrajectoryFile, NamesBagsAndTheirConverter) {

@@ -15,6 +15,6 @@ namespace slalom {
 /// Throws Error (File) as read_bag() and load_trajectory_file(), and if there is no such topic or
 /// frame, or several fit.
 TrajectoryFile load_bag_trajectory(const std::string& path, const std::string& topic, bool sideways,
-                                   const LogSpan& span = {});
+                                   const LogSelection& selection = {});
 
 }  // namespace slalom
