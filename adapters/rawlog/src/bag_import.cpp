@@ -225,7 +225,7 @@ class BagImporter {
       auto known = poses.find(from.frame);
       if (known == poses.end()) known = poses.emplace(from.frame, sensor_pose(from.frame)).first;
       from.scan->sensorPose = known->second + CPose3D(0, 0, 0, from.middle, 0, 0);
-      insert(from.time, kScans, std::move(from.scan));
+      insert(from.time, Rank::Scan, std::move(from.scan));
     }
   }
 
@@ -253,7 +253,7 @@ class BagImporter {
       odometry->velocityLocal = {twist.vx - twist.wz * base.y(), twist.vy + twist.wz * base.x(),
                                  twist.wz};
       odometry->velocityLocal.rotate(-base.phi());
-      insert(from.time, kOdometries, std::move(odometry));
+      insert(from.time, Rank::Odometry, std::move(odometry));
     }
   }
 
@@ -280,12 +280,12 @@ class BagImporter {
       command->sensorLabel = kCommandLabel;
       command->hasVelocities = true;
       command->velocityLocal = {from.twist.vx, from.twist.vy, from.twist.wz};
-      insert(from.time, kCommands, std::move(command));
+      insert(from.time, Rank::Command, std::move(command));
     }
   }
 
   /// At the same time odometry comes before the scan that has it, and before a command.
-  enum Rank { kOdometries, kScans, kCommands };
+  enum class Rank { Odometry, Scan, Command };
 
   void insert(const MessageTime& from, Rank rank, mrpt::obs::CObservation::Ptr observation) {
     const std::int64_t time = from.stamp != 0 ? from.stamp : clock_.stamp_of(from.recorded);

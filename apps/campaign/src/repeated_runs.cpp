@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repeated_runs.h"
 
+#include <slalom/core/hash.h>
 #include <slalom/core/text.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstring>
 
 namespace slalom {
 namespace {
@@ -62,7 +62,7 @@ std::string trajectory_difference(const Trajectory& before, const Trajectory& no
   for (std::size_t i = 0; i < common; ++i) {
     const auto a = before.samples[i].numbers(), b = now.samples[i].numbers();
     for (std::size_t j = 0; j < a.size(); ++j)
-      if (std::memcmp(&a[j], &b[j], sizeof a[j]) != 0)
+      if (!same_bits(a[j], b[j]))
         return after(before.samples[i].t) + kFields[j].name + " " + format_number(a[j]) + " and " +
                format_number(b[j]) + " " + kFields[j].unit;
   }

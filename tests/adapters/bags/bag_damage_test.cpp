@@ -97,7 +97,7 @@ TEST_F(BagDamage, StatedSizesAreCheckedBeforeMemoryIsAllocated) {
 
 TEST_F(BagDamage, ElementsOfAMessageAreCountedAgainstItsBytes) {
   auto message = scans(Layout::CdrLittle)[0];
-  const std::size_t count = message.data.size() - 4 - 21 * 4 - 4;
+  const std::size_t count = message.data.size() - 4 - std::size_t{21} * 4 - 4;
   message.data.replace(count, 4, "\xff\xff\xff\xff");
   McapWriter writer;
   writer.add(message);
