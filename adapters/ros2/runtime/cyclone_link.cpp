@@ -272,6 +272,7 @@ class CycloneLink : public RosLink {
  public:
   CycloneLink(const Ros2Options& options, int domain, const SensorModel& sensor)
       : options_(options),
+        nodes_(barrier_nodes(options)),
         command_topic_(topic(options.command)),
         sensor_(sensor),
         domain_("domain", dds_create_domain(static_cast<dds_domainid_t>(domain), kLocalHost)),
@@ -286,8 +287,7 @@ class CycloneLink : public RosLink {
         scan_(writer(options.scan, kScan)),
         goal_(writer(options.goal, kPose, true)) {
     if (options.map == Ros2Map::Known) map_ = writer(options.map_topic, kGrid, true);
-    for (const std::string& node : barrier_nodes(options))
-      barriers_.emplace_back(participant_, node);
+    for (const std::string& node : nodes_) barriers_.try_emplace(node, participant_, node);
     dds_waitset_attach(waitset_, publications_.reader(), 0);
     dds_set_status_mask(publications_.reader(), DDS_DATA_AVAILABLE_STATUS);
     send_static_transforms();
@@ -304,10 +304,9 @@ class CycloneLink : public RosLink {
     dds_subscription_matched_status_t writers = {};
     if (command_ > 0) dds_get_subscription_matched_status(command_, &writers);
     if (writers.current_count == 0) missing.push_back("publisher of " + name(options_.command));
-    const std::vector<std::string> nodes = barrier_nodes(options_);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (!barriers_[i].is_matched(publications_))
-        missing.push_back("node " + nodes[i] + " with parameters");
+    for (auto& [node, barrier] : barriers_)
+      if (!barrier.is_matched(publications_))
+        missing.push_back("node " + node + " with parameters");
     return missing;
   }
 
@@ -355,7 +354,7 @@ class CycloneLink : public RosLink {
   }
 
   bool pass_barrier(std::size_t node, double seconds) override {
-    return barriers_[node].pass(seconds);
+    return barriers_.at(nodes_[node]).pass(seconds);
   }
 
   std::optional<RosCommand> take_command() override {
@@ -502,6 +501,7 @@ class CycloneLink : public RosLink {
   }
 
   Ros2Options options_;
+  std::vector<std::string> nodes_;  ///< of the barrier, in its order
   std::string command_topic_;
   SensorModel sensor_;
   Entity domain_, participant_, waitset_;
@@ -509,7 +509,7 @@ class CycloneLink : public RosLink {
   Entity clock_, odometry_, transforms_, static_transforms_, scan_, goal_, map_;
   Entity command_;
   bool is_stamped_ = false, is_reliable_ = true;
-  std::vector<Barrier> barriers_;
+  std::map<std::string, Barrier> barriers_;  ///< by node: each reply is to one question
   std::vector<float> ranges_;
 };
 

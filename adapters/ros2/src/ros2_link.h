@@ -29,7 +29,7 @@ class RosLink {
   /// The counterparts that were not found yet, e.g. "a reader of /scan"; empty if all are there.
   /// Throws MethodError if one is there that does not fit.
   virtual std::vector<std::string> missing() = 0;
-  /// Programs that publish commands now.
+  /// The publishers of commands that are there.
   virtual int publishers() = 0;
 
   /// Poses in the frame of odometry, which is also that of the map.

@@ -20,7 +20,8 @@ namespace {
 constexpr char kRuntime[] = "runtime/libslalom_ros2_runtime.so";
 
 constexpr RosTime kSecond = 1'000'000'000;
-/// Runs begin at multiples of it, so that they begin at the same phase of the nodes' timers.
+/// The rest before a run begins at a multiple of it, so that runs begin at the same phase of the
+/// nodes' timers.
 constexpr RosTime kGrid = 10 * kSecond;
 /// The robot stands at its start for at least this time, so that transforms and costmaps fill.
 constexpr double kRest = 1;             // s, simulated
@@ -33,9 +34,9 @@ RosTime nanoseconds(double seconds) {
   return static_cast<RosTime>(std::llround(seconds * 1e9));
 }
 
-/// Later than the time of any earlier program: running nodes outlive the simulator, and their time
-/// must not go back. A simulation is at most 1000 times as fast as real time; seconds of ROS have
-/// 31 bits.
+/// Later than the time of an earlier program that was at most 1000 times as fast as real time:
+/// running nodes outlive the simulator, and their time should not go back. It does every 23 days,
+/// since seconds of ROS have 31 bits.
 RosTime time_of_running_nodes() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now).count();
@@ -160,8 +161,10 @@ class Ros2Method : public Method {
     const bool answered = await_commands(answered_ && !paced ? patience() : kShortWait);
     if (answered_ && !answered) check_silence();
     answered_ = answered_ || answered;
-    if (paced)
-      for (double left; (left = end - clock_()) > 0;) link_->wait(left), take_commands();
+    while (paced && clock_() < end) {
+      link_->wait(end - clock_());
+      take_commands();
+    }
     return answered;
   }
 
@@ -198,7 +201,7 @@ class Ros2Method : public Method {
   /// Sends the data of a cycle, then its time. The nodes' timers fire with the time, and must find
   /// the data.
   void send(const Observation& observation, RosTime now) {
-    scan_time_ = std::max(now - nanoseconds(scan_latency_), start_ - kGrid);
+    scan_time_ = now - nanoseconds(std::min(scan_latency_, observation.time));
     link_->send_observation(observation, now, scan_time_);
     if (options_.mode == Ros2Mode::Lockstep)
       for (std::size_t node = 0; node < barrier_.size(); ++node) pass_barrier(node);
@@ -266,8 +269,9 @@ class Ros2Method : public Method {
   void check_publishers() {
     const int count = link_->publishers();
     if (count > options_.publishers)
-      fail<MethodError>(std::to_string(count) + " programs publish " + command_topic() +
-                        ", and publishers = " + std::to_string(options_.publishers));
+      fail<MethodError>(
+          command_topic() + " has " + std::to_string(count) +
+          " publishers, more than publishers = " + std::to_string(options_.publishers));
   }
 
   void check_health() {

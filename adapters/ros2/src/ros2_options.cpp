@@ -24,9 +24,11 @@ void Ros2Options::visit(OptionVisitor& v) {
   v.option("clock_step", clock_step, "s",
            "lockstep: simulated time between messages of /clock; 0: a control period",
            Range::at_least(0));
-  v.option("restart", restart, "launch the nodes anew for each run");
+  v.option(
+      "restart", restart,
+      "end the launched nodes and launch them again: after a failure only, or before each run");
   v.option("map", map, "publish the map of static obstacles");
-  v.option("publishers", publishers, "-", "programs that may publish commands",
+  v.option("publishers", publishers, "-", "publishers of commands, at most",
            Range::between(1, 100));
   v.option("namespace", name_space, "namespace of names that do not begin with '/'");
   v.option("command", command, "topic of commands, Twist or TwistStamped");

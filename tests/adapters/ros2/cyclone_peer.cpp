@@ -65,6 +65,9 @@ class Peer {
       });
       take<slalom_ros2_CycloneRequest>(question_, [this](const auto& m) {
         if (node_.fault() == "deaf" && node_.has_fault_now()) return;
+        // The replies to two questions with one number could not be told apart.
+        if (m.number <= last_question_) std::exit(4);
+        last_question_ = m.number;
         slalom_ros2_CycloneReply reply{};
         reply.client = m.client;
         reply.number = m.number;
@@ -137,6 +140,7 @@ class Peer {
   }
 
   NavigatingNode node_;
+  std::int64_t last_question_ = 0;
   dds_entity_t participant_ = 0, waitset_ = 0, clock_ = 0, goal_ = 0, odometry_ = 0, scan_ = 0,
                question_ = 0;
   dds_entity_t reply_ = 0, command_ = 0, second_ = 0;

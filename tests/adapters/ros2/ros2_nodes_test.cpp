@@ -115,6 +115,12 @@ TEST_F(Ros2NodesTest, BehindTheBarrierATimerNeverCommandsFromAnOlderScan) {
   }
 }
 
+TEST_F(Ros2NodesTest, ANodeThatIsNamedTwiceIsAskedTwice) {
+  for (const std::string peer : {CYCLONE_PEER, FAST_PEER})
+    if (!peer.empty())
+      expect_equal_runs(*launch(peer + " --stamped --timer", "barrier = method, method\n"));
+}
+
 TEST_F(Ros2NodesTest, ABestEffortPublisherIsHeard) {
   expect_equal_runs(*launch(CYCLONE_PEER " best_effort"));
 }
@@ -148,7 +154,7 @@ TEST_F(Ros2NodesTest, EachFaultEndsItsRunWithItsOutcomeAndTheNextRunIsSound) {
        {Fault{"exit", Outcome::MethodError, "exit status 3", ""},
         Fault{"killed", Outcome::MethodError, "signal 9", ""},
         Fault{"nan", Outcome::MethodInvalidCommand, "not a finite number", ""},
-        Fault{"two", Outcome::MethodError, "2 programs publish /cmd_vel", "barrier = method\n"},
+        Fault{"two", Outcome::MethodError, "/cmd_vel has 2 publishers", "barrier = method\n"},
         Fault{"silent", Outcome::MethodDeadline, "no command on /cmd_vel within 100 s", ""},
         Fault{"deaf", Outcome::MethodDeadline, "the node /method does not reply",
               "barrier = method\n"}}) {

@@ -21,7 +21,7 @@ constexpr auto enum_names(Ros2Map) {
   return std::array{"none", "known"};
 }
 
-/// When the launched process is started anew: after it failed only, or for each run.
+/// The occasions on which launched nodes are launched again: a failure only, or each run, too.
 enum class Ros2Restart { Never, Run };
 constexpr auto enum_names(Ros2Restart) {
   return std::array{"never", "run"};
@@ -46,7 +46,7 @@ struct Ros2Options {
   double clock_step = 0;       ///< simulated time between clock messages, s; 0: a control period
   Ros2Restart restart = Ros2Restart::Never;
   Ros2Map map = Ros2Map::None;
-  int publishers = 1;  ///< nodes that may publish commands
+  int publishers = 1;  ///< of commands, at most
 
   std::string name_space;  ///< of topics and nodes whose names do not begin with '/'
   std::string command = "cmd_vel", scan = "scan", odometry = "odom", goal = "goal_pose";
@@ -67,8 +67,9 @@ struct Ros2Options {
 /// the wall clock.
 ///
 /// Before each run the robot stands at its start for at least 1 s of simulated time, until the
-/// nodes have answered each observation of a second. Simulated time never goes back. Velocities
-/// beyond the robot's limits become the nearest ones within them, as on a real base.
+/// nodes have answered each observation of a second. Simulated time never goes back while the
+/// method lives. Velocities beyond the robot's limits become the nearest ones within them, as on a
+/// real base.
 ///
 /// reset() and step() throw MethodTimeout when no command arrives in time, and MethodError when the
 /// process exits, or the publishers of the commands are not as expected. The factory throws
