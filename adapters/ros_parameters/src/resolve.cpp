@@ -127,7 +127,8 @@ class SectionResolver {
     const auto controller = choose_controller(ini_, section_, controllers);
     if (!controller) {
       if (is_method())
-        throw usage_error(ini_.where(section_, "from"), "has no controller",
+        throw usage_error(ini_.where(section_, "from"),
+                          "lists no controller in controller_plugins, nor has one of a known class",
                           "a section with plugin: CLASS, or DWAPlannerROS and the like");
       return;
     }
