@@ -56,7 +56,7 @@ SceneSettings scene_settings(const StudioArguments& arguments) {
   resolve_ros_parameters(ini);
   SceneSettings settings;
   settings.robot = read_robot_model(ini);
-  settings.sensor = read_options<SensorModel>(ini, "sensor");
+  settings.sensor = read_sensor_model(ini);
   settings.resolution = read_options<SimulationOptions>(ini, "simulation").resolution;
   return settings;
 }

@@ -158,6 +158,13 @@ class Package(unittest.TestCase):
         self.assertNotEqual(results["outcome"], ["method_error"])
         self.assertEqual(results.manifest["sensor.rays"], "91")
 
+    def test_lasers_are_sections_by_name(self):
+        results = slalom.evaluate(
+            {"a": Direct}, small(1), lasers={"front": {"x": 0.2}, "rear": {"x": -0.2, "yaw": 3.14}}, **QUICK
+        )
+        self.assertEqual(results.manifest["laser.front.x"], "0.2")
+        self.assertEqual(results.manifest["laser.rear.yaw"], "3.14")
+
     def test_tables_are_texts(self):
         text = slalom.evaluate({"direct": Direct}, small(), **QUICK).table("all", ["success"])
         self.assertIn("direct by all", text)

@@ -96,6 +96,13 @@ Command query_method(Method& method, const Observation& observation, const OpenL
   return {};
 }
 
+/// The scan with the pose that the method takes it to have.
+mrpt::obs::CObservation2DRangeScan as_seen(mrpt::obs::CObservation2DRangeScan scan,
+                                           const SensorModel& sensor) {
+  if (!sensor.lasers.empty() && sensor.lasers.front().raw) scan.sensorPose = {};
+  return scan;
+}
+
 /// The number of rays of the campaign's sensor outside the scan's field of view.
 int count_uncovered(const mrpt::obs::CObservation2DRangeScan& scan, const SensorModel& sensor) {
   const double yaw = scan.sensorPose.yaw(), half = 0.5 * scan.aperture + 1e-6;
@@ -108,6 +115,19 @@ int count_uncovered(const mrpt::obs::CObservation2DRangeScan& scan, const Sensor
 }
 
 }  // namespace
+
+mrpt::obs::CObservation2DRangeScan resample_scan(const mrpt::obs::CObservation2DRangeScan& scan,
+                                                 const SensorModel& sensor) {
+  const std::vector<float> ranges = merged_ranges({&scan}, sensor);
+  mrpt::obs::CObservation2DRangeScan resampled;
+  resampled.aperture = static_cast<float>(sensor.aperture());
+  resampled.maxRange = static_cast<float>(sensor.max_range);
+  resampled.sensorLabel = "range_finder";
+  std::vector<char> valid;
+  for (const float range : ranges) valid.push_back(range < resampled.maxRange ? 1 : 0);
+  resampled.loadFromVectors(valid.size(), ranges.data(), valid.data());
+  return resampled;
+}
 
 ContactPrediction predict_contact(const RobotModel& robot, double control_period,
                                   const Velocity& velocity, const Command& command,
@@ -131,13 +151,13 @@ std::vector<OpenLoopAnswer> replay_open_loop(const std::vector<LoggedScan>& scan
   for (const LoggedScan& logged : scans) {
     const auto now = logged_time(kTaskInterval * static_cast<double>(answers.size()));
     mrpt::Clock::setSimulatedTime(now);
-    auto scan = resample_scan(*logged.scan, setup.sensor);
+    auto scan = resample_scan(as_seen(*logged.scan, setup.sensor), setup.sensor);
     scan.timestamp = now;
     Observation observation = observe(logged, setup);
     observation.scan = &scan;
     OpenLoopAnswer answer;
     answer.time = logged.time;
-    answer.uncovered_rays = count_uncovered(*logged.scan, setup.sensor);
+    answer.uncovered_rays = count_uncovered(as_seen(*logged.scan, setup.sensor), setup.sensor);
     answer.command = query_method(method, observation, setup, answer.problem);
     if (answer.problem.empty())
       answer.prediction = predict_contact(setup.robot, setup.control_period,

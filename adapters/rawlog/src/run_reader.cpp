@@ -82,6 +82,13 @@ class RunLog {
     return get<Class>(next_++, label);
   }
 
+  /// Whether the object `ahead` of the next one has this class.
+  template <typename Class>
+  bool has(std::size_t ahead) const {
+    const std::size_t index = next_ + ahead;
+    return index < size() && std::dynamic_pointer_cast<const Class>(objects_[index]) != nullptr;
+  }
+
   ManifestReader first_comment() { return comment(next_++); }
   ManifestReader last_comment() const { return comment(size() - 1); }
 
@@ -133,12 +140,16 @@ bool is_finite(const CObservationOdometry& odometry) {
          std::isfinite(velocity.omega);
 }
 
-void check_scan(const RunLog& log, const CObservation2DRangeScan& scan, const RecordedRun& run) {
-  const std::size_t rays = scan.getScanSize();
-  if (rays < 2 || (!run.cycles.empty() && run.cycles.front().scan->getScanSize() != rays))
+/// The next scan; `first` is that of the same laser in the first cycle, null in the first one.
+std::shared_ptr<const CObservation2DRangeScan> next_scan(RunLog& log,
+                                                         const CObservation2DRangeScan* first) {
+  auto scan = log.next<CObservation2DRangeScan>(nullptr);
+  const std::size_t rays = scan->getScanSize();
+  if (rays < 2 || (first != nullptr && first->getScanSize() != rays))
     throw log.unexpected("a scan with the same number of rays as the others");
   for (std::size_t i = 0; i < rays; ++i)
-    if (!std::isfinite(scan.getScanRange(i))) throw log.unexpected("a scan with finite ranges");
+    if (!std::isfinite(scan->getScanRange(i))) throw log.unexpected("a scan with finite ranges");
+  return scan;
 }
 
 std::shared_ptr<const CObservationOdometry> next_odometry(RunLog& log, const char* label) {
@@ -147,11 +158,14 @@ std::shared_ptr<const CObservationOdometry> next_odometry(RunLog& log, const cha
   return odometry;
 }
 
-RecordedCycle next_cycle(RunLog& log, const RecordedRun& run, const TPoint2D& goal) {
+RecordedCycle next_cycle(RunLog& log, const RecordedRun& run, std::size_t lasers,
+                         const TPoint2D& goal) {
   const Sample& sample = run.trajectory.samples[run.cycles.size()];
   RecordedCycle cycle;
-  cycle.scan = log.next<CObservation2DRangeScan>(nullptr);
-  check_scan(log, *cycle.scan, run);
+  const RecordedCycle* first = run.cycles.empty() ? nullptr : &run.cycles.front();
+  cycle.scan = next_scan(log, first == nullptr ? nullptr : first->scan.get());
+  for (std::size_t i = 0; i < lasers; ++i)
+    cycle.lasers.push_back(next_scan(log, first == nullptr ? nullptr : first->lasers[i].get()));
   const auto odometry = next_odometry(log, kOdometryLabel);
   cycle.stamp = odometry->timestamp;
   const auto& pose = odometry->odometry;
@@ -160,6 +174,7 @@ RecordedCycle next_cycle(RunLog& log, const RecordedRun& run, const TPoint2D& go
   cycle.observation = {sample.t,        odometry_pose, velocity.vx,
                        velocity.omega,  velocity.vy,   inverse_compose(odometry_pose, goal),
                        cycle.scan.get()};
+  for (const auto& scan : cycle.lasers) cycle.observation.lasers.push_back(scan.get());
   check_ground_truth(log, *log.next<CObservationRobotPose>(kTruthLabel), sample);
   const auto command = next_odometry(log, kCommandLabel)->velocityLocal;
   cycle.command = {command.vx, command.omega, command.vy};
@@ -174,13 +189,22 @@ Outcome outcome_of(const ManifestReader& lines) {
   throw lines.invalid(keys::kOutcome, "success, collision, timeout, ...");
 }
 
-/// The number of cycles in a log: four objects each, between the manifest and the last ground-truth
-/// pose with the result.
-std::size_t count_cycles(const RunLog& log, const RecordedRun& run, const std::string& path) {
+/// The number of scans after the first one of a cycle.
+std::size_t count_lasers(const RunLog& log) {
+  std::size_t scans = 0;
+  while (log.has<CObservation2DRangeScan>(scans)) ++scans;
+  return scans == 0 ? 0 : scans - 1;
+}
+
+/// The number of cycles in a log: four objects each and the scans of the lasers, between the
+/// manifest and the last ground-truth pose with the result.
+std::size_t count_cycles(const RunLog& log, const RecordedRun& run, std::size_t lasers,
+                         const std::string& path) {
   const std::size_t samples = run.trajectory.samples.size();
   const std::size_t others = samples == 0 ? 2 : 3;
-  const std::size_t cycles = log.size() < others ? 0 : (log.size() - others) / 4;
-  const bool complete = log.size() == others + 4 * cycles;
+  const std::size_t objects = 4 + lasers;
+  const std::size_t cycles = log.size() < others ? 0 : (log.size() - others) / objects;
+  const bool complete = log.size() == others + objects * cycles;
   if (!complete || cycles > samples || samples > cycles + 1 || (cycles > 0 && !run.task))
     throw file_error(path, "has missing or extra objects", "a run recorded by Slalom");
   return cycles;
@@ -198,8 +222,9 @@ RecordedRun read_run(const std::string& path) {
   run.trajectory = trajectory_of(result);
   run.detail = result.text(keys::kDetail);
   run.outcome = outcome_of(result);
-  const std::size_t cycles = count_cycles(log, run, path);
-  while (run.cycles.size() < cycles) run.cycles.push_back(next_cycle(log, run, run.task->goal));
+  const std::size_t lasers = count_lasers(log), cycles = count_cycles(log, run, lasers, path);
+  while (run.cycles.size() < cycles)
+    run.cycles.push_back(next_cycle(log, run, lasers, run.task->goal));
   if (!run.trajectory.samples.empty())
     check_ground_truth(log, *log.next<CObservationRobotPose>(kTruthLabel),
                        run.trajectory.samples.back());

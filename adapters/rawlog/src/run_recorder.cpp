@@ -22,6 +22,7 @@ namespace {
 
 using mrpt::Clock;
 using mrpt::math::TPose2D;
+using mrpt::obs::CObservation2DRangeScan;
 using mrpt::obs::CObservationComment;
 using mrpt::obs::CObservationOdometry;
 using mrpt::obs::CObservationRobotPose;
@@ -84,9 +85,8 @@ class RawlogRecorder : public RunObserver {
 
   void on_cycle(const Observation& observation, const Command& command,
                 const TPose2D& pose) override {
-    auto scan = *observation.scan;
-    scan.timestamp = logged_start() + (scan.timestamp - started_);
-    write(scan);
+    write_scan(*observation.scan);
+    for (const CObservation2DRangeScan* scan : observation.lasers) write_scan(*scan);
     write_odometry(kOdometryLabel, observation.time, observation.odometry,
                    {observation.v, observation.vy, observation.w});
     write_ground_truth(observation.time, pose);
@@ -108,6 +108,11 @@ class RawlogRecorder : public RunObserver {
     comment.timestamp = logged_time(time);
     comment.text = text;
     write(comment);
+  }
+
+  void write_scan(CObservation2DRangeScan scan) {
+    scan.timestamp = logged_start() + (scan.timestamp - started_);
+    write(scan);
   }
 
   void write_odometry(const char* label, double time, const TPose2D& pose,

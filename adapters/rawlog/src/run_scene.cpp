@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/math.h>
+#include <slalom/core/pose.h>
 #include <slalom/rawlog/run_scene.h>
 
 #include <cmath>
@@ -40,10 +41,15 @@ Path outline(const Footprint& shape, const TPose2D& pose) {
 
 Path scan_ends(const RecordedRun& run, std::size_t cycle) {
   const auto& scan = *run.cycles[cycle].scan;
+  const TPose2D& robot = run.trajectory.samples[cycle].pose;
+  const auto& mount = scan.sensorPose;
+  const TPoint2D at = compose(robot, {mount.x(), mount.y()});
+  const TPose2D laser(at.x, at.y, robot.phi + mount.yaw());
+  const double turn = std::abs(mount.roll()) > M_PI / 2 ? -1 : 1;  // upside down: clockwise
   Path ends;
   for (std::size_t ray = 0; ray < scan.getScanSize(); ++ray)
-    ends.push_back(from(run.trajectory.samples[cycle].pose, scan.getScanAngle(ray),
-                        static_cast<double>(scan.getScanRange(ray))));
+    ends.push_back(
+        from(laser, turn * scan.getScanAngle(ray), static_cast<double>(scan.getScanRange(ray))));
   return ends;
 }
 

@@ -268,13 +268,22 @@ geometry_msgs_msg_dds__Quaternion_ to_ros(double heading) {
   return {0, 0, math::sin(heading / 2), math::cos(heading / 2)};
 }
 
+/// Yaw after a roll of pi if it is upside down.
+geometry_msgs_msg_dds__Transform_ mount_of(const LaserModel& laser) {
+  geometry_msgs_msg_dds__Transform_ mount{};
+  mount.translation = {laser.x, laser.y, 0};
+  mount.rotation = to_ros(laser.yaw);
+  if (laser.upside_down) mount.rotation = {mount.rotation.w, mount.rotation.z, 0, 0};
+  return mount;
+}
+
 class CycloneLink : public RosLink {
  public:
   CycloneLink(const Ros2Options& options, int domain, const SensorModel& sensor)
       : options_(options),
         nodes_(barrier_nodes(options)),
         command_topic_(topic(options.command)),
-        sensor_(sensor),
+        lasers_(sensor.all_lasers()),
         domain_("domain", dds_create_domain(static_cast<dds_domainid_t>(domain), kLocalHost)),
         participant_("participant",
                      dds_create_participant(static_cast<dds_domainid_t>(domain), nullptr, nullptr)),
@@ -284,8 +293,8 @@ class CycloneLink : public RosLink {
         odometry_(writer(options.odometry, kOdometry)),
         transforms_(writer(options.tf, kTransforms)),
         static_transforms_(writer(options.tf + "_static", kTransforms, true)),
-        scan_(writer(options.scan, kScan)),
         goal_(writer(options.goal, kPose, true)) {
+    for (const LaserModel& laser : lasers_) scans_.push_back(writer(scan_topic(laser), kScan));
     if (options.map == Ros2Map::Known) map_ = writer(options.map_topic, kGrid, true);
     for (const std::string& node : nodes_) barriers_.try_emplace(node, participant_, node);
     dds_waitset_attach(waitset_, publications_.reader(), 0);
@@ -297,10 +306,13 @@ class CycloneLink : public RosLink {
     publications_.update();
     follow_command_type();
     std::vector<std::string> missing;
-    dds_publication_matched_status_t readers;
-    dds_get_publication_matched_status(scan_, &readers);
-    if (readers.current_count == 0)
-      missing.push_back("reader of " + name(options_.scan) + incompatible_policy());
+    for (std::size_t i = 0; i < lasers_.size(); ++i) {
+      dds_publication_matched_status_t readers;
+      dds_get_publication_matched_status(scans_[i], &readers);
+      if (readers.current_count == 0)
+        missing.push_back("reader of " + name(scan_topic(lasers_[i])) +
+                          incompatible_policy(scans_[i]));
+    }
     dds_subscription_matched_status_t writers = {};
     if (command_ > 0) dds_get_subscription_matched_status(command_, &writers);
     if (writers.current_count == 0) missing.push_back("publisher of " + name(options_.command));
@@ -344,7 +356,11 @@ class CycloneLink : public RosLink {
   void send_observation(const Observation& observation, RosTime now, RosTime scan_time) override {
     send_transform(observation, now);
     send_odometry(observation, now);
-    send_scan(*observation.scan, scan_time);
+    if (observation.lasers.empty() && !lasers_.front().name.empty())
+      throw MethodError("there are no scans of the robot's lasers, as in the replay of a log");
+    if (observation.lasers.empty()) return send_scan(0, *observation.scan, scan_time);
+    for (std::size_t i = 0; i < observation.lasers.size(); ++i)
+      send_scan(i, *observation.lasers[i], scan_time);
   }
 
   void send_clock(RosTime now) override {
@@ -387,6 +403,14 @@ class CycloneLink : public RosLink {
  private:
   std::string name(const std::string& key) const { return ros_name(options_, key); }
   std::string topic(const std::string& key) const { return "rt" + name(key); }
+  /// The name of a topic or frame of a laser, which ends with that of one of several.
+  std::string of_laser(const std::string& key, const LaserModel& laser) const {
+    return lasers_.size() > 1 ? key + "_" + laser.name : key;
+  }
+  std::string scan_topic(const LaserModel& laser) const { return of_laser(options_.scan, laser); }
+  std::string frame_of(const LaserModel& laser) const {
+    return of_laser(options_.scan_frame, laser);
+  }
 
   Entity writer(const std::string& key, const Type& type, bool latched = false) const {
     return make_writer(participant_, topic(key), type.descriptor,
@@ -430,9 +454,9 @@ class CycloneLink : public RosLink {
   }
 
   /// The policy by which a reader of scans asks for more than is offered; "" if there is none.
-  std::string incompatible_policy() const {
+  static std::string incompatible_policy(dds_entity_t scans) {
     dds_offered_incompatible_qos_status_t status;
-    dds_get_offered_incompatible_qos_status(scan_, &status);
+    dds_get_offered_incompatible_qos_status(scans, &status);
     if (status.total_count == 0) return "";
     const bool durable = status.last_policy_id == DDS_DURABILITY_QOS_POLICY_ID;
     return " with a compatible QoS (" +
@@ -442,19 +466,23 @@ class CycloneLink : public RosLink {
   }
 
   void send_static_transforms() {
-    std::array<geometry_msgs_msg_dds__TransformStamped_, 2> both{};
-    const std::array<const std::string*, 4> frames = {&options_.map_frame, &options_.odometry_frame,
-                                                      &options_.base_frame, &options_.scan_frame};
-    std::uint32_t count = 0;
-    for (std::size_t i = 0; i < frames.size(); i += 2) {
-      if (*frames[i] == *frames[i + 1]) continue;  // the same frame has no transform
-      both[count].header = header(*frames[i], 0);
-      both[count].child_frame_id = const_cast<char*>(frames[i + 1]->c_str());
-      both[count++].transform.rotation = to_ros(0.0);
-    }
+    std::vector<std::string> frames;  // children, in the order of the transforms
+    std::vector<geometry_msgs_msg_dds__TransformStamped_> transforms;
+    const auto add = [&](const std::string& parent, const std::string& child,
+                         const LaserModel& mount) {
+      if (parent == child) return;  // the same frame has no transform
+      transforms.emplace_back();
+      transforms.back().header = header(parent, 0);
+      transforms.back().transform = mount_of(mount);
+      frames.push_back(child);
+    };
+    add(options_.map_frame, options_.odometry_frame, {});
+    for (const LaserModel& laser : lasers_) add(options_.base_frame, frame_of(laser), laser);
+    for (std::size_t i = 0; i < frames.size(); ++i) transforms[i].child_frame_id = frames[i].data();
     tf2_msgs_msg_dds__TFMessage_ message{};
-    message.transforms._buffer = both.data();
-    message.transforms._length = message.transforms._maximum = count;
+    message.transforms._buffer = transforms.data();
+    message.transforms._length = message.transforms._maximum =
+        static_cast<std::uint32_t>(transforms.size());
     write(static_transforms_, message);
   }
 
@@ -482,31 +510,35 @@ class CycloneLink : public RosLink {
   }
 
   /// Rays without return are +inf, as REP 117 requires.
-  void send_scan(const mrpt::obs::CObservation2DRangeScan& scan, RosTime time) {
+  void send_scan(std::size_t index, const mrpt::obs::CObservation2DRangeScan& scan, RosTime time) {
+    const LaserModel& laser = lasers_[index];
     const std::size_t rays = scan.getScanSize();
     ranges_.resize(rays);
     for (std::size_t i = 0; i < rays; ++i)
       ranges_[i] = scan.getScanRangeValidity(i) ? scan.getScanRange(i)
                                                 : std::numeric_limits<float>::infinity();
-    const double aperture = sensor_.aperture();
+    const double aperture = laser.aperture();
+    const std::string frame = frame_of(laser);
     sensor_msgs_msg_dds__LaserScan_ message{};
-    message.header = header(options_.scan_frame, time);
+    message.header = header(frame, time);
     message.angle_min = static_cast<float>(-aperture / 2);
     message.angle_max = static_cast<float>(aperture / 2);
     message.angle_increment = static_cast<float>(aperture / static_cast<double>(rays - 1));
-    message.range_max = static_cast<float>(sensor_.max_range);
+    message.range_min = static_cast<float>(laser.range_min);
+    message.range_max = static_cast<float>(laser.max_range);
     message.ranges._buffer = ranges_.data();
     message.ranges._length = message.ranges._maximum = static_cast<std::uint32_t>(rays);
-    write(scan_, message);
+    write(scans_[index], message);
   }
 
   Ros2Options options_;
   std::vector<std::string> nodes_;  ///< of the barrier, in its order
   std::string command_topic_;
-  SensorModel sensor_;
+  std::vector<LaserModel> lasers_;
   Entity domain_, participant_, waitset_;
   Publications publications_;
-  Entity clock_, odometry_, transforms_, static_transforms_, scan_, goal_, map_;
+  Entity clock_, odometry_, transforms_, static_transforms_, goal_, map_;
+  std::vector<Entity> scans_;  ///< of lasers_
   Entity command_;
   bool is_stamped_ = false, is_reliable_ = true;
   std::map<std::string, Barrier> barriers_;  ///< by node: each reply is to one question

@@ -394,6 +394,10 @@ MethodFactory make_factory(const Ros2Options& options, const OptionLocation& whe
                            const WallClock& clock) {
   check_names(options, where);
   return [=](const RobotModel& robot, const SensorModel& sensor) -> std::unique_ptr<Method> {
+    if (options.scan_frame == options.base_frame && sensor.lasers.size() == 1)
+      throw usage_error(where("scan_frame"),
+                        "[laser." + sensor.lasers[0].name + "] has a pose on it",
+                        "another frame than base_frame");
     auto method = std::make_unique<Ros2MethodInDomain>(domain_of(options, where), options, robot,
                                                        sensor, clock, load_runtime(where));
     if (options.launch.empty()) return method;

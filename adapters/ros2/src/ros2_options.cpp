@@ -32,13 +32,14 @@ void Ros2Options::visit(OptionVisitor& v) {
            Range::between(1, 100));
   v.option("namespace", name_space, "namespace of names that do not begin with '/'");
   v.option("command", command, "topic of commands, Twist or TwistStamped");
-  v.option("scan", scan, "topic of scans");
+  v.option("scan", scan, "topic of scans; of each of several lasers: followed by _ and its name");
   v.option("odometry", odometry, "topic of odometry");
   v.option("goal", goal, "topic of the goal");
   v.option("map_topic", map_topic, "topic of the map");
   v.option("tf", tf, "topic of transforms; static ones are on the topic NAME_static");
   v.option("base_frame", base_frame, "frame of the robot");
-  v.option("scan_frame", scan_frame, "frame of scans");
+  v.option("scan_frame", scan_frame,
+           "frame of scans; of each of several lasers: followed by _ and its name");
   v.option("odometry_frame", odometry_frame, "frame of odometry");
   v.option("map_frame", map_frame, "frame of the map and the goal");
 }

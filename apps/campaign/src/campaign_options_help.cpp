@@ -44,6 +44,7 @@ void visit_campaign_options(const SectionVisitor& visit) {
           [&](OptionVisitor& visitor) { visit_generator_options(family, visitor); });
   visit_section_with_source<RobotModel>(visit, "robot");
   visit_section_with_source<SensorModel>(visit, "sensor");
+  visit_section<LaserModel>(visit, "laser.NAME");
   visit_section<OdometryModel>(visit, "odometry");
   visit_section<TrackerModel>(visit, "tracks");
   visit_section<SimulationOptions>(visit, "simulation");

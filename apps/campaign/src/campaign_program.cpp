@@ -142,7 +142,7 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
   IniFile ini = IniFile::load(arguments.config);
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
   if (arguments.seed) ini.set("campaign", "seed", std::to_string(*arguments.seed));
-  ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor",
+  ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor", "laser.*",
                                "odometry", "tracks", "simulation", "reference", "metrics", "limits",
                                "record", "analysis", "method.*"});
   for (const RosParameterReport& report : resolve_ros_parameters(ini))

@@ -120,6 +120,7 @@ def evaluate(
     *,
     robot: Optional[Dict[str, Any]] = None,
     sensor: Optional[Dict[str, Any]] = None,
+    lasers: Optional[Dict[str, Dict[str, Any]]] = None,
     odometry: Optional[Dict[str, Any]] = None,
     simulation: Optional[Dict[str, Any]] = None,
     limits: Optional[Dict[str, Any]] = None,
@@ -137,7 +138,8 @@ def evaluate(
 
     `methods` is a dict from names to classes, pairs of a class and a dict of its options, or what
     barrier_filter(), mrpt_holonomic(), onnx() and plugin() return. `robot`, `sensor`, `odometry`, `simulation`, `limits` and
-    `tracks` are dicts of the keys of these sections in a campaign's .ini. Methods run in worker processes, unless
+    `tracks` are dicts of the keys of these sections in a campaign's .ini, `lasers` a dict of names to the keys
+    of [laser.NAME]. Methods run in worker processes, unless
     `in_process`. `progress(phase, done, total)` is called meanwhile. Raises Error for invalid
     arguments, and KeyboardInterrupt after Ctrl-C.
     """
@@ -148,6 +150,7 @@ def evaluate(
         "simulation": simulation,
         "limits": limits,
         "tracks": tracks,
+        **{f"laser.{name}": keys for name, keys in (lasers or {}).items()},
     }
     return Results(
         *_slalom.evaluate(

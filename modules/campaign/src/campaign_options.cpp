@@ -111,6 +111,7 @@ void for_each_section(const CampaignOptions& options, Visit visit) {
   visit("record", options.record);
   visit("robot", options.robot);
   visit("sensor", options.sensor);
+  for (const LaserModel& laser : options.sensor.lasers) visit("laser." + laser.name, laser);
   visit("odometry", options.odometry);
   visit("simulation", options.simulation);
   // Campaigns from before [tracks] stay the same campaigns.
@@ -210,7 +211,7 @@ CampaignOptions read_measuring_options(const IniFile& ini) {
 void read_run_options(const IniFile& ini, CampaignOptions& options) {
   options.robot = read_robot_model(ini);
   options.simulation = read_options<SimulationOptions>(ini, "simulation");
-  options.sensor = read_options<SensorModel>(ini, "sensor");
+  options.sensor = read_sensor_model(ini);
   options.odometry = read_options<OdometryModel>(ini, "odometry");
   options.tracker = read_options<TrackerModel>(ini, "tracks");
   const auto limits = read_options<LimitsKeys>(ini, "limits");
@@ -231,18 +232,23 @@ CampaignOptions read_campaign_options(const IniFile& ini) {
 }
 
 CampaignOptions checked_options(CampaignOptions options, const std::string& origin) {
-  const auto keys_of = [&origin](const char* section) { return location_of(origin + section); };
+  const auto keys_of = [&origin](const std::string& section) {
+    return location_of(origin + section);
+  };
   resolve_groups(options, keys_of("metrics"));
-  for_each_section(options, [&](const char* section, const auto& values) {
+  for_each_section(options, [&](const std::string& section, const auto& values) {
     check_options(values, keys_of(section));
   });
   options.simulation.check(keys_of("simulation"));
+  options.sensor.check_lasers([&](const std::string& name, const std::string& key) {
+    return keys_of("laser." + name)(key);
+  });
   options.robot.set_radius_of_footprint(keys_of("robot")("footprint"));
   return options;
 }
 
 void write_settings(const CampaignOptions& options, const SettingWriter& write) {
-  for_each_section(options, [&](const char* section, const auto& values) {
+  for_each_section(options, [&](const std::string& section, const auto& values) {
     write_options(values, [&](const std::string& key, const std::string& text) {
       write(section, key, text);
     });

@@ -75,17 +75,12 @@ bool StepProbe::draw(const World& world, RandomEngine& engine, CommandDifference
          world.distance_field().clearance(probe.goal) > radius + kGoalFree;
 }
 
-Command StepProbe::command(std::size_t index, const CommandDifference& probe, double speed,
-                           const mrpt::obs::CObservation2DRangeScan& scan) {
+Command StepProbe::command(std::size_t index, const CommandDifference& probe,
+                           const Observation& observation) {
   Method& method = methods_.method(index);
   const SimulationOptions& simulation = setup_.run.simulation;
   method.reset(
       {probe.pose, probe.goal, simulation.goal_tolerance, simulation.control_period, setup_.seed});
-  Observation observation;
-  observation.odometry = probe.pose;
-  observation.v = speed;
-  observation.goal_in_robot = inverse_compose(probe.pose, probe.goal);
-  observation.scan = &scan;
   return method.step(observation);
 }
 
@@ -107,11 +102,14 @@ std::optional<CommandDifference> StepProbe::find_in_steps(const std::shared_ptr<
   CommandDifference probe{world, {}, {}};
   for (int i = 0; i < kProbes; ++i) {
     const bool is_near = draw(*world, engine, probe);
-    const double speed = uniform_real(engine, 0, setup_.run.robot.max_v);
+    Observation observation;
+    observation.odometry = probe.pose;
+    observation.v = uniform_real(engine, 0, setup_.run.robot.max_v);
+    observation.goal_in_robot = inverse_compose(probe.pose, probe.goal);
     if (!is_near) continue;
-    const auto& scan = sensor.sense(probe.pose, 0, mrpt::Clock::time_point());
+    sensor.sense(probe.pose, 0, mrpt::Clock::time_point(), observation);
     try {
-      if (!are_same(command(0, probe, speed, scan), command(1, probe, speed, scan))) return probe;
+      if (!are_same(command(0, probe, observation), command(1, probe, observation))) return probe;
     } catch (const std::exception&) {
       return probe;  // a run shows whether it is the method that fails
     }

@@ -35,8 +35,8 @@ class StepProbe {
 
  private:
   bool draw(const World& world, RandomEngine& engine, CommandDifference& probe) const;
-  Command command(std::size_t method, const CommandDifference& probe, double speed,
-                  const mrpt::obs::CObservation2DRangeScan& scan);
+  Command command(std::size_t method, const CommandDifference& probe,
+                  const Observation& observation);
 
   const FalsificationSetup& setup_;
   MethodPool& methods_;

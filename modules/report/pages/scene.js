@@ -101,11 +101,16 @@ function robotPath(scenario, x, y, heading) {
 
 function drawScan(scenario, x, y, heading) {
   if (!element("scan").checked) return scenario.layers.scan.setAttribute("d", "");
-  const { rays, aperture, range } = scenario.sensor, points = [x, y];
-  for (let i = 0; i < rays; ++i) {
-    const angle = heading + (rays > 1 ? -aperture / 2 + (aperture * i) / (rays - 1) : 0);
-    const distance = rayRange(scenario, x, y, angle, range);
-    points.push(x + distance * Math.cos(angle), y + distance * Math.sin(angle));
-  }
-  scenario.layers.scan.setAttribute("d", pathOfPoints(scenario, points) + "z");
+  const cos = Math.cos(heading), sin = Math.sin(heading);
+  const fans = scenario.lasers.map((laser) => {
+    const fromX = x + laser.x * cos - laser.y * sin, fromY = y + laser.x * sin + laser.y * cos;
+    const { rays, aperture, range } = laser, points = [fromX, fromY];
+    for (let i = 0; i < rays; ++i) {
+      const angle = heading + laser.yaw + (rays > 1 ? -aperture / 2 + (aperture * i) / (rays - 1) : 0);
+      const distance = rayRange(scenario, fromX, fromY, angle, range);
+      points.push(fromX + distance * Math.cos(angle), fromY + distance * Math.sin(angle));
+    }
+    return pathOfPoints(scenario, points) + "z";
+  });
+  scenario.layers.scan.setAttribute("d", fans.join(""));
 }

@@ -175,7 +175,7 @@ ReportOptions report_options(const ResultTable& runs) {
   options.columns = section.columns.empty() ? default_columns(runs) : split(section.columns, ',');
   options.analysis.confidence = section.confidence;
   options.robot = read_robot_model(ini);
-  options.sensor = read_options<SensorModel>(ini, "sensor");
+  options.sensor = read_sensor_model(ini);
   parse_number(ini.get("simulation", "resolution").value_or(""), options.resolution);
   return options;
 }

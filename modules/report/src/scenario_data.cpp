@@ -134,9 +134,14 @@ void add_robot(const ReportOptions& options, OrderedJson& json) {
   const Footprint footprint = options.robot.shape();
   json["radius"] = footprint.enclosing_radius();
   json["footprint"] = points_json(footprint.corners());
-  json["sensor"] = {{"rays", options.sensor.rays},
-                    {"aperture", options.sensor.aperture()},
-                    {"range", options.sensor.max_range}};
+  json["lasers"] = OrderedJson::array();
+  for (const LaserModel& laser : options.sensor.all_lasers())
+    json["lasers"].push_back({{"x", laser.x},
+                              {"y", laser.y},
+                              {"yaw", laser.yaw},
+                              {"rays", laser.rays},
+                              {"aperture", laser.aperture()},
+                              {"range", laser.max_range}});
 }
 
 OrderedJson scenario_json(const ReportInput& input, const ScenarioRuns& content,

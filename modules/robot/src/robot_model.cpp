@@ -5,7 +5,20 @@
 
 #include <mrpt/core/bits_math.h>
 
+#include <algorithm>
+
 namespace slalom {
+namespace {
+
+LaserModel like_sensor(const SensorModel& sensor) {
+  LaserModel laser;
+  laser.aperture_deg = sensor.aperture_deg;
+  laser.rays = sensor.rays;
+  laser.max_range = sensor.max_range;
+  return laser;
+}
+
+}  // namespace
 
 void RobotModel::visit(OptionVisitor& v) {
   v.option("kinematics", kinematics, "kinematic model");
@@ -57,6 +70,78 @@ void SensorModel::visit(OptionVisitor& v) {
 
 double SensorModel::aperture() const {
   return mrpt::DEG2RAD(aperture_deg);
+}
+
+void LaserModel::visit(OptionVisitor& v) {
+  constexpr double kMaxOffset = 100;  // m
+  v.option("x", x, "m", "forward of the robot's center", Range::between(-kMaxOffset, kMaxOffset));
+  v.option("y", y, "m", "to its left", Range::between(-kMaxOffset, kMaxOffset));
+  v.option("yaw", yaw, "rad", "direction of the middle ray, counter-clockwise",
+           Range::between(-6.3, 6.3));
+  v.option("upside_down", upside_down, "mounted upside down: its rays go clockwise");
+  v.option("aperture_deg", aperture_deg, "deg",
+           "angle between the first and the last ray; default: that of [sensor]",
+           Range::between(1, 360));
+  v.option("rays", rays, "-", "rays of one scan; default: those of [sensor]",
+           Range::between(2, 100000));
+  v.option("max_range", max_range, "m", "maximum range; default: that of [sensor]",
+           Range::positive());
+  v.option("range_min", range_min, "m", "nearer obstacles are not seen", Range::at_least(0));
+  v.option("raw", raw,
+           "methods get its ranges as it measures them, as if it were at the robot's center");
+}
+
+double LaserModel::aperture() const {
+  return mrpt::DEG2RAD(aperture_deg);
+}
+
+std::vector<LaserModel> SensorModel::all_lasers() const {
+  return lasers.empty() ? std::vector<LaserModel>{like_sensor(*this)} : lasers;
+}
+
+void SensorModel::check_lasers(
+    const std::function<std::string(const std::string& name, const std::string& key)>& where)
+    const {
+  for (std::size_t i = 0; i < lasers.size(); ++i) {
+    const LaserModel& laser = lasers[i];
+    const auto fail = [&](const char* key, const std::string& problem,
+                          const std::string& expected) {
+      throw usage_error(where(laser.name, key), problem, expected);
+    };
+    const bool plain =
+        laser.name.find_first_not_of(
+            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+    if (!plain || laser.name.empty())
+      fail("", "invalid name '" + laser.name + "'", "letters, digits and '_'");
+    if (std::any_of(lasers.begin(), lasers.begin() + static_cast<std::ptrdiff_t>(i),
+                    [&](const LaserModel& other) { return other.name == laser.name; }))
+      fail("", "two lasers have the name '" + laser.name + "'", "one");
+    if (laser.range_min >= laser.max_range)
+      fail("range_min", format_number(laser.range_min) + " m is not valid",
+           "less than max_range, " + format_number(laser.max_range) + " m");
+    if (!laser.raw) continue;
+    if (lasers.size() > 1)
+      fail("raw", "the robot has " + std::to_string(lasers.size()) + " lasers", "one");
+    if (laser.aperture_deg != aperture_deg || laser.rays != rays || laser.max_range != max_range)
+      fail("raw", "the laser has other rays than [sensor]", "its aperture_deg, rays and max_range");
+  }
+}
+
+SensorModel read_sensor_model(const IniFile& ini) {
+  auto sensor = read_options<SensorModel>(ini, "sensor");
+  const std::string prefix = "laser.";
+  for (const std::string& section : ini.sections()) {
+    if (!starts_with(section, prefix)) continue;
+    LaserModel laser = like_sensor(sensor);
+    laser.name = section.substr(prefix.size());
+    sensor.lasers.push_back(read_options(ini, section, laser));
+  }
+  std::sort(sensor.lasers.begin(), sensor.lasers.end(),
+            [](const LaserModel& a, const LaserModel& b) { return a.name < b.name; });
+  sensor.check_lasers([&](const std::string& name, const std::string& key) {
+    return ini.where(prefix + name, key);
+  });
+  return sensor;
 }
 
 std::string sensor_warning(const IniFile& ini) {

@@ -1,63 +1,134 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/core/pose.h>
+#include <slalom/core/random.h>
+#include <slalom/robot/range_scan.h>
+#include <slalom/simulation/mover_scan.h>
 #include <slalom/simulation/range_finder.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace slalom {
+using mrpt::math::TPose2D;
+using mrpt::obs::CObservation2DRangeScan;
+
+/// MRPT caches the points of a scan (buildAuxPointsMap) even if the ranges change; a reused scan
+/// must clear them, or methods would get outdated points.
+class RangeFinder::ReusedScan : public CObservation2DRangeScan {
+ public:
+  ReusedScan(const std::string& label, double aperture_rad, double max_range) {
+    aperture = static_cast<float>(aperture_rad);
+    maxRange = static_cast<float>(max_range);
+    rightToLeft = true;
+    sensorLabel = label;
+  }
+
+  void fill(const std::vector<float>& ranges, mrpt::Clock::time_point time) {
+    valid_.resize(ranges.size());
+    const float max_range = maxRange;  // a copy, which characters cannot alias
+    std::transform(ranges.begin(), ranges.end(), valid_.begin(),
+                   [max_range](float range) { return static_cast<char>(range < max_range); });
+    loadFromVectors(ranges.size(), ranges.data(), valid_.data());
+    m_cachedMap.reset();
+    timestamp = time;
+  }
+
+ private:
+  std::vector<char> valid_;
+};
+
+class RangeFinder::Laser {
+ public:
+  /// `label` is that of the scan if the laser has no name.
+  Laser(const World& world, const SensorModel& sensor, const LaserModel& laser,
+        const std::string& label, std::uint64_t seed)
+      : caster_(world.ray_caster()),
+        sensor_(sensor),
+        laser_(laser),
+        geometry_{laser.rays, laser.aperture(), laser.max_range},
+        movers_(world.scenario().movers(), geometry_),
+        noise_(derive_seed(seed, stream(laser) + "/noise")),
+        dropout_(derive_seed(seed, stream(laser) + "/dropout")),
+        ranges_(static_cast<std::size_t>(laser.rays)),
+        scan_(laser.name.empty() ? label : laser.name, laser.aperture(), laser.max_range) {
+    scan_.sensorPose = {laser.x, laser.y, 0, laser.yaw, 0, laser.upside_down ? M_PI : 0};
+  }
+
+  const CObservation2DRangeScan& scan() const { return scan_; }
+
+  void sense(const TPose2D& robot, double t, mrpt::Clock::time_point time) {
+    const auto position = compose(robot, {laser_.x, laser_.y});
+    const TPose2D pose(position.x, position.y, robot.phi + laser_.yaw);
+    caster_.cast_scan(pose, geometry_, ranges_.data());
+    movers_.add_to(pose, t, ranges_.data());
+    if (laser_.upside_down) std::reverse(ranges_.begin(), ranges_.end());
+    if (sensor_.noise_sigma > 0) add_noise();
+    if (sensor_.dropout_ratio > 0) drop_rays();
+    if (sensor_.quantum > 0) round_ranges();
+    if (laser_.range_min > 0) drop_near();
+    scan_.fill(ranges_, time);
+  }
+
+ private:
+  static std::string stream(const LaserModel& laser) {
+    return laser.name.empty() ? "sensor" : "laser." + laser.name;
+  }
+
+  void add_noise() {
+    for (float& range : ranges_) {
+      const double error = normal(noise_, 0, sensor_.noise_sigma);
+      if (range >= scan_.maxRange) continue;  // no return
+      range = std::clamp(static_cast<float>(range + error), 0.0F, scan_.maxRange);
+    }
+  }
+
+  void drop_rays() {
+    for (float& range : ranges_)
+      if (uniform_real(dropout_, 0, 1) < sensor_.dropout_ratio) range = scan_.maxRange;
+  }
+
+  void round_ranges() {
+    for (float& range : ranges_) {
+      if (range >= scan_.maxRange) continue;
+      const double rounded = std::round(range / sensor_.quantum) * sensor_.quantum;
+      range = std::min(static_cast<float>(rounded), scan_.maxRange);
+    }
+  }
+
+  void drop_near() {
+    for (float& range : ranges_)
+      if (range < laser_.range_min) range = scan_.maxRange;
+  }
+
+  const RayCaster& caster_;
+  const SensorModel& sensor_;
+  LaserModel laser_;
+  ScanGeometry geometry_;
+  MoverScan movers_;
+  RandomEngine noise_, dropout_;
+  std::vector<float> ranges_;
+  ReusedScan scan_;
+};
 
 RangeFinder::RangeFinder(const World& world, const SensorModel& sensor, std::uint64_t seed)
-    : caster_(world.ray_caster()),
-      sensor_(sensor),
-      geometry_{sensor.rays, sensor.aperture(), sensor.max_range},
-      movers_(world.scenario().movers(), geometry_),
-      noise_(derive_seed(seed, "sensor/noise")),
-      dropout_(derive_seed(seed, "sensor/dropout")) {
-  const auto count = static_cast<std::size_t>(sensor.rays);
-  ranges_.resize(count);
-  valid_.resize(count);
-  scan_.aperture = static_cast<float>(sensor.aperture());
-  scan_.maxRange = static_cast<float>(sensor.max_range);
-  scan_.rightToLeft = true;
-  scan_.sensorLabel = "range_finder";
-}
-
-const mrpt::obs::CObservation2DRangeScan& RangeFinder::sense(const mrpt::math::TPose2D& pose,
-                                                             double t,
-                                                             mrpt::Clock::time_point time) {
-  caster_.cast_scan(pose, geometry_, ranges_.data());
-  movers_.add_to(pose, t, ranges_.data());
-  if (sensor_.noise_sigma > 0) add_noise();
-  if (sensor_.dropout_ratio > 0) drop_rays();
-  if (sensor_.quantum > 0) round_ranges();
-  const float max_range = scan_.maxRange;  // a copy, which characters cannot alias
-  std::transform(ranges_.begin(), ranges_.end(), valid_.begin(),
-                 [max_range](float range) { return static_cast<char>(range < max_range); });
-  scan_.loadFromVectors(ranges_.size(), ranges_.data(), valid_.data());
-  scan_.clear_points();
-  scan_.timestamp = time;
-  return scan_;
-}
-
-void RangeFinder::add_noise() {
-  for (float& range : ranges_) {
-    const double error = normal(noise_, 0, sensor_.noise_sigma);
-    if (range >= scan_.maxRange) continue;  // no return
-    range = std::clamp(static_cast<float>(range + error), 0.0F, scan_.maxRange);
+    : sensor_(sensor) {
+  constexpr const char* kLabel = "range_finder";
+  for (const LaserModel& laser : sensor_.all_lasers()) {
+    lasers_.push_back(std::make_unique<Laser>(world, sensor_, laser, kLabel, seed));
+    scans_.push_back(&lasers_.back()->scan());
   }
+  if (!sensor_.lasers.empty() && !sensor_.lasers.front().raw)
+    merged_ = std::make_unique<ReusedScan>(kLabel, sensor_.aperture(), sensor_.max_range);
 }
 
-void RangeFinder::drop_rays() {
-  for (float& range : ranges_)
-    if (uniform_real(dropout_, 0, 1) < sensor_.dropout_ratio) range = scan_.maxRange;
-}
+RangeFinder::~RangeFinder() = default;
 
-void RangeFinder::round_ranges() {
-  for (float& range : ranges_) {
-    if (range >= scan_.maxRange) continue;
-    const double rounded = std::round(range / sensor_.quantum) * sensor_.quantum;
-    range = std::min(static_cast<float>(rounded), scan_.maxRange);
-  }
+void RangeFinder::sense(const TPose2D& pose, double t, mrpt::Clock::time_point time,
+                        Observation& observation) {
+  for (const auto& laser : lasers_) laser->sense(pose, t, time);
+  if (merged_) merged_->fill(merged_ranges(scans_, sensor_), time);
+  observation.scan = merged_ ? merged_.get() : scans_.front();
+  if (!sensor_.lasers.empty()) observation.lasers = scans_;
 }
 
 }  // namespace slalom

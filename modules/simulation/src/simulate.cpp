@@ -149,7 +149,7 @@ class Run {
     observation.vy = vehicle_->vy();
     observation.goal_in_robot = inverse_compose(observation.odometry, world_.scenario().goal());
     const double scan_time = std::max(0.0, time_ - setup_.sensor.latency);
-    observation.scan = &sensor_.sense(history_.at(scan_time), scan_time, clock_.at(scan_time));
+    sensor_.sense(history_.at(scan_time), scan_time, clock_.at(scan_time), observation);
     if (method_.uses_tracks()) {
       const double track_time = std::max(0.0, time_ - setup_.tracker.latency);
       observation.tracks = &tracker_.sense(history_.at(track_time), track_time);

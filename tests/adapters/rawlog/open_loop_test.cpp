@@ -184,6 +184,28 @@ TEST(ReplayOpenLoop, EachScanIsASeparateTask) {
   EXPECT_EQ(answers[0].uncovered_rays, 0);
 }
 
+TEST(ReplayOpenLoop, AMethodThatTakesTheLaserForTheCenterSeesItsRanges) {
+  auto ahead = std::make_shared<CObservation2DRangeScan>(even_scan(181, 180, 4));
+  ahead->sensorPose.x(0.5);
+  LoggedScan scan;
+  scan.scan = ahead;
+  OpenLoopSetup setup;
+  float range = 0;
+  testing::FunctionMethod method([&](const Observation& o) {
+    range = o.scan->getScanRange(90);
+    return Command{};
+  });
+  replay_open_loop({scan}, setup, method);
+  EXPECT_NEAR(range, 4.5, 1e-5);
+  setup.sensor.lasers.resize(1);
+  setup.sensor.lasers[0].name = "front";
+  replay_open_loop({scan}, setup, method);
+  EXPECT_NEAR(range, 4.5, 1e-5);
+  setup.sensor.lasers[0].raw = true;
+  replay_open_loop({scan}, setup, method);
+  EXPECT_NEAR(range, 4, 1e-5);
+}
+
 TEST(ReplayOpenLoop, PredictsContact) {
   auto fast = testing::constant_method(1, 0);
   auto moving = logged(0, 0.7F);

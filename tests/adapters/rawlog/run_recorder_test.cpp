@@ -83,6 +83,30 @@ TEST_F(RunRecorder, ReadsBackABitIdenticalRun) {
   }
 }
 
+TEST_F(RunRecorder, ReadsBackTheScansOfEachLaser) {
+  RunSetup setup = testing::noisy_setup();
+  setup.sensor.lasers.resize(2);
+  setup.sensor.lasers[0].name = "left";
+  setup.sensor.lasers[0].y = 0.2;
+  setup.sensor.lasers[0].rays = 31;
+  setup.sensor.lasers[1].name = "rear";
+  setup.sensor.lasers[1].yaw = 3;
+  setup.sensor.lasers[1].upside_down = true;
+  testing::RandomMethod method(setup.robot);
+  const SimulatedRun simulated = simulate_run(path("run.rawlog"), method, setup, 4);
+  const RecordedRun read = read_run(path("run.rawlog"));
+  ASSERT_GT(read.cycles.size(), 5U);
+  expect_same_run(read, simulated);
+  for (const RecordedCycle& cycle : read.cycles) {
+    ASSERT_EQ(cycle.observation.lasers.size(), 2U);
+    EXPECT_EQ(cycle.observation.lasers[0]->sensorLabel, "left");
+    EXPECT_EQ(cycle.observation.lasers[0]->getScanSize(), 31U);
+    EXPECT_EQ(cycle.observation.lasers[1]->sensorLabel, "rear");
+    EXPECT_NEAR(cycle.observation.lasers[1]->sensorPose.yaw(), 3, 1e-9);
+    EXPECT_EQ(cycle.observation.scan->sensorLabel, "range_finder");
+  }
+}
+
 TEST_F(RunRecorder, ReadsBackARunOfAHolonomicRobot) {
   RunSetup setup = testing::noisy_setup();
   setup.robot.kinematics = Kinematics::Holonomic;

@@ -7,6 +7,7 @@
 
 #include <cstring>
 #include <dds/dds.h>
+#include <fstream>
 
 namespace {
 
@@ -35,6 +36,10 @@ class Peer {
     goal_ = reader("rt/goal_pose", geometry_msgs_msg_dds__PoseStamped__desc, true);
     odometry_ = reader("rt/odom", nav_msgs_msg_dds__Odometry__desc, true);
     scan_ = reader("rt/scan", sensor_msgs_msg_dds__LaserScan__desc, false);
+    if (const char* path = std::getenv("TRANSFORMS_FILE")) {
+      transforms_path_ = path;
+      transforms_ = reader("rt/tf_static", tf2_msgs_msg_dds__TFMessage__desc, true, true);
+    }
     dds_topic_descriptor_t question = slalom_ros2_CycloneRequest_desc;
     dds_topic_descriptor_t reply = slalom_ros2_CycloneReply_desc;
     question.m_typename = "rcl_interfaces::srv::dds_::GetParameterTypes_Request_";
@@ -57,6 +62,8 @@ class Peer {
           goal_, [this](const auto& m) { node_.on_goal(m.pose.position.y); });
       take<nav_msgs_msg_dds__Odometry_>(
           odometry_, [this](const auto& m) { node_.on_odometry(m.twist.twist.linear.x); });
+      if (transforms_ > 0)
+        take<tf2_msgs_msg_dds__TFMessage_>(transforms_, [this](const auto& m) { keep(m); });
       take<sensor_msgs_msg_dds__LaserScan_>(scan_, [this](const auto& m) {
         const float* first = m.ranges._buffer;
         node_.on_scan(nanoseconds(m.header.stamp), {first, first + m.ranges._length}, m.angle_min,
@@ -81,8 +88,10 @@ class Peer {
     return dds_create_topic(participant_, &type, name, nullptr, nullptr);
   }
 
-  dds_entity_t reader(const char* name, const dds_topic_descriptor_t& type, bool reliable) const {
+  dds_entity_t reader(const char* name, const dds_topic_descriptor_t& type, bool reliable,
+                      bool latched = false) const {
     dds_qos_t* qos = dds_create_qos();
+    if (latched) dds_qset_durability(qos, DDS_DURABILITY_TRANSIENT_LOCAL);
     dds_qset_reliability(qos, reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
                          DDS_SECS(1));
     const auto made = dds_create_reader(participant_, topic(name, type), qos, nullptr);
@@ -101,6 +110,18 @@ class Peer {
     const auto made = dds_create_writer(participant_, topic(name, type), qos, nullptr);
     dds_delete_qos(qos);
     return made;
+  }
+
+  /// A line for each transform: frames, x, y, z, quaternion x, y, z, w.
+  void keep(const tf2_msgs_msg_dds__TFMessage_& message) const {
+    std::ofstream file(transforms_path_);
+    for (std::uint32_t i = 0; i < message.transforms._length; ++i) {
+      const auto& one = message.transforms._buffer[i];
+      const auto& [translation, rotation] = one.transform;
+      file << one.header.frame_id << " " << one.child_frame_id << " " << translation.x << " "
+           << translation.y << " " << translation.z << " " << rotation.x << " " << rotation.y << " "
+           << rotation.z << " " << rotation.w << "\n";
+    }
   }
 
   /// Returns when the simulator has found the second publisher.
@@ -141,6 +162,8 @@ class Peer {
 
   NavigatingNode node_;
   std::int64_t last_question_ = 0;
+  std::string transforms_path_;
+  dds_entity_t transforms_ = 0;
   dds_entity_t participant_ = 0, waitset_ = 0, clock_ = 0, goal_ = 0, odometry_ = 0, scan_ = 0,
                question_ = 0;
   dds_entity_t reply_ = 0, command_ = 0, second_ = 0;

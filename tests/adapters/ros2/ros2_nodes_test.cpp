@@ -4,7 +4,9 @@
 #include "hurrying_clock.h"
 #include "private_network.h"
 #include "steering.h"
+#include "temporary_folder.h"
 
+#include <slalom/core/read_file.h>
 #include <slalom/methods/external_process.h>
 #include <slalom/ros2/ros2_method.h>
 #include <slalom/simulation/simulate.h>
@@ -22,7 +24,7 @@ class SteeringMethod : public Method {
  public:
   void reset(const NavigationTask&) override {}
   Command step(const Observation& observation) override {
-    const auto& scan = *observation.scan;
+    const auto& scan = observation.lasers.empty() ? *observation.scan : *observation.lasers[0];
     const std::size_t rays = scan.getScanSize();
     const double aperture = SensorModel().aperture();
     const Steering steering = steer(&scan.getScanRange(0), rays, static_cast<float>(-aperture / 2),
@@ -43,10 +45,11 @@ class Ros2NodesTest : public testing::Test {
 
   /// A method by these keys. A slow machine does not reach its limits.
   static std::unique_ptr<Method> make(const std::string& keys,
-                                      const WallClock& clock = steady_seconds) {
+                                      const WallClock& clock = steady_seconds,
+                                      const SensorModel& sensor = {}) {
     const IniFile ini = IniFile::from_text(
         "[method.a]\nadapter = ros2\nstartup_time = 100\ndeadline = 100\n" + keys, "my.ini");
-    return read_ros2_method(ini, "method.a", clock)(RobotModel(), SensorModel());
+    return read_ros2_method(ini, "method.a", clock)(RobotModel(), sensor);
   }
   static std::unique_ptr<Method> launch(const std::string& command, const std::string& keys = "",
                                         const WallClock& clock = steady_seconds) {
@@ -70,8 +73,10 @@ class Ros2NodesTest : public testing::Test {
     return world;
   }
 
-  static SimulationResult run(Method& method, const World& world = columns()) {
+  static SimulationResult run(Method& method, const World& world = columns(),
+                              const SensorModel& sensor = {}) {
     RunSetup setup;
+    setup.sensor = sensor;
     setup.simulation.max_time = 12;
     return simulate(world, setup, 1, method);
   }
@@ -119,6 +124,27 @@ TEST_F(Ros2NodesTest, ANodeThatIsNamedTwiceIsAskedTwice) {
   for (const std::string peer : {CYCLONE_PEER, FAST_PEER})
     if (!peer.empty())
       expect_equal_runs(*launch(peer + " --stamped --timer", "barrier = method, method\n"));
+}
+
+TEST_F(Ros2NodesTest, ANodeGetsTheScanOfALaserAndItsPoseOnTheRobot) {
+  SensorModel sensor;
+  sensor.lasers.resize(1);
+  sensor.lasers[0].name = "front";
+  sensor.lasers[0].x = 0.1;
+  sensor.lasers[0].y = -0.05;
+  sensor.lasers[0].yaw = 0.4;
+  sensor.lasers[0].upside_down = true;
+  SteeringMethod local;
+  const std::string expected = run(local, columns(), sensor).trajectory.hash();
+  EXPECT_NE(expected, expected_hash());
+  const TemporaryFolder folder;
+  const std::string path = folder / "transforms";
+  const auto method = make("launch = exec env TRANSFORMS_FILE=" + path + " " CYCLONE_PEER "\n",
+                           steady_seconds, sensor);
+  EXPECT_EQ(run(*method, columns(), sensor).trajectory.hash(), expected);
+  // A turn of pi about x, then of 0.4 about z: i (cos 0.2) + j (sin 0.2).
+  EXPECT_EQ(read_file(path),
+            "map odom 0 0 0 0 0 0 1\nbase_link laser 0.1 -0.05 0 0.980067 0.198669 0 0\n");
 }
 
 TEST_F(Ros2NodesTest, ABestEffortPublisherIsHeard) {
@@ -193,14 +219,21 @@ TEST_F(Ros2NodesTest, TheLastOfSeveralCommandsForAScanCountsIfTheirNumberIsKnown
 }
 
 TEST_F(Ros2NodesTest, WhatIsMissingAtTheStartIsNamed) {
-  const auto refused = [](const std::string& keys, std::initializer_list<std::string> words) {
+  SensorModel sensor;
+  const auto refused = [&](const std::string& keys, std::initializer_list<std::string> words) {
     return throws_error(ErrorKind::Usage, "my.ini:3: [method.a] launch", words, [&] {
       const IniFile ini = IniFile::from_text("[method.a]\nadapter = ros2\n" + keys, "my.ini");
-      read_ros2_method(ini, "method.a")(RobotModel(), SensorModel());
+      read_ros2_method(ini, "method.a")(RobotModel(), sensor);
     });
   };
   EXPECT_TRUE(refused("launch = exec sleep 100\nstartup_time = 0.3\n",
                       {"no reader of /scan", "no publisher of /cmd_vel", "0.3 s"}));
+  sensor.lasers.resize(2);
+  sensor.lasers[0].name = "left";
+  sensor.lasers[1].name = "right";
+  EXPECT_TRUE(refused("launch = exec sleep 100\nstartup_time = 0.3\n",
+                      {"no reader of /scan_left, no reader of /scan_right"}));
+  sensor.lasers.clear();
   EXPECT_TRUE(refused("launch = exec " CYCLONE_PEER "\nstartup_time = 2\nbarrier = other\n",
                       {"no node /other"}));
   EXPECT_TRUE(refused("launch = exec " CYCLONE_PEER " wrong_type\n",

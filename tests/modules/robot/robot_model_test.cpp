@@ -38,6 +38,61 @@ TEST(SensorModel, AnApertureInRadiansIsWarnedAbout) {
   EXPECT_EQ(sensor_warning(IniFile::from_text("")), "");
 }
 
+SensorModel sensor_of(const std::string& text) {
+  return read_sensor_model(IniFile::from_text(text, "a.ini"));
+}
+
+TEST(SensorModel, LasersHaveTheRaysOfTheSensorUnlessTheySayOtherwise) {
+  const SensorModel sensor = sensor_of(
+      "[laser.rear]\nx = -0.3\nyaw = 3.14\n[laser.front]\nx = 0.2\nrays = 91\nmax_range = 4\n"
+      "[sensor]\nrays = 721\naperture_deg = 270\nmax_range = 10\n");
+  ASSERT_EQ(sensor.lasers.size(), 2U);
+  const LaserModel &front = sensor.lasers[0], &rear = sensor.lasers[1];  // by name
+  EXPECT_EQ(front.name, "front");
+  EXPECT_EQ(front.x, 0.2);
+  EXPECT_EQ(front.rays, 91);
+  EXPECT_EQ(front.max_range, 4);
+  EXPECT_EQ(front.aperture_deg, 270);
+  EXPECT_EQ(rear.yaw, 3.14);
+  EXPECT_EQ(rear.rays, 721);
+  EXPECT_EQ(rear.max_range, 10);
+  EXPECT_EQ(sensor.rays, 721);
+}
+
+TEST(SensorModel, WithoutLasersWhatMeasuresIsAtTheCenter) {
+  const auto lasers = sensor_of("[sensor]\nrays = 31\n").all_lasers();
+  ASSERT_EQ(lasers.size(), 1U);
+  EXPECT_EQ(lasers[0].name, "");
+  EXPECT_EQ(lasers[0].rays, 31);
+  EXPECT_EQ(lasers[0].x, 0);
+  EXPECT_EQ(sensor_of("[laser.a]\n[laser.b]\n").all_lasers().size(), 2U);
+}
+
+TEST(SensorModel, RefusesLasersThatCannotBe) {
+  const auto refused = [](const std::string& text, const std::string& where,
+                          std::initializer_list<std::string> words) {
+    return throws_error(ErrorKind::Usage, "a.ini" + where, words, [&] { sensor_of(text); });
+  };
+  EXPECT_TRUE(refused("[laser.a]\nx = 1000\n", ":2: [laser.a] x", {"[-100, 100]"}));
+  EXPECT_TRUE(refused("[laser.a]\nz = 1\n", ":2: [laser.a] ", {"z"}));
+  EXPECT_TRUE(refused("[laser.a b]\nx = 1\n", ": [laser.a b]", {"'a b'", "letters"}));
+  EXPECT_TRUE(refused("[laser.]\nx = 1\n", ": [laser.]", {"letters"}));
+  EXPECT_TRUE(refused("[laser.a]\nrange_min = 8\n", ":2: [laser.a] range_min",
+                      {"8 m", "less than max_range, 8 m"}));
+  EXPECT_TRUE(refused("[laser.a]\nraw = true\n[laser.b]\n", ":2: [laser.a] raw",
+                      {"2 lasers", "expected one"}));
+  EXPECT_TRUE(refused("[laser.a]\nraw = true\nrays = 7\n", ":2: [laser.a] raw",
+                      {"other rays than [sensor]"}));
+  SensorModel twins;
+  twins.lasers.resize(2);
+  twins.lasers[0].name = twins.lasers[1].name = "a";
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "laser a", {"two lasers have the name 'a'"}, [&] {
+    twins.check_lasers([](const std::string& name, const std::string& key) {
+      return "laser " + name + " " + key;
+    });
+  }));
+}
+
 TEST(RobotModel, DefaultsToForwardMotionOnly) {
   const RobotModel robot;
   EXPECT_TRUE(robot.forward_only);

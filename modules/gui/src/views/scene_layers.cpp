@@ -4,6 +4,7 @@
 #include "widgets/drawing.h"
 
 #include <slalom/core/math.h>
+#include <slalom/core/pose.h>
 #include <slalom/core/text.h>
 #include <slalom/simulation/mover_scan.h>
 #include <slalom/studio/palette.h>
@@ -138,10 +139,10 @@ SceneLayer path_layer(SceneLayer layer, PathOf path_of, float width) {
   return layer;
 }
 
-void draw_scan(const LayerContext& c, const Color& color) {
-  if (!c.scan_pose || c.scene.ray_caster == nullptr) return;
-  const mrpt::math::TPose2D& pose = *c.scan_pose;
-  const ScanGeometry geometry = c.scene.scan_geometry();
+void draw_laser(const LayerContext& c, const LaserModel& laser, const Color& color) {
+  const TPoint2D at = compose(*c.scan_pose, {laser.x, laser.y});
+  const mrpt::math::TPose2D pose(at.x, at.y, c.scan_pose->phi + laser.yaw);
+  const ScanGeometry geometry = {laser.rays, laser.aperture(), laser.max_range};
   std::vector<float> ranges(static_cast<std::size_t>(geometry.count));
   c.scene.ray_caster->cast_scan(pose, geometry, ranges.data());
   MoverScan(c.scene.scenario().movers(), geometry).add_to(pose, c.time, ranges.data());
@@ -153,7 +154,12 @@ void draw_scan(const LayerContext& c, const Color& color) {
   }
   shapes::fill_polygon(c.ctx, c.view, fan, faded(color, 0.25));
   shapes::dots(c.ctx, c.view, hits, color, 3);
-  shapes::robot(c.ctx, c.view, c.scene.settings.robot.shape(), pose, color);
+}
+
+void draw_scan(const LayerContext& c, const Color& color) {
+  if (!c.scan_pose || c.scene.ray_caster == nullptr) return;
+  for (const LaserModel& laser : c.scene.settings.sensor.all_lasers()) draw_laser(c, laser, color);
+  shapes::robot(c.ctx, c.view, c.scene.settings.robot.shape(), *c.scan_pose, color);
 }
 
 void draw_run_line(const LayerContext& c, const OverlayTrajectory& run) {
@@ -265,7 +271,9 @@ SceneLayer make_scan_layer() {
     return scene.ray_caster != nullptr ? "" : scene.pending_reason();
   };
   layer.note = [](const SceneData& scene) {
-    return std::to_string(scene.settings.sensor.rays) + " rays";
+    int rays = 0;
+    for (const LaserModel& laser : scene.settings.sensor.all_lasers()) rays += laser.rays;
+    return std::to_string(rays) + " rays";
   };
   return layer;
 }

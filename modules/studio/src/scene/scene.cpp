@@ -127,10 +127,6 @@ Bounds CellPyramid::bounds_of(const CellTile& tile) const {
   return {left, low, left + tile_size_x(tile) * cell, low + tile_size_y(tile) * cell};
 }
 
-ScanGeometry SceneData::scan_geometry() const {
-  return {settings.sensor.rays, settings.sensor.aperture(), settings.sensor.max_range};
-}
-
 ScenePtr prepare_scene(Scenario scenario, const SceneSettings& settings) {
   SceneData scene;
   scene.settings = settings;

@@ -3,6 +3,7 @@
 
 #include <slalom/methods/method.h>
 #include <slalom/rawlog/laser_log.h>
+#include <slalom/robot/range_scan.h>
 #include <slalom/robot/vehicle.h>
 
 #include <mrpt/math/TPoint2D.h>
@@ -12,13 +13,7 @@
 
 namespace slalom {
 
-/// The valid ranges of a logged scan as points in the robot frame (m), using the pose of the sensor
-/// on the robot. Empty if the scan plane is not horizontal.
-std::vector<mrpt::math::TPoint2D> scan_points(const mrpt::obs::CObservation2DRangeScan& scan);
-
-/// Resamples a logged scan to the campaign's sensor at the robot's center. Each point covers the
-/// angle between it and its neighbors in the scan; each ray returns the closest point that covers
-/// it. Directions that the scan does not cover are free.
+/// A logged scan as one of the campaign's sensor at the robot's center: merged_ranges().
 mrpt::obs::CObservation2DRangeScan resample_scan(const mrpt::obs::CObservation2DRangeScan& scan,
                                                  const SensorModel& sensor);
 

@@ -14,8 +14,9 @@ namespace slalom {
 
 /// One recorded control cycle: the input of the method and the command in force.
 struct RecordedCycle {
-  Observation observation;  ///< bit-identical to the simulated one; refers to `scan`
+  Observation observation;  ///< bit-identical to the simulated one; refers to the scans
   mrpt::obs::CObservation2DRangeScan::ConstPtr scan;
+  std::vector<mrpt::obs::CObservation2DRangeScan::ConstPtr> lasers;
   mrpt::Clock::time_point stamp;  ///< mrpt::Clock in that cycle
   Command command;
 };

@@ -48,9 +48,13 @@ struct Observation {
   double v = 0, w = 0;                 ///< measured linear and angular velocity, m/s and rad/s
   double vy = 0;                       ///< measured velocity to the left, m/s; 0 for a diff_drive
   mrpt::math::TPoint2D goal_in_robot;  ///< m, robot frame: x forward, y left
-  const mrpt::obs::CObservation2DRangeScan* scan = nullptr;  ///< never null in step()
-  /// By id; null unless the method uses_tracks().
+  /// The scan of the SensorModel; never null in step().
+  const mrpt::obs::CObservation2DRangeScan* scan = nullptr;
+  /// The tracks by id; null unless the method uses_tracks().
   const std::vector<Track>* tracks = nullptr;
+  /// The scan of each laser with its pose on the robot, in the order of SensorModel::lasers; empty
+  /// if there are none.
+  std::vector<const mrpt::obs::CObservation2DRangeScan*> lasers = {};
 };
 
 /// The velocity command of a method.

@@ -4,6 +4,10 @@
 #include <slalom/core/options.h>
 #include <slalom/robot/footprint.h>
 
+#include <functional>
+#include <string>
+#include <vector>
+
 namespace slalom {
 
 enum class Kinematics { DiffDrive, Holonomic };
@@ -39,8 +43,26 @@ struct RobotModel {
 /// around the center, or if both footprint and radius are given.
 RobotModel read_robot_model(const IniFile& ini);
 
-/// The range sensor at the robot's center, oriented along its heading. Section [sensor]. There is
-/// no noise by default; each kind of noise uses its own random stream.
+/// A laser on the robot. Section [laser.NAME], whose keys aperture_deg, rays and max_range default
+/// to those of [sensor].
+struct LaserModel {
+  std::string name;
+  double x = 0, y = 0;        ///< m, robot frame
+  double yaw = 0;             ///< rad, of the middle ray; robot frame
+  bool upside_down = false;   ///< its rays go clockwise
+  double aperture_deg = 180;  ///< symmetric about yaw
+  int rays = 181;
+  double max_range = 8.0;  ///< m
+  double range_min = 0;    ///< m; nearer obstacles are not seen
+  bool raw = false;        ///< methods get its ranges as if it were at the robot's center
+
+  void visit(OptionVisitor& v);
+  double aperture() const;  ///< rad
+};
+
+/// The scan that methods get: of a range sensor at the robot's center, oriented along its heading.
+/// If the robot has lasers it is merged from their scans. There is no noise by default; each kind
+/// of noise, on each laser, uses its own random stream. Section [sensor].
 struct SensorModel {
   double aperture_deg = 180;
   int rays = 181;
@@ -50,9 +72,21 @@ struct SensorModel {
   double quantum = 0;        ///< m, ranges are rounded to multiples of it; 0: not rounded
   double latency = 0;        ///< s, age of a scan when the method receives it
 
-  void visit(OptionVisitor& v);
-  double aperture() const;  ///< rad
+  std::vector<LaserModel> lasers = {};  ///< by name; empty: one at the center, which is the sensor
+
+  void visit(OptionVisitor& v);  ///< all but the lasers
+  double aperture() const;       ///< rad
+  /// What measures: the lasers, or one without a name at the center.
+  std::vector<LaserModel> all_lasers() const;
+  /// Throws Error (Usage) for lasers of the same or no name, and if one that is `raw` is not the
+  /// only one or does not have the aperture, rays and maximum range of the sensor.
+  /// `where` is the location of a key of the laser with this name.
+  void check_lasers(const std::function<std::string(const std::string& name,
+                                                    const std::string& key)>& where) const;
 };
+
+/// Reads the sections [sensor] and [laser.*]. Throws Error (Usage).
+SensorModel read_sensor_model(const IniFile& ini);
 
 /// The tracker of movers, for methods that declare that they use tracks. It sees all around the
 /// robot, also what is hidden behind walls. There is no noise by default. Section [tracks].

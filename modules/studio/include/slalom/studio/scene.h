@@ -102,7 +102,6 @@ struct SceneData {
 
   const Scenario& scenario() const { return world->scenario(); }
   bool complete() const { return known == Step::Paths || !problem.empty(); }
-  ScanGeometry scan_geometry() const;
   /// Why what is still missing is not there (yet).
   std::string pending_reason() const { return problem.empty() ? "being computed" : problem; }
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/distance.h>
 #include <slalom/core/math.h>
-#include <slalom/rawlog/open_loop.h>
+#include <slalom/robot/range_scan.h>
 
 #include <mrpt/core/bits_math.h>
 #include <mrpt/math/wrap2pi.h>
@@ -28,18 +28,36 @@ bool is_hit(const CObservation2DRangeScan& scan, std::size_t i) {
          (scan.maxRange <= 0 || range < scan.maxRange);
 }
 
-TPoint2D to_robot_frame(const CObservation2DRangeScan& scan, double range, double angle) {
-  const auto point = scan.sensorPose.asTPose().composePoint(
-      {range * math::cos(angle), range * math::sin(angle), 0});
-  return {point.x, point.y};
-}
+/// Transforms from the frame of a laser to that of the robot, with the same bits on all machines:
+/// those of CPose3D depend on MRPT's package.
+class Mount {
+ public:
+  explicit Mount(const mrpt::poses::CPose3D& pose) : x_(pose.x()), y_(pose.y()) {
+    const auto [sin_yaw, cos_yaw] = math::sin_cos(pose.yaw());
+    const auto [sin_pitch, cos_pitch] = math::sin_cos(pose.pitch());
+    const auto [sin_roll, cos_roll] = math::sin_cos(pose.roll());
+    along_ = {cos_yaw * cos_pitch, sin_yaw * cos_pitch};
+    across_ = {cos_yaw * sin_pitch * sin_roll - sin_yaw * cos_roll,
+               sin_yaw * sin_pitch * sin_roll + cos_yaw * cos_roll};
+  }
+
+  TPoint2D to_robot_frame(double range, double angle) const {
+    const auto [sine, cosine] = math::sin_cos(angle);
+    const double x = range * cosine, y = range * sine;
+    return {x_ + x * along_.x + y * across_.x, y_ + x * along_.y + y * across_.y};
+  }
+
+ private:
+  double x_, y_;
+  TPoint2D along_, across_;  ///< the laser's x and y axes in the robot frame, projected
+};
 
 bool is_planar(const CObservation2DRangeScan& scan) {
   const double tolerance = mrpt::DEG2RAD(5.0);
   return scan.deltaPitch == 0 && scan.isPlanarScan(tolerance);
 }
 
-/// Accumulates points in the rays of the campaign's sensor.
+/// Accumulates points in rays from the robot's center.
 class Resampler {
  public:
   explicit Resampler(const SensorModel& sensor)
@@ -74,33 +92,29 @@ class Resampler {
 std::vector<TPoint2D> scan_points(const CObservation2DRangeScan& scan) {
   std::vector<TPoint2D> points;
   if (!is_planar(scan)) return points;
+  const Mount mount(scan.sensorPose);
   for (std::size_t i = 0; i < scan.getScanSize(); ++i)
     if (is_hit(scan, i))
-      points.push_back(to_robot_frame(scan, scan.getScanRange(i), ray_angle(scan, i)));
+      points.push_back(mount.to_robot_frame(scan.getScanRange(i), ray_angle(scan, i)));
   return points;
 }
 
-CObservation2DRangeScan resample_scan(const CObservation2DRangeScan& scan,
-                                      const SensorModel& sensor) {
+std::vector<float> merged_ranges(const std::vector<const CObservation2DRangeScan*>& scans,
+                                 const SensorModel& sensor) {
   Resampler rays(sensor);
-  const double rays_of_log = static_cast<double>(scan.getScanSize());
-  const double half_spacing = rays_of_log < 2 ? 0 : 0.5 * scan.aperture / (rays_of_log - 1);
-  const TPoint2D sensor_position = to_robot_frame(scan, 0, 0);
-  for (const TPoint2D& point : scan_points(scan)) {
-    // The angle that a point covers is different from the robot's center than from the sensor.
-    const double sensor_distance = distance_between(point, sensor_position);
-    const double robot_distance = math::hypot(point.x, point.y);
-    const double scale = robot_distance > 0 ? sensor_distance / robot_distance : 1;
-    rays.add(point, std::min(half_spacing * scale, 0.5 * mrpt::DEG2RAD(90.0)));
+  for (const CObservation2DRangeScan* scan : scans) {
+    const double count = static_cast<double>(scan->getScanSize());
+    const double half_spacing = count < 2 ? 0 : 0.5 * scan->aperture / (count - 1);
+    const TPoint2D laser(scan->sensorPose.x(), scan->sensorPose.y());
+    for (const TPoint2D& point : scan_points(*scan)) {
+      // The angle that a point covers is different from the robot's center than from the laser.
+      const double laser_distance = distance_between(point, laser);
+      const double robot_distance = math::hypot(point.x, point.y);
+      const double scale = robot_distance > 0 ? laser_distance / robot_distance : 1;
+      rays.add(point, std::min(half_spacing * scale, 0.5 * mrpt::DEG2RAD(90.0)));
+    }
   }
-  CObservation2DRangeScan resampled;
-  resampled.aperture = static_cast<float>(sensor.aperture());
-  resampled.maxRange = static_cast<float>(sensor.max_range);
-  resampled.sensorLabel = "range_finder";
-  std::vector<char> valid;
-  for (const float range : rays.ranges()) valid.push_back(range < resampled.maxRange ? 1 : 0);
-  resampled.loadFromVectors(valid.size(), rays.ranges().data(), valid.data());
-  return resampled;
+  return rays.ranges();
 }
 
 }  // namespace slalom
