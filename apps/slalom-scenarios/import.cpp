@@ -57,7 +57,7 @@ void add_limit_options(CLI::App& verb, TaskConstraints& limits) {
 void add_map_options(CLI::App& verb, ImportRequest& request) {
   MapImportOptions& map = request.map;
   verb.add_option("--simplemap-resolution", map.simplemap_resolution,
-                  "Cell size of grids built from simplemaps, m")
+                  "Cell size of grids built from simplemaps and logs, m")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   verb.add_flag("--unknown-free", map.unknown_is_free, "Unknown cells are free");
@@ -85,6 +85,12 @@ void add_data_set_options(CLI::App& verb, ImportRequest& request) {
       "BARN: start and goal of the challenge (default) or of the trials with published times");
   verb.add_flag("--barn-grid", request.barn_as_grid,
                 "BARN: grid with cells of 0.15 m instead of cylinders");
+  verb.add_option("--scan", request.topics.scan,
+                  "Bags: topic with LaserScan (default: the only one)");
+  verb.add_option("--odom", request.topics.odometry,
+                  "Bags: topic with Odometry (default: the only one, or the transform from odom)");
+  verb.add_option("--base", request.topics.base,
+                  "Bags: frame of the robot's center (default: base_link)");
   verb.add_option("--cell-size", request.map.cell_size, "MovingAI: cell size of the map, m")
       ->check(CLI::PositiveNumber);
   verb.add_option("--scen", request.problems,
@@ -98,9 +104,11 @@ void add_data_set_options(CLI::App& verb, ImportRequest& request) {
 void add_import_verb(CLI::App& app) {
   static ImportArguments arguments;
   CLI::App* verb = app.add_subcommand(
-      "import", "Import maps (MRPT, ROS, MovingAI, images), BARN worlds or .scenario.yaml files");
+      "import",
+      "Import maps (MRPT, ROS, MovingAI, images), BARN worlds, logs (.rawlog, bags) or "
+      "scenarios (.scenario.yaml)");
   verb->add_option("files", arguments.request.files,
-                   "Map files, .scenario.yaml files, BARN grids or folders")
+                   "Map files, .scenario.yaml files, BARN grids or folders, rawlogs, bags")
       ->required();
   verb->add_option("-o,--output", arguments.output, "The list to write (.scenarios)")->required();
   add_pair_options(*verb, arguments.request);

@@ -5,6 +5,7 @@
 #include <slalom/core/text.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/map_formats/moving_ai.h>
+#include <slalom/scenario/grid_map.h>
 
 namespace slalom {
 namespace {
@@ -13,18 +14,6 @@ bool ends_with_any(const std::string& text, std::initializer_list<const char*> e
   for (const char* end : ends)
     if (ends_with(text, end)) return true;
   return false;
-}
-
-/// MRPT stores an unknown cell as exactly this value.
-bool is_unknown(const mrpt::maps::COccupancyGridMap2D& map, int x, int y) {
-  using Map = mrpt::maps::COccupancyGridMap2D;
-  return map.getRow(y)[x] == Map::p2l(0.5F);
-}
-
-void set_unknown_free(mrpt::maps::COccupancyGridMap2D& map) {
-  for (int y = 0; y < static_cast<int>(map.getSizeY()); ++y)
-    for (int x = 0; x < static_cast<int>(map.getSizeX()); ++x)
-      if (is_unknown(map, x, y)) map.setCell(x, y, 1.0F);
 }
 
 }  // namespace

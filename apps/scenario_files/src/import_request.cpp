@@ -25,7 +25,7 @@ void ImportRequest::visit_pairs(OptionVisitor& v) {
 void ImportRequest::visit_maps(OptionVisitor& v) {
   v.option("unknown_free", map.unknown_is_free, "unknown cells are free");
   v.option("simplemap_resolution", map.simplemap_resolution, "m",
-           "cell size of grids built from simplemaps", Range::positive());
+           "cell size of grids built from simplemaps and logs", Range::positive());
   v.option("image_resolution", map.image.resolution, "m",
            "pixel size of images; required for images", Range::at_least(0));
   v.option("image_threshold", map.image.threshold, "-",
@@ -42,6 +42,10 @@ void ImportRequest::visit_data_sets(OptionVisitor& v) {
            "BARN: worlds of a folder, such as 0-9,20 or 0-299/even; empty: all");
   v.option("task", barn.task, "BARN: start and goal of the challenge or of the published trials");
   v.option("barn_grid", barn_as_grid, "BARN: grid with cells of 0.15 m instead of cylinders");
+  v.option("scan", topics.scan, "bags: topic with LaserScan; empty: the only one");
+  v.option("odom", topics.odometry,
+           "bags: topic with Odometry; empty: the only one, or else the transform from odom");
+  v.option("base", topics.base, "bags: frame of the robot's center; empty: base_link");
   v.option("cell_size", map.cell_size, "m",
            "MovingAI: cell size of the map; required for MovingAI maps", Range::at_least(0));
   v.option("scen", problems, "MovingAI: file of start and goal pairs; pairs is their number");

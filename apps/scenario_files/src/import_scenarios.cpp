@@ -2,13 +2,17 @@
 #include "import_problems.h"
 
 #include <slalom/campaign/scenario_sources.h>
+#include <slalom/core/distance.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_yaml.h>
 #include <slalom/map_formats/map_task.h>
+#include <slalom/rawlog/log_map.h>
 
 namespace slalom {
 namespace {
+
+using mrpt::math::TPoint2D;
 
 std::vector<double> numbers_of(const std::string& option, const std::string& text,
                                std::size_t min_count, std::size_t max_count) {
@@ -51,6 +55,13 @@ Scenario with_stored_task(const Scenario& map, const std::string& path) {
   return map.with_start_goal(task->start, task->goal).renamed(task->name);
 }
 
+/// The map with the start and goal of the command line.
+Scenario with_given_task(const Scenario& map, const ImportRequest& request) {
+  const auto s = numbers_of("--start", request.start, 2, 3);
+  const auto g = numbers_of("--goal", request.goal, 2, 2);
+  return map.with_start_goal({s[0], s[1], s[2]}, {g[0], g[1]});
+}
+
 ImportedFile import_map(const std::string& path, const ImportRequest& request) {
   const bool has_points = is_point_map(path) && request.problems.empty();
   const Scenario map = has_points ? point_map_scenario(path, request.points)
@@ -58,11 +69,33 @@ ImportedFile import_map(const std::string& path, const ImportRequest& request) {
   if (!request.problems.empty()) return import_problems(map, request);
   if (request.pairs > 0) return {sample_pairs(map, request)};
   if (request.start.empty() || request.goal.empty()) return {{with_stored_task(map, path)}};
-  const auto s = numbers_of("--start", request.start, 2, 3);
-  const auto g = numbers_of("--goal", request.goal, 2, 2);
-  const Scenario scenario = map.with_start_goal({s[0], s[1], s[2]}, {g[0], g[1]});
+  const Scenario scenario = with_given_task(map, request);
   require_solvable(scenario, request.robot_radius);
   return {{scenario}};
+}
+
+/// From where a drive began to where it ended, unless there is another start and goal.
+ImportedFile import_log(const std::string& path, const ImportRequest& request) {
+  const LogMap log = load_log_map(path, {request.map.simplemap_resolution, request.robot_radius,
+                                         request.map.unknown_is_free, request.topics});
+  ImportedFile imported;
+  for (const std::string& note : log.notes) imported.messages.push_back(path + ": " + note);
+  const Scenario map = map_scenario(path, log.grid);
+  if (request.pairs > 0) {
+    imported.scenarios = sample_pairs(map, request);
+    return imported;
+  }
+  const bool is_given = !request.start.empty() && !request.goal.empty();
+  constexpr double kMinDistance = 1;  // m
+  const double distance = distance_between(TPoint2D(log.start), log.goal);
+  if (!is_given && distance < kMinDistance)
+    throw usage_error("import " + path,
+                      "the drive ends " + format_fixed(distance, 2) + " m from its start",
+                      "--start x,y,phi --goal x,y, or --pairs N");
+  imported.scenarios = {is_given ? with_given_task(map, request)
+                                 : map.with_start_goal(log.start, log.goal)};
+  require_solvable(imported.scenarios[0], request.robot_radius);
+  return imported;
 }
 
 ImportedFile import_file(const std::string& path, const ImportRequest& request) {
@@ -73,7 +106,7 @@ ImportedFile import_file(const std::string& path, const ImportRequest& request) 
         request.barn_as_grid ? Representation::Grid : Representation::Continuous;
     return {import_barn(path, options)};
   }
-  return import_map(path, request);
+  return is_log(path) ? import_log(path, request) : import_map(path, request);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <slalom/core/error.h>
 #include <slalom/scenario/grid_map.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -49,6 +50,14 @@ COccupancyGridMap2D make_grid_map(int size_x, int size_y, double resolution,
   COccupancyGridMap2D map = one_cell_map();
   map.copyMapContentFrom(ExactGridMap(size_x, size_y, resolution, origin));
   return map;
+}
+
+void set_unknown_free(mrpt::maps::COccupancyGridMap2D& map) {
+  using Map = mrpt::maps::COccupancyGridMap2D;
+  for (unsigned y = 0; y < map.getSizeY(); ++y) {
+    auto* row = map.getRow(static_cast<int>(y));
+    std::replace(row, row + map.getSizeX(), Map::p2l(0.5F), Map::p2l(1.0F));
+  }
 }
 
 }  // namespace slalom

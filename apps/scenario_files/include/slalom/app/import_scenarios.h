@@ -7,6 +7,7 @@
 #include <slalom/map_formats/barn.h>
 #include <slalom/map_formats/map_import.h>
 #include <slalom/map_formats/point_map.h>
+#include <slalom/rawlog/log_objects.h>
 #include <slalom/scenario/scenario.h>
 
 #include <cstdint>
@@ -18,7 +19,7 @@ namespace slalom {
 
 /// The files to import, and the import options, named like those of `slalom-scenarios import`.
 struct ImportRequest {
-  /// Maps (see load_map()), point maps, .scenario.yaml, grids or folders of BARN.
+  /// Maps (see load_map()), point maps, .scenario.yaml, grids or folders of BARN, logs.
   std::vector<std::string> files;
   std::string start, goal;     ///< "x,y,phi" and "x,y" (m, rad) on each map; or empty
   int pairs = 0;               ///< to sample on each map instead
@@ -29,6 +30,7 @@ struct ImportRequest {
   PointMapOptions points;
   BarnOptions barn;
   bool barn_as_grid = false;
+  BagSelection topics;   ///< of bags
   std::string problems;  ///< MovingAI: the file of pairs, of which `pairs` are taken
   std::string buckets;   ///< MovingAI: difficulties, such as "3" or "0-10"
 
@@ -47,7 +49,7 @@ struct ImportedScenarios {
 };
 
 /// Imports the files in order and reports progress. Throws Error: File for unreadable files, Usage
-/// for a map without start and goal and for invalid poses, Job for an unsolvable pair.
+/// for a map or log without start and goal and for invalid poses, Job for an unsolvable pair.
 ImportedScenarios import_scenarios(const ImportRequest& request, Progress& progress);
 
 }  // namespace slalom

@@ -21,4 +21,7 @@ mrpt::maps::COccupancyGridMap2D one_cell_map();
 mrpt::maps::COccupancyGridMap2D make_grid_map(int size_x, int size_y, double resolution,
                                               const mrpt::math::TPoint2D& origin);
 
+/// Makes the cells free that are unknown: exactly 0.5, as MRPT stores them.
+void set_unknown_free(mrpt::maps::COccupancyGridMap2D& map);
+
 }  // namespace slalom
