@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "key_options.h"
 
+#include <slalom/core/text.h>
+
 namespace slalom {
+namespace {
+
+void add_words(CLI::App& verb, const std::string& name, std::vector<std::string>& words,
+               const std::string& help) {
+  verb.add_option_function<std::string>(
+      name, [&words](const std::string& text) { words = split(text, ','); }, help);
+}
+
+}  // namespace
 
 void add_key_options(CLI::App& verb, CsvColumnOptions& options) {
   verb.add_option("--method-column", options.method,
@@ -15,6 +26,11 @@ void add_key_options(CLI::App& verb, CsvColumnOptions& options) {
   verb.add_option("--outcome-column", options.outcome,
                   "CSV: column of the outcomes (default: outcome; result or status with words of "
                   "outcomes)");
+  add_words(verb, "--success-word", options.success_words,
+            "CSV: outcomes that mean success, comma-separated; unknown ones are then failures");
+  add_words(verb, "--names", options.names,
+            "CSV without a header line: the names of its columns, such as "
+            "world,success,collided,timeout,time,metric");
   verb.add_option_function<std::string>(
       "--kind", [&options](const std::string& text) { options.kinds = parse_column_kinds(text); },
       "CSV: kind of the values of columns, COLUMN=KIND,...: rate (0 or 1), count, amount or ratio "

@@ -189,7 +189,8 @@ TEST_F(Analyze, SaysHowAForeignTableIsRead) {
   write("foreign.csv", "planner;note;success;time\nnd;ok;True;5\ngap;ok;False;inf\n");
   const std::string note =
       "foreign.csv: taken: planner as method; not used: note (line 2: 'ok' is not a number); no "
-      "column scenario (--scenario-column): each row is a scenario of its own\n";
+      "column scenario (--scenario-column): each row is a scenario of its own; words as 1 and 0: "
+      "success\n";
   const ProgramResult table = run("slalom-analyze table foreign.csv --columns success,time");
   EXPECT_EQ(table.status, 0);
   EXPECT_EQ(table.err, note);
@@ -201,6 +202,26 @@ TEST_F(Analyze, SaysHowAForeignTableIsRead) {
                  {"--method-column", "no column 'methods'"});
   write("foreign.csv", "method,outcome\nnd,CANCELED\n");
   expect_failure("slalom-analyze table foreign.csv", 3, {"foreign.csv:2", "'CANCELED'"});
+}
+
+TEST_F(Analyze, ReadsATableWithoutHeader) {
+  write("out.txt", "0 1 0 0 12.5 0.5\n0 0 1 0 9.1 0\n6 1 0 0 8.0 0.25\n");
+  const std::string names = " --names world,success,collided,timeout,time,metric";
+  const ProgramResult table =
+      run("slalom-analyze table out.txt --csv --columns success,time" + names);
+  EXPECT_EQ(table.status, 0);
+  EXPECT_EQ(table.err, "out.txt: separated by blanks; taken: world as scenario\n");
+  EXPECT_NE(table.out.find("\nall,"), std::string::npos) << table.out;
+  expect_failure("slalom-analyze table out.txt", 3,
+                 {"out.txt:1", "only numbers", "--names NAME,... with 6 names"});
+  expect_failure("slalom-analyze table out.txt --names world,success", 3,
+                 {"out.txt:1", "6 fields", "2 as in --names"});
+  write("table.csv", "method,result,time\na,docked,5\na,lost,9\n");
+  const ProgramResult words =
+      run("slalom-analyze table table.csv --columns success --csv --success-word docked "
+          "--outcome-column result");
+  EXPECT_EQ(words.status, 0);
+  EXPECT_NE(words.err.find("'docked' as success, 'lost' as failure"), std::string::npos);
 }
 
 TEST_F(Analyze, BinsMayComeFromAnIndexOfTheList) {

@@ -4,7 +4,7 @@ set(MODULES ${PROJECT_SOURCE_DIR}/modules)
 set(BAGS ${PROJECT_SOURCE_DIR}/adapters/bags/src)
 set(FORMATS ${PROJECT_SOURCE_DIR}/adapters/map_formats/src)
 set(PARAMETERS ${PROJECT_SOURCE_DIR}/adapters/ros_parameters/src)
-foreach(module core scenario trajectory results)
+foreach(module analysis core scenario trajectory results)
   get_target_property(sources slalom_${module} SOURCES)
   list(TRANSFORM sources PREPEND ${MODULES}/${module}/)
   list(APPEND FUZZED_SOURCES ${sources})
@@ -69,7 +69,7 @@ add_library(slalom_fuzzed STATIC
   ${PARAMETERS}/parameter_files.cpp
   ${PARAMETERS}/parameter_table.cpp
   ${PARAMETERS}/resolve.cpp)
-foreach(module core scenario io campaign falsification map_formats ros_parameters bags)
+foreach(module analysis core scenario io campaign falsification map_formats ros_parameters bags)
   target_include_directories(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},INCLUDE_DIRECTORIES>)
   target_compile_definitions(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},COMPILE_DEFINITIONS>)
 endforeach()

@@ -13,7 +13,7 @@ namespace slalom {
 ResultTable read_analysis_input(const std::string& path,
                                 const std::optional<std::vector<std::string>>& ids, bool csv,
                                 const CsvColumnOptions& options) {
-  const bool is_table = !is_result_input(path) && (csv || ends_with(path, ".csv"));
+  const bool is_table = !is_result_input(path) && (csv || !ends_with(path, ".results"));
   if (!is_table) return read_results(path, ids);
   CsvColumnOptions with_known = options;
   for (const Metric& metric : all_metrics()) with_known.known.push_back(metric.info);

@@ -21,14 +21,16 @@ class AnalysisInput : public testing::Test {
   const TemporaryFolder folder_;
 };
 
-TEST_F(AnalysisInput, TablesAreKnownByTheirNameOrAreNamedAsSuch) {
+TEST_F(AnalysisInput, AnyTextIsATableUnlessItsNameIsThatOfResults) {
   const std::string table = "method,cost\na,1\nb,2\n";
   write_file_atomically(folder_ / "trials.csv", table);
-  write_file_atomically(folder_ / "trials.txt", table);
+  write_file_atomically(folder_ / "out.txt", table);
+  write_file_atomically(folder_ / "trials.results", table);
   EXPECT_EQ(read_analysis_input(folder_ / "trials.csv", std::nullopt, false, {}).size(), 2U);
-  EXPECT_EQ(read_analysis_input(folder_ / "trials.txt", std::nullopt, true, {}).size(), 2U);
-  EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "trials.txt", {}, [&] {
-    read_analysis_input(folder_ / "trials.txt", std::nullopt, false, {});
+  EXPECT_EQ(read_analysis_input(folder_ / "out.txt", std::nullopt, false, {}).size(), 2U);
+  EXPECT_EQ(read_analysis_input(folder_ / "trials.results", std::nullopt, true, {}).size(), 2U);
+  EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "trials.results", {}, [&] {
+    read_analysis_input(folder_ / "trials.results", std::nullopt, false, {});
   }));
 }
 

@@ -54,6 +54,23 @@ bool parse_field(const std::string& field, char separator, double& number) {
   return parse_number(with_point, number);
 }
 
+/// The outcomes that words mean, with those that are stated to mean success.
+class OutcomeWords {
+ public:
+  explicit OutcomeWords(const std::vector<std::string>& success_words) {
+    for (const std::string& word : success_words) success_.push_back(lower_case(word));
+  }
+
+  bool any() const { return !success_.empty(); }
+  bool is_success(const std::string& word) const { return contains(success_, lower_case(word)); }
+  std::optional<std::string> known(const std::string& word) const {
+    return is_success(word) ? "success" : outcome_of_word(word);
+  }
+
+ private:
+  std::vector<std::string> success_;
+};
+
 /// A column that identifies the run of a row.
 struct KeyColumn {
   const char* name;                  ///< also of the option --NAME-column
@@ -78,8 +95,10 @@ class KeyColumns {
                   options.method, any);
     repetition = find({"repetition", {"trial", "run", "episode"}}, options.repetition,
                       [](const auto& fields) { return !first_text(fields); });
-    outcome = find({"outcome", {"result", "status"}}, options.outcome, [](const auto& fields) {
-      return std::any_of(fields.begin(), fields.end(), outcome_of_word);
+    const OutcomeWords words(options.success_words);
+    outcome = find({"outcome", {"result", "status"}}, options.outcome, [&](const auto& fields) {
+      return std::any_of(fields.begin(), fields.end(),
+                         [&](const std::string& word) { return words.known(word).has_value(); });
     });
   }
 
@@ -146,32 +165,63 @@ class KeyColumns {
   }
 };
 
-/// The outcome of a field. Throws Error (File) for an unknown word, with all that are unknown.
+/// The outcome of a field. Throws Error (File) for an unknown word, with all that are unknown,
+/// unless words of success are stated.
 class OutcomeFields {
  public:
-  OutcomeFields(const CsvTable& csv, const std::vector<std::string>* fields) : fields_(fields) {
-    if (fields == nullptr) return;
+  OutcomeFields(const CsvTable& csv, const KeyColumns& keys, const CsvColumnOptions& options)
+      : fields_(keys.outcome), words_(options.success_words) {
+    if (fields_ == nullptr && words_.any())
+      throw usage_error("--success-word", csv.name() + " has no column of outcomes",
+                        "--outcome-column NAME");
+    if (fields_ == nullptr) return;
     std::optional<std::size_t> first;
-    std::vector<std::string> unknown;
-    for (std::size_t row = 0; row < fields->size(); ++row) {
-      const std::string& word = (*fields)[row];
-      if (is_missing(word) || outcome_of_word(word)) continue;
+    for (std::size_t row = 0; row < fields_->size(); ++row) {
+      const std::string& word = (*fields_)[row];
+      if (is_missing(word)) continue;
+      if (words_.is_success(word)) add(word, success_);
+      if (words_.known(word)) continue;
       if (!first) first = row;
-      if (!contains(unknown, shown(word)) && unknown.size() < 5) unknown.push_back(shown(word));
+      add(word, unknown_);
     }
-    if (first)
-      throw file_error(
-          csv.where(*first), "unknown outcome " + join(unknown, ", "),
-          "one of " + join(known_outcomes(), ", ") + ", or a column success of 0 and 1");
+    if (first && !words_.any())
+      throw file_error(csv.where(*first), "unknown outcome " + join(unknown_, ", "),
+                       "one of " + join(known_outcomes(), ", ") +
+                           ", a column success of 0 and 1, or --success-word WORD");
   }
 
   std::string operator()(std::size_t row) const {
     if (fields_ == nullptr || is_missing((*fields_)[row])) return kUnknownOutcome;
-    return *outcome_of_word((*fields_)[row]);
+    return words_.known((*fields_)[row]).value_or("failure");
+  }
+
+  /// "'parked' as success, 'fell' as failure", if words of success are stated.
+  std::string note() const {
+    if (!words_.any()) return "";
+    const std::string success =
+        success_.empty() ? "no outcome of --success-word" : join(success_, ", ") + " as success";
+    return success + (unknown_.empty() ? "" : ", " + join(unknown_, ", ") + " as failure");
   }
 
  private:
   const std::vector<std::string>* fields_;
+  OutcomeWords words_;
+  std::vector<std::string> success_, unknown_;  ///< as shown; some of them
+
+  static void add(const std::string& word, std::vector<std::string>& words) {
+    if (!contains(words, shown(word)) && words.size() < 5) words.push_back(shown(word));
+  }
+};
+
+/// Counts the rows of each scenario and method.
+class RowCounts {
+ public:
+  std::uint32_t next(std::uint32_t scenario, std::uint32_t method) {
+    return counts_[{scenario, method}]++;
+  }
+
+ private:
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> counts_;
 };
 
 std::uint32_t repetition_of(const std::string& field) {
@@ -180,16 +230,17 @@ std::uint32_t repetition_of(const std::string& field) {
   return static_cast<std::uint32_t>(number > 0 ? std::min(number, 4e9) : 0.0);
 }
 
-void add_keys(ResultTable& columns, const CsvTable& csv, const KeyColumns& keys) {
+void add_keys(ResultTable& columns, const CsvTable& csv, const KeyColumns& keys,
+              const OutcomeFields& outcome_of) {
   const auto* hashes = keys.hash ? keys.hash : keys.scenario;
   const auto* names = keys.scenario ? keys.scenario : keys.hash;
-  const OutcomeFields outcome_of(csv, keys.outcome);
   if (keys.repetition != nullptr)
     if (const auto row = KeyColumns::first_text(*keys.repetition))
       throw file_error(csv.where(*row), "repetition " + shown((*keys.repetition)[*row]),
                        "a number from 0");
   NameIndex scenario_index(columns.scenario_hashes), method_index(columns.methods),
       outcome_index(columns.outcomes);
+  RowCounts counts;
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     const std::string own = "row" + std::to_string(row + 1);
     columns.scenario.push_back(scenario_index.index_of(hashes ? (*hashes)[row] : own));
@@ -198,7 +249,9 @@ void add_keys(ResultTable& columns, const CsvTable& csv, const KeyColumns& keys)
     }
     columns.method.push_back(method_index.index_of(keys.method ? (*keys.method)[row] : "all"));
     columns.outcome.push_back(outcome_index.index_of(outcome_of(row)));
-    columns.repetition.push_back(keys.repetition ? repetition_of((*keys.repetition)[row]) : 0);
+    columns.repetition.push_back(keys.repetition
+                                     ? repetition_of((*keys.repetition)[row])
+                                     : counts.next(columns.scenario.back(), columns.method.back()));
   }
   sort_names(columns);
 }
@@ -225,7 +278,14 @@ class NumberColumns {
   }
 
   bool has_text() const { return has_text_; }  ///< a column that may be a key
-  bool has_decimal_commas() const { return has_decimal_commas_; }
+  /// What was read as other numbers than are written.
+  std::vector<std::string> notes() const {
+    std::vector<std::string> notes;
+    if (has_decimal_commas_) notes.emplace_back("commas are read as decimal points");
+    if (!percent_.empty()) notes.push_back("percent as fractions of 1: " + join(percent_, ", "));
+    if (!truth_.empty()) notes.push_back("words as 1 and 0: " + join(truth_, ", "));
+    return notes;
+  }
 
  private:
   const CsvTable& csv_;
@@ -233,6 +293,7 @@ class NumberColumns {
   ResultTable& table_;
   std::size_t text_row_ = 0;  ///< of the last column
   bool has_text_ = false, has_decimal_commas_ = false;
+  std::vector<std::string> percent_, truth_;  ///< columns
 
   /// "Success" is the metric success, unless that is a column of its own.
   std::string id_of(const std::string& name) const {
@@ -248,7 +309,7 @@ class NumberColumns {
   /// False if there are no numbers, or a field is text: text_row_.
   bool add_numbers(const std::string& id, const std::vector<std::string>& fields) {
     std::vector<Value> values;
-    bool any = false, commas = false;
+    bool any = false, commas = false, percent = false, truth = false;
     for (text_row_ = 0; text_row_ < fields.size(); ++text_row_) {
       const std::string& field = fields[text_row_];
       double number = 0;
@@ -260,8 +321,12 @@ class NumberColumns {
       values.push_back(Value::of(number));
       any = true;
       commas = commas || field.find(',') != std::string::npos;
+      percent = percent || field.back() == '%';
+      truth = truth || truth_of(field);
     }
     if (!any) return false;
+    if (percent) percent_.push_back(id);
+    if (truth) truth_.push_back(id);
     has_decimal_commas_ = has_decimal_commas_ || commas;
     ValueColumn& column = table_.metrics.emplace_back(info_of(id, values));
     column.reserve(values.size());
@@ -368,15 +433,15 @@ std::string unread_text(const ResultTable& table) {
 }
 
 /// Returns notes on columns that were not read as they stand.
-void add_notes(ResultTable& table, const KeyColumns& keys, const NumberColumns& numbers) {
-  std::vector<std::string> parts;
+void add_notes(ResultTable& table, const KeyColumns& keys, const NumberColumns& numbers,
+               std::vector<std::string> parts) {
   if (!keys.renamed().empty()) parts.push_back("taken: " + join(keys.renamed(), ", "));
   if (!table.unread.empty()) parts.push_back("not used: " + unread_text(table));
   if (numbers.has_text() && keys.method == nullptr)
     parts.emplace_back("no column method (--method-column): all rows are of one method, 'all'");
   if (numbers.has_text() && keys.scenario == nullptr && keys.hash == nullptr)
     parts.emplace_back("no column scenario (--scenario-column): each row is a scenario of its own");
-  if (numbers.has_decimal_commas()) parts.emplace_back("commas are read as decimal points");
+  for (const std::string& note : numbers.notes()) parts.push_back(note);
   if (!parts.empty()) table.notes.push_back(join(parts, "; "));
 }
 
@@ -406,11 +471,12 @@ std::map<std::string, Range> parse_column_ranges(const std::string& text) {
 
 ResultTable columns_from_csv(const std::string& text, const std::string& name,
                              const CsvColumnOptions& options) {
-  const CsvTable csv(text, name);
+  const CsvTable csv(text, name, options.names);
   const KeyColumns keys(csv, options);
+  const OutcomeFields outcomes(csv, keys, options);
   ResultTable columns;
   columns.source = name;
-  add_keys(columns, csv, keys);
+  add_keys(columns, csv, keys, outcomes);
   NumberColumns numbers(csv, options, columns);
   for (std::size_t i = 0; i < csv.header().size(); ++i)
     if (!keys.is_key(i)) numbers.add(i);
@@ -420,7 +486,10 @@ ResultTable columns_from_csv(const std::string& text, const std::string& name,
                      "a header line and rows of numbers");
   require_columns(columns, "--kind", options.kinds);
   require_columns(columns, "--range", options.ranges);
-  add_notes(columns, keys, numbers);
+  std::vector<std::string> notes;
+  if (csv.separator() == ' ') notes.emplace_back("separated by blanks");
+  if (const std::string note = outcomes.note(); !note.empty()) notes.push_back(note);
+  add_notes(columns, keys, numbers, std::move(notes));
   return columns;
 }
 

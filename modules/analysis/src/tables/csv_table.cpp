@@ -10,6 +10,8 @@
 namespace slalom {
 namespace {
 
+constexpr char kBlanks = ' ';  // the separator of fields with any number of blanks between them
+
 /// Reads records, and counts lines.
 class CsvRecords {
  public:
@@ -27,8 +29,8 @@ class CsvRecords {
         fields.back() += text_[++position_];
       } else if (c == '"') {
         quoted = !quoted;
-      } else if (c == separator_ && !quoted) {
-        fields.emplace_back();
+      } else if (is_separator(c) && !quoted) {
+        if (separator_ != kBlanks || !fields.back().empty()) fields.emplace_back();
       } else if (c == '\n' && !quoted) {
         ++position_;
         ++line_;
@@ -38,6 +40,7 @@ class CsvRecords {
         fields.back() += c;
       }
     }
+    if (separator_ == kBlanks && fields.size() > 1 && fields.back().empty()) fields.pop_back();
     return fields;
   }
 
@@ -45,16 +48,42 @@ class CsvRecords {
   const std::string& text_;
   char separator_;
   std::size_t position_ = 0, line_ = 1;
+
+  bool is_separator(char c) const {
+    return c == separator_ || (separator_ == kBlanks && c == '\t');
+  }
 };
 
-char separator_of(const std::string& text) {
+bool is_blank(const std::vector<std::string>& record) {
+  return record.size() == 1 && trim(record[0]).empty();
+}
+
+/// Whether blanks separate fields: the first two lines have the same number of words, as one name
+/// with blanks in it and its numbers do not.
+bool has_columns_of_words(const std::string& text) {
+  CsvRecords records(text, kBlanks);
+  const std::size_t words = records.next().size();
+  std::vector<std::string> second(1);
+  while (is_blank(second) && !records.at_end()) second = records.next();
+  return words > 1 && second.size() == words;
+}
+
+/// The separator that gives the first line `columns` fields, if they are known, else the most.
+char separator_of(const std::string& text, std::size_t columns) {
   char best = ',';
   std::size_t most = 0;
-  for (const char separator : {',', ';', '\t'}) {
+  for (const char separator : {',', ';', '\t', kBlanks}) {
     const std::size_t fields = CsvRecords(text, separator).next().size();
-    if (fields > most) best = separator, most = fields;
+    if (fields == columns) return separator;
+    if (separator != kBlanks && fields > most) best = separator, most = fields;
   }
-  return best;
+  return most == 1 && has_columns_of_words(text) ? kBlanks : best;
+}
+
+/// The text without the mark of a comment before its first line.
+std::string without_mark(const std::string& text) {
+  const std::size_t begin = starts_with(text, "#") ? text.find_first_not_of("# \t") : 0;
+  return text.substr(std::min(begin, text.size()));
 }
 
 /// The text of a field, without the apostrophe that csv_field() adds to formulas.
@@ -65,17 +94,18 @@ std::string text_of_field(const std::string& field) {
 
 }  // namespace
 
-CsvTable::CsvTable(const std::string& text, const std::string& name)
-    : name_(name), separator_(separator_of(text)) {
+CsvTable::CsvTable(const std::string& content, const std::string& name,
+                   const std::vector<std::string>& names)
+    : name_(name), header_(names), has_header_(names.empty()) {
+  const std::string text = has_header_ ? without_mark(content) : content;
+  separator_ = separator_of(text, header_.size());
   CsvRecords records(text, separator_);
-  header_ = records.next();
-  for (std::string& id : header_) id = text_of_field(id);
-  require_names();
+  if (has_header_) read_header(records.next());
   fields_.resize(header_.size());
   while (!records.at_end()) {
     const std::size_t line = records.line();
     const std::vector<std::string> record = records.next();
-    if (record.size() > 1 || !record[0].empty()) add(record, line);
+    if (!is_blank(record)) add(record, line);
   }
   if (rows() == 0) throw file_error(name_, "no rows", "a header line and rows of numbers");
 }
@@ -84,20 +114,24 @@ std::string CsvTable::where(std::size_t row) const {
   return name_ + ":" + std::to_string(lines_[row]);
 }
 
-void CsvTable::require_names() const {
+void CsvTable::read_header(const std::vector<std::string>& record) {
+  for (const std::string& id : record) header_.push_back(text_of_field(id));
   double number = 0;
   const auto is_number = [&](const std::string& id) { return parse_number(id, number); };
   const auto is_no_name = [&](const std::string& id) { return id.empty() || is_number(id); };
   if (std::any_of(header_.begin(), header_.end(), is_number) &&
       std::all_of(header_.begin(), header_.end(), is_no_name))
-    throw file_error(name_ + ":1", "line 1 has only numbers", "names of columns");
+    throw file_error(name_ + ":1", "line 1 has only numbers",
+                     "names of columns; for a table without them --names NAME,... with " +
+                         count_text(header_.size(), "name"));
 }
 
 void CsvTable::add(const std::vector<std::string>& record, std::size_t line) {
   lines_.push_back(line);
   if (record.size() != header_.size())
-    throw file_error(where(rows() - 1), std::to_string(record.size()) + " fields",
-                     std::to_string(header_.size()) + " as in the header");
+    throw file_error(
+        where(rows() - 1), std::to_string(record.size()) + " fields",
+        std::to_string(header_.size()) + (has_header_ ? " as in the header" : " as in --names"));
   for (std::size_t i = 0; i < record.size(); ++i) fields_[i].push_back(text_of_field(record[i]));
 }
 

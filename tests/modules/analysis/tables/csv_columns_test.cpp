@@ -73,6 +73,67 @@ TEST(CsvColumns, AFirstLineOfNumbersIsNoHeader) {
         << text;
 }
 
+TEST(CsvColumns, BlanksSeparateFieldsToo) {
+  for (const char* text :
+       {"method  time\na  1.5\nb 2.5  \n", "# method time\n\na 1,5\n  b\t2.5\n"}) {
+    const ResultTable table = columns_from_csv(text, "t.txt");
+    EXPECT_EQ(table.methods, (std::vector<std::string>{"a", "b"})) << text;
+    EXPECT_EQ(find_metric(table, "time")->number(0), 1.5) << text;
+    EXPECT_TRUE(mentions(notes_of(table), {"separated by blanks"}));
+  }
+  const ResultTable one = columns_from_csv("time to goal\n1.5\n2.5\n", "t.txt");
+  EXPECT_NE(find_metric(one, "time to goal"), nullptr) << "one name with blanks";
+}
+
+TEST(CsvColumns, TheColumnsOfATableWithoutHeaderAreNamed) {
+  CsvColumnOptions options;
+  options.names = {"world", "success", "collided", "time"};
+  for (const char* text : {"0 1 0 12.5\n0 0 1 9\n6 1 0 8\n", "0,1,0,12.5\n0,0,1,9\n6,1,0,8\n",
+                           "0;1;0;12,5\n0;0;1;9,0\n6;1;0;8,0\n"}) {
+    const ResultTable table = columns_from_csv(text, "out.txt", options);
+    EXPECT_EQ(table.scenario_names, (std::vector<std::string>{"0", "6"})) << text;
+    EXPECT_EQ(table.repetition, (std::vector<std::uint32_t>{0, 1, 0})) << text;
+    EXPECT_EQ(find_metric(table, "time")->number(0), 12.5) << text;
+    EXPECT_TRUE(find_metric(table, "success")->info().is_rate()) << text;
+  }
+  EXPECT_TRUE(throws_error(ErrorKind::File, "out.txt:2", {"5 fields", "4 as in --names"}, [&] {
+    columns_from_csv("0 1 0 12.5\n0 0 1 9 7\n", "out.txt", options);
+  }));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "out.txt:1", {"only numbers", "--names", "4 names"},
+                           [] { columns_from_csv("0 1 0 12.5\n0 0 1 9\n", "out.txt"); }));
+}
+
+TEST(CsvColumns, RowsOfAScenarioAndMethodAreItsRepetitions) {
+  const ResultTable table =
+      columns_from_csv("world,method,time\nw,a,1\nw,b,2\nw,a,3\nv,a,4\nw,a,5\n", "t.csv");
+  EXPECT_EQ(table.repetition, (std::vector<std::uint32_t>{0, 0, 1, 0, 2}));
+}
+
+TEST(CsvColumns, WordsOfSuccessCanBeStated) {
+  CsvColumnOptions options;
+  options.success_words = {"Parked", "4"};
+  const ResultTable table =
+      columns_from_csv("method,result\na,parked\na,4\nb,fell\nb,\nb,Collided\n", "t.csv", options);
+  const ValueColumn& success = *find_metric(table, "success");
+  for (const std::size_t row : {0, 1}) EXPECT_EQ(success.number(row), 1) << row;
+  for (const std::size_t row : {2, 4}) EXPECT_EQ(success.number(row), 0) << row;
+  EXPECT_TRUE(success.is_na(3));
+  EXPECT_EQ(table.outcomes,
+            (std::vector<std::string>{"success", "collision", "failure", "not recorded"}));
+  EXPECT_TRUE(mentions(notes_of(table),
+                       {"result as outcome", "'parked', '4' as success, 'fell' as failure"}));
+  options.outcome = "result", options.success_words = {"docked"};
+  EXPECT_TRUE(mentions(notes_of(columns_from_csv("result,time\nfell,1\n", "t.csv", options)),
+                       {"no outcome of --success-word, 'fell' as failure"}))
+      << "a method that always fails has no such word";
+  EXPECT_TRUE(
+      throws_error(ErrorKind::Usage, "--success-word", {"no column", "--outcome-column"}, [] {
+        CsvColumnOptions stated;
+        stated.success_words = {"docked"};
+        columns_from_csv("method,time\na,1\n", "t.csv", stated);
+      }));
+}
+
 TEST(CsvColumns, WordsOfOtherProgramsAreOutcomes) {
   const ResultTable table = columns_from_csv(
       "outcome,time\n Succeeded ,1\nGOAL_REACHED,2\nCollided,3\nTime out,4\nABORTED,5\nSuccess,6\n",
@@ -209,6 +270,7 @@ TEST(CsvColumns, TruthAndPercentAreNumbers) {
   EXPECT_EQ(success.number(2), 1);
   EXPECT_EQ(find_metric(table, "spl")->number(0), 0.85);
   EXPECT_EQ(find_metric(table, "spl")->number(2), 1);
+  EXPECT_EQ(notes_of(table), "percent as fractions of 1: spl; words as 1 and 0: success");
 }
 
 TEST(CsvColumns, AColumnWithTextIsMissedWithItsLine) {

@@ -19,6 +19,10 @@ struct CsvColumnOptions {
   std::map<std::string, Range> ranges = {};
   /// Columns with these ids have their kind and range, unless a value is outside.
   std::vector<QuantityInfo> known = {};
+  /// Names of the columns of a table without a header line; empty: it has one.
+  std::vector<std::string> names = {};
+  /// Outcomes that mean success, in any case; with one, unknown outcomes are failures.
+  std::vector<std::string> success_words = {};
 };
 
 /// Reads "fell=count,score=amount". Throws Error (Usage).
@@ -27,9 +31,10 @@ std::map<std::string, QuantityKind> parse_column_kinds(const std::string& text);
 std::map<std::string, Range> parse_column_ranges(const std::string& text);
 
 /// Reads a table of numbers as runs: CSV (RFC 4180) with a header line, separated by commas,
-/// semicolons or tabs. The columns "scenario_hash" or "scenario", "method", "repetition" and
-/// "outcome", or what other programs call them ("planner", "world", "trial"), identify the run of a
-/// row; without them each row is a scenario of its own, with method "all".
+/// semicolons, tabs or blanks. The columns "scenario_hash" or "scenario", "method", "repetition"
+/// and "outcome", or what other programs call them ("planner", "world", "trial"), identify the run
+/// of a row; without them each row is a scenario of its own, with method "all", and rows of the
+/// same scenario and method are its repetitions in their order.
 ///
 /// All other columns of numbers are metrics; true and false are 1 and 0, "85%" is 0.85, and words
 /// such as "", "NA", "None" and "inf" are not available, with the word as the reason. A column that
