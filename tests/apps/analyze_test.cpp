@@ -224,6 +224,23 @@ TEST_F(Analyze, ReadsATableWithoutHeader) {
   EXPECT_NE(words.err.find("'docked' as success, 'lost' as failure"), std::string::npos);
 }
 
+TEST_F(Analyze, ComparesTablesWithoutCommonScenariosUnpaired) {
+  std::string first = "success,time\n", second = first;
+  for (int i = 0; i < 15; ++i) {
+    first += i == 7 ? "1,20\n" : "0,-\n";
+    second += "1," + std::to_string(10 + i) + "\n";
+  }
+  write("first.csv", first);
+  write("second.csv", second);
+  const ProgramResult result = run("slalom-analyze compare first.csv second.csv");
+  EXPECT_EQ(result.status, 0) << result.err;
+  for (const char* text : {"Unpaired comparisons", "unpaired: no scenario and repetition",
+                           "15 and 15 unpaired scenarios", "Fisher's exact test"})
+    EXPECT_NE(result.out.find(text), std::string::npos) << result.out;
+  expect_failure("slalom-analyze compare first.csv second.csv --gate 'success >= 0'", 2,
+                 {"no common scenario and repetition"});
+}
+
 TEST_F(Analyze, BinsMayComeFromAnIndexOfTheList) {
   write("small.ini", kSmallCampaign);
   ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet").status, 0);

@@ -32,10 +32,32 @@ std::pair<std::string, std::string> pair_with(
                     expected_name(method, names));
 }
 
+bool any_has_partners(const std::vector<PairedComparison>& family) {
+  return std::any_of(family.begin(), family.end(),
+                     [](const PairedComparison& c) { return c.has_partners(); });
+}
+
+using Pairs = std::vector<std::pair<Side, Side>>;
+
+/// Compares without pairs if the options allow it and nothing pairs.
+std::vector<PairedComparison> compare_all(const Pairs& pairs,
+                                          const std::vector<std::string>& metrics,
+                                          const ComparisonOptions& options) {
+  const auto compare_by = [&](auto compare) {
+    std::vector<PairedComparison> family;
+    for (const std::string& metric : metrics)
+      for (const auto& [a, b] : pairs) family.push_back(compare(a, b, metric, options));
+    return family;
+  };
+  std::vector<PairedComparison> family = compare_by(compare_pair);
+  if (options.unpaired && !any_has_partners(family)) family = compare_by(compare_unpaired);
+  finish_families(family);
+  return family;
+}
+
 /// Methods may have been run in different scenarios, but not all of them.
 void expect_partners(const std::vector<PairedComparison>& family) {
-  for (const PairedComparison& comparison : family)
-    if (comparison.has_partners()) return;
+  if (any_has_partners(family) || family.front().is_unpaired) return;
   throw usage_error(family.front().b + " against " + family.front().a,
                     "no common scenario and repetition", "results of the same scenarios");
 }
@@ -53,19 +75,17 @@ std::vector<PairedComparison> compare_methods(const ResultTable& table,
   if (table.methods.size() < 2) {
     throw usage_error("compare", "runs of only one method", "two methods, or two result files");
   }
-  std::vector<PairedComparison> family;
-  for (const std::string& metric : metrics) {
-    for (std::size_t i = 0; i < table.methods.size(); ++i) {
-      for (std::size_t j = i + 1; j < table.methods.size(); ++j) {
-        std::string a = table.methods[i], b = table.methods[j];
-        if (!baseline.empty() && a != baseline && b != baseline) continue;
-        if (b == baseline) std::swap(a, b);
-        family.push_back(compare_pair({&table, a, a}, {&table, b, b}, metric, options));
-        family.back().baseline = baseline;
-      }
+  Pairs pairs;
+  for (std::size_t i = 0; i < table.methods.size(); ++i) {
+    for (std::size_t j = i + 1; j < table.methods.size(); ++j) {
+      std::string a = table.methods[i], b = table.methods[j];
+      if (!baseline.empty() && a != baseline && b != baseline) continue;
+      if (b == baseline) std::swap(a, b);
+      pairs.emplace_back(Side{&table, a, a}, Side{&table, b, b});
     }
   }
-  finish_families(family);
+  std::vector<PairedComparison> family = compare_all(pairs, metrics, options);
+  for (PairedComparison& comparison : family) comparison.baseline = baseline;
   if (!method.empty())
     keep_only(family, [&](const PairedComparison& c) { return c.a == method || c.b == method; });
   if (!family.empty()) expect_partners(family);
@@ -113,15 +133,10 @@ std::vector<PairedComparison> compare_results(const ResultTable& a, const Result
   const auto name_in = [](const ResultTable& table, const std::string& name) {
     return name + " (" + table.source + ")";
   };
-  std::vector<PairedComparison> family;
-  for (const std::string& metric : metrics) {
-    for (const auto& [before, after] : common) {
-      const Side first{&a, before, name_in(a, before)};
-      const Side second{&b, after, name_in(b, after)};
-      family.push_back(compare_pair(first, second, metric, options));
-    }
-  }
-  finish_families(family);
+  Pairs pairs;
+  for (const auto& [before, after] : common)
+    pairs.emplace_back(Side{&a, before, name_in(a, before)}, Side{&b, after, name_in(b, after)});
+  std::vector<PairedComparison> family = compare_all(pairs, metrics, options);
   if (!method.empty())
     keep_only(family, [&](const PairedComparison& c) { return c.a == name_in(a, shown.first); });
   if (!family.empty()) expect_partners(family);

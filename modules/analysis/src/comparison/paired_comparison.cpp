@@ -4,6 +4,7 @@
 #include <slalom/analysis/power.h>
 #include <slalom/analysis/rate_tests.h>
 #include <slalom/analysis/scenario_means.h>
+#include <slalom/analysis/two_samples.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
@@ -15,8 +16,8 @@
 namespace slalom {
 namespace {
 
-/// Asymptotic relative efficiency of Wilcoxon's test to Student's under normality (Hodges and
-/// Lehmann 1956).
+/// Asymptotic relative efficiency of both of Wilcoxon's tests to Student's under normality (Hodges
+/// and Lehmann 1956).
 const double kSignedRankEfficiency = 3 / M_PI;
 
 struct Key {
@@ -185,15 +186,15 @@ double planning_deviation(const PairedComparison& comparison,
   return std::sqrt(squares / static_cast<double>(differences.size() + 1));
 }
 
-void add_power(PairedComparison& comparison, const std::vector<double>& differences,
+/// `deviation` is that of a difference, `smallest` the number with which the tests can reject.
+void add_power(PairedComparison& comparison, double deviation, std::size_t smallest,
                const ComparisonOptions& options) {
   const double alpha = test_level(options.analysis.confidence);
   comparison.relevant = relevant_difference(comparison, options);
-  const double deviation = planning_deviation(comparison, differences);
-  comparison.required_scenarios = min_pairs(alpha);
+  comparison.required_scenarios = smallest;
   if (comparison.relevant <= 0) {
     comparison.required_scenarios = 0;
-  } else if (deviation > 0 && differences.size() > 1) {
+  } else if (deviation > 0 && comparison.scenarios > 1) {
     const double pairs = static_cast<double>(
         required_pairs(comparison.relevant, deviation, alpha, comparison.power));
     const auto needed = static_cast<std::size_t>(std::ceil(pairs / kSignedRankEfficiency));
@@ -236,10 +237,8 @@ void finish_family(const std::vector<PairedComparison*>& family) {
   }
 }
 
-}  // namespace
-
-PairedComparison compare_pair(const Side& a, const Side& b, const std::string& metric,
-                              const ComparisonOptions& options) {
+PairedComparison begin_comparison(const Side& a, const Side& b, const std::string& metric,
+                                  const ComparisonOptions& options) {
   require_valid(options.analysis);
   PairedComparison comparison;
   comparison.a = a.name;
@@ -247,6 +246,88 @@ PairedComparison compare_pair(const Side& a, const Side& b, const std::string& m
   comparison.column = resolve_columns(*a.table, {metric})[0];
   comparison.confidence = options.analysis.confidence;
   comparison.power = options.power;
+  return comparison;
+}
+
+/// Values of a side alone.
+struct SideValues {
+  std::vector<double> means;  ///< by scenario
+  bool one_run_each = true;
+};
+
+/// Counts the runs without a partner, and those without a value.
+SideValues values_of(const Side& side, const std::string& metric, PairedComparison& comparison) {
+  const ValueColumn& column = require_metric(*side.table, metric);
+  const std::uint32_t method = index_of_method(*side.table, side.method);
+  SideValues values;
+  for (const auto& value : scenario_means(*side.table, method, column))
+    if (value) values.means.push_back(*value);
+  std::size_t runs = 0, available = 0;
+  for (std::size_t run = 0; run < side.table->size(); ++run) {
+    if (side.table->method[run] != method) continue;
+    ++runs;
+    available += column.is_na(run) ? 0 : 1;
+  }
+  comparison.unpaired += runs;
+  comparison.runs_without_value += runs - available;
+  values.one_run_each = available == values.means.size();
+  return values;
+}
+
+void add_unpaired_effect(PairedComparison& comparison, const std::vector<double>& a,
+                         const std::vector<double>& b, double confidence) {
+  comparison.mean_a = mean(a);
+  comparison.mean_b = mean(b);
+  comparison.difference = *comparison.mean_b - *comparison.mean_a;
+  comparison.superiority = probability_of_superiority(b, a);
+  const QuantityInfo& info = comparison.column.info;
+  if (info.is_rate()) {
+    comparison.interval =
+        rate_difference_interval(*comparison.mean_b, static_cast<double>(b.size()),
+                                 *comparison.mean_a, static_cast<double>(a.size()), 0, confidence);
+    return;
+  }
+  comparison.interval = welch_interval(b, a, confidence);
+  if (comparison.interval)
+    comparison.interval =
+        clip_to_range(difference_range(info.range), *comparison.difference, *comparison.interval);
+}
+
+void add_unpaired_test(PairedComparison& comparison, const SideValues& a, const SideValues& b) {
+  using Test = PairedComparison::Test;
+  if (comparison.column.info.is_rate() && a.one_run_each && b.one_run_each) {
+    const auto ones = [](const std::vector<double>& bits) {
+      return static_cast<std::size_t>(std::count(bits.begin(), bits.end(), 1.0));
+    };
+    comparison.test = Test::FisherExact;
+    comparison.p = fisher_exact(ones(a.means), a.means.size(), ones(b.means), b.means.size());
+    return;
+  }
+  const RankSumTest test = rank_sum_test(b.means, a.means);
+  comparison.test = test.exact ? Test::RankSumExact : Test::RankSumNormal;
+  comparison.p = test.p;
+}
+
+/// Standard deviation of the difference of one scenario of each side, for sample size planning. A
+/// rate has half a success and half a failure more, so that it is positive.
+double unpaired_deviation(const PairedComparison& comparison, const std::vector<double>& a,
+                          const std::vector<double>& b) {
+  const bool is_rate = comparison.column.info.is_rate();
+  const auto variance = [is_rate](const std::vector<double>& values) {
+    const double n = static_cast<double>(values.size());
+    const double rate = (mean(values) * n + 0.5) / (n + 1);
+    const double deviation =
+        is_rate ? std::sqrt(rate * (1 - rate)) : standard_deviation(values).value_or(0);
+    return deviation * deviation;
+  };
+  return std::sqrt(variance(a) + variance(b));
+}
+
+}  // namespace
+
+PairedComparison compare_pair(const Side& a, const Side& b, const std::string& metric,
+                              const ComparisonOptions& options) {
+  PairedComparison comparison = begin_comparison(a, b, metric, options);
   const PairedValues values = paired_values(comparison, a, b, metric);
   comparison.scenarios = values.a.size();
   if (values.a.empty()) return comparison;
@@ -254,7 +335,27 @@ PairedComparison compare_pair(const Side& a, const Side& b, const std::string& m
   comparison.identical = values.identical;
   add_effect(comparison, values, differences, options.analysis);
   add_test(comparison, values, differences);
-  add_power(comparison, differences, options);
+  add_power(comparison, planning_deviation(comparison, differences),
+            min_pairs(test_level(options.analysis.confidence)), options);
+  comparison.adjusted_p = comparison.p;
+  comparison.verdict = verdict_of(comparison);
+  return comparison;
+}
+
+PairedComparison compare_unpaired(const Side& a, const Side& b, const std::string& metric,
+                                  const ComparisonOptions& options) {
+  PairedComparison comparison = begin_comparison(a, b, metric, options);
+  comparison.is_unpaired = true;
+  const SideValues left = values_of(a, metric, comparison);
+  const SideValues right = values_of(b, metric, comparison);
+  comparison.scenarios_a = left.means.size();
+  comparison.scenarios_b = right.means.size();
+  comparison.scenarios = std::min(left.means.size(), right.means.size());
+  if (comparison.scenarios == 0) return comparison;
+  add_unpaired_effect(comparison, left.means, right.means, options.analysis.confidence);
+  add_unpaired_test(comparison, left, right);
+  add_power(comparison, unpaired_deviation(comparison, left.means, right.means),
+            min_per_sample(test_level(options.analysis.confidence)), options);
   comparison.adjusted_p = comparison.p;
   comparison.verdict = verdict_of(comparison);
   return comparison;

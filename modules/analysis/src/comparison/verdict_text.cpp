@@ -18,6 +18,12 @@ std::string short_number(double number) {
   return format_fixed(number, digits_of(number));
 }
 
+/// "30 scenarios", or "15 and 14 unpaired scenarios".
+std::string sample_text(const PairedComparison& c) {
+  if (!c.is_unpaired) return count_text(c.scenarios, "scenario");
+  return std::to_string(c.scenarios_a) + " and " + count_text(c.scenarios_b, "unpaired scenario");
+}
+
 std::string statistics_text(const PairedComparison& c) {
   const int digits = digits_of(std::max(std::abs(*c.mean_a), std::abs(*c.mean_b)));
   std::string text = format_fixed(*c.mean_b, digits) + " against " +
@@ -27,8 +33,8 @@ std::string statistics_text(const PairedComparison& c) {
     text += " [" + format_fixed(c.interval->low, digits) + ", " +
             format_fixed(c.interval->high, digits) + "]";
   }
-  return text + " over " + count_text(c.scenarios, "scenario") + ", " + p_text(c.adjusted_p) +
-         " (" + to_string(c.test) + ", " + family_text(c) + ")";
+  return text + " over " + sample_text(c) + ", " + p_text(c.adjusted_p) + " (" + to_string(c.test) +
+         ", " + family_text(c) + ")";
 }
 
 std::string power_text(const PairedComparison& c) {
@@ -38,13 +44,15 @@ std::string power_text(const PairedComparison& c) {
 
 std::string more_text(const PairedComparison& c) {
   return "; about " + count_text(c.required_scenarios - c.scenarios, "more scenario") +
-         " required for " + power_text(c);
+         (c.is_unpaired ? " of each" : "") + " required for " + power_text(c);
 }
 
 std::string not_enough(const PairedComparison& c) {
   const std::string head =
       "not enough runs to compare " + c.b + " with " + c.a + " in " + c.column.info.id + ": ";
-  if (!c.has_partners()) return head + "no common scenario and repetition";
+  if (c.is_unpaired && c.scenarios == 0)
+    return head + "no values (" + count_text(c.runs_without_value, "run") + " without)";
+  if (!c.is_unpaired && !c.has_partners()) return head + "no common scenario and repetition";
   if (c.scenarios == 0) {
     return head + "no pair with values (" + count_text(c.without_value, "pair") + " without)";
   }
@@ -81,7 +89,7 @@ std::string verdict_sentence(const PairedComparison& c) {
     case Verdict::NoDifference:
       return "no difference shown between " + c.b + " and " + c.a + " in " + metric + ": " +
              statistics_text(c) + "; " + count_text(c.required_scenarios, "scenario") +
-             " suffice for " + power_text(c);
+             (c.is_unpaired ? " of each" : "") + " suffice for " + power_text(c);
     case Verdict::Unconfirmed:
       return unconfirmed(c);
     case Verdict::Identical:

@@ -12,8 +12,17 @@
 namespace slalom {
 namespace {
 
+/// All comparisons of a family are unpaired, or none.
+bool is_unpaired(const std::vector<PairedComparison>& family) {
+  return !family.empty() && family.front().is_unpaired;
+}
+
+std::string title_of(const std::vector<PairedComparison>& family) {
+  return std::string(is_unpaired(family) ? "Unpaired" : "Paired") + " comparisons, b against a";
+}
+
 DataTable exact_table(const std::vector<PairedComparison>& family) {
-  RowTable rows("comparisons", "Paired comparisons, b against a");
+  RowTable rows("comparisons", title_of(family));
   for (const PairedComparison& c : family) {
     rows.begin_row();
     rows.add("metric", Field{c.column.info.id});
@@ -21,6 +30,11 @@ DataTable exact_table(const std::vector<PairedComparison>& family) {
     rows.add("b", Field{c.b});
     rows.add("verdict", Field{to_string(c.verdict)});
     rows.add("scenarios", c.scenarios);
+    if (c.is_unpaired) {
+      rows.add("scenarios_a", c.scenarios_a);
+      rows.add("scenarios_b", c.scenarios_b);
+      rows.add("runs_without_value", c.runs_without_value);
+    }
     rows.add("pairs", c.pairs);
     rows.add("pairs_without_value", c.without_value);
     rows.add("unpaired_runs", c.unpaired);
@@ -46,13 +60,18 @@ DataTable exact_table(const std::vector<PairedComparison>& family) {
 }
 
 DataTable view_table(const std::vector<PairedComparison>& family) {
-  RowTable rows("comparisons", "Paired comparisons, b against a");
+  RowTable rows("comparisons", title_of(family));
   for (const PairedComparison& c : family) {
     rows.begin_row();
     rows.add("metric", Field{c.column.info.id});
     rows.add("a", Field{c.a});
     rows.add("b", Field{c.b});
-    rows.add("scenarios", c.scenarios);
+    if (c.is_unpaired) {
+      rows.add("scenarios a", c.scenarios_a);
+      rows.add("scenarios b", c.scenarios_b);
+    } else {
+      rows.add("scenarios", c.scenarios);
+    }
     rows.add("mean a", c.mean_a);
     rows.add("mean b", c.mean_b);
     rows.add("b - a", c.difference, c.interval);
@@ -114,14 +133,16 @@ std::vector<std::string> compared_metrics(const AnalysisQuery& query) {
 std::vector<PairedComparison> family_of(const std::vector<ResultTable>& results,
                                         const AnalysisQuery& query) {
   const std::vector<std::string> metrics = compared_metrics(query);
+  ComparisonOptions options = query.comparison;
+  options.unpaired = query.gates.empty();  // these are of the change on the same scenarios
   if (results.size() == 1) {
-    return compare_methods(results[0], metrics, query.baseline, query.comparison, query.method);
+    return compare_methods(results[0], metrics, query.baseline, options, query.method);
   }
   if (!query.baseline.empty()) {
     throw usage_error("--baseline", "not allowed with two result files (the first is the baseline)",
                       "one result file");
   }
-  return compare_results(results[0], results[1], metrics, query.comparison, query.method);
+  return compare_results(results[0], results[1], metrics, options, query.method);
 }
 
 }  // namespace
@@ -132,6 +153,10 @@ Interpretation interpret_comparison(const std::vector<ResultTable>& results,
   Interpretation found;
   found.tables = {exact_table(family)};
   found.views = {view_table(family)};
+  if (is_unpaired(family))
+    found.remarks.emplace_back(
+        "unpaired: no scenario and repetition has runs of both sides, so that differences between "
+        "their scenarios count as differences between the methods");
   for (const PairedComparison& c : family) found.remarks.push_back(verdict_sentence(c));
   if (results.size() == 2) {
     for (const std::string& difference :
@@ -139,7 +164,8 @@ Interpretation interpret_comparison(const std::vector<ResultTable>& results,
       found.remarks.push_back("the campaigns differ: " + difference);
     }
     for (const PairedComparison& c : family) {
-      if (c.unpaired == 0 || c.column.info.id != family.front().column.info.id) continue;
+      if (c.is_unpaired || c.unpaired == 0 || c.column.info.id != family.front().column.info.id)
+        continue;
       found.remarks.push_back(c.b + " against " + c.a + ": " + count_text(c.unpaired, "run") +
                               " without a partner left out");
     }

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 
 namespace slalom {
@@ -31,14 +30,6 @@ double range_probability(double q, std::size_t k) {
     total += math::exp(-z * z / 2) * math::pow(inside, static_cast<double>(k - 1));
   }
   return scale * total;
-}
-
-double sum_of_tie_terms(const std::vector<double>& ranks) {
-  std::map<double, double> sizes;
-  for (const double rank : ranks) sizes[rank] += 1;
-  double total = 0;
-  for (const auto& [rank, t] : sizes) total += t * t * t - t;
-  return total;
 }
 
 /// Statistics of the rank sums; `ties` is the sum of t^3 - t over all tied groups.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace slalom {
@@ -45,6 +46,14 @@ std::vector<double> midranks(const std::vector<double>& values, double tolerance
     first = end;
   }
   return ranks;
+}
+
+double sum_of_tie_terms(const std::vector<double>& ranks) {
+  std::map<double, double> sizes;
+  for (const double rank : ranks) sizes[rank] += 1;
+  double total = 0;
+  for (const auto& [rank, t] : sizes) total += t * t * t - t;
+  return total;
 }
 
 double probability_of_superiority(const std::vector<double>& a, const std::vector<double>& b) {

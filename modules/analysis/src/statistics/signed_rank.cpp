@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace slalom {
 namespace {
@@ -42,17 +41,9 @@ double exact_p(const std::vector<double>& ranks, double statistic) {
   return std::min(1.0, 2 * std::min(below, above));
 }
 
-double tie_correction(const std::vector<double>& ranks) {
-  std::map<double, double> sizes;
-  for (const double rank : ranks) sizes[rank] += 1;
-  double correction = 0;
-  for (const auto& [rank, t] : sizes) correction += t * t * t - t;
-  return correction / 48;
-}
-
 double normal_p(const std::vector<double>& ranks, double statistic) {
   const double n = static_cast<double>(ranks.size());
-  const double variance = n * (n + 1) * (2 * n + 1) / 24 - tie_correction(ranks);
+  const double variance = n * (n + 1) * (2 * n + 1) / 24 - sum_of_tie_terms(ranks) / 48;
   const double distance = std::max(0.0, std::abs(statistic - n * (n + 1) / 4) - 0.5);
   return 2 * boost::math::cdf(
                  boost::math::complement(distributions::Normal(), distance / std::sqrt(variance)));

@@ -243,7 +243,8 @@ void add_keys(ResultTable& columns, const CsvTable& csv, const KeyColumns& keys,
   RowCounts counts;
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     const std::string own = "row" + std::to_string(row + 1);
-    columns.scenario.push_back(scenario_index.index_of(hashes ? (*hashes)[row] : own));
+    columns.scenario.push_back(
+        scenario_index.index_of(hashes ? (*hashes)[row] : own + " of " + csv.name()));
     if (columns.scenario.back() == columns.scenario_names.size()) {
       columns.scenario_names.push_back(names ? (*names)[row] : own);
     }

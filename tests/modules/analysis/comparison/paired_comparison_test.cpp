@@ -139,6 +139,86 @@ TEST(PairedComparison, WithoutACommonScenarioDoesNotEndTheOthers) {
   EXPECT_THROW(compare_methods(fixture.table, {"optimality"}, "c", {}), Error);
 }
 
+/// The methods succeed in the first scenarios of their own, of n.
+ResultTable separate(int n, int a, int b) {
+  ResultFixture fixture;
+  for (int i = 0; i < n; ++i) {
+    fixture.add_run(fixture.add_scenario(Value::of(0.1)), "a", i < a ? 0.5 + 0.01 * i : -1);
+    fixture.add_run(fixture.add_scenario(Value::of(0.1)), "b", i < b ? 0.7 + 0.01 * i : -1);
+  }
+  return fixture.table;
+}
+
+ComparisonOptions unpaired() {
+  ComparisonOptions options;
+  options.unpaired = true;
+  return options;
+}
+
+TEST(UnpairedComparison, RatesHaveFishersTestAndNewcombesInterval) {
+  const PairedComparison c = compare_methods(separate(15, 1, 15), {"success"}, "", unpaired())[0];
+  EXPECT_TRUE(c.is_unpaired);
+  EXPECT_EQ(c.test, PairedComparison::Test::FisherExact);
+  EXPECT_NEAR(c.p, 2.062952e-7, 1e-12);  // fisher.test() of R
+  EXPECT_NEAR(*c.difference, 14 / 15.0, 1e-12);
+  // Newcombe's method 10 from the Wilson intervals [0.0119, 0.2982] and [0.7961, 1].
+  EXPECT_NEAR(c.interval->low, 14 / 15.0 - std::hypot(1 - 0.79612, 0.29817 - 1 / 15.0), 1e-4);
+  EXPECT_NEAR(c.interval->high, 14 / 15.0 + std::hypot(0, 1 / 15.0 - 0.01187), 1e-4);
+  EXPECT_EQ(c.verdict, Verdict::Better);
+  EXPECT_NE(
+      verdict_sentence(c).find("over 15 and 15 unpaired scenarios, p < 0.0001 (Fisher's exact "
+                               "test, Holm over 1 pair)"),
+      std::string::npos)
+      << verdict_sentence(c);
+}
+
+TEST(UnpairedComparison, AmountsHaveTheRankSumTest) {
+  const PairedComparison c =
+      compare_methods(separate(15, 12, 9), {"optimality"}, "", unpaired())[0];
+  EXPECT_EQ(c.test, PairedComparison::Test::RankSumExact);
+  EXPECT_EQ(c.scenarios_a, 12u);
+  EXPECT_EQ(c.scenarios_b, 9u);
+  EXPECT_EQ(c.runs_without_value, 9u);
+  EXPECT_EQ(c.verdict, Verdict::Better);
+  EXPECT_EQ(*c.superiority, 1) << "0.7 and more against 0.61 at most";
+}
+
+TEST(UnpairedComparison, SaysHowManyAreMissing) {
+  const PairedComparison c = compare_methods(separate(5, 2, 4), {"success"}, "", unpaired())[0];
+  EXPECT_EQ(c.verdict, Verdict::NotEnough);
+  // Rates of 2.5 and 4.5 in 6; a t test of the difference of one of each, over its efficiency.
+  const double variance = 2.5 * 3.5 / 36 + 4.5 * 1.5 / 36;
+  const double pairs = static_cast<double>(required_pairs(0.05, std::sqrt(variance), 0.05, 0.8));
+  EXPECT_EQ(c.required_scenarios, static_cast<std::size_t>(std::ceil(pairs * M_PI / 3)));
+  EXPECT_NE(verdict_sentence(c).find(" more scenarios of each required"), std::string::npos)
+      << verdict_sentence(c);
+  const PairedComparison none =
+      compare_methods(separate(5, 2, 0), {"optimality"}, "", unpaired())[0];
+  EXPECT_EQ(verdict_sentence(none),
+            "not enough runs to compare b with a in optimality: no values (8 runs without)");
+}
+
+TEST(UnpairedComparison, IsMadeOnlyIfAllowedAndIfNothingPairs) {
+  EXPECT_THROW(compare_methods(separate(5, 2, 4), {"success"}, "", {}), Error);
+  EXPECT_FALSE(compare_methods(rates(9, 3, 2, 1), {"success"}, "", unpaired())[0].is_unpaired);
+}
+
+TEST(UnpairedComparison, RepetitionsOfAScenarioAreNotIndependent) {
+  ResultFixture fixture;
+  for (int i = 0; i < 6; ++i) {
+    const std::string a = fixture.add_scenario(Value::of(0.1));
+    const std::string b = fixture.add_scenario(Value::of(0.1));
+    for (int repetition = 0; repetition < 10; ++repetition) {
+      fixture.add_run(a, "a", i < 3 ? 0.5 : -1, repetition);
+      fixture.add_run(b, "b", 0.5, repetition);
+    }
+  }
+  const PairedComparison c = compare_methods(fixture.table, {"success"}, "", unpaired())[0];
+  EXPECT_EQ(c.scenarios_a, 6u);
+  EXPECT_EQ(c.test, PairedComparison::Test::RankSumExact);
+  EXPECT_GT(c.p, 0.05);
+}
+
 TEST(PairedComparison, EqualMeansOfDifferentRepetitionsAreNotIdentical) {
   ResultFixture fixture;
   const std::string hash = fixture.add_scenario(Value::of(0.1));

@@ -5,6 +5,7 @@
 #include <slalom/analysis/rank_statistics.h>
 #include <slalom/analysis/rate_tests.h>
 #include <slalom/analysis/survival.h>
+#include <slalom/analysis/two_samples.h>
 #include <slalom/core/text.h>
 
 #include <gtest/gtest.h>
@@ -100,6 +101,31 @@ TEST_F(AgainstR, McNemarHolmAndSuperiority) {
   const auto w = r("cat(wilcox.test(" + c(a) + "," + c(b) + ")$statistic)");
   ASSERT_EQ(w.size(), 1u);
   EXPECT_NEAR(probability_of_superiority(a, b), w[0] / (13 * 9), 1e-12);
+}
+
+TEST_F(AgainstR, TwoSamples) {
+  const auto fisher =
+      r("f <- function(a, m, b, n) fisher.test(matrix(c(a, m - a, b, n - b), 2))$p.value\n"
+        "cat(f(1, 15, 15, 15), f(5, 10, 8, 10), f(120, 400, 90, 350))");
+  ASSERT_EQ(fisher.size(), 3u);
+  EXPECT_NEAR(fisher_exact(1, 15, 15, 15) / fisher[0], 1, 1e-9);
+  EXPECT_NEAR(fisher_exact(5, 10, 8, 10), fisher[1], 1e-9);
+  EXPECT_NEAR(fisher_exact(120, 400, 90, 350), fisher[2], 1e-9);
+  RandomEngine engine(7);
+  const auto a = normals(engine, 13, 0.5), b = normals(engine, 9, 0);
+  const auto small = r("cat(wilcox.test(" + c(a) + "," + c(b) + ")$p.value, t.test(" + c(a) + "," +
+                       c(b) + ")$conf.int)");
+  ASSERT_EQ(small.size(), 3u);
+  EXPECT_NEAR(rank_sum_test(a, b).p, small[0], 1e-9);
+  EXPECT_NEAR(welch_interval(a, b, 0.95)->low, small[1], 1e-9);
+  EXPECT_NEAR(welch_interval(a, b, 0.95)->high, small[2], 1e-9);
+  std::vector<double> x, y;
+  for (int i = 0; i < 70; ++i) x.push_back(uniform_int(engine, 0, 9));
+  for (int i = 0; i < 60; ++i) y.push_back(uniform_int(engine, 1, 10));
+  const auto large = r("cat(wilcox.test(" + c(x) + "," + c(y) + ", exact = FALSE)$p.value)");
+  ASSERT_EQ(large.size(), 1u);
+  EXPECT_FALSE(rank_sum_test(x, y).exact);
+  EXPECT_NEAR(rank_sum_test(x, y).p, large[0], 1e-9);
 }
 
 TEST_F(AgainstR, WilsonStudentAndPower) {

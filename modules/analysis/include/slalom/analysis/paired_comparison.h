@@ -33,6 +33,7 @@ struct ComparisonOptions {
   std::optional<double> relevant;  ///< smallest difference of interest; none: 0.05 for rates,
                                    ///< otherwise 5 % of the mean magnitude of both sides
   double power = 0.8;              ///< statistical power for that difference
+  bool unpaired = false;           ///< compare without pairs if no pair has_partners()
 };
 
 /// One side: a method in one set of results.
@@ -47,17 +48,27 @@ struct Side {
 struct PairedComparison {
   std::string a, b;  ///< names of the sides
   Column column;
-  std::size_t scenarios = 0;                         ///< with at least one pair of values
-  std::size_t pairs = 0;                             ///< of runs with values on both sides
-  std::size_t without_value = 0;                     ///< pairs of runs with a missing value
-  std::size_t unpaired = 0;                          ///< runs of either side without a partner
+  std::size_t scenarios = 0;      ///< with a pair of values; of the smaller side if unpaired
+  std::size_t pairs = 0;          ///< of runs with values on both sides
+  std::size_t without_value = 0;  ///< pairs of runs with a missing value
+  std::size_t unpaired = 0;       ///< runs of either side without a partner
   std::optional<double> mean_a, mean_b, difference;  ///< over scenarios
   std::optional<Interval> interval;                  ///< of the difference
   std::size_t higher = 0, lower = 0, equal = 0;      ///< scenarios by the sign of the difference
   bool identical = false;                            ///< all pairs of runs have equal values
 
-  enum class Test { None, McNemarExact, SignedRankExact, SignedRankNormal };
-  Test test = Test::None;  ///< McNemar for rates with one run per scenario, else Wilcoxon
+  enum class Test {
+    None,
+    McNemarExact,
+    SignedRankExact,
+    SignedRankNormal,
+    FisherExact,
+    RankSumExact,
+    RankSumNormal
+  };
+  /// McNemar (if unpaired Fisher) for rates with one run per scenario, else Wilcoxon (if unpaired
+  /// Mann and Whitney).
+  Test test = Test::None;
   double p = 1;
   double adjusted_p = 1;              ///< by Holm, over the family of comparisons
   std::size_t family = 1;             ///< number of tests in it
@@ -70,17 +81,27 @@ struct PairedComparison {
   std::size_t required_scenarios = 0;  ///< for that difference and power; 0: unknown
   Verdict verdict = Verdict::NotEnough;
 
+  bool is_unpaired = false;                      ///< see compare_unpaired()
+  std::size_t scenarios_a = 0, scenarios_b = 0;  ///< with a value, if unpaired
+  std::size_t runs_without_value = 0;            ///< of either side, if unpaired
+
   /// Whether a scenario and repetition has runs of both sides.
   bool has_partners() const { return pairs + without_value > 0; }
 };
 constexpr auto enum_names(PairedComparison::Test) {
-  return std::array{"no test", "exact McNemar test", "exact signed-rank test", "signed-rank test"};
+  return std::array{"no test",          "exact McNemar test",  "exact signed-rank test",
+                    "signed-rank test", "Fisher's exact test", "exact Mann-Whitney test",
+                    "Mann-Whitney test"};
 }
 
 /// Compares one pair; `adjusted_p` is `p` until `finish_families`. Throws Error (Usage) for unknown
 /// names.
 PairedComparison compare_pair(const Side& a, const Side& b, const std::string& metric,
                               const ComparisonOptions& options);
+
+/// The same of runs without common scenarios: the sides are independent samples of scenarios.
+PairedComparison compare_unpaired(const Side& a, const Side& b, const std::string& metric,
+                                  const ComparisonOptions& options);
 
 /// Corrects the p values of comparisons, and sets the verdicts. Those of one metric are a family,
 /// whichever metrics are compared with it. Sides that are identical or have no common pair do not
@@ -92,7 +113,7 @@ std::string family_text(const PairedComparison& comparison);
 
 /// Every pair of methods of a table (or each against `baseline`) in every metric. `method` leaves
 /// the pairs with it, and does not change their families. Throws Error (Usage) for unknown names,
-/// and if no pair has_partners().
+/// and if no pair has_partners(), unless the options allow unpaired comparisons.
 std::vector<PairedComparison> compare_methods(const ResultTable& table,
                                               const std::vector<std::string>& metrics,
                                               const std::string& baseline,

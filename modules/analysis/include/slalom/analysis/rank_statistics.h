@@ -20,6 +20,9 @@ double tie_tolerance(const std::vector<double>& values);
 /// least of a group are those that exceed it by no more than `tolerance`.
 std::vector<double> midranks(const std::vector<double>& values, double tolerance = 0);
 
+/// Sum of t^3 - t over all groups of t equal ranks, for corrections of tests for ties.
+double sum_of_tie_terms(const std::vector<double>& ranks);
+
 /// Wilcoxon's signed-rank test of paired differences (Wilcoxon 1945), two-sided.
 struct SignedRankTest {
   std::size_t n = 0;      ///< nonzero differences; zeros are dropped, as by Wilcoxon
