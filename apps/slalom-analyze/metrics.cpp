@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "log_table.h"
 #include "metrics.h"
 
 #include <slalom/analysis/cell_text.h>
@@ -19,9 +20,10 @@ namespace slalom {
 namespace {
 
 struct MetricsArguments {
-  std::string trajectory, topic, scenario, outcome, radius;
+  std::string trajectory, topic, outcome, radius;
   CampaignArguments campaign;
   LogSelection selection;
+  LogTableArguments table;
   bool json = false;
 };
 
@@ -66,24 +68,29 @@ std::string text_of(const EvaluatedLog& log, const CampaignOptions& options) {
   return text;
 }
 
-TrajectoryFile load_log(const MetricsArguments& arguments, bool sideways) {
-  if (is_bag(arguments.trajectory))
-    return load_bag_trajectory(arguments.trajectory, arguments.topic, sideways,
-                               arguments.selection);
+void refuse_topic(const MetricsArguments& arguments, const std::string& log) {
   if (!arguments.topic.empty())
-    throw usage_error("--topic", arguments.trajectory + " is not a bag of ROS",
-                      "a log without --topic, or a bag");
-  return load_trajectory_file(arguments.trajectory, sideways, arguments.selection);
+    throw usage_error("--topic", log + " is not a bag of ROS", "a log without --topic, or a bag");
 }
 
-void run(const MetricsArguments& arguments) {
-  const IniFile ini = metrics_ini(arguments);
-  CampaignOptions options =
-      ini.has_section("campaign") ? read_campaign_options(ini) : read_measuring_options(ini);
-  if (!arguments.outcome.empty()) parse_outcome(arguments.outcome);
-  const World world(load_scenario_yaml(arguments.scenario), options.simulation.resolution);
+TrajectoryFile load_log(const MetricsArguments& arguments, const std::string& log, bool sideways) {
+  if (is_bag(log)) return load_bag_trajectory(log, arguments.topic, sideways, arguments.selection);
+  refuse_topic(arguments, log);
+  return load_trajectory_file(log, sideways, arguments.selection);
+}
+
+std::vector<TrajectoryFile> load_runs(const MetricsArguments& arguments, const std::string& log,
+                                      bool sideways) {
+  if (!arguments.table.split || is_bag(log)) return {load_log(arguments, log, sideways)};
+  refuse_topic(arguments, log);
+  return load_trajectory_runs(log, sideways, arguments.selection);
+}
+
+/// One log, as text or JSON.
+void print_log(const MetricsArguments& arguments, const IniFile& ini, CampaignOptions options) {
+  const World world(load_scenario_yaml(arguments.table.scenario), options.simulation.resolution);
   options.adapt_to({world.scenario()});
-  TrajectoryFile file = load_log(arguments, options.robot.holonomic());
+  TrajectoryFile file = load_log(arguments, arguments.trajectory, options.robot.holonomic());
   EvaluatedLog log = measure(options, ini, world, file.trajectory, arguments.outcome);
   log.notes.insert(log.notes.begin(), file.notes.begin(), file.notes.end());
   if (arguments.json)
@@ -95,6 +102,54 @@ void run(const MetricsArguments& arguments) {
     std::cerr << arguments.trajectory << ": " << note << "\n";
 }
 
+void require_arguments(const MetricsArguments& arguments) {
+  const LogTableArguments& table = arguments.table;
+  if (arguments.trajectory.empty() == table.logs.empty())
+    throw usage_error("metrics", table.logs.empty() ? "no log" : "logs and --trajectory",
+                      "--trajectory LOG for one log, or LOG... or FOLDER for a table");
+  if (!table.logs.empty() && arguments.json)
+    throw usage_error("--json", "with a table of logs", "--trajectory LOG");
+  if (table.logs.empty() && (!table.name_pattern.empty() || !table.scenarios.empty() ||
+                             !table.output.empty() || table.split))
+    throw usage_error("--trajectory", "with an option for a table of logs",
+                      "the log without --trajectory");
+  if (table.logs.empty() && table.scenario.empty())
+    throw usage_error("--scenario", "missing", "the scenario of the log (YAML)");
+}
+
+void run(const MetricsArguments& arguments) {
+  require_arguments(arguments);
+  const IniFile ini = metrics_ini(arguments);
+  CampaignOptions options =
+      ini.has_section("campaign") ? read_campaign_options(ini) : read_measuring_options(ini);
+  if (!arguments.outcome.empty()) parse_outcome(arguments.outcome);
+  if (arguments.table.logs.empty()) return print_log(arguments, ini, std::move(options));
+  LogTableArguments table = arguments.table;
+  table.quiet = arguments.campaign.quiet;
+  print_log_table(
+      table, options.simulation.resolution,
+      [&](const std::string& log) { return load_runs(arguments, log, options.robot.holonomic()); },
+      [&](const World& world, const Trajectory& log) {
+        CampaignOptions adapted = options;
+        adapted.adapt_to({world.scenario()});
+        return measure(std::move(adapted), ini, world, log, arguments.outcome);
+      });
+}
+
+void add_table_options(CLI::App& verb, LogTableArguments& table) {
+  verb.add_option("logs", table.logs,
+                  "Logs, or folders with logs: prints one table (CSV) with a row per run, for "
+                  "slalom-analyze table");
+  verb.add_option("--name-pattern", table.name_pattern,
+                  "What the names of logs say, such as {method}_{scenario}_{repetition}.csv or "
+                  "{method}/{scenario}.csv");
+  verb.add_option("--scenarios", table.scenarios,
+                  "Scenarios of the logs by {scenario}: a folder with NAME.yaml, or a list");
+  verb.add_flag("--split", table.split,
+                "A log whose time goes back is several runs: repetitions 1, 2, ...");
+  verb.add_option("-o,--output", table.output, "File of the table instead of standard output");
+}
+
 }  // namespace
 
 void define_metrics(CLI::App& app) {
@@ -102,15 +157,16 @@ void define_metrics(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("metrics", "Compute the metrics of a trajectory from any robot's log");
   verb->add_option("--trajectory", arguments.trajectory,
-                   "The log: CSV with a header line t,x,y[,phi,v,w,...], TUM, or a bag of ROS")
-      ->required();
+                   "The log: CSV with a header line t,x,y[,phi,v,w,...], TUM, or a bag of ROS");
+  add_table_options(*verb, arguments.table);
   verb->add_option("--topic", arguments.topic,
                    "Topic of a bag with Odometry or poses (default: the only one), or frames: "
                    "/tf:map.base_link");
   verb->add_option("--columns", arguments.selection.columns,
                    "Columns of the log with other names or units, NAME=COLUMN[*FACTOR],..., e.g. "
                    "t=%time*1e-9,x=field.pose.pose.position.x");
-  verb->add_option("--scenario", arguments.scenario, "Scenario of the log (YAML)")->required();
+  verb->add_option("--scenario", arguments.table.scenario,
+                   "Scenario of the log, or of all logs (YAML)");
   verb->add_option("-c,--config", arguments.campaign.config,
                    "Campaign .ini for the robot, termination conditions and reference");
   verb->add_option("--set", arguments.campaign.overrides,

@@ -2,6 +2,8 @@
 #include "../adapters/bags/message_bytes.h"
 #include "program_run.h"
 
+#include <slalom/core/text.h>
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -45,6 +47,90 @@ class MetricsOfALog : public ProgramTest {
     return json.at("metrics").at(id).at("value").get<double>();
   }
 };
+
+/// A table of logs of two methods in two scenarios.
+class MetricsOfManyLogs : public MetricsOfALog {
+ protected:
+  void SetUp() override {
+    MetricsOfALog::SetUp();
+    std::filesystem::create_directories(folder_ / "logs");
+    std::filesystem::create_directories(folder_ / "rooms");
+    write("rooms/room.yaml", read("room.yaml"));
+    std::string wide = read("room.yaml");
+    write("rooms/wide_room.yaml", wide.replace(wide.find("room"), 4, "wide_room"));
+    log_ = read("log.csv");
+    for (const char* name : {"dwb_room_1", "dwb_wide_room_1", "mppi_room_1", "mppi_room_2"})
+      write("logs/" + std::string(name) + ".csv", log_);
+    write("logs/remarks.md", "two of the robots were new\n");
+  }
+  static constexpr const char* kPattern =
+      " --name-pattern '{method}_{scenario}_{repetition}.csv' --scenarios rooms";
+  std::string log_;
+};
+
+TEST_F(MetricsOfManyLogs, AreATableThatCanBeRead) {
+  const ProgramResult made =
+      run("slalom-analyze metrics logs -o table.csv" + std::string(kPattern));
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.err.find("and 3 other runs: v and w computed"), std::string::npos) << made.err;
+  EXPECT_NE(made.err.find("1 file left out"), std::string::npos) << made.err;
+  const std::string table = read("table.csv");
+  for (const char* row :
+       {"log,method,scenario,repetition,outcome,", "\nlogs/dwb_room_1.csv,dwb,room,1,success,",
+        "\nlogs/dwb_wide_room_1.csv,dwb,wide_room,1,success,",
+        "\nlogs/mppi_room_2.csv,mppi,room,2,success,"})
+    EXPECT_NE(table.find(row), std::string::npos) << row;
+  const auto single = metrics("--trajectory log.csv");
+  const ProgramResult read_again =
+      run("slalom-analyze table table.csv --csv --columns path_length --method dwb");
+  EXPECT_EQ(read_again.status, 0) << read_again.err;
+  EXPECT_NE(read_again.out.find("," + format_number(value(single, "path_length")) + ","),
+            std::string::npos)
+      << read_again.out;
+}
+
+TEST_F(MetricsOfManyLogs, OneBadLogDoesNotEndTheOthers) {
+  write("logs/dwb_room_2.csv", "t,x\n0,1\n");
+  write("logs/dwb_attic_1.csv", log_);
+  const ProgramResult made = run("slalom-analyze metrics logs --quiet" + std::string(kPattern));
+  EXPECT_EQ(made.status, 1);
+  EXPECT_NE(made.err.find("2 of 6 logs refused"), std::string::npos) << made.err;
+  for (const char* row :
+       {"\nlogs/mppi_room_2.csv,mppi,room,2,success,", "\nlogs/dwb_room_2.csv,dwb,room,2,,",
+        "missing column 'y'", "no scenario 'attic'"})
+    EXPECT_NE(made.out.find(row), std::string::npos) << row;
+}
+
+TEST_F(MetricsOfManyLogs, ALogWhoseTimeGoesBackIsSeveralRuns) {
+  const std::string rows = log_.substr(log_.find('\n') + 1);
+  write("double.csv", log_ + rows + "0,1,3,0\n");
+  const ProgramResult split =
+      run("slalom-analyze metrics double.csv --split --scenario room.yaml --quiet");
+  EXPECT_EQ(split.status, 0) << split.err;
+  EXPECT_NE(split.out.find("\ndouble.csv,room,1,success,"), std::string::npos) << split.out;
+  EXPECT_NE(split.out.find("\ndouble.csv,room,2,success,"), std::string::npos) << split.out;
+  EXPECT_EQ(split.out.find("\ndouble.csv,room,3,"), std::string::npos) << "one sample";
+  expect_failure("slalom-analyze metrics --trajectory double.csv --scenario room.yaml", 3,
+                 {"goes back", "--split several runs"});
+}
+
+TEST_F(MetricsOfManyLogs, WrongArgumentsAreRefused) {
+  expect_failure("slalom-analyze metrics --scenario room.yaml", 2, {"no log", "--trajectory LOG"});
+  expect_failure("slalom-analyze metrics log.csv", 2, {"--scenario", "--scenarios FOLDER or LIST"});
+  expect_failure("slalom-analyze metrics --trajectory log.csv --split --scenario room.yaml", 2,
+                 {"without --trajectory"});
+  expect_failure("slalom-analyze metrics log.csv --scenarios rooms", 2, {"{scenario}"});
+  expect_failure("slalom-analyze metrics rooms --scenario room.yaml", 3, {"rooms: no logs"});
+  const std::string log = "slalom-analyze metrics log.csv --scenario room.yaml --name-pattern ";
+  for (const char* pattern :
+       {"'{method}{scenario}'", "'{metho}'", "log", "'{method'", "'{method}_{method}'"})
+    expect_failure(log + pattern, 2, {"--name-pattern", "at most once"});
+  expect_failure(log + "'{method}_{scenario}'", 2, {"does not match log.csv"});
+  write("a_b_c.csv", log_);
+  expect_failure(
+      "slalom-analyze metrics a_b_c.csv --scenario room.yaml --name-pattern '{method}_{scenario}'",
+      2, {"2 ways", "method a, scenario b_c", "a folder for each method"});
+}
 
 TEST_F(MetricsOfALog, AreComputedUpToTheGoal) {
   const auto json = metrics("--trajectory log.csv");

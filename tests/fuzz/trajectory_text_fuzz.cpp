@@ -18,6 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   for (const bool lateral : {false, true})
     fuzz::read_or_refuse([&] {
+      for (const auto& run : trajectory_runs_from_text(text, "input", lateral, selection))
+        fuzz::expect(run.trajectory.samples.size() >= 2, "a run has two samples or more");
       const auto log = trajectory_from_text(text, "input", lateral, selection);
       fuzz::expect(log.trajectory.samples.size() >= 2, "a trajectory has two samples or more");
       for (const Sample& sample : log.trajectory.samples)

@@ -71,6 +71,7 @@ class Collector {
   }
 
   double largest_angle() const { return largest_angle_; }
+  std::size_t samples() const { return trajectory_.samples.size(); }
 
  private:
   /// The first sample of a time counts.
@@ -85,7 +86,7 @@ class Collector {
     if (goes_back)
       throw lines.error(
           "t = " + format_number(now.t) + " goes back from " + format_number(samples.back().t),
-          "times that increase; --from and --to read a part");
+          "times that increase; --from and --to read a part, --split several runs");
     if (samples.empty() || now.t != samples.back().t) return false;
     if (repeated_++ == 0) first_repeated_ = lines.number();
     return true;
@@ -193,40 +194,75 @@ double yaw_of(double qx, double qy, double qz, double qw, const TextLines& lines
   return math::atan2(2 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz);
 }
 
-TrajectoryFile read_log(std::string line, TextLines& lines, bool sideways,
-                        const LogSelection& selection) {
+/// The runs of a log: one, or with `split` one more where the time goes back.
+std::vector<TrajectoryFile> read_log(std::string line, TextLines& lines, bool sideways,
+                                     const LogSelection& selection, bool split) {
   const LogColumns columns = find_log_columns(line, selection.columns, lines);
   LogRow row{};
   row[kCommandV] = row[kCommandW] = kMissing;
+  std::vector<TrajectoryFile> runs;
   Collector collector(selection);
+  const auto finish = [&] {
+    if (split && collector.samples() < 2) return;
+    runs.push_back(complete(collector, lines, columns, sideways));
+  };
+  double last = -std::numeric_limits<double>::infinity();
   for (bool more = columns.first_line_has_numbers || lines.next(line); more;
        more = lines.next(line)) {
     columns.read(line, row, lines);
     if (columns.has(kQz)) row[kPhi] = yaw_of(row[kQx], row[kQy], row[kQz], row[kQw], lines);
+    if (split && row[kTime] < last) {
+      finish();
+      collector = Collector(selection);
+    }
+    last = row[kTime];
     collector.add(row, lines);
   }
-  return complete(collector, lines, columns, sideways);
+  finish();
+  if (runs.empty()) throw lines.error("no run of 2 samples", "samples whose times increase");
+  return runs;
 }
 
-}  // namespace
-
-TrajectoryFile trajectory_from_text(const std::string& text, const std::string& where,
-                                    bool sideways, const LogSelection& selection) {
+std::vector<TrajectoryFile> read_text_log(const std::string& text, const std::string& where,
+                                          bool sideways, const LogSelection& selection,
+                                          bool split) {
   refuse_ros_bag(text, where,
                  "a trajectory as CSV or TUM; slalom-analyze metrics --trajectory reads bags");
   TextLines lines(text, where);
   std::string line;
   if (!lines.next(line))
     throw file_error(where, "empty file", "a trajectory as CSV with a header line, or as TUM");
-  return read_log(line, lines, sideways, selection);
+  return read_log(line, lines, sideways, selection, split);
+}
+
+std::string text_of_log(const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!error && size > kMaxBytes) throw file_error(path, "file too large", "at most 512 MiB");
+  return read_text(path, "a trajectory");
+}
+
+}  // namespace
+
+TrajectoryFile trajectory_from_text(const std::string& text, const std::string& where,
+                                    bool sideways, const LogSelection& selection) {
+  return std::move(read_text_log(text, where, sideways, selection, false).front());
+}
+
+std::vector<TrajectoryFile> trajectory_runs_from_text(const std::string& text,
+                                                      const std::string& where, bool sideways,
+                                                      const LogSelection& selection) {
+  return read_text_log(text, where, sideways, selection, true);
 }
 
 TrajectoryFile load_trajectory_file(const std::string& path, bool sideways,
                                     const LogSelection& selection) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (!error && size > kMaxBytes) throw file_error(path, "file too large", "at most 512 MiB");
-  return trajectory_from_text(read_text(path, "a trajectory"), path, sideways, selection);
+  return trajectory_from_text(text_of_log(path), path, sideways, selection);
+}
+
+std::vector<TrajectoryFile> load_trajectory_runs(const std::string& path, bool sideways,
+                                                 const LogSelection& selection) {
+  return trajectory_runs_from_text(text_of_log(path), path, sideways, selection);
 }
 
 }  // namespace slalom

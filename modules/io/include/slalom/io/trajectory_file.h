@@ -44,6 +44,13 @@ struct LogSelection {
 /// samples, paths longer than 100 km, files larger than 512 MiB; Error (Usage) for `columns`.
 TrajectoryFile load_trajectory_file(const std::string& path, bool sideways,
                                     const LogSelection& selection = {});
+/// The same of a log of several runs, each of which begins where the time goes back. Runs of one
+/// sample are left out.
+std::vector<TrajectoryFile> load_trajectory_runs(const std::string& path, bool sideways,
+                                                 const LogSelection& selection = {});
+std::vector<TrajectoryFile> trajectory_runs_from_text(const std::string& text,
+                                                      const std::string& where, bool sideways,
+                                                      const LogSelection& selection = {});
 TrajectoryFile trajectory_from_text(const std::string& text, const std::string& where,
                                     bool sideways, const LogSelection& selection = {});
 
