@@ -241,6 +241,23 @@ TEST_F(Analyze, ComparesTablesWithoutCommonScenariosUnpaired) {
                  {"no common scenario and repetition"});
 }
 
+TEST_F(Analyze, NamesTheFormatOfAForeignFileAndTheWayIn) {
+  write("runs.parquet", "PAR1\x15\x04");
+  for (const char* verb : {"table", "compare", "summary"})
+    expect_failure("slalom-analyze " + std::string(verb) + " runs.parquet", 3,
+                   {"runs.parquet: is a Parquet file", "a table as CSV", "pandas.read_parquet"});
+  write("runs.json", "{\"runs\": [{\"planner\": \"dwb\"}]}");
+  expect_failure("slalom-analyze table runs.json", 3, {"is JSON", "pandas.json_normalize"});
+  expect_failure("slalom-analyze show runs.json --run s/m/0", 3, {"is JSON"});
+  expect_failure("slalom-analyze report runs.parquet -o out", 3, {"is a Parquet file"});
+  write("some.bag", "#ROSBAG V2.0\n");
+  expect_failure("slalom-analyze table some.bag", 3,
+                 {"is a bag of ROS 1", "slalom-analyze metrics --trajectory"});
+  ASSERT_EQ(run("slalom-analyze export runs.results --format plannerarena -o arena.db").status, 0);
+  expect_failure("slalom-analyze table arena.db", 3,
+                 {"a benchmark database of OMPL", "sqlite3 -header -csv FILE"});
+}
+
 TEST_F(Analyze, BinsMayComeFromAnIndexOfTheList) {
   write("small.ini", kSmallCampaign);
   ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet").status, 0);

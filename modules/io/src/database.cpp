@@ -3,6 +3,7 @@
 #include "transaction.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/file_format.h>
 #include <slalom/core/read_file.h>
 #include <slalom/io/foreign_database.h>
 #include <slalom/io/read_results.h>
@@ -268,6 +269,7 @@ std::unique_ptr<SQLite::Database> open_foreign_database(const std::string& path,
 
 std::unique_ptr<SQLite::Database> open_database(const std::string& path, const DatabaseKind& kind) {
   require_regular_files(path, kind.name);
+  refuse_foreign_file(path, kind.name);
   const int mode = access(path.c_str(), W_OK) == 0 ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY;
   return reading(path, [&] {
     auto database = std::make_unique<SQLite::Database>(path, mode, kBusyTimeoutMs);

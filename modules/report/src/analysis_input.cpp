@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/error.h>
+#include <slalom/core/file_format.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>
@@ -19,7 +20,9 @@ ResultTable read_analysis_input(const std::string& path,
   for (const Metric& metric : all_metrics()) with_known.known.push_back(metric.info);
   for (const Descriptor& descriptor : all_descriptors())
     with_known.known.push_back(descriptor.info);
-  return columns_from_csv(read_text(path, "a table (.csv)"), path, with_known);
+  const std::string text = read_text(path, "a table (.csv)");
+  refuse_foreign_format(text, path, "a result file (.results) or a table as CSV");
+  return columns_from_csv(text, path, with_known);
 }
 
 std::vector<BinSpec> resolve_indexes(std::vector<BinSpec> specs, const std::string& list_path) {

@@ -5,9 +5,9 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
+#include <slalom/core/file_format.h>
 #include <slalom/core/math.h>
 #include <slalom/core/read_file.h>
-#include <slalom/core/ros_bag.h>
 #include <slalom/core/text.h>
 #include <slalom/io/trajectory_file.h>
 
@@ -226,8 +226,7 @@ std::vector<TrajectoryFile> read_log(std::string line, TextLines& lines, bool si
 std::vector<TrajectoryFile> read_text_log(const std::string& text, const std::string& where,
                                           bool sideways, const LogSelection& selection,
                                           bool split) {
-  refuse_ros_bag(text, where,
-                 "a trajectory as CSV or TUM; slalom-analyze metrics --trajectory reads bags");
+  refuse_foreign_format(text, where, "a trajectory as CSV or TUM");
   TextLines lines(text, where);
   std::string line;
   if (!lines.next(line))
