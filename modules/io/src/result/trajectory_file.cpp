@@ -223,6 +223,53 @@ std::vector<TrajectoryFile> read_log(std::string line, TextLines& lines, bool si
   return runs;
 }
 
+constexpr std::size_t kKittiNumbers = 12;
+
+/// Whether a line has 12 numbers.
+bool is_kitti(const std::string& line) {
+  const std::vector<std::string> fields = split_at_blanks(line);
+  double number = 0;
+  return fields.size() == kKittiNumbers &&
+         std::all_of(fields.begin(), fields.end(),
+                     [&](const std::string& field) { return parse_number(field, number); });
+}
+
+/// Poses of KITTI as the rows of a log, at a constant rate.
+std::string log_of_kitti(std::string line, TextLines& lines, double rate) {
+  if (!(rate > 0)) throw lines.error("poses without times (KITTI)", "--rate HZ, of the camera");
+  std::string log = "t,x,y,phi\n";
+  std::size_t index = 0;
+  do {
+    const std::vector<double> m = numbers_of(split_at_blanks(line), kKittiNumbers, lines);
+    const double right = m[2], forward = m[10];  // of the third column of R
+    constexpr double kLevel = 0.1;
+    if (!(std::hypot(right, forward) > kLevel))
+      throw lines.error("the camera looks up or down", "a rotation matrix with a heading");
+    const double numbers[] = {static_cast<double>(index++) / rate, m[11], -m[3],
+                              math::atan2(-right, forward)};
+    std::vector<std::string> fields;
+    for (const double number : numbers) fields.push_back(format_number(number));
+    log += join(fields, ",") + "\n";
+  } while (lines.next(line));
+  return log;
+}
+
+std::vector<TrajectoryFile> read_kitti(const std::string& line, TextLines& lines,
+                                       const std::string& where, bool sideways,
+                                       const LogSelection& selection) {
+  if (!selection.columns.empty())
+    throw usage_error("--columns", where + " has poses of KITTI", "no --columns");
+  const std::string log = log_of_kitti(line, lines, selection.rate);
+  TextLines rows(log, where);
+  std::string header;
+  rows.next(header);
+  std::vector<TrajectoryFile> runs = read_log(header, rows, sideways, selection, false);
+  runs[0].notes.insert(runs[0].notes.begin(),
+                       "poses of KITTI: x is forward (z of the camera), y to the left (-x), at " +
+                           format_number(selection.rate) + " Hz");
+  return runs;
+}
+
 std::vector<TrajectoryFile> read_text_log(const std::string& text, const std::string& where,
                                           bool sideways, const LogSelection& selection,
                                           bool split) {
@@ -231,6 +278,8 @@ std::vector<TrajectoryFile> read_text_log(const std::string& text, const std::st
   std::string line;
   if (!lines.next(line))
     throw file_error(where, "empty file", "a trajectory as CSV with a header line, or as TUM");
+  if (is_kitti(line)) return read_kitti(line, lines, where, sideways, selection);
+  if (selection.rate > 0) throw usage_error("--rate", where + " has times", "no --rate");
   return read_log(line, lines, sideways, selection, split);
 }
 

@@ -379,6 +379,37 @@ TEST(TrajectoryFile, TruncatedFilesAreRejectedOrRead) {
   }
 }
 
+TEST(TrajectoryFile, PosesOfKittiAreThoseOfACameraAtAConstantRate) {
+  // Forward 2 m at 10 Hz; then a turn to the left by 90 degrees about the camera's y axis, which
+  // points down: the optical axis becomes -x of the first camera.
+  const std::string poses =
+      "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 2\n0 0 -1 -3 0 1 0 0 1 0 0 2\n";
+  LogSelection selection;
+  selection.rate = 10;
+  const TrajectoryFile file = trajectory_from_text(poses, "log", false, selection);
+  ASSERT_EQ(file.trajectory.samples.size(), 3u);
+  const Sample& last = file.trajectory.samples[2];
+  EXPECT_DOUBLE_EQ(last.t, 0.2);
+  EXPECT_EQ(file.trajectory.samples[1].pose.x, 2);
+  EXPECT_EQ(last.pose.x, 2);
+  EXPECT_EQ(last.pose.y, 3) << "to the left";
+  EXPECT_NEAR(last.pose.phi, M_PI / 2, 1e-12);
+  EXPECT_TRUE(mentions(notes_of(file), {"poses of KITTI", "10 Hz"}));
+  EXPECT_TRUE(refused_log(poses, "log:1: ", {"without times (KITTI)", "--rate HZ"}));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "log:2", {"3 fields", "12 numbers"}, [&] {
+    trajectory_from_text("1 0 0 0 0 1 0 0 0 0 1 0\n1 2 3\n", "log", false, selection);
+  }));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "log:1", {"looks up or down"}, [&] {
+    trajectory_from_text("1 0 0 0 0 0 1 0 0 1 0 0\n", "log", false, selection);
+  }));
+  selection.columns = "t=a";
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--columns", {"poses of KITTI"},
+                           [&] { trajectory_from_text(poses, "log", false, selection); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--rate", {"has times"}, [&] {
+    trajectory_from_text("t,x,y\n0,0,0\n1,1,1\n", "log", false, selection);
+  }));
+}
+
 TEST(TrajectoryFile, ReportsAMissingFile) {
   const TemporaryFolder folder;
   EXPECT_TRUE(throws_error(ErrorKind::File, folder / "none.csv", {},

@@ -23,6 +23,7 @@ struct LogSelection {
   double to = std::numeric_limits<double>::infinity();
   /// NAME=COLUMN[*FACTOR],...: columns that do not have the usual names or units.
   std::string columns = "";
+  double rate = 0;  ///< Hz, of poses without times (KITTI); 0: unknown
 };
 
 /// Reads a log in CSV or TUM format. Empty lines and lines that begin with '#' are ignored. Units
@@ -31,7 +32,9 @@ struct LogSelection {
 /// The first non-empty line names the columns in any order, or the last line with '#' before
 /// numbers: t, x, y, and optionally phi or a quaternion qx, qy, qz, qw, v, w, vy, command_v,
 /// command_w, command_vy, or usual other names. Other columns are not read. Lines of numbers
-/// without header are t x y z qx qy qz qw (TUM), t x y z yaw pitch roll or t x y phi.
+/// without header are t x y z qx qy qz qw (TUM), t x y z yaw pitch roll or t x y phi. Lines of 12
+/// numbers are poses of KITTI, rows of [R t] in the frame of a camera (x right, y down, z forward):
+/// x is forward, y to the left, phi the direction of the camera; times are those of the rate.
 ///
 /// Missing headings are those of the motion; missing velocities are computed by central differences
 /// of the poses (vy only if `sideways`, otherwise it is 0); missing commands are NaN.
@@ -41,7 +44,8 @@ struct LogSelection {
 ///
 /// Throws Error (File) with line and what was expected for: non-finite numbers, times that go back,
 /// missing or duplicate columns, rows of a different length, fewer than 2 or more than 5 million
-/// samples, paths longer than 100 km, files larger than 512 MiB; Error (Usage) for `columns`.
+/// samples, paths longer than 100 km, files larger than 512 MiB; Error (Usage) for `columns`, and
+/// for a rate of a log with times.
 TrajectoryFile load_trajectory_file(const std::string& path, bool sideways,
                                     const LogSelection& selection = {});
 /// The same of a log of several runs, each of which begins where the time goes back. Runs of one
