@@ -68,11 +68,14 @@ void add_map_options(CLI::App& verb, ImportRequest& request) {
       ->check(CLI::Range(1, 255))
       ->capture_default_str();
   PointMapOptions& points = request.points;
-  verb.add_option("--margin", points.margin, "Margin of the workspace around point maps, m")
+  verb.add_option("--margin", points.margin,
+                  "Margin of the workspace around point maps and worlds, m")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb.add_option("--z-min", points.z_min, "Minimum height of points in point maps, m");
-  verb.add_option("--z-max", points.z_max, "Maximum height of points in point maps, m");
+  verb.add_option("--z-min", points.z_min,
+                  "Minimum height of obstacles in point maps and worlds (0.05), m");
+  verb.add_option("--z-max", points.z_max,
+                  "Maximum height of obstacles in point maps and worlds (2), m");
   verb.add_flag("--image-negate", map.image.negate,
                 "Light pixels are obstacles instead of dark ones");
 }
@@ -105,10 +108,10 @@ void add_import_verb(CLI::App& app) {
   static ImportArguments arguments;
   CLI::App* verb = app.add_subcommand(
       "import",
-      "Import maps (MRPT, ROS, MovingAI, images), BARN worlds, logs (.rawlog, bags) or "
+      "Import maps (MRPT, ROS, MovingAI, images), worlds (Gazebo, BARN), logs (.rawlog, bags) or "
       "scenarios (.scenario.yaml)");
   verb->add_option("files", arguments.request.files,
-                   "Map files, .scenario.yaml files, BARN grids or folders, rawlogs, bags")
+                   "Map files, worlds, .scenario.yaml files, BARN grids or folders, rawlogs, bags")
       ->required();
   verb->add_option("-o,--output", arguments.output, "The list to write (.scenarios)")->required();
   add_pair_options(*verb, arguments.request);

@@ -52,6 +52,7 @@ add_library(slalom_fuzzed STATIC
   ${BAGS}/ros_messages.cpp
   ${BAGS}/sqlite_bag.cpp
   ${BAGS}/topic_choice.cpp
+  ${FORMATS}/gazebo_world.cpp
   ${FORMATS}/gray_image.cpp
   ${FORMATS}/image_size.cpp
   ${FORMATS}/map_task.cpp
@@ -62,6 +63,9 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/point_map.cpp
   ${FORMATS}/ros_map.cpp
   ${FORMATS}/rotated_grid.cpp
+  ${FORMATS}/world_import.cpp
+  ${FORMATS}/world_parts.cpp
+  ${FORMATS}/xml_file.cpp
   ${MODULES}/robot/src/footprint.cpp
   ${MODULES}/robot/src/robot_model.cpp
   ${MODULES}/simulation/src/simulation_options.cpp
@@ -78,7 +82,7 @@ target_include_directories(slalom_fuzzed PUBLIC ${FORMATS} ${MODULES}/campaign/s
 target_compile_options(slalom_fuzzed PUBLIC -fsanitize=fuzzer-no-link,address,undefined
                        -fno-sanitize-recover=undefined -fno-sanitize=vptr -fno-omit-frame-pointer)
 target_link_libraries(slalom_fuzzed PUBLIC mrpt::config mrpt::math mrpt::maps mrpt::obs mrpt::img mrpt::poses
-  mrpt::kinematics PkgConfig::xxhash PkgConfig::highway PkgConfig::zstd PkgConfig::lz4 BZip2::BZip2 ZLIB::ZLIB fmt::fmt yaml-cpp PNG::PNG Boost::headers
+  mrpt::kinematics PkgConfig::xxhash PkgConfig::highway PkgConfig::zstd PkgConfig::lz4 BZip2::BZip2 ZLIB::ZLIB fmt::fmt yaml-cpp PNG::PNG tinyxml2::tinyxml2 Boost::headers
   SQLiteCpp SQLite::SQLite3 nlohmann_json::nlohmann_json)
 
 add_custom_target(fuzz)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "barn_enclosed.h"
 #include "map_readers.h"
 #include "npy.h"
 
@@ -6,12 +7,14 @@
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/map_formats/barn.h>
+#include <slalom/map_formats/world_import.h>
 #include <slalom/scenario/grid_map.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 namespace slalom {
 namespace {
@@ -25,6 +28,12 @@ constexpr int kLength = 100;     // cells in y of the workspace
 constexpr int kFieldBegin = 34;  // cells in y before column 0 of the grid
 constexpr int kMaxWorlds = 1'000'000;
 
+/// Whether a cell before the field, in x and y, belongs to the walls behind (y cell 0) or at the
+/// sides of the start.
+bool is_wall(int x, int y) {
+  return y == 0 || x == 0 || x == kSide - 1;
+}
+
 /// x of a row, y of a row of cells (the back wall is in cell 0, column c in cell 34 + c), m.
 double x_of(int row) {
   return -4.425 + kCell * row;
@@ -33,9 +42,10 @@ double y_of(int cell) {
   return 0.075 + kCell * cell;
 }
 
-/// The number of a grid file: 7 for "grid_7.npy".
-std::optional<int> world_number(const fs::path& file) {
-  const std::string name = file.filename().string(), begin = "grid_", end = ".npy";
+/// The number of a file: 7 for "grid_7.npy".
+std::optional<int> number_of(const fs::path& file, const std::string& begin,
+                             const std::string& end) {
+  const std::string name = file.filename().string();
   if (name.size() <= begin.size() + end.size() || !starts_with(name, begin) ||
       !ends_with(name, end))
     return std::nullopt;
@@ -47,22 +57,36 @@ std::optional<int> world_number(const fs::path& file) {
   return static_cast<int>(number);
 }
 
+std::optional<int> grid_number(const fs::path& file) {
+  return number_of(file, "grid_", ".npy");
+}
+std::optional<int> world_number(const fs::path& file) {
+  return number_of(file, "world_", ".world");
+}
+
+/// A world as a grid of the data set or as a world of Gazebo of the challenge.
 struct WorldFile {
   int number;
-  fs::path grid;
+  fs::path path;
 };
 
-/// The grids of a folder, sorted by number.
-std::vector<WorldFile> grids_in(const fs::path& folder) {
+std::vector<WorldFile> numbered_files(const fs::path& folder,
+                                      std::optional<int> (*number_in)(const fs::path&)) {
   std::error_code error;
-  const fs::path inner = folder / "grid_files";
   std::vector<WorldFile> files;
-  for (const auto& entry :
-       fs::directory_iterator(fs::is_directory(inner, error) ? inner : folder, error))
-    if (const auto number = world_number(entry.path())) files.push_back({*number, entry.path()});
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (const auto number = number_in(entry.path())) files.push_back({*number, entry.path()});
   std::sort(files.begin(), files.end(),
             [](const WorldFile& a, const WorldFile& b) { return a.number < b.number; });
   return files;
+}
+
+/// The worlds of a folder, sorted by number: its grids, or if there are none its worlds of Gazebo.
+std::vector<WorldFile> worlds_in(const fs::path& folder) {
+  std::error_code error;
+  const fs::path inner = folder / "grid_files";
+  const auto grids = numbered_files(fs::is_directory(inner, error) ? inner : folder, grid_number);
+  return grids.empty() ? numbered_files(folder, world_number) : grids;
 }
 
 /// One part of a selection of worlds: "7", "0-299" or "0-299/even".
@@ -132,14 +156,56 @@ NpyTable read_grid(const std::string& path) {
   return grid;
 }
 
-/// Another file of the same world: next to the grid, or in `folder` next to the grid's folder.
-std::optional<fs::path> companion(const fs::path& grid, const std::string& folder,
+/// The cell of a cylinder, in x and y from the corner of the workspace; none beside a cell.
+std::optional<std::pair<int, int>> cell_of(const Disc& disc) {
+  constexpr double kTolerance = 1e-3;  // m
+  const double x = std::round((disc.center.x - x_of(0)) / kCell),
+               y = std::round((disc.center.y - y_of(0)) / kCell);
+  if (!(x >= 0 && x < kSide && y >= 0 && y < kFieldBegin + kSide) ||
+      std::abs(disc.radius - kCell / 2) > kTolerance)
+    return std::nullopt;
+  const std::pair<int, int> cell(static_cast<int>(x), static_cast<int>(y));
+  const bool is_centered = std::abs(disc.center.x - x_of(cell.first)) < kTolerance &&
+                           std::abs(disc.center.y - y_of(cell.second)) < kTolerance;
+  return is_centered ? std::optional(cell) : std::nullopt;
+}
+
+/// The grid of a world of Gazebo, which must consist of the cylinders of BARN.
+NpyTable grid_of_world(const std::string& path) {
+  const Scenario world = import_world(path, {}).scenario;
+  const auto refuse = [&](const std::string& what) {
+    return file_error(path, "is not a world of BARN: " + what,
+                      "cylinders of radius 0.075 m on its cells");
+  };
+  const Primitives& obstacles = world.primitives();
+  if (!world.movers().empty() || !obstacles.polygons.empty())
+    throw refuse("it has other obstacles");
+  NpyTable grid{kSide, kSide, std::vector<std::int64_t>(std::size_t{kSide} * kSide, 0)};
+  std::set<std::pair<int, int>> walls;
+  for (const Disc& disc : obstacles.discs) {
+    const auto cell = cell_of(disc);
+    const bool in_field = cell && cell->second >= kFieldBegin;
+    if (!cell || (!in_field && !is_wall(cell->first, cell->second)))
+      throw refuse("a cylinder of radius " + format_number(disc.radius) + " m is at (" +
+                   format_number(disc.center.x) + ", " + format_number(disc.center.y) + ")");
+    if (in_field)
+      grid.values[static_cast<std::size_t>(cell->first * kSide + cell->second - kFieldBegin)] = 1;
+    else
+      walls.insert(*cell);
+  }
+  if (walls.size() != kSide + 2 * (kFieldBegin - 1))
+    throw refuse("its walls around the start are not complete");
+  fill_enclosed(grid);
+  return grid;
+}
+
+/// Another file of the same world: next to it, or in `folder` in or next to its folder.
+std::optional<fs::path> companion(const fs::path& world, const std::string& folder,
                                   const std::string& name) {
   std::error_code error;
-  const fs::path same_folder = grid.parent_path() / name,
-                 other_folder = grid.parent_path() / ".." / folder / name;
-  if (fs::exists(same_folder, error)) return same_folder;
-  if (fs::exists(other_folder, error)) return other_folder;
+  const fs::path own = world.parent_path();
+  for (const fs::path& place : {own, own / folder, own / ".." / folder})
+    if (fs::exists(place / name, error)) return place / name;
   return std::nullopt;
 }
 
@@ -190,13 +256,12 @@ void check_map(const GrayImage& image, const NpyTable& grid, const std::string& 
     }
 }
 
-/// All cells with a cylinder, relative to the corner of the workspace: the field and the walls
-/// behind (y cell 0) and at the sides of the start (up to the field).
+/// All cells with a cylinder, relative to the corner of the workspace: the walls and the field.
 std::vector<std::pair<int, int>> cylinders(const NpyTable& grid) {
   std::vector<std::pair<int, int>> cells;
-  for (int x = 0; x < kSide; ++x) cells.emplace_back(x, 0);
-  for (int y = 1; y < kFieldBegin; ++y)
-    for (const int x : {0, kSide - 1}) cells.emplace_back(x, y);
+  for (int y = 0; y < kFieldBegin; ++y)
+    for (int x = 0; x < kSide; ++x)
+      if (is_wall(x, y)) cells.emplace_back(x, y);
   for (int column = 0; column < kSide; ++column)
     for (int row = 0; row < kSide; ++row)
       if (grid.at(static_cast<std::size_t>(row), static_cast<std::size_t>(column)) == 1)
@@ -231,17 +296,18 @@ Scenario make_world(const std::string& name, const NpyTable& grid, Representatio
                               goal);
 }
 
-Scenario import_world(const WorldFile& file, const BarnOptions& options) {
+Scenario read_world(const WorldFile& file, const BarnOptions& options) {
   const std::string number = std::to_string(file.number);
-  const NpyTable grid = read_grid(file.grid.string());
-  if (const auto map = companion(file.grid, "map_files", "map_pgm_" + number + ".pgm"))
+  const NpyTable grid =
+      grid_number(file.path) ? read_grid(file.path.string()) : grid_of_world(file.path.string());
+  if (const auto map = companion(file.path, "map_files", "map_pgm_" + number + ".pgm"))
     check_map(parse_pgm(read_file(map->string(), "a map of BARN", kMaxMapSize), map->string()),
               grid, map->string());
-  const auto path_file = companion(file.grid, "path_files", "path_" + number + ".npy");
+  const auto path_file = companion(file.path, "path_files", "path_" + number + ".npy");
   const PublishedPathPtr path = path_file ? read_path(path_file->string()) : nullptr;
   const bool trials = options.task == BarnTask::Trials;
   if (trials && (path == nullptr || path->points.empty()))
-    throw file_error(file.grid.string(), "has no path, which the task of the trials begins with",
+    throw file_error(file.path.string(), "has no path, which the task of the trials begins with",
                      "path_" + number + ".npy beside it or in path_files");
   const Scenario world = make_world("barn_" + number, grid, options.representation,
                                     task_of(trials ? path.get() : nullptr));
@@ -252,7 +318,14 @@ Scenario import_world(const WorldFile& file, const BarnOptions& options) {
 
 bool is_barn(const std::string& path) {
   std::error_code error;
-  return fs::is_directory(path, error) ? !grids_in(path).empty() : world_number(path).has_value();
+  if (fs::is_directory(path, error)) return !worlds_in(path).empty();
+  if (!world_number(path)) return grid_number(path).has_value();
+  try {
+    grid_of_world(path);
+    return true;
+  } catch (const Error&) {
+    return false;  // a world of Gazebo with a name like those of BARN
+  }
 }
 
 std::vector<Scenario> import_barn(const std::string& path, const BarnOptions& options) {
@@ -261,16 +334,16 @@ std::vector<Scenario> import_barn(const std::string& path, const BarnOptions& op
   std::error_code error;
   std::vector<WorldFile> files;
   if (fs::is_directory(path, error)) {
-    files = grids_in(path);
-  } else if (const auto number = world_number(path)) {
+    files = worlds_in(path);
+  } else if (const auto number = grid_number(path) ? grid_number(path) : world_number(path)) {
     files = {{*number, path}};
   }
   if (files.empty())
     throw file_error(path, "contains no BARN worlds",
-                     "a folder with grid_files, or a grid such as grid_7.npy");
+                     "a folder with grid_files or world_7.world, or a grid such as grid_7.npy");
   std::vector<Scenario> scenarios;
   for (const WorldFile& file : select_worlds(files, options.worlds, path))
-    scenarios.push_back(import_world(file, options));
+    scenarios.push_back(read_world(file, options));
   return scenarios;
 }
 

@@ -31,10 +31,12 @@ void ImportRequest::visit_maps(OptionVisitor& v) {
   v.option("image_threshold", map.image.threshold, "-",
            "gray value below which a pixel is an obstacle", Range::between(1, 255));
   v.option("image_negate", map.image.negate, "light pixels are obstacles instead of dark ones");
-  v.option("margin", points.margin, "m", "margin of the workspace around point maps",
+  v.option("margin", points.margin, "m", "margin of the workspace around point maps and worlds",
            Range::positive());
-  v.option("z_min", points.z_min, "m", "minimum height of points in point maps; empty: no limit");
-  v.option("z_max", points.z_max, "m", "maximum height of points in point maps; empty: no limit");
+  v.option("z_min", points.z_min, "m",
+           "minimum height of obstacles; empty: no limit in point maps, 0.05 m in worlds");
+  v.option("z_max", points.z_max, "m",
+           "maximum height of obstacles; empty: no limit in point maps, 2 m in worlds");
 }
 
 void ImportRequest::visit_data_sets(OptionVisitor& v) {

@@ -7,7 +7,10 @@
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_yaml.h>
 #include <slalom/map_formats/map_task.h>
+#include <slalom/map_formats/world_import.h>
 #include <slalom/rawlog/log_map.h>
+
+#include <cmath>
 
 namespace slalom {
 namespace {
@@ -47,55 +50,76 @@ std::vector<Scenario> sample_pairs(const Scenario& map, const ImportRequest& req
 }
 
 /// The map with the start and goal that Slalom exported with it.
-Scenario with_stored_task(const Scenario& map, const std::string& path) {
+Scenario with_stored_task(const ImportedWorld& map, const std::string& path) {
   const auto task = read_map_task(path);
-  if (!task)
-    throw usage_error("import " + path, "the map has no start and goal",
-                      "--start x,y,phi --goal x,y, or --pairs N");
-  return map.with_start_goal(task->start, task->goal).renamed(task->name);
+  if (task) return map.scenario.with_start_goal(task->start, task->goal).renamed(task->name);
+  if (map.start && map.goal) return map.scenario;
+  throw usage_error("import " + path,
+                    map.start ? "the map has a start and no goal" : "the map has no start and goal",
+                    map.start ? "--goal x,y" : "--start x,y,phi --goal x,y, or --pairs N");
 }
 
-/// The map with the start and goal of the command line.
-Scenario with_given_task(const Scenario& map, const ImportRequest& request) {
-  const auto s = numbers_of("--start", request.start, 2, 3);
-  const auto g = numbers_of("--goal", request.goal, 2, 2);
-  return map.with_start_goal({s[0], s[1], s[2]}, {g[0], g[1]});
+/// The surroundings of a drive, from where it began to where it ended.
+ImportedWorld read_log(const std::string& path, const ImportRequest& request) {
+  LogMap log = load_log_map(path, {request.map.simplemap_resolution, request.robot_radius,
+                                   request.map.unknown_is_free, request.topics});
+  ImportedWorld world{map_scenario(path, log.grid).with_start_goal(log.start, log.goal)};
+  world.start = log.start;
+  constexpr double kMinDistance = 1;  // m
+  const double distance = distance_between(TPoint2D(log.start), log.goal);
+  if (distance >= kMinDistance)
+    world.goal = log.goal;
+  else
+    log.notes.push_back("it ends " + format_fixed(distance, 2) +
+                        " m from its start, which is no goal");
+  world.message = path + ": " + join(log.notes, "; ");
+  return world;
+}
+
+ImportedWorld read_map(const std::string& path, const ImportRequest& request) {
+  if (is_log(path)) return read_log(path, request);
+  if (is_world(path)) {
+    WorldOptions options;
+    options.margin = request.points.margin;
+    if (std::isfinite(request.points.z_min)) options.z_min = request.points.z_min;
+    if (std::isfinite(request.points.z_max)) options.z_max = request.points.z_max;
+    return import_world(path, options);
+  }
+  const bool has_points = is_point_map(path) && request.problems.empty();
+  return {has_points ? point_map_scenario(path, request.points)
+                     : map_scenario(path, load_map(path, request.map))};
+}
+
+/// The map with the pose and the position of the request; what is missing there, the map states.
+Scenario with_task(const ImportedWorld& map, const ImportRequest& request) {
+  auto start = map.start;
+  auto goal = map.goal;
+  if (!request.start.empty()) {
+    const auto s = numbers_of("--start", request.start, 2, 3);
+    start = {s[0], s[1], s[2]};
+  }
+  if (!request.goal.empty()) {
+    const auto g = numbers_of("--goal", request.goal, 2, 2);
+    goal = {g[0], g[1]};
+  }
+  Scenario scenario = map.scenario.with_start_goal(start.value(), goal.value());
+  require_solvable(scenario, request.robot_radius);
+  return scenario;
 }
 
 ImportedFile import_map(const std::string& path, const ImportRequest& request) {
-  const bool has_points = is_point_map(path) && request.problems.empty();
-  const Scenario map = has_points ? point_map_scenario(path, request.points)
-                                  : map_scenario(path, load_map(path, request.map));
-  if (!request.problems.empty()) return import_problems(map, request);
-  if (request.pairs > 0) return {sample_pairs(map, request)};
-  if (request.start.empty() || request.goal.empty()) return {{with_stored_task(map, path)}};
-  const Scenario scenario = with_given_task(map, request);
-  require_solvable(scenario, request.robot_radius);
-  return {{scenario}};
-}
-
-/// From where a drive began to where it ended, unless there is another start and goal.
-ImportedFile import_log(const std::string& path, const ImportRequest& request) {
-  const LogMap log = load_log_map(path, {request.map.simplemap_resolution, request.robot_radius,
-                                         request.map.unknown_is_free, request.topics});
-  ImportedFile imported;
-  for (const std::string& note : log.notes) imported.messages.push_back(path + ": " + note);
-  const Scenario map = map_scenario(path, log.grid);
-  if (request.pairs > 0) {
-    imported.scenarios = sample_pairs(map, request);
-    return imported;
-  }
-  const bool is_given = !request.start.empty() && !request.goal.empty();
-  constexpr double kMinDistance = 1;  // m
-  const double distance = distance_between(TPoint2D(log.start), log.goal);
-  if (!is_given && distance < kMinDistance)
-    throw usage_error("import " + path,
-                      "the drive ends " + format_fixed(distance, 2) + " m from its start",
-                      "--start x,y,phi --goal x,y, or --pairs N");
-  imported.scenarios = {is_given ? with_given_task(map, request)
-                                 : map.with_start_goal(log.start, log.goal)};
-  require_solvable(imported.scenarios[0], request.robot_radius);
-  return imported;
+  const ImportedWorld map = read_map(path, request);
+  if (!request.problems.empty()) return import_problems(map.scenario, request);
+  ImportedFile file;
+  if (!map.message.empty()) file.messages.push_back(map.message);
+  const bool has_start = !request.start.empty(), has_goal = !request.goal.empty();
+  if (request.pairs > 0)
+    file.scenarios = sample_pairs(map.scenario, request);
+  else if ((has_start || has_goal) && (has_start || map.start) && (has_goal || map.goal))
+    file.scenarios = {with_task(map, request)};
+  else
+    file.scenarios = {with_stored_task(map, path)};
+  return file;
 }
 
 ImportedFile import_file(const std::string& path, const ImportRequest& request) {
@@ -106,7 +130,7 @@ ImportedFile import_file(const std::string& path, const ImportRequest& request) 
         request.barn_as_grid ? Representation::Grid : Representation::Continuous;
     return {import_barn(path, options)};
   }
-  return is_log(path) ? import_log(path, request) : import_map(path, request);
+  return import_map(path, request);
 }
 
 }  // namespace

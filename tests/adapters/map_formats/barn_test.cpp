@@ -154,6 +154,101 @@ TEST(Barn, ImportsTheSameObstaclesAsGrid) {
   ASSERT_NE(world.published_path(), nullptr);
 }
 
+/// The world as Gazebo loads it: a model for each cylinder.
+std::string gazebo_world_of(const Scenario& world, const std::string& more = "") {
+  std::string sdf = "<sdf version='1.6'><world name='default'>";
+  for (const Disc& disc : world.primitives().discs)
+    sdf += "<model name='unit_cylinder'><static>1</static><pose frame=''>" +
+           format_fixed(disc.center.x, 6) + " " + format_fixed(disc.center.y, 6) +
+           " 0 0 0 0</pose><link name='link'><collision name='collision'><geometry><cylinder>"
+           "<radius>0.075000</radius><length>1</length></cylinder></geometry></collision></link>"
+           "</model>\n";
+  return sdf + more + "</world></sdf>";
+}
+
+TEST(Barn, ImportsTheWorldsOfTheChallengeAsTheirGrids) {
+  const MapFolder grids, worlds;
+  for (const int number : {2, 11}) write_world(grids, number);
+  std::filesystem::create_directories(worlds.path("path_files"));
+  for (const std::string number : {"11", "2"}) {
+    const Scenario from_grid = import_barn(grids.path("grid_files/grid_" + number + ".npy"), {})[0];
+    worlds.write("world_" + number + ".world", gazebo_world_of(from_grid));
+    std::filesystem::copy(grids.path("path_files/path_" + number + ".npy"),
+                          worlds.path("path_files"));
+  }
+  EXPECT_TRUE(is_barn(worlds.path("")));
+  EXPECT_TRUE(is_barn(worlds.path("world_11.world")));
+  for (const BarnTask task : {BarnTask::Challenge, BarnTask::Trials})
+    for (const Representation form : {Representation::Continuous, Representation::Grid}) {
+      const BarnOptions options{"0-299/even", form, task};
+      const auto expected = import_barn(grids.path(""), options);
+      const auto imported = import_barn(worlds.path(""), options);
+      ASSERT_EQ(imported.size(), 1U);
+      EXPECT_EQ(imported[0].name(), "barn_2");
+      EXPECT_EQ(imported[0].hash(), expected[0].hash());
+      ASSERT_NE(imported[0].published_path(), nullptr);
+      EXPECT_EQ(*imported[0].published_path(), *expected[0].published_path());
+    }
+}
+
+/// The world of a grid without the cylinders whose eight neighbors are cylinders of the field.
+Scenario as_written(const Scenario& world, const Cells& cells) {
+  Primitives written;
+  for (const Disc& disc : world.primitives().discs) {
+    const auto row = std::lround((disc.center.x + 4.425) / 0.15),
+               column = std::lround((disc.center.y - 5.175) / 0.15);
+    bool is_inner = row > 0 && row < 29 && column > 0 && column < 29;
+    for (long side = 0; side < 9 && is_inner; ++side)
+      is_inner =
+          cells[static_cast<std::size_t>((row + side / 3 - 1) * 30 + column + side % 3 - 1)] == 1;
+    if (!is_inner) written.discs.push_back(disc);
+  }
+  return Scenario::continuous("written", world.bounds(), written, world.start(), world.goal());
+}
+
+TEST(Barn, RestoresTheCylindersThatTheWorldsOfTheChallengeLack) {
+  // Two blocks that share a wall, one of which has a free pocket: cells of the wall beside it are
+  // written, so it is known to be free.
+  const MapFolder folder;
+  Cells cells = small_world();
+  for (std::size_t row = 10; row < 15; ++row)
+    for (std::size_t column = 7; column < 16; ++column) cells[row * 30 + column] = 1;
+  cells[12 * 30 + 13] = cells[12 * 30 + 12] = 0;
+  folder.write("grid_7.npy", npy(30, 30, cells));
+  const Scenario whole = import_barn(folder.path("grid_7.npy"), {})[0];
+  const Scenario written = as_written(whole, cells);
+  // Rows 11 to 13, columns 8 to 10: the cells that touch neither the border nor the pocket.
+  ASSERT_EQ(written.primitives().discs.size() + 9, whole.primitives().discs.size());
+  const std::string world = folder.write("world_7.world", gazebo_world_of(written));
+  EXPECT_EQ(import_barn(world, {})[0].hash(), whole.hash());
+}
+
+TEST(Barn, RefusesWorldsThatAreNotOnItsGrid) {
+  const MapFolder folder;
+  write_world(folder, 7);
+  const Scenario world = import_barn(folder.path("grid_files/grid_7.npy"), {})[0];
+  const auto refuses = [&](const std::string& sdf, const std::string& reason) {
+    const std::string path = folder.write("world_3.world", sdf);
+    EXPECT_FALSE(is_barn(path));
+    return rejects(ErrorKind::File, path, path, {"not a world of BARN", reason});
+  };
+  const std::string box =
+      "<model name='box'><link name='l'><collision name='c'><geometry><box><size>1 1 1</size></box>"
+      "</geometry></collision></link></model>";
+  EXPECT_TRUE(refuses(gazebo_world_of(world, box), "other obstacles"));
+  Primitives obstacles = world.primitives();
+  obstacles.discs.back().center.x += 0.05;
+  const auto changed = [&] {
+    return Scenario::continuous("changed", world.bounds(), obstacles, world.start(), world.goal());
+  };
+  EXPECT_TRUE(refuses(gazebo_world_of(changed()), "a cylinder of radius 0.075 m is at"));
+  obstacles.discs.back() = {{-2.175, 3}, 0.075};
+  EXPECT_TRUE(refuses(gazebo_world_of(changed()), "a cylinder of radius 0.075 m is at"));
+  obstacles.discs.erase(obstacles.discs.begin());
+  obstacles.discs.pop_back();
+  EXPECT_TRUE(refuses(gazebo_world_of(changed()), "not complete"));
+}
+
 TEST(Barn, ImportsSelectedWorldsOfAFolderInOrder) {
   const MapFolder folder;
   for (const int number : {0, 2, 10, 3, 11}) write_world(folder, number);

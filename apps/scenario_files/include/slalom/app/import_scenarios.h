@@ -19,7 +19,7 @@ namespace slalom {
 
 /// The files to import, and the import options, named like those of `slalom-scenarios import`.
 struct ImportRequest {
-  /// Maps (see load_map()), point maps, .scenario.yaml, grids or folders of BARN, logs.
+  /// Maps (see load_map()), point maps, worlds, .scenario.yaml, grids or folders of BARN, logs.
   std::vector<std::string> files;
   std::string start, goal;     ///< "x,y,phi" and "x,y" (m, rad) on each map; or empty
   int pairs = 0;               ///< to sample on each map instead

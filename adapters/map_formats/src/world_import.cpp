@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gazebo_world.h"
+#include "xml_file.h"
+
+#include <slalom/core/text.h>
+#include <slalom/map_formats/world_import.h>
+
+namespace slalom {
+namespace {
+
+constexpr char kAccepted[] = "<sdf> or <gazebo> (Gazebo)";
+
+/// Files of robots and programs that look similar.
+std::string kind_of(const std::string& root) {
+  if (root == "robot") return ", a robot (URDF)";
+  if (root == "launch") return ", a launch file of ROS";
+  if (root == "COLLADA") return ", a mesh";
+  if (root == "osm") return ", a map of OpenStreetMap";
+  if (root == "OpenSCENARIO" || root == "OpenDRIVE") return ", a scenario of road traffic";
+  return "";
+}
+
+}  // namespace
+
+bool is_world(const std::string& path) {
+  return ends_with(path, ".world") || ends_with(path, ".sdf");
+}
+
+ImportedWorld import_world(const std::string& path, const WorldOptions& options) {
+  const XmlFile file = XmlFile::read(path, "a world of a simulator");
+  const std::string root = file.root().Name();
+  if (root == "sdf" || root == "gazebo") return gazebo_world(file, path, options);
+  throw file.error(file.root(), "begins with <" + root.substr(0, 40) + ">" + kind_of(root),
+                   kAccepted);
+}
+
+}  // namespace slalom

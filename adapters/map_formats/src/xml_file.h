@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <slalom/core/error.h>
+
+#include <memory>
+#include <string>
+#include <tinyxml2.h>
+#include <vector>
+
+namespace slalom {
+
+/// An XML file; TinyXML-2 expands no entities of the document and limits the depth to 100.
+class XmlFile {
+ public:
+  /// Throws Error (File) with the line for what is not XML or is larger than 64 MB.
+  static XmlFile read(const std::string& path, const std::string& kind);
+  static XmlFile parse(const std::string& text, const std::string& where);
+
+  const tinyxml2::XMLElement& root() const { return *document_->RootElement(); }
+
+  Error error(const tinyxml2::XMLNode& at, const std::string& what,
+              const std::string& expected) const;
+  /// The finite numbers of an element, separated by blanks.
+  std::vector<double> numbers(const tinyxml2::XMLElement& element) const;
+  std::vector<double> numbers(const tinyxml2::XMLElement& element, std::size_t count) const;
+
+ private:
+  explicit XmlFile(std::string where);
+
+  std::string where_;
+  std::unique_ptr<tinyxml2::XMLDocument> document_;
+};
+
+/// The text of an element and the value of an attribute, trimmed; "" if there is none.
+std::string xml_text(const tinyxml2::XMLElement* element);
+std::string xml_attribute(const tinyxml2::XMLElement& element, const char* name);
+
+}  // namespace slalom

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "map_files.h"
+
+#include <slalom/map_formats/world_import.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+/// A model at a pose, with a shape at another pose in its link.
+std::string model(const std::string& name, const std::string& pose, const std::string& shape,
+                  const std::string& inner = "0 0 0 0 0 0") {
+  return "<model name='" + name + "'><static>1</static><pose>" + pose +
+         "</pose><link name='link'><collision name='c'><pose>" + inner + "</pose><geometry>" +
+         shape + "</geometry></collision></link></model>\n";
+}
+
+const std::string kPost = "<cylinder><radius>0.25</radius><length>1</length></cylinder>";
+
+class GazeboWorld : public testing::Test {
+ protected:
+  ImportedWorld imported(const std::string& content, const WorldOptions& options = {}) const {
+    return import_world(written(content), options);
+  }
+  std::string written(const std::string& content) const {
+    return folder.write("room.world",
+                        "<?xml version='1.0'?>\n<sdf version='1.6'>\n<world name='w'>\n" + content +
+                            "</world></sdf>");
+  }
+  testing::AssertionResult rejects(const std::string& content,
+                                   std::initializer_list<std::string> words) const {
+    const std::string path = written(content);
+    return throws_error(ErrorKind::File, path, words, [&] { import_world(path, {}); });
+  }
+  Primitives obstacles(const std::string& content, const WorldOptions& options = {}) const {
+    return imported(content, options).scenario.primitives();
+  }
+
+  MapFolder folder;
+};
+
+void expect_corners(const Polygon& polygon, const std::vector<mrpt::math::TPoint2D>& corners) {
+  EXPECT_EQ(polygon.vertices.size(), corners.size());
+  for (const auto& corner : corners) {
+    double nearest = HUGE_VAL;
+    for (const auto& vertex : polygon.vertices)
+      nearest = std::min(nearest, (vertex - corner).norm());
+    EXPECT_LT(nearest, 1e-9) << corner.x << " " << corner.y;
+  }
+}
+
+TEST_F(GazeboWorld, MakesDiscsOfUprightCylindersAndPolygonsOfBoxes) {
+  const ImportedWorld world =
+      imported(model("post", "1 2 0.5 0 0 0", kPost) +
+               model("wall", "4 0 0.5 0 0 1.5707963267948966", "<box><size>2 0.5 1</size></box>"));
+  const Scenario& scenario = world.scenario;
+  EXPECT_EQ(scenario.name(), "room");
+  ASSERT_EQ(scenario.primitives().discs.size(), 1U);
+  EXPECT_EQ(scenario.primitives().discs[0].center, mrpt::math::TPoint2D(1, 2));
+  EXPECT_EQ(scenario.primitives().discs[0].radius, 0.25);
+  ASSERT_EQ(scenario.primitives().polygons.size(), 1U);
+  expect_corners(scenario.primitives().polygons[0], {{3.75, -1}, {4.25, -1}, {4.25, 1}, {3.75, 1}});
+  // 0.5 m around x from 0.75 to 4.25 and y from -1 to 2.25.
+  EXPECT_NEAR(scenario.bounds().x_min, 0.25, 1e-12);
+  EXPECT_NEAR(scenario.bounds().y_min, -1.5, 1e-12);
+  EXPECT_NEAR(scenario.bounds().x_max, 4.75, 1e-12);
+  EXPECT_NEAR(scenario.bounds().y_max, 2.75, 1e-12);
+  EXPECT_EQ(world.message, "");
+  EXPECT_FALSE(world.start || world.goal);
+}
+
+TEST_F(GazeboWorld, ComposesThePosesOfModelsLinksAndShapes) {
+  // The outer frame is at (10, 0), turned by 90 degrees: (1, 0) in it is at (10, 1), and so on.
+  const std::string half_turn = "1.5707963267948966";
+  const auto discs =
+      obstacles("<model name='outer'><pose>10 0 0 0 0 " + half_turn +
+                "</pose><model name='inner'><pose>1 0 0 0 0 " + half_turn +
+                "</pose><link name='l'><pose>2 0 0 0 0 0</pose><collision name='c'><pose>0 3 0.5 0 "
+                "0 0</pose><geometry>" +
+                kPost + "</geometry></collision></link></model></model>")
+          .discs;
+  ASSERT_EQ(discs.size(), 1U);
+  EXPECT_NEAR(discs[0].center.x, 10 - 2, 1e-12);
+  EXPECT_NEAR(discs[0].center.y, 1 - 3, 1e-12);
+}
+
+TEST_F(GazeboWorld, PlacesWhatIsRelativeToOtherFrames) {
+  const ImportedWorld world = imported(
+      "<frame name='dock'><pose>5 5 0 0 0 0</pose></frame>"
+      "<model name='a'><pose relative_to='dock'>1 0 0 0 0 90</pose><link name='l'><collision "
+      "name='c'>"
+      "<geometry>" +
+      kPost +
+      "</geometry></collision></link></model>"
+      "<model name='b'><pose relative_to='nowhere'>1 0 0 0 0 0</pose></model>"
+      "<model name='c'><pose degrees='true'>0 0 0 0 0 180</pose><link name='l'><collision name='c'>"
+      "<pose>1 0 0 0 0 0</pose><geometry>" +
+      kPost +
+      "</geometry></collision></link></model>"
+      "<model name='d'><pose rotation_format='quat_xyzw'>0 0 0 0 0 1 0</pose><link name='l'>"
+      "<collision name='c'><pose>2 0 0 0 0 0</pose><geometry>" +
+      kPost + "</geometry></collision></link></model>");
+  const auto& discs = world.scenario.primitives().discs;
+  ASSERT_EQ(discs.size(), 3U);
+  EXPECT_NEAR(discs[0].center.x, 6, 1e-12);
+  EXPECT_NEAR(discs[0].center.y, 5, 1e-12);
+  EXPECT_NEAR(discs[1].center.x, -1, 1e-12);
+  EXPECT_NEAR(discs[2].center.x, -2, 1e-12);
+  EXPECT_TRUE(mentions(world.message, {"relative to other frames 'b'"}));
+}
+
+TEST_F(GazeboWorld, PlacesModelsWhereASavedStateHasThem) {
+  const auto discs = obstacles(model("post", "1 2 0 0 0 0", kPost) +
+                               "<state world_name='w'><model name='post'><pose>7 8 0 0 0 0</pose>"
+                               "</model></state>")
+                         .discs;
+  ASSERT_EQ(discs.size(), 1U);
+  EXPECT_EQ(discs[0].center, mrpt::math::TPoint2D(7, 8));
+}
+
+TEST_F(GazeboWorld, TakesWhatIsInTheHeightsOfTheRobot) {
+  const std::string shelf = "<box><size>1 1 0.2</size></box>";
+  const std::string world = model("post", "0 0 0 0 0 0", kPost) +
+                            model("lamp", "3 0 2.5 0 0 0", shelf) +
+                            model("tile", "6 0 -0.08 0 0 0", shelf);
+  EXPECT_TRUE(obstacles(world).polygons.empty());
+  EXPECT_TRUE(mentions(imported(world).message, {"2 shapes below 0.05 m or above 2 m"}));
+  WorldOptions options;
+  options.z_max = 3;
+  EXPECT_EQ(obstacles(world, options).polygons.size(), 1U);
+  options.z_min = 0;
+  EXPECT_EQ(obstacles(world, options).polygons.size(), 2U);
+}
+
+TEST_F(GazeboWorld, CutsSpheresAtTheHeightsOfTheRobot) {
+  // At 2 m, 0.6 m below its center, a sphere of radius 1 m has a circle of radius 0.8 m.
+  const auto discs =
+      obstacles(model("ball", "0 0 2.6 0 0 0", "<sphere><radius>1</radius></sphere>") +
+                model("ball", "5 0 1 0 0 0", "<sphere><radius>1</radius></sphere>"))
+          .discs;
+  ASSERT_EQ(discs.size(), 2U);
+  EXPECT_NEAR(discs[0].radius, 0.8, 1e-12);
+  EXPECT_EQ(discs[1].radius, 1);
+}
+
+TEST_F(GazeboWorld, ClipsTiltedBoxesToTheHeightsOfTheRobot) {
+  // A board of 8 m, turned by 30 degrees about y: its center line is at x = z / tan 30 from z = 0.
+  const std::string board =
+      model("ramp", "0 0 0 0 -0.5235987755982988 0", "<box><size>8 1 0.0002</size></box>");
+  const auto polygons = obstacles(board).polygons;
+  ASSERT_EQ(polygons.size(), 1U);
+  const double begin = 0.05 / std::tan(M_PI / 6), end = 2 / std::tan(M_PI / 6);
+  for (const auto& corner : polygons[0].vertices) {
+    EXPECT_NEAR(std::abs(corner.y), 0.5, 1e-12);
+    EXPECT_LT(std::min(std::abs(corner.x - begin), std::abs(corner.x - end)), 1e-3) << corner.x;
+  }
+  EXPECT_EQ(polygons[0].vertices.size(), 4U);
+}
+
+TEST_F(GazeboWorld, CoversTiltedCylinders) {
+  // A lying cylinder of length 1 along x: its outline is 1 m by twice the radius.
+  const auto polygons = obstacles(model("log", "0 0 0.25 0 1.5707963267948966 0", kPost)).polygons;
+  ASSERT_EQ(polygons.size(), 1U);
+  double widest = 0;
+  for (const auto& corner : polygons[0].vertices) {
+    EXPECT_NEAR(std::abs(corner.x), 0.5, 1e-9);
+    widest = std::max(widest, std::abs(corner.y));
+  }
+  EXPECT_GE(widest, 0.25 - 1e-9);
+  EXPECT_LE(widest, 0.25 / std::cos(M_PI / 32) + 1e-9);
+}
+
+TEST_F(GazeboWorld, TakesPolylines) {
+  const std::string l_shape =
+      "<polyline><point>0 0</point><point>2 0</point><point>2 1</point><point>1 1</point>"
+      "<point>1 2</point><point>0 2</point><point>0 0</point><height>1</height></polyline>";
+  const std::string crossed =
+      "<polyline><point>0 0</point><point>1 1</point><point>1 0</point><point>0 1</point>"
+      "<height>1</height></polyline>";
+  const ImportedWorld world =
+      imported(model("l", "1 0 0 0 0 0", l_shape) + model("x", "0 0 0 0 0 0", crossed) +
+               model("tilted", "0 0 0 0.5 0 0", l_shape));
+  ASSERT_EQ(world.scenario.primitives().polygons.size(), 1U);
+  expect_corners(world.scenario.primitives().polygons[0],
+                 {{1, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 2}, {1, 2}});
+  EXPECT_TRUE(mentions(world.message, {"polylines", "'x', 'tilted'"}));
+}
+
+TEST_F(GazeboWorld, NamesWhatIsLeftOut) {
+  const ImportedWorld world = imported(
+      model("post", "1 2 0 0 0 0", kPost) +
+      model("chair", "0 0 0 0 0 0", "<mesh><uri>chair.dae</uri></mesh>") +
+      model("hill", "0 0 0 0 0 0", "<heightmap/>") +
+      model("ground", "0 0 0 0 0 0", "<plane><normal>0 0 1</normal></plane>") +
+      model("slope", "0 0 0 0.5 0 0", "<plane><normal>0 0 1</normal></plane>") +
+      "<model name='robot'><plugin name='drive' filename='libdrive.so'/></model>"
+      "<include><uri>model://sun</uri></include><include><uri>model://cafe</uri></include>");
+  EXPECT_EQ(world.message,
+            folder.path("room.world") +
+                ": left out: meshes of 'chair'; shapes <heightmap> of 'hill'; planes of 'slope'; "
+                "models that plugins may move 'robot'; models without a file 'model://cafe'");
+  EXPECT_TRUE(rejects("<model name='robot'><plugin name='p' filename='p.so'/></model>",
+                      {"no obstacle", "plugins may move 'robot'"}));
+  EXPECT_TRUE(rejects("", {"no obstacle"}));
+}
+
+TEST_F(GazeboWorld, ReadsIncludedModelsBesideIt) {
+  std::filesystem::create_directories(folder.path("models/post"));
+  folder.write("models/post/model.sdf",
+               "<sdf version='1.6'>" + model("post", "0 1 0 0 0 0", kPost) + "</sdf>");
+  const auto discs = obstacles(
+                         "<include><uri>model://post</uri><pose>3 4 0 0 0 0</pose></include>"
+                         "<include><uri>model://post</uri><name>second</name></include>")
+                         .discs;
+  ASSERT_EQ(discs.size(), 2U);
+  EXPECT_EQ(discs[0].center, mrpt::math::TPoint2D(3, 4));
+  EXPECT_EQ(discs[1].center, mrpt::math::TPoint2D(0, 1));
+}
+
+TEST_F(GazeboWorld, StopsAtModelsThatIncludeThemselves) {
+  std::filesystem::create_directories(folder.path("models/twice"));
+  std::string twice = "<include><uri>model://twice</uri></include>";
+  for (int i = 0; i < 4; ++i) twice += twice;
+  folder.write("models/twice/model.sdf",
+               "<sdf version='1.6'><model name='twice'>" + twice + "</model></sdf>");
+  EXPECT_TRUE(rejects("<include><uri>model://twice</uri></include>",
+                      {"more than 10000 included models", "a smaller world"}));
+}
+
+TEST_F(GazeboWorld, MakesMovingObstaclesOfActors) {
+  const auto waypoint = [](const std::string& t, const std::string& x) {
+    return "<waypoint><time>" + t + "</time><pose>" + x + " 1 0 0 0 0</pose></waypoint>";
+  };
+  const auto actor = [](const std::string& name, const std::string& waypoints) {
+    return "<actor name='" + name +
+           "'><script><loop>true</loop><delay_start>1</delay_start>"
+           "<trajectory id='0' type='walking'>" +
+           waypoints + "</trajectory></script></actor>";
+  };
+  const ImportedWorld world =
+      imported(actor("anna", waypoint("0", "2") + waypoint("4", "6")) +
+               actor("ben", waypoint("0", "2") + waypoint("2", "3") + waypoint("4", "2")) +
+               "<actor name='still'/>");
+  const Movers& movers = world.scenario.movers();
+  ASSERT_EQ(movers.size(), 2U);
+  EXPECT_EQ(movers[0].id, "anna");
+  EXPECT_EQ(movers[0].radius, 0.3);
+  EXPECT_EQ(movers[0].waypoints[0].t, 1);
+  EXPECT_EQ(movers[0].position(3), mrpt::math::TPoint2D(4, 1));
+  EXPECT_EQ(movers[0].after, MoverEnd::Stop);
+  EXPECT_EQ(movers[1].after, MoverEnd::Loop);
+  EXPECT_TRUE(mentions(world.message, {"actors without waypoints 'still'"}));
+}
+
+TEST_F(GazeboWorld, RefusesMalformedWorldsWithTheirLine) {
+  EXPECT_TRUE(rejects(model("a", "0 0 0", kPost), {":4: <pose> has 3 numbers", "expected 6"}));
+  EXPECT_TRUE(rejects(model("a", "0 0 nan 0 0 0", kPost), {":4: <pose> has 'nan'"}));
+  EXPECT_TRUE(rejects(model("a", "2e6 0 0 0 0 0", kPost), {"beyond 1000 km"}));
+  EXPECT_TRUE(rejects(model("a", "0 0 0 0 0 0", "<sphere><radius>0</radius></sphere>"),
+                      {":4: is 0", "length > 0"}));
+  EXPECT_TRUE(rejects(model("a", "0 0 0 0 0 0", "<cylinder><radius>1</radius></cylinder>"),
+                      {":4: <cylinder> has no <length>"}));
+  EXPECT_TRUE(rejects(model("a", "0 0 0 0 0 0", "<box><size>1 0 1</size></box>"),
+                      {":4: a side is not above 0"}));
+  EXPECT_TRUE(rejects("<model>", {"is not XML"}));
+  std::string deep;
+  for (int i = 0; i < 5000; ++i) deep += "<model>";
+  EXPECT_TRUE(rejects(deep, {"is not XML", "DEPTH"}));
+}
+
+TEST(WorldImport, SaysWhatAnotherFileSeemsToBe) {
+  const MapFolder folder;
+  const std::string robot = folder.write("a.world", "<robot name='r'/>");
+  EXPECT_TRUE(throws_error(ErrorKind::File, robot + ":1", {"<robot>", "URDF", "<sdf>"},
+                           [&] { import_world(robot, {}); }));
+  const std::string expands = folder.write(
+      "b.world",
+      "<!DOCTYPE sdf [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><sdf><world>&a;</world></sdf>");
+  EXPECT_TRUE(
+      throws_error(ErrorKind::File, expands, {"no obstacle"}, [&] { import_world(expands, {}); }));
+}
+
+}  // namespace
+}  // namespace slalom
