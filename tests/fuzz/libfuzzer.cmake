@@ -57,7 +57,10 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/image_size.cpp
   ${FORMATS}/map_task.cpp
   ${FORMATS}/moving_ai.cpp
+  ${FORMATS}/image_map.cpp
+  ${FORMATS}/map_import.cpp
   ${FORMATS}/mrpt_maps.cpp
+  ${FORMATS}/mvsim_world.cpp
   ${FORMATS}/npy.cpp
   ${FORMATS}/png_image.cpp
   ${FORMATS}/point_map.cpp

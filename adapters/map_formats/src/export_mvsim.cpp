@@ -3,6 +3,7 @@
 
 #include <slalom/core/text.h>
 #include <slalom/io/result_file.h>
+#include <slalom/map_formats/map_task.h>
 #include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/occupancy.h>
 
@@ -79,6 +80,7 @@ void write_mvsim_world(const Scenario& scenario, const MapExportOptions& options
   xml += "  </element>\n</mvsim_world>\n";
   write_gridmap(walled_grid(cells), grid);
   write_file_atomically(path, xml);
+  write_map_task(scenario, path);
 }
 
 }  // namespace slalom

@@ -34,7 +34,7 @@ mrpt::maps::COccupancyGridMap2D load_map(const std::string& path, const MapImpor
     throw file_error(
         path, "unknown map format",
         ".gridmap[.gz], .simplemap[.gz], a ROS map_server .yaml, a MovingAI .map, an image (.pgm, "
-        ".png, .jpg, .bmp), a world of Gazebo (.world, .sdf) or a folder of BARN");
+        ".png, .jpg, .bmp), a world (.world, .sdf, .xml) or a folder of BARN");
   }
   if (options.unknown_is_free) set_unknown_free(map);
   return map;

@@ -33,7 +33,8 @@ std::vector<double> numbers(const YAML::Node& root, const char* key, std::size_t
 }  // namespace
 
 std::string task_path(const std::string& map_path) {
-  for (const std::string ending : {".gridmap.gz", ".gridmap", ".yaml", ".yml"})
+  for (const std::string ending :
+       {".gridmap.gz", ".gridmap", ".yaml", ".yml", ".world.xml", ".xml"})
     if (ends_with(map_path, ending))
       return map_path.substr(0, map_path.size() - ending.size()) + ".task.yaml";
   return map_path + ".task.yaml";

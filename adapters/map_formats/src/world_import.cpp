@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gazebo_world.h"
+#include "mvsim_world.h"
 #include "xml_file.h"
 
 #include <slalom/core/text.h>
@@ -8,7 +9,7 @@
 namespace slalom {
 namespace {
 
-constexpr char kAccepted[] = "<sdf> or <gazebo> (Gazebo)";
+constexpr char kAccepted[] = "<sdf> or <gazebo> (Gazebo) or <mvsim_world> (mvsim)";
 
 /// Files of robots and programs that look similar.
 std::string kind_of(const std::string& root) {
@@ -23,13 +24,14 @@ std::string kind_of(const std::string& root) {
 }  // namespace
 
 bool is_world(const std::string& path) {
-  return ends_with(path, ".world") || ends_with(path, ".sdf");
+  return ends_with(path, ".world") || ends_with(path, ".sdf") || ends_with(path, ".xml");
 }
 
 ImportedWorld import_world(const std::string& path, const WorldOptions& options) {
   const XmlFile file = XmlFile::read(path, "a world of a simulator");
   const std::string root = file.root().Name();
   if (root == "sdf" || root == "gazebo") return gazebo_world(file, path, options);
+  if (root == "mvsim_world") return mvsim_world(file, path, options);
   throw file.error(file.root(), "begins with <" + root.substr(0, 40) + ">" + kind_of(root),
                    kAccepted);
 }

@@ -3,6 +3,8 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/scenario/grid_map.h>
+#include <slalom/scenario/occupancy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -180,7 +182,10 @@ void WorldParts::leave_out(const std::string& kind, const std::string& name) {
   auto of_kind = std::find_if(left_out_.begin(), left_out_.end(),
                               [&](const auto& entry) { return entry.first == kind; });
   if (of_kind == left_out_.end()) of_kind = left_out_.insert(left_out_.end(), {kind, {}});
-  of_kind->second.push_back(name.substr(0, 100));
+  auto& names = of_kind->second;
+  if (names.empty() || names.back().first != name.substr(0, 100))
+    names.emplace_back(name.substr(0, 100), 0);
+  ++names.back().second;
 }
 
 std::string WorldParts::left_out_text() const {
@@ -188,7 +193,8 @@ std::string WorldParts::left_out_text() const {
   for (const auto& [kind, names] : left_out_) {
     std::string part = kind;
     for (std::size_t i = 0; i < std::min(names.size(), kMaxNames); ++i)
-      part += (i > 0 ? ", '" : " '") + names[i] + "'";
+      part += (i > 0 ? ", '" : " '") + names[i].first + "'" +
+              (names[i].second > 1 ? " (" + std::to_string(names[i].second) + ")" : "");
     if (names.size() > kMaxNames)
       part += " and " + std::to_string(names.size() - kMaxNames) + " more";
     parts.push_back(part);
@@ -211,25 +217,63 @@ Bounds WorldParts::extent() const {
     for (const TPoint2D& corner : polygon.vertices) include(corner, 0);
   for (const Mover& mover : movers_)
     for (const Waypoint& waypoint : mover.waypoints) include(waypoint.position, mover.radius);
+  if (start_) include({start_->x, start_->y}, 0);
+  if (goal_) include(*goal_, 0);
   return all;
 }
 
-ImportedWorld WorldParts::finish(const std::string& name) const {
-  const std::string left_out = left_out_text();
-  if (obstacles_.discs.empty() && obstacles_.polygons.empty() && movers_.empty())
-    throw file_error(where_,
-                     "contains no obstacle that can be imported" +
-                         (left_out.empty() ? "" : ", left out: " + left_out),
-                     "boxes, cylinders, spheres or polylines");
+Scenario WorldParts::continuous(const std::string& name) const {
   const Bounds all = extent();
   const double margin = options_.margin;
   const Bounds bounds{all.x_min - margin, all.y_min - margin, all.x_max + margin,
                       all.y_max + margin};
   const TPoint2D corner(bounds.x_min, bounds.y_min);
-  Scenario scenario =
-      Scenario::continuous(name, bounds, obstacles_, {corner.x, corner.y, 0}, corner);
+  return Scenario::continuous(name, bounds, obstacles_, {corner.x, corner.y, 0}, corner);
+}
+
+/// The grid, extended by free cells so that it holds the obstacles, with the cells that they touch.
+Scenario WorldParts::on_grid(const std::string& name) const {
+  using Map = mrpt::maps::COccupancyGridMap2D;
+  const double cell = grid_->getResolution();
+  const Bounds all = extent();
+  const auto cells = [&](double length) {
+    return static_cast<int>(std::ceil(std::clamp(length / cell, 0.0, kMaxGridCells)));
+  };
+  const int left = cells(grid_->getXMin() - all.x_min), below = cells(grid_->getYMin() - all.y_min),
+            right = cells(all.x_max - grid_->getXMax()),
+            above = cells(all.y_max - grid_->getYMax());
+  const TPoint2D corner(grid_->getXMin() - left * cell, grid_->getYMin() - below * cell);
+  const int size_x = static_cast<int>(grid_->getSizeX()),
+            size_y = static_cast<int>(grid_->getSizeY());
+  Map map = left + below + right + above == 0
+                ? *grid_
+                : make_grid_map(size_x + left + right, size_y + below + above, cell, corner);
+  for (int y = 0; y < size_y; ++y)
+    for (int x = 0; x < size_x; ++x) map.setCell(x + left, y + below, grid_->getCell(x, y));
+  if (!obstacles_.discs.empty() || !obstacles_.polygons.empty()) {
+    const Bounds bounds{corner.x, corner.y, corner.x + static_cast<double>(map.getSizeX()) * cell,
+                        corner.y + static_cast<double>(map.getSizeY()) * cell};
+    const Occupancy touched = make_occupancy(
+        Scenario::continuous(name, bounds, obstacles_, {corner.x, corner.y, 0}, corner), cell);
+    for (int y = 0; y < std::min(touched.size_y(), static_cast<int>(map.getSizeY())); ++y)
+      for (int x = 0; x < std::min(touched.size_x(), static_cast<int>(map.getSizeX())); ++x)
+        if (touched.occupied(x, y)) map.setCell(x, y, 0.0F);
+  }
+  const TPoint2D inside(map.getXMin(), map.getYMin());
+  return Scenario::grid(name, map, {inside.x, inside.y, 0}, inside);
+}
+
+ImportedWorld WorldParts::finish(const std::string& name) const {
+  const std::string left_out = left_out_text();
+  if (!grid_ && obstacles_.discs.empty() && obstacles_.polygons.empty() && movers_.empty())
+    throw file_error(where_,
+                     "contains no obstacle that can be imported" +
+                         (left_out.empty() ? "" : ", left out: " + left_out),
+                     "boxes, cylinders, spheres or polygons");
+  Scenario scenario = grid_ ? on_grid(name) : continuous(name);
+  if (start_ && goal_) scenario = scenario.with_start_goal(*start_, *goal_);
   if (!movers_.empty()) scenario = scenario.with_movers(movers_);
-  return {std::move(scenario), std::nullopt, std::nullopt,
+  return {std::move(scenario), start_, goal_,
           left_out.empty() ? "" : where_ + ": left out: " + left_out};
 }
 

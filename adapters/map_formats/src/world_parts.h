@@ -3,6 +3,7 @@
 
 #include <slalom/map_formats/world_import.h>
 
+#include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/poses/CPose3D.h>
 
 #include <string>
@@ -26,13 +27,22 @@ class WorldParts {
                  double z_high);
   void add_mover(Mover mover) { movers_.push_back(std::move(mover)); }
 
+  /// Cells that become the workspace, with the obstacles in it.
+  void set_grid(mrpt::maps::COccupancyGridMap2D grid) { grid_ = std::move(grid); }
+  void set_task(std::optional<mrpt::math::TPose2D> start,
+                std::optional<mrpt::math::TPoint2D> goal) {
+    start_ = start;
+    goal_ = goal;
+  }
+
   /// `kind` in plural, for example "meshes".
   void leave_out(const std::string& kind, const std::string& name);
 
   /// Counts work, which files that include each other could multiply.
   void count(std::size_t& counter, std::size_t limit, const std::string& what) const;
 
-  /// The world within `margin` around its obstacles. Throws Error (File) if there are none.
+  /// The world within `margin` around its obstacles and its task, or within its grid and around
+  /// them. Throws Error (File) if there are none.
   ImportedWorld finish(const std::string& name) const;
 
  private:
@@ -41,13 +51,19 @@ class WorldParts {
   void add_disc(const mrpt::math::TPoint2D& center, double radius);
   std::string left_out_text() const;
   Bounds extent() const;
+  Scenario continuous(const std::string& name) const;
+  Scenario on_grid(const std::string& name) const;
 
   std::string where_;
   WorldOptions options_;
   Primitives obstacles_;
   Movers movers_;
+  std::optional<mrpt::maps::COccupancyGridMap2D> grid_;
+  std::optional<mrpt::math::TPose2D> start_;
+  std::optional<mrpt::math::TPoint2D> goal_;
   std::size_t outside_heights_ = 0, solids_ = 0;
-  std::vector<std::pair<std::string, std::vector<std::string>>> left_out_;
+  /// Names, with their numbers, by kind.
+  std::vector<std::pair<std::string, std::vector<std::pair<std::string, int>>>> left_out_;
 };
 
 }  // namespace slalom

@@ -38,8 +38,9 @@ Error XmlFile::error(const tinyxml2::XMLNode& at, const std::string& what,
   return file_error(where_ + ":" + std::to_string(at.GetLineNum()), what, expected);
 }
 
-std::vector<double> XmlFile::numbers(const tinyxml2::XMLElement& element) const {
-  std::istringstream words(xml_text(&element));
+std::vector<double> XmlFile::all_numbers(const tinyxml2::XMLElement& element,
+                                         const std::string& text) const {
+  std::istringstream words(text);
   std::vector<double> all;
   for (std::string word; words >> word;) {
     double number = 0;
@@ -51,8 +52,17 @@ std::vector<double> XmlFile::numbers(const tinyxml2::XMLElement& element) const 
   return all;
 }
 
+std::vector<double> XmlFile::numbers(const tinyxml2::XMLElement& element) const {
+  return all_numbers(element, xml_text(&element));
+}
+
 std::vector<double> XmlFile::numbers(const tinyxml2::XMLElement& element, std::size_t count) const {
-  std::vector<double> all = numbers(element);
+  return numbers(element, xml_text(&element), count);
+}
+
+std::vector<double> XmlFile::numbers(const tinyxml2::XMLElement& element, const std::string& text,
+                                     std::size_t count) const {
+  std::vector<double> all = all_numbers(element, text);
   if (all.size() != count)
     throw error(element,
                 "<" + std::string(element.Name()) + "> has " + count_text(all.size(), "number"),

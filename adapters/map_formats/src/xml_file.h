@@ -21,12 +21,16 @@ class XmlFile {
 
   Error error(const tinyxml2::XMLNode& at, const std::string& what,
               const std::string& expected) const;
-  /// The finite numbers of an element, separated by blanks.
+  /// The finite numbers of an element, or of a text of it, separated by blanks.
   std::vector<double> numbers(const tinyxml2::XMLElement& element) const;
+  std::vector<double> numbers(const tinyxml2::XMLElement& element, const std::string& text,
+                              std::size_t count) const;
   std::vector<double> numbers(const tinyxml2::XMLElement& element, std::size_t count) const;
 
  private:
   explicit XmlFile(std::string where);
+  std::vector<double> all_numbers(const tinyxml2::XMLElement& element,
+                                  const std::string& text) const;
 
   std::string where_;
   std::unique_ptr<tinyxml2::XMLDocument> document_;

@@ -37,8 +37,8 @@ TEST(LoadMap, RejectsUnknownFormats) {
     EXPECT_TRUE(throws_error(ErrorKind::File, path + ": ",
                              {"unknown",
                               ".gridmap[.gz], .simplemap[.gz], a ROS map_server .yaml, "
-                              "a MovingAI .map, an image (.pgm, .png, .jpg, .bmp), a world of "
-                              "Gazebo (.world, .sdf) or a folder of BARN"},
+                              "a MovingAI .map, an image (.pgm, .png, .jpg, .bmp), a world "
+                              "(.world, .sdf, .xml) or a folder of BARN"},
                              [&] { load_occupancy_grid(path); }));
   }
 }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "map_files.h"
 
+#include <slalom/map_formats/map_export.h>
+#include <slalom/map_formats/map_task.h>
 #include <slalom/map_formats/world_import.h>
+#include <slalom/scenario/grid_map.h>
+#include <slalom/scenario/occupancy.h>
 
 #include <gtest/gtest.h>
 
@@ -269,6 +273,142 @@ TEST_F(GazeboWorld, RefusesMalformedWorldsWithTheirLine) {
   std::string deep;
   for (int i = 0; i < 5000; ++i) deep += "<model>";
   EXPECT_TRUE(rejects(deep, {"is not XML", "DEPTH"}));
+}
+
+class MvsimWorld : public testing::Test {
+ protected:
+  ImportedWorld imported(const std::string& content) const {
+    return import_world(written(content), {});
+  }
+  std::string written(const std::string& content) const {
+    return folder.write("hall.world.xml",
+                        "<mvsim_world version='1.0'>\n" + content + "</mvsim_world>");
+  }
+  testing::AssertionResult rejects(const std::string& content,
+                                   std::initializer_list<std::string> words) const {
+    const std::string path = written(content);
+    return throws_error(ErrorKind::File, path, words, [&] { import_world(path, {}); });
+  }
+
+  MapFolder folder;
+};
+
+TEST_F(MvsimWorld, HasTheFirstVehicleAsItsStart) {
+  const ImportedWorld world = imported(
+      "<vehicle name='r1' class='jackal'><init_pose>-8 1 90</init_pose></vehicle>"
+      "<vehicle name='r2'><init_pose>5 5 0</init_pose></vehicle>"
+      "<block><init_pose>3 0 0</init_pose></block>");
+  EXPECT_EQ(world.scenario.name(), "hall");
+  ASSERT_TRUE(world.start);
+  EXPECT_EQ(world.start->x, -8);
+  EXPECT_EQ(world.start->y, 1);
+  EXPECT_NEAR(world.start->phi, M_PI / 2, 1e-12);
+  EXPECT_FALSE(world.goal);
+  EXPECT_EQ(world.scenario.bounds().x_min, -8.5);
+  EXPECT_TRUE(mentions(world.message, {"vehicles 'r2'"}));
+}
+
+TEST_F(MvsimWorld, PlacesBlocksOfClassesWithVariables) {
+  const ImportedWorld world = imported(
+      "<variable name='HIGH' value='1.5'/>"
+      "<block:class name='crate'><zmax>${HIGH}</zmax><shape><pt>-1 -0.5</pt><pt>-1 0.5</pt><pt>1 "
+      "0.5"
+      "</pt><pt>1 -0.5</pt></shape></block:class>"
+      "<block:class name='column'><shape_from_visual/><geometry type='cylinder' radius='0.5' "
+      "length='2' vertex_count='4'/></block:class>"
+      "<block class='crate'><init_pose>5 5 90</init_pose></block>"
+      "<block class='column'><init_pose3d>0 0 0 0 0 0</init_pose3d></block>"
+      "<block class='column'><init_pose3d>0 0 3 0 0 0</init_pose3d></block>"
+      "<block class='crate'><intangible>true</intangible><init_pose>1 1 0</init_pose></block>");
+  const auto& polygons = world.scenario.primitives().polygons;
+  ASSERT_EQ(polygons.size(), 2U);
+  expect_corners(polygons[0], {{4.5, 4}, {5.5, 4}, {5.5, 6}, {4.5, 6}});
+  expect_corners(polygons[1], {{0.5, 0}, {0, 0.5}, {-0.5, 0}, {0, -0.5}});
+  EXPECT_TRUE(mentions(world.message, {"1 shape below"}));
+}
+
+TEST_F(MvsimWorld, HasDoorsInVerticalPlanes) {
+  // A wall of 10 m with doors from 1 to 3 m and from 2.5 to 3.5 m.
+  const auto polygons =
+      imported(
+          "<element class='vertical_plane'><x0>0</x0><y0>0</y0><x1>10</x1><y1>0</y1>"
+          "<thickness>0.2</thickness><door position='0.2' width='2'/>"
+          "<door><position>0.3</position><width>1</width></door>"
+          "<window position='0.8' width='1'/></element>")
+          .scenario.primitives()
+          .polygons;
+  ASSERT_EQ(polygons.size(), 2U);
+  expect_corners(polygons[0], {{0, -0.1}, {1, -0.1}, {1, 0.1}, {0, 0.1}});
+  expect_corners(polygons[1], {{3.5, -0.1}, {10, -0.1}, {10, 0.1}, {3.5, 0.1}});
+}
+
+TEST_F(MvsimWorld, ExtendsWallsThatMeet) {
+  const auto polygons =
+      imported(
+          "<walls><wallThickness>0.2</wallThickness><shape><pt>0 0</pt><pt>4 0</pt>"
+          "<pt>4 0</pt><pt>4 3</pt></shape></walls>")
+          .scenario.primitives()
+          .polygons;
+  ASSERT_EQ(polygons.size(), 2U);
+  expect_corners(polygons[0], {{0, -0.1}, {4, -0.1}, {4, 0.1}, {0, 0.1}});
+  expect_corners(polygons[1], {{3.9, -0.1}, {4.1, -0.1}, {4.1, 3}, {3.9, 3}});
+}
+
+TEST_F(MvsimWorld, PutsBlocksOnTheOccupancyGrid) {
+  // 4 x 3 pixels of 0.5 m; the upper left one is dark. A block beyond the map extends it by 2
+  // cells.
+  folder.write("map.pgm", "P2 4 3 255 0 255 255 255 255 255 255 255 255 255 255 255");
+  const ImportedWorld world = imported(
+      "<element class='occupancy_grid'><file>map.pgm</file><resolution>0.5</resolution>"
+      "<centerpixel_x>0</centerpixel_x><centerpixel_y>0</centerpixel_y></element>"
+      "<block><shape><pt>0 0</pt><pt>0.3 0</pt><pt>0.3 0.3</pt><pt>0 0.3</pt></shape>"
+      "<init_pose>2.6 0.1 0</init_pose></block>");
+  const Occupancy cells = make_occupancy(world.scenario, 1);
+  EXPECT_EQ(cells.size_x(), 6);
+  EXPECT_EQ(cells.size_y(), 3);
+  EXPECT_EQ(cells.count_occupied(), 2U);
+  EXPECT_TRUE(cells.occupied(0, 2) && cells.occupied(5, 0));
+}
+
+TEST_F(MvsimWorld, GivesBackWhatWasExported) {
+  auto map = make_grid_map(7, 5, 0.25, {-1, 2});
+  for (const auto& [x, y] : {std::pair(0, 0), {3, 2}, {6, 4}}) map.setCell(x, y, 0.0F);
+  const Scenario scenario = Scenario::grid("seven", map, {-0.5, 2.6, 0.7}, {0.4, 3});
+  const std::string path = folder.path("seven.world.xml");
+  export_scenario(scenario, "mvsim", {}, path);
+  const auto task = read_map_task(path);
+  ASSERT_TRUE(task);
+  const Scenario same =
+      import_world(path, {}).scenario.with_start_goal(task->start, task->goal).renamed(task->name);
+  EXPECT_EQ(same.hash(), scenario.hash());
+  EXPECT_EQ(same.name(), "seven");
+}
+
+TEST_F(MvsimWorld, NamesWhatIsLeftOut) {
+  const ImportedWorld world = imported(
+      "<block name='a'><init_pose>$f{1+1} 0 0</init_pose></block>"
+      "<block name='b'><init_pose>0 0 0</init_pose><publish><publish_pose_topic>/${NAME}/pose"
+      "</publish_pose_topic></publish></block>"
+      "<block name='c'><shape_from_visual/><visual/><init_pose>0 0 0</init_pose></block>"
+      "<block name='c'><shape_from_visual/><visual/><init_pose>1 0 0</init_pose></block>"
+      "<for var='iX' from='0' to='2'/><element class='elevation_map'/>"
+      "<include file='x.vehicle.xml'/><include file='more.xml'/><actor name='p'/>");
+  EXPECT_EQ(world.scenario.primitives().polygons.size(), 1U);
+  EXPECT_EQ(world.message,
+            folder.path("hall.world.xml") +
+                ": left out: objects with formulas 'a'; meshes of 'c' (2); objects of loops and "
+                "conditions 'iX'; elements 'elevation_map'; included files 'more.xml'; actors 'p'");
+}
+
+TEST_F(MvsimWorld, RefusesMalformedWorldsWithTheirLine) {
+  EXPECT_TRUE(rejects("<block><init_pose>1 2</init_pose></block>", {":2: <init_pose> has 2", "3"}));
+  EXPECT_TRUE(rejects("<block name='b'/>", {":2: the block 'b' has no pose"}));
+  EXPECT_TRUE(rejects("<block><init_pose>1 2 3</init_pose><geometry type='box' lx='1'/></block>",
+                      {":2: ly is 0"}));
+  EXPECT_TRUE(rejects("<walls><shape><pt>0 0</pt></shape></walls>", {":2: has 1 point", "pairs"}));
+  EXPECT_TRUE(
+      rejects("<element class='occupancy_grid'/>", {":2: the occupancy grid has no <file>"}));
+  EXPECT_TRUE(rejects("", {"no obstacle"}));
 }
 
 TEST(WorldImport, SaysWhatAnotherFileSeemsToBe) {

@@ -26,16 +26,20 @@ struct ImportedWorld {
   std::string message = {};  ///< what is left out, in one line, "" if nothing
 };
 
-/// Whether the name ends in .world or .sdf.
+/// Whether the name ends in .world, .sdf or .xml.
 bool is_world(const std::string& path);
 
-/// Reads a world of Gazebo (.world, .sdf).
+/// Reads a world of Gazebo (.world, .sdf) or of mvsim (.xml).
 ///
-/// Collision shapes become obstacles, exactly if they are upright: boxes and polylines polygons,
-/// cylinders and spheres discs; of others the convex hull of their part in the heights of
+/// Gazebo: Collision shapes become obstacles, exactly if they are upright: boxes and polylines
+/// polygons, cylinders and spheres discs; of others the convex hull of their part in the heights of
 /// the options, of cylinders around a polygon of 32 corners. Actors with waypoints become moving
 /// obstacles. Meshes, heightmaps, models with plugins, which may move them, and models whose files
-/// are not beside the world are left out. Throws Error (File): file, line, what was expected.
+/// are not beside the world are left out.
+///
+/// mvsim: walls, vertical planes and blocks become polygons; with an occupancy grid, its cells that
+/// they touch. The first vehicle is the start. A file that Slalom exported gives the same grid.
+/// Throws Error (File): file, line, what was expected.
 ImportedWorld import_world(const std::string& path, const WorldOptions& options);
 
 }  // namespace slalom
