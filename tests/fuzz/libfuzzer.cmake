@@ -58,6 +58,7 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/map_task.cpp
   ${FORMATS}/moving_ai.cpp
   ${FORMATS}/image_map.cpp
+  ${FORMATS}/ir_sim_world.cpp
   ${FORMATS}/map_import.cpp
   ${FORMATS}/mrpt_maps.cpp
   ${FORMATS}/mvsim_world.cpp

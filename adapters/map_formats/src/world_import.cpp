@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gazebo_world.h"
+#include "ir_sim_world.h"
 #include "mvsim_world.h"
 #include "xml_file.h"
 
@@ -24,10 +25,12 @@ std::string kind_of(const std::string& root) {
 }  // namespace
 
 bool is_world(const std::string& path) {
-  return ends_with(path, ".world") || ends_with(path, ".sdf") || ends_with(path, ".xml");
+  return ends_with(path, ".world") || ends_with(path, ".sdf") || ends_with(path, ".xml") ||
+         is_ir_sim(path);
 }
 
 ImportedWorld import_world(const std::string& path, const WorldOptions& options) {
+  if (ends_with(path, ".yaml") || ends_with(path, ".yml")) return ir_sim_world(path, options);
   const XmlFile file = XmlFile::read(path, "a world of a simulator");
   const std::string root = file.root().Name();
   if (root == "sdf" || root == "gazebo") return gazebo_world(file, path, options);

@@ -225,8 +225,9 @@ Bounds WorldParts::extent() const {
 Scenario WorldParts::continuous(const std::string& name) const {
   const Bounds all = extent();
   const double margin = options_.margin;
-  const Bounds bounds{all.x_min - margin, all.y_min - margin, all.x_max + margin,
+  const Bounds around{all.x_min - margin, all.y_min - margin, all.x_max + margin,
                       all.y_max + margin};
+  const Bounds bounds = bounds_.value_or(around);
   const TPoint2D corner(bounds.x_min, bounds.y_min);
   return Scenario::continuous(name, bounds, obstacles_, {corner.x, corner.y, 0}, corner);
 }
@@ -265,7 +266,8 @@ Scenario WorldParts::on_grid(const std::string& name) const {
 
 ImportedWorld WorldParts::finish(const std::string& name) const {
   const std::string left_out = left_out_text();
-  if (!grid_ && obstacles_.discs.empty() && obstacles_.polygons.empty() && movers_.empty())
+  if (!grid_ && !bounds_ && obstacles_.discs.empty() && obstacles_.polygons.empty() &&
+      movers_.empty())
     throw file_error(where_,
                      "contains no obstacle that can be imported" +
                          (left_out.empty() ? "" : ", left out: " + left_out),

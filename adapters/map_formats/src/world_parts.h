@@ -29,6 +29,7 @@ class WorldParts {
 
   /// Cells that become the workspace, with the obstacles in it.
   void set_grid(mrpt::maps::COccupancyGridMap2D grid) { grid_ = std::move(grid); }
+  void set_bounds(const Bounds& bounds) { bounds_ = bounds; }  ///< instead of the margin
   void set_task(std::optional<mrpt::math::TPose2D> start,
                 std::optional<mrpt::math::TPoint2D> goal) {
     start_ = start;
@@ -59,6 +60,7 @@ class WorldParts {
   Primitives obstacles_;
   Movers movers_;
   std::optional<mrpt::maps::COccupancyGridMap2D> grid_;
+  std::optional<Bounds> bounds_;
   std::optional<mrpt::math::TPose2D> start_;
   std::optional<mrpt::math::TPoint2D> goal_;
   std::size_t outside_heights_ = 0, solids_ = 0;

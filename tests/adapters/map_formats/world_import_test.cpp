@@ -411,6 +411,100 @@ TEST_F(MvsimWorld, RefusesMalformedWorldsWithTheirLine) {
   EXPECT_TRUE(rejects("", {"no obstacle"}));
 }
 
+class IrSimWorld : public testing::Test {
+ protected:
+  std::string written(const std::string& content) const {
+    return folder.write("plain.yaml", "world: {height: 6, width: 8, offset: [1, -2]}\n" + content);
+  }
+  ImportedWorld imported(const std::string& content) const {
+    return import_world(written(content), {});
+  }
+  testing::AssertionResult rejects(const std::string& content,
+                                   std::initializer_list<std::string> words) const {
+    const std::string path = written(content);
+    return throws_error(ErrorKind::File, path, words, [&] { import_world(path, {}); });
+  }
+
+  MapFolder folder;
+};
+
+TEST_F(IrSimWorld, HasTheTaskOfItsRobotInItsWorkspace) {
+  const ImportedWorld world = imported(
+      "robot:\n  - kinematics: {name: diff}\n    state: [1.5, -1, 0.5]\n    goal: [8, 3, 0]\n"
+      "  - kinematics: {name: acker}\n    state: [2, 2, 0, 0]\n    goal: [3, 3, 0]\n"
+      "obstacle:\n  - {shape: {name: circle, radius: 0.5}, state: [4, 1]}\n");
+  EXPECT_EQ(world.scenario.name(), "plain");
+  EXPECT_EQ(world.scenario.bounds(), (Bounds{1, -2, 9, 4}));
+  EXPECT_EQ(world.scenario.start(), mrpt::math::TPose2D(1.5, -1, 0.5));
+  EXPECT_EQ(world.scenario.goal(), mrpt::math::TPoint2D(8, 3));
+  ASSERT_EQ(world.scenario.primitives().discs.size(), 1U);
+  EXPECT_EQ(world.scenario.primitives().discs[0].center, mrpt::math::TPoint2D(4, 1));
+  EXPECT_EQ(world.scenario.primitives().discs[0].radius, 0.5);
+  EXPECT_TRUE(mentions(world.message, {"robots 'acker'"}));
+}
+
+TEST_F(IrSimWorld, HasRectanglesPolygonsAndLineStrings) {
+  const auto polygons =
+      imported(
+          "obstacle:\n"
+          "  - {shape: {name: rectangle, length: 2, width: 1}, state: [5, 1, 1.5707963267948966]}\n"
+          "  - {shape: {name: polygon, vertices: [[0, 0], [1, 0], [0, 1]]}, state: [2, 2, 0]}\n"
+          "  - {shape: {name: linestring, vertices: [[2, 0], [4, 0], [4, 1]]}, state: [0, 0, 0]}\n")
+          .scenario.primitives()
+          .polygons;
+  ASSERT_EQ(polygons.size(), 4U);
+  expect_corners(polygons[0], {{4.5, 0}, {5.5, 0}, {5.5, 2}, {4.5, 2}});
+  expect_corners(polygons[1], {{2, 2}, {3, 2}, {2, 3}});
+  // Lines of 0.02 m with ends of half of it.
+  expect_corners(polygons[2], {{1.99, -0.01}, {4.01, -0.01}, {4.01, 0.01}, {1.99, 0.01}});
+  expect_corners(polygons[3], {{3.99, -0.01}, {4.01, -0.01}, {4.01, 1.01}, {3.99, 1.01}});
+}
+
+TEST_F(IrSimWorld, HasNumberedObstaclesWithTheirShapes) {
+  const auto discs = imported(
+                         "obstacle:\n  - number: 3\n    distribution: {name: manual}\n"
+                         "    state: [[2, 1], [3, 1], [4, 1], [5, 1]]\n"
+                         "    shape:\n      - {name: circle, radius: 0.4}\n"
+                         "      - {name: circle, radius: 0.1}\n")
+                         .scenario.primitives()
+                         .discs;
+  ASSERT_EQ(discs.size(), 3U);
+  EXPECT_EQ(discs[0].radius, 0.4);
+  EXPECT_EQ(discs[1].radius, 0.1);
+  EXPECT_EQ(discs[2].radius, 0.1);
+  EXPECT_EQ(discs[2].center, mrpt::math::TPoint2D(4, 1));
+}
+
+TEST_F(IrSimWorld, NamesWhatIsLeftOut) {
+  const ImportedWorld world = imported(
+      "obstacle:\n"
+      "  - {number: 5, distribution: {name: random}, shape: {name: circle, radius: 0.4}}\n"
+      "  - {kinematics: {name: omni}, behavior: {name: dash}, shape: {name: circle}, state: [3, "
+      "3]}\n"
+      "  - {shape: {name: polygon, random_shape: true}}\n"
+      "  - {shape: {name: star}}\n");
+  EXPECT_EQ(world.message,
+            folder.path("plain.yaml") +
+                ": left out: obstacles at drawn places 'circle'; obstacles with a "
+                "behavior 'circle'; shapes drawn at random 'polygon'; shapes 'star'");
+  EXPECT_FALSE(world.start);
+}
+
+TEST_F(IrSimWorld, IsToldFromMapsOfRos) {
+  EXPECT_TRUE(is_world(written("")));
+  EXPECT_FALSE(is_world(folder.write("ros.yaml", "image: a.pgm\nresolution: 1\n")));
+  EXPECT_FALSE(is_world(folder.write("broken.yaml", "world: [")));
+}
+
+TEST_F(IrSimWorld, RefusesMalformedWorldsWithTheirLine) {
+  EXPECT_TRUE(rejects("obstacle:\n  - {state: [1]}\n", {":3: the state is not a list"}));
+  EXPECT_TRUE(rejects("obstacle:\n  - {state: [1, .nan]}\n", {":3: the state is not a number"}));
+  EXPECT_TRUE(rejects("obstacle:\n  - {shape: {radius: 0}}\n", {":3: the radius is not above 0"}));
+  EXPECT_TRUE(rejects("obstacle:\n  - {number: 1e9}\n", {":3: the number is"}));
+  EXPECT_TRUE(rejects("obstacle:\n  - {shape: {name: polygon}}\n", {":3: has no list 'vertices'"}));
+  EXPECT_TRUE(rejects("robot: [\n", {"is not YAML"}));
+}
+
 TEST(WorldImport, SaysWhatAnotherFileSeemsToBe) {
   const MapFolder folder;
   const std::string robot = folder.write("a.world", "<robot name='r'/>");
