@@ -108,7 +108,7 @@ void add_import_verb(CLI::App& app) {
   static ImportArguments arguments;
   CLI::App* verb = app.add_subcommand(
       "import",
-      "Import maps (MRPT, ROS, MovingAI, images), worlds (Gazebo, mvsim, ir-sim, BARN), "
+      "Import maps (MRPT, ROS, MovingAI, images), worlds (Gazebo, Stage, mvsim, ir-sim, BARN), "
       "logs (.rawlog, bags) or scenarios (.scenario.yaml)");
   verb->add_option("files", arguments.request.files,
                    "Map files, worlds, .scenario.yaml files, BARN grids or folders, rawlogs, bags")

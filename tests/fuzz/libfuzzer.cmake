@@ -67,6 +67,7 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/point_map.cpp
   ${FORMATS}/ros_map.cpp
   ${FORMATS}/rotated_grid.cpp
+  ${FORMATS}/stage_world.cpp
   ${FORMATS}/world_import.cpp
   ${FORMATS}/world_parts.cpp
   ${FORMATS}/xml_file.cpp

@@ -3,7 +3,7 @@
 
 #include <slalom/map_formats/world_import.h>
 
-/// A world of a simulator.
+/// A world of Gazebo, mvsim or Stage.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace slalom;
   const fuzz::InputFile file("room.world", fuzz::text_of(data, size));

@@ -2,8 +2,10 @@
 #include "gazebo_world.h"
 #include "ir_sim_world.h"
 #include "mvsim_world.h"
+#include "stage_world.h"
 #include "xml_file.h"
 
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/map_formats/world_import.h>
 
@@ -31,7 +33,11 @@ bool is_world(const std::string& path) {
 
 ImportedWorld import_world(const std::string& path, const WorldOptions& options) {
   if (ends_with(path, ".yaml") || ends_with(path, ".yml")) return ir_sim_world(path, options);
-  const XmlFile file = XmlFile::read(path, "a world of a simulator");
+  const std::string text = read_text(path, "a world of a simulator", kMaxXmlSize);
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (ends_with(path, ".world") && begin != std::string::npos && text[begin] != '<')
+    return stage_world(path, options);
+  const XmlFile file = XmlFile::parse(text, path);
   const std::string root = file.root().Name();
   if (root == "sdf" || root == "gazebo") return gazebo_world(file, path, options);
   if (root == "mvsim_world") return mvsim_world(file, path, options);

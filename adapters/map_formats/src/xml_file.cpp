@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "xml_file.h"
 
-#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 
 #include <sstream>
 
 namespace slalom {
-namespace {
-
-constexpr std::uint64_t kMaxXmlSize = 64 * kMegabyte;
-
-}  // namespace
-
 XmlFile::XmlFile(std::string where)
     : where_(std::move(where)), document_(std::make_unique<tinyxml2::XMLDocument>()) {}
 

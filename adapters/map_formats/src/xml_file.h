@@ -2,6 +2,7 @@
 #pragma once
 
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 
 #include <memory>
 #include <string>
@@ -10,10 +11,12 @@
 
 namespace slalom {
 
+constexpr std::uint64_t kMaxXmlSize = 64 * kMegabyte;
+
 /// An XML file; TinyXML-2 expands no entities of the document and limits the depth to 100.
 class XmlFile {
  public:
-  /// Throws Error (File) with the line for what is not XML or is larger than 64 MB.
+  /// Throws Error (File) with the line for what is not XML or is larger than kMaxXmlSize.
   static XmlFile read(const std::string& path, const std::string& kind);
   static XmlFile parse(const std::string& text, const std::string& where);
 

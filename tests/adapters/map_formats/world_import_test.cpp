@@ -505,6 +505,74 @@ TEST_F(IrSimWorld, RefusesMalformedWorldsWithTheirLine) {
   EXPECT_TRUE(rejects("robot: [\n", {"is not YAML"}));
 }
 
+class StageWorld : public testing::Test {
+ protected:
+  ImportedWorld imported(const std::string& content) const {
+    return import_world(folder.write("cave.world", content), {});
+  }
+  testing::AssertionResult rejects(const std::string& content,
+                                   std::initializer_list<std::string> words) const {
+    const std::string path = folder.write("cave.world", content);
+    return throws_error(ErrorKind::File, path, words, [&] { import_world(path, {}); });
+  }
+
+  MapFolder folder;
+};
+
+TEST_F(StageWorld, ScalesTheDarkPixelsOfItsFloorplan) {
+  // The dark pixels extend over 4 x 2 of the 6 x 4 pixels: 2 m x 1 m, cells of 0.5 m.
+  folder.write("cave.pgm",
+               "P2 6 4 255 255 255 255 255 255 255  255 0 0 255 255 255  255 255 255 255 0 255  "
+               "255 255 255 255 255 255");
+  folder.write("map.inc",
+               "# a macro\ndefine floorplan model ( color \"gray30\" obstacle_return 0 )");
+  const ImportedWorld world = imported(
+      "include \"map.inc\"\nresolution 0.02\nwindow ( size [635 666] )\n"
+      "floorplan ( name \"cave\" size [2 1 0.8] pose [3 4 0 0] bitmap \"cave.pgm\" )\n"
+      "define robot position ( size [0.4 0.4 0.4] )\n"
+      "robot ( name \"r0\" pose [2.5 3.6 0 90] )  robot ( name \"r1\" )  # the end");
+  const Occupancy cells = make_occupancy(world.scenario, 1);
+  EXPECT_EQ(cells.bounds(), (Bounds{2, 3.5, 4, 4.5}));
+  EXPECT_EQ(cells.resolution(), 0.5);
+  EXPECT_EQ(cells.count_occupied(), 3U);
+  EXPECT_TRUE(cells.occupied(0, 1) && cells.occupied(1, 1) && cells.occupied(3, 0));
+  ASSERT_TRUE(world.start);
+  EXPECT_EQ(world.start->x, 2.5);
+  EXPECT_NEAR(world.start->phi, M_PI / 2, 1e-12);
+  EXPECT_TRUE(mentions(world.message, {"robots 'r1'"}));
+}
+
+TEST_F(StageWorld, HasBoxesBlocksAndBoundaries) {
+  const auto polygons =
+      imported(
+          "define tri model ( block ( points 3 point[2] [0 2] point[0] [0 0] point[1] [2 0] "
+          "z [0 1] ) )\n"
+          "model ( size [2 1 1] pose [5 1 0 90] )\ntri ( size [1 1 1] pose [0.5 0.5 0 0] )\n"
+          "define zone model ( obstacle_return 0 ranger_return -1 ) zone ( size [9 9 1] )\n"
+          "model ( size [8 8 1] boundary 1 block ( point[0] [0 0] point[1] [1 0] point[2] [0 1] ) "
+          ")")
+          .scenario.primitives()
+          .polygons;
+  ASSERT_EQ(polygons.size(), 2U + 1 + 4);
+  expect_corners(polygons[0], {{4.5, 0}, {5.5, 0}, {5.5, 2}, {4.5, 2}});
+  expect_corners(polygons[1], {{0, 0}, {1, 0}, {0, 1}});
+  expect_corners(polygons[2], {{-4, -4}, {4, -4}, {-4, 4}});
+  expect_corners(polygons[3], {{-4, -4}, {-3.99, -4}, {-3.99, 4}, {-4, 4}});
+}
+
+TEST_F(StageWorld, RefusesMalformedWorldsWithTheirLine) {
+  EXPECT_TRUE(rejects("model ( size [1 1\n", {":2: ends early"}));
+  EXPECT_TRUE(rejects("model ( size [1 x 1] )", {":1: size has 'x'"}));
+  EXPECT_TRUE(rejects("\nmodel ( size [0 1 1] )", {":2: a size is not above 0"}));
+  EXPECT_TRUE(rejects("model ( name \"a )", {":1: has a text without an end"}));
+  EXPECT_TRUE(rejects("unit_length \"cm\" model ( )", {"another unit_length", "m and degrees"}));
+  EXPECT_TRUE(rejects("include \"cave.world\" include \"cave.world\"", {"100 included files"}));
+  std::string deep;
+  for (int i = 0; i < 1000; ++i) deep += "model (";
+  EXPECT_TRUE(rejects(deep, {"nested too deeply"}));
+  EXPECT_TRUE(rejects("define a a ( )", {"no obstacle"}));
+}
+
 TEST(WorldImport, SaysWhatAnotherFileSeemsToBe) {
   const MapFolder folder;
   const std::string robot = folder.write("a.world", "<robot name='r'/>");

@@ -29,7 +29,7 @@ struct ImportedWorld {
 /// Whether the name ends in .world, .sdf or .xml, or this is a YAML file with the key `world`.
 bool is_world(const std::string& path);
 
-/// Reads a world of Gazebo (.world, .sdf), of mvsim (.xml) or of ir-sim (.yaml).
+/// Reads a world of Gazebo (.world, .sdf), of Stage (.world), of mvsim (.xml) or of ir-sim (.yaml).
 ///
 /// Gazebo: Collision shapes become obstacles, exactly if they are upright: boxes and polylines
 /// polygons, cylinders and spheres discs; of others the convex hull of their part in the heights of
@@ -39,6 +39,8 @@ bool is_world(const std::string& path);
 ///
 /// mvsim: walls, vertical planes and blocks become polygons; with an occupancy grid, its cells that
 /// they touch. The first vehicle is the start. A file that Slalom exported gives the same grid.
+///
+/// Stage: the first bitmap becomes a grid, models without one polygons, the first robot the start.
 ///
 /// ir-sim: circles become discs, rectangles, polygons and line strings (0.02 m wide) polygons;
 /// start and goal are those of the first robot, the workspace is the world. Throws Error (File):
