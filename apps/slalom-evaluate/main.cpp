@@ -101,7 +101,10 @@ void evaluate(const Arguments& arguments) {
   std::optional<StoppingRule> rule;
   if (!arguments.until.empty()) {
     CampaignOptions possible = config.options;
-    possible.add_mover_quantities();  // as if the scenarios, which are not known yet, had movers
+    // Quantities as if the scenarios, which are not known yet, had movers and headings of their
+    // goals.
+    possible.add_mover_quantities();
+    possible.add_goal_heading_metrics();
     rule = read_rule(possible);
   }
   make_output_folder(arguments.output);

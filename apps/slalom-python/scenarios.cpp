@@ -71,7 +71,9 @@ std::vector<Scenario> generate_family(const std::string& family, int count, std:
   const IniFile ini = to_ini(sections);
   Options options = read_evaluate_options(ini);
   options.workers = workers;
-  options.walkers = read_options<ScenariosSection>(ini, "scenarios").walkers;
+  const auto section = read_options<ScenariosSection>(ini, "scenarios");
+  options.walkers = section.walkers;
+  options.goal_headings = section.goal_headings;
   GeneratorContext context;
   context.load_map = load_occupancy_grid;
   return generate(std::shared_ptr<const Generator>(make_generator(family, ini, context)), count,
@@ -89,6 +91,7 @@ void bind_scenarios(py::module_& module) {
           [](const Scenario& s) { return py::make_tuple(s.start().x, s.start().y, s.start().phi); })
       .def_property_readonly(
           "goal", [](const Scenario& s) { return py::make_tuple(s.goal().x, s.goal().y); })
+      .def_property_readonly("goal_heading", [](const Scenario& s) { return s.goal_heading(); })
       .def_property_readonly("bounds", bounds_of)
       .def_property_readonly("movers", movers_of)
       .def("yaml", scenario_to_yaml)

@@ -26,7 +26,7 @@ void import(const ImportArguments& arguments) {
 
 void add_pair_options(CLI::App& verb, ImportRequest& request) {
   verb.add_option("--start", request.start, "Start pose x,y,phi (m, rad)");
-  verb.add_option("--goal", request.goal, "Goal x,y (m)");
+  verb.add_option("--goal", request.goal, "Goal x,y (m), or x,y,phi (rad) with a heading");
   verb.add_option("--pairs", request.pairs, "Number of solvable pairs to sample on each map")
       ->check(CLI::PositiveNumber);
   verb.add_option("--seed", request.seed, "Seed of the pairs")->capture_default_str();

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,6 +69,12 @@ class Plugin {
     return &api;
   }
 
+  /// The table of slalom_method_get_goal_heading_api() for any class.
+  static const slalom_goal_heading_api* goal_heading_table() {
+    static const slalom_goal_heading_api api = {SLALOM_GOAL_HEADING_ABI_VERSION, set_goal_heading};
+    return &api;
+  }
+
   /// The table of slalom_method_get_tracks_api() for a class with `set_tracks(tracks)`.
   static const slalom_tracks_api* tracks_table() {
     static const slalom_tracks_api api = {SLALOM_TRACKS_ABI_VERSION, set_tracks};
@@ -92,13 +99,35 @@ class Plugin {
     return result;
   }
 
+  /// A method, and what it does not know: the heading of a goal.
+  struct Instance {
+    M method;
+    Robot robot;
+    NavigationTask task = {};
+    std::optional<double> goal_heading = {};  ///< rad, odometry frame
+
+    /// Slows down so that the robot can stop at the goal, and turns there to its heading.
+    Twist step(const Observation& observation) {
+      const double goal_distance = distance(observation.goal, {});
+      if (goal_heading && goal_distance <= task.goal_tolerance) {
+        const double error = wrapped(*goal_heading - observation.pose.phi);
+        return {0, stopping_angular_velocity(error, robot)};
+      }
+      Twist twist = method.step(observation);
+      const double limit = stopping_speed(goal_distance, robot);
+      if (goal_heading && twist.v > limit) twist = {limit, twist.w * limit / twist.v};
+      return twist;
+    }
+  };
+  static M& method_of(void* instance) { return static_cast<Instance*>(instance)->method; }
+
   static void* create(const slalom_setting* settings, size_t count, const slalom_robot* robot,
                       char* error, size_t error_size) {
     try {
       typename M::Parameters parameters;
       for (size_t i = 0; i < count; ++i)
         set_parameter(parameters, settings[i].key, settings[i].value);
-      return new M(parameters, robot_of(*robot));
+      return new Instance{M(parameters, robot_of(*robot)), robot_of(*robot)};
     } catch (const std::exception& e) {
       std::snprintf(error, error_size, "%s", e.what());
       return nullptr;
@@ -108,7 +137,12 @@ class Plugin {
   static int reset(void* method, const slalom_task* task) {
     const NavigationTask converted = {
         {task->goal_x, task->goal_y}, task->goal_tolerance, task->control_period, task->seed};
-    return guarded([&] { static_cast<M*>(method)->reset(converted); });
+    return guarded([&] {
+      auto& instance = *static_cast<Instance*>(method);
+      instance.task = converted;
+      instance.goal_heading.reset();
+      instance.method.reset(converted);
+    });
   }
 
   static int step(void* method, const slalom_observation* input, slalom_command* command) {
@@ -119,7 +153,7 @@ class Plugin {
       observation.measured = {input->v, input->w};
       observation.goal = {input->goal_x, input->goal_y};
       observation.ranges.assign(input->ranges, input->ranges + input->rays);
-      const Twist twist = static_cast<M*>(method)->step(observation);
+      const Twist twist = static_cast<Instance*>(method)->step(observation);
       *command = {twist.v, twist.w, 0};
     });
   }
@@ -130,25 +164,30 @@ class Plugin {
       for (size_t i = 0; i < count; ++i)
         converted.push_back(
             {{tracks[i].x, tracks[i].y}, {tracks[i].vx, tracks[i].vy}, tracks[i].radius});
-      static_cast<M*>(method)->set_tracks(std::move(converted));
+      method_of(method).set_tracks(std::move(converted));
     });
   }
 
+  static int set_goal_heading(void* method, double heading, double) {
+    static_cast<Instance*>(method)->goal_heading = heading;
+    return 0;
+  }
+
   static int uses_map(const void* method) {
-    return static_cast<const M*>(method)->uses_map() ? 1 : 0;
+    return static_cast<const Instance*>(method)->method.uses_map() ? 1 : 0;
   }
 
   static int set_map(void* method, const slalom_map* map) {
     return guarded([&] {
-      static_cast<M*>(method)->set_map({map->resolution,
-                                        {map->origin_x, map->origin_y},
-                                        map->size_x,
-                                        map->size_y,
-                                        {map->cells, map->cells + map->size_x * map->size_y}});
+      method_of(method).set_map({map->resolution,
+                                 {map->origin_x, map->origin_y},
+                                 map->size_x,
+                                 map->size_y,
+                                 {map->cells, map->cells + map->size_x * map->size_y}});
     });
   }
 
-  static void destroy(void* method) { delete static_cast<M*>(method); }
+  static void destroy(void* method) { delete static_cast<Instance*>(method); }
 
   template <typename Action>
   static int guarded(Action action) {

@@ -55,3 +55,7 @@ void Parameters::visit(slalom::OptionVisitor& v) {
 const slalom_method_api* slalom_method_get_api(void) {
   return reactive::Plugin<follow_the_gap::Method>::table("follow_the_gap");
 }
+
+const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void) {
+  return reactive::Plugin<follow_the_gap::Method>::goal_heading_table();
+}

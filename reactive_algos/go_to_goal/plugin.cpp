@@ -4,3 +4,7 @@
 const slalom_method_api* slalom_method_get_api(void) {
   return reactive::Plugin<go_to_goal::GoToGoal>::table("go_to_goal");
 }
+
+const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void) {
+  return reactive::Plugin<go_to_goal::GoToGoal>::goal_heading_table();
+}

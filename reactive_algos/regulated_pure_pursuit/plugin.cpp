@@ -5,3 +5,7 @@ const slalom_method_api* slalom_method_get_api(void) {
   return reactive::Plugin<regulated_pure_pursuit::RegulatedPurePursuit>::table(
       "regulated_pure_pursuit");
 }
+
+const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void) {
+  return reactive::Plugin<regulated_pure_pursuit::RegulatedPurePursuit>::goal_heading_table();
+}

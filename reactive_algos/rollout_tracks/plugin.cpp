@@ -10,3 +10,7 @@ const slalom_method_api* slalom_method_get_api(void) {
 const slalom_tracks_api* slalom_method_get_tracks_api(void) {
   return Method::tracks_table();
 }
+
+const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void) {
+  return Method::goal_heading_table();
+}

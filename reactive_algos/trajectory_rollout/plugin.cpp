@@ -4,3 +4,7 @@
 const slalom_method_api* slalom_method_get_api(void) {
   return reactive::Plugin<trajectory_rollout::TrajectoryRollout>::table("trajectory_rollout");
 }
+
+const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void) {
+  return reactive::Plugin<trajectory_rollout::TrajectoryRollout>::goal_heading_table();
+}

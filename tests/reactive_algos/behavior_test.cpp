@@ -249,5 +249,17 @@ TEST(IncludedIni, OfEachLibraryIsAcceptedAndHasTheDefaults) {
   }
 }
 
+TEST(Behavior, AllTurnAtAGoalToItsHeading) {
+  const World world(empty_room().scenario().with_goal_heading(2.5), 0.05);
+  for (const IncludedMethod& method :
+       {kGoToGoal, kDwa, kRollout, kRolloutTracks, kRosDwa, kPursuit, kElasticBand, kMppi, kVfhPlus,
+        kSmoothNd, kNdPlus, kGap, kField, kMrptNd, kMrptVff}) {
+    const SimulationResult result = run_of(method, world);
+    EXPECT_EQ(result.outcome, Outcome::Success) << method.name << ": " << result.detail;
+    const double error = result.trajectory.samples.back().pose.phi - 2.5;
+    EXPECT_LE(std::abs(std::remainder(error, 2 * M_PI)), 0.25) << method.name;
+  }
+}
+
 }  // namespace
 }  // namespace slalom

@@ -77,6 +77,7 @@ class LcmMethod : public Method {
     // A process that was started elsewhere may have been replaced.
     if (!connected_ || options_.launch.empty()) connect();
     link_.expect_replies_to(++id_);
+    if (task.goal_heading) link_.send(make_goal_heading(id_, task));
     link_.send(make_run_start(id_, task));
     wait_for([this] { return link_.ready().has_value(); }, options_.deadline, "run start");
     observation_.run_id = id_;

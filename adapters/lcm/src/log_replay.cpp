@@ -36,6 +36,9 @@ class Replayer {
     if (const auto hello_prefix = prefix_of(event.channel, LcmChannels("").hello)) {
       hello_t hello;
       if (decode(event, hello)) channel_for(*hello_prefix).host.handle_hello(hello);
+    } else if (const auto heading_prefix = prefix_of(event.channel, LcmChannels("").goal_heading)) {
+      goal_heading_t message;
+      if (decode(event, message)) channel_for(*heading_prefix).host.handle_goal_heading(message);
     } else if (const auto run_start_prefix = prefix_of(event.channel, LcmChannels("").run_start)) {
       run_start_t message;
       if (!decode(event, message)) return;

@@ -16,10 +16,11 @@ class Server {
  public:
   Server(MethodHost& host, const std::string& url, const std::string& channel)
       : host_(host), channels_(channel), lcm_(url) {
-    const bool good = lcm_.good() &&
-                      lcm_.subscribeFunction(channels_.hello, receive<hello_t>, this) &&
-                      lcm_.subscribeFunction(channels_.run_start, receive<run_start_t>, this) &&
-                      lcm_.subscribeFunction(channels_.observation, receive<observation_t>, this);
+    const bool good =
+        lcm_.good() && lcm_.subscribeFunction(channels_.hello, receive<hello_t>, this) &&
+        lcm_.subscribeFunction(channels_.goal_heading, receive<goal_heading_t>, this) &&
+        lcm_.subscribeFunction(channels_.run_start, receive<run_start_t>, this) &&
+        lcm_.subscribeFunction(channels_.observation, receive<observation_t>, this);
     if (!good) throw job_error(url, "LCM cannot be used with this URL");
   }
 
@@ -45,6 +46,7 @@ class Server {
   }
 
   void reply(const hello_t& hello) { publish(channels_.ready, host_.handle_hello(hello)); }
+  void reply(const goal_heading_t& message) { host_.handle_goal_heading(message); }
   void reply(const run_start_t& message) {
     publish(channels_.ready, host_.handle_run_start(message));
   }
@@ -98,7 +100,12 @@ ready_t MethodHost::handle_hello(const hello_t& hello) {
 ready_t MethodHost::handle_run_start(const run_start_t& message) {
   if (!method_) throw MethodError("run_start_t received before hello_t");
   next_sequence_ = -1;
-  method_->reset(task_of(message));
+  NavigationTask task = task_of(message);
+  if (goal_heading_.run_id == message.run_id) {
+    task.goal_heading = goal_heading_.heading;
+    task.goal_heading_tolerance = goal_heading_.tolerance;
+  }
+  method_->reset(task);
   run_id_ = message.run_id;
   next_sequence_ = 0;
   return ready(message.run_id);

@@ -54,6 +54,10 @@ void MethodLink::send(const hello_t& hello) {
   publish(channels_.hello, hello);
 }
 
+void MethodLink::send(const goal_heading_t& message) {
+  publish(channels_.goal_heading, message);
+}
+
 void MethodLink::send(const run_start_t& message) {
   publish(channels_.run_start, message);
 }

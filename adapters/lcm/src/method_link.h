@@ -25,6 +25,7 @@ class MethodLink {
   /// Clears all replies; from now on only replies to this hello id or run id are accepted.
   void expect_replies_to(std::int64_t id);
   void send(const hello_t& hello);
+  void send(const goal_heading_t& message);
   void send(const run_start_t& message);
   void send(const run_end_t& message);
   /// From now on commands up to its sequence number are accepted.

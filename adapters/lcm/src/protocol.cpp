@@ -35,6 +35,7 @@ std::string footprint_text(const hello_t& hello) {
 
 LcmChannels::LcmChannels(const std::string& prefix)
     : hello(prefix + "_HELLO"),
+      goal_heading(prefix + "_GOAL_HEADING"),
       run_start(prefix + "_RUN_START"),
       observation(prefix + "_OBSERVATION"),
       run_end(prefix + "_RUN_END"),
@@ -69,6 +70,14 @@ hello_t make_hello(const std::string& method, const RobotModel& robot, const Sen
   }
   hello.setting_count = static_cast<std::int32_t>(settings.size());
   return hello;
+}
+
+goal_heading_t make_goal_heading(std::int64_t run_id, const NavigationTask& task) {
+  goal_heading_t message = {};
+  message.run_id = run_id;
+  message.heading = task.goal_heading.value();
+  message.tolerance = task.goal_heading_tolerance;
+  return message;
 }
 
 run_start_t make_run_start(std::int64_t run_id, const NavigationTask& task) {

@@ -14,6 +14,7 @@ namespace {
 constexpr char kSymbol[] = "slalom_method_get_api";
 constexpr char kTracksSymbol[] = "slalom_method_get_tracks_api";
 constexpr char kMapSymbol[] = "slalom_method_get_map_api";
+constexpr char kGoalHeadingSymbol[] = "slalom_method_get_goal_heading_api";
 
 /// Converts the robot to C; its footprint points to `corners`.
 slalom_robot to_c(const RobotModel& robot, const SensorModel& sensor,
@@ -45,6 +46,7 @@ struct LibraryApi {
   const slalom_method_api* method;
   const slalom_tracks_api* tracks;
   const slalom_map_api* map;
+  const slalom_goal_heading_api* goal_heading;
 };
 
 /// A method called through the C function table; keeps the library loaded.
@@ -55,6 +57,7 @@ class LibraryMethod : public Method {
         api_(*api.method),
         tracks_api_(api.tracks),
         map_api_(api.map),
+        goal_heading_api_(api.goal_heading),
         method_(method) {}
   ~LibraryMethod() override { api_.destroy(method_); }
   LibraryMethod(const LibraryMethod&) = delete;
@@ -74,6 +77,10 @@ class LibraryMethod : public Method {
     t.control_period = task.control_period;
     t.seed = task.seed;
     check_result("reset", api_.reset(method_, &t));
+    if (goal_heading_api_ != nullptr && task.goal_heading)
+      check_result("set_goal_heading",
+                   goal_heading_api_->set_goal_heading(method_, *task.goal_heading,
+                                                       task.goal_heading_tolerance));
     if (uses_map()) pass_map(map_of(task));
   }
 
@@ -124,6 +131,7 @@ class LibraryMethod : public Method {
   const slalom_method_api& api_;
   const slalom_tracks_api* tracks_api_;
   const slalom_map_api* map_api_;
+  const slalom_goal_heading_api* goal_heading_api_;
   void* method_;
   std::vector<float> ranges_;
   std::vector<slalom_track> tracks_;
@@ -144,7 +152,8 @@ class LibraryLoader {
     if (!library)
       throw usage_error(where_plugin_, path_ + " cannot be loaded (" + error + ")",
                         "a shared library");
-    const LibraryApi api = {&find_api(*library), find_tracks_api(*library), find_map_api(*library)};
+    const LibraryApi api = {&find_api(*library), find_tracks_api(*library), find_map_api(*library),
+                            find_goal_heading_api(*library)};
     void* method = create(*api.method, robot, sensor);
     return std::make_unique<LibraryMethod>(std::move(library), api, method);
   }
@@ -185,6 +194,12 @@ class LibraryLoader {
                                          "uses_map and set_map", [](const slalom_map_api& api) {
                                            return api.uses_map != nullptr && api.set_map != nullptr;
                                          });
+  }
+
+  const slalom_goal_heading_api* find_goal_heading_api(const SharedLibrary& library) const {
+    return find_optional<slalom_goal_heading_api>(
+        library, kGoalHeadingSymbol, SLALOM_GOAL_HEADING_ABI_VERSION, "set_goal_heading",
+        [](const slalom_goal_heading_api& api) { return api.set_goal_heading != nullptr; });
   }
 
   template <typename Api, typename IsComplete>

@@ -15,7 +15,7 @@ namespace slalom {
 namespace {
 
 constexpr std::uint64_t kMaxTaskBytes = kMegabyte;
-constexpr char kTaskKeys[] = "name, start: [x, y, phi] and goal: [x, y]";
+constexpr char kTaskKeys[] = "name, start: [x, y, phi] and goal: [x, y] or [x, y, phi]";
 
 std::vector<double> numbers(const YAML::Node& root, const char* key, std::size_t count,
                             const std::string& where) {
@@ -48,8 +48,9 @@ void write_map_task(const Scenario& scenario, const std::string& map_path) {
   text += std::string("name: ") + name.c_str() + "\n";
   text += "start: [" + format_number(start.x) + ", " + format_number(start.y) + ", " +
           format_number(start.phi) + "]\n";
+  const std::optional<double>& heading = scenario.goal_heading();
   text += "goal: [" + format_number(scenario.goal().x) + ", " + format_number(scenario.goal().y) +
-          "]\n";
+          (heading ? ", " + format_number(*heading) : "") + "]\n";
   write_file_atomically(task_path(map_path), text);
 }
 
@@ -58,8 +59,12 @@ MapTask parse_map_task(const std::string& text, const std::string& where) {
     const YAML::Node root = YAML::Load(text);
     if (!root.IsMap() || !root["name"] || !root["name"].IsScalar())
       throw file_error(where, "is not a task file", kTaskKeys);
-    const auto s = numbers(root, "start", 3, where), g = numbers(root, "goal", 2, where);
-    return {root["name"].Scalar(), {s[0], s[1], s[2]}, {g[0], g[1]}};
+    const bool has_heading = root["goal"] && root["goal"].size() == 3;
+    const auto s = numbers(root, "start", 3, where);
+    const auto g = numbers(root, "goal", has_heading ? 3 : 2, where);
+    MapTask task{root["name"].Scalar(), {s[0], s[1], s[2]}, {g[0], g[1]}};
+    if (has_heading) task.goal_heading = g[2];
+    return task;
   } catch (const YAML::Exception& e) {
     throw file_error(where + ":" + std::to_string(e.mark.line + 1), "is not YAML (" + e.msg + ")",
                      kTaskKeys);

@@ -8,6 +8,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/math.h>
 #include <slalom/core/text.h>
+#include <slalom/methods/goal_turn.h>
 #include <slalom/methods/registry.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
 
@@ -73,6 +74,7 @@ class HolonomicMethod : public Method {
 
   /// MRPT's methods store their last decision, so each run uses a new object.
   void reset(const NavigationTask& task) override {
+    task_ = task;
     control_period_ = task.control_period;
     method_ = create_by_name(options_.class_name);
     if (!method_) throw MethodError("class " + options_.class_name + " cannot be created");
@@ -84,6 +86,7 @@ class HolonomicMethod : public Method {
   }
 
   Command step(const Observation& observation) override {
+    if (const auto turn = turn_at_goal(task_, observation, robot_)) return *turn;
     const auto points = obstacle_points(*observation.scan);
     const double radius = robot_.radius + options_.margin;
     CAbstractHolonomicReactiveMethod::NavInput input;
@@ -187,6 +190,7 @@ class HolonomicMethod : public Method {
   Sectors sectors_;
   RobotModel robot_;
   double aperture_;
+  NavigationTask task_;
   double control_period_ = 0;                                            ///< s
   std::unique_ptr<mrpt::nav::CParameterizedTrajectoryGenerator> paths_;  ///< used by method_
   CAbstractHolonomicReactiveMethod::Ptr method_;

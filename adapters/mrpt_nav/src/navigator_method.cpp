@@ -5,6 +5,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/methods/goal_turn.h>
 #include <slalom/methods/registry.h>
 #include <slalom/mrpt_nav/navigator_method.h>
 
@@ -18,7 +19,7 @@ using mrpt::nav::CAbstractPTGBasedReactive;
 
 CAbstractNavigator::TNavigationParams navigation_to(const NavigationTask& task) {
   CAbstractNavigator::TNavigationParams parameters;
-  parameters.target.target_coords = {task.goal.x, task.goal.y, 0};
+  parameters.target.target_coords = {task.goal.x, task.goal.y, task.goal_heading.value_or(0)};
   parameters.target.targetAllowedDistance = static_cast<float>(task.goal_tolerance);
   return parameters;
 }
@@ -37,7 +38,8 @@ class NavigatorMethod : public Method {
  public:
   NavigatorMethod(const RobotModel& robot, const NavigatorOptions& options,
                   const OptionLocation& where)
-      : robot_(robot, options.obstacle_height),
+      : model_(robot),
+        robot_(robot, options.obstacle_height),
         factory_(robot, options, where),
         navigator_(factory_.make(robot_)) {
     register_log_callback();
@@ -56,6 +58,7 @@ class NavigatorMethod : public Method {
   }
 
   void reset(const NavigationTask& task) override {
+    task_ = task;
     robot_.start_run(task.control_period);
     if (!is_used_ || !reset_navigator()) create_navigator();
     is_used_ = true;
@@ -65,6 +68,7 @@ class NavigatorMethod : public Method {
   }
 
   Command step(const Observation& observation) override {
+    if (const auto turn = turn_at_goal(task_, observation, model_)) return *turn;
     robot_.observe(observation);
     navigate();
     return robot_.command();
@@ -125,6 +129,8 @@ class NavigatorMethod : public Method {
       throw MethodError(reason_of(std::runtime_error(reason.error_msg)));
   }
 
+  RobotModel model_;
+  NavigationTask task_;
   SimulatedRobot robot_;
   NavigatorFactory factory_;
   NavigatorPtr navigator_;

@@ -71,6 +71,9 @@ class PythonObject {
         py::arg("start_x") = task.start.x, py::arg("start_y") = task.start.y,
         py::arg("start_phi") = task.start.phi, py::arg("goal_x") = task.goal.x,
         py::arg("goal_y") = task.goal.y, py::arg("goal_tolerance") = task.goal_tolerance,
+        py::arg("goal_heading") =
+            task.goal_heading ? py::object(py::float_(*task.goal_heading)) : py::none(),
+        py::arg("goal_heading_tolerance") = task.goal_heading_tolerance,
         py::arg("control_period") = task.control_period, py::arg("seed") = task.seed);
     if (uses_map_) py::setattr(input, "map", python_map(map_of(task)));
     reset_(input);

@@ -29,6 +29,7 @@ constexpr const char* kSeed = "seed";
 constexpr const char* kStart = "task.start";
 constexpr const char* kGoal = "task.goal";
 constexpr const char* kGoalTolerance = "task.goal_tolerance";
+constexpr const char* kGoalHeading = "task.goal_heading";  ///< with its tolerance; optional
 constexpr const char* kControlPeriod = "task.control_period";
 constexpr const char* kTaskSeed = "task.seed";
 constexpr const char* kOutcome = "outcome";

@@ -37,10 +37,11 @@ RunManifest run_manifest(const ManifestReader& lines) {
   manifest.method = lines.text(keys::kMethod);
   manifest.repetition = lines.integer<int>(keys::kRepetition);
   manifest.seed = lines.integer<std::uint64_t>(keys::kSeed);
-  manifest.more = lines.without({keys::kFormat, keys::kCampaignIni, keys::kScenarioName,
-                                 keys::kScenarioHash, keys::kScenarioYaml, keys::kMethod,
-                                 keys::kRepetition, keys::kSeed, keys::kStart, keys::kGoal,
-                                 keys::kGoalTolerance, keys::kControlPeriod, keys::kTaskSeed});
+  manifest.more =
+      lines.without({keys::kFormat, keys::kCampaignIni, keys::kScenarioName, keys::kScenarioHash,
+                     keys::kScenarioYaml, keys::kMethod, keys::kRepetition, keys::kSeed,
+                     keys::kStart, keys::kGoal, keys::kGoalTolerance, keys::kGoalHeading,
+                     keys::kControlPeriod, keys::kTaskSeed});
   return manifest;
 }
 
@@ -51,6 +52,11 @@ NavigationTask task_of(const ManifestReader& lines) {
   task.start = {start[0], start[1], start[2]};
   task.goal = {goal[0], goal[1]};
   task.goal_tolerance = lines.number(keys::kGoalTolerance);
+  if (lines.has(keys::kGoalHeading)) {
+    const auto heading = lines.numbers<2>(keys::kGoalHeading);
+    task.goal_heading = heading[0];
+    task.goal_heading_tolerance = heading[1];
+  }
   task.control_period = lines.number(keys::kControlPeriod);
   task.seed = lines.integer<std::uint64_t>(keys::kTaskSeed);
   return task;

@@ -53,6 +53,8 @@ void add_task(Manifest& lines, const NavigationTask& task) {
   lines[keys::kStart] = format_numbers({task.start.x, task.start.y, task.start.phi});
   lines[keys::kGoal] = format_numbers({task.goal.x, task.goal.y});
   lines[keys::kGoalTolerance] = format_number(task.goal_tolerance);
+  if (task.goal_heading)
+    lines[keys::kGoalHeading] = format_numbers({*task.goal_heading, task.goal_heading_tolerance});
   lines[keys::kControlPeriod] = format_number(task.control_period);
   lines[keys::kTaskSeed] = std::to_string(task.seed);
 }

@@ -94,7 +94,8 @@ class Ros2Method : public Method {
     rested_ = false;
     command_ = {};
     goal_ = {task.goal.x, task.goal.y,
-             math::atan2(task.goal.y - task.start.y, task.goal.x - task.start.x)};
+             task.goal_heading.value_or(
+                 math::atan2(task.goal.y - task.start.y, task.goal.x - task.start.x))};
     link_->send_goal(goal_, start_);
     if (uses_map()) link_->send_map(map_of(task), start_);
   }

@@ -124,12 +124,14 @@ std::vector<std::string> environment_differences(const Manifest& recorded, const
   return differences;
 }
 
-/// Whether quantities about movers were computed; of those, a sample may contain none.
-bool measured_movers(Manifest& manifest, const std::string& path) {
-  const CampaignOptions options =
+/// Adds the quantities about movers and headings that were computed: a sample may contain none.
+void add_measured(Manifest& manifest, const std::string& path, CampaignOptions& options) {
+  const CampaignOptions measured =
       read_measuring_options(IniFile::from_text(manifest[kEffectiveKey], path));
-  return contains(options.metrics, mover_metric_ids()[0]) ||
-         contains(options.descriptors, mover_descriptor_ids()[0]);
+  if (contains(measured.metrics, mover_metric_ids()[0]) ||
+      contains(measured.descriptors, mover_descriptor_ids()[0]))
+    options.add_mover_quantities();
+  if (contains(measured.metrics, goal_heading_metric_ids()[0])) options.add_goal_heading_metrics();
 }
 
 /// Says of each differing run whether the method or the file is the reason. Each method executes
@@ -176,7 +178,7 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
   const IniFile ini = arguments.config.empty() ? IniFile::from_text(manifest["campaign.ini"], path)
                                                : load_campaign_ini(arguments);
   CampaignConfig config = read_campaign(ini);
-  if (measured_movers(manifest, path)) config.options.add_mover_quantities();
+  add_measured(manifest, path, config.options);
   const auto planner = make_ompl_planner(config.reference, config.options.robot);
   const std::optional<RunRecord> only =
       sample.run.empty() ? std::nullopt : std::optional(find_run(file, sample.run));

@@ -5,7 +5,7 @@ namespace slalom {
 
 void ImportRequest::visit_pairs(OptionVisitor& v) {
   v.option("start", start, "start pose x,y,phi (m, rad) on each map");
-  v.option("goal", goal, "goal x,y (m) on each map");
+  v.option("goal", goal, "goal x,y (m) on each map, and x,y,phi (rad) if it has a heading");
   v.option("pairs", pairs, "-", "number of solvable pairs of start and goal to sample on each map",
            Range::between(0, 1e6));
   v.option("seed", seed, "seed of the pairs");

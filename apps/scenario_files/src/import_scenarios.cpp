@@ -52,7 +52,10 @@ std::vector<Scenario> sample_pairs(const Scenario& map, const ImportRequest& req
 /// The map with the start and goal that Slalom exported with it.
 Scenario with_stored_task(const ImportedWorld& map, const std::string& path) {
   const auto task = read_map_task(path);
-  if (task) return map.scenario.with_start_goal(task->start, task->goal).renamed(task->name);
+  if (task)
+    return map.scenario.with_start_goal(task->start, task->goal)
+        .with_goal_heading(task->goal_heading)
+        .renamed(task->name);
   if (map.start && map.goal) return map.scenario;
   throw usage_error("import " + path,
                     map.start ? "the map has a start and no goal" : "the map has no start and goal",
@@ -94,15 +97,18 @@ ImportedWorld read_map(const std::string& path, const ImportRequest& request) {
 Scenario with_task(const ImportedWorld& map, const ImportRequest& request) {
   auto start = map.start;
   auto goal = map.goal;
+  std::optional<double> heading;
   if (!request.start.empty()) {
     const auto s = numbers_of("--start", request.start, 2, 3);
     start = {s[0], s[1], s[2]};
   }
   if (!request.goal.empty()) {
-    const auto g = numbers_of("--goal", request.goal, 2, 2);
+    const auto g = numbers_of("--goal", request.goal, 2, 3);
     goal = {g[0], g[1]};
+    if (split(request.goal, ',').size() == 3) heading = g[2];
   }
   Scenario scenario = map.scenario.with_start_goal(start.value(), goal.value());
+  if (heading) scenario = scenario.with_goal_heading(heading);
   require_solvable(scenario, request.robot_radius);
   return scenario;
 }

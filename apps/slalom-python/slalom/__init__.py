@@ -95,6 +95,7 @@ def generate(
     *,
     workers: int = 1,
     walkers: int = 0,
+    goal_headings: bool = False,
     robot: Optional[Dict[str, Any]] = None,
     simulation: Optional[Dict[str, Any]] = None,
     **options: Any,
@@ -103,12 +104,12 @@ def generate(
 
     `family` is the name of a generator ("random", "maze", ...), `options` are the keys of its section
     in an .ini; `robot` and `simulation` are dicts of the keys of theirs. `walkers` moving obstacles
-    are added to each scenario. `workers` is the number of threads; 0 is one per core.
+    are added to each scenario. With `goal_headings` goals have random headings. `workers` is the number of threads; 0 is one per core.
     """
     sections = {
         "robot": robot,
         "simulation": simulation,
-        "scenarios": {"walkers": walkers},
+        "scenarios": {"walkers": walkers, "goal_headings": goal_headings},
         "generator." + family: options,
     }
     return _slalom.generate(family, count, seed, workers, sections)

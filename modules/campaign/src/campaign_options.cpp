@@ -26,13 +26,13 @@ std::vector<std::string> without(std::vector<std::string> ids,
 
 /// The ids of the words, which are ids and the groups "all" and "movers". Throws Error (Usage).
 std::vector<std::string> expand_groups(const std::vector<std::string>& words,
-                                       std::vector<std::string> known,
+                                       const std::vector<std::string>& all,
                                        const std::vector<std::string>& movers,
-                                       const std::string& where) {
+                                       std::vector<std::string> known, const std::string& where) {
   std::vector<std::string> ids;
   for (const std::string& word : words) {
     if (word == "all")
-      append(ids, without(known, movers));
+      append(ids, all);
     else if (word == "movers")
       append(ids, movers);
     else
@@ -50,10 +50,11 @@ std::vector<std::string> expand_groups(const std::vector<std::string>& words,
 void resolve_groups(CampaignOptions& options, const OptionLocation& where) {
   options.all_metrics = options.all_metrics || contains(options.metrics, "all");
   options.all_descriptors = options.all_descriptors || contains(options.descriptors, "all");
-  options.metrics =
-      expand_groups(options.metrics, metric_ids(), mover_metric_ids(), where("enabled"));
-  options.descriptors = expand_groups(options.descriptors, descriptor_ids(), mover_descriptor_ids(),
-                                      where("descriptors"));
+  options.metrics = expand_groups(options.metrics, all_metric_ids(), mover_metric_ids(),
+                                  metric_ids(), where("enabled"));
+  options.descriptors =
+      expand_groups(options.descriptors, all_descriptor_ids(), mover_descriptor_ids(),
+                    descriptor_ids(), where("descriptors"));
 }
 
 /// Names of campaigns and methods become parts of file names.
@@ -163,7 +164,7 @@ void RecordSection::visit(OptionVisitor& v) {
 }
 
 std::vector<std::string> all_metric_ids() {
-  return without(metric_ids(), mover_metric_ids());
+  return without(without(metric_ids(), mover_metric_ids()), goal_heading_metric_ids());
 }
 
 std::vector<std::string> all_descriptor_ids() {
@@ -174,6 +175,13 @@ void CampaignOptions::adapt_to(const std::vector<Scenario>& scenarios) {
   if (std::any_of(scenarios.begin(), scenarios.end(),
                   [](const Scenario& scenario) { return !scenario.movers().empty(); }))
     add_mover_quantities();
+  if (std::any_of(scenarios.begin(), scenarios.end(),
+                  [](const Scenario& scenario) { return scenario.goal_heading().has_value(); }))
+    add_goal_heading_metrics();
+}
+
+void CampaignOptions::add_goal_heading_metrics() {
+  if (all_metrics) append(metrics, goal_heading_metric_ids());
 }
 
 void CampaignOptions::add_mover_quantities() {
@@ -250,6 +258,10 @@ CampaignOptions checked_options(CampaignOptions options, const std::string& orig
 void write_settings(const CampaignOptions& options, const SettingWriter& write) {
   for_each_section(options, [&](const std::string& section, const auto& values) {
     write_options(values, [&](const std::string& key, const std::string& text) {
+      // Campaigns without goals that have headings stay the same campaigns.
+      if (key == "goal_heading_tolerance" &&
+          options.simulation.goal_heading_tolerance == SimulationOptions().goal_heading_tolerance)
+        return;
       write(section, key, text);
     });
   });

@@ -96,6 +96,8 @@ void ScenariosSection::visit(OptionVisitor& v) {
   v.option("representation", representation, "representation of generated scenarios", "as_drawn");
   v.option("resolution", resolution, "m", "cell size or point spacing of that representation",
            Range::positive());
+  v.option("goal_headings", goal_headings,
+           "generated goals, and those sampled on maps, have random headings");
   v.option("walkers", walkers.count, "-", "moving obstacles in each generated scenario",
            Range::between(0, 1000));
   v.option("walker_min_radius", walkers.min_radius, "m", "smallest radius of a walker",

@@ -7,22 +7,23 @@
 namespace slalom {
 namespace {
 
-GenerationSettings generation_settings(const SourceContext& context, int count,
+GenerationSettings generation_settings(const ScenarioSources& sources, int count,
                                        const std::string& name) {
+  const SourceContext& context = sources.context;
   GenerationSettings settings;
   settings.count = count;
   settings.seed = source_seed(context.seed, name);
   settings.robot_radius = context.robot_radius;
   settings.resolution = context.resolution;
   settings.name_prefix = name;
+  settings.goal_headings = sources.section.goal_headings;
   return settings;
 }
 
 MixSettings mix_settings(const ScenarioSources& sources) {
   const ScenariosSection& section = sources.section;
   MixSettings settings;
-  settings.each =
-      generation_settings(sources.context, sources.families.empty() ? 0 : section.count, "");
+  settings.each = generation_settings(sources, sources.families.empty() ? 0 : section.count, "");
   settings.jobs = sources.context.jobs;
   settings.representation = section.representation;
   settings.conversion_resolution = section.resolution;
@@ -82,7 +83,7 @@ std::vector<GeneratedScenario> ScenarioStream::next_of_map() {
   const std::string& path = given_[state_.given];
   const Scenario map = map_scenario(path, load_map_(path));
   const GenerationSettings settings =
-      generation_settings(sources_.context, sources_.section.pairs_per_map, map.name());
+      generation_settings(sources_, sources_.section.pairs_per_map, map.name());
   std::vector<GeneratedScenario> part;
   for (Scenario& scenario : sample_tasks(map, settings, sources_.section.min_distance))
     part.push_back({std::move(scenario), "", std::nullopt});

@@ -73,7 +73,7 @@ void expect_valid(const Scenario& scenario, const Polygon& polygon) {
 Scenario with_primitives(const Scenario& scenario, Primitives obstacles) {
   Scenario edited = Scenario::continuous(scenario.name(), scenario.bounds(), std::move(obstacles),
                                          scenario.start(), scenario.goal())
-                        .with_movers(scenario.movers());
+                        .with_rest_of(scenario);
   expect_uncovered(scenario, edited);
   return edited;
 }

@@ -82,7 +82,7 @@ void each_segment(const Stroke& stroke, Visit visit) {
 Scenario with_point_map(const Scenario& scenario, const CSimplePointsMap& map) {
   return Scenario::points(scenario.name(), scenario.bounds(), map, scenario.start(),
                           scenario.goal())
-      .with_movers(scenario.movers());
+      .with_rest_of(scenario);
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ Scenario with_cells_painted(const Scenario& scenario, const Stroke& stroke, bool
     brush.paint_segment(a, b, stroke.radius);
   });
   Scenario edited = Scenario::grid(scenario.name(), map, scenario.start(), scenario.goal())
-                        .with_movers(scenario.movers());
+                        .with_rest_of(scenario);
   expect_uncovered(scenario, edited);
   return edited;
 }

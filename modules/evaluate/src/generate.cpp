@@ -15,6 +15,7 @@ std::vector<Scenario> generate(std::shared_ptr<const Generator> family, int coun
   mix.each.resolution = options.simulation.resolution;
   mix.jobs = worker_count(options.workers);
   mix.walkers = options.walkers;
+  mix.each.goal_headings = options.goal_headings;
   CallbackProgress progress(options);
   DistinctScenarios distinct;
   generate_mix({{std::move(family), 1, source_seed(seed, name), name}}, mix, progress,

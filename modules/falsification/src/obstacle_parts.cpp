@@ -169,7 +169,8 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
     }
     return Scenario::continuous(name, scenario_.bounds(), std::move(some), scenario_.start(),
                                 scenario_.goal())
-        .with_movers(std::move(movers));
+        .with_movers(std::move(movers))
+        .with_goal_heading(scenario_.goal_heading());
   }
   if (scenario_.representation() == Representation::Grid) {
     mrpt::maps::COccupancyGridMap2D map = *scenario_.grid_map();
@@ -178,7 +179,8 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
       if (part_of_[i] != kFree && !is_kept(i))
         map.setCell(static_cast<int>(i) % size_x, static_cast<int>(i) / size_x, 1.0F);
     return Scenario::grid(name, map, scenario_.start(), scenario_.goal())
-        .with_movers(std::move(movers));
+        .with_movers(std::move(movers))
+        .with_goal_heading(scenario_.goal_heading());
   }
   mrpt::maps::CSimplePointsMap some;
   for (std::size_t i = 0; i < part_of_.size(); ++i) {
@@ -188,7 +190,8 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
     some.insertPoint(x, y);
   }
   return Scenario::points(name, scenario_.bounds(), some, scenario_.start(), scenario_.goal())
-      .with_movers(std::move(movers));
+      .with_movers(std::move(movers))
+      .with_goal_heading(scenario_.goal_heading());
 }
 
 Scenario ObstacleParts::without(std::size_t part) const {

@@ -82,7 +82,7 @@ Scenario crop_grid(const Scenario& scenario, const Bounds& to) {
   for (int y = 0; y < size_y; ++y)
     for (int x = 0; x < size_x; ++x) cropped.setCell(x, y, map.getCell(left + x, bottom + y));
   return Scenario::grid(scenario.name(), cropped, scenario.start(), scenario.goal())
-      .with_movers(scenario.movers());
+      .with_rest_of(scenario);
 }
 
 Scenario crop(const Scenario& scenario, const Bounds& to) {
@@ -95,7 +95,7 @@ Scenario crop(const Scenario& scenario, const Bounds& to) {
       if (to.contains({x, y})) inside.insertPoint(x, y);
     }
     return Scenario::points(scenario.name(), to, inside, scenario.start(), scenario.goal())
-        .with_movers(scenario.movers());
+        .with_rest_of(scenario);
   }
   Scene scene(scenario);
   scene.bounds = to;

@@ -2,6 +2,7 @@
 #include "common.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace slalom::metrics {
 namespace {
@@ -27,6 +28,17 @@ Value closest_distance(const MetricContext& context) {
   for (const Sample& sample : context.trajectory.samples)
     closest = std::min(closest, distance_to_goal(context, sample.pose));
   return Value::of(closest);
+}
+
+/// |phi_end - phi_g| of a run that ends within the tolerance of its goal.
+Value goal_heading_error(const MetricContext& context) {
+  if (const auto na = na_without_samples(context)) return *na;
+  const std::optional<double>& heading = context.world.scenario().goal_heading();
+  if (!heading) return Value::na("the goal has no heading");
+  const auto& end = context.trajectory.samples.back().pose;
+  if (distance_to_goal(context, end) > context.goal_tolerance)
+    return Value::na("the run does not end at the goal");
+  return Value::of(std::abs(std::remainder(end.phi - *heading, 2 * M_PI)));
 }
 
 /// 1 - geodesic(p_end, g) / L*: the completed fraction of the path, negative if the remaining path

@@ -49,6 +49,10 @@
   METRIC(frechet_to_reference, 2, "Frechet distance to P*", "m", Down, Amount, at_least(0))       \
   METRIC(hausdorff_to_reference, 2, "Hausdorff distance to P*", "m", Down, Amount, at_least(0))
 
+/// Metrics about the heading of a goal.
+#define SLALOM_GOAL_HEADING_METRICS(METRIC) \
+  METRIC(goal_heading_error, 1, "Heading error at the goal", "rad", Down, Amount, between(0, M_PI))
+
 /// Metrics about moving obstacles.
 #define SLALOM_MOVER_METRICS(METRIC)                                                               \
   METRIC(mover_collision, 1, "Collision with a mover", "-", Down, Rate, between(0, 1))             \
@@ -71,6 +75,7 @@ namespace metrics {
 
 #define SLALOM_DECLARE(id, ...) Value id(const MetricContext& context);
 SLALOM_METRICS(SLALOM_DECLARE)
+SLALOM_GOAL_HEADING_METRICS(SLALOM_DECLARE)
 SLALOM_MOVER_METRICS(SLALOM_DECLARE)
 #undef SLALOM_DECLARE
 
@@ -79,8 +84,8 @@ SLALOM_MOVER_METRICS(SLALOM_DECLARE)
 const std::vector<Metric>& all_metrics() {
 #define SLALOM_ENTRY(id, version, name, unit, direction, kind, range) \
   {{#id, version, name, unit, Direction::direction, QuantityKind::kind, Range::range}, metrics::id},
-  static const std::vector<Metric> table = {SLALOM_METRICS(SLALOM_ENTRY)
-                                                SLALOM_MOVER_METRICS(SLALOM_ENTRY)};
+  static const std::vector<Metric> table = {SLALOM_METRICS(
+      SLALOM_ENTRY) SLALOM_GOAL_HEADING_METRICS(SLALOM_ENTRY) SLALOM_MOVER_METRICS(SLALOM_ENTRY)};
 #undef SLALOM_ENTRY
   return table;
 }
@@ -88,6 +93,13 @@ const std::vector<Metric>& all_metrics() {
 const std::vector<std::string>& mover_metric_ids() {
 #define SLALOM_ID(id, ...) #id,
   static const std::vector<std::string> ids = {SLALOM_MOVER_METRICS(SLALOM_ID)};
+#undef SLALOM_ID
+  return ids;
+}
+
+const std::vector<std::string>& goal_heading_metric_ids() {
+#define SLALOM_ID(id, ...) #id,
+  static const std::vector<std::string> ids = {SLALOM_GOAL_HEADING_METRICS(SLALOM_ID)};
 #undef SLALOM_ID
   return ids;
 }

@@ -62,6 +62,12 @@ function drawMover(scenario, { id, radius, waypoints }) {
     stroke: "#8a5a00", "stroke-dasharray": "4 2" }), svg("circle", { r: radius * scenario.scale, fill: "#e0a030", stroke: "#8a5a00" }));
 }
 
+function goalHeading(scenario, x, y, length) {
+  const heading = scenario.goal_heading;
+  return heading === undefined ? null
+    : svg("path", { d: `M${x} ${y}L${x + length * Math.cos(heading)} ${y - length * Math.sin(heading)}` });
+}
+
 function drawScenario(scenario) {
   const width = (scenario.bounds[2] - scenario.bounds[0]) * scenario.scale;
   const height = (scenario.bounds[3] - scenario.bounds[1]) * scenario.scale;
@@ -82,7 +88,7 @@ function drawScenario(scenario) {
         scenario.grid ? svg("path", { d: gridPath(scenario), "shape-rendering": "crispEdges" }) : null),
     svg("g", {}, reference(scenario.safest, "2 3", "safest path"), reference(scenario.shortest, "7 3", "shortest path")),
     svg("g", { stroke: "#b00020", "stroke-width": 1.8, fill: "none" }, svg("circle", { cx: gx, cy: gy, r }),
-        svg("path", { d: `M${gx - r} ${gy}h${2 * r}M${gx} ${gy - r}v${2 * r}` })),
+        svg("path", { d: `M${gx - r} ${gy}h${2 * r}M${gx} ${gy - r}v${2 * r}` }), goalHeading(scenario, gx, gy, 1.6 * r)),
     layers.scan, layers.movers, layers.others, layers.track, layers.robot);
 }
 

@@ -154,6 +154,7 @@ OrderedJson scenario_json(const ReportInput& input, const ScenarioRuns& content,
                       {"page", "index.html#s-" + hash},
                       {"bounds", {bounds.x_min, bounds.y_min, bounds.x_max, bounds.y_max}},
                       {"goal", {scenario.goal().x, scenario.goal().y}}};
+  if (scenario.goal_heading()) json["goal_heading"] = *scenario.goal_heading();
   add_robot(input.options, json);
   add_obstacles(world, json);
   add_movers(scenario.movers(), json);

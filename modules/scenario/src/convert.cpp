@@ -136,7 +136,7 @@ Scenario convert(const Scenario& scenario, Representation to, const ConversionOp
     if (to == Representation::Points) return to_points(scenario, options.resolution);
     return to_continuous(scenario, options);
   };
-  return converted().with_movers(scenario.movers()).with_published_path(scenario.published_path());
+  return converted().with_rest_of(scenario).with_published_path(scenario.published_path());
 }
 
 Scenario convert(const Scenario& scenario, Representation to, double resolution) {

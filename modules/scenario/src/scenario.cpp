@@ -138,22 +138,26 @@ void check_points(const std::string& name, const CSimplePointsMap& map) {
 }  // namespace
 
 Scenario::Scenario(std::string name, Bounds bounds, Obstacles obstacles, TPose2D start,
-                   TPoint2D goal, Movers movers)
+                   TPoint2D goal, Movers movers, std::optional<double> goal_heading)
     : name_(std::move(name)),
       bounds_(bounds),
       obstacles_(std::move(obstacles)),
       start_(start),
       goal_(goal),
-      movers_(std::move(movers)) {
+      movers_(std::move(movers)),
+      goal_heading_(goal_heading) {
   check_name(name_);
   check_task(name_, bounds_, start_, goal_);
   check_movers(name_, movers_);
+  if (goal_heading_ && !std::isfinite(*goal_heading_))
+    throw file_error(name_, "goal heading is not finite", "a finite angle");
   Hasher hasher;
   hasher.add(to_string(representation()));
   hasher.add(bounds_.x_min).add(bounds_.y_min).add(bounds_.x_max).add(bounds_.y_max);
   std::visit([&](const auto& content) { add_content(hasher, content); }, obstacles_);
   hasher.add(start_.x).add(start_.y).add(start_.phi).add(goal_.x).add(goal_.y);
   if (!movers_.empty()) add_content(hasher, movers_);
+  if (goal_heading_) hasher.add(std::string("goal_heading")).add(*goal_heading_);
   hash_ = hasher.hex();
 }
 
@@ -200,14 +204,25 @@ Scenario Scenario::renamed(std::string name) const {
 }
 
 Scenario Scenario::with_start_goal(TPose2D start, TPoint2D goal) const {
-  return {name_, bounds_, obstacles_, start, goal, movers_};
+  return {name_, bounds_, obstacles_, start, goal, movers_, goal_heading_};
 }
 
 Scenario Scenario::with_movers(Movers movers) const {
   if (movers.empty() && movers_.empty()) return *this;
-  Scenario copy(name_, bounds_, obstacles_, start_, goal_, std::move(movers));
+  Scenario copy(name_, bounds_, obstacles_, start_, goal_, std::move(movers), goal_heading_);
   copy.published_path_ = published_path_;
   return copy;
+}
+
+Scenario Scenario::with_goal_heading(std::optional<double> heading) const {
+  if (heading == goal_heading_) return *this;
+  Scenario copy(name_, bounds_, obstacles_, start_, goal_, movers_, heading);
+  copy.published_path_ = published_path_;
+  return copy;
+}
+
+Scenario Scenario::with_rest_of(const Scenario& other) const {
+  return with_movers(other.movers()).with_goal_heading(other.goal_heading());
 }
 
 Scenario Scenario::with_published_path(PublishedPathPtr path) const {

@@ -95,6 +95,8 @@ class Run {
     task.start = world_.scenario().start();
     task.goal = world_.scenario().goal();
     task.goal_tolerance = options_.goal_tolerance;
+    task.goal_heading = world_.scenario().goal_heading();
+    task.goal_heading_tolerance = options_.goal_heading_tolerance;
     task.control_period = options_.control_period;
     task.seed = derive_seed(seed_, "method");
     return task;

@@ -16,6 +16,9 @@ void SimulationOptions::visit(OptionVisitor& v) {
            Range::positive());
   v.option("goal_tolerance", goal_tolerance, "m", "distance within which the goal is reached",
            Range::positive());
+  v.option("goal_heading_tolerance", goal_heading_tolerance, "rad",
+           "difference within which the heading is reached of a goal that has one",
+           Range::between(0, M_PI));
   v.option("stuck_time", stuck_time, "s", "time without progress after which a run is stuck",
            Range::positive());
   v.option("stuck_distance", stuck_distance, "m", "smaller motion counts as no progress",

@@ -35,7 +35,10 @@ bool TerminationChecker::reached_goal(const TPose2D& pose) const {
   const TPoint2D& goal = world_.scenario().goal();
   // Almost always: faster than a distance, with an allowance for its rounding.
   if (std::abs(pose.x - goal.x) > 1.001 * options_.goal_tolerance) return false;
-  return distance_between(pose, goal) <= options_.goal_tolerance;
+  if (distance_between(pose, goal) > options_.goal_tolerance) return false;
+  const std::optional<double>& heading = world_.scenario().goal_heading();
+  return !heading ||
+         std::abs(std::remainder(pose.phi - *heading, 2 * M_PI)) <= options_.goal_heading_tolerance;
 }
 
 bool TerminationChecker::left_workspace(const TPose2D& pose) const {

@@ -70,6 +70,16 @@ TEST_F(Hosted, AMethodGivesTheSameRunsInProcessAndOverLcm) {
     }
 }
 
+TEST_F(Hosted, AMethodGetsTheHeadingOfAGoalOverLcm) {
+  const World turned(columns().scenario().with_goal_heading(-2), 0.05);
+  const auto local = in_process("", {}, {}), remote = hosted("");
+  for (const World* world : {&turned, &columns(), &turned}) {
+    const SimulationResult expected = simulate(*world, {}, 7, *local);
+    EXPECT_EQ(expected.outcome, Outcome::Success) << expected.detail;
+    EXPECT_EQ(simulate(*world, {}, 7, *remote).trajectory.hash(), expected.trajectory.hash());
+  }
+}
+
 TEST_F(Hosted, TwoMethodsOnOneUrlDoNotInterfere) {
   const auto one = hosted("look_ahead = 1.7\n"), other = hosted("look_ahead = 0.6\n");
   const auto alone = in_process("look_ahead = 1.7\n", {}, {});

@@ -131,6 +131,7 @@ TEST(Protocol, RefusesOtherMessagesAndTrailingBytes) {
 TEST(Protocol, KnowsTheLayoutOfEachMessage) {
   EXPECT_TRUE(decodes<hello_t>(encoded(hello_t{})));
   EXPECT_TRUE(decodes<ready_t>(encoded(ready_t{})));
+  EXPECT_TRUE(decodes<goal_heading_t>(encoded(goal_heading_t{})));
   EXPECT_TRUE(decodes<run_start_t>(encoded(run_start_t{})));
   EXPECT_TRUE(decodes<observation_t>(encoded(observation_t{})));
   EXPECT_TRUE(decodes<command_t>(encoded(command_t{})));

@@ -29,13 +29,17 @@ Scenario random_grid_scenario(RandomEngine& random) {
   const double x0 = map.getXMin(), x1 = map.getXMax(), y0 = map.getYMin(), y1 = map.getYMax();
   return Scenario::grid("map \"a: b\" #" + std::to_string(uniform_int(random, 0, 99)), map,
                         {within(x0, x1), within(y0, y1), uniform_real(random, -4, 4)},
-                        {within(x0, x1), within(y0, y1)});
+                        {within(x0, x1), within(y0, y1)})
+      .with_goal_heading(uniform_int(random, 0, 1) == 0
+                             ? std::nullopt
+                             : std::optional(uniform_real(random, -4, 4)));
 }
 
 Scenario imported(const std::string& path) {
   const auto task = read_map_task(path);
   if (!task) throw std::runtime_error("no task file of " + path);
-  return Scenario::grid(task->name, load_occupancy_grid(path), task->start, task->goal);
+  return Scenario::grid(task->name, load_occupancy_grid(path), task->start, task->goal)
+      .with_goal_heading(task->goal_heading);
 }
 
 TEST(MapExport, PreservesContentWhenReimported) {

@@ -45,6 +45,8 @@ std::unique_ptr<Method> load_echo(const std::string& answer, const std::string& 
   task.goal_tolerance = 0.25;
   task.control_period = 0.125;
   task.seed = 12345;
+  task.goal_heading = -0.75;
+  task.goal_heading_tolerance = 0.125;
   method->reset(task);
   return method;
 }

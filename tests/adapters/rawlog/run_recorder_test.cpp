@@ -107,6 +107,17 @@ TEST_F(RunRecorder, ReadsBackTheScansOfEachLaser) {
   }
 }
 
+TEST_F(RunRecorder, ReadsBackTheHeadingOfTheGoal) {
+  RunSetup setup;
+  setup.simulation.goal_heading_tolerance = 1.0 / 7;
+  auto method = testing::constant_method(0.5, 0);
+  simulate_run(path("run.rawlog"), method, setup, 7, testing::some_discs().with_goal_heading(-0.1));
+  const RecordedRun read = read_run(path("run.rawlog"));
+  EXPECT_EQ(read.task->goal_heading, -0.1);
+  EXPECT_EQ(read.task->goal_heading_tolerance, 1.0 / 7);
+  EXPECT_EQ(scenario_from_yaml(read.manifest.scenario_yaml, "yaml").goal_heading(), -0.1);
+}
+
 TEST_F(RunRecorder, ReadsBackARunOfAHolonomicRobot) {
   RunSetup setup = testing::noisy_setup();
   setup.robot.kinematics = Kinematics::Holonomic;

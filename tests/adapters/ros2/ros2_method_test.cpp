@@ -21,6 +21,7 @@ struct Network {
   std::deque<RosCommand> commands;    // on their way to the simulator
   std::function<void(RosTime now)> on_clock = [](RosTime) {};
   std::vector<std::string> missing;
+  mrpt::math::TPose2D goal;
   int publishers = 1;
   bool deaf = false;  // the nodes do not reply to barriers
   double time = 0;    // s
@@ -36,7 +37,10 @@ class FakeLink : public RosLink {
   explicit FakeLink(Network& network) : network_(network) { ++network.links; }
   std::vector<std::string> missing() override { return network_.missing; }
   int publishers() override { return network_.publishers; }
-  void send_goal(const mrpt::math::TPose2D&, RosTime) override { network_.sent.push_back("goal"); }
+  void send_goal(const mrpt::math::TPose2D& goal, RosTime) override {
+    network_.sent.push_back("goal");
+    network_.goal = goal;
+  }
   void send_map(const KnownMap&, RosTime) override { network_.sent.push_back("map"); }
   void send_observation(const Observation&, RosTime now, RosTime) override {
     network_.sent.push_back("data");
@@ -114,6 +118,18 @@ TEST_F(Ros2MethodTest, ACycleSendsTheDataThenPassesTheBarriersThenAdvancesTheClo
   options_.name_space = "robot";
   EXPECT_EQ(barrier_nodes(options_),
             (std::vector<std::string>{"/robot/planner", "/controller", "/robot/planner"}));
+}
+
+TEST_F(Ros2MethodTest, AGoalWithoutAHeadingHasTheDirectionFromTheStart) {
+  task_.start = {1, 0, 0.5};
+  task_.goal = {1, 3};
+  begin();
+  step();
+  EXPECT_DOUBLE_EQ(network_.goal.phi, M_PI / 2);
+  task_.goal_heading = -0.25;
+  begin();
+  step();
+  EXPECT_EQ(network_.goal.phi, -0.25);
 }
 
 TEST_F(Ros2MethodTest, TheGoalAndTheMapAreSentBeforeTheRobotRestsForASecond) {

@@ -60,7 +60,7 @@ TEST(CampaignOptions, ComputesMetricsAboutMoversOnlyWhenTheyAreNamed) {
   const std::vector<std::string> all = enabled("all"), movers = enabled("movers");
   EXPECT_EQ(movers, mover_metric_ids());
   EXPECT_EQ(all, all_metric_ids());
-  EXPECT_EQ(all.size() + movers.size(), all_metrics().size());
+  EXPECT_EQ(all.size() + movers.size() + goal_heading_metric_ids().size(), all_metrics().size());
   for (const std::string& id : movers) EXPECT_FALSE(contains(all, id)) << id;
   std::vector<std::string> both = all;
   both.insert(both.end(), movers.begin(), movers.end());
@@ -83,12 +83,45 @@ TEST(CampaignOptions, AllIncludesQuantitiesAboutMoversIfAScenarioHasSome) {
   EXPECT_EQ(adapted("", {still}).metrics, all_metric_ids());
   EXPECT_EQ(adapted("", {still}).descriptors, all_descriptor_ids());
   const CampaignOptions with_movers = adapted("", {still, moving});
-  EXPECT_EQ(with_movers.metrics, metric_ids());
+  std::vector<std::string> expected = all_metric_ids();
+  expected.insert(expected.end(), mover_metric_ids().begin(), mover_metric_ids().end());
+  EXPECT_EQ(with_movers.metrics, expected);
   EXPECT_EQ(with_movers.descriptors, descriptor_ids());
+  const Scenario headed = still.with_goal_heading(1);
+  expected = all_metric_ids();
+  expected.insert(expected.end(), goal_heading_metric_ids().begin(),
+                  goal_heading_metric_ids().end());
+  EXPECT_EQ(adapted("", {still, headed}).metrics, expected);
+  EXPECT_EQ(adapted("", {headed}).descriptors, all_descriptor_ids());
+  EXPECT_EQ(adapted("", {headed, moving}).metrics.size(), metric_ids().size());
   const CampaignOptions named =
       adapted("enabled = success\ndescriptors = density, movers\n", {moving});
   EXPECT_EQ(named.metrics, std::vector<std::string>{"success"});
   EXPECT_EQ(named.descriptors.size(), 1 + mover_descriptor_ids().size());
+}
+
+TEST(CampaignOptions, TheToleranceOfHeadingsIsASettingOnlyIfItIsNotTheDefault) {
+  const auto tolerance = [](const CampaignOptions& options) {
+    return campaign_ini(options, "").get("simulation", "goal_heading_tolerance");
+  };
+  CampaignOptions options;
+  EXPECT_EQ(tolerance(options), std::nullopt);
+  options.simulation.goal_heading_tolerance = 0.5;
+  EXPECT_EQ(tolerance(options), "0.5");
+}
+
+TEST(CampaignOptions, LasersAreSettingsByTheirNames) {
+  CampaignOptions options;
+  const auto sections = campaign_ini(options, "").sections();
+  options.sensor.lasers.resize(1);
+  options.sensor.lasers[0].name = "front";
+  options.sensor.lasers[0].x = 0.2;
+  EXPECT_EQ(campaign_ini(options, "").get("laser.front", "x"), "0.2");
+  EXPECT_EQ(read_sensor_model(campaign_ini(options, "")).lasers[0].x, 0.2);
+  EXPECT_EQ(campaign_ini(options, "").sections().size(), sections.size() + 1);
+  options.sensor.lasers[0].rays = 1;
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "options laser.front.rays", {"[2, 100000]"},
+                           [&] { checked_options(options, "options "); }));
 }
 
 TEST(CampaignOptions, OfAProgramMayNameGroupsOfMetrics) {

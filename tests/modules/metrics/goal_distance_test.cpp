@@ -12,6 +12,22 @@ TEST(GoalDistances, AreThoseOfTheLastAndTheNearestSample) {
   EXPECT_DOUBLE_EQ(run.number("closest_distance"), 1);
 }
 
+TEST(GoalHeadingError, IsTheSmallerAngleBetweenTheHeadings) {
+  const auto run_to = [](const mrpt::math::TPoint2D& end, double phi, std::optional<double> goal) {
+    MeasuredRun run({{2, 5}, end});
+    run.trajectory.samples.back().pose.phi = phi;
+    const World world(run.world.scenario().with_goal_heading(goal), 0.05);
+    return metric("goal_heading_error")
+        .compute(make_metric_context(world, run.robot, run.trajectory, run.outcome, run.references,
+                                     60, 0.2));
+  };
+  EXPECT_NEAR(run_to({8, 5.1}, 0.5, 0.2).number(), 0.3, 1e-12);
+  EXPECT_NEAR(run_to({8, 5.1}, 3, -3).number(), 2 * M_PI - 6, 1e-12);
+  EXPECT_EQ(run_to({8, 5.1}, M_PI, 0).number(), M_PI);
+  EXPECT_EQ(run_to({8, 5.1}, 0, std::nullopt).reason(), "the goal has no heading");
+  EXPECT_EQ(run_to({8, 5.3}, 0, 0).reason(), "the run does not end at the goal");
+}
+
 TEST(Progress, IsTheCompletedFractionOfThePath) {
   EXPECT_NEAR(MeasuredRun({{2, 5}, {5, 5}}).number("progress"), 0.5, 1e-12);
   EXPECT_NEAR(MeasuredRun({{2, 5}, {8, 5}}).number("progress"), 1, 1e-12);

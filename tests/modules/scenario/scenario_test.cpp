@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
 
+#include <slalom/scenario/convert.h>
 #include <slalom/scenario/occupancy.h>
 #include <slalom/scenario/scenario.h>
 
@@ -46,6 +47,27 @@ TEST(Scenario, IsIdentifiedByItsContentNotItsName) {
   EXPECT_NE(sample().with_start_goal({0.5, 0.5, 0.1}, {3.5, 2.5}).hash(), sample().hash());
   EXPECT_NE(sample().with_start_goal({0.5, 0.5, 0}, {3.5, 2.4}).hash(), sample().hash());
   EXPECT_EQ(sample().with_start_goal({0.5, 0.5, 0}, {3.5, 2.5}).hash(), sample().hash());
+}
+
+TEST(Scenario, TheHeadingOfAGoalIsPartOfItsContent) {
+  EXPECT_EQ(sample().goal_heading(), std::nullopt);
+  const Scenario with = sample().with_goal_heading(1.5);
+  EXPECT_EQ(with.goal_heading(), 1.5);
+  EXPECT_NE(with.hash(), sample().hash());
+  EXPECT_NE(with.hash(), sample().with_goal_heading(0).hash());
+  EXPECT_EQ(with.with_goal_heading(std::nullopt).hash(), sample().hash());
+  EXPECT_EQ(sample().with_goal_heading(1.5).hash(), with.hash());
+  const Mover mover{"a", 0.1, {{0, {1, 1}}, {1, {2, 1}}}, MoverEnd::Stop};
+  EXPECT_EQ(with.with_movers({mover}).goal_heading(), 1.5);
+  EXPECT_EQ(with.with_start_goal({1, 1, 0}, {3, 2.5}).goal_heading(), 1.5);
+  const Scenario both = with.with_movers({mover});
+  EXPECT_EQ(sample().with_rest_of(both).hash(), both.hash());
+  ConversionOptions options;
+  options.resolution = 0.1;
+  for (const Representation to : {Representation::Grid, Representation::Points})
+    EXPECT_EQ(convert(with, to, options).goal_heading(), 1.5);
+  EXPECT_TRUE(throws_error(ErrorKind::File, "sample: goal heading", {"finite angle"},
+                           [] { sample().with_goal_heading(std::nan("")); }));
 }
 
 PublishedPathPtr published(std::vector<TPoint2D> points, double cell_size = 0.5) {

@@ -20,6 +20,27 @@ TEST(Simulate, ReachesAGoalAheadWithATrapezoidalVelocityProfile) {
   EXPECT_NEAR(result.trajectory.samples.back().pose.y, 5, 1e-12);
 }
 
+TEST(Simulate, AGoalWithAHeadingIsReachedWithinItsTolerance) {
+  // The robot turns to the left at its start, which is the goal, at 1 rad/s from the second step
+  // on.
+  RobotModel agile;
+  agile.max_accel_v = agile.max_accel_w = 1e6;
+  SimulationOptions options;
+  options.goal_heading_tolerance = 0.3;
+  const auto turned = [&](double heading, double w) {
+    const World world(square_world({5, 5, 3}, {5, 5}).scenario().with_goal_heading(heading), 0.05);
+    FunctionMethod turn = constant_method(0, w);
+    return run(world, turn, options, agile);
+  };
+  EXPECT_EQ(turned(3.2, 0).trajectory.duration(), 0);
+  for (const double heading : {4.5, 4.5 - 2 * M_PI}) {
+    const SimulationResult result = turned(heading, 1);
+    EXPECT_EQ(result.outcome, Outcome::Success);
+    EXPECT_NEAR(result.trajectory.duration(), 1.5 - 0.3, 0.02);
+  }
+  EXPECT_EQ(turned(4.5, 0).outcome, Outcome::Stuck);
+}
+
 TEST(Simulate, RecordsOneSamplePerControlCycleAndTheFinalOne) {
   const World world = square_world({1, 5, 0}, {8, 5});
   FunctionMethod forward = constant_method(1, 0);

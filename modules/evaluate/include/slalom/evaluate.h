@@ -55,7 +55,8 @@ class Methods {
 struct Options : CampaignOptions {
   Options() { metrics = descriptors = {"all"}; }
 
-  WalkerOptions walkers;  ///< of generate(): added to each scenario
+  WalkerOptions walkers;       ///< of generate(): added to each scenario
+  bool goal_headings = false;  ///< of generate(): goals have random headings
   /// An additional planner of the references, such as make_ompl_planner(); null: exact search only.
   std::shared_ptr<const ReferencePlanner> planner = nullptr;
   int workers = 1;          ///< processes, 0: one per core; results do not depend on them

@@ -49,7 +49,7 @@ class GridMutator {
       for (int cx = 0; cx < cells_.size_x(); ++cx)
         map.setCell(cx, cy, cells_.occupied(cx, cy) ? 0.0f : 1.0f);
     return Scenario::grid(parent_.name(), map, parent_.start(), parent_.goal())
-        .with_movers(parent_.movers());
+        .with_rest_of(parent_);
   }
 
  private:

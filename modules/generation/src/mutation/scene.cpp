@@ -30,7 +30,8 @@ Scene::Scene(const Scenario& scenario)
     : bounds(scenario.bounds()),
       start(scenario.start()),
       goal(scenario.goal()),
-      movers(scenario.movers()) {
+      movers(scenario.movers()),
+      goal_heading(scenario.goal_heading()) {
   for (const Disc& disc : scenario.primitives().discs) obstacles.emplace_back(disc);
   for (const Polygon& polygon : scenario.primitives().polygons) obstacles.emplace_back(polygon);
 }
@@ -42,7 +43,9 @@ Scenario Scene::scenario(const std::string& name) const {
       primitives.discs.push_back(*disc);
     else
       primitives.polygons.push_back(std::get<Polygon>(obstacle));
-  return Scenario::continuous(name, bounds, std::move(primitives), start, goal).with_movers(movers);
+  return Scenario::continuous(name, bounds, std::move(primitives), start, goal)
+      .with_movers(movers)
+      .with_goal_heading(goal_heading);
 }
 
 TPoint2D center_of(const Scene::Obstacle& obstacle) {

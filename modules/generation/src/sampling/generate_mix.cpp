@@ -89,7 +89,9 @@ struct MixStream::Impl {
     const std::string name = scenario_name(entry.name_prefix, draw.index);
     const auto candidate = [&](int attempt, std::string&) {
       RandomEngine engine(seed_of(draw, attempt));
-      return std::make_optional(to_representation(entry.generator->generate(name, engine)));
+      return std::make_optional(
+          with_goal_heading(to_representation(entry.generator->generate(name, engine)),
+                            settings.each, seed_of(draw, attempt)));
     };
     const SolvableWorld found = search.find(name, candidate, draw.attempt);
     draw.attempt = found.attempt;

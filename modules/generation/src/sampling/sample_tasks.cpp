@@ -144,7 +144,8 @@ std::vector<Scenario> sample_tasks(const Scenario& map, const GenerationSettings
   std::vector<Scenario> scenarios;
   for (int i = 0; i < settings.count; ++i) {
     const std::string name = scenario_name(settings.name_prefix, i);
-    RandomEngine engine(derive_seed(settings.seed, "pair", static_cast<std::uint64_t>(i)));
+    const std::uint64_t seed = derive_seed(settings.seed, "pair", static_cast<std::uint64_t>(i));
+    RandomEngine engine(seed);
     const auto draw = [&](int, std::string& reason) -> std::optional<Scenario> {
       for (int k = 0; k < kDrawsPerAttempt && !regions.empty(); ++k) {
         const std::size_t a = regions.draw(engine), b = regions.draw(engine);
@@ -152,7 +153,8 @@ std::vector<Scenario> sample_tasks(const Scenario& map, const GenerationSettings
         if (!regions.connected(a, b) || a == b || !filter.may_fit(start, goal)) continue;
         if (!filter.fits(start, goal, reason)) return std::nullopt;
         const double heading = uniform_real(engine, -M_PI, M_PI);
-        return map.with_start_goal({start.x, start.y, heading}, goal).renamed(name);
+        return with_goal_heading(
+            map.with_start_goal({start.x, start.y, heading}, goal).renamed(name), settings, seed);
       }
       reason = "no connected pair of free positions within the limits was drawn";
       return std::nullopt;

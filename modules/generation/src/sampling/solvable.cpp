@@ -2,6 +2,7 @@
 #include "solvable.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/random.h>
 #include <slalom/references/disc_path.h>
 #include <slalom/scenario/widest_path.h>
 
@@ -43,6 +44,13 @@ SolvableWorld SolvableSearch::find(const std::string& name, const Draw& draw,
                   fmt::format("no solvable scenario for a robot of radius {} m in {} attempts ({})",
                               settings_.robot_radius, settings_.attempts_per_scenario, counts),
                   "fewer or smaller obstacles, or a smaller robot");
+}
+
+Scenario with_goal_heading(const Scenario& scenario, const GenerationSettings& settings,
+                           std::uint64_t seed) {
+  if (!settings.goal_headings) return scenario;
+  RandomEngine engine(derive_seed(seed, "goal_heading"));
+  return scenario.with_goal_heading(uniform_real(engine, -M_PI, M_PI));
 }
 
 std::string scenario_name(const std::string& prefix, int index) {

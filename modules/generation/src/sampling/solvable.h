@@ -39,6 +39,10 @@ class SolvableSearch {
   const GenerationSettings& settings_;
 };
 
+/// The scenario; with settings.goal_headings, of its seed, its goal has a random heading.
+Scenario with_goal_heading(const Scenario& scenario, const GenerationSettings& settings,
+                           std::uint64_t seed);
+
 /// "PREFIX_0007".
 std::string scenario_name(const std::string& prefix, int index);
 

@@ -305,7 +305,7 @@ void ScenarioView::draw_preview(NVGcontext* ctx) const {
   const RobotModel& robot = scene_->settings.robot;
   const Color& color = palette().edit;
   if (preview.start) shapes::robot(ctx, view_, robot.shape(), *preview.start, color);
-  if (preview.goal) shapes::goal(ctx, view_, *preview.goal, robot.radius, color);
+  if (preview.goal) shapes::goal(ctx, view_, *preview.goal, {}, robot.radius, color);
   for (const Disc& disc : preview.obstacles.discs) shapes::circle(ctx, view_, disc, color, 2, 2);
   for (const Polygon& polygon : preview.obstacles.polygons)
     shapes::polyline(ctx, view_, polygon.vertices, color, 2, true);

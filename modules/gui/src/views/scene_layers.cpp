@@ -284,7 +284,8 @@ SceneLayer make_start_goal_layer() {
   layer.draw = [](const LayerContext& c) {
     const Scenario& scenario = c.scene.scenario();
     const RobotModel& robot = c.scene.settings.robot;
-    shapes::goal(c.ctx, c.view, scenario.goal(), robot.radius, palette().goal);
+    shapes::goal(c.ctx, c.view, scenario.goal(), scenario.goal_heading(), robot.radius,
+                 palette().goal);
     shapes::robot(c.ctx, c.view, robot.shape(), scenario.start(), palette().start);
   };
   return layer;

@@ -150,12 +150,16 @@ void mover(NVGcontext* ctx, const ViewTransform& view, const Mover& mover, doubl
   waypoint_times(ctx, view, mover);
 }
 
-void goal(NVGcontext* ctx, const ViewTransform& view, const TPoint2D& at, double radius,
-          const Color& color) {
+void goal(NVGcontext* ctx, const ViewTransform& view, const TPoint2D& at,
+          const std::optional<double>& heading, double radius, const Color& color) {
   circle(ctx, view, {at, radius}, color, 2, kMinRadius);
   const double r = std::max(radius, kMinRadius / view.pixels_per_meter());
   polyline(ctx, view, {{at.x - r, at.y}, {at.x + r, at.y}}, color, 2);
   polyline(ctx, view, {{at.x, at.y - r}, {at.x, at.y + r}}, color, 2);
+  if (!heading) return;
+  const double tip = 1.6 * r;
+  polyline(ctx, view, {at, {at.x + tip * math::cos(*heading), at.y + tip * math::sin(*heading)}},
+           color, 2);
 }
 
 }  // namespace slalom::shapes

@@ -9,6 +9,7 @@
 #include <slalom/studio/palette.h>
 
 #include <nanogui/nanogui.h>
+#include <optional>
 #include <vector>
 
 namespace slalom::shapes {
@@ -35,7 +36,8 @@ void robot(NVGcontext* ctx, const ViewTransform& view, const Footprint& footprin
 void mover(NVGcontext* ctx, const ViewTransform& view, const Mover& mover, double time,
            const Color& color);
 /// A circle with a cross, of `radius` (m).
-void goal(NVGcontext* ctx, const ViewTransform& view, const mrpt::math::TPoint2D& at, double radius,
-          const Color& color);
+/// With a line in the direction of the heading, if there is one.
+void goal(NVGcontext* ctx, const ViewTransform& view, const mrpt::math::TPoint2D& at,
+          const std::optional<double>& heading, double radius, const Color& color);
 
 }  // namespace slalom::shapes

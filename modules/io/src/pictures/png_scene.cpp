@@ -124,6 +124,11 @@ void render_png(const Scenario& scenario, const SceneOptions& options, const std
   canvas.circle(goal, r, kGoal, 2);
   canvas.line({goal.x - r, goal.y}, {goal.x + r, goal.y}, kGoal, 2);
   canvas.line({goal.x, goal.y - r}, {goal.x, goal.y + r}, kGoal, 2);
+  if (const auto& heading = scenario.goal_heading()) {
+    const double tip = 1.6 * r;
+    canvas.line(goal, {goal.x + tip * math::cos(*heading), goal.y + tip * math::sin(*heading)},
+                kGoal, 2);
+  }
   canvas.save(path);
 }
 

@@ -153,6 +153,15 @@ class Picture {
         "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2:.1f}\"/>"
         "<path d=\"M{3:.1f} {1:.1f}h{4:.1f}M{0:.1f} {5:.1f}v{4:.1f}\"/></g>",
         center.x, center.y, radius, center.x - radius, 2 * radius, center.y - radius);
+    if (const auto& heading = scenario_.goal_heading()) {
+      const double tip = 1.6 * radius;
+      // The y axis of pixels points down.
+      svg_ += fmt::format(
+          "<path class=\"goal_heading\" stroke=\"#b00020\" stroke-width=\"1.8\" "
+          "d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>",
+          center.x, center.y, center.x + tip * math::cos(*heading),
+          center.y - tip * math::sin(*heading));
+    }
   }
 
   const Scenario& scenario_;

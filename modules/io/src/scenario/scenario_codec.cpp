@@ -14,8 +14,10 @@ namespace {
 using mrpt::math::TPoint2D;
 
 /// The second version ends with a published path, the third with movers and, after a flag, a
-/// published path; they are written only if there is one.
-constexpr std::uint8_t kVersion = 1, kVersionWithPath = 2, kVersionWithMovers = 3;
+/// published path, the fourth with the heading of the goal and the same; each is written only if
+/// the one before has no place for what there is.
+constexpr std::uint8_t kVersion = 1, kVersionWithPath = 2, kVersionWithMovers = 3,
+                       kVersionWithGoalHeading = 4;
 constexpr std::size_t kPointSize = 16, kWaypointSize = 24, kMinMoverSize = 25;
 
 void write_point(ByteWriter& out, const TPoint2D& p) {
@@ -161,6 +163,7 @@ Movers read_movers(ByteReader& in) {
 }
 
 std::uint8_t version_of(const Scenario& scenario) {
+  if (scenario.goal_heading()) return kVersionWithGoalHeading;
   if (!scenario.movers().empty()) return kVersionWithMovers;
   return scenario.published_path() ? kVersionWithPath : kVersion;
 }
@@ -187,10 +190,12 @@ Scenario read_content(ByteReader& in) {
 
 Scenario read_scenario(ByteReader& in) {
   const std::uint8_t version = in.u8();
-  if (version < kVersion || version > kVersionWithMovers) throw in.broken("unsupported version");
+  if (version < kVersion || version > kVersionWithGoalHeading)
+    throw in.broken("unsupported version");
   Scenario scenario = read_content(in);
   bool has_path = version == kVersionWithPath;
-  if (version == kVersionWithMovers) {
+  if (version == kVersionWithGoalHeading) scenario = scenario.with_goal_heading(in.f64());
+  if (version >= kVersionWithMovers) {
     scenario = scenario.with_movers(read_movers(in));
     const std::uint8_t flag = in.u8();
     if (flag > 1) throw in.broken("invalid flag of a published path");
@@ -221,7 +226,8 @@ std::string serialize(const Scenario& scenario) {
       write_point_map(out, *scenario.point_map());
       break;
   }
-  if (!scenario.movers().empty()) {
+  if (scenario.goal_heading()) out.f64(*scenario.goal_heading());
+  if (version_of(scenario) >= kVersionWithMovers) {
     write_movers(out, scenario.movers());
     out.u8(path ? 1 : 0);
   }

@@ -70,7 +70,7 @@ class ScenarioReader : private YamlReader {
   using YamlReader::YamlReader;
 
   Scenario read() const {
-    const Scenario scenario = with_movers(read_content());
+    const Scenario scenario = with_goal_heading(with_movers(read_content()));
     const YAML::Node path = root()["published_path"];
     return path.IsDefined()
                ? scenario.with_published_path(ScenarioReader(path, where()).published_path())
@@ -81,6 +81,11 @@ class ScenarioReader : private YamlReader {
   Scenario with_movers(const Scenario& scenario) const {
     const YAML::Node movers = root()["movers"];
     return movers.IsDefined() ? scenario.with_movers(movers_from_yaml(movers, where())) : scenario;
+  }
+
+  Scenario with_goal_heading(const Scenario& scenario) const {
+    const auto goal = goal_numbers();
+    return goal.size() > 2 ? scenario.with_goal_heading(goal[2]) : scenario;
   }
 
   Scenario read_content() const {
@@ -127,8 +132,14 @@ class ScenarioReader : private YamlReader {
     return {s[0], s[1], s[2]};
   }
 
+  /// x, y, and the heading if there is one.
+  std::vector<double> goal_numbers() const {
+    const YAML::Node node = required("goal");
+    return numbers(node, node.IsSequence() && node.size() == 3 ? 3 : 2);
+  }
+
   TPoint2D goal() const {
-    const auto g = numbers(required("goal"), 2);
+    const auto g = goal_numbers();
     return {g[0], g[1]};
   }
 
@@ -202,11 +213,16 @@ std::string scenario_to_yaml(const Scenario& scenario) {
   const Bounds& b = scenario.bounds();
   std::string yaml = "name: " + yaml_text(scenario.name()) + "\n";
   yaml += "representation: " + to_string(scenario.representation()) + "\n";
-  yaml += "# meters and radians: [x_min, y_min, x_max, y_max], [x, y, phi], [x, y]\n";
+  const std::optional<double>& heading = scenario.goal_heading();
+  yaml += std::string("# meters and radians: [x_min, y_min, x_max, y_max], [x, y, phi], [x, y") +
+          (heading ? ", phi]\n" : "]\n");
   yaml += "bounds: " + yaml_list({b.x_min, b.y_min, b.x_max, b.y_max}) + "\n";
   yaml +=
       "start: " + yaml_list({scenario.start().x, scenario.start().y, scenario.start().phi}) + "\n";
-  yaml += "goal: " + yaml_list({scenario.goal().x, scenario.goal().y}) + "\n";
+  const TPoint2D& goal = scenario.goal();
+  yaml +=
+      "goal: " + (heading ? yaml_list({goal.x, goal.y, *heading}) : yaml_list({goal.x, goal.y})) +
+      "\n";
   yaml += movers_to_yaml(scenario.movers());
   yaml += published_path_yaml(scenario.published_path());
   switch (scenario.representation()) {

@@ -34,6 +34,7 @@ class Echo:
             "dtype": lambda: (o.ranges.dtype == "float32", o.ranges.flags.writeable),
             "start": lambda: (task.start_x, task.start_y, task.start_phi),
             "task": lambda: (task.goal_x, task.goal_y, task.goal_tolerance),
+            "heading": lambda: (task.goal_heading, task.goal_heading_tolerance),
             "period": lambda: (task.control_period, task.seed),
             "limits": lambda: (robot.max_v, robot.max_w, robot.radius),
             "accelerations": lambda: (robot.max_accel_v, robot.max_accel_w),

@@ -48,6 +48,29 @@ TEST(GenerateMix, TheResultDoesNotDependOnTheNumberOfThreads) {
   }
 }
 
+TEST(GenerateMix, HeadingsOfGoalsChangeNothingElse) {
+  MixSettings settings = settings_of(40);
+  std::vector<Scenario> plain, headed;
+  for (const bool headings : {false, true}) {
+    settings.each.goal_headings = headings;
+    const auto progress = make_silent_progress();
+    generate_mix(sample_mix(), settings, *progress, [&](std::vector<GeneratedScenario>& batch) {
+      for (const GeneratedScenario& one : batch)
+        (headings ? headed : plain).push_back(one.scenario);
+      return std::vector<std::size_t>();
+    });
+  }
+  std::set<double> distinct;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    EXPECT_FALSE(plain[i].goal_heading());
+    ASSERT_TRUE(headed[i].goal_heading());
+    EXPECT_LE(std::abs(*headed[i].goal_heading()), M_PI);
+    distinct.insert(*headed[i].goal_heading());
+    EXPECT_EQ(headed[i].with_goal_heading(std::nullopt).hash(), plain[i].hash());
+  }
+  EXPECT_EQ(distinct.size(), 40U);
+}
+
 TEST(GenerateMix, GeneratorsAreMixedByTheirWeights) {
   const Mixed eight = mixed(settings_of(8));
   const std::vector<std::string>& g = eight.generators;

@@ -2,6 +2,7 @@
 #include "error_text.h"
 #include "io_sample.h"
 
+#include <slalom/io/scenario_list.h>
 #include <slalom/io/scenario_yaml.h>
 
 #include <gtest/gtest.h>
@@ -27,6 +28,24 @@ TEST(ScenarioYaml, RestoresEveryRepresentationWithItsHash) {
     EXPECT_EQ(back.hash(), scenario.hash()) << to_string(representation);
     EXPECT_EQ(back.name(), scenario.name());
   }
+}
+
+TEST(ScenarioYaml, RestoresTheHeadingOfAGoal) {
+  for (const Scenario& base :
+       {sample_as(Representation::Grid), sample_with_path(Representation::Continuous)}) {
+    const Scenario scenario = base.with_goal_heading(-2.0 / 3);
+    const Scenario back = scenario_from_yaml(scenario_to_yaml(scenario), "test");
+    EXPECT_EQ(back.goal_heading(), scenario.goal_heading());
+    EXPECT_EQ(back.hash(), scenario.hash());
+    const Scenario unpacked = deserialize_scenario(serialize(scenario), "test");
+    EXPECT_EQ(unpacked.goal_heading(), scenario.goal_heading());
+    EXPECT_EQ(unpacked.hash(), scenario.hash());
+    EXPECT_EQ(unpacked.published_path() != nullptr, base.published_path() != nullptr);
+  }
+  EXPECT_TRUE(
+      refused("name: x\nrepresentation: points\nbounds: [0, 0, 3, 2]\n"
+              "start: [0.5, 0.5, 0]\ngoal: [2.5, 1.5, 0, 0]\npoints: []\n",
+              "f.yaml:5: ", {"expected [2 numbers]"}));
 }
 
 TEST(ScenarioYaml, RestoresAPublishedPath) {

@@ -3,6 +3,7 @@
 
 #include <slalom/command_t.hpp>
 #include <slalom/error_t.hpp>
+#include <slalom/goal_heading_t.hpp>
 #include <slalom/hello_t.hpp>
 #include <slalom/observation_t.hpp>
 #include <slalom/ready_t.hpp>
@@ -24,6 +25,8 @@ template <>
 inline constexpr const char* kLayout<hello_t> = "nnilsbbdDDddddiddSS";
 template <>
 inline constexpr const char* kLayout<ready_t> = "ils";
+template <>
+inline constexpr const char* kLayout<goal_heading_t> = "ldd";
 template <>
 inline constexpr const char* kLayout<run_start_t> = "ldddddddl";
 template <>

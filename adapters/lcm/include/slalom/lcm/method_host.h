@@ -22,6 +22,8 @@ class MethodHost {
 
   /// Creates the method, once per hello id. Throws MethodError for a different protocol version.
   ready_t handle_hello(const hello_t& hello);
+  /// Remembers the heading for the run_start_t of its run.
+  void handle_goal_heading(const goal_heading_t& message) { goal_heading_ = message; }
   /// Throws what the method throws, or MethodError if no hello was received.
   ready_t handle_run_start(const run_start_t& message);
   /// Throws what the method throws.
@@ -35,6 +37,7 @@ class MethodHost {
   SensorModel sensor_;
   std::unique_ptr<Method> method_;
   std::int64_t hello_id_ = 0, run_id_ = 0, next_sequence_ = -1;
+  goal_heading_t goal_heading_ = {};
   ReceivedScan scan_;
 };
 

@@ -20,14 +20,15 @@ constexpr std::int32_t kLcmProtocolVersion = 1;
 /// The channels between one simulator and one external method: PREFIX_HELLO etc.
 struct LcmChannels {
   explicit LcmChannels(const std::string& prefix);
-  std::string hello, run_start, observation, run_end;  ///< to the method
-  std::string ready, command, error;                   ///< from the method
+  std::string hello, goal_heading, run_start, observation, run_end;  ///< to the method
+  std::string ready, command, error;                                 ///< from the method
 };
 
 using MethodSettings = std::map<std::string, std::string>;
 
 hello_t make_hello(const std::string& method, const RobotModel& robot, const SensorModel& sensor,
                    const MethodSettings& settings);
+goal_heading_t make_goal_heading(std::int64_t run_id, const NavigationTask& task);
 run_start_t make_run_start(std::int64_t run_id, const NavigationTask& task);
 /// Fills all fields except run_id and sequence.
 void fill_observation(const Observation& observation, observation_t& message);

@@ -13,6 +13,7 @@ struct MapTask {
   std::string name;
   mrpt::math::TPose2D start;
   mrpt::math::TPoint2D goal;
+  std::optional<double> goal_heading = {};  ///< rad
 };
 
 /// The task file of a map: "office.task.yaml" next to "office.yaml" or "office.gridmap.gz".

@@ -21,7 +21,7 @@ namespace slalom {
 struct ImportRequest {
   /// Maps (see load_map()), point maps, worlds, .scenario.yaml, grids or folders of BARN, logs.
   std::vector<std::string> files;
-  std::string start, goal;     ///< "x,y,phi" and "x,y" (m, rad) on each map; or empty
+  std::string start, goal;     ///< "x,y,phi" and "x,y[,phi]" (m, rad) on each map; or empty
   int pairs = 0;               ///< to sample on each map instead
   std::uint64_t seed = 1;      ///< of the pairs
   double robot_radius = 0.25;  ///< m; pairs must be solvable for it

@@ -71,7 +71,8 @@ struct RecordSection {
   bool wants(Outcome outcome) const;
 };
 
-/// The ids behind "all" in static scenarios: without mover_metric_ids() and mover_descriptor_ids().
+/// The ids behind "all" in static scenarios: without mover_metric_ids(), goal_heading_metric_ids()
+/// and mover_descriptor_ids().
 std::vector<std::string> all_metric_ids();
 std::vector<std::string> all_descriptor_ids();
 
@@ -90,9 +91,10 @@ struct CampaignOptions : RunSetup {
   RecordSection record;
   double reference_gap = 0.01;
 
-  /// If any scenario has movers, "all" includes their quantities.
+  /// If any scenario has movers or a heading of its goal, "all" includes the quantities about them.
   void adapt_to(const std::vector<Scenario>& scenarios);
   void add_mover_quantities();
+  void add_goal_heading_metrics();
 
   /// The quantities with the ids in `metrics` and in `descriptors`, in the same order.
   std::vector<QuantityInfo> metric_infos() const;

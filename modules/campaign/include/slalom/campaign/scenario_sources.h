@@ -28,6 +28,7 @@ struct ScenariosSection {
   bool scale_by_robot = false;  ///< scale lengths by robot radius / kUnscaledRadius
   std::optional<Representation> representation;  ///< of generated scenarios; none: as drawn
   double resolution = 0.05;                      ///< m, of that representation
+  bool goal_headings = false;                    ///< random ones, of generated and sampled goals
   WalkerOptions walkers;                         ///< added to each generated scenario
 
   void visit(OptionVisitor& v);

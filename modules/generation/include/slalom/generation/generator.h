@@ -59,7 +59,8 @@ struct GenerationSettings {
   double robot_radius = 0.25;  ///< m
   double resolution = 0.05;    ///< m, cell size of the world model in which paths are searched
   int attempts_per_scenario = 200;
-  std::string name_prefix;  ///< names are PREFIX_0000, PREFIX_0001, ...
+  std::string name_prefix;     ///< names are PREFIX_0000, PREFIX_0001, ...
+  bool goal_headings = false;  ///< goals have random headings, from a random stream of their own
 };
 
 /// `count` distinct scenarios, each with a certified path for the robot, and one over cell centers:

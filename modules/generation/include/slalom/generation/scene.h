@@ -27,7 +27,8 @@ struct Scene {
   std::vector<Obstacle> obstacles;
   mrpt::math::TPose2D start;
   mrpt::math::TPoint2D goal;
-  Movers movers;  ///< kept as they are
+  Movers movers;                       ///< kept as they are
+  std::optional<double> goal_heading;  ///< rad
 };
 
 mrpt::math::TPoint2D center_of(

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -31,6 +32,8 @@ struct NavigationTask {
   double control_period = 0;      ///< s
   std::uint64_t seed = 0;         ///< for methods that draw random numbers
   const KnownMap* map = nullptr;  ///< null unless the method uses_map(); valid during reset()
+  std::optional<double> goal_heading = {};  ///< rad, odometry frame; nullopt: any
+  double goal_heading_tolerance = 0;        ///< rad
 };
 
 /// A mover as a tracker reports it, in the robot frame.

@@ -149,6 +149,20 @@ typedef struct slalom_map_api {
 
 SLALOM_METHOD_EXPORT const slalom_map_api* slalom_method_get_map_api(void);
 
+/* Optional: a method that turns to the heading that a goal may have. Of a goal with a heading, runs
+ * succeed only within its tolerance. */
+#define SLALOM_GOAL_HEADING_ABI_VERSION 1u
+
+typedef struct slalom_goal_heading_api {
+  uint32_t abi_version; /* SLALOM_GOAL_HEADING_ABI_VERSION */
+  /* The heading of the goal of a run (rad, odometry frame) and its tolerance (rad): called after
+   * its reset(), if the goal has one. Returns 0, or an error code that ends the run as
+   * method_error. */
+  int (*set_goal_heading)(void* method, double heading, double tolerance);
+} slalom_goal_heading_api;
+
+SLALOM_METHOD_EXPORT const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void);
+
 #ifdef __cplusplus
 }
 #endif

@@ -10,6 +10,7 @@
 #include <mrpt/maps/CSimplePointsMap.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,8 +26,9 @@ constexpr auto enum_names(Representation) {
 }
 
 /// One obstacle avoidance problem: a workspace, its obstacles, which may include moving ones, a
-/// start pose and a goal position. Immutable; its identity is the hash of its content (geometry,
-/// start, goal, movers if there are any), not its name.
+/// start pose and a goal position, which may have a heading. Immutable; its identity is the hash of
+/// its content (geometry, start, goal; movers and the heading of the goal if there are any), not
+/// its name.
 ///
 /// Grids are binarized on construction. MRPT stores in a cell the probability that it is *free* (0
 /// occupied, 1 free): above 0.5 the cell is free, below it is occupied; unknown cells (exactly 0.5
@@ -48,6 +50,8 @@ class Scenario {
   const Bounds& bounds() const { return bounds_; }
   const mrpt::math::TPose2D& start() const { return start_; }
   const mrpt::math::TPoint2D& goal() const { return goal_; }
+  /// rad, the robot's heading at the goal; nullopt if any will do.
+  const std::optional<double>& goal_heading() const { return goal_heading_; }
   const std::string& hash() const { return hash_; }  ///< 32 hexadecimal digits
 
   const Primitives& primitives() const;  ///< requires Continuous
@@ -63,18 +67,24 @@ class Scenario {
   const PublishedPathPtr& published_path() const { return published_path_; }
 
   Scenario renamed(std::string name) const;
-  /// The same environment and movers with another start and goal; without the published path, which
-  /// belongs to these.
+  /// The same environment, movers and goal heading with another start and goal; without the
+  /// published path, which belongs to these.
   Scenario with_start_goal(mrpt::math::TPose2D start, mrpt::math::TPoint2D goal) const;
+  /// The same with this heading of the goal, or without one. Throws Error (File) unless it is
+  /// finite.
+  Scenario with_goal_heading(std::optional<double> heading) const;
   /// The same with these moving obstacles instead of its own. Throws like check_movers().
   Scenario with_movers(Movers movers) const;
+  /// The same with the movers and the goal heading of another one: what static obstacles, start and
+  /// goal leave open.
+  Scenario with_rest_of(const Scenario& other) const;
   /// The same with this path, or without one (null). Throws like check_published_path().
   Scenario with_published_path(PublishedPathPtr path) const;
 
  private:
   using Obstacles = std::variant<Primitives, GridMapPtr, PointMapPtr>;
   Scenario(std::string name, Bounds bounds, Obstacles obstacles, mrpt::math::TPose2D start,
-           mrpt::math::TPoint2D goal, Movers movers = {});
+           mrpt::math::TPoint2D goal, Movers movers = {}, std::optional<double> goal_heading = {});
 
   std::string name_;
   Bounds bounds_;
@@ -82,6 +92,7 @@ class Scenario {
   mrpt::math::TPose2D start_;
   mrpt::math::TPoint2D goal_;
   Movers movers_;
+  std::optional<double> goal_heading_;
   std::string hash_;
   PublishedPathPtr published_path_;
 };

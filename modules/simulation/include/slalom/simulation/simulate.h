@@ -17,11 +17,12 @@ namespace slalom {
 
 /// Section [simulation].
 struct SimulationOptions {
-  double control_period = 0.1;  ///< s, one observation and command per period
-  double step = 0.01;           ///< s, motion and collision step; divides control_period
-  double max_time = 60;         ///< s
-  double goal_tolerance = 0.2;  ///< m
-  double stuck_time = 8;        ///< s
+  double control_period = 0.1;           ///< s, one observation and command per period
+  double step = 0.01;                    ///< s, motion and collision step; divides control_period
+  double max_time = 60;                  ///< s
+  double goal_tolerance = 0.2;           ///< m
+  double goal_heading_tolerance = 0.25;  ///< rad, of goals with a heading
+  double stuck_time = 8;                 ///< s
   double stuck_distance = 0.1;  ///< m: stuck if all positions of the last stuck_time lie within it
   double resolution = 0.05;     ///< m, cell size for scenarios that are not grids
 
