@@ -25,7 +25,7 @@ mrpt::maps::COccupancyGridMap2D load_map(const std::string& path, const MapImpor
   } else if (ends_with_any(path, {".simplemap", ".simplemap.gz"})) {
     map = read_simplemap(path, options.simplemap_resolution);
   } else if (ends_with_any(path, {".yaml", ".yml"})) {
-    map = read_ros_map(path);
+    map = read_ros_map(path, options.notes);
   } else if (ends_with(path, ".map")) {
     map = read_moving_ai_map(path, options.cell_size);
   } else if (ends_with_any(path, {".pgm", ".png", ".jpg", ".jpeg", ".bmp"})) {

@@ -14,7 +14,9 @@ constexpr std::uint64_t kMaxCells = 400'000'000;
 
 mrpt::maps::COccupancyGridMap2D read_gridmap(const std::string& path);
 mrpt::maps::COccupancyGridMap2D read_simplemap(const std::string& path, double resolution);
-mrpt::maps::COccupancyGridMap2D read_ros_map(const std::string& path);
+/// `notes` as in MapImportOptions.
+mrpt::maps::COccupancyGridMap2D read_ros_map(const std::string& path,
+                                             std::vector<std::string>* notes = nullptr);
 mrpt::maps::COccupancyGridMap2D read_image_map(const std::string& path,
                                                const ImageMapOptions& options);
 

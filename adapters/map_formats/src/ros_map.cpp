@@ -4,6 +4,7 @@
 
 #include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/grid_map.h>
@@ -11,6 +12,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 namespace slalom {
@@ -140,9 +142,43 @@ float free_probability(const RosMap& map, const GrayImage& image, std::size_t pi
       map, static_cast<float>(image.pixels[pixel]) / static_cast<float>(image.white));
 }
 
-std::string image_path(const std::string& path, const std::string& image) {
+/// The image of a map; if it is not where the map says, as on another computer, the file of its
+/// name beside the map.
+std::string image_path(const std::string& path, const std::string& image,
+                       std::vector<std::string>& notes) {
+  namespace fs = std::filesystem;
   if (image.empty()) return image;
-  return (std::filesystem::path(path).parent_path() / image).string();
+  std::string name = image;
+  for (const std::string scheme : {"file://", "package://"})
+    if (starts_with(name, scheme)) name = name.substr(scheme.size());
+  const char* home = std::getenv("HOME");
+  if (starts_with(name, "~/") && home != nullptr) name = home + name.substr(1);
+  const fs::path folder = fs::path(path).parent_path(), stated = folder / name;
+  std::error_code error;
+  if (fs::exists(stated, error)) return stated.string();
+  const fs::path beside = folder / fs::path(name).filename();
+  if (!fs::exists(beside, error)) return stated.string();
+  notes.push_back("image '" + printable_line(image) + "' is missing; '" +
+                  printable_line(fs::path(name).filename().string()) + "' beside the map is read");
+  return beside.string();
+}
+
+/// Notes about values that are valid and often not meant.
+void note_suspicions(const RosMap& map, const GrayImage& image, std::vector<std::string>& notes) {
+  if (std::abs(map.yaw) > 2 * M_PI)
+    notes.push_back("a yaw of " + format_number(map.yaw) + " rad: degrees?");
+  constexpr int kUnknown = 205;  // of 255, as map_saver writes unknown cells
+  const auto is_unknown = [&](std::size_t i) {
+    return image.white == 255 && image.pixels[i] == kUnknown && !image.is_transparent(i);
+  };
+  std::size_t free = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    free += is_unknown(i) && free_probability(map, image, i) == 1 ? 1 : 0;
+  if (free > 0 && map.mode != RosMapMode::Raw)
+    notes.push_back(count_text(free, "cell") +
+                    " of gray 205, which map_saver writes for unknown, " +
+                    (free == 1 ? "is" : "are") + " free with free_thresh " +
+                    format_number(map.free_threshold) + ", as in nav2");
 }
 
 RosMap parse(const std::string& path) {
@@ -158,9 +194,13 @@ RosMap parse(const std::string& path) {
 
 }  // namespace
 
-mrpt::maps::COccupancyGridMap2D read_ros_map(const std::string& path) {
+mrpt::maps::COccupancyGridMap2D read_ros_map(const std::string& path,
+                                             std::vector<std::string>* notes) {
   const RosMap ros = parse(path);
-  const GrayImage image = read_gray_image(image_path(path, ros.image));
+  std::vector<std::string> found;
+  const GrayImage image = read_gray_image(image_path(path, ros.image, found));
+  note_suspicions(ros, image, found);
+  if (notes != nullptr) notes->insert(notes->end(), found.begin(), found.end());
   auto map = make_grid_map(image.width, image.height, ros.resolution, {ros.x, ros.y});
   std::size_t i = 0;
   for (int row = 0; row < image.height; ++row)

@@ -88,9 +88,14 @@ ImportedWorld read_map(const std::string& path, const ImportRequest& request) {
     if (std::isfinite(request.points.z_max)) options.z_max = request.points.z_max;
     return import_world(path, options);
   }
-  const bool has_points = is_point_map(path) && request.problems.empty();
-  return {has_points ? point_map_scenario(path, request.points)
-                     : map_scenario(path, load_map(path, request.map))};
+  if (is_point_map(path) && request.problems.empty())
+    return {point_map_scenario(path, request.points)};
+  std::vector<std::string> notes;
+  MapImportOptions options = request.map;
+  options.notes = &notes;
+  ImportedWorld world{map_scenario(path, load_map(path, options))};
+  if (!notes.empty()) world.message = path + ": " + join(notes, "; ");
+  return world;
 }
 
 /// The map with the pose and the position of the request; what is missing there, the map states.

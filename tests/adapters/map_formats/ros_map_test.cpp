@@ -168,6 +168,51 @@ TEST(RosMap, FindsItsImageByRelativeOrAbsolutePath) {
   EXPECT_EQ(read_ros_map(yaml).getSizeX(), 3U);
 }
 
+std::vector<std::string> notes_of(const std::string& yaml, const std::string& image = kPgm) {
+  const MapFolder folder;
+  folder.write("map.pgm", image);
+  std::vector<std::string> notes;
+  EXPECT_GE(read_ros_map(folder.write("map.yaml", yaml), &notes).getSizeX(), 3U);
+  return notes;
+}
+
+TEST(RosMap, AnImageThatIsNotWhereItSaysIsReadBesideTheMap) {
+  for (const std::string stated :
+       {"/home/other/maps/map.pgm", "file:///home/other/map.pgm", "package://robot/maps/map.pgm",
+        "~/missing/map.pgm", "maps/map.pgm"}) {
+    const auto notes = notes_of("image: " + stated + "\nresolution: 0.5\norigin: [0, 0, 0]\n");
+    ASSERT_EQ(notes.size(), 1U) << stated;
+    EXPECT_EQ(notes[0], "image '" + stated + "' is missing; 'map.pgm' beside the map is read");
+  }
+  EXPECT_TRUE(notes_of(kHeader).empty());
+}
+
+TEST(RosMap, AnImageIsFoundByAFileAddress) {
+  const MapFolder folder, other;
+  const std::string image = other.write("map.pgm", kPgm);
+  std::vector<std::string> notes;
+  read_ros_map(
+      folder.write("map.yaml", "image: file://" + image + "\nresolution: 0.5\norigin: [0, 0]\n"),
+      &notes);
+  EXPECT_TRUE(notes.empty());
+}
+
+TEST(RosMap, AYawInDegreesIsSuspected) {
+  const std::string head = "image: map.pgm\nresolution: 0.5\norigin: ";
+  const auto notes = notes_of(head + "[0, 0, 6.29]\n");
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0], "a yaw of 6.29 rad: degrees?");
+}
+
+TEST(RosMap, UnknownCellsOfMapSaverThatAreFreeAreCounted) {
+  // 205 is occupied by 50/255 = 0.196.
+  EXPECT_TRUE(notes_of(std::string(kHeader) + "free_thresh: 0.196\n").empty());
+  const auto notes = notes_of(std::string(kHeader) + "free_thresh: 0.25\n");
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(mentions(notes[0], {"1 cell of gray 205", "is free with free_thresh 0.25"}));
+  EXPECT_TRUE(notes_of(std::string(kHeader) + "mode: raw\nfree_thresh: 0.25\n").empty());
+}
+
 TEST(RosMap, ReportsMissingKeys) {
   EXPECT_TRUE(
       rejects("resolution: 0.5\norigin: [0, 0, 0]\n", "map.yaml:1", {"missing key 'image'"}));

@@ -4,6 +4,7 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
 #include <string>
+#include <vector>
 
 namespace slalom {
 
@@ -20,6 +21,8 @@ struct MapImportOptions {
   bool unknown_is_free = false;        ///< otherwise unknown cells count as occupied
   double cell_size = 0;                ///< m, for maps without cell size (MovingAI)
   ImageMapOptions image = {};
+  /// Gets lines about what was assumed or looks wrong; may be null.
+  std::vector<std::string>* notes = nullptr;
 };
 
 /// Reads a map as an occupancy grid, by file extension:
