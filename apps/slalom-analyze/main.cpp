@@ -137,6 +137,9 @@ void show_verb(const Arguments& arguments) {
       rawlog_path(arguments.results, run.scenario_hash, run.method, run.repetition);
   if (std::filesystem::exists(rawlog))
     std::cout << "rawlog, see slalom-replay\n  " << rawlog << "\n";
+  const std::string bag =
+      bag_path(arguments.results, run.scenario_hash, run.method, run.repetition);
+  if (std::filesystem::exists(bag)) std::cout << "bag of ROS 2\n  " << bag << "\n";
 }
 
 void dump_verb(const Arguments& arguments) {

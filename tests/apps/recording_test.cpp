@@ -55,8 +55,8 @@ plugin  = libslalom_follow_the_gap.so
 )");
   }
 
-  /// The names of the rawlogs, each followed by its bytes.
-  std::string rawlogs(const std::string& folder) const {
+  /// The names of the files of a folder, each followed by its bytes.
+  std::string files_of(const std::string& folder) const {
     std::vector<std::filesystem::path> paths;
     for (const auto& entry : std::filesystem::directory_iterator(folder_ / folder))
       paths.push_back(entry.path());
@@ -110,8 +110,36 @@ TEST_F(Recording, IsBitIdenticalForAnyNumberOfWorkers) {
       "slalom-simulate run -c campaign.ini --quiet --set record.rawlog=all ";
   ASSERT_EQ(run(command + "-o one.results -j 1").status, 1);  // one method crashes in every run
   ASSERT_EQ(run(command + "-o two.results -j 2").status, 1);
-  EXPECT_EQ(rawlogs("one.rawlogs"), rawlogs("two.rawlogs"));
+  EXPECT_EQ(files_of("one.rawlogs"), files_of("two.rawlogs"));
   EXPECT_EQ(run("slalom-analyze dump one.results").out, run("slalom-analyze dump two.results").out);
+}
+
+TEST_F(Recording, BagsOfFailedRunsStandBesideTheirRawlogs) {
+  const std::string command = "slalom-simulate run -c campaign.ini --quiet ";
+  ASSERT_EQ(run(command + "-o without.results -j 2").status, 1);  // one method crashes
+  ASSERT_EQ(run(command + "--set record.bag=failures -o one.results -j 1").status, 1);
+  ASSERT_EQ(run(command + "--set record.bag=failures -o two.results -j 2").status, 1);
+  EXPECT_EQ(files_of("one.bags"), files_of("two.bags"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "without.bags"));
+  EXPECT_EQ(run("slalom-analyze dump one.results").out,
+            run("slalom-analyze dump without.results").out);
+  int bags = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "one.bags")) {
+    ++bags;
+    const std::string name = entry.path().filename().string();
+    const std::string run_name = entry.path().stem().string();
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "one.rawlogs" / (run_name + ".rawlog")));
+    const std::string info = run("slalom-replay info one.bags/" + name).out;
+    EXPECT_NE(info.find("/ground_truth  nav_msgs/Odometry"), std::string::npos) << info;
+    std::string id = run_name;
+    std::replace(id.begin(), id.end(), '_', '/');
+    const std::string shown = run("slalom-analyze show one.results --run " + id).out;
+    EXPECT_NE(shown.find("bag of ROS 2\n  one.bags/" + name), std::string::npos) << shown;
+  }
+  EXPECT_GE(bags, 2);
+  const ProgramResult wrong = run(command + "--set record.bag=some -o w.results");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("expected one of none, failures, all"), std::string::npos) << wrong.err;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "bag_readers.h"
 #include "byte_cursor.h"
 #include "chunk_data.h"
+#include "mcap_format.h"
 
 #include <map>
 #include <zlib.h>
@@ -9,25 +10,13 @@
 namespace slalom {
 namespace {
 
-const std::string kMcapBegin("\x89MCAP0\r\n", 8);
-
-/// The opcodes of records that are read.
-enum class McapRecord : std::uint8_t {
-  Footer = 0x02,
-  Schema = 0x03,
-  Channel = 0x04,
-  Message = 0x05,
-  Chunk = 0x06,
-  DataEnd = 0x0f
-};
-
 /// Reads MCAP version 0 (mcap.dev/spec) from begin to end, without its indexes.
 class McapReader {
  public:
   McapReader(const std::string& path, const UseMessage& use) : file_(path), use_(use) {}
 
   std::vector<BagTopic> read() {
-    if (file_.take(kMcapBegin.size()) != kMcapBegin)
+    if (file_.take(kMcapMagic.size()) != kMcapMagic)
       throw file_.place().error("another version", "MCAP version 0");
     while (!file_.at_end()) {
       const BagPlace place = file_.place();

@@ -2,6 +2,7 @@
 #include "gzip.h"
 #include "manifest_text.h"
 #include "rawlog_format.h"
+#include "run_entries.h"
 
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
@@ -36,34 +37,8 @@ mrpt::poses::CPose2D exact_pose(const TPose2D& pose) {
   return exact;
 }
 
-Manifest to_entries(const RunManifest& run) {
-  Manifest lines = run.more;
-  lines[keys::kFormat] = kFormatVersion;
-  lines[keys::kCampaignIni] = run.campaign_ini;
-  lines[keys::kScenarioName] = run.scenario_name;
-  lines[keys::kScenarioHash] = run.scenario_hash;
-  lines[keys::kScenarioYaml] = run.scenario_yaml;
-  lines[keys::kMethod] = run.method;
-  lines[keys::kRepetition] = std::to_string(run.repetition);
-  lines[keys::kSeed] = std::to_string(run.seed);
-  return lines;
-}
-
-void add_task(Manifest& lines, const NavigationTask& task) {
-  lines[keys::kStart] = format_numbers({task.start.x, task.start.y, task.start.phi});
-  lines[keys::kGoal] = format_numbers({task.goal.x, task.goal.y});
-  lines[keys::kGoalTolerance] = format_number(task.goal_tolerance);
-  if (task.goal_heading)
-    lines[keys::kGoalHeading] = format_numbers({*task.goal_heading, task.goal_heading_tolerance});
-  lines[keys::kControlPeriod] = format_number(task.control_period);
-  lines[keys::kTaskSeed] = std::to_string(task.seed);
-}
-
 std::string result_text(const SimulationResult& result) {
-  Manifest lines;
-  lines[keys::kOutcome] = to_string(result.outcome);
-  lines[keys::kDetail] = result.detail;
-  lines[keys::kTrajectoryHash] = result.trajectory.hash();
+  Manifest lines = entries_of(result);
   std::string samples;
   for (const Sample& sample : result.trajectory.samples) {
     const auto numbers = sample.numbers();
@@ -76,7 +51,7 @@ std::string result_text(const SimulationResult& result) {
 class RawlogRecorder : public RunObserver {
  public:
   RawlogRecorder(std::string path, const RunManifest& manifest)
-      : path_(std::move(path)), manifest_(to_entries(manifest)) {}
+      : path_(std::move(path)), manifest_(entries_of(manifest)) {}
 
   void on_start(const NavigationTask& task) override {
     started_ = Clock::now();

@@ -19,7 +19,7 @@
 #include <slalom/map_formats/map_import.h>
 #include <slalom/metrics/cycle_time.h>
 #include <slalom/metrics/mover_metrics.h>
-#include <slalom/rawlog/run_recorder.h>
+#include <slalom/rawlog/bag_recorder.h>
 #include <slalom/ros_parameters/resolve.h>
 
 #include <algorithm>
@@ -84,15 +84,33 @@ void check_analysis(const IniFile& ini, const AnalysisSection& section, Campaign
     require_one_of(id, options.descriptors, ini.where("analysis", "rows"));
 }
 
-/// Records runs as rawlogs beside the result file: runs.rawlogs/HASH8_METHOD_REPETITION.rawlog for
-/// runs.results.
-std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> rawlog_recorder(
-    const std::string& ini_text, const std::string& results_path) {
-  return [ini_text, results_path](const Scenario& scenario, const RunSpec& spec) {
-    return make_rawlog_recorder(
-        rawlog_path(results_path, scenario.hash(), spec.method, spec.repetition),
-        make_run_manifest(ini_text, scenario, spec.method, spec.repetition, spec.seed));
+/// The recorders of [record], which write beside the result file: for runs.results to
+/// runs.rawlogs/HASH8_METHOD_REPETITION.rawlog and runs.bags/HASH8_METHOD_REPETITION.mcap.
+std::vector<RunRecorder> recorders_of(const CampaignConfig& config,
+                                      const std::string& results_path) {
+  const auto manifest_of = [ini_text = config.ini_text](const Scenario& scenario,
+                                                        const RunSpec& spec) {
+    return make_run_manifest(ini_text, scenario, spec.method, spec.repetition, spec.seed);
   };
+  const RecordSection& record = config.options.record;
+  std::vector<RunRecorder> recorders;
+  if (record.rawlog != RecordedRuns::None)
+    recorders.push_back(
+        {record.rawlog, rawlog_folder(results_path),
+         [manifest_of, results_path](const Scenario& scenario, const RunSpec& spec) {
+           return make_rawlog_recorder(
+               rawlog_path(results_path, scenario.hash(), spec.method, spec.repetition),
+               manifest_of(scenario, spec));
+         }});
+  if (record.bag != RecordedRuns::None)
+    recorders.push_back({record.bag, bag_folder(results_path),
+                         [manifest_of, results_path, setup = RunSetup(config.options)](
+                             const Scenario& scenario, const RunSpec& spec) {
+                           return make_bag_recorder(bag_path(results_path, scenario.hash(),
+                                                             spec.method, spec.repetition),
+                                                    manifest_of(scenario, spec), scenario, setup);
+                         }});
+  return recorders;
 }
 
 /// The problem of the campaign in `file`, if files of methods were replaced while it ran: its runs
@@ -217,23 +235,20 @@ CampaignReport run_campaign_program(const CampaignConfig& config,
   const auto planner = make_ompl_planner(config.reference, config.options.robot);
   Campaign campaign{config.options, {}, config.methods, planner.get()};
   const std::string results_path = results.path();
-  const bool rawlogs = config.options.record.rawlog != RecordedRuns::None;
-  if (rawlogs) {
-    campaign.recorder = rawlog_recorder(config.ini_text, results_path);
-    campaign.recording_folder = rawlog_folder(results_path);
-  }
+  campaign.recorders = recorders_of(config, results_path);
   const auto notify = [&arguments](const std::string& line) {
     if (!arguments.quiet) std::cerr << line << std::endl;
   };
   const std::size_t runs_of_each =
       scenarios.size() * static_cast<std::size_t>(config.options.repetitions);
   const std::size_t total = runs_of_each * config.methods.size();
+  const std::vector<RunRecorder> recorders = campaign.recorders;
   CampaignRecorder recorder(std::move(campaign), std::move(results), {steady_seconds, notify});
   notify_known_runs(recorder.known_runs(), total, rule.has_value(), notify);
   const int workers = campaign_workers(config, arguments);
   if (arguments.jobs == 0 && (rule || recorder.known_runs() < total))
     notify(count_text(static_cast<std::size_t>(workers), "worker"));
-  if (rawlogs) make_output_folder(rawlog_folder(results_path));
+  for (const RunRecorder& one : recorders) make_output_folder(one.folder);
   const auto progress = make_terminal_progress(arguments.quiet);
   if (!rule)  // how many runs each method will have is not known with one
     progress->set_detail(

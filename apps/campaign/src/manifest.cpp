@@ -36,6 +36,7 @@ std::string effective_ini(const IniFile& ini, const CampaignConfig& config) {
   effective.set("campaign", "methods", method_names(config));
   effective.remove("limits", "method_errors");
   effective.remove("record", "rawlog");
+  effective.remove("record", "bag");
   effective.remove("record", "repeated_runs");
   write_options(effective, "reference", config.reference, "");
   for (const std::string& section : method_sections(ini, config.methods))

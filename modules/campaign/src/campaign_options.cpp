@@ -156,6 +156,7 @@ void LimitsSection::visit(OptionVisitor& v) {
 
 void RecordSection::visit(OptionVisitor& v) {
   v.option("rawlog", rawlog, "runs to record as MRPT rawlogs");
+  v.option("bag", bag, "runs to record as bags of ROS 2 (MCAP)");
   v.option("trajectories", trajectories, "runs whose trajectories are stored in the results");
   v.option("repeated_runs", repeated_runs, "-",
            "runs of each method that slalom-evaluate executes a second time, to measure whether it "
@@ -197,9 +198,9 @@ std::vector<QuantityInfo> CampaignOptions::descriptor_infos() const {
   return infos_of(descriptors, descriptor);
 }
 
-bool RecordSection::wants(Outcome outcome) const {
-  return rawlog == RecordedRuns::All ||
-         (rawlog == RecordedRuns::Failures && outcome != Outcome::Success);
+bool is_recorded(RecordedRuns runs, Outcome outcome) {
+  return runs == RecordedRuns::All ||
+         (runs == RecordedRuns::Failures && outcome != Outcome::Success);
 }
 
 CampaignOptions read_measuring_options(const IniFile& ini) {
@@ -258,11 +259,12 @@ CampaignOptions checked_options(CampaignOptions options, const std::string& orig
 void write_settings(const CampaignOptions& options, const SettingWriter& write) {
   for_each_section(options, [&](const std::string& section, const auto& values) {
     write_options(values, [&](const std::string& key, const std::string& text) {
-      // Campaigns without goals that have headings stay the same campaigns.
-      if (key == "goal_heading_tolerance" &&
-          options.simulation.goal_heading_tolerance == SimulationOptions().goal_heading_tolerance)
-        return;
-      write(section, key, text);
+      // Campaigns that do not use these keys stay the same campaigns.
+      const bool is_unset =
+          (section == "record" && key == "bag" && options.record.bag == RecordedRuns::None) ||
+          (key == "goal_heading_tolerance" &&
+           options.simulation.goal_heading_tolerance == SimulationOptions().goal_heading_tolerance);
+      if (!is_unset) write(section, key, text);
     });
   });
 }

@@ -211,7 +211,8 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
   execution.progress.start("Running methods", total);
   if (done > 0) execution.progress.advance(done);
   PoolOptions pool = pool_of_runs(campaign.options, execution.workers, execution.in_process);
-  if (!campaign.recording_folder.empty()) pool.limits.writable = {campaign.recording_folder};
+  for (const RunRecorder& recorder : campaign.recorders)
+    pool.limits.writable.push_back(recorder.folder);
   pool.schedule.groups = campaign.methods.size();
   pool.schedule.group = [&](std::size_t i) { return method_index(campaign, plan[i].method); };
   pool.inputs = shared_tables(campaign, plan, references, execution.workers, executor);

@@ -167,10 +167,11 @@ SimulationResult RunExecutor::replay(const RunSpec& spec, const std::string& log
 /// crashed, and runs that are not recorded cause no overhead.
 void RunExecutor::record(const RunSpec& spec, const std::string& log,
                          const SimulationResult& result) {
-  if (!campaign_.recorder || !campaign_.options.record.wants(result.outcome)) return;
-  const std::unique_ptr<RunObserver> recorder =
-      campaign_.recorder(campaign_.scenarios[spec.scenario], spec);
-  replay(spec, log, result.outcome, result.detail, recorder.get());
+  for (const RunRecorder& recorder : campaign_.recorders) {
+    if (!is_recorded(recorder.runs, result.outcome)) continue;
+    const auto observer = recorder.make(campaign_.scenarios[spec.scenario], spec);
+    replay(spec, log, result.outcome, result.detail, observer.get());
+  }
 }
 
 const World& RunExecutor::world(std::size_t scenario) {

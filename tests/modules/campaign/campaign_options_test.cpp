@@ -200,13 +200,16 @@ TEST(CampaignOptions, AreTheSameAfterWritingAndReading) {
   options.deadline.cycle_deadline = 0.5;
   options.limits.run_wall_time = 12;
   EXPECT_FALSE(campaign_ini(options, "options ").has_section("tracks")) << "as it is by default";
+  EXPECT_FALSE(campaign_ini(options, "options ").get("record", "bag")) << "as it is by default";
   options.tracker.position_sigma = 0.05;
+  options.record.bag = RecordedRuns::Failures;
   const IniFile ini = campaign_ini(options, "options ");
   const CampaignOptions copy = read_campaign_options(ini);
   EXPECT_EQ(copy.metrics, options.metrics);
   EXPECT_EQ(copy.deadline.cycle_deadline, 0.5);
   EXPECT_EQ(copy.limits.run_wall_time, 12);
   EXPECT_EQ(copy.tracker.position_sigma, 0.05);
+  EXPECT_EQ(copy.record.bag, RecordedRuns::Failures);
   EXPECT_EQ(campaign_ini(copy, "options ").canonical_text(), ini.canonical_text());
 }
 

@@ -271,7 +271,7 @@ class CampaignTest : public testing::Test {
     Campaign campaign{read_campaign_options(ini),
                       {free_field("low", 3), free_field("high", 7)},
                       read_methods(ini, registry_)};
-    campaign.recorder = recorder_;
+    campaign.recorders = recorders_;
     campaign.options.clock = time_.clock();
     campaign_ = &campaign;
     const auto progress = make_silent_progress();
@@ -298,7 +298,7 @@ class CampaignTest : public testing::Test {
   ManualTime time_;  ///< shared by all workers: runs that advance it need a single worker
   Campaign* campaign_ = nullptr;  ///< that is being run
   MethodRegistry registry_;
-  std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> recorder_;
+  std::vector<RunRecorder> recorders_;
 };
 
 /// The outcomes of a method's runs in the scenario where it misbehaves.
@@ -489,11 +489,11 @@ TEST_F(CampaignTest, RecordsTheSelectedRunsWithTheirOutcomes) {
   const auto path = [&folder](std::size_t scenario, const std::string& method, int repetition) {
     return folder + "/" + std::to_string(scenario) + method + std::to_string(repetition);
   };
-  recorder_ = [&path](const Scenario&, const RunSpec& spec) {
-    return std::make_unique<EndWriter>(path(spec.scenario, spec.method, spec.repetition));
-  };
-  const RecordingSink sink =
-      run(ini_for({"crash", "nan", "good"}, "run_wall_time = 5\n[record]\nrawlog = failures"), 2);
+  recorders_ = {{RecordedRuns::Failures, folder, [&path](const Scenario&, const RunSpec& spec) {
+                   return std::make_unique<EndWriter>(
+                       path(spec.scenario, spec.method, spec.repetition));
+                 }}};
+  const RecordingSink sink = run(ini_for({"crash", "nan", "good"}, "run_wall_time = 5"), 2);
   for (const RunRecord& r : sink.runs) {
     std::ifstream file(path(r.scenario_name == "high" ? 1 : 0, r.method, r.repetition));
     EXPECT_EQ(file.is_open(), r.outcome != "success") << r.method << r.scenario_name;

@@ -23,17 +23,22 @@ struct RunSpec {
   std::uint64_t seed = 0;
 };
 
+/// How runs are recorded in files.
+struct RunRecorder {
+  RecordedRuns runs = RecordedRuns::None;  ///< those that are recorded
+  std::string folder;                      ///< workers in a sandbox can write there too
+  /// Creates the observer that records a run. Called in worker processes, or in the calling process
+  /// for runs whose worker process died.
+  std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> make;
+};
+
 /// The plan: every method runs every scenario `repetitions` times.
 struct Campaign {
   CampaignOptions options;
   std::vector<Scenario> scenarios;            ///< with distinct content hashes
   std::vector<NamedMethod> methods;           ///< with distinct names
   const ReferencePlanner* planner = nullptr;  ///< null: exact search only
-  /// Creates the observer that records a run; null: nothing is recorded. Called in worker
-  /// processes, or in the calling process for runs whose worker process died.
-  std::function<std::unique_ptr<RunObserver>(const Scenario&, const RunSpec&)> recorder = nullptr;
-  /// Folder of the recorder: workers in a sandbox can write there too.
-  std::string recording_folder = {};
+  std::vector<RunRecorder> recorders = {};
 };
 
 /// The seed of a run. It is the same for all methods, so that they are exposed to the same noise,

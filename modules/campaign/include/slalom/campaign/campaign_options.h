@@ -53,6 +53,8 @@ constexpr auto enum_names(RecordedRuns) {
   return std::array{"none", "failures", "all"};
 }
 
+bool is_recorded(RecordedRuns runs, Outcome outcome);
+
 enum class StoredTrajectories {
   All,
   None  ///< for very large campaigns
@@ -64,11 +66,11 @@ constexpr auto enum_names(StoredTrajectories) {
 /// Section [record].
 struct RecordSection {
   RecordedRuns rawlog = RecordedRuns::None;
+  RecordedRuns bag = RecordedRuns::None;
   StoredTrajectories trajectories = StoredTrajectories::All;
   int repeated_runs = 5;  ///< runs of each method that are executed a second time
 
   void visit(OptionVisitor& v);
-  bool wants(Outcome outcome) const;
 };
 
 /// The ids behind "all" in static scenarios: without mover_metric_ids(), goal_heading_metric_ids()

@@ -13,4 +13,9 @@ std::string rawlog_folder(const std::string& results_path);
 std::string rawlog_path(const std::string& results_path, const std::string& scenario_hash,
                         const std::string& method, int repetition);
 
+/// The same of bags: runs.bags, and FOLDER/HASH8_METHOD_REPETITION.mcap.
+std::string bag_folder(const std::string& results_path);
+std::string bag_path(const std::string& results_path, const std::string& scenario_hash,
+                     const std::string& method, int repetition);
+
 }  // namespace slalom
