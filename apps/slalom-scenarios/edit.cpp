@@ -54,7 +54,8 @@ void add_movers_verb(CLI::App& app) {
   add_scenario_argument(*verb, arguments.one);
   CLI::Option* file = verb->add_option(
       "file", arguments.file,
-      "CSV with the columns id, t, x, y and optionally r, or an obsmat.txt (ETH, UCY)");
+      "CSV with the columns id, t (or frame), x, y and optionally r, lines of frame id x y, or an "
+      "obsmat.txt (ETH, UCY)");
   verb->add_flag("--remove", arguments.remove, "Remove all instead")->excludes(file);
   verb->add_option("--radius", arguments.options.radius, "Radius without a column r, m")
       ->check(CLI::PositiveNumber)
@@ -62,7 +63,7 @@ void add_movers_verb(CLI::App& app) {
   verb->add_option("--begin", arguments.options.begin, "Time in the file at which runs begin, s")
       ->capture_default_str();
   verb->add_option("--frame-rate", arguments.options.frame_rate,
-                   "Frames per second of the recording; required for an obsmat.txt")
+                   "Frames per second of the recording; required for files with frames")
       ->check(CLI::PositiveNumber);
   verb->callback([] { set_movers(arguments); });
 }

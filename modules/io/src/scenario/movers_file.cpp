@@ -7,9 +7,10 @@
 #include <slalom/io/movers_file.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 
 namespace slalom {
 namespace {
@@ -72,39 +73,6 @@ class MoverCollector {
   std::size_t count_ = 0;
 };
 
-/// The column of each of kNames; -1 for a missing radius.
-std::array<int, 5> read_columns(const std::vector<std::string>& columns, const TextLines& lines) {
-  static const std::vector<std::string> kNames = {"id", "t", "x", "y", "r"};
-  std::array<int, 5> indexes = {-1, -1, -1, -1, -1};
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const auto found = std::find(kNames.begin(), kNames.end(), columns[i]);
-    if (found == kNames.end())
-      throw lines.error("unknown column '" + columns[i] + "'", "a header line with id, t, x, y, r");
-    int& index = indexes[static_cast<std::size_t>(found - kNames.begin())];
-    if (index >= 0) throw lines.error("duplicate column '" + columns[i] + "'", "each column once");
-    index = static_cast<int>(i);
-  }
-  for (std::size_t i = 0; i < 4; ++i)
-    if (indexes[i] < 0)
-      throw lines.error("missing column '" + kNames[i] + "'", "a header line with id, t, x, y");
-  return indexes;
-}
-
-void read_csv(const std::string& header, TextLines& lines, double default_radius,
-              MoverCollector& movers) {
-  const std::vector<std::string> columns = split(header, ',');
-  const std::array<int, 5> indexes = read_columns(columns, lines);
-  for (std::string line; lines.next(line);) {
-    std::vector<std::string> fields = split(line, ',');
-    const auto id_column = static_cast<std::size_t>(indexes[0]);
-    std::string id;
-    if (id_column < fields.size()) id = std::exchange(fields[id_column], "0");
-    const std::vector<double> numbers = numbers_of(fields, columns.size(), lines);
-    const auto value = [&](std::size_t i) { return numbers[static_cast<std::size_t>(indexes[i])]; };
-    movers.add(id, value(1), value(2), value(3), indexes[4] < 0 ? default_radius : value(4));
-  }
-}
-
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -114,6 +82,7 @@ double median(std::vector<double>& values) {
 /// Derives the frame rate and the unit of length from the positions and velocities of people.
 class ImpliedUnits {
  public:
+  /// `speed` is NaN if the file does not have it.
   void add(double frame, const std::string& id, const mrpt::math::TPoint2D& position,
            double speed) {
     const auto [found, is_new] = last_.try_emplace(id, frame, position);
@@ -147,20 +116,118 @@ class ImpliedUnits {
   std::vector<double> rates_, steps_;  ///< 1/s; m per frame
 };
 
-void read_obsmat(std::string line, TextLines& lines, const std::string& where,
+/// Frames of a recording as times, with a check of the rate and the unit of length.
+class FrameCollector {
+ public:
+  FrameCollector(const TextLines& lines, const MoversFileOptions& options, MoverCollector& movers)
+      : options_(options), movers_(movers) {
+    if (!(options.frame_rate > 0))
+      throw lines.error("frames instead of times", "the frame rate of the recording");
+  }
+
+  void add(const std::string& id, double frame, double x, double y, double radius,
+           double speed = std::numeric_limits<double>::quiet_NaN()) {
+    implied_.add(frame, id, {x, y}, speed);
+    movers_.add(id, frame / options_.frame_rate, x, y, radius);
+  }
+
+  void check(const std::string& where) { implied_.check(options_.frame_rate, where); }
+
+ private:
+  const MoversFileOptions& options_;
+  MoverCollector& movers_;
+  ImpliedUnits implied_;
+};
+
+/// The columns of a CSV.
+class Columns {
+ public:
+  Columns(std::vector<std::string> names, const TextLines& lines) : names_(std::move(names)) {
+    static const std::vector<std::string> kKnown = {"id",    "t",  "x",  "y",    "r",
+                                                    "frame", "vx", "vy", "type", "label"};
+    for (const std::string& written : std::vector<std::string>(names_)) {
+      std::string& name = names_[seen_++];
+      if (ends_with(name, "_est")) name.resize(name.size() - 4);
+      if (!contains(kKnown, name))
+        throw lines.error("unknown column '" + written + "'",
+                          "a header line with id, t or frame, x, y, and optionally r, type");
+      if (index(name) + 1 != seen_)
+        throw lines.error("duplicate column '" + written + "'", "each column once");
+    }
+    for (const std::string name : {"id", has("frame") ? "frame" : "t", "x", "y"})
+      if (!has(name))
+        throw lines.error("missing column '" + name + "'",
+                          "a header line with id, t or frame, x, y");
+    if (has("frame") && has("t")) throw lines.error("columns 't' and 'frame'", "times or frames");
+  }
+
+  bool has(const std::string& name) const { return index(name) < names_.size(); }
+
+  /// Takes a line apart; texts are left out of the numbers.
+  void read(const std::string& line, const TextLines& lines) {
+    std::vector<std::string> fields = split(line, ',');
+    for (std::size_t i = 0; i < std::min(fields.size(), names_.size()); ++i) {
+      if (names_[i] == "id") id_ = fields[i];
+      if (names_[i] == "id" || names_[i] == "type" || names_[i] == "label") fields[i] = "0";
+    }
+    numbers_ = numbers_of(fields, names_.size(), lines);
+  }
+  const std::string& id() const { return id_; }
+  double operator[](const std::string& name) const { return numbers_[index(name)]; }
+  double get(const std::string& name, double missing) const {
+    return has(name) ? (*this)[name] : missing;
+  }
+
+ private:
+  std::size_t index(const std::string& name) const {
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    return static_cast<std::size_t>(found - names_.begin());
+  }
+
+  std::vector<std::string> names_;
+  std::size_t seen_ = 0;
+  std::string id_;
+  std::vector<double> numbers_;
+};
+
+void read_csv(const std::string& header, TextLines& lines, const std::string& where,
+              const MoversFileOptions& options, MoverCollector& movers) {
+  Columns columns(split(header, ','), lines);
+  std::optional<FrameCollector> frames;
+  if (columns.has("frame")) frames.emplace(lines, options, movers);
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  for (std::string line; lines.next(line);) {
+    columns.read(line, lines);
+    const double radius = columns.get("r", options.radius);
+    if (frames)
+      frames->add(columns.id(), columns["frame"], columns["x"], columns["y"], radius,
+                  math::hypot(columns.get("vx", kNone), columns.get("vy", kNone)));
+    else
+      movers.add(columns.id(), columns["t"], columns["x"], columns["y"], radius);
+  }
+  if (frames) frames->check(where);
+}
+
+/// Lines of four numbers, frame id x y, or the eight of an obsmat.txt.
+void read_frames(std::string line, TextLines& lines, const std::string& where,
                  const MoversFileOptions& options, MoverCollector& movers) {
-  if (!(options.frame_rate > 0))
-    throw lines.error("frames instead of times", "the frame rate of the recording");
-  ImpliedUnits implied;
+  constexpr std::size_t kPositions = 4, kObsmat = 8;
+  const std::size_t count = split_at_blanks(line).size();
+  if (count != kPositions && count != kObsmat)
+    throw lines.error(std::to_string(count) + " fields",
+                      "4 numbers (frame id x y), or the 8 of an obsmat.txt");
+  FrameCollector frames(lines, options, movers);
   do {
-    const auto n = numbers_of(split_at_blanks(line), 8, lines);
+    const auto n = numbers_of(split_at_blanks(line), count, lines);
     if (n[1] != std::round(n[1]) || std::abs(n[1]) > 1e9)
       throw lines.error("invalid id in field 2", "an integer");
     const std::string id = std::to_string(std::lround(n[1]));
-    implied.add(n[0], id, {n[2], n[4]}, math::hypot(n[5], n[7]));
-    movers.add(id, n[0] / options.frame_rate, n[2], n[4], options.radius);
+    if (count == kPositions)
+      frames.add(id, n[0], n[2], n[3], options.radius);
+    else
+      frames.add(id, n[0], n[2], n[4], options.radius, math::hypot(n[5], n[7]));
   } while (lines.next(line));
-  implied.check(options.frame_rate, where);
+  frames.check(where);
 }
 
 }  // namespace
@@ -169,13 +236,13 @@ Movers movers_from_text(const std::string& text, const std::string& where,
                         const MoversFileOptions& options) {
   TextLines lines(text, where);
   std::string line;
-  const std::string expected = "CSV with the columns id, t, x, y, or an obsmat.txt";
+  const std::string expected = "CSV with the columns id, t, x, y, or lines of frame id x y";
   if (!lines.next(line)) throw file_error(where, "empty file", expected);
   MoverCollector movers(lines, options);
   if (line.find(',') != std::string::npos)
-    read_csv(line, lines, options.radius, movers);
+    read_csv(line, lines, where, options, movers);
   else
-    read_obsmat(line, lines, where, options, movers);
+    read_frames(line, lines, where, options, movers);
   return movers.take(where);
 }
 

@@ -65,6 +65,36 @@ TEST(MoversFile, FramesOfObsmatAreTimesByTheFrameRate) {
   EXPECT_EQ(movers[0].waypoints[1].position, TPoint2D(9.1, 3.7));
 }
 
+TEST(MoversFile, FramesOfPredictionBenchmarksAreTimesByTheFrameRate) {
+  MoversFileOptions options;
+  options.frame_rate = 25;
+  const Movers expected = {{"3", 0.3, {{0.4, {1, 2}}, {0.8, {1.5, 2}}}, MoverEnd::Vanish},
+                           {"4", 0.3, {{0.8, {7, 8}}}, MoverEnd::Vanish}};
+  EXPECT_EQ(movers_from_text("10.0\t3.0\t1\t2\n20\t3\t1.5\t2\n20\t4\t7\t8\n", "f", options),
+            expected);
+  EXPECT_EQ(movers_from_text("10 3 1 2\n20 3 1.5 2\n20 4 7 8\n", "f", options), expected);
+  EXPECT_EQ(movers_from_text("frame,id,x,y\n10,3,1,2\n20,3,1.5,2\n20,4,7,8\n", "f", options),
+            expected);
+  EXPECT_EQ(movers_from_text("frame,id,x,y,type\n10,3,1,2,ped\n20,3,1.5,2,ped\n20,4,7,8,ped\n", "f",
+                             options),
+            expected);
+}
+
+TEST(MoversFile, VelocitiesOfACsvCheckItsFrameRate) {
+  // 1.5 m/s along y, 0.06 m a frame: 25 frames per second. Columns as those of DUT.
+  const std::string walker =
+      "id,frame,label,x_est,y_est,vx_est,vy_est\n0,1,ped,5,1,0,1.5\n0,2,ped,5,1.06,0,1.5\n";
+  MoversFileOptions options;
+  options.frame_rate = 25;
+  const Movers movers = movers_from_text(walker, "f", options);
+  ASSERT_EQ(movers.size(), 1U);
+  EXPECT_DOUBLE_EQ(movers[0].waypoints[1].t, 2.0 / 25);
+  EXPECT_EQ(movers[0].waypoints[1].position, TPoint2D(5, 1.06));
+  options.frame_rate = 60;
+  EXPECT_TRUE(refuses(walker, "f: a frame rate of 60 contradicts the velocities, which imply 25.00",
+                      options));
+}
+
 TEST(MoversFile, AFrameRateThatContradictsTheVelocitiesIsRefused) {
   // 1.5 m/s along x, 0.6 m every 6 frames: 15 frames per second.
   const std::string walker = "0 1 0 0 0 1.5 0 0\n6 1 0.6 0 0 1.5 0 0\n12 1 1.2 0 0 1.5 0 0\n";
@@ -86,6 +116,8 @@ TEST(MoversFile, PositionsOfPeopleInPixelsAreRefused) {
   options.frame_rate = 15;
   EXPECT_TRUE(
       refuses(walker, "f: a median speed of 62.5 m/s; expected positions of people in m", options));
+  EXPECT_TRUE(refuses("0 1 100 100\n6 1 125 100\n12 1 150 100\n", "f: a median speed of 62.5 m/s",
+                      options));
 }
 
 TEST(MoversFile, ErrorsNameTheLineAndWhatWasExpected) {
@@ -101,9 +133,15 @@ TEST(MoversFile, ErrorsNameTheLineAndWhatWasExpected) {
   EXPECT_TRUE(refuses("id,t,x,y,r\na,0,0,0,-1\n", "f"));
   EXPECT_TRUE(refuses("id,t,x,y\n", "f: no position at or after 0 s"));
   EXPECT_TRUE(refuses("1 1 2 0 3 0 0 0\n", "f:1: frames instead of times"));
+  EXPECT_TRUE(refuses("1 1 2 3\n", "f:1: frames instead of times"));
+  EXPECT_TRUE(refuses("frame,id,x,y\n", "f:1: frames instead of times"));
   MoversFileOptions options;
   options.frame_rate = 25;
-  EXPECT_TRUE(refuses("1 1 2 0 3\n", "f:1: 5 fields; expected 8 numbers", options));
+  EXPECT_TRUE(refuses("1 1 2 0 3\n", "f:1: 5 fields; expected 4 numbers (frame id x y), or the 8",
+                      options));
+  EXPECT_TRUE(refuses("1 1 2 3\n1 1 2 0 3\n", "f:2: 5 fields; expected 4 numbers", options));
+  EXPECT_TRUE(refuses("1 1.5 2 3\n", "f:1: invalid id in field 2", options));
+  EXPECT_TRUE(refuses("frame,t,id,x,y\n", "f:1: columns 't' and 'frame'", options));
   EXPECT_TRUE(refuses("1 1.5 2 0 3 0 0 0\n", "f:1: invalid id in field 2", options));
 }
 

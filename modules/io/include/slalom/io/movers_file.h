@@ -16,7 +16,12 @@ struct MoversFileOptions {
 /// Reads positions of people or robots over time, detected from the first line, as movers that are
 /// present from their first position to their last one:
 ///
-/// - CSV with a header line: id, t, x, y and optionally r, in any order; t in s, others in m.
+/// - CSV with a header line: id, t, x, y and optionally r, in any order; t in s, others in m. With
+/// a
+///   column `frame` in place of t, the frame rate is needed; vx and vy (m/s) check it. The columns
+///   type and label are ignored, and the ending "_est", as of CITR and DUT (Yang et al. 2019).
+/// - Four numbers a line: frame, id, x and y, as prediction benchmarks distribute them (Social GAN,
+///   TrajNet).
 /// - `obsmat.txt` of the ETH data set (Pellegrini et al. 2009, "You'll never walk alone"), also in
 ///   use for UCY: eight numbers a line, of which the frame, the id and the positions in m (third
 ///   and fifth) are used. The velocities in m/s (sixth and eighth) check the frame rate.
@@ -27,8 +32,8 @@ struct MoversFileOptions {
 /// Throws Error (File) with line and what was expected for: non-finite numbers, times of an id that
 /// do not increase, different radii of an id, unknown, duplicate or missing columns, more than a
 /// million lines, movers that check_movers() refuses, no position at or after `begin`, frames
-/// without a frame rate or with one that contradicts the velocities by more than a quarter, and
-/// what read_file() refuses.
+/// without a frame rate or with one that contradicts the velocities by more than a quarter, frames
+/// with a median speed above 5 m/s (pixels), and what read_file() refuses.
 Movers load_movers_file(const std::string& path, const MoversFileOptions& options = {});
 Movers movers_from_text(const std::string& text, const std::string& where,
                         const MoversFileOptions& options = {});
