@@ -10,6 +10,7 @@
 #include <slalom/generation/crossing.h>
 #include <slalom/generation/doorway.h>
 #include <slalom/generation/maze.h>
+#include <slalom/generation/passage.h>
 #include <slalom/generation/perlin.h>
 #include <slalom/generation/poisson_forest.h>
 #include <slalom/generation/random_generator.h>

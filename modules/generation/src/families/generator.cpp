@@ -10,6 +10,7 @@
 #include <slalom/generation/doorway.h>
 #include <slalom/generation/generator.h>
 #include <slalom/generation/maze.h>
+#include <slalom/generation/passage.h>
 #include <slalom/generation/perlin.h>
 #include <slalom/generation/poisson_forest.h>
 #include <slalom/generation/random_generator.h>
@@ -52,6 +53,7 @@ constexpr Family kFamilies[] = {
     family_of<MazeOptions>(),
     family_of<OncomingOptions>(),
     family_of<OvertakingOptions>(),
+    family_of<PassageOptions>(),
     family_of<PerlinOptions>(),
     family_of<PoissonForestOptions>(),
     family_of<RandomGeneratorOptions>(),

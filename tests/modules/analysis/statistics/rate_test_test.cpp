@@ -65,7 +65,7 @@ struct Exact {
   double runs = 0;     ///< mean
 };
 
-/// By the probability of each number of failures among the tests that are undecided, after each
+/// Follows the probability of each number of failures among the tests that are undecided after each
 /// run.
 Exact decide_exactly(double rate, double true_rate, std::size_t max_runs) {
   const RateTest test(rate, 0.95);
