@@ -93,16 +93,6 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
   return complete;
 }
 
-/// The outcome of a run whose work item did not complete.
-Outcome outcome_of(const WorkResult& result) {
-  using Status = WorkResult::Status;
-  if (result.status == Status::TimedOut) return Outcome::MethodDeadline;
-  // The simulator catches exceptions of methods: any other is an infrastructure error.
-  if (result.status == Status::Threw || result.status == Status::Killed)
-    return Outcome::InfrastructureError;
-  return Outcome::MethodCrash;
-}
-
 /// Whether the trajectory, if it is stored, is the one that was hashed: its method may have damaged
 /// the process meanwhile.
 bool is_intact(const RunFindings& findings, StoredTrajectories stored) {
@@ -132,19 +122,6 @@ RunFindings findings_of_failure(const Campaign& campaign, const RunSpec& spec,
   if (outcome == Outcome::InfrastructureError)
     return findings_without_run(campaign, spec, outcome, result.detail);
   return executor.reconstruct(spec, result.log, outcome, result.detail);
-}
-
-PoolOptions pool_of_runs(const CampaignOptions& options, int workers, bool in_process = false) {
-  PoolOptions pool = method_pool(options.limits, options.clock);
-  pool.schedule.workers = workers;
-  pool.schedule.in_process = in_process;
-  pool.schedule.ordered = false;
-  pool.limits.item_wall_time = options.limits.run_wall_time;
-  pool.limits.item_cpu_time = options.limits.run_cpu_time;
-  pool.log_size = CommandJournal::size_for(options.simulation);
-  if (options.deadline.deadline_policy == DeadlinePolicy::Fail)
-    pool.limits.heartbeat_timeout = options.deadline.cycle_deadline;
-  return pool;
 }
 
 std::size_t method_index(const Campaign& campaign, const std::string& name) {
@@ -210,7 +187,9 @@ bool run_methods(const Campaign& campaign, CampaignSink& sink, const Execution& 
   };
   execution.progress.start("Running methods", total);
   if (done > 0) execution.progress.advance(done);
-  PoolOptions pool = pool_of_runs(campaign.options, execution.workers, execution.in_process);
+  PoolOptions pool = pool_of_runs(campaign.options, execution.workers);
+  pool.schedule.in_process = execution.in_process;
+  pool.schedule.ordered = false;
   for (const RunRecorder& recorder : campaign.recorders)
     pool.limits.writable.push_back(recorder.folder);
   pool.schedule.groups = campaign.methods.size();

@@ -5,6 +5,7 @@
 
 #include <slalom/campaign/campaign.h>
 #include <slalom/scenario/world.h>
+#include <slalom/workers/shared_task_log.h>
 
 #include <cfenv>
 #include <map>

@@ -10,4 +10,10 @@ namespace slalom {
 /// the kernel cannot confine processes as `limits` requires.
 PoolOptions method_pool(const LimitsSection& limits, const WallClock& clock);
 
+/// A pool for work items that are one run each, with all limits. Throws as method_pool().
+PoolOptions pool_of_runs(const CampaignOptions& options, int workers);
+
+/// The outcome of a run whose work item did not complete.
+Outcome outcome_of(const WorkResult& result);
+
 }  // namespace slalom
