@@ -25,16 +25,6 @@ std::vector<std::string> method_names(const IniFile& ini, const FalsifyArguments
   return names;
 }
 
-/// Throws for a name that is no method of the .ini.
-void require_method(const IniFile& ini, const std::string& option, const std::string& name) {
-  if (ini.has_section("method." + name)) return;
-  std::vector<std::string> known;
-  for (const std::string& section : ini.sections())
-    if (starts_with(section, "method.")) known.push_back(section.substr(7));
-  throw usage_error(option + " " + name, "no section [method." + name + "] in " + ini.name(),
-                    expected_name(name, known));
-}
-
 /// The campaign of the light surrogate alone: the one that repeats the failures does not run it.
 CampaignConfig read_surrogate(IniFile ini, const FalsifyArguments& arguments,
                               const FalsificationSetup& setup) {

@@ -78,6 +78,8 @@ expect_bash "slalom-evaluate my.ini --set method.fast.plugin=libslalom_mp" "libs
 expect_bash "slalom-lcm-method --plugin libslalom_fo" \
   "libslalom_follow_the_gap.so libslalom_follow_the_gap_holonomic.so"
 expect_bash "slalom-analyze table my.ini --method s" "slow"
+expect_bash "slalom-certify limit my.ini --method s" "slow"
+expect_bash "slalom-certify limit my.ini --of passage.wi" "passage.width"
 expect_bash "slalom-falsify search my.ini --method s" "slow"
 expect_bash "slalom-falsify search my.ini --method slow --surrogate f" "fast"
 expect_bash "slalom-falsify shrink a.scenario.yaml -c my.ini --witness " "fast slow"

@@ -172,6 +172,15 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
   return ini;
 }
 
+void require_method(const IniFile& ini, const std::string& option, const std::string& name) {
+  if (ini.has_section("method." + name)) return;
+  std::vector<std::string> known;
+  for (const std::string& section : ini.sections())
+    if (starts_with(section, "method.")) known.push_back(section.substr(7));
+  throw usage_error(option + " " + name, "no section [method." + name + "] in " + ini.name(),
+                    expected_name(name, known));
+}
+
 CampaignConfig read_campaign(const IniFile& ini) {
   CampaignConfig config;
   config.ini_name = ini.name();

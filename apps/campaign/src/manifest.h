@@ -10,10 +10,6 @@ namespace slalom {
 /// that only select scenarios, tables or recordings are not part of it.
 std::string effective_ini(const IniFile& ini, const CampaignConfig& config);
 
-/// The hashes of config.method_files and config.dependencies by "method.NAME.plugin_hash". Throws
-/// Error (File) for one that cannot be read.
-Manifest hash_method_files(const CampaignConfig& config);
-
 /// The information needed to reproduce a campaign: its effective .ini and seed, the hash of its
 /// scenarios, the versions of its dependencies, the hashes of the files of methods, the stopping
 /// rule, and the identity that follows from these (campaign_identity()).

@@ -36,6 +36,9 @@ struct CampaignArguments {
 /// unknown sections.
 IniFile load_campaign_ini(const CampaignArguments& arguments);
 
+/// Throws Error (Usage) at `option` for a name that is no method of the .ini.
+void require_method(const IniFile& ini, const std::string& option, const std::string& name);
+
 /// A campaign's .ini as values, read once per program.
 struct CampaignConfig {
   std::string ini_name;       ///< path of the .ini
@@ -83,6 +86,10 @@ void require_sound_runs(const CampaignReport& report, const std::string& results
 /// Builds each method once in a process of its own and finds what it depends on: sets
 /// config.privileged and config.dependencies. Throws Error (Usage) if one cannot be built.
 void check_campaign(CampaignConfig& config);
+
+/// The hashes of config.method_files and config.dependencies by "method.NAME.plugin_hash". Throws
+/// Error (File) for one that cannot be read.
+Manifest hash_method_files(const CampaignConfig& config);
 
 /// The scenarios specified by the .ini; the same for any number of jobs. Calls check_campaign()
 /// first.
