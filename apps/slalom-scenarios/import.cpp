@@ -109,9 +109,11 @@ void add_import_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "import",
       "Import maps (MRPT, ROS, MovingAI, images), worlds (Gazebo, Stage, mvsim, ir-sim, BARN), "
+      "scenarios of Arena (.json), "
       "logs (.rawlog, bags) or scenarios (.scenario.yaml)");
   verb->add_option("files", arguments.request.files,
-                   "Map files, worlds, .scenario.yaml files, BARN grids or folders, rawlogs, bags")
+                   "Map files, worlds, .scenario.yaml files, .json of Arena, BARN grids or "
+                   "folders, rawlogs, bags")
       ->required();
   verb->add_option("-o,--output", arguments.output, "The list to write (.scenarios)")->required();
   add_pair_options(*verb, arguments.request);

@@ -52,6 +52,7 @@ add_library(slalom_fuzzed STATIC
   ${BAGS}/ros_messages.cpp
   ${BAGS}/sqlite_bag.cpp
   ${BAGS}/topic_choice.cpp
+  ${FORMATS}/arena_scenario.cpp
   ${FORMATS}/gazebo_world.cpp
   ${FORMATS}/gray_image.cpp
   ${FORMATS}/image_size.cpp

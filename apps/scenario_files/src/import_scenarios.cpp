@@ -6,6 +6,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_yaml.h>
+#include <slalom/map_formats/arena_scenario.h>
 #include <slalom/map_formats/map_task.h>
 #include <slalom/map_formats/world_import.h>
 #include <slalom/rawlog/log_map.h>
@@ -81,6 +82,7 @@ ImportedWorld read_log(const std::string& path, const ImportRequest& request) {
 
 ImportedWorld read_map(const std::string& path, const ImportRequest& request) {
   if (is_log(path)) return read_log(path, request);
+  if (is_arena_scenario(path)) return import_arena_scenario(path, request.map);
   if (is_world(path)) {
     WorldOptions options;
     options.margin = request.points.margin;
