@@ -11,9 +11,9 @@ cd "$sources"
 # an error, so that the check cannot pass by finding nothing.
 excused='
 analysis * statistics of finished runs, which no hash and no dump has
-bags     * frames in three dimensions of recorded robots, which no hash and no dump has
+bags     * frames in three dimensions of recorded robots; scenarios of drives have their poses
 gui      * digits of scales on the screen
-rawlog   * identification of robots from their logs
+rawlog   * identification of robots from their logs, maps that MRPT makes of scans
 report   * scales of figures
 studio   * digits of scales on the screen
 core     exp Boost.Random compares it with a uniform number in 1 of 400 normal ones, and has no other use for it

@@ -6,8 +6,6 @@
 #include <slalom/core/text.h>
 
 #include <mrpt/core/bits_math.h>
-#include <mrpt/math/CQuaternion.h>
-#include <mrpt/poses/CPose3DQuat.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +17,6 @@ namespace slalom {
 namespace {
 
 namespace fs = std::filesystem;
-using mrpt::poses::CPose3D;
 using tinyxml2::XMLElement;
 
 constexpr int kMaxDepth = 12;                    // of models in models, and of frames
@@ -53,7 +50,7 @@ struct SdfFile {
 /// An element whose children have poses in its frame.
 struct Scope {
   const XMLElement& element;
-  CPose3D frame;
+  Placement frame;
   const SdfFile& file;
   int depth = 0;
 };
@@ -78,7 +75,7 @@ class GazeboReader {
   ImportedWorld read(const SdfFile& file, const std::string& name) {
     const XMLElement& root = file.xml.root();
     const XMLElement* world = root.FirstChildElement("world");
-    const Scope scope{world == nullptr ? root : *world, CPose3D(), file};
+    const Scope scope{world == nullptr ? root : *world, Placement(), file};
     if (world != nullptr) read_state(*world, file);
     add_models(scope);
     for (const XMLElement* actor : children(scope.element, "actor")) add_actor(*actor, file);
@@ -97,25 +94,25 @@ class GazeboReader {
           saved_poses_[name_of(*model)] = local_pose(*pose, file);
   }
 
-  CPose3D local_pose(const XMLElement& pose, const SdfFile& file) const {
+  Placement local_pose(const XMLElement& pose, const SdfFile& file) const {
     const bool is_quaternion = xml_attribute(pose, "rotation_format") == "quat_xyzw";
     std::vector<double> v = file.xml.numbers(pose);
     if (v.empty()) return {};
     v = file.xml.numbers(pose, is_quaternion ? 7 : 6);
     if (is_quaternion) {
-      const double norm = std::hypot(std::hypot(v[3], v[4]), std::hypot(v[5], v[6]));
+      const double norm = std::sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5] + v[6] * v[6]);
       if (!(std::abs(norm - 1) < 0.01))
         throw file.xml.error(pose, "the quaternion is not normalized", "a rotation");
-      const mrpt::math::CQuaternionDouble q(v[6] / norm, v[3] / norm, v[4] / norm, v[5] / norm);
-      return CPose3D(mrpt::poses::CPose3DQuat(v[0], v[1], v[2], q));
+      return Placement::of_quaternion({v[0], v[1], v[2]}, v[3] / norm, v[4] / norm, v[5] / norm,
+                                      v[6] / norm);
     }
     if (is_true(xml_attribute(pose, "degrees")))
       for (std::size_t i = 3; i < 6; ++i) v[i] = mrpt::DEG2RAD(v[i]);
-    return CPose3D(v[0], v[1], v[2], v[5], v[4], v[3]);
+    return Placement(v[0], v[1], v[2], v[5], v[4], v[3]);
   }
 
   /// The pose of an element in the world; none if it is relative to something unknown.
-  std::optional<CPose3D> pose_in(const Scope& scope, const XMLElement& element, int depth = 0) {
+  std::optional<Placement> pose_in(const Scope& scope, const XMLElement& element, int depth = 0) {
     const XMLElement* pose = element.FirstChildElement("pose");
     std::string relative_to = pose == nullptr ? "" : xml_attribute(*pose, "relative_to");
     if (relative_to.empty()) relative_to = xml_attribute(element, "attached_to");
@@ -124,9 +121,9 @@ class GazeboReader {
     return pose == nullptr ? *base : *base + local_pose(*pose, scope.file);
   }
 
-  std::optional<CPose3D> frame_of(const Scope& scope, const std::string& name, int depth) {
+  std::optional<Placement> frame_of(const Scope& scope, const std::string& name, int depth) {
     if (name.empty() || name == "__model__") return scope.frame;
-    if (name == "world") return CPose3D();
+    if (name == "world") return Placement();
     if (depth > kMaxDepth) return std::nullopt;
     for (const char* kind : {"link", "frame", "model"})
       for (const XMLElement* child : children(scope.element, kind))
@@ -147,12 +144,12 @@ class GazeboReader {
       add_include(scope, *include);
   }
 
-  void use_saved(const std::string& name, std::optional<CPose3D>& pose) const {
+  void use_saved(const std::string& name, std::optional<Placement>& pose) const {
     const auto saved = saved_poses_.find(name);
     if (saved != saved_poses_.end()) pose = saved->second;
   }
 
-  void add_model(const Scope& outer, const XMLElement& model, const std::optional<CPose3D>& pose,
+  void add_model(const Scope& outer, const XMLElement& model, const std::optional<Placement>& pose,
                  const std::string& name) {
     if (model.FirstChildElement("plugin") != nullptr)
       return parts_.leave_out("models that plugins may move", name);
@@ -239,7 +236,7 @@ class GazeboReader {
     }
   }
 
-  void add_box(const CPose3D& pose, const XMLElement& box, const XmlFile& xml) {
+  void add_box(const Placement& pose, const XMLElement& box, const XmlFile& xml) {
     const XMLElement* element = box.FirstChildElement("size");
     if (element == nullptr) throw xml.error(box, "<box> has no <size>", "three lengths in m");
     const auto size = xml.numbers(*element, 3);
@@ -248,7 +245,7 @@ class GazeboReader {
     parts_.add_box(pose, size[0], size[1], size[2]);
   }
 
-  void add_polyline(const CPose3D& pose, const XMLElement& polyline, const XmlFile& xml,
+  void add_polyline(const Placement& pose, const XMLElement& polyline, const XmlFile& xml,
                     const std::string& model) {
     Polygon outline;
     for (const XMLElement* point : children(polyline, "point")) {
@@ -262,14 +259,13 @@ class GazeboReader {
       parts_.leave_out("polylines that cross themselves or are tilted of", model);
   }
 
-  static bool is_ground(const CPose3D& pose, const XMLElement& plane, const XmlFile& xml) {
+  static bool is_ground(const Placement& pose, const XMLElement& plane, const XmlFile& xml) {
     mrpt::math::TPoint3D normal(0, 0, 1);
     if (const XMLElement* element = plane.FirstChildElement("normal")) {
       const auto v = xml.numbers(*element, 3);
       normal = {v[0], v[1], v[2]};
     }
-    const auto turned = pose.composePoint(normal) - pose.translation();
-    return std::abs(turned.z) > 0.99 * normal.norm();
+    return std::abs(pose.turned(normal).z) > 0.99 * normal.norm();
   }
 
   void add_actor(const XMLElement& actor, const SdfFile& file) {
@@ -298,13 +294,13 @@ class GazeboReader {
     const XMLElement* pose = waypoint.FirstChildElement("pose");
     if (time == nullptr || pose == nullptr)
       throw file.xml.error(waypoint, "an incomplete waypoint", "<time> and <pose>");
-    const CPose3D at = local_pose(*pose, file);
+    const Placement at = local_pose(*pose, file);
     return {begin + file.xml.numbers(*time, 1)[0], {at.x(), at.y()}};
   }
 
   WorldParts parts_;
   std::map<std::string, XmlFile> files_;
-  std::map<std::string, CPose3D> saved_poses_;
+  std::map<std::string, Placement> saved_poses_;
   std::size_t elements_ = 0, includes_ = 0;
 };
 

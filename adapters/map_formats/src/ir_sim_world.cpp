@@ -3,6 +3,7 @@
 #include "world_parts.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 
@@ -15,7 +16,6 @@ namespace slalom {
 namespace {
 
 using mrpt::math::TPoint2D;
-using mrpt::poses::CPose3D;
 
 constexpr double kLineWidth = 0.02;  // m, of line strings
 constexpr double kHeight = 1;        // m, of all shapes
@@ -139,11 +139,11 @@ class IrSimReader {
         pose = list(state, 2, 3, "state");
       const YAML::Node form =
           shapes.empty() ? YAML::Node(YAML::NodeType::Map) : shapes[std::min(i, shapes.size() - 1)];
-      add(form, CPose3D(pose[0], pose[1], kHeight / 2, pose[2], 0, 0));
+      add(form, Placement(pose[0], pose[1], kHeight / 2, pose[2], 0, 0));
     }
   }
 
-  void add(const YAML::Node& shape, const CPose3D& pose) {
+  void add(const YAML::Node& shape, const Placement& pose) {
     const std::string kind = name_in(shape, "name");
     const YAML::Node random = shape["random_shape"];
     if (random && random.IsScalar() && lower_case(random.Scalar()) == "true")
@@ -178,11 +178,11 @@ class IrSimReader {
     return points;
   }
 
-  void add_lines(const std::vector<TPoint2D>& points, const CPose3D& pose) {
+  void add_lines(const std::vector<TPoint2D>& points, const Placement& pose) {
     for (std::size_t i = 1; i < points.size(); ++i) {
       const TPoint2D along = points[i] - points[i - 1], middle = (points[i] + points[i - 1]) * 0.5;
       if (!(along.norm() > 0)) continue;
-      const CPose3D segment(middle.x, middle.y, 0, std::atan2(along.y, along.x), 0, 0);
+      const Placement segment(middle.x, middle.y, 0, math::atan2(along.y, along.x), 0, 0);
       parts_.add_box(pose + segment, along.norm() + kLineWidth, kLineWidth, kHeight);
     }
   }

@@ -4,6 +4,7 @@
 #include "world_parts.h"
 #include "xml_file.h"
 
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/grid_map.h>
 
@@ -20,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using mrpt::math::TPoint2D;
-using mrpt::poses::CPose3D;
 using tinyxml2::XMLElement;
 
 constexpr std::size_t kMaxWallEnds = 4000;  // each is compared with all others
@@ -194,8 +194,8 @@ class MvsimReader {
   void add_wall(const TPoint2D& a, const TPoint2D& b, double thickness, double low, double high) {
     const double length = (b - a).norm();
     if (!(length > 0)) return;
-    const CPose3D pose((a.x + b.x) / 2, (a.y + b.y) / 2, (low + high) / 2,
-                       std::atan2(b.y - a.y, b.x - a.x), 0, 0);
+    const Placement pose((a.x + b.x) / 2, (a.y + b.y) / 2, (low + high) / 2,
+                         math::atan2(b.y - a.y, b.x - a.x), 0, 0);
     parts_.add_box(pose, length, thickness, high - low);
   }
 
@@ -271,8 +271,8 @@ class MvsimReader {
     } else {
       v = numbers(*spatial, 6);
     }
-    const CPose3D pose(v[0], v[1], v[2], mrpt::DEG2RAD(v[3]), mrpt::DEG2RAD(v[4]),
-                       mrpt::DEG2RAD(v[5]));
+    const Placement pose(v[0], v[1], v[2], mrpt::DEG2RAD(v[3]), mrpt::DEG2RAD(v[4]),
+                         mrpt::DEG2RAD(v[5]));
     if (const XMLElement* shape = block.child("shape"))
       add_shape(block, name, pose, points_of(*shape), 1);
     else if (const XMLElement* geometry = block.child("geometry"))
@@ -283,7 +283,7 @@ class MvsimReader {
       add_shape(block, name, pose, {{{-0.5, -0.5}, {-0.5, 0.5}, {0.5, 0.5}, {0.5, -0.5}}}, 1);
   }
 
-  void add_shape(const MvsimObject& block, const std::string& name, const CPose3D& pose,
+  void add_shape(const MvsimObject& block, const std::string& name, const Placement& pose,
                  const Polygon& outline, double height) {
     const bool is_own = block.child("shape_from_visual") != nullptr;
     const double low = is_own ? 0 : number(block, "zmin", 0),
@@ -292,7 +292,7 @@ class MvsimReader {
       parts_.leave_out("shapes that cross themselves or are tilted of", name);
   }
 
-  void add_geometry(const MvsimObject& block, const std::string& name, const CPose3D& pose,
+  void add_geometry(const MvsimObject& block, const std::string& name, const Placement& pose,
                     const XMLElement& geometry) {
     const MvsimObject values{geometry};
     const std::string type = lower_case(xml_attribute(geometry, "type"));
@@ -308,7 +308,7 @@ class MvsimReader {
       Polygon outline;
       for (int i = 0; i < static_cast<int>(corners); ++i) {
         const double angle = 2 * M_PI * i / std::floor(corners);
-        outline.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+        outline.vertices.emplace_back(radius * math::cos(angle), radius * math::sin(angle));
       }
       add_shape(block, name, pose, outline, length("length"));
     } else if (type == "box") {

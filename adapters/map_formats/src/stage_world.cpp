@@ -23,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using mrpt::maps::COccupancyGridMap2D;
 using mrpt::math::TPoint2D;
-using mrpt::poses::CPose3D;
 
 constexpr int kMaxNesting = 12;  // of entities, files and definitions
 constexpr std::size_t kMaxFiles = 100, kMaxEntities = 200'000;
@@ -265,7 +264,7 @@ class StageReader {
     const auto size = numbers_or(chain, "size", {0.4, 0.4, 1}, where);
     if (!(size[0] > 0 && size[1] > 0 && size[2] > 0))
       throw file_error(where, "a size is not above 0", "lengths in m");
-    const CPose3D center(pose[0], pose[1], pose[2] + size[2] / 2, mrpt::DEG2RAD(pose[3]), 0, 0);
+    const Placement center(pose[0], pose[1], pose[2] + size[2] / 2, mrpt::DEG2RAD(pose[3]), 0, 0);
     if (const auto* bitmap = property(chain, "bitmap"))
       add_bitmap((fs::path(path).parent_path() / bitmap->front()).string(), center, size, name);
     else
@@ -273,16 +272,16 @@ class StageReader {
     if (numbers_or(chain, "boundary", {0}, where)[0] != 0) add_boundary(center, size);
   }
 
-  void add_boundary(const CPose3D& center, const std::vector<double>& size) {
+  void add_boundary(const Placement& center, const std::vector<double>& size) {
     const double x = (size[0] - kBoundaryWidth) / 2, y = (size[1] - kBoundaryWidth) / 2;
     for (const double side : {-1.0, 1.0}) {
-      parts_.add_box(center + CPose3D(side * x, 0, 0, 0, 0, 0), kBoundaryWidth, size[1], size[2]);
-      parts_.add_box(center + CPose3D(0, side * y, 0, 0, 0, 0), size[0], kBoundaryWidth, size[2]);
+      parts_.add_box(center + Placement(side * x, 0, 0, 0, 0, 0), kBoundaryWidth, size[1], size[2]);
+      parts_.add_box(center + Placement(0, side * y, 0, 0, 0, 0), size[0], kBoundaryWidth, size[2]);
     }
   }
 
   /// The blocks of a model, scaled to its size; a box if it has none.
-  void add_blocks(const Chain& chain, const CPose3D& center, const std::vector<double>& size,
+  void add_blocks(const Chain& chain, const Placement& center, const std::vector<double>& size,
                   const std::string& name, const std::string& where) {
     std::vector<Polygon> blocks;
     Bounds all{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -312,7 +311,7 @@ class StageReader {
 
   /// The dark pixels, whose extent Stage scales to the size of the model, as square cells that they
   /// overlap.
-  void add_bitmap(const std::string& path, const CPose3D& center, const std::vector<double>& size,
+  void add_bitmap(const std::string& path, const Placement& center, const std::vector<double>& size,
                   const std::string& name) {
     if (grid_) return parts_.leave_out("further bitmaps of", name);
     ImageMapOptions options;
@@ -336,7 +335,7 @@ class StageReader {
     if (size[0] / cell * (size[1] / cell) > kMaxGridCells)
       throw file_error(path, "has pixels of very different sides", "at most 400 million cells");
     const double yaw = center.yaw();
-    const CPose3D corner = center + CPose3D(-size[0] / 2, -size[1] / 2, 0, 0, 0, 0);
+    const Placement corner = center + Placement(-size[0] / 2, -size[1] / 2, 0, 0, 0, 0);
     auto grid = make_grid_map(end(size[0]), end(size[1]), cell, {corner.x(), corner.y()});
     for (int y = below; y <= above; ++y)
       for (int x = left; x <= right; ++x) {

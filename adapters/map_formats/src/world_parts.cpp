@@ -2,6 +2,7 @@
 #include "world_parts.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/occupancy.h>
@@ -14,7 +15,6 @@ namespace {
 
 using mrpt::math::TPoint2D;
 using mrpt::math::TPoint3D;
-using mrpt::poses::CPose3D;
 
 constexpr double kFarthest = 1e6;  ///< m
 constexpr double kUpright = 1e-6;  ///< of the cosine of the tilt
@@ -22,16 +22,12 @@ constexpr std::size_t kMaxSolids = 200'000;
 constexpr std::size_t kMaxNames = 8;  ///< of a kind, in a message
 constexpr int kCorners = 32;          ///< of a tilted cylinder
 
-double cosine_of_tilt(const CPose3D& pose) {
-  return pose.getRotationMatrix()(2, 2);
+bool is_upright(const Placement& pose) {
+  return std::abs(pose.cosine_of_tilt()) > 1 - kUpright;
 }
 
-bool is_upright(const CPose3D& pose) {
-  return std::abs(cosine_of_tilt(pose)) > 1 - kUpright;
-}
-
-TPoint3D placed(const CPose3D& pose, double x, double y, double z) {
-  return pose.composePoint(TPoint3D(x, y, z));
+TPoint3D placed(const Placement& pose, double x, double y, double z) {
+  return pose.point({x, y, z});
 }
 
 /// Twice the area of the triangle, positive when counter-clockwise.
@@ -87,10 +83,10 @@ void add_clipped(const TPoint3D& a, const TPoint3D& b, double low, double high,
 /// A regular polygon around a disc.
 Polygon around_disc(double radius) {
   Polygon polygon;
-  const double corner = radius / std::cos(M_PI / kCorners);
+  const double corner = radius / math::cos(M_PI / kCorners);
   for (int i = 0; i < kCorners; ++i) {
     const double angle = 2 * M_PI * i / kCorners;
-    polygon.vertices.emplace_back(corner * std::cos(angle), corner * std::sin(angle));
+    polygon.vertices.emplace_back(corner * math::cos(angle), corner * math::sin(angle));
   }
   return polygon;
 }
@@ -130,7 +126,7 @@ void WorldParts::add_polygon(Polygon polygon) {
   if (is_simple(polygon)) obstacles_.polygons.push_back(std::move(polygon));
 }
 
-bool WorldParts::add_prism(const CPose3D& pose, const Polygon& outline, double z_low,
+bool WorldParts::add_prism(const Placement& pose, const Polygon& outline, double z_low,
                            double z_high) {
   const bool upright = is_upright(pose);
   if (!upright && !is_convex(outline)) return false;
@@ -158,12 +154,12 @@ bool WorldParts::add_prism(const CPose3D& pose, const Polygon& outline, double z
   return true;
 }
 
-void WorldParts::add_box(const CPose3D& pose, double x, double y, double z) {
+void WorldParts::add_box(const Placement& pose, double x, double y, double z) {
   const Polygon outline{{{-x / 2, -y / 2}, {x / 2, -y / 2}, {x / 2, y / 2}, {-x / 2, y / 2}}};
   add_prism(pose, outline, -z / 2, z / 2);
 }
 
-void WorldParts::add_cylinder(const CPose3D& pose, double radius, double length) {
+void WorldParts::add_cylinder(const Placement& pose, double radius, double length) {
   if (!is_upright(pose)) {
     add_prism(pose, around_disc(radius), -length / 2, length / 2);
   } else if (in_heights(pose.z() - length / 2, pose.z() + length / 2)) {
@@ -171,7 +167,7 @@ void WorldParts::add_cylinder(const CPose3D& pose, double radius, double length)
   }
 }
 
-void WorldParts::add_sphere(const CPose3D& pose, double radius) {
+void WorldParts::add_sphere(const Placement& pose, double radius) {
   if (!in_heights(pose.z() - radius, pose.z() + radius)) return;
   const double height = std::clamp(pose.z(), options_.z_min, options_.z_max) - pose.z();
   const double widest = std::sqrt(std::max(0.0, (radius - height) * (radius + height)));

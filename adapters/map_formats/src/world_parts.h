@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "placement.h"
+
 #include <slalom/map_formats/world_import.h>
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
-#include <mrpt/poses/CPose3D.h>
 
 #include <string>
 #include <utility>
@@ -18,13 +19,12 @@ class WorldParts {
   WorldParts(std::string where, const WorldOptions& options);
 
   // Solids in the frame of a pose, lengths in m; a cylinder and a capsule stand on z.
-  void add_box(const mrpt::poses::CPose3D& pose, double x, double y, double z);
-  void add_cylinder(const mrpt::poses::CPose3D& pose, double radius, double length);
-  void add_sphere(const mrpt::poses::CPose3D& pose, double radius);
+  void add_box(const Placement& pose, double x, double y, double z);
+  void add_cylinder(const Placement& pose, double radius, double length);
+  void add_sphere(const Placement& pose, double radius);
   /// The prism of an outline, which must be simple, from z_low to z_high. Returns false for one
   /// that is tilted and not convex.
-  bool add_prism(const mrpt::poses::CPose3D& pose, const Polygon& outline, double z_low,
-                 double z_high);
+  bool add_prism(const Placement& pose, const Polygon& outline, double z_low, double z_high);
   void add_mover(Mover mover) { movers_.push_back(std::move(mover)); }
 
   /// Cells that become the workspace, with the obstacles in it.

@@ -243,7 +243,7 @@ std::string log_of_kitti(std::string line, TextLines& lines, double rate) {
     const std::vector<double> m = numbers_of(split_at_blanks(line), kKittiNumbers, lines);
     const double right = m[2], forward = m[10];  // of the third column of R
     constexpr double kLevel = 0.1;
-    if (!(std::hypot(right, forward) > kLevel))
+    if (!(math::hypot(right, forward) > kLevel))
       throw lines.error("the camera looks up or down", "a rotation matrix with a heading");
     const double numbers[] = {static_cast<double>(index++) / rate, m[11], -m[3],
                               math::atan2(-right, forward)};
