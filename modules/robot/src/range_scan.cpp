@@ -65,11 +65,19 @@ class Resampler {
         half_aperture_(0.5 * sensor.aperture()),
         ranges_(static_cast<std::size_t>(sensor.rays), static_cast<float>(sensor.max_range)) {}
 
-  /// Adds a point that covers all rays within `half_angle` of it, at least the closest one.
+  /// Adds a point that covers all rays within `half_angle` of it, at least the closest one, also
+  /// across the direction behind the robot.
   void add(const TPoint2D& point, double half_angle) {
     const double range = math::hypot(point.x, point.y);
     const double bearing = math::atan2(point.y, point.x);
     const double half = std::max(half_angle, 0.5 * spacing_);
+    for (const double turn : {0.0, -2 * M_PI, 2 * M_PI}) cover(bearing + turn, half, range);
+  }
+
+  const std::vector<float>& ranges() const { return ranges_; }
+
+ private:
+  void cover(double bearing, double half, double range) {
     const int first =
         static_cast<int>(std::ceil((bearing - half + half_aperture_) / spacing_ - 1e-9));
     const int last =
@@ -80,9 +88,6 @@ class Resampler {
     }
   }
 
-  const std::vector<float>& ranges() const { return ranges_; }
-
- private:
   double spacing_, half_aperture_;
   std::vector<float> ranges_;
 };

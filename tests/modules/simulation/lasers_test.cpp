@@ -58,6 +58,23 @@ TEST(Lasers, OneAtTheCenterWithTheRaysOfTheSensorIsTheSensor) {
   for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_NEAR(merged[i], plain[i], 1e-5) << i;
 }
 
+TEST(Lasers, OneThatIsTurnedByWholeRaysGivesTheSameScanAllAround) {
+  const World world = scattered();
+  SensorModel plain;
+  plain.aperture_deg = 360;
+  plain.rays = 361;
+  const auto expected = scan_at(world, plain, kMiddle);
+  for (int degrees = -180; degrees <= 180; degrees += 15) {
+    SensorModel turned = plain;
+    turned.lasers = {laser_at("a", 0, 0, degrees * M_PI / 180)};
+    turned.lasers[0].aperture_deg = 360;
+    turned.lasers[0].rays = 361;
+    const auto merged = scan_at(world, turned, kMiddle);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(merged[i], expected[i], 1e-4) << degrees << " " << i;
+  }
+}
+
 TEST(Lasers, EachMeasuresFromItsPoseOnTheRobot) {
   const World world = scattered();
   for (const bool upside_down : {false, true}) {
