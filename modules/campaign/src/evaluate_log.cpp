@@ -15,8 +15,7 @@ std::optional<double> goal_after(const SimulationResult& run, const Scenario& sc
   if (run.outcome != Outcome::Stuck) return std::nullopt;
   const double end = run.trajectory.samples.back().t;
   for (const Sample& sample : log.samples)
-    if (sample.t > end &&
-        distance_between(sample.pose, scenario.goal()) <= options.simulation.goal_tolerance)
+    if (sample.t > end && is_at_goal(scenario, options.simulation, sample.pose))
       return sample.t - end;
   return std::nullopt;
 }

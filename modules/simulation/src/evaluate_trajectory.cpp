@@ -46,7 +46,7 @@ class LogEvaluator {
  public:
   LogEvaluator(const World& world, const RobotModel& robot, const SimulationOptions& options,
                const Trajectory& log)
-      : goal_(world.scenario().goal()),
+      : scenario_(world.scenario()),
         options_(options),
         checker_(world, robot, options_),
         log_(log) {}
@@ -69,8 +69,7 @@ class LogEvaluator {
       add(log_.samples[i]);
       check_sample(log_.samples[i]);
     }
-    if (!finished_)
-      end(Outcome::Timeout, "the log ends " + remaining_distance() + " before the goal");
+    if (!finished_) end(Outcome::Timeout, "the log ends " + remaining() + " before the goal");
     return std::move(result_);
   }
 
@@ -150,12 +149,15 @@ class LogEvaluator {
            ") m after " + format_fixed(time(last), 2) + " s";
   }
 
-  std::string remaining_distance() const {
+  std::string remaining() const {
     const TPose2D& pose = log_.samples.back().pose;
-    return format_fixed(distance_between(pose, goal_), 2) + " m";
+    const std::string distance = format_fixed(distance_between(pose, scenario_.goal()), 2) + " m";
+    const std::optional<double>& heading = scenario_.goal_heading();
+    if (!heading) return distance;
+    return distance + " and " + format_fixed(std::abs(wrapToPi(pose.phi - *heading)), 2) + " rad";
   }
 
-  mrpt::math::TPoint2D goal_;
+  const Scenario& scenario_;
   SimulationOptions options_;
   TerminationChecker checker_;
   const Trajectory& log_;

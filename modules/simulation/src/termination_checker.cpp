@@ -20,6 +20,16 @@ constexpr double kTimeTolerance = 1e-9;
 
 }  // namespace
 
+bool is_at_goal(const Scenario& scenario, const SimulationOptions& options, const TPose2D& pose) {
+  const TPoint2D& goal = scenario.goal();
+  // Almost always: faster than a distance, with an allowance for its rounding.
+  if (std::abs(pose.x - goal.x) > 1.001 * options.goal_tolerance) return false;
+  if (distance_between(pose, goal) > options.goal_tolerance) return false;
+  const std::optional<double>& heading = scenario.goal_heading();
+  return !heading ||
+         std::abs(std::remainder(pose.phi - *heading, 2 * M_PI)) <= options.goal_heading_tolerance;
+}
+
 bool TerminationChecker::find_contact(TimedMotion& motion, double& fraction) {
   const bool is_static = contact_->find_contact(motion.from, motion.to, fraction);
   if (is_static) motion.end = motion.begin + fraction * (motion.end - motion.begin);
@@ -32,13 +42,7 @@ bool TerminationChecker::find_contact(TimedMotion& motion, double& fraction) {
 }
 
 bool TerminationChecker::reached_goal(const TPose2D& pose) const {
-  const TPoint2D& goal = world_.scenario().goal();
-  // Almost always: faster than a distance, with an allowance for its rounding.
-  if (std::abs(pose.x - goal.x) > 1.001 * options_.goal_tolerance) return false;
-  if (distance_between(pose, goal) > options_.goal_tolerance) return false;
-  const std::optional<double>& heading = world_.scenario().goal_heading();
-  return !heading ||
-         std::abs(std::remainder(pose.phi - *heading, 2 * M_PI)) <= options_.goal_heading_tolerance;
+  return is_at_goal(world_.scenario(), options_, pose);
 }
 
 bool TerminationChecker::left_workspace(const TPose2D& pose) const {

@@ -64,6 +64,21 @@ TEST_F(EvaluateLog, NotesThatALogThatWasStuckReachesTheGoal) {
       << evaluated_log.notes.back();
 }
 
+TEST_F(EvaluateLog, ALogThatStandsAtAGoalWithAnotherHeadingDoesNotReachIt) {
+  Trajectory log = straight_log(2, 8);
+  for (int t = 1; t <= 20; ++t) {
+    Sample sample = log.samples.back();
+    sample.t += 1;
+    log.samples.push_back(sample);
+  }
+  const World turned(world_.scenario().with_start_goal({2, 5, 0}, {8, 5}).with_goal_heading(2),
+                     0.05);
+  const EvaluatedLog result = evaluate_log({}, nullptr, turned, log, std::nullopt);
+  EXPECT_EQ(result.run.outcome, Outcome::Stuck);
+  for (const std::string& note : result.notes)
+    EXPECT_EQ(note.find("the log reaches the goal"), std::string::npos) << note;
+}
+
 TEST_F(EvaluateLog, NotesThatItBeginsElsewhere) {
   const EvaluatedLog log = evaluated(straight_log(3, 5), Outcome::Timeout);
   ASSERT_EQ(log.notes.size(), 1U);

@@ -104,6 +104,14 @@ TEST(EvaluateTrajectory, CountsALogThatEndsTooEarlyAsTimeout) {
   EXPECT_EQ(result.detail, "the log ends 5.00 m before the goal at (3.00, 5.00) m after 1.00 s");
 }
 
+TEST(EvaluateTrajectory, OfALogThatEndsWithAnotherHeadingSaysWhatIsLeft) {
+  const World world(square_world({2, 5, 0}, {8, 5}).scenario().with_goal_heading(-1.5), 0.05);
+  const SimulationResult result = evaluate(world, {{2, 5}, {8, 5}});
+  EXPECT_EQ(result.outcome, Outcome::Timeout);
+  EXPECT_EQ(result.detail.find("the log ends 0.00 m and 1.50 rad before the goal"), 0U)
+      << result.detail;
+}
+
 TEST(EvaluateTrajectory, RobotThatNeverMovesDoesNotSucceed) {
   EXPECT_EQ(evaluate(square_world({2, 5, 0}, {8, 5}), {{2, 5}, {2, 5}}).outcome, Outcome::Timeout);
 }

@@ -32,6 +32,10 @@ struct SimulationOptions {
   void check(const OptionLocation& where) const;
 };
 
+/// Whether a pose is within the tolerances of the goal, also that of its heading if it has one.
+bool is_at_goal(const Scenario& scenario, const SimulationOptions& options,
+                const mrpt::math::TPose2D& pose);
+
 enum class DeadlinePolicy {
   Hold,  ///< keep the last command
   Stop,  ///< the robot brakes
