@@ -70,7 +70,6 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/rotated_grid.cpp
   ${FORMATS}/stage_world.cpp
   ${FORMATS}/world_import.cpp
-  ${FORMATS}/placement.cpp
   ${FORMATS}/world_parts.cpp
   ${FORMATS}/xml_file.cpp
   ${MODULES}/robot/src/footprint.cpp

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "placement.h"
-
+#include <slalom/core/placement.h>
 #include <slalom/map_formats/world_import.h>
 
 #include <mrpt/maps/COccupancyGridMap2D.h>

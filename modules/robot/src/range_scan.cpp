@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/distance.h>
 #include <slalom/core/math.h>
+#include <slalom/core/placement.h>
 #include <slalom/robot/range_scan.h>
 
 #include <mrpt/core/bits_math.h>
@@ -28,29 +29,10 @@ bool is_hit(const CObservation2DRangeScan& scan, std::size_t i) {
          (scan.maxRange <= 0 || range < scan.maxRange);
 }
 
-/// Transforms from the frame of a laser to that of the robot, with the same bits on all machines:
-/// those of CPose3D depend on MRPT's package.
-class Mount {
- public:
-  explicit Mount(const mrpt::poses::CPose3D& pose) : x_(pose.x()), y_(pose.y()) {
-    const auto [sin_yaw, cos_yaw] = math::sin_cos(pose.yaw());
-    const auto [sin_pitch, cos_pitch] = math::sin_cos(pose.pitch());
-    const auto [sin_roll, cos_roll] = math::sin_cos(pose.roll());
-    along_ = {cos_yaw * cos_pitch, sin_yaw * cos_pitch};
-    across_ = {cos_yaw * sin_pitch * sin_roll - sin_yaw * cos_roll,
-               sin_yaw * sin_pitch * sin_roll + cos_yaw * cos_roll};
-  }
-
-  TPoint2D to_robot_frame(double range, double angle) const {
-    const auto [sine, cosine] = math::sin_cos(angle);
-    const double x = range * cosine, y = range * sine;
-    return {x_ + x * along_.x + y * across_.x, y_ + x * along_.y + y * across_.y};
-  }
-
- private:
-  double x_, y_;
-  TPoint2D along_, across_;  ///< the laser's x and y axes in the robot frame, projected
-};
+/// The pose of a laser, projected to the robot's plane.
+Placement mount_of(const mrpt::poses::CPose3D& pose) {
+  return {pose.x(), pose.y(), 0, pose.yaw(), pose.pitch(), pose.roll()};
+}
 
 bool is_planar(const CObservation2DRangeScan& scan) {
   const double tolerance = mrpt::DEG2RAD(5.0);
@@ -97,10 +79,14 @@ class Resampler {
 std::vector<TPoint2D> scan_points(const CObservation2DRangeScan& scan) {
   std::vector<TPoint2D> points;
   if (!is_planar(scan)) return points;
-  const Mount mount(scan.sensorPose);
-  for (std::size_t i = 0; i < scan.getScanSize(); ++i)
-    if (is_hit(scan, i))
-      points.push_back(mount.to_robot_frame(scan.getScanRange(i), ray_angle(scan, i)));
+  const Placement mount = mount_of(scan.sensorPose);
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i) {
+    if (!is_hit(scan, i)) continue;
+    const auto [sine, cosine] = math::sin_cos(ray_angle(scan, i));
+    const auto range = static_cast<double>(scan.getScanRange(i));
+    const auto point = mount.point({range * cosine, range * sine, 0});
+    points.emplace_back(point.x, point.y);
+  }
   return points;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "placement.h"
-
 #include <slalom/core/math.h>
+#include <slalom/core/placement.h>
 
 namespace slalom {
 

@@ -7,8 +7,8 @@
 
 namespace slalom {
 
-/// A pose in three dimensions, m and rad. Instead of CPose3D, whose last bits depend on MRPT's
-/// package: an imported scenario has the same hash on all machines.
+/// A pose in three dimensions, m and rad, with the same bits on all machines: those of CPose3D
+/// depend on MRPT's package.
 class Placement {
  public:
   Placement() = default;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "placement.h"
-
+#include <slalom/core/placement.h>
 #include <slalom/core/random.h>
 
 #include <gtest/gtest.h>
