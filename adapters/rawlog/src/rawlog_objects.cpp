@@ -6,8 +6,8 @@
 
 #include <slalom/bags/bag.h>
 #include <slalom/core/error.h>
+#include <slalom/core/file_format.h>
 #include <slalom/core/read_file.h>
-#include <slalom/core/ros_bag.h>
 #include <slalom/rawlog/log_objects.h>
 
 #include <mrpt/obs/CRawlog.h>
@@ -25,8 +25,7 @@ constexpr std::size_t kMaxLogSize = 2000 * kMegabyte;  ///< of an uncompressed l
 std::string content_of(const std::string& path) {
   std::string content = gunzip(read_file(path, "a rawlog", kMaxLogSize), kMaxLogSize, path);
   if (content.empty()) throw file_error(path, "is empty", "a rawlog");
-  refuse_ros_bag(content, path,
-                 "a recorded run; slalom-replay info, import, openloop and identify read bags");
+  refuse_foreign_format(content, path, "a recorded run", false);
   return content;
 }
 
