@@ -6,6 +6,7 @@
 #include <slalom/bags/ros_encoding.h>
 #include <slalom/core/pose.h>
 #include <slalom/io/result_file.h>
+#include <slalom/methods/goal_turn.h>
 #include <slalom/rawlog/bag_recorder.h>
 #include <slalom/robot/vehicle.h>
 
@@ -138,13 +139,10 @@ class BagRecorder : public RunObserver {
     bag_.write(bag_.add_topic("/map", kGridTypes[0]), grid.header.stamp, encode(grid));
   }
 
-  /// The heading of a goal that has none is that of the straight line to it.
   void write_goal(const NavigationTask& task) {
-    const double direction = math::atan2(task.goal.y - task.start.y, task.goal.x - task.start.x);
-    const TPose2D goal{task.goal.x, task.goal.y, task.goal_heading.value_or(direction)};
     const RosHeader in_map{nanoseconds(0.0), kMap};
     bag_.write(bag_.add_topic("/goal_pose", kPoseTypes[0]), in_map.stamp,
-               encode(RosStampedPose{in_map, ros_pose(goal)}));
+               encode(RosStampedPose{in_map, ros_pose(goal_pose(task))}));
   }
 
   void write_transforms(const std::vector<RosTransform>& transforms) {

@@ -8,6 +8,7 @@
 #include <slalom/library/library_method.h>
 #include <slalom/library/shared_library.h>
 #include <slalom/methods/external_process.h>
+#include <slalom/methods/goal_turn.h>
 #include <slalom/methods/registry.h>
 
 #include <algorithm>
@@ -93,9 +94,7 @@ class Ros2Method : public Method {
     start_ = (last_ / kGrid + 1) * kGrid;
     rested_ = false;
     command_ = {};
-    goal_ = {task.goal.x, task.goal.y,
-             task.goal_heading.value_or(
-                 math::atan2(task.goal.y - task.start.y, task.goal.x - task.start.x))};
+    goal_ = goal_pose(task);
     link_->send_goal(goal_, start_);
     if (uses_map()) link_->send_map(map_of(task), start_);
   }

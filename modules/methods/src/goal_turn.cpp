@@ -7,6 +7,11 @@
 
 namespace slalom {
 
+mrpt::math::TPose2D goal_pose(const NavigationTask& task) {
+  const double direction = math::atan2(task.goal.y - task.start.y, task.goal.x - task.start.x);
+  return {task.goal.x, task.goal.y, task.goal_heading.value_or(direction)};
+}
+
 std::optional<Command> turn_at_goal(const NavigationTask& task, const Observation& observation,
                                     const RobotModel& robot) {
   const auto& goal = observation.goal_in_robot;
