@@ -258,13 +258,12 @@ CampaignOptions checked_options(CampaignOptions options, const std::string& orig
 
 void write_settings(const CampaignOptions& options, const SettingWriter& write) {
   for_each_section(options, [&](const std::string& section, const auto& values) {
+    const auto defaults = texts_of(std::decay_t<decltype(values)>());
     write_options(values, [&](const std::string& key, const std::string& text) {
       // Campaigns that do not use these keys stay the same campaigns.
-      const bool is_unset =
-          (section == "record" && key == "bag" && options.record.bag == RecordedRuns::None) ||
-          (key == "goal_heading_tolerance" &&
-           options.simulation.goal_heading_tolerance == SimulationOptions().goal_heading_tolerance);
-      if (!is_unset) write(section, key, text);
+      const bool is_later =
+          contains({"record.bag", "simulation.goal_heading_tolerance"}, section + "." + key);
+      if (!is_later || text != defaults.at(key)) write(section, key, text);
     });
   });
 }
