@@ -23,7 +23,7 @@ void verify(const VerifyArguments& arguments) {
   const std::string stored = read_file(path, "a certificate");
   CertificateInput input = read_certificate(stored, path);
   IniFile ini = IniFile::from_text(input.ini, path);
-  if (!arguments.trust) require_no_foreign_code(ini, {}, path);
+  if (!arguments.trust) require_no_foreign_code(ini, {}, path, "--trust, if you trust the file");
   const LimitJob job = make_limit_job(std::move(input.question), std::move(ini));
   const LimitAnswer answer = execute(job, arguments.campaign);
   const CertificateDifference difference =

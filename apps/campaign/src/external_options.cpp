@@ -77,7 +77,7 @@ std::map<std::string, std::string> files_of_methods(const IniFile& ini,
 }
 
 void require_no_foreign_code(const IniFile& ini, std::vector<std::string> sections,
-                             const std::string& file) {
+                             const std::string& file, const std::string& expected) {
   if (sections.empty())
     for (const std::string& section : ini.sections())
       if (starts_with(section, "method.")) sections.push_back(section);
@@ -90,7 +90,7 @@ void require_no_foreign_code(const IniFile& ini, std::vector<std::string> sectio
   if (!foreign.empty())
     throw usage_error(file,
                       "its methods would execute what the file names (" + join(foreign, ", ") + ")",
-                      "-c with an .ini of your own, or --trust if you trust the file");
+                      expected);
 }
 
 }  // namespace slalom

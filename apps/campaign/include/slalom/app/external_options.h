@@ -31,8 +31,9 @@ std::map<std::string, std::string> files_of_methods(const IniFile& ini,
 /// For an .ini that a data file contains, such as a result file or a recorded run: throws Error
 /// (Usage), naming what it is, if the methods would execute, load or write anything that is not
 /// shipped with Slalom. Options that the user has overridden are not those of the file. `file` is
-/// named in the message; no sections: those of all methods.
-void require_no_foreign_code(const IniFile& ini, std::vector<std::string> sections,
-                             const std::string& file);
+/// named in the message, `expected` the ways out; no sections: those of all methods.
+void require_no_foreign_code(
+    const IniFile& ini, std::vector<std::string> sections, const std::string& file,
+    const std::string& expected = "-c with an .ini of your own, or --trust if you trust the file");
 
 }  // namespace slalom
