@@ -57,8 +57,7 @@ class RangeFinder::Laser {
   const CObservation2DRangeScan& scan() const { return scan_; }
 
   void sense(const TPose2D& robot, double t, mrpt::Clock::time_point time) {
-    const auto position = compose(robot, {laser_.x, laser_.y});
-    const TPose2D pose(position.x, position.y, robot.phi + laser_.yaw);
+    const TPose2D pose = laser_.name.empty() ? robot : placed(robot);
     caster_.cast_scan(pose, geometry_, ranges_.data());
     movers_.add_to(pose, t, ranges_.data());
     if (laser_.upside_down) std::reverse(ranges_.begin(), ranges_.end());
@@ -72,6 +71,11 @@ class RangeFinder::Laser {
  private:
   static std::string stream(const LaserModel& laser) {
     return laser.name.empty() ? "sensor" : "laser." + laser.name;
+  }
+
+  TPose2D placed(const TPose2D& robot) const {
+    const auto position = compose(robot, {laser_.x, laser_.y});
+    return {position.x, position.y, robot.phi + laser_.yaw};
   }
 
   void add_noise() {
