@@ -18,19 +18,15 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-std::vector<double> numbers_of(const std::string& option, const std::string& text,
-                               std::size_t min_count, std::size_t max_count) {
+/// x, y and, if it is given, phi.
+std::vector<double> pose_numbers(const std::string& option, const std::string& text) {
   std::vector<double> numbers;
   for (const std::string& part : split(text, ',')) {
-    double number = 0;
-    if (!parse_number(part, number)) numbers.resize(max_count + 1);
-    numbers.push_back(number);
+    numbers.emplace_back();
+    if (!parse_number(part, numbers.back())) numbers.clear();
   }
-  if (numbers.size() < min_count || numbers.size() > max_count)
-    throw usage_error(option + " " + text,
-                      "invalid " + std::string(max_count == 3 ? "pose" : "position"),
-                      max_count == 3 ? "x,y,phi in m and rad" : "x,y in m");
-  numbers.resize(max_count);
+  if (numbers.size() < 2 || numbers.size() > 3)
+    throw usage_error(option + " " + text, "invalid pose", "x,y or x,y,phi in m and rad");
   return numbers;
 }
 
@@ -106,13 +102,13 @@ Scenario with_task(const ImportedWorld& map, const ImportRequest& request) {
   auto goal = map.goal;
   std::optional<double> heading;
   if (!request.start.empty()) {
-    const auto s = numbers_of("--start", request.start, 2, 3);
-    start = {s[0], s[1], s[2]};
+    const auto s = pose_numbers("--start", request.start);
+    start = {s[0], s[1], s.size() > 2 ? s[2] : 0};
   }
   if (!request.goal.empty()) {
-    const auto g = numbers_of("--goal", request.goal, 2, 3);
+    const auto g = pose_numbers("--goal", request.goal);
     goal = {g[0], g[1]};
-    if (split(request.goal, ',').size() == 3) heading = g[2];
+    if (g.size() > 2) heading = g[2];
   }
   Scenario scenario = map.scenario.with_start_goal(start.value(), goal.value());
   if (heading) scenario = scenario.with_goal_heading(heading);
