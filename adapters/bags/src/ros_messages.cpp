@@ -139,8 +139,8 @@ RosStampedPose decode_pose(const BagMessage& message) {
 std::vector<RosTransform> decode_transforms(const BagMessage& message) {
   expect_type(message, kTransformTypes);
   MessageCursor cursor(message);
-  constexpr std::size_t kLeastSize = 72;  // bytes: stamp, two empty texts, seven numbers
-  std::vector<RosTransform> transforms(cursor.count(kLeastSize));
+  constexpr std::size_t kMinSize = 72;  // bytes: stamp, two empty texts, seven numbers
+  std::vector<RosTransform> transforms(cursor.count(kMinSize));
   for (RosTransform& transform : transforms) {
     transform.header = cursor.header();
     transform.child_frame = cursor.frame();
@@ -181,8 +181,8 @@ RosPath decode_path(const BagMessage& message) {
   MessageCursor cursor(message);
   RosPath path;
   path.header = cursor.header();
-  constexpr std::size_t kLeastSize = 68;  // bytes: stamp, an empty text, seven numbers
-  path.poses.resize(cursor.count(kLeastSize));
+  constexpr std::size_t kMinSize = 68;  // bytes: stamp, an empty text, seven numbers
+  path.poses.resize(cursor.count(kMinSize));
   for (RosStampedPose& pose : path.poses) pose = cursor.stamped_pose();
   return path;
 }

@@ -53,11 +53,11 @@ class Place {
   }
   /// x, y, and a heading if there is one.
   TPose2D pose() const {
-    constexpr std::size_t kLeast = 2, kMost = 3;
-    if (!value_.is_array() || value_.size() < kLeast || value_.size() > kMost)
+    constexpr std::size_t kMin = 2, kMax = 3;
+    if (!value_.is_array() || value_.size() < kMin || value_.size() > kMax)
       throw error("is not a position", "[x, y] or [x, y, heading] in m and rad");
     const auto at = [&](std::size_t i) { return Place(value_[i], where_).number(); };
-    return {at(0), at(1), value_.size() == kMost ? at(2) : 0};
+    return {at(0), at(1), value_.size() == kMax ? at(2) : 0};
   }
   std::string text(const char* key) const {
     return has(key) && value_[key].is_string() ? value_[key].get<std::string>() : "";

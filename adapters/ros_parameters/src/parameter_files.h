@@ -26,8 +26,8 @@ class ParameterFiles {
 
   std::vector<Controller> controllers() const;
   std::vector<RosParameter> below(const std::string& path) const;  ///< with keys relative to it
-  /// Those of a node, in whatever namespace; for move_base also those without a section. Throws
-  /// Error (Usage) for a node in several namespaces.
+  /// The parameters of a node, in whatever namespace; for move_base also those without a section.
+  /// Throws Error (Usage) for a node in several namespaces.
   std::vector<RosParameter> of_node(RosFamily family) const;
 
  private:

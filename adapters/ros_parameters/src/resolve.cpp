@@ -295,7 +295,7 @@ std::string lines_of(const std::string& title, const std::vector<RosParameterRep
   return text;
 }
 
-/// The lines of a file; a last one without a line break has the mark of diffs after it.
+/// The lines of a file; a last one without a line break is followed by what diffs say of it.
 std::vector<std::string> lines_of_file(const std::string& path) {
   const std::string text =
       read_text(path, "parameters of Nav2 or move_base (.yaml)", kMaxConfigSize);

@@ -279,7 +279,7 @@ class NumberColumns {
   }
 
   bool has_text() const { return has_text_; }  ///< a column that may be a key
-  /// What was read as other numbers than are written.
+  /// Lines about values that are not read as they are written.
   std::vector<std::string> notes() const {
     std::vector<std::string> notes;
     if (has_decimal_commas_) notes.emplace_back("commas are read as decimal points");

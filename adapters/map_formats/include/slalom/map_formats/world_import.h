@@ -20,7 +20,7 @@ struct WorldOptions {
 /// A world of a simulator as a scenario named after its file.
 struct ImportedWorld {
   Scenario scenario;  ///< start and goal are in the lower left corner unless the world states both
-  /// What the world states of the task.
+  /// The task, as far as the world states it.
   std::optional<mrpt::math::TPose2D> start = {};
   std::optional<mrpt::math::TPoint2D> goal = {};
   std::string message = {};  ///< what is left out, in one line, "" if nothing
