@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fails if the includes of modules/, adapters/ and apps/ contradict their layers: check_includes.py [SOURCES]
+"""Fails if the includes of modules/, adapters/ and apps/ contradict their layers, or if a class has two definitions:
+check_includes.py [SOURCES]
 
 A module includes headers only of core and of modules in its DEPENDS. No modules depend on each other in a circle; nor do
 components of a module (a header with its source). Public headers are interfaces: the private components behind them may
-include them, and the sources of FACTORIES what implements them."""
+include them, and the sources of FACTORIES what implements them. A linker joins classes of equal names without a word;
+those of a source belong into an unnamed namespace."""
 
 import pathlib
 import re
@@ -12,6 +14,8 @@ import sys
 
 INCLUDE = re.compile(r'^#include [<"]([^>"]+)[>"]', re.MULTILINE)
 MODULE = re.compile(r"slalom_add_module\((\w+)([^)]*)\)")
+# As clang-format lays them out: nothing within a namespace is indented.
+SCOPE = re.compile(r"^namespace ?([\w:]*) \{$|^\}  // namespace|^(?:class|struct|union|enum class) ([\w:<>]+)[^;]*\{")
 # Their headers declare an interface, their sources make or call what implements it.
 FACTORIES = ["modules/generation/generator", "modules/methods/registry", "modules/references/reference",
              "modules/robot/vehicle", "modules/simulation/simulate"]
@@ -111,10 +115,36 @@ def circles(edges):
             yield " -> ".join(reversed(circle))
 
 
+def classes(path):
+    """The full names of the classes that a file defines outside unnamed namespaces."""
+    scopes = []
+    for line in path.read_text().splitlines():
+        if found := SCOPE.match(line):
+            if found[2]:
+                if "" not in scopes:
+                    yield "::".join([*scopes, found[2]])
+            elif found[1] is not None:
+                scopes.append(found[1])
+            elif scopes:
+                scopes.pop()
+
+
+def homonyms(sources):
+    """Classes with more than one definition."""
+    files = {}
+    for path in sources.files:
+        for name in classes(path):
+            files.setdefault(name, set()).add(str(path.relative_to(sources.root)))
+    for name, where in files.items():
+        if len(where) > 1:
+            yield f"{name} is defined in {' and '.join(sorted(where))}"
+
+
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else __file__).resolve()
     sources = Sources(root if root.is_dir() else root.parent.parent)
     findings = sorted(set(foreign(sources))) + list(circles(modules(sources))) + list(circles(graph(sources)))
+    findings += homonyms(sources)
     print("\n".join(findings), end="\n" if findings else "")
     sys.exit(len(findings) > 0)
 

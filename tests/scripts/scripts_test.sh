@@ -141,6 +141,13 @@ expect_text "the components of a circle" "modules/low/low -> modules/low/side ->
 echo 'slalom_add_module(low SOURCES src/low.cpp DEPENDS high)' >"$tree/modules/low/CMakeLists.txt"
 expect "dependencies in a circle are not" not check_includes
 expect_text "its modules" "modules/high -> modules/low -> modules/high" "$work/out"
+echo 'slalom_add_module(low SOURCES src/low.cpp)' >"$tree/modules/low/CMakeLists.txt"
+printf '%s\n' 'namespace slalom {' 'namespace {' 'struct Own {' '};' '}  // namespace' 'struct Part {' '};' \
+  'struct Part::Impl {' '};' '}  // namespace slalom' | tee "$tree/modules/low/src/low.cpp" >"$tree/modules/high/src/top.cpp"
+expect "two definitions of a class are not" not check_includes
+expect_text "the class and its sources" \
+  "slalom::Part is defined in modules/high/src/top.cpp and modules/low/src/low.cpp" "$work/out"
+expect "classes of unnamed namespaces may have equal names" not grep -q Own "$work/out"
 
 check_packages() { "$sources/scripts/check_packages.sh" "$@" >"$work/out" 2>"$work/err"; }
 refuses_packages() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "byte_writer.h"
+#include "wire_writer.h"
 #include "chunk_data.h"
 #include "mcap_format.h"
 
@@ -24,8 +24,8 @@ std::string type_of_ros2(std::string type) {
   return type.insert(type.find('/'), "/msg");
 }
 
-std::string record(McapRecord kind, const ByteWriter& content) {
-  return ByteWriter()
+std::string record(McapRecord kind, const WireWriter& content) {
+  return WireWriter()
       .add(kind)
       .add(static_cast<std::uint64_t>(content.bytes().size()))
       .raw(content.bytes())
@@ -33,7 +33,7 @@ std::string record(McapRecord kind, const ByteWriter& content) {
 }
 
 /// An array or a map, which begins with its number of bytes.
-void add_list(ByteWriter& writer, const ByteWriter& list) {
+void add_list(WireWriter& writer, const WireWriter& list) {
   writer.text(list.bytes());
 }
 
@@ -42,7 +42,7 @@ void add_list(ByteWriter& writer, const ByteWriter& list) {
 class BagWriter::Impl {
  public:
   Impl() : file_(kMcapMagic) {
-    file_ += record(McapRecord::Header, ByteWriter().text("ros2").text("slalom " + version()));
+    file_ += record(McapRecord::Header, WireWriter().text("ros2").text("slalom " + version()));
   }
 
   std::uint16_t add_topic(const std::string& name, const std::string& type) {
@@ -50,7 +50,7 @@ class BagWriter::Impl {
     const std::uint16_t schema = found.first->second;
     std::string records;
     if (found.second)
-      records = record(McapRecord::Schema, ByteWriter()
+      records = record(McapRecord::Schema, WireWriter()
                                                .add(schema)
                                                .text(type_of_ros2(type))
                                                .text("ros2msg")
@@ -60,7 +60,7 @@ class BagWriter::Impl {
     counts_.push_back(0);
     const std::string channel =
         record(McapRecord::Channel,
-               ByteWriter().add(id).add(schema).text(name).text("cdr").add(std::uint32_t{0}));
+               WireWriter().add(id).add(schema).text(name).text("cdr").add(std::uint32_t{0}));
     channel_records_ += channel;
     chunk_ += records + channel;
     return id;
@@ -69,7 +69,7 @@ class BagWriter::Impl {
   void write(std::uint16_t topic, std::int64_t time, const std::string& message) {
     const auto at = static_cast<std::uint64_t>(time);
     index_[topic].add(at).add(static_cast<std::uint64_t>(chunk_.size()));
-    chunk_ += record(McapRecord::Message, ByteWriter()
+    chunk_ += record(McapRecord::Message, WireWriter()
                                               .add(topic)
                                               .add(static_cast<std::uint32_t>(counts_[topic]))
                                               .add(at)
@@ -82,7 +82,7 @@ class BagWriter::Impl {
   }
 
   void add_metadata(const std::string& name, const std::map<std::string, std::string>& texts) {
-    ByteWriter list, content;
+    WireWriter list, content;
     for (const auto& [key, text] : texts) list.text(key).text(text);
     content.text(name);
     add_list(content, list);
@@ -90,14 +90,14 @@ class BagWriter::Impl {
     const std::string bytes = record(McapRecord::Metadata, content);
     metadata_indexes_ +=
         record(McapRecord::MetadataIndex,
-               ByteWriter().add(position()).add(std::uint64_t(bytes.size())).text(name));
+               WireWriter().add(position()).add(std::uint64_t(bytes.size())).text(name));
     ++metadata_;
     file_ += bytes;
   }
 
   std::string finish() {
     end_chunk();
-    file_ += record(McapRecord::DataEnd, ByteWriter().add(checksum_of(file_)));
+    file_ += record(McapRecord::DataEnd, WireWriter().add(checksum_of(file_)));
     const std::uint64_t begin = position();
     std::string offsets;
     add_group(McapRecord::Schema, schema_records_, offsets);
@@ -108,10 +108,10 @@ class BagWriter::Impl {
     const std::uint64_t offsets_begin = position();
     file_ += offsets;
     const std::string footer = record(
-        McapRecord::Footer, ByteWriter().add(begin).add(offsets_begin).add(std::uint32_t{0}));
+        McapRecord::Footer, WireWriter().add(begin).add(offsets_begin).add(std::uint32_t{0}));
     // The checksum covers the summary and the footer without itself.
     file_ += footer.substr(0, footer.size() - sizeof(std::uint32_t));
-    file_ += ByteWriter().add(checksum_of(std::string_view(file_).substr(begin))).bytes();
+    file_ += WireWriter().add(checksum_of(std::string_view(file_).substr(begin))).bytes();
     return std::move(file_) + kMcapMagic;
   }
 
@@ -134,7 +134,7 @@ class BagWriter::Impl {
     if (chunk_.empty()) return;
     const std::string packed = compress_zstd(chunk_);
     const std::uint64_t begin = position();
-    file_ += record(McapRecord::Chunk, ByteWriter()
+    file_ += record(McapRecord::Chunk, WireWriter()
                                            .add(chunk_times_.first)
                                            .add(chunk_times_.last)
                                            .add(std::uint64_t(chunk_.size()))
@@ -143,15 +143,15 @@ class BagWriter::Impl {
                                            .add(std::uint64_t(packed.size()))
                                            .raw(packed));
     const std::uint64_t end = position();
-    ByteWriter offsets;
+    WireWriter offsets;
     for (const auto& [topic, entries] : index_) {
       offsets.add(topic).add(position());
-      ByteWriter content;
+      WireWriter content;
       content.add(topic);
       add_list(content, entries);
       file_ += record(McapRecord::MessageIndex, content);
     }
-    ByteWriter content;
+    WireWriter content;
     content.add(chunk_times_.first).add(chunk_times_.last).add(begin).add(end - begin);
     add_list(content, offsets);
     content.add(position() - end).text("zstd");
@@ -167,13 +167,13 @@ class BagWriter::Impl {
   void add_group(McapRecord kind, const std::string& records, std::string& offsets) {
     if (records.empty()) return;
     offsets += record(McapRecord::SummaryOffset,
-                      ByteWriter().add(kind).add(position()).add(std::uint64_t(records.size())));
+                      WireWriter().add(kind).add(position()).add(std::uint64_t(records.size())));
     file_ += records;
   }
 
   std::string statistics() const {
     std::uint64_t messages = 0;
-    ByteWriter counts, content;
+    WireWriter counts, content;
     for (std::size_t topic = 0; topic < counts_.size(); ++topic) {
       messages += counts_[topic];
       counts.add(static_cast<std::uint16_t>(topic)).add(counts_[topic]);
@@ -194,7 +194,7 @@ class BagWriter::Impl {
   std::string schema_records_, channel_records_, chunk_indexes_, metadata_indexes_;
   std::map<std::string, std::uint16_t> schemas_;  ///< numbers from 1 on, by type
   std::vector<std::uint64_t> counts_;             ///< messages of each topic
-  std::map<std::uint16_t, ByteWriter> index_;     ///< times and positions of the chunk's messages
+  std::map<std::uint16_t, WireWriter> index_;     ///< times and positions of the chunk's messages
   TimeRange times_, chunk_times_;
   std::uint32_t chunks_ = 0, metadata_ = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "byte_writer.h"
+#include "wire_writer.h"
 
 #include <slalom/bags/ros_encoding.h>
 
@@ -7,9 +7,9 @@ namespace slalom {
 namespace {
 
 /// Writes the members that messages share.
-class MessageWriter : public ByteWriter {
+class MessageWriter : public WireWriter {
  public:
-  MessageWriter() : ByteWriter(ByteLayout::CdrLittleEndian) {}
+  MessageWriter() : WireWriter(ByteLayout::CdrLittleEndian) {}
 
   MessageWriter& stamp(std::int64_t stamp) {
     constexpr std::int64_t kNanoseconds = 1'000'000'000;

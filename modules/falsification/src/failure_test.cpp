@@ -3,7 +3,7 @@
 
 namespace slalom {
 
-const Verdict& FailureTest::judge(const Scenario& scenario) {
+const Judgment& FailureTest::judge(const Scenario& scenario) {
   const auto found = known_.find(scenario.hash());
   if (found != known_.end()) return found->second;
   return known_[scenario.hash()] = decide(scenario);
@@ -13,7 +13,7 @@ const Trial& FailureTest::trial(const Scenario& scenario) {
   return trials_.trial(World(scenario, setup_.run.simulation.resolution), 0);
 }
 
-Verdict FailureTest::decide(const Scenario& scenario) {
+Judgment FailureTest::decide(const Scenario& scenario) {
   if (exhausted()) return {false, "not run: the limit of runs is reached"};
   const World world(scenario, setup_.run.simulation.resolution);
   const GeometryReport geometry = judge_geometry(world, setup_.run.robot, fairness_);

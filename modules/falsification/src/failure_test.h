@@ -11,7 +11,7 @@
 namespace slalom {
 
 /// Whether a scenario is accepted, and otherwise the reason.
-struct Verdict {
+struct Judgment {
   bool accepted = false;
   std::string reason;  ///< "the same failure", "mine: success", "bottleneck 1.2 robot widths, ..."
 };
@@ -28,7 +28,7 @@ class FailureTest {
         fairness_(fairness),
         max_runs_(max_runs) {}
 
-  const Verdict& judge(const Scenario& scenario);
+  const Judgment& judge(const Scenario& scenario);
   const Trial& trial(const Scenario& scenario);  ///< of the method
 
   std::size_t runs() const { return runs_; }      ///< of the method and of witnesses
@@ -36,14 +36,14 @@ class FailureTest {
   bool exhausted() const { return runs_ >= max_runs_; }  ///< whatever is new is refused
 
  private:
-  Verdict decide(const Scenario& scenario);
+  Judgment decide(const Scenario& scenario);
 
   TrialSource& trials_;
   const FalsificationSetup& setup_;
   Outcome outcome_;
   FairnessOptions fairness_;
   std::size_t max_runs_, runs_ = 0, unfair_ = 0;
-  std::map<std::string, Verdict> known_;  ///< by scenario hash
+  std::map<std::string, Judgment> known_;  ///< by scenario hash
 };
 
 }  // namespace slalom

@@ -44,7 +44,7 @@ bool round_numbers(Shrinker& shrinker);
 /// The removals of single obstacles of the smallest scenario; of maps, of connected groups of cells
 /// (of points: their squares) and of the finest blocks.
 struct RemovalRound {
-  std::vector<std::pair<std::string, Verdict>> removals;  ///< description of the part, verdict
+  std::vector<std::pair<std::string, Judgment>> removals;  ///< description of the part, verdict
   std::set<std::string> hashes;                           ///< of the scenarios without these parts
   bool minimal = false;  ///< none was accepted, and all could be run
 };

@@ -9,14 +9,14 @@ namespace slalom {
 
 /// Writes numbers, texts and sequences as ByteCursor reads them, little-endian. Messages in CDR
 /// begin with their representation, which is not counted in the alignment.
-class ByteWriter {
+class WireWriter {
  public:
-  explicit ByteWriter(ByteLayout layout = ByteLayout::Packed) : layout_(layout) {
+  explicit WireWriter(ByteLayout layout = ByteLayout::Packed) : layout_(layout) {
     if (is_aligned()) bytes_ = std::string("\0\1\0\0", kRepresentation);
   }
 
   template <typename T>
-  ByteWriter& add(T value) {
+  WireWriter& add(T value) {
     if (is_aligned())
       bytes_.append((sizeof(T) - (bytes_.size() - kRepresentation) % sizeof(T)) % sizeof(T), '\0');
     std::array<char, sizeof(T)> bytes;
@@ -24,22 +24,22 @@ class ByteWriter {
     bytes_.append(bytes.data(), bytes.size());
     return *this;
   }
-  ByteWriter& doubles(std::initializer_list<double> values) {
+  WireWriter& doubles(std::initializer_list<double> values) {
     for (const double value : values) add(value);
     return *this;
   }
-  ByteWriter& text(std::string_view text) {
+  WireWriter& text(std::string_view text) {
     add(static_cast<std::uint32_t>(text.size() + (is_aligned() ? 1 : 0))).raw(text);
     if (is_aligned()) bytes_ += '\0';
     return *this;
   }
   template <typename T>
-  ByteWriter& sequence(const std::vector<T>& items) {
+  WireWriter& sequence(const std::vector<T>& items) {
     add(static_cast<std::uint32_t>(items.size()));
     for (const T item : items) add(item);
     return *this;
   }
-  ByteWriter& raw(std::string_view bytes) {
+  WireWriter& raw(std::string_view bytes) {
     bytes_ += bytes;
     return *this;
   }
