@@ -86,7 +86,7 @@ class Echo {
  public:
   [[noreturn]] static void serve(bool blocking) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    lcm::LCM lcm(LcmOptions().url);
+    lcm::LCM lcm(kLcmUrl);
     Echo echo(lcm);
     lcm.subscribeFunction("BARE_OUT", answer, &echo);
     while (wait(lcm, blocking)) continue;
@@ -109,7 +109,7 @@ void exchange(benchmark::State& state, bool blocking) {
   const pid_t echo = fork();
   if (echo == 0) Echo::serve(blocking);
   {
-    lcm::LCM lcm(LcmOptions().url);
+    lcm::LCM lcm(kLcmUrl);
     int received = 0;
     lcm.subscribeFunction("BARE_BACK", count_message, &received);
     const std::vector<float> ranges(kRays, 2.0F);

@@ -19,7 +19,7 @@ volatile std::sig_atomic_t stop_requested = 0;
 struct HostArguments {
   std::string plugin;
   std::vector<std::string> settings;
-  std::string url = LcmOptions().url;
+  std::string url = kLcmUrl;
   std::string channel = LcmOptions().channel;
   std::string replay;
   bool quiet = false;

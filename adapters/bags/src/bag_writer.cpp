@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wire_writer.h"
 #include "chunk_data.h"
 #include "mcap_format.h"
+#include "wire_writer.h"
 
 #include <slalom/bags/bag_writer.h>
 #include <slalom/bags/ros_encoding.h>

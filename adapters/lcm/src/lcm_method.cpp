@@ -19,6 +19,11 @@ namespace {
 /// LCM's channel names have at most 63 characters; the rest is for the instance and the message.
 constexpr std::size_t kMaxChannel = 24;
 
+/// Ports that the system does not give to other sockets by itself.
+constexpr int kFirstPort = 10000, kPorts = 22768;
+constexpr int kPortsOfProcess = 64;  ///< then those of the next process follow
+constexpr int kOtherPorts = 3;       ///< tried if one is in use
+
 constexpr int kMaxBatch = 100;  // messages handled before the clock is checked again
 
 /// Does not affect results: only distinguishes the messages of different simulators.
@@ -37,6 +42,15 @@ std::string unique_channel(const std::string& prefix) {
   std::ostringstream name;
   name << prefix << '_' << getpid() << '_' << ++count << '_' << std::hex << random_number();
   return name.str();
+}
+
+/// The URL of a launched process without another one.
+std::string unique_url() {
+  static int count = 0;
+  const std::string url = kLcmUrl;
+  const std::size_t port = url.rfind(':') + 1;
+  const long number = (static_cast<long>(getpid()) * kPortsOfProcess + count++) % kPorts;
+  return url.substr(0, port) + std::to_string(kFirstPort + number) + url.substr(url.find('?'));
 }
 
 void check_channel(const LcmOptions& options, const OptionLocation& where) {
@@ -146,7 +160,8 @@ class LcmMethod : public Method {
       while (!link_.ready() && clock_() < resend)
         if (!wait_until(resend)) check_health();
       check_error();
-      if (clock_() >= until && !link_.ready()) throw_timeout("hello", options_.startup_time);
+      if (clock_() >= until && !link_.ready())
+        throw_timeout("hello at " + options_.url, options_.startup_time);
     }
   }
 
@@ -226,11 +241,17 @@ class LcmMethod : public Method {
   std::int64_t last_sequence_ = -1;
 };
 
-std::unique_ptr<Method> make_method(const LcmOptions& options, const hello_t& hello,
+std::unique_ptr<Method> make_method(LcmOptions options, const hello_t& hello,
                                     const OptionLocation& where, const WallClock& clock) {
   const bool launches = !options.launch.empty();
-  auto method = std::make_unique<LcmMethod>(
-      options, hello, launches ? unique_channel(options.channel) : options.channel, clock);
+  const std::string channel = launches ? unique_channel(options.channel) : options.channel;
+  const bool has_own_port = launches && options.url.empty();
+  if (options.url.empty()) options.url = launches ? unique_url() : kLcmUrl;
+  auto method = std::make_unique<LcmMethod>(options, hello, channel, clock);
+  for (int i = 0; i < kOtherPorts && has_own_port && !method->good(); ++i) {
+    options.url = unique_url();
+    method = std::make_unique<LcmMethod>(options, hello, channel, clock);
+  }
   if (!method->good())
     throw usage_error(where("url"), "LCM cannot be used with '" + options.url + "'",
                       "an LCM provider URL and, for udpm, a network interface with multicast");

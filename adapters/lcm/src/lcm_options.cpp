@@ -4,7 +4,9 @@
 namespace slalom {
 
 void LcmOptions::visit(OptionVisitor& v) {
-  v.option("url", url, External::Address, "LCM provider URL");
+  v.option("url", url, External::Address,
+           "LCM provider URL; empty: " + std::string(kLcmUrl) +
+               ", for a launched process with a port of its own");
   v.option("channel", channel, External::Address, "prefix of the channel names");
   v.option("launch", launch, External::Command,
            "command line that starts the process; empty: already running");

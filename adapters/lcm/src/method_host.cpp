@@ -17,7 +17,7 @@ class Server {
   Server(MethodHost& host, const std::string& url, const std::string& channel)
       : host_(host), channels_(channel), lcm_(url) {
     const bool good =
-        lcm_.good() && lcm_.subscribeFunction(channels_.hello, receive<hello_t>, this) &&
+        can_receive(lcm_) && lcm_.subscribeFunction(channels_.hello, receive<hello_t>, this) &&
         lcm_.subscribeFunction(channels_.goal_heading, receive<goal_heading_t>, this) &&
         lcm_.subscribeFunction(channels_.run_start, receive<run_start_t>, this) &&
         lcm_.subscribeFunction(channels_.observation, receive<observation_t>, this);

@@ -27,7 +27,7 @@ bool are_equal(const command_t& a, const command_t& b) {
 
 MethodLink::MethodLink(const std::string& url, const std::string& prefix)
     : channels_(prefix), lcm_(url) {
-  if (!lcm_.good()) return;
+  if (!can_receive(lcm_)) return;
   // Static functions, because GCC 12 with -fsanitize miscompiles LCM's calls of member functions.
   using Link = MethodLink;
   lcm::Subscription* const subscriptions[] = {

@@ -43,6 +43,14 @@ LcmChannels::LcmChannels(const std::string& prefix)
       command(prefix + "_COMMAND"),
       error(prefix + "_ERROR") {}
 
+bool can_receive(lcm::LCM& lcm) {
+  if (!lcm.good()) return false;
+  const auto ignore = [](const lcm_recv_buf_t*, const char*, void*) {};
+  lcm_subscription_t* subscription =
+      lcm_subscribe(lcm.getUnderlyingLCM(), "SLALOM_PROBE", ignore, nullptr);
+  return subscription != nullptr && lcm_unsubscribe(lcm.getUnderlyingLCM(), subscription) == 0;
+}
+
 hello_t make_hello(const std::string& method, const RobotModel& robot, const SensorModel& sensor,
                    const MethodSettings& settings) {
   hello_t hello = {};

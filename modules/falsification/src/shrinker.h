@@ -45,7 +45,7 @@ bool round_numbers(Shrinker& shrinker);
 /// (of points: their squares) and of the finest blocks.
 struct RemovalRound {
   std::vector<std::pair<std::string, Judgment>> removals;  ///< description of the part, verdict
-  std::set<std::string> hashes;                           ///< of the scenarios without these parts
+  std::set<std::string> hashes;                            ///< of the scenarios without these parts
   bool minimal = false;  ///< none was accepted, and all could be run
 };
 /// Removes each obstacle alone, again from the beginning after a removal that is accepted.

@@ -21,7 +21,7 @@ class LcmTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     static const bool entered = enter_private_network();
-    lcm::LCM probe(LcmOptions().url);
+    lcm::LCM probe(kLcmUrl);
     usable_ = probe.good() && probe.subscribeFunction("PROBE", ignore, &probe) != nullptr;
     EXPECT_TRUE(usable_ || !entered) << "LCM does not work in a private network";
   }

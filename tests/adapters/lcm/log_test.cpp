@@ -35,7 +35,7 @@ pid_t start_logger(const std::string& path) {
   const int null_device = open("/dev/null", O_RDWR);
   for (const int stream : {0, 1, 2}) dup2(null_device, stream);
   execlp("lcm-logger", "lcm-logger", "--quiet", "--flush-interval=20",
-         ("--lcm-url=" + LcmOptions().url).c_str(), path.c_str(), nullptr);
+         (std::string("--lcm-url=") + kLcmUrl).c_str(), path.c_str(), nullptr);
   _exit(127);
 }
 
@@ -79,7 +79,7 @@ class Log : public LcmTest {
   void record() {
     std::filesystem::remove(path_);
     logger_ = start_logger(path_);
-    lcm::LCM probe(LcmOptions().url);
+    lcm::LCM probe(kLcmUrl);
     wait_until([&] {
       probe.publish("PROBE", "x", 1);
       return size() > 0 || waitpid(logger_, nullptr, WNOHANG) != 0;
@@ -89,11 +89,12 @@ class Log : public LcmTest {
   }
 
   void run_logged() {
-    const auto method =
-        make("launch = exec slalom-lcm-method --plugin " FOLLOW_THE_GAP "\nlook_ahead = 1.7\n");
+    const auto method = make("launch = exec slalom-lcm-method --plugin " FOLLOW_THE_GAP
+                             "\nlook_ahead = 1.7\nurl = " +
+                             std::string(kLcmUrl) + "\n");
     const World world(room().scenario().with_start_goal({1, 2.5, 0}, {3, 4}), 0.05);
     run_ = simulate(world, {}, 1, *method);
-    lcm::LCM probe(LcmOptions().url);
+    lcm::LCM probe(kLcmUrl);
     const double until = steady_seconds() + 5;  // the run's end may be lost, too
     wait_until([&] {  // the logger flushes its buffer when another message arrives
       probe.publish("PROBE", "x", 1);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "error_text.h"
 #include "lcm_fixture.h"
 #include "wait_until.h"
 
 #include <csignal>
 #include <fstream>
+#include <netinet/in.h>
+#include <set>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,6 +29,15 @@ class Process : public LcmTest {
     pid_t pid = 0;
     std::ifstream(file_) >> pid;
     return pid;
+  }
+  /// The URL that a process was given which then succeeded.
+  std::string url_of_a_run(const std::string& keys = "") const {
+    const std::string line =
+        "launch = echo $SLALOM_LCM_URL >" + file_ + "; exec " FAULTY_PROCESS " none\n";
+    EXPECT_EQ(run(*make(line + kLongDeadlines + keys), 1).outcome, Outcome::Success);
+    std::string url;
+    std::ifstream(file_) >> url;
+    return url;
   }
   static bool is_running(pid_t pid) { return kill(pid, 0) == 0; }
   /// Whether the process does not exist or is a zombie.
@@ -110,6 +123,51 @@ TEST_F(Process, IsKilledWithItsWorker) {
   wait_until([pid] { return is_dead(pid); });
 }
 
+/// Each shares its buffer (on Linux 212,992 bytes, ten milliseconds of a conversation) with nobody.
+TEST_F(Process, HasAPortOfItsOwnUnlessAUrlIsGiven) {
+  const auto urls_of_three = [this](const std::string& keys) {
+    std::set<std::string> urls;
+    for (int i = 0; i < 3; ++i) urls.insert(url_of_a_run(keys));
+    return urls;
+  };
+  const std::set<std::string> own = urls_of_three("");
+  EXPECT_EQ(own.size(), 3U);
+  EXPECT_EQ(own.count(kLcmUrl), 0U);
+  EXPECT_EQ(urls_of_three(std::string("url = ") + kLcmUrl + "\n"), std::set<std::string>{kLcmUrl});
+}
+
+/// A socket that shares its port with nobody.
+class TakenPort {
+ public:
+  explicit TakenPort(int port) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    EXPECT_EQ(bind(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  }
+  TakenPort(const TakenPort&) = delete;
+  TakenPort& operator=(const TakenPort&) = delete;
+  ~TakenPort() { close(socket_); }
+
+ private:
+  int socket_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+};
+
+TEST_F(Process, HasAnotherPortIfItsOwnIsInUse) {
+  const std::string url = url_of_a_run();
+  const int next = std::stoi(url.substr(url.rfind(':') + 1)) + 1;
+  const TakenPort taken(next);
+  EXPECT_EQ(url_of_a_run().find(":" + std::to_string(next) + "?"), std::string::npos);
+}
+
+TEST_F(Process, IsRefusedIfThePortOfItsUrlIsInUse) {
+  const TakenPort taken(8999);
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "/somewhere/campaign.ini:4: [method.a] url: ",
+                           {"LCM cannot be used with 'udpm://239.255.76.67:8999?ttl=0'"}, [] {
+                             make("launch = exec true\nurl = udpm://239.255.76.67:8999?ttl=0\n");
+                           }));
+}
+
 void count_messages(const lcm::ReceiveBuffer*, const std::string&, int* count) {
   ++*count;
 }
@@ -117,13 +175,14 @@ void count_messages(const lcm::ReceiveBuffer*, const std::string&, int* count) {
 /// The reply to observation k arrives within its period and is applied from cycle k + 1 on.
 TEST_F(Process, InRealTimeTheLatestCommandIsAppliedOnTheWallClock) {
   // From the third cycle on the clock is not read until the process has replied.
-  lcm::LCM listener(LcmOptions().url);
+  lcm::LCM listener(kLcmUrl);
   int cycles = 0, replies = 0;
   listener.subscribeFunction(".*_COMMAND", count_messages, &replies);
-  const auto method = launch("silent", std::string(kLongDeadlines) + "mode = realtime\n", [&] {
-    while (cycles > 2 && replies == 0) listener.handle();
-    return steady_seconds();
-  });
+  const auto method = launch(
+      "silent", std::string(kLongDeadlines) + "mode = realtime\nurl = " + kLcmUrl + "\n", [&] {
+        while (cycles > 2 && replies == 0) listener.handle();
+        return steady_seconds();
+      });
   HookedMethod counted(
       *method, [&](const Observation&) { ++cycles; }, [] {});
   const double before = steady_seconds();

@@ -16,9 +16,12 @@ constexpr auto enum_names(LcmMode) {
   return std::array{"lockstep", "realtime"};
 }
 
+/// LCM's default multicast group, within this machine.
+inline constexpr char kLcmUrl[] = "udpm://239.255.76.67:7667?ttl=0";
+
 /// A method of the adapter lcm.
 struct LcmOptions {
-  std::string url = "udpm://239.255.76.67:7667?ttl=0";
+  std::string url;  ///< empty: kLcmUrl, for a launched process with a port of its own
   std::string channel = "SLALOM";  ///< prefix of the channel names
   std::string launch;              ///< command line of the external process; empty: already running
   double deadline = 2;             ///< wall-clock time for a reply, s
@@ -39,12 +42,13 @@ struct LcmOptions {
 /// are ignored. Real time: step() waits for the end of its control period on the wall clock and
 /// returns the latest command received (zero velocity before the first one).
 ///
-/// With `launch` the process is started at once, on unique channels, monitored, restarted after a
-/// run that it failed, and terminated together with the method. step() and reset() throw
-/// MethodTimeout when no reply arrives before the deadline, and MethodError when the process exits
-/// or reports an error. The factory throws Error (Usage) when LCM is not available, or when the
-/// launched process exits, reports an error or does not reply within the startup time. `clock` is
-/// used for deadlines and real time.
+/// With `launch` the process is started at once, on unique channels (without `url` also on a UDP
+/// port of its own: a process that does not run for some milliseconds loses its messages to those
+/// of others that fill its buffer), monitored, restarted after a run that it failed, and terminated
+/// together with the method. step() and reset() throw MethodTimeout when no reply arrives before
+/// the deadline, and MethodError when the process exits or reports an error. The factory throws
+/// Error (Usage) when LCM is not available, or when the launched process exits, reports an error or
+/// does not reply within the startup time. `clock` is used for deadlines and real time.
 MethodFactory lcm_method(const LcmOptions& options, const WallClock& clock = steady_seconds);
 
 /// The same with options from an .ini; a MethodReader.

@@ -7,6 +7,8 @@
 #include <slalom/lcm/layout.h>
 #include <slalom/methods/method.h>
 
+#include <lcm/lcm-cpp.hpp>
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -23,6 +25,10 @@ struct LcmChannels {
   std::string hello, goal_heading, run_start, observation, run_end;  ///< to the method
   std::string ready, command, error;                                 ///< from the method
 };
+
+/// Whether messages can be received. LCM opens its socket at the first subscription and crashes
+/// later if that failed, for example since another program uses the port alone.
+bool can_receive(lcm::LCM& lcm);
 
 using MethodSettings = std::map<std::string, std::string>;
 
