@@ -14,7 +14,7 @@ import sys
 
 INCLUDE = re.compile(r'^#include [<"]([^>"]+)[>"]', re.MULTILINE)
 MODULE = re.compile(r"slalom_add_module\((\w+)([^)]*)\)")
-# As clang-format lays them out: nothing within a namespace is indented.
+# Layout of clang-format: nothing within a namespace is indented.
 SCOPE = re.compile(r"^namespace ?([\w:]*) \{$|^\}  // namespace|^(?:class|struct|union|enum class) ([\w:<>]+)[^;]*\{")
 # Their headers declare an interface, their sources make or call what implements it.
 FACTORIES = ["modules/generation/generator", "modules/methods/registry", "modules/references/reference",

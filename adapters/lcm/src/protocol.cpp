@@ -60,7 +60,7 @@ hello_t make_hello(const std::string& method, const RobotModel& robot, const Sen
   hello.forward_only = robot.forward_only ? 1 : 0;
   hello.radius = robot.radius;
   const Footprint footprint = robot.shape();
-  for (const auto& corner : footprint.corners()) {
+  for (const auto& corner : footprint.hull()) {
     hello.footprint_x.push_back(corner.x);
     hello.footprint_y.push_back(corner.y);
   }

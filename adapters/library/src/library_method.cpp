@@ -21,7 +21,7 @@ slalom_robot to_c(const RobotModel& robot, const SensorModel& sensor,
                   std::vector<double>& corners) {
   corners.clear();
   const Footprint footprint = robot.shape();
-  for (const auto& corner : footprint.corners()) {
+  for (const auto& corner : footprint.hull()) {
     corners.push_back(corner.x);
     corners.push_back(corner.y);
   }

@@ -116,7 +116,7 @@ std::vector<TPoint2D> enlarged_outline(const Footprint& shape, double margin) {
     }
     return outline;
   }
-  const std::vector<TPoint2D>& corners = shape.corners();
+  const std::vector<TPoint2D>& corners = shape.hull();
   const std::size_t n = corners.size();
   for (std::size_t i = 0; i < n; ++i)
     outline.push_back(

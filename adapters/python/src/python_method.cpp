@@ -19,7 +19,7 @@ namespace py = pybind11;
 py::object describe_robot(const RobotModel& robot, const SensorModel& sensor) {
   const Footprint footprint = robot.shape();
   py::list corners;
-  for (const auto& corner : footprint.corners()) corners.append(py::make_tuple(corner.x, corner.y));
+  for (const auto& corner : footprint.hull()) corners.append(py::make_tuple(corner.x, corner.y));
   return py::module_::import("types").attr("SimpleNamespace")(
       py::arg("radius") = robot.radius, py::arg("footprint") = corners,
       py::arg("holonomic") = robot.holonomic(), py::arg("forward_only") = robot.forward_only,

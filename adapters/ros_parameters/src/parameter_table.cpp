@@ -500,7 +500,7 @@ constexpr RosMapping kTable[] = {
     {F::TebPlanner, "*", "", "", "no shipped method is a timed elastic band"},
     {F::LocalCostmap, "robot_radius", "robot", "radius", "unless there is a footprint",
      ros::radius},
-    {F::LocalCostmap, "footprint", "robot", "footprint", "convex polygons only", ros::footprint},
+    {F::LocalCostmap, "footprint", "robot", "footprint", "", ros::footprint},
     {F::LocalCostmap, "robot_radius", "", "", "[robot] from reads it"},
     {F::LocalCostmap, "footprint", "", "", "[robot] from reads it"},
     {F::LocalCostmap, "footprint_padding", "dwa_local_planner", "footprint_padding", "",

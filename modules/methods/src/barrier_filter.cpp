@@ -30,7 +30,7 @@ struct RoundedPolygon {
 RoundedPolygon swept(const Footprint& footprint, double length) {
   const TVector2D move{length, 0};
   if (footprint.is_disc()) return {{{0, 0}, TPoint2D(0, 0) + move}, footprint.enclosing_radius()};
-  const auto& corners = footprint.corners();
+  const auto& corners = footprint.hull();
   const std::size_t n = corners.size();
   // Whether the edge from corner i looks in the direction of the motion.
   const auto is_leading = [&](std::size_t i) {

@@ -4,6 +4,14 @@
 #include <slalom/core/text.h>
 #include <slalom/robot/footprint.h>
 
+#include <boost/geometry/algorithms/convex_hull.hpp>
+#include <boost/geometry/algorithms/intersects.hpp>
+#include <boost/geometry/geometries/multi_point.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/ring.hpp>
+#include <boost/geometry/geometries/segment.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -96,21 +104,74 @@ double signed_area(const std::vector<Corner>& corners) {
   return 0.5 * twice;
 }
 
-/// Throws std::invalid_argument unless the polygon turns left at every corner, by 2 pi in total.
-void check_convex(const std::vector<Corner>& corners) {
-  if (corners.size() < 3) throw std::invalid_argument("a convex polygon (these are on one line)");
-  double total = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
+/// "corner 2, 0,0.1".
+std::string name_of(const Corner& corner) {
+  return "corner " + std::to_string(corner.number) + ", " + format_number(corner.point.x) + "," +
+         format_number(corner.point.y);
+}
+
+/// Whether no sides but neighbors have a common point, and these only their corner. Throws
+/// std::invalid_argument otherwise.
+void check_simple(const std::vector<Corner>& corners) {
+  using Point = boost::geometry::model::d2::point_xy<double>;
+  using Side = boost::geometry::model::segment<Point>;
+  const std::string expected = "a polygon whose sides do not meet (";
+  const std::size_t n = corners.size();
+  if (n < 3) throw std::invalid_argument(expected + "these are on one line)");
+  const auto side = [&](std::size_t i) {
+    const TPoint2D &from = corners[i].point, &to = corners[(i + 1) % n].point;
+    return Side({from.x, from.y}, {to.x, to.y});
+  };
+  for (std::size_t i = 0; i < n; ++i) {
     const auto [in, out] = sides_at(corners, i);
-    const TPoint2D& point = corners[i].point;
-    if (!(cross(in, out) > 0))
-      throw std::invalid_argument("a convex polygon (it turns inward at corner " +
-                                  std::to_string(corners[i].number) + ", " +
-                                  format_number(point.x) + "," + format_number(point.y) + ")");
-    total += math::atan2(cross(in, out), in.x * out.x + in.y * out.y);
+    if (is_straight(in, TPoint2D(-out.x, -out.y)))
+      throw std::invalid_argument(expected + "it goes back at " + name_of(corners[i]) + ")");
   }
-  if (total > 7)  // 2 pi, not 4 pi as in a star
-    throw std::invalid_argument("a convex polygon (its sides cross)");
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 2; j < n && j + 1 < n + i; ++j)
+      if (boost::geometry::intersects(side(i), side(j)))
+        throw std::invalid_argument(expected + "those from " + name_of(corners[i]) + " and from " +
+                                    name_of(corners[j]) + " do)");
+}
+
+/// Whether a counter-clockwise polygon turns left at all corners.
+bool is_convex(const std::vector<TPoint2D>& corners) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (!(cross(corners[i] - corners[(i + n - 1) % n], corners[(i + 1) % n] - corners[i]) > 0))
+      return false;
+  return true;
+}
+
+std::vector<TPoint2D> hull_of(const std::vector<TPoint2D>& corners) {
+  if (is_convex(corners)) return corners;
+  using Point = boost::geometry::model::d2::point_xy<double>;
+  boost::geometry::model::multi_point<Point> points;
+  for (const TPoint2D& corner : corners) points.emplace_back(corner.x, corner.y);
+  boost::geometry::model::ring<Point, false, false> ring;  // counter-clockwise, open
+  boost::geometry::convex_hull(points, ring);
+  std::vector<TPoint2D> hull;
+  for (const Point& point : ring) hull.emplace_back(point.x(), point.y());
+  return hull;
+}
+
+/// Whether the center is inside, by the sides above it (even-odd rule).
+bool contains_center(const std::vector<TPoint2D>& corners) {
+  bool inside = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const TPoint2D &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    if ((a.x > 0) != (b.x > 0) && (cross(a, b - a) > 0) == (b.x < a.x)) inside = !inside;
+  }
+  return inside;
+}
+
+/// Distance (m) of the center from a side.
+double distance_to_side(const TPoint2D& a, const TPoint2D& b) {
+  const TPoint2D side = b - a;
+  const double along = -(a.x * side.x + a.y * side.y);
+  if (along < 0) return a.norm();
+  if (along > side.x * side.x + side.y * side.y) return b.norm();
+  return std::abs(cross(a, side)) / side.norm();
 }
 
 }  // namespace
@@ -125,17 +186,17 @@ Footprint Footprint::parse(const std::string& text) {
   Footprint footprint;
   std::vector<Corner> written = without_needless(parse_corners(text));
   if (signed_area(written) < 0) std::reverse(written.begin(), written.end());
-  check_convex(written);
+  check_simple(written);
   auto& corners = footprint.corners_;
   for (const Corner& corner : written) corners.push_back(corner.point);
+  footprint.hull_ = hull_of(corners);
   footprint.inscribed_ = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const TPoint2D& a = corners[i];
-    const TPoint2D edge = corners[(i + 1) % corners.size()] - a;
-    footprint.inscribed_ = std::min(footprint.inscribed_, cross(a, edge) / edge.norm());
+    const TPoint2D &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    footprint.inscribed_ = std::min(footprint.inscribed_, distance_to_side(a, b));
     footprint.enclosing_ = std::max(footprint.enclosing_, a.norm());
   }
-  if (!(footprint.inscribed_ > 0))
+  if (!(footprint.inscribed_ > 0) || !contains_center(corners))
     throw std::invalid_argument("a polygon around the robot's center (0, 0)");
   return footprint;
 }

@@ -23,7 +23,7 @@ LaserModel like_sensor(const SensorModel& sensor) {
 void RobotModel::visit(OptionVisitor& v) {
   v.option("kinematics", kinematics, "kinematic model");
   v.option("radius", radius, "m", "radius of the disc footprint", Range::positive());
-  v.option("footprint", footprint, "convex polygon instead of the disc: x,y; x,y; ... in m");
+  v.option("footprint", footprint, "polygon instead of the disc: x,y; x,y; ... in m");
   v.option("max_v", max_v, "m/s", "maximum linear velocity", Range::positive());
   v.option("max_w", max_w, "rad/s", "maximum angular velocity", Range::positive());
   v.option("max_accel_v", max_accel_v, "m/s^2", "maximum linear acceleration", Range::positive());

@@ -3,6 +3,7 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/scenario/contact.h>
+#include <slalom/scenario/geometry.h>
 #include <slalom/simulation/footprint_contact.h>
 
 #include <mrpt/math/wrap2pi.h>
@@ -53,7 +54,7 @@ class DiscContact : public FootprintContact {
   double free_travel_ = 0;
 };
 
-/// A convex polygon, swept by conservative advancement: no point of it moves farther than the robot
+/// A polygon, swept by conservative advancement: no point of it moves farther than the robot
 /// plus the rotation times the enclosing radius, so a motion up to the clearance is safe.
 class PolygonContact : public FootprintContact {
  public:
@@ -105,19 +106,11 @@ class PolygonContact : public FootprintContact {
         static_cast<int>(std::ceil(footprint_.enclosing_radius() / cells.resolution()));
     const int cx = static_cast<int>(std::floor(center.x)),
               cy = static_cast<int>(std::floor(center.y));
-    const std::vector<TPoint2D> corners = footprint_.corners_at(pose);
+    const Polygon outline{footprint_.corners_at(pose)};
     for (int y = cy - reach; y <= cy + reach; ++y)
       for (int x = cx - reach; x <= cx + reach; ++x)
-        if (cells.occupied(x, y) && contains(corners, cells.cell_center(x, y))) return true;
+        if (cells.occupied(x, y) && contains(outline, cells.cell_center(x, y))) return true;
     return false;
-  }
-
-  static bool contains(const std::vector<TPoint2D>& corners, const TPoint2D& p) {
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const TPoint2D edge = corners[(i + 1) % corners.size()] - corners[i], to = p - corners[i];
-      if (edge.x * to.y - edge.y * to.x < 0) return false;
-    }
-    return true;
   }
 
   const World& world_;

@@ -48,6 +48,9 @@ TEST(Protocol, EncodesRobotAndSensorExactly) {
   const RobotModel decoded = robot_of(hello);
   const Footprint here = robot.shape(), there = decoded.shape();
   EXPECT_EQ(here.corners(), there.corners());
+  RobotModel fork = robot;
+  fork.footprint = "0.3,0.2; 0.3,0.1; 0.1,0.1; 0.1,-0.1; 0.3,-0.1; 0.3,-0.2; -0.2,-0.2; -0.2,0.2";
+  EXPECT_EQ(robot_of(make_hello("", fork, sensor, {})).shape().corners(), fork.shape().hull());
   EXPECT_EQ(decoded.radius, robot.radius);
   EXPECT_EQ(decoded.max_v, robot.max_v);
   EXPECT_TRUE(decoded.holonomic());

@@ -68,7 +68,8 @@ TEST(NavigatorConfig, OverridesValuesOfTheFile) {
 TEST(NavigatorConfig, WritesTheRobotsShapeAndLimitsToTheNavigatorsKeys) {
   auto config = read_navigator_config(test_config("small_navigator.ini"));
   RobotModel robot;
-  robot.footprint = "0.3,0.2; -0.3,0.2; -0.3,-0.2; 0.3,-0.2";
+  // With a notch ahead: the navigator is given the convex hull.
+  robot.footprint = "0.3,0.2; -0.3,0.2; -0.3,-0.2; 0.3,-0.2; 0.1,0";
   robot.max_v = 0.7;
   robot.max_w = 2;
   write_robot(config, robot, 0.1);

@@ -142,6 +142,8 @@ TEST(PythonMethod, IsGivenTheRobotAndItsSensor) {
   EXPECT_EQ(echo("shape", "", robot), (Values{4, 1, 0}));
   const auto corners = robot.shape().corners();
   EXPECT_EQ(echo("corner", "", robot), (Values{corners[0].x, corners[0].y, 0}));
+  robot.footprint = "0.3,0.2; 0.1,0; 0.3,-0.2; -0.3,-0.2; -0.3,0.2";
+  EXPECT_EQ(echo("shape", "", robot)[0], 4) << "the convex hull";
 }
 
 TEST(PythonMethod, SeesRangesAsFloatsThatItCannotWrite) {

@@ -129,6 +129,8 @@ TEST(BarrierFilter, StopsTheCornerOfARectangle) {
   };
   EXPECT_LT(filtered({{0, 1}, {}, post, robot}).w, 0.5);
   EXPECT_EQ(filtered({{0, -1}, {}, post, robot}).w, -1);
+  robot.footprint = "0.4,0.2; -0.4,0.2; -0.4,-0.2; 0.4,-0.2; 0.1,0";  // its hull is the rectangle
+  EXPECT_LT(filtered({{0, 1}, {}, post, robot}).w, 0.5);
 }
 
 TEST(BarrierFilter, BrakesARobotThatAlreadyIsBesideThePost) {

@@ -2,15 +2,19 @@
 #include "error_text.h"
 
 #include <slalom/core/random.h>
+#include <slalom/core/text.h>
 #include <slalom/robot/footprint.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace slalom {
 namespace {
+
+using mrpt::math::TPoint2D;
 
 std::string refusal(const std::string& text) {
   try {
@@ -109,27 +113,97 @@ TEST(Footprint, ReadsTheSyntaxOfRos) {
     EXPECT_TRUE(mentions(refusal(wrong), {"x,y", "[[x, y], [x, y], ...]"})) << wrong;
 }
 
-TEST(Footprint, NamesTheCornerThatIsNotConvex) {
-  EXPECT_TRUE(mentions(refusal("1,1; 0,0.1; -1,1; -1,-1; 1,-1"), {"inward at corner 2, 0,0.1"}));
-  EXPECT_TRUE(mentions(refusal("1,-1; -1,-1; -1,1; 0,0.1; 1,1"), {"inward at corner 4, 0,0.1"}));
-  // Corners that are left out are counted.
-  EXPECT_TRUE(
-      mentions(refusal("1,1; 0.5,0.55; 0,0.1; -1,1; -1,-1; 1,-1"), {"inward at corner 3, 0,0.1"}));
-  // A side that goes back on itself.
-  EXPECT_TRUE(mentions(refusal("1,1; -1,1; -1,-1; 2,-1; 1,-1"), {"inward at corner 4, 2,-1"}));
-  EXPECT_TRUE(mentions(refusal("-1,0; 1,0; 0,0"), {"convex polygon", "on one line"}));
+/// A star around the center, whose corners are at random distances.
+std::vector<TPoint2D> random_star(RandomEngine& random) {
+  std::vector<TPoint2D> corners;
+  const int n = uniform_int(random, 3, 12);
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * M_PI * (i + uniform_real(random, 0, 0.2)) / n;
+    const double radius = uniform_real(random, 0.1, 1);
+    corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return corners;
 }
 
-TEST(Footprint, RefusesOtherThanConvexPolygonsAroundTheCenter) {
+std::string text_of(const std::vector<TPoint2D>& corners) {
+  std::string text;
+  for (const TPoint2D& p : corners)
+    text += (text.empty() ? "" : ";") + format_number(p.x) + "," + format_number(p.y);
+  return text;
+}
+
+/// Twice the area of the triangle a, b, c; positive if it turns left.
+double turn(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+TEST(Footprint, MayBeConcave) {
+  // An L: the center is 0.1 m from the inner corner at (0.1, 0.1) along each axis.
+  const Footprint l = Footprint::parse("-0.2,-0.2; 0.5,-0.2; 0.5,0.1; 0.1,0.1; 0.1,0.4; -0.2,0.4");
+  EXPECT_EQ(l.corners().size(), 6U);
+  EXPECT_NEAR(l.inscribed_radius(), std::sqrt(0.02), 1e-15);
+  EXPECT_DOUBLE_EQ(l.enclosing_radius(), std::hypot(0.5, 0.2));
+  const std::vector<TPoint2D>& hull = l.hull();
+  ASSERT_EQ(hull.size(), 5U);
+  EXPECT_EQ(std::count(hull.begin(), hull.end(), TPoint2D(0.1, 0.1)), 0);
+}
+
+TEST(Footprint, HasAConvexHullAroundItsCornersAndTheCircleOfItsNearestPoint) {
+  RandomEngine random(5);
+  int concave = 0;
+  for (int n = 0; n < 300; ++n) {
+    const std::vector<TPoint2D> corners = random_star(random);
+    const Footprint star = Footprint::parse(text_of(corners));
+    EXPECT_EQ(star.corners(), corners);
+    const std::vector<TPoint2D>& hull = star.hull();
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+      EXPECT_GT(turn(hull[i], hull[(i + 1) % hull.size()], hull[(i + 2) % hull.size()]), 0);
+      EXPECT_EQ(std::count(corners.begin(), corners.end(), hull[i]), 1);
+      for (const TPoint2D& p : corners)
+        EXPECT_GE(turn(hull[i], hull[(i + 1) % hull.size()], p), -1e-12);
+    }
+    if (hull.size() == corners.size()) {
+      EXPECT_EQ(hull, corners);
+    } else {
+      ++concave;
+    }
+    double nearest = 1;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      for (int k = 0; k < 1000; ++k) {
+        const TPoint2D p =
+            corners[i] + (corners[(i + 1) % corners.size()] - corners[i]) * (k / 1000.0);
+        nearest = std::min(nearest, std::hypot(p.x, p.y));
+      }
+    EXPECT_LE(star.inscribed_radius(), nearest + 1e-15);
+    EXPECT_GT(star.inscribed_radius(), nearest - 2e-3);  // points of a side are 2 mm apart at most
+  }
+  EXPECT_GT(concave, 150);
+}
+
+TEST(Footprint, NamesSidesThatMeet) {
+  // A bow tie; corners that are left out are counted.
+  EXPECT_TRUE(mentions(refusal("1,1; -1,-1; 1,-1; -1,1"),
+                       {"those from corner 1, 1,1 and from corner 3, 1,-1 do"}));
+  EXPECT_TRUE(mentions(refusal("1,1; 0.5,0.5; -1,-1; 1,-1; -1,1"), {"corner 1, 1,1", "corner 4"}));
+  // A corner on another side.
+  EXPECT_TRUE(mentions(refusal("1,1; -1,1; -1,-1; 0,1; 1,-1"), {"do not meet", "corner 1, 1,1"}));
+  // A side that goes back on itself.
+  EXPECT_TRUE(mentions(refusal("1,1; -1,1; -1,-1; 2,-1; 1,-1"), {"goes back at corner 4, 2,-1"}));
+  EXPECT_TRUE(mentions(refusal("-1,0; 1,0; 0,0"), {"do not meet", "on one line"}));
+  EXPECT_TRUE(mentions(refusal("1,0; 1,0; 1,0"), {"do not meet", "on one line"}));
+  // A five-pointed star turns left at every corner, but by 4 pi in total.
+  EXPECT_TRUE(mentions(refusal("1,0; -0.8,0.6; 0.3,-0.95; 0.3,0.95; -0.8,-0.6"), {"do not meet"}));
+}
+
+TEST(Footprint, RefusesOtherThanPolygonsAroundTheCenter) {
   EXPECT_TRUE(mentions(refusal("1,0; 0,1"), {"3 to 64 corners"}));
   EXPECT_TRUE(mentions(refusal("1,0; 0,1; x,2"), {"x,y", "';'"}));
   EXPECT_TRUE(mentions(refusal("1,0; 0,1; 1"), {"x,y", "';'"}));
-  EXPECT_TRUE(mentions(refusal("1,1; 0,0.1; -1,1; -1,-1; 1,-1"), {"convex polygon"}));
-  EXPECT_TRUE(mentions(refusal("1,0; 1,0; 1,0"), {"convex polygon"}));
-  // A five-pointed star turns left at every corner, but by 4 pi in total.
-  EXPECT_TRUE(
-      mentions(refusal("1,0; -0.8,0.6; 0.3,-0.95; 0.3,0.95; -0.8,-0.6"), {"convex polygon"}));
   EXPECT_TRUE(mentions(refusal("1,0; 2,0; 2,1"), {"polygon around", "(0, 0)"}));
+  EXPECT_TRUE(mentions(refusal("1,1; -1,1; -1,-1; 1,-1; 1,-0.5; -0.5,-0.5; -0.5,0.5; 1,0.5"),
+                       {"polygon around", "(0, 0)"}))
+      << "the center is between the arms";
+  EXPECT_TRUE(mentions(refusal("1,0; 0,0; -1,1; -1,-1"), {"polygon around", "(0, 0)"}));
 }
 
 TEST(Footprint, AMalformedOptionIsNamed) {

@@ -94,6 +94,18 @@ TEST(MoverContact, OfAPolygonIsWhereItsOutlineMeetsTheDisc) {
   EXPECT_NEAR(4 * fraction, 1.5, 1e-5);
 }
 
+TEST(MoverContact, OfAConcavePolygonIsBetweenItsArms) {
+  // The disc of 0.3 m fits between the arms, 0.8 m apart: it meets the body at 0.1 m, not the tips
+  // at 0.9 m. The gap of 2 - 0.4 m closes at 1 m/s.
+  const Movers movers{mover_from(4, 2, -0.5, 0)};
+  MoverContact contact(movers,
+                       Footprint::parse("0.9,0.5; 0.9,0.4; 0.1,0.4; 0.1,-0.4; 0.9,-0.4; 0.9,-0.5; "
+                                        "-0.2,-0.5; -0.2,0.5"));
+  double fraction = 0;
+  EXPECT_NE(contact.find_contact({{2, 2, 0}, {4, 2, 0}, 0, 4}, fraction), nullptr);
+  EXPECT_NEAR(4 * fraction, 1.6, 1e-5);
+}
+
 TEST(MoverContact, ConcernsOnlyMoversThatArePresent) {
   Mover late = mover_from(2, 2, 0, 0);
   late.waypoints = {{1, {2, 2}}, {3, {2, 2}}};

@@ -16,42 +16,75 @@ using mrpt::math::TPoint2D;
 constexpr int kHeadings = 16;
 constexpr double kTouch = 1e-9;  ///< cells; contact counts as free
 
-/// Cells first..last of row dy, relative to the robot's cell, that its outline overlaps.
+/// Cells first..last of row dy, relative to the robot's cell, that it overlaps.
 struct RowSpan {
   int dy, first, last;
 };
 
-/// The extent in x of a convex polygon between two values of y.
-std::pair<double, double> span_between(const std::vector<TPoint2D>& corners, double low,
-                                       double high) {
+/// The cells of row dy in which a side is.
+RowSpan crossed_cells(const TPoint2D& a, const TPoint2D& b, int dy) {
+  const double low = dy - 0.5 + kTouch, high = dy + 0.5 - kTouch;
   double first = std::numeric_limits<double>::infinity(), last = -first;
   const auto take = [&](double x) {
     first = std::min(first, x);
     last = std::max(last, x);
   };
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const TPoint2D &a = corners[i], &b = corners[(i + 1) % corners.size()];
-    if (a.y >= low && a.y <= high) take(a.x);
-    for (const double y : {low, high})
-      if ((a.y < y) != (b.y < y)) take(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
-  }
-  return {first, last};
+  for (const TPoint2D& end : {a, b})
+    if (end.y >= low && end.y <= high) take(end.x);
+  for (const double y : {low, high})
+    if ((a.y < y) != (b.y < y)) take(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+  if (first > last) return {dy, 0, -1};
+  return {dy, static_cast<int>(std::floor(first + kTouch + 0.5)),
+          static_cast<int>(std::ceil(last - kTouch + 0.5)) - 1};
 }
 
-/// The cells that a polygon around the center of a cell overlaps (corners in cells).
+/// The cells of row dy whose centers are inside, one span between two sides each.
+std::vector<RowSpan> inner_cells(const std::vector<TPoint2D>& corners, int dy) {
+  std::vector<double> sides;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const TPoint2D &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    if ((a.y < dy) != (b.y < dy)) sides.push_back(a.x + (dy - a.y) / (b.y - a.y) * (b.x - a.x));
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<RowSpan> spans;
+  for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
+    spans.push_back(
+        {dy, static_cast<int>(std::ceil(sides[i])), static_cast<int>(std::floor(sides[i + 1]))});
+  return spans;
+}
+
+/// The spans of one row, joined where they overlap or follow each other.
+std::vector<RowSpan> joined(std::vector<RowSpan> spans) {
+  std::sort(spans.begin(), spans.end(),
+            [](const RowSpan& a, const RowSpan& b) { return a.first < b.first; });
+  std::vector<RowSpan> result;
+  for (const RowSpan& span : spans) {
+    if (span.first > span.last) continue;
+    if (!result.empty() && span.first <= result.back().last + 1)
+      result.back().last = std::max(result.back().last, span.last);
+    else
+      result.push_back(span);
+  }
+  return result;
+}
+
+/// The cells that a polygon around the center of a cell overlaps (corners in cells): a side is in
+/// them, or their center is inside.
 std::vector<RowSpan> overlapped_cells(const std::vector<TPoint2D>& corners) {
   double low = 0, high = 0;
   for (const TPoint2D& p : corners) {
     low = std::min(low, p.y);
     high = std::max(high, p.y);
   }
-  std::vector<RowSpan> rows;
+  std::vector<RowSpan> cells;
   for (int dy = static_cast<int>(std::floor(low + kTouch + 0.5)); dy - 0.5 < high - kTouch; ++dy) {
-    const auto [first, last] = span_between(corners, dy - 0.5 + kTouch, dy + 0.5 - kTouch);
-    rows.push_back({dy, static_cast<int>(std::floor(first + kTouch + 0.5)),
-                    static_cast<int>(std::ceil(last - kTouch + 0.5)) - 1});
+    std::vector<RowSpan> row = inner_cells(corners, dy);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      row.push_back(crossed_cells(corners[i], corners[(i + 1) % corners.size()], dy));
+    row = joined(std::move(row));
+    cells.insert(cells.end(), row.begin(), row.end());
   }
-  return rows;
+  return cells;
 }
 
 /// For each cell, the column of the next occupied cell of its row, itself included; the border

@@ -2,8 +2,11 @@
 // Descriptors of the free space, with or without the robot's size, in worlds with 1 m cells.
 #include "../small_worlds.h"
 
+#include <slalom/core/random.h>
 #include <slalom/scenario/convert.h>
 
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -88,6 +91,52 @@ TEST(CspaceDensity, OfAPolygonInACorridorCountsTheHeadingsAlongIt) {
   EXPECT_DOUBLE_EQ(value_of("cspace_density", context), 1 - 3 * 2 / (16 * 15.0));
   EXPECT_EQ(descriptor("cspace_density").key(context).parameters,
             "footprint=-1.2,-0.4 1.2,-0.4 1.2,0.4 -1.2,0.4");
+}
+
+/// Whether a polygon (m) overlaps an occupied cell, by its area in each.
+bool overlaps(const Occupancy& cells, const std::vector<mrpt::math::TPoint2D>& corners) {
+  namespace bg = boost::geometry;
+  using Point = bg::model::d2::point_xy<double>;
+  bg::model::polygon<Point, false, false> robot;
+  for (const auto& p : corners) bg::append(robot, Point(p.x, p.y));
+  double free = 0;
+  for (int y = 0; y < cells.size_y(); ++y)
+    for (int x = 0; x < cells.size_x(); ++x) {
+      if (cells.occupied(x, y)) continue;
+      bg::model::multi_polygon<bg::model::polygon<Point, false, false>> parts;
+      bg::intersection(robot, bg::model::box<Point>(Point(x, y), Point(x + 1, y + 1)), parts);
+      free += bg::area(parts);
+    }
+  return free < bg::area(robot) - 1e-10;
+}
+
+/// Concave and convex ones, in worlds of 1 m cells.
+TEST(CspaceDensity, OfAPolygonCountsTheCellsThatItsAreaOverlaps) {
+  RandomEngine random(11);
+  for (int n = 0; n < 12; ++n) {
+    std::vector<std::string> rows(6, "......");
+    for (std::string& row : rows)
+      for (char& cell : row) cell = uniform_real(random, 0, 1) < 0.12 ? '#' : '.';
+    rows[2] = "S....G";
+    const World world = drawn_world(rows);
+    std::string text;
+    for (int i = 0; i < 7; ++i) {
+      const double angle = 2 * M_PI * i / 7, radius = uniform_real(random, 0.2, 2.5);
+      text += (i > 0 ? ";" : "") + std::to_string(radius * std::cos(angle)) + "," +
+              std::to_string(radius * std::sin(angle));
+    }
+    const Footprint robot = Footprint::parse(text);
+    int blocked = 0;
+    for (int y = 0; y < 6; ++y)
+      for (int x = 0; x < 6; ++x)
+        for (int heading = 0; heading < 16; ++heading)
+          blocked += overlaps(world.occupancy(),
+                              robot.corners_at({x + 0.5, y + 0.5, 2 * M_PI * heading / 16}))
+                         ? 1
+                         : 0;
+    const DescriptorContext context{world, robot, 8, context_of(world).shortest};
+    EXPECT_NEAR(value_of("cspace_density", context), blocked / (16 * 36.0), 1e-12) << text;
+  }
 }
 
 TEST(CspaceDensity, APolygonLongerThanTheWorkspaceFitsNowhere) {

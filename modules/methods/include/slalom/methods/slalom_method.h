@@ -44,7 +44,7 @@ typedef struct slalom_robot {
   double aperture;         /* rad, from the first to the last ray, symmetric to the heading */
   double max_range;        /* m */
   int holonomic;           /* 1: vy may be commanded; 0: differential drive, vy must be 0 */
-  const double* footprint; /* x0, y0, x1, y1, ... of a convex polygon, m, counter-clockwise */
+  const double* footprint; /* x0, y0, x1, y1, ... of its convex hull, m, counter-clockwise */
   size_t footprint_points; /* 0: the footprint is the disc */
 } slalom_robot;
 

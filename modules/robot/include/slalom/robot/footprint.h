@@ -10,13 +10,13 @@
 namespace slalom {
 
 /// The outline of a robot in its own frame (m, x ahead, y left): a disc around the center, or a
-/// convex polygon that contains the center.
+/// simple polygon, convex or not, that contains the center.
 class Footprint {
  public:
   static Footprint disc(double radius);
 
-  /// "x,y; x,y; ...", three or more corners of a convex polygon in either order, with the center
-  /// (0, 0) strictly inside. Throws std::invalid_argument whose text is what was expected.
+  /// "x,y; x,y; ...", three or more corners in either order, with the center (0, 0) strictly
+  /// inside. Throws std::invalid_argument whose text is what was expected.
   static Footprint parse(const std::string& text);
   /// The same; throws Error (Usage) at the option or key `where`.
   static Footprint parse(const std::string& text, const std::string& where);
@@ -26,11 +26,13 @@ class Footprint {
   double enclosing_radius() const { return enclosing_; }  ///< m, around the center
   /// Counter-clockwise, robot frame; empty for a disc.
   const std::vector<mrpt::math::TPoint2D>& corners() const { return corners_; }
+  /// The convex hull, which methods are given; the corners themselves if they are convex.
+  const std::vector<mrpt::math::TPoint2D>& hull() const { return hull_; }
   /// The corners in the world frame for the robot at `pose`.
   std::vector<mrpt::math::TPoint2D> corners_at(const mrpt::math::TPose2D& pose) const;
 
  private:
-  std::vector<mrpt::math::TPoint2D> corners_;
+  std::vector<mrpt::math::TPoint2D> corners_, hull_;
   double inscribed_ = 0, enclosing_ = 0;
 };
 

@@ -21,7 +21,7 @@ constexpr auto enum_names(Kinematics) {
 struct RobotModel {
   Kinematics kinematics = Kinematics::DiffDrive;
   double radius = 0.25;           ///< m, of the disc; with a polygon, of its enclosing disc
-  std::string footprint;          ///< convex polygon "x,y; x,y; ...", m; empty for the disc
+  std::string footprint;          ///< polygon "x,y; x,y; ...", m; empty for the disc
   double max_v = 1.0;             ///< m/s; holonomic: norm of (v, vy)
   double max_w = 1.5;             ///< rad/s
   double max_accel_v = 1.0;       ///< m/s^2; holonomic: norm of the acceleration
@@ -35,12 +35,12 @@ struct RobotModel {
   bool holonomic() const { return kinematics == Kinematics::Holonomic; }
   Footprint shape() const;
   /// Sets the radius to that of the enclosing disc of a polygon. Throws Error (Usage) at `where`
-  /// for a text that is not a convex polygon around the center.
+  /// for a text that is not a polygon around the center.
   void set_radius_of_footprint(const std::string& where);
 };
 
-/// Reads section [robot]. Throws Error (Usage), also for a footprint that is not a convex polygon
-/// around the center, or if both footprint and radius are given.
+/// Reads section [robot]. Throws Error (Usage), also for a footprint that is not a polygon around
+/// the center, or if both footprint and radius are given.
 RobotModel read_robot_model(const IniFile& ini);
 
 /// A laser on the robot. Section [laser.NAME], whose keys aperture_deg, rays and max_range default

@@ -31,7 +31,7 @@ class DistanceField {
   double segment_clearance(const mrpt::math::TPoint2D& a, const mrpt::math::TPoint2D& b,
                            double limit) const;
 
-  /// Distance (m) from the outline of a convex polygon to the nearest occupied square. Obstacles
+  /// Distance (m) from the outline of a polygon to the nearest occupied square. Obstacles
   /// completely inside the polygon are ignored.
   double outline_clearance(const std::vector<mrpt::math::TPoint2D>& corners) const;
 
