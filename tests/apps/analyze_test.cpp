@@ -254,8 +254,24 @@ TEST_F(Analyze, NamesTheFormatOfAForeignFileAndTheWayIn) {
   expect_failure("slalom-analyze table some.bag", 3,
                  {"is a bag of ROS 1", "slalom-analyze metrics --trajectory"});
   ASSERT_EQ(run("slalom-analyze export runs.results --format plannerarena -o arena.db").status, 0);
-  expect_failure("slalom-analyze table arena.db", 3,
-                 {"a benchmark database of OMPL", "sqlite3 -header -csv FILE"});
+  expect_failure("slalom-analyze show arena.db --run s/m/0", 3,
+                 {"a benchmark database of OMPL", "slalom-analyze table"});
+}
+
+TEST_F(Analyze, ReadsTheBenchmarkDatabaseThatItExports) {
+  ASSERT_EQ(run("slalom-analyze export runs.results -o arena.db").status, 0);
+  const auto cells = [&](const std::string& file) {
+    const ProgramResult table =
+        run("slalom-analyze table " + file + " --columns success,path_length");
+    EXPECT_EQ(table.status, 0) << table.err;
+    std::vector<std::string> lines;
+    std::istringstream text(table.out);
+    for (std::string line; std::getline(text, line);)
+      if (line.find("gap  ") == 0 || line.find("nd  ") == 0) lines.push_back(line);
+    return lines;
+  };
+  EXPECT_EQ(cells("arena.db"), cells("runs.results"));
+  EXPECT_GE(cells("arena.db").size(), 2U);
 }
 
 TEST_F(Analyze, BinsMayComeFromAnIndexOfTheList) {

@@ -72,6 +72,7 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/world_import.cpp
   ${FORMATS}/world_parts.cpp
   ${FORMATS}/xml_file.cpp
+  ${MODULES}/report/src/benchmark_table.cpp
   ${MODULES}/robot/src/footprint.cpp
   ${MODULES}/robot/src/robot_model.cpp
   ${MODULES}/simulation/src/simulation_options.cpp
@@ -84,7 +85,7 @@ foreach(module analysis core scenario io campaign falsification map_formats ros_
   target_compile_definitions(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},COMPILE_DEFINITIONS>)
 endforeach()
 target_include_directories(slalom_fuzzed PUBLIC ${FORMATS} ${MODULES}/campaign/src ${MODULES}/io/src
-                                                ${MODULES}/scenario/src)
+                                                ${MODULES}/report/src ${MODULES}/scenario/src)
 target_compile_options(slalom_fuzzed PUBLIC -fsanitize=fuzzer-no-link,address,undefined
                        -fno-sanitize-recover=undefined -fno-sanitize=vptr -fno-omit-frame-pointer)
 target_link_libraries(slalom_fuzzed PUBLIC mrpt::config mrpt::math mrpt::maps mrpt::obs mrpt::img mrpt::poses

@@ -50,7 +50,7 @@ constexpr std::array kMagics = {
     Magic{"\xfe\xff"sv, "a text in UTF-16", "the text saved as UTF-8"},
     Magic{"\x7f\x45LF"sv, "a program or library (ELF)", "CSV"},
     Magic{"OMPL version"sv, "a benchmark log of OMPL",
-          "ompl_benchmark_statistics.py LOG -d FILE, and a table of that database"},
+          "ompl_benchmark_statistics.py LOG -d FILE.db, which slalom-analyze reads"},
 };
 
 bool has(const std::string& content, std::string_view part) {
@@ -74,14 +74,20 @@ FileFormat zip_format(const std::string& content) {
 
 std::optional<FileFormat> sqlite_format(const std::string& content) {
   if (has(content, "CREATE TABLE plannerConfigs"))
-    return FileFormat{
-        "a benchmark database of OMPL",
-        "a table as CSV: sqlite3 -header -csv FILE \"SELECT p.name AS method, e.name AS scenario, "
-        "r.* FROM runs r JOIN plannerConfigs p ON p.id = r.plannerid JOIN experiments e ON e.id = "
-        "r.experimentid\""};
+    return FileFormat{"a benchmark database of OMPL",
+                      "slalom-analyze table reads it, as all verbs that take CSV do"};
   if (has(content, "CREATE TABLE topics") && has(content, "CREATE TABLE messages"))
     return FileFormat{"a bag of ROS 2 (.db3)", kBagWay};
   return std::nullopt;
+}
+
+/// Empty if it cannot be read.
+std::string head_of(const std::string& path) {
+  std::string head(kHead, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return head;
 }
 
 /// JSON and XML by their first characters.
@@ -91,9 +97,9 @@ std::optional<FileFormat> markup_format(const std::string& content) {
   const std::size_t second = content.find_first_not_of(" \t\r\n", first + 1);
   const char c = content[first], next = second == std::string::npos ? ' ' : content[second];
   if ((c == '{' && (next == '"' || next == '}')) || (c == '[' && (next == '{' || next == '['))) {
-    const bool is_bench_mr = has(content, "\"plans\"") || has(content, "\"runs\": [{\"environment");
-    return FileFormat{is_bench_mr ? "JSON, as Bench-MR writes" : "JSON",
-                      "CSV, with pandas.json_normalize(...).to_csv(NAME): a row per run"};
+    if (has(content, "\"plans\""))
+      return FileFormat{"JSON, as Bench-MR writes", "slalom-analyze table NAME.json"};
+    return FileFormat{"JSON", "CSV, with pandas.json_normalize(...).to_csv(NAME): a row per run"};
   }
   const std::string begin = lower_case(content.substr(first, 16));
   if (starts_with(begin, "<?xml") || starts_with(begin, "<!doctype") || starts_with(begin, "<html"))
@@ -124,12 +130,12 @@ void refuse_foreign_format(const std::string& content, const std::string& path,
     throw file_error(path, "is no text, and of no format that is recognized", expected);
 }
 
+std::optional<FileFormat> recognize_file(const std::string& path) {
+  return recognize_format(head_of(path));
+}
+
 void refuse_foreign_file(const std::string& path, const std::string& expected) {
-  std::string head(kHead, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-  refuse_foreign_format(head, path, expected, false);
+  refuse_foreign_format(head_of(path), path, expected, false);
 }
 
 }  // namespace slalom

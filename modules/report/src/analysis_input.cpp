@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "benchmark_table.h"
+
 #include <slalom/core/error.h>
 #include <slalom/core/file_format.h>
 #include <slalom/core/read_file.h>
@@ -20,8 +22,14 @@ ResultTable read_analysis_input(const std::string& path,
   for (const Metric& metric : all_metrics()) with_known.known.push_back(metric.info);
   for (const Descriptor& descriptor : all_descriptors())
     with_known.known.push_back(descriptor.info);
+  if (const auto benchmark = read_benchmark_table(path)) {
+    if (options.success_words.empty()) with_known.success_words = benchmark->success_words;
+    return columns_from_csv(benchmark->csv, path, with_known);
+  }
+  const std::string expected = "a result file (.results) or a table as CSV";
+  refuse_foreign_file(path, expected);
   const std::string text = read_text(path, "a table (.csv)");
-  refuse_foreign_format(text, path, "a result file (.results) or a table as CSV");
+  refuse_foreign_format(text, path, expected);
   return columns_from_csv(text, path, with_known);
 }
 

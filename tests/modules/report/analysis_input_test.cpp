@@ -11,7 +11,10 @@
 #include <slalom/results/outcome_words.h>
 #include <slalom/trajectory/trajectory.h>
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
+
+#include <map>
 
 namespace slalom {
 namespace {
@@ -51,6 +54,84 @@ TEST_F(AnalysisInput, ColumnsOfTablesWithTheIdOfAMetricHaveItsRangeIfTheirValues
 
 TEST_F(AnalysisInput, EachOutcomeOfARunIsAWordOfTables) {
   for (const std::string& name : names_of<Outcome>()) EXPECT_EQ(outcome_of_word(name), name);
+}
+
+/// As ompl_benchmark_statistics.py makes them, with a run of each kind.
+TEST_F(AnalysisInput, ReadsBenchmarkDatabasesOfOmpl) {
+  const std::string path = folder_ / "benchmark.db";
+  SQLite::Database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec(R"(
+CREATE TABLE experiments (id INTEGER PRIMARY KEY, name VARCHAR(512), totaltime REAL);
+CREATE TABLE plannerConfigs (id INTEGER PRIMARY KEY, name VARCHAR(512) NOT NULL, settings TEXT);
+CREATE TABLE enums (name VARCHAR(512), value INTEGER, description TEXT);
+CREATE TABLE runs (id INTEGER PRIMARY KEY, experimentid INTEGER, plannerid INTEGER, time REAL,
+  "solution length" REAL, solved BOOLEAN, status ENUM, "graph states" INTEGER);
+INSERT INTO experiments VALUES (1, 'maze, small', 60), (2, 'cubicles', 60);
+INSERT INTO plannerConfigs VALUES (1, 'geometric_RRT', ''), (2, 'geometric_PRM', '');
+INSERT INTO enums VALUES ('status', 3, 'Timeout'), ('status', 6, 'Approximate solution'),
+  ('status', 7, 'Exact solution');
+INSERT INTO runs VALUES (1, 1, 1, 0.5, 12.25, 1, 7, 100), (2, 1, 2, 0.75, 14, 1, 6, 200),
+  (3, 1, 1, 1.5, 11, 1, 7, 300), (4, 2, 9, 20, NULL, 0, 3, 400);
+)");
+  const ResultTable table = read_analysis_input(path, std::nullopt, false, {});
+  EXPECT_EQ(table.methods,
+            (std::vector<std::string>{"geometric_PRM", "geometric_RRT", "planner 9"}));
+  EXPECT_EQ(table.scenario_names, (std::vector<std::string>{"maze, small", "cubicles"}));
+  EXPECT_EQ(table.outcomes, (std::vector<std::string>{"success", "failure", "timeout"}));
+  ASSERT_EQ(table.size(), 4U);
+  double length = 0, states = 0;
+  int missing = 0, successes = 0, second = 0;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const ValueColumn* lengths = find_metric(table, "solution_length");
+    ASSERT_NE(lengths, nullptr);
+    lengths->is_na(i) ? void(++missing) : void(length += lengths->number(i));
+    states += find_metric(table, "graph_states")->number(i);
+    successes += table.outcomes[table.outcome[i]] == "success" ? 1 : 0;
+    second += table.repetition[i] == 1 ? 1 : 0;
+  }
+  EXPECT_EQ(length, 12.25 + 14 + 11);
+  EXPECT_EQ(states, 1000);
+  EXPECT_EQ(missing, 1);
+  EXPECT_EQ(successes, 2) << "an approximate solution does not reach the goal";
+  EXPECT_EQ(second, 1) << "of RRT in the maze";
+}
+
+TEST_F(AnalysisInput, RefusesDamagedBenchmarkDatabases) {
+  const std::string path = folder_ / "benchmark.db";
+  SQLite::Database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+      .exec(
+          "CREATE TABLE plannerConfigs (id); CREATE TABLE experiments (id); "
+          "CREATE TABLE enums (name, value, description); CREATE TABLE runs (id)");
+  EXPECT_TRUE(throws_error(ErrorKind::File, path, {"no such column", "database of OMPL"},
+                           [&] { read_analysis_input(path, std::nullopt, false, {}); }));
+}
+
+TEST_F(AnalysisInput, ReadsResultsOfBenchMr) {
+  const std::string path = folder_ / "results.json";
+  write_file_atomically(path, R"({"settings": {}, "runs": [
+{"environment": {"name": "corridor"}, "plans": {
+  "RRT": {"stats": {"path_found": true, "path_collides": false, "exact_goal_path": true,
+                    "path_length": 10.5, "cusps": [[1, 2], [3, 4]], "planner": "RRT"}},
+  "SBPL": {"stats": {"path_found": true, "path_collides": true, "exact_goal_path": true,
+                     "path_length": 9, "cusps": []}}}},
+{"environment": {"name": "corridor"}, "plans": {
+  "RRT": {"stats": {"path_found": false, "path_collides": false, "exact_goal_path": false,
+                    "path_length": null, "cusps": null}},
+  "SBPL": {"stats": null}}}]})");
+  const ResultTable table = read_analysis_input(path, std::nullopt, false, {});
+  EXPECT_EQ(table.methods, (std::vector<std::string>{"RRT", "SBPL"}));
+  EXPECT_EQ(table.scenario_names, (std::vector<std::string>{"corridor 0", "corridor 1"}));
+  ASSERT_EQ(table.size(), 4U) << "also the plan without stats";
+  std::map<std::string, int> outcomes;
+  for (const std::uint32_t outcome : table.outcome) ++outcomes[table.outcomes[outcome]];
+  EXPECT_EQ(outcomes,
+            (std::map<std::string, int>{{"collision", 1}, {"failure", 2}, {"success", 1}}));
+  EXPECT_EQ(find_metric(table, "cusps")->number(0), 2);
+  for (const std::string damaged :
+       {R"({"runs": [{"plans": 3}]})", R"({"runs": [{"plans": {}}, 3]})", R"({"runs": {}})",
+        R"({"runs": [)"}) {
+    write_file_atomically(path, damaged);
+    EXPECT_THROW(read_analysis_input(path, std::nullopt, false, {}), Error) << damaged;
+  }
 }
 
 TEST_F(AnalysisInput, ResultFilesAreReadAsSuchWhateverTheirName) {

@@ -2,6 +2,7 @@
 #include "combined_results.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/file_format.h>
 #include <slalom/core/read_file.h>
 #include <slalom/io/merge_results.h>
 #include <slalom/io/read_results.h>
@@ -53,7 +54,8 @@ bool is_database(const std::string& path) {
 
 bool is_result_input(const std::string& path) {
   std::error_code ignored;
-  return std::filesystem::is_directory(path, ignored) || is_database(path);
+  return std::filesystem::is_directory(path, ignored) ||
+         (is_database(path) && !recognize_file(path));
 }
 
 }  // namespace slalom

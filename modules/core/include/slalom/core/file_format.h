@@ -16,6 +16,8 @@ struct FileFormat {
 /// it; none for other texts and unknown formats. The begin of a file suffices. SQLite files are
 /// recognized only if they are bags of ROS 2 or benchmarks of OMPL.
 std::optional<FileFormat> recognize_format(const std::string& content);
+/// The same of a file; none if it cannot be read.
+std::optional<FileFormat> recognize_file(const std::string& path);
 
 /// Throws Error (File) at `path` if the format of the content is recognized, with what was
 /// `expected` and the way in; also for any other content that is no text if `text` is expected.

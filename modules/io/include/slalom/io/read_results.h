@@ -25,7 +25,8 @@ ResultTable read_detailed_results(const std::string& path);
 /// Whether the file has the signature of an SQLite database.
 bool is_database(const std::string& path);
 
-/// Whether the file or folder is one for read_results(): a folder, or an SQLite database.
+/// Whether the file or folder is one for read_results(): a folder, or an SQLite database
+/// that is none of another program.
 bool is_result_input(const std::string& path);
 
 }  // namespace slalom

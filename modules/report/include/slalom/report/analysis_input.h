@@ -12,7 +12,8 @@ namespace slalom {
 
 /// Reads runs for an analysis: a result file or a folder of them, of which only the columns in
 /// `ids` (see read_results()), or a table of numbers if the file is `csv` or its name does not end
-/// with ".results". Throws Error (File), for a known format of other programs with the way in.
+/// with ".results": CSV, a benchmark database of OMPL, or the results of Bench-MR (.json). Throws
+/// Error (File), for a known format of other programs with the way in.
 ResultTable read_analysis_input(const std::string& path,
                                 const std::optional<std::vector<std::string>>& ids, bool csv,
                                 const CsvColumnOptions& options);
