@@ -54,8 +54,8 @@ void add_movers_verb(CLI::App& app) {
   add_scenario_argument(*verb, arguments.one);
   CLI::Option* file = verb->add_option(
       "file", arguments.file,
-      "CSV with the columns id, t (or frame), x, y and optionally r, lines of frame id x y, or an "
-      "obsmat.txt (ETH, UCY)");
+      "CSV with the columns id, t (or frame), x, y and optionally r, lines of frame id x y, an "
+      "obsmat.txt (ETH, UCY), or an agents.yaml (HuNavSim)");
   verb->add_flag("--remove", arguments.remove, "Remove all instead")->excludes(file);
   verb->add_option("--radius", arguments.options.radius, "Radius without a column r, m")
       ->check(CLI::PositiveNumber)

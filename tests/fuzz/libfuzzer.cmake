@@ -33,6 +33,7 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/io/src/result/result_schema.cpp
   ${MODULES}/io/src/result/result_writer.cpp
   ${MODULES}/io/src/scenario/scenario_codec.cpp
+  ${MODULES}/io/src/scenario/hunav_agents.cpp
   ${MODULES}/io/src/scenario/movers_file.cpp
   ${MODULES}/io/src/scenario/movers_yaml.cpp
   ${MODULES}/io/src/scenario/scenario_yaml.cpp

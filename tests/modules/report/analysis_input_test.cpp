@@ -56,7 +56,7 @@ TEST_F(AnalysisInput, EachOutcomeOfARunIsAWordOfTables) {
   for (const std::string& name : names_of<Outcome>()) EXPECT_EQ(outcome_of_word(name), name);
 }
 
-/// As ompl_benchmark_statistics.py makes them, with a run of each kind.
+/// Tables as ompl_benchmark_statistics.py makes them, with a run of each kind.
 TEST_F(AnalysisInput, ReadsBenchmarkDatabasesOfOmpl) {
   const std::string path = folder_ / "benchmark.db";
   SQLite::Database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec(R"(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../text_lines.h"
+#include "hunav_agents.h"
 
 #include <slalom/core/math.h>
 #include <slalom/core/read_file.h>
@@ -234,6 +235,11 @@ void read_frames(std::string line, TextLines& lines, const std::string& where,
 
 Movers movers_from_text(const std::string& text, const std::string& where,
                         const MoversFileOptions& options) {
+  if (is_hunav(text)) {
+    if (options.begin != 0)
+      throw file_error(where, "agents of HuNavSim have no times", "no time at which runs begin");
+    return hunav_agents(text, where);
+  }
   TextLines lines(text, where);
   std::string line;
   const std::string expected = "CSV with the columns id, t, x, y, or lines of frame id x y";

@@ -145,5 +145,64 @@ TEST(MoversFile, ErrorsNameTheLineAndWhatWasExpected) {
   EXPECT_TRUE(refuses("1 1.5 2 0 3 0 0 0\n", "f:1: invalid id in field 2", options));
 }
 
+constexpr char kAgents[] = R"(hunav_loader:
+  ros__parameters:
+    map: cafe
+    agents:
+      - anna
+      - ben
+    ben:
+      radius: 0.3
+      max_vel: 2
+      behavior: {type: 1, vel: 0.6}
+      init_pose: {x: 0, y: 1, z: 1.25, h: 0}
+      cyclic_goals: false
+      goals: [g0]
+      g0: {x: 4, y: 1, h: 0}
+    anna:
+      id: 1
+      radius: 0.4
+      max_vel: 0.5
+      init_pose:
+        x: 1.0
+        y: 2.0
+      goal_radius: 0.3
+      cyclic_goals: true
+      goals:
+        - g0
+        - g1
+      g0:
+        x: 1.0
+        y: 5.0
+      g1:
+        x: 5.0
+        y: 5.0
+)";
+
+TEST(MoversFile, AgentsOfHuNavSimWalkOverTheirGoals) {
+  const Movers movers = movers_from_text(kAgents, "f");
+  ASSERT_EQ(movers.size(), 2U);
+  // 3 m, 4 m and 5 m back, at 0.5 m/s.
+  const Mover anna = {
+      "anna", 0.4, {{0, {1, 2}}, {6, {1, 5}}, {14, {5, 5}}, {24, {1, 2}}}, MoverEnd::Loop};
+  const Mover ben = {"ben", 0.3, {{0, {0, 1}}, {2, {4, 1}}}, MoverEnd::Stop};
+  EXPECT_EQ(movers, (Movers{anna, ben}));
+}
+
+TEST(MoversFile, AgentsOfHuNavSimThatCannotBeReadAreRefusedWithTheirLine) {
+  const auto changed = [](const std::string& from, const std::string& to) {
+    std::string text = kAgents;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  EXPECT_TRUE(refuses(changed("radius: 0.3", "radius: -1"), "f:8: "));
+  EXPECT_TRUE(refuses(changed("max_vel: 2", "speed: 2"), "f:"));
+  EXPECT_TRUE(refuses(changed("      - ben\n", "      - carl\n"), "f:"));
+  EXPECT_TRUE(refuses(changed("goals: [g0]", "goals: [g7]"), "f:"));
+  EXPECT_TRUE(refuses(changed("x: 4,", "x: four,"), "f:14: "));
+  EXPECT_TRUE(refuses(changed("{type: 1,", "{type: 1"), "f:"));
+  EXPECT_TRUE(refuses("hunav_loader: 3\n", "f"));
+  EXPECT_TRUE(refuses(kAgents, "f: agents of HuNavSim have no times", {0.3, 2, 0}));
+}
+
 }  // namespace
 }  // namespace slalom

@@ -17,14 +17,17 @@ struct MoversFileOptions {
 /// present from their first position to their last one:
 ///
 /// - CSV with a header line: id, t, x, y and optionally r, in any order; t in s, others in m. With
-/// a
-///   column `frame` in place of t, the frame rate is needed; vx and vy (m/s) check it. The columns
-///   type and label are ignored, and the ending "_est", as of CITR and DUT (Yang et al. 2019).
+///   a column `frame` in place of t, the frame rate is needed; vx and vy (m/s) check it. The
+///   columns type and label are ignored, and the ending "_est", as of CITR and DUT (Yang et al.
+///   2019).
 /// - Four numbers a line: frame, id, x and y, as prediction benchmarks distribute them (Social GAN,
 ///   TrajNet).
 /// - `obsmat.txt` of the ETH data set (Pellegrini et al. 2009, "You'll never walk alone"), also in
 ///   use for UCY: eight numbers a line, of which the frame, the id and the positions in m (third
 ///   and fifth) are used. The velocities in m/s (sixth and eighth) check the frame rate.
+/// - `agents.yaml` of HuNavSim: no positions over time, but goals, over which each agent walks
+///   straight at its `max_vel`, from its `init_pose` on, in a loop over that if the goals are
+///   cyclic. Behaviors and social forces are left out; `begin` must be 0.
 ///
 /// Times before `begin` are dropped; the position at `begin` is interpolated. Lines that are empty
 /// or begin with '#' are ignored. Ids are those of the file, in its order.
