@@ -151,7 +151,14 @@ TEST_F(StudioView, MovesStartAndGoalUndoably) {
       "expect view contains \"goal 9.000 3.000\"\n"
       "key Ctrl+Y\n"
       "wait idle\n"
-      "expect view lacks \"goal 9.000 3.000\"\n",
+      "expect view lacks \"goal 9.000 3.000\"\n"
+      "click view \"tool goal\"\n"
+      "drag view \"at 8 4\" to view \"at 7 4\"\n"
+      "wait idle\n"
+      "expect view contains \"m, 180.0 deg\"\n"
+      "click view \"at 8 4\"\n"
+      "wait idle\n"
+      "expect view lacks \"m, 180.0 deg\"\n",
       "room.scenarios --settings s.ini");
   EXPECT_NEAR(numbers_after(shown, "goal").first, 8, kPixel) << shown;
   EXPECT_NEAR(numbers_after(shown, "goal").second, 4, kPixel) << shown;

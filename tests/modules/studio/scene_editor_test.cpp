@@ -50,12 +50,20 @@ TEST(SceneEditor, MovesTheStartAndRotatesItByDragging) {
   EXPECT_NE(clicked->scenario.hash(), room().hash());
 }
 
-TEST(SceneEditor, MovesTheGoalToWhereItIsReleased) {
+TEST(SceneEditor, SetsTheGoalAndAHeadingByADrag) {
   SceneEditor editor;
   editor.set_tool(EditTool::Goal);
-  const auto edit = drag(editor, room(), {2, 4}, {8, 5});
-  EXPECT_DOUBLE_EQ(edit->scenario.goal().x, 8);
-  EXPECT_DOUBLE_EQ(edit->scenario.goal().y, 5);
+  const auto clicked = drag(editor, room(), {8, 5}, {8, 5.05});  // no drag: less than tolerance
+  EXPECT_EQ(clicked->scenario.goal(), mrpt::math::TPoint2D(8, 5));
+  EXPECT_FALSE(clicked->scenario.goal_heading());
+  const auto turned = drag(editor, room(), {8, 5}, {8, 4});
+  EXPECT_EQ(turned->scenario.goal(), mrpt::math::TPoint2D(8, 5));
+  ASSERT_TRUE(turned->scenario.goal_heading());
+  EXPECT_NEAR(*turned->scenario.goal_heading(), -M_PI / 2, 1e-12);
+  const auto moved = drag(editor, turned->scenario, {8, 3}, {8, 3});
+  EXPECT_EQ(moved->scenario.goal_heading(), turned->scenario.goal_heading()) << "a click keeps it";
+  const auto removed = drag(editor, turned->scenario, {8.05, 5}, {8.05, 5});
+  EXPECT_EQ(removed->scenario.hash(), clicked->scenario.hash());
 }
 
 TEST(SceneEditor, AddsADiscOfTheDraggedOrTheBrushRadius) {
@@ -129,10 +137,11 @@ TEST(SceneEditor, PaintsAndErasesCellsAlongTheStroke) {
 TEST(SceneEditor, CancelsInvalidEdits) {
   SceneEditor editor;
   editor.set_tool(EditTool::Goal);
-  EXPECT_THROW(drag(editor, room(), {2, 4}, {5, 3}), Error);  // in the disc
+  EXPECT_THROW(drag(editor, room(), {5, 3}, {8, 3}), Error);  // in the disc
   EXPECT_FALSE(editor.busy());
   editor.press(room(), {2, 2}, kTolerance);
-  EXPECT_TRUE(editor.preview(room()).goal.has_value());
+  ASSERT_TRUE(editor.preview(room()).goal.has_value());
+  EXPECT_EQ(editor.preview(room()).goal->position, mrpt::math::TPoint2D(2, 2));
   editor.cancel();
   EXPECT_FALSE(editor.preview(room()).goal.has_value());
 }

@@ -203,7 +203,9 @@ std::string ScenarioView::text() const {
   std::string text = "scenario " + s.name() + ", " + to_string(s.representation()) + "\n";
   text +=
       format("start %.3f %.3f m, %.1f deg\n", s.start().x, s.start().y, s.start().phi / kDegree);
-  text += format("goal %.3f %.3f m\n", s.goal().x, s.goal().y);
+  text += format("goal %.3f %.3f m", s.goal().x, s.goal().y);
+  if (s.goal_heading()) text += format(", %.1f deg", *s.goal_heading() / kDegree);
+  text += "\n";
   text += format("scale %.4g pixels per m\n", view_.pixels_per_meter());
   text += "scale bar " + ScaleBar::choose(view_.pixels_per_meter(), kMaxScaleBar).text() + "\n";
   text += "tool " + info_of(tool()).id + "\n";
@@ -305,7 +307,8 @@ void ScenarioView::draw_preview(NVGcontext* ctx) const {
   const RobotModel& robot = scene_->settings.robot;
   const Color& color = palette().edit;
   if (preview.start) shapes::robot(ctx, view_, robot.shape(), *preview.start, color);
-  if (preview.goal) shapes::goal(ctx, view_, *preview.goal, {}, robot.radius, color);
+  if (preview.goal)
+    shapes::goal(ctx, view_, preview.goal->position, preview.goal->heading, robot.radius, color);
   for (const Disc& disc : preview.obstacles.discs) shapes::circle(ctx, view_, disc, color, 2, 2);
   for (const Polygon& polygon : preview.obstacles.polygons)
     shapes::polyline(ctx, view_, polygon.vertices, color, 2, true);

@@ -35,7 +35,8 @@ const std::vector<EditToolInfo>& edit_tools() {
       {EditTool::Look, "look", "Look", 'V', "drag moves the view, the wheel zooms"},
       {EditTool::Start, "start", "Start", 'S',
        "press at the start position, drag to set the heading"},
-      {EditTool::Goal, "goal", "Goal", 'G', "press at the goal position"},
+      {EditTool::Goal, "goal", "Goal", 'G',
+       "press at the goal position, drag to set a heading there; a click on the goal removes it"},
       {EditTool::Disc, "disc", "+ Disc", 'D', "press at the center, drag the radius"},
       {EditTool::Polygon, "polygon", "+ Polygon", 'P',
        "click the corners; click the first again or press Enter to close it"},
@@ -165,6 +166,14 @@ TPose2D SceneEditor::start_pose(const Scenario& scenario) const {
   return {from_.x, from_.y, heading};
 }
 
+/// A drag sets a heading of the goal; a click keeps it, and on the goal removes it.
+EditedGoal SceneEditor::goal(const Scenario& scenario) const {
+  if (dragged()) return {from_, math::atan2(at_.y - from_.y, at_.x - from_.x)};
+  const bool on_goal = distance_between(from_, scenario.goal()) <= tolerance_;
+  if (on_goal && scenario.goal_heading()) return {scenario.goal(), std::nullopt};
+  return {from_, scenario.goal_heading()};
+}
+
 Disc SceneEditor::new_disc() const {
   return {from_, dragged() ? distance_between(from_, at_) : brush_};
 }
@@ -173,8 +182,11 @@ std::optional<SceneEdit> SceneEditor::edit(const Scenario& scenario) const {
   switch (tool_) {
     case EditTool::Start:
       return SceneEdit{with_start(scenario, start_pose(scenario)), "Move start"};
-    case EditTool::Goal:
-      return SceneEdit{with_goal(scenario, at_), "Move goal"};
+    case EditTool::Goal: {
+      const EditedGoal edited = goal(scenario);
+      return SceneEdit{with_goal(scenario, edited.position).with_goal_heading(edited.heading),
+                       "Move goal"};
+    }
     case EditTool::Disc:
       return SceneEdit{with_obstacle_added(scenario, new_disc()), "Add disc"};
     case EditTool::Move:
@@ -235,7 +247,7 @@ EditPreview SceneEditor::preview(const Scenario& scenario) const {
   }
   if (!pressed_) return preview;
   if (tool_ == EditTool::Start) preview.start = start_pose(scenario);
-  if (tool_ == EditTool::Goal) preview.goal = at_;
+  if (tool_ == EditTool::Goal) preview.goal = goal(scenario);
   if (tool_ == EditTool::Disc) preview.obstacles.discs.push_back(new_disc());
   if (tool_ == EditTool::Move && mover_)
     preview.mover = dragged_mover(scenario);

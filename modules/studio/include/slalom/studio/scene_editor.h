@@ -31,10 +31,16 @@ struct SceneEdit {
   std::string title;
 };
 
+/// A goal, and the heading (rad) of the robot there if there is one.
+struct EditedGoal {
+  mrpt::math::TPoint2D position;
+  std::optional<double> heading;
+};
+
 /// Preview of the current edit; drawn over the scene.
 struct EditPreview {
   std::optional<mrpt::math::TPose2D> start;
-  std::optional<mrpt::math::TPoint2D> goal;
+  std::optional<EditedGoal> goal;
   Primitives obstacles;                            ///< added or moved
   std::vector<mrpt::math::TPoint2D> open_polygon;  ///< vertices so far and the pointer position
   Stroke stroke;                                   ///< of the brush; none if it has no points
@@ -75,6 +81,7 @@ class SceneEditor {
 
  private:
   mrpt::math::TPose2D start_pose(const Scenario& scenario) const;
+  EditedGoal goal(const Scenario& scenario) const;
   Disc new_disc() const;
   bool dragged() const;
   std::optional<SceneEdit> edit(const Scenario& scenario) const;
