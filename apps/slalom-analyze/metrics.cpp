@@ -175,8 +175,9 @@ void define_metrics(CLI::App& app) {
       ->allow_extra_args(false);
   verb->add_option("--robot-radius", arguments.radius,
                    "Radius of the robot, m; the same as --set robot.radius=");
-  verb->add_option("--rate", arguments.selection.rate,
-                   "Poses per second of a log without times (12 numbers a line, KITTI), Hz")
+  verb->add_option(
+          "--rate", arguments.selection.rate,
+          "Poses per second of a log without times (12 numbers a line, KITTI; 6, MRPT), Hz")
       ->check(CLI::PositiveNumber);
   verb->add_option("--from", arguments.selection.from,
                    "Time in the log at which the run begins, s (default: its first)");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace slalom {
@@ -159,20 +160,28 @@ LogColumns columns_without_header(const std::string& line, const TextLines& line
 
 }  // namespace
 
-void LogColumns::read(const std::string& line, LogRow& row, const TextLines& lines) const {
+bool LogColumns::read(const std::string& line, LogRow& row, const TextLines& lines) const {
   std::vector<std::string> fields = fields_of(line, separator);
-  std::vector<bool> used(fields.size(), false);
+  std::vector<bool> used(fields.size(), false), is_nan(fields.size(), false);
   for (const auto& source : sources)
     if (source && source->field < used.size()) used[source->field] = true;
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    if (!used[i]) fields[i] = "0";  // may be text
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    is_nan[i] = used[i] && lower_case(fields[i]) == "nan";
+    if (!used[i] || is_nan[i]) fields[i] = "0";  // may be text
+  }
   const std::vector<double> numbers = numbers_of(fields, names.size(), lines);
+  bool complete = true;
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (!sources[i]) continue;
     row[i] = numbers[sources[i]->field] * sources[i]->factor;
     if (!std::isfinite(row[i]))
       throw lines.error(kAliases[i].name + " is too large", "a finite number");
+    if (!is_nan[sources[i]->field]) continue;
+    const bool is_command = i == kCommandV || i == kCommandW || i == kCommandVy;
+    row[i] = std::numeric_limits<double>::quiet_NaN();
+    complete = complete && is_command;
   }
+  return complete;
 }
 
 std::string LogColumns::scaled(std::size_t quantity, double factor) const {

@@ -30,8 +30,9 @@ struct LogColumns {
   bool has(std::size_t quantity) const { return sources[quantity].has_value(); }
   bool has_heading() const { return has(kPhi) || has(kQz); }
 
-  /// Overwrites the numbers of the row that the line contains.
-  void read(const std::string& line, LogRow& row, const TextLines& lines) const;
+  /// Overwrites the numbers of the row that the line contains. False if one is "nan" that is not a
+  /// command.
+  bool read(const std::string& line, LogRow& row, const TextLines& lines) const;
   /// "--columns t=NAME*FACTOR": the option that multiplies the numbers by a further factor.
   std::string scaled(std::size_t quantity, double factor) const;
   /// The columns that are not used, or the names of those of a log without header; "" if neither.

@@ -14,6 +14,8 @@
 #include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -50,6 +52,11 @@ class Collector {
     largest_angle_ = std::max(largest_angle_, std::abs(row[kPhi]));
   }
 
+  /// A row without a pose, as a tracker that lost the robot writes it.
+  void leave_out(const TextLines& lines) {
+    if (without_pose_++ == 0) first_without_pose_ = lines.number();
+  }
+
   Trajectory take(const TextLines& lines) {
     if (trajectory_.samples.size() < 2)
       throw lines.error("only " + std::to_string(trajectory_.samples.size()) + " samples",
@@ -65,6 +72,7 @@ class Collector {
     };
     add(repeated_,
         "the time of the row before (first in line " + std::to_string(first_repeated_) + ")");
+    add(without_pose_, "nan (first in line " + std::to_string(first_without_pose_) + ")");
     add(outside_, "not from --from to --to");
     add(after_step_back_, "the time goes back");
     return notes;
@@ -103,7 +111,8 @@ class Collector {
   LogSelection selection_;
   Trajectory trajectory_;
   double distance_ = 0, largest_angle_ = 0;
-  std::size_t repeated_ = 0, first_repeated_ = 0, outside_ = 0, after_step_back_ = 0;
+  std::size_t repeated_ = 0, first_repeated_ = 0, without_pose_ = 0, first_without_pose_ = 0,
+              outside_ = 0, after_step_back_ = 0;
   bool has_ended_ = false;
 };
 
@@ -209,7 +218,10 @@ std::vector<TrajectoryFile> read_log(std::string line, TextLines& lines, bool si
   double last = -std::numeric_limits<double>::infinity();
   for (bool more = columns.first_line_has_numbers || lines.next(line); more;
        more = lines.next(line)) {
-    columns.read(line, row, lines);
+    if (!columns.read(line, row, lines)) {
+      collector.leave_out(lines);
+      continue;
+    }
     if (columns.has(kQz)) row[kPhi] = yaw_of(row[kQx], row[kQy], row[kQz], row[kQw], lines);
     if (split && row[kTime] < last) {
       finish();
@@ -223,51 +235,65 @@ std::vector<TrajectoryFile> read_log(std::string line, TextLines& lines, bool si
   return runs;
 }
 
-constexpr std::size_t kKittiNumbers = 12;
+constexpr std::size_t kKittiNumbers = 12, kMrptNumbers = 6;
 
-/// Whether a line has 12 numbers.
-bool is_kitti(const std::string& line) {
+/// How many numbers a line of poses without times has: 12 of KITTI, 6 of MRPT; 0 for other lines.
+std::size_t numbers_without_time(const std::string& line) {
   const std::vector<std::string> fields = split_at_blanks(line);
   double number = 0;
-  return fields.size() == kKittiNumbers &&
-         std::all_of(fields.begin(), fields.end(),
-                     [&](const std::string& field) { return parse_number(field, number); });
+  const bool has_numbers = std::all_of(fields.begin(), fields.end(), [&](const std::string& field) {
+    return parse_number(field, number);
+  });
+  const std::size_t count = fields.size();
+  return has_numbers && (count == kKittiNumbers || count == kMrptNumbers) ? count : 0;
 }
 
-/// Poses of KITTI as the rows of a log, at a constant rate.
-std::string log_of_kitti(std::string line, TextLines& lines, double rate) {
-  if (!(rate > 0)) throw lines.error("poses without times (KITTI)", "--rate HZ, of the camera");
+/// x, y and phi of a line of KITTI.
+std::array<double, 3> pose_of_camera(const std::vector<double>& m, const TextLines& lines) {
+  const double right = m[2], forward = m[10];  // of the third column of R
+  constexpr double kLevel = 0.1;
+  if (!(math::hypot(right, forward) > kLevel))
+    throw lines.error("the camera looks up or down", "a rotation matrix with a heading");
+  return {m[11], -m[3], math::atan2(-right, forward)};
+}
+
+/// Poses without times as the rows of a log, at a constant rate.
+std::vector<TrajectoryFile> read_without_times(std::string line, TextLines& lines,
+                                               const std::string& where, bool sideways,
+                                               const LogSelection& selection) {
+  const std::size_t count = numbers_without_time(line);
+  const std::string of = count == kKittiNumbers ? "KITTI" : "MRPT";
+  if (!selection.columns.empty())
+    throw usage_error("--columns", where + " has poses of " + of, "no --columns");
+  if (!(selection.rate > 0))
+    throw lines.error("poses without times (" + of + ")", "--rate HZ, poses per second");
   std::string log = "t,x,y,phi\n";
   std::size_t index = 0;
   do {
-    const std::vector<double> m = numbers_of(split_at_blanks(line), kKittiNumbers, lines);
-    const double right = m[2], forward = m[10];  // of the third column of R
-    constexpr double kLevel = 0.1;
-    if (!(math::hypot(right, forward) > kLevel))
-      throw lines.error("the camera looks up or down", "a rotation matrix with a heading");
-    const double numbers[] = {static_cast<double>(index++) / rate, m[11], -m[3],
-                              math::atan2(-right, forward)};
+    const std::vector<double> n = numbers_of(split_at_blanks(line), count, lines);
+    const auto [x, y, phi] =
+        count == kKittiNumbers ? pose_of_camera(n, lines) : std::array{n[0], n[1], n[3]};
     std::vector<std::string> fields;
-    for (const double number : numbers) fields.push_back(format_number(number));
+    for (const double number : {static_cast<double>(index++) / selection.rate, x, y, phi})
+      fields.push_back(format_number(number));
     log += join(fields, ",") + "\n";
   } while (lines.next(line));
-  return log;
-}
-
-std::vector<TrajectoryFile> read_kitti(const std::string& line, TextLines& lines,
-                                       const std::string& where, bool sideways,
-                                       const LogSelection& selection) {
-  if (!selection.columns.empty())
-    throw usage_error("--columns", where + " has poses of KITTI", "no --columns");
-  const std::string log = log_of_kitti(line, lines, selection.rate);
   TextLines rows(log, where);
   std::string header;
   rows.next(header);
   std::vector<TrajectoryFile> runs = read_log(header, rows, sideways, selection, false);
-  runs[0].notes.insert(runs[0].notes.begin(),
-                       "poses of KITTI: x is forward (z of the camera), y to the left (-x), at " +
-                           format_number(selection.rate) + " Hz");
+  const std::string meaning = count == kKittiNumbers
+                                  ? "x is forward (z of the camera), y to the left (-x)"
+                                  : "lines of x y z yaw pitch roll";
+  runs[0].notes.insert(runs[0].notes.begin(), "poses of " + of + ": " + meaning + ", at " +
+                                                  format_number(selection.rate) + " Hz");
   return runs;
+}
+
+/// Whether a line is a comment of MRPT or MATLAB: "% by ...", not "%time,field.x".
+bool is_remark(const std::string& line) {
+  const bool is_name = line.size() > 1 && std::isalpha(static_cast<unsigned char>(line[1])) != 0;
+  return line[0] == '%' && !is_name;
 }
 
 std::vector<TrajectoryFile> read_text_log(const std::string& text, const std::string& where,
@@ -278,7 +304,10 @@ std::vector<TrajectoryFile> read_text_log(const std::string& text, const std::st
   std::string line;
   if (!lines.next(line))
     throw file_error(where, "empty file", "a trajectory as CSV with a header line, or as TUM");
-  if (is_kitti(line)) return read_kitti(line, lines, where, sideways, selection);
+  while (is_remark(line))
+    if (!lines.next(line)) throw file_error(where, "has only comments", "a trajectory");
+  if (numbers_without_time(line) > 0)
+    return read_without_times(line, lines, where, sideways, selection);
   if (selection.rate > 0) throw usage_error("--rate", where + " has times", "no --rate");
   return read_log(line, lines, sideways, selection, split);
 }

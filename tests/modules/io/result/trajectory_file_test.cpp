@@ -106,8 +106,6 @@ TEST(TrajectoryFile, RejectsDamagedCsvWithItsLine) {
   const std::string head = "t,x,y,phi\n0,0,0,0\n";
   EXPECT_TRUE(refused_log(head + "1,1,0\n", "log:3: ", {"3 fields", "expected 4 numbers"}));
   EXPECT_TRUE(refused_log(head + "1,1,0,0,5\n", "log:3: ", {"5 fields", "expected 4 numbers"}));
-  EXPECT_TRUE(
-      refused_log(head + "1,nan,0,0\n", "log:3: ", {"field 2", "expected a finite number"}));
   EXPECT_TRUE(refused_log(head + "1,1,,0\n", "log:3: ", {"field 3", "expected a finite number"}));
   EXPECT_TRUE(
       refused_log(head + "1,1,1e999,0\n", "log:3: ", {"field 3", "expected a finite number"}));
@@ -408,6 +406,34 @@ TEST(TrajectoryFile, PosesOfKittiAreThoseOfACameraAtAConstantRate) {
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "--rate", {"has times"}, [&] {
     trajectory_from_text("t,x,y\n0,0,0\n1,1,1\n", "log", false, selection);
   }));
+}
+
+TEST(TrajectoryFile, PosesOfMrptWithoutTimesAreAtAConstantRate) {
+  const std::string poses =
+      "% Columns are: x(m) y(m) z(m) yaw(rad) pitch(rad) roll(rad)\n% by MRPT\n\n%-----\n"
+      "1 2 0.5 0.1 0 0\n1.5 2 0.5 0.2 0 0\n";
+  LogSelection selection;
+  selection.rate = 2;
+  const TrajectoryFile file = trajectory_from_text(poses, "log", false, selection);
+  ASSERT_EQ(file.trajectory.samples.size(), 2u);
+  EXPECT_EQ(file.trajectory.samples[1].t, 0.5);
+  EXPECT_EQ(file.trajectory.samples[1].pose, mrpt::math::TPose2D(1.5, 2, 0.2));
+  EXPECT_TRUE(mentions(notes_of(file), {"poses of MRPT", "x y z yaw pitch roll", "2 Hz"}));
+  EXPECT_TRUE(refused_log(poses, "log:5: ", {"without times (MRPT)", "--rate HZ"}));
+  EXPECT_TRUE(refused_log("% nothing else\n", "log: ", {"only comments"}));
+}
+
+TEST(TrajectoryFile, LeavesRowsOfALostRobotOut) {
+  const std::string rows = "0 0 0 0 0 0 0 1\n1 nan nan nan nan nan nan nan\n";
+  const TrajectoryFile tum = read(rows + "2 1 0 0 0 0 0 1\n3 NaN NaN NaN NaN NaN NaN NaN\n");
+  ASSERT_EQ(tum.trajectory.samples.size(), 2u);
+  EXPECT_EQ(tum.trajectory.samples[1].t, 2);
+  EXPECT_TRUE(mentions(notes_of(tum), {"2 rows left out: nan (first in line 2)"}));
+  // A command that is missing in one row only.
+  const TrajectoryFile csv = read("t,x,y,phi,command_v\n0,0,0,0,0.5\n1,0.5,0,0,nan\n2,1,0,0,0.4\n");
+  ASSERT_EQ(csv.trajectory.samples.size(), 3u);
+  EXPECT_TRUE(std::isnan(csv.trajectory.samples[1].command_v));
+  EXPECT_TRUE(refused_log(rows, "log:2: ", {"only 1 samples"}));
 }
 
 TEST(TrajectoryFile, ReportsAMissingFile) {

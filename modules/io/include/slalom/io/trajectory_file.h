@@ -23,7 +23,7 @@ struct LogSelection {
   double to = std::numeric_limits<double>::infinity();
   /// NAME=COLUMN[*FACTOR],...: columns that do not have the usual names or units.
   std::string columns = "";
-  double rate = 0;  ///< Hz, of poses without times (KITTI); 0: unknown
+  double rate = 0;  ///< Hz, of poses without times (KITTI, MRPT); 0: unknown
 };
 
 /// Reads a log in CSV or TUM format. Empty lines and lines that begin with '#' are ignored. Units
@@ -34,13 +34,15 @@ struct LogSelection {
 /// command_w, command_vy, or usual other names. Other columns are not read. Lines of numbers
 /// without header are t x y z qx qy qz qw (TUM), t x y z yaw pitch roll or t x y phi. Lines of 12
 /// numbers are poses of KITTI, rows of [R t] in the frame of a camera (x right, y down, z forward):
-/// x is forward, y to the left, phi the direction of the camera; times are those of the rate.
+/// x is forward, y to the left, phi the direction of the camera; lines of 6 numbers are MRPT's
+/// x y z yaw pitch roll. Times of both are those of the rate. Lines before them that begin with "%"
+/// and no letter are ignored.
 ///
 /// Missing headings are those of the motion; missing velocities are computed by central differences
 /// of the poses (vy only if `sideways`, otherwise it is 0); missing commands are NaN.
 ///
-/// A row with the time of the row before is left out. With an end of the selection, the log ends
-/// where its time goes back.
+/// A row with the time of the row before is left out, and one with "nan" in place of a number that
+/// is not a command. With an end of the selection, the log ends where its time goes back.
 ///
 /// Throws Error (File) with line and what was expected for: non-finite numbers, times that go back,
 /// missing or duplicate columns, rows of a different length, fewer than 2 or more than 5 million
