@@ -137,16 +137,26 @@ void choose_column(const std::string& text, LogColumns& columns, const TextLines
   columns.sources[*quantity] = {*field, factor};
 }
 
+/// The columns as the remark before a line of numbers names them; none if it does not.
+std::optional<LogColumns> columns_of_remark(const std::string& line, const TextLines& lines) {
+  LogColumns columns;
+  columns.first_line_has_numbers = true;
+  columns.separator = separator_of_numbers(line);
+  std::string remark = lines.remark();
+  remark = trim(remark.erase(0, remark.find_first_not_of('#')));
+  columns.names = fields_of(remark, separator_of(remark));
+  const bool has_names = columns.names.size() == fields_of(line, columns.separator).size() &&
+                         find_column(kAliases[kTime], columns, lines);
+  return has_names ? std::optional(columns) : std::nullopt;
+}
+
 /// The names of the fields of a log whose first line of content has numbers.
 LogColumns columns_without_header(const std::string& line, const TextLines& lines) {
+  if (auto columns = columns_of_remark(line, lines)) return *columns;
   LogColumns columns;
   columns.first_line_has_numbers = true;
   columns.separator = separator_of_numbers(line);
   const std::size_t count = fields_of(line, columns.separator).size();
-  std::string remark = lines.remark();
-  remark = trim(remark.erase(0, remark.find_first_not_of('#')));
-  columns.names = fields_of(remark, separator_of(remark));
-  if (columns.names.size() == count && find_column(kAliases[kTime], columns, lines)) return columns;
   columns.has_header = false;
   columns.names = {"t", "x", "y", "z", "qx", "qy", "qz", "qw"};
   if (count == 7) columns.names = {"t", "x", "y", "z", "yaw", "pitch", "roll"};
@@ -200,6 +210,10 @@ std::string LogColumns::note() const {
       unused.push_back(names[i]);
   if (unused.empty()) return "";
   return count_text(unused.size(), "column") + " not used: " + some_of(unused);
+}
+
+bool is_header_before(const std::string& line, const TextLines& lines) {
+  return columns_of_remark(line, lines).has_value();
 }
 
 LogColumns find_log_columns(const std::string& line, const std::string& columns_option,

@@ -39,6 +39,9 @@ struct LogColumns {
   std::string note() const;
 };
 
+/// Whether the line with '#' before a line of numbers names their columns.
+bool is_header_before(const std::string& line, const TextLines& lines);
+
 /// The columns of a log by its first line of content, or by the line with '#' before it, or by the
 /// number of its fields. `columns` is --columns. Throws Error (File, Usage).
 LogColumns find_log_columns(const std::string& line, const std::string& columns,

@@ -11,6 +11,7 @@ namespace {
 using mrpt::math::TPoint2D;
 
 constexpr const char* kRoot = "hunav_loader:";
+constexpr std::size_t kMaxWaypoints = 1'000'000;  ///< agents may share goals
 
 /// The values of one agent or pose.
 class AgentReader : public YamlReader {
@@ -66,8 +67,12 @@ Movers hunav_agents(const std::string& text, const std::string& where) {
     const AgentReader file(YAML::Load(text), where);
     const AgentReader root(file.part("hunav_loader").required("ros__parameters"), where);
     Movers movers;
-    for (const std::string& name : root.names("agents"))
+    std::size_t waypoints = 0;
+    for (const std::string& name : root.names("agents")) {
       movers.push_back(mover_of(name, {root.required(name), where}));
+      waypoints += movers.back().waypoints.size();
+      if (waypoints > kMaxWaypoints) throw file_error(where, "too many goals", "at most a million");
+    }
     if (movers.empty()) throw file_error(where, "has no agents", "an agents.yaml of HuNavSim");
     check_movers(where, movers);
     return movers;

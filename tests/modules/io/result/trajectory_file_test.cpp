@@ -423,6 +423,15 @@ TEST(TrajectoryFile, PosesOfMrptWithoutTimesAreAtAConstantRate) {
   EXPECT_TRUE(refused_log("% nothing else\n", "log: ", {"only comments"}));
 }
 
+/// A header tells logs with times from poses without, which have as many numbers.
+TEST(TrajectoryFile, ALogWithTimesMayHaveSixOrTwelveColumns) {
+  const std::string six = read("# t x y phi v w\n0 0 0 0 1 0\n1 1 0 0 1 0\n").trajectory.hash();
+  EXPECT_EQ(read("t,x,y,phi,v,w\n0,0,0,0,1,0\n1,1,0,0,1,0\n").trajectory.hash(), six);
+  EXPECT_EQ(read("# t x y phi v w a b c d e f\n0 0 0 0 1 0 1 1 1 1 1 1\n1 1 0 0 1 0 1 1 1 1 1 1\n")
+                .trajectory.hash(),
+            six);
+}
+
 TEST(TrajectoryFile, LeavesRowsOfALostRobotOut) {
   const std::string rows = "0 0 0 0 0 0 0 1\n1 nan nan nan nan nan nan nan\n";
   const TrajectoryFile tum = read(rows + "2 1 0 0 0 0 0 1\n3 NaN NaN NaN NaN NaN NaN NaN\n");

@@ -201,6 +201,14 @@ TEST(MoversFile, AgentsOfHuNavSimThatCannotBeReadAreRefusedWithTheirLine) {
   EXPECT_TRUE(refuses(changed("x: 4,", "x: four,"), "f:14: "));
   EXPECT_TRUE(refuses(changed("{type: 1,", "{type: 1"), "f:"));
   EXPECT_TRUE(refuses("hunav_loader: 3\n", "f"));
+  // Some kilobytes that would take gigabytes.
+  std::string many = "hunav_loader:\n  ros__parameters:\n    agents: [a";
+  for (int i = 0; i < 2000; ++i) many += ", a";
+  many +=
+      "]\n    a:\n      radius: 1\n      max_vel: 1\n      init_pose: {x: 0, y: 0}\n"
+      "      g: {x: 1, y: 1}\n      h: {x: 2, y: 2}\n      goals: [g";
+  for (int i = 0; i < 1000; ++i) many += ", h, g";
+  EXPECT_TRUE(refuses(many + "]\n", "f: too many goals"));
   EXPECT_TRUE(refuses(kAgents, "f: agents of HuNavSim have no times", {0.3, 2, 0}));
 }
 

@@ -76,7 +76,7 @@ struct SensorModel {
 
   void visit(OptionVisitor& v);  ///< all but the lasers
   double aperture() const;       ///< rad
-  /// What measures: the lasers, or one without a name at the center.
+  /// The lasers that measure, or one without a name at the center.
   std::vector<LaserModel> all_lasers() const;
   /// Throws Error (Usage) for lasers of the same or no name, and if one that is `raw` is not the
   /// only one or does not have the aperture, rays and maximum range of the sensor.
