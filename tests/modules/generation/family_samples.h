@@ -3,11 +3,15 @@
 
 #include <slalom/core/error.h>
 #include <slalom/generation/generator.h>
+#include <slalom/scenario/geometry.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace slalom {
@@ -49,6 +53,56 @@ inline std::string refusal(const std::string& name, const std::string& options) 
     return e.what();
   }
   return "no error";
+}
+
+/// m or rad, more than errors of rounding.
+constexpr double kRoundingError = 1e-9;
+
+inline void expect_within(double value, double low, double high) {
+  EXPECT_GE(value, low - kRoundingError);
+  EXPECT_LE(value, high + kRoundingError);
+}
+
+/// An angle (rad) to either side, with limits in degrees.
+inline void expect_angle_within(double angle, double low_deg, double high_deg) {
+  expect_within(std::abs(angle) * 180 / M_PI, low_deg, high_deg);
+}
+
+/// From the border and the walls, as they are, not as cells.
+inline double wall_clearance(const Scenario& scenario, const mrpt::math::TPoint2D& at) {
+  const Bounds& b = scenario.bounds();
+  double least = std::min({at.x - b.x_min, b.x_max - at.x, at.y - b.y_min, b.y_max - at.y});
+  for (const Polygon& wall : scenario.primitives().polygons)
+    least = std::min(least, distance(at, wall));
+  return least;
+}
+
+/// Expects that the default robot has a path in 20 scenarios of the default options, each of which
+/// may take this number of draws.
+inline void expect_solvable(const std::string& name, int draws) {
+  GenerationSettings settings;
+  settings.count = 20;
+  settings.attempts_per_scenario = draws;
+  const auto progress = make_silent_progress();
+  EXPECT_EQ(generate_solvable(*family(name), settings, *progress).size(), 20U);
+}
+
+/// Expects that these options, which have no range, give distinct scenarios, in which the robot
+/// faces along x.
+inline void expect_distinct(const std::string& name, const std::string& options) {
+  const auto generator = family(name, options);
+  RandomEngine engine(4);
+  const Scenario one = generator->generate("x", engine), other = generator->generate("x", engine);
+  EXPECT_NE(one.hash(), other.hash());
+  EXPECT_EQ(one.start().phi, 0);
+}
+
+/// Expects that each of these options is refused with a message that contains the text.
+inline void expect_refusals(const std::string& name,
+                            const std::vector<std::pair<std::string, std::string>>& refused) {
+  for (const auto& [options, message] : refused)
+    EXPECT_NE(refusal(name, options).find(message), std::string::npos)
+        << options << refusal(name, options);
 }
 
 }  // namespace slalom

@@ -3,6 +3,7 @@
 
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/core/error.h>
+#include <slalom/generation/avoid.h>
 #include <slalom/generation/cellular_automaton.h>
 #include <slalom/generation/circle.h>
 #include <slalom/generation/clutter.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/generation/avoid.h>
 #include <slalom/generation/cellular_automaton.h>
 #include <slalom/generation/circle.h>
 #include <slalom/generation/clutter.h>
@@ -44,21 +45,14 @@ constexpr Family family_of() {
 
 /// All families; a new one is registered here.
 constexpr Family kFamilies[] = {
-    family_of<CellularAutomatonOptions>(),
-    family_of<CircleOptions>(),
-    family_of<ClutterOptions>(),
-    family_of<CropOptions>(),
-    family_of<CrossingOptions>(),
-    family_of<DoorwayOptions>(),
-    family_of<MazeOptions>(),
-    family_of<OncomingOptions>(),
-    family_of<OvertakingOptions>(),
-    family_of<PassageOptions>(),
-    family_of<PerlinOptions>(),
-    family_of<PoissonForestOptions>(),
-    family_of<RandomGeneratorOptions>(),
-    family_of<RoomsOptions>(),
-    family_of<TrapsOptions>(),
+    family_of<AvoidOptions>(),         family_of<CellularAutomatonOptions>(),
+    family_of<CircleOptions>(),        family_of<ClutterOptions>(),
+    family_of<CropOptions>(),          family_of<CrossingOptions>(),
+    family_of<DoorwayOptions>(),       family_of<MazeOptions>(),
+    family_of<OncomingOptions>(),      family_of<OvertakingOptions>(),
+    family_of<PassageOptions>(),       family_of<PerlinOptions>(),
+    family_of<PoissonForestOptions>(), family_of<RandomGeneratorOptions>(),
+    family_of<RoomsOptions>(),         family_of<TrapsOptions>(),
 };
 
 const Family& family(const std::string& name, const std::string& where) {

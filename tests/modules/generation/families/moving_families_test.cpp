@@ -21,15 +21,6 @@ using mrpt::math::TPoint2D;
 const std::vector<std::string> kMovingFamilies = {"circle", "crossing", "doorway", "oncoming",
                                                   "overtaking"};
 
-/// From the border and the walls, as they are, not as cells.
-double wall_clearance(const Scenario& scenario, const TPoint2D& at) {
-  const Bounds& b = scenario.bounds();
-  double least = std::min({at.x - b.x_min, b.x_max - at.x, at.y - b.y_min, b.y_max - at.y});
-  for (const Polygon& wall : scenario.primitives().polygons)
-    least = std::min(least, distance(at, wall));
-  return least;
-}
-
 RC_GTEST_PROP(MovingFamilies, MoversKeepOffWallsAtAllTimesAndOffTheStartAtFirst, ()) {
   const std::string name = *rc::gen::elementOf(kMovingFamilies);
   RandomEngine engine(static_cast<std::uint64_t>(*rc::gen::inRange(1, 1'000'000)));

@@ -28,16 +28,12 @@ TEST(Passage, TheRobotFacesTheGapAsTheOptionsSay) {
     }
     for (const auto& corner : walls[1].vertices) high = std::min(high, corner.y);
     EXPECT_NEAR(far - near, 0.2, 1e-12);
-    EXPECT_GE(high - low, 0.7 - 1e-12);
-    EXPECT_LE(high - low, 0.9 + 1e-12);
+    expect_within(high - low, 0.7, 0.9);
     const auto& start = scenario.start();
-    EXPECT_GE(near - start.x, 1 - 1e-12);
-    EXPECT_LE(near - start.x, 2 + 1e-12);
+    expect_within(near - start.x, 1, 2);
     const double offset = start.y - (low + high) / 2;
-    EXPECT_GE(std::abs(offset), 0.3 - 1e-12);
-    EXPECT_LE(std::abs(offset), 0.4 + 1e-12);
-    EXPECT_GE(std::abs(start.phi), 10 * M_PI / 180 - 1e-12);
-    EXPECT_LE(std::abs(start.phi), 20 * M_PI / 180 + 1e-12);
+    expect_within(std::abs(offset), 0.3, 0.4);
+    expect_angle_within(start.phi, 10, 20);
     EXPECT_NEAR(scenario.goal().y, (low + high) / 2, 1e-12);
     EXPECT_NEAR(scenario.goal().x - far, std::max(near - start.x, start.x + 3 - far), 1e-12);
     left += offset > 0 ? 1 : 0;
@@ -49,28 +45,22 @@ TEST(Passage, TheRobotFacesTheGapAsTheOptionsSay) {
 }
 
 TEST(Passage, OptionsWithoutARangeGiveDistinctScenarios) {
-  const auto generator = family("passage",
-                                "min_width = 0.9\nmax_width = 0.9\nmin_start_distance = 2\n"
-                                "max_start_distance = 2\nmax_offset = 0\nmax_angle_deg = 0\n");
-  RandomEngine engine(4);
-  const Scenario one = generator->generate("x", engine), other = generator->generate("x", engine);
-  EXPECT_NE(one.hash(), other.hash());
-  EXPECT_EQ(one.start().phi, 0);
+  expect_distinct("passage",
+                  "min_width = 0.9\nmax_width = 0.9\nmin_start_distance = 2\n"
+                  "max_start_distance = 2\nmax_offset = 0\nmax_angle_deg = 0\n");
 }
 
 TEST(Passage, RejectsInvalidOptions) {
-  const std::pair<const char*, const char*> kRefused[] = {
-      {"min_width = 2\n", "max_width: is less than min_width"},
-      {"max_width = 5\n", "max_width: leaves no wall beside the gap"},
-      {"min_offset = 1\n", "max_offset: is less than min_offset"},
-      {"max_offset = 1.5\n", "max_offset: places the start outside the margins"},
-      {"max_start_distance = 4.5\n", "max_start_distance: places the start outside the margins"},
-      {"min_angle_deg = 40\n", "max_angle_deg: is less than min_angle_deg"},
-      {"clear_radius = 1.6\n", "clear_radius: reaches the wall"},
-      {"min_distance = 6\n", "min_distance: start and goal cannot be min_distance apart"}};
-  for (const auto& [options, message] : kRefused)
-    EXPECT_NE(refusal("passage", options).find(message), std::string::npos)
-        << options << refusal("passage", options);
+  expect_refusals(
+      "passage",
+      {{"min_width = 2\n", "max_width: is less than min_width"},
+       {"max_width = 5\n", "max_width: leaves no wall beside the gap"},
+       {"min_offset = 1\n", "max_offset: is less than min_offset"},
+       {"max_offset = 1.5\n", "max_offset: places the start outside the margins"},
+       {"max_start_distance = 4.5\n", "max_start_distance: places the start outside the margins"},
+       {"min_angle_deg = 40\n", "max_angle_deg: is less than min_angle_deg"},
+       {"clear_radius = 1.6\n", "clear_radius: reaches the wall"},
+       {"min_distance = 6\n", "min_distance: start and goal cannot be min_distance apart"}});
 }
 
 }  // namespace
