@@ -10,6 +10,7 @@
 #include <slalom/generation/corridor_flow.h>
 #include <slalom/generation/crossing.h>
 #include <slalom/generation/doorway.h>
+#include <slalom/generation/follow_path.h>
 #include <slalom/generation/maze.h>
 #include <slalom/generation/passage.h>
 #include <slalom/generation/perlin.h>
