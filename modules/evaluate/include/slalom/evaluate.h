@@ -9,6 +9,7 @@
 #include <slalom/generation/clutter.h>
 #include <slalom/generation/corridor_flow.h>
 #include <slalom/generation/crossing.h>
+#include <slalom/generation/defined_area.h>
 #include <slalom/generation/doorway.h>
 #include <slalom/generation/follow_path.h>
 #include <slalom/generation/maze.h>

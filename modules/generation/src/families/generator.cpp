@@ -8,6 +8,7 @@
 #include <slalom/generation/corridor_flow.h>
 #include <slalom/generation/crop.h>
 #include <slalom/generation/crossing.h>
+#include <slalom/generation/defined_area.h>
 #include <slalom/generation/doorway.h>
 #include <slalom/generation/follow_path.h>
 #include <slalom/generation/generator.h>
@@ -46,23 +47,15 @@ constexpr Family family_of() {
 
 /// All families; a new one is registered here.
 constexpr Family kFamilies[] = {
-    family_of<AvoidOptions>(),
-    family_of<CellularAutomatonOptions>(),
-    family_of<CircleOptions>(),
-    family_of<ClutterOptions>(),
-    family_of<CropOptions>(),
-    family_of<CrossingOptions>(),
-    family_of<DoorwayOptions>(),
-    family_of<FollowPathOptions>(),
-    family_of<MazeOptions>(),
-    family_of<OncomingOptions>(),
-    family_of<OvertakingOptions>(),
-    family_of<PassageOptions>(),
-    family_of<PerlinOptions>(),
-    family_of<PoissonForestOptions>(),
-    family_of<RandomGeneratorOptions>(),
-    family_of<RoomsOptions>(),
-    family_of<TrapsOptions>(),
+    family_of<AvoidOptions>(),         family_of<CellularAutomatonOptions>(),
+    family_of<CircleOptions>(),        family_of<ClutterOptions>(),
+    family_of<CropOptions>(),          family_of<CrossingOptions>(),
+    family_of<DefinedAreaOptions>(),   family_of<DoorwayOptions>(),
+    family_of<FollowPathOptions>(),    family_of<MazeOptions>(),
+    family_of<OncomingOptions>(),      family_of<OvertakingOptions>(),
+    family_of<PassageOptions>(),       family_of<PerlinOptions>(),
+    family_of<PoissonForestOptions>(), family_of<RandomGeneratorOptions>(),
+    family_of<RoomsOptions>(),         family_of<TrapsOptions>(),
 };
 
 const Family& family(const std::string& name, const std::string& where) {
