@@ -18,6 +18,7 @@
 #include <slalom/generation/poisson_forest.h>
 #include <slalom/generation/random_generator.h>
 #include <slalom/generation/rooms.h>
+#include <slalom/generation/sudden_obstacle.h>
 #include <slalom/generation/traps.h>
 #include <slalom/generation/walkers.h>
 #include <slalom/references/reference.h>

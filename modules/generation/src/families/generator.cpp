@@ -18,6 +18,7 @@
 #include <slalom/generation/poisson_forest.h>
 #include <slalom/generation/random_generator.h>
 #include <slalom/generation/rooms.h>
+#include <slalom/generation/sudden_obstacle.h>
 #include <slalom/generation/traps.h>
 
 #include <algorithm>
@@ -46,17 +47,30 @@ constexpr Family family_of() {
 }
 
 /// All families; a new one is registered here.
+// One per line, so that a new one is one.
+// clang-format off
 constexpr Family kFamilies[] = {
-    family_of<AvoidOptions>(),         family_of<CellularAutomatonOptions>(),
-    family_of<CircleOptions>(),        family_of<ClutterOptions>(),
-    family_of<CropOptions>(),          family_of<CrossingOptions>(),
-    family_of<DefinedAreaOptions>(),   family_of<DoorwayOptions>(),
-    family_of<FollowPathOptions>(),    family_of<MazeOptions>(),
-    family_of<OncomingOptions>(),      family_of<OvertakingOptions>(),
-    family_of<PassageOptions>(),       family_of<PerlinOptions>(),
-    family_of<PoissonForestOptions>(), family_of<RandomGeneratorOptions>(),
-    family_of<RoomsOptions>(),         family_of<TrapsOptions>(),
+    family_of<AvoidOptions>(),
+    family_of<CellularAutomatonOptions>(),
+    family_of<CircleOptions>(),
+    family_of<ClutterOptions>(),
+    family_of<CropOptions>(),
+    family_of<CrossingOptions>(),
+    family_of<DefinedAreaOptions>(),
+    family_of<DoorwayOptions>(),
+    family_of<FollowPathOptions>(),
+    family_of<MazeOptions>(),
+    family_of<OncomingOptions>(),
+    family_of<OvertakingOptions>(),
+    family_of<PassageOptions>(),
+    family_of<PerlinOptions>(),
+    family_of<PoissonForestOptions>(),
+    family_of<RandomGeneratorOptions>(),
+    family_of<RoomsOptions>(),
+    family_of<SuddenObstacleOptions>(),
+    family_of<TrapsOptions>(),
 };
+// clang-format on
 
 const Family& family(const std::string& name, const std::string& where) {
   for (const Family& candidate : kFamilies)
