@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "family.h"
+#include "straight_path.h"
 #include "walls.h"
 
 #include <slalom/generation/passage.h>
-
-#include <mrpt/core/bits_math.h>
 
 #include <algorithm>
 
@@ -23,22 +21,20 @@ class PassageGenerator : public Generator {
     // The gap is anywhere relative to the cells of grids.
     const double axis = uniform_real(engine, o.height / 4, 3 * o.height / 4);
     const double distance = uniform_real(engine, o.min_start_distance, o.max_start_distance);
-    const double offset = side(engine) * uniform_real(engine, o.min_offset, o.max_offset);
-    const double angle = side(engine) * uniform_real(engine, o.min_angle_deg, o.max_angle_deg);
+    const double side = sample_side(engine);
+    const double offset = side * uniform_real(engine, o.min_offset, o.max_offset);
+    const double angle = sample_angle(engine, o.angle);
     const double left = (o.length - o.wall) / 2, right = (o.length + o.wall) / 2;
     Primitives walls;
     walls.polygons = {rectangle(left, 0, right, axis - width / 2),
                       rectangle(left, axis + width / 2, right, o.height)};
-    const mrpt::math::TPose2D start{left - distance, axis + offset,
-                                    wrap_angle(mrpt::DEG2RAD(angle))};
+    const mrpt::math::TPose2D start{left - distance, axis + offset, angle};
     const double goal = std::max(right + distance, start.x + o.start_goal.min_distance);
     return Scenario::continuous(scenario_name, {0, 0, o.length, o.height}, std::move(walls), start,
                                 {goal, axis});
   }
 
  private:
-  static double side(RandomEngine& engine) { return uniform_int(engine, 0, 1) == 0 ? -1 : 1; }
-
   PassageOptions options_;
 };
 
@@ -58,10 +54,7 @@ void PassageOptions::visit(OptionVisitor& v) {
            Range::at_least(0));
   v.option("max_offset", max_offset, "m", "maximum distance of the start from the gap's axis",
            Range::at_least(0));
-  v.option("min_angle_deg", min_angle_deg, "deg",
-           "minimum angle between start heading and the gap's axis", Range::between(0, 180));
-  v.option("max_angle_deg", max_angle_deg, "deg",
-           "maximum angle between start heading and the gap's axis", Range::between(0, 180));
+  angle.visit(v);
   start_goal.visit(v);
 }
 
@@ -73,7 +66,7 @@ std::unique_ptr<Generator> make_generator(const PassageOptions& given,
   checks.expect_order("min_start_distance", o.min_start_distance, "max_start_distance",
                       o.max_start_distance);
   checks.expect_order("min_offset", o.min_offset, "max_offset", o.max_offset);
-  checks.expect_order("min_angle_deg", o.min_angle_deg, "max_angle_deg", o.max_angle_deg);
+  expect_valid(checks, o.angle);
   checks.expect(o.max_width < o.height / 2, "max_width", "leaves no wall beside the gap",
                 "less than half of height");
   checks.expect_start_goal_fit(o.start_goal, o.length, o.height);

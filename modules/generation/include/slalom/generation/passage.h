@@ -2,7 +2,7 @@
 #pragma once
 
 #include <slalom/generation/generator.h>
-#include <slalom/generation/start_goal.h>
+#include <slalom/generation/straight_path.h>
 
 namespace slalom {
 
@@ -13,8 +13,8 @@ struct PassageOptions {
   double min_width = 0.8, max_width = 1.2;                    ///< m, clear width of the gap
   double wall = 0.15;                                         ///< m, thickness
   double min_start_distance = 1.5, max_start_distance = 2.5;  ///< m, of the start
-  double min_offset = 0, max_offset = 0.5;       ///< m, of the start from the gap's axis
-  double min_angle_deg = 0, max_angle_deg = 30;  ///< of the start heading to the gap's axis
+  double min_offset = 0, max_offset = 0.5;  ///< m, of the start from the gap's axis
+  StartAngleOptions angle;                  ///< to the gap's axis
   StartGoalOptions start_goal = {0.6, 3, 0.8};
 
   void visit(OptionVisitor& v);
