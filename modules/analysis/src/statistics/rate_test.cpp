@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/analysis/distributions.h>
 #include <slalom/analysis/rate_test.h>
 #include <slalom/core/math.h>
 
@@ -7,30 +8,37 @@
 
 namespace slalom {
 
-RateTest::RateTest(double rate, double confidence)
+RateMixture few_runs_mixture() {
+  return {{0, 0.5}, {0.2, 0.25}, {0.5, 0.25}};
+}
+
+RateMixture close_rates_mixture() {
+  return {{0, 0.45}, {0.2, 0.2}, {0.5, 0.15}, {0.7, 0.08}, {0.8, 0.05}, {0.9, 0.04}, {0.95, 0.03}};
+}
+
+RateTest::RateTest(double rate, double confidence, const RateMixture& mixture)
     : log_target_(-math::log(1 - confidence)), log_futile_(math::log(kFutileWealth)) {
-  constexpr double kFailures[] = {0, 0.2, 0.5}, kWeights[] = {0.5, 0.25, 0.25};
-  for (std::size_t i = 0; i < alternatives_.size(); ++i) {
-    Alternative& alternative = alternatives_[i];
-    alternative.log_weight = math::log(kWeights[i]);
-    alternative.log_success = math::log((1 - kFailures[i] * (1 - rate)) / rate);
-    if (kFailures[i] > 0) alternative.log_failure = math::log(kFailures[i]);
+  for (const auto& [part, weight] : mixture) {
+    Alternative& alternative = alternatives_.emplace_back();
+    alternative.log_weight = math::log(weight);
+    alternative.log_success = math::log((1 - part * (1 - rate)) / rate);
+    if (part > 0) alternative.log_failure = math::log(part);
   }
 }
 
 double RateTest::log_wealth(std::size_t successes, std::size_t failures) const {
-  std::array<double, 3> logs;
-  for (std::size_t i = 0; i < logs.size(); ++i) {
-    const Alternative& a = alternatives_[i];
-    logs[i] = a.log_weight + static_cast<double>(successes) * a.log_success;
-    if (failures == 0) continue;
-    logs[i] = a.log_failure ? logs[i] + static_cast<double>(failures) * *a.log_failure
-                            : -std::numeric_limits<double>::infinity();
-  }
-  const double largest = *std::max_element(logs.begin(), logs.end());
-  double sum = 0;
-  for (const double log : logs)
+  const auto log_ratio = [&](const Alternative& a) {
+    const double log = a.log_weight + static_cast<double>(successes) * a.log_success;
+    if (failures == 0) return log;
+    return a.log_failure ? log + static_cast<double>(failures) * *a.log_failure
+                         : -std::numeric_limits<double>::infinity();
+  };
+  double largest = -std::numeric_limits<double>::infinity(), sum = 0;
+  for (const Alternative& a : alternatives_) largest = std::max(largest, log_ratio(a));
+  for (const Alternative& a : alternatives_) {
+    const double log = log_ratio(a);
     if (log >= largest - 700) sum += math::exp(log - largest);
+  }
   return largest + math::log(sum);
 }
 
@@ -42,8 +50,8 @@ void RateTest::add(bool success) {
   futile_ = runs() >= kMinFutileRuns && wealth < log_futile_;
 }
 
-std::size_t runs_without_failure(double rate, double confidence) {
-  const RateTest test(rate, confidence);
+std::size_t runs_without_failure(double rate, double confidence, const RateMixture& mixture) {
+  const RateTest test(rate, confidence, mixture);
   const auto suffices = [&](std::size_t runs) {
     return test.log_wealth(runs, 0) >= test.log_target();
   };
@@ -54,6 +62,25 @@ std::size_t runs_without_failure(double rate, double confidence) {
     (suffices(middle) ? high : low) = middle;
   }
   return high;
+}
+
+double failure_bound(std::size_t runs, std::size_t failures, double confidence) {
+  const RateMixture mixture = close_rates_mixture();
+  double low = runs == 0 ? 1 : static_cast<double>(failures) / static_cast<double>(runs), high = 1;
+  // Bisection: the wealth grows with the rate of failure that is tested.
+  while (high - low > 1e-12 * high) {
+    const double middle = low + (high - low) / 2;
+    if (middle <= low || middle >= high) break;
+    const RateTest test(1 - middle, confidence, mixture);
+    (test.log_wealth(runs - failures, failures) >= test.log_target() ? high : low) = middle;
+  }
+  return high;
+}
+
+double shown_confidence(std::size_t runs, std::size_t failures, double rate) {
+  if (failures >= runs) return 0;
+  return cdf(complement(distributions::Binomial(static_cast<double>(runs), 1 - rate),
+                        static_cast<double>(failures)));
 }
 
 FixedSequence::FixedSequence(const Options& options) : options_(options) {

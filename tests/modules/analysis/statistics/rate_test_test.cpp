@@ -171,5 +171,78 @@ TEST(FixedSequence, EndsAtTheLimitOfAStepAndAtTheBudget) {
   EXPECT_EQ(poor.runs(), 70U);
 }
 
+TEST(FailureBound, IsTheRateAtWhichTheTestIsReached) {
+  for (const double rate : {0.8, 0.95, 0.999}) {
+    const std::size_t runs = runs_without_failure(rate, 0.95, close_rates_mixture());
+    EXPECT_LE(failure_bound(runs, 0, 0.95), 1 - rate);
+    EXPECT_GT(failure_bound(runs - 1, 0, 0.95), 1 - rate);
+  }
+  EXPECT_EQ(failure_bound(0, 0, 0.95), 1);
+  EXPECT_EQ(failure_bound(5, 5, 0.95), 1);
+  for (std::size_t failures = 0; failures < 50; ++failures) {
+    EXPECT_GT(failure_bound(100, failures, 0.95), static_cast<double>(failures) / 100);
+    EXPECT_GT(failure_bound(100, failures + 1, 0.95), failure_bound(100, failures, 0.95));
+    EXPECT_GT(failure_bound(100, failures, 0.99), failure_bound(100, failures, 0.95));
+  }
+}
+
+TEST(FailureBound, IsWithinATenthOfTheRateWithManyRuns) {
+  for (const double rate : {0.001, 0.1, 0.7}) {
+    const double runs = 1e7;
+    EXPECT_LE(
+        failure_bound(static_cast<std::size_t>(runs), static_cast<std::size_t>(runs * rate), 0.95),
+        1.1 * rate);
+  }
+}
+
+TEST(RateMixtures, AreMixtures) {
+  for (const RateMixture& mixture : {few_runs_mixture(), close_rates_mixture()}) {
+    double sum = 0;
+    for (const RateAlternative& alternative : mixture) sum += alternative.weight;
+    EXPECT_NEAR(sum, 1, 1e-12);
+  }
+}
+
+TEST(FailureBound, HoldsAlsoWhenTheRunsEndWhereItIsSmallest) {
+  RandomEngine engine(8);
+  for (const double rate : {0.02, 0.2}) {
+    int wrong = 0;
+    for (int repetition = 0; repetition < 1000; ++repetition) {
+      std::size_t failures = 0;
+      bool below = false;
+      for (std::size_t runs = 1; runs <= 300 && !below; ++runs) {
+        failures += uniform_real(engine, 0, 1) < rate ? 1 : 0;
+        // The wealth at the true rate, which is what the bound is compared with.
+        const RateTest test(1 - rate, 0.95, close_rates_mixture());
+        below = test.log_wealth(runs - failures, failures) >= test.log_target();
+        if (!below && runs % 50 != 0) continue;
+        const double bound = failure_bound(runs, failures, 0.95);
+        EXPECT_EQ(below, bound <= rate * (1 + 1e-9)) << bound;
+      }
+      wrong += below ? 1 : 0;
+    }
+    // At most 5 % of 1000, and 65 with the deviation of a sample.
+    EXPECT_LE(wrong, 65) << rate;
+  }
+}
+
+TEST(ShownConfidence, IsOneMinusTheProbabilityOfSoFewFailures) {
+  // The steps of ASTM E2801 and F3244: 0 of 10, 1 of 20, 3 of 30 at a reliability of 0.8.
+  EXPECT_NEAR(shown_confidence(10, 0, 0.8), 0.893, 5e-4);
+  EXPECT_NEAR(shown_confidence(20, 1, 0.8), 0.931, 5e-4);
+  EXPECT_NEAR(shown_confidence(30, 3, 0.8), 0.877, 5e-4);
+  EXPECT_EQ(shown_confidence(7, 7, 0.8), 0);
+  for (const double rate : {0.5, 0.9})
+    for (std::size_t failures = 0; failures < 12; ++failures) {
+      double probability = 0, choose = 1;
+      for (std::size_t k = 0; k <= failures; ++k) {
+        probability += choose * std::pow(1 - rate, static_cast<double>(k)) *
+                       std::pow(rate, static_cast<double>(12 - k));
+        choose = choose * static_cast<double>(12 - k) / static_cast<double>(k + 1);
+      }
+      EXPECT_NEAR(shown_confidence(12, failures, rate), 1 - probability, 1e-12);
+    }
+}
+
 }  // namespace
 }  // namespace slalom

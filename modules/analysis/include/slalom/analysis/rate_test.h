@@ -1,24 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace slalom {
 
+/// An alternative of a RateTest.
+struct RateAlternative {
+  double part;    ///< its rate of failure, in parts of that of the hypothesis, in [0, 1)
+  double weight;  ///< all weights together are 1
+};
+using RateMixture = std::vector<RateAlternative>;
+
+/// Reaches a decision with few runs if the rate is not near that of the hypothesis.
+RateMixture few_runs_mixture();
+/// Also reaches it, with more runs, for rates just above that of the hypothesis.
+RateMixture close_rates_mixture();
+
 /// A test of "the rate of success is at most `rate`" that is valid however often one looks. Its
-/// wealth is a mixture of three likelihood ratios against that rate, 1 at first: a nonnegative
-/// martingale at the rate, a supermartingale below it, so that it ever reaches 1 / (1 - confidence)
-/// with a probability of at most 1 - confidence (Ville 1939). The alternatives are rates of
-/// failure of 0, 0.2 and 0.5 times 1 - rate, with the weights 1/2, 1/4 and 1/4.
+/// wealth is a mixture of likelihood ratios against that rate, 1 at first: a nonnegative martingale
+/// at the rate, a supermartingale below it, so that it ever reaches 1 / (1 - confidence) with a
+/// probability of at most 1 - confidence (Ville 1939).
 ///
 /// Runs after the decision do not count: batches of any size give the same decision.
 class RateTest {
  public:
   /// Requires both in (0, 1).
-  RateTest(double rate, double confidence);
+  RateTest(double rate, double confidence, const RateMixture& mixture = few_runs_mixture());
 
   void add(bool success);
 
@@ -40,14 +50,25 @@ class RateTest {
     double log_weight, log_success;
     std::optional<double> log_failure;  ///< none: it has no failures
   };
-  std::array<Alternative, 3> alternatives_;
+  std::vector<Alternative> alternatives_;
   double log_target_, log_futile_;
   std::size_t successes_ = 0, failures_ = 0;
   bool reached_ = false, futile_ = false;
 };
 
 /// The smallest number of runs with which a RateTest is reached, which is without a failure.
-std::size_t runs_without_failure(double rate, double confidence);
+std::size_t runs_without_failure(double rate, double confidence,
+                                 const RateMixture& mixture = few_runs_mixture());
+
+/// The largest rate of failure that these runs do not exclude: above it the wealth of a RateTest
+/// with the close_rates_mixture() reaches its target. As valid however often one looks as the test
+/// is, so that the number of runs need not be planned. 1 without runs.
+double failure_bound(std::size_t runs, std::size_t failures, double confidence);
+
+/// The confidence with which runs of a planned number show that the rate of success is at least
+/// `rate` (exact, one-sided; Clopper and Pearson 1934): 0.893 for 10 runs without a failure and a
+/// rate of 0.8.
+double shown_confidence(std::size_t runs, std::size_t failures, double rate);
 
 /// Tests of several steps, from easy to hard, at one confidence: a step is tested once all before
 /// it are reached, and the first that is not ends the sequence. The probability that a step is
