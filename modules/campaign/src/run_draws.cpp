@@ -47,7 +47,10 @@ class DrawExecutor {
     const RunFindings findings = executor_->execute(
         {slot_, campaign_.methods[0].name, 0, run_seed(campaign_.options.seed, hash, 0)}, log);
     const RunRecord& run = findings.record;
-    return {from_name<Outcome>(run.outcome).value(), run.outcome_detail, hash, run.trajectory_hash};
+    const auto& figures = findings.timing.values;
+    const auto cycle = figures.find("cycle_time_p99");
+    return {from_name<Outcome>(run.outcome).value(), run.outcome_detail, hash, run.trajectory_hash,
+            cycle == figures.end() ? 0 : cycle->second};
   }
 
   void destroy_methods() {
@@ -68,6 +71,7 @@ std::string to_bytes(const DrawnRun& run) {
       .text(run.detail)
       .text(run.scenario_hash)
       .text(run.trajectory_hash)
+      .f64(run.cycle_time)
       .take();
 }
 
@@ -81,6 +85,7 @@ std::optional<DrawnRun> read_answer(const std::string& bytes) {
     run.detail = reader.text();
     run.scenario_hash = reader.text();
     run.trajectory_hash = reader.text();
+    run.cycle_time = reader.f64();
     return run;
   } catch (const Error&) {
     return std::nullopt;

@@ -26,6 +26,7 @@ using DrawRun = std::function<std::optional<RunDraw>(std::size_t index)>;
 struct DrawnRun {
   Outcome outcome = Outcome::InfrastructureError;
   std::string detail, scenario_hash, trajectory_hash;
+  double cycle_time = 0;  ///< ms of wall-clock time; 99 % quantile of the control cycles
 };
 
 /// How runs are executed; neither workers nor interruption affect a run.
