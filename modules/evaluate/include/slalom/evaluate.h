@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/analysis/limit_search.h>
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/core/error.h>
 #include <slalom/generation/avoid.h>
@@ -99,5 +100,17 @@ ResultTable evaluate(const Methods& methods, const std::vector<Scenario>& scenar
 /// "density:0,0.1,0.2" (edges). Throws Error (Usage) for unknown ids.
 std::string cross_table(const ResultTable& table, const std::string& rows,
                         const std::vector<std::string>& columns, double confidence = 0.95);
+
+/// A family with a value of its parameter, such as passages of a width.
+using FamilyAt = std::function<std::shared_ptr<const Generator>(double value)>;
+
+/// The values up to which a method is reliable, with the confidence of the search: find_limit()
+/// over the bins between `edges`, from the easy end to the hard one, where each run draws its value
+/// uniformly in its bin and a scenario of that family. A value for which the family gives no
+/// scenario that is solvable is a failure. `steps[i].bins` of the result are numbers of bins.
+/// Throws Error: Usage for fewer than two edges, Job for failures of the machine.
+LimitResult limit(const NamedMethod& method, const FamilyAt& family_at,
+                  const std::vector<double>& edges, LimitOptions search = {},
+                  const Options& options = {});
 
 }  // namespace slalom
