@@ -7,7 +7,8 @@ namespace slalom {
 namespace {
 
 void define(CLI::App& app) {
-  define_limit(app);
+  define_questions(app);
+  define_show(app);
   define_verify(app);
 }
 
@@ -16,6 +17,6 @@ void define(CLI::App& app) {
 
 int main(int argc, char** argv) {
   return slalom::run_program("slalom-certify",
-                             "States up to which limit a method is reliable, with a confidence.",
-                             argc, argv, slalom::define);
+                             "States how far a method is reliable, with a confidence.", argc, argv,
+                             slalom::define);
 }

@@ -5,8 +5,9 @@
 
 namespace slalom {
 
-// Each adds one verb with its options and callback.
-void define_limit(CLI::App& app);
+// Each adds verbs with their options and callbacks.
+void define_questions(CLI::App& app);
+void define_show(CLI::App& app);
 void define_verify(CLI::App& app);
 
 }  // namespace slalom

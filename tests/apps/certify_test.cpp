@@ -35,7 +35,7 @@ TEST_F(Certify, LimitIsTheSameForAnyNumberOfWorkersAndItsCertificateIsVerified) 
   EXPECT_EQ(one.err, "");
   EXPECT_EQ(run(limit("-j 3 -o b.json")).out, one.out);
   EXPECT_EQ(read("a.json"), read("b.json"));
-  const Json answer = certificate("a.json").at("answer");
+  const Json answer = certificate("a.json").at("answer").at("claims").at(0);
   EXPECT_NE(one.out.find(answer.at("claim").get<std::string>()), std::string::npos) << one.out;
   // The smallest number without a failure, see runs_without_failure().
   EXPECT_EQ(answer.at("steps").at(0),
@@ -49,10 +49,10 @@ TEST_F(Certify, LimitIsTheSameForAnyNumberOfWorkersAndItsCertificateIsVerified) 
 TEST_F(Certify, VerifyFindsAnswersThatAreNotThoseOfTheRuns) {
   ASSERT_EQ(run(limit("-o a.json")).status, 0);
   Json changed = certificate("a.json");
-  changed["answer"]["limit"] = 0.65;
+  changed["answer"]["claims"][0]["limit"] = 0.65;
   write("better.json", changed.dump());
   expect_failure("slalom-certify verify better.json --quiet", 1,
-                 {"better.json: differs: limit: ", " instead of 0.65"});
+                 {"better.json: differs: claims[0].limit: ", " instead of 0.65"});
   changed = certificate("a.json");
   changed["answer"]["outcomes"] = "0123";
   write("other.json", changed.dump());
@@ -61,10 +61,10 @@ TEST_F(Certify, VerifyFindsAnswersThatAreNotThoseOfTheRuns) {
 
 TEST_F(Certify, VerifyRefusesWhatItCannotRead) {
   expect_failure("slalom-certify verify my.ini", 3, {"my.ini: ", "expected a certificate"});
-  write("short.json", R"({"format": 1, "kind": "limit", "question": {}})");
+  write("short.json", R"({"format": 2, "kind": "limit", "question": {}})");
   expect_failure("slalom-certify verify short.json", 3, {"short.json: ", "expected a certificate"});
-  write("newer.json", R"({"format": 2, "kind": "limit"})");
-  expect_failure("slalom-certify verify newer.json", 3, {"unknown format or kind"});
+  write("newer.json", R"({"format": 3, "kind": "limit"})");
+  expect_failure("slalom-certify verify newer.json", 3, {"format 3 is unknown"});
   ASSERT_EQ(run(limit("-o a.json")).status, 0);
   Json foreign = certificate("a.json");
   foreign["campaign.ini"] =
@@ -82,7 +82,7 @@ TEST_F(Certify, NothingClaimedIsAnAnswerUnlessALimitIsRequired) {
   const ProgramResult nothing = run(go);
   EXPECT_EQ(nothing.status, 0) << nothing.err;
   EXPECT_NE(nothing.out.find("nothing can be claimed at 0.99: best seen "), std::string::npos);
-  EXPECT_TRUE(certificate("go.json").at("answer").at("limit").is_null());
+  EXPECT_TRUE(certificate("go.json").at("answer").at("claims").at(0).at("limit").is_null());
   expect_failure(go + "--require 20", 1, {"--require 20: nothing can be claimed"});
   EXPECT_EQ(run(limit("--require 1.05")).status, 0);
   expect_failure(limit("--require 0.7"), 1, {"--require 0.7 m: the limit is "});
@@ -94,7 +94,7 @@ TEST_F(Certify, KeysOfRobotAndSensorAreParametersInTheScenariosOfTheGenerators) 
           "--step 0.2 --reliability 0.5 -o radius.json");
   ASSERT_EQ(result.status, 0) << result.err;
   // No robot of more than 0.6 m passes a gap of at most 1.2 m, and few of less.
-  const Json answer = certificate("radius.json").at("answer");
+  const Json answer = certificate("radius.json").at("answer").at("claims").at(0);
   EXPECT_EQ(answer.at("steps").at(0).at("claimed"), true);
   EXPECT_LT(answer.at("limit").get<double>(), 0.7);
 }
@@ -118,11 +118,264 @@ TEST_F(Certify, RefusesQuestionsThatCannotBeAnswered) {
       {"--of passage.widht " + range, {"no numeric option 'widht'; expected 'width'"}},
       {"--of passage " + range, {"no numeric option ''"}},
       {"--of pasage.width " + range, {"'pasage' is no family", "'passage'"}},
-      {"--of robot.radius --from 0.1 --to 0.5 --step 0.1 --set scenarios.maps=a.pgm",
-       {"scenarios.maps", "generator only"}}};
+      {width + range + "--reliability 0.9 1.5", {"--reliability 1.5"}},
+      {width + "--from 1.2", {"--to", "both ends"}},
+      {"--of robot.max_v", {"--from", "no range of its own"}},
+      {"--of robot.radius --from 0.1 --to 0.5 --step 0.1 --set scenarios.list=a.scenarios",
+       {"scenarios.list", "generator and maps only"}}};
   for (const auto& [options, words] : kRefused) expect_failure(base + options, 2, words);
   expect_failure("slalom-certify limit my.ini --method gaap " + width + range, 2,
                  {"--method gaap", "'gap'"});
+}
+
+TEST_F(Certify, EachOfSeveralReliabilitiesHasTheClaimThatItHasAlone) {
+  ASSERT_EQ(run(limit("0.5 -o both.json")).status, 0);
+  ASSERT_EQ(run(limit("-o high.json")).status, 0);
+  const Json both = certificate("both.json").at("answer").at("claims");
+  const Json high = certificate("high.json").at("answer").at("claims");
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both.at(0), high.at(0));
+  // Easier to show, so that it reaches at least as far.
+  EXPECT_LE(both.at(1).at("limit").get<double>(), both.at(0).at("limit").get<double>());
+}
+
+TEST_F(Certify, TheRangeOfAnOptionIsTheDefaultWithTheEasyEndFirst) {
+  const ProgramResult result =
+      run("slalom-certify limit my.ini --quiet --method gap --of passage.width --reliability 0.5 "
+          "--set generator.passage.min_width=0.6 --set generator.passage.max_width=1.4 -o a.json");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json question = certificate("a.json").at("question");
+  EXPECT_EQ(question.at("from"), 1.4);
+  EXPECT_EQ(question.at("to"), 0.6);
+  EXPECT_EQ(question.at("step"), 0.1);  // two cells, which is more than a tenth of the range
+  EXPECT_EQ(run("slalom-certify verify a.json --quiet").status, 0);
+}
+
+TEST_F(Certify, ALimitOfTheDelayIsComparedWithTheTimeOfACycle) {
+  write("slow.py",
+        "import math, time\n"
+        "class Slow:\n"
+        "    options = {}\n"
+        "    def __init__(self, robot, options): pass\n"
+        "    def reset(self, task): pass\n"
+        "    def step(self, o):\n"
+        "        time.sleep(0.001)\n"
+        "        return 1, max(-1, min(1, math.atan2(o.goal_y, o.goal_x)))\n");
+  const ProgramResult result = run(
+      "slalom-certify limit my.ini --quiet --method slow --of robot.delay --from 0 --to 0.4 "
+      "--step 0.4 --reliability 0.1 --set method.slow.adapter=python --set "
+      "method.slow.module=slow.py --set method.slow.class=Slow --set scenarios.generator=random "
+      "--set generator.random.min_obstacles=0 --set generator.random.max_obstacles=0");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const std::string words = "not part of the claim: a control cycle took at most ";
+  const std::size_t at = result.out.find(words);
+  ASSERT_NE(at, std::string::npos) << result.out;
+  // At least the time that the method sleeps, so that 0.4 s are at most 400 times that.
+  EXPECT_GE(std::stod(result.out.substr(at + words.size())), 1);
+  const std::string slower = "a computer ";
+  EXPECT_LE(std::stod(result.out.substr(result.out.find(slower) + slower.size())), 400);
+}
+
+TEST_F(Certify, AMethodThatEndsAllItsRunsByErrorsIsNotTested) {
+  write("bad.py",
+        "class Bad:\n    options = {}\n    def __init__(self, robot, options): pass\n"
+        "    def reset(self, task): pass\n    def step(self, o): raise ValueError('no')\n");
+  expect_failure(
+      "slalom-certify risk my.ini --quiet --method bad --set method.bad.adapter=python --set "
+      "method.bad.module=bad.py --set method.bad.class=Bad --budget 30",
+      1, {"every run ended with method_error", "ValueError"});
+}
+
+TEST_F(Certify, ARiskIsBoundedByWhatItsRunsShow) {
+  const ProgramResult stuck = run(
+      "slalom-certify risk my.ini --quiet --method go --outcome failure --budget 200 -o go.json");
+  ASSERT_EQ(stuck.status, 0) << stuck.err;
+  const Json answer = certificate("go.json").at("answer");
+  const double rate = answer.at("hits").get<double>() / 200;
+  EXPECT_GT(answer.at("bound").get<double>(), rate);
+  EXPECT_EQ(answer.at("runs"), 200);
+  std::size_t failures = 0;
+  for (const auto& [outcome, count] : answer.at("outcome_counts").items())
+    failures += outcome == "success" ? 0 : count.get<std::size_t>();
+  EXPECT_EQ(answer.at("hits"), failures);
+  EXPECT_EQ(answer.at("failures").size(), std::min<std::size_t>(failures, 100));
+
+  const std::string risk = "slalom-certify risk my.ini --quiet --method gap --at-most 0.05 ";
+  const ProgramResult shown = run(risk + "--require -o gap.json");
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  EXPECT_NE(shown.out.find("claim: probability of collision <= 0.05"), std::string::npos);
+  EXPECT_EQ(run(risk + "-j 3 -o three.json").status, 0);
+  EXPECT_EQ(read("gap.json"), read("three.json"));
+  expect_failure(
+      "slalom-certify risk my.ini --quiet --method go --outcome failure --at-most 0.05 "
+      "--require",
+      1, {"--require: ", "<= 0.05 is not shown"});
+  expect_failure(risk + "--budget 66", 2, {"runs without that outcome"});
+  expect_failure(risk + "--outcome colision", 2, {"'collision'"});
+}
+
+TEST_F(Certify, ASampleOfTheBatchesOfARiskIsVerified) {
+  ASSERT_EQ(run("slalom-certify risk my.ini --quiet --method gap --budget 60 -o a.json").status, 0);
+  const ProgramResult sampled = run("slalom-certify verify a.json --quiet --sample 1 --seed 7");
+  EXPECT_EQ(sampled.out, "a.json: 1 of 1 batches (0) identical, sample 7\n") << sampled.err;
+  Json changed = certificate("a.json");
+  changed["answer"]["batches"][0]["hits"] = 1;
+  write("b.json", changed.dump());
+  expect_failure("slalom-certify verify b.json --quiet --sample 1", 1, {"batch 0: differs"});
+  ASSERT_EQ(run(limit("-o limit.json")).status, 0);
+  expect_failure("slalom-certify verify limit.json --quiet --sample 1", 2, {"no parts"});
+}
+
+TEST_F(Certify, AnInterruptedQuestionContinuesWithItsRuns) {
+  const std::string risk = "slalom-certify risk my.ini --quiet --method gap --budget 400 -o a.json";
+  // Interrupted once it has some runs; should it be faster, it has ended with a certificate.
+  const ProgramResult first =
+      run("sh -c '" + risk +
+          " & pid=$!; while kill -0 $pid 2>.null && [ ! -e a.json ]; do "
+          "[ -e a.json.runs ] && [ \"$(wc -l <a.json.runs)\" -gt 30 ] && break; done; "
+          "kill -INT $pid; wait $pid'");
+  if (first.status == 130) {
+    // A run that the journal has is not executed again: one that is another there stays so.
+    const std::string journal = read("a.json.runs");
+    const std::size_t at = journal.find("\nsuccess ");
+    write("a.json.runs", journal.substr(0, at) + "\ncollision " + journal.substr(at + 9) + "succ");
+    ASSERT_EQ(run(risk).status, 0);
+    EXPECT_EQ(certificate("a.json").at("answer").at("hits"), 1);
+    write("a.json.runs", journal);
+  }
+  ASSERT_EQ(run(risk).status, 0);
+  const std::string continued = read("a.json");
+  EXPECT_EQ(run("test -e a.json.runs").status, 1);
+  ASSERT_EQ(run(risk).status, 0);
+  EXPECT_EQ(read("a.json"), continued);
+  write("a.json.runs", "slalom-certify journal of something else\n");
+  expect_failure(risk, 2, {"a.json.runs: is of another question"});
+  EXPECT_EQ(read("a.json.runs"), "slalom-certify journal of something else\n");
+}
+
+TEST_F(Certify, AnEnvelopeHasRowsThatEndAtTheirFirstCellWithoutAClaim) {
+  const std::string envelope =
+      "slalom-certify envelope my.ini --quiet --method gap --of passage.width --from 1.4 --to 0.4 "
+      "--step 0.5 --rows robot.radius --rows-from 0.15 --rows-to 0.35 --rows-step 0.1 "
+      "--reliability 0.5 ";
+  const ProgramResult result = run(envelope + "-o a.json");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(run(envelope + "-j 3 -o b.json").status, 0);
+  EXPECT_EQ(read("a.json"), read("b.json"));
+  const Json answer = certificate("a.json").at("answer");
+  ASSERT_EQ(answer.at("rows").size(), 2U);
+  std::size_t claimed = 0;
+  for (const Json& row : answer.at("rows")) {
+    bool before = true;
+    for (const Json& cell : row.at("cells")) {
+      EXPECT_TRUE(before);
+      before = cell.at("claimed").get<bool>();
+      claimed += before ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(answer.at("claimed"), claimed);
+  // Each row at half of 1 - confidence: 2 runs more than at 0.95.
+  EXPECT_EQ(answer.at("rows").at(0).at("cells").at(0).at("runs"), 6);
+  EXPECT_EQ(run("slalom-certify verify a.json --quiet").status, 0);
+  expect_failure(envelope + "--require 1", 1, {"--require 1: success >= 0.5 in "});
+  expect_failure(envelope + "--budget 3", 2, {"2 rows need at least"});
+  expect_failure(
+      "slalom-certify envelope my.ini --method gap --of passage.width --rows random.obstacles", 2,
+      {"--rows random.obstacles", "another family"});
+  expect_failure(
+      "slalom-certify envelope my.ini --method gap --of passage.width --rows passage.width", 2,
+      {"--rows passage.width", "another one"});
+}
+
+TEST_F(Certify, ShowsCertificatesAsPagesTablesFiguresAndLists) {
+  ASSERT_EQ(run(limit("-o a.json")).status, 0);
+  const std::string text = run("slalom-certify show a.json").out;
+  EXPECT_EQ(text, run(limit()).out);
+  for (const std::string name : {"a.html", "a.tex", "a.svg", "a.scenarios"})
+    ASSERT_EQ(run("slalom-certify show a.json -o " + name).status, 0) << name;
+  const Json answer = certificate("a.json").at("answer");
+  const std::string page = read("a.html");
+  // The figure, and a picture of each failure.
+  std::size_t pictures = 0;
+  for (std::size_t at = 0; (at = page.find("<svg", at)) != std::string::npos; ++at) ++pictures;
+  EXPECT_EQ(pictures, 1 + answer.at("failures").size());
+  EXPECT_NE(read("a.tex").find("\\begin{tabular}"), std::string::npos);
+  EXPECT_EQ(read("a.svg").substr(0, 4), "<svg");
+  ASSERT_EQ(run("slalom-simulate run my.ini --quiet --set scenarios.list=a.scenarios "
+                "--set scenarios.generator= -o a.results")
+                .status,
+            0);
+  const ProgramResult again = run("slalom-analyze dump a.results");
+  ASSERT_EQ(again.status, 0) << again.err;
+  // Each listed failure is the failure of this campaign, too.
+  for (const Json& failure : answer.at("failures"))
+    EXPECT_NE(again.out.find(failure.at("scenario").get<std::string>()), std::string::npos);
+  EXPECT_EQ(again.out.find(R"("outcome":"success")"), std::string::npos) << again.out;
+  expect_failure("slalom-certify show a.json -o a.pdf", 2, {"a.pdf", ".html, .tex, .svg"});
+}
+
+TEST_F(Certify, StandardTestsHaveVerdictsWithTheirConfidence) {
+  const std::string standard =
+      "slalom-certify standard my.ini --quiet --method go --families passage avoid --speeds 0.5 1 ";
+  ASSERT_EQ(run(standard + "--trials 20 -o a.json").status, 0);
+  EXPECT_EQ(run(standard + "--trials 20 -j 3 -o b.json").status, 0);
+  EXPECT_EQ(read("a.json"), read("b.json"));
+  const Json tests = certificate("a.json").at("answer").at("tests");
+  ASSERT_EQ(tests.size(), 4U);
+  EXPECT_EQ(tests.at(0).at("max_v"), 0.5);
+  EXPECT_EQ(tests.at(1).at("max_v"), 1.0);
+  for (const Json& test : tests) {
+    // 0 or 1 failures of 20 show 0.8 with 0.988 and 0.931, 2 with 0.794.
+    EXPECT_EQ(test.at("passed").get<bool>(), test.at("failures").get<int>() <= 1) << test;
+    // Driving straight at an obstacle is no way around it.
+    EXPECT_TRUE(test.at("test") != "avoid" || test.at("collisions") == 20) << test;
+  }
+  EXPECT_EQ(run("slalom-certify verify a.json --quiet").status, 0);
+  expect_failure(standard + "--require", 1, {"--require: ", "of 4 tests passed"});
+  expect_failure(standard + "--trials 8", 2, {"--trials 8", "at least 9"});
+  expect_failure(standard + "--speeds 1.5", 2, {"--speeds 1.5", "at most 1"});
+  expect_failure(standard + "--families pasage", 2, {"'pasage'", "'passage'"});
+}
+
+TEST_F(Certify, MapsAreSourcesOfScenarios) {
+  // A free room of 8 m x 8 m with walls, as a map of ROS.
+  std::string image = "P2\n80 80\n255\n";
+  for (int row = 0; row < 80; ++row)
+    for (int column = 0; column < 80; ++column)
+      image += row % 79 == 0 || column % 79 == 0 ? "0 " : "254 ";
+  write("room.pgm", image);
+  write("room.yaml",
+        "image: room.pgm\nresolution: 0.1\norigin: [0, 0, 0]\nnegate: 0\n"
+        "occupied_thresh: 0.65\nfree_thresh: 0.2\n");
+  const ProgramResult result =
+      run("slalom-certify envelope my.ini --quiet --method go --maps room.yaml --of robot.radius "
+          "--from 0.1 --to 0.3 --step 0.1 --rows robot.max_v --rows-from 0.5 --rows-to 1 "
+          "--rows-step 0.5 --reliability 0.5 -o a.json");
+  ASSERT_EQ(result.status, 0) << result.err;
+  // Nothing is in the way in a free room.
+  EXPECT_EQ(certificate("a.json").at("answer").at("claimed"), 2);
+  EXPECT_EQ(run("slalom-certify verify a.json --quiet").status, 0);
+  expect_failure(
+      "slalom-certify envelope my.ini --method go --maps room.yaml --of passage.width "
+      "--rows robot.max_v",
+      2, {"--of passage.width", "with --maps"});
+}
+
+TEST_F(Certify, ShowRefusesHostileCertificates) {
+  ASSERT_EQ(run(limit("-o a.json")).status, 0);
+  for (const char* key : {"claims", "unit", "resolution"}) {
+    for (const Json& hostile : {Json(), Json::array(), Json("x"), Json::object()}) {
+      Json changed = certificate("a.json");
+      changed["answer"][key] = hostile;
+      write("b.json", changed.dump());
+      const ProgramResult result = run("slalom-certify show b.json");
+      EXPECT_TRUE(result.status == 3 || (result.status == 0 && hostile.is_string())) << result.err;
+    }
+  }
+  Json changed = certificate("a.json");
+  changed["question"]["more"] = 1;
+  write("b.json", changed.dump());
+  expect_failure("slalom-certify show b.json", 3, {"unknown key 'more'"});
 }
 
 }  // namespace

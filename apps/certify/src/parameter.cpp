@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parameter.h"
-
+#include <slalom/app/parameter.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/generation/generator.h>
@@ -18,13 +17,15 @@ namespace {
 class ParameterFinder : public OptionVisitor {
  public:
   void visit(const Option& option) override {
-    const bool integer = option.get_if<int>() != nullptr;
-    if (!integer && option.get_if<double>() == nullptr) return;
+    const int* const integer = option.get_if<int>();
+    const double* const real = option.get_if<double>();
+    if (integer == nullptr && real == nullptr) return;
     const bool is_end = starts_with(option.key, "min_") || starts_with(option.key, "max_");
     Parameter& found = is_end ? ranges_[option.key.substr(4)] : options_[option.key];
     found.keys.push_back(option.key);
     found.unit = option.unit == "-" ? "" : option.unit;
-    found.integer = integer;
+    found.integer = integer != nullptr;
+    found.defaults.push_back(integer != nullptr ? *integer : *real);
   }
   std::map<std::string, Parameter> take() {
     // A range with one end only, such as max_v, is an option of its own.
@@ -56,22 +57,21 @@ std::vector<std::string> owners() {
   return names;
 }
 
-/// The value without the last bits of sums of decimal numbers.
+}  // namespace
+
 double rounded(double value) {
   return std::round(value * 1e9) / 1e9;
 }
-
-}  // namespace
 
 void Parameter::set(IniFile& ini, double value) const {
   for (const std::string& key : keys) ini.set(section, key, format_number(value), "--of ");
 }
 
-Parameter parse_parameter(const std::string& name) {
+Parameter parse_parameter(const std::string& name, const std::string& option_name) {
   const std::size_t dot = std::min(name.find('.'), name.size());
   const std::string owner = name.substr(0, dot);
   if (!contains(owners(), owner))
-    throw usage_error("--of " + name, "'" + owner + "' is no family, robot or sensor",
+    throw usage_error(option_name + " " + name, "'" + owner + "' is no family, robot or sensor",
                       expected_name(owner, owners()));
   const std::string option = name.substr(std::min(dot + 1, name.size()));
   const std::map<std::string, Parameter> known = parameters_of(owner);
@@ -79,7 +79,7 @@ Parameter parse_parameter(const std::string& name) {
   if (found == known.end()) {
     std::vector<std::string> names;
     for (const auto& [key, parameter] : known) names.push_back(key);
-    throw usage_error("--of " + name, owner + " has no numeric option '" + option + "'",
+    throw usage_error(option_name + " " + name, owner + " has no numeric option '" + option + "'",
                       expected_name(option, names));
   }
   Parameter parameter = found->second;
@@ -97,20 +97,20 @@ std::vector<std::string> parameter_names() {
 }
 
 std::size_t Bins::count() const {
-  constexpr double kMaxBins = 10000;
   const double count = std::abs(to - from) / step;
   if (!(step > 0) || !std::isfinite(step))
-    throw usage_error("--step " + format_number(step), "is not positive", "a positive number");
+    throw usage_error(step_option + " " + format_number(step), "is not positive",
+                      "a positive number");
   const bool complete = std::abs(count - std::round(count)) < 1e-6 * std::max(1.0, count);
-  if (!(count >= 0.5 && count <= kMaxBins && complete))
+  if (!(count >= 0.5 && count <= static_cast<double>(kMaxBins) && complete))
     throw usage_error(
-        "--step " + format_number(step),
+        step_option + " " + format_number(step),
         "does not divide the range from " + value_text(from) + " to " + value_text(to),
         "1 to 10000 equal steps");
   for (const double value : {from, to, step})
     if (integer && value != std::round(value))
-      throw usage_error("--from, --to, --step", "'" + format_number(value) + "'",
-                        "integers for this parameter");
+      throw usage_error(from_option + ", " + to_option + ", " + step_option,
+                        "'" + format_number(value) + "'", "integers for this parameter");
   return static_cast<std::size_t>(std::lround(count));
 }
 

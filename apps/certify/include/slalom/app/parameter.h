@@ -18,6 +18,7 @@ struct Parameter {
   std::vector<std::string> keys;  ///< that have its value: one, or min_OPTION and max_OPTION
   std::string unit;               ///< "" if it has none
   bool integer = false;
+  std::vector<double> defaults;  ///< of the keys
 
   /// Whether it is a length in scenarios, which have cells.
   bool is_length() const { return unit == "m" && section != "sensor"; }
@@ -25,11 +26,16 @@ struct Parameter {
   void set(IniFile& ini, double value) const;
 };
 
-/// Throws Error (Usage) at --of for a name that is no numeric option.
-Parameter parse_parameter(const std::string& name);
+/// Throws Error (Usage) at `option` for a name that is no numeric option.
+Parameter parse_parameter(const std::string& name, const std::string& option);
 
 /// The names of all parameters.
 std::vector<std::string> parameter_names();
+
+/// The value without the last bits of sums of decimal numbers.
+double rounded(double value);
+
+constexpr std::size_t kMaxBins = 10000;
 
 /// The bins of a parameter from an easy to a hard value. Each but that of an integer is an
 /// interval; that of an integer has `step` values.
@@ -37,8 +43,10 @@ struct Bins {
   double from = 0, to = 0, step = 0;
   bool integer = false;
   std::string unit = {};
+  /// Options of the command line, for errors.
+  std::string from_option = "--from", to_option = "--to", step_option = "--step";
 
-  /// Throws Error (Usage) at --from, --to or --step.
+  /// Throws Error (Usage) at one of these options.
   std::size_t count() const;
   double edge(std::size_t bin) const;  ///< at which the bin begins
   /// The hardest value in the bins.

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <slalom/app/campaign_program.h>
+#include <slalom/app/parameter.h>
+#include <slalom/campaign/run_draws.h>
+
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// A method and the campaign in which it runs.
+struct MethodCampaign {
+  IniFile ini;
+  CampaignOptions options;
+  NamedMethod method;
+  Manifest files;           ///< hashes of what the method consists of, see hash_method_files()
+  bool one_worker = false;  ///< see CampaignConfig
+};
+
+/// The campaign with this method only. Throws Error (Usage) at --method for an unknown one.
+MethodCampaign read_method_campaign(IniFile ini, const std::string& method);
+
+/// A parameter with a value of its own in each run, drawn uniformly in some of its bins.
+struct DrawnParameter {
+  Parameter parameter;
+  Bins bins;
+  BinRange range;
+};
+
+/// Runs of one distribution: the scenarios of an .ini with drawn parameters. Streams of different
+/// names are independent.
+struct RunStream {
+  std::string name, title;  ///< of the random numbers; for people
+  IniFile ini;
+  std::vector<DrawnParameter> parameters = {};
+};
+
+/// How runs are executed; neither workers nor interruption affect a run.
+struct BlockExecution {
+  int workers = 1;
+  bool quiet = false;
+  std::string journal = {};   ///< file of the runs so far, for the next attempt; "": none
+  std::string identity = {};  ///< of the question; a journal of another one is refused
+  std::function<bool()> interrupted = nullptr;  ///< polled
+};
+
+/// Runs a method in streams of runs. A run is executed once: whoever asks for the first runs of a
+/// stream again, also after an interruption, gets those from the journal.
+class BlockRunner {
+ public:
+  /// Throws Error: Usage for a journal of another question, File for one that cannot be written.
+  BlockRunner(const MethodCampaign& campaign, BlockExecution execution);
+
+  /// Throws Error (Usage) for a stream that cannot be drawn. Reads its maps.
+  void check(const RunStream& stream) const;
+
+  /// Passes the outcomes of the stream's runs from the first one on, in order, to `receive` until
+  /// it returns false, or `max_runs` of them. Throws Interrupted, and Error (Job) for runs that
+  /// cannot be executed.
+  void run(const RunStream& stream, std::size_t max_runs,
+           const std::function<bool(Outcome outcome)>& receive);
+
+  /// The scenario and the options of a run; none if 200 draws give no scenario that is solvable.
+  std::optional<RunDraw> draw(const RunStream& stream, std::size_t index) const;
+
+  /// Hash of scenarios, outcomes and trajectories of the runs that were passed on: of a stream, or
+  /// of all whose names have the prefix, in the order of the names.
+  std::string hash(const std::string& stream) const;
+  std::string hash_all(const std::string& prefix) const;
+
+  /// The runs that the method itself ended by an error, "3 runs ended with method_error: DETAIL" of
+  /// the first; "" if none. Throws Error (Job) if all runs of at least one did.
+  std::string method_failures() const;
+
+  /// ms of wall-clock time; the largest 99 % quantile of a run's control cycles. None without runs.
+  std::optional<double> cycle_time() const { return cycle_time_; }
+
+ private:
+  struct Run {
+    Outcome outcome;
+    std::uint64_t digest;  ///< of scenario and trajectory
+  };
+  struct Stream {
+    std::vector<Run> runs;
+    std::size_t passed = 0;
+  };
+
+  void read_journal();
+  void count_failure(const DrawnRun& run);
+  void write_journal(const std::string& stream, const Run& run);
+
+  const MethodCampaign& campaign_;
+  BlockExecution execution_;
+  MapLoader load_map_;
+  std::map<std::string, Stream> streams_;
+  std::ofstream journal_;
+  std::string journal_stream_;  ///< of its last line
+  std::optional<double> cycle_time_;
+  std::size_t executed_ = 0, failed_ = 0;
+  std::string first_failure_;
+};
+
+}  // namespace slalom
