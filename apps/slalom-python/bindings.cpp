@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "arguments.h"
+#include "certify.h"
 #include "results.h"
 #include "scenarios.h"
 
@@ -65,6 +66,7 @@ PYBIND11_MODULE(_slalom, module) {
   py::register_exception<slalom::Error>(module, "Error", PyExc_ValueError);
   module.attr("__version__") = slalom::version();
   slalom::bind_scenarios(module);
+  slalom::bind_certify(module);
   py::class_<slalom::ResultTable, std::shared_ptr<slalom::ResultTable>>(module, "ResultTable")
       .def_property_readonly("manifest",
                              [](const slalom::ResultTable& table) { return table.manifest; });

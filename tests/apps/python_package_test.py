@@ -15,6 +15,7 @@ import unittest
 import numpy as np
 import slalom
 
+CERTIFY = pathlib.Path(slalom.__file__).parents[3] / "bin/slalom-certify"
 EXAMPLE = pathlib.Path(__file__).parents[2] / "examples/python/evaluate_my_method.py"
 
 
@@ -33,6 +34,45 @@ class Direct:
         self.cycles += 1
         turn = math.atan2(o.goal_y, o.goal_x)
         return self.speed, float(np.clip(turn, -self.robot.max_w, self.robot.max_w))
+
+
+class CertifyTest(unittest.TestCase):
+    def test_a_class_has_a_limit(self):
+        certificate = slalom.certify(
+            "limit", Direct, of="random.obstacles", from_=2, to=42, step=20, reliability=0.1
+        )
+        claim = certificate["answer"]["claims"][0]
+        self.assertEqual(certificate["question"]["method"], "method")
+        self.assertIn(claim["claim"], str(certificate))
+        self.assertTrue(claim["steps"][0]["claimed"])
+
+    def test_the_certificate_of_a_named_method_is_verified(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "risk.certificate.json")
+            slalom.certify(
+                "risk",
+                slalom.plugin("libslalom_follow_the_gap.so"),
+                at_most=0.1,
+                output=path,
+                workers=2,
+            )
+            again = subprocess.run([CERTIFY, "verify", path, "--quiet"], capture_output=True)
+            self.assertEqual(again.returncode, 0, again.stderr)
+
+    def test_bad_questions_are_errors(self):
+        for kind, question, words in (
+            ("limmit", {}, "limit"),
+            ("limit", {}, "'of' is missing"),
+            ("limit", {"of": "passage.width", "budget": "x"}, "limit budget"),
+            ("limit", {"of": "passage.width", "budgets": 1}, "unknown key 'budgets'"),
+            ("risk", {"at_most": 2}, "--at-most 2"),
+        ):
+            with self.assertRaisesRegex(slalom.Error, words):
+                slalom.certify(kind, Direct, **question)
+
+    def test_a_method_that_fails_always_is_an_error(self):
+        with self.assertRaisesRegex(slalom.Error, "every run ended with method_error.*lost"):
+            slalom.certify("risk", Fails, budget=20)
 
 
 class Fails(Direct):

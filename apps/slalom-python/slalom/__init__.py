@@ -12,6 +12,7 @@ A method is a class as described in docs/methods.md. Lengths are in m, angles in
 
 from __future__ import annotations
 
+import json
 import os
 from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
@@ -19,11 +20,13 @@ from ._slalom import Error, Scenario, __version__, read_scenarios, write_scenari
 from . import _slalom
 
 __all__ = [
+    "Certificate",
     "Error",
     "Results",
     "Scenario",
     "TRAJECTORY_COLUMNS",
     "barrier_filter",
+    "certify",
     "evaluate",
     "generate",
     "mrpt_holonomic",
@@ -166,6 +169,59 @@ def evaluate(
             in_process,
             trajectories,
             progress,
+        )
+    )
+
+
+class Certificate(Dict[str, Any]):
+    """A certificate as in a file .certificate.json; `str()` is what it says."""
+
+    def __init__(self, certificate: str, text: str) -> None:
+        super().__init__(json.loads(certificate))
+        self.text = text
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def certify(
+    kind: str,
+    method: Method,
+    *,
+    name: str = "method",
+    scenarios: Optional[Dict[str, Any]] = None,
+    generators: Optional[Dict[str, Dict[str, Any]]] = None,
+    robot: Optional[Dict[str, Any]] = None,
+    sensor: Optional[Dict[str, Any]] = None,
+    simulation: Optional[Dict[str, Any]] = None,
+    limits: Optional[Dict[str, Any]] = None,
+    seed: int = 1,
+    workers: int = 1,
+    output: str = "",
+    **question: Any,
+) -> Certificate:
+    """Answers a question about the reliability of a method, with a confidence.
+
+    `kind` is "limit", "envelope", "risk" or "standard", `question` what slalom-certify asks for it, such as
+    of="passage.width", from_=1.2, to=0.6, step=0.1. `scenarios` and `generators` are dicts of the keys of
+    [scenarios] and, by family, of [generator.FAMILY]. With `output` the certificate is written there; that of
+    a class cannot be verified, since it does not contain the class.
+    """
+    sections = {
+        "campaign": {"seed": seed},
+        "scenarios": scenarios or {"generator": "random"},
+        "robot": robot,
+        "sensor": sensor,
+        "simulation": simulation,
+        "limits": limits,
+        **{f"generator.{family}": keys for family, keys in (generators or {}).items()},
+    }
+    fields = {key.rstrip("_"): value for key, value in question.items()}
+    if not isinstance(fields.get("reliability", []), (list, tuple)) and kind == "limit":
+        fields["reliability"] = [fields["reliability"]]
+    return Certificate(
+        *_slalom.certify(
+            kind, json.dumps({"method": name, **fields}), method, sections, workers, output
         )
     )
 

@@ -60,6 +60,9 @@ def evaluate(
 ) -> Tuple[
     Dict[str, Any], Dict[str, Any], Dict[str, Dict[int, str]], Optional[List[Any]], ResultTable
 ]: ...
+def certify(
+    kind: str, question: str, method: Any, sections: Dict[str, Any], workers: int, output: str
+) -> Tuple[str, str]: ...
 def cross_table(
     table: ResultTable, rows: str, columns: Sequence[str], confidence: float
 ) -> str: ...
