@@ -1,44 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "content_checks.h"
+
 #include <slalom/core/distance.h>
-#include <slalom/core/error.h>
 #include <slalom/core/hash.h>
-#include <slalom/core/printable.h>
-#include <slalom/core/text.h>
 #include <slalom/scenario/mover.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <set>
 
 namespace slalom {
 namespace {
 
 using mrpt::math::TPoint2D;
 
-constexpr std::size_t kMaxIdBytes = 100;
-/// Limits (s, m, m/s) far beyond any use: no computation with a mover overflows.
-constexpr double kMaxNumber = 1e6, kMaxSpeed = 1000;
-
 bool same_position(const Waypoint& a, const Waypoint& b) {
   return a.position.x == b.position.x && a.position.y == b.position.y;
-}
-
-void check_id(const std::string& where, const std::string& id) {
-  if (id.empty() || id.size() > kMaxIdBytes || find_invalid_utf8(id))
-    throw file_error(where, "invalid id", "1 to 100 bytes of UTF-8");
-}
-
-bool in_range(double number) {
-  return std::abs(number) <= kMaxNumber;
 }
 
 void check_waypoint(const std::string& where, const std::vector<Waypoint>& waypoints,
                     std::size_t i) {
   const Waypoint& w = waypoints[i];
   const std::string which = "waypoint " + std::to_string(i);
-  if (!in_range(w.t) || !in_range(w.position.x) || !in_range(w.position.y))
+  if (!in_range(w.t) || !in_range(w.position))
     throw file_error(where, which + " is out of range",
                      "a time and a position within +-" + format_number(kMaxNumber));
   if (i == 0) return;
@@ -53,9 +38,7 @@ void check_waypoint(const std::string& where, const std::vector<Waypoint>& waypo
 }
 
 void check_mover(const std::string& where, const Mover& mover) {
-  if (!in_range(mover.radius) || !(mover.radius > 0))
-    throw file_error(where, "invalid radius " + format_number(mover.radius) + " m",
-                     "a radius above 0, at most " + format_number(kMaxNumber));
+  check_radius(where, mover.radius);
   if (mover.waypoints.empty()) throw file_error(where, "no waypoints", "at least one");
   for (std::size_t i = 0; i < mover.waypoints.size(); ++i)
     check_waypoint(where, mover.waypoints, i);
@@ -143,12 +126,8 @@ std::vector<MoverSegment> segments_of(const Mover& mover, double horizon) {
 
 void check_movers(const std::string& name, const Movers& movers) {
   std::set<std::string> ids;
-  for (std::size_t i = 0; i < movers.size(); ++i) {
-    check_id(name + ": moving obstacle " + std::to_string(i), movers[i].id);
-    const std::string where = name + ": moving obstacle '" + movers[i].id + "'";
-    if (!ids.insert(movers[i].id).second) throw file_error(where, "duplicate id", "unique ids");
-    check_mover(where, movers[i]);
-  }
+  for (std::size_t i = 0; i < movers.size(); ++i)
+    check_mover(checked_element(name, "moving obstacle", i, movers[i].id, ids), movers[i]);
 }
 
 void set_speed(Mover& mover, double speed) {
