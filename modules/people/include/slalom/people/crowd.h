@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <slalom/people/route_field.h>
+#include <slalom/people/surroundings.h>
+#include <slalom/people/wall_runs.h>
+#include <slalom/scenario/person.h>
+#include <slalom/scenario/world.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace slalom {
+
+/// The robot among people.
+struct RobotDisc {
+  CrowdDisc disc;
+  std::vector<bool> noticed;  ///< per person
+};
+
+/// The state of a person.
+struct Walker {
+  CrowdDisc disc;
+  bool is_present = false;
+  std::optional<double> arrival;        ///< s, the first one at its goal
+  std::optional<double> departure;      ///< s, when it vanished
+  mrpt::math::TPoint2D wanted, chosen;  ///< m/s, at this update
+};
+
+/// People who react to each other, to walls and to those parts of a robot's motion that they
+/// notice. A run is a sequence of updates: decide(), move(). Between two updates, a period apart,
+/// all walk straight. Nobody enters a wall. Nobody touches another one if people keep apart. Among
+/// people who notice the robot, each contact is the robot's doing: it crossed the middle between
+/// the two as they were at the last update.
+class Crowd {
+ public:
+  /// `world` has to exist as long as the crowd. Throws Error (File) naming the scenario and the
+  /// person when one starts in a wall, and as check_people().
+  Crowd(const World& world, const People& people, const PeopleSettings& settings);
+
+  double time() const { return updates_ * settings_.period; }      ///< s
+  const std::vector<Walker>& walkers() const { return walkers_; }  ///< in the order of people
+
+  /// Lets people appear, arrive, vanish and choose their velocities for the next period.
+  void decide(const std::optional<RobotDisc>& robot = {});
+  void move();  ///< to the next update
+
+ private:
+  struct Plan {
+    std::vector<mrpt::math::TPoint2D> stations;  ///< start, via points, goal
+    std::vector<std::shared_ptr<const RouteField>> fields;
+    std::size_t next = 1;  ///< station
+    bool back = false;
+    bool is_beside = false;  ///< a robot that covers the goal
+    int rank = 0;
+  };
+  /// The motion of a person who is alone.
+  struct Intent {
+    mrpt::math::TPoint2D target, velocity;  ///< m, m/s
+  };
+  void plan_routes();
+  bool is_free(std::size_t i, const std::optional<RobotDisc>& robot) const;
+  void advance(std::size_t i, const std::optional<RobotDisc>& robot);
+  Intent intent_of(std::size_t i) const;
+  bool is_held_up(std::size_t i, const std::optional<RobotDisc>& robot) const;
+  mrpt::math::TPoint2D wanted_velocity(std::size_t i, const std::optional<RobotDisc>& robot) const;
+  bool sees(const CrowdDisc& self, const CrowdDisc& other, double sight) const;
+  void look_around(std::size_t i, bool apart, const std::optional<RobotDisc>& robot);
+  void look_at_walls();
+  void look_at(Neighbor neighbor, double sight);
+  mrpt::math::TPoint2D choose(std::size_t i, bool apart, const std::optional<RobotDisc>& robot);
+  bool would_touch(std::size_t i) const;
+  void keep_apart(const std::optional<RobotDisc>& robot);
+
+  const World& world_;
+  People people_;
+  PeopleSettings settings_;
+  WallRuns walls_;
+  std::vector<Walker> walkers_;
+  std::vector<Plan> plans_;
+  std::vector<Intent> intents_;
+  std::vector<std::size_t> by_id_;
+  Surroundings around_;  ///< of the person who decides
+  int updates_ = 0;
+};
+
+}  // namespace slalom

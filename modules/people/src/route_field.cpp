@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_of_sight.h"
+
+#include <slalom/people/route_field.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+struct Direction {
+  int x, y;
+  /// The length of a step, exact when summed: 1393/985 is the square root of 2 within 4e-7.
+  int cost() const { return x != 0 && y != 0 ? 1393 : 985; }
+};
+
+constexpr std::array<Direction, 8> kDirections{
+    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+constexpr double kBorder = 1e-9;  // cells
+constexpr std::uint8_t kGoal = 8, kNoWay = 9;
+constexpr auto kFar = std::numeric_limits<std::int64_t>::max();
+
+/// Greater for the better one of two steps of the same way's length: that nearer to the direction
+/// (x, y) of the goal, then that on the side.
+std::tuple<std::int64_t, std::int64_t> preference(const Direction& step, std::int64_t x,
+                                                  std::int64_t y, int side) {
+  const std::int64_t ahead = step.x * x + step.y * y, aside = x * step.y - y * step.x;
+  // Signed squares of cosines, times the same number.
+  const std::int64_t cosine = ahead * std::abs(ahead) * (step.x != 0 && step.y != 0 ? 1 : 2);
+  return {cosine, side * aside};
+}
+
+}  // namespace
+
+RouteField::RouteField(const World& world, const TPoint2D& goal, double radius, PeopleSide side)
+    : occupancy_(world.occupancy()),
+      field_(world.distance_field()),
+      caster_(world.ray_caster()),
+      goal_(goal),
+      radius_(radius),
+      side_(side == PeopleSide::Left ? 1 : -1),
+      goal_first_(cell_at(goal, -kBorder)),
+      goal_last_(cell_at(goal, kBorder)),
+      steps_(occupancy_.cells().size(), kNoWay) {
+  choose_steps(costs());
+}
+
+/// The cell of p, shifted by so many cells along both axes.
+RouteField::Cell RouteField::cell_at(const TPoint2D& p, double shift) const {
+  const TPoint2D at = occupancy_.to_cells(p);
+  const auto inside = [](double x, int size) {
+    return static_cast<int>(std::clamp(std::floor(x), 0.0, size - 1.0));
+  };
+  return {inside(at.x + shift, occupancy_.size_x()), inside(at.y + shift, occupancy_.size_y())};
+}
+
+bool RouteField::has_room(const Cell& cell) const {
+  return occupancy_.inside(cell.x, cell.y) && field_.at_center(cell.x, cell.y) >= radius_;
+}
+
+/// Dijkstra's search from the goal.
+std::vector<std::int64_t> RouteField::costs() const {
+  std::vector<std::int64_t> costs(steps_.size(), kFar);
+  using Item = std::pair<std::int64_t, std::size_t>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
+  for (int y = goal_first_.y; y <= goal_last_.y; ++y)
+    for (int x = goal_first_.x; x <= goal_last_.x; ++x) {
+      costs[occupancy_.index(x, y)] = 0;
+      open.emplace(0, occupancy_.index(x, y));
+    }
+  const auto size_x = static_cast<std::size_t>(occupancy_.size_x());
+  while (!open.empty()) {
+    const auto [cost, here] = open.top();
+    open.pop();
+    if (cost > costs[here]) continue;
+    const int x = static_cast<int>(here % size_x), y = static_cast<int>(here / size_x);
+    for (const Direction& d : kDirections) {
+      if (!has_room({x + d.x, y + d.y})) continue;
+      const std::size_t there = occupancy_.index(x + d.x, y + d.y);
+      if (cost + d.cost() >= costs[there]) continue;
+      costs[there] = cost + d.cost();
+      open.emplace(costs[there], there);
+    }
+  }
+  return costs;
+}
+
+void RouteField::choose_steps(const std::vector<std::int64_t>& costs) {
+  for (int y = 0; y < occupancy_.size_y(); ++y)
+    for (int x = 0; x < occupancy_.size_x(); ++x) {
+      const std::size_t here = occupancy_.index(x, y);
+      if (costs[here] == kFar) continue;
+      steps_[here] = kGoal;
+      auto best = std::make_tuple(-kFar, -kFar);
+      for (std::size_t i = 0; i < kDirections.size(); ++i) {
+        const Direction& d = kDirections[i];
+        if (!occupancy_.inside(x + d.x, y + d.y)) continue;
+        const std::int64_t cost = costs[occupancy_.index(x + d.x, y + d.y)];
+        if (cost == kFar || cost + d.cost() != costs[here]) continue;
+        const auto value = preference(d, goal_first_.x + goal_last_.x - 2 * x,
+                                      goal_first_.y + goal_last_.y - 2 * y, side_);
+        if (value <= best) continue;
+        best = value;
+        steps_[here] = static_cast<std::uint8_t>(i);
+      }
+    }
+}
+
+bool RouteField::can_walk(const TPoint2D& from, const TPoint2D& to) const {
+  constexpr double kTolerance = 1e-3;  // m, for people who touch a wall
+  // Where a wall is between the two, the distance takes longer to compute.
+  return is_in_sight(caster_, from, to) &&
+         field_.segment_clearance(from, to, radius_) >= radius_ - kTolerance;
+}
+
+std::optional<RouteField::Cell> RouteField::nearest_with_way(const TPoint2D& p, int reach) const {
+  const Cell center = cell_at(p, 0);
+  const TPoint2D ahead = goal_ - p;
+  auto nearest = std::make_tuple(std::numeric_limits<double>::infinity(), 0.0, 0.0);
+  std::optional<Cell> cell;
+  for (int y = center.y - reach; y <= center.y + reach; ++y)
+    for (int x = center.x - reach; x <= center.x + reach; ++x) {
+      if (!occupancy_.inside(x, y) || step({x, y}) == kNoWay) continue;
+      const TPoint2D offset = occupancy_.cell_center(x, y) - p;
+      const auto place =
+          std::make_tuple(dot(offset, offset), -dot(offset, ahead), -side_ * cross(ahead, offset));
+      if (!(place < nearest)) continue;
+      nearest = place;
+      cell = Cell{x, y};
+    }
+  return cell;
+}
+
+TPoint2D RouteField::target(const TPoint2D& p) const {
+  if (can_walk(p, goal_)) return goal_;
+  auto nearest = nearest_with_way(p, 1);
+  if (!nearest)
+    nearest =
+        nearest_with_way(p, static_cast<int>(std::ceil(radius_ / occupancy_.resolution())) + 1);
+  if (!nearest) return goal_;
+  Cell cell = *nearest;
+  constexpr double kLookahead = 8;  // m
+  std::vector<TPoint2D> way;
+  const auto most = static_cast<std::size_t>(std::ceil(kLookahead / occupancy_.resolution()));
+  while (way.size() < most) {
+    way.push_back(occupancy_.cell_center(cell.x, cell.y));
+    if (step(cell) == kGoal) break;
+    const Direction& d = kDirections[step(cell)];
+    cell = {cell.x + d.x, cell.y + d.y};
+  }
+  std::size_t low = 0, high = way.size() - 1;  // visible up to `low`
+  while (low < high) {
+    const std::size_t middle = (low + high + 1) / 2;
+    if (can_walk(p, way[middle]))
+      low = middle;
+    else
+      high = middle - 1;
+  }
+  return way[low];
+}
+
+}  // namespace slalom
