@@ -26,4 +26,21 @@ double BettingTest::p() const {
   return math::exp(-log_evidence_);
 }
 
+Interval betting_interval(const std::vector<double>& values, double low, double high, double effect,
+                          double confidence) {
+  const double middle = (low + high) / 2;
+  const auto rejected = [&](double mean, double direction) {
+    BettingTest test(mean - middle, direction * effect, (high - low) / 2);
+    for (const double value : values) test.add(value - middle);
+    return test.p() <= test_level(confidence);
+  };
+  Interval above = {low, high}, below = {low, high};  // hold the lower and the upper bound
+  for (int i = 0; i < 14; ++i) {
+    const double lower = (above.low + above.high) / 2, upper = (below.low + below.high) / 2;
+    (rejected(lower, 1) ? above.low : above.high) = lower;
+    (rejected(upper, -1) ? below.high : below.low) = upper;
+  }
+  return {above.low, below.high};
+}
+
 }  // namespace slalom

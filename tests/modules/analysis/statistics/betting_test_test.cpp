@@ -56,5 +56,37 @@ TEST(BettingTest, IsAFairGameAtTheBorderOfTheHypothesisAndALosingOneBelow) {
   }
 }
 
+/// A scan of all means in steps finds the same bounds as the bisection, and nothing beyond them.
+TEST(BettingInterval, HoldsTheMeansThatAreNotRejected) {
+  std::vector<double> values;
+  for (int i = 0; i < 200; ++i) values.push_back(i % 7 < 2 ? 1 : i % 10 == 9 ? -1 : 0);
+  const Interval interval = betting_interval(values, -1, 1, 0.1, 0.95);
+  for (int i = -1000; i <= 1000; ++i) {
+    const double mean = i * 1e-3;
+    BettingTest above(mean, 0.1, 1), below(mean, -0.1, 1);
+    for (const double value : values) {
+      above.add(value);
+      below.add(value);
+    }
+    EXPECT_TRUE(above.p() <= 0.05 ? mean <= interval.low + 2e-4 : mean >= interval.low) << mean;
+    EXPECT_TRUE(below.p() <= 0.05 ? mean >= interval.high - 2e-4 : mean <= interval.high) << mean;
+  }
+}
+
+TEST(BettingInterval, OfRatesIsTheMirrorImageOfThatOfFailures) {
+  std::vector<double> successes, failures;
+  for (int i = 0; i < 300; ++i) {
+    successes.push_back(i % 10 == 0 ? 0 : 1);
+    failures.push_back(1 - successes.back());
+  }
+  const Interval success = betting_interval(successes, 0, 1, 0.1, 0.95);
+  const Interval failure = betting_interval(failures, 0, 1, 0.1, 0.95);
+  EXPECT_NEAR(success.low, 1 - failure.high, 1e-12);
+  EXPECT_NEAR(success.high, 1 - failure.low, 1e-12);
+  EXPECT_LT(success.low, 0.9);
+  EXPECT_GT(success.high, 0.9);
+  EXPECT_LT(success.high - success.low, 0.15);
+}
+
 }  // namespace
 }  // namespace slalom

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/analysis/statistics.h>
+
 #include <cstddef>
+#include <vector>
 
 namespace slalom {
 
@@ -33,5 +36,12 @@ class BettingTest {
   double values_ = kPriorValues, squares_;
   double log_wealth_ = 0, log_evidence_ = 0;
 };
+
+/// Bounds of the mean of values in [low, high] that are valid however often one looks: the means
+/// that a BettingTest with this effect, at 1 - confidence, does not show to be exceeded, or not to
+/// be reached. Each bound is wrong with a probability of at most 1 - confidence. Outward by at most
+/// 1e-4 of high - low.
+Interval betting_interval(const std::vector<double>& values, double low, double high, double effect,
+                          double confidence);
 
 }  // namespace slalom
