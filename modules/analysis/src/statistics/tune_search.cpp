@@ -46,7 +46,9 @@ class TuneSearch {
     bool complete = true;
     for (std::size_t i = 0; complete && i < kTuneIterations; ++i) {
       const std::size_t share = search_budget() * (i + 1) / kTuneIterations;
-      complete = halve(add_new(i, elites, share), share, elites);
+      const std::vector<std::size_t> alive = add_new(i, elites, share);
+      if (i == 0) result_.spread = result_.candidates.size() - 1;
+      complete = halve(alive, share, elites);
       if (complete) result_.elites.push_back(elites);
     }
     result_.complete = complete && run_finals(elites);

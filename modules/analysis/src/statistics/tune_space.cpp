@@ -142,25 +142,29 @@ Configuration ParameterSpace::from_unit(const std::vector<double>& point) const 
   return with_inactive_defaults(std::move(values));
 }
 
-double ParameterSpace::sample_value(const SpaceParameter& parameter, double center, double sd,
+double ParameterSpace::to_unit(std::size_t parameter, double value) const {
+  const auto [low, high] = scaled_ends(parameters_[parameter]);
+  return (scaled(parameters_[parameter], value) - low) / (high - low);
+}
+
+double ParameterSpace::sample_value(std::size_t parameter, double center, double sd,
                                     RandomEngine& engine) const {
-  if (const int n = static_cast<int>(parameter.choices.size()); n > 0) {
+  const SpaceParameter& p = parameters_[parameter];
+  if (const int n = static_cast<int>(p.choices.size()); n > 0) {
     if (uniform_real(engine, 0, 1) >= sd) return center;
     const double other = uniform_int(engine, 0, n - 2);
     return other < center ? other : other + 1;
   }
-  const auto [low, high] = scaled_ends(parameter);
-  const double mean = (scaled(parameter, center) - low) / (high - low);
+  const double mean = to_unit(parameter, center);
   double unit = -1;
   while (unit < 0 || unit > 1) unit = normal(engine, mean, sd);
-  return value_at(parameter, unit);
+  return value_at(p, unit);
 }
 
 Configuration ParameterSpace::sample_around(const Configuration& center, double sd,
                                             RandomEngine& engine) const {
   Configuration values;
-  for (std::size_t i = 0; i < size(); ++i)
-    values.push_back(sample_value(parameters_[i], center[i], sd, engine));
+  for (std::size_t i = 0; i < size(); ++i) values.push_back(sample_value(i, center[i], sd, engine));
   return with_inactive_defaults(std::move(values));
 }
 

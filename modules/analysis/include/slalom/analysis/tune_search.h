@@ -61,7 +61,8 @@ struct TuneCounts {
 TuneCounts counts_of(const std::vector<TuneOutcome>& outcomes);
 
 struct TuneResult {
-  std::vector<TuneCandidate> candidates;         ///< the first is the default
+  std::vector<TuneCandidate> candidates;  ///< the first is the default
+  std::size_t spread = 0;                 ///< candidates behind the default that are Sobol points
   std::vector<std::vector<std::size_t>> elites;  ///< after each iteration, best first
   std::vector<std::size_t> finalists;            ///< best first, by success in the finals
   std::size_t winner = 0;                        ///< the index of a candidate

@@ -55,6 +55,10 @@ class ParameterSpace {
   /// The configuration at a point of the unit cube; choices and integers have equal parts of it.
   Configuration from_unit(const std::vector<double>& point) const;
 
+  /// The coordinate of a value of a parameter with a range in the unit cube; of an integer, that of
+  /// the middle of its part.
+  double to_unit(std::size_t parameter, double value) const;
+
   /// A configuration around another one: normal with the standard deviation `sd` in the unit cube,
   /// truncated to it. A choice is kept with a probability of 1 - sd, otherwise it becomes one of
   /// the others.
@@ -64,8 +68,7 @@ class ParameterSpace {
   void check(std::size_t parameter, const OptionLocation& where) const;
   void check_condition(std::size_t parameter, const std::string& where) const;
   std::size_t index_of(const std::string& name) const;  ///< size() if there is none
-  double sample_value(const SpaceParameter& parameter, double center, double sd,
-                      RandomEngine& engine) const;
+  double sample_value(std::size_t parameter, double center, double sd, RandomEngine& engine) const;
   Configuration with_inactive_defaults(Configuration configuration) const;
 
   std::vector<SpaceParameter> parameters_;
