@@ -81,6 +81,13 @@ class Plugin {
     return &api;
   }
 
+  /// The table of slalom_method_get_space_api() with these ranges of parameters.
+  static const slalom_space_api* space_table(const std::vector<slalom_range>& given) {
+    static const std::vector<slalom_range> ranges = given;
+    static const slalom_space_api api = {SLALOM_SPACE_ABI_VERSION, ranges.data(), ranges.size()};
+    return &api;
+  }
+
   /// The table of slalom_method_get_map_api() for a class with `uses_map()` and `set_map(map)`.
   static const slalom_map_api* map_table() {
     static const slalom_map_api api = {SLALOM_MAP_ABI_VERSION, uses_map, set_map};

@@ -59,3 +59,12 @@ const slalom_method_api* slalom_method_get_api(void) {
 const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void) {
   return reactive::Plugin<follow_the_gap::Method>::goal_heading_table();
 }
+
+const slalom_space_api* slalom_method_get_space_api(void) {
+  return reactive::Plugin<follow_the_gap::Method>::space_table({{"alpha", 0.1, 10, 1, 0},
+                                                                {"margin", 0, 0.3, 0, 0},
+                                                                {"look_ahead", 0.5, 5, 1, 0},
+                                                                {"goal_weight", 0.1, 5, 1, 0},
+                                                                {"turn_gain", 0.5, 6, 1, 0},
+                                                                {"turn_in_place", 0.2, 2, 0, 0}});
+}

@@ -15,6 +15,7 @@ constexpr char kSymbol[] = "slalom_method_get_api";
 constexpr char kTracksSymbol[] = "slalom_method_get_tracks_api";
 constexpr char kMapSymbol[] = "slalom_method_get_map_api";
 constexpr char kGoalHeadingSymbol[] = "slalom_method_get_goal_heading_api";
+constexpr char kSpaceSymbol[] = "slalom_method_get_space_api";
 
 /// Converts the robot to C; its footprint points to `corners`.
 slalom_robot to_c(const RobotModel& robot, const SensorModel& sensor,
@@ -47,6 +48,7 @@ struct LibraryApi {
   const slalom_tracks_api* tracks;
   const slalom_map_api* map;
   const slalom_goal_heading_api* goal_heading;
+  const slalom_space_api* space;
 };
 
 /// A method called through the C function table; keeps the library loaded.
@@ -58,6 +60,7 @@ class LibraryMethod : public Method {
         tracks_api_(api.tracks),
         map_api_(api.map),
         goal_heading_api_(api.goal_heading),
+        space_api_(api.space),
         method_(method) {}
   ~LibraryMethod() override { api_.destroy(method_); }
   LibraryMethod(const LibraryMethod&) = delete;
@@ -65,6 +68,16 @@ class LibraryMethod : public Method {
 
   bool uses_tracks() const override { return tracks_api_ != nullptr; }
   bool uses_map() const override { return map_api_ != nullptr && map_api_->uses_map(method_) != 0; }
+
+  std::vector<TunableParameter> tunable_parameters() const override {
+    std::vector<TunableParameter> tunable;
+    for (std::size_t i = 0; space_api_ != nullptr && i < space_api_->range_count; ++i) {
+      const slalom_range& range = space_api_->ranges[i];
+      tunable.push_back({range.key, default_of(range.key), range.low, range.high,
+                         range.logarithmic != 0, range.integer != 0});
+    }
+    return tunable;
+  }
 
   void reset(const NavigationTask& task) override {
     slalom_task t = {};
@@ -121,6 +134,17 @@ class LibraryMethod : public Method {
     check_result("set_tracks", tracks_api_->set_tracks(method_, tracks_.data(), tracks_.size()));
   }
 
+  double default_of(const std::string& key) const {
+    for (std::size_t i = 0; i < api_.parameter_count; ++i) {
+      double value = 0;
+      if (api_.parameters[i].key == key && parse_number(api_.parameters[i].default_value, value))
+        return value;
+    }
+    throw usage_error(std::string(api_.name) + " " + key,
+                      "has a range for tuning, but no numeric default",
+                      "a parameter of the method");
+  }
+
   void check_result(const std::string& call, int code) const {
     if (code != 0)
       throw MethodError(std::string(api_.name) + ": " + call + " returned error " +
@@ -132,6 +156,7 @@ class LibraryMethod : public Method {
   const slalom_tracks_api* tracks_api_;
   const slalom_map_api* map_api_;
   const slalom_goal_heading_api* goal_heading_api_;
+  const slalom_space_api* space_api_;
   void* method_;
   std::vector<float> ranges_;
   std::vector<slalom_track> tracks_;
@@ -153,7 +178,7 @@ class LibraryLoader {
       throw usage_error(where_plugin_, path_ + " cannot be loaded (" + error + ")",
                         "a shared library");
     const LibraryApi api = {&find_api(*library), find_tracks_api(*library), find_map_api(*library),
-                            find_goal_heading_api(*library)};
+                            find_goal_heading_api(*library), find_space_api(*library)};
     void* method = create(*api.method, robot, sensor);
     return std::make_unique<LibraryMethod>(std::move(library), api, method);
   }
@@ -200,6 +225,16 @@ class LibraryLoader {
     return find_optional<slalom_goal_heading_api>(
         library, kGoalHeadingSymbol, SLALOM_GOAL_HEADING_ABI_VERSION, "set_goal_heading",
         [](const slalom_goal_heading_api& api) { return api.set_goal_heading != nullptr; });
+  }
+
+  const slalom_space_api* find_space_api(const SharedLibrary& library) const {
+    return find_optional<slalom_space_api>(library, kSpaceSymbol, SLALOM_SPACE_ABI_VERSION,
+                                           "ranges with keys", [](const slalom_space_api& api) {
+                                             for (std::size_t i = 0;
+                                                  api.ranges != nullptr && i < api.range_count; ++i)
+                                               if (api.ranges[i].key == nullptr) return false;
+                                             return api.ranges != nullptr || api.range_count == 0;
+                                           });
   }
 
   template <typename Api, typename IsComplete>

@@ -121,4 +121,30 @@ py::object make_class_options(const py::object& type, const py::dict& values,
   return options;
 }
 
+std::vector<TunableParameter> class_option_ranges(const py::object& type, const py::object& options,
+                                                  const std::string& where) {
+  const std::string expected =
+      "option_ranges = {\"NAME\": (LOW, HIGH) or (LOW, HIGH, \"log\"), ...} of numeric options";
+  const py::object ranges = py::getattr(type, "option_ranges", py::dict());
+  if (!py::isinstance<py::dict>(ranges))
+    throw usage_error(where, "option_ranges of the class are not a dict", expected);
+  std::vector<TunableParameter> tunable;
+  for (const auto& [key, value] : ranges.cast<py::dict>()) {
+    const std::string name = py::str(key);
+    try {
+      if (!py::hasattr(options, name.c_str())) throw py::cast_error("no option");
+      const py::object default_value = options.attr(name.c_str());
+      const auto range = value.cast<py::sequence>();
+      if (range.size() < 2 || range.size() > 3) throw py::cast_error("size");
+      if (range.size() == 3 && range[2].cast<std::string>() != "log") throw py::cast_error("scale");
+      tunable.push_back({name, default_value.cast<double>(), range[0].cast<double>(),
+                         range[1].cast<double>(), range.size() == 3,
+                         py::isinstance<py::int_>(default_value)});
+    } catch (const py::cast_error&) {
+      throw usage_error(where, "malformed range of '" + name + "' in option_ranges", expected);
+    }
+  }
+  return tunable;
+}
+
 }  // namespace slalom

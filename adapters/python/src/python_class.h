@@ -2,6 +2,7 @@
 #pragma once
 
 #include <slalom/core/options.h>
+#include <slalom/methods/method.h>
 
 #include <pybind11/pybind11.h>
 #include <string>
@@ -27,5 +28,13 @@ void check_class(const pybind11::object& type, const std::string& where);
 /// (default, unit, help).
 pybind11::object make_class_options(const pybind11::object& type, const pybind11::dict& values,
                                     const OptionLocation& where);
+
+/// The parameters that the class declares for tuning: option_ranges = {"NAME": (LOW, HIGH), ...},
+/// with a third element "log" if equal ratios are equally far apart; integers are those whose
+/// default is one. Defaults are those of `options`, see make_class_options(). Throws Error (Usage)
+/// at `where` for malformed ones.
+std::vector<TunableParameter> class_option_ranges(const pybind11::object& type,
+                                                  const pybind11::object& options,
+                                                  const std::string& where);
 
 }  // namespace slalom

@@ -153,8 +153,9 @@ class PythonObject {
 class PythonMethod : public Method {
  public:
   /// The caller holds the interpreter's lock.
-  explicit PythonMethod(const py::object& object)
+  PythonMethod(const py::object& object, std::vector<TunableParameter> tunable)
       : object_(std::make_unique<PythonObject>(object)),
+        tunable_(std::move(tunable)),
         uses_tracks_(object_->uses_tracks()),
         uses_map_(object_->uses_map()) {}
   // The process ends if there is no memory for the lock.
@@ -168,6 +169,7 @@ class PythonMethod : public Method {
 
   bool uses_tracks() const override { return uses_tracks_; }
   bool uses_map() const override { return uses_map_; }
+  std::vector<TunableParameter> tunable_parameters() const override { return tunable_; }
   void reset(const NavigationTask& task) override {
     call([&] { object_->reset(task); });
   }
@@ -192,6 +194,7 @@ class PythonMethod : public Method {
   }
 
   std::unique_ptr<PythonObject> object_;
+  std::vector<TunableParameter> tunable_;
   bool uses_tracks_, uses_map_;
 };
 
@@ -201,7 +204,8 @@ std::unique_ptr<Method> create(const py::object& type, const py::object& options
                                const SensorModel& sensor) {
   try {
     py::module_::import("numpy");
-    return std::make_unique<PythonMethod>(type(describe_robot(robot, sensor), options));
+    return std::make_unique<PythonMethod>(type(describe_robot(robot, sensor), options),
+                                          class_option_ranges(type, options, where));
   } catch (const py::error_already_set& error) {
     throw usage_error(where, std::string(py::str(type.attr("__name__"))) +
                                  " cannot be created: " + describe(error));

@@ -67,6 +67,14 @@ struct Command {
   double vy = 0;  ///< m/s, to the left; 0 for a diff_drive
 };
 
+/// A numeric parameter of a method with the range in which it is worth tuning.
+struct TunableParameter {
+  std::string name;
+  double default_value = 0, low = 0, high = 1;
+  bool log = false;      ///< equal ratios are equally far apart
+  bool integer = false;  ///< the values are integers
+};
+
 /// An error of a method; ends its run as method_error with this text.
 class MethodError : public std::runtime_error {
  public:
@@ -99,6 +107,8 @@ class Method {
   /// Whether the method needs the map of static obstacles: privileged, too, and the same for the
   /// life of the object.
   virtual bool uses_map() const { return false; }
+  /// The parameters that the method declares for tuning, with their defaults.
+  virtual std::vector<TunableParameter> tunable_parameters() const { return {}; }
   /// Figures of the run that depend on the wall clock, by id ("commands_missing", ...), as of
   /// commands that came too late. Called after the run; timing_info() of results describes them.
   virtual std::map<std::string, double> run_figures() const { return {}; }

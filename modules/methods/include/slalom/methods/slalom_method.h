@@ -163,6 +163,25 @@ typedef struct slalom_goal_heading_api {
 
 SLALOM_METHOD_EXPORT const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void);
 
+/* Optional: the space in which the method's parameters are tuned (slalom-tune). */
+#define SLALOM_SPACE_ABI_VERSION 1u
+
+/* A numeric parameter of slalom_method_api with the range in which it is worth tuning. */
+typedef struct slalom_range {
+  const char* key;
+  double low, high;
+  int32_t logarithmic; /* 1: equal ratios are equally far apart */
+  int32_t integer;     /* 1: the values are integers */
+} slalom_range;
+
+typedef struct slalom_space_api {
+  uint32_t abi_version; /* SLALOM_SPACE_ABI_VERSION */
+  const slalom_range* ranges;
+  size_t range_count;
+} slalom_space_api;
+
+SLALOM_METHOD_EXPORT const slalom_space_api* slalom_method_get_space_api(void);
+
 #ifdef __cplusplus
 }
 #endif
