@@ -134,6 +134,7 @@ std::vector<TunableParameter> class_option_ranges(const py::object& type, const 
     try {
       if (!py::hasattr(options, name.c_str())) throw py::cast_error("no option");
       const py::object default_value = options.attr(name.c_str());
+      if (!py::isinstance<py::sequence>(value)) throw py::cast_error("no sequence");
       const auto range = value.cast<py::sequence>();
       if (range.size() < 2 || range.size() > 3) throw py::cast_error("size");
       if (range.size() == 3 && range[2].cast<std::string>() != "log") throw py::cast_error("scale");

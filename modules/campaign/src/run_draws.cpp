@@ -12,8 +12,9 @@ namespace {
 
 constexpr char kAnswer[] = "a run in a worker process";
 
-CampaignOptions without_measurements(CampaignOptions options) {
+CampaignOptions without_measurements(CampaignOptions options, const std::string& metric) {
   options.metrics.clear();
+  if (!metric.empty()) options.metrics = {metric};
   options.descriptors.clear();
   options.record = {};
   options.record.trajectories = StoredTrajectories::None;
@@ -24,19 +25,20 @@ CampaignOptions without_measurements(CampaignOptions options) {
 /// Draws runs and executes them; each worker process has a copy of its own.
 class DrawExecutor {
  public:
-  DrawExecutor(const NamedMethod& method, const CampaignOptions& options, const DrawRun& draw)
-      : draw_(draw) {
-    campaign_.options = options;
+  DrawExecutor(const NamedMethod& method, const CampaignOptions& options, const DrawRun& draw,
+               const std::string& metric)
+      : draw_(draw), metric_(metric) {
+    campaign_.options = without_measurements(options, metric);
     campaign_.methods = {method};
   }
 
   DrawnRun execute(std::size_t index, SharedTaskLog& log) {
     std::optional<RunDraw> drawn = draw_(index);
     if (!drawn)
-      return {Outcome::UnsolvableScenario, "no scenario that the robot can solve", "", ""};
+      return {Outcome::UnsolvableScenario, "no scenario that the robot can solve", "", "", {}};
     if (drawn->options) {
       executor_.reset();
-      campaign_.options = without_measurements(std::move(*drawn->options));
+      campaign_.options = without_measurements(std::move(*drawn->options), metric_);
     }
     // Two slots, since the executor keeps the world of the last scenario by its index.
     slot_ = 1 - slot_;
@@ -49,7 +51,15 @@ class DrawExecutor {
     const RunRecord& run = findings.record;
     const auto& figures = findings.timing.values;
     const auto cycle = figures.find("cycle_time_p99");
-    return {from_name<Outcome>(run.outcome).value(), run.outcome_detail, hash, run.trajectory_hash,
+    const auto metric = run.metrics.find(metric_);
+    std::optional<double> value;
+    if (metric != run.metrics.end() && !metric->second.value.is_na())
+      value = metric->second.value.number();
+    return {from_name<Outcome>(run.outcome).value(),
+            run.outcome_detail,
+            hash,
+            run.trajectory_hash,
+            value,
             cycle == figures.end() ? 0 : cycle->second};
   }
 
@@ -59,6 +69,7 @@ class DrawExecutor {
 
  private:
   const DrawRun& draw_;
+  const std::string& metric_;
   Campaign campaign_;
   std::vector<References> references_ = std::vector<References>(2);
   std::optional<RunExecutor> executor_;
@@ -71,6 +82,8 @@ std::string to_bytes(const DrawnRun& run) {
       .text(run.detail)
       .text(run.scenario_hash)
       .text(run.trajectory_hash)
+      .u8(run.value ? 1 : 0)
+      .f64(run.value.value_or(0))
       .f64(run.cycle_time)
       .take();
 }
@@ -85,6 +98,9 @@ std::optional<DrawnRun> read_answer(const std::string& bytes) {
     run.detail = reader.text();
     run.scenario_hash = reader.text();
     run.trajectory_hash = reader.text();
+    const bool has_value = reader.u8() == 1;
+    const double value = reader.f64();
+    if (has_value) run.value = value;
     run.cycle_time = reader.f64();
     return run;
   } catch (const Error&) {
@@ -94,7 +110,7 @@ std::optional<DrawnRun> read_answer(const std::string& bytes) {
 
 DrawnRun run_of(const WorkResult& result) {
   if (result.status == WorkResult::Status::Done) return read_answer(result.payload).value();
-  return {outcome_of(result), result.detail, "", ""};
+  return {outcome_of(result), result.detail, "", "", {}};
 }
 
 }  // namespace
@@ -102,7 +118,7 @@ DrawnRun run_of(const WorkResult& result) {
 bool run_draws(const NamedMethod& method, const CampaignOptions& options, const DrawRun& draw,
                std::size_t max_runs, const DrawExecution& execution,
                const std::function<bool(const DrawnRun&)>& receive) {
-  DrawExecutor executor(method, without_measurements(options), draw);
+  DrawExecutor executor(method, options, draw, execution.metric);
   bool finished = false;
   PoolOptions pool = pool_of_runs(options, execution.workers);
   pool.hooks.is_valid = [](std::size_t, const std::string& payload) {

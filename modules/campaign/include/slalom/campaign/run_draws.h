@@ -26,17 +26,19 @@ using DrawRun = std::function<std::optional<RunDraw>(std::size_t index)>;
 struct DrawnRun {
   Outcome outcome = Outcome::InfrastructureError;
   std::string detail, scenario_hash, trajectory_hash;
-  double cycle_time = 0;  ///< ms of wall-clock time; 99 % quantile of the control cycles
+  std::optional<double> value;  ///< of the metric; none if it is not available
+  double cycle_time = 0;        ///< ms of wall-clock time; 99 % quantile of the control cycles
 };
 
 /// How runs are executed; neither workers nor interruption affect a run.
 struct DrawExecution {
   int workers = 1;
   std::function<bool()> interrupted = nullptr;  ///< polled
+  std::string metric = {};                      ///< id of one that needs no references; "": none
 };
 
-/// Runs a method in scenarios that are drawn when they are needed, without descriptors, references
-/// and metrics, in worker processes with the limits of a campaign, each as a campaign with these
+/// Runs a method in scenarios that are drawn when they are needed, without descriptors and
+/// references, in worker processes with the limits of a campaign, each as a campaign with these
 /// options and one repetition does. Passes the runs to `receive` in the order of their indexes
 /// until it returns false, or `max_runs` of them; what workers have begun beyond that is dropped.
 /// A method that crashes, or exceeds a limit, has the outcome that it has in a campaign. Returns
