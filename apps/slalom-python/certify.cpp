@@ -5,12 +5,28 @@
 #include <slalom/app/certificate.h>
 #include <slalom/app/program.h>
 
+#include <map>
 #include <string>
 
 namespace slalom {
 namespace {
 
 namespace py = pybind11;
+
+/// A class with other options than those that are given with it.
+NamedMethod configured(const std::string& name, const py::object& method,
+                       const std::map<std::string, std::string>& options) {
+  const bool pair = py::isinstance<py::tuple>(method);
+  const py::object type = pair ? py::object(method.cast<py::tuple>()[0]) : method;
+  py::dict values;
+  if (pair)
+    for (const auto& [key, value] : method.cast<py::tuple>()[1].cast<py::dict>())
+      values[key] = value;
+  for (const auto& [key, value] : options) values[py::str(key)] = value;
+  py::dict named;
+  named[py::str(name)] = py::make_tuple(type, values);
+  return to_methods(named).list().at(0);
+}
 
 /// Questions about a method as slalom-certify answers them: (certificate, text).
 py::tuple certify(const std::string& kind, const std::string& question_json,
@@ -26,6 +42,9 @@ py::tuple certify(const std::string& kind, const std::string& question_json,
   inquiry.workers = workers;
   inquiry.output = output;
   inquiry.given = to_methods(named).list().at(0);
+  inquiry.configure = [&](const std::map<std::string, std::string>& options) {
+    return configured(asked.question->method, method, options);
+  };
   // A method that an .ini can name is in the certificate, which therefore can be verified.
   if (py::isinstance<py::dict>(method)) {
     py::dict section;

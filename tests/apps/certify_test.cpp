@@ -183,7 +183,7 @@ TEST_F(Certify, AMethodThatEndsAllItsRunsByErrorsIsNotTested) {
   expect_failure(
       "slalom-certify risk my.ini --quiet --method bad --set method.bad.adapter=python --set "
       "method.bad.module=bad.py --set method.bad.class=Bad --budget 30",
-      1, {"every run ended with method_error", "ValueError"});
+      2, {"every run ended with method_error", "ValueError"});
 }
 
 TEST_F(Certify, ARiskIsBoundedByWhatItsRunsShow) {

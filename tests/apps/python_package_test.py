@@ -59,6 +59,22 @@ class CertifyTest(unittest.TestCase):
             again = subprocess.run([CERTIFY, "verify", path, "--quiet"], capture_output=True)
             self.assertEqual(again.returncode, 0, again.stderr)
 
+    def test_a_class_is_tuned(self):
+        class Planted(Direct):
+            options = {"speed": (0.0, "m/s", "the robot stands")}
+            option_ranges = {"speed": (0, 1)}
+
+        tuned = slalom.tune(
+            Planted,
+            generators={"random": {"min_obstacles": 0, "max_obstacles": 0}},
+            simulation={"stuck_time": 1},
+            runs=300,
+            sealed=200,
+            workers=2,
+        )["answer"]
+        self.assertEqual(tuned["verdict"], "better")
+        self.assertGreater(float(tuned["recommendation"]["speed"]), 0)
+
     def test_bad_questions_are_errors(self):
         for kind, question, words in (
             ("limmit", {}, "limit"),

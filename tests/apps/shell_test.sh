@@ -80,6 +80,7 @@ expect_bash "slalom-lcm-method --plugin libslalom_fo" \
 expect_bash "slalom-analyze table my.ini --method s" "slow"
 expect_bash "slalom-certify limit my.ini --method s" "slow"
 expect_bash "slalom-certify limit my.ini --of passage.wi" "passage.width"
+expect_bash "slalom-tune my.ini --method s" "slow"
 expect_bash "slalom-falsify search my.ini --method s" "slow"
 expect_bash "slalom-falsify search my.ini --method slow --surrogate f" "fast"
 expect_bash "slalom-falsify shrink a.scenario.yaml -c my.ini --witness " "fast slow"

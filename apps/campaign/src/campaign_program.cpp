@@ -164,7 +164,7 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
   if (arguments.seed) ini.set("campaign", "seed", std::to_string(*arguments.seed));
   ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor", "laser.*",
                                "odometry", "tracks", "simulation", "reference", "metrics", "limits",
-                               "record", "analysis", "method.*"});
+                               "record", "analysis", "tune", "method.*"});
   for (const RosParameterReport& report : resolve_ros_parameters(ini))
     if (!arguments.quiet) std::cerr << report.summary() << "\n";
   const std::string warning = sensor_warning(ini);

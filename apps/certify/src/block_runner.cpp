@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/app/adapters.h>
 #include <slalom/app/block_runner.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
@@ -9,6 +10,7 @@
 #include <slalom/map_formats/map_import.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 namespace slalom {
@@ -88,8 +90,13 @@ MethodCampaign read_method_campaign(IniFile ini, const std::string& method) {
       for (const std::string& key : ini.keys(section)) ini.remove(section, key);
   check_campaign(config);
   Manifest files = hash_method_files(config);
-  return {std::move(ini), std::move(config.options), std::move(config.methods.at(0)),
-          std::move(files), config.one_worker};
+  ConfigureMethod configure = [ini, method](const std::map<std::string, std::string>& options) {
+    IniFile changed = ini;
+    for (const auto& [key, value] : options) changed.set("method." + method, key, value, "");
+    return all_adapters().read(changed, method);
+  };
+  return {std::move(ini),   std::move(config.options), std::move(config.methods.at(0)),
+          std::move(files), config.one_worker,         std::move(configure)};
 }
 
 BlockRunner::BlockRunner(const MethodCampaign& campaign, BlockExecution execution)
@@ -109,6 +116,7 @@ void BlockRunner::check(const RunStream& stream) const {
 }
 
 std::optional<RunDraw> BlockRunner::draw(const RunStream& stream, std::size_t index) const {
+  if (stream.scenarios) return RunDraw{stream.scenarios->at(index)};
   RandomEngine engine(derive_seed(campaign_.options.seed, stream.name, index));
   IniFile ini = stream.ini;
   bool own_options = false;
@@ -130,12 +138,11 @@ std::optional<RunDraw> BlockRunner::draw(const RunStream& stream, std::size_t in
   }
 }
 
-void BlockRunner::run(const RunStream& stream, std::size_t max_runs,
-                      const std::function<bool(Outcome)>& receive) {
+void BlockRunner::run(const RunStream& stream, std::size_t max_runs, const ReceiveRun& receive) {
   Stream& kept = streams_[stream.name];
   std::size_t next = 0;
   const auto pass_on = [&] {
-    const bool more = receive(kept.runs[next].outcome);
+    const bool more = receive(kept.runs[next]);
     kept.passed = std::max(kept.passed, ++next);
     return more && next < max_runs;
   };
@@ -146,11 +153,11 @@ void BlockRunner::run(const RunStream& stream, std::size_t max_runs,
   const auto progress = make_terminal_progress(execution_.quiet);
   progress->start(stream.title, max_runs);
   const bool complete = run_draws(
-      campaign_.method, read_campaign_options(stream.ini),
+      stream.method.value_or(campaign_.method), read_campaign_options(stream.ini),
       [&](std::size_t index) { return draw(stream, first + index); }, max_runs - first,
-      {execution_.workers, execution_.interrupted},
+      {execution_.workers, execution_.interrupted, execution_.metric},
       [&](const DrawnRun& drawn) {
-        kept.runs.push_back({drawn.outcome, digest_of(drawn)});
+        kept.runs.push_back({drawn.outcome, drawn.value, digest_of(drawn)});
         write_journal(stream.name, kept.runs.back());
         count_failure(drawn);
         cycle_time_ = std::max(cycle_time_.value_or(0), drawn.cycle_time);
@@ -173,8 +180,8 @@ void BlockRunner::count_failure(const DrawnRun& run) {
 std::string BlockRunner::method_failures() const {
   if (failed_ == 0) return "";
   if (failed_ == executed_)
-    throw job_error("method " + campaign_.method.name, "every run ended with " + first_failure_,
-                    "a method that works");
+    throw usage_error("method " + campaign_.method.name, "every run ended with " + first_failure_,
+                      "a method that works");
   return count_text(failed_, "run") + " ended with " + first_failure_;
 }
 
@@ -193,7 +200,7 @@ std::string BlockRunner::hash_all(const std::string& prefix) const {
   return hasher.hex();
 }
 
-/// Line by line: the name of a stream after "@", or the outcome and the digest of its next run.
+/// Line by line: the name of a stream after "@", or outcome, digest and value of its next run.
 void BlockRunner::read_journal() {
   const std::string head = kJournal + execution_.identity + "\n";
   std::string text;
@@ -210,24 +217,37 @@ void BlockRunner::read_journal() {
     }
     std::istringstream words(line);
     std::string name;
-    Run run = {};
-    words >> name >> std::hex >> run.digest;
+    std::string value;
+    BlockRun run;
+    words >> name >> std::hex >> run.digest >> value;
     const std::optional<Outcome> outcome = from_name<Outcome>(name);
-    if (!words || !outcome || journal_stream_.empty())
+    double number = 0;
+    if (value != "-" && parse_number(value, number)) run.value = number;
+    if (!words || !outcome || journal_stream_.empty() || (value != "-" && !run.value))
       throw file_error(execution_.journal, "'" + line + "' is no run", "that it is removed");
     run.outcome = *outcome;
     streams_[journal_stream_].runs.push_back(run);
   }
-  journal_.open(execution_.journal, std::ios::trunc);
-  journal_ << (text.empty() ? head : text) << std::flush;
-  if (!journal_) throw file_error(execution_.journal, "cannot be written", "a writable folder");
+  journal_text_ = text.empty() ? head : text;
 }
 
-void BlockRunner::write_journal(const std::string& stream, const Run& run) {
+void BlockRunner::remove_journal() {
+  journal_.close();
+  if (!execution_.journal.empty()) std::filesystem::remove(execution_.journal);
+}
+
+/// Begins the file with the first new run: a question that is refused leaves none.
+void BlockRunner::write_journal(const std::string& stream, const BlockRun& run) {
   if (execution_.journal.empty()) return;
+  if (!journal_.is_open()) {
+    journal_.open(execution_.journal, std::ios::trunc);
+    journal_ << journal_text_;
+    journal_text_.clear();
+  }
   if (stream != journal_stream_) journal_ << '@' << stream << '\n';
   journal_stream_ = stream;
-  journal_ << to_string(run.outcome) << ' ' << std::hex << run.digest << '\n';
+  journal_ << to_string(run.outcome) << ' ' << std::hex << run.digest << ' '
+           << (run.value ? format_number(*run.value) : "-") << '\n';
   // Flushed for each run: what is lost in a kill is executed again, but a full disk is told at
   // once.
   if (!journal_.flush())

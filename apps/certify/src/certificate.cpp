@@ -8,7 +8,6 @@
 #include <slalom/io/scenario_yaml.h>
 #include <slalom/io/svg_scene.h>
 
-#include <filesystem>
 #include <set>
 
 namespace slalom {
@@ -20,7 +19,8 @@ constexpr char kExpected[] = "a certificate that slalom-certify has written";
 MethodCampaign campaign_of(const AskedQuestion& asked, const Inquiry& inquiry) {
   const std::string& method = asked.question->method;
   if (!inquiry.given) return read_method_campaign(asked.ini, method);
-  return {asked.ini, read_campaign_options(asked.ini), *inquiry.given, {}, false};
+  return {asked.ini,        read_campaign_options(asked.ini), *inquiry.given, {}, false,
+          inquiry.configure};
 }
 
 Json environment_json(const MethodCampaign& campaign) {
@@ -33,7 +33,7 @@ Json environment_json(const MethodCampaign& campaign) {
 }
 
 BlockRunner runner_of(const MethodCampaign& campaign, const Inquiry& inquiry,
-                      const std::string& identity) {
+                      const Question& question, const std::string& identity) {
   BlockExecution execution;
   execution.workers =
       campaign.one_worker && inquiry.workers == 0 ? 1 : worker_count(inquiry.workers);
@@ -41,6 +41,7 @@ BlockRunner runner_of(const MethodCampaign& campaign, const Inquiry& inquiry,
   execution.interrupted = inquiry.interrupted;
   if (!inquiry.output.empty()) execution.journal = inquiry.output + ".runs";
   execution.identity = identity;
+  execution.metric = question.metric();
   return {campaign, std::move(execution)};
 }
 
@@ -59,6 +60,20 @@ std::string difference(const nlohmann::json& stored, const nlohmann::json& repea
   return "";
 }
 
+/// The answer, and the runs that failed by errors of the method. Of a question that cannot be
+/// answered no journal is left.
+std::pair<Json, std::string> answer_of(Question& question, const MethodCampaign& campaign,
+                                       BlockRunner& runner) {
+  try {
+    question.check(campaign, runner);
+    Json facts = question.answer(campaign, runner);
+    return {std::move(facts), runner.method_failures()};
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::Usage) runner.remove_journal();
+    throw;
+  }
+}
+
 }  // namespace
 
 Answer ask(AskedQuestion& asked, const Inquiry& inquiry) {
@@ -72,10 +87,8 @@ Answer ask(AskedQuestion& asked, const Inquiry& inquiry) {
                                    .add(campaign.ini.canonical_text())
                                    .add(environment.dump())
                                    .hex();
-  BlockRunner runner = runner_of(campaign, inquiry, identity);
-  question.check(campaign, runner);
-  const Json facts = question.answer(campaign, runner);
-  const std::string failures = runner.method_failures();
+  BlockRunner runner = runner_of(campaign, inquiry, question, identity);
+  const auto [facts, failures] = answer_of(question, campaign, runner);
   Answer answer{{{"format", kFormat},
                  {"kind", question.kind()},
                  {"question", fields_to_json(question)},
@@ -85,7 +98,7 @@ Answer ask(AskedQuestion& asked, const Inquiry& inquiry) {
                 question.remark(facts, runner) + (failures.empty() ? "" : failures + "\n")};
   if (inquiry.output.empty()) return answer;
   write_file_atomically(inquiry.output, answer.certificate.dump(2) + "\n");
-  std::filesystem::remove(inquiry.output + ".runs");
+  runner.remove_journal();
   return answer;
 }
 
@@ -129,7 +142,7 @@ std::string verify_sample(const Json& certificate, const std::string& where, std
   AskedQuestion asked = question_of(certificate, where);
   asked.question->prepare(asked.ini);
   const MethodCampaign campaign = campaign_of(asked, inquiry);
-  BlockRunner runner = runner_of(campaign, inquiry, "");
+  BlockRunner runner = runner_of(campaign, inquiry, *asked.question, "");
   asked.question->check(campaign, runner);
   RandomEngine engine(seed);
   try {

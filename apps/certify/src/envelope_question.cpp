@@ -118,8 +118,8 @@ Json EnvelopeQuestion::row_answer(std::size_t row, const IniFile& ini, BlockRunn
   FixedSequence sequence(
       {reliability_, row_confidence(), of_.bins.count(), max_per_cell_, row_budget()});
   while (const auto cell = sequence.current())
-    runner.run(stream(ini, row, *cell), max_per_cell_, [&](Outcome outcome) {
-      sequence.add(*cell, outcome == Outcome::Success);
+    runner.run(stream(ini, row, *cell), max_per_cell_, [&](const BlockRun& run) {
+      sequence.add(*cell, run.outcome == Outcome::Success);
       return sequence.current() == *cell;
     });
   Json cells = Json::array();

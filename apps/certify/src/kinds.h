@@ -11,5 +11,6 @@ std::unique_ptr<Question> make_limit_question();
 std::unique_ptr<Question> make_envelope_question();
 std::unique_ptr<Question> make_risk_question();
 std::unique_ptr<Question> make_standard_question();
+std::unique_ptr<Question> make_tune_question();
 
 }  // namespace slalom

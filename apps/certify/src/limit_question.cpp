@@ -139,7 +139,7 @@ Json LimitQuestion::claim_at(double reliability, const IniFile& ini, BlockRunner
   const RunBins run = [&](LimitPhase phase, const BinRange& range, std::size_t max_runs,
                           const std::function<bool(bool)>& receive) {
     runner.run(stream(ini, phase, range), max_runs,
-               [&](Outcome outcome) { return receive(outcome == Outcome::Success); });
+               [&](const BlockRun& one) { return receive(one.outcome == Outcome::Success); });
     return true;
   };
   const LimitResult result =
@@ -167,9 +167,9 @@ Json LimitQuestion::failures_of(const Json& claims, const IniFile& ini, BlockRun
     while (bins.edge(bin) != curve.at("from").get<double>()) ++bin;
     const RunStream runs = stream(ini, LimitPhase::Curve, {bin, bin + 1});
     std::size_t index = 0;
-    runner.run(runs, curve.at("runs").get<std::size_t>(), [&](Outcome outcome) {
-      if (outcome != Outcome::Success)
-        failures.push_back(failure_json(runner, runs, index, outcome));
+    runner.run(runs, curve.at("runs").get<std::size_t>(), [&](const BlockRun& one) {
+      if (one.outcome != Outcome::Success)
+        failures.push_back(failure_json(runner, runs, index, one.outcome));
       ++index;
       return failures.size() < kListedFailures;
     });

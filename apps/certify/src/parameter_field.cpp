@@ -65,8 +65,8 @@ void ParameterField::resolve_range(const MethodCampaign& campaign, BlockRunner& 
                            {in({bin, bin + 1})}};
     runner.check(stream);
     std::size_t successes_of_bin = 0;
-    runner.run(stream, kPilotRuns, [&](Outcome outcome) {
-      successes_of_bin += outcome == Outcome::Success ? 1 : 0;
+    runner.run(stream, kPilotRuns, [&](const BlockRun& run) {
+      successes_of_bin += run.outcome == Outcome::Success ? 1 : 0;
       return true;
     });
     return successes_of_bin;

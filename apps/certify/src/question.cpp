@@ -14,7 +14,8 @@ namespace {
 
 /// All kinds; a new one is registered here.
 constexpr std::unique_ptr<Question> (*kKinds[])() = {make_limit_question, make_envelope_question,
-                                                     make_risk_question, make_standard_question};
+                                                     make_risk_question, make_standard_question,
+                                                     make_tune_question};
 
 void read_field(const QuestionField& field, const nlohmann::json& json) {
   std::visit(

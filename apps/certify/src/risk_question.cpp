@@ -120,13 +120,13 @@ RunStream RiskQuestion::stream(const IniFile& ini, std::size_t batch) {
 Json RiskQuestion::run_batch(const RunStream& runs, std::size_t max_runs, BlockRunner& runner,
                              Counts& counts) const {
   std::size_t done = 0, hits = 0;
-  runner.run(runs, max_runs, [&](Outcome outcome) {
-    const bool hit = is_hit(outcome);
+  runner.run(runs, max_runs, [&](const BlockRun& run) {
+    const bool hit = is_hit(run.outcome);
     if (hit && counts.listed.size() < kListedHits)
-      counts.listed.push_back(failure_json(runner, runs, done, outcome));
+      counts.listed.push_back(failure_json(runner, runs, done, run.outcome));
     ++done;
     hits += hit ? 1 : 0;
-    ++counts.outcomes[outcome];
+    ++counts.outcomes[run.outcome];
     if (counts.test) counts.test->add(!hit);
     return !counts.decided();
   });

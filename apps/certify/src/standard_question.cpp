@@ -93,9 +93,9 @@ Json StandardQuestion::answer(const MethodCampaign& campaign, BlockRunner& runne
   for (const std::string& family : families_)
     for (const double speed : speeds_) {
       std::size_t failures = 0, collisions = 0;
-      runner.run(stream(campaign, family, speed), trials_, [&](Outcome outcome) {
-        failures += outcome == Outcome::Success ? 0 : 1;
-        collisions += outcome == Outcome::Collision ? 1 : 0;
+      runner.run(stream(campaign, family, speed), trials_, [&](const BlockRun& run) {
+        failures += run.outcome == Outcome::Success ? 0 : 1;
+        collisions += run.outcome == Outcome::Collision ? 1 : 0;
         return true;
       });
       // Rounded, as its last bits depend on the mathematical library.

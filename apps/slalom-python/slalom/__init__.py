@@ -33,6 +33,7 @@ __all__ = [
     "onnx",
     "plugin",
     "read_scenarios",
+    "tune",
     "write_scenarios",
 ]
 
@@ -195,6 +196,7 @@ def certify(
     sensor: Optional[Dict[str, Any]] = None,
     simulation: Optional[Dict[str, Any]] = None,
     limits: Optional[Dict[str, Any]] = None,
+    tune: Optional[Dict[str, Any]] = None,
     seed: int = 1,
     workers: int = 1,
     output: str = "",
@@ -214,6 +216,7 @@ def certify(
         "sensor": sensor,
         "simulation": simulation,
         "limits": limits,
+        "tune": tune,
         **{f"generator.{family}": keys for family, keys in (generators or {}).items()},
     }
     fields = {key.rstrip("_"): value for key, value in question.items()}
@@ -224,6 +227,17 @@ def certify(
             kind, json.dumps({"method": name, **fields}), method, sections, workers, output
         )
     )
+
+
+def tune(method: Method, **arguments: Any) -> Certificate:
+    """Searches better options of a method, as slalom-tune does, and says with which confidence they
+    are better than its defaults in scenarios that the search has not seen.
+
+    Arguments are those of certify() and the options of slalom-tune, such as runs=1000. Classes have a
+    dict `option_ranges`; `tune` is a dict of the keys of [tune]. The answer has "verdict", and the options
+    to use as "recommendation".
+    """
+    return certify("tune", method, **arguments)
 
 
 def mrpt_holonomic(class_name: str, plugin: str = "", **options: Any) -> Dict[str, Any]:

@@ -8,11 +8,16 @@
 #include <cstdint>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace slalom {
+
+/// A method with other values of its options, as texts by key. Throws Error (Usage) for one that is
+/// unknown.
+using ConfigureMethod = std::function<NamedMethod(const std::map<std::string, std::string>&)>;
 
 /// A method and the campaign in which it runs.
 struct MethodCampaign {
@@ -21,6 +26,7 @@ struct MethodCampaign {
   NamedMethod method;
   Manifest files;           ///< hashes of what the method consists of, see hash_method_files()
   bool one_worker = false;  ///< see CampaignConfig
+  ConfigureMethod configure = nullptr;
 };
 
 /// The campaign with this method only. Throws Error (Usage) at --method for an unknown one.
@@ -33,13 +39,24 @@ struct DrawnParameter {
   BinRange range;
 };
 
-/// Runs of one distribution: the scenarios of an .ini with drawn parameters. Streams of different
-/// names are independent.
+/// Runs of one distribution: the scenarios of an .ini with drawn parameters, or given ones. Streams
+/// of different names are independent.
 struct RunStream {
   std::string name, title;  ///< of the random numbers; for people
   IniFile ini;
   std::vector<DrawnParameter> parameters = {};
+  std::shared_ptr<const std::vector<Scenario>> scenarios =
+      nullptr;                                       ///< of the runs, by their index
+  std::optional<NamedMethod> method = std::nullopt;  ///< instead of that of the campaign
 };
+
+/// A run of a stream.
+struct BlockRun {
+  Outcome outcome = Outcome::InfrastructureError;
+  std::optional<double> value;  ///< of the metric of the execution
+  std::uint64_t digest = 0;     ///< of scenario and trajectory
+};
+using ReceiveRun = std::function<bool(const BlockRun& run)>;
 
 /// How runs are executed; neither workers nor interruption affect a run.
 struct BlockExecution {
@@ -47,6 +64,7 @@ struct BlockExecution {
   bool quiet = false;
   std::string journal = {};   ///< file of the runs so far, for the next attempt; "": none
   std::string identity = {};  ///< of the question; a journal of another one is refused
+  std::string metric = {};    ///< see DrawExecution
   std::function<bool()> interrupted = nullptr;  ///< polled
 };
 
@@ -60,11 +78,10 @@ class BlockRunner {
   /// Throws Error (Usage) for a stream that cannot be drawn. Reads its maps.
   void check(const RunStream& stream) const;
 
-  /// Passes the outcomes of the stream's runs from the first one on, in order, to `receive` until
-  /// it returns false, or `max_runs` of them. Throws Interrupted, and Error (Job) for runs that
+  /// Passes the runs of the stream from the first one on, in order, to `receive` until it returns
+  /// false, or `max_runs` of them. Throws Interrupted, and Error (Job) for runs that
   /// cannot be executed.
-  void run(const RunStream& stream, std::size_t max_runs,
-           const std::function<bool(Outcome outcome)>& receive);
+  void run(const RunStream& stream, std::size_t max_runs, const ReceiveRun& receive);
 
   /// The scenario and the options of a run; none if 200 draws give no scenario that is solvable.
   std::optional<RunDraw> draw(const RunStream& stream, std::size_t index) const;
@@ -74,32 +91,34 @@ class BlockRunner {
   std::string hash(const std::string& stream) const;
   std::string hash_all(const std::string& prefix) const;
 
+  /// To be called when the question is answered.
+  void remove_journal();
+
   /// The runs that the method itself ended by an error, "3 runs ended with method_error: DETAIL" of
-  /// the first; "" if none. Throws Error (Job) if all runs of at least one did.
+  /// the first; "" if none. Throws Error (Usage) if all did.
   std::string method_failures() const;
+
+  int workers() const { return execution_.workers; }
 
   /// ms of wall-clock time; the largest 99 % quantile of a run's control cycles. None without runs.
   std::optional<double> cycle_time() const { return cycle_time_; }
 
  private:
-  struct Run {
-    Outcome outcome;
-    std::uint64_t digest;  ///< of scenario and trajectory
-  };
   struct Stream {
-    std::vector<Run> runs;
+    std::vector<BlockRun> runs;
     std::size_t passed = 0;
   };
 
   void read_journal();
   void count_failure(const DrawnRun& run);
-  void write_journal(const std::string& stream, const Run& run);
+  void write_journal(const std::string& stream, const BlockRun& run);
 
   const MethodCampaign& campaign_;
   BlockExecution execution_;
   MapLoader load_map_;
   std::map<std::string, Stream> streams_;
   std::ofstream journal_;
+  std::string journal_text_;    ///< with which the file begins
   std::string journal_stream_;  ///< of its last line
   std::optional<double> cycle_time_;
   std::size_t executed_ = 0, failed_ = 0;

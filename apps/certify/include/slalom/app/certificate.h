@@ -23,6 +23,7 @@ struct Inquiry {
   std::function<bool()> interrupted = nullptr;  ///< polled
   /// The method, if the .ini has none of that name, such as a class of Python.
   std::optional<NamedMethod> given = std::nullopt;
+  ConfigureMethod configure = nullptr;  ///< of that method
 };
 
 /// An answer: its certificate has all that is needed to repeat it.

@@ -33,7 +33,7 @@ class Question {
  public:
   virtual ~Question() = default;
 
-  virtual std::string kind() const = 0;  ///< the verb of slalom-certify
+  virtual std::string kind() const = 0;
   virtual std::string help() const = 0;
   virtual std::vector<QuestionField> fields() = 0;
 
@@ -49,6 +49,8 @@ class Question {
   virtual std::string shortfall(const Json& answer) const = 0;
   /// Adds what wall-clock figures say, which are no part of the answer; mostly "".
   virtual std::string remark(const Json&, const BlockRunner&) const { return ""; }
+  /// The metric that runs need, see DrawExecution; "": none.
+  virtual std::string metric() const { return ""; }
   /// Executes a sample of the runs of an answer again, drawn with `engine`, and returns what was
   /// compared. Throws Error: Job for what differs, Usage for answers without parts.
   virtual std::string verify_sample(const Json& answer, BlockRunner& runner, std::size_t size,

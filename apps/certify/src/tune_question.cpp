@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinds.h"
+#include "tune_scenarios.h"
+#include "tune_space.h"
+
+#include <slalom/analysis/rate_tests.h>
+#include <slalom/analysis/sealed_claim.h>
+#include <slalom/analysis/tune_effects.h>
+#include <slalom/analysis/tune_search.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
+#include <slalom/metrics/metric.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+namespace slalom {
+namespace {
+
+/// The question which options are better than the default ones.
+class TuneQuestion : public Question {
+ public:
+  std::string kind() const override { return "tune"; }
+  std::string help() const override {
+    return "Search better options of a method and compare them with its defaults in scenarios that "
+           "the search has not seen";
+  }
+  std::vector<QuestionField> fields() override;
+  void prepare(IniFile&) override {}
+  void check(const MethodCampaign& campaign, BlockRunner& runner) override;
+  Json answer(const MethodCampaign& campaign, BlockRunner& runner) const override;
+  Statement statement(const Json& answer) const override;
+  std::string shortfall(const Json& answer) const override;
+  std::string metric() const override { return then_; }
+
+ private:
+  RunStream stream(const MethodCampaign& campaign, const std::string& phase, std::size_t index,
+                   const Configuration& configuration, const SharedScenarios& scenarios) const;
+  TuneOutcome outcome_of(const BlockRun& run) const;
+  TuneResult search(const MethodCampaign& campaign, const TuneScenarios& sets,
+                    BlockRunner& runner) const;
+  SealedOptions sealed_options() const;
+  Json sealed_answer(const MethodCampaign& campaign, const TuneScenarios& sets,
+                     const TuneResult& result, BlockRunner& runner) const;
+
+  TuneOptions search_;
+  std::size_t sealed_ = 400;
+  double effect_ = 0.1;
+  std::string stratify_ = "density", then_ = "time_to_goal";
+  bool require_ = false;
+  std::optional<ParameterSpace> space_;  ///< since check()
+  bool less_is_better_ = true;           ///< of the metric
+};
+
+std::vector<QuestionField> TuneQuestion::fields() {
+  std::vector<QuestionField> fields = {
+      {"method", &method, "The method whose options are tuned", true},
+      {"runs", &search_.budget, "Runs of the search, with its finals"},
+      {"development", &search_.development, "Scenarios of the search"},
+      {"finals", &search_.finals, "Scenarios in which the best five and the default are compared"},
+      {"sealed", &sealed_, "Scenarios of the claim, of which at least 200 are used; 200 to 1000"},
+      {"effect", &effect_, "Difference in success for which the claim needs the fewest runs"},
+      {"confidence", &search_.confidence, "Confidence of the claim"},
+      {"collision_cost", &search_.collision_cost, "A collision counts as so many failures"},
+      {"stratify", &stratify_,
+       "Descriptor of which each part of the development scenarios has all quarters"},
+      {"then", &then_, "Metric that decides among finalists that do not differ in success"},
+      {"require", &require_, "Exit status 1 unless the tuned options are shown to be better"}};
+  fields.back().stored = false;
+  return fields;
+}
+
+SealedOptions TuneQuestion::sealed_options() const {
+  SealedOptions options;
+  options.effect = effect_;
+  options.confidence = search_.confidence;
+  options.max_scenarios = sealed_;
+  return options;
+}
+
+void TuneQuestion::check(const MethodCampaign& campaign, BlockRunner&) {
+  require_probability("--confidence", search_.confidence);
+  if (search_.budget < kMinTuneBudget || search_.budget > 10000000)
+    throw usage_error("--runs " + std::to_string(search_.budget), "is no budget of a search",
+                      std::to_string(kMinTuneBudget) + " to 10000000");
+  for (const auto& [option, size] :
+       {std::pair{"--development", search_.development}, {"--finals", search_.finals}})
+    if (size < 100 || size > 100000)
+      throw usage_error(option + (" " + std::to_string(size)), "is no number of scenarios",
+                        "100 to 100000");
+  if (sealed_ < 200 || sealed_ > SealedClaim::kMaxSealed)
+    throw usage_error("--sealed " + std::to_string(sealed_), "is no number of scenarios",
+                      "200 to 1000");
+  SealedClaim checked(sealed_options());
+  descriptor(stratify_);
+  less_is_better_ = slalom::metric(then_).info.direction != Direction::Up;
+  space_ = read_space(campaign);
+}
+
+RunStream TuneQuestion::stream(const MethodCampaign& campaign, const std::string& phase,
+                               std::size_t index, const Configuration& configuration,
+                               const SharedScenarios& scenarios) const {
+  RunStream stream{"tune/" + phase + "/" + std::to_string(index),
+                   phase + " of configuration " + std::to_string(index), campaign.ini};
+  stream.scenarios = scenarios;
+  stream.method = campaign.configure(options_of(*space_, configuration));
+  return stream;
+}
+
+TuneOutcome TuneQuestion::outcome_of(const BlockRun& run) const {
+  TuneOutcome outcome{run.outcome == Outcome::Success, run.outcome == Outcome::Collision, {}};
+  if (run.value) outcome.secondary = less_is_better_ ? *run.value : -*run.value;
+  return outcome;
+}
+
+TuneResult TuneQuestion::search(const MethodCampaign& campaign, const TuneScenarios& sets,
+                                BlockRunner& runner) const {
+  TuneOptions options = search_;
+  options.seed = derive_seed(campaign.options.seed, "tune/search");
+  return tune_search(*space_, options, [&](const TuneRequest& request) {
+    const SharedScenarios& scenarios =
+        request.phase == TunePhase::Finals ? sets.finals : sets.development;
+    std::vector<TuneOutcome> outcomes;
+    std::size_t number = 0;
+    runner.run(stream(campaign, std::string(to_string(request.phase)), request.index,
+                      request.configuration, scenarios),
+               request.first + request.count, [&](const BlockRun& run) {
+                 if (number++ >= request.first) outcomes.push_back(outcome_of(run));
+                 return true;
+               });
+    return outcomes;
+  });
+}
+
+/// A number without last bits that a mathematical library may change.
+double six_digits(double value) {
+  return std::round(value * 1e6) / 1e6;
+}
+
+Json to_json(const RateEstimate& estimate) {
+  return {{"value", six_digits(estimate.value)},
+          {"low", six_digits(estimate.interval.low)},
+          {"high", six_digits(estimate.interval.high)}};
+}
+
+Json to_json(const TuneCounts& counts) {
+  return {
+      {"runs", counts.runs}, {"successes", counts.successes}, {"collisions", counts.collisions}};
+}
+
+Json to_json(const std::map<std::string, std::string>& options) {
+  Json json = Json::object();
+  for (const auto& [key, value] : options) json[key] = value;
+  return json;
+}
+
+/// Whether the first outcomes have more collisions, by McNemar's test of pairs.
+bool shows_more_collisions(const std::vector<TuneOutcome>& tuned,
+                           const std::vector<TuneOutcome>& standard) {
+  constexpr double kLevel = 0.05;
+  std::size_t only_tuned = 0, only_standard = 0;
+  for (std::size_t i = 0; i < tuned.size(); ++i) {
+    only_tuned += tuned[i].collision && !standard[i].collision ? 1 : 0;
+    only_standard += standard[i].collision && !tuned[i].collision ? 1 : 0;
+  }
+  return only_tuned > only_standard && mcnemar_exact(only_tuned, only_standard) <= kLevel;
+}
+
+/// The winner against the default in the sealed scenarios, in pairs.
+Json TuneQuestion::sealed_answer(const MethodCampaign& campaign, const TuneScenarios& sets,
+                                 const TuneResult& result, BlockRunner& runner) const {
+  const Configuration& tuned = result.candidates[result.winner].configuration;
+  const RunStream streams[] = {stream(campaign, "sealed", result.winner, tuned, sets.sealed),
+                               stream(campaign, "sealed", 0, space_->defaults(), sets.sealed)};
+  SealedClaim claim(sealed_options());
+  std::vector<TuneOutcome> outcomes[2];
+  while (const std::size_t more = claim.next()) {
+    const std::size_t first = claim.scenarios();
+    for (int side = 0; side < 2; ++side) {
+      outcomes[side].clear();
+      runner.run(streams[side], first + more, [&](const BlockRun& run) {
+        outcomes[side].push_back(outcome_of(run));
+        return true;
+      });
+    }
+    for (std::size_t i = first; i < first + more; ++i)
+      claim.add(outcomes[0][i].success, outcomes[1][i].success);
+  }
+  return {
+      {"verdict", claim.verdict() == TuneVerdict::Better ? "better" : "not shown"},
+      {"scenarios", claim.scenarios()},
+      {"tuned", to_json(claim.tuned())},
+      {"default", to_json(claim.reference())},
+      {"tuned_counts", to_json(counts_of(outcomes[0]))},
+      {"default_counts", to_json(counts_of(outcomes[1]))},
+      {"more_collisions", shows_more_collisions(outcomes[0], outcomes[1])},
+      {"difference", to_json(claim.difference())},
+      {"optimism", to_json(claim.optimism(counts_of(result.candidates[result.winner].finals)))}};
+}
+
+Json effects_json(const ParameterSpace& space, const TuneResult& result, double confidence) {
+  Json effects = Json::array();
+  for (const ParameterEffect& effect : main_effects(space, result, confidence)) {
+    Json levels = Json::array();
+    for (const ParameterLevel& level : effect.levels)
+      levels.push_back({{"values", level.text},
+                        {"configurations", level.configurations},
+                        {"success", to_json(RateEstimate{level.rate, level.interval})}});
+    effects.push_back({{"option", space.parameters()[effect.parameter].name}, {"levels", levels}});
+  }
+  return effects;
+}
+
+Json TuneQuestion::answer(const MethodCampaign& campaign, BlockRunner& runner) const {
+  const TuneScenarios sets = make_tune_scenarios(
+      campaign, {search_.development, search_.finals, sealed_, stratify_, runner.workers()});
+  const TuneResult result = search(campaign, sets, runner);
+  const TuneCandidate &winner = result.candidates.at(result.winner),
+                      &standard = result.candidates.at(0);
+  const Json sealed =
+      result.keeps_default() ? Json() : sealed_answer(campaign, sets, result, runner);
+  const bool better = !sealed.is_null() && sealed.at("verdict") == "better";
+  const bool recommended = better && !sealed.at("more_collisions").get<bool>();
+  return {{"verdict", better ? "better" : "not shown"},
+          {"default", to_json(options_of(*space_, standard.configuration))},
+          {"winner", to_json(options_of(*space_, winner.configuration))},
+          {"keeps_default", result.keeps_default()},
+          {"recommendation", to_json(options_of(*space_, recommended ? winner.configuration
+                                                                     : standard.configuration))},
+          {"configurations", result.candidates.size()},
+          {"search_runs", result.runs(TunePhase::Development) + result.runs(TunePhase::Finals)},
+          {"development",
+           {{"winner", to_json(counts_of(winner.development))},
+            {"default", to_json(counts_of(standard.development))}}},
+          {"finals",
+           {{"winner", to_json(counts_of(winner.finals))},
+            {"default", to_json(counts_of(standard.finals))}}},
+          {"sealed", sealed},
+          {"sealed_hash", hash_of(*sets.sealed)},
+          {"effects", effects_json(*space_, result, search_.confidence)},
+          {"resolution", campaign.options.simulation.resolution},
+          {"seed", campaign.options.seed},
+          {"outcomes", runner.hash_all("tune/")}};
+}
+
+std::string TuneQuestion::shortfall(const Json& answer) const {
+  const bool recommended =
+      answer.at("verdict") == "better" && answer.at("recommendation") == answer.at("winner");
+  if (!require_ || recommended) return "";
+  return "--require: the tuned options are not shown to be better; expected a claim";
+}
+
+std::string two_digits(const Json& number) {
+  const std::string text = fmt::format("{:.2f}", number.get<double>());
+  return text == "-0.00" ? "0.00" : text;
+}
+
+std::string estimate_text(const Json& estimate) {
+  return two_digits(estimate.at("value")) + " [" + two_digits(estimate.at("low")) + ", " +
+         two_digits(estimate.at("high")) + "]";
+}
+
+std::string counts_text(const Json& counts) {
+  const auto runs = counts.at("runs").get<std::size_t>();
+  return runs == 0 ? "-" : rate_text(runs, counts.at("successes").get<std::size_t>());
+}
+
+std::string collisions_text(const Json& counts) {
+  return std::to_string(counts.at("collisions").get<std::size_t>()) + " of " +
+         std::to_string(counts.at("runs").get<std::size_t>());
+}
+
+StatementTable options_table(const Json& answer) {
+  StatementTable table{"", "lrr", {"option", "default", "winner"}, {}};
+  for (const auto& [option, value] : answer.at("default").items())
+    table.rows.push_back(
+        {option, value.get<std::string>(), answer.at("winner").at(option).get<std::string>()});
+  return table;
+}
+
+StatementTable results_table(const Json& answer) {
+  StatementTable table{"success, and collisions",
+                       "lrrrr",
+                       {"scenarios", "default", "winner", "collisions: default", "winner"},
+                       {}};
+  const Json& finals = answer.at("finals");
+  table.rows.push_back({"finals", counts_text(finals.at("default")),
+                        counts_text(finals.at("winner")), collisions_text(finals.at("default")),
+                        collisions_text(finals.at("winner"))});
+  const Json& sealed = answer.at("sealed");
+  if (!sealed.is_null())
+    table.rows.push_back(
+        {"sealed", estimate_text(sealed.at("default")), estimate_text(sealed.at("tuned")),
+         collisions_text(sealed.at("default_counts")), collisions_text(sealed.at("tuned_counts"))});
+  return table;
+}
+
+StatementTable effects_table(const Json& answer) {
+  StatementTable table{"main effects: mean success of evenly spread configurations",
+                       "llr",
+                       {"option", "values", "success"},
+                       {}};
+  for (const Json& effect : answer.at("effects"))
+    for (const Json& level : effect.at("levels"))
+      table.rows.push_back({effect.at("option").get<std::string>(),
+                            level.at("values").get<std::string>(),
+                            estimate_text(level.at("success"))});
+  return table;
+}
+
+Statement TuneQuestion::statement(const Json& answer) const {
+  Statement statement;
+  statement.title = "tuning of " + method + ", confidence " + format_number(search_.confidence);
+  statement.parts.emplace_back(fmt::format("{} configurations in {} runs",
+                                           answer.at("configurations").get<std::size_t>(),
+                                           answer.at("search_runs").get<std::size_t>()));
+  statement.parts.emplace_back(options_table(answer));
+  statement.parts.emplace_back(results_table(answer));
+  const Json& sealed = answer.at("sealed");
+  if (sealed.is_null()) {
+    statement.parts.emplace_back("claim: none, the default is the best of the finals: keep it");
+  } else {
+    const std::string difference = estimate_text(sealed.at("difference"));
+    const auto scenarios = sealed.at("scenarios").get<std::size_t>();
+    const bool better = answer.at("verdict") == "better";
+    statement.parts.emplace_back(
+        better ? fmt::format("claim: better, by {} in {} sealed scenarios", difference, scenarios)
+               : fmt::format(
+                     "claim: not shown in {} sealed scenarios, difference {}: keep the default",
+                     scenarios, difference));
+    if (better && sealed.at("more_collisions").get<bool>())
+      statement.parts.emplace_back(
+          "but with more collisions: the default is recommended, unless they do not matter");
+    statement.parts.emplace_back("optimism of the finals: " + estimate_text(sealed.at("optimism")));
+  }
+  statement.parts.emplace_back(effects_table(answer));
+  return statement;
+}
+
+}  // namespace
+
+std::unique_ptr<Question> make_tune_question() {
+  return std::make_unique<TuneQuestion>();
+}
+
+}  // namespace slalom

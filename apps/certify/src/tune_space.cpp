@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tune_space.h"
+
+#include <slalom/campaign/method_parameters.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
+
+#include <algorithm>
+
+namespace slalom {
+namespace {
+
+constexpr char kSection[] = "tune";
+constexpr char kExpected[] = "LOW, HIGH[, log][, integer], or choices: A | B | ...";
+
+/// The parameter of one line of [tune], without its default.
+SpaceParameter parse_line(const std::string& name, const std::string& text,
+                          const std::string& where) {
+  SpaceParameter parameter;
+  parameter.name = name;
+  if (text.find('|') != std::string::npos) {
+    parameter.choices = split(text, '|');
+    return parameter;
+  }
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() < 2 || !parse_number(parts[0], parameter.low) ||
+      !parse_number(parts[1], parameter.high))
+    throw usage_error(where, "'" + text + "' is no range", kExpected);
+  for (std::size_t i = 2; i < parts.size(); ++i) {
+    if (parts[i] != "log" && parts[i] != "integer")
+      throw usage_error(where, "'" + parts[i] + "' is unknown", kExpected);
+    (parts[i] == "log" ? parameter.log : parameter.integer) = true;
+  }
+  return parameter;
+}
+
+/// The default as the .ini has it; else that which the method declares.
+void set_default(SpaceParameter& parameter, const std::vector<TunableParameter>& declared,
+                 const IniFile& ini, const std::string& section, const std::string& where) {
+  const std::optional<std::string> text = ini.get(section, parameter.name);
+  if (!parameter.choices.empty()) {
+    const auto& choices = parameter.choices;
+    const auto found = std::find(choices.begin(), choices.end(), text.value_or(""));
+    if (found == choices.end())
+      throw usage_error(where, "no choice is the default",
+                        parameter.name + " in [" + section + "]");
+    parameter.default_value = static_cast<double>(found - choices.begin());
+    return;
+  }
+  if (text && parse_number(*text, parameter.default_value)) return;
+  for (const TunableParameter& one : declared)
+    if (one.name == parameter.name) {
+      parameter.default_value = one.default_value;
+      return;
+    }
+  throw usage_error(where, "its default is unknown", parameter.name + " in [" + section + "]");
+}
+
+}  // namespace
+
+ParameterSpace read_space(const MethodCampaign& campaign) {
+  const IniFile& ini = campaign.ini;
+  const std::string section = "method." + campaign.method.name;
+  const std::vector<TunableParameter> declared =
+      tunable_parameters(campaign.method, campaign.options);
+  std::vector<SpaceParameter> parameters;
+  for (const std::string& key : ini.keys(kSection)) {
+    const std::string where = ini.where(kSection, key);
+    SpaceParameter parameter = parse_line(key, *ini.get(kSection, key), where);
+    set_default(parameter, declared, ini, section, where);
+    parameters.push_back(std::move(parameter));
+  }
+  if (parameters.empty())
+    for (const TunableParameter& one : declared) {
+      SpaceParameter parameter{one.name, one.default_value, one.low, one.high,
+                               one.log,  one.integer,       {},      std::nullopt};
+      set_default(parameter, declared, ini, section, campaign.method.where);
+      parameters.push_back(std::move(parameter));
+    }
+  if (parameters.empty())
+    throw usage_error(campaign.method.where, "the method declares no ranges of its parameters",
+                      "[tune] with OPTION = " + std::string(kExpected));
+  return ParameterSpace(std::move(parameters), [&](const std::string& name) {
+    return ini.get(kSection, name) ? ini.where(kSection, name) : campaign.method.where + " " + name;
+  });
+}
+
+std::map<std::string, std::string> options_of(const ParameterSpace& space,
+                                              const Configuration& configuration) {
+  std::map<std::string, std::string> options;
+  for (std::size_t i = 0; i < space.size(); ++i)
+    options[space.parameters()[i].name] = space.text(i, configuration[i]);
+  return options;
+}
+
+}  // namespace slalom

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <slalom/analysis/tune_space.h>
+#include <slalom/app/block_runner.h>
+
+namespace slalom {
+
+/// The parameters to tune: those of [tune] OPTION = LOW, HIGH[, log][, integer] or A | B |
+/// ...; without any of these, those that the method declares. Defaults are those of the .ini, else
+/// of the method. Throws Error (Usage) for none, and for ranges that are not valid.
+ParameterSpace read_space(const MethodCampaign& campaign);
+
+/// The options of a configuration as texts.
+std::map<std::string, std::string> options_of(const ParameterSpace& space,
+                                              const Configuration& configuration);
+
+}  // namespace slalom

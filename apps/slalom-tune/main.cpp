@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/app/output_folder.h>
+#include <slalom/app/program.h>
+#include <slalom/app/question_options.h>
+#include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
+#include <slalom/io/result_file.h>
+
+#include <filesystem>
+#include <iostream>
+
+namespace slalom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kCertificate[] = "tuned.json", kIni[] = "tuned.ini", kPage[] = "tuned.html";
+
+struct TuneArguments {
+  AskArguments ask;
+  std::string folder;
+};
+
+/// The searches in folders beside this one with the same sealed scenarios.
+std::size_t earlier_uses(const fs::path& folder, const std::string& sealed_hash) {
+  std::size_t uses = 0;
+  std::error_code ignored;
+  const fs::path parent = fs::absolute(folder / "x").parent_path().parent_path();
+  for (const fs::directory_entry& entry : fs::directory_iterator(parent, ignored)) {
+    const fs::path file = entry.path() / kCertificate;
+    if (fs::equivalent(entry.path(), folder, ignored) || !fs::is_regular_file(file, ignored))
+      continue;
+    try {
+      const Json json = parse_certificate(read_file(file.string()), file.string());
+      if (json.at("answer").value("sealed_hash", "") == sealed_hash) ++uses;
+    } catch (const std::exception&) {
+      // A file of something else.
+    }
+  }
+  return uses;
+}
+
+/// The campaign with the recommended options.
+std::string tuned_ini(const Json& certificate) {
+  IniFile ini = IniFile::from_text(certificate.at("campaign.ini"));
+  const std::string section =
+      "method." + certificate.at("question").at("method").get<std::string>();
+  for (const auto& [key, value] : certificate.at("answer").at("recommendation").items())
+    ini.set(section, key, value.get<std::string>(), "");
+  return ini.canonical_text();
+}
+
+void tune(TuneArguments& arguments) {
+  IniFile ini = load_campaign_ini(arguments.ask.campaign);
+  const fs::path folder(arguments.folder);
+  refuse_output_over_inputs((folder / kIni).string(), ini);
+  make_output_folder(arguments.folder);
+  AskedQuestion asked{std::move(arguments.ask.question), std::move(ini)};
+  const std::string path = (folder / kCertificate).string();
+  const Answer answer = ask_and_print(arguments.ask, asked, path);
+  write_file_atomically((folder / kIni).string(), tuned_ini(answer.certificate));
+  write_file_atomically((folder / kPage).string(), certificate_page(answer.certificate, path));
+  const Json& facts = answer.certificate.at("answer");
+  const std::size_t uses = earlier_uses(folder, facts.at("sealed_hash").get<std::string>());
+  if (uses > 0)
+    std::cout << "sealed scenarios that " << uses << " other "
+              << (uses == 1 ? "search" : "searches")
+              << " beside this folder used, too: the confidence is that of one claim\n";
+  std::cout << (folder / kIni).string() << ", " << path << ", " << (folder / kPage).string()
+            << "\n";
+  require_enough(asked, answer);
+}
+
+void define(CLI::App& app) {
+  static TuneArguments arguments;
+  arguments.ask.question = make_question("tune");
+  add_question_options(app, arguments.ask);
+  app.add_option("-o,--output", arguments.folder,
+                 "Folder for tuned.ini, tuned.json and tuned.html; the same command continues a "
+                 "search that was interrupted")
+      ->required();
+  app.callback([] { tune(arguments); });
+}
+
+}  // namespace
+}  // namespace slalom
+
+int main(int argc, char** argv) {
+  return slalom::run_program(
+      "slalom-tune",
+      "Searches better options of a method, and says with which confidence they are better than "
+      "its defaults in scenarios that the search has not seen.",
+      argc, argv, slalom::define);
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program_run.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Drives to the goal if `a` is near 0.7, else stands still; `b` has no effect. No obstacles.
+constexpr char kPlanted[] =
+    "import math\n"
+    "class Planted:\n"
+    "    options = {'a': (0.1, '-', 'planted'), 'b': (3, '-', 'without effect')}\n"
+    "    option_ranges = {'a': (0, 1), 'b': (1, 9)}\n"
+    "    def __init__(self, robot, options): self.drives = abs(options.a - 0.7) < 0.2\n"
+    "    def reset(self, task): pass\n"
+    "    def step(self, o):\n"
+    "        if not self.drives: return 0, 0\n"
+    "        return 1, max(-1, min(1, math.atan2(o.goal_y, o.goal_x)))\n";
+constexpr char kIni[] =
+    "[campaign]\nmethods = planted\n[scenarios]\ngenerator = random\n"
+    "[generator.random]\nmin_obstacles = 0\nmax_obstacles = 0\n"
+    "[simulation]\nstuck_time = 1\n"
+    "[method.planted]\nadapter = python\nmodule = planted.py\nclass = Planted\n"
+    "[method.go]\nadapter = library\nplugin = libslalom_go_to_goal.so\n";
+
+class Tune : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("planted.py", kPlanted);
+    write("my.ini", kIni);
+  }
+  Json answer(const std::string& folder) const {
+    return Json::parse(read(folder + "/tuned.json")).at("answer");
+  }
+};
+
+constexpr char kTune[] = "slalom-tune my.ini --quiet --runs 300 --sealed 200 ";
+
+TEST_F(Tune, FindsAPlantedOptimumAndShowsThatItIsBetter) {
+  const ProgramResult result = run(std::string(kTune) + "--method planted --require -o out");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json found = answer("out");
+  EXPECT_EQ(found.at("verdict"), "better");
+  EXPECT_NEAR(std::stod(found.at("recommendation").at("a").get<std::string>()), 0.7, 0.2);
+  const std::string b = found.at("winner").at("b");
+  EXPECT_EQ(b.find('.'), std::string::npos) << "an integer, as its default: " << b;
+  EXPECT_EQ(found.at("default"), Json({{"a", "0.1"}, {"b", "3"}}));
+  // The default succeeds never, the winner always.
+  EXPECT_EQ(found.at("sealed").at("difference").at("value"), 1);
+  EXPECT_EQ(found.at("sealed").at("default_counts").at("successes"), 0);
+  EXPECT_LE(found.at("search_runs"), 300);
+  EXPECT_NE(result.out.find("claim: better, by 1.00 ["), std::string::npos) << result.out;
+
+  // The campaign with these options, and the same answer from any number of workers.
+  write("out/planted.py", kPlanted);
+  const ProgramResult tuned =
+      run("slalom-simulate run out/tuned.ini --quiet --set scenarios.count=3 "
+          "-o a.results");
+  EXPECT_EQ(tuned.status, 0) << tuned.err;
+  const ProgramResult dump = run("slalom-analyze dump a.results");
+  EXPECT_EQ(dump.out.find(R"("outcome":"stuck")"), std::string::npos);
+  const ProgramResult verified = run("slalom-certify verify out/tuned.json --trust --quiet -j 3");
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  EXPECT_NE(read("out/tuned.html").find("main effects"), std::string::npos);
+
+  // Another search beside this folder with the same sealed scenarios.
+  const ProgramResult second = run(std::string(kTune) +
+                                   "--method go --set tune.turn_in_place="
+                                   "0.2,2 --set method.go.turn_in_place=1 "
+                                   "-o other");
+  EXPECT_EQ(second.status, 0) << second.err;
+  EXPECT_NE(second.out.find("sealed scenarios that 1 other search"), std::string::npos);
+}
+
+TEST_F(Tune, KeepsTheDefaultWhereNoOptionMatters) {
+  const std::string null_ = std::string(kTune) + "--method planted --set tune.b=1,9,integer ";
+  const ProgramResult result = run(null_ + "--set method.planted.a=0.7 -o out");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json found = answer("out");
+  EXPECT_EQ(found.at("verdict"), "not shown");
+  EXPECT_EQ(found.at("recommendation"), found.at("default"));
+  EXPECT_EQ(found.at("recommendation"), Json({{"b", "3"}}));
+  expect_failure(null_ + "--set method.planted.a=0.7 --require -o out2", 1,
+                 {"--require: ", "not shown"});
+}
+
+TEST_F(Tune, RefusesSearchesThatCannotBegin) {
+  const std::string base = "slalom-tune my.ini --quiet -o out ";
+  const std::pair<std::string, std::vector<std::string>> kRefused[] = {
+      {"--method plantd", {"--method plantd", "'planted'"}},
+      {"--method planted --runs 100", {"--runs 100", "300"}},
+      {"--method planted --sealed 100", {"--sealed 100", "200 to 1000"}},
+      {"--method planted --development 10", {"--development 10", "100"}},
+      {"--method planted --stratify densiti", {"densiti", "density"}},
+      {"--method planted --then time", {"time"}},
+      {"--method planted --confidence 1", {"--confidence 1"}},
+      {"--method planted --set tune.a=1,0", {"tune.a"}},
+      {"--method planted --set tune.a=0.5,1", {"tune.a", "default"}},
+      {"--method planted --set tune.a=0,1,lin", {"'lin' is unknown", "LOW, HIGH"}},
+      {"--method planted --set tune.a=much", {"'much' is no range"}},
+      {"--method planted --set tune.c=0,1", {"tune.c", "its default is unknown"}},
+      {"--method planted --set tune.mode=\"x|y\"", {"no choice is the default"}},
+      {"--method planted --set method.planted.module=plain.py", {"declares no ranges", "[tune]"}}};
+  write("plain.py", std::string(kPlanted) + "    option_ranges = {}\n");
+  for (const auto& [options, words] : kRefused) expect_failure(base + options, 2, words);
+  write("bad.py", std::string(kPlanted) + "    option_ranges = {'a': 1}\n");
+  expect_failure(base + "--method planted --set method.planted.module=bad.py", 2,
+                 {"malformed range of 'a' in option_ranges"});
+}
+
+}  // namespace
+}  // namespace slalom
