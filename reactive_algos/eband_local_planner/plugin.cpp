@@ -12,3 +12,17 @@ const slalom_map_api* slalom_method_get_map_api(void) {
 const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void) {
   return reactive::Plugin<eband_local_planner::EbandLocalPlanner>::goal_heading_table();
 }
+
+const slalom_space_api* slalom_method_get_space_api(void) {
+  return reactive::Plugin<eband_local_planner::EbandLocalPlanner>::space_table(
+      {{"eband_min_relative_overlap", 0.4, 0.9, 0, 0},
+       {"eband_internal_force_gain", 0.2, 5, 1, 0},
+       {"eband_external_force_gain", 0.4, 10, 1, 0},
+       {"num_iterations_eband_optimization", 1, 6, 0, 1},
+       {"costmap_weight", 4, 25, 1, 0},
+       {"k_prop", 1, 8, 1, 0},
+       {"bubble_velocity_multiplier", 0.7, 6, 1, 0},
+       {"rotation_threshold_multiplier", 0.3, 3, 1, 0},
+       {"footprint_padding", 0, 0.2, 0, 0},
+       {"comfort", 0.05, 1, 1, 0}});
+}

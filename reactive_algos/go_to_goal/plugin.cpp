@@ -8,3 +8,7 @@ const slalom_method_api* slalom_method_get_api(void) {
 const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void) {
   return reactive::Plugin<go_to_goal::GoToGoal>::goal_heading_table();
 }
+
+const slalom_space_api* slalom_method_get_space_api(void) {
+  return reactive::Plugin<go_to_goal::GoToGoal>::space_table({{"turn_in_place", 0.3, 3, 0, 0}});
+}

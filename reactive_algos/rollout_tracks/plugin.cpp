@@ -14,3 +14,7 @@ const slalom_tracks_api* slalom_method_get_tracks_api(void) {
 const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void) {
   return Method::goal_heading_table();
 }
+
+const slalom_space_api* slalom_method_get_space_api(void) {
+  return Method::space_table(trajectory_rollout::tuning_ranges());
+}

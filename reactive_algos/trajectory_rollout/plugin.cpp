@@ -8,3 +8,8 @@ const slalom_method_api* slalom_method_get_api(void) {
 const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void) {
   return reactive::Plugin<trajectory_rollout::TrajectoryRollout>::goal_heading_table();
 }
+
+const slalom_space_api* slalom_method_get_space_api(void) {
+  return reactive::Plugin<trajectory_rollout::TrajectoryRollout>::space_table(
+      trajectory_rollout::tuning_ranges());
+}

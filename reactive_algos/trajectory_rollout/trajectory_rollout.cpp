@@ -124,6 +124,14 @@ void Parameters::visit(slalom::OptionVisitor& v) {
            Range::between(0.1, 50));
 }
 
+// Ratios of the weights decide: beta is left out.
+std::vector<slalom_range> tuning_ranges() {
+  return {
+      {"alpha", 0.1, 10, 1, 0},    {"gamma", 0.04, 4, 1, 0},        {"delta", 0.0003, 0.03, 1, 0},
+      {"margin", 0, 0.15, 0, 0},   {"comfort", 0.1, 1, 1, 0},       {"horizon", 0.7, 3, 1, 0},
+      {"w_samples", 13, 41, 0, 1}, {"turn_in_place", 0.5, 3, 0, 0}, {"look_ahead", 0.5, 4, 1, 0}};
+}
+
 std::vector<Rollout> roll_out(const ClearanceMap& map, const Pose& pose, const Twist& now,
                               const VelocityGrid& desired, const Robot& robot, double radius,
                               double horizon, const std::vector<Track>& movers) {

@@ -31,6 +31,9 @@ struct Parameters {
   void visit(slalom::OptionVisitor& v);
 };
 
+/// The ranges in which the parameters are worth tuning.
+std::vector<slalom_range> tuning_ranges();
+
 /// Result of a simulated trajectory.
 struct Rollout {
   reactive::Pose end;

@@ -85,6 +85,17 @@ class HolonomicMethod : public Method {
     clearance_.clear();
   }
 
+  /// Options of the adapter for all classes; those of the class are in `config`.
+  std::vector<TunableParameter> tunable_parameters() const override {
+    const HolonomicOptions defaults;
+    return {{"sectors", static_cast<double>(defaults.sectors), 61, 241, true, true},
+            {"reference_distance", defaults.reference_distance, 1.5, 6, true, false},
+            {"margin", defaults.margin, 0, 0.25, false, false},
+            {"turn_gain", defaults.turn_gain, 0.5, 6, true, false},
+            {"turn_in_place", defaults.turn_in_place, 0.3, 2, false, false},
+            {"stop_margin", defaults.stop_margin, 0, 0.2, false, false}};
+  }
+
   Command step(const Observation& observation) override {
     if (const auto turn = turn_at_goal(task_, observation, robot_)) return *turn;
     const auto points = obstacle_points(*observation.scan);
