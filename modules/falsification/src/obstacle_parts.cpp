@@ -170,6 +170,7 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
     return Scenario::continuous(name, scenario_.bounds(), std::move(some), scenario_.start(),
                                 scenario_.goal())
         .with_movers(std::move(movers))
+        .with_people(scenario_.people())
         .with_goal_heading(scenario_.goal_heading());
   }
   if (scenario_.representation() == Representation::Grid) {
@@ -180,6 +181,7 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
         map.setCell(static_cast<int>(i) % size_x, static_cast<int>(i) / size_x, 1.0F);
     return Scenario::grid(name, map, scenario_.start(), scenario_.goal())
         .with_movers(std::move(movers))
+        .with_people(scenario_.people())
         .with_goal_heading(scenario_.goal_heading());
   }
   mrpt::maps::CSimplePointsMap some;
@@ -191,6 +193,7 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
   }
   return Scenario::points(name, scenario_.bounds(), some, scenario_.start(), scenario_.goal())
       .with_movers(std::move(movers))
+      .with_people(scenario_.people())
       .with_goal_heading(scenario_.goal_heading());
 }
 

@@ -62,6 +62,22 @@ void check_task(const std::string& name, const Bounds& bounds, const TPose2D& st
     throw file_error(name, "start heading is not finite", "a finite angle");
 }
 
+/// Also that ids are not those of movers, since contacts and tracks are of both.
+void check_people_among(const std::string& name, const Bounds& bounds, const Movers& movers,
+                        const People& people) {
+  check_people(name, people);
+  for (const Person& person : people) {
+    const std::string where = name + ": person '" + person.id + "'";
+    if (std::any_of(movers.begin(), movers.end(),
+                    [&](const Mover& mover) { return mover.id == person.id; }))
+      throw file_error(where, "has the id of a moving obstacle", "unique ids");
+    check_position(where, bounds, "start", person.start);
+    for (std::size_t i = 0; i < person.route.size(); ++i)
+      check_position(where, bounds, ("point " + std::to_string(i) + " of the route").c_str(),
+                     person.route[i]);
+  }
+}
+
 void check_primitives(const std::string& name, const Primitives& obstacles) {
   for (std::size_t i = 0; i < obstacles.discs.size(); ++i) {
     const Disc& disc = obstacles.discs[i];
@@ -138,26 +154,27 @@ void check_points(const std::string& name, const CSimplePointsMap& map) {
 }  // namespace
 
 Scenario::Scenario(std::string name, Bounds bounds, Obstacles obstacles, TPose2D start,
-                   TPoint2D goal, Movers movers, std::optional<double> goal_heading)
+                   TPoint2D goal, Rest rest)
     : name_(std::move(name)),
       bounds_(bounds),
       obstacles_(std::move(obstacles)),
       start_(start),
       goal_(goal),
-      movers_(std::move(movers)),
-      goal_heading_(goal_heading) {
+      rest_(std::move(rest)) {
   check_name(name_);
   check_task(name_, bounds_, start_, goal_);
-  check_movers(name_, movers_);
-  if (goal_heading_ && !std::isfinite(*goal_heading_))
+  check_movers(name_, rest_.movers);
+  check_people_among(name_, bounds_, rest_.movers, rest_.people);
+  if (rest_.goal_heading && !std::isfinite(*rest_.goal_heading))
     throw file_error(name_, "goal heading is not finite", "a finite angle");
   Hasher hasher;
   hasher.add(to_string(representation()));
   hasher.add(bounds_.x_min).add(bounds_.y_min).add(bounds_.x_max).add(bounds_.y_max);
   std::visit([&](const auto& content) { add_content(hasher, content); }, obstacles_);
   hasher.add(start_.x).add(start_.y).add(start_.phi).add(goal_.x).add(goal_.y);
-  if (!movers_.empty()) add_content(hasher, movers_);
-  if (goal_heading_) hasher.add(std::string("goal_heading")).add(*goal_heading_);
+  if (!rest_.movers.empty()) add_content(hasher, rest_.movers);
+  if (!rest_.people.empty()) add_content(hasher, rest_.people);
+  if (rest_.goal_heading) hasher.add(std::string("goal_heading")).add(*rest_.goal_heading);
   hash_ = hasher.hex();
 }
 
@@ -204,25 +221,35 @@ Scenario Scenario::renamed(std::string name) const {
 }
 
 Scenario Scenario::with_start_goal(TPose2D start, TPoint2D goal) const {
-  return {name_, bounds_, obstacles_, start, goal, movers_, goal_heading_};
+  return {name_, bounds_, obstacles_, start, goal, rest_};
+}
+
+/// With the published path, which belongs to the static obstacles, start and goal.
+Scenario Scenario::with_rest(Rest rest) const {
+  Scenario copy(name_, bounds_, obstacles_, start_, goal_, std::move(rest));
+  copy.published_path_ = published_path_;
+  return copy;
 }
 
 Scenario Scenario::with_movers(Movers movers) const {
-  if (movers.empty() && movers_.empty()) return *this;
-  Scenario copy(name_, bounds_, obstacles_, start_, goal_, std::move(movers), goal_heading_);
-  copy.published_path_ = published_path_;
-  return copy;
+  if (movers.empty() && rest_.movers.empty()) return *this;
+  return with_rest({std::move(movers), rest_.people, rest_.goal_heading});
+}
+
+Scenario Scenario::with_people(People people) const {
+  if (people.empty() && rest_.people.empty()) return *this;
+  return with_rest({rest_.movers, std::move(people), rest_.goal_heading});
 }
 
 Scenario Scenario::with_goal_heading(std::optional<double> heading) const {
-  if (heading == goal_heading_) return *this;
-  Scenario copy(name_, bounds_, obstacles_, start_, goal_, movers_, heading);
-  copy.published_path_ = published_path_;
-  return copy;
+  if (heading == rest_.goal_heading) return *this;
+  return with_rest({rest_.movers, rest_.people, heading});
 }
 
 Scenario Scenario::with_rest_of(const Scenario& other) const {
-  return with_movers(other.movers()).with_goal_heading(other.goal_heading());
+  return with_movers(other.movers())
+      .with_people(other.people())
+      .with_goal_heading(other.goal_heading());
 }
 
 Scenario Scenario::with_published_path(PublishedPathPtr path) const {

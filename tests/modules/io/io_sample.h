@@ -39,4 +39,10 @@ inline Movers sample_movers() {
           {"2", 0.1 + 0.2, {{0, {8, 2}}, {7, {8, 9}}}, MoverEnd::Vanish}};
 }
 
+/// Two people: one with a via point, one who walks to and fro from 2.5 s on.
+inline People sample_people() {
+  return {{"anna # 1", 0.25, 0.1 + 0.2, {1, 3}, {{2, 9}, {9, 9}}, 0, PersonEnd::Vanish},
+          {"ben", 0.3, 1.1, {9, 1}, {{1, 1}}, 2.5, PersonEnd::Return}};
+}
+
 }  // namespace slalom

@@ -2,7 +2,9 @@
 #include "error_text.h"
 
 #include <slalom/core/hash.h>
+#include <slalom/scenario/convert.h>
 #include <slalom/scenario/person.h>
+#include <slalom/scenario/scenario.h>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +90,52 @@ TEST(Person, IsOneOfTenThousandAtMost) {
   People people(10001, two_people()[0]);
   EXPECT_TRUE(throws_error(ErrorKind::File, "walk: 10001 people", {"at most 10000"},
                            [&] { check_people("walk", people); }));
+}
+
+Scenario room() {
+  return Scenario::continuous("room", {0, 0, 10, 10}, {{{{5, 5}, 1}}, {}}, {1, 9, 0}, {9, 9});
+}
+
+TEST(Person, IsPartOfItsScenarioAndOfItsHash) {
+  EXPECT_EQ(room().with_people({}).hash(), room().hash());
+  const Scenario walked = room().with_people(two_people());
+  EXPECT_EQ(walked.people(), two_people());
+  EXPECT_EQ(walked.with_people({}).hash(), room().hash());
+  std::set<std::string> hashes = {room().hash(), walked.hash(), walked.with_goal_heading(1).hash()};
+  for (const auto& change : kChanges) {
+    People people = two_people();
+    change(people[0]);
+    hashes.insert(room().with_people(people).hash());
+  }
+  EXPECT_EQ(hashes.size(), kChanges.size() + 3);
+}
+
+TEST(Person, StaysWhenAnythingElseOfTheScenarioChanges) {
+  const Scenario walked = room().with_people(two_people());
+  const Mover mover{"m", 0.2, {{0, {8, 1}}}};
+  EXPECT_EQ(walked.renamed("other").people(), two_people());
+  EXPECT_EQ(walked.with_start_goal({1, 9, 1}, {8, 9}).people(), two_people());
+  EXPECT_EQ(walked.with_goal_heading(1).with_movers({mover}).people(), two_people());
+  EXPECT_EQ(room().with_rest_of(walked).hash(), walked.hash());
+  for (const Representation to : {Representation::Grid, Representation::Points})
+    EXPECT_EQ(convert(walked, to, ConversionOptions()).people(), two_people());
+}
+
+TEST(Person, IsRefusedByAScenarioThatItLeavesOrWhoseMoverHasItsId) {
+  const auto refused = [](const Scenario& scenario, const std::function<void(Person&)>& change,
+                          const std::string& what) {
+    People people = two_people();
+    change(people[0]);
+    return throws_error(ErrorKind::File, "room: person 'anna'", {what},
+                        [&] { (void)scenario.with_people(people); });
+  };
+  EXPECT_TRUE(refused(
+      room(), [](Person& p) { p.start.x = -1; }, "start at (-1, 2)"));
+  EXPECT_TRUE(refused(
+      room(), [](Person& p) { p.route[1].y = 11; }, "point 1 of the route"));
+  const Mover anna{"anna", 0.2, {{0, {8, 1}}}};
+  EXPECT_TRUE(refused(
+      room().with_movers({anna}), [](Person&) {}, "id of a moving obstacle"));
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ Scene::Scene(const Scenario& scenario)
       start(scenario.start()),
       goal(scenario.goal()),
       movers(scenario.movers()),
+      people(scenario.people()),
       goal_heading(scenario.goal_heading()) {
   for (const Disc& disc : scenario.primitives().discs) obstacles.emplace_back(disc);
   for (const Polygon& polygon : scenario.primitives().polygons) obstacles.emplace_back(polygon);
@@ -45,6 +46,7 @@ Scenario Scene::scenario(const std::string& name) const {
       primitives.polygons.push_back(std::get<Polygon>(obstacle));
   return Scenario::continuous(name, bounds, std::move(primitives), start, goal)
       .with_movers(movers)
+      .with_people(people)
       .with_goal_heading(goal_heading);
 }
 

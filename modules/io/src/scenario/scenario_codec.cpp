@@ -14,11 +14,12 @@ namespace {
 using mrpt::math::TPoint2D;
 
 /// The second version ends with a published path, the third with movers and, after a flag, a
-/// published path, the fourth with the heading of the goal and the same; each is written only if
-/// the one before has no place for what there is.
+/// published path, the fourth with the heading of the goal and the same, the fifth with the heading
+/// of the goal after a flag, people and the same; each is written only if the one before has no
+/// place for what there is.
 constexpr std::uint8_t kVersion = 1, kVersionWithPath = 2, kVersionWithMovers = 3,
-                       kVersionWithGoalHeading = 4;
-constexpr std::size_t kPointSize = 16, kWaypointSize = 24, kMinMoverSize = 25;
+                       kVersionWithGoalHeading = 4, kVersionWithPeople = 5;
+constexpr std::size_t kPointSize = 16, kWaypointSize = 24, kMinMoverSize = 25, kMinPersonSize = 57;
 
 void write_point(ByteWriter& out, const TPoint2D& p) {
   out.f64(p.x).f64(p.y);
@@ -162,7 +163,41 @@ Movers read_movers(ByteReader& in) {
   return movers;
 }
 
+void write_people(ByteWriter& out, const People& people) {
+  out.u64(people.size());
+  for (const Person& person : people) {
+    out.text(person.id).f64(person.radius).f64(person.speed).f64(person.begin);
+    out.u8(static_cast<std::uint8_t>(person.after));
+    write_point(out, person.start);
+    write_points(out, person.route);
+  }
+}
+
+People read_people(ByteReader& in) {
+  People people(in.count(kMinPersonSize));
+  for (Person& person : people) {
+    person.id = in.text();
+    person.radius = in.f64();
+    person.speed = in.f64();
+    person.begin = in.f64();
+    const std::uint8_t after = in.u8();
+    if (after >= enum_names(PersonEnd{}).size())
+      throw in.broken("unknown behavior of a person at its goal");
+    person.after = static_cast<PersonEnd>(after);
+    person.start = read_point(in);
+    person.route = read_points(in);
+  }
+  return people;
+}
+
+bool read_flag(ByteReader& in, const std::string& what) {
+  const std::uint8_t flag = in.u8();
+  if (flag > 1) throw in.broken("invalid flag of " + what);
+  return flag == 1;
+}
+
 std::uint8_t version_of(const Scenario& scenario) {
+  if (!scenario.people().empty()) return kVersionWithPeople;
   if (scenario.goal_heading()) return kVersionWithGoalHeading;
   if (!scenario.movers().empty()) return kVersionWithMovers;
   return scenario.published_path() ? kVersionWithPath : kVersion;
@@ -190,16 +225,16 @@ Scenario read_content(ByteReader& in) {
 
 Scenario read_scenario(ByteReader& in) {
   const std::uint8_t version = in.u8();
-  if (version < kVersion || version > kVersionWithGoalHeading)
-    throw in.broken("unsupported version");
+  if (version < kVersion || version > kVersionWithPeople) throw in.broken("unsupported version");
   Scenario scenario = read_content(in);
   bool has_path = version == kVersionWithPath;
-  if (version == kVersionWithGoalHeading) scenario = scenario.with_goal_heading(in.f64());
+  if (version == kVersionWithGoalHeading ||
+      (version == kVersionWithPeople && read_flag(in, "a goal heading")))
+    scenario = scenario.with_goal_heading(in.f64());
   if (version >= kVersionWithMovers) {
     scenario = scenario.with_movers(read_movers(in));
-    const std::uint8_t flag = in.u8();
-    if (flag > 1) throw in.broken("invalid flag of a published path");
-    has_path = flag == 1;
+    if (version == kVersionWithPeople) scenario = scenario.with_people(read_people(in));
+    has_path = read_flag(in, "a published path");
   }
   return has_path ? scenario.with_published_path(read_published_path(in)) : scenario;
 }
@@ -226,9 +261,12 @@ std::string serialize(const Scenario& scenario) {
       write_point_map(out, *scenario.point_map());
       break;
   }
+  const std::uint8_t version = version_of(scenario);
+  if (version == kVersionWithPeople) out.u8(scenario.goal_heading() ? 1 : 0);
   if (scenario.goal_heading()) out.f64(*scenario.goal_heading());
-  if (version_of(scenario) >= kVersionWithMovers) {
+  if (version >= kVersionWithMovers) {
     write_movers(out, scenario.movers());
+    if (version == kVersionWithPeople) write_people(out, scenario.people());
     out.u8(path ? 1 : 0);
   }
   if (path) write_published_path(out, *path);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "movers_yaml.h"
+#include "people_yaml.h"
 #include "yaml_reader.h"
 
 #include <slalom/core/error.h>
@@ -70,7 +71,7 @@ class ScenarioReader : private YamlReader {
   using YamlReader::YamlReader;
 
   Scenario read() const {
-    const Scenario scenario = with_goal_heading(with_movers(read_content()));
+    const Scenario scenario = with_goal_heading(with_people(with_movers(read_content())));
     const YAML::Node path = root()["published_path"];
     return path.IsDefined()
                ? scenario.with_published_path(ScenarioReader(path, where()).published_path())
@@ -83,6 +84,11 @@ class ScenarioReader : private YamlReader {
     return movers.IsDefined() ? scenario.with_movers(movers_from_yaml(movers, where())) : scenario;
   }
 
+  Scenario with_people(const Scenario& scenario) const {
+    const YAML::Node people = root()["people"];
+    return people.IsDefined() ? scenario.with_people(people_from_yaml(people, where())) : scenario;
+  }
+
   Scenario with_goal_heading(const Scenario& scenario) const {
     const auto goal = goal_numbers();
     return goal.size() > 2 ? scenario.with_goal_heading(goal[2]) : scenario;
@@ -91,8 +97,8 @@ class ScenarioReader : private YamlReader {
   Scenario read_content() const {
     expect(root().IsMap(), root(), "not a scenario", "keys and values");
     const auto kind = from_name<Representation>(text("representation"));
-    const std::vector<std::string> common = {"name", "representation", "bounds",        "start",
-                                             "goal", "movers",         "published_path"};
+    const std::vector<std::string> common = {"name", "representation", "bounds", "start",
+                                             "goal", "movers",         "people", "published_path"};
     if (kind == Representation::Continuous)
       return read_continuous(with(common, {"discs", "polygons"}));
     if (kind == Representation::Grid) return read_grid(with(common, {"resolution", "cells"}));
@@ -224,6 +230,7 @@ std::string scenario_to_yaml(const Scenario& scenario) {
       "goal: " + (heading ? yaml_list({goal.x, goal.y, *heading}) : yaml_list({goal.x, goal.y})) +
       "\n";
   yaml += movers_to_yaml(scenario.movers());
+  yaml += people_to_yaml(scenario.people());
   yaml += published_path_yaml(scenario.published_path());
   switch (scenario.representation()) {
     case Representation::Continuous:

@@ -61,11 +61,48 @@ TEST(ScenarioCodec, RestoresMoversAndRejectsTruncatedBytes) {
     }
 }
 
+TEST(ScenarioCodec, RestoresPeopleAndRejectsDamagedBytes) {
+  const Scenario path = sample_with_path(Representation::Grid);
+  for (const Scenario& empty : {sample_scenario(1), path, path.with_goal_heading(0.1 + 0.2),
+                                sample_scenario(1).with_movers(sample_movers())}) {
+    const Scenario scenario = empty.with_people(sample_people());
+    const std::string bytes = serialize(scenario);
+    const Scenario back = deserialize_scenario(bytes, "test");
+    EXPECT_EQ(back.people(), sample_people());
+    EXPECT_EQ(back.hash(), scenario.hash());
+    EXPECT_NE(back.hash(), empty.hash());
+    EXPECT_EQ(serialize(back), bytes);
+    EXPECT_EQ(serialize(back.with_people({})), serialize(empty));
+    for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 300)
+      EXPECT_TRUE(refused_as_damaged(bytes.substr(0, size)));
+  }
+}
+
+TEST(ScenarioCodec, RefusesHostilePeople) {
+  const std::string content =
+      decompress(serialize(sample_scenario(1).with_people(sample_people())), "test");
+  const std::size_t id = content.find("anna # 1");
+  ASSERT_NE(id, std::string::npos);
+  const auto changed = [&](std::size_t at, char byte) {
+    std::string bytes = content;
+    bytes[at] = byte;
+    return throws_error(ErrorKind::File, "test", {},
+                        [&] { deserialize_scenario(compress(bytes), "test"); });
+  };
+  const std::size_t numbers = id + std::string("anna # 1").size();
+  EXPECT_TRUE(changed(id - 9, '\x7f')) << "more people than bytes";
+  EXPECT_TRUE(changed(id - 1, '\x7f')) << "an id longer than the file";
+  EXPECT_TRUE(changed(numbers + 24, 3)) << "an unknown end of the route";
+  EXPECT_TRUE(changed(content.size() - 1, 2)) << "an unknown flag";
+}
+
 TEST(ScenarioCodec, WritesScenariosWithoutMoversAsBefore) {
   // The first byte of the content is the version: 1, or 2 with a published path.
   EXPECT_EQ(decompress(serialize(sample_scenario(1)), "test")[0], 1);
   EXPECT_EQ(decompress(serialize(sample_with_path(Representation::Points)), "test")[0], 2);
   EXPECT_EQ(decompress(serialize(sample_scenario(1).with_movers(sample_movers())), "test")[0], 3);
+  EXPECT_EQ(decompress(serialize(sample_scenario(1).with_goal_heading(1)), "test")[0], 4);
+  EXPECT_EQ(decompress(serialize(sample_scenario(1).with_people(sample_people())), "test")[0], 5);
 }
 
 TEST(ScenarioCodec, RejectsTruncatedAndCorruptedBytes) {

@@ -90,6 +90,49 @@ TEST(ScenarioYaml, ReportsErrorsInMoversWithTheirLine) {
                       "f.yaml:9: moving obstacle 'p'", {"waypoint 1", "increasing times"}));
 }
 
+TEST(ScenarioYaml, RestoresPeople) {
+  for (const Representation representation :
+       {Representation::Continuous, Representation::Grid, Representation::Points}) {
+    const Scenario scenario =
+        sample_as(representation).with_movers(sample_movers()).with_people(sample_people());
+    const Scenario back = scenario_from_yaml(scenario_to_yaml(scenario), "test");
+    EXPECT_EQ(back.people(), scenario.people());
+    EXPECT_EQ(back.hash(), scenario.hash());
+  }
+  EXPECT_EQ(scenario_to_yaml(sample_scenario(1)).find("people"), std::string::npos);
+}
+
+TEST(ScenarioYaml, PeopleAreThereFromTheBeginningAndStayUnlessTheFileSaysOtherwise) {
+  const Scenario scenario = scenario_from_yaml(
+      std::string(kHead) +
+          "resolution: 1\ncells: [\"...\", \"...\"]\npeople:\n"
+          "  - {id: anna, radius: 0.25, speed: 1.3, start: [1, 1], route: [[2, 1], [2, 1.5]]}\n",
+      "f.yaml");
+  const People expected = {{"anna", 0.25, 1.3, {1, 1}, {{2, 1}, {2, 1.5}}, 0, PersonEnd::Stay}};
+  EXPECT_EQ(scenario.people(), expected);
+}
+
+TEST(ScenarioYaml, ReportsErrorsInPeopleWithTheirLine) {
+  const std::string cells = std::string(kHead) + "resolution: 1\ncells: [\"...\", \"...\"]\n";
+  EXPECT_TRUE(refused(cells + "people: 3\n", "f.yaml:8: ", {"'people' is not a list"}));
+  EXPECT_TRUE(refused(cells + "people:\n  - 3\n", "f.yaml:9: ", {"expected keys and values"}));
+  const std::string anna = cells + "people:\n  - id: anna\n    radius: 0.25\n";
+  EXPECT_TRUE(refused(anna, "f.yaml:9: ", {"missing key 'speed'"}));
+  EXPECT_TRUE(refused(anna + "    sped: 1\n", "f.yaml:11: ", {"'sped'", "expected 'speed'"}));
+  const std::string start = anna + "    speed: 1.3\n    start: [1, 1]\n";
+  EXPECT_TRUE(refused(start + "    route: [[1]]\n", "f.yaml:13: ", {"expected [2 numbers]"}));
+  EXPECT_TRUE(refused(start + "    route: []\n", "f.yaml:9: person 'anna'", {"no route"}));
+  EXPECT_TRUE(refused(start + "    route: [[2, 1]]\n    after: jump\n",
+                      "f.yaml:14: ", {"'jump'", "expected stay, vanish or return"}));
+  EXPECT_TRUE(refused(start + "    route: [[2, 1]]\n    begin: soon\n", "f.yaml:14: ", {"number"}));
+  EXPECT_TRUE(refused(start + "    route: [[2, 1], [9, 1]]\n", "x: person 'anna'",
+                      {"point 1 of the route at (9, 1)"}));
+  EXPECT_TRUE(
+      refused(start + "    route: [[2, 1]]\n" +
+                  "  - {id: ben, radius: 0.3, speed: 1, start: [1.5, 1], route: [[2, 1]]}\n",
+              "x: person 'ben'", {"starts within person 'anna'"}));
+}
+
 TEST(ScenarioYaml, GridRowsAreInTopDownOrder) {
   const Scenario scenario = scenario_from_yaml(
       std::string(kHead) + "resolution: 1\ncells:\n  - \"#..\"\n  - \"..#\"\n", "f.yaml");

@@ -28,6 +28,7 @@ struct Scene {
   mrpt::math::TPose2D start;
   mrpt::math::TPoint2D goal;
   Movers movers;                       ///< kept as they are
+  People people;                       ///< likewise
   std::optional<double> goal_heading;  ///< rad
 };
 

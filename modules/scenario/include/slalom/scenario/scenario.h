@@ -4,6 +4,7 @@
 #include <slalom/core/enum_names.h>
 #include <slalom/scenario/geometry.h>
 #include <slalom/scenario/mover.h>
+#include <slalom/scenario/person.h>
 #include <slalom/scenario/published_path.h>
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
@@ -27,8 +28,8 @@ constexpr auto enum_names(Representation) {
 
 /// One obstacle avoidance problem: a workspace, its obstacles, which may include moving ones, a
 /// start pose and a goal position, which may have a heading. Immutable; its identity is the hash of
-/// its content (geometry, start, goal; movers and the heading of the goal if there are any), not
-/// its name.
+/// its content (geometry, start, goal; movers, people and the heading of the goal if there are
+/// any), not its name.
 ///
 /// Grids are binarized on construction. MRPT stores in a cell the probability that it is *free* (0
 /// occupied, 1 free): above 0.5 the cell is free, below it is occupied; unknown cells (exactly 0.5
@@ -51,7 +52,7 @@ class Scenario {
   const mrpt::math::TPose2D& start() const { return start_; }
   const mrpt::math::TPoint2D& goal() const { return goal_; }
   /// rad, the robot's heading at the goal; nullopt if any will do.
-  const std::optional<double>& goal_heading() const { return goal_heading_; }
+  const std::optional<double>& goal_heading() const { return rest_.goal_heading; }
   const std::string& hash() const { return hash_; }  ///< 32 hexadecimal digits
 
   const Primitives& primitives() const;  ///< requires Continuous
@@ -61,13 +62,15 @@ class Scenario {
 
   /// Moving obstacles; none unless set. Representations, the distance field, the ray caster and the
   /// reference paths are those of the static obstacles.
-  const Movers& movers() const { return movers_; }
+  const Movers& movers() const { return rest_.movers; }
+  /// People, who react to each other and to the robot; none unless set. The same holds for them.
+  const People& people() const { return rest_.people; }
 
   /// The path that was published with this environment, or null. Not part of the content.
   const PublishedPathPtr& published_path() const { return published_path_; }
 
   Scenario renamed(std::string name) const;
-  /// The same environment, movers and goal heading with another start and goal; without the
+  /// The same environment, movers, people and goal heading with another start and goal; without the
   /// published path, which belongs to these.
   Scenario with_start_goal(mrpt::math::TPose2D start, mrpt::math::TPoint2D goal) const;
   /// The same with this heading of the goal, or without one. Throws Error (File) unless it is
@@ -75,24 +78,32 @@ class Scenario {
   Scenario with_goal_heading(std::optional<double> heading) const;
   /// The same with these moving obstacles instead of its own. Throws like check_movers().
   Scenario with_movers(Movers movers) const;
-  /// The same with the movers and the goal heading of another one: what static obstacles, start and
-  /// goal leave open.
+  /// The same with these people instead of its own. Throws like check_people(), and Error (File)
+  /// naming a person whose start or route leaves the bounds, or whose id is that of a mover.
+  Scenario with_people(People people) const;
+  /// The same with the movers, the people and the goal heading of another one: what static
+  /// obstacles, start and goal leave open.
   Scenario with_rest_of(const Scenario& other) const;
   /// The same with this path, or without one (null). Throws like check_published_path().
   Scenario with_published_path(PublishedPathPtr path) const;
 
  private:
   using Obstacles = std::variant<Primitives, GridMapPtr, PointMapPtr>;
+  struct Rest {
+    Movers movers;
+    People people;
+    std::optional<double> goal_heading;
+  };
   Scenario(std::string name, Bounds bounds, Obstacles obstacles, mrpt::math::TPose2D start,
-           mrpt::math::TPoint2D goal, Movers movers = {}, std::optional<double> goal_heading = {});
+           mrpt::math::TPoint2D goal, Rest rest = {});
+  Scenario with_rest(Rest rest) const;
 
   std::string name_;
   Bounds bounds_;
   Obstacles obstacles_;
   mrpt::math::TPose2D start_;
   mrpt::math::TPoint2D goal_;
-  Movers movers_;
-  std::optional<double> goal_heading_;
+  Rest rest_;
   std::string hash_;
   PublishedPathPtr published_path_;
 };
