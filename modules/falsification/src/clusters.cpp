@@ -106,10 +106,11 @@ FailureFacts measure_end(const World& world, const RobotModel& robot, Outcome ou
   FailureFacts facts;
   facts.outcome = outcome;
   const double radius = robot.shape().enclosing_radius();
-  const Mover* mover = outcome != Outcome::Collision
-                           ? nullptr
-                           : touched_mover(world, mrpt::math::TPoint2D(pose), radius,
-                                           robot.shape().corners_at(pose), trajectory.duration());
+  const Mover* mover =
+      outcome != Outcome::Collision
+          ? nullptr
+          : touched_mover(world, world.scenario().movers(), mrpt::math::TPoint2D(pose), radius,
+                          robot.shape().corners_at(pose), trajectory.duration());
   facts.with_mover = mover != nullptr;
   facts.side = side_of(mover != nullptr ? bearing_of(mover->position(trajectory.duration()), pose)
                                         : bearing_of_obstacle(world, pose, radius / 2));

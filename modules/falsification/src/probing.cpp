@@ -98,7 +98,7 @@ std::optional<CommandDifference> StepProbe::find_in_steps(const std::shared_ptr<
     return methods_.method(i).uses_tracks() || methods_.method(i).uses_map();
   };
   if (is_privileged(0) || is_privileged(1)) return std::nullopt;
-  RangeFinder sensor(*world, setup_.run.sensor, setup_.seed);
+  RangeFinder sensor(*world, world->scenario().movers(), setup_.run.sensor, setup_.seed);
   CommandDifference probe{world, {}, {}};
   for (int i = 0; i < kProbes; ++i) {
     const bool is_near = draw(*world, engine, probe);

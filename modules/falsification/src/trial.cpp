@@ -29,7 +29,7 @@ Trial run_trial(const World& world, const FalsificationSetup& setup, Method& met
   for (const Sample& sample : result.trajectory.samples) {
     const mrpt::math::TPoint2D position(sample.pose);
     trial.clearance = std::min(trial.clearance, world.distance_field().clearance(position));
-    for (const Mover& mover : world.scenario().movers())
+    for (const Mover& mover : result.movers)
       if (mover.present(sample.t))
         trial.clearance = std::min(
             trial.clearance, distance_between(mover.position(sample.t), position) - mover.radius);

@@ -27,9 +27,13 @@ double footprint_clearance(const World& world, const Footprint& footprint,
 MetricContext make_metric_context(const World& world, const RobotModel& robot,
                                   const Trajectory& trajectory, Outcome outcome,
                                   const References& references, double max_time,
-                                  double goal_tolerance, double safe_distance) {
-  MetricContext context{world,    robot,          trajectory,    outcome, references,
-                        max_time, goal_tolerance, safe_distance, {}};
+                                  double goal_tolerance, double safe_distance,
+                                  const Movers* movers) {
+  MetricContext context{world,         robot,
+                        trajectory,    outcome,
+                        references,    movers != nullptr ? *movers : world.scenario().movers(),
+                        max_time,      goal_tolerance,
+                        safe_distance, {}};
   const Footprint footprint = robot.shape();
   context.clearances.reserve(trajectory.samples.size());
   for (const Sample& sample : trajectory.samples)

@@ -45,8 +45,7 @@ Value frozen_time(const MetricContext& context) {
   if (const auto na = na_without_movers(context)) return *na;
   return stopped_time(context, [&](const Sample& sample) {
     const double t = run_time(context, sample);
-    const Movers& movers = context.world.scenario().movers();
-    return std::any_of(movers.begin(), movers.end(), [&](const Mover& mover) {
+    return std::any_of(context.movers.begin(), context.movers.end(), [&](const Mover& mover) {
       const double gap =
           distance_between(mover.position(t), sample.pose) - reach_of(context, mover);
       return mover.present(t) && gap < kSocialDistance;

@@ -26,8 +26,9 @@ const Mover* touched_mover(const MetricContext& context) {
   if (context.outcome != Outcome::Collision || context.trajectory.samples.empty()) return nullptr;
   const Sample& last = context.trajectory.samples.back();
   const Footprint footprint = context.robot.shape();
-  return touched_mover(context.world, mrpt::math::TPoint2D(last.pose), footprint.enclosing_radius(),
-                       footprint.corners_at(last.pose), run_time(context, last));
+  return touched_mover(context.world, context.movers, mrpt::math::TPoint2D(last.pose),
+                       footprint.enclosing_radius(), footprint.corners_at(last.pose),
+                       run_time(context, last));
 }
 
 namespace metrics {
@@ -41,8 +42,7 @@ Value mover_collision(const MetricContext& context) {
 /// Its index in the scenario, which is the id of its tracks.
 Value contact_mover(const MetricContext& context) {
   if (const auto na = na_unless_touched(context)) return *na;
-  return Value::of(
-      static_cast<double>(touched_mover(context) - context.world.scenario().movers().data()));
+  return Value::of(static_cast<double>(touched_mover(context) - context.movers.data()));
 }
 
 /// Speed of the robot in a contact with a mover, whatever its direction.

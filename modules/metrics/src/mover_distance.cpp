@@ -80,7 +80,7 @@ Value mover_time_to_collision(const MetricContext& context) {
   if (const auto na = na_without_movers(context)) return *na;
   std::optional<double> shortest;
   for (const Sample& sample : context.trajectory.samples)
-    for (const Mover& mover : context.world.scenario().movers())
+    for (const Mover& mover : context.movers)
       if (const auto time = time_to_contact(context, sample, mover))
         shortest = shortest ? std::min(*shortest, *time) : *time;
   return shortest ? Value::of(*shortest) : Value::na("never on a collision course");

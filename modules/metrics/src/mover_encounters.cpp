@@ -32,7 +32,7 @@ void visit_interval(const MetricContext& context, const Mover& mover, const Samp
 
 std::optional<Value> na_without_movers(const MetricContext& context) {
   if (const auto na = na_without_samples(context)) return na;
-  if (!context.world.scenario().movers().empty()) return std::nullopt;
+  if (!context.movers.empty()) return std::nullopt;
   return Value::na("no moving obstacles");
 }
 
@@ -47,7 +47,7 @@ double reach_of(const MetricContext& context, const Mover& mover) {
 void for_each_encounter(const MetricContext& context,
                         const std::function<void(const Encounter&)>& visit) {
   const auto& samples = context.trajectory.samples;
-  for (const Mover& mover : context.world.scenario().movers())
+  for (const Mover& mover : context.movers)
     for (std::size_t i = 1; i < samples.size(); ++i)
       visit_interval(context, mover, samples[i - 1], samples[i], visit);
 }

@@ -18,7 +18,7 @@ struct Encounter {
   double reach = 0;  ///< m, radius of the mover and of the disc that encloses the robot
 };
 
-/// NA with the reason if there is no trajectory, or no mover in the scenario.
+/// NA with the reason if there is no trajectory, or nothing moved but the robot.
 std::optional<Value> na_without_movers(const MetricContext& context);
 
 /// Time (s of the run, which begins at 0) of a sample.

@@ -46,6 +46,13 @@ const CrowdDisc* noticed_by(std::size_t i, const std::optional<RobotDisc>& robot
 }
 
 const People& checked(const World& world, const People& people) {
+  check_people(world, people);
+  return people;
+}
+
+}  // namespace
+
+void check_people(const World& world, const People& people) {
   constexpr double kTolerance = 1e-9;  // m
   const std::string& name = world.scenario().name();
   check_people(name, people);
@@ -53,10 +60,7 @@ const People& checked(const World& world, const People& people) {
     if (world.distance_field().clearance(person.start) < person.radius - kTolerance)
       throw file_error(name + ": person '" + person.id + "'", "starts in a wall",
                        "a start at least its radius from walls");
-  return people;
 }
-
-}  // namespace
 
 Crowd::Crowd(const World& world, const People& people, const PeopleSettings& settings)
     : world_(world),

@@ -10,40 +10,38 @@ bool same_place(const Waypoint& a, const Waypoint& b) {
 
 }  // namespace
 
-CrowdRecord::CrowdRecord(const People& people) : people_(people) {
-  for (const Person& person : people) movers_.push_back({person.id, person.radius, {}});
+CrowdRecord::CrowdRecord(const People& people, double horizon, Movers others)
+    : first_(others.size()), movers_(std::move(others)) {
+  for (const Person& person : people)
+    movers_.push_back({person.id, person.radius, {{horizon + 1, person.start}}});
 }
 
 void CrowdRecord::add(const Crowd& crowd) {
-  for (std::size_t i = 0; i < movers_.size(); ++i) {
+  for (std::size_t i = 0; i < crowd.walkers().size(); ++i) {
     const Walker& walker = crowd.walkers()[i];
     const bool vanishes = walker.departure && *walker.departure == crowd.time();
     if (!walker.is_present && !vanishes) continue;
-    std::vector<Waypoint>& waypoints = movers_[i].waypoints;
+    Mover& mover = movers_[first_ + i];
+    std::vector<Waypoint>& waypoints = mover.waypoints;
     const Waypoint here{crowd.time(), walker.disc.position};
+    // The one of who had not appeared, or of the last motion.
+    if (!waypoints.empty() && waypoints.back().t >= here.t) waypoints.pop_back();
     const std::size_t n = waypoints.size();
     if (n > 1 && same_place(waypoints[n - 1], here) && same_place(waypoints[n - 2], here))
       waypoints.pop_back();
     waypoints.push_back(here);
-    if (vanishes) movers_[i].after = MoverEnd::Vanish;
+    if (vanishes) mover.after = MoverEnd::Vanish;
   }
-}
-
-Movers CrowdRecord::movers(double horizon) const {
-  Movers movers = movers_;
-  for (std::size_t i = 0; i < movers.size(); ++i)
-    if (movers[i].waypoints.empty()) movers[i].waypoints.push_back({horizon + 1, people_[i].start});
-  return movers;
 }
 
 Movers run_alone(const World& world, const People& people, const PeopleSettings& settings,
                  double horizon) {
   Crowd crowd(world, people, settings);
-  CrowdRecord record(people);
+  CrowdRecord record(people, horizon);
   for (;; crowd.move()) {
     crowd.decide();
     record.add(crowd);
-    if (crowd.time() >= horizon) return record.movers(horizon);
+    if (crowd.time() >= horizon) return record.take();
   }
 }
 

@@ -7,16 +7,17 @@
 
 namespace slalom {
 
-const Mover* touched_mover(const World& world, const mrpt::math::TPoint2D& center, double radius,
+const Mover* touched_mover(const World& world, const Movers& movers,
+                           const mrpt::math::TPoint2D& center, double radius,
                            const std::vector<mrpt::math::TPoint2D>& corners, double t) {
   // The simulator ends a motion where the gap to a mover is less than this.
   constexpr double kTouching = 2e-6;  // m
-  if (world.scenario().movers().empty()) return nullptr;
+  if (movers.empty()) return nullptr;
   const bool is_disc = corners.empty();
   double nearest = std::max(kTouching, is_disc ? world.distance_field().clearance(center) - radius
                                                : world.distance_field().outline_clearance(corners));
   const Mover* touched = nullptr;
-  for (const Mover& mover : world.scenario().movers()) {
+  for (const Mover& mover : movers) {
     if (!mover.present(t)) continue;
     const mrpt::math::TPoint2D position = mover.position(t);
     const double gap = (is_disc ? distance_between(position, center) - radius

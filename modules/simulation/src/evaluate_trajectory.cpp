@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "run_movers.h"
 #include "termination_checker.h"
 
 #include <slalom/core/distance.h>
@@ -31,6 +32,26 @@ Sample between(const Sample& from, const Sample& to, double fraction) {
   return sample;
 }
 
+/// The people's motion along a log.
+RunMovers run_movers_along(const World& world, const RobotModel& robot,
+                           const SimulationOptions& options, const Trajectory& log,
+                           const PeopleSettings& people) {
+  constexpr double kRounding = 1e-9;  // s
+  RunMovers movers(world, robot.shape(), people, options.max_time);
+  const std::vector<Sample>& samples = log.samples;
+  const auto time = [&](std::size_t i) { return samples[i].t - samples.front().t; };
+  for (std::size_t i = 0; i < samples.size() && time(i) <= options.max_time + kRounding; ++i)
+    while (movers.is_due(time(i))) {
+      const double early = time(i) - movers.time();
+      const Sample seen =
+          i == 0 || early <= kRounding
+              ? samples[i]
+              : between(samples[i - 1], samples[i], 1 - early / (samples[i].t - samples[i - 1].t));
+      movers.update({seen.pose, seen.v, seen.vy});
+    }
+  return movers;
+}
+
 /// Number of steps between two samples such that each is short enough for collision checking.
 int steps_between(const Sample& from, const Sample& to) {
   constexpr double kStep = 0.01, kTurn = 0.05;  // m, rad
@@ -45,10 +66,11 @@ int steps_between(const Sample& from, const Sample& to) {
 class LogEvaluator {
  public:
   LogEvaluator(const World& world, const RobotModel& robot, const SimulationOptions& options,
-               const Trajectory& log)
+               const Trajectory& log, const PeopleSettings& people)
       : scenario_(world.scenario()),
         options_(options),
-        checker_(world, robot, options_),
+        movers_(run_movers_along(world, robot, options_, log, people)),
+        checker_(world, movers_, robot, options_),
         log_(log) {}
 
   SimulationResult run() {
@@ -60,7 +82,8 @@ class LogEvaluator {
       end(Outcome::UnsolvableScenario, "the robot touches an obstacle where the log begins");
     else if (const Mover* mover = checker_.overlapping_mover(first.pose, 0))
       end(Outcome::UnsolvableScenario,
-          "moving obstacle '" + mover->id + "' touches the robot where the log begins");
+          std::string(movers_.is_person(*mover) ? "person" : "moving obstacle") + " '" + mover->id +
+              "' touches the robot where the log begins");
     else
       check_sample(first);
     for (std::size_t i = 1; i < log_.samples.size() && !finished_; ++i) {
@@ -70,6 +93,7 @@ class LogEvaluator {
       check_sample(log_.samples[i]);
     }
     if (!finished_) end(Outcome::Timeout, "the log ends " + remaining() + " before the goal");
+    result_.movers = movers_.take();
     return std::move(result_);
   }
 
@@ -159,6 +183,7 @@ class LogEvaluator {
 
   const Scenario& scenario_;
   SimulationOptions options_;
+  RunMovers movers_;
   TerminationChecker checker_;
   const Trajectory& log_;
   bool finished_ = false;
@@ -168,9 +193,15 @@ class LogEvaluator {
 }  // namespace
 
 SimulationResult evaluate_trajectory(const World& world, const RobotModel& robot,
-                                     const SimulationOptions& options, const Trajectory& log) {
+                                     const SimulationOptions& options, const Trajectory& log,
+                                     const PeopleSettings& people) {
   if (log.samples.empty()) throw std::invalid_argument("evaluate_trajectory: no samples");
-  return LogEvaluator(world, robot, options, log).run();
+  return LogEvaluator(world, robot, options, log, people).run();
+}
+
+Movers movers_along(const World& world, const RobotModel& robot, const SimulationOptions& options,
+                    const Trajectory& log, const PeopleSettings& people) {
+  return run_movers_along(world, robot, options, log, people).take();
 }
 
 }  // namespace slalom

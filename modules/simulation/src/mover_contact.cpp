@@ -35,8 +35,8 @@ TPose2D interpolate(const TPose2D& from, const TPose2D& to, double fraction) {
           mrpt::math::wrapToPi(from.phi + fraction * turn)};
 }
 
-MoverContact::MoverContact(const Movers& movers, const Footprint& footprint)
-    : movers_(movers), footprint_(footprint) {
+MoverContact::MoverContact(const Movers& movers, const Footprint& footprint, double added_speed)
+    : movers_(movers), footprint_(footprint), max_speed_(added_speed) {
   for (const Mover& mover : movers)
     for (std::size_t i = 1; i < mover.waypoints.size(); ++i) {
       const Waypoint &a = mover.waypoints[i - 1], &b = mover.waypoints[i];

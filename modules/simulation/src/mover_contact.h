@@ -18,8 +18,9 @@ struct TimedMotion {
 /// by conservative advancement. Touching without overlap is free, as for static obstacles.
 class MoverContact {
  public:
-  /// `movers` must outlive this.
-  MoverContact(const Movers& movers, const Footprint& footprint);
+  /// `movers` must outlive this. They may get more waypoints, with speeds up to `added_speed`
+  /// (m/s), before the motion that is checked comes to the last one.
+  MoverContact(const Movers& movers, const Footprint& footprint, double added_speed = 0);
 
   /// A mover that overlaps the robot at time t; null if there is none.
   const Mover* find_overlap(const mrpt::math::TPose2D& pose, double t) const;
@@ -39,7 +40,7 @@ class MoverContact {
 
   const Movers& movers_;
   Footprint footprint_;
-  double max_speed_ = 0;  ///< m/s, of all movers
+  double max_speed_;  ///< m/s, of all movers
   /// Distance (m) by which robot and movers together can move without contact.
   double free_travel_ = 0;
 };

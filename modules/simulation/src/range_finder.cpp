@@ -40,13 +40,13 @@ class RangeFinder::ReusedScan : public CObservation2DRangeScan {
 class RangeFinder::Laser {
  public:
   /// `label` is that of the scan if the laser has no name.
-  Laser(const World& world, const SensorModel& sensor, const LaserModel& laser,
-        const std::string& label, std::uint64_t seed)
+  Laser(const World& world, const Movers& movers, const SensorModel& sensor,
+        const LaserModel& laser, const std::string& label, std::uint64_t seed)
       : caster_(world.ray_caster()),
         sensor_(sensor),
         laser_(laser),
         geometry_{laser.rays, laser.aperture(), laser.max_range},
-        movers_(world.scenario().movers(), geometry_),
+        movers_(movers, geometry_),
         noise_(derive_seed(seed, stream(laser) + "/noise")),
         dropout_(derive_seed(seed, stream(laser) + "/dropout")),
         ranges_(static_cast<std::size_t>(laser.rays)),
@@ -114,11 +114,12 @@ class RangeFinder::Laser {
   ReusedScan scan_;
 };
 
-RangeFinder::RangeFinder(const World& world, const SensorModel& sensor, std::uint64_t seed)
+RangeFinder::RangeFinder(const World& world, const Movers& movers, const SensorModel& sensor,
+                         std::uint64_t seed)
     : sensor_(sensor) {
   constexpr const char* kLabel = "range_finder";
   for (const LaserModel& laser : sensor_.all_lasers()) {
-    lasers_.push_back(std::make_unique<Laser>(world, sensor_, laser, kLabel, seed));
+    lasers_.push_back(std::make_unique<Laser>(world, movers, sensor_, laser, kLabel, seed));
     scans_.push_back(&lasers_.back()->scan());
   }
   if (!sensor_.lasers.empty() && !sensor_.lasers.front().raw)

@@ -2,6 +2,7 @@
 #include "mover_tracker.h"
 #include "odometry.h"
 #include "pose_history.h"
+#include "run_movers.h"
 #include "simulated_clock.h"
 #include "termination_checker.h"
 
@@ -32,16 +33,17 @@ std::string at(const TPose2D& pose, double time) {
 class Run {
  public:
   Run(const World& world, const RunSetup& setup, std::uint64_t seed, Method& method,
-      RunObserver* observer)
+      RunObserver* observer, const Crowd* crowd)
       : world_(world),
         setup_(setup),
         options_(setup.simulation),
         seed_(seed),
         method_(method),
         observer_(observer),
-        sensor_(world, setup.sensor, seed),
-        tracker_(world.scenario().movers(), setup.tracker, seed),
-        checker_(world, setup.robot, options_),
+        movers_(world, setup.robot.shape(), setup.people, options_.max_time, crowd),
+        sensor_(world, movers_.movers(), setup.sensor, seed),
+        tracker_(movers_.movers(), setup.tracker, seed),
+        checker_(world, movers_, setup.robot, options_),
         vehicle_(make_vehicle(setup.robot)),
         odometry_(setup.odometry, seed, world.scenario().start()),
         history_(std::max(setup.sensor.latency, setup.tracker.latency)),
@@ -51,14 +53,18 @@ class Run {
   }
 
   SimulationResult execute() {
+    update_people();
     if (checker_.touches(pose()))
       end(Outcome::UnsolvableScenario, "the robot touches an obstacle where it starts");
     else if (const Mover* mover = checker_.overlapping_mover(pose(), 0))
       end(Outcome::UnsolvableScenario,
-          "moving obstacle '" + mover->id + "' touches the robot where it starts");
+          std::string(movers_.is_person(*mover) ? "person" : "moving obstacle") + " '" + mover->id +
+              "' touches the robot where it starts");
     else
       begin();
     while (!finished_) cycle();
+    update_people();  // a run that ended at an update as any other
+    result_.movers = movers_.take();
     if (started_) notify_method();
     if (observer_ != nullptr) observer_->on_end(result_);
     return std::move(result_);
@@ -116,9 +122,14 @@ class Run {
     }
   }
 
+  void update_people() {
+    if (movers_.is_due(time_)) movers_.update({pose(), vehicle_->v(), vehicle_->vy()});
+  }
+
   /// One control period: sense, query the method, move.
   void cycle() {
     time_ = cycle_time();
+    update_people();
     if (check_termination()) return;
     const Observation observation = observe();
     call_method([&] { query_method(observation); });
@@ -240,6 +251,7 @@ class Run {
   Method& method_;
   RunObserver* observer_;
   SimulatedClock clock_;
+  RunMovers movers_;
   RangeFinder sensor_;
   MoverTracker tracker_;
   TerminationChecker checker_;
@@ -258,11 +270,13 @@ class Run {
 }  // namespace
 
 SimulationResult simulate(const World& world, const RunSetup& setup, std::uint64_t seed,
-                          Method& method, RunObserver* observer) {
+                          Method& method, RunObserver* observer, const Crowd* crowd) {
   const double ratio = setup.simulation.control_period / setup.simulation.step;
   if (!(ratio >= 1 - 1e-6 && ratio < 1e9))
     throw std::invalid_argument("simulate: the step must divide the control period");
-  return Run(world, setup, seed, method, observer).execute();
+  if (!world.scenario().people().empty())
+    check_period(setup.people, setup.simulation, location_of("people"));
+  return Run(world, setup, seed, method, observer, crowd).execute();
 }
 
 }  // namespace slalom

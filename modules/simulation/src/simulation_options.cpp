@@ -52,4 +52,14 @@ void SimulationOptions::check(const OptionLocation& where) const {
                       "at most " + format_number(kMaxCycles) + " control periods");
 }
 
+void check_period(const PeopleSettings& people, const SimulationOptions& simulation,
+                  const OptionLocation& where) {
+  const double ratio = people.period / simulation.control_period;
+  if (!(ratio > 0.5 && std::abs(ratio - std::round(ratio)) <= 1e-6 * ratio))
+    throw usage_error(
+        where("period"),
+        format_number(people.period) + " s is not a multiple of the control period",
+        "a multiple of control_period (" + format_number(simulation.control_period) + " s)");
+}
+
 }  // namespace slalom

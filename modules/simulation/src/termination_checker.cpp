@@ -34,7 +34,7 @@ bool TerminationChecker::find_contact(TimedMotion& motion, double& fraction) {
   const bool is_static = contact_->find_contact(motion.from, motion.to, fraction);
   if (is_static) motion.end = motion.begin + fraction * (motion.end - motion.begin);
   double before = 1;
-  if (movers_.find_contact(motion, before) == nullptr) return is_static;
+  if (mover_contact_.find_contact(motion, before) == nullptr) return is_static;
   motion.to = interpolate(motion.from, motion.to, before);
   motion.end = motion.begin + before * (motion.end - motion.begin);
   fraction *= before;
@@ -60,14 +60,18 @@ bool TerminationChecker::is_time_over(double now) const {
 std::string TerminationChecker::describe_contact(const Trajectory& trajectory,
                                                  const std::string& where) const {
   const Sample& last = trajectory.samples.back();
-  const Mover* mover = touched_mover(world_, TPoint2D(last.pose), footprint_.enclosing_radius(),
-                                     footprint_.corners_at(last.pose), trajectory.duration());
+  const Mover* mover =
+      touched_mover(world_, movers_.movers(), TPoint2D(last.pose), footprint_.enclosing_radius(),
+                    footprint_.corners_at(last.pose), trajectory.duration());
   if (mover == nullptr) return "contact " + where;
   const double speed = math::hypot(last.v, last.vy);
-  return "contact with moving obstacle '" + mover->id + "' " + where +
+  const bool is_person = movers_.is_person(*mover);
+  return std::string("contact with ") + (is_person ? "person" : "moving obstacle") + " '" +
+         mover->id + "' " + where +
          (has_stood(trajectory, last.t, last.pose, footprint_.is_disc())
               ? ", the robot had stood for " + format_number(kStandingTime) + " s"
-              : ", the robot at " + format_fixed(speed, 2) + " m/s");
+              : ", the robot at " + format_fixed(speed, 2) + " m/s") +
+         (is_person && movers_.notices(*mover) ? ", to blame: the robot, which was noticed" : "");
 }
 
 bool TerminationChecker::is_stuck(const Trajectory& trajectory, double now,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mover_contact.h"
+#include "run_movers.h"
 
 #include <slalom/scenario/world.h>
 #include <slalom/simulation/footprint_contact.h>
@@ -17,17 +18,20 @@ namespace slalom {
 /// Checks the termination conditions of a run from ground truth: collision, goal, stuck, time.
 class TerminationChecker {
  public:
-  TerminationChecker(const World& world, const RobotModel& robot, const SimulationOptions& options)
+  /// Among the static obstacles of `world` and `movers`, which must outlive this.
+  TerminationChecker(const World& world, const RunMovers& movers, const RobotModel& robot,
+                     const SimulationOptions& options)
       : world_(world),
+        movers_(movers),
         contact_(make_footprint_contact(world, robot.shape())),
-        movers_(world.scenario().movers(), robot.shape()),
+        mover_contact_(movers.movers(), robot.shape(), movers.max_speed()),
         footprint_(robot.shape()),
         options_(options) {}
 
   bool touches(const mrpt::math::TPose2D& pose) const { return contact_->touches(pose); }
   /// The mover that overlaps the robot at time t; null if there is none.
   const Mover* overlapping_mover(const mrpt::math::TPose2D& pose, double t) const {
-    return movers_.find_overlap(pose, t);
+    return mover_contact_.find_overlap(pose, t);
   }
   /// Whether there is contact on this motion, with an obstacle or a mover; then the motion ends
   /// there and `fraction` (0..1) of it was possible. See FootprintContact, MoverContact.
@@ -43,12 +47,14 @@ class TerminationChecker {
 
   /// The contact in the last sample: "contact WHERE", and of one with a mover which, and the
   /// robot's speed, or that it had stood for 0.5 s, so that the mover ran into it (passive safety).
+  /// Of one with a person who notices the robot, that the robot is to blame, see Crowd.
   std::string describe_contact(const Trajectory& trajectory, const std::string& where) const;
 
  private:
   const World& world_;
+  const RunMovers& movers_;
   std::unique_ptr<FootprintContact> contact_;
-  MoverContact movers_;
+  MoverContact mover_contact_;
   Footprint footprint_;
   const SimulationOptions& options_;
 };

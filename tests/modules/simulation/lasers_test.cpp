@@ -37,7 +37,7 @@ std::vector<float> ranges_of(const mrpt::obs::CObservation2DRangeScan& scan) {
 /// The scan that a method gets at a pose.
 std::vector<float> scan_at(const World& world, const SensorModel& sensor, const TPose2D& pose,
                            std::uint64_t seed = 1) {
-  RangeFinder finder(world, sensor, seed);
+  RangeFinder finder(world, world.scenario().movers(), sensor, seed);
   Observation observation;
   finder.sense(pose, 0, mrpt::Clock::time_point(), observation);
   return ranges_of(*observation.scan);
@@ -83,7 +83,7 @@ TEST(Lasers, EachMeasuresFromItsPoseOnTheRobot) {
     sensor.lasers[0].rays = 37;
     sensor.lasers[0].aperture_deg = 270;
     sensor.lasers[0].max_range = 2;
-    RangeFinder finder(world, sensor, 1);
+    RangeFinder finder(world, world.scenario().movers(), sensor, 1);
     Observation observation;
     finder.sense(kMiddle, 0, mrpt::Clock::time_point(), observation);
     ASSERT_EQ(observation.lasers.size(), 2U);
@@ -156,7 +156,7 @@ TEST(Lasers, ARawOneGivesMethodsItsRangesAsTheyAre) {
   const World world = scattered();
   SensorModel sensor = sensor_with({laser_at("a", 0.2, 0, 0.5)});
   sensor.lasers[0].raw = true;
-  RangeFinder finder(world, sensor, 1);
+  RangeFinder finder(world, world.scenario().movers(), sensor, 1);
   Observation observation;
   finder.sense(kMiddle, 0, mrpt::Clock::time_point(), observation);
   EXPECT_EQ(observation.scan, observation.lasers[0]);
@@ -187,7 +187,7 @@ TEST(Lasers, TheNoiseOfOneDoesNotDependOnTheOthers) {
     SensorModel sensor = sensor_with(std::move(lasers));
     sensor.noise_sigma = 0.05;
     sensor.dropout_ratio = 0.1;
-    RangeFinder finder(world, sensor, 3);
+    RangeFinder finder(world, world.scenario().movers(), sensor, 3);
     Observation observation;
     finder.sense(kMiddle, 0, mrpt::Clock::time_point(), observation);
     return std::pair(ranges_of(*observation.lasers.front()), ranges_of(*observation.lasers.back()));
@@ -205,7 +205,8 @@ TEST(Lasers, AMovingObstacleIsSeenByEachOfThem) {
   mover.waypoints = {{0, {3, 1}}, {10, {3, 5}}};
   const World world(
       Scenario::continuous("room", {0, 0, 6, 6}, {}, {1, 3, 0}, {1, 1}).with_movers({mover}), 0.05);
-  RangeFinder finder(world, sensor_with({laser_at("a", 0.2, 0, 0), laser_at("b", -0.2, 0, 0)}), 1);
+  RangeFinder finder(world, world.scenario().movers(),
+                     sensor_with({laser_at("a", 0.2, 0, 0), laser_at("b", -0.2, 0, 0)}), 1);
   Observation observation;
   finder.sense({1, 3, 0}, 5, mrpt::Clock::time_point(), observation);  // it is at (3, 3)
   EXPECT_NEAR(observation.lasers[0]->getScanRange(90), 1.5, 1e-6);

@@ -49,6 +49,22 @@ TEST(MoverContact, IsAtTheTimeOfTheClosedForm) {
   EXPECT_NEAR(4 * fraction, 1.6 / 0.75, 1e-9);
 }
 
+TEST(MoverContact, IsFoundWithMoversThatGetFasterIfTheSpeedWasStated) {
+  // It waits 2 m away, then comes at 5 m/s.
+  const auto find = [](double added_speed) {
+    Movers movers{{"m", 0.3, {{0, {4, 2}}, {1, {4, 2}}}}};
+    MoverContact contact(movers, Footprint::disc(0.2), added_speed);
+    double fraction = 0;
+    EXPECT_EQ(contact.find_contact({{2, 2, 0}, {2, 2, 0}, 0, 1}, fraction), nullptr);
+    movers[0].waypoints.push_back({2, {-1, 2}});
+    const bool found = contact.find_contact({{2, 2, 0}, {2, 2, 0}, 1, 2}, fraction) != nullptr;
+    EXPECT_NEAR(found ? fraction : 0.3, (2 - 0.5) / 5, 1e-9);
+    return found;
+  };
+  EXPECT_TRUE(find(5));
+  EXPECT_FALSE(find(0)) << "speeds of the waypoints that there are";
+}
+
 TEST(MoverContact, EqualsADenseSearchForRandomMotions) {
   RandomEngine random(3);
   int contacts = 0;

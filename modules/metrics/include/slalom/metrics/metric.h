@@ -23,6 +23,7 @@ struct MetricContext {
   const Trajectory& trajectory;
   Outcome outcome;
   const References& references;
+  const Movers& movers;                  ///< all that moved in the run but the robot
   double max_time = 60;                  ///< s, T_max
   double goal_tolerance = 0.2;           ///< m
   double safe_distance = kSafeDistance;  ///< m, a clearance below it counts as risk
@@ -35,11 +36,12 @@ struct MetricContext {
 double footprint_clearance(const World& world, const Footprint& footprint,
                            const mrpt::math::TPose2D& pose);
 
-/// Creates a context and computes its clearances.
+/// Creates a context and computes its clearances. Without `movers` those of the scenario moved.
 MetricContext make_metric_context(const World& world, const RobotModel& robot,
                                   const Trajectory& trajectory, Outcome outcome,
                                   const References& references, double max_time,
-                                  double goal_tolerance, double safe_distance = kSafeDistance);
+                                  double goal_tolerance, double safe_distance = kSafeDistance,
+                                  const Movers* movers = nullptr);
 
 /// How a successful run contradicts its references, or "": its length, extended to start and goal,
 /// is below the optimum of the inscribed disc, or it ends before the lower bound of the earliest

@@ -13,6 +13,10 @@
 
 namespace slalom {
 
+/// Throws Error (File) naming the scenario of `world` and the person when one starts in a wall, and
+/// as check_people() of a name.
+void check_people(const World& world, const People& people);
+
 /// The robot among people.
 struct RobotDisc {
   CrowdDisc disc;
@@ -35,8 +39,7 @@ struct Walker {
 /// the two as they were at the last update.
 class Crowd {
  public:
-  /// `world` has to exist as long as the crowd. Throws Error (File) naming the scenario and the
-  /// person when one starts in a wall, and as check_people().
+  /// `world` has to exist as long as the crowd. Throws as check_people().
   Crowd(const World& world, const People& people, const PeopleSettings& settings);
 
   double time() const { return updates_ * settings_.period; }      ///< s

@@ -4,21 +4,27 @@
 #include <slalom/people/crowd.h>
 #include <slalom/scenario/mover.h>
 
+#include <cstddef>
+#include <utility>
+
 namespace slalom {
 
 /// The motion of people as moving obstacles: a waypoint per update, none while a person rests.
 class CrowdRecord {
  public:
-  explicit CrowdRecord(const People& people);
+  /// A person who does not appear begins after `horizon` (s), the end of the record. The obstacles
+  /// of the people follow `others`.
+  CrowdRecord(const People& people, double horizon, Movers others = {});
 
-  /// Adds the present state: after each decide(), and after the last move().
+  /// Adds the present state: after each decide(), so that people appear and vanish, and after each
+  /// move() whose motion has to be known before the next decision.
   void add(const Crowd& crowd);
-  /// One per person, in their order. That of a person who has not appeared begins after `horizon`
-  /// (s), the end of the record.
-  Movers movers(double horizon) const;
+  /// The others, then one per person, in their order. Refers to this.
+  const Movers& movers() const { return movers_; }
+  Movers take() { return std::move(movers_); }
 
  private:
-  People people_;
+  std::size_t first_;
   Movers movers_;
 };
 

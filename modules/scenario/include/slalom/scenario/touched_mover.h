@@ -9,12 +9,13 @@
 
 namespace slalom {
 
-/// Finds the obstacle that a robot touches in a collision at time t (s): the nearest mover that is
-/// present, or null if a static obstacle is nearer than all movers and none touches the robot. The
-/// robot is the polygon with these corners (m, world frame) or, without any, a disc of `radius` (m)
-/// around `center`. All callers share this function: between a wall and a mover, or
+/// Finds the obstacle that a robot touches in a collision at time t (s): the nearest of `movers`
+/// that is present, or null if a static obstacle is nearer than all movers and none touches the
+/// robot. The robot is the polygon with these corners (m, world frame) or, without any, a disc of
+/// `radius` (m) around `center`. All callers share this function: between a wall and a mover, or
 /// between two movers, the last bit decides.
-const Mover* touched_mover(const World& world, const mrpt::math::TPoint2D& center, double radius,
+const Mover* touched_mover(const World& world, const Movers& movers,
+                           const mrpt::math::TPoint2D& center, double radius,
                            const std::vector<mrpt::math::TPoint2D>& corners, double t);
 
 }  // namespace slalom

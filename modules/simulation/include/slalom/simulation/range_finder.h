@@ -17,7 +17,9 @@ namespace slalom {
 /// stream: one option does not change the numbers of another.
 class RangeFinder {
  public:
-  RangeFinder(const World& world, const SensorModel& sensor, std::uint64_t seed);
+  /// Among the static obstacles of `world` and `movers`; both must outlive this.
+  RangeFinder(const World& world, const Movers& movers, const SensorModel& sensor,
+              std::uint64_t seed);
   ~RangeFinder();
   RangeFinder(const RangeFinder&) = delete;
   RangeFinder& operator=(const RangeFinder&) = delete;

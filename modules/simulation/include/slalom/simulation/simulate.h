@@ -4,6 +4,7 @@
 #include <slalom/core/options.h>
 #include <slalom/core/wall_clock.h>
 #include <slalom/methods/method.h>
+#include <slalom/people/people_settings.h>
 #include <slalom/robot/robot_model.h>
 #include <slalom/scenario/world.h>
 #include <slalom/trajectory/trajectory.h>
@@ -31,6 +32,11 @@ struct SimulationOptions {
   /// control periods.
   void check(const OptionLocation& where) const;
 };
+
+/// Throws Error (Usage) unless the period of people is a multiple of the control period: the
+/// samples of a run then contain the robot as people saw it.
+void check_period(const PeopleSettings& people, const SimulationOptions& simulation,
+                  const OptionLocation& where);
 
 /// Whether a pose is within the tolerances of the goal, also that of its heading if it has one.
 bool is_at_goal(const Scenario& scenario, const SimulationOptions& options,
@@ -63,6 +69,7 @@ struct RunSetup {
   DeadlineOptions deadline;
   WallClock clock = steady_seconds;  ///< for the deadline and cycle_seconds
   TrackerModel tracker = {};         ///< for methods that use tracks
+  PeopleSettings people = {};        ///< for scenarios with people
 };
 
 struct SimulationResult {
@@ -72,15 +79,22 @@ struct SimulationResult {
   std::vector<double>
       cycle_seconds;  ///< wall clock of the method's step(), per cycle; not deterministic
   std::map<std::string, double> figures;  ///< Method::run_figures(); not deterministic
+  /// All that moved but the robot: the movers of the scenario, then its people.
+  Movers movers;
 };
 
+class Crowd;
 class RunObserver;
 
 /// Simulates one run of the method in the scenario and determines its outcome from ground truth:
 /// collisions are checked with the swept footprint between steps. mrpt::Clock is simulated during
 /// the run (it never goes backwards between runs of a process). Exceptions of the method end the
-/// run as method_error. Each kind of noise uses its own random stream derived from `seed`.
+/// run as method_error. Each kind of noise uses its own random stream derived from `seed`. The
+/// people of the scenario decide once per period, at the beginning of a control cycle. `crowd`
+/// spares making it: those people with the settings of `setup`, at time 0. Throws Error (File) if
+/// somebody starts in a wall.
 SimulationResult simulate(const World& world, const RunSetup& setup, std::uint64_t seed,
-                          Method& method, RunObserver* observer = nullptr);
+                          Method& method, RunObserver* observer = nullptr,
+                          const Crowd* crowd = nullptr);
 
 }  // namespace slalom

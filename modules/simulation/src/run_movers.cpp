@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_movers.h"
+
+#include <slalom/core/math.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace slalom {
+
+RunMovers::RunMovers(const World& world, const Footprint& footprint, const PeopleSettings& settings,
+                     double max_time, const Crowd* crowd)
+    : scenario_(world.scenario()),
+      settings_(settings),
+      scripted_(scenario_.movers().size()),
+      record_(scenario_.people(), max_time, scenario_.movers()) {
+  if (scenario_.people().empty()) return;
+  if (crowd != nullptr)
+    crowd_.emplace(*crowd);
+  else
+    crowd_.emplace(world, scenario_.people(), settings);
+  robot_.disc.radius = footprint.enclosing_radius();
+  for (const Person& person : scenario_.people())
+    robot_.noticed.push_back(notices_robot(scenario_.hash(), person.id, settings.notices));
+  is_noticed_ =
+      std::find(robot_.noticed.begin(), robot_.noticed.end(), true) != robot_.noticed.end();
+}
+
+double RunMovers::max_speed() const {
+  double fastest = 0;
+  for (const Person& person : scenario_.people())
+    fastest = std::max(fastest, person.speed * settings_.haste);
+  return fastest;
+}
+
+bool RunMovers::is_due(double time) const {
+  constexpr double kRounding = 1e-9;  // s, of times, which are sums and multiples of steps
+  return crowd_ && crowd_->time() <= time + kRounding;
+}
+
+void RunMovers::update(const SeenRobot& robot) {
+  const math::SinCos heading = math::sin_cos(robot.pose.phi);
+  robot_.disc.position = mrpt::math::TPoint2D(robot.pose);
+  robot_.disc.velocity = {robot.v * heading.cos - robot.vy * heading.sin,
+                          robot.v * heading.sin + robot.vy * heading.cos};
+  crowd_->decide(is_noticed_ ? std::make_optional(robot_) : std::nullopt);
+  record_.add(*crowd_);
+  crowd_->move();
+  record_.add(*crowd_);
+}
+
+}  // namespace slalom

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "error_text.h"
+#include "test_runs.h"
+
+#include <slalom/core/distance.h>
+#include <slalom/people/run_alone.h>
+#include <slalom/simulation/evaluate_trajectory.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace slalom::testing {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+RunSetup setup_of(double notices, PeopleModel model = PeopleModel::Speed) {
+  RunSetup setup;
+  setup.robot.radius = 0.2;
+  setup.people.notices = notices;
+  setup.people.model = model;
+  return setup;
+}
+
+Scenario with_people(People people, const Primitives& obstacles = {}) {
+  return Scenario::continuous("people", {0, 0, 10, 10}, obstacles, {5, 5, 0}, {9, 9})
+      .with_people(std::move(people));
+}
+
+/// Walks from the right to the left at 1.25 m/s, over the place of the robot.
+Person passer_by() {
+  return {"anna", 0.3, 1.25, {8, 5}, {{2, 5}}, 0, PersonEnd::Stay};
+}
+
+/// A room with two pillars, and people who cross it.
+Scenario busy_room() {
+  const Primitives pillars{{{{3, 3}, 0.4}, {{7, 6}, 0.5}}, {}};
+  People people;
+  for (int i = 0; i < 4; ++i) {
+    const double y = 1.5 + 2 * i;
+    people.push_back(
+        {"a" + std::to_string(i), 0.25, 1.2, {1, y}, {{9, 9 - y}}, 0, PersonEnd::Stay});
+    people.push_back(
+        {"b" + std::to_string(i), 0.25, 1.4, {9, y}, {{1, y}}, 0.3 * i, PersonEnd::Return});
+  }
+  people[0].after = PersonEnd::Vanish;
+  people[3].begin = 1000;
+  return with_people(people, pillars)
+      .with_movers({{"cart", 0.3, {{0, {5, 1}}, {20, {5, 9}}}, MoverEnd::Vanish}});
+}
+
+/// Whether both are at the same places, to the bit, at all updates up to `end` (s).
+::testing::AssertionResult same_motion(const Mover& a, const Mover& b, double end) {
+  for (int k = 0; 0.1 * k <= end; ++k) {
+    const double t = k * 0.1;
+    const TPoint2D p = a.position(t), q = b.position(t);
+    if (a.present(t) != b.present(t) || p.x != q.x || p.y != q.y)
+      return ::testing::AssertionFailure() << a.id << " differs at " << t << " s";
+  }
+  return ::testing::AssertionSuccess();
+}
+
+TEST(People, WhoDoNotNoticeTheRobotWalkAsIfThereWereNone) {
+  const World world(busy_room(), 0.05);
+  for (const PeopleModel model : {PeopleModel::Speed, PeopleModel::Orca}) {
+    RunSetup setup = setup_of(0, model);
+    setup.simulation.max_time = 20;
+    const Movers alone = run_alone(world, world.scenario().people(), setup.people, 20);
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      RandomMethod random(setup.robot);
+      const SimulationResult result = simulate(world, setup, seed, random);
+      ASSERT_EQ(result.movers.size(), alone.size() + 1);
+      EXPECT_EQ(result.movers[0], world.scenario().movers()[0]);
+      EXPECT_NO_THROW(check_movers("run", result.movers));
+      for (std::size_t i = 0; i < alone.size(); ++i)
+        EXPECT_TRUE(same_motion(result.movers[i + 1], alone[i], result.trajectory.duration()));
+    }
+  }
+}
+
+TEST(People, EndARunAtTheExactTimeAndPlace) {
+  // The robot stands; the person reaches it after (3 - 0.5) / 1.25 s = 2 s.
+  const World world(with_people({passer_by()}), 0.05);
+  FunctionMethod still = constant_method(0, 0);
+  const SimulationResult result = simulate(world, setup_of(0), 1, still);
+  EXPECT_EQ(result.outcome, Outcome::Collision);
+  EXPECT_NEAR(result.trajectory.samples.back().t, 2, 1e-9);
+  EXPECT_EQ(result.detail,
+            "contact with person 'anna' at (5.00, 5.00) m after 2.00 s, the robot had stood for "
+            "0.5 s");
+}
+
+TEST(People, WhoNoticeTheRobotWalkAroundItWhenItStands) {
+  for (const PeopleModel model : {PeopleModel::Speed, PeopleModel::Orca}) {
+    const World world(with_people({passer_by()}), 0.05);
+    FunctionMethod still = constant_method(0, 0);
+    RunSetup setup = setup_of(1, model);
+    setup.simulation.stuck_time = setup.simulation.max_time = 20;
+    const SimulationResult result = simulate(world, setup, 1, still);
+    EXPECT_EQ(result.outcome, Outcome::Timeout) << result.detail;
+    EXPECT_LT(distance_between(result.movers.at(0).position(20), TPoint2D(2, 5)), 0.3);
+  }
+}
+
+TEST(People, WhoNoticeTheRobotAreTouchedOnlyByARobotThatMoves) {
+  const World world(busy_room().with_movers({}), 0.05);
+  int contacts = 0;
+  for (const PeopleModel model : {PeopleModel::Speed, PeopleModel::Orca})
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      RunSetup setup = setup_of(1, model);
+      RandomMethod random(setup.robot);
+      const SimulationResult result = simulate(world, setup, seed, random);
+      if (result.detail.find("contact with person") == std::string::npos) continue;
+      ++contacts;
+      EXPECT_NE(result.detail.find(", to blame: the robot, which was noticed"), std::string::npos)
+          << result.detail;
+      EXPECT_EQ(result.detail.find("had stood"), std::string::npos) << result.detail;
+    }
+  EXPECT_GT(contacts, 5);
+}
+
+TEST(People, AreScannedAndTracked) {
+  // Seen from the standing robot: 3 - 0.3 - 1.25 t ahead.
+  class Watcher : public Method {
+   public:
+    void reset(const NavigationTask&) override {}
+    bool uses_tracks() const override { return true; }
+    Command step(const Observation& o) override {
+      EXPECT_NEAR(o.scan->getScanRange(90), 2.7 - 1.25 * o.time, 1e-5) << o.time;
+      EXPECT_EQ(o.tracks->size(), 1U);
+      EXPECT_EQ(o.tracks->at(0).id, 1) << "after the one mover, which is out of range";
+      EXPECT_NEAR(o.tracks->at(0).position.x, 3 - 1.25 * o.time, 1e-9);
+      EXPECT_NEAR(o.tracks->at(0).velocity.x, -1.25, 1e-9);
+      ++steps;
+      return {};
+    }
+    int steps = 0;
+  } watcher;
+  RunSetup setup = setup_of(0);
+  setup.sensor.rays = 181;
+  setup.sensor.max_range = 8;
+  setup.tracker.range = 4;
+  const World world(
+      with_people({passer_by()}).with_movers({{"post", 0.2, {{0, {0.5, 0.5}}}, MoverEnd::Stop}}),
+      0.05);
+  simulate(world, setup, 1, watcher);
+  EXPECT_EQ(watcher.steps, 21);  // they touch at 2 s
+}
+
+TEST(People, WaitUntilARobotThatTheyNoticeHasLeftTheirPlace) {
+  Person here = passer_by();
+  here.start = {4.8, 5};
+  const World world(with_people({here}), 0.05);
+  FunctionMethod ahead = constant_method(0.5, 0);
+  const SimulationResult unseen = simulate(world, setup_of(0), 1, ahead);
+  EXPECT_EQ(unseen.outcome, Outcome::UnsolvableScenario);
+  EXPECT_EQ(unseen.detail, "person 'anna' touches the robot where it starts");
+  RunSetup setup = setup_of(1);
+  setup.simulation.max_time = 5;
+  const SimulationResult seen = simulate(world, setup, 1, ahead);
+  EXPECT_NE(seen.outcome, Outcome::UnsolvableScenario);
+  // The centers are 0.5 m apart when the robot has gone ahead by 0.3 m.
+  EXPECT_FALSE(seen.movers.at(0).present(0.5));
+  EXPECT_TRUE(seen.movers.at(0).present(2));
+}
+
+TEST(People, WalkAgainAsTheyDidAlongARecordedTrajectory) {
+  const World world(busy_room(), 0.05);
+  int collisions = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const RunSetup setup = setup_of(0.5, seed % 2 == 0 ? PeopleModel::Speed : PeopleModel::Orca);
+    RandomMethod random(setup.robot);
+    const SimulationResult result = simulate(world, setup, seed, random);
+    EXPECT_EQ(movers_along(world, setup.robot, setup.simulation, result.trajectory, setup.people),
+              result.movers);
+    collisions += result.outcome == Outcome::Collision ? 1 : 0;
+  }
+  EXPECT_GT(collisions, 3);
+}
+
+TEST(People, EndARecordedTrajectoryWhereTheyEndedTheRun) {
+  const World world(with_people({passer_by()}), 0.05);
+  FunctionMethod ahead = constant_method(0.5, 0);
+  const SimulationResult original = simulate(world, setup_of(0), 1, ahead);
+  ASSERT_EQ(original.outcome, Outcome::Collision);
+  Trajectory log = original.trajectory;
+  Sample after = log.samples.back();
+  after.t += 0.1;
+  after.pose.x += 0.05;
+  log.samples.push_back(after);
+  const RunSetup setup = setup_of(0);
+  const SimulationResult back =
+      evaluate_trajectory(world, setup.robot, setup.simulation, log, setup.people);
+  EXPECT_EQ(back.outcome, Outcome::Collision);
+  EXPECT_NEAR(back.trajectory.duration(), original.trajectory.duration(), 1e-6);
+  EXPECT_EQ(back.detail, original.detail);
+  const SimulationResult noticed = evaluate_trajectory(world, setup.robot, setup.simulation, log);
+  EXPECT_NE(noticed.outcome, Outcome::Collision) << "they walk around it";
+}
+
+TEST(People, OfOneCrowdAreTheSameInEachRun) {
+  const World world(busy_room(), 0.05);
+  const RunSetup setup = setup_of(1);
+  const Crowd crowd(world, world.scenario().people(), setup.people);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    RandomMethod random(setup.robot);
+    const SimulationResult result = simulate(world, setup, seed, random);
+    const SimulationResult same = simulate(world, setup, seed, random, nullptr, &crowd);
+    EXPECT_EQ(same.movers, result.movers);
+    EXPECT_EQ(same.trajectory.hash(), result.trajectory.hash());
+    EXPECT_EQ(same.detail, result.detail);
+  }
+}
+
+TEST(People, DecideAtTheBeginningOfControlCycles) {
+  const World world(with_people({passer_by()}), 0.05);
+  FunctionMethod still = constant_method(0, 0);
+  RunSetup setup = setup_of(0);
+  setup.simulation.control_period = 0.25;
+  setup.simulation.step = 0.05;
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "people",
+                           {"0.1 s is not a multiple of the control period",
+                            "expected a multiple of control_period (0.25 s)"},
+                           [&] { simulate(world, setup, 1, still); }));
+  EXPECT_NO_THROW(simulate(square_world({5, 5, 0}, {9, 9}), setup, 1, still));
+  setup.people.period = 0.5;
+  EXPECT_NEAR(simulate(world, setup, 1, still).trajectory.duration(), 2, 1e-9);
+}
+
+TEST(People, WhoStartInAWallAreRefused) {
+  const World world(with_people({passer_by()}, {{{{8.4, 5}, 0.2}}, {}}), 0.05);
+  FunctionMethod still = constant_method(0, 0);
+  EXPECT_TRUE(throws_error(ErrorKind::File, "people: person 'anna'", {"starts in a wall"},
+                           [&] { simulate(world, setup_of(0), 1, still); }));
+}
+
+}  // namespace
+}  // namespace slalom::testing
