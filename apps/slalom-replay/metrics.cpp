@@ -7,6 +7,7 @@
 #include <slalom/io/result_file.h>
 #include <slalom/metrics/metric.h>
 #include <slalom/ompl/ompl_planner.h>
+#include <slalom/simulation/evaluate_trajectory.h>
 
 #include <iostream>
 
@@ -25,8 +26,9 @@ RunRecord recompute_metrics(const RecordedRun& run, const std::string& path,
   const World world(scenario_of(run, path), options.simulation.resolution);
   RunRecord record = record_of(run);
   record.trajectory_hash = run.trajectory.hash();
-  record.metrics = measure_run(options, world, find_references(options, planner.get(), world),
-                               run.trajectory, run.outcome);
+  record.metrics = measure_run(
+      options, world, find_references(options, planner.get(), world), run.trajectory, run.outcome,
+      movers_along(world, options.robot, options.simulation, run.trajectory, options.people));
   return record;
 }
 

@@ -40,8 +40,8 @@ IniFile load_ini(const GenerateArguments& arguments) {
   IniFile ini = IniFile::load(arguments.config);
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
   ini.reject_unknown_sections({"campaign", "scenarios", "coverage", "generator.*", "robot",
-                               "sensor", "laser.*", "odometry", "tracks", "simulation", "reference",
-                               "metrics", "limits", "record", "analysis", "method.*"});
+                               "sensor", "laser.*", "odometry", "tracks", "simulation", "people",
+                               "reference", "metrics", "limits", "record", "analysis", "method.*"});
   if (arguments.count > 0) {
     const bool fills_bins = ini.has_section("coverage");
     ini.set(fills_bins ? "coverage" : "scenarios", fills_bins ? "per_bin" : "count",

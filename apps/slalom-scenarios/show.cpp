@@ -67,6 +67,8 @@ void show(const ListArguments& arguments) {
             << number(scenario.goal().y) << " m\n";
   if (!scenario.movers().empty())
     std::cout << "movers          " << scenario.movers().size() << "\n";
+  if (!scenario.people().empty())
+    std::cout << "people          " << scenario.people().size() << "\n";
 }
 
 void render(const RenderArguments& arguments) {

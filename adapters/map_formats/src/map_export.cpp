@@ -32,17 +32,21 @@ void write_png(const Scenario& scenario, const MapExportOptions& /*options*/,
 }
 
 std::string left_out(const Scenario& scenario, const ExportFormat& format) {
-  if (scenario.movers().empty() || format.has_movers) return "";
-  return "scenario " + scenario.name() + ": " +
-         count_text(scenario.movers().size(), "moving obstacle") + " left out, the format " +
-         format.name + " has static obstacles only";
+  std::vector<std::string> parts;
+  if (!scenario.movers().empty() && !format.has_movers)
+    parts.push_back(count_text(scenario.movers().size(), "moving obstacle"));
+  const std::size_t people = format.has_people ? 0 : scenario.people().size();
+  if (people > 0) parts.push_back(std::to_string(people) + (people == 1 ? " person" : " people"));
+  if (parts.empty()) return "";
+  return "scenario " + scenario.name() + ": " + join(parts, " and ") + " left out, the format " +
+         format.name + (format.has_movers ? " has no people" : " has static obstacles only");
 }
 
 }  // namespace
 
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats = {
-      {"yaml", ".yaml", "the complete scenario as YAML", write_yaml, true},
+      {"yaml", ".yaml", "the complete scenario as YAML", write_yaml, true, true},
       {"ros", ".yaml", "ROS map_server YAML with a PGM", write_ros_map},
       {"mrpt", ".gridmap.gz", "MRPT occupancy grid", write_mrpt_map},
       {"mvsim", ".xml", "mvsim world with an occupancy grid", write_mvsim_world},

@@ -48,6 +48,7 @@ void visit_campaign_options(const SectionVisitor& visit) {
   visit_section<OdometryModel>(visit, "odometry");
   visit_section<TrackerModel>(visit, "tracks");
   visit_section<SimulationOptions>(visit, "simulation");
+  visit_section<PeopleSettings>(visit, "people");
   visit_section<OmplOptions>(visit, "reference");
   visit_section<MetricsSection>(visit, "metrics");
   visit("limits", [](OptionVisitor& visitor) {

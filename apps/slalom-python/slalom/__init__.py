@@ -130,6 +130,7 @@ def evaluate(
     simulation: Optional[Dict[str, Any]] = None,
     limits: Optional[Dict[str, Any]] = None,
     tracks: Optional[Dict[str, Any]] = None,
+    people: Optional[Dict[str, Any]] = None,
     metrics: Optional[Sequence[str]] = None,
     descriptors: Optional[Sequence[str]] = None,
     seed: int = 1,
@@ -142,8 +143,8 @@ def evaluate(
     """Runs every method in every scenario and computes metrics and descriptors.
 
     `methods` is a dict from names to classes, pairs of a class and a dict of its options, or what
-    barrier_filter(), mrpt_holonomic(), onnx() and plugin() return. `robot`, `sensor`, `odometry`, `simulation`, `limits` and
-    `tracks` are dicts of the keys of these sections in a campaign's .ini, `lasers` a dict of names to the keys
+    barrier_filter(), mrpt_holonomic(), onnx() and plugin() return. `robot`, `sensor`, `odometry`, `simulation`, `limits`,
+    `tracks` and `people` are dicts of the keys of these sections in a campaign's .ini, `lasers` a dict of names to the keys
     of [laser.NAME]. Methods run in worker processes, unless
     `in_process`. `progress(phase, done, total)` is called meanwhile. Raises Error for invalid
     arguments, and KeyboardInterrupt after Ctrl-C.
@@ -155,6 +156,7 @@ def evaluate(
         "simulation": simulation,
         "limits": limits,
         "tracks": tracks,
+        "people": people,
         **{f"laser.{name}": keys for name, keys in (lasers or {}).items()},
     }
     return Results(

@@ -115,8 +115,17 @@ void for_each_section(const CampaignOptions& options, Visit visit) {
   for (const LaserModel& laser : options.sensor.lasers) visit("laser." + laser.name, laser);
   visit("odometry", options.odometry);
   visit("simulation", options.simulation);
-  // Campaigns from before [tracks] stay the same campaigns.
+  // Campaigns without [tracks] and [people] stay the same campaigns.
   if (texts_of(options.tracker) != texts_of(TrackerModel())) visit("tracks", options.tracker);
+  if (texts_of(options.people) != texts_of(PeopleSettings())) visit("people", options.people);
+}
+
+/// Reads [simulation] and [people].
+void read_simulation(const IniFile& ini, RunSetup& setup) {
+  setup.simulation = read_options<SimulationOptions>(ini, "simulation");
+  setup.people = read_options<PeopleSettings>(ini, "people");
+  if (ini.has_section("people"))
+    check_period(setup.people, setup.simulation, location_in(ini, "people"));
 }
 
 }  // namespace
@@ -173,12 +182,16 @@ std::vector<std::string> all_descriptor_ids() {
 }
 
 void CampaignOptions::adapt_to(const std::vector<Scenario>& scenarios) {
-  if (std::any_of(scenarios.begin(), scenarios.end(),
-                  [](const Scenario& scenario) { return !scenario.movers().empty(); }))
+  const auto any = [&](auto condition) {
+    return std::any_of(scenarios.begin(), scenarios.end(), condition);
+  };
+  const bool has_people = any([](const Scenario& one) { return !one.people().empty(); });
+  if (has_people || any([](const Scenario& one) { return !one.movers().empty(); }))
     add_mover_quantities();
-  if (std::any_of(scenarios.begin(), scenarios.end(),
-                  [](const Scenario& scenario) { return scenario.goal_heading().has_value(); }))
+  if (any([](const Scenario& one) { return one.goal_heading().has_value(); }))
     add_goal_heading_metrics();
+  if (has_people)
+    check_period(people, simulation, [](const std::string& key) { return "[people] " + key; });
 }
 
 void CampaignOptions::add_goal_heading_metrics() {
@@ -212,14 +225,14 @@ CampaignOptions read_measuring_options(const IniFile& ini) {
   options.exact_confinement = metrics.exact_confinement;
   options.safe_distance = metrics.safe_distance;
   options.robot = read_robot_model(ini);
-  options.simulation = read_options<SimulationOptions>(ini, "simulation");
+  read_simulation(ini, options);
   options.simulation.check(location_in(ini, "simulation"));
   return options;
 }
 
 void read_run_options(const IniFile& ini, CampaignOptions& options) {
   options.robot = read_robot_model(ini);
-  options.simulation = read_options<SimulationOptions>(ini, "simulation");
+  read_simulation(ini, options);
   options.sensor = read_sensor_model(ini);
   options.odometry = read_options<OdometryModel>(ini, "odometry");
   options.tracker = read_options<TrackerModel>(ini, "tracks");
@@ -249,6 +262,8 @@ CampaignOptions checked_options(CampaignOptions options, const std::string& orig
     check_options(values, keys_of(section));
   });
   options.simulation.check(keys_of("simulation"));
+  if (texts_of(options.people) != texts_of(PeopleSettings()))
+    check_period(options.people, options.simulation, keys_of("people"));
   options.sensor.check_lasers([&](const std::string& name, const std::string& key) {
     return keys_of("laser." + name)(key);
   });

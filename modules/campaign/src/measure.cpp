@@ -9,10 +9,10 @@ namespace {
 
 MetricContext context_of(const CampaignOptions& options, const World& world,
                          const References& references, const Trajectory& trajectory,
-                         Outcome outcome) {
+                         Outcome outcome, const Movers& movers) {
   return make_metric_context(world, options.robot, trajectory, outcome, references,
                              options.simulation.max_time, options.simulation.goal_tolerance,
-                             options.safe_distance);
+                             options.safe_distance, &movers);
 }
 
 }  // namespace
@@ -39,13 +39,15 @@ References find_references(const CampaignOptions& options, const ReferencePlanne
 std::string bound_violation(const CampaignOptions& options, const World& world,
                             const References& references, const Trajectory& trajectory,
                             Outcome outcome) {
-  return bound_violation(context_of(options, world, references, trajectory, outcome));
+  return bound_violation(
+      context_of(options, world, references, trajectory, outcome, world.scenario().movers()));
 }
 
 std::map<std::string, VersionedValue> measure_run(const CampaignOptions& options,
                                                   const World& world, const References& references,
-                                                  const Trajectory& trajectory, Outcome outcome) {
-  const MetricContext context = context_of(options, world, references, trajectory, outcome);
+                                                  const Trajectory& trajectory, Outcome outcome,
+                                                  const Movers& movers) {
+  const MetricContext context = context_of(options, world, references, trajectory, outcome, movers);
   std::map<std::string, VersionedValue> values;
   for (const std::string& id : options.metrics) {
     const Metric& enabled = metric(id);

@@ -138,7 +138,7 @@ SimulationResult RunExecutor::simulate_contained(const RunSpec& spec, Method& me
   if (own_process_) before.emplace();
   CommandJournal journal(log);
   SimulationResult result =
-      simulate(scenario_world, campaign_.options, spec.seed, method, &journal);
+      simulate(scenario_world, campaign_.options, spec.seed, method, &journal, crowd());
   std::fesetenv(&floating_point_);
   if (before && !before->restore()) log.retire_worker();
   return result;
@@ -157,8 +157,9 @@ SimulationResult RunExecutor::replay(const RunSpec& spec, const std::string& log
   setup.deadline = {};  // deadlines applied to the original run only
   ScriptedMethod script(CommandJournal::read(log, setup.robot), detail);
   OutcomeOverride outcome_override(outcome, detail, observer);
+  const World& scenario_world = world(spec.scenario);
   SimulationResult result =
-      simulate(world(spec.scenario), setup, spec.seed, script, &outcome_override);
+      simulate(scenario_world, setup, spec.seed, script, &outcome_override, crowd());
   outcome_override.apply(result);
   return result;
 }
@@ -176,6 +177,7 @@ void RunExecutor::record(const RunSpec& spec, const std::string& log,
 
 const World& RunExecutor::world(std::size_t scenario) {
   if (!world_ || world_scenario_ != scenario) {
+    crowd_.reset();
     world_ = std::make_unique<World>(campaign_.scenarios[scenario],
                                      campaign_.options.simulation.resolution);
     // All tables before a method can change the floating-point environment.
@@ -188,10 +190,19 @@ const World& RunExecutor::world(std::size_t scenario) {
 
 void RunExecutor::use_tables(std::size_t scenario, const SharedArray<std::byte>& tables) {
   if (world_ && world_scenario_ == scenario) return;
+  crowd_.reset();
   world_.reset();
   world_ = std::make_unique<World>(campaign_.scenarios[scenario],
                                    campaign_.options.simulation.resolution, tables);
   world_scenario_ = scenario;
+}
+
+/// The ways of people are computed once for all runs in the scenario.
+const Crowd* RunExecutor::crowd() {
+  const People& people = world_->scenario().people();
+  if (!crowd_ && !people.empty())
+    crowd_ = std::make_unique<Crowd>(*world_, people, campaign_.options.people);
+  return crowd_.get();
 }
 
 Method& RunExecutor::method(const std::string& name) {
@@ -218,7 +229,7 @@ RunFindings RunExecutor::evaluate(const RunSpec& spec, const SimulationResult& r
   record.outcome_detail = result.detail;
   record.trajectory_hash = result.trajectory.hash();
   record.metrics = measure_run(campaign_.options, world(spec.scenario), references_[spec.scenario],
-                               result.trajectory, result.outcome);
+                               result.trajectory, result.outcome, result.movers);
   if (campaign_.options.record.trajectories != StoredTrajectories::None)
     findings.trajectory = result.trajectory;
   return findings;

@@ -3,6 +3,7 @@
 
 #include <slalom/campaign/measure.h>
 #include <slalom/descriptors/descriptor.h>
+#include <slalom/people/crowd.h>
 #include <slalom/references/exact_shortest.h>
 
 namespace slalom {
@@ -29,6 +30,7 @@ KnownPath exact_path(const CampaignOptions& options, const World& world,
 ScenarioFindings survey_scenario(const Campaign& campaign, const Scenario& scenario) {
   const CampaignOptions& options = campaign.options;
   const World world(scenario, options.simulation.resolution);
+  if (!scenario.people().empty()) check_people(world, scenario.people());
   ScenarioFindings findings;
   findings.record = {scenario.hash(), scenario.name(), {}};
   findings.references = find_references(options, campaign.planner, world);

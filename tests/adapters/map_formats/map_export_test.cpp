@@ -205,6 +205,17 @@ TEST(MapExport, SaysThatMoversAreLeftOut) {
                               " has static obstacles only");
     }
   }
+  const Scenario walked = moving.with_people({{"anna", 0.25, 1.3, {1, 1}, {{2, 1}}}});
+  const auto left_out = [&](const std::string& format, const std::string& ending) {
+    return export_scenario(walked, format, {}, folder.path("walked" + ending));
+  };
+  const std::string where = "scenario " + walked.name();
+  EXPECT_EQ(left_out("yaml", ".yaml"), "");
+  EXPECT_EQ(left_out("svg", ".svg"), where + ": 1 person left out, the format svg has no people");
+  EXPECT_EQ(left_out("mrpt", ".gridmap.gz"),
+            where +
+                ": 1 moving obstacle and 1 person left out, the format mrpt has static "
+                "obstacles only");
   const std::string world = folder.path("world.xml");
   export_scenario(still, "mvsim", {}, world);
   EXPECT_EQ(read_file(world, "an export").find("moving"), std::string::npos);

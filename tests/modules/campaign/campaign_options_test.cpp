@@ -87,6 +87,8 @@ TEST(CampaignOptions, AllIncludesQuantitiesAboutMoversIfAScenarioHasSome) {
   expected.insert(expected.end(), mover_metric_ids().begin(), mover_metric_ids().end());
   EXPECT_EQ(with_movers.metrics, expected);
   EXPECT_EQ(with_movers.descriptors, descriptor_ids());
+  const Scenario walked = still.with_people({{"anna", 0.25, 1.3, {2, 3}, {{4, 1}}}});
+  EXPECT_EQ(adapted("", {still, walked}).metrics, expected);
   const Scenario headed = still.with_goal_heading(1);
   expected = all_metric_ids();
   expected.insert(expected.end(), goal_heading_metric_ids().begin(),
@@ -98,6 +100,36 @@ TEST(CampaignOptions, AllIncludesQuantitiesAboutMoversIfAScenarioHasSome) {
       adapted("enabled = success\ndescriptors = density, movers\n", {moving});
   EXPECT_EQ(named.metrics, std::vector<std::string>{"success"});
   EXPECT_EQ(named.descriptors.size(), 1 + mover_descriptor_ids().size());
+}
+
+TEST(CampaignOptions, OfPeopleAreSettingsOnlyIfTheyAreNotTheDefaults) {
+  const IniFile ini = IniFile::from_text(std::string(kMinimal) +
+                                         "[people]\nmodel = orca\nnotices = 0.5\nperiod = 0.2\n");
+  const CampaignOptions options = read_campaign_options(ini);
+  EXPECT_EQ(options.people.model, PeopleModel::Orca);
+  EXPECT_EQ(options.people.notices, 0.5);
+  EXPECT_EQ(read_measuring_options(ini).people.period, 0.2);
+  EXPECT_EQ(read_campaign_options(campaign_ini(options, "")).people.notices, 0.5);
+  EXPECT_FALSE(campaign_ini(CampaignOptions(), "").has_section("people"));
+}
+
+TEST(CampaignOptions, PeopleDecideInPeriodsOfWholeControlCycles) {
+  const std::string control = std::string(kMinimal) + "[simulation]\ncontrol_period = 0.25\n";
+  EXPECT_TRUE(refused(control + "[people]\nperiod = 0.3\n", "c.ini:8: [people] period: ",
+                      {"0.3 s", "a multiple of control_period (0.25 s)"}));
+  EXPECT_TRUE(refused(control + "[people]\nside = left\n", "c.ini: [people] period: ", {"0.1 s"}));
+  CampaignOptions options = read_campaign_options(IniFile::from_text(control));
+  const Scenario empty = Scenario::continuous("empty", {0, 0, 5, 5}, {}, {1, 1, 0}, {4, 4});
+  EXPECT_NO_THROW(options.adapt_to({empty}));
+  const Scenario walked = empty.with_people({{"anna", 0.25, 1.3, {2, 3}, {{4, 1}}}});
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "[people] period", {"0.1 s"}, [&] {
+    options.adapt_to({empty, walked});
+  }));
+  options.people.period = 0.5;
+  EXPECT_NO_THROW(options.adapt_to({empty, walked}));
+  options.people.period = 0.6;
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "options people.period", {"0.6 s"},
+                           [&] { checked_options(options, "options "); }));
 }
 
 TEST(CampaignOptions, TheToleranceOfHeadingsIsASettingOnlyIfItIsNotTheDefault) {

@@ -641,6 +641,63 @@ TEST_F(CampaignTest, AScenarioInWhichAMoverStaysAtTheGoalIsUnsolvable) {
       << sink.runs[0].outcome_detail;
 }
 
+/// The room of the tests above with somebody who walks from the goal towards the start.
+Scenario room_with(const Person& person) {
+  return Scenario::continuous("room", {0, 0, 10, 10}, {}, {1, 5, 0}, {9, 5}).with_people({person});
+}
+
+TEST_F(CampaignTest, PeopleAreMetByEveryMethodAlike) {
+  IniFile ini = ini_for({"good", "other"});
+  ini.set("people", "notices", "0", "test");
+  Campaign campaign{read_campaign_options(ini),
+                    {room_with({"anna", 0.3, 1.25, {8, 5}, {{2, 5}}})},
+                    read_methods(ini, registry_)};
+  campaign.options.adapt_to(campaign.scenarios);
+  std::vector<RunRecord> first;
+  for (const int workers : {1, 2}) {
+    const auto progress = make_silent_progress();
+    RecordingSink sink;
+    run_campaign(campaign, sink, {workers, *progress, nullptr});
+    ASSERT_EQ(sink.runs.size(), 4U);
+    sort_by_plan(sink.runs, campaign);
+    for (const RunRecord& run : sink.runs) {
+      EXPECT_EQ(run.outcome_detail.find("contact with person 'anna'"), 0U) << run.outcome_detail;
+      EXPECT_EQ(run.metrics.at("mover_collision").value, Value::of(1));
+      EXPECT_EQ(run.metrics.at("contact_mover").value, Value::of(0));
+      EXPECT_NEAR(run.metrics.at("min_mover_clearance").value.number(), 0, 1e-6);
+    }
+    if (first.empty()) first = sink.runs;
+    EXPECT_TRUE(std::equal(first.begin(), first.end(), sink.runs.begin(), same_run));
+  }
+}
+
+TEST_F(CampaignTest, APersonWhoStaysAtTheGoalIsNoProofThatItCannotBeReached) {
+  // A mover there is one, see above.
+  const IniFile ini = ini_for({"good"});
+  const Campaign campaign{read_campaign_options(ini),
+                          {room_with({"anna", 1, 1.25, {9, 5}, {{8.9, 5}}})},
+                          read_methods(ini, registry_)};
+  const auto progress = make_silent_progress();
+  RecordingSink sink;
+  run_campaign(campaign, sink, {1, *progress, nullptr});
+  ASSERT_EQ(sink.runs.size(), 2U);
+  EXPECT_NE(sink.runs[0].outcome, "unsolvable_scenario");
+  EXPECT_NE(sink.runs[0].outcome, "infrastructure_error");
+}
+
+TEST_F(CampaignTest, APersonWhoStartsInAWallIsAnErrorThatNamesIt) {
+  const IniFile ini = ini_for({"good"});
+  const Campaign campaign{read_campaign_options(ini),
+                          {room_with({"anna", 0.3, 1.25, {9.8, 5}, {{2, 5}}})},
+                          read_methods(ini, registry_)};
+  const auto progress = make_silent_progress();
+  RecordingSink sink;
+  EXPECT_TRUE(
+      throws_error(ErrorKind::Job, "scenario room", {"person 'anna': starts in a wall"}, [&] {
+        run_campaign(campaign, sink, {1, *progress, nullptr});
+      }));
+}
+
 TEST_F(CampaignTest, AMethodThatCannotBeBuiltIsReportedBeforeTheFirstRun) {
   const auto check = [this](const std::string& kind) {
     const IniFile ini = ini_for({"good", kind});

@@ -22,6 +22,7 @@ struct ExportFormat {
   std::string content;  ///< human-readable description
   void (*write)(const Scenario& scenario, const MapExportOptions& options, const std::string& path);
   bool has_movers = false;  ///< moving obstacles are exported, too
+  bool has_people = false;  ///< people, too
 };
 
 const std::vector<ExportFormat>& export_formats();

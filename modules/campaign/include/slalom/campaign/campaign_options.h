@@ -93,7 +93,8 @@ struct CampaignOptions : RunSetup {
   RecordSection record;
   double reference_gap = 0.01;
 
-  /// If any scenario has movers or a heading of its goal, "all" includes the quantities about them.
+  /// If any scenario has movers, people or a heading of its goal, "all" includes the quantities
+  /// about them. Throws Error (Usage) if there are people and check_period() refuses theirs.
   void adapt_to(const std::vector<Scenario>& scenarios);
   void add_mover_quantities();
   void add_goal_heading_metrics();
@@ -103,17 +104,17 @@ struct CampaignOptions : RunSetup {
   std::vector<QuantityInfo> descriptor_infos() const;
 };
 
-/// The settings needed to compute the metrics of a run: the robot, the simulation limits and the
-/// enabled metrics, from [robot], [simulation] and [metrics]. Missing sections and keys take their
-/// defaults. Throws Error (Usage).
+/// The settings needed to compute the metrics of a run: the robot, the simulation limits, people
+/// and the enabled metrics, from [robot], [simulation], [people] and [metrics]. Missing sections
+/// and keys take their defaults. Throws Error (Usage).
 CampaignOptions read_measuring_options(const IniFile& ini);
 
-/// Reads [robot], [sensor], [tracks], [odometry], [simulation] and [limits] into `options`. Throws
-/// Error (Usage).
+/// Reads [robot], [sensor], [tracks], [odometry], [simulation], [people] and [limits] into
+/// `options`. Throws Error (Usage).
 void read_run_options(const IniFile& ini, CampaignOptions& options);
 
-/// Reads [campaign], [robot], [sensor], [tracks], [odometry], [simulation], [metrics] and [limits]
-/// and checks them against each other. Throws Error (Usage). Does not set
+/// Reads [campaign], [robot], [sensor], [tracks], [odometry], [simulation], [people], [metrics] and
+/// [limits] and checks them against each other. Throws Error (Usage). Does not set
 /// reference_gap, which is part of [reference].
 CampaignOptions read_campaign_options(const IniFile& ini);
 

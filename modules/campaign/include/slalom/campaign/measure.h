@@ -13,14 +13,17 @@
 namespace slalom {
 
 /// The reference paths of a scenario as computed in a campaign (`planner` null: exact search only).
+/// They are among static obstacles, and the earliest arrival is among movers. People only add to
+/// these: each lower bound, and each proof that there is no path or arrival, holds among them too.
 /// Call it in a separate process: OMPL seeds its random number generators once per process.
 References find_references(const CampaignOptions& options, const ReferencePlanner* planner,
                            const World& world);
 
-/// The values of the enabled metrics of a run, by id.
+/// The values of the enabled metrics of a run, by id. `movers` as in SimulationResult.
 std::map<std::string, VersionedValue> measure_run(const CampaignOptions& options,
                                                   const World& world, const References& references,
-                                                  const Trajectory& trajectory, Outcome outcome);
+                                                  const Trajectory& trajectory, Outcome outcome,
+                                                  const Movers& movers);
 
 /// bound_violation() of a run.
 std::string bound_violation(const CampaignOptions& options, const World& world,
