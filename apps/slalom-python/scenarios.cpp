@@ -73,6 +73,7 @@ std::vector<Scenario> generate_family(const std::string& family, int count, std:
   options.workers = workers;
   const auto section = read_options<ScenariosSection>(ini, "scenarios");
   options.walkers = section.walkers;
+  options.generated_people = section.people;
   options.goal_headings = section.goal_headings;
   GeneratorContext context;
   context.load_map = load_occupancy_grid;

@@ -60,17 +60,19 @@ std::vector<WeightedGenerator> read_mix(const IniFile& ini, const ScenariosSecti
   return mix;
 }
 
-void check_walkers(const IniFile& ini, const ScenariosSection& section) {
-  const WalkerOptions& walkers = section.walkers;
-  if (walkers.count > 0 && section.generator.empty())
-    throw usage_error(ini.where("scenarios", "walkers"), "walkers without a generator",
-                      "generator: walkers are added to generated scenarios only");
-  if (walkers.min_radius > walkers.max_radius)
-    throw usage_error(ini.where("scenarios", "walker_min_radius"), "exceeds walker_max_radius",
-                      "at most " + format_number(walkers.max_radius) + " m");
-  if (walkers.min_speed > walkers.max_speed)
-    throw usage_error(ini.where("scenarios", "walker_min_speed"), "exceeds walker_max_speed",
-                      "at most " + format_number(walkers.max_speed) + " m/s");
+/// Checks options of walkers or people, the keys of which begin with `one`.
+template <typename Options>
+void check_moving(const IniFile& ini, const ScenariosSection& section, const Options& options,
+                  const std::string& all, const std::string& one) {
+  if (options.count > 0 && section.generator.empty())
+    throw usage_error(ini.where("scenarios", all), all + " without a generator",
+                      "generator: " + all + " are added to generated scenarios only");
+  if (options.min_radius > options.max_radius)
+    throw usage_error(ini.where("scenarios", one + "_min_radius"), "exceeds " + one + "_max_radius",
+                      "at most " + format_number(options.max_radius) + " m");
+  if (options.min_speed > options.max_speed)
+    throw usage_error(ini.where("scenarios", one + "_min_speed"), "exceeds " + one + "_max_speed",
+                      "at most " + format_number(options.max_speed) + " m/s");
 }
 
 }  // namespace
@@ -108,6 +110,16 @@ void ScenariosSection::visit(OptionVisitor& v) {
            Range::between(0.01, 100));
   v.option("walker_max_speed", walkers.max_speed, "m/s", "highest speed of a walker",
            Range::between(0.01, 100));
+  v.option("people", people.count, "-", "people, who react, in each generated scenario",
+           Range::between(0, 1000));
+  v.option("person_min_radius", people.min_radius, "m", "smallest radius of a person",
+           Range::positive());
+  v.option("person_max_radius", people.max_radius, "m", "largest radius of a person",
+           Range::positive());
+  v.option("person_min_speed", people.min_speed, "m/s", "lowest preferred speed of a person",
+           Range::between(0.01, 100));
+  v.option("person_max_speed", people.max_speed, "m/s", "highest preferred speed of a person",
+           Range::between(0.01, 100));
 }
 
 ScenarioSources read_scenario_sources(const IniFile& ini, const SourceContext& context,
@@ -116,7 +128,8 @@ ScenarioSources read_scenario_sources(const IniFile& ini, const SourceContext& c
   if (section.list.empty() && section.maps.empty() && section.generator.empty())
     throw usage_error(ini.where("scenarios"), "no scenario source given",
                       "list, maps or generator");
-  check_walkers(ini, section);
+  check_moving(ini, section, section.walkers, "walkers", "walker");
+  check_moving(ini, section, section.people, "people", "person");
   return {section, context, read_mix(ini, section, context, load_map)};
 }
 

@@ -28,6 +28,7 @@ MixSettings mix_settings(const ScenarioSources& sources) {
   settings.representation = section.representation;
   settings.conversion_resolution = section.resolution;
   settings.walkers = section.walkers;
+  settings.people = section.people;
   settings.describe = sources.context.describe;
   return settings;
 }

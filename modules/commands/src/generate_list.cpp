@@ -18,7 +18,8 @@ namespace {
 /// The families of [scenarios]. Rejects keys that cannot be combined with [coverage].
 std::vector<std::string> families_of(const IniFile& ini) {
   const auto section = read_options<ScenariosSection>(ini, "scenarios");
-  for (const char* key : {"list", "maps", "count", "weights", "scale_by_robot", "representation"})
+  for (const char* key :
+       {"list", "maps", "count", "weights", "scale_by_robot", "representation", "people"})
     if (ini.get("scenarios", key))
       throw usage_error(ini.where("scenarios", key), "cannot be combined with [coverage]",
                         "generator and walkers only; the bins determine the count");

@@ -15,6 +15,7 @@ std::vector<Scenario> generate(std::shared_ptr<const Generator> family, int coun
   mix.each.resolution = options.simulation.resolution;
   mix.jobs = worker_count(options.workers);
   mix.walkers = options.walkers;
+  mix.people = options.generated_people;
   mix.each.goal_headings = options.goal_headings;
   CallbackProgress progress(options);
   DistinctScenarios distinct;

@@ -109,6 +109,17 @@ TEST(ScenarioSources, WalkersAreAddedToTheSameScenarios) {
   EXPECT_NE(moving[0].movers(), moving[1].movers());
 }
 
+TEST(ScenarioSources, PeopleAreAddedToTheSameScenarios) {
+  const std::string family = "[scenarios]\ngenerator = random\ncount = 3\nwalkers = 1\n";
+  const auto still = collect(family), walked = collect(family + "people = 4\n");
+  ASSERT_EQ(walked.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(walked[i].people().size(), 4U);
+    EXPECT_EQ(walked[i].with_people({}).hash(), still[i].hash());
+  }
+  EXPECT_NE(walked[0].people(), walked[1].people());
+}
+
 TEST(ScenarioSources, InvalidWalkersAreRejectedWithTheirLine) {
   const std::string family = "[scenarios]\ngenerator = random\ncount = 1\n";
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "c.ini:4", {"walkers", "1000"},
@@ -119,6 +130,10 @@ TEST(ScenarioSources, InvalidWalkersAreRejectedWithTheirLine) {
                            [&] { collect(family + "walker_min_speed = 2\n"); }));
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "c.ini:3", {"walkers", "generated scenarios"},
                            [] { collect("[scenarios]\nlist = x.scenarios\nwalkers = 1\n"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "c.ini:4", {"person_max_speed", "at most 1.5 m/s"},
+                           [&] { collect(family + "person_min_speed = 2\n"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "c.ini:3", {"people", "generated scenarios"},
+                           [] { collect("[scenarios]\nlist = x.scenarios\npeople = 1\n"); }));
 }
 
 TEST(ScenarioSources, FamiliesOnMapsUseTheLoader) {

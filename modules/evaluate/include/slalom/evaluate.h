@@ -19,6 +19,7 @@
 #include <slalom/generation/poisson_forest.h>
 #include <slalom/generation/random_generator.h>
 #include <slalom/generation/rooms.h>
+#include <slalom/generation/sample_people.h>
 #include <slalom/generation/sudden_obstacle.h>
 #include <slalom/generation/traps.h>
 #include <slalom/generation/walkers.h>
@@ -61,8 +62,9 @@ class Methods {
 struct Options : CampaignOptions {
   Options() { metrics = descriptors = {"all"}; }
 
-  WalkerOptions walkers;       ///< of generate(): added to each scenario
-  bool goal_headings = false;  ///< of generate(): goals have random headings
+  WalkerOptions walkers;           ///< of generate(): added to each scenario
+  PeopleOptions generated_people;  ///< likewise
+  bool goal_headings = false;      ///< of generate(): goals have random headings
   /// An additional planner of the references, such as make_ompl_planner(); null: exact search only.
   std::shared_ptr<const ReferencePlanner> planner = nullptr;
   int workers = 1;          ///< processes, 0: one per core; results do not depend on them

@@ -96,8 +96,8 @@ struct MixStream::Impl {
     const SolvableWorld found = search.find(name, candidate, draw.attempt);
     draw.attempt = found.attempt;
     const std::uint64_t seed = seed_of(draw, found.attempt);
-    if (settings.walkers.count > 0)
-      return with_walkers(*found.world, entry.generator->name(), seed);
+    if (settings.walkers.count > 0 || settings.people.count > 0)
+      return populated(*found.world, entry.generator->name(), seed);
     return described(*found.world, entry.generator->name(), seed);
   }
 
@@ -108,15 +108,16 @@ struct MixStream::Impl {
     return generated;
   }
 
-  /// Adds walkers from a random stream of their own, so that the static obstacles are those of the
-  /// same mix without walkers.
-  GeneratedScenario with_walkers(const World& world, const std::string& generator,
-                                 std::uint64_t seed) const {
-    RandomEngine engine(derive_seed(seed, "walkers"));
-    const World moving(
-        slalom::with_walkers(world, settings.each.robot_radius, settings.walkers, engine),
-        settings.each.resolution);
-    return described(moving, generator, seed);
+  /// Adds walkers and people, each from a random stream of their own, so that the static obstacles
+  /// are those of the same mix without them.
+  GeneratedScenario populated(const World& world, const std::string& generator,
+                              std::uint64_t seed) const {
+    RandomEngine walkers(derive_seed(seed, "walkers")), people(derive_seed(seed, "people"));
+    const double radius = settings.each.robot_radius;
+    Scenario scenario = with_walkers(world, radius, settings.walkers, walkers);
+    if (settings.people.count > 0)
+      scenario = scenario.with_people(sample_people(world, radius, settings.people, people));
+    return described(World(std::move(scenario), settings.each.resolution), generator, seed);
   }
 
   std::uint64_t seed_of(const MixDraw& draw, int attempt) const {

@@ -30,11 +30,12 @@ bool is_of_walkers(const FormField& field) {
   return starts_with(field.key, "walker");
 }
 
-/// The keys of [scenarios] about the mix of families or about walkers.
+/// The keys of [scenarios] about the mix of families or about walkers; Slalom Studio has no people.
 std::vector<FormField> scenarios_fields(bool of_walkers) {
   std::vector<FormField> fields = option_fields(
       defaults_of<ScenariosSection>(), "",
-      {"list", "maps", "pairs_per_map", "min_distance", "generator", "count", "resolution"});
+      {"list", "maps", "pairs_per_map", "min_distance", "generator", "count", "resolution",
+       "people", "person_min_radius", "person_max_radius", "person_min_speed", "person_max_speed"});
   fields.erase(std::remove_if(fields.begin(), fields.end(),
                               [of_walkers](const FormField& field) {
                                 return is_of_walkers(field) != of_walkers;

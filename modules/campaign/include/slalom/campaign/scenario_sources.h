@@ -30,6 +30,7 @@ struct ScenariosSection {
   double resolution = 0.05;                      ///< m, of that representation
   bool goal_headings = false;                    ///< random ones, of generated and sampled goals
   WalkerOptions walkers;                         ///< added to each generated scenario
+  PeopleOptions people;                          ///< likewise
 
   void visit(OptionVisitor& v);
 };

@@ -4,6 +4,7 @@
 #include <slalom/core/value.h>
 #include <slalom/core/wall_clock.h>
 #include <slalom/generation/generator.h>
+#include <slalom/generation/sample_people.h>
 #include <slalom/generation/walkers.h>
 #include <slalom/scenario/world.h>
 
@@ -43,6 +44,7 @@ struct MixSettings {
   std::optional<Representation> representation = std::nullopt;
   double conversion_resolution = 0.05;  ///< m, resolution of that conversion
   WalkerOptions walkers = {};           ///< added to each certified scenario
+  PeopleOptions people = {};            ///< likewise
   /// Returns the values to store with a certified scenario; called concurrently.
   std::function<std::vector<KeyedValue>(const World&)> describe = {};
 };
