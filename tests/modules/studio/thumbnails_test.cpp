@@ -64,6 +64,17 @@ TEST(Thumbnails, ShowMoversWhereTheyAreAtTheBeginning) {
   EXPECT_EQ(pixel(picture, 9, 22), kFree) << "not present at the beginning";
 }
 
+TEST(Thumbnails, ShowPeopleWhereTheyStart) {
+  const Thumbnail picture =
+      make_thumbnail(Scenario::continuous("", kWide, {}, {12, 22, 0}, {28, 22})
+                         .with_people({{"there", 1, 1, {20, 25}, {{25, 25}}},
+                                       {"later", 1, 1, {13, 28}, {{14, 28}}, 1}}));
+  // 3.2 pixels per meter; rows 16 to 48 are y = 30 to 20.
+  EXPECT_EQ(pixel(picture, 32, 32), pixel_of(palette().person));
+  EXPECT_EQ(pixel(picture, 37, 32), kFree);
+  EXPECT_EQ(pixel(picture, 9, 22), kFree) << "not present at the beginning";
+}
+
 TEST(Thumbnails, ShowCellsLargerAndSmallerThanPixels) {
   for (const int cells : {8, 1000}) {
     auto map = make_grid_map(cells, cells, 8.0 / cells, {0, 0});

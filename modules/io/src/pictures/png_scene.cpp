@@ -19,14 +19,17 @@ using mrpt::img::TColor;
 using mrpt::math::TPoint2D;
 
 const TColor kObstacle(0x8a, 0x8f, 0x98), kStart(0x0b, 0x6e, 0x4f), kGoal(0xb0, 0x00, 0x20);
-const TColor kMover(0xe0, 0xa0, 0x30), kMoverEdge(0x8a, 0x5a, 0x00);
 const TColor kShortest(0x11, 0x11, 0x11), kSafest(0x77, 0x77, 0x77);
 
-TColor color_of(const SceneTrajectory& trajectory, std::size_t index) {
-  const std::string text = trajectory.color.empty() ? method_color(index) : trajectory.color;
+/// The color "#RRGGBB".
+TColor color_of(const std::string& text) {
   const unsigned long value = std::strtoul(text.substr(1).c_str(), nullptr, 16);
   return {static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
           static_cast<std::uint8_t>(value)};
+}
+
+TColor color_of(const SceneTrajectory& trajectory, std::size_t index) {
+  return color_of(trajectory.color.empty() ? method_color(index) : trajectory.color);
 }
 
 class Canvas {
@@ -86,14 +89,13 @@ class Canvas {
   CImage image_;
 };
 
-void draw_mover(Canvas& canvas, const Mover& mover, const std::optional<double>& time) {
-  Path path;
-  for (const Waypoint& waypoint : mover.waypoints) path.push_back(waypoint.position);
-  canvas.path(path, kMoverEdge, 1);
+void draw_mover(Canvas& canvas, const DrawnMover& drawn, const std::optional<double>& time) {
+  const Mover& mover = drawn.mover;
+  canvas.path(drawn.path, color_of(drawn.edge_color()), 1);
   const double t = instant_shown(mover, time);
   if (!mover.present(t)) return;
-  canvas.disc(mover.position(t), mover.radius, kMover);
-  canvas.circle(mover.position(t), mover.radius, kMoverEdge, 1);
+  canvas.disc(mover.position(t), mover.radius, color_of(drawn.color()));
+  canvas.circle(mover.position(t), mover.radius, color_of(drawn.edge_color()), 1);
 }
 
 }  // namespace
@@ -108,7 +110,8 @@ void write_png(const CImage& image, const std::string& path) {
 void render_png(const Scenario& scenario, const SceneOptions& options, const std::string& path) {
   Canvas canvas(scenario, options.max_pixels);
   canvas.obstacles(make_occupancy(scenario, 1 / canvas.scale()));
-  for (const Mover& mover : scenario.movers()) draw_mover(canvas, mover, options.time);
+  for (const DrawnMover& drawn : drawn_movers(scenario, options))
+    draw_mover(canvas, drawn, options.time);
   if (options.references != nullptr) {
     if (options.references->safest) canvas.path(options.references->safest->path, kSafest, 1);
     if (options.references->shortest) canvas.path(options.references->shortest->path, kShortest, 1);

@@ -51,8 +51,9 @@ std::string animation(const char* type, const std::string& values, const std::st
 }
 
 /// The disc of a mover, which moves straight between the samples of the robot, while it is present.
-std::string moving_disc(const Mover& mover, const Trajectory& trajectory, const SvgFrame& frame,
-                        const std::string& times, double duration) {
+std::string moving_disc(const DrawnMover& drawn, const Trajectory& trajectory,
+                        const SvgFrame& frame, const std::string& times, double duration) {
+  const Mover& mover = drawn.mover;
   std::string positions, visibility;
   const auto add = [&](double t) {
     const auto pixel = frame.to_pixels(mover.position(t));
@@ -63,12 +64,10 @@ std::string moving_disc(const Mover& mover, const Trajectory& trajectory, const 
   for (const Sample& sample : trajectory.samples) add(sample.t - start);
   add(trajectory.duration());  // at rest in the pause, like the robot
   return fmt::format(
-      "<circle class=\"moving\" r=\"{:.1f}\" fill=\"#e0a030\" stroke=\"#8a5a00\"><title>moving "
-      "obstacle "
-      "{}</title>{}"
+      "<circle class=\"moving\" r=\"{:.1f}\" fill=\"{}\" stroke=\"{}\"><title>{}</title>{}"
       "<animate attributeName=\"visibility\" calcMode=\"discrete\" values=\"{}\" keyTimes=\"{}\" "
       "dur=\"{:.3f}s\" repeatCount=\"indefinite\"/></circle>",
-      mover.radius * frame.scale(), html_escape(mover.id),
+      mover.radius * frame.scale(), drawn.color(), drawn.edge_color(), html_escape(drawn.name()),
       animation("translate", positions, times, duration), visibility, times, duration);
 }
 
@@ -84,8 +83,8 @@ std::string render_animated_svg(const Scenario& scenario, const SceneOptions& op
   const double duration = trajectory.duration() + kPause;
   const Keys keys = keys_of(trajectory, frame, duration);
   std::string moving;
-  for (const Mover& mover : scenario.movers())
-    moving += moving_disc(mover, trajectory, frame, keys.times, duration);
+  for (const DrawnMover& drawn : drawn_movers(scenario, options))
+    moving += moving_disc(drawn, trajectory, frame, keys.times, duration);
   const double radius = std::max(3.0, options.robot_radius * frame.scale());
   const std::string robot = fmt::format(
       "<g class=\"robot\">{}<g>{}<circle r=\"{:.1f}\" fill=\"#e69f00\" fill-opacity=\"0.8\" "

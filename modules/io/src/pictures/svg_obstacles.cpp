@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -131,6 +132,24 @@ std::string obstacles_svg(const Scenario& scenario, const SvgFrame& frame) {
       break;
   }
   return std::string("<g class=\"obstacles\" fill=\"") + kFill + "\">" + shapes + "</g>";
+}
+
+std::vector<DrawnMover> drawn_movers(const Scenario& scenario, const SceneOptions& options) {
+  std::vector<DrawnMover> drawn;
+  const Movers& movers = options.movers != nullptr ? *options.movers : scenario.movers();
+  for (const Mover& mover : movers) {
+    Path path;
+    for (const Waypoint& waypoint : mover.waypoints) path.push_back(waypoint.position);
+    drawn.push_back({drawn.size() >= scenario.movers().size(), mover, std::move(path)});
+  }
+  if (options.movers != nullptr) return drawn;
+  for (const Person& person : scenario.people()) {
+    Path route = {person.start};
+    route.insert(route.end(), person.route.begin(), person.route.end());
+    const double t = options.time ? std::numeric_limits<double>::infinity() : person.begin;
+    drawn.push_back({true, {person.id, person.radius, {{t, person.start}}}, std::move(route)});
+  }
+  return drawn;
 }
 
 }  // namespace slalom

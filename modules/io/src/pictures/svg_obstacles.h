@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <slalom/scenario/scenario.h>
+#include <slalom/io/svg_scene.h>
 
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace slalom {
 
@@ -30,6 +31,21 @@ class SvgFrame {
 /// The obstacles of a scenario: primitives as they are, cells merged into rectangles. Cells smaller
 /// than a pixel are grouped into blocks, occupied if any of their cells is.
 std::string obstacles_svg(const Scenario& scenario, const SvgFrame& frame);
+
+/// A moving obstacle or a person in a picture.
+struct DrawnMover {
+  bool is_person = false;
+  Mover mover;
+  Path path;  ///< of the waypoints; of a person without a record its route
+
+  std::string css_class() const { return is_person ? "person" : "mover"; }
+  std::string name() const { return (is_person ? "person " : "moving obstacle ") + mover.id; }
+  const char* color() const { return is_person ? "#a78bda" : "#e0a030"; }
+  const char* edge_color() const { return is_person ? "#4b2e83" : "#8a5a00"; }
+};
+
+/// A person without a record is at its start, or absent if the picture has a time.
+std::vector<DrawnMover> drawn_movers(const Scenario& scenario, const SceneOptions& options);
 
 /// The time (s) for which a picture shows the mover: that of the picture, or that at which it is
 /// first present during the run.

@@ -56,7 +56,7 @@ class Picture {
         "<rect class=\"workspace\" width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>",
         width, height, html_escape(scenario_.name()));
     svg_ += obstacles_svg(scenario_, frame_);
-    for (const Mover& mover : scenario_.movers()) draw(mover);
+    for (const DrawnMover& drawn : drawn_movers(scenario_, options_)) draw(drawn);
     draw_references();
     for (std::size_t i = 0; i < options_.trajectories.size(); ++i)
       draw(options_.trajectories[i], i);
@@ -71,19 +71,19 @@ class Picture {
 
  private:
   /// Its path, and its disc where it is at the time of the picture.
-  void draw(const Mover& mover) {
-    Path path;
-    for (const Waypoint& waypoint : mover.waypoints) path.push_back(waypoint.position);
+  void draw(const DrawnMover& drawn) {
+    const Mover& mover = drawn.mover;
     const double t = instant_shown(mover, options_.time);
-    const std::string name = "moving obstacle " + mover.id;
-    svg_ += line(path, "mover", "#8a5a00", "stroke-width=\"1\" stroke-dasharray=\"4 2\"", name);
+    svg_ += line(drawn.path, drawn.css_class(), drawn.edge_color(),
+                 "stroke-width=\"1\" stroke-dasharray=\"4 2\"", drawn.name());
     if (!mover.present(t)) return;
-    const std::string title = name + " at " + format_number(t) + " s";
+    const std::string title = drawn.name() + " at " + format_number(t) + " s";
     const TPoint2D center = frame_.to_pixels(mover.position(t));
     svg_ += fmt::format(
-        "<circle class=\"mover\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"#e0a030\" "
-        "stroke=\"#8a5a00\"><title>{}</title></circle>",
-        center.x, center.y, mover.radius * frame_.scale(), html_escape(title));
+        "<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\" "
+        "stroke=\"{}\"><title>{}</title></circle>",
+        drawn.css_class(), center.x, center.y, mover.radius * frame_.scale(), drawn.color(),
+        drawn.edge_color(), html_escape(title));
   }
 
   void draw_references() {

@@ -78,11 +78,10 @@ class Canvas {
         set(x, y, color, radius + 0.5 - math::hypot(x + 0.5 - c.x, y + 0.5 - c.y));
   }
 
-  /// Draws the mover at its initial position, enlarged if it could not be seen.
-  void draw(const Mover& mover) {
+  /// `radius` in m, enlarged if it could not be seen.
+  void draw_moving(const TPoint2D& at, double radius, const Color& color) {
     constexpr double kMinRadius = 1.5;  // pixels
-    if (mover.present(0))
-      draw_disc(mover.position(0), palette().mover, std::max(scale_ * mover.radius, kMinRadius));
+    draw_disc(at, color, std::max(scale_ * radius, kMinRadius));
   }
 
   /// A line from the center of a disc to 2.2 times its radius.
@@ -162,7 +161,10 @@ Thumbnail make_thumbnail(const Scenario& scenario, int size) {
   Canvas canvas(bounds, size);
   canvas.draw_cells(make_occupancy(scenario, cell_size(bounds, size)));
   const auto& start = scenario.start();
-  for (const Mover& mover : scenario.movers()) canvas.draw(mover);
+  for (const Mover& mover : scenario.movers())
+    if (mover.present(0)) canvas.draw_moving(mover.position(0), mover.radius, palette().mover);
+  for (const Person& person : scenario.people())
+    if (person.begin <= 0) canvas.draw_moving(person.start, person.radius, palette().person);
   canvas.draw_disc(scenario.goal(), palette().goal);
   canvas.draw_heading({start.x, start.y}, start.phi, palette().start);
   canvas.draw_disc({start.x, start.y}, palette().start);

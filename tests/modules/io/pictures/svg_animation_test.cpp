@@ -47,6 +47,20 @@ TEST(SvgAnimation, MoversAreWhereTheyAreAtEachSampleWhileTheyArePresent) {
   EXPECT_EQ(count(svg, "<polyline class=\"mover\""), 1U);
 }
 
+TEST(SvgAnimation, PeopleMoveAsTheRecordSays) {
+  const Scenario scenario = Scenario::continuous("s", {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3})
+                                .with_people({{"p", 0.5, 1, {2, 2}, {{7, 1}}}});
+  const Movers record = {{"p", 0.5, {{0, {2, 2}}, {2, {4, 2}}}}};
+  SceneOptions options;
+  options.max_pixels = 400;  // 50 pixels per meter
+  options.movers = &record;
+  const Trajectory run = {{at(5, 1, 3, 0), at(6, 2, 3, 0), at(7, 2, 3, 0)}};
+  const std::string svg = render_animated_svg(scenario, options, run);
+  EXPECT_EQ(count(svg, "values=\"100.0 100.0;150.0 100.0;200.0 100.0;200.0 100.0\""), 1U) << svg;
+  EXPECT_EQ(count(svg, "<title>person p</title>"), 2U);  // of the path and of the disc
+  EXPECT_EQ(count(svg, "class=\"moving\" r=\"25.0\""), 1U);
+}
+
 TEST(SvgAnimation, HeadingsDoNotJumpByATurn) {
   const Scenario scenario = Scenario::continuous("s", {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3});
   const double pi = 3.14159265358979323846;

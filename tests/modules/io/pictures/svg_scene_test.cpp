@@ -75,6 +75,41 @@ TEST(SvgScene, MoversAreDrawnWithTheirPathsWhereTheyBegin) {
   EXPECT_EQ(count(render_svg(still, options), "mover"), 0U);
 }
 
+TEST(SvgScene, PeopleAreDrawnAtTheirStartWithTheirRoutes) {
+  const Scenario empty = Scenario::continuous("s", {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3});
+  const Scenario scenario = empty.with_people(
+      {{"<p>", 0.3, 1, {3, 1}, {{5, 2}, {6, 1}}}, {"q", 0.5, 1, {2, 2}, {{2, 3}}, 4}});
+  SceneOptions options;
+  options.max_pixels = 400;  // 50 pixels per meter
+  const std::string svg = render_svg(scenario, options);
+  EXPECT_EQ(count(svg, "<polyline class=\"person\" points=\"150.0,150.0 250.0,100.0 300.0,150.0\""),
+            1U)
+      << svg;
+  EXPECT_EQ(count(svg, "<circle class=\"person\" cx=\"150.0\" cy=\"150.0\" r=\"15.0\""), 1U);
+  EXPECT_EQ(count(svg, "<circle class=\"person\" cx=\"100.0\" cy=\"100.0\" r=\"25.0\""), 1U);
+  EXPECT_EQ(count(svg, "person &lt;p&gt; at 0 s"), 1U);
+  EXPECT_EQ(count(svg, "person q at 4 s"), 1U);
+  options.time = 1;  // of a run, in which they are nobody knows where
+  EXPECT_EQ(count(render_svg(scenario, options), "<circle class=\"person\""), 0U);
+  EXPECT_EQ(count(render_svg(empty, options), "person"), 0U);
+}
+
+TEST(SvgScene, PeopleAreDrawnWhereTheRecordOfARunSays) {
+  const Movers scripted = {{"m", 0.3, {{0, {1, 1}}}}};
+  const Scenario scenario = Scenario::continuous("s", {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3})
+                                .with_movers(scripted)
+                                .with_people({{"p", 0.5, 1, {3, 1}, {{6, 1}}}});
+  const Movers record = {scripted[0], {"p", 0.5, {{0, {3, 1}}, {2, {5, 2}}}}};
+  SceneOptions options;
+  options.max_pixels = 400;  // 50 pixels per meter
+  options.movers = &record;
+  options.time = 1;
+  const std::string svg = render_svg(scenario, options);
+  EXPECT_EQ(count(svg, "<circle class=\"mover\" cx=\"50.0\" cy=\"150.0\" r=\"15.0\""), 1U) << svg;
+  EXPECT_EQ(count(svg, "<circle class=\"person\" cx=\"200.0\" cy=\"125.0\" r=\"25.0\""), 1U);
+  EXPECT_EQ(count(svg, "<polyline class=\"person\" points=\"150.0,150.0 250.0,100.0\""), 1U);
+}
+
 TEST(SvgScene, NamesAreEscaped) {
   const Scenario scenario = sample_scenario(1, "</title><script>alert(1)</script>");
   EXPECT_EQ(count(render_svg(scenario, {}), "<script>"), 0U);

@@ -31,6 +31,9 @@ struct SceneOptions {
   int max_pixels = 480;        ///< of the longer side
   double robot_radius = 0.25;  ///< m, drawn at start and goal
   const References* references = nullptr;
+  /// SimulationResult::movers of the run; null: the movers of the scenario, and its people, who
+  /// stand where they start.
+  const Movers* movers = nullptr;
   /// s of the run, at which movers are drawn; none: at time 0 or where they appear later; minus
   /// infinity: only their paths.
   std::optional<double> time = {};
@@ -38,7 +41,8 @@ struct SceneOptions {
 };
 
 /// A scenario to scale as one self-contained `svg` element. Grids become merged rectangles (runs of
-/// cells). Movers are drawn with their paths, where they are at the time of the picture.
+/// cells). Movers and people are drawn with their paths, where they are at the time of the picture.
+/// Without SceneOptions::movers the path of a person is its route.
 std::string render_svg(const Scenario& scenario, const SceneOptions& options);
 
 }  // namespace slalom
