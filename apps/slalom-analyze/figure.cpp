@@ -13,6 +13,7 @@
 #include <slalom/report/figures.h>
 #include <slalom/report/report.h>
 #include <slalom/results/privileged.h>
+#include <slalom/simulation/evaluate_trajectory.h>
 
 #include <algorithm>
 #include <iostream>
@@ -34,7 +35,7 @@ class RunFigures {
       : arguments_(arguments),
         file_(ResultFile::open(arguments.results)),
         runs_(read_results(arguments.results)),
-        robot_radius_(report_options(runs_).robot.shape().enclosing_radius()) {
+        options_(report_options(runs_)) {
     if (!arguments.method.empty() && !contains(runs_.methods, arguments.method))
       throw usage_error("--method", "no runs of '" + arguments.method + "'",
                         expected_name(arguments.method, runs_.methods));
@@ -76,7 +77,14 @@ class RunFigures {
     SceneOptions options = scene_options();
     options.references = &references;
     options.trajectories.push_back(drawn(run));
-    return render_animated_svg(file_.read_scenario(run.scenario_hash), options, trajectory) + "\n";
+    const Scenario scenario = file_.read_scenario(run.scenario_hash);
+    Movers movers;
+    if (!scenario.people().empty() && !trajectory.samples.empty()) {
+      movers = movers_along(World(scenario, options_.simulation.resolution), options_.robot,
+                            options_.simulation, trajectory, options_.people);
+      options.movers = &movers;
+    }
+    return render_animated_svg(scenario, options, trajectory) + "\n";
   }
 
  private:
@@ -87,7 +95,7 @@ class RunFigures {
   SceneOptions scene_options() const {
     SceneOptions options;
     options.max_pixels = arguments_.pixels;
-    options.robot_radius = robot_radius_;
+    options.robot_radius = options_.robot.shape().enclosing_radius();
     return options;
   }
 
@@ -118,7 +126,7 @@ class RunFigures {
   const FigureArguments& arguments_;
   ResultFile file_;
   ResultTable runs_;
-  double robot_radius_;
+  ReportOptions options_;
 };
 
 std::string figure(const FigureArguments& arguments) {

@@ -47,7 +47,7 @@ class TrajectorySource {
 
   std::string text(const RunRecord& run, bool json) {
     if (!world_ || scenario_ != run.scenario_hash)
-      world_.emplace(file_.read_scenario(run.scenario_hash), options_.resolution);
+      world_.emplace(file_.read_scenario(run.scenario_hash), options_.simulation.resolution);
     scenario_ = run.scenario_hash;
     const std::vector<Sample> samples = file_.read_trajectory(run).samples;
     DataTable table;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "browser.h"
 #include "occurrences.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
 
 namespace slalom {
 namespace {
@@ -116,6 +120,37 @@ TEST_F(Export, TrajectoriesRejectInvalidArguments) {
   expect_failure("slalom-analyze trajectories none.results -o x", 3, {"none.results"});
   write("file", "");
   expect_failure("slalom-analyze trajectories runs.results -o file/x", 1, {"file/x"});
+}
+
+TEST_F(Export, AnAnimatedFigureShowsPeopleAsTheyWalkedInTheRun) {
+  write("hall.scenario.yaml",
+        "name: hall\nrepresentation: continuous\nbounds: [0, 0, 8, 6]\nstart: [0.75, 3, 0]\n"
+        "goal: [7.25, 3]\npeople:\n  - id: anna\n    radius: 0.25\n    speed: 1.3\n"
+        "    start: [7, 3.1]\n    route: [[1, 3]]\ndiscs: []\npolygons: []\n");
+  write("hall.ini",
+        "[campaign]\nmethods = go\n[robot]\nradius = 0.25\n[scenarios]\nlist = hall.scenarios\n"
+        "[people]\nnotices = 0\n[metrics]\nenabled = success\ndescriptors = density\n[method.go]\n"
+        "adapter = library\nplugin = libslalom_go_to_goal.so\n");
+  ASSERT_EQ(run("slalom-scenarios import hall.scenario.yaml -o hall.scenarios").status, 0);
+  ASSERT_EQ(run("slalom-simulate run -c hall.ini --quiet -o hall.results").status, 0);
+  const auto record = nlohmann::json::parse(run("slalom-analyze dump hall.results").out);
+  ASSERT_EQ(record["outcome_detail"].get<std::string>().substr(0, 26),
+            "contact with person 'anna'");
+  const std::string id = record["scenario"]["hash"].get<std::string>().substr(0, 8) + "/go/0";
+  ASSERT_EQ(run("slalom-analyze figure hall.results --animate " + id +
+                " --pixels 800 -o hall.svg --quiet")
+                .err,
+            "");
+  // The places of anna and then of the robot, in pixels; 100 pixels per meter.
+  const auto places = all_matches(read("hall.svg"), "type=\"translate\" values=\"([0-9. ;]+)\"");
+  ASSERT_EQ(places.size(), 2U);
+  EXPECT_EQ(places[0].substr(0, 12), "700.0 290.0;");
+  double x[2] = {}, y[2] = {};
+  for (int i : {0, 1})
+    ASSERT_EQ(std::sscanf(places[i].c_str() + places[i].rfind(';') + 1, "%lf %lf", x + i, y + i),
+              2);
+  // They touch at the end: both have a radius of 0.25 m; collisions are found in steps of 1 cm.
+  EXPECT_NEAR(std::hypot(x[0] - x[1], y[0] - y[1]), 50, 1.5);
 }
 
 TEST_F(Export, FiguresOfEachKindAreDrawn) {

@@ -109,7 +109,7 @@ class Explainer {
     const Trajectory failing = file_.read_trajectory(*tested);
     const Trajectory successful = file_.read_trajectory(*reference);
     if (failing.samples.empty() || successful.samples.empty()) return "";
-    const World world(file_.read_scenario(failure.smallest), options_.resolution);
+    const World world(file_.read_scenario(failure.smallest), options_.simulation.resolution);
     return tested->scenario_name + ": " +
            departure_text(tested->method, reference->method,
                           find_departure(world, options_.robot, failing, successful));
@@ -118,7 +118,7 @@ class Explainer {
   FailureFacts facts_of(const ExaminedFailure& failure) const {
     const auto run = file_.read_run(failure.smallest, examined_.method, examined_.repetition);
     if (!run) throw job_error(file_.path(), "no run in scenario " + failure.smallest);
-    const World world(file_.read_scenario(failure.smallest), options_.resolution);
+    const World world(file_.read_scenario(failure.smallest), options_.simulation.resolution);
     Trajectory trajectory = file_.read_trajectory(*run);
     if (trajectory.samples.empty()) {  // the method ended its process before the first cycle
       trajectory.samples.emplace_back();

@@ -19,10 +19,16 @@ function decode(differences, unit) {
   return differences.map((difference) => (sum += difference) * unit);
 }
 
+// The waypoints of a person as those of a mover: t, x, y, ...
+function decodePerson(person) {
+  const [t, x, y] = ["t", "x", "y"].map((key) => decode(person[key], 0.001));
+  return Object.assign({}, person, { waypoints: t.flatMap((at, i) => [at, x[i], y[i]]) });
+}
+
 function decodeRun(run) {
   const track = {};
   for (const key of ["t", "x", "y", "h", "v", "w", "c"]) track[key] = decode(run[key], 0.001);
-  return Object.assign({}, run, track);
+  return Object.assign({}, run, track, { people: (run.people || []).map(decodePerson) });
 }
 
 // Decodes grid cells: run lengths, starting with free cells, row by row from the bottom.
@@ -54,7 +60,7 @@ function showTime() {
   const { scenario, run, time } = state;
   if (!run.t.length) return;
   const current = stateAt(run.t.length > 1 ? run : repeatSample(run), time);
-  moveMovers(scenario, time);
+  moveMovers(scenario, run.people, time);
   drawScan(scenario, current.x, current.y, current.h);
   scenario.layers.robot.setAttribute("d", robotPath(scenario, current.x, current.y, current.h));
   element("time").value = String(time);
@@ -124,11 +130,12 @@ function showRunList(scenario) {
 }
 
 function drawTracks(scenario) {
-  const { track, others, robot } = scenario.layers, run = state.run;
+  const { track, others, people, robot } = scenario.layers, run = state.run;
   track.setAttribute("d", pathOf(scenario, run.x, run.y));
   track.setAttribute("stroke", run.color);
   robot.setAttribute("stroke", run.color);
   robot.setAttribute("fill", run.color);
+  people.replaceChildren(...run.people.map((person) => drawMover(scenario, person, PERSON)));
   const shown = element("others").checked ? scenario.runs.filter((other) => other !== run) : [];
   others.replaceChildren(...shown.map((other) => svg("path", { d: pathOf(scenario, other.x, other.y), stroke: other.color })));
 }

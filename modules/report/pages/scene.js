@@ -41,11 +41,11 @@ function moverAt({ waypoints, after }, time) {
   return [x0 + fraction * (x1 - x0), y0 + fraction * (y1 - y0)];
 }
 
-// Moves their discs; `present` has those that the robot sees, as x, y, radius.
-function moveMovers(scenario, time) {
-  const discs = scenario.layers.movers.querySelectorAll("circle");
+// Moves the discs of movers and people; `present` has those that the robot sees, as x, y, radius.
+function moveMovers(scenario, people, time) {
+  const { layers } = scenario, discs = [layers.movers, layers.people].flatMap((layer) => [...layer.querySelectorAll("circle")]);
   scenario.present = [];
-  (scenario.movers || []).forEach((mover, i) => {
+  (scenario.movers || []).concat(people).forEach((mover, i) => {
     const disc = discs[i], at = moverAt(mover, time);
     disc.setAttribute("visibility", at ? "visible" : "hidden");
     if (!at) return;
@@ -55,11 +55,14 @@ function moveMovers(scenario, time) {
   });
 }
 
-// The path and the disc of a mover.
-function drawMover(scenario, { id, radius, waypoints }) {
+const MOVER = { title: "moving obstacle ", fill: "#e0a030", stroke: "#8a5a00" };
+const PERSON = { title: "person ", fill: "#a78bda", stroke: "#4b2e83" };
+
+// The path and the disc of a mover or a person.
+function drawMover(scenario, { id, radius, waypoints }, { title, fill, stroke }) {
   const points = waypoints.filter((_, i) => i % 3 > 0);
-  return svg("g", {}, svg("title", {}, "moving obstacle " + id), svg("path", { d: pathOfPoints(scenario, points), fill: "none",
-    stroke: "#8a5a00", "stroke-dasharray": "4 2" }), svg("circle", { r: radius * scenario.scale, fill: "#e0a030", stroke: "#8a5a00" }));
+  return svg("g", {}, svg("title", {}, title + id), svg("path", { d: pathOfPoints(scenario, points), fill: "none",
+    stroke, "stroke-dasharray": "4 2" }), svg("circle", { r: radius * scenario.scale, fill, stroke }));
 }
 
 function goalHeading(scenario, x, y, length) {
@@ -79,7 +82,8 @@ function drawScenario(scenario) {
   const layers = { scan: svg("path", { fill: "#f0b429", "fill-opacity": 0.25, stroke: "#c98a00", "stroke-width": 0.8 }),
                    others: svg("g", { fill: "none", "stroke-width": 1.6, opacity: 0.55 }),
                    track: svg("path", { fill: "none", "stroke-width": 2.4 }),
-                   movers: svg("g", {}, (scenario.movers || []).map((mover) => drawMover(scenario, mover))),
+                   movers: svg("g", {}, (scenario.movers || []).map((mover) => drawMover(scenario, mover, MOVER))),
+                   people: svg("g", {}),  // of the shown run
                    robot: svg("path", { "fill-opacity": 0.35, "stroke-width": 1.8 }) };
   scenario.layers = layers;
   element("scene").setAttribute("viewBox", `0 0 ${width.toFixed(0)} ${height.toFixed(0)}`);
@@ -89,7 +93,7 @@ function drawScenario(scenario) {
     svg("g", {}, reference(scenario.safest, "2 3", "safest path"), reference(scenario.shortest, "7 3", "shortest path")),
     svg("g", { stroke: "#b00020", "stroke-width": 1.8, fill: "none" }, svg("circle", { cx: gx, cy: gy, r }),
         svg("path", { d: `M${gx - r} ${gy}h${2 * r}M${gx} ${gy - r}v${2 * r}` }), goalHeading(scenario, gx, gy, 1.6 * r)),
-    layers.scan, layers.movers, layers.others, layers.track, layers.robot);
+    layers.scan, layers.movers, layers.people, layers.others, layers.track, layers.robot);
 }
 
 function robotPath(scenario, x, y, heading) {

@@ -176,7 +176,8 @@ ReportOptions report_options(const ResultTable& runs) {
   options.analysis.confidence = section.confidence;
   options.robot = read_robot_model(ini);
   options.sensor = read_sensor_model(ini);
-  parse_number(ini.get("simulation", "resolution").value_or(""), options.resolution);
+  options.simulation = read_options<SimulationOptions>(ini, "simulation");
+  options.people = read_options<PeopleSettings>(ini, "people");
   return options;
 }
 

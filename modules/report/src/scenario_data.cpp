@@ -7,6 +7,7 @@
 #include <slalom/io/rawlog_path.h>
 #include <slalom/io/svg_scene.h>
 #include <slalom/metrics/metric.h>
+#include <slalom/simulation/evaluate_trajectory.h>
 
 #include <fmt/format.h>
 
@@ -130,6 +131,30 @@ void add_movers(const Movers& movers, OrderedJson& json) {
   }
 }
 
+/// The people as they walked in a run: like movers, with the waypoints as differences.
+void add_people(const ReportOptions& options, const World& world, const Trajectory& trajectory,
+                OrderedJson& json) {
+  const Scenario& scenario = world.scenario();
+  if (scenario.people().empty() || trajectory.samples.empty()) return;
+  const Movers movers =
+      movers_along(world, options.robot, options.simulation, trajectory, options.people);
+  json["people"] = OrderedJson::array();
+  for (std::size_t i = scenario.movers().size(); i < movers.size(); ++i) {
+    DeltaEncoder t, x, y;
+    for (const Waypoint& waypoint : movers[i].waypoints) {
+      t.add(waypoint.t);
+      x.add(waypoint.position.x);
+      y.add(waypoint.position.y);
+    }
+    json["people"].push_back({{"id", movers[i].id},
+                              {"radius", rounded_json(movers[i].radius)},
+                              {"after", to_string(movers[i].after)},
+                              {"t", t.json()},
+                              {"x", x.json()},
+                              {"y", y.json()}});
+  }
+}
+
 void add_robot(const ReportOptions& options, OrderedJson& json) {
   const Footprint footprint = options.robot.shape();
   json["radius"] = footprint.enclosing_radius();
@@ -162,7 +187,7 @@ OrderedJson scenario_json(const ReportInput& input, const ScenarioRuns& content,
     json["shortest"] = points_json(content.references.shortest->path);
   if (content.references.safest)
     json["safest"] =
-        points_json(simplify(content.references.safest->path, input.options.resolution));
+        points_json(simplify(content.references.safest->path, input.options.simulation.resolution));
   return json;
 }
 
@@ -257,7 +282,7 @@ ScenarioRuns read_scenario_runs(const std::vector<const ResultFile*>& files,
 std::string scenario_script(const ReportInput& input, const ScenarioRuns& content,
                             const std::string& directory) {
   const ResultTable& runs = input.runs;
-  const World world(content.content, input.options.resolution);
+  const World world(content.content, input.options.simulation.resolution);
   const Footprint footprint = input.options.robot.shape();
   const std::vector<const ValueColumn*> metrics = repeatable_metrics(runs);
   OrderedJson json = scenario_json(input, content, world);
@@ -274,6 +299,7 @@ std::string scenario_script(const ReportInput& input, const ScenarioRuns& conten
                         {"rawlog", rawlog_link(content.rawlogs[i], directory)},
                         {"values", values_json(metrics, content.first_run + i, reasons)}};
     add_track(world, footprint, content.trajectories[i], line);
+    add_people(input.options, world, content.trajectories[i], line);
     json["runs"].push_back(std::move(line));
   }
   json["reasons"] = reasons.all();

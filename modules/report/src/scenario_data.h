@@ -27,8 +27,8 @@ constexpr std::size_t kMaxSamples = 80;
 
 /// data/s-HASH8.js: a scenario with its references and runs, as a call of slalomScenario().
 /// Trajectories are reduced to at most kMaxSamples samples, in integer millimeters, milliseconds
-/// and milliradians; the safest path is simplified with a tolerance of one cell.
-/// `directory`: of the report, for links to rawlogs.
+/// and milliradians, and have the people as they walked in them; the safest path is simplified with
+/// a tolerance of one cell. `directory`: of the report, for links to rawlogs.
 std::string scenario_script(const ReportInput& input, const ScenarioRuns& content,
                             const std::string& directory);
 

@@ -80,6 +80,21 @@ TEST_F(ReportPages, TakeNamesLiterally) {
   }
 }
 
+TEST_F(ReportPages, ARunShowsPeopleAtItsInstant) {
+  people_ = {{"Anna & Bo", 0.5, 1, {2, 8}, {{5, 8}}}};
+  write(make_results(1));
+  const auto links = all_matches(open("runs.html"), "href=\"(run\\.html#[0-9a-f]{8}/good/0)\"");
+  ASSERT_EQ(links.size(), 1u);
+  const std::string run = open(links.front());
+  // 64 pixels per meter of the room of 10 m x 10 m; at 0 s.
+  EXPECT_EQ(count(run, "<g><title>person Anna &amp; Bo</title>"), 1u);
+  EXPECT_EQ(all_matches(run, "<circle r=\"32\" fill=\"#a78bda\"[^>]*cx=\"([0-9.]+)\""),
+            std::vector<std::string>{"128.0"});
+  EXPECT_EQ(all_matches(run, "fill=\"#a78bda\"[^>]*visible[^>]*cy=\"([0-9.]+)\""),
+            std::vector<std::string>{"128.0"});
+  EXPECT_EQ(count(read("data/pictures-1.js"), "class=\\\"person\\\""), 2u) << "route and disc";
+}
+
 TEST_F(ReportPages, ARunOfAnyNameIsLinked) {
   write(make_results(1));
   const auto links =

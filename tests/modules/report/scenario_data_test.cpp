@@ -4,9 +4,11 @@
 
 #include <slalom/io/rawlog_path.h>
 #include <slalom/io/read_results.h>
+#include <slalom/simulation/evaluate_trajectory.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -49,7 +51,7 @@ class ScenarioData : public testing::Test {
     ReportOptions options;
     options.rows = {BinSpec{}};
     options.columns = {"success"};
-    options.resolution = 0.5;
+    options.simulation.resolution = 0.5;
     const ReportInput input = make_report_input(runs, options);
     return argument(scenario_script(input, read_scenario_runs({&file}, runs, 0, 0),
                                     (folder_ / "report").string()),
@@ -97,6 +99,38 @@ TEST_F(ScenarioData, KeepsFirstAndLastSampleOfLongTrajectories) {
   ASSERT_EQ(times.size(), kMaxSamples);
   EXPECT_EQ(times.front(), 0);
   EXPECT_EQ(times.back(), static_cast<std::int64_t>(100 * (n - 1)));
+}
+
+TEST_F(ScenarioData, StoresPeopleAsTheyWalkedInTheRun) {
+  const Scenario scenario = room().with_people(
+      {{"in the way", 0.3, 1, {6, 1}, {{0.5, 1}}}, {"later", 0.3, 1, {20, 5}, {{25, 5}}, 70}});
+  const auto run = data_of(scenario, 21)["runs"][0];
+  const ReportOptions options;
+  Trajectory trajectory;
+  for (int i = 0; i < 21; ++i) trajectory.samples.push_back({0.1 * i, {1 + 0.1 * i, 1, 0}});
+  const Movers record = movers_along(World(scenario, 0.5), options.robot, options.simulation,
+                                     trajectory, options.people);
+  ASSERT_EQ(run["people"].size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& person = run["people"][i];
+    EXPECT_EQ(person["id"], record[i].id);
+    EXPECT_EQ(person["radius"], 0.3);
+    std::vector<std::int64_t> t, x, y;
+    for (const Waypoint& waypoint : record[i].waypoints) {
+      t.push_back(std::llround(1000 * waypoint.t));
+      x.push_back(std::llround(1000 * waypoint.position.x));
+      y.push_back(std::llround(1000 * waypoint.position.y));
+    }
+    EXPECT_EQ(sums(person["t"]), t);
+    EXPECT_EQ(sums(person["x"]), x);
+    EXPECT_EQ(sums(person["y"]), y);
+  }
+  // It has walked towards the robot; the other one begins after the longest run.
+  EXPECT_EQ(sums(run["people"][0]["x"]).front(), 6000);
+  EXPECT_LT(sums(run["people"][0]["x"]).back(), 5000);
+  EXPECT_EQ(run["people"][1]["t"], nlohmann::json{61000});
+  EXPECT_FALSE(data_of(scenario, 0)["runs"][0].contains("people"));
+  EXPECT_FALSE(data_of(room(), 21)["runs"][0].contains("people"));
 }
 
 TEST_F(ScenarioData, StoresGridsAsRunLengths) {

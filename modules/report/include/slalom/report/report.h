@@ -6,6 +6,7 @@
 #include <slalom/report/reported_cluster.h>
 #include <slalom/results/result_table.h>
 #include <slalom/robot/robot_model.h>
+#include <slalom/simulation/simulate.h>
 
 #include <string>
 #include <vector>
@@ -19,14 +20,15 @@ struct ReportOptions {
   AnalysisOptions analysis;
   RobotModel robot;                            ///< drawn at start and goal, and along runs
   SensorModel sensor;                          ///< for the drawn scan
-  double resolution = 0.05;                    ///< m, cell size of the simulation
+  SimulationOptions simulation;                ///< of the campaign
+  PeopleSettings people;                       ///< likewise: they walk as they did in each run
   std::size_t planned_runs = 0;                ///< of the complete campaign; 0 if it is not known
   std::vector<ReportedCluster> clusters = {};  ///< of failures, each with a page
 };
 
-/// The options from the sections [analysis] and [robot] of the campaign in the manifest. Defaults:
-/// density:q4 (or all), and success, optimality and safety as far as the results contain them, with
-/// 95 % intervals.
+/// The options from the sections [analysis], [robot], [simulation] and [people] of the campaign in
+/// the manifest. Defaults: density:q4 (or all), and success, optimality and safety as far as the
+/// results contain them, with 95 % intervals.
 ReportOptions report_options(const ResultTable& runs);
 
 /// Writes a report that works offline into `directory`: report.json with all numbers, the same data
