@@ -8,6 +8,7 @@
 #include <slalom/core/printable.h>
 #include <slalom/io/png_scene.h>
 #include <slalom/rawlog/run_scene.h>
+#include <slalom/simulation/evaluate_trajectory.h>
 
 #include <cstdio>
 #include <iostream>
@@ -27,16 +28,22 @@ std::string frame_name(const std::string& folder, std::size_t number) {
   return folder + name;
 }
 
-void draw_images(const RecordedRun& run, const Scenario& scenario, const RobotModel& robot,
+void draw_images(const RecordedRun& run, const Scenario& scenario, const CampaignOptions& options,
                  const PlayArguments& arguments) {
+  Movers movers = scenario.movers();
+  if (!scenario.people().empty())
+    movers = movers_along(World(scenario, options.simulation.resolution), options.robot,
+                          options.simulation, run.trajectory, options.people);
   make_output_folder(arguments.folder);
   const std::size_t samples = run.trajectory.samples.size();
   std::size_t frames = 0;
   const auto every = static_cast<std::size_t>(arguments.every);
   for (std::size_t i = 0; i < samples; ++i)
-    if (i % every == 0 || i + 1 == samples)
-      render_png(scenario, scene_at(run, i, robot, arguments.pixels),
-                 frame_name(arguments.folder, frames++));
+    if (i % every == 0 || i + 1 == samples) {
+      SceneOptions scene = scene_at(run, i, options.robot, arguments.pixels);
+      scene.movers = &movers;
+      render_png(scenario, scene, frame_name(arguments.folder, frames++));
+    }
   std::cout << frames << " images in " << arguments.folder << ": " << run.manifest.method << " in "
             << printable_line(scenario.name()) << ", " << to_string(run.outcome) << " ("
             << run.detail << ")\n";
@@ -50,7 +57,7 @@ void play(const PlayArguments& arguments) {
   const Scenario scenario = scenario_of(run, arguments.log);
   if (run.trajectory.samples.empty())
     throw job_error(arguments.log, "contains no samples", "a run with at least one sample");
-  if (!arguments.folder.empty()) draw_images(run, scenario, options.robot, arguments);
+  if (!arguments.folder.empty()) draw_images(run, scenario, options, arguments);
   if (arguments.window) show_run(run, scenario, options, arguments.log, arguments.script);
 }
 

@@ -36,7 +36,8 @@ ReplayContent content_of(const RecordedRun& run, const CampaignOptions& options,
   content.source.campaign = options.name;
   content.source.methods = {run.manifest.method};
   content.source.robot = options.robot;
-  content.source.resolution = options.simulation.resolution;
+  content.source.simulation = options.simulation;
+  content.source.people = options.people;
   OverlayRun shown;
   shown.record = record_of(run);
   shown.record.metrics = trajectory_metrics(run);

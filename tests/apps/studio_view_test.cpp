@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "studio_fixture.h"
 
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 namespace slalom {
 namespace {
@@ -265,6 +267,42 @@ TEST_F(StudioView, ShowsMoversAtAnInstantAndPlaysThem) {
   const ProgramResult still = play("wait idle\nclick timeline slider\n", "room.scenarios");
   EXPECT_EQ(still.status, 1) << "nothing moves: there is no timeline";
   EXPECT_NE(still.err.find("unknown element 'timeline'"), std::string::npos) << still.err;
+}
+
+TEST_F(StudioView, ShowsPeopleAtTheirStartAndAsTheyWalkedInARun) {
+  write("hall.scenario.yaml",
+        "name: hall\nrepresentation: continuous\nbounds: [0, 0, 8, 6]\nstart: [0.75, 3, 0]\n"
+        "goal: [7.25, 3]\npeople:\n  - id: anna\n    radius: 0.25\n    speed: 1.3\n"
+        "    start: [7, 3.1]\n    route: [[1, 3]]\ndiscs: []\npolygons: []\n");
+  write("hall.ini",
+        "[campaign]\nmethods = nd\n[scenarios]\nlist = hall.scenarios\n[people]\nnotices = 0\n"
+        "[simulation]\nmax_time = 2\n[metrics]\nenabled = path_length\ndescriptors = density\n"
+        "[method.nd]\nadapter = mrpt_holonomic\nclass = CHolonomicND\n[record]\nrawlog = all\n");
+  ASSERT_EQ(run("slalom-scenarios import hall.scenario.yaml -o hall.scenarios").status, 0);
+  ASSERT_EQ(run("slalom-evaluate hall.ini -o out --quiet").status, 0);
+  const std::string start =
+      "expect view contains \"person anna at 0.00 s: 7.000 3.100 m, radius 0.25 m\"\n";
+  expect_played("wait idle\nexpect view contains \"Obstacles: on, 1 person\"\n" + start,
+                "hall.scenarios");
+  // She does not notice the robot: in 2 s she has gone 2.6 m straight to (1, 3).
+  const double angle = std::atan2(0.1, 6);
+  const auto walked = [&](const std::string& shown) {
+    const auto [x, y] = numbers_after(shown, "person anna at 2.00 s:");
+    EXPECT_NEAR(x, 7 - 2.6 * std::cos(angle), 0.002);
+    EXPECT_NEAR(y, 3.1 - 2.6 * std::sin(angle), 0.002);
+  };
+  const std::string script =
+      "wait idle\nclick replay slider\nkey Home\n" + start + "key End\nprint view\n";
+  walked(expect_played(script, "hall.scenarios --results out/runs.results"));
+  ASSERT_FALSE(std::filesystem::is_empty(folder_ / "out/runs.rawlogs"));
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "out/runs.rawlogs")) {
+    write("script.txt", script);
+    const ProgramResult replay =
+        run(environment() + "slalom-replay play out/runs.rawlogs/" +
+            entry.path().filename().string() + " --gui --script script.txt");
+    EXPECT_EQ(replay.status, 0) << replay.err;
+    walked(replay.out);
+  }
 }
 
 TEST_F(StudioView, DrawsEditsMovesAndDeletesMoversUndoably) {

@@ -3,6 +3,7 @@
 #include "results_sample.h"
 
 #include <slalom/core/error.h>
+#include <slalom/simulation/evaluate_trajectory.h>
 #include <slalom/studio/palette.h>
 #include <slalom/studio/results_overlay.h>
 
@@ -43,7 +44,7 @@ TEST_F(ResultsOverlayTest, ReadsMethodsCampaignAndRobot) {
   EXPECT_EQ("test", source.campaign);
   ASSERT_TRUE(source.robot);
   EXPECT_DOUBLE_EQ(0.2, source.robot->radius);
-  EXPECT_DOUBLE_EQ(0.02, source.resolution);
+  EXPECT_DOUBLE_EQ(0.02, source.simulation.resolution);
 }
 
 TEST_F(ResultsOverlayTest, AFileWithoutACampaignHasNoRobot) {
@@ -178,6 +179,47 @@ TEST_F(ResultsOverlayTest, TheClockIsOfTheMoversUnlessRunsAreShown) {
   EXPECT_FALSE(overlay.replays_runs());
   EXPECT_DOUBLE_EQ(12, overlay.clock().duration());
   EXPECT_DOUBLE_EQ(2.25, overlay.scene_time());
+}
+
+TEST_F(ResultsOverlayTest, PeopleWalkAsInTheSelectedOrElseTheFirstShownRun) {
+  // A person in the way of the runs, and two of them: the slower one is met later.
+  const Scenario room = overlay_room().with_people({{"p", 0.3, 1, {8, 1}, {{1, 1}}, 0.5}});
+  const std::string path = folder_ + "/people.results";
+  ResultFile file = ResultFile::create(
+      path, {{"campaign.ini", std::string(kIni) + "[people]\nmodel = orca\n"}}, {},
+      {{"path_length", 1, "Path length", "m", Direction::Down},
+       {"time_to_goal", 1, "Time to goal", "s", Direction::Down}});
+  file.add_scenario({room.hash(), room.name(), {}}, room, {});
+  const std::vector<Trajectory> driven = {straight_run(0.5, 13), straight_run(1, 7)};
+  for (int i : {0, 1})
+    file.add_run(overlay_record(room, "nd", i, "collision"), {},
+                 driven[static_cast<std::size_t>(i)]);
+  file.commit();
+
+  ResultsOverlay overlay;
+  const Movers standing = {{"p", 0.3, {{0.5, {8, 1}}}}};
+  EXPECT_EQ(overlay.people_in(room), standing);
+  overlay.set_source(open_overlay_source(path));
+  overlay.set_runs(read_overlay_runs(overlay.source(), room.hash()));
+  PeopleSettings orca;
+  orca.model = PeopleModel::Orca;
+  RobotModel robot;
+  robot.radius = 0.2;
+  std::vector<Movers> records;
+  for (const Trajectory& trajectory : driven) {
+    records.push_back(movers_along(World(room, 0.02), robot, {}, trajectory, orca));
+    for (Waypoint& waypoint : records.back()[0].waypoints) waypoint.t += 10;  // of the first sample
+  }
+  ASSERT_NE(records[0], records[1]);
+  EXPECT_EQ(overlay.people_in(room), records[0]);
+  overlay.select(1);
+  EXPECT_EQ(overlay.people_in(room), records[1]);
+  overlay.select(0);
+  overlay.toggle(overlay.rows()[1]);
+  EXPECT_EQ(overlay.people_in(room), records[1]) << "run 0 is hidden";
+  overlay.show_all(false);
+  EXPECT_EQ(overlay.people_in(room), standing);
+  EXPECT_TRUE(overlay.people_in(overlay_room()).empty());
 }
 
 TEST_F(ResultsOverlayTest, ValuesNowAreInterpolatedAsInThePlots) {

@@ -37,17 +37,17 @@ std::string format(const char* pattern, Numbers... numbers) {
   return text;
 }
 
-std::string mover_line(const Mover& mover, double time) {
-  const std::string head = "moving obstacle " + mover.id + format(" at %.2f s: ", time);
+std::string mover_line(const char* kind, const Mover& mover, double time) {
+  const std::string head = kind + (" " + mover.id) + format(" at %.2f s: ", time);
   if (!mover.present(time)) return head + "not there\n";
   const mrpt::math::TPoint2D at = mover.position(time);
   return head + format("%.3f %.3f m, radius %.3g m\n", at.x, at.y, mover.radius);
 }
 
-/// The mover that is meant by a part "mover ID"; null if there is none.
-const Mover* mover_of(const Scenario& scenario, const std::string& part) {
-  for (const Mover& mover : scenario.movers())
-    if (part == "mover " + mover.id) return &mover;
+/// The mover that is meant by a part, such as "mover ID"; null if there is none.
+const Mover* mover_of(const char* kind, const Movers& movers, const std::string& part) {
+  for (const Mover& mover : movers)
+    if (part == kind + (" " + mover.id)) return &mover;
   return nullptr;
 }
 
@@ -147,6 +147,10 @@ double ScenarioView::time() const {
   return studio_.results().overlay().scene_time();
 }
 
+Movers ScenarioView::people() const {
+  return studio_.results().overlay().people_in(scene_->scenario());
+}
+
 std::optional<TPose2D> ScenarioView::scan_pose() const {
   const std::optional<Point>& at = scan_anchor_ ? scan_anchor_ : pointer_;
   if (!at || !layer_on("scan")) return std::nullopt;
@@ -210,7 +214,8 @@ std::string ScenarioView::text() const {
   text += "scale bar " + ScaleBar::choose(view_.pixels_per_meter(), kMaxScaleBar).text() + "\n";
   text += "tool " + info_of(tool()).id + "\n";
   for (const auto& layer : layers_) text += "layer " + layer.id + ": " + layer_line(layer) + "\n";
-  for (const Mover& mover : s.movers()) text += mover_line(mover, time());
+  for (const Mover& mover : s.movers()) text += mover_line("moving obstacle", mover, time());
+  for (const Mover& person : people()) text += mover_line("person", person, time());
   text += format("map %.0f x %.0f pixels\n", layout_.canvas.width, layout_.canvas.height);
   for (const OverlayTrajectory& run : trajectories_)
     text += "trajectory " + run.label + ", " + run.outcome + "\n";
@@ -228,12 +233,15 @@ std::optional<ScreenRect> ScenarioView::rect_of(const std::string& part) const {
   if (!scene_) return std::nullopt;
   Point at;
   const TPose2D& start = scene_->scenario().start();
+  const Movers walking = people();
   if (part == "start")
     at = {start.x, start.y};
   else if (part == "goal")
     at = scene_->scenario().goal();
-  else if (const Mover* mover = mover_of(scene_->scenario(), part))
+  else if (const Mover* mover = mover_of("mover", scene_->scenario().movers(), part))
     at = mover->position(time());
+  else if (const Mover* person = mover_of("person", walking, part))
+    at = person->position(time());
   else if (std::sscanf(part.c_str(), "at %lf %lf", &at.x, &at.y) != 2)
     return std::nullopt;
   const Point p = view_on(layout).to_screen(at);
@@ -262,7 +270,7 @@ void ScenarioView::draw_scene(NVGcontext* ctx) {
   }
   nvgSave(ctx);
   draw::clip(ctx, canvas);
-  const LayerContext context{ctx, *scene_, view_, trajectories_, scan_pose(), time()};
+  const LayerContext context{ctx, *scene_, view_, trajectories_, people(), scan_pose(), time()};
   draw_background(context);
   draw_border(ctx);
   for (const auto& layer : layers_)

@@ -80,7 +80,8 @@ class ScenarioView : public Element {
   bool edit_key(int key);
   void move_pointer(double dx, double dy);
 
-  double time() const;  ///< s of a run, at which movers are shown
+  double time() const;    ///< s of a run, at which movers are shown
+  Movers people() const;  ///< of the scene, as they move
   std::optional<mrpt::math::TPose2D> scan_pose() const;
   std::optional<double> clearance_at_pointer() const;
   std::string status_text() const;

@@ -145,7 +145,8 @@ void draw_laser(const LayerContext& c, const LaserModel& laser, const Color& col
   const ScanGeometry geometry = {laser.rays, laser.aperture(), laser.max_range};
   std::vector<float> ranges(static_cast<std::size_t>(geometry.count));
   c.scene.ray_caster->cast_scan(pose, geometry, ranges.data());
-  MoverScan(c.scene.scenario().movers(), geometry).add_to(pose, c.time, ranges.data());
+  for (const Movers* movers : {&c.scene.scenario().movers(), &c.people})
+    MoverScan(*movers, geometry).add_to(pose, c.time, ranges.data());
   std::vector<TPoint2D> fan = {{pose.x, pose.y}}, hits;
   for (int i = 0; i < geometry.count; ++i) {
     const double angle = pose.phi + geometry.angle(i), range = ranges[static_cast<std::size_t>(i)];
@@ -188,7 +189,7 @@ void draw_run_robot(const LayerContext& c, const OverlayTrajectory& run) {
 }
 
 /// The obstacles: primitives, cells, or points on the cells that they occupy. If there are too many
-/// shapes to be drawn in time, only the cells that they occupy are drawn. And the movers.
+/// shapes to be drawn in time, only the cells that they occupy are drawn. And movers and people.
 SceneLayer make_obstacles_layer() {
   SceneLayer layer{"obstacles", "Obstacles", palette().obstacle, true};
   const auto visible = std::make_shared<VisibleShapes>();  // found by cells(), used by draw()
@@ -205,10 +206,18 @@ SceneLayer make_obstacles_layer() {
     if (!visible->too_many() || !c.scene.obstacles) visible->draw(c, color);
     for (const Mover& mover : c.scene.scenario().movers())
       shapes::mover(c.ctx, c.view, mover, c.time, palette().mover);
+    const People& people = c.scene.scenario().people();
+    for (std::size_t i = 0; i < people.size(); ++i)
+      shapes::person(c.ctx, c.view, people[i], c.people[i], c.time);
   };
   layer.note = [](const SceneData& scene) -> std::string {
-    const std::size_t count = scene.scenario().movers().size();
-    return count == 0 ? "" : count_text(count, "moving obstacle");
+    const std::size_t movers = scene.scenario().movers().size(),
+                      people = scene.scenario().people().size();
+    std::string text = movers == 0 ? "" : count_text(movers, "moving obstacle");
+    if (people > 0)
+      text += (text.empty() ? "" : ", ") + std::to_string(people) +
+              (people == 1 ? " person" : " people");
+    return text;
   };
   return layer;
 }

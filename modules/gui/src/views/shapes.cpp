@@ -108,10 +108,11 @@ void robot(NVGcontext* ctx, const ViewTransform& view, const Footprint& footprin
 namespace {
 
 /// Right of a point, over a light background.
-void label(NVGcontext* ctx, const TPoint2D& at, const std::string& text, bool bold) {
+void label(NVGcontext* ctx, const TPoint2D& at, const std::string& text, const Color& color,
+           bool bold) {
   constexpr double kHeight = 16, kWidth = 160;
-  draw::text(ctx, {at.x, at.y - 0.5 * kHeight, kWidth, kHeight}, text, palette().mover_path,
-             draw::kSmallTextSize, draw::Align::Left, bold);
+  draw::text(ctx, {at.x, at.y - 0.5 * kHeight, kWidth, kHeight}, text, color, draw::kSmallTextSize,
+             draw::Align::Left, bold);
 }
 
 void waypoint_times(NVGcontext* ctx, const ViewTransform& view, const Mover& mover) {
@@ -126,28 +127,49 @@ void waypoint_times(NVGcontext* ctx, const ViewTransform& view, const Mover& mov
     labeled.push_back(at);
     char text[48];
     std::snprintf(text, sizeof text, "%.3g s", waypoint.t);
-    label(ctx, {at.x + kBeside, at.y + 2 * kBeside}, text, false);
+    label(ctx, {at.x + kBeside, at.y + 2 * kBeside}, text, palette().mover_path, false);
   }
+}
+
+/// Its disc with its id, if it is present.
+void moving_disc(NVGcontext* ctx, const ViewTransform& view, const Mover& mover, double time,
+                 const Color& color, const Color& edge) {
+  constexpr double kMinPixels = 3;
+  if (!mover.present(time)) return;
+  const Disc disc{mover.position(time), mover.radius};
+  fill_disc(ctx, view, disc, faded(color, 0.85), kMinPixels);
+  circle(ctx, view, disc, edge, 1.5F, kMinPixels);
+  const TPoint2D center = view.to_screen(disc.center);
+  const double radius = std::max(kMinPixels, disc.radius * view.pixels_per_meter());
+  label(ctx, {center.x + radius + 3, center.y - 6}, mover.id, edge, true);
+}
+
+std::vector<TPoint2D> path_of(const Mover& mover) {
+  std::vector<TPoint2D> path;
+  for (const Waypoint& waypoint : mover.waypoints) path.push_back(waypoint.position);
+  return path;
 }
 
 }  // namespace
 
 void mover(NVGcontext* ctx, const ViewTransform& view, const Mover& mover, double time,
            const Color& color) {
-  std::vector<TPoint2D> path;
-  for (const Waypoint& waypoint : mover.waypoints) path.push_back(waypoint.position);
+  const std::vector<TPoint2D> path = path_of(mover);
   polyline(ctx, view, path, faded(palette().mover_path, 0.5), 1.5F);
-  constexpr double kMinPixels = 3;
-  const Disc disc{mover.position(time), mover.radius};
-  if (mover.present(time)) {
-    fill_disc(ctx, view, disc, faded(color, 0.85), kMinPixels);
-    circle(ctx, view, disc, palette().mover_path, 1.5F, kMinPixels);
-    const TPoint2D center = view.to_screen(disc.center);
-    const double radius = std::max(kMinPixels, disc.radius * view.pixels_per_meter());
-    label(ctx, {center.x + radius + 3, center.y - 6}, mover.id, true);
-  }
+  moving_disc(ctx, view, mover, time, color, palette().mover_path);
   dots(ctx, view, path, palette().mover_path, 4);
   waypoint_times(ctx, view, mover);
+}
+
+void person(NVGcontext* ctx, const ViewTransform& view, const Person& person, const Mover& record,
+            double time) {
+  std::vector<TPoint2D> route = {person.start};
+  route.insert(route.end(), person.route.begin(), person.route.end());
+  const Color& edge = palette().person_path;
+  polyline(ctx, view, record.waypoints.size() > 1 ? path_of(record) : route, faded(edge, 0.5),
+           1.5F);
+  moving_disc(ctx, view, record, time, palette().person, edge);
+  dots(ctx, view, route, edge, 4);
 }
 
 void goal(NVGcontext* ctx, const ViewTransform& view, const TPoint2D& at,

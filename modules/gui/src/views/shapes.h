@@ -6,6 +6,7 @@
 #include <slalom/robot/footprint.h>
 #include <slalom/scenario/geometry.h>
 #include <slalom/scenario/mover.h>
+#include <slalom/scenario/person.h>
 #include <slalom/studio/palette.h>
 
 #include <nanogui/nanogui.h>
@@ -35,6 +36,10 @@ void robot(NVGcontext* ctx, const ViewTransform& view, const Footprint& footprin
 /// read, and, if it is present at `time` (s of a run), its disc there with its id.
 void mover(NVGcontext* ctx, const ViewTransform& view, const Mover& mover, double time,
            const Color& color);
+/// The way of a person, its route unless `record` has more than its start; and its disc with its id
+/// if `record` has it at `time` (s of a run).
+void person(NVGcontext* ctx, const ViewTransform& view, const Person& person, const Mover& record,
+            double time);
 /// A circle with a cross, of `radius` (m).
 /// With a line in the direction of the heading, if there is one.
 void goal(NVGcontext* ctx, const ViewTransform& view, const mrpt::math::TPoint2D& at,

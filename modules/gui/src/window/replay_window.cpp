@@ -34,7 +34,10 @@ void ReplayWindow::load_series(const Scenario& scenario, const ReplayContent& co
       [this, scenario, content, autoplay](Progress&) -> Jobs::Delivery {
         const World world(scenario, content.scene.resolution);
         auto runs = content.runs;
-        for (OverlayRun& run : runs) fill_series(run, world, content.source.robot);
+        for (OverlayRun& run : runs) {
+          fill_series(run, world, content.source.robot);
+          fill_people(run, world, content.source);
+        }
         return [this, autoplay, source = content.source, runs = std::move(runs)] {
           studio().results().show_runs(source, runs);
           ReplayClock& clock = studio().results().overlay().clock();

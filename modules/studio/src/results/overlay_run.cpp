@@ -3,7 +3,7 @@
 #include <slalom/core/math.h>
 #include <slalom/io/result_file.h>
 #include <slalom/metrics/metric.h>
-#include <slalom/simulation/simulate.h>
+#include <slalom/simulation/evaluate_trajectory.h>
 #include <slalom/studio/results_overlay.h>
 
 #include <mrpt/math/wrap2pi.h>
@@ -14,14 +14,15 @@
 namespace slalom {
 namespace {
 
-/// Reads robot and resolution of the campaign. A file of another program may contain no .ini, or
-/// one that this version cannot read: then its runs are drawn without a robot.
+/// Reads robot, simulation and people of the campaign. A file of another program may contain no
+/// .ini, or one that this version cannot read: then its runs are drawn without a robot.
 void read_setup(const Manifest& manifest, OverlaySource& source) {
   const auto text = manifest.find("campaign.ini");
   if (text == manifest.end()) return;
   try {
     const IniFile ini = IniFile::from_text(text->second, source.path + ": campaign.ini");
-    source.resolution = read_options<SimulationOptions>(ini, "simulation").resolution;
+    source.simulation = read_options<SimulationOptions>(ini, "simulation");
+    source.people = read_options<PeopleSettings>(ini, "people");
     source.robot = read_robot_model(ini);
   } catch (const Error&) {
     source.robot.reset();
@@ -77,6 +78,18 @@ void fill_series(OverlayRun& run, const World& world, const std::optional<RobotM
   }
 }
 
+void fill_people(OverlayRun& run, const World& world, const OverlaySource& source) {
+  const Scenario& scenario = world.scenario();
+  run.people.clear();
+  if (scenario.people().empty() || !source.robot || !run.trajectory) return;
+  const Movers movers =
+      movers_along(world, *source.robot, source.simulation, *run.trajectory, source.people);
+  run.people.assign(movers.end() - static_cast<std::ptrdiff_t>(scenario.people().size()),
+                    movers.end());
+  for (Mover& person : run.people)
+    for (Waypoint& waypoint : person.waypoints) waypoint.t += run.trajectory->samples.front().t;
+}
+
 std::vector<OverlayRun> read_overlay_runs(const OverlaySource& source,
                                           const std::string& scenario_hash) {
   const ResultFile file = ResultFile::open(source.path);
@@ -84,8 +97,11 @@ std::vector<OverlayRun> read_overlay_runs(const OverlaySource& source,
   for (const RunRecord& record : file.read_runs(scenario_hash))
     runs.push_back(read_run(file, record));
   if (runs.empty()) return runs;
-  const World world(file.read_scenario(scenario_hash), source.resolution);
-  for (OverlayRun& run : runs) fill_series(run, world, source.robot);
+  const World world(file.read_scenario(scenario_hash), source.simulation.resolution);
+  for (OverlayRun& run : runs) {
+    fill_series(run, world, source.robot);
+    fill_people(run, world, source);
+  }
   return runs;
 }
 

@@ -126,6 +126,20 @@ double ResultsOverlay::scene_time() const {
   return clock_.time();
 }
 
+Movers ResultsOverlay::people_in(const Scenario& scenario) const {
+  const std::size_t count = scenario.people().size();
+  const auto has_people = [&](std::size_t run) {
+    return is_shown(run) && runs_[run].people.size() == count;
+  };
+  if (count > 0 && selected_ && has_people(*selected_)) return runs_[*selected_].people;
+  for (std::size_t run = 0; count > 0 && run < runs_.size(); ++run)
+    if (has_people(run)) return runs_[run].people;
+  Movers standing;
+  for (const Person& person : scenario.people())
+    standing.push_back({person.id, person.radius, {{person.begin, person.start}}});
+  return standing;
+}
+
 OverlayRow ResultsOverlay::make_row(std::size_t run, bool indented) const {
   const OverlayRun& source = runs_[run];
   OverlayRow row;

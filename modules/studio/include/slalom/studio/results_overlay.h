@@ -6,6 +6,7 @@
 #include <slalom/robot/footprint.h>
 #include <slalom/robot/robot_model.h>
 #include <slalom/scenario/world.h>
+#include <slalom/simulation/simulate.h>
 #include <slalom/studio/jobs.h>
 #include <slalom/studio/palette.h>
 #include <slalom/studio/studio_events.h>
@@ -57,7 +58,8 @@ struct OverlaySource {
   std::string campaign;              ///< name of the campaign
   std::vector<std::string> methods;  ///< sorted
   std::optional<RobotModel> robot;   ///< of the campaign, if the file contains it
-  double resolution = 0.05;          ///< m, cell size used by the campaign
+  SimulationOptions simulation;      ///< of the campaign, as far as the file contains it
+  PeopleSettings people;             ///< likewise
 };
 
 /// Reads the properties of a result file, not its runs. Throws Error (File). Thread-safe.
@@ -75,10 +77,16 @@ struct OverlayRun {
   std::vector<double> speeds;  ///< m/s, one per sample: v or, if vy != 0, the norm of (v, vy)
   /// End points of the scan (world frame, m), one per sample; empty if no scans are recorded.
   std::vector<std::shared_ptr<const Path>> scans;
+  /// The people of the scenario as they walked in this run, at the times of the samples; empty if
+  /// the robot or the trajectory is unknown.
+  Movers people;
 };
 
 /// Fills times, clearances and speeds from the trajectory.
 void fill_series(OverlayRun& run, const World& world, const std::optional<RobotModel>& robot);
+
+/// Recomputes how the people of the scenario walked in the run.
+void fill_people(OverlayRun& run, const World& world, const OverlaySource& source);
 
 /// The runs of one scenario by method and repetition, with their trajectories; may be empty.
 /// Reads the file and computes a distance field: call it in a worker. Throws Error (File).
@@ -153,6 +161,10 @@ class ResultsOverlay {
   bool replays_runs() const;  ///< whether a run with a trajectory is shown
   /// The time of the scenario (s of a run) at the clock.
   double scene_time() const;
+
+  /// The people of the scenario as they walk in the selected run or, if that is not shown, in the
+  /// first one that is; without runs each stands where it starts.
+  Movers people_in(const Scenario& scenario) const;
 
   ReplayClock& clock() { return clock_; }
   const ReplayClock& clock() const { return clock_; }
