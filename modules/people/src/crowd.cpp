@@ -19,6 +19,8 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
+constexpr int kRobotRank = -1;
+
 double gap_between(const CrowdDisc& a, const CrowdDisc& b) {
   return norm(b.position - a.position) - a.radius - b.radius;
 }
@@ -233,13 +235,17 @@ void Crowd::look_around(std::size_t i, bool apart, const std::optional<RobotDisc
       look_at({walkers_[j].disc, plans_[j].rank, 0.5, true, apart},
               std::min(settings_.sight, reach + walkers_[j].disc.radius));
   if (const CrowdDisc* const noticed = noticed_by(i, robot))
-    look_at({*noticed, -1, settings_.share, true, true},
+    look_at({*noticed, kRobotRank, settings_.share, true, true},
             std::min(settings_.sight, reach + noticed->radius));
   sort_by_place(around_, settings_.side);
 }
 
 TPoint2D Crowd::choose(std::size_t i, bool apart, const std::optional<RobotDisc>& robot) {
   look_around(i, apart, robot);
+  if (robot)
+    intents_[i].robot_in_reach =
+        std::any_of(around_.neighbors.begin(), around_.neighbors.end(),
+                    [](const Neighbor& one) { return one.rank == kRobotRank; });
   return settings_.model == PeopleModel::Orca ? orca_velocity(around_, settings_)
                                               : speed_velocity(around_, settings_);
 }
@@ -263,17 +269,47 @@ bool Crowd::would_touch(std::size_t i) const {
 
 /// People who would touch another one decide again, until nobody would. The set only grows: there
 /// are at most as many rounds as people, and their order does not matter.
-void Crowd::keep_apart(const std::optional<RobotDisc>& robot) {
+std::vector<bool> Crowd::keep_apart(const std::optional<RobotDisc>& robot) {
   std::vector<bool> again(walkers_.size());
+  if (!settings_.keep_apart) return again;
   for (std::vector<std::size_t> more;; more.clear()) {
     for (std::size_t i = 0; i < walkers_.size(); ++i)
       if (walkers_[i].is_present && !again[i] && would_touch(i)) more.push_back(i);
-    if (more.empty()) return;
+    if (more.empty()) return again;
     for (const std::size_t i : more) {
       again[i] = true;
       walkers_[i].chosen = choose(i, true, robot);
     }
   }
+}
+
+/// Among the others as they decided with it.
+TPoint2D Crowd::choose_without_robot(std::size_t i, bool apart) {
+  Walker& walker = walkers_[i];
+  const TPoint2D wanted = walker.wanted, chosen = walker.chosen;
+  walker.wanted = wanted_velocity(i, {});
+  walker.chosen = choose(i, apart, {});
+  if (settings_.keep_apart && !apart && would_touch(i)) walker.chosen = choose(i, true, {});
+  const TPoint2D without = walker.chosen;
+  walker.wanted = wanted;
+  walker.chosen = chosen;
+  return without;
+}
+
+/// Who has arrived is not hindered. The robot is in reach also if it only holds the person up.
+void Crowd::add_hindrance(std::size_t i, bool apart, const std::optional<RobotDisc>& robot) {
+  if (noticed_by(i, robot) == nullptr) return;
+  Walker& walker = walkers_[i];
+  Hindrance& hindrance = walker.hindrance;
+  hindrance.is_noticed = true;
+  const bool in_reach = intents_[i].robot_in_reach || (is_held_up(i, robot) && !is_held_up(i, {}));
+  const TPoint2D way = intents_[i].target - walker.disc.position;
+  const double length = norm(way);
+  if (!in_reach || length <= 0) return;
+  const TPoint2D change = choose_without_robot(i, apart) - walker.chosen;
+  ++hindrance.updates;
+  hindrance.time += dot(change, way) / length * settings_.period / people_[i].speed;
+  hindrance.speed_change += norm(change);
 }
 
 void Crowd::decide(const std::optional<RobotDisc>& robot) {
@@ -291,7 +327,9 @@ void Crowd::decide(const std::optional<RobotDisc>& robot) {
     if (walkers_[i].is_present) walkers_[i].wanted = wanted_velocity(i, robot);
   for (std::size_t i = 0; i < walkers_.size(); ++i)
     if (walkers_[i].is_present) walkers_[i].chosen = choose(i, false, robot);
-  if (settings_.keep_apart) keep_apart(robot);
+  const std::vector<bool> apart = keep_apart(robot);
+  for (std::size_t i = 0; i < walkers_.size(); ++i)
+    if (walkers_[i].is_present) add_hindrance(i, apart[i], robot);
 }
 
 void Crowd::move() {

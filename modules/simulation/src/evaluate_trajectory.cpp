@@ -67,7 +67,10 @@ class LogEvaluator {
  public:
   LogEvaluator(const World& world, const RobotModel& robot, const SimulationOptions& options,
                const Trajectory& log, const PeopleSettings& people)
-      : scenario_(world.scenario()),
+      : world_(world),
+        robot_(robot),
+        people_(people),
+        scenario_(world.scenario()),
         options_(options),
         movers_(run_movers_along(world, robot, options_, log, people)),
         checker_(world, movers_, robot, options_),
@@ -94,6 +97,8 @@ class LogEvaluator {
     }
     if (!finished_) end(Outcome::Timeout, "the log ends " + remaining() + " before the goal");
     result_.movers = movers_.take();
+    if (!scenario_.people().empty())
+      movers_along(world_, robot_, options_, result_.trajectory, people_, &result_.hindrances);
     return std::move(result_);
   }
 
@@ -181,6 +186,9 @@ class LogEvaluator {
     return distance + " and " + format_fixed(std::abs(wrapToPi(pose.phi - *heading)), 2) + " rad";
   }
 
+  const World& world_;
+  const RobotModel& robot_;
+  const PeopleSettings& people_;
   const Scenario& scenario_;
   SimulationOptions options_;
   RunMovers movers_;
@@ -200,8 +208,10 @@ SimulationResult evaluate_trajectory(const World& world, const RobotModel& robot
 }
 
 Movers movers_along(const World& world, const RobotModel& robot, const SimulationOptions& options,
-                    const Trajectory& log, const PeopleSettings& people) {
-  return run_movers_along(world, robot, options, log, people).take();
+                    const Trajectory& log, const PeopleSettings& people, Hindrances* hindrances) {
+  RunMovers movers = run_movers_along(world, robot, options, log, people);
+  if (hindrances != nullptr) *hindrances = movers.hindrances();
+  return movers.take();
 }
 
 }  // namespace slalom

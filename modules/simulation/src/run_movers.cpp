@@ -26,6 +26,13 @@ RunMovers::RunMovers(const World& world, const Footprint& footprint, const Peopl
       std::find(robot_.noticed.begin(), robot_.noticed.end(), true) != robot_.noticed.end();
 }
 
+Hindrances RunMovers::hindrances() const {
+  Hindrances hindrances;
+  if (crowd_)
+    for (const Walker& walker : crowd_->walkers()) hindrances.push_back(walker.hindrance);
+  return hindrances;
+}
+
 double RunMovers::max_speed() const {
   double fastest = 0;
   for (const Person& person : scenario_.people())

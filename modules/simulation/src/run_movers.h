@@ -28,6 +28,7 @@ class RunMovers {
   /// Always at the same place; people have waypoints up to the next update.
   const Movers& movers() const { return record_.movers(); }
   Movers take() { return record_.take(); }
+  Hindrances hindrances() const;  ///< of the people, up to the last update
   /// m/s, of people.
   double max_speed() const;
 

@@ -64,6 +64,7 @@ class Run {
       begin();
     while (!finished_) cycle();
     update_people();  // a run that ended at an update as any other
+    result_.hindrances = movers_.hindrances();
     result_.movers = movers_.take();
     if (started_) notify_method();
     if (observer_ != nullptr) observer_->on_end(result_);

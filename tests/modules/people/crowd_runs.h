@@ -112,6 +112,12 @@ inline People random_people(RandomEngine& random, const World& world, int count,
   return people;
 }
 
+inline PeopleSettings settings_of(PeopleModel model) {
+  PeopleSettings settings;
+  settings.model = model;
+  return settings;
+}
+
 constexpr PeopleModel kModels[] = {PeopleModel::Speed, PeopleModel::Orca};
 
 }  // namespace slalom::testing

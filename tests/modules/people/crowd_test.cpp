@@ -13,12 +13,6 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-PeopleSettings settings_of(PeopleModel model) {
-  PeopleSettings settings;
-  settings.model = model;
-  return settings;
-}
-
 /// RiMEA 4.1.1, test 1: 40 m at 1.33 m/s in 26 to 34 s. With a period of 0.1 s the 40 m up to the
 /// tolerance take 30.075 s, rounded up.
 TEST(Crowd, WalksAlongACorridorInTheTimeOfRimea1) {

@@ -72,6 +72,7 @@ TEST(People, WhoDoNotNoticeTheRobotWalkAsIfThereWereNone) {
       const SimulationResult result = simulate(world, setup, seed, random);
       ASSERT_EQ(result.movers.size(), alone.size() + 1);
       EXPECT_EQ(result.movers[0], world.scenario().movers()[0]);
+      EXPECT_EQ(result.hindrances, Hindrances(alone.size()));
       EXPECT_NO_THROW(check_movers("run", result.movers));
       for (std::size_t i = 0; i < alone.size(); ++i)
         EXPECT_TRUE(same_motion(result.movers[i + 1], alone[i], result.trajectory.duration()));
@@ -168,15 +169,39 @@ TEST(People, WaitUntilARobotThatTheyNoticeHasLeftTheirPlace) {
 TEST(People, WalkAgainAsTheyDidAlongARecordedTrajectory) {
   const World world(busy_room(), 0.05);
   int collisions = 0;
+  double hindrance = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const RunSetup setup = setup_of(0.5, seed % 2 == 0 ? PeopleModel::Speed : PeopleModel::Orca);
     RandomMethod random(setup.robot);
     const SimulationResult result = simulate(world, setup, seed, random);
-    EXPECT_EQ(movers_along(world, setup.robot, setup.simulation, result.trajectory, setup.people),
+    Hindrances hindrances;
+    EXPECT_EQ(movers_along(world, setup.robot, setup.simulation, result.trajectory, setup.people,
+                           &hindrances),
               result.movers);
+    EXPECT_EQ(hindrances, result.hindrances);
+    for (const Hindrance& one : hindrances) hindrance += one.time;
     collisions += result.outcome == Outcome::Collision ? 1 : 0;
   }
   EXPECT_GT(collisions, 3);
+  EXPECT_GT(hindrance, 1);
+}
+
+TEST(People, AreNotHinderedByWhatARecordedTrajectoryDoesAfterTheRun) {
+  const World world(with_people({passer_by()}), 0.05);
+  const RunSetup setup = setup_of(1);
+  FunctionMethod towards = constant_method(0.5, 0);
+  const SimulationResult original = simulate(world, setup, 1, towards);
+  ASSERT_EQ(original.outcome, Outcome::Collision) << "with the wall";
+  EXPECT_GT(original.hindrances.at(0).time, 0);
+  Trajectory log = original.trajectory;
+  for (int k = 1; k <= 100; ++k) {
+    Sample after = original.trajectory.samples.back();
+    after.t += k;
+    after.pose = {3, 5, 0};
+    log.samples.push_back(after);
+  }
+  EXPECT_EQ(evaluate_trajectory(world, setup.robot, setup.simulation, log, setup.people).hindrances,
+            original.hindrances);
 }
 
 TEST(People, EndARecordedTrajectoryWhereTheyEndedTheRun) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/people/hindrance.h>
 #include <slalom/people/route_field.h>
 #include <slalom/people/surroundings.h>
 #include <slalom/people/wall_runs.h>
@@ -30,6 +31,7 @@ struct Walker {
   std::optional<double> arrival;        ///< s, the first one at its goal
   std::optional<double> departure;      ///< s, when it vanished
   mrpt::math::TPoint2D wanted, chosen;  ///< m/s, at this update
+  Hindrance hindrance;                  ///< up to this update, each counted for its whole period
 };
 
 /// People who react to each other, to walls and to those parts of a robot's motion that they
@@ -61,6 +63,7 @@ class Crowd {
   /// The motion of a person who is alone.
   struct Intent {
     mrpt::math::TPoint2D target, velocity;  ///< m, m/s
+    bool robot_in_reach = false;            ///< it has a part in what the person chooses
   };
   void plan_routes();
   bool is_free(std::size_t i, const std::optional<RobotDisc>& robot) const;
@@ -74,7 +77,10 @@ class Crowd {
   void look_at(Neighbor neighbor, double sight);
   mrpt::math::TPoint2D choose(std::size_t i, bool apart, const std::optional<RobotDisc>& robot);
   bool would_touch(std::size_t i) const;
-  void keep_apart(const std::optional<RobotDisc>& robot);
+  /// Who decided again.
+  std::vector<bool> keep_apart(const std::optional<RobotDisc>& robot);
+  mrpt::math::TPoint2D choose_without_robot(std::size_t i, bool apart);
+  void add_hindrance(std::size_t i, bool apart, const std::optional<RobotDisc>& robot);
 
   const World& world_;
   People people_;

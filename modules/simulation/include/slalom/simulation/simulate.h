@@ -4,6 +4,7 @@
 #include <slalom/core/options.h>
 #include <slalom/core/wall_clock.h>
 #include <slalom/methods/method.h>
+#include <slalom/people/hindrance.h>
 #include <slalom/people/people_settings.h>
 #include <slalom/robot/robot_model.h>
 #include <slalom/scenario/world.h>
@@ -81,6 +82,7 @@ struct SimulationResult {
   std::map<std::string, double> figures;  ///< Method::run_figures(); not deterministic
   /// All that moved but the robot: the movers of the scenario, then its people.
   Movers movers;
+  Hindrances hindrances;  ///< of the people, by the updates up to the end of the run
 };
 
 class Crowd;
