@@ -101,9 +101,10 @@ void evaluate(const Arguments& arguments) {
   std::optional<StoppingRule> rule;
   if (!arguments.until.empty()) {
     CampaignOptions possible = config.options;
-    // Quantities as if the scenarios, which are not known yet, had movers and headings of their
-    // goals.
+    // Quantities as if the scenarios, which are not known yet, had movers, people and headings of
+    // their goals.
     possible.add_mover_quantities();
+    possible.add_people_metrics();
     possible.add_goal_heading_metrics();
     rule = read_rule(possible);
   }

@@ -26,9 +26,11 @@ RunRecord recompute_metrics(const RecordedRun& run, const std::string& path,
   const World world(scenario_of(run, path), options.simulation.resolution);
   RunRecord record = record_of(run);
   record.trajectory_hash = run.trajectory.hash();
-  record.metrics = measure_run(
-      options, world, find_references(options, planner.get(), world), run.trajectory, run.outcome,
-      movers_along(world, options.robot, options.simulation, run.trajectory, options.people));
+  Hindrances hindrances;
+  const Movers movers = movers_along(world, options.robot, options.simulation, run.trajectory,
+                                     options.people, &hindrances);
+  record.metrics = measure_run(options, world, find_references(options, planner.get(), world),
+                               run.trajectory, run.outcome, movers, hindrances);
   return record;
 }
 

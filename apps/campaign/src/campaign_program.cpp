@@ -67,13 +67,14 @@ bool have_common(const std::vector<std::string>& a, const std::vector<std::strin
 }
 
 /// Checks the ids of [analysis], so that errors are reported before any run. If they are about
-/// movers or headings, "all" includes those even if there is none: the tables then say why there is
-/// no value.
+/// movers, people or headings, "all" includes those even if there is none: the tables then say why
+/// there is no value.
 void check_analysis(const IniFile& ini, const AnalysisSection& section, CampaignOptions& options) {
   const std::vector<std::string> columns = split(section.columns, ','),
                                  rows = row_descriptors(ini, section);
   if (have_common(columns, mover_metric_ids()) || have_common(rows, mover_descriptor_ids()))
     options.add_mover_quantities();
+  if (have_common(columns, people_metric_ids())) options.add_people_metrics();
   if (have_common(columns, goal_heading_metric_ids())) options.add_goal_heading_metrics();
   std::vector<std::string> known = options.metrics;
   // Success is derived from the outcome if it is not among the metrics.

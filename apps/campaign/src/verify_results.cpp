@@ -124,13 +124,15 @@ std::vector<std::string> environment_differences(const Manifest& recorded, const
   return differences;
 }
 
-/// Adds the quantities about movers and headings that were computed: a sample may contain none.
+/// Adds the quantities about movers, people and headings that were computed: a sample may contain
+/// none.
 void add_measured(Manifest& manifest, const std::string& path, CampaignOptions& options) {
   const CampaignOptions measured =
       read_measuring_options(IniFile::from_text(manifest[kEffectiveKey], path));
   if (contains(measured.metrics, mover_metric_ids()[0]) ||
       contains(measured.descriptors, mover_descriptor_ids()[0]))
     options.add_mover_quantities();
+  if (contains(measured.metrics, people_metric_ids()[0])) options.add_people_metrics();
   if (contains(measured.metrics, goal_heading_metric_ids()[0])) options.add_goal_heading_metrics();
 }
 

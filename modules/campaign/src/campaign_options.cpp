@@ -49,6 +49,8 @@ std::vector<std::string> expand_groups(const std::vector<std::string>& words,
 /// Replaces the groups among the ids of both kinds of quantities.
 void resolve_groups(CampaignOptions& options, const OptionLocation& where) {
   options.all_metrics = options.all_metrics || contains(options.metrics, "all");
+  options.people_metrics =
+      options.people_metrics || options.all_metrics || contains(options.metrics, "movers");
   options.all_descriptors = options.all_descriptors || contains(options.descriptors, "all");
   options.metrics = expand_groups(options.metrics, all_metric_ids(), mover_metric_ids(),
                                   metric_ids(), where("enabled"));
@@ -141,8 +143,8 @@ void CampaignSection::visit(OptionVisitor& v) {
 void MetricsSection::visit(OptionVisitor& v) {
   v.option("enabled", enabled,
            "metrics to compute: ids, comma-separated; all: those about moving obstacles only if a "
-           "scenario has "
-           "some; movers: those about moving obstacles");
+           "scenario has some; movers: those about moving obstacles; both contain those about "
+           "people only if a scenario has some");
   v.option("descriptors", descriptors, "scenario descriptors: likewise");
   v.option("exact_confinement", exact_confinement,
            "confinement over all free cells instead of a sample; seconds per scenario");
@@ -174,7 +176,8 @@ void RecordSection::visit(OptionVisitor& v) {
 }
 
 std::vector<std::string> all_metric_ids() {
-  return without(without(metric_ids(), mover_metric_ids()), goal_heading_metric_ids());
+  return without(without(without(metric_ids(), mover_metric_ids()), people_metric_ids()),
+                 goal_heading_metric_ids());
 }
 
 std::vector<std::string> all_descriptor_ids() {
@@ -190,12 +193,17 @@ void CampaignOptions::adapt_to(const std::vector<Scenario>& scenarios) {
     add_mover_quantities();
   if (any([](const Scenario& one) { return one.goal_heading().has_value(); }))
     add_goal_heading_metrics();
-  if (has_people)
-    check_period(people, simulation, [](const std::string& key) { return "[people] " + key; });
+  if (!has_people) return;
+  add_people_metrics();
+  check_period(people, simulation, [](const std::string& key) { return "[people] " + key; });
 }
 
 void CampaignOptions::add_goal_heading_metrics() {
   if (all_metrics) append(metrics, goal_heading_metric_ids());
+}
+
+void CampaignOptions::add_people_metrics() {
+  if (people_metrics) append(metrics, people_metric_ids());
 }
 
 void CampaignOptions::add_mover_quantities() {

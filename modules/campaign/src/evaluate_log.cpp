@@ -50,13 +50,14 @@ EvaluatedLog evaluate_log(const CampaignOptions& options, const ReferencePlanner
     run.outcome = *outcome;
     run.detail = "as given";
     run.trajectory = log;
-    run.movers = movers_along(world, options.robot, options.simulation, log, options.people);
+    run.movers = movers_along(world, options.robot, options.simulation, log, options.people,
+                              &run.hindrances);
   } else {
     run = evaluate_trajectory(world, options.robot, options.simulation, log, options.people);
   }
   evaluated.notes = position_notes(world, options, log, run);
   evaluated.metrics = measure_run(options, world, find_references(options, planner, world),
-                                  run.trajectory, run.outcome, run.movers);
+                                  run.trajectory, run.outcome, run.movers, run.hindrances);
   return evaluated;
 }
 

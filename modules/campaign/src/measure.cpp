@@ -46,8 +46,10 @@ std::string bound_violation(const CampaignOptions& options, const World& world,
 std::map<std::string, VersionedValue> measure_run(const CampaignOptions& options,
                                                   const World& world, const References& references,
                                                   const Trajectory& trajectory, Outcome outcome,
-                                                  const Movers& movers) {
-  const MetricContext context = context_of(options, world, references, trajectory, outcome, movers);
+                                                  const Movers& movers,
+                                                  const Hindrances& hindrances) {
+  MetricContext context = context_of(options, world, references, trajectory, outcome, movers);
+  context.hindrances = hindrances;
   std::map<std::string, VersionedValue> values;
   for (const std::string& id : options.metrics) {
     const Metric& enabled = metric(id);

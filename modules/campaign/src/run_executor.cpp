@@ -229,7 +229,7 @@ RunFindings RunExecutor::evaluate(const RunSpec& spec, const SimulationResult& r
   record.outcome_detail = result.detail;
   record.trajectory_hash = result.trajectory.hash();
   record.metrics = measure_run(campaign_.options, world(spec.scenario), references_[spec.scenario],
-                               result.trajectory, result.outcome, result.movers);
+                               result.trajectory, result.outcome, result.movers, result.hindrances);
   if (campaign_.options.record.trajectories != StoredTrajectories::None)
     findings.trajectory = result.trajectory;
   return findings;

@@ -15,8 +15,8 @@
 namespace slalom {
 namespace {
 
-/// Metrics that say whether, where or when a run ended, as all those about movers: they differ
-/// between failures and successes by definition.
+/// Metrics that say whether, where or when a run ended, as all those about movers and people: they
+/// differ between failures and successes by definition.
 constexpr std::array kOutcomeMetrics = {
     "success",       "spl",          "soft_spl",     "barn_score_v2",    "par2_time",
     "path_length",   "progress",     "impact_speed", "final_distance",   "closest_distance",
@@ -25,7 +25,8 @@ constexpr std::array kOutcomeMetrics = {
 bool follows_from_outcome(const ValueColumn& metric) {
   for (const char* id : kOutcomeMetrics)
     if (metric.info().id == id) return true;
-  return metric.wall_clock || contains(mover_metric_ids(), metric.info().id);
+  return metric.wall_clock || contains(mover_metric_ids(), metric.info().id) ||
+         contains(people_metric_ids(), metric.info().id);
 }
 
 /// The runs of the tested method by scenario.

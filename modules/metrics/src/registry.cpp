@@ -70,6 +70,13 @@
   METRIC(frozen_time, 1, "Time frozen", "s", Down, Amount, at_least(0))                            \
   METRIC(arrival_ratio, 1, "Arrival ratio", "-", Down, Ratio, at_least(1))
 
+/// Metrics about people.
+#define SLALOM_PEOPLE_METRICS(METRIC)                                                        \
+  METRIC(people_hindrance, 1, "Hindrance of people", "s", Down, Amount, any())               \
+  METRIC(people_hindered, 1, "Hindered people", "-", Down, Ratio, between(0, 1))             \
+  METRIC(people_speed_change, 1, "Speed change of people", "m/s", Down, Amount, at_least(0)) \
+  METRIC(contact_blame, 1, "Blame for the contact with a person", "-", Down, Rate, between(0, 1))
+
 namespace slalom {
 namespace metrics {
 
@@ -77,6 +84,7 @@ namespace metrics {
 SLALOM_METRICS(SLALOM_DECLARE)
 SLALOM_GOAL_HEADING_METRICS(SLALOM_DECLARE)
 SLALOM_MOVER_METRICS(SLALOM_DECLARE)
+SLALOM_PEOPLE_METRICS(SLALOM_DECLARE)
 #undef SLALOM_DECLARE
 
 }  // namespace metrics
@@ -84,8 +92,9 @@ SLALOM_MOVER_METRICS(SLALOM_DECLARE)
 const std::vector<Metric>& all_metrics() {
 #define SLALOM_ENTRY(id, version, name, unit, direction, kind, range) \
   {{#id, version, name, unit, Direction::direction, QuantityKind::kind, Range::range}, metrics::id},
-  static const std::vector<Metric> table = {SLALOM_METRICS(
-      SLALOM_ENTRY) SLALOM_GOAL_HEADING_METRICS(SLALOM_ENTRY) SLALOM_MOVER_METRICS(SLALOM_ENTRY)};
+  static const std::vector<Metric> table = {
+      SLALOM_METRICS(SLALOM_ENTRY) SLALOM_GOAL_HEADING_METRICS(SLALOM_ENTRY)
+          SLALOM_MOVER_METRICS(SLALOM_ENTRY) SLALOM_PEOPLE_METRICS(SLALOM_ENTRY)};
 #undef SLALOM_ENTRY
   return table;
 }
@@ -93,6 +102,13 @@ const std::vector<Metric>& all_metrics() {
 const std::vector<std::string>& mover_metric_ids() {
 #define SLALOM_ID(id, ...) #id,
   static const std::vector<std::string> ids = {SLALOM_MOVER_METRICS(SLALOM_ID)};
+#undef SLALOM_ID
+  return ids;
+}
+
+const std::vector<std::string>& people_metric_ids() {
+#define SLALOM_ID(id, ...) #id,
+  static const std::vector<std::string> ids = {SLALOM_PEOPLE_METRICS(SLALOM_ID)};
 #undef SLALOM_ID
   return ids;
 }

@@ -60,7 +60,9 @@ TEST(CampaignOptions, ComputesMetricsAboutMoversOnlyWhenTheyAreNamed) {
   const std::vector<std::string> all = enabled("all"), movers = enabled("movers");
   EXPECT_EQ(movers, mover_metric_ids());
   EXPECT_EQ(all, all_metric_ids());
-  EXPECT_EQ(all.size() + movers.size() + goal_heading_metric_ids().size(), all_metrics().size());
+  EXPECT_EQ(
+      all.size() + movers.size() + people_metric_ids().size() + goal_heading_metric_ids().size(),
+      all_metrics().size());
   for (const std::string& id : movers) EXPECT_FALSE(contains(all, id)) << id;
   std::vector<std::string> both = all;
   both.insert(both.end(), movers.begin(), movers.end());
@@ -88,14 +90,21 @@ TEST(CampaignOptions, AllIncludesQuantitiesAboutMoversIfAScenarioHasSome) {
   EXPECT_EQ(with_movers.metrics, expected);
   EXPECT_EQ(with_movers.descriptors, descriptor_ids());
   const Scenario walked = still.with_people({{"anna", 0.25, 1.3, {2, 3}, {{4, 1}}}});
-  EXPECT_EQ(adapted("", {still, walked}).metrics, expected);
+  std::vector<std::string> with_people = expected;
+  with_people.insert(with_people.end(), people_metric_ids().begin(), people_metric_ids().end());
+  EXPECT_EQ(adapted("", {still, walked}).metrics, with_people);
+  with_people.erase(with_people.begin(),
+                    with_people.begin() + static_cast<std::ptrdiff_t>(all_metric_ids().size()));
+  EXPECT_EQ(adapted("enabled = movers\n", {walked}).metrics, with_people);
+  EXPECT_EQ(adapted("enabled = movers\n", {moving}).metrics, mover_metric_ids());
+  EXPECT_EQ(adapted("enabled = success\n", {walked}).metrics, std::vector<std::string>{"success"});
   const Scenario headed = still.with_goal_heading(1);
   expected = all_metric_ids();
   expected.insert(expected.end(), goal_heading_metric_ids().begin(),
                   goal_heading_metric_ids().end());
   EXPECT_EQ(adapted("", {still, headed}).metrics, expected);
   EXPECT_EQ(adapted("", {headed}).descriptors, all_descriptor_ids());
-  EXPECT_EQ(adapted("", {headed, moving}).metrics.size(), metric_ids().size());
+  EXPECT_EQ(adapted("", {headed, walked}).metrics.size(), metric_ids().size());
   const CampaignOptions named =
       adapted("enabled = success\ndescriptors = density, movers\n", {moving});
   EXPECT_EQ(named.metrics, std::vector<std::string>{"success"});

@@ -671,6 +671,29 @@ TEST_F(CampaignTest, PeopleAreMetByEveryMethodAlike) {
   }
 }
 
+TEST_F(CampaignTest, PeopleAreHinderedIfTheyNoticeTheRobot) {
+  const auto run_with = [this](const std::string& notices) {
+    IniFile ini = ini_for({"good"});
+    ini.set("people", "notices", notices, "test");
+    Campaign campaign{read_campaign_options(ini),
+                      {room_with({"anna", 0.3, 1.25, {8, 5}, {{2, 5}}})},
+                      read_methods(ini, registry_)};
+    campaign.options.adapt_to(campaign.scenarios);
+    const auto progress = make_silent_progress();
+    RecordingSink sink;
+    run_campaign(campaign, sink, {1, *progress, nullptr});
+    return sink.runs.at(0);
+  };
+  const RunRecord seen = run_with("1"), unseen = run_with("0");
+  EXPECT_GT(seen.metrics.at("people_hindrance").value.number(), 0);
+  EXPECT_GT(seen.metrics.at("people_speed_change").value.number(), 0);
+  EXPECT_EQ(unseen.metrics.at("people_hindrance").value, Value::of(0));
+  EXPECT_EQ(unseen.metrics.at("people_hindered").value, Value::of(0));
+  EXPECT_EQ(unseen.metrics.at("people_speed_change").value.reason(),
+            "nobody who notices the robot had it in reach");
+  EXPECT_EQ(unseen.metrics.at("contact_blame").value, Value::of(0));
+}
+
 TEST_F(CampaignTest, APersonWhoStaysAtTheGoalIsNoProofThatItCannotBeReached) {
   // A mover there is one, see above.
   const IniFile ini = ini_for({"good"});

@@ -29,7 +29,7 @@ TEST(MeasureRun, ComputesTheEnabledMetricsWithTheCampaignOptions) {
   options.metrics = {"risk_time_ratio", "par2_time"};
   const auto measured = [&] {
     return measure_run(options, room, find_references(options, nullptr, room),
-                       trajectory_along_wall(), Outcome::Timeout, {});
+                       trajectory_along_wall(), Outcome::Timeout, {}, {});
   };
   EXPECT_EQ(measured().size(), 2U);
   EXPECT_EQ(measured().at("risk_time_ratio").value, Value::of(0));

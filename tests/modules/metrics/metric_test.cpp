@@ -5,6 +5,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/random.h>
 #include <slalom/core/text.h>
+#include <slalom/metrics/mover_metrics.h>
 
 #include <gtest/gtest.h>
 
@@ -224,9 +225,10 @@ TEST(Metrics, OfRandomRunsAreInTheRangesThatTheirRowsState) {
       }
     }
   }
-  // There is no earliest arrival, and the goal has no heading.
+  // There are neither people nor an earliest arrival, and the goal has no heading.
   for (const std::string& id : metric_ids())
-    EXPECT_TRUE(numbers[id] > 0 || id == "arrival_ratio" || id == "goal_heading_error")
+    EXPECT_TRUE(numbers[id] > 0 || id == "arrival_ratio" || id == "goal_heading_error" ||
+                contains(people_metric_ids(), id))
         << id << " was never computed";
 }
 
@@ -241,12 +243,13 @@ TEST(Metrics, HaveTheKindThatTheirUnitSays) {
   }
 }
 
-TEST(Metrics, WithoutRangeAreClearancesAndALogarithm) {
+TEST(Metrics, WithoutRangeAreClearancesHindranceAndALogarithm) {
   std::set<std::string> unbounded;
   for (const Metric& metric : all_metrics())
     if (range_notation(metric.info.range) == "..") unbounded.insert(metric.info.id);
-  EXPECT_EQ(unbounded, (std::set<std::string>{"log_dimensionless_jerk", "mean_clearance",
-                                              "min_clearance", "min_mover_clearance"}));
+  EXPECT_EQ(unbounded,
+            (std::set<std::string>{"log_dimensionless_jerk", "mean_clearance", "min_clearance",
+                                   "min_mover_clearance", "people_hindrance"}));
 }
 
 }  // namespace

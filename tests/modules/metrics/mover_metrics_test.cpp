@@ -41,8 +41,9 @@ TEST(MoverMetrics, AreNaWithoutMovers) {
     EXPECT_EQ(run.reason(id), "no moving obstacles") << id;
 }
 
-TEST(MoverMetrics, AreTheLastOfTheTable) {
-  const std::vector<std::string>& ids = mover_metric_ids();
+TEST(MoverMetrics, AreTheLastOfTheTableWithThoseAboutPeople) {
+  std::vector<std::string> ids = mover_metric_ids();
+  ids.insert(ids.end(), people_metric_ids().begin(), people_metric_ids().end());
   ASSERT_LT(ids.size(), all_metrics().size());
   for (std::size_t i = 0; i < ids.size(); ++i)
     EXPECT_EQ(ids[i], all_metrics()[all_metrics().size() - ids.size() + i].info.id);

@@ -73,8 +73,8 @@ struct RecordSection {
   void visit(OptionVisitor& v);
 };
 
-/// The ids behind "all" in static scenarios: without mover_metric_ids(), goal_heading_metric_ids()
-/// and mover_descriptor_ids().
+/// The ids behind "all" in static scenarios: without mover_metric_ids(), people_metric_ids(),
+/// goal_heading_metric_ids() and mover_descriptor_ids().
 std::vector<std::string> all_metric_ids();
 std::vector<std::string> all_descriptor_ids();
 
@@ -87,6 +87,7 @@ struct CampaignOptions : RunSetup {
   std::vector<std::string> metrics = all_metric_ids();
   std::vector<std::string> descriptors = all_descriptor_ids();
   bool all_metrics = false, all_descriptors = false;  ///< requested as "all", see adapt_to()
+  bool people_metrics = false;                        ///< requested as "all" or "movers"
   bool exact_confinement = false;
   double safe_distance = kSafeDistance;  ///< m
   LimitsSection limits;
@@ -94,9 +95,11 @@ struct CampaignOptions : RunSetup {
   double reference_gap = 0.01;
 
   /// If any scenario has movers, people or a heading of its goal, "all" includes the quantities
-  /// about them. Throws Error (Usage) if there are people and check_period() refuses theirs.
+  /// about them; "movers" those about people likewise. Throws Error (Usage) if there are people and
+  /// check_period() refuses theirs.
   void adapt_to(const std::vector<Scenario>& scenarios);
   void add_mover_quantities();
+  void add_people_metrics();
   void add_goal_heading_metrics();
 
   /// The quantities with the ids in `metrics` and in `descriptors`, in the same order.

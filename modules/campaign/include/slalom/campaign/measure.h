@@ -19,11 +19,13 @@ namespace slalom {
 References find_references(const CampaignOptions& options, const ReferencePlanner* planner,
                            const World& world);
 
-/// The values of the enabled metrics of a run, by id. `movers` as in SimulationResult.
+/// The values of the enabled metrics of a run, by id. `movers` and `hindrances` as in
+/// SimulationResult.
 std::map<std::string, VersionedValue> measure_run(const CampaignOptions& options,
                                                   const World& world, const References& references,
                                                   const Trajectory& trajectory, Outcome outcome,
-                                                  const Movers& movers);
+                                                  const Movers& movers,
+                                                  const Hindrances& hindrances);
 
 /// bound_violation() of a run.
 std::string bound_violation(const CampaignOptions& options, const World& world,

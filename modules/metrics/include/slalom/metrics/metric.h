@@ -2,6 +2,7 @@
 #pragma once
 
 #include <slalom/core/value.h>
+#include <slalom/people/hindrance.h>
 #include <slalom/references/reference.h>
 #include <slalom/robot/robot_model.h>
 #include <slalom/scenario/world.h>
@@ -29,6 +30,7 @@ struct MetricContext {
   double safe_distance = kSafeDistance;  ///< m, a clearance below it counts as risk
   /// Clearance of the footprint at each sample (m), computed from the scenario's geometry.
   std::vector<double> clearances;
+  Hindrances hindrances = {};  ///< of the people; empty: the scenario has none
 };
 
 /// Clearance (m) of the footprint at a pose: \f$d(p) - r\f$ for a disc of radius r, with the
