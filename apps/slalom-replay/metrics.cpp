@@ -4,12 +4,14 @@
 #include <slalom/app/recorded_campaign.h>
 #include <slalom/campaign/measure.h>
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/io/result_file.h>
 #include <slalom/metrics/metric.h>
 #include <slalom/ompl/ompl_planner.h>
 #include <slalom/simulation/evaluate_trajectory.h>
 
 #include <iostream>
+#include <optional>
 
 namespace slalom {
 namespace {
@@ -47,9 +49,15 @@ RunRecord stored_run(const RunRecord& run, const std::string& path) {
   return *stored;
 }
 
+/// Adds metrics that are stored because of another scenario: it may have movers or people.
+void add_stored(const RunRecord& stored, CampaignOptions& options) {
+  const std::vector<std::string> known = metric_ids();
+  for (const auto& [id, value] : stored.metrics)
+    if (contains(known, id) && !contains(options.metrics, id)) options.metrics.push_back(id);
+}
+
 /// Throws Error (Job) at the first value that differs from the stored one.
-void compare(const RunRecord& run, const MetricsArguments& arguments) {
-  const RunRecord stored = stored_run(run, arguments.results);
+void compare(const RunRecord& run, const RunRecord& stored, const MetricsArguments& arguments) {
   const auto expect = [&](const std::string& name, const std::string& value,
                           const std::string& expected) {
     if (value != expected)
@@ -72,13 +80,19 @@ void measure(const MetricsArguments& arguments) {
   CampaignOptions options = read_campaign_options(ini);
   const auto reference = read_options<OmplOptions>(ini, "reference");
   options.reference_gap = reference.gap;
+  options.adapt_to({scenario_of(run, arguments.log)});
+  std::optional<RunRecord> stored;
+  if (!arguments.results.empty()) {
+    stored = stored_run(record_of(run), arguments.results);
+    add_stored(*stored, options);
+  }
   const RunRecord record = recompute_metrics(run, arguments.log, options, reference);
   if (arguments.json) {
     std::cout << dump_line(options.name, {}, record) << "\n";
   } else {
     print(record);
   }
-  if (!arguments.results.empty()) compare(record, arguments);
+  if (stored) compare(record, *stored, arguments);
 }
 
 }  // namespace

@@ -95,6 +95,34 @@ TEST_F(Replay, MetricsEqualTheResultFile) {
   }
 }
 
+TEST_F(Replay, MetricsAmongPeopleEqualTheResultFile) {
+  // "all" contains the metrics about movers and people in both scenarios.
+  const std::string room =
+      "representation: continuous\nbounds: [0, 0, 8, 6]\nstart: [1, 3, 0]\ngoal: [7, 3]\ndiscs: "
+      "[]\npolygons: []\n";
+  write("still.scenario.yaml", "name: still\n" + room);
+  write("walked.scenario.yaml", "name: walked\n" + room +
+                                    "people:\n  - id: anna\n    radius: 0.25\n    speed: 1.3\n"
+                                    "    start: [6, 3]\n    route: [[2, 3]]\n");
+  ASSERT_EQ(run("slalom-scenarios import still.scenario.yaml walked.scenario.yaml -o two.scenarios")
+                .status,
+            0);
+  write("two.ini",
+        "[campaign]\nmethods = nd\n[scenarios]\nlist = two.scenarios\n[record]\nrawlog = all\n"
+        "[method.nd]\nadapter = mrpt_holonomic\nclass = CHolonomicND\n");
+  ASSERT_EQ(run("slalom-simulate run -c two.ini -o two.results --quiet").status, 0);
+  int hindered = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "two.rawlogs")) {
+    const ProgramResult result =
+        run("slalom-replay metrics --json --results two.results " + entry.path().string());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json hindrance = Json::parse(result.out)["metrics"]["people_hindrance"];
+    hindered += hindrance.contains("value") && hindrance["value"].get<double>() > 0 ? 1 : 0;
+    EXPECT_EQ(hindrance.value("na", "no people"), "no people");
+  }
+  EXPECT_EQ(hindered, 1);
+}
+
 TEST_F(Replay, MetricsOfAnotherCampaignDiffer) {
   ASSERT_EQ(run("slalom-simulate run -c small.ini -o other.results --quiet --set robot.max_v=0.7 "
                 "--set record.rawlog=none")
