@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes the table of docs/baselines-tuned.md again: scripts/tuned.py FOLDER [METHOD...]
+
+Each method of configs/baselines.ini, or of the arguments, is tuned on parts of slalom-standard, with its results in
+FOLDER/METHOD, which are used again: delete those of methods that have changed. Environment variable: JOBS, the number of
+workers (2).
+"""
+
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BIN = ROOT / "build/release/bin"
+CAMPAIGN = ROOT / "configs/baselines.ini"
+JOBS = os.environ.get("JOBS", "2")
+
+
+def answer(folder, scenarios, method):
+    path = folder / method / "tuned.json"
+    if not path.exists():
+        command = [BIN / "slalom-tune", CAMPAIGN, "--method", method, "--runs", "1000", "-o", folder / method]
+        command += ["--set", f"scenarios.list={scenarios}", "--set", "scenarios.generator="]
+        command += ["--set", "limits.run_wall_time=3600", "-j", JOBS, "--quiet"]
+        run = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        if run.returncode != 0:
+            return run.stderr.strip()
+    return json.loads(path.read_text())["answer"]
+
+
+def estimate(value):
+    return f"{value['value']:.2f} [{value['low']:.2f}, {value['high']:.2f}]"
+
+
+def row(method, found):
+    if isinstance(found, str):
+        return [method, "–", "–", "–", "–", "no ranges"]
+    sealed = found["sealed"]
+    if sealed is None:
+        return [method, "–", "–", "–", "–", "the default is the best of the finals"]
+    collisions = [sealed[side]["collisions"] for side in ("default_counts", "tuned_counts")]
+    verdict = found["verdict"] + (", with more collisions" if sealed["more_collisions"] else "")
+    return [
+        method,
+        estimate(sealed["default"]),
+        estimate(sealed["tuned"]),
+        estimate(sealed["difference"]),
+        f"{collisions[0]}, {collisions[1]} of {sealed['scenarios']}",
+        verdict,
+    ]
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    folder = pathlib.Path(sys.argv[1]).resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    scenarios = folder / "slalom-standard.scenarios"
+    if not scenarios.exists():
+        testbed = ROOT / "configs/testbeds/slalom-standard.ini"
+        subprocess.run(
+            [BIN / "slalom-scenarios", "generate", "-c", testbed, "-o", scenarios, "-j", JOBS, "--quiet"], check=True
+        )
+    methods = sys.argv[2:] or re.search(r"^methods = (.*)$", CAMPAIGN.read_text(), re.M)[1].split(", ")
+    rows = [row(method, answer(folder, scenarios, method)) for method in methods]
+    print("| method | default | tuned | difference | collisions: default, tuned | verdict |\n|---|---|---|---|---|---|")
+    for cells in sorted(rows, key=lambda cells: cells[2], reverse=True):
+        print("| " + " | ".join(cells) + " |")
+
+
+main()
