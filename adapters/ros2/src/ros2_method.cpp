@@ -203,8 +203,11 @@ class Ros2Method : public Method {
   void send(const Observation& observation, RosTime now) {
     scan_time_ = now - nanoseconds(std::min(scan_latency_, observation.time));
     link_->send_observation(observation, now, scan_time_);
+    // A node that is looking for work as the data arrive may find a question and miss the data. The
+    // second question is asked when they are there.
     if (options_.mode == Ros2Mode::Lockstep)
-      for (std::size_t node = 0; node < barrier_.size(); ++node) pass_barrier(node);
+      for (std::size_t node = 0; node < barrier_.size(); ++node)
+        for (int question = 0; question < 2; ++question) pass_barrier(node);
     const RosTime step =
         options_.clock_step > 0 ? nanoseconds(options_.clock_step) : nanoseconds(period_);
     for (RosTime time = std::max(last_ + step, now - nanoseconds(period_) + step); time < now;

@@ -70,7 +70,7 @@ class Peer {
                       m.angle_increment);
         if (node_.fault() == "two" && node_.has_fault_now() && second_ == 0) publish_twice();
       });
-      take<slalom_ros2_CycloneRequest>(question_, [this](const auto& m) {
+      take_one<slalom_ros2_CycloneRequest>(question_, [this](const auto& m) {
         if (node_.fault() == "deaf" && node_.has_fault_now()) return;
         // The replies to two questions with one number could not be told apart.
         if (m.number <= last_question_) std::exit(4);
@@ -132,14 +132,20 @@ class Peer {
     dds_wait_for_acks(second_, DDS_INFINITY);
   }
 
+  /// Whether there was one. Questions are taken one in a turn, as in rclcpp: data that are there
+  /// before a question are handled before it.
+  template <typename Message, typename Function>
+  static bool take_one(dds_entity_t reader, Function function) {
+    void* sample = nullptr;
+    dds_sample_info_t info;
+    if (dds_take(reader, &sample, &info, 1, 1) <= 0) return false;
+    if (info.valid_data) function(*static_cast<const Message*>(sample));
+    dds_return_loan(reader, &sample, 1);
+    return true;
+  }
   template <typename Message, typename Function>
   static void take(dds_entity_t reader, Function function) {
-    for (;;) {
-      void* sample = nullptr;
-      dds_sample_info_t info;
-      if (dds_take(reader, &sample, &info, 1, 1) <= 0) return;
-      if (info.valid_data) function(*static_cast<const Message*>(sample));
-      dds_return_loan(reader, &sample, 1);
+    while (take_one<Message>(reader, function)) {
     }
   }
 

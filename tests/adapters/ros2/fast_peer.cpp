@@ -145,7 +145,7 @@ class Peer {
       take<Scan>(scan_, [this](const Scan& m) {
         node_.on_scan(m.stamp.value(), m.ranges, m.numbers[0], m.numbers[2]);
       });
-      take<Question>(question_, [this](const Question&) {
+      take_one<Question>(question_, [this](const Question&) {
         Reply reply;
         reply_->write(&reply);
       });
@@ -195,12 +195,20 @@ class Peer {
     return publisher_->create_datawriter(topic<Message>(name, type), qos);
   }
 
+  /// Whether there was one. Questions are taken one in a turn, as in rclcpp: data that are there
+  /// before a question are handled before it.
   template <typename Message, typename Function>
-  static void take(dds::DataReader* reader, Function function) {
+  static bool take_one(dds::DataReader* reader, Function function) {
     Message message;
     dds::SampleInfo info;
-    while (reader->take_next_sample(&message, &info) == ReturnCode_t::RETCODE_OK)
-      if (info.valid_data) function(message);
+    if (reader->take_next_sample(&message, &info) != ReturnCode_t::RETCODE_OK) return false;
+    if (info.valid_data) function(message);
+    return true;
+  }
+  template <typename Message, typename Function>
+  static void take(dds::DataReader* reader, Function function) {
+    while (take_one<Message>(reader, function)) {
+    }
   }
 
   void publish(const NavigatingNode::Answer& answer) {

@@ -107,14 +107,15 @@ class Ros2MethodTest : public testing::Test {
   int cycle_ = 0;
 };
 
-TEST_F(Ros2MethodTest, ACycleSendsTheDataThenPassesTheBarriersThenAdvancesTheClock) {
+TEST_F(Ros2MethodTest, ACycleSendsTheDataThenAsksEachNodeTwiceThenAdvancesTheClock) {
   options_.barrier = "planner, /controller, planner";
   begin();
   step();
   network_.sent.clear();
   step();
   EXPECT_EQ(network_.sent,
-            (std::vector<std::string>{"data", "barrier 0", "barrier 1", "barrier 2", "clock"}));
+            (std::vector<std::string>{"data", "barrier 0", "barrier 0", "barrier 1", "barrier 1",
+                                      "barrier 2", "barrier 2", "clock"}));
   options_.name_space = "robot";
   EXPECT_EQ(barrier_nodes(options_),
             (std::vector<std::string>{"/robot/planner", "/controller", "/robot/planner"}));
