@@ -40,6 +40,14 @@ std::size_t earlier_uses(const fs::path& folder, const std::string& sealed_hash)
   return uses;
 }
 
+/// A search whose result is replaced would be a use of the sealed scenarios that nobody counts.
+void refuse_other_search(const std::string& path, AskedQuestion& asked) {
+  if (!fs::exists(path)) return;
+  if (!answers(parse_certificate(read_file(path, "a certificate"), path), asked))
+    throw usage_error(path, "is the result of another search",
+                      "another folder (-o), since the sealed scenarios have been used");
+}
+
 /// The campaign with the recommended options.
 std::string tuned_ini(const Json& certificate) {
   IniFile ini = IniFile::from_text(certificate.at("campaign.ini"));
@@ -57,6 +65,7 @@ void tune(TuneArguments& arguments) {
   make_output_folder(arguments.folder);
   AskedQuestion asked{std::move(arguments.ask.question), std::move(ini)};
   const std::string path = (folder / kCertificate).string();
+  refuse_other_search(path, asked);
   const Answer answer = ask_and_print(arguments.ask, asked, path);
   write_file_atomically((folder / kIni).string(), tuned_ini(answer.certificate));
   write_file_atomically((folder / kPage).string(), certificate_page(answer.certificate, path));

@@ -212,6 +212,9 @@ TEST_F(Certify, ARiskIsBoundedByWhatItsRunsShow) {
       1, {"--require: ", "<= 0.05 is not shown"});
   expect_failure(risk + "--budget 66", 2, {"runs without that outcome"});
   expect_failure(risk + "--outcome colision", 2, {"'collision'"});
+  // 1 minus this is 1 in double precision.
+  expect_failure("slalom-certify risk my.ini --method gap --at-most 1e-17", 2,
+                 {"--at-most 1e-17", "at least 1e-09"});
 }
 
 TEST_F(Certify, ASampleOfTheBatchesOfARiskIsVerified) {
@@ -253,6 +256,45 @@ TEST_F(Certify, AnInterruptedQuestionContinuesWithItsRuns) {
   EXPECT_EQ(read("a.json.runs"), "slalom-certify journal of something else\n");
 }
 
+TEST_F(Certify, AContinuedQuestionWhoseOtherRunsFailKeepsThoseOfTheJournal) {
+  const std::string flag = (folder_ / "fail").string();
+  write("half.py",
+        "import math, os\n"
+        "class Half:\n"
+        "    options = {}\n"
+        "    def __init__(self, robot, options): pass\n"
+        "    def reset(self, task): pass\n"
+        "    def step(self, o):\n"
+        "        if os.path.exists('" +
+            flag +
+            "'): raise ValueError('no')\n"
+            "        return 0.5, max(-1, min(1, math.atan2(o.goal_y, o.goal_x)))\n");
+  const std::string risk =
+      "slalom-certify risk my.ini --quiet --method half --budget 40 -o a.json --set "
+      "method.half.adapter=python --set method.half.module=half.py --set method.half.class=Half";
+  // Interrupted once it has some runs, or it has ended.
+  const ProgramResult first =
+      run("sh -c '" + risk +
+          " & pid=$!; while kill -0 $pid 2>.null && [ ! -e a.json ]; do "
+          "[ -e a.json.runs ] && [ \"$(wc -l <a.json.runs)\" -gt 10 ] && break; done; "
+          "kill -INT $pid; wait $pid'");
+  if (first.status != 130) return;
+  write("fail", "");
+  const ProgramResult second = run(risk);
+  ASSERT_EQ(second.status, 0) << second.err;
+  EXPECT_NE(second.out.find("runs ended by errors of the method, such as method_error: "),
+            std::string::npos)
+      << second.out;
+  EXPECT_EQ(certificate("a.json").at("answer").at("runs"), 40);
+}
+
+TEST_F(Certify, PeopleWhoDecideBetweenControlCyclesAreRefusedBeforeAnyRun) {
+  expect_failure(
+      "slalom-certify risk my.ini --quiet --method gap --budget 20 --set "
+      "scenarios.people=2 --set simulation.control_period=0.15",
+      2, {"people", "period", "multiple of"});
+}
+
 TEST_F(Certify, AnEnvelopeHasRowsThatEndAtTheirFirstCellWithoutAClaim) {
   const std::string envelope =
       "slalom-certify envelope my.ini --quiet --method gap --of passage.width --from 1.4 --to 0.4 "
@@ -274,7 +316,7 @@ TEST_F(Certify, AnEnvelopeHasRowsThatEndAtTheirFirstCellWithoutAClaim) {
     }
   }
   EXPECT_EQ(answer.at("claimed"), claimed);
-  // Each row at half of 1 - confidence: 2 runs more than at 0.95.
+  // Each row at half of 1 - confidence: one run more than the 5 at 0.95.
   EXPECT_EQ(answer.at("rows").at(0).at("cells").at(0).at("runs"), 6);
   EXPECT_EQ(run("slalom-certify verify a.json --quiet").status, 0);
   expect_failure(envelope + "--require 1", 1, {"--require 1: success >= 0.5 in "});
@@ -333,6 +375,7 @@ TEST_F(Certify, StandardTestsHaveVerdictsWithTheirConfidence) {
   EXPECT_EQ(run("slalom-certify verify a.json --quiet").status, 0);
   expect_failure(standard + "--require", 1, {"--require: ", "of 4 tests passed"});
   expect_failure(standard + "--trials 8", 2, {"--trials 8", "at least 9"});
+  expect_failure(standard + "--reliability 0.999999999999", 2, {"--trials 30", "at most 1000000"});
   expect_failure(standard + "--speeds 1.5", 2, {"--speeds 1.5", "at most 1"});
   expect_failure(standard + "--families pasage", 2, {"'pasage'", "'passage'"});
 }

@@ -78,6 +78,19 @@ TEST_F(Tune, FindsAPlantedOptimumAndShowsThatItIsBetter) {
   EXPECT_NE(second.out.find("sealed scenarios that 1 other search"), std::string::npos);
 }
 
+TEST_F(Tune, AFolderKeepsTheResultOfOneSearch) {
+  const std::string tune = std::string(kTune) + "--method go -o out ";
+  ASSERT_EQ(run(tune).status, 0);
+  const std::string first = read("out/tuned.json");
+  EXPECT_EQ(run(tune + "-j 2").status, 0);
+  expect_failure(tune + "--effect 0.2", 2, {"out/tuned.json: is the result of another search"});
+  expect_failure(tune + "--set robot.max_v=0.9", 2, {"is the result of another search"});
+  EXPECT_EQ(read("out/tuned.json"), first);
+  write("out/tuned.json", "{}");
+  expect_failure(tune, 3, {"out/tuned.json: ", "expected a certificate"});
+  EXPECT_EQ(read("out/tuned.json"), "{}");
+}
+
 TEST_F(Tune, KeepsTheDefaultWhereNoOptionMatters) {
   const std::string null_ = std::string(kTune) + "--method planted --set tune.b=1,9,integer ";
   const ProgramResult result = run(null_ + "--set method.planted.a=0.7 -o out");
@@ -100,6 +113,8 @@ TEST_F(Tune, RefusesSearchesThatCannotBegin) {
       {"--method planted --stratify densiti", {"densiti", "density"}},
       {"--method planted --then time", {"time"}},
       {"--method planted --confidence 1", {"--confidence 1"}},
+      {"--method go --then optimality", {"--then optimality", "needs no reference path"}},
+      {"--method go --set method.go.turn_in_place=x", {"turn_in_place"}},
       {"--method planted --set tune.a=1,0", {"tune.a"}},
       {"--method planted --set tune.a=0.5,1", {"tune.a", "default"}},
       {"--method planted --set tune.a=0,1,lin", {"'lin' is unknown", "LOW, HIGH"}},

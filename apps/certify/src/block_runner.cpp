@@ -33,7 +33,6 @@ ScenarioSources read_sources(const IniFile& ini, double resolution, const MapLoa
   if (!sources.section.list.empty())
     throw usage_error(ini.where("scenarios", "list"), "scenarios are drawn for each run",
                       "generator and maps only");
-  for (const std::string& map : split(sources.section.maps, ',')) load_map(map);
   return sources;
 }
 
@@ -112,7 +111,14 @@ void BlockRunner::check(const RunStream& stream) const {
     drawn.parameter.set(low, drawn.bins.edge(drawn.range.first));
     drawn.parameter.set(high, drawn.bins.hardest(drawn.range));
   }
-  for (const IniFile& ini : {low, high}) read_sources(ini, resolution, load_map_);
+  for (const IniFile& ini : {low, high}) {
+    const ScenariosSection section = read_sources(ini, resolution, load_map_).section;
+    for (const std::string& map : split(section.maps, ',')) load_map_(map);
+    if (section.people.count > 0) {
+      const CampaignOptions options = read_campaign_options(ini);
+      check_period(options.people, options.simulation, location_in(ini, "people"));
+    }
+  }
 }
 
 std::optional<RunDraw> BlockRunner::draw(const RunStream& stream, std::size_t index) const {
@@ -159,7 +165,9 @@ void BlockRunner::run(const RunStream& stream, std::size_t max_runs, const Recei
       [&](const DrawnRun& drawn) {
         kept.runs.push_back({drawn.outcome, drawn.value, digest_of(drawn)});
         write_journal(stream.name, kept.runs.back());
-        count_failure(drawn);
+        if (const std::string outcome(to_string(drawn.outcome));
+            first_failure_.empty() && is_method_failure(outcome))
+          first_failure_ = outcome + ": " + drawn.detail;
         cycle_time_ = std::max(cycle_time_.value_or(0), drawn.cycle_time);
         progress->advance(next + 1);
         return pass_on();
@@ -170,19 +178,21 @@ void BlockRunner::run(const RunStream& stream, std::size_t max_runs, const Recei
                                                  : "the same command continues");
 }
 
-void BlockRunner::count_failure(const DrawnRun& run) {
-  ++executed_;
-  const std::string outcome(to_string(run.outcome));
-  if (!is_method_failure(outcome)) return;
-  if (failed_++ == 0) first_failure_ = outcome + ": " + run.detail;
-}
-
 std::string BlockRunner::method_failures() const {
-  if (failed_ == 0) return "";
-  if (failed_ == executed_)
-    throw usage_error("method " + campaign_.method.name, "every run ended with " + first_failure_,
+  std::size_t runs = 0, failed = 0;
+  std::string first;
+  for (const auto& [name, kept] : streams_)
+    for (std::size_t i = 0; i < kept.passed; ++i) {
+      const std::string outcome(to_string(kept.runs[i].outcome));
+      ++runs;
+      if (is_method_failure(outcome) && failed++ == 0) first = outcome;
+    }
+  if (failed == 0) return "";
+  if (!first_failure_.empty()) first = first_failure_;  // The journal has no details.
+  if (failed == runs)
+    throw usage_error("method " + campaign_.method.name, "every run ended with " + first,
                       "a method that works");
-  return count_text(failed_, "run") + " ended with " + first_failure_;
+  return count_text(failed, "run") + " ended by errors of the method, such as " + first;
 }
 
 std::string BlockRunner::hash(const std::string& stream) const {
@@ -216,8 +226,7 @@ void BlockRunner::read_journal() {
       continue;
     }
     std::istringstream words(line);
-    std::string name;
-    std::string value;
+    std::string name, value;
     BlockRun run;
     words >> name >> std::hex >> run.digest >> value;
     const std::optional<Outcome> outcome = from_name<Outcome>(name);
@@ -251,7 +260,8 @@ void BlockRunner::write_journal(const std::string& stream, const BlockRun& run) 
   // Flushed for each run: what is lost in a kill is executed again, but a full disk is told at
   // once.
   if (!journal_.flush())
-    throw file_error(execution_.journal, "cannot be written", "a disk that is not full");
+    throw file_error(execution_.journal, "cannot be written",
+                     "a folder that is writable, on a disk that is not full");
 }
 
 }  // namespace slalom

@@ -102,6 +102,16 @@ Answer ask(AskedQuestion& asked, const Inquiry& inquiry) {
   return answer;
 }
 
+bool answers(const Json& certificate, AskedQuestion& asked) {
+  asked.question->prepare(asked.ini);
+  const MethodCampaign campaign = campaign_of(asked, {});
+  const Json files = environment_json(campaign).at("files");
+  return certificate.at("kind") == asked.question->kind() &&
+         certificate.at("question") == fields_to_json(*asked.question) &&
+         certificate.at("campaign.ini") == campaign.ini.canonical_text() &&
+         certificate.value("environment", Json::object()).value("files", Json()) == files;
+}
+
 Json parse_certificate(const std::string& text, const std::string& where) {
   try {
     Json json = Json::parse(text);
@@ -146,7 +156,7 @@ std::string verify_sample(const Json& certificate, const std::string& where, std
   asked.question->check(campaign, runner);
   RandomEngine engine(seed);
   try {
-    return asked.question->verify_sample(certificate.at("answer"), runner, size, engine);
+    return asked.question->verify_sample(campaign, certificate.at("answer"), runner, size, engine);
   } catch (const nlohmann::json::exception& error) {
     throw file_error(where, error.what(), kExpected);
   }

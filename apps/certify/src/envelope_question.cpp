@@ -41,27 +41,25 @@ class EnvelopeQuestion : public Question {
 };
 
 std::vector<QuestionField> EnvelopeQuestion::fields() {
-  std::vector<QuestionField> fields = {
-      {"method", &method, "The method that is tested", true},
-      {"of", &of_.of, "The parameter of the columns, as that of limit", true},
-      {"from", &of_.from, "Its easy end; default: as the .ini or the family has it"},
-      {"to", &of_.to, "Its hard end"},
-      {"step", &of_.step, "Width of its bins, as that of limit"},
-      {"rows", &rows_.of, "The parameter of the rows, of the same family or of robot or sensor",
-       true},
-      {"rows_from", &rows_.from, "Its first end; default: the easy one of its range"},
-      {"rows_to", &rows_.to, "Its last end"},
-      {"rows_step", &rows_.step, "Width of its bins"},
-      {"maps", &maps_,
-       "Maps instead of the sources of the .ini, for parameters of robot or sensor"},
-      {"reliability", &reliability_, "Rate of success to show"},
-      {"confidence", &confidence_,
-       "Confidence of all cells together: 1 minus the probability that one is wrong"},
-      {"budget", &budget_, "Runs for all cells; each row has its equal part"},
-      {"max_per_cell", &max_per_cell_, "Runs for one cell"},
-      {"require", &require_, "Exit status 1 unless this fraction of the cells is claimed"}};
-  fields.back().stored = false;
-  return fields;
+  return {{"method", &method, "The method that is tested", true},
+          {"of", &of_.of, "The parameter of the columns, as that of limit", true},
+          {"from", &of_.from, "Its easy end; default: as the .ini or the family has it"},
+          {"to", &of_.to, "Its hard end"},
+          {"step", &of_.step, "Width of its bins, as that of limit"},
+          {"rows", &rows_.of, "The parameter of the rows, of the same family or of robot or sensor",
+           true},
+          {"rows_from", &rows_.from, "Its first end; default: the easy one of its range"},
+          {"rows_to", &rows_.to, "Its last end"},
+          {"rows_step", &rows_.step, "Width of its bins"},
+          {"maps", &maps_,
+           "Maps instead of the sources of the .ini, for parameters of robot or sensor"},
+          {"reliability", &reliability_, "Rate of success to show"},
+          {"confidence", &confidence_,
+           "Confidence of all cells together: 1 minus the probability that one is wrong"},
+          {"budget", &budget_, "Runs for all cells; each row has its equal part"},
+          {"max_per_cell", &max_per_cell_, "Runs for one cell"},
+          {"require", &require_, "Exit status 1 unless this fraction of the cells is claimed",
+           false, false}};
 }
 
 void EnvelopeQuestion::prepare(IniFile& ini) {
@@ -161,11 +159,6 @@ std::string EnvelopeQuestion::shortfall(const Json& answer) const {
   if (!require_ || fraction >= *require_) return "";
   return "--require " + format_number(*require_) + ": " + answer.at("claim").get<std::string>() +
          "; expected at least that fraction of them";
-}
-
-std::string range_text(const Json& range, const std::string& unit) {
-  return "[" + format_number(range.at("from")) + ", " + format_number(range.at("to")) + "]" +
-         (unit.empty() ? "" : " " + unit);
 }
 
 Statement EnvelopeQuestion::statement(const Json& answer) const {

@@ -46,27 +46,24 @@ class LimitQuestion : public Question {
 };
 
 std::vector<QuestionField> LimitQuestion::fields() {
-  std::vector<QuestionField> fields = {
-      {"method", &method, "The method that is tested", true},
-      {"of", &parameter_.of,
-       "The parameter: FAMILY.OPTION of a generator, such as passage.width for min_width and "
-       "max_width; robot.KEY or sensor.KEY, in the scenarios of the .ini",
-       true},
-      {"from", &parameter_.from, "The easy end; default: as the .ini or the family has it"},
-      {"to", &parameter_.to, "The hard end"},
-      {"step", &parameter_.step,
-       "Width of a bin, in which each run draws its value; of an integer, the values in a bin, "
-       "without that of --to; default: a tenth of the range, at least two cells"},
-      {"reliability", &reliability_, "Rate of success to show; of several, each by itself"},
-      {"confidence", &confidence_,
-       "Confidence of a claim: 1 minus the probability that it is wrong"},
-      {"blocks", &blocks_,
-       "Blocks of bins before the limit of the pilot; 0: each bin is claimed by itself"},
-      {"budget", &budget_, "Runs for a claim"},
-      {"max_per_step", &max_per_step_, "Runs for one block or bin of a claim"},
-      {"require", &require_, "Exit status 1 unless the claims reach this value"}};
-  fields.back().stored = false;
-  return fields;
+  return {{"method", &method, "The method that is tested", true},
+          {"of", &parameter_.of,
+           "The parameter: FAMILY.OPTION of a generator, such as passage.width for min_width and "
+           "max_width; robot.KEY or sensor.KEY, in the scenarios of the .ini",
+           true},
+          {"from", &parameter_.from, "The easy end; default: as the .ini or the family has it"},
+          {"to", &parameter_.to, "The hard end"},
+          {"step", &parameter_.step,
+           "Width of a bin, in which each run draws its value; of an integer, the values in a bin, "
+           "without that of --to; default: a tenth of the range, at least two cells"},
+          {"reliability", &reliability_, "Rate of success to show; of several, each by itself"},
+          {"confidence", &confidence_,
+           "Confidence of a claim: 1 minus the probability that it is wrong"},
+          {"blocks", &blocks_,
+           "Blocks of bins before the limit of the pilot; 0: each bin is claimed by itself"},
+          {"budget", &budget_, "Runs for a claim"},
+          {"max_per_step", &max_per_step_, "Runs for one block or bin of a claim"},
+          {"require", &require_, "Exit status 1 unless the claims reach this value", false, false}};
 }
 
 void LimitQuestion::prepare(IniFile& ini) {
@@ -239,9 +236,7 @@ StatementTable make_table(const std::string& caption, const std::string& last) {
 
 void add_row(StatementTable& table, const Json& row, const std::string& unit,
              const std::string& end) {
-  const std::string range = "[" + format_number(row.at("from")) + ", " +
-                            format_number(row.at("to")) + "]" + (unit.empty() ? "" : " " + unit);
-  table.rows.push_back({range, count_text(row.at("runs").get<std::size_t>(), "run"),
+  table.rows.push_back({range_text(row, unit), count_text(row.at("runs").get<std::size_t>(), "run"),
                         count_text(row.at("failures").get<std::size_t>(), "failure"), end});
 }
 

@@ -76,8 +76,9 @@ void ParameterField::resolve_range(const MethodCampaign& campaign, BlockRunner& 
   if (at_low == at_high)
     throw usage_error(end_option("from"),
                       "which end of " + of + " is easy cannot be told: the method succeeds in " +
-                          std::to_string(at_low) + " of 20 runs in " + bins.text({0, 1}) +
-                          " and in " + bins.text({last, last + 1}),
+                          std::to_string(at_low) + " of " + std::to_string(kPilotRuns) +
+                          " runs in " + bins.text({0, 1}) + " and in " +
+                          bins.text({last, last + 1}),
                       end_option("from") + " and " + end_option("to"));
   const bool rising = at_low > at_high;
   from = rising ? *low : *high;

@@ -44,7 +44,8 @@ std::unique_ptr<Question> make_question(const std::string& kind) {
   throw usage_error("kind", "unknown kind '" + kind + "'", expected_name(kind, question_kinds()));
 }
 
-std::string Question::verify_sample(const Json&, BlockRunner&, std::size_t, RandomEngine&) const {
+std::string Question::verify_sample(const MethodCampaign&, const Json&, BlockRunner&, std::size_t,
+                                    RandomEngine&) const {
   throw usage_error("--sample", "an answer of this kind has no parts", "no --sample");
 }
 
@@ -113,6 +114,11 @@ Json failure_json(const BlockRunner& runner, const RunStream& stream, std::size_
           {"outcome", to_string(outcome)},
           {"scenario", draw ? Json(draw->scenario.hash()) : Json()},
           {"yaml", draw ? Json(scenario_to_yaml(draw->scenario)) : Json()}};
+}
+
+std::string range_text(const Json& range, const std::string& unit) {
+  return "[" + format_number(range.at("from")) + ", " + format_number(range.at("to")) + "]" +
+         (unit.empty() ? "" : " " + unit);
 }
 
 const Json& last_of(const Json& array) {

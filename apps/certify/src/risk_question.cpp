@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinds.h"
+#include "shuffle.h"
 
 #include <slalom/analysis/rate_test.h>
 #include <slalom/core/error.h>
@@ -10,13 +11,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace slalom {
 namespace {
 
 constexpr std::size_t kBatch = 10000;  ///< runs, of which the answer stores counts and a hash
 constexpr std::size_t kListedHits = 100;
-constexpr char kFailure[] = "failure";  ///< all outcomes but success
+constexpr double kSmallestBound = 1e-9;  ///< of which 1 minus it has seven digits
+constexpr char kFailure[] = "failure";   ///< all outcomes but success
 
 /// The question how likely an outcome is.
 class RiskQuestion : public Question {
@@ -31,8 +34,8 @@ class RiskQuestion : public Question {
   Json answer(const MethodCampaign& campaign, BlockRunner& runner) const override;
   Statement statement(const Json& answer) const override;
   std::string shortfall(const Json& answer) const override;
-  std::string verify_sample(const Json& answer, BlockRunner& runner, std::size_t size,
-                            RandomEngine& engine) const override;
+  std::string verify_sample(const MethodCampaign& campaign, const Json& answer, BlockRunner& runner,
+                            std::size_t size, RandomEngine& engine) const override;
 
  private:
   struct Counts;
@@ -49,21 +52,17 @@ class RiskQuestion : public Question {
   std::optional<double> at_most_, budget_;
   double confidence_ = 0.95;
   bool require_ = false;
-  IniFile ini_ = IniFile::from_text("");  ///< since check()
 };
 
 std::vector<QuestionField> RiskQuestion::fields() {
-  std::vector<QuestionField> fields = {
-      {"method", &method, "The method that is tested", true},
-      {"outcome", &outcomes_, "The outcome, or several; failure: all but success"},
-      {"at_most", &at_most_, "Probability that is to be shown; default: runs up to --budget"},
-      {"confidence", &confidence_,
-       "Confidence of the bound: 1 minus the probability that it is wrong"},
-      {"budget", &budget_,
-       "Runs; default: three times those that --at-most needs at least, or 10000"},
-      {"require", &require_, "Exit status 1 unless --at-most is shown"}};
-  fields.back().stored = false;
-  return fields;
+  return {{"method", &method, "The method that is tested", true},
+          {"outcome", &outcomes_, "The outcome, or several; failure: all but success"},
+          {"at_most", &at_most_, "Probability that is to be shown; default: runs up to --budget"},
+          {"confidence", &confidence_,
+           "Confidence of the bound: 1 minus the probability that it is wrong"},
+          {"budget", &budget_,
+           "Runs; default: three times those that --at-most needs at least, or 10000"},
+          {"require", &require_, "Exit status 1 unless --at-most is shown", false, false}};
 }
 
 bool RiskQuestion::is_hit(Outcome outcome) const {
@@ -87,8 +86,12 @@ void RiskQuestion::check(const MethodCampaign& campaign, BlockRunner& runner) {
   for (const std::string& outcome : outcomes_)
     if (!contains(known, outcome))
       throw usage_error("--outcome " + outcome, "is no outcome", expected_name(outcome, known));
+  if (outcomes_.empty()) throw usage_error("--outcome", "no outcome", join(known, ", "));
   require_probability("--confidence", confidence_);
   if (at_most_) require_probability("--at-most", *at_most_);
+  if (at_most_ && *at_most_ < kSmallestBound)
+    throw usage_error("--at-most " + format_number(*at_most_), "is less than runs can show",
+                      "at least " + format_number(kSmallestBound));
   if (require_ && !at_most_) throw usage_error("--require", "nothing is to be shown", "--at-most");
   if (budget_ && !(*budget_ >= 1 && *budget_ <= 1e12))
     throw usage_error("--budget " + format_number(*budget_), "is no number of runs", "1 to 10^12");
@@ -100,8 +103,7 @@ void RiskQuestion::check(const MethodCampaign& campaign, BlockRunner& runner) {
                             std::to_string(needed()) + " runs without that outcome",
                         "at least " + std::to_string(needed()));
   }
-  ini_ = campaign.ini;
-  runner.check(stream(ini_, 0));
+  runner.check(stream(campaign.ini, 0));
 }
 
 struct RiskQuestion::Counts {
@@ -199,21 +201,20 @@ Statement RiskQuestion::statement(const Json& answer) const {
   return statement;
 }
 
-std::string RiskQuestion::verify_sample(const Json& answer, BlockRunner& runner, std::size_t size,
+std::string RiskQuestion::verify_sample(const MethodCampaign& campaign, const Json& answer,
+                                        BlockRunner& runner, std::size_t size,
                                         RandomEngine& engine) const {
   const Json& batches = answer.at("batches");
   std::vector<std::size_t> order(batches.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  for (std::size_t i = 0; i + 1 < order.size(); ++i)
-    std::swap(order[i], order[static_cast<std::size_t>(uniform_int(
-                            engine, static_cast<int>(i), static_cast<int>(order.size()) - 1))]);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  shuffle(order, engine);
   order.resize(std::min(size, order.size()));
   std::vector<std::string> names;
   for (const std::size_t batch : order) {
     const Json& stored = batches.at(batch);
     Counts counts;
-    const Json repeated =
-        run_batch(stream(ini_, batch), stored.at("runs").get<std::size_t>(), runner, counts);
+    const Json repeated = run_batch(stream(campaign.ini, batch),
+                                    stored.at("runs").get<std::size_t>(), runner, counts);
     names.push_back(std::to_string(batch));
     if (repeated != stored)
       throw job_error("batch " + names.back(),

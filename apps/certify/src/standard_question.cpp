@@ -3,6 +3,7 @@
 
 #include <slalom/analysis/rate_test.h>
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 
 #include <fmt/format.h>
@@ -11,6 +12,8 @@
 
 namespace slalom {
 namespace {
+
+constexpr std::size_t kMaxTrials = 1000000;
 
 /// The question which tests the method passes, after ASTM F3244-21 and ISO 18646-2:2024?
 class StandardQuestion : public Question {
@@ -39,16 +42,14 @@ class StandardQuestion : public Question {
 };
 
 std::vector<QuestionField> StandardQuestion::fields() {
-  std::vector<QuestionField> fields = {
+  return {
       {"method", &method, "The method that is tested", true},
       {"families", &families_, "The tests: families of scenarios, with their options in the .ini"},
       {"speeds", &speeds_, "Maximum speeds of the robot as fractions of robot.max_v"},
       {"trials", &trials_, "Runs of each test at each speed"},
       {"reliability", &reliability_, "Rate of success that a test demonstrates"},
       {"confidence", &confidence_, "Confidence with which it must, of each verdict by itself"},
-      {"require", &require_, "Exit status 1 unless all tests are passed"}};
-  fields.back().stored = false;
-  return fields;
+      {"require", &require_, "Exit status 1 unless all tests are passed", false, false}};
 }
 
 void StandardQuestion::prepare(IniFile& ini) {
@@ -59,17 +60,19 @@ void StandardQuestion::prepare(IniFile& ini) {
 void StandardQuestion::check(const MethodCampaign& campaign, BlockRunner& runner) {
   require_probability("--reliability", reliability_);
   require_probability("--confidence", confidence_);
+  if (speeds_.empty()) throw usage_error("--speeds", "no speed", "a fraction of robot.max_v");
   for (const double speed : speeds_)
     if (!(speed > 0 && speed <= 1))
       throw usage_error("--speeds " + format_number(speed), "is no fraction of robot.max_v",
                         "above 0, at most 1");
-  std::size_t needed = 1;
-  while (shown_confidence(needed, 0, reliability_) < confidence_) ++needed;
-  if (trials_ < needed || trials_ > 1000000)
+  if (trials_ > kMaxTrials || shown_confidence(trials_, 0, reliability_) < confidence_) {
+    const std::string needed =
+        format_number(std::ceil(math::log(1 - confidence_) / math::log(reliability_)));
     throw usage_error("--trials " + std::to_string(trials_),
                       format_number(reliability_) + " at " + format_number(confidence_) +
-                          " needs at least " + std::to_string(needed) + " runs without a failure",
-                      "at least " + std::to_string(needed) + ", at most 1000000");
+                          " needs at least " + needed + " runs without a failure",
+                      "at least " + needed + ", at most " + std::to_string(kMaxTrials));
+  }
   for (const std::string& family : families_)
     for (const double speed : speeds_) runner.check(stream(campaign, family, speed));
 }

@@ -15,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <set>
 
 namespace slalom {
 namespace {
@@ -56,7 +55,7 @@ class TuneQuestion : public Question {
 };
 
 std::vector<QuestionField> TuneQuestion::fields() {
-  std::vector<QuestionField> fields = {
+  return {
       {"method", &method, "The method whose options are tuned", true},
       {"runs", &search_.budget, "Runs of the search, with its finals"},
       {"development", &search_.development, "Scenarios of the search"},
@@ -68,9 +67,8 @@ std::vector<QuestionField> TuneQuestion::fields() {
       {"stratify", &stratify_,
        "Descriptor of which each part of the development scenarios has all quarters"},
       {"then", &then_, "Metric that decides among finalists that do not differ in success"},
-      {"require", &require_, "Exit status 1 unless the tuned options are shown to be better"}};
-  fields.back().stored = false;
-  return fields;
+      {"require", &require_, "Exit status 1 unless the tuned options are shown to be better", false,
+       false}};
 }
 
 SealedOptions TuneQuestion::sealed_options() const {
@@ -120,6 +118,7 @@ TuneResult TuneQuestion::search(const MethodCampaign& campaign, const TuneScenar
                                 BlockRunner& runner) const {
   TuneOptions options = search_;
   options.seed = derive_seed(campaign.options.seed, "tune/search");
+  std::size_t successes = 0, values = 0;
   return tune_search(*space_, options, [&](const TuneRequest& request) {
     const SharedScenarios& scenarios =
         request.phase == TunePhase::Finals ? sets.finals : sets.development;
@@ -128,9 +127,16 @@ TuneResult TuneQuestion::search(const MethodCampaign& campaign, const TuneScenar
     runner.run(stream(campaign, std::string(to_string(request.phase)), request.index,
                       request.configuration, scenarios),
                request.first + request.count, [&](const BlockRun& run) {
-                 if (number++ >= request.first) outcomes.push_back(outcome_of(run));
+                 if (number++ < request.first) return true;
+                 outcomes.push_back(outcome_of(run));
+                 successes += outcomes.back().success ? 1 : 0;
+                 values += outcomes.back().secondary ? 1 : 0;
                  return true;
                });
+    constexpr std::size_t kEnough = 20;
+    if (successes >= kEnough && values == 0)
+      throw usage_error("--then " + then_, "is not available in runs that succeed",
+                        "a metric that needs no reference path, such as time_to_goal");
     return outcomes;
   });
 }
@@ -247,10 +253,11 @@ Json TuneQuestion::answer(const MethodCampaign& campaign, BlockRunner& runner) c
 }
 
 std::string TuneQuestion::shortfall(const Json& answer) const {
-  const bool recommended =
-      answer.at("verdict") == "better" && answer.at("recommendation") == answer.at("winner");
-  if (!require_ || recommended) return "";
-  return "--require: the tuned options are not shown to be better; expected a claim";
+  const bool better = answer.at("verdict") == "better";
+  if (!require_ || (better && answer.at("recommendation") == answer.at("winner"))) return "";
+  return std::string("--require: the tuned options ") +
+         (better ? "have more collisions" : "are not shown to be better") +
+         "; expected a recommendation of them";
 }
 
 std::string two_digits(const Json& number) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "shuffle.h"
 #include "tune_scenarios.h"
 
 #include <slalom/campaign/describe_scenario.h>
@@ -16,13 +17,6 @@
 namespace slalom {
 namespace {
 
-void shuffle(std::vector<Scenario>& scenarios, RandomEngine engine) {
-  for (std::size_t i = 0; i + 1 < scenarios.size(); ++i)
-    std::swap(scenarios[i],
-              scenarios[static_cast<std::size_t>(uniform_int(
-                  engine, static_cast<int>(i), static_cast<int>(scenarios.size()) - 1))]);
-}
-
 /// At least `count` scenarios of the generators and maps, from a stream of their own.
 std::vector<Scenario> draw(const MethodCampaign& campaign, const std::string& label,
                            std::size_t count, int jobs) {
@@ -37,7 +31,8 @@ std::vector<Scenario> draw(const MethodCampaign& campaign, const std::string& la
       ini, {robot.radius, campaign.options.simulation.resolution, seed, jobs}, load_occupancy_grid);
   const auto silent = make_silent_progress();
   std::vector<Scenario> scenarios = collect_scenarios(sources, load_occupancy_grid, *silent);
-  if (maps > 0) shuffle(scenarios, RandomEngine(seed));
+  RandomEngine engine(seed);
+  if (maps > 0) shuffle(scenarios, engine);
   return scenarios;
 }
 
@@ -97,7 +92,8 @@ TuneScenarios make_tune_scenarios(const MethodCampaign& campaign, const TuneSize
                         "has " + std::to_string(all.size()) + " scenarios",
                         "at least " + std::to_string(total) + " for --development, --finals and " +
                             "--sealed together, or smaller ones");
-    shuffle(all, RandomEngine(derive_seed(campaign.options.seed, "tune/list")));
+    RandomEngine engine(derive_seed(campaign.options.seed, "tune/list"));
+    shuffle(all, engine);
     sets.development = take(all, sizes.development, used);
     sets.finals = take(all, sizes.finals, used);
     sets.sealed = take(all, sizes.sealed, used);

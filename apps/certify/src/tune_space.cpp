@@ -47,7 +47,12 @@ void set_default(SpaceParameter& parameter, const std::vector<TunableParameter>&
     parameter.default_value = static_cast<double>(found - choices.begin());
     return;
   }
-  if (text && parse_number(*text, parameter.default_value)) return;
+  if (text) {
+    if (!parse_number(*text, parameter.default_value))
+      throw usage_error(ini.where(section, parameter.name), "'" + *text + "' is not valid",
+                        "a number, which is tuned");
+    return;
+  }
   for (const TunableParameter& one : declared)
     if (one.name == parameter.name) {
       parameter.default_value = one.default_value;

@@ -47,7 +47,7 @@ class TerminationChecker {
 
   /// The contact in the last sample: "contact WHERE", and of one with a mover which, and the
   /// robot's speed, or that it had stood for 0.5 s, so that the mover ran into it (passive safety).
-  /// Of one with a person who notices the robot, that the robot is to blame, see Crowd.
+  /// A contact with a person who notices the robot is the robot's doing, see Crowd: it says so.
   std::string describe_contact(const Trajectory& trajectory, const std::string& where) const;
 
  private:

@@ -94,8 +94,8 @@ class BlockRunner {
   /// To be called when the question is answered.
   void remove_journal();
 
-  /// The runs that the method itself ended by an error, "3 runs ended with method_error: DETAIL" of
-  /// the first; "" if none. Throws Error (Usage) if all did.
+  /// The runs that the method itself ended by an error, "3 runs ended by errors of the method, such
+  /// as method_error: DETAIL"; "" if none. Throws Error (Usage) if all did.
   std::string method_failures() const;
 
   int workers() const { return execution_.workers; }
@@ -110,7 +110,6 @@ class BlockRunner {
   };
 
   void read_journal();
-  void count_failure(const DrawnRun& run);
   void write_journal(const std::string& stream, const BlockRun& run);
 
   const MethodCampaign& campaign_;
@@ -121,8 +120,7 @@ class BlockRunner {
   std::string journal_text_;    ///< with which the file begins
   std::string journal_stream_;  ///< of its last line
   std::optional<double> cycle_time_;
-  std::size_t executed_ = 0, failed_ = 0;
-  std::string first_failure_;
+  std::string first_failure_;  ///< of this process, with its detail
 };
 
 }  // namespace slalom

@@ -37,6 +37,9 @@ struct Answer {
 /// interruption. Throws Error, and Interrupted.
 Answer ask(AskedQuestion& asked, const Inquiry& inquiry);
 
+/// Whether a certificate answers this question, about the same method in the same campaign.
+bool answers(const Json& certificate, AskedQuestion& asked);
+
 /// Throws Error (File) at `where` for text that is no certificate.
 Json parse_certificate(const std::string& text, const std::string& where);
 AskedQuestion question_of(const Json& certificate, const std::string& where);

@@ -53,7 +53,8 @@ class Question {
   virtual std::string metric() const { return ""; }
   /// Executes a sample of the runs of an answer again, drawn with `engine`, and returns what was
   /// compared. Throws Error: Job for what differs, Usage for answers without parts.
-  virtual std::string verify_sample(const Json& answer, BlockRunner& runner, std::size_t size,
+  virtual std::string verify_sample(const MethodCampaign& campaign, const Json& answer,
+                                    BlockRunner& runner, std::size_t size,
                                     RandomEngine& engine) const;
 
   std::string method;
@@ -79,6 +80,8 @@ std::string rate_text(std::size_t runs, std::size_t successes, double confidence
 /// A run that failed: its stream, number, outcome and, if it has one, its scenario in full.
 Json failure_json(const BlockRunner& runner, const RunStream& stream, std::size_t index,
                   Outcome outcome);
+/// "[1.2, 1.1] m", of the members `from` and `to`.
+std::string range_text(const Json& range, const std::string& unit);
 /// The last element. Throws nlohmann::json::exception for what is no array or empty.
 const Json& last_of(const Json& array);
 /// Makes [scenarios] of the .ini that family only.
