@@ -120,8 +120,12 @@ void Crowd::advance(std::size_t i, const std::optional<RobotDisc>& robot) {
   Plan& plan = plans_[i];
   const std::size_t last = plan.back ? 0 : plan.stations.size() - 1;
   const auto distance = [&] { return norm(plan.stations[plan.next] - walker.disc.position); };
+  const auto set_next = [&](std::size_t station) {
+    plan.next = station;
+    plan.aim.reset();
+  };
   while (plan.next != last && distance() < 2 * settings_.goal_tolerance)
-    plan.next += plan.back ? std::size_t(-1) : 1;
+    set_next(plan.back ? plan.next - 1 : plan.next + 1);
   plan.is_beside = false;
   if (plan.next != last) return;
   const CrowdDisc* const noticed = noticed_by(i, robot);
@@ -135,7 +139,7 @@ void Crowd::advance(std::size_t i, const std::optional<RobotDisc>& robot) {
     walker.departure = time();
   } else if (people_[i].after == PersonEnd::Return) {
     plan.back = !plan.back;
-    plan.next = plan.back ? plan.stations.size() - 2 : 1;
+    set_next(plan.back ? plan.stations.size() - 2 : 1);
   }
 }
 
@@ -146,7 +150,7 @@ Crowd::Intent Crowd::intent_of(std::size_t i) const {
   const TPoint2D& here = walkers_[i].disc.position;
   if (plan.is_beside) return {here, {0, 0}};
   const double speed = people_[i].speed;
-  const TPoint2D target = plan.fields[plan.next]->target(here);
+  const TPoint2D target = plan.fields[plan.next]->target(here, plan.aim);
   const TPoint2D offset = target - here;
   const double distance = norm(offset);
   const bool stays = people_[i].after == PersonEnd::Stay && plan.next + 1 == plan.stations.size() &&
@@ -322,7 +326,10 @@ void Crowd::decide(const std::optional<RobotDisc>& robot) {
       walker.is_present = true;
   }
   for (std::size_t i = 0; i < walkers_.size(); ++i)
-    if (walkers_[i].is_present) intents_[i] = intent_of(i);
+    if (walkers_[i].is_present) {
+      intents_[i] = intent_of(i);
+      if (!plans_[i].is_beside) plans_[i].aim = intents_[i].target;
+    }
   for (std::size_t i = 0; i < walkers_.size(); ++i)
     if (walkers_[i].is_present) walkers_[i].wanted = wanted_velocity(i, robot);
   for (std::size_t i = 0; i < walkers_.size(); ++i)

@@ -140,22 +140,19 @@ std::optional<RouteField::Cell> RouteField::nearest_with_way(const TPoint2D& p, 
   return cell;
 }
 
-TPoint2D RouteField::target(const TPoint2D& p) const {
-  if (can_walk(p, goal_)) return goal_;
-  auto nearest = nearest_with_way(p, 1);
-  if (!nearest)
-    nearest =
-        nearest_with_way(p, static_cast<int>(std::ceil(radius_ / occupancy_.resolution())) + 1);
-  if (!nearest) return goal_;
-  Cell cell = *nearest;
+RouteField::Cell RouteField::next(const Cell& cell) const {
+  const Direction& d = kDirections[step(cell)];
+  return {cell.x + d.x, cell.y + d.y};
+}
+
+TPoint2D RouteField::farthest_from(const TPoint2D& p, const Cell& nearest) const {
   constexpr double kLookahead = 8;  // m
-  std::vector<TPoint2D> way;
   const auto most = static_cast<std::size_t>(std::ceil(kLookahead / occupancy_.resolution()));
-  while (way.size() < most) {
+  std::vector<TPoint2D> way;
+  way.reserve(most);
+  for (Cell cell = nearest;; cell = next(cell)) {
     way.push_back(occupancy_.cell_center(cell.x, cell.y));
-    if (step(cell) == kGoal) break;
-    const Direction& d = kDirections[step(cell)];
-    cell = {cell.x + d.x, cell.y + d.y};
+    if (way.size() == most || step(cell) == kGoal) break;
   }
   std::size_t low = 0, high = way.size() - 1;  // visible up to `low`
   while (low < high) {
@@ -166,6 +163,31 @@ TPoint2D RouteField::target(const TPoint2D& p) const {
       high = middle - 1;
   }
   return way[low];
+}
+
+/// Moves on along the way by strides, as far as the person can walk straight.
+TPoint2D RouteField::further(const TPoint2D& p, TPoint2D target) const {
+  constexpr double kStride = 0.2;  // m
+  const int stride = std::max(1, static_cast<int>(kStride / occupancy_.resolution()));
+  for (Cell cell = cell_at(target, 0); step(cell) < kGoal;) {
+    for (int i = 0; i < stride && step(cell) < kGoal; ++i) cell = next(cell);
+    const TPoint2D center = occupancy_.cell_center(cell.x, cell.y);
+    if (!can_walk(p, center)) break;
+    target = center;
+  }
+  return target;
+}
+
+TPoint2D RouteField::target(const TPoint2D& p, const std::optional<TPoint2D>& previous) const {
+  constexpr double kNear = 0.3;  // m: strides may be too long around a corner
+  if (can_walk(p, goal_)) return goal_;
+  if (previous && can_walk(p, *previous))
+    if (const TPoint2D target = further(p, *previous); norm(target - p) > kNear) return target;
+  auto nearest = nearest_with_way(p, 1);
+  if (!nearest)
+    nearest =
+        nearest_with_way(p, static_cast<int>(std::ceil(radius_ / occupancy_.resolution())) + 1);
+  return nearest ? farthest_from(p, *nearest) : goal_;
 }
 
 }  // namespace slalom

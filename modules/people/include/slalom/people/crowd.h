@@ -57,7 +57,8 @@ class Crowd {
     std::vector<std::shared_ptr<const RouteField>> fields;
     std::size_t next = 1;  ///< station
     bool back = false;
-    bool is_beside = false;  ///< a robot that covers the goal
+    bool is_beside = false;                   ///< a robot that covers the goal
+    std::optional<mrpt::math::TPoint2D> aim;  ///< m, on the way to the next station
     int rank = 0;
   };
   /// The motion of a person who is alone.
