@@ -284,6 +284,17 @@ double DistanceField::exact_segment_distance(const TPoint2D& a, const TPoint2D& 
   double nearest = std::min({limit, wall_distance(a), wall_distance(b)});
   if (nearest == 0) return 0;
   const double low = std::min(a.y, b.y), high = std::max(a.y, b.y);
+  // The line of the segment bounds the distance from below, which spares most cells the exact one.
+  constexpr double kRounding = 1e-6;  // cells
+  const double segment = std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
+  const TPoint2D normal =
+      segment > 0 ? TPoint2D((a.y - b.y) / segment, (b.x - a.x) / segment) : TPoint2D(0, 0);
+  const double half_cell = 0.5 * (std::abs(normal.x) + std::abs(normal.y)) + kRounding;
+  const auto look_at = [&](int cx, int cy) {
+    const double across =
+        std::abs(normal.x * (cx + 0.5 - a.x) + normal.y * (cy + 0.5 - a.y)) - half_cell;
+    if (across < nearest) nearest = std::min(nearest, distance_to_cell(a, b, cx, cy));
+  };
   const int first = std::max(0, static_cast<int>(std::floor(low - nearest)) - 1);
   const int last = std::min(size_y_ - 1, static_cast<int>(std::floor(high + nearest)) + 1);
   for (int row = first; row <= last; ++row) {
@@ -296,8 +307,8 @@ double DistanceField::exact_segment_distance(const TPoint2D& a, const TPoint2D& 
       if (nearest == 0) return 0;
       continue;
     }
-    nearest = std::min(nearest, distance_to_cell(a, b, occupied_up_to(left, row), row));
-    nearest = std::min(nearest, distance_to_cell(a, b, occupied_from(right, row), row));
+    look_at(occupied_up_to(left, row), row);
+    look_at(occupied_from(right, row), row);
   }
   return nearest;
 }
