@@ -138,7 +138,7 @@ SimulationResult RunExecutor::simulate_contained(const RunSpec& spec, Method& me
   if (own_process_) before.emplace();
   CommandJournal journal(log);
   SimulationResult result =
-      simulate(scenario_world, campaign_.options, spec.seed, method, &journal, crowd());
+      simulate(scenario_world, campaign_.options, spec.seed, method, &journal, people_alone());
   std::fesetenv(&floating_point_);
   if (before && !before->restore()) log.retire_worker();
   return result;
@@ -159,7 +159,7 @@ SimulationResult RunExecutor::replay(const RunSpec& spec, const std::string& log
   OutcomeOverride outcome_override(outcome, detail, observer);
   const World& scenario_world = world(spec.scenario);
   SimulationResult result =
-      simulate(scenario_world, setup, spec.seed, script, &outcome_override, crowd());
+      simulate(scenario_world, setup, spec.seed, script, &outcome_override, people_alone());
   outcome_override.apply(result);
   return result;
 }
@@ -177,7 +177,7 @@ void RunExecutor::record(const RunSpec& spec, const std::string& log,
 
 const World& RunExecutor::world(std::size_t scenario) {
   if (!world_ || world_scenario_ != scenario) {
-    crowd_.reset();
+    people_alone_.reset();
     world_ = std::make_unique<World>(campaign_.scenarios[scenario],
                                      campaign_.options.simulation.resolution);
     // All tables before a method can change the floating-point environment.
@@ -190,19 +190,19 @@ const World& RunExecutor::world(std::size_t scenario) {
 
 void RunExecutor::use_tables(std::size_t scenario, const SharedArray<std::byte>& tables) {
   if (world_ && world_scenario_ == scenario) return;
-  crowd_.reset();
+  people_alone_.reset();
   world_.reset();
   world_ = std::make_unique<World>(campaign_.scenarios[scenario],
                                    campaign_.options.simulation.resolution, tables);
   world_scenario_ = scenario;
 }
 
-/// The ways of people are computed once for all runs in the scenario.
-const Crowd* RunExecutor::crowd() {
-  const People& people = world_->scenario().people();
-  if (!crowd_ && !people.empty())
-    crowd_ = std::make_unique<Crowd>(*world_, people, campaign_.options.people);
-  return crowd_.get();
+/// The ways of people, and their motion without a robot, are computed once for all runs in the
+/// scenario.
+PeopleAlone* RunExecutor::people_alone() {
+  if (!people_alone_ && !world_->scenario().people().empty())
+    people_alone_ = std::make_unique<PeopleAlone>(*world_, campaign_.options.people);
+  return people_alone_.get();
 }
 
 Method& RunExecutor::method(const std::string& name) {

@@ -4,7 +4,7 @@
 #include "wire.h"
 
 #include <slalom/campaign/campaign.h>
-#include <slalom/people/crowd.h>
+#include <slalom/people/run_alone.h>
 #include <slalom/scenario/world.h>
 #include <slalom/workers/shared_task_log.h>
 
@@ -45,7 +45,7 @@ class RunExecutor {
 
  private:
   const World& world(std::size_t scenario);
-  const Crowd* crowd();  ///< of the people in world_; null without people
+  PeopleAlone* people_alone();  ///< those in world_; null without people
   Method& method(const std::string& name);
   SimulationResult simulate_run(const RunSpec& spec, SharedTaskLog& log);
   SimulationResult simulate_contained(const RunSpec& spec, Method& method, SharedTaskLog& log);
@@ -62,7 +62,7 @@ class RunExecutor {
   std::map<std::string, std::unique_ptr<Method>> methods_;
   std::unique_ptr<World> world_;
   std::size_t world_scenario_ = 0;
-  std::unique_ptr<Crowd> crowd_;
+  std::unique_ptr<PeopleAlone> people_alone_;
 };
 
 /// The record of a run that was not executed (unsolvable scenario, infrastructure error): all

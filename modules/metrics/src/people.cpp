@@ -2,6 +2,9 @@
 #include "common.h"
 #include "mover_encounters.h"
 
+#include <slalom/core/geometry.h>
+#include <slalom/scenario/mover.h>
+
 #include <algorithm>
 
 namespace slalom {
@@ -11,6 +14,31 @@ std::optional<Value> na_without_people(const MetricContext& context) {
   if (const auto na = na_without_samples(context)) return na;
   if (context.hindrances.empty()) return Value::na("no people");
   return na_without_verdict(context);
+}
+
+/// People follow the movers of the scenario.
+const Mover* first_person(const MetricContext& context) {
+  return context.movers.data() + context.movers.size() - context.hindrances.size();
+}
+
+/// The deepest overlap (m) of two movers that are present, up to `until` (s); 0 if there is none.
+double deepest_overlap(const Mover& a, const Mover& b, double until) {
+  const std::vector<MoverSegment> of_a = segments_of(a, until), of_b = segments_of(b, until);
+  const auto place = [](const MoverSegment& segment, double t) {
+    return segment.from + segment.velocity * (t - segment.begin);
+  };
+  double deepest = 0;
+  for (std::size_t i = 0, j = 0; i < of_a.size() && j < of_b.size();) {
+    const double begin = std::max(of_a[i].begin, of_b[j].begin),
+                 end = std::min(of_a[i].end, of_b[j].end);
+    if (begin <= end) {
+      const auto nearest = nearest_on_segment({0, 0}, place(of_a[i], begin) - place(of_b[j], begin),
+                                              place(of_a[i], end) - place(of_b[j], end));
+      deepest = std::max(deepest, a.radius + b.radius - nearest.norm());
+    }
+    ++(of_a[i].end < of_b[j].end ? i : j);
+  }
+  return deepest;
 }
 
 }  // namespace
@@ -46,14 +74,33 @@ Value people_speed_change(const MetricContext& context) {
   return Value::na("nobody who notices the robot had it in reach");
 }
 
+/// Time that people are behind where they would be without the robot, the mean over all.
+Value people_deficit(const MetricContext& context) {
+  if (const auto na = na_without_people(context)) return *na;
+  double sum = 0;
+  for (const Hindrance& one : context.hindrances) sum += one.deficit;
+  return Value::of(sum / static_cast<double>(context.hindrances.size()));
+}
+
+/// The deepest one of two people. All walk straight between updates.
+Value people_overlap(const MetricContext& context) {
+  if (const auto na = na_without_people(context)) return *na;
+  const double end = run_time(context, context.trajectory.samples.back());
+  double deepest = 0;
+  for (const Mover* a = first_person(context); a != context.movers.data() + context.movers.size();
+       ++a)
+    for (const Mover* b = first_person(context); b != a; ++b)
+      deepest = std::max(deepest, deepest_overlap(*a, *b, end));
+  return Value::of(deepest);
+}
+
 /// 1 if the person had noticed the robot: by Crowd such a contact is the robot's doing.
 Value contact_blame(const MetricContext& context) {
   if (const auto na = na_without_people(context)) return *na;
   if (context.outcome != Outcome::Collision)
     return Value::na("outcome: " + to_string(context.outcome));
   const Mover* mover = touched_mover(context);
-  // People follow the movers of the scenario.
-  const Mover* people = context.movers.data() + context.movers.size() - context.hindrances.size();
+  const Mover* people = first_person(context);
   if (mover == nullptr || mover < people) return Value::na("no contact with a person");
   return Value::of(context.hindrances[static_cast<std::size_t>(mover - people)].is_noticed ? 1 : 0);
 }

@@ -102,7 +102,28 @@ void Crowd::plan_routes() {
         field = std::make_shared<RouteField>(world_, station, person.radius, settings_.side);
       plan.fields.push_back(field);
     }
+    plan.leg = rest(i);
   }
+}
+
+/// m, of the way to the next station.
+double Crowd::rest(std::size_t i) const {
+  const RouteField& field = *plans_[i].fields[plans_[i].next];
+  const TPoint2D& here = walkers_[i].disc.position;
+  return field.length(here, field.target(here, plans_[i].aim));
+}
+
+void Crowd::set_next(std::size_t i, std::size_t station) {
+  Plan& plan = plans_[i];
+  plan.covered = covered(i);
+  plan.next = station;
+  plan.aim.reset();
+  plan.leg = rest(i);
+}
+
+double Crowd::covered(std::size_t i) const {
+  const Plan& plan = plans_[i];
+  return walkers_[i].departure ? plan.covered : plan.covered + plan.leg - rest(i);
 }
 
 bool Crowd::is_free(std::size_t i, const std::optional<RobotDisc>& robot) const {
@@ -120,12 +141,8 @@ void Crowd::advance(std::size_t i, const std::optional<RobotDisc>& robot) {
   Plan& plan = plans_[i];
   const std::size_t last = plan.back ? 0 : plan.stations.size() - 1;
   const auto distance = [&] { return norm(plan.stations[plan.next] - walker.disc.position); };
-  const auto set_next = [&](std::size_t station) {
-    plan.next = station;
-    plan.aim.reset();
-  };
   while (plan.next != last && distance() < 2 * settings_.goal_tolerance)
-    set_next(plan.back ? plan.next - 1 : plan.next + 1);
+    set_next(i, plan.back ? plan.next - 1 : plan.next + 1);
   plan.is_beside = false;
   if (plan.next != last) return;
   const CrowdDisc* const noticed = noticed_by(i, robot);
@@ -135,11 +152,12 @@ void Crowd::advance(std::size_t i, const std::optional<RobotDisc>& robot) {
   if (!plan.is_beside && distance() > settings_.goal_tolerance) return;
   if (!walker.arrival) walker.arrival = time();
   if (people_[i].after == PersonEnd::Vanish) {
+    plan.covered = covered(i);
     walker.is_present = false;
     walker.departure = time();
   } else if (people_[i].after == PersonEnd::Return) {
     plan.back = !plan.back;
-    set_next(plan.back ? plan.stations.size() - 2 : 1);
+    set_next(i, plan.back ? plan.stations.size() - 2 : 1);
   }
 }
 

@@ -190,4 +190,17 @@ TPoint2D RouteField::target(const TPoint2D& p, const std::optional<TPoint2D>& pr
   return nearest ? farthest_from(p, *nearest) : goal_;
 }
 
+double RouteField::length(const TPoint2D& p, const TPoint2D& target) const {
+  const double straight = norm(target - p);
+  if (target.x == goal_.x && target.y == goal_.y) return straight;
+  Cell cell = cell_at(target, 0);
+  int steps = 0, diagonals = 0;
+  for (; step(cell) < kGoal; cell = next(cell)) {
+    const Direction& d = kDirections[step(cell)];
+    ++(d.x != 0 && d.y != 0 ? diagonals : steps);
+  }
+  return straight + occupancy_.resolution() * (steps + diagonals * std::sqrt(2.0)) +
+         norm(goal_ - occupancy_.cell_center(cell.x, cell.y));
+}
+
 }  // namespace slalom

@@ -34,6 +34,19 @@ void CrowdRecord::add(const Crowd& crowd) {
   }
 }
 
+PeopleAlone::PeopleAlone(const World& world, const PeopleSettings& settings)
+    : start_(world, world.scenario().people(), settings), now_(start_) {}
+
+const std::vector<double>& PeopleAlone::covered(int updates) {
+  for (;; now_.decide(), now_.move()) {
+    if (static_cast<std::size_t>(now_.updates()) == covered_.size()) {
+      std::vector<double>& covered = covered_.emplace_back();
+      for (std::size_t i = 0; i < now_.walkers().size(); ++i) covered.push_back(now_.covered(i));
+    }
+    if (now_.updates() >= updates) return covered_.at(static_cast<std::size_t>(updates));
+  }
+}
+
 Movers run_alone(const World& world, const People& people, const PeopleSettings& settings,
                  double horizon) {
   Crowd crowd(world, people, settings);

@@ -9,16 +9,18 @@
 namespace slalom {
 
 RunMovers::RunMovers(const World& world, const Footprint& footprint, const PeopleSettings& settings,
-                     double max_time, const Crowd* crowd)
+                     double max_time, PeopleAlone* alone)
     : scenario_(world.scenario()),
       settings_(settings),
       scripted_(scenario_.movers().size()),
+      alone_(alone),
       record_(scenario_.people(), max_time, scenario_.movers()) {
   if (scenario_.people().empty()) return;
-  if (crowd != nullptr)
-    crowd_.emplace(*crowd);
-  else
-    crowd_.emplace(world, scenario_.people(), settings);
+  if (alone_ == nullptr) {
+    own_alone_ = std::make_unique<PeopleAlone>(world, settings);
+    alone_ = own_alone_.get();
+  }
+  crowd_.emplace(alone_->start());
   robot_.disc.radius = footprint.enclosing_radius();
   for (const Person& person : scenario_.people())
     robot_.noticed.push_back(notices_robot(scenario_.hash(), person.id, settings.notices));
@@ -28,8 +30,12 @@ RunMovers::RunMovers(const World& world, const Footprint& footprint, const Peopl
 
 Hindrances RunMovers::hindrances() const {
   Hindrances hindrances;
-  if (crowd_)
-    for (const Walker& walker : crowd_->walkers()) hindrances.push_back(walker.hindrance);
+  if (!crowd_) return hindrances;
+  for (const Walker& walker : crowd_->walkers()) hindrances.push_back(walker.hindrance);
+  if (!is_noticed_) return hindrances;
+  const std::vector<double>& alone = alone_->covered(crowd_->updates());
+  for (std::size_t i = 0; i < hindrances.size(); ++i)
+    hindrances[i].deficit = (alone[i] - crowd_->covered(i)) / scenario_.people()[i].speed;
   return hindrances;
 }
 

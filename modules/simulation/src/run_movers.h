@@ -6,6 +6,7 @@
 
 #include <mrpt/math/TPose2D.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,10 +21,10 @@ struct SeenRobot {
 /// All that moves in a run but the robot: the movers of the scenario, then its people.
 class RunMovers {
  public:
-  /// `world` must outlive this. `crowd`: of the scenario's people with these settings, at time 0,
-  /// or null. Throws as Crowd.
+  /// `world` must outlive this, and `alone`: the scenario's people with these settings, or null.
+  /// Throws as Crowd.
   RunMovers(const World& world, const Footprint& footprint, const PeopleSettings& settings,
-            double max_time, const Crowd* crowd = nullptr);
+            double max_time, PeopleAlone* alone = nullptr);
 
   /// Always at the same place; people have waypoints up to the next update.
   const Movers& movers() const { return record_.movers(); }
@@ -54,6 +55,8 @@ class RunMovers {
   std::size_t scripted_;
   RobotDisc robot_;
   bool is_noticed_ = false;  ///< by anyone
+  std::unique_ptr<PeopleAlone> own_alone_;
+  PeopleAlone* alone_;
   std::optional<Crowd> crowd_;
   CrowdRecord record_;
 };

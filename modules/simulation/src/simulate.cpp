@@ -33,14 +33,14 @@ std::string at(const TPose2D& pose, double time) {
 class Run {
  public:
   Run(const World& world, const RunSetup& setup, std::uint64_t seed, Method& method,
-      RunObserver* observer, const Crowd* crowd)
+      RunObserver* observer, PeopleAlone* alone)
       : world_(world),
         setup_(setup),
         options_(setup.simulation),
         seed_(seed),
         method_(method),
         observer_(observer),
-        movers_(world, setup.robot.shape(), setup.people, options_.max_time, crowd),
+        movers_(world, setup.robot.shape(), setup.people, options_.max_time, alone),
         sensor_(world, movers_.movers(), setup.sensor, seed),
         tracker_(movers_.movers(), setup.tracker, seed),
         checker_(world, movers_, setup.robot, options_),
@@ -271,13 +271,13 @@ class Run {
 }  // namespace
 
 SimulationResult simulate(const World& world, const RunSetup& setup, std::uint64_t seed,
-                          Method& method, RunObserver* observer, const Crowd* crowd) {
+                          Method& method, RunObserver* observer, PeopleAlone* alone) {
   const double ratio = setup.simulation.control_period / setup.simulation.step;
   if (!(ratio >= 1 - 1e-6 && ratio < 1e9))
     throw std::invalid_argument("simulate: the step must divide the control period");
   if (!world.scenario().people().empty())
     check_period(setup.people, setup.simulation, location_of("people"));
-  return Run(world, setup, seed, method, observer, crowd).execute();
+  return Run(world, setup, seed, method, observer, alone).execute();
 }
 
 }  // namespace slalom

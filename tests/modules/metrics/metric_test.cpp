@@ -82,7 +82,8 @@ TEST(Metrics, AreListedInTheOrderOfTheDocumentation) {
         << info.id << text;
     EXPECT_GE(info.version, 1) << info.id;
     EXPECT_NE(info.name, "") << info.id;
-    EXPECT_EQ(info.direction == Direction::None, info.id == "contact_mover") << info.id;
+    const bool is_no_merit = info.id == "contact_mover" || info.id == "people_overlap";
+    EXPECT_EQ(info.direction == Direction::None, is_no_merit) << info.id;
     EXPECT_EQ(&metric(info.id), &candidate);
     EXPECT_TRUE(ids.insert(info.id).second) << "duplicate " << info.id;
   }
@@ -243,13 +244,13 @@ TEST(Metrics, HaveTheKindThatTheirUnitSays) {
   }
 }
 
-TEST(Metrics, WithoutRangeAreClearancesHindranceAndALogarithm) {
+TEST(Metrics, WithoutRangeAreClearancesDelaysOfPeopleAndALogarithm) {
   std::set<std::string> unbounded;
   for (const Metric& metric : all_metrics())
     if (range_notation(metric.info.range) == "..") unbounded.insert(metric.info.id);
   EXPECT_EQ(unbounded,
             (std::set<std::string>{"log_dimensionless_jerk", "mean_clearance", "min_clearance",
-                                   "min_mover_clearance", "people_hindrance"}));
+                                   "min_mover_clearance", "people_deficit", "people_hindrance"}));
 }
 
 }  // namespace

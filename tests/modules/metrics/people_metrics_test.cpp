@@ -63,6 +63,29 @@ TEST(PeopleSpeedChange, IsTheMeanOverTheUpdatesWithTheRobotInReach) {
             "nobody who notices the robot had it in reach");
 }
 
+TEST(PeopleDeficit, IsTheMeanOverAllPeople) {
+  Hindrances hindrances(4);
+  hindrances[0].deficit = 3;
+  hindrances[2].deficit = -1;
+  EXPECT_EQ(RunAmongPeople(kAway, hindrances).measured("people_deficit"), Value::of(0.5));
+}
+
+TEST(PeopleOverlap, IsTheDeepestOneAtAnyTimeOfTheRun) {
+  RunAmongPeople run(kAway, {{}, {}});
+  EXPECT_EQ(run.measured("people_overlap"), Value::of(0));
+  run.trajectory.samples.back().t = 6;
+  // Anna, of 0.3 m, passes bob, of 0.3 m, at 0.4 m, between two updates; the cart is no person.
+  run.movers[0].waypoints = {{0, {6, 5}}};
+  run.movers[1].waypoints = {{0, {5, 5.4}}, {1, {6.5, 5.4}}, {2, {9, 5.4}}};
+  EXPECT_NEAR(run.measured("people_overlap").number(), 0.2, 1e-12);
+  // After the run.
+  run.movers[1].waypoints = {{0, {5, 8}}, {6.5, {5, 8}}, {8, {6, 5}}};
+  EXPECT_EQ(run.measured("people_overlap"), Value::of(0));
+  // Before she appears.
+  run.movers[1].waypoints = {{3, {6, 5.5}}, {4, {6, 8}}};
+  EXPECT_NEAR(run.measured("people_overlap").number(), 0.1, 1e-12);
+}
+
 TEST(ContactBlame, IsOnTheRobotIfThePersonHadNoticedIt) {
   // The robot, of 0.25 m, ends at anna, at bob, at the cart, and in the open.
   const Path at_anna{{2, 5}, {3.45, 5}}, at_bob{{8, 5}, {6.55, 5}}, at_cart{{2, 5}, {2, 7.45}};

@@ -42,6 +42,27 @@ TEST(Crowd, CrossesACircleWithoutOverlap) {
     }
 }
 
+/// Straight ways to the via point, on to the goal, and back.
+TEST(Crowd, CoversItsRouteAtItsSpeed) {
+  const World world = empty_world(6);
+  Crowd crowd(world, {walker(0, {-3, 0}, {{2, 0}, {2, 3}}, PersonEnd::Return, 1)}, {});
+  for (int k = 0; k <= 150; ++k) {
+    EXPECT_NEAR(crowd.covered(0), 0.1 * k, 1e-9) << k;
+    crowd.decide();
+    crowd.move();
+  }
+}
+
+TEST(Crowd, HasCoveredItsRouteWhenItVanishes) {
+  const World world = world_with({-5, -5, 5, 5}, {rectangle(-0.1, -5, 0.1, 1)}, 0.1);
+  Crowd crowd(world, {walker(0, {-2, 0}, {{2, 0}}, PersonEnd::Vanish)}, {});
+  for (; !crowd.walkers()[0].departure; crowd.move()) crowd.decide();
+  // Around the end of the wall, at the radius from it, up to the tolerance of the goal.
+  const double shortest = 2 * std::hypot(1.9, 1.25) + 0.2 - 0.3;
+  EXPECT_GE(crowd.covered(0), shortest);
+  EXPECT_LE(crowd.covered(0), 1.1 * shortest);
+}
+
 TEST(Crowd, PassesEachOtherHeadOnOnALine) {
   const World world = empty_world(6);
   for (const PeopleModel model : kModels) {

@@ -56,5 +56,22 @@ TEST(RunAlone, LetsPeopleAppearWhenTheirPlaceIsFree) {
   EXPECT_TRUE(movers[1].present(0.45));
 }
 
+TEST(PeopleAlone, CoverWhatTheCrowdCovers) {
+  RandomEngine random(5);
+  const World empty = empty_world(5);
+  const World world(
+      empty.scenario().with_people(random_people(random, empty, 6, PersonEnd::Return)), 0.5);
+  PeopleAlone alone(world, {});
+  Crowd crowd = alone.start();
+  std::vector<std::vector<double>> covered;
+  for (; crowd.updates() <= 100; crowd.decide(), crowd.move()) {
+    std::vector<double>& now = covered.emplace_back();
+    for (std::size_t i = 0; i < 6; ++i) now.push_back(crowd.covered(i));
+  }
+  // In any order of the questions.
+  for (const std::size_t updates : {40, 0, 100, 7})
+    EXPECT_EQ(alone.covered(static_cast<int>(updates)), covered[updates]);
+}
+
 }  // namespace
 }  // namespace slalom::testing

@@ -44,8 +44,12 @@ class Crowd {
   /// `world` has to exist as long as the crowd. Throws as check_people().
   Crowd(const World& world, const People& people, const PeopleSettings& settings);
 
+  int updates() const { return updates_; }                         ///< moves so far
   double time() const { return updates_ * settings_.period; }      ///< s
   const std::vector<Walker>& walkers() const { return walkers_; }  ///< in the order of people
+  /// m, of its route that a person has covered: by how much the ways to the stations of the route
+  /// became shorter, each while it was the next one.
+  double covered(std::size_t i) const;
 
   /// Lets people appear, arrive, vanish and choose their velocities for the next period.
   void decide(const std::optional<RobotDisc>& robot = {});
@@ -58,6 +62,8 @@ class Crowd {
     std::size_t next = 1;  ///< station
     bool back = false;
     bool is_beside = false;                   ///< a robot that covers the goal
+    double covered = 0;                       ///< m, on the way to earlier stations
+    double leg = 0;                           ///< m, to the next station, when it became that
     std::optional<mrpt::math::TPoint2D> aim;  ///< m, on the way to the next station
     int rank = 0;
   };
@@ -67,6 +73,8 @@ class Crowd {
     bool robot_in_reach = false;            ///< it has a part in what the person chooses
   };
   void plan_routes();
+  void set_next(std::size_t i, std::size_t station);
+  double rest(std::size_t i) const;
   bool is_free(std::size_t i, const std::optional<RobotDisc>& robot) const;
   void advance(std::size_t i, const std::optional<RobotDisc>& robot);
   Intent intent_of(std::size_t i) const;

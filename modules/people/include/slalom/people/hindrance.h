@@ -14,10 +14,13 @@ struct Hindrance {
   /// period, at the preferred speed; negative if the person gains by the robot
   double time = 0;
   double speed_change = 0;  ///< m/s, the sum over the updates of the change of the velocity
+  /// s, at the preferred speed, of the route that the person has covered less of than it would have
+  /// without a robot by then; negative if it has covered more
+  double deficit = 0;
 
   bool operator==(const Hindrance& other) const {
     return is_noticed == other.is_noticed && updates == other.updates && time == other.time &&
-           speed_change == other.speed_change;
+           speed_change == other.speed_change && deficit == other.deficit;
   }
 };
 

@@ -24,6 +24,8 @@ class RouteField {
   /// straight is kept, and moved on along its way: this takes a quarter of the time.
   mrpt::math::TPoint2D target(const mrpt::math::TPoint2D& p,
                               const std::optional<mrpt::math::TPoint2D>& previous = {}) const;
+  /// m, of the way from p straight to a target of it, and on to the goal.
+  double length(const mrpt::math::TPoint2D& p, const mrpt::math::TPoint2D& target) const;
 
  private:
   struct Cell {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace slalom {
 
@@ -26,6 +27,22 @@ class CrowdRecord {
  private:
   std::size_t first_;
   Movers movers_;
+};
+
+/// The people of a scenario without a robot: the start of all runs among them, and how far they
+/// come alone, which is computed as far as it is asked for.
+class PeopleAlone {
+ public:
+  /// Throws as Crowd.
+  PeopleAlone(const World& world, const PeopleSettings& settings);
+
+  const Crowd& start() const { return start_; }
+  /// Crowd::covered() of each person after so many updates.
+  const std::vector<double>& covered(int updates);
+
+ private:
+  Crowd start_, now_;
+  std::vector<std::vector<double>> covered_;
 };
 
 /// The motion of people without a robot from 0 to `horizon` (s) or a little further: that of all

@@ -85,18 +85,18 @@ struct SimulationResult {
   Hindrances hindrances;  ///< of the people, by the updates up to the end of the run
 };
 
-class Crowd;
+class PeopleAlone;
 class RunObserver;
 
 /// Simulates one run of the method in the scenario and determines its outcome from ground truth:
 /// collisions are checked with the swept footprint between steps. mrpt::Clock is simulated during
 /// the run (it never goes backwards between runs of a process). Exceptions of the method end the
 /// run as method_error. Each kind of noise uses its own random stream derived from `seed`. The
-/// people of the scenario decide once per period, at the beginning of a control cycle. `crowd`
-/// spares making it: those people with the settings of `setup`, at time 0. Throws Error (File) if
+/// people of the scenario decide once per period, at the beginning of a control cycle. `alone`, for
+/// several runs in a scenario: its people with the settings of `setup`. Throws Error (File) if
 /// somebody starts in a wall.
 SimulationResult simulate(const World& world, const RunSetup& setup, std::uint64_t seed,
                           Method& method, RunObserver* observer = nullptr,
-                          const Crowd* crowd = nullptr);
+                          PeopleAlone* alone = nullptr);
 
 }  // namespace slalom
