@@ -2,7 +2,12 @@
 #include <slalom/campaign/measure.h>
 #include <slalom/core/random.h>
 #include <slalom/metrics/metric.h>
+#include <slalom/people/run_alone.h>
 #include <slalom/references/earliest_arrival.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -15,6 +20,22 @@ MetricContext context_of(const CampaignOptions& options, const World& world,
                              options.safe_distance, &movers);
 }
 
+/// All that moves in each run, whatever the robot does; nullopt without people, or if one of them
+/// may notice the robot.
+std::optional<Movers> motions_in_each_run(const CampaignOptions& options, const World& world) {
+  const Scenario& scenario = world.scenario();
+  const bool is_noticed =
+      std::any_of(scenario.people().begin(), scenario.people().end(), [&](const Person& person) {
+        return notices_robot(scenario.hash(), person.id, options.people.notices);
+      });
+  if (scenario.people().empty() || is_noticed) return std::nullopt;
+  Movers movers = scenario.movers();
+  for (Mover& person :
+       run_alone(world, scenario.people(), options.people, options.simulation.max_time))
+    movers.push_back(std::move(person));
+  return movers;
+}
+
 }  // namespace
 
 References find_references(const CampaignOptions& options, const ReferencePlanner* planner,
@@ -22,11 +43,13 @@ References find_references(const CampaignOptions& options, const ReferencePlanne
   const Scenario& scenario = world.scenario();
   // For a polygon, the inscribed disc: it fits wherever the polygon fits, so no run can be shorter
   // than the reference.
+  const std::optional<Movers> present = motions_in_each_run(options, world);
   const PlanningProblem problem{world,
                                 options.robot.shape().inscribed_radius(),
                                 {scenario.start().x, scenario.start().y},
                                 scenario.goal(),
-                                scenario.start().phi};
+                                scenario.start().phi,
+                                present ? &*present : nullptr};
   References references =
       compute_references(problem, planner, options.reference_gap,
                          derive_seed(options.seed, "reference/" + scenario.hash()));

@@ -33,7 +33,9 @@ Value arrival_ratio(const MetricContext& context) {
   if (const auto na = na_without_shortest(context)) return *na;
   if (!context.references.arrival) {
     const std::string& reason = context.references.arrival_reason;
-    return Value::na(reason.empty() ? "the earliest arrival was not computed" : reason);
+    if (!reason.empty()) return Value::na(reason);
+    return Value::na(context.hindrances.empty() ? "the earliest arrival was not computed"
+                                                : "people may notice the robot");
   }
   const double earliest = context.references.arrival->certificate.lower_bound;
   if (earliest == 0) return Value::na("the start is in the goal region");

@@ -47,7 +47,7 @@ std::optional<EarliestArrival> earliest_arrival(const PlanningProblem& problem,
                                                 const ArrivalLimits& limits, std::string& reason) {
   const std::string within = " within " + format_number(limits.max_time) + " s";
   const Traffic traffic =
-      arrival::traffic_of(problem.world.scenario().movers(), problem.robot_radius, limits.max_time);
+      arrival::traffic_of(problem.movers(), problem.robot_radius, limits.max_time);
   const auto at_start = safe_intervals(problem.start, traffic, limits.max_time);
   if (at_start.empty() || at_start.front().first > 0) {
     reason = "a moving obstacle touches the robot where it starts";
@@ -75,7 +75,7 @@ std::optional<EarliestArrival> earliest_arrival(const PlanningProblem& problem,
 
 void add_earliest_arrival(const PlanningProblem& problem, const ArrivalLimits& limits,
                           References& references) {
-  if (!references.shortest || problem.world.scenario().movers().empty()) return;
+  if (!references.shortest || problem.movers().empty()) return;
   references.timing.arrival = wall_time_of([&] {
     references.arrival =
         earliest_arrival(problem, *references.shortest, limits, references.arrival_reason);

@@ -39,6 +39,41 @@ TEST(MeasureRun, ComputesTheEnabledMetricsWithTheCampaignOptions) {
   EXPECT_EQ(measured().at("par2_time").value, Value::of(20));
 }
 
+/// A corridor of 1.2 m, and somebody of 0.3 m who stands in its middle until 5 s and leaves it
+/// then: 0.3 m beside a person are no room for a robot of 0.2 m.
+World corridor(PersonEnd end) {
+  Person person{"anna", 0.3, 1, {5, 0.6}, {{9.4, 0.6}}, 0, end};
+  if (end == PersonEnd::Stay) person.route = {{5, 0.6}};
+  return World(Scenario::continuous("corridor", {0, 0, 10, 1.2}, {}, {1, 0.6, 0}, {9, 0.6})
+                   .with_people({person}),
+               0.05);
+}
+
+TEST(FindReferences, HaveTheArrivalAmongPeopleWhoDoNotNoticeTheRobot) {
+  CampaignOptions options;
+  options.robot.radius = 0.2;
+  options.robot.max_v = 2;
+  options.people.notices = 0;
+  const World leaving = corridor(PersonEnd::Vanish);
+  const References among = find_references(options, nullptr, leaving);
+  // Anna, at 1 m/s, is at her goal, up to the tolerance of 0.3 m, after 4.1 s, 4.1 m from the
+  // start; the robot, of 2 m/s, cannot pass her, and has 0.2 m to touch the goal at 9 m.
+  ASSERT_TRUE(among.arrival);
+  EXPECT_GT(among.arrival->certificate.lower_bound, (9 - 0.2 - 1) / 2.0);
+  EXPECT_GE(among.arrival->certificate.upper_bound, among.arrival->certificate.lower_bound);
+  EXPECT_LT(among.arrival->certificate.upper_bound, 6);
+
+  const References blocked = find_references(options, nullptr, corridor(PersonEnd::Stay));
+  EXPECT_FALSE(blocked.arrival);
+  EXPECT_NE(blocked.unsolvable_reason(), "") << "she stands in the way for ever";
+
+  // People who notice the robot may stand aside: nothing is proved.
+  options.people.notices = 1;
+  const References open = find_references(options, nullptr, corridor(PersonEnd::Stay));
+  EXPECT_FALSE(open.arrival);
+  EXPECT_EQ(open.unsolvable_reason(), "");
+}
+
 /// A log along y = 5 at 1 m/s up to the wall at x = 10.
 Trajectory log_to_the_wall() {
   Trajectory log;

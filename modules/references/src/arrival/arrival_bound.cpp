@@ -70,7 +70,7 @@ class SquareSearch {
         side_(kSideOfRadius * problem.robot_radius),
         reach_(side_ * std::sqrt(0.5) + kMargin),
         radius_(problem.robot_radius - reach_),
-        traffic_(traffic_of(problem.world.scenario().movers(), radius_, limits.max_time)) {}
+        traffic_(traffic_of(problem.movers(), radius_, limits.max_time)) {}
 
   double run(double known) {
     for (const int state : states_at({0, 0}))

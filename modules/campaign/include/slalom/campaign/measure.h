@@ -13,8 +13,9 @@
 namespace slalom {
 
 /// The reference paths of a scenario as computed in a campaign (`planner` null: exact search only).
-/// They are among static obstacles, and the earliest arrival is among movers. People only add to
-/// these: each lower bound, and each proof that there is no path or arrival, holds among them too.
+/// They are among static obstacles, and the earliest arrival is among movers, and among people if
+/// none of them notices the robot. Other people only add to these: each lower bound, and each proof
+/// that there is no path or arrival, holds among them too.
 /// Call it in a separate process: OMPL seeds its random number generators once per process.
 References find_references(const CampaignOptions& options, const ReferencePlanner* planner,
                            const World& world);

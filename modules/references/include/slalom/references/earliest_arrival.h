@@ -15,7 +15,7 @@ struct ArrivalLimits {
   double max_time = 60;         ///< s: later arrivals do not count
 };
 
-/// The earliest arrival among the movers of the scenario, of a disc that leaves the start at time 0
+/// The earliest arrival among the movers of the problem, of a disc that leaves the start at time 0
 /// and moves in any direction with at most the maximum speed, knows all movements in advance, and
 /// touches neither movers nor static obstacles: no robot that turns, accelerates or senses is
 /// earlier. `shortest` is the reference among the static obstacles.
@@ -46,7 +46,7 @@ std::optional<EarliestArrival> earliest_arrival(const PlanningProblem& problem,
                                                 const ShortestPath& shortest,
                                                 const ArrivalLimits& limits, std::string& reason);
 
-/// Adds the earliest arrival, or the reason, to the references of a scenario with movers and a
+/// Adds the earliest arrival, or the reason, to the references of a problem with movers and a
 /// shortest path; nothing to others.
 void add_earliest_arrival(const PlanningProblem& problem, const ArrivalLimits& limits,
                           References& references);

@@ -88,6 +88,10 @@ struct PlanningProblem {
   double robot_radius = 0.25;  ///< m, disc
   mrpt::math::TPoint2D start, goal;
   double start_heading = 0;  ///< rad, for planners in SE(2)
+  /// All that moves, in the earliest arrival; null: the movers of the scenario.
+  const Movers* present = nullptr;
+
+  const Movers& movers() const { return present != nullptr ? *present : world.scenario().movers(); }
 };
 
 /// A planner of reference paths of a given quality (the interface to OMPL). It may use the exact
