@@ -14,6 +14,8 @@ using Vector = mrpt::math::TPoint2D;
 /// Rounding errors of times (s) and of squared distances; intervals are widened by the former.
 constexpr double kTimeTolerance = 1e-9;
 
+constexpr std::size_t kSegmentsPerBox = 16;
+
 /// The center of the robot relative to the mover is base + along * s + across * d, at the time s
 /// since the departure d.
 struct RelativeMotion {
@@ -106,14 +108,36 @@ bool are_apart(double a, double da, double b, double db, double distance) {
          std::max(a, a + da) < std::min(b, b + db) - distance;
 }
 
+/// Boxes around the center of the mover, one for each run of kSegmentsPerBox segments.
+std::vector<Bounds> boxes_of(const std::vector<MoverSegment>& segments) {
+  std::vector<Bounds> boxes;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Vector from = segments[i].from,
+                 to = from + segments[i].velocity * (segments[i].end - segments[i].begin);
+    if (i % kSegmentsPerBox == 0) boxes.push_back({from.x, from.y, from.x, from.y});
+    Bounds& box = boxes.back();
+    for (const Vector& p : {from, to})
+      box = {std::min(box.x_min, p.x), std::min(box.y_min, p.y), std::max(box.x_max, p.x),
+             std::max(box.y_max, p.y)};
+  }
+  return boxes;
+}
+
+bool is_apart(const Leg& leg, const Bounds& box, double distance) {
+  const Vector displacement = leg.velocity * leg.duration;
+  return are_apart(leg.from.x, displacement.x, box.x_min, box.x_max - box.x_min, distance) ||
+         are_apart(leg.from.y, displacement.y, box.y_min, box.y_max - box.y_min, distance);
+}
+
 }  // namespace
+
+MoverMotion::MoverMotion(std::vector<MoverSegment> segments, double distance)
+    : segments_(std::move(segments)), boxes_(boxes_of(segments_)), distance_(distance) {}
 
 Traffic traffic_of(const Movers& movers, double distance, double horizon) {
   Traffic traffic;
-  for (const Mover& mover : movers) {
-    traffic.segments.push_back(segments_of(mover, horizon));
-    traffic.distances.push_back(mover.radius + distance);
-  }
+  for (const Mover& mover : movers)
+    traffic.emplace_back(segments_of(mover, horizon), mover.radius + distance);
   return traffic;
 }
 
@@ -131,20 +155,28 @@ std::optional<Interval> unsafe_departures(const Leg& leg, const MoverSegment& se
   return Extremes(motion, leg.duration, {segment.begin, segment.end}, distance).interval();
 }
 
+void MoverMotion::add_unsafe_departures(const Leg& leg, const Interval& window,
+                                        std::vector<Interval>& unsafe) const {
+  const auto first =
+      std::partition_point(segments_.begin(), segments_.end(),
+                           [&](const MoverSegment& segment) { return segment.end < window.first; });
+  for (auto i = static_cast<std::size_t>(first - segments_.begin()); i < segments_.size();) {
+    if (segments_[i].begin > window.last + leg.duration) return;
+    const std::size_t box = i / kSegmentsPerBox, next = (box + 1) * kSegmentsPerBox;
+    if (is_apart(leg, boxes_[box], distance_)) {
+      i = next;
+      continue;
+    }
+    for (; i < std::min(next, segments_.size()); ++i)
+      if (const auto interval = unsafe_departures(leg, segments_[i], distance_))
+        unsafe.push_back(*interval);
+  }
+}
+
 std::vector<Interval> unsafe_departures(const Leg& leg, const Traffic& traffic,
                                         const Interval& window) {
   std::vector<Interval> unsafe;
-  for (std::size_t i = 0; i < traffic.segments.size(); ++i) {
-    const auto& segments = traffic.segments[i];
-    auto segment =
-        std::partition_point(segments.begin(), segments.end(),
-                             [&](const MoverSegment& s) { return s.end < window.first; });
-    for (; segment != segments.end(); ++segment) {
-      if (segment->begin > window.last + leg.duration) break;
-      const auto interval = unsafe_departures(leg, *segment, traffic.distances[i]);
-      if (interval) unsafe.push_back(*interval);
-    }
-  }
+  for (const MoverMotion& mover : traffic) mover.add_unsafe_departures(leg, window, unsafe);
   return unsafe;
 }
 

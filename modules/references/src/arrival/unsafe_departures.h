@@ -3,6 +3,7 @@
 
 #include "time_intervals.h"
 
+#include <slalom/scenario/geometry.h>
 #include <slalom/scenario/mover.h>
 
 #include <optional>
@@ -16,11 +17,23 @@ struct Leg {
   double duration = 0;
 };
 
-/// The movers as the searches need them.
-struct Traffic {
-  std::vector<std::vector<MoverSegment>> segments;  ///< of each mover, in the order of time
-  std::vector<double> distances;  ///< m, from each mover's center, below which is unsafe
+/// A mover as the searches need it.
+class MoverMotion {
+ public:
+  /// `segments` in the order of time; nearer to the mover's center than `distance` (m) is unsafe.
+  MoverMotion(std::vector<MoverSegment> segments, double distance);
+
+  /// Adds the unsafe departures; of those outside of `window` some may be missing.
+  void add_unsafe_departures(const Leg& leg, const Interval& window,
+                             std::vector<Interval>& unsafe) const;
+
+ private:
+  std::vector<MoverSegment> segments_;
+  std::vector<Bounds> boxes_;  ///< m, of the center, in each run of kSegmentsPerBox segments
+  double distance_;
 };
+
+using Traffic = std::vector<MoverMotion>;
 
 /// All movers, from whose edges the robot's center must keep `distance` (m).
 Traffic traffic_of(const Movers& movers, double distance, double horizon);

@@ -54,7 +54,10 @@ SearchWorld random_search_world(RandomEngine& engine) {
   complete(world.roadmap);
   const int count = uniform_int(engine, 1, 6);
   for (int i = 0; i < count; ++i) {
-    Mover mover{std::to_string(i), 0, {}, static_cast<MoverEnd>(uniform_int(engine, 0, 2))};
+    Mover mover{std::to_string(i),
+                uniform_real(engine, 0.3, 0.9),
+                {},
+                static_cast<MoverEnd>(uniform_int(engine, 0, 2))};
     double t = uniform_real(engine, 0, 2);
     const int points = uniform_int(engine, 1, 4);
     for (int p = 0; p < points; ++p, t += uniform_real(engine, 0.5, 3))
@@ -62,9 +65,8 @@ SearchWorld random_search_world(RandomEngine& engine) {
     if (mover.after == MoverEnd::Loop)
       mover.waypoints.push_back({t + 1, mover.waypoints.front().position});
     world.movers.push_back(mover);
-    world.traffic.segments.push_back(segments_of(mover, kSearchHorizon));
-    world.traffic.distances.push_back(uniform_real(engine, 0.3, 0.9));
   }
+  world.traffic = traffic_of(world.movers, 0, kSearchHorizon);
   return world;
 }
 
@@ -77,8 +79,8 @@ bool keeps_distance(const SearchWorld& world, const TPoint2D& p, double t0, cons
     const double part = static_cast<double>(i) / samples, t = t0 + part * (t1 - t0);
     const TPoint2D robot = p + (q - p) * part;
     for (std::size_t m = 0; m < world.movers.size(); ++m)
-      if (world.movers[m].present(t) && distance_between(robot, world.movers[m].position(t)) <
-                                            world.traffic.distances[m] - tolerance)
+      if (world.movers[m].present(t) &&
+          distance_between(robot, world.movers[m].position(t)) < world.movers[m].radius - tolerance)
         return false;
   }
   return true;
@@ -156,13 +158,13 @@ TEST(SafeIntervals, LetADoorwayBePassedAfterAMoverHasCrossedIt) {
   };
   complete(roadmap);
   const Mover mover{"a", 0.2, {{0, {2, 0}}, {7, {2, 0}}, {17, {2, 10}}}, MoverEnd::Vanish};
-  const auto stays = search_safe_intervals(roadmap, {{segments_of(mover, 20)}, {0.5}}, 1, 20);
+  const auto stays = search_safe_intervals(roadmap, traffic_of({mover}, 0.3, 20), 1, 20);
   ASSERT_EQ(stays.size(), 3U);
   // Before the robot arrives at (2, 0) at the time a, the distance at the time t > 7 is hypot(a -
   // t, t - 7), least at t = (a + 7) / 2: (a - 7) / sqrt(2) >= 0.5.
   EXPECT_NEAR(stays[1].arrival, 7 + 0.5 * std::sqrt(2), 1e-6);
   EXPECT_NEAR(stays[2].arrival, 9 + 0.5 * std::sqrt(2), 1e-6);
-  EXPECT_TRUE(search_safe_intervals(roadmap, {{segments_of(mover, 9)}, {0.5}}, 1, 9).empty())
+  EXPECT_TRUE(search_safe_intervals(roadmap, traffic_of({mover}, 0.3, 9), 1, 9).empty())
       << "later than the horizon";
 }
 

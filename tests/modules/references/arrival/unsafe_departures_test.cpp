@@ -101,5 +101,36 @@ TEST(UnsafeDepartures, AreThoseThatSamplingFinds) {
   EXPECT_GT(outside, 500);
 }
 
+/// People move so: in many short segments.
+TEST(UnsafeDepartures, OfALongMotionAreThoseOfItsSegments) {
+  RandomEngine engine(43);
+  for (int trial = 0; trial < 200; ++trial) {
+    const auto number = [&](double low, double high) { return uniform_real(engine, low, high); };
+    Mover mover{"a", 0.3, {}, MoverEnd::Stop};
+    TPoint2D p(number(-5, 5), number(-5, 5));
+    const int count = uniform_int(engine, 1, 100);
+    for (int i = 0; i < count; ++i, p += TPoint2D(number(-0.3, 0.3), number(-0.3, 0.3)))
+      mover.waypoints.push_back({0.1 * i, p});
+    const Leg leg{{number(-5, 5), number(-5, 5)}, {number(-1, 1), number(-1, 1)}, number(0, 2)};
+    const Interval window{number(0, 5), number(5, 12)};
+    std::vector<Interval> expected;
+    for (const MoverSegment& segment : segments_of(mover, 12))
+      if (segment.end >= window.first && segment.begin <= window.last + leg.duration)
+        if (const auto interval = unsafe_departures(leg, segment, 0.5))
+          expected.push_back(*interval);
+    const auto unsafe = unsafe_departures(leg, traffic_of({mover}, 0.2, 12), window);
+    // Departures outside of the window may be missing.
+    const auto inside = [&](std::vector<Interval> intervals) {
+      return gaps_between(std::move(intervals), window.first, window.last);
+    };
+    const std::vector<Interval> found = inside(unsafe), all = inside(expected);
+    ASSERT_EQ(found.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_EQ(found[i].first, all[i].first);
+      EXPECT_EQ(found[i].last, all[i].last);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace slalom::arrival
