@@ -15,6 +15,7 @@
 #include <slalom/generation/follow_path.h>
 #include <slalom/generation/maze.h>
 #include <slalom/generation/passage.h>
+#include <slalom/generation/people_crossing.h>
 #include <slalom/generation/perlin.h>
 #include <slalom/generation/poisson_forest.h>
 #include <slalom/generation/random_generator.h>

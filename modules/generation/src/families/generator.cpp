@@ -14,6 +14,7 @@
 #include <slalom/generation/generator.h>
 #include <slalom/generation/maze.h>
 #include <slalom/generation/passage.h>
+#include <slalom/generation/people_crossing.h>
 #include <slalom/generation/perlin.h>
 #include <slalom/generation/poisson_forest.h>
 #include <slalom/generation/random_generator.h>
@@ -53,6 +54,7 @@ constexpr Family kFamilies[] = {
     family_of<AvoidOptions>(),
     family_of<CellularAutomatonOptions>(),
     family_of<CircleOptions>(),
+    family_of<CircleCrossingOptions>(),
     family_of<ClutterOptions>(),
     family_of<CropOptions>(),
     family_of<CrossingOptions>(),
@@ -67,6 +69,7 @@ constexpr Family kFamilies[] = {
     family_of<PoissonForestOptions>(),
     family_of<RandomGeneratorOptions>(),
     family_of<RoomsOptions>(),
+    family_of<SquareCrossingOptions>(),
     family_of<SuddenObstacleOptions>(),
     family_of<TrapsOptions>(),
 };

@@ -69,10 +69,10 @@ class PlaceSampler {
 
 People sample_people(const World& world, double robot_radius, const PeopleOptions& options,
                      RandomEngine& engine) {
-  People people;
+  People people = world.scenario().people();
   for (int i = 0; i < options.count; ++i) {
     Person person;
-    person.id = "person_" + std::to_string(i);
+    person.id = "person_" + std::to_string(people.size());
     person.radius = uniform_real(engine, options.min_radius, options.max_radius);
     person.speed = uniform_real(engine, options.min_speed, options.max_speed);
     person.after = PersonEnd::Return;

@@ -14,12 +14,12 @@ struct PeopleOptions {
   double min_speed = 0.8, max_speed = 1.5;    ///< m/s, the preferred one of each person
 };
 
-/// `options.count` people for the scenario of `world`. Each walks between a random start and a
-/// random goal, at least 3 m apart, by whichever way people of its radius take; there is one.
-/// Starts are 0.05 m from obstacles, the border and each other, and so are goals; starts are 1 m
-/// from a disc of `robot_radius` (m) at the start of the robot, goals at its goal. Person i depends
-/// only on the world, the options, the state of `engine` and the people before it. Throws Error
-/// (Job) if there is no room for a person.
+/// The people of the scenario of `world`, and `options.count` more. Each of these walks between a
+/// random start and a random goal, at least 3 m apart, by whichever way people of its radius take;
+/// there is one. Starts are 0.05 m from obstacles, the border and all other starts, and so are
+/// goals; starts are 1 m from a disc of `robot_radius` (m) at the start of the robot, goals at its
+/// goal. Person i depends only on the world, the options, the state of `engine` and the people
+/// before it. Throws Error (Job) if there is no room for a person.
 People sample_people(const World& world, double robot_radius, const PeopleOptions& options,
                      RandomEngine& engine);
 
