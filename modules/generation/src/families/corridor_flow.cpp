@@ -28,9 +28,10 @@ class CorridorFlowGenerator : public Generator {
     const auto start = start_pose(engine, ends);
     Movers movers = sample_movers(
         engine, options_.movers, MoverEnd::Vanish, ends.start, options_.start_goal.clear_radius,
-        [&](double radius, double speed) { return walk(engine, ends, width, radius, speed); });
-    return Scenario::continuous(scenario_name, corridor, {}, start, ends.goal)
-        .with_movers(std::move(movers));
+        [&](double radius, double speed) { return walk(engine, ends, width, radius, speed); },
+        options_.people);
+    return with_moving(Scenario::continuous(scenario_name, corridor, {}, start, ends.goal),
+                       std::move(movers), options_.people);
   }
 
  private:
@@ -74,6 +75,7 @@ void CorridorFlowOptions::visit(OptionVisitor& v) {
   v.option("min_width", min_width, "m", "minimum width of the corridor", Range::positive());
   v.option("max_width", max_width, "m", "maximum width of the corridor", Range::positive());
   movers.visit(v);
+  v.option("people", people, "moving obstacles are people, who react");
   start_goal.visit(v);
 }
 

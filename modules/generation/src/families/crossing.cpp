@@ -38,9 +38,10 @@ class CrossingGenerator : public Generator {
     const auto start = start_pose(engine, ends);
     Movers movers = sample_movers(
         engine, options_.movers, MoverEnd::Loop, ends.start, options_.start_goal.clear_radius,
-        [&](double radius, double speed) { return crossing_walk(engine, ends, radius, speed); });
-    return Scenario::continuous(scenario_name, workspace, {}, start, ends.goal)
-        .with_movers(std::move(movers));
+        [&](double radius, double speed) { return crossing_walk(engine, ends, radius, speed); },
+        options_.people);
+    return with_moving(Scenario::continuous(scenario_name, workspace, {}, start, ends.goal),
+                       std::move(movers), options_.people);
   }
 
  private:
@@ -77,6 +78,7 @@ void CrossingOptions::visit(OptionVisitor& v) {
            "maximum angle between a moving obstacle's path and the normal of the robot's",
            Range::between(0, 80));
   movers.visit(v);
+  v.option("people", people, "moving obstacles are people, who react");
   start_goal.visit(v);
 }
 

@@ -30,13 +30,15 @@ class DoorwayGenerator : public Generator {
       walls.polygons.push_back(rectangle(left.x_max, 0, right.x_min, middle - door / 2));
     if (middle + door / 2 < h)
       walls.polygons.push_back(rectangle(left.x_max, middle + door / 2, right.x_min, h));
-    Movers movers =
-        sample_movers(engine, options_.movers, MoverEnd::Stop, ends.start,
-                      options_.start_goal.clear_radius, [&](double radius, double speed) {
-                        return walk(engine, ends.start, middle, radius, speed);
-                      });
-    return Scenario::continuous(scenario_name, {0, 0, w, h}, std::move(walls), start, ends.goal)
-        .with_movers(std::move(movers));
+    Movers movers = sample_movers(
+        engine, options_.movers, MoverEnd::Stop, ends.start, options_.start_goal.clear_radius,
+        [&](double radius, double speed) {
+          return walk(engine, ends.start, middle, radius, speed);
+        },
+        options_.people);
+    return with_moving(
+        Scenario::continuous(scenario_name, {0, 0, w, h}, std::move(walls), start, ends.goal),
+        std::move(movers), options_.people);
   }
 
  private:
@@ -71,6 +73,7 @@ void DoorwayOptions::visit(OptionVisitor& v) {
   v.option("max_wait", max_wait, "s", "latest time at which a moving obstacle begins to walk",
            Range::between(0, 3600));
   movers.visit(v);
+  v.option("people", people, "moving obstacles are people, who react and do not wait");
   start_goal.visit(v);
 }
 

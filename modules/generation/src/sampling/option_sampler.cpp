@@ -52,7 +52,8 @@ class OptionDrawer : public OptionVisitor {
       draw(option, *number);
     else if (int* integer = option.get_if<int>(); integer != nullptr && varies())
       draw(option, *integer);
-    else if (bool* flag = option.get_if<bool>(); flag != nullptr && varies())
+    else if (bool* flag = option.get_if<bool>();
+             flag != nullptr && option.key != "people" && varies())
       *flag = uniform_int(engine_, 0, 1) == 1;
     else if (std::string* text = option.get_if<std::string>();
              text != nullptr && !option.choices.empty() && varies())

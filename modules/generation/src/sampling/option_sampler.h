@@ -9,8 +9,8 @@ namespace slalom {
 
 /// Creates generators with random options around their defaults: lengths scaled with the workspace,
 /// whose sides lie between min_extent and max_extent, and numbers varied by up to a factor of 4,
-/// within their ranges. Options set in the .ini, texts without choices, seeds and the cell size are
-/// unchanged.
+/// within their ranges. Options set in the .ini, texts without choices, seeds, the cell size and
+/// whether there are people are unchanged.
 class OptionSampler {
  public:
   OptionSampler(const CoveragePlan& plan, const MapLoader& load_map);

@@ -8,9 +8,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 namespace slalom {
+namespace {
+
+/// Cells may reach farther than what they represent.
+bool starts_in_wall(const World& world) {
+  const People& people = world.scenario().people();
+  return std::any_of(people.begin(), people.end(), [&](const Person& person) {
+    return world.distance_field().clearance(person.start) < person.radius;
+  });
+}
+
+}  // namespace
 
 bool is_certified(const PlanningProblem& problem, std::string& reason) {
   const World& world = problem.world;
@@ -33,7 +45,10 @@ SolvableWorld SolvableSearch::find(const std::string& name, const Draw& draw,
       const auto& start = world->scenario().start();
       const PlanningProblem problem{
           *world, settings_.robot_radius, {start.x, start.y}, world->scenario().goal()};
-      if (is_certified(problem, reason)) return {std::move(world), attempt};
+      if (starts_in_wall(*world))
+        reason = "a person starts in a wall";
+      else if (is_certified(problem, reason))
+        return {std::move(world), attempt};
     }
     ++reasons[reason];
   }

@@ -142,6 +142,97 @@ TEST(MovingFamilies, WalkersAreAddedToTheMoversOfTheFamily) {
   EXPECT_EQ(ids, (std::set<std::string>{"mover_0", "mover_1", "mover_2", "walker_0", "walker_1"}));
 }
 
+/// The families whose moving obstacles may be people.
+const std::vector<std::string> kFamiliesWithPeople = {"crossing", "doorway", "oncoming",
+                                                      "overtaking"};
+
+TEST(MovingFamilies, WithoutPeopleTheOptionChangesNothing) {
+  for (const std::string& name : kFamiliesWithPeople) {
+    RandomEngine engine(3), same(3);
+    const Scenario scenario = family(name)->generate("x", engine);
+    EXPECT_TRUE(scenario.people().empty());
+    EXPECT_EQ(scenario.hash(), family(name, "people = false\n")->generate("x", same).hash());
+  }
+}
+
+/// Equal seeds give equal numbers for as long as nobody has to be drawn again.
+TEST(MovingFamilies, APersonStartsEndsAndMovesAsAMoverDoes) {
+  for (const std::string& name : kFamiliesWithPeople) {
+    const std::string one = "min_movers = 1\nmax_movers = 1\n";
+    const auto movers = family(name, one), people = family(name, one + "people = true\n");
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      RandomEngine engine(seed), same(seed);
+      const Scenario scripted = movers->generate("x", engine);
+      const Scenario reacting = people->generate("x", same);
+      EXPECT_EQ(scripted.with_movers({}).hash(), reacting.with_people({}).hash());
+      ASSERT_EQ(reacting.people().size(), scripted.movers().size());
+      if (reacting.people().empty()) continue;
+      const Mover& mover = scripted.movers()[0];
+      const Person& person = reacting.people()[0];
+      const auto& walk = mover.waypoints;
+      EXPECT_EQ(person.id, "person_0");
+      EXPECT_EQ(person.radius, mover.radius);
+      EXPECT_EQ(person.start, walk.front().position);
+      EXPECT_EQ(person.begin, 0);
+      const TPoint2D v = mover.velocity(walk.back().t - 1e-3);
+      EXPECT_NEAR(person.speed, std::hypot(v.x, v.y), kRoundingError);
+      if (name == "crossing") {
+        EXPECT_EQ(person.after, PersonEnd::Return);
+        EXPECT_EQ(person.route, (std::vector<TPoint2D>{walk[1].position, walk[2].position}));
+      } else {
+        EXPECT_EQ(person.after, name == "doorway" ? PersonEnd::Stay : PersonEnd::Vanish);
+        EXPECT_EQ(person.route, std::vector<TPoint2D>{walk.back().position});
+      }
+    }
+  }
+}
+
+TEST(MovingFamilies, PeopleStartAndStayApartAndOffTheRobot) {
+  for (const std::string& name : kFamiliesWithPeople) {
+    const auto generator = family(name, "min_movers = 4\nmax_movers = 8\npeople = true\n");
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      RandomEngine engine(seed);
+      const Scenario scenario = generator->generate("x", engine);
+      EXPECT_TRUE(scenario.movers().empty());
+      const People& people = scenario.people();
+      for (std::size_t i = 0; i < people.size(); ++i) {
+        const Person& a = people[i];
+        EXPECT_GE(wall_clearance(scenario, a.start), a.radius + 0.05 - kRoundingError);
+        EXPECT_GE(distance_between(a.start, TPoint2D(scenario.start())), a.radius + 0.5);
+        for (std::size_t j = 0; j < i; ++j) {
+          const Person& b = people[j];
+          const double apart = a.radius + b.radius + 0.05;
+          EXPECT_GE(distance_between(a.start, b.start), apart);
+          if (a.after != PersonEnd::Vanish) {
+            EXPECT_GE(distance_between(a.route.back(), b.route.back()), apart);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(MovingFamilies, NobodyStartsInCellsOfWalls) {
+  // Cells of 0.3 m, which may reach farther from a wall than the 0.05 m that people keep from it.
+  MixSettings settings;
+  settings.each.count = 40;
+  settings.each.resolution = 0.3;
+  const auto progress = make_silent_progress();
+  std::size_t people = 0;
+  generate_mix({{family("doorway", "people = true\n"), 1, 5, "d"}}, settings, *progress,
+               [&](std::vector<GeneratedScenario>& batch) {
+                 for (const GeneratedScenario& one : batch) {
+                   const World world(one.scenario, settings.each.resolution);
+                   for (const Person& person : one.scenario.people()) {
+                     EXPECT_GE(world.distance_field().clearance(person.start), person.radius);
+                     ++people;
+                   }
+                 }
+                 return std::vector<std::size_t>();
+               });
+  EXPECT_GT(people, 40U);
+}
+
 TEST(MovingFamilies, WithoutMoversAcceptWallsAtAnyDistance) {
   const std::string none = "min_movers = 0\nmax_movers = 0\n";
   EXPECT_EQ(refusal("doorway", none + "min_door = 0.3\nmax_door = 0.3\n"), "no error");

@@ -12,6 +12,7 @@ struct CorridorFlowOptions {
   double length = 16;                   ///< m
   double min_width = 2, max_width = 4;  ///< m, drawn per scenario
   MoverOptions movers;
+  bool people = false;  ///< people, who react, instead of movers
   StartGoalOptions start_goal = {1, 10, 0.6};
 
   void visit(OptionVisitor& v);

@@ -12,6 +12,7 @@ struct CrossingOptions {
   double width = 14, height = 10;  ///< m
   double max_turn_deg = 30;        ///< between a mover's path and the normal of the robot's
   MoverOptions movers;
+  bool people = false;  ///< people, who react, instead of movers
   StartGoalOptions start_goal = {0.8, 8, 1};
 
   void visit(OptionVisitor& v);

@@ -14,6 +14,7 @@ struct DoorwayOptions {
   double wall = 0.15;                   ///< m, thickness
   double max_wait = 15;                 ///< s, until a mover begins to walk
   MoverOptions movers = {2, 5, 0.2, 0.35, 0.4, 1.2};
+  bool people = false;  ///< people, who react and do not wait, instead of movers
   StartGoalOptions start_goal = {0.8, 6, 0.8};
 
   void visit(OptionVisitor& v);

@@ -4,7 +4,7 @@
 #include <slalom/core/options.h>
 #include <slalom/core/random.h>
 #include <slalom/generation/start_goal.h>
-#include <slalom/scenario/mover.h>
+#include <slalom/scenario/scenario.h>
 
 #include <functional>
 #include <string>
@@ -34,9 +34,15 @@ using WalkSampler = std::function<std::vector<Waypoint>(double radius, double sp
 
 /// The movers of a scenario: their number, radii and speeds are drawn from the options, each walk
 /// by `sample`. When the run begins each is at least clear_radius (m) away from the start. One for
-/// which 60 draws do not suffice is left out. Ids are mover_0, mover_1, ...
+/// which 60 draws do not suffice is left out. Ids are mover_0, mover_1, ... Those that are to
+/// become people also start, and unless they vanish end, kWallMargin apart from each other.
 Movers sample_movers(RandomEngine& engine, const MoverOptions& options, MoverEnd after,
                      const mrpt::math::TPoint2D& start, double clear_radius,
-                     const WalkSampler& sample);
+                     const WalkSampler& sample, bool are_people = false);
+
+/// The scenario with these movers; or with people, person_0, person_1, ..., of their radii and
+/// speeds. All set off when the run begins, from where a mover starts to where it ends, by ways of
+/// their own; those of a loop walk to and fro between its ends.
+Scenario with_moving(const Scenario& scenario, Movers movers, bool are_people);
 
 }  // namespace slalom
