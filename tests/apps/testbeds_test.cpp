@@ -32,13 +32,15 @@ TEST_F(TestBeds, SlalomSmallAgreesWithTheDocumentation) {
   EXPECT_EQ(described.out.find("null"), std::string::npos) << "a scenario without a path";
 }
 
-TEST_F(TestBeds, SlalomDynamicSmallAgreesWithTheDocumentation) {
-  ASSERT_EQ(run("slalom-scenarios generate -c '" SLALOM_CONFIGS
-                "/testbeds/slalom-dynamic-small.ini' -o a.scenarios -j 2")
-                .status,
-            0);
-  EXPECT_EQ(run("slalom-scenarios list a.scenarios --hash").out,
-            documented_hash("slalom-dynamic-small") + "\n");
+TEST_F(TestBeds, SmallOnesWithMoversAndPeopleAgreeWithTheDocumentation) {
+  for (const std::string name : {"slalom-dynamic-small", "slalom-people-small"}) {
+    ASSERT_EQ(run("slalom-scenarios generate -c '" SLALOM_CONFIGS "/testbeds/" + name +
+                  ".ini' -o " + name + ".scenarios -j 2")
+                  .status,
+              0);
+    EXPECT_EQ(run("slalom-scenarios list " + name + ".scenarios --hash").out,
+              documented_hash(name) + "\n");
+  }
 }
 
 TEST_F(TestBeds, EachHasAHashInTheDocumentation) {
@@ -49,7 +51,7 @@ TEST_F(TestBeds, EachHasAHashInTheDocumentation) {
     EXPECT_EQ(hash.size(), 32U) << entry.path();
     ++count;
   }
-  EXPECT_EQ(count, 5U);
+  EXPECT_EQ(count, 7U);
 }
 
 }  // namespace

@@ -85,7 +85,9 @@ check_test_bed() {
 
 check_test_beds() {
   local set machine
-  for machine in "${machines[@]}"; do check_test_bed slalom-dynamic-small "${machine%%|*}" "${machine#*|}"; done
+  for set in slalom-dynamic-small slalom-people-small; do
+    for machine in "${machines[@]}"; do check_test_bed "$set" "${machine%%|*}" "${machine#*|}"; done
+  done
   for set in "$sources"/configs/testbeds/*.ini; do
     check_test_bed "$(basename "$set" .ini)" "all of these at once" "${all_at_once[@]}"
   done
