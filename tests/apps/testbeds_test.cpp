@@ -43,6 +43,14 @@ TEST_F(TestBeds, SmallOnesWithMoversAndPeopleAgreeWithTheDocumentation) {
   }
 }
 
+TEST_F(TestBeds, CrowdNavAgreesWithTheDocumentation) {
+  ASSERT_EQ(run("python3 '" SLALOM_CONFIGS "/testbeds/crowdnav-500.py' cases").status, 0);
+  ASSERT_EQ(run("slalom-scenarios import cases/*.scenario.yaml -o a.scenarios").status, 0);
+  EXPECT_EQ(run("slalom-scenarios list a.scenarios --hash").out,
+            documented_hash("crowdnav-500") + "\n");
+  EXPECT_EQ(run("python3 '" SLALOM_CONFIGS "/testbeds/crowdnav-500.py'").status, 2);
+}
+
 TEST_F(TestBeds, EachHasAHashInTheDocumentation) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(SLALOM_CONFIGS "/testbeds")) {
@@ -51,7 +59,7 @@ TEST_F(TestBeds, EachHasAHashInTheDocumentation) {
     EXPECT_EQ(hash.size(), 32U) << entry.path();
     ++count;
   }
-  EXPECT_EQ(count, 7U);
+  EXPECT_EQ(count, 8U);
 }
 
 }  // namespace
