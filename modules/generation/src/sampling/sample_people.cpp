@@ -17,6 +17,11 @@ using mrpt::math::TPoint2D;
 
 constexpr double kRobotMargin = 1, kMinWay = 3;  // m
 
+bool has_way(const World& world, double radius, const TPoint2D& from, const TPoint2D& to) {
+  std::string reason;
+  return shortest_disc_path(world.occupancy(), radius, from, to, reason).has_value();
+}
+
 /// Draws starts and goals with room for a person.
 class PlaceSampler {
  public:
@@ -34,7 +39,8 @@ class PlaceSampler {
       const auto goal_of = [](const Person& other) { return other.route.back(); };
       if (distance_between(person.start, goal) >= kMinWay &&
           has_room(person.start, person.radius, TPoint2D(scenario.start()), start_of) &&
-          has_room(goal, person.radius, scenario.goal(), goal_of) && has_way(person, goal)) {
+          has_room(goal, person.radius, scenario.goal(), goal_of) &&
+          has_way(world_, person.radius + kWallMargin, person.start, goal)) {
         person.route = {goal};
         return true;
       }
@@ -50,13 +56,6 @@ class PlaceSampler {
            std::all_of(others_.begin(), others_.end(), [&](const Person& other) {
              return distance_between(p, place_of(other)) >= radius + other.radius + kWallMargin;
            });
-  }
-
-  bool has_way(const Person& person, const TPoint2D& goal) const {
-    std::string reason;
-    return shortest_disc_path(world_.occupancy(), person.radius + kWallMargin, person.start, goal,
-                              reason)
-        .has_value();
   }
 
   const World& world_;
@@ -83,6 +82,24 @@ People sample_people(const World& world, double robot_radius, const PeopleOption
     people.push_back(std::move(person));
   }
   return people;
+}
+
+std::string problem_of_people(const World& world, double robot_radius) {
+  for (const Person& person : world.scenario().people()) {
+    const std::string who = "person '" + person.id + "' ";
+    if (world.distance_field().clearance(person.start) < person.radius)
+      return who + "starts in a wall";
+    const bool is_there = person.begin <= 0;
+    if (is_there &&
+        distance_between(person.start, world.scenario().start()) < person.radius + robot_radius)
+      return who + "touches the robot at the start";
+    TPoint2D from = person.start;
+    for (const TPoint2D& to : person.route) {
+      if (!has_way(world, person.radius, from, to)) return who + "has no way to its goal";
+      from = to;
+    }
+  }
+  return "";
 }
 
 }  // namespace slalom

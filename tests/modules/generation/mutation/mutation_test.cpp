@@ -2,7 +2,9 @@
 #include "mutation/scenario_sketch.h"
 
 #include <slalom/generation/mutation.h>
+#include <slalom/generation/sample_people.h>
 #include <slalom/scenario/grid_map.h>
+#include <slalom/scenario/world.h>
 
 #include <gtest/gtest.h>
 
@@ -71,6 +73,47 @@ TEST(Mutation, KeepsMovers) {
       for (const Scenario& child :
            children(parent.with_movers(movers), static_cast<Mutation>(kind)))
         EXPECT_EQ(child.movers(), movers) << kind;
+}
+
+/// Two who cross the room of posts(), which has room for them everywhere but at the posts.
+People two_people() {
+  Person anna{"anna", 0.25, 1.3, {4, 7}, {{6, 7}, {8, 3}}}, bert{"bert", 0.3, 1, {2, 8}, {{8, 6}}};
+  return {anna, bert};
+}
+
+TEST(Mutation, KeepsPeopleAndTheirWays) {
+  const MutationLimits limits;
+  for (const Scenario& parent : {posts(), cells()})
+    for (int kind = 0; kind < kMutations; ++kind)
+      for (const Scenario& child :
+           children(parent.with_people(two_people()), static_cast<Mutation>(kind))) {
+        EXPECT_EQ(child.people(), two_people()) << kind;
+        EXPECT_EQ(problem_of_people(World(child, limits.resolution), limits.robot_radius), "");
+      }
+}
+
+TEST(Mutation, OfPeopleChangesOneOfThem) {
+  const MutationLimits limits;
+  const Scenario parent = posts().with_people(two_people());
+  int moved = 0, faster = 0, added = 0, removed = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    RandomEngine engine(seed);
+    const auto child = mutate_people(parent, limits, engine);
+    if (!child) continue;
+    EXPECT_EQ(child->with_people({}).hash(), posts().hash());
+    EXPECT_EQ(problem_of_people(World(*child, limits.resolution), limits.robot_radius), "");
+    const People& people = child->people();
+    added += people.size() == 3 ? 1 : 0;
+    removed += people.size() == 1 ? 1 : 0;
+    if (people.size() != 2) continue;
+    const bool is_anna = people[0] != parent.people()[0];
+    const Person &before = parent.people()[is_anna ? 0 : 1], &after = people[is_anna ? 0 : 1];
+    EXPECT_EQ(people[is_anna ? 1 : 0], parent.people()[is_anna ? 1 : 0]);
+    (after.speed == before.speed ? moved : faster) += 1;
+  }
+  for (const int count : {moved, faster, added, removed}) EXPECT_GE(count, 5);
+  RandomEngine engine(1);
+  EXPECT_FALSE(mutate_people(posts(), limits, engine));
 }
 
 TEST(Mutation, PutsNeitherAnObstacleNorTheRobotInTheWayOfAMover) {

@@ -70,5 +70,22 @@ TEST(SamplePeople, WithoutRoomAreAnErrorThatNamesTheScenario) {
                            }));
 }
 
+TEST(SamplePeople, WithoutAProblemStartFreelyAndHaveAWay) {
+  Primitives wall;  // with a door of 0.8 m
+  wall.polygons = {{{{5, 0}, {5.1, 0}, {5.1, 3.5}, {5, 3.5}}},
+                   {{{5, 4.5}, {5.1, 4.5}, {5.1, 8}, {5, 8}}}};
+  const Scenario room = Scenario::continuous("room", {0, 0, 10, 8}, wall, {1, 4, 0}, {9.5, 4});
+  const auto problem = [&](double radius, const TPoint2D& start, std::vector<TPoint2D> route) {
+    const Person anna{"anna", radius, 1, start, std::move(route)};
+    return problem_of_people(World(room.with_people({anna}), 0.05), 0.25);
+  };
+  EXPECT_EQ(problem(0.3, {2, 2}, {{8, 2}, {2, 6}}), "");
+  EXPECT_EQ(problem(0.3, {0.2, 2}, {{8, 2}}), "person 'anna' starts in a wall");
+  EXPECT_EQ(problem(0.3, {1.5, 4}, {{8, 2}}), "person 'anna' touches the robot at the start");
+  EXPECT_EQ(problem(0.3, {1.6, 4}, {{8, 2}}), "");
+  EXPECT_EQ(problem(0.6, {2, 2}, {{3, 2}, {8, 2}}), "person 'anna' has no way to its goal");
+  EXPECT_EQ(problem(0.3, {2, 2}, {{5.05, 2}}), "person 'anna' has no way to its goal");
+}
+
 }  // namespace
 }  // namespace slalom

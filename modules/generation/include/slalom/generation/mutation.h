@@ -41,8 +41,15 @@ struct MutationLimits {
 /// workspace cannot be scaled) or the result violates a limit. Obstacles in collision with the
 /// robot at start or goal are removed. Grids change cell by cell; in point maps only start and goal
 /// change. Movers remain as they are; a mutation that puts an obstacle, or the robot at the start,
-/// in the way of one does not apply.
+/// in the way of one does not apply. So do people; a mutation after which problem_of_people() finds
+/// one does not apply.
 std::optional<Scenario> mutate(const Scenario& parent, Mutation mutation,
                                const MutationLimits& limits, RandomEngine& engine);
+
+/// The scenario with another start, goal or speed of one of its people, with one more who resembles
+/// another one, or with one less; nullopt if there are none, or problem_of_people() finds a problem
+/// in the result.
+std::optional<Scenario> mutate_people(const Scenario& parent, const MutationLimits& limits,
+                                      RandomEngine& engine);
 
 }  // namespace slalom

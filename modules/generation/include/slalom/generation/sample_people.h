@@ -5,6 +5,8 @@
 #include <slalom/scenario/person.h>
 #include <slalom/scenario/world.h>
 
+#include <string>
+
 namespace slalom {
 
 /// People who walk to and fro among the static obstacles of a scenario.
@@ -22,5 +24,10 @@ struct PeopleOptions {
 /// before it. Throws Error (Job) if there is no room for a person.
 People sample_people(const World& world, double robot_radius, const PeopleOptions& options,
                      RandomEngine& engine);
+
+/// The first problem of the people in the scenario of `world`: someone starts in a wall, or in a
+/// disc of `robot_radius` (m) at the start of the robot, or has no way to the next point of its
+/// route. Empty if there is none.
+std::string problem_of_people(const World& world, double robot_radius);
 
 }  // namespace slalom
