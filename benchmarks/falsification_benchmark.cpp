@@ -206,7 +206,8 @@ struct ShrinkTable {
     const auto method = setup.method.make(setup.run.robot, setup.run.sensor);
     const std::uint64_t seed = run_seed(setup.seed, small.scenario.hash(), setup.repetition);
     const SimulationResult run = simulate(world, setup.run, seed, *method, nullptr);
-    FailureFacts facts = measure_end(world, setup.run.robot, run.outcome, run.trajectory);
+    FailureFacts facts =
+        measure_end(world, run.movers, setup.run.robot, run.outcome, run.trajectory);
     facts.obstacles = small.parts_after;
     facts.bottleneck_width = small.fairness.geometry.bottleneck;
     return join(facts_in_words(facts), ", ");

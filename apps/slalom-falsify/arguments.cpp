@@ -51,7 +51,8 @@ void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
       app.add_option(
              "--witness", arguments.witnesses,
              "A method that must reach the goal, which proves that the scenario can be solved; "
-             "of several, any. Default: the other methods of the campaign")
+             "of several, any. Default: the other methods of the campaign, and among people the "
+             "method itself if they do not notice it")
           ->take_all()
           ->allow_extra_args(false),
       known_methods);
@@ -96,6 +97,8 @@ FalsifyCampaign read_falsify_campaign(IniFile ini, const FalsifyArguments& argum
   setup.limits = config.options.limits;
   setup.seed = config.options.seed;
   setup.walkers = config.sources.section.walkers;
+  setup.people = config.sources.section.people;
+  setup.unnoticed_witness = arguments.witnesses.empty();
   setup.method = config.methods.front();
   setup.witnesses.assign(config.methods.begin() + 1, config.methods.end());
   CampaignConfig surrogate;

@@ -111,11 +111,8 @@ void search_verb(SearchArguments& arguments) {
   IniFile ini = load_campaign_ini(common.campaign);
   if (!arguments.against.empty()) common.witnesses = {add_reference(ini, arguments)};
   refuse_output_over_inputs(common.output, ini);
-  if (read_options<ScenariosSection>(ini, "scenarios").people.count > 0)
-    throw usage_error(ini.where("scenarios", "people"), "people in a search for failures",
-                      "walkers, or none");
   const FalsifyCampaign campaign = read_falsify_campaign(ini, common);
-  if (campaign.setup.witnesses.empty() && common.fairness.witness)
+  if (!campaign.setup.has_witness() && common.fairness.witness)
     throw usage_error("--witness", "there is no other method in the campaign",
                       "--witness METHOD, or --no-witness");
   make_output_folder(common.output);

@@ -319,9 +319,6 @@ TEST_F(Falsify, ReportsWrongArguments) {
                  {"--witness bas", "'base'"});
   expect_failure("slalom-falsify search planted.ini --method squeeze --witness squeeze -o out", 2,
                  {"is the method that is tested"});
-  expect_failure(
-      "slalom-falsify search planted.ini --method squeeze --set scenarios.people=2 -o out", 2,
-      {"scenarios.people", "people in a search for failures"});
   expect_failure("slalom-falsify search missing.ini --method squeeze -o out", 3, {"missing.ini"});
   expect_failure("slalom-falsify search planted.ini --method squeeze -o out --resume", 2,
                  {"no search to continue"});

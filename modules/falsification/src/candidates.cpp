@@ -67,18 +67,28 @@ bool may_be_fair(const Scenario& scenario, double radius, const FairnessOptions&
   });
 }
 
-/// The world with the walkers of the setup; null if there is no room for one.
-std::unique_ptr<World> with_walkers_of(const FalsificationSetup& setup,
-                                       std::unique_ptr<World> world, std::uint64_t seed) {
-  if (setup.walkers.count == 0) return world;
-  RandomEngine engine(seed);
+/// The world with the walkers and people of the setup; null if there is no room for one. They have
+/// random streams of their own: the static obstacles are those of a search without them.
+std::unique_ptr<World> populated(const FalsificationSetup& setup, std::unique_ptr<World> world,
+                                 std::uint64_t seed, std::uint64_t index) {
+  if (setup.walkers.count == 0 && setup.people.count == 0) return world;
+  const double radius = setup.run.robot.shape().enclosing_radius();
+  RandomEngine walkers(derive_seed(seed, "walkers", index));
+  RandomEngine people(derive_seed(seed, "people", index));
   try {
+    const Scenario walked = with_walkers(*world, radius, setup.walkers, walkers);
     return std::make_unique<World>(
-        with_walkers(*world, setup.run.robot.shape().enclosing_radius(), setup.walkers, engine),
+        walked.with_people(sample_people(*world, radius, setup.people, people)),
         setup.run.simulation.resolution);
   } catch (const Error&) {
     return nullptr;
   }
+}
+
+/// "walkers", "people", both or none.
+std::string moving_ones(const FalsificationSetup& setup) {
+  if (setup.people.count == 0) return setup.walkers.count == 0 ? "" : "walkers";
+  return setup.walkers.count == 0 ? "people" : "walkers and people";
 }
 
 }  // namespace
@@ -114,17 +124,15 @@ std::unique_ptr<World> draw_fair_world(const CandidateMix& mix, const Falsificat
     if (!may_be_fair(drawn, setup.run.robot.shape().enclosing_radius(), fairness)) continue;
     auto world = std::make_unique<World>(std::move(drawn), setup.run.simulation.resolution);
     if (!has_fair_geometry(*world, setup.run.robot, fairness)) continue;
-    // Walkers have a random stream of their own: the static obstacles are those of a search without
-    // them.
-    world = with_walkers_of(setup, std::move(world), derive_seed(seed, "walkers", index));
+    world = populated(setup, std::move(world), seed, index);
     if (world) return world;
   }
+  const std::string who = moving_ones(setup);
   throw job_error("search",
                   "none of " + std::to_string(kMaxAttempts) +
                       " random scenarios meets the geometric conditions" +
-                      (setup.walkers.count > 0 ? " and has room for the walkers" : ""),
-                  setup.walkers.count > 0 ? "weaker conditions, or fewer or smaller walkers"
-                                          : "weaker conditions");
+                      (who.empty() ? "" : " and has room for the " + who),
+                  "weaker conditions" + (who.empty() ? "" : ", or fewer or smaller " + who));
 }
 
 }  // namespace slalom

@@ -99,19 +99,20 @@ class Divider {
 
 }  // namespace
 
-FailureFacts measure_end(const World& world, const RobotModel& robot, Outcome outcome,
-                         const Trajectory& trajectory) {
+FailureFacts measure_end(const World& world, const Movers& movers, const RobotModel& robot,
+                         Outcome outcome, const Trajectory& trajectory) {
   const mrpt::math::TPose2D& pose = trajectory.samples.back().pose;
   const mrpt::math::TPoint2D& goal = world.scenario().goal();
   FailureFacts facts;
   facts.outcome = outcome;
   const double radius = robot.shape().enclosing_radius();
-  const Mover* mover =
-      outcome != Outcome::Collision
-          ? nullptr
-          : touched_mover(world, world.scenario().movers(), mrpt::math::TPoint2D(pose), radius,
-                          robot.shape().corners_at(pose), trajectory.duration());
-  facts.with_mover = mover != nullptr;
+  const Mover* mover = outcome != Outcome::Collision
+                           ? nullptr
+                           : touched_mover(world, movers, mrpt::math::TPoint2D(pose), radius,
+                                           robot.shape().corners_at(pose), trajectory.duration());
+  facts.with_person = mover != nullptr && static_cast<std::size_t>(mover - movers.data()) >=
+                                              world.scenario().movers().size();
+  facts.with_mover = mover != nullptr && !facts.with_person;
   facts.side = side_of(mover != nullptr ? bearing_of(mover->position(trajectory.duration()), pose)
                                         : bearing_of_obstacle(world, pose, radius / 2));
   facts.motion = end_motion(outcome, trajectory.samples, robot);
@@ -123,10 +124,13 @@ std::vector<std::string> facts_in_words(const FailureFacts& facts) {
   const char* obstacles = facts.obstacles <= 1   ? "at most 1 obstacle needed"
                           : facts.obstacles <= 3 ? "2 to 3 obstacles needed"
                                                  : "more than 3 obstacles needed";
+  const char* with = facts.with_person  ? " with a person"
+                     : facts.with_mover ? " with a moving obstacle"
+                                        : "";
   const char* bottleneck = facts.bottleneck_width < 2   ? "bottleneck below 2 robot widths"
                            : facts.bottleneck_width < 4 ? "bottleneck of 2 to 4 robot widths"
                                                         : "bottleneck of at least 4 robot widths";
-  return {to_string(facts.outcome) + (facts.with_mover ? " with a moving obstacle" : ""),
+  return {to_string(facts.outcome) + with,
           to_string(facts.side),
           to_string(facts.motion),
           facts.faces_goal ? "faces the goal" : "faces away from the goal",

@@ -14,7 +14,8 @@
 namespace slalom {
 namespace {
 
-Departure departure_at(const World& world, const RobotModel& robot, const Sample& sample) {
+Departure departure_at(const World& world, const Movers& movers, const RobotModel& robot,
+                       const Sample& sample) {
   const double radius = robot.shape().enclosing_radius();
   const mrpt::math::TPoint2D position(sample.pose);
   Departure departure;
@@ -23,7 +24,7 @@ Departure departure_at(const World& world, const RobotModel& robot, const Sample
   departure.goal_bearing = bearing_of(world.scenario().goal(), sample.pose);
   departure.obstacle_bearing = bearing_of_obstacle(world, sample.pose, radius / 2);
   departure.clearance = world.distance_field().clearance(position) - radius;
-  for (const Mover& mover : world.scenario().movers()) {
+  for (const Mover& mover : movers) {
     const mrpt::math::TPoint2D center = mover.position(sample.t);
     const double gap = distance_between(center, position) - mover.radius - radius;
     if (!mover.present(sample.t) || gap >= departure.clearance) continue;
@@ -64,8 +65,9 @@ double bearing_of(const mrpt::math::TPoint2D& point, const mrpt::math::TPose2D& 
   return mrpt::math::wrapToPi(math::atan2(point.y - pose.y, point.x - pose.x) - pose.phi);
 }
 
-std::optional<Departure> find_departure(const World& world, const RobotModel& robot,
-                                        const Trajectory& run, const Trajectory& reference) {
+std::optional<Departure> find_departure(const World& world, const Movers& movers,
+                                        const RobotModel& robot, const Trajectory& run,
+                                        const Trajectory& reference) {
   Path path;
   for (const Sample& sample : reference.samples) path.emplace_back(sample.pose.x, sample.pose.y);
   const double radius = robot.shape().enclosing_radius();
@@ -74,7 +76,7 @@ std::optional<Departure> find_departure(const World& world, const RobotModel& ro
         return distance_to_path(mrpt::math::TPoint2D(sample.pose), path) > radius;
       });
   if (first == run.samples.end()) return std::nullopt;
-  return departure_at(world, robot, *first);
+  return departure_at(world, movers, robot, *first);
 }
 
 std::string departure_text(const std::string& method, const std::string& reference,

@@ -23,6 +23,8 @@ std::optional<Scenario> changed(const Scenario& parent, const FalsificationSetup
   limits.robot_radius = setup.run.robot.shape().enclosing_radius();
   limits.resolution = setup.run.simulation.resolution;
   limits.min_distance = 4 * limits.robot_radius;
+  if (!parent.people().empty() && uniform_int(engine, 0, 1) == 0)
+    return mutate_people(parent, limits, engine);
   const int which = uniform_int(engine, 0, static_cast<int>(kMutations.size()) - 1);
   return mutate(parent, kMutations[static_cast<std::size_t>(which)], limits, engine);
 }

@@ -25,11 +25,20 @@ bool sweeps(const Mover& mover, const TPoint2D& p) {
   });
 }
 
+/// The area that a person sweeps if nobody and nothing is in its way; times do not matter.
+Mover straight_way(const Person& person) {
+  Mover mover{person.id, person.radius, {{0, person.start}}};
+  for (const TPoint2D& point : person.route) mover.waypoints.push_back({0, point});
+  return mover;
+}
+
 /// Whether a position (m, world frame) is in an obstacle; the border is none.
 class ObstacleTest {
  public:
   ObstacleTest(const Scenario& scenario, double resolution)
-      : movers_(scenario.movers()), occupancy_(make_occupancy(scenario, resolution)) {}
+      : movers_(scenario.movers()), occupancy_(make_occupancy(scenario, resolution)) {
+    for (const Person& person : scenario.people()) movers_.push_back(straight_way(person));
+  }
   bool operator()(const TPoint2D& p) const {
     const TPoint2D cell = occupancy_.to_cells(p);
     const int cx = static_cast<int>(std::floor(cell.x)), cy = static_cast<int>(std::floor(cell.y));

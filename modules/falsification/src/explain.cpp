@@ -6,6 +6,7 @@
 #include <slalom/falsification/departure.h>
 #include <slalom/falsification/explain.h>
 #include <slalom/metrics/mover_metrics.h>
+#include <slalom/simulation/evaluate_trajectory.h>
 
 #include <algorithm>
 #include <array>
@@ -113,7 +114,14 @@ class Explainer {
     const World world(file_.read_scenario(failure.smallest), options_.simulation.resolution);
     return tested->scenario_name + ": " +
            departure_text(tested->method, reference->method,
-                          find_departure(world, options_.robot, failing, successful));
+                          find_departure(world, movers_of(world, failing), options_.robot, failing,
+                                         successful));
+  }
+
+  /// All that moved in a run but the robot.
+  Movers movers_of(const World& world, const Trajectory& run) const {
+    if (world.scenario().people().empty()) return world.scenario().movers();
+    return movers_along(world, options_.robot, options_.simulation, run, options_.people);
   }
 
   FailureFacts facts_of(const ExaminedFailure& failure) const {
@@ -127,7 +135,8 @@ class Explainer {
     }
     const auto outcome = from_name<Outcome>(run->outcome);
     if (!outcome) throw file_error(file_.path(), "unknown outcome " + run->outcome);
-    FailureFacts facts = measure_end(world, options_.robot, *outcome, trajectory);
+    FailureFacts facts =
+        measure_end(world, movers_of(world, trajectory), options_.robot, *outcome, trajectory);
     facts.obstacles = failure.obstacles;
     facts.bottleneck_width = failure.bottleneck_width;
     return facts;

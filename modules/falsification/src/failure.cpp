@@ -51,6 +51,7 @@ std::string failure_text(const Failure& failure, const FalsificationSetup& setup
   std::string text = small.scenario.name() + ": " + setup.method.name + " ends as " +
                      to_string(small.trial.outcome) + "\n";
   text += "  found      " + failure.origin + "\n";
+  if (!small.scenario.people().empty()) text += "  ended      " + small.trial.detail + "\n";
   text += "  shrunk     " + before + " -> " + after + " obstacles, " +
           size_text(failure.original.bounds()) + " -> " + size_text(small.scenario.bounds()) +
           ", " + std::to_string(small.runs) + " runs, end moved " + format_fixed(small.moved, 2) +

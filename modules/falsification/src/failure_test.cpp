@@ -24,15 +24,15 @@ Judgment FailureTest::decide(const Scenario& scenario) {
   ++runs_;
   const Trial& run = trials_.trial(world, 0);
   if (run.outcome != outcome_) return {false, setup_.method.name + ": " + to_string(run.outcome)};
-  if (!fairness_.witness || setup_.witnesses.empty()) return {true, "the same failure"};
+  if (!fairness_.witness) return {true, "the same failure"};
   std::string reason;
-  for (std::size_t i = 1; i <= setup_.witnesses.size(); ++i) {
+  for (const std::size_t i : setup_.witnesses_in(scenario)) {
     ++runs_;
     const Outcome outcome = trials_.trial(world, i).outcome;
     if (outcome == Outcome::Success) return {true, "the same failure"};
-    reason += (reason.empty() ? "" : ", ") + setup_.method_at(i).name + ": " + to_string(outcome);
+    reason += (reason.empty() ? "" : ", ") + setup_.witness_name(i) + ": " + to_string(outcome);
   }
-  return {false, reason};
+  return {false, reason.empty() ? "no witness is named" : reason};
 }
 
 }  // namespace slalom

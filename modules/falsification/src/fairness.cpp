@@ -31,6 +31,14 @@ std::string below(const char* what, double value, double limit, const char* unit
          format_fixed(limit, 3);
 }
 
+std::string without_witness(const FalsificationSetup& setup,
+                            const std::vector<std::size_t>& witnesses) {
+  if (witnesses.empty()) return "no witness is named";
+  if (witnesses.back() != setup.unnoticed_index()) return "no witness reaches the goal";
+  return "not proved solvable: no witness reaches the goal, nor " +
+         setup.witness_name(setup.unnoticed_index());
+}
+
 }  // namespace
 
 GeometryReport judge_geometry(const World& world, const RobotModel& robot,
@@ -51,6 +59,8 @@ GeometryReport judge_geometry(const World& world, const RobotModel& robot,
   else if (report.bottleneck < options.min_bottleneck - kRounding)
     report.violation =
         below("bottleneck", report.bottleneck, options.min_bottleneck, "robot widths");
+  else if (options.people_walk)
+    report.violation = problem_of_people(world, radius);
   return report;
 }
 
@@ -61,6 +71,7 @@ bool has_fair_geometry(const World& world, const RobotModel& robot,
   const double radius = robot.shape().enclosing_radius();
   if (distance_between(scenario.goal(), start) < options.min_distance - kRounding) return false;
   if (start_clearance(world, radius) < options.min_start_clearance - kRounding) return false;
+  if (options.people_walk && !problem_of_people(world, radius).empty()) return false;
   const auto suffices = [&](double widest) {
     return certified(widest, world, radius) >= options.min_bottleneck - kRounding;
   };
@@ -80,15 +91,16 @@ FairnessReport judge_failure(const FalsificationSetup& setup, const Scenario& sc
   const World world(scenario, setup.run.simulation.resolution);
   report.geometry = judge_geometry(world, setup.run.robot, options);
   if (!report.geometry.violation.empty()) report.violations.push_back(report.geometry.violation);
-  for (std::size_t i = 1; i <= setup.witnesses.size() && report.witness.empty(); ++i) {
+  const std::vector<std::size_t> witnesses = setup.witnesses_in(scenario);
+  for (const std::size_t i : witnesses) {
     Trial run = run_alone(setup, scenario, i);
     if (run.outcome != Outcome::Success) continue;
-    report.witness = setup.method_at(i).name;
+    report.witness = setup.witness_name(i);
     report.witness_run = std::move(run);
+    break;
   }
   if (options.witness && report.witness.empty())
-    report.violations.emplace_back(setup.witnesses.empty() ? "no witness is named"
-                                                           : "no witness reaches the goal");
+    report.violations.push_back(without_witness(setup, witnesses));
   report.repeatable = is_same_run(failure, run_alone(setup, scenario, 0));
   if (options.repeatable && !report.repeatable)
     report.violations.emplace_back("a new process does not repeat the run");

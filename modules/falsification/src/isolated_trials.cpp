@@ -84,7 +84,13 @@ Trial MethodPool::run(const World& world, std::size_t index) {
   world.ray_caster();
   Trial trial;
   try {
-    trial = run_trial(world, setup_, method(index));
+    if (index == setup_.unnoticed_index()) {
+      FalsificationSetup unnoticed = setup_;
+      unnoticed.run.people.notices = 0;
+      trial = run_trial(world, unnoticed, method(index));
+    } else {
+      trial = run_trial(world, setup_, method(index));
+    }
   } catch (const Error& error) {
     trial.outcome = Outcome::MethodError;
     trial.detail = error.what();

@@ -92,6 +92,9 @@ ObstacleParts::ObstacleParts(const Scenario& scenario, int block, double resolut
   for (const Mover& mover : scenario.movers())
     descriptions_.push_back("moving obstacle '" + mover.id + "' of radius " +
                             format_fixed(mover.radius, 2) + " m");
+  for (const Person& person : scenario.people())
+    descriptions_.push_back("person '" + person.id + "' of radius " +
+                            format_fixed(person.radius, 2) + " m");
 }
 
 void ObstacleParts::divide_primitives() {
@@ -156,6 +159,10 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
   Movers movers;
   for (std::size_t i = 0; i < scenario_.movers().size(); ++i)
     if (kept[static_parts_ + i]) movers.push_back(scenario_.movers()[i]);
+  People people;
+  for (std::size_t i = 0; i < scenario_.people().size(); ++i)
+    if (kept[static_parts_ + scenario_.movers().size() + i])
+      people.push_back(scenario_.people()[i]);
   const auto& name = scenario_.name();
   if (scenario_.representation() == Representation::Continuous) {
     Primitives some;
@@ -170,7 +177,7 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
     return Scenario::continuous(name, scenario_.bounds(), std::move(some), scenario_.start(),
                                 scenario_.goal())
         .with_movers(std::move(movers))
-        .with_people(scenario_.people())
+        .with_people(std::move(people))
         .with_goal_heading(scenario_.goal_heading());
   }
   if (scenario_.representation() == Representation::Grid) {
@@ -181,7 +188,7 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
         map.setCell(static_cast<int>(i) % size_x, static_cast<int>(i) / size_x, 1.0F);
     return Scenario::grid(name, map, scenario_.start(), scenario_.goal())
         .with_movers(std::move(movers))
-        .with_people(scenario_.people())
+        .with_people(std::move(people))
         .with_goal_heading(scenario_.goal_heading());
   }
   mrpt::maps::CSimplePointsMap some;
@@ -193,7 +200,7 @@ Scenario ObstacleParts::keep(const std::vector<std::size_t>& parts) const {
   }
   return Scenario::points(name, scenario_.bounds(), some, scenario_.start(), scenario_.goal())
       .with_movers(std::move(movers))
-      .with_people(scenario_.people())
+      .with_people(std::move(people))
       .with_goal_heading(scenario_.goal_heading());
 }
 

@@ -11,7 +11,7 @@ namespace slalom {
 
 /// The obstacles of a scenario as parts that can be removed: primitives; the connected groups of
 /// occupied cells of a grid, or its blocks of block x block cells; the points in squares of the
-/// plane. Each mover is a part, after the others.
+/// plane. Each mover is a part, after the others, and each person, after the movers.
 class ObstacleParts {
  public:
   /// `block`: side (cells) of the blocks of a grid, 0 for connected groups (8 neighbors). Points
@@ -32,7 +32,7 @@ class ObstacleParts {
   Scenario scenario_;
   std::vector<std::size_t> part_of_;  ///< by obstacle: discs then polygons, cells or points
   std::vector<std::string> descriptions_;
-  std::size_t static_parts_ = 0;  ///< without the movers
+  std::size_t static_parts_ = 0;  ///< without movers and people
 };
 
 }  // namespace slalom

@@ -58,6 +58,14 @@ class ShadowRun : public Method {
   bool differs_ = false;
 };
 
+/// The movers, and people where they start: probes are at time 0.
+Movers present_at_start(const Scenario& scenario) {
+  Movers present = scenario.movers();
+  for (const Person& person : scenario.people())
+    present.push_back({person.id, person.radius, {{person.begin, person.start}}});
+  return present;
+}
+
 }  // namespace
 
 bool StepProbe::draw(const World& world, RandomEngine& engine, CommandDifference& probe) const {
@@ -98,7 +106,8 @@ std::optional<CommandDifference> StepProbe::find_in_steps(const std::shared_ptr<
     return methods_.method(i).uses_tracks() || methods_.method(i).uses_map();
   };
   if (is_privileged(0) || is_privileged(1)) return std::nullopt;
-  RangeFinder sensor(*world, world->scenario().movers(), setup_.run.sensor, setup_.seed);
+  const Movers present = present_at_start(world->scenario());
+  RangeFinder sensor(*world, present, setup_.run.sensor, setup_.seed);
   CommandDifference probe{world, {}, {}};
   for (int i = 0; i < kProbes; ++i) {
     const bool is_near = draw(*world, engine, probe);

@@ -122,7 +122,7 @@ class SearchRound {
 
   bool has_witness_alone(const CandidateRun& run) const {
     const Scenario scenario = deserialize_scenario(run.scenario, "search");
-    for (std::size_t i = 1; i <= setup_.witnesses.size(); ++i)
+    for (const std::size_t i : setup_.witnesses_in(scenario))
       if (run_alone(setup_, scenario, i).outcome == Outcome::Success) return true;
     return false;
   }

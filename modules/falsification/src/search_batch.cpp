@@ -66,7 +66,7 @@ std::unique_ptr<World> BatchRunner::draw_changed(std::uint64_t index) const {
 }
 
 bool BatchRunner::has_witness(const World& world) {
-  for (std::size_t i = 1; i <= setup_.witnesses.size(); ++i)
+  for (const std::size_t i : setup_.witnesses_in(world.scenario()))
     if (methods_.run(world, i).outcome == Outcome::Success) return true;
   return false;
 }

@@ -25,6 +25,11 @@ std::string search_identity(const std::string& methods, const FalsificationSetup
   const WalkerOptions& walkers = setup.walkers;
   hasher.add(std::uint64_t(walkers.count)).add(walkers.min_radius).add(walkers.max_radius);
   hasher.add(walkers.min_speed).add(walkers.max_speed);
+  if (const PeopleOptions& people = setup.people; people.count > 0) {
+    hasher.add(std::uint64_t(people.count)).add(people.min_radius).add(people.max_radius);
+    hasher.add(people.min_speed).add(people.max_speed);
+    hasher.add(std::uint64_t{setup.unnoticed_witness});
+  }
   const FairnessOptions& fairness = options.fairness;
   hasher.add(fairness.min_bottleneck).add(fairness.min_start_clearance).add(fairness.min_distance);
   hasher.add(std::uint64_t{fairness.witness}).add(std::uint64_t{options.probe});

@@ -14,23 +14,27 @@ namespace {
 
 constexpr int kMaxRounds = 5;
 
-/// The conditions that the smallest scenario must meet: those of the options, but not more than the
-/// original does, or nothing could be changed.
-FairnessOptions attainable(const FairnessOptions& wanted, const GeometryReport& original,
-                           bool witness_succeeds) {
-  FairnessOptions options = wanted;
-  options.min_bottleneck = std::min(wanted.min_bottleneck, original.bottleneck);
-  options.min_start_clearance = std::min(wanted.min_start_clearance, original.start_clearance);
-  options.min_distance = std::min(wanted.min_distance, original.distance);
-  options.witness = wanted.witness && witness_succeeds;
-  return options;
-}
-
 bool any_witness_succeeds(TrialSource& trials, const FalsificationSetup& setup,
                           const World& world) {
-  for (std::size_t i = 1; i <= setup.witnesses.size(); ++i)
+  for (const std::size_t i : setup.witnesses_in(world.scenario()))
     if (trials.trial(world, i).outcome == Outcome::Success) return true;
   return false;
+}
+
+/// The conditions that the smallest scenario must meet: those of the options, but not more than the
+/// original does, or nothing could be changed.
+FairnessOptions attainable(const FairnessOptions& wanted, TrialSource& trials,
+                           const FalsificationSetup& setup, const World& original) {
+  const RobotModel& robot = setup.run.robot;
+  const GeometryReport geometry = judge_geometry(original, robot, wanted);
+  FairnessOptions options = wanted;
+  options.min_bottleneck = std::min(wanted.min_bottleneck, geometry.bottleneck);
+  options.min_start_clearance = std::min(wanted.min_start_clearance, geometry.start_clearance);
+  options.min_distance = std::min(wanted.min_distance, geometry.distance);
+  options.people_walk =
+      wanted.people_walk && problem_of_people(original, robot.shape().enclosing_radius()).empty();
+  options.witness = wanted.witness && any_witness_succeeds(trials, setup, original);
+  return options;
 }
 
 bool one_round(Shrinker& shrinker) {
@@ -38,6 +42,7 @@ bool one_round(Shrinker& shrinker) {
   changed |= move_start_and_goal(shrinker);
   changed |= crop_workspace(shrinker);
   changed |= remove_obstacles(shrinker);
+  changed |= shorten_routes(shrinker);
   changed |= simplify_shapes(shrinker);
   changed |= round_numbers(shrinker);
   return changed;
@@ -60,10 +65,8 @@ ShrinkResult shrink_with(TrialSource& trials, const FalsificationSetup& setup,
   if (failure.outcome == Outcome::Success)
     throw job_error("scenario " + original.name(), setup.method.name + " reaches the goal in it",
                     "a scenario in which it fails");
-  const GeometryReport geometry = judge_geometry(world, setup.run.robot, options.fairness);
-  const bool witness = any_witness_succeeds(trials, setup, world);
-  FailureTest test(trials, setup, failure.outcome, attainable(options.fairness, geometry, witness),
-                   options.max_runs);
+  FailureTest test(trials, setup, failure.outcome,
+                   attainable(options.fairness, trials, setup, world), options.max_runs);
   Shrinker shrinker(test, original, setup);
   for (int round = 0; round < kMaxRounds && one_round(shrinker); ++round) continue;
   const RemovalRound last = remove_each_once(shrinker);

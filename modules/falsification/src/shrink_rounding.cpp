@@ -60,6 +60,20 @@ Scenario round_all(const Scenario& scenario, double unit, double cell) {
   return with_rounded_task(scene.scenario(scenario.name()), unit, true, true);
 }
 
+/// In m, s and m/s; radius and speed are not rounded to 0.
+Rounding of_person(std::size_t person) {
+  return [person](const Scenario& scenario, double unit) {
+    People people = scenario.people();
+    Person& walker = people[person];
+    walker.start = rounded(walker.start, unit);
+    for (TPoint2D& point : walker.route) point = rounded(point, unit);
+    walker.radius = std::max(std::min(unit, walker.radius), rounded(walker.radius, unit));
+    walker.speed = std::max(std::min(unit, walker.speed), rounded(walker.speed, unit));
+    walker.begin = rounded(walker.begin, unit);
+    return scenario.with_people(std::move(people));
+  };
+}
+
 /// To the coarsest unit that is accepted.
 bool round_to_units(Shrinker& shrinker, const Rounding& rounding) {
   for (const double unit : kUnits) {
@@ -98,6 +112,8 @@ bool round_numbers(Shrinker& shrinker) {
     for (std::size_t i = 0; i < obstacles; ++i)
       changed |= round_to_units(shrinker, of_obstacle(i, cell));
   }
+  for (std::size_t i = 0; i < shrinker.scenario().people().size(); ++i)
+    changed |= round_to_units(shrinker, of_person(i));
   changed |= round_to_units(shrinker, [](const Scenario& scenario, double unit) {
     return with_rounded_task(scenario, unit, true, false);
   });

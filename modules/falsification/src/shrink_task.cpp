@@ -37,17 +37,22 @@ bool move_goal(Shrinker& shrinker) {
   });
 }
 
-/// The rectangle around the run, start and goal.
+/// The rectangle around the run, start and goal, and the routes of people.
 Bounds extent_of_run(Shrinker& shrinker) {
   const TPoint2D goal = shrinker.scenario().goal();
   const TPose2D start = shrinker.scenario().start();
   Bounds extent{std::min(start.x, goal.x), std::min(start.y, goal.y), std::max(start.x, goal.x),
                 std::max(start.y, goal.y)};
-  for (const TPose2D& pose : shrinker.trial().waypoints) {
-    extent.x_min = std::min(extent.x_min, pose.x);
-    extent.y_min = std::min(extent.y_min, pose.y);
-    extent.x_max = std::max(extent.x_max, pose.x);
-    extent.y_max = std::max(extent.y_max, pose.y);
+  const auto include = [&extent](double x, double y) {
+    extent.x_min = std::min(extent.x_min, x);
+    extent.y_min = std::min(extent.y_min, y);
+    extent.x_max = std::max(extent.x_max, x);
+    extent.y_max = std::max(extent.y_max, y);
+  };
+  for (const TPose2D& pose : shrinker.trial().waypoints) include(pose.x, pose.y);
+  for (const Person& person : shrinker.scenario().people()) {
+    include(person.start.x, person.start.y);
+    for (const TPoint2D& point : person.route) include(point.x, point.y);
   }
   return extent;
 }

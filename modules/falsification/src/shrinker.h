@@ -39,6 +39,7 @@ bool remove_obstacles(Shrinker& shrinker);
 bool move_start_and_goal(Shrinker& shrinker);
 bool crop_workspace(Shrinker& shrinker);
 bool simplify_shapes(Shrinker& shrinker);
+bool shorten_routes(Shrinker& shrinker);  ///< of people
 bool round_numbers(Shrinker& shrinker);
 
 /// The removals of single obstacles of the smallest scenario; of maps, of connected groups of cells

@@ -19,6 +19,23 @@ std::vector<mrpt::math::TPose2D> waypoints_of(const Trajectory& trajectory) {
 
 }  // namespace
 
+std::vector<std::size_t> FalsificationSetup::witnesses_in(const Scenario& scenario) const {
+  std::vector<std::size_t> indexes;
+  for (std::size_t i = 1; i <= witnesses.size(); ++i) indexes.push_back(i);
+  if (unnoticed_witness && run.people.notices > 0 && !scenario.people().empty())
+    indexes.push_back(unnoticed_index());
+  return indexes;
+}
+
+bool FalsificationSetup::has_witness() const {
+  return !witnesses.empty() || (unnoticed_witness && run.people.notices > 0 && people.count > 0);
+}
+
+std::string FalsificationSetup::witness_name(std::size_t index) const {
+  const bool is_unnoticed = index == unnoticed_index();
+  return method_at(index).name + (is_unnoticed ? " among people who do not notice it" : "");
+}
+
 Trial run_trial(const World& world, const FalsificationSetup& setup, Method& method) {
   const SimulationResult result =
       simulate(world, setup.run, run_seed(setup.seed, world.scenario().hash(), setup.repetition),

@@ -116,11 +116,28 @@ Trajectory ending_at(const mrpt::math::TPose2D& pose, double speed) {
   return {{sample}};
 }
 
+TEST(Clusters, TellCollisionsWithPeopleFromThoseWithMovers) {
+  const Scenario empty = Scenario::continuous("empty", {0, 0, 10, 10}, {}, {1, 5, 0}, {9, 5});
+  const Mover scripted{"m", 0.25, {{0, {3, 5}}}, MoverEnd::Stop};
+  const World world(
+      empty.with_movers({scripted}).with_people({{"anna", 0.25, 1, {7, 5}, {{7, 5}}}}), 0.05);
+  // All that moved in the run: the movers of the scenario, then its people.
+  const Movers movers = {scripted, {"anna", 0.25, {{0, {7, 5}}}, MoverEnd::Stop}};
+  const auto measure = [&](double x) {
+    return measure_end(world, movers, RobotModel(), Outcome::Collision, ending_at({x, 5, 0}, 0.5));
+  };
+  const FailureFacts with_mover = measure(2.5), with_person = measure(6.5);
+  EXPECT_EQ(facts_in_words(with_mover)[0], "collision with a moving obstacle");
+  EXPECT_EQ(facts_in_words(with_person)[0], "collision with a person");
+  EXPECT_EQ(with_person.side, ObstacleSide::Front);
+}
+
 TEST(Clusters, MeasureWhereTheObstacleIsAndTheSpeedOfACollision) {
   const World world = one_disc();
   const RobotModel robot;  // of 1 m/s
   const auto measure = [&](const mrpt::math::TPose2D& pose, double speed) {
-    return measure_end(world, robot, Outcome::Collision, ending_at(pose, speed));
+    return measure_end(world, world.scenario().movers(), robot, Outcome::Collision,
+                       ending_at(pose, speed));
   };
   const FailureFacts front = measure({4.25, 5, 0}, 0.9);  // 0.25 m left of the disc, heading to it
   EXPECT_EQ(front.side, ObstacleSide::Front);
@@ -140,7 +157,7 @@ TEST(Clusters, OfCollisionsWithMoversSaySo) {
   const World world(disc.with_movers({{"m", 0.3, {{0, {7.45, 5}}, {9, {7.45, 5}}}}}), 0.05);
   const RobotModel robot;
   const auto measure = [&](double x, Outcome outcome) {
-    return measure_end(world, robot, outcome, ending_at({x, 5, 0}, 0.3));
+    return measure_end(world, world.scenario().movers(), robot, outcome, ending_at({x, 5, 0}, 0.3));
   };
   const FailureFacts with_mover = measure(8, Outcome::Collision);
   EXPECT_EQ(with_mover.side, ObstacleSide::Back);
@@ -166,7 +183,7 @@ TEST(Clusters, MeasureTheMotionOfARunThatGetsStuck) {
   const World world = one_disc();
   const RobotModel robot;  // radius 0.25 m
   const auto motion = [&](const Trajectory& trajectory) {
-    return measure_end(world, robot, Outcome::Stuck, trajectory).motion;
+    return measure_end(world, world.scenario().movers(), robot, Outcome::Stuck, trajectory).motion;
   };
   EXPECT_EQ(motion(drive(0, 0, 1)), EndMotion::Stopped);
   EXPECT_EQ(motion(drive(0, 0.3, 1)), EndMotion::Stopped) << "1.5 rad in 5 s are below pi / 2";

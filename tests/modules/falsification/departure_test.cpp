@@ -37,14 +37,14 @@ Trajectory straight_on(double heading) {
 
 TEST(Departure, IsTheFirstSampleFartherThanTheRadiusFromThePath) {
   const World world = disc_with({});
-  const auto ahead = find_departure(world, {}, straight_on(0), kPasses);
+  const auto ahead = find_departure(world, {}, {}, straight_on(0), kPasses);
   ASSERT_TRUE(ahead);
   EXPECT_EQ(ahead->t, 2);
   EXPECT_EQ(ahead->speed, 0.4);
   EXPECT_NEAR(ahead->goal_bearing, 0, 1e-12);
   EXPECT_NEAR(ahead->obstacle_bearing, 0, 5 * M_PI / 180);
   EXPECT_NEAR(ahead->clearance, 0.25, 0.05) << "from x = 4.25 to 4.5, in cells of 0.05 m";
-  const auto turned = find_departure(world, {}, straight_on(M_PI / 2), kPasses);
+  const auto turned = find_departure(world, {}, {}, straight_on(M_PI / 2), kPasses);
   EXPECT_NEAR(turned->goal_bearing, -M_PI / 2, 1e-12);
   EXPECT_NEAR(turned->obstacle_bearing, -M_PI / 2, 5 * M_PI / 180);
 }
@@ -52,18 +52,18 @@ TEST(Departure, IsTheFirstSampleFartherThanTheRadiusFromThePath) {
 TEST(Departure, KnowsMoversThatAreNearerThanObstacles) {
   // Its edge is 0.05 m to the left of the robot at 2 s, and it leaves at 3 s.
   const Mover mover = {"m", 0.3, {{0, {4, 5.6}}, {3, {4, 5.6}}}, MoverEnd::Vanish};
-  const auto departure = find_departure(disc_with({mover}), {}, straight_on(0), kPasses);
+  const auto departure = find_departure(disc_with({mover}), {mover}, {}, straight_on(0), kPasses);
   ASSERT_TRUE(departure);
   EXPECT_TRUE(departure->is_mover);
   EXPECT_NEAR(departure->clearance, 0.05, 1e-12);
   EXPECT_NEAR(departure->obstacle_bearing, M_PI / 2, 1e-12);
   const Mover gone = {"m", 0.3, {{0, {4, 5.6}}, {1, {4, 5.6}}}, MoverEnd::Vanish};
-  EXPECT_FALSE(find_departure(disc_with({gone}), {}, straight_on(0), kPasses)->is_mover);
+  EXPECT_FALSE(find_departure(disc_with({gone}), {gone}, {}, straight_on(0), kPasses)->is_mover);
 }
 
 TEST(Departure, IsNoneOfARunThatStopsOnThePath) {
   const Trajectory stops = through({{1, 5, 0}, {2, 5.2, 0}, {2, 5.2, 1}});
-  EXPECT_FALSE(find_departure(disc_with({}), {}, stops, kPasses));
+  EXPECT_FALSE(find_departure(disc_with({}), {}, {}, stops, kPasses));
   EXPECT_EQ(departure_text("nd", "gap", std::nullopt), "nd does not leave the path of gap");
 }
 

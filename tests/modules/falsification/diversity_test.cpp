@@ -66,6 +66,18 @@ TEST(Diversity, CountsTheAreaThatMoversSweep) {
               0.02);
 }
 
+/// The area of a person is that of a mover on the straight lines of its route.
+TEST(Diversity, CountsTheAreaThatPeopleSweep) {
+  const Scenario empty = Scenario::continuous("empty", {0, 0, 6, 6}, {}, {1, 3, 0}, {5, 3});
+  const Scenario moving =
+      empty.with_movers({{"a", 0.3, {{0, {2, 1}}, {4, {2, 5}}, {6, {4, 5}}}, MoverEnd::Stop}});
+  const auto with_person = [&](double x) {
+    return empty.with_people({{"a", 0.3, 1, {x, 1}, {{x, 5}, {x + 2, 5}}}});
+  };
+  EXPECT_EQ(dissimilarity(with_person(2), moving), 0);
+  EXPECT_GT(dissimilarity(with_person(3), moving), 0.5);
+}
+
 TEST(Diversity, OfAListIsTheMeanOfAllPairs) {
   const auto area = [](double aside) {
     return ObstacleArea(square_in_task(1.5, aside, 2, 5, 0), kCell);

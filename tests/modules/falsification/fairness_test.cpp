@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "isolated_trials.h"
 #include "planted_methods.h"
 
 #include <slalom/falsification/candidates.h>
@@ -105,6 +106,80 @@ TEST(Fairness, AWitnessProvesThatTheScenarioCanBeSolved) {
   FairnessOptions options;
   options.witness = false;
   EXPECT_TRUE(judge_failure(setup, passage(), failure, options).fair());
+}
+
+/// A method that drives straight on, whatever is ahead.
+class Straight : public Method {
+ public:
+  void reset(const NavigationTask& /*task*/) override {}
+  Command step(const Observation& /*observation*/) override { return {1.5, 0}; }
+};
+
+FalsificationSetup straight_setup() {
+  FalsificationSetup setup;
+  setup.run.simulation.max_time = 40;
+  setup.run.robot.max_v = 2;
+  setup.run.robot.max_accel_v = 4;
+  setup.method = {"straight", [](const auto&...) { return std::make_unique<Straight>(); }, "test"};
+  setup.unnoticed_witness = true;
+  return setup;
+}
+
+/// She crosses the way of the robot: 0.04 m ahead of it, if she does not notice it, and otherwise
+/// she hesitates and is touched.
+Person hesitating() {
+  return {"anna", 0.25, 0.9, {3.8, 3.4}, {{6.6, 8.9}}};
+}
+
+Scenario crossing(const Person& person) {
+  return Scenario::continuous("crossing", {0, 0, 10, 10}, {}, {1, 5, 0}, {9, 5})
+      .with_people({person});
+}
+
+FairnessReport judge_run(const FalsificationSetup& setup, const Scenario& scenario) {
+  return judge_failure(setup, scenario, run_alone(setup, scenario, 0), {});
+}
+
+TEST(Fairness, AmongPeopleTheMethodIsAWitnessIfTheyDoNotNoticeIt) {
+  FalsificationSetup setup = straight_setup();
+  const Trial failure = run_alone(setup, crossing(hesitating()), 0);
+  EXPECT_EQ(failure.detail.find("contact with person 'anna'"), 0U) << failure.detail;
+  const FairnessReport report = judge_run(setup, crossing(hesitating()));
+  EXPECT_TRUE(report.fair());
+  EXPECT_EQ(report.witness, "straight among people who do not notice it");
+  setup.unnoticed_witness = false;
+  EXPECT_EQ(judge_run(setup, crossing(hesitating())).violations,
+            (std::vector<std::string>{"no witness is named"}));
+}
+
+TEST(Fairness, AFailureAmongPeopleThatNobodyAvoidsIsNotProvedSolvable) {
+  const FalsificationSetup setup = straight_setup();
+  // In the middle of the way, where she stays.
+  const Scenario blocked = crossing({"anna", 0.25, 0.9, {5, 5}, {{5, 5}}});
+  EXPECT_EQ(judge_run(setup, blocked).violations,
+            (std::vector<std::string>{"not proved solvable: no witness reaches the goal, nor "
+                                      "straight among people who do not notice it"}));
+  // That run would be the same where nobody notices the robot.
+  FalsificationSetup unnoticed = setup;
+  unnoticed.run.people.notices = 0;
+  EXPECT_TRUE(unnoticed.witnesses_in(blocked).empty());
+  EXPECT_TRUE(setup.witnesses_in(blocked.with_people({})).empty());
+}
+
+TEST(Fairness, APersonWithoutAWayIsUnfairUnlessSwitchedOff) {
+  const RobotModel robot;
+  const auto judged = [&](const Scenario& scenario, const FairnessOptions& options) {
+    const World world(scenario, 0.05);
+    const std::string violation = judge_geometry(world, robot, options).violation;
+    EXPECT_EQ(has_fair_geometry(world, robot, options), violation.empty());
+    return violation;
+  };
+  const Person anna{"anna", 0.6, 1, {1, 1}, {{5, 1}}};  // through a door of 1.1 m
+  const Scenario scenario = door(1.1).with_people({anna});
+  FairnessOptions options;
+  EXPECT_EQ(judged(scenario, options), "person 'anna' has no way to its goal");
+  options.people_walk = false;
+  EXPECT_EQ(judged(scenario, options), "");
 }
 
 TEST(Fairness, ARunThatANewProcessDoesNotRepeatIsUnfair) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "difference_search.h"
 #include "error_text.h"
 #include "planted_methods.h"
 #include "probing.h"
@@ -85,6 +86,58 @@ TEST(Candidates, HaveTheWalkersOfTheSetup) {
   setup.walkers.min_radius = setup.walkers.max_radius = 9;
   EXPECT_TRUE(throws_error(ErrorKind::Job, "search", {"has room for the walkers"},
                            [&] { draw_fair_world(mix, setup, {}, 7, 3); }));
+}
+
+TEST(Candidates, HaveThePeopleOfTheSetup) {
+  FalsificationSetup setup = planted_setup("none");
+  const CandidateMix mix(setup.run.robot);
+  const auto empty = draw_fair_world(mix, setup, {}, 7, 3);
+  setup.people.count = 2;
+  const auto populated = draw_fair_world(mix, setup, {}, 7, 3);
+  EXPECT_EQ(populated->scenario().people().size(), 2U);
+  EXPECT_EQ(populated->scenario().with_people({}).hash(), empty->scenario().hash());
+  EXPECT_EQ(draw_fair_world(mix, setup, {}, 7, 3)->scenario().hash(), populated->scenario().hash());
+  setup.people.min_radius = setup.people.max_radius = 9;
+  EXPECT_TRUE(throws_error(ErrorKind::Job, "search", {"has room for the people"},
+                           [&] { draw_fair_world(mix, setup, {}, 7, 3); }));
+}
+
+TEST(Candidates, AreChangedInTheirPeopleOrInTheRest) {
+  FalsificationSetup setup = planted_setup("none");
+  setup.people.count = 3;
+  const Scenario parent =
+      draw_fair_world(CandidateMix(setup.run.robot), setup, {}, 7, 3)->scenario();
+  int with_other_people = 0, with_the_same = 0;
+  RandomEngine engine(3);
+  for (int i = 0; i < 100; ++i) {
+    const auto child = draw_changed_world(parent, setup, {}, engine);
+    if (!child) continue;
+    const bool is_rest_same =
+        child->scenario().with_people({}).hash() == parent.with_people({}).hash();
+    if (child->scenario().people() == parent.people()) {
+      ++with_the_same;
+    } else {
+      EXPECT_TRUE(is_rest_same);
+      ++with_other_people;
+    }
+  }
+  EXPECT_GE(with_other_people, 10);
+  EXPECT_GE(with_the_same, 10);
+}
+
+TEST(Search, FindsCollisionsWithPeople) {
+  FalsificationSetup setup = planted_setup("none");
+  setup.people.count = 3;
+  setup.run.people.notices = 0;
+  SearchOptions options = options_of(40);
+  options.fairness.witness = false;
+  int with_person = 0;
+  for (const FoundFailure& found : search(setup, options).state.failures) {
+    EXPECT_EQ(found.scenario.people().size(), 3U);
+    with_person += found.trial.detail.find("contact with person 'person_") == 0 ? 1 : 0;
+    EXPECT_NEAR(found.trial.clearance, 0, 1e-6);
+  }
+  EXPECT_GE(with_person, 3);
 }
 
 TEST(Search, FindsCollisionsWithWalkers) {

@@ -70,6 +70,53 @@ TEST(Shrink, RemovesMoversThatTheFailureDoesNotNeed) {
   }
 }
 
+TEST(Shrink, RemovesPeopleThatTheFailureDoesNotNeed) {
+  FalsificationSetup setup = planted_setup("squeeze");
+  // One who comes when the run is long over, one who stands in a corner.
+  const People people{{"late", 0.3, 1, {5, 5}, {{8, 5}}, 1e5},
+                      {"aside", 0.1, 1, {0.2, 9.8}, {{0.2, 9.8}}}};
+  for (const Scenario& scenario : {passage(), convert(passage(), Representation::Grid, 0.05)}) {
+    const auto small = shrink(setup, scenario.with_people(people));
+    ASSERT_TRUE(small);
+    EXPECT_EQ(small->parts_before, 15U);
+    EXPECT_TRUE(small->scenario.people().empty());
+    EXPECT_TRUE(small->minimal);
+    EXPECT_EQ(outcome_in(small->scenario, setup, setup.method), Outcome::Collision);
+  }
+}
+
+/// A fast person who does not notice the robot comes from behind, by way of its path; two others
+/// walk far from it.
+TEST(Shrink, ShortensAndRoundsTheRoutesOfPeople) {
+  FalsificationSetup setup = planted_setup("none");
+  setup.run.people.notices = 0;
+  const Scenario scenario =
+      Scenario::continuous("path", {0, 0, 12, 10}, {}, {2.53, 5, 0}, {10.97, 5})
+          .with_people({{"anna", 0.31, 2.87, {0.73, 5.01}, {{3.13, 5}, {6.17, 5.03}, {11.31, 5}}},
+                        {"bert", 0.25, 1.3, {1.1, 9.1}, {{8.9, 9.1}}},
+                        {"carl", 0.25, 1.3, {8.9, 1.1}, {{5.3, 1.3}, {1.1, 1.1}}}});
+  ASSERT_EQ(outcome_in(scenario, setup, setup.method), Outcome::Collision);
+  const auto small = shrink(setup, scenario);
+  ASSERT_TRUE(small);
+  EXPECT_EQ(small->trial.outcome, Outcome::Collision);
+  EXPECT_NE(small->trial.detail.find("contact with person 'anna'"), std::string::npos);
+  EXPECT_EQ(small->parts_before, 3U);
+  EXPECT_EQ(small->parts_after, 1U);
+  ASSERT_EQ(small->scenario.people().size(), 1U);
+  const Person& anna = small->scenario.people()[0];
+  EXPECT_EQ(anna.route.size(), 1U);
+  EXPECT_LT(anna.route.back().x, 10);
+  const auto is_round = [](double x) { return std::abs(x * 20 - std::round(x * 20)) < 1e-9; };
+  for (const double number :
+       {anna.start.x, anna.start.y, anna.route[0].x, anna.route[0].y, anna.radius, anna.speed})
+    EXPECT_TRUE(is_round(number)) << number;
+  ASSERT_EQ(small->removals.size(), 1U);
+  EXPECT_EQ(small->removals[0].part.find("person 'anna' of radius "), 0U);
+  EXPECT_EQ(small->removals[0].verdict, "base: success");
+  EXPECT_TRUE(small->minimal);
+  RecordProperty("runs", static_cast<int>(small->runs));
+}
+
 TEST(Shrink, TheResultIsFair) {
   const auto small = shrink(planted_setup("squeeze"), passage());
   ASSERT_TRUE(small);

@@ -39,7 +39,8 @@ constexpr double kEndWindow = 5;  ///< s
 /// Features of a failing run, for clusters.
 struct FailureFacts {
   Outcome outcome = Outcome::Collision;
-  bool with_mover = false;  ///< a collision with a mover, which then is the nearest obstacle
+  bool with_mover = false;   ///< a collision with a mover, which then is the nearest obstacle
+  bool with_person = false;  ///< likewise, with a person
   ObstacleSide side = ObstacleSide::Front;
   EndMotion motion = EndMotion::Fast;
   bool faces_goal = true;       ///< at the end: the goal is within 90 degrees of the heading
@@ -47,14 +48,15 @@ struct FailureFacts {
   double bottleneck_width = 0;  ///< robot widths, of the scenario
 };
 
-/// The facts of a run in `world`; `obstacles` and `bottleneck_width` are left to the caller. The
-/// nearest obstacle may be the border. Requires at least one sample.
-FailureFacts measure_end(const World& world, const RobotModel& robot, Outcome outcome,
-                         const Trajectory& trajectory);
+/// The facts of a run in `world` among `movers` (SimulationResult::movers); `obstacles` and
+/// `bottleneck_width` are left to the caller. The nearest obstacle may be the border. Requires at
+/// least one sample.
+FailureFacts measure_end(const World& world, const Movers& movers, const RobotModel& robot,
+                         Outcome outcome, const Trajectory& trajectory);
 
 /// Each fact in words, in the order in which clusters are divided by them: outcome (and whether
-/// it was with a mover), side of the nearest obstacle, motion, direction of the goal, number of
-/// obstacles (1, 2 to 3, more), bottleneck (below 2, below 4 robot widths, more).
+/// it was with a mover or a person), side of the nearest obstacle, motion, direction of the goal,
+/// number of obstacles (1, 2 to 3, more), bottleneck (below 2, below 4 robot widths, more).
 std::vector<std::string> facts_in_words(const FailureFacts& facts);
 
 /// Failures that are alike.

@@ -21,8 +21,10 @@ struct Departure {
 
 /// The first sample whose position is farther than the robot's enclosing radius from the path of
 /// `reference`; none if the run stays on it. The border is an obstacle.
-std::optional<Departure> find_departure(const World& world, const RobotModel& robot,
-                                        const Trajectory& run, const Trajectory& reference);
+/// `movers`: SimulationResult::movers of `run`.
+std::optional<Departure> find_departure(const World& world, const Movers& movers,
+                                        const RobotModel& robot, const Trajectory& run,
+                                        const Trajectory& reference);
 
 /// "nd leaves the path of gap after 3.20 s at 0.45 m/s; goal 12 degrees to the left, nearest
 /// obstacle 60 degrees to the right, 0.25 m away", or that it does not leave it.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <slalom/campaign/campaign_options.h>
+#include <slalom/generation/sample_people.h>
 #include <slalom/generation/walkers.h>
 #include <slalom/methods/method_factory.h>
 #include <slalom/scenario/world.h>
@@ -26,18 +27,32 @@ struct FalsificationSetup {
   /// solved.
   std::vector<NamedMethod> witnesses;
 
+  /// The method itself, where people do not notice the robot, is a witness too: see witnesses_in().
+  bool unnoticed_witness = false;
+
   /// Moving obstacles in each scenario that is drawn, besides those of the mix.
   WalkerOptions walkers = {};
+  PeopleOptions people = {};  ///< likewise
 
   /// A light method that fails in similar scenarios: see SearchOptions.
   std::optional<NamedMethod> surrogate = {};
 
-  /// 0: the method; then the witnesses, and the surrogate.
+  /// 0: the method; then the witnesses, the surrogate, and the method among people who do not
+  /// notice the robot.
   const NamedMethod& method_at(std::size_t index) const {
-    if (index == 0) return method;
+    if (index == 0 || index == unnoticed_index()) return method;
     return index <= witnesses.size() ? witnesses[index - 1] : surrogate.value();
   }
   std::size_t surrogate_index() const { return witnesses.size() + 1; }
+  std::size_t unnoticed_index() const { return witnesses.size() + 2; }
+
+  /// The indexes of those whose success proves that the scenario can be solved. Among people who
+  /// notice the robot, whose motion depends on it, so does a success of the method itself among
+  /// the same people if they do not.
+  std::vector<std::size_t> witnesses_in(const Scenario& scenario) const;
+  bool has_witness() const;  ///< in a scenario that is drawn
+  /// "nd"; "nd among people who do not notice it".
+  std::string witness_name(std::size_t index) const;
 };
 
 /// The stored part of a run.
