@@ -21,9 +21,14 @@ double certified(double widest, const World& world, double radius) {
   return std::max(0.0, widest - world.occupancy().resolution() * M_SQRT1_2) / radius;
 }
 
+/// People count as obstacles if they are there when the run begins.
 double start_clearance(const World& world, double radius) {
   const auto& start = world.scenario().start();
-  return world.distance_field().clearance({start.x, start.y}) - radius;
+  double clearance = world.distance_field().clearance({start.x, start.y});
+  for (const Person& person : world.scenario().people())
+    if (person.begin <= 0)
+      clearance = std::min(clearance, distance_between(person.start, start) - person.radius);
+  return clearance - radius;
 }
 
 std::string below(const char* what, double value, double limit, const char* unit) {

@@ -60,16 +60,18 @@ Scenario round_all(const Scenario& scenario, double unit, double cell) {
   return with_rounded_task(scene.scenario(scenario.name()), unit, true, true);
 }
 
-/// In m, s and m/s; radius and speed are not rounded to 0.
+/// Radius (m) and speed (m/s) hardly change, so that a person remains one.
 Rounding of_person(std::size_t person) {
   return [person](const Scenario& scenario, double unit) {
+    constexpr double kCoarsest = 0.05;
     People people = scenario.people();
     Person& walker = people[person];
     walker.start = rounded(walker.start, unit);
     for (TPoint2D& point : walker.route) point = rounded(point, unit);
-    walker.radius = std::max(std::min(unit, walker.radius), rounded(walker.radius, unit));
-    walker.speed = std::max(std::min(unit, walker.speed), rounded(walker.speed, unit));
     walker.begin = rounded(walker.begin, unit);
+    const double fine = std::min(unit, kCoarsest);
+    walker.radius = std::max(fine, rounded(walker.radius, fine));
+    walker.speed = std::max(fine, rounded(walker.speed, fine));
     return scenario.with_people(std::move(people));
   };
 }

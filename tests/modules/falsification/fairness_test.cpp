@@ -159,11 +159,23 @@ TEST(Fairness, AFailureAmongPeopleThatNobodyAvoidsIsNotProvedSolvable) {
   EXPECT_EQ(judge_run(setup, blocked).violations,
             (std::vector<std::string>{"not proved solvable: no witness reaches the goal, nor "
                                       "straight among people who do not notice it"}));
-  // That run would be the same where nobody notices the robot.
+  // The run of the method would be the same where nobody notices the robot.
   FalsificationSetup unnoticed = setup;
   unnoticed.run.people.notices = 0;
   EXPECT_TRUE(unnoticed.witnesses_in(blocked).empty());
   EXPECT_TRUE(setup.witnesses_in(blocked.with_people({})).empty());
+}
+
+TEST(Fairness, PeopleAreObstaclesAtTheStartIfTheyAreThere) {
+  // 0.65 m from the robot's center, of 0.25 m radius as the robot.
+  Person anna{"anna", 0.25, 1, {1, 5.65}, {{5, 9}}};
+  EXPECT_NEAR(judge(crossing(anna)).start_clearance, 0.15, 1e-12);
+  EXPECT_EQ(judge(crossing(anna)).violation, "");
+  anna.start.y = 5.55;
+  EXPECT_NE(judge(crossing(anna)).violation.find("clearance at the start 0.050 m"),
+            std::string::npos);
+  anna.begin = 1;
+  EXPECT_EQ(judge(crossing(anna)).violation, "");
 }
 
 TEST(Fairness, APersonWithoutAWayIsUnfairUnlessSwitchedOff) {

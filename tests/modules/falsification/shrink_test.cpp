@@ -106,6 +106,8 @@ TEST(Shrink, ShortensAndRoundsTheRoutesOfPeople) {
   const Person& anna = small->scenario.people()[0];
   EXPECT_EQ(anna.route.size(), 1U);
   EXPECT_LT(anna.route.back().x, 10);
+  EXPECT_NEAR(anna.radius, 0.31, 0.025);
+  EXPECT_NEAR(anna.speed, 2.87, 0.025);
   const auto is_round = [](double x) { return std::abs(x * 20 - std::round(x * 20)) < 1e-9; };
   for (const double number :
        {anna.start.x, anna.start.y, anna.route[0].x, anna.route[0].y, anna.radius, anna.speed})

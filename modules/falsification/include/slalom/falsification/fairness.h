@@ -14,7 +14,7 @@ struct FairnessOptions {
   /// disc; 0: not required.
   double min_bottleneck = 1.5;
   double min_start_clearance =
-      0.1;                  ///< m, between the robot at the start and obstacles; 0: not required
+      0.1;  ///< m, between the robot at the start and obstacles or people; 0: not required
   double min_distance = 1;  ///< m, straight-line distance from start to goal; 0: not required
   bool people_walk = true;  ///< problem_of_people() finds none
   bool witness = true;      ///< a witness reaches the goal
