@@ -97,8 +97,6 @@ TEST_F(Coverage, IncompatibleOptionsAreRejected) {
   const std::string generate = "slalom-scenarios generate -c bins.ini -o a.scenarios ";
   expect_failure(generate + "--set scenarios.count=5", 2,
                  {"count", "cannot be combined with [coverage]"});
-  expect_failure(generate + "--set scenarios.people=2", 2,
-                 {"people", "cannot be combined with [coverage]"});
   expect_failure(generate + "--set scenarios.generator=randon", 2, {"'randon'", "'random'"});
   expect_failure(generate + "--set scenarios.generator=", 2, {"specifies no generator"});
   expect_failure(generate + "--set coverage.per_bins=5", 2, {"per_bins", "'per_bin'"});

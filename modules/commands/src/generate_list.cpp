@@ -18,11 +18,10 @@ namespace {
 /// The families of [scenarios]. Rejects keys that cannot be combined with [coverage].
 std::vector<std::string> families_of(const IniFile& ini) {
   const auto section = read_options<ScenariosSection>(ini, "scenarios");
-  for (const char* key :
-       {"list", "maps", "count", "weights", "scale_by_robot", "representation", "people"})
+  for (const char* key : {"list", "maps", "count", "weights", "scale_by_robot", "representation"})
     if (ini.get("scenarios", key))
       throw usage_error(ini.where("scenarios", key), "cannot be combined with [coverage]",
-                        "generator and walkers only; the bins determine the count");
+                        "generator, walkers and people only; the bins determine the count");
   return split_nonempty(section.generator, ',');
 }
 
@@ -33,7 +32,9 @@ CoverageSettings coverage_settings(const IniFile& ini, const GenerationOptions& 
   settings.robot_radius = read_robot_model(ini).radius;
   settings.sensor_range = read_options<SensorModel>(ini, "sensor").max_range;
   settings.resolution = read_options<SimulationOptions>(ini, "simulation").resolution;
-  settings.walkers = read_options<ScenariosSection>(ini, "scenarios").walkers;
+  const auto section = read_options<ScenariosSection>(ini, "scenarios");
+  settings.walkers = section.walkers;
+  settings.people = section.people;
   settings.jobs = options.jobs;
   settings.load_map = load_map;
   return settings;

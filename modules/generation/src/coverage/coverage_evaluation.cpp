@@ -104,7 +104,7 @@ std::optional<Scenario> CandidateEvaluation::make(const Proposal& proposal,
   if (!proposal.parent) {
     const auto generator = generators_.draw(engine);
     if (!generator) return std::nullopt;
-    return with_walkers(generator->generate("candidate", engine), engine);
+    return populated(generator->generate("candidate", engine), engine);
   }
   std::optional<Scenario> scenario = *proposal.parent;
   for (const Mutation mutation : proposal.mutations) {
@@ -114,13 +114,15 @@ std::optional<Scenario> CandidateEvaluation::make(const Proposal& proposal,
   return scenario;
 }
 
-std::optional<Scenario> CandidateEvaluation::with_walkers(Scenario scenario,
-                                                          RandomEngine& engine) const {
-  if (settings_.walkers.count == 0) return scenario;
+std::optional<Scenario> CandidateEvaluation::populated(Scenario scenario,
+                                                       RandomEngine& engine) const {
+  if (settings_.walkers.count == 0 && settings_.people.count == 0) return scenario;
+  const World world(std::move(scenario), settings_.resolution);
+  const double radius = settings_.robot_radius;
   try {
-    return slalom::with_walkers(World(std::move(scenario), settings_.resolution),
-                                settings_.robot_radius, settings_.walkers, engine);
-  } catch (const Error&) {  // no room for them
+    Scenario walked = with_walkers(world, radius, settings_.walkers, engine);
+    return walked.with_people(sample_people(world, radius, settings_.people, engine));
+  } catch (const Error&) {
     return std::nullopt;
   }
 }

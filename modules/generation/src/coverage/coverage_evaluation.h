@@ -38,7 +38,8 @@ class CandidateEvaluation {
   };
 
   std::optional<Scenario> make(const Proposal& proposal, RandomEngine& engine) const;
-  std::optional<Scenario> with_walkers(Scenario scenario, RandomEngine& engine) const;
+  /// With the walkers and people of the settings; none if there is no room for them.
+  std::optional<Scenario> populated(Scenario scenario, RandomEngine& engine) const;
   bool within_limits(const Scenario& scenario) const;
   /// Factor of the cell size in the first, coarse evaluation of a scenario.
   double coarseness(const Scenario& scenario) const;

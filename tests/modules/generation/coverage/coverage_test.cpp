@@ -93,6 +93,21 @@ TEST(Coverage, FillsBinsOfDescriptorsOfMoversWithWalkersThatKeepOffObstacles) {
   }
 }
 
+TEST(Coverage, FillsBinsAmongPeopleWithRoomAndWays) {
+  CoverageSettings settings;
+  settings.resolution = 0.1;
+  settings.people.count = 2;
+  const auto plan = plan_of(kSmall + "descriptors = density\nbins = 3\nper_bin = 4\n");
+  const auto result = cover(plan, settings, *make_silent_progress());
+  ASSERT_EQ(result.scenarios.size(), 12U);
+  for (const CoveredScenario& covered : result.scenarios) {
+    EXPECT_EQ(covered.scenario.people().size(), 2U);
+    const World world(covered.scenario, 0.1);
+    EXPECT_EQ(problem_of_people(world, settings.robot_radius), "");
+    EXPECT_EQ(measured(covered.scenario, "density"), covered.values[0].value);
+  }
+}
+
 TEST(Coverage, LargeWorkspacesAreMeasuredAtFullResolution) {
   // 90 m at 0.1 m are 810,000 cells, above the 400,000 that are evaluated directly.
   const auto result =

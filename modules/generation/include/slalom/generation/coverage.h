@@ -60,6 +60,7 @@ struct CoverageSettings {
   int jobs = 1;
   MapLoader load_map = {};
   WalkerOptions walkers = {};  ///< added to each candidate without a parent
+  PeopleOptions people = {};   ///< likewise
   /// A search that was interrupted, as `keep` got it; it is repeated without the evaluations that
   /// gave nothing.
   std::string known = {};
