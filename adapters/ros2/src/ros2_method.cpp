@@ -30,6 +30,7 @@ constexpr double kGoalPeriod = 1;       // s, until nodes that are starting have
 constexpr double kSettlingTime = 0.02;  // s, for commands beyond those that are expected
 constexpr double kShortWait = 0.02;     // s, for a command of nodes that may not be ready
 constexpr double kHealthPeriod = 0.05;  // s, between two looks at the process
+constexpr double kClockPeriod = 1;      // s, of wall-clock time, until /clock is sent again
 
 RosTime nanoseconds(double seconds) {
   return static_cast<RosTime>(std::llround(seconds * 1e9));
@@ -228,9 +229,11 @@ class Ros2Method : public Method {
     }
   }
 
-  /// Whether the commands of a cycle arrived within this time (s).
+  /// Whether the commands of a cycle arrived within this time (s). Nodes read the time by best
+  /// effort: what is lost is sent again, and has no effect on those that have it.
   bool await_commands(double seconds) {
     const double until = clock_() + seconds;
+    double next_clock = clock_() + kClockPeriod;
     for (int count = 0; count < options_.commands_per_cycle;) {
       if (take_command()) {
         ++count;
@@ -239,6 +242,10 @@ class Ros2Method : public Method {
       check_health();
       const double left = until - clock_();
       if (left <= 0) return false;
+      if (clock_() >= next_clock) {
+        link_->send_clock(last_);
+        next_clock = clock_() + kClockPeriod;
+      }
       link_->wait(std::min(left, kHealthPeriod));
     }
     return true;

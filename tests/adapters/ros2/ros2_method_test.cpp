@@ -255,6 +255,21 @@ TEST_F(Ros2MethodTest, WithoutPatienceASilentNodeEndsTheRunAtTheDeadline) {
   EXPECT_NEAR(network_.time - before, options_.deadline, 0.1);
 }
 
+TEST_F(Ros2MethodTest, ATimeThatIsLostOnItsWayIsSentAgain) {
+  begin();
+  step();
+  bool is_lost = true;
+  network_.on_clock = [&](RosTime now) {
+    if (!is_lost) network_.answer(0.25, now);
+    is_lost = false;
+  };
+  network_.clocks.clear();
+  EXPECT_EQ(step().v, 0.25);
+  ASSERT_EQ(network_.clocks.size(), 2U);
+  EXPECT_EQ(network_.clocks[0], network_.clocks[1]);
+  EXPECT_EQ(figure("commands_missing"), 0);
+}
+
 TEST_F(Ros2MethodTest, ANodeThatDoesNotReplyToTheBarrierEndsTheRunAtTheDeadline) {
   options_.barrier = "planner";
   begin();
