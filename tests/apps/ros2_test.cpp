@@ -44,14 +44,15 @@ class Ros2ProgramTest : public ProgramTest {
     return runs;
   }
 
-  /// Processes that execute the node.
+  /// Processes that execute the node in this network: those of other tests are not counted.
   static int running_nodes() {
     int count = 0;
-    for (const auto& process : std::filesystem::directory_iterator("/proc")) {
-      std::error_code error;
-      const auto program = std::filesystem::read_symlink(process.path() / "exe", error);
-      if (!error && program == CYCLONE_PEER) ++count;
-    }
+    std::error_code error;
+    const auto network = std::filesystem::read_symlink("/proc/self/ns/net", error);
+    for (const auto& process : std::filesystem::directory_iterator("/proc"))
+      if (std::filesystem::read_symlink(process.path() / "exe", error) == CYCLONE_PEER &&
+          std::filesystem::read_symlink(process.path() / "ns/net", error) == network)
+        ++count;
     return count;
   }
 };
