@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <tuple>
 #include <utility>
 
@@ -17,10 +15,12 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
+/// Lengths of steps, exact when summed: 1393/985 is the square root of 2 within 4e-7.
+constexpr int kStraight = 985, kDiagonal = 1393;
+
 struct Direction {
   int x, y;
-  /// The length of a step, exact when summed: 1393/985 is the square root of 2 within 4e-7.
-  int cost() const { return x != 0 && y != 0 ? 1393 : 985; }
+  int cost() const { return x != 0 && y != 0 ? kDiagonal : kStraight; }
 };
 
 constexpr std::array<Direction, 8> kDirections{
@@ -67,29 +67,31 @@ bool RouteField::has_room(const Cell& cell) const {
   return occupancy_.inside(cell.x, cell.y) && field_.at_center(cell.x, cell.y) >= radius_;
 }
 
-/// Dijkstra's search from the goal.
+/// Dijkstra's search from the goal, with a bucket for each cost that is open (Dial 1969).
 std::vector<std::int64_t> RouteField::costs() const {
   std::vector<std::int64_t> costs(steps_.size(), kFar);
-  using Item = std::pair<std::int64_t, std::size_t>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
+  std::vector<std::vector<std::size_t>> buckets(kDiagonal + 1);
+  std::size_t open = 0;
+  const auto reach = [&](std::size_t cell, std::int64_t cost) {
+    if (cost >= costs[cell]) return;
+    costs[cell] = cost;
+    buckets[static_cast<std::size_t>(cost) % buckets.size()].push_back(cell);
+    ++open;
+  };
   for (int y = goal_first_.y; y <= goal_last_.y; ++y)
-    for (int x = goal_first_.x; x <= goal_last_.x; ++x) {
-      costs[occupancy_.index(x, y)] = 0;
-      open.emplace(0, occupancy_.index(x, y));
-    }
+    for (int x = goal_first_.x; x <= goal_last_.x; ++x) reach(occupancy_.index(x, y), 0);
   const auto size_x = static_cast<std::size_t>(occupancy_.size_x());
-  while (!open.empty()) {
-    const auto [cost, here] = open.top();
-    open.pop();
-    if (cost > costs[here]) continue;
-    const int x = static_cast<int>(here % size_x), y = static_cast<int>(here / size_x);
-    for (const Direction& d : kDirections) {
-      if (!has_room({x + d.x, y + d.y})) continue;
-      const std::size_t there = occupancy_.index(x + d.x, y + d.y);
-      if (cost + d.cost() >= costs[there]) continue;
-      costs[there] = cost + d.cost();
-      open.emplace(costs[there], there);
+  for (std::int64_t cost = 0; open > 0; ++cost) {
+    std::vector<std::size_t>& bucket = buckets[static_cast<std::size_t>(cost) % buckets.size()];
+    for (const std::size_t here : bucket) {
+      if (costs[here] != cost) continue;
+      const int x = static_cast<int>(here % size_x), y = static_cast<int>(here / size_x);
+      for (const Direction& d : kDirections)
+        if (has_room({x + d.x, y + d.y}))
+          reach(occupancy_.index(x + d.x, y + d.y), cost + d.cost());
     }
+    open -= bucket.size();
+    bucket.clear();
   }
   return costs;
 }
