@@ -5,9 +5,11 @@
 // recording. `mrpt` is its peer, laserScanSimulator with a CVehicleSimul_DiffDriven and the same
 // method: sensing and motion only. `without_scan` is simulate() with two rays, the cost apart from
 // the scan; nearly blind, it soon collides, so the cost of starting a run weighs more.
-// `with_20_movers` is `slalom` among 20 moving discs, with which it collides. Counter `steps` is
-// control steps per second.
+// `with_20_movers` is `slalom` among 20 moving discs, with which it collides; `with_20_people`
+// among 20 people who notice the robot. Counter `steps` is control steps per second.
 #include <slalom/core/random.h>
+#include <slalom/generation/sample_people.h>
+#include <slalom/people/run_alone.h>
 #include <slalom/simulation/simulate.h>
 
 #include <benchmark/benchmark.h>
@@ -54,9 +56,8 @@ Movers random_movers(int count) {
 }
 
 /// The scenario with different starts, with precomputed tables.
-std::deque<World> make_worlds(const Movers& movers) {
+std::deque<World> make_worlds(const Scenario& scenario) {
   std::deque<World> made;
-  const Scenario scenario = random_discs().with_movers(movers);
   const World world(scenario, kResolution);
   RandomEngine random(11);
   while (made.size() < kStarts) {
@@ -71,7 +72,7 @@ std::deque<World> make_worlds(const Movers& movers) {
 }
 
 const std::deque<World>& worlds_by_start() {
-  static const std::deque<World> worlds = make_worlds({});
+  static const std::deque<World> worlds = make_worlds(random_discs());
   return worlds;
 }
 
@@ -125,8 +126,31 @@ void without_scan(benchmark::State& state) {
 }
 
 void with_20_movers(benchmark::State& state) {
-  static const std::deque<World> worlds = make_worlds(random_movers(20));
+  static const std::deque<World> worlds =
+      make_worlds(random_discs().with_movers(random_movers(20)));
   simulate_rays(state, 181, worlds);
+}
+
+/// Their ways, and their motion without the robot, are computed before.
+void with_20_people(benchmark::State& state) {
+  RunSetup setup;
+  setup.simulation = wandering_options();
+  RandomEngine random(17);
+  PeopleOptions people;
+  people.count = 20;
+  const Scenario discs = random_discs();
+  const std::deque<World> worlds = make_worlds(discs.with_people(
+      sample_people(World(discs, kResolution), setup.robot.radius, people, random)));
+  const World& world = worlds[0];
+  PeopleAlone alone(world, setup.people);
+  Wanderer wanderer;
+  std::size_t steps = 0;
+  for (auto _ : state) {
+    const SimulationResult result = simulate(world, setup, 0, wanderer, nullptr, &alone);
+    steps += result.cycle_seconds.size();
+    benchmark::DoNotOptimize(result);
+  }
+  count_steps(state, steps);
 }
 
 /// MRPT's vehicle, integrated with Slalom's step instead of 0.5 ms.
@@ -176,6 +200,7 @@ void mrpt(benchmark::State& state) {
 BENCHMARK(slalom)->Unit(benchmark::kMillisecond);
 BENCHMARK(mrpt)->Unit(benchmark::kMillisecond);
 BENCHMARK(without_scan)->Unit(benchmark::kMillisecond);
+BENCHMARK(with_20_people)->Unit(benchmark::kMillisecond);
 BENCHMARK(with_20_movers)->Unit(benchmark::kMillisecond);
 
 }  // namespace
