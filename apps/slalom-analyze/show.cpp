@@ -5,7 +5,10 @@
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/results/repeatability.h>
+#include <slalom/trajectory/trajectory.h>
 
+#include <cmath>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -44,6 +47,30 @@ std::string timing_text(const RunTiming& timing) {
   return text;
 }
 
+/// Successes of all runs in the scenario, and the fastest one.
+std::string successes_text(const ResultFile& file, const RunRecord& run) {
+  const std::vector<RunRecord> runs =
+      file.read_runs(run.scenario_hash, [](const std::string& /*damaged*/) {});
+  const auto time = [](const RunRecord& one) {
+    const auto found = one.metrics.find("time_to_goal");
+    const bool has_time = found != one.metrics.end() && !found->second.value.is_na();
+    return has_time ? found->second.value.number() : std::numeric_limits<double>::infinity();
+  };
+  std::size_t successes = 0;
+  const RunRecord* fastest = nullptr;
+  for (const RunRecord& one : runs) {
+    if (one.outcome != to_string(Outcome::Success)) continue;
+    ++successes;
+    if (std::isfinite(time(one)) && (fastest == nullptr || time(one) < time(*fastest)))
+      fastest = &one;
+  }
+  std::string text = std::to_string(successes) + " of " + count_text(runs.size(), "run");
+  if (fastest != nullptr)
+    text += ", the fastest " + fastest->method + "/" + std::to_string(fastest->repetition) +
+            " in " + format_number(time(*fastest)) + " s";
+  return text;
+}
+
 }  // namespace
 
 std::string run_text(const ResultFile& file, const RunRecord& run) {
@@ -53,6 +80,7 @@ std::string run_text(const ResultFile& file, const RunRecord& run) {
                      line("repetition", std::to_string(run.repetition)) +
                      line("seed", std::to_string(run.seed)) + line("outcome", run.outcome);
   if (!run.outcome_detail.empty()) text += line("detail", run.outcome_detail);
+  text += line("successes in the scenario", successes_text(file, run));
   text += line("trajectory", run.trajectory_hash);
   const Repeatability measured = repeatability_of(file.read_manifest())[run.method];
   if (!measured.is_repeatable()) text += line("of the method", to_string(measured));

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
+
 namespace slalom {
 namespace {
 
@@ -32,8 +34,27 @@ TEST_F(Analyze, ShowPrintsTheRunThatDumpLists) {
   const std::string id = run_line["scenario"]["hash"].get<std::string>().substr(0, 8) + "/" +
                          run_line["method"].get<std::string>() + "/0";
   EXPECT_EQ(run("slalom-analyze show runs.results --json --run " + id).out, line + "\n");
-  EXPECT_NE(run("slalom-analyze show runs.results --run " + id).out.find("outcome"),
-            std::string::npos);
+  const std::string shown = run("slalom-analyze show runs.results --run " + id).out;
+  EXPECT_NE(shown.find("outcome"), std::string::npos);
+  // The runs in its scenario, from the dump.
+  double fastest = std::numeric_limits<double>::infinity();
+  std::size_t runs = 0, successes = 0;
+  std::string winner;
+  do {
+    const auto other = nlohmann::json::parse(line);
+    if (other["scenario"]["hash"] != run_line["scenario"]["hash"]) continue;
+    ++runs;
+    if (other["outcome"] != "success") continue;
+    ++successes;
+    const double time = other["metrics"]["time_to_goal"]["value"];
+    if (time >= fastest) continue;
+    fastest = time;
+    winner =
+        other["method"].get<std::string>() + "/" + std::to_string(other["repetition"].get<int>());
+  } while (std::getline(dump, line));
+  const std::string expected = std::to_string(successes) + " of " + std::to_string(runs) + " runs" +
+                               (successes > 0 ? ", the fastest " + winner + " in " : "");
+  EXPECT_NE(shown.find(expected), std::string::npos) << expected << "\n" << shown;
   expect_failure("slalom-analyze show runs.results --run 00000000/nd/0", 2, {"00000000"});
 }
 
