@@ -2,9 +2,12 @@
 #include "filter.h"
 
 #include <slalom/commands/edit_movers.h>
+#include <slalom/commands/recorded_people.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/movers_file.h>
+
+#include <iostream>
 
 namespace slalom {
 namespace {
@@ -32,9 +35,20 @@ void rename(const EditArguments& arguments) {
 struct MoversArguments {
   ListArguments one;
   std::string file;
-  bool remove = false;
+  bool remove = false, react = false;
   MoversFileOptions options;
 };
+
+/// The scenario with people in place of its moving obstacles and people.
+Scenario with_reacting(const Scenario& scenario, const Movers& movers, double resolution) {
+  const Scenario alone = with_movers_edited(scenario, {}).with_people({});
+  if (movers.empty()) return alone;
+  People people = recorded_people(World(alone, resolution), movers);
+  if (const std::size_t out = movers.size() - people.size(); out > 0)
+    std::cerr << "left out: " << out << " of " << movers.size()
+              << ", who are never in the bounds of " << scenario.name() << "\n";
+  return alone.with_people(std::move(people));
+}
 
 void set_movers(const MoversArguments& arguments) {
   if (arguments.file.empty() && !arguments.remove)
@@ -43,14 +57,18 @@ void set_movers(const MoversArguments& arguments) {
   const std::string hash = list.find_entry(arguments.one.id).hash;
   Movers movers;
   if (!arguments.remove) movers = load_movers_file(arguments.file, arguments.options);
-  make_edit_scenario(list, hash, with_movers_edited(list.read(hash), movers))->execute();
+  const Scenario scenario = list.read(hash);
+  make_edit_scenario(list, hash,
+                     arguments.react ? with_reacting(scenario, movers, arguments.one.resolution)
+                                     : with_movers_edited(scenario, movers))
+      ->execute();
 }
 
 void add_movers_verb(CLI::App& app) {
   static MoversArguments arguments;
-  CLI::App* verb =
-      add_list_verb(app, "movers", "Replace the moving obstacles of a scenario by those of a file",
-                    arguments.one);
+  CLI::App* verb = add_list_verb(
+      app, "movers", "Replace the moving obstacles of a scenario by those of a file, or its people",
+      arguments.one);
   add_scenario_argument(*verb, arguments.one);
   CLI::Option* file = verb->add_option(
       "file", arguments.file,
@@ -65,6 +83,16 @@ void add_movers_verb(CLI::App& app) {
   verb->add_option("--frame-rate", arguments.options.frame_rate,
                    "Frames per second of the recording; required for files with frames")
       ->check(CLI::PositiveNumber);
+  verb->add_flag("--react", arguments.react,
+                 "Make people of them, in place of the moving obstacles and the people of the "
+                 "scenario: they start when and where they were recorded and walk to their last "
+                 "positions, but react to each other, to walls and to the robot, so that a run is "
+                 "not the recording");
+  verb->add_option("--resolution", arguments.one.resolution,
+                   "With --react: cell size of the walls in which nobody may start, for scenarios "
+                   "that are not grids, m")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   verb->callback([] { set_movers(arguments); });
 }
 

@@ -99,6 +99,29 @@ TEST_F(ScenarioLists, MoversOfAFileReplaceThoseOfAScenario) {
   EXPECT_EQ(yaml().find("movers"), std::string::npos);
 }
 
+TEST_F(ScenarioLists, RecordedPeopleOfAFileReactInPlaceOfMovers) {
+  write("room.scenario.yaml",
+        "name: room\nrepresentation: continuous\nbounds: [0, 0, 6, 4]\nstart: [1, 2, 0]\n"
+        "goal: [5, 2]\nmovers:\n  - {id: a, radius: 0.3, after: stop, waypoints: [[0, 3, 3]]}\n"
+        "discs: []\npolygons: [[[4, 0], [4.6, 0], [4.6, 1], [4, 1]]]\n");
+  write("walk.csv", "id,t,x,y\na,0,3,1\na,2,3,3\nfar,0,9,1\nfar,1,9,2\n");
+  write("wall.csv", "id,t,x,y\nw,0,4.3,0.5\nw,1,4.3,0.6\n");
+  ASSERT_EQ(slalom("import room.scenario.yaml -o r.scenarios").status, 0);
+  const std::string movers = "slalom-scenarios movers r.scenarios room ";
+  expect_failure(movers + "wall.csv --react", 3,
+                 {"room: person 'w'", "no position with room", "from walls"});
+  // The cell of 3 m around the wall covers x from 3 to 6 m, y up to 3 m.
+  expect_failure(movers + "walk.csv --react --resolution 3", 3, {"no position with room"});
+  const ProgramResult made = run(movers + "walk.csv --react");
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.err.find("left out: 1 of 2"), std::string::npos) << made.err;
+  const auto shown = [&] { return slalom("show r.scenarios room").out; };
+  EXPECT_NE(shown().find("people          1"), std::string::npos) << shown();
+  EXPECT_EQ(shown().find("movers"), std::string::npos) << shown();
+  ASSERT_EQ(run(movers + "--remove --react").status, 0);
+  EXPECT_EQ(shown().find("people"), std::string::npos) << shown();
+}
+
 TEST_F(ScenarioLists, IndexesAreCreatedUsedShownAndDropped) {
   const std::string select = "select a.scenarios --where 'density >= 0.02 and density < 0.05'";
   const auto before = names(select);
