@@ -276,7 +276,7 @@ TEST_F(StudioView, ShowsPeopleAtTheirStartAndAsTheyWalkedInARun) {
         "    start: [7, 3.1]\n    route: [[1, 3]]\ndiscs: []\npolygons: []\n");
   write("hall.ini",
         "[campaign]\nmethods = nd\n[scenarios]\nlist = hall.scenarios\n[people]\nnotices = 0\n"
-        "[simulation]\nmax_time = 2\n[metrics]\nenabled = path_length\ndescriptors = density\n"
+        "[metrics]\nenabled = path_length\ndescriptors = density\n"
         "[method.nd]\nadapter = mrpt_holonomic\nclass = CHolonomicND\n[record]\nrawlog = all\n");
   ASSERT_EQ(run("slalom-scenarios import hall.scenario.yaml -o hall.scenarios").status, 0);
   ASSERT_EQ(run("slalom-evaluate hall.ini -o out --quiet").status, 0);
@@ -291,8 +291,8 @@ TEST_F(StudioView, ShowsPeopleAtTheirStartAndAsTheyWalkedInARun) {
     EXPECT_NEAR(x, 7 - 2.6 * std::cos(angle), 0.002);
     EXPECT_NEAR(y, 3.1 - 2.6 * std::sin(angle), 0.002);
   };
-  const std::string script =
-      "wait idle\nclick replay slider\nkey Home\n" + start + "key End\nprint view\n";
+  const std::string script = "wait idle\nclick replay slider\nkey Home\n" + start +
+                             "key Shift+Right\nkey Shift+Right\nprint view\n";
   walked(expect_played(script, "hall.scenarios --results out/runs.results"));
   ASSERT_FALSE(std::filesystem::is_empty(folder_ / "out/runs.rawlogs"));
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "out/runs.rawlogs")) {
