@@ -71,6 +71,24 @@ TEST(GenerationForm, HidesTheOptionsOfWalkersUntilTheyAreWanted) {
   EXPECT_FALSE(ini.get("scenarios", "walker_min_speed")) << "as the program's default";
 }
 
+TEST(GenerationForm, HidesTheOptionsOfPeopleUntilTheyAreWanted) {
+  FormModel form(random_generation_form({}));
+  const auto shown = [&form](const std::string& key) { return form.is_shown(form.index_of(key)); };
+  EXPECT_TRUE(shown("reacting"));
+  const std::vector<std::string> keys = {"people", "person_min_radius", "person_max_radius",
+                                         "person_min_speed", "person_max_speed"};
+  for (const std::string& key : keys) EXPECT_FALSE(shown(key)) << key;
+  EXPECT_FALSE(read_random_generation(form.values()).ini.get("scenarios", "people"));
+  form.choose(form.index_of("reacting"), "");
+  for (const std::string& key : keys) EXPECT_TRUE(shown(key)) << key;
+  EXPECT_FALSE(shown("walkers"));
+  form.set_value(form.index_of("person_max_speed"), "2");
+  const IniFile ini = read_random_generation(form.values()).ini;
+  EXPECT_EQ(ini.get("scenarios", "people"), "4");
+  EXPECT_EQ(ini.get("scenarios", "person_max_speed"), "2");
+  EXPECT_FALSE(ini.get("scenarios", "walkers"));
+}
+
 TEST(GenerationForm, IsValidInitially) {
   EXPECT_EQ(FormModel(random_generation_form({})).first_error(), std::nullopt);
   EXPECT_EQ(FormModel(bins_generation_form({})).first_error(), std::nullopt);

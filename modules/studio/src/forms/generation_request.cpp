@@ -26,43 +26,43 @@ std::vector<FormField> family_fields(const std::string& family) {
                        family);
 }
 
-bool is_of_walkers(const FormField& field) {
-  return starts_with(field.key, "walker");
+/// Parts of [scenarios]: about the mix of families, walkers, and people.
+enum class Part { Mix, Walkers, People };
+
+Part part_of(const FormField& field) {
+  if (starts_with(field.key, "walker")) return Part::Walkers;
+  return field.key == "people" || starts_with(field.key, "person") ? Part::People : Part::Mix;
 }
 
-/// The keys of [scenarios] about the mix of families or about walkers; Slalom Studio has no people.
-std::vector<FormField> scenarios_fields(bool of_walkers) {
+std::vector<FormField> scenarios_fields(Part part) {
   std::vector<FormField> fields = option_fields(
       defaults_of<ScenariosSection>(), "",
-      {"list", "maps", "pairs_per_map", "min_distance", "generator", "count", "resolution",
-       "people", "person_min_radius", "person_max_radius", "person_min_speed", "person_max_speed"});
+      {"list", "maps", "pairs_per_map", "min_distance", "generator", "count", "resolution"});
   fields.erase(std::remove_if(fields.begin(), fields.end(),
-                              [of_walkers](const FormField& field) {
-                                return is_of_walkers(field) != of_walkers;
-                              }),
+                              [part](const FormField& field) { return part_of(field) != part; }),
                fields.end());
   return fields;
 }
 
-std::vector<FormField> mix_fields() {
-  return scenarios_fields(false);
-}
-
-std::vector<FormField> walker_fields() {
-  return scenarios_fields(true);
-}
-
-/// One line, and the options of walkers only if there are to be some, so that the fields above
-/// them stay in sight.
-void add_walkers(FormDescription& form) {
-  form.fields.push_back({"moving", "Moving obstacles", FieldKind::Flag, "false", "",
-                         "add walkers, moving discs that walk back and forth, to each scenario"});
-  for (FormField& field : walker_fields()) {
-    if (field.key == "walkers") field.value = "4";
-    field.shown_if_key = "moving";
+/// One line, and the options of walkers or people only if there are to be some, so that the fields
+/// above them stay in sight.
+void add_part(FormDescription& form, Part part, const std::string& number, FormField wanted) {
+  form.fields.push_back(wanted);
+  for (FormField& field : scenarios_fields(part)) {
+    if (field.key == number) field.value = "4";
+    field.shown_if_key = wanted.key;
     field.shown_if_value = "true";
     form.fields.push_back(std::move(field));
   }
+}
+
+void add_walkers_and_people(FormDescription& form) {
+  add_part(form, Part::Walkers, "walkers",
+           {"moving", "Moving obstacles", FieldKind::Flag, "false", "",
+            "add walkers, moving discs that walk back and forth, to each scenario"});
+  add_part(form, Part::People, "people",
+           {"reacting", "People", FieldKind::Flag, "false", "",
+            "add people, who walk to and fro and react, to each scenario"});
 }
 
 std::vector<FormField> coverage_fields() {
@@ -179,9 +179,9 @@ FormDescription random_generation_form(const GenerationDefaults& defaults) {
   count.range = Range::between(1, 1e7);
   form.fields = {families_field("random", "one or several, in equal parts"), count, seed_field()};
   add_robot(form, defaults);
-  for (FormField& field : mix_fields()) form.fields.push_back(std::move(field));
+  for (FormField& field : scenarios_fields(Part::Mix)) form.fields.push_back(std::move(field));
   add_target_fields(form, defaults.target);
-  add_walkers(form);
+  add_walkers_and_people(form);
   add_family_options(form);
   return form;
 }
@@ -213,9 +213,11 @@ FormDescription bins_generation_form(const GenerationDefaults& defaults) {
 GenerationRequest read_random_generation(const FormValues& values) {
   GenerationRequest request = request_of(values);
   request.ini.set("scenarios", "count", values.at("count"));
-  put_options(request.ini, "scenarios", "", mix_fields(), values);
+  put_options(request.ini, "scenarios", "", scenarios_fields(Part::Mix), values);
   if (values.at("moving") == "true")
-    put_options(request.ini, "scenarios", "", walker_fields(), values);
+    put_options(request.ini, "scenarios", "", scenarios_fields(Part::Walkers), values);
+  if (values.at("reacting") == "true")
+    put_options(request.ini, "scenarios", "", scenarios_fields(Part::People), values);
   if (request.ini.get("scenarios", "representation"))
     request.ini.set("scenarios", "resolution", values.at("resolution"));
   for (const std::string& family : split(values.at("families"), ','))
