@@ -57,12 +57,16 @@ std::vector<Waypoint> places_in(const World& world, const People& others, double
 
 /// The median (m/s) over time of the speeds above `least`; 0 if there are none.
 double median_speed(const std::vector<Waypoint>& waypoints, double least) {
+  constexpr double kSpan = 0.4;  // s, over which the noise of positions is far below a step
   std::vector<std::pair<double, double>> parts;  // speed, duration
   double total = 0;
+  std::size_t from = 0;
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
-    const double duration = waypoints[i].t - waypoints[i - 1].t;
+    const double duration = waypoints[i].t - waypoints[from].t;
+    if (duration < kSpan && i + 1 < waypoints.size()) continue;
     const double speed =
-        distance_between(waypoints[i - 1].position, waypoints[i].position) / duration;
+        distance_between(waypoints[from].position, waypoints[i].position) / duration;
+    from = i;
     if (!(speed > least)) continue;
     parts.emplace_back(speed, duration);
     total += duration;

@@ -37,6 +37,15 @@ TEST(RecordedPeople, HaveTheSpeedOfTheirWayIfTheyAreAlwaysSlow) {
   EXPECT_DOUBLE_EQ(people_of({walk("a", {{0, {1, 4}}, {10, {2, 4}}})})[0].speed, 0.1);
 }
 
+TEST(RecordedPeople, AreNotFasterByTheNoiseOfPositions) {
+  // 1 m/s, 25 positions per second, to and fro by 4 cm across: sqrt(2) m/s from one to the next.
+  std::vector<Waypoint> waypoints;
+  for (int i = 0; i <= 100; ++i)
+    waypoints.push_back({0.04 * i, {1 + 0.04 * i, 4 + 0.04 * (i % 2)}});
+  EXPECT_NEAR(people_of({walk("a", waypoints)})[0].speed, 1, 0.005)
+      << "at most 11 steps of 0.04 m, 0.04 m across: 0.442 m in 0.44 s";
+}
+
 TEST(RecordedPeople, StandIfTheyNeverLeaveTheDiscOfTheirStart) {
   const People people = people_of({walk("a", {{1, {1, 4}}, {2, {1.2, 4}}, {3, {1, 3.8}}})});
   const Person expected{"a", 0.3, 1.3, {1, 4}, {{1, 4}}, 1, PersonEnd::Stay};

@@ -13,7 +13,8 @@ namespace slalom {
 ///   room do not count: nearer than the radius to a wall or the border, or in a person before it
 ///   who starts at time 0, too, or stands.
 /// - Its speed is the median over time of those at which it walks: above 0.2 m/s, or, if it is
-///   always slower, above 0.
+///   always slower, above 0. Speeds are those between positions at least 0.4 s apart, since
+///   positions are noisy.
 /// - Who is never farther from its start than its radius stands there for the whole run.
 /// - A mover that does not vanish, of a file with goals, walks over all of them at the speed of its
 ///   first segment: one that loops walks to and fro, another one stays at the last goal.
