@@ -368,6 +368,67 @@ TEST_F(StudioView, DrawsEditsMovesAndDeletesMoversUndoably) {
   EXPECT_EQ(exported("room").find("movers"), std::string::npos);
 }
 
+TEST_F(StudioView, DrawsEditsMovesAndDeletesPeopleUndoably) {
+  expect_played(
+      "size 1280 800\n"
+      "wait idle\n"
+      "click view \"tool person\"\n"
+      "click view \"at 0.1 4\"\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect view contains \"status room: person 'person_1': starts in a wall\"\n"
+      "expect view lacks \"person person_1\"\n"
+      "click view \"at 3 4\"\n"
+      "click view \"at 5 4\"\n"
+      "move view \"at 5 2\"\n"
+      "screenshot drawn.png\n"
+      "click view \"at 5 2\"\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect status contains \"Add person\"\n"
+      "expect view contains \"person person_1 at 0.00 s\"\n"
+      "do edit.people\n"
+      "click dialog \"field start.0\"\n"
+      "key Ctrl+A\n"
+      "type \"0.1 4\"\n"
+      "key Enter\n"
+      "expect dialog contains \"starts in a wall\"\n"
+      "screenshot dialog.png\n"
+      "key Ctrl+A\n"
+      "type \"3 4.5\"\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect status contains \"Edit people\"\n"
+      "expect view contains \"person person_1 at 0.00 s: 3.000 4.500 m\"\n"
+      "key Ctrl+Z\n"
+      "wait idle\n"
+      "expect view lacks \"3.000 4.500 m\"\n"
+      "key Ctrl+Y\n"
+      "wait idle\n"
+      "click view \"tool move\"\n"
+      "drag view \"person person_1\" to view \"at 2 5\"\n"
+      "wait idle\n"
+      "expect status contains \"Move start of a person\"\n"
+      "drag view \"at 5 2\" to view \"at 6 1\"\n"
+      "wait idle\n"
+      "expect status contains \"Move point of a route\"\n",
+      "room.scenarios");
+  EXPECT_NE(exported("room").find("person_1"), std::string::npos);
+  const std::string shown = expect_played("wait idle\nprint view\n", "room.scenarios");
+  const auto [x, y] = numbers_after(shown, "person person_1 at 0.00 s:");
+  EXPECT_NEAR(x, 2, 2 * kPixel);
+  EXPECT_NEAR(y, 5, 2 * kPixel);
+  expect_played(
+      "wait idle\n"
+      "click view \"tool delete\"\n"
+      "click view \"person person_1\"\n"
+      "wait idle\n"
+      "expect status contains \"Delete person\"\n"
+      "expect view lacks \"person person_1\"\n",
+      "room.scenarios");
+  EXPECT_EQ(exported("room").find("people"), std::string::npos);
+}
+
 TEST_F(StudioView, ReportsInvalidEditsAndContinues) {
   expect_played(
       "wait idle\n"

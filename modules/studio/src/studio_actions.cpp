@@ -226,6 +226,18 @@ FormDescription edit_movers_form(Studio& studio) {
   return form;
 }
 
+FormDescription edit_people_form(Studio& studio) {
+  const Scenario scenario = studio.active()->list().read(studio.current_hash());
+  FormDescription form = people_form(scenario);
+  const double resolution = studio.scenes().scene()->settings.resolution;
+  form.accepted = [&studio, scenario, resolution](const FormValues& values) {
+    const SceneEdit edit{read_people(scenario, values), "Edit people"};
+    check_edited_people(World(scenario, resolution), edit.scenario);
+    studio.edit_current(edit);
+  };
+  return form;
+}
+
 using DisabledCheck = std::function<std::string()>;
 using Form = FormDescription (*)(Studio&);
 
@@ -333,6 +345,15 @@ void add_edit_actions(Actions& actions, Studio& studio) {
                  if (!scene || studio.current_hash().empty()) return "no scenario is shown";
                  return scene->scenario().movers().empty()
                             ? "this scenario has no moving obstacles; the tool + Mover adds one"
+                            : "";
+               }});
+  actions.add({"edit.people", "Edit", "People...", "Ctrl+Shift+M",
+               "Edits ids, radii, speeds, starts and routes of the people of the scenario.",
+               opens(studio, edit_people_form), [&studio]() -> std::string {
+                 const ScenePtr& scene = studio.scenes().scene();
+                 if (!scene || studio.current_hash().empty()) return "no scenario is shown";
+                 return scene->scenario().people().empty()
+                            ? "this scenario has no people; the tool + Person adds one"
                             : "";
                }});
   actions.add({"edit.tag", "Edit", "Tags...", "Ctrl+T",

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "error_text.h"
+
 #include <slalom/core/error.h>
 #include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/occupancy.h>
@@ -172,6 +174,9 @@ TEST(EditTools, HaveUniqueIdsAndKeysAndDependOnRepresentations) {
     EXPECT_EQ(tool_disabled_reason(tool, moving), "") << "cells cannot be moved, movers can";
   }
   EXPECT_NE(tool_disabled_reason(EditTool::Disc, moving), "");
+  EXPECT_EQ(tool_disabled_reason(EditTool::Person, grid), "");
+  const Scenario peopled = grid.with_people({{"a", 0.2, 1, {2, 2}, {{3, 2}}}});
+  EXPECT_EQ(tool_disabled_reason(EditTool::Move, peopled), "");
 }
 
 TEST(SceneEditor, DrawsThePathOfAMoverWithTimes) {
@@ -233,6 +238,68 @@ TEST(SceneEditor, MovesAndDeletesMoversWhereTheyAre) {
   const auto deleted = drag_at(2, {4.1, 1}, {4.1, 1});
   EXPECT_EQ(deleted->scenario.hash(), room().hash());
   EXPECT_EQ(deleted->title, "Delete moving obstacle");
+}
+
+TEST(SceneEditor, DrawsTheRouteOfAPerson) {
+  SceneEditor editor;
+  const Scenario scenario = room();
+  editor.set_tool(EditTool::Person);
+  editor.set_speed(1.3);
+  editor.set_brush(0.3);
+  EXPECT_FALSE(drag(editor, scenario, {2, 1}, {2, 1}).has_value());
+  EXPECT_TRUE(editor.can_finish()) << "a person may stand";
+  editor.move({4, 1});
+  ASSERT_TRUE(editor.preview(scenario).person.has_value());
+  EXPECT_EQ(editor.preview(scenario).person->route.back(), mrpt::math::TPoint2D(4, 1));
+  EXPECT_FALSE(drag(editor, scenario, {4, 1}, {4, 1}).has_value());
+  EXPECT_FALSE(drag(editor, scenario, {4, 2}, {4, 2}).has_value());
+  const auto edit = editor.finish(scenario);
+  ASSERT_TRUE(edit.has_value());
+  EXPECT_EQ(edit->title, "Add person");
+  const Person expected{"person_1", 0.3, 1.3, {2, 1}, {{4, 1}, {4, 2}}};
+  EXPECT_EQ(edit->scenario.people(), People{expected});
+  EXPECT_FALSE(editor.busy());
+}
+
+TEST(SceneEditor, LetsAPersonReturnWhoseRouteEndsAtItsStart) {
+  SceneEditor editor;
+  editor.set_tool(EditTool::Person);
+  for (const auto& point : {mrpt::math::TPoint2D(2, 1), {4, 1}})
+    EXPECT_FALSE(drag(editor, room(), point, point).has_value());
+  const auto edit = drag(editor, room(), {2.05, 1}, {2.05, 1});
+  ASSERT_TRUE(edit.has_value());
+  const Person expected{"person_1", 0.25, 1, {2, 1}, {{4, 1}}, 0, PersonEnd::Return};
+  EXPECT_EQ(edit->scenario.people(), People{expected});
+}
+
+TEST(SceneEditor, MovesStartAndRouteOfPeopleAndDeletesThem) {
+  const Scenario scenario = room().with_people({{"a", 0.4, 1, {2, 1}, {{4, 1}, {6, 1}}}});
+  SceneEditor editor;
+  editor.set_tool(EditTool::Move);
+  const auto start = drag(editor, scenario, {2.3, 1}, {2.3, 2});
+  ASSERT_TRUE(start.has_value());
+  EXPECT_EQ(start->title, "Move start of a person");
+  EXPECT_EQ(start->scenario.people()[0].start, mrpt::math::TPoint2D(2, 2));
+  EXPECT_EQ(start->scenario.people()[0].route, scenario.people()[0].route);
+  const auto point = drag(editor, scenario, {4.05, 1}, {4.05, 2});
+  ASSERT_TRUE(point.has_value());
+  EXPECT_EQ(point->title, "Move point of a route");
+  EXPECT_EQ(point->scenario.people()[0].route[0], mrpt::math::TPoint2D(4, 2));
+  EXPECT_EQ(drag(editor, scenario, {5, 3}, {5, 4})->title, "Move obstacle");
+  editor.set_tool(EditTool::Delete);
+  const auto deleted = drag(editor, scenario, {6, 1}, {6, 1});
+  ASSERT_TRUE(deleted.has_value());
+  EXPECT_EQ(deleted->title, "Delete person");
+  EXPECT_EQ(deleted->scenario.hash(), room().hash());
+}
+
+TEST(SceneEditor, RefusesChangedPeopleWhoStartInAWall) {
+  const Person in_wall{"in", 0.3, 1, {0.2, 1}, {{4, 1}}}, free{"free", 0.3, 1, {2, 1}, {{4, 1}}};
+  const World before(room().with_people({in_wall}), 0.05);
+  EXPECT_NO_THROW(check_edited_people(before, room().with_people({in_wall, free})));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "room: person 'in'", {"starts in a wall"}, [&] {
+    check_edited_people(World(room(), 0.05), room().with_people({in_wall}));
+  }));
 }
 
 }  // namespace

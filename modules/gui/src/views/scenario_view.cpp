@@ -186,7 +186,7 @@ std::string ScenarioView::status_text() const {
   const std::string pointer = pointer_text();
   if (tool() == EditTool::Look && !pointer.empty()) return pointer;
   const EditToolInfo& info = info_of(tool());
-  if (tool() == EditTool::Mover)
+  if (tool() == EditTool::Mover || tool() == EditTool::Person)
     return info.title + format(" (radius %.3g m, %.3g m/s): ", editor_.brush(), editor_.speed()) +
            info.help;
   return info.title + ": " + info.help + (pointer.empty() ? "" : "   " + pointer);
@@ -322,12 +322,16 @@ void ScenarioView::draw_preview(NVGcontext* ctx) const {
     shapes::polyline(ctx, view_, polygon.vertices, color, 2, true);
   shapes::polyline(ctx, view_, preview.open_polygon, color, 2);
   if (preview.mover) shapes::mover(ctx, view_, *preview.mover, time(), color);
+  if (preview.person) {
+    shapes::polyline(ctx, view_, stations_of(*preview.person), color, 2);
+    shapes::circle(ctx, view_, {preview.person->start, preview.person->radius}, color, 2, 2);
+  }
   const auto& stroke = preview.stroke;
   if (!stroke.points.empty())
     shapes::polyline(ctx, view_, stroke.points, faded(color, 0.5),
                      static_cast<float>(2 * stroke.radius * view_.pixels_per_meter()));
-  if (pointer_ &&
-      (tool() == EditTool::Paint || tool() == EditTool::Erase || tool() == EditTool::Mover))
+  if (pointer_ && (tool() == EditTool::Paint || tool() == EditTool::Erase ||
+                   tool() == EditTool::Mover || tool() == EditTool::Person))
     shapes::circle(ctx, view_, {*pointer_, editor_.brush()}, color, 1, 2);
 }
 

@@ -16,13 +16,13 @@ namespace slalom {
 
 /// Displays the current scenario to scale, in layers, and edits it. Element "view" with the parts
 /// of ViewLayout, "canvas", "status", "scale bar", and positions in the world: "at X Y" (m),
-/// "start", "goal", "mover ID".
+/// "start", "goal", "mover ID", "person ID".
 ///
 /// Mouse: the wheel zooms, a drag pans the view (also with the left button while the tool is Look);
 /// shift and the wheel, or shift and a drag, rotate the scan. Keys: arrows pan the view, with shift
 /// they move the pointer, whose button is Enter; + - 0 zoom and fit; 1 to 9 toggle layers, L the
-/// legend; Q and W rotate the scan, comma and period change the brush, T and Y the speed of movers;
-/// a letter for each tool; Escape cancels the current edit.
+/// legend; Q and W rotate the scan, comma and period change the brush, T and Y the speed of movers
+/// and people; a letter for each tool; Escape cancels the current edit.
 class ScenarioView : public Element {
  public:
   enum class Mode { Look, Edit };  ///< without and with editing tools

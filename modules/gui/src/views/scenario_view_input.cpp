@@ -102,7 +102,9 @@ template <typename End>
 void ScenarioView::end_edit(End end) {
   try {
     const std::optional<SceneEdit> edit = end();
-    if (edit && mode_ == Mode::Edit) studio_.edit_current(*edit);
+    if (!edit || mode_ != Mode::Edit) return;
+    check_edited_people(*scene_->world, edit->scenario);
+    studio_.edit_current(*edit);
   } catch (const Error& e) {
     error_ = e.what();
   }
@@ -162,7 +164,9 @@ bool ScenarioView::edit_key(int key) {
       if (!pointer_) move_pointer(0, 0);
       editor_.pressed() ? release_tool() : press_tool();
       // One key press sets a corner; for other tools two key presses begin and end a drag.
-      if ((tool() == EditTool::Polygon || tool() == EditTool::Mover) && editor_.pressed())
+      if ((tool() == EditTool::Polygon || tool() == EditTool::Mover ||
+           tool() == EditTool::Person) &&
+          editor_.pressed())
         release_tool();
       return true;
     case GLFW_KEY_ESCAPE:

@@ -169,6 +169,8 @@ void person(NVGcontext* ctx, const ViewTransform& view, const Person& person, co
   polyline(ctx, view, record.waypoints.size() > 1 ? path_of(record) : route, faded(edge, 0.5),
            1.5F);
   moving_disc(ctx, view, record, time, palette().person, edge);
+  if (time < record.waypoints.front().t)
+    circle(ctx, view, {person.start, person.radius}, faded(edge, 0.5), 1.5F, 3);
   dots(ctx, view, route, edge, 4);
 }
 

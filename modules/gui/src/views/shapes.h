@@ -37,7 +37,7 @@ void robot(NVGcontext* ctx, const ViewTransform& view, const Footprint& footprin
 void mover(NVGcontext* ctx, const ViewTransform& view, const Mover& mover, double time,
            const Color& color);
 /// The way of a person, its route unless `record` has more than its start; and its disc with its id
-/// if `record` has it at `time` (s of a run).
+/// if `record` has it at `time` (s of a run), or a circle at its start before that.
 void person(NVGcontext* ctx, const ViewTransform& view, const Person& person, const Mover& record,
             double time);
 /// A circle with a cross, of `radius` (m).

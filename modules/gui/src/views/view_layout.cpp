@@ -13,8 +13,8 @@ namespace {
 constexpr double kButtonHeight = 26, kGap = 4, kPositionHeight = 24;
 constexpr double kLegendRowHeight = 22, kMinLegendRowHeight = 15, kLegendTitleHeight = 24;
 constexpr double kClosedLegendWidth = 92, kScaleBarWidth = 220;
-/// Upper bound of the width of a character, and the padding of a button (pixels).
-constexpr double kCharacterWidth = 8, kPadding = 10;
+/// Room for a character, and the padding of a button (pixels).
+constexpr double kCharacterWidth = 7, kPadding = 10;
 
 struct LegendColumns {
   std::size_t count, rows;

@@ -94,7 +94,7 @@ void button(NVGcontext* ctx, const ScreenRect& rect, const std::string& label,
   const bool hovered = state.enabled && state.hovered;
   fill(ctx, rect, state.on ? colors.selected : hovered ? colors.hover : colors.row, 4);
   frame(ctx, rect, state.focused ? colors.accent : colors.border);
-  text(ctx, rect.inset(4), label, state.enabled ? colors.text : colors.disabled_text, size,
+  text(ctx, rect.inset(2), label, state.enabled ? colors.text : colors.disabled_text, size,
        Align::Center);
 }
 

@@ -139,4 +139,8 @@ FormDescription movers_form(const Scenario& scenario);
 /// and as check_movers() does.
 Scenario read_movers(const Scenario& scenario, const FormValues& values);
 
+/// Form for id, radius, speed, start, route, begin and end of each person, like that for movers.
+FormDescription people_form(const Scenario& scenario);
+Scenario read_people(const Scenario& scenario, const FormValues& values);
+
 }  // namespace slalom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/distance.h>
 #include <slalom/core/math.h>
+#include <slalom/people/crowd.h>
 #include <slalom/studio/scene_editor.h>
 
 #include <algorithm>
@@ -43,8 +44,12 @@ const std::vector<EditToolInfo>& edit_tools() {
       {EditTool::Mover, "mover", "+ Mover", 'O',
        "click the path; Enter ends it, a click on its start closes it; < and > radius, T and Y "
        "speed"},
-      {EditTool::Move, "move", "Move", 'M', "drag an obstacle or a waypoint"},
-      {EditTool::Delete, "delete", "Delete", 'X', "click an obstacle"},
+      {EditTool::Person, "person", "+ Person", 'H',
+       "click start and route; Enter ends it, a click on the start returns; < and > radius, T and "
+       "Y speed"},
+      {EditTool::Move, "move", "Move", 'M',
+       "drag an obstacle, a waypoint, or the start or route of a person"},
+      {EditTool::Delete, "delete", "Delete", 'X', "click an obstacle or a person"},
       {EditTool::Paint, "paint", "Paint", 'B', "drag to add obstacles; < and > change the brush"},
       {EditTool::Erase, "erase", "Erase", 'E',
        "drag to remove obstacles; < and > change the brush"}};
@@ -59,9 +64,9 @@ const EditToolInfo& info_of(EditTool tool) {
 std::string tool_disabled_reason(EditTool tool, const Scenario& scenario) {
   const Representation representation = scenario.representation();
   const bool cells = tool == EditTool::Paint || tool == EditTool::Erase;
-  const bool of_movers =
-      (tool == EditTool::Move || tool == EditTool::Delete) && !scenario.movers().empty();
-  const bool obstacles = !of_movers && (tool == EditTool::Disc || tool == EditTool::Polygon ||
+  const bool of_moving = (tool == EditTool::Move || tool == EditTool::Delete) &&
+                         !(scenario.movers().empty() && scenario.people().empty());
+  const bool obstacles = !of_moving && (tool == EditTool::Disc || tool == EditTool::Polygon ||
                                         tool == EditTool::Move || tool == EditTool::Delete);
   if (representation == Representation::Continuous && cells)
     return "this scenario consists of discs and polygons, not of cells or points";
@@ -69,6 +74,14 @@ std::string tool_disabled_reason(EditTool tool, const Scenario& scenario) {
     return std::string("this scenario consists of ") +
            (representation == Representation::Grid ? "cells" : "points") + "; paint or erase them";
   return "";
+}
+
+void check_edited_people(const World& world, const Scenario& edited) {
+  const People& before = world.scenario().people();
+  People changed;
+  for (const Person& person : edited.people())
+    if (std::find(before.begin(), before.end(), person) == before.end()) changed.push_back(person);
+  if (!changed.empty()) check_people(world, changed);
 }
 
 void SceneEditor::set_tool(EditTool tool) {
@@ -92,16 +105,20 @@ void SceneEditor::press(const Scenario& scenario, const TPoint2D& at, double tol
   from_ = at_ = at;
   stroke_ = {at};
   obstacle_ = obstacle_at(scenario, at, tolerance);
-  pick_mover(scenario, time);
+  pick_moving(scenario, time);
 }
 
-/// The disc of a mover comes before waypoints, which may be below it.
-void SceneEditor::pick_mover(const Scenario& scenario, double time) {
+/// The discs of movers come before waypoints, which may be below them, and these before people.
+void SceneEditor::pick_moving(const Scenario& scenario, double time) {
   mover_ = mover_at(scenario, at_, time);
   waypoint_.reset();
+  station_.reset();
   if (mover_) return;
   const auto waypoint = waypoint_at(scenario, at_, tolerance_);
-  if (!waypoint) return;
+  if (!waypoint) {
+    station_ = station_at(scenario, at_, tolerance_);
+    return;
+  }
   mover_ = waypoint->mover;
   waypoint_ = waypoint->waypoint;
 }
@@ -118,15 +135,18 @@ std::optional<SceneEdit> SceneEditor::release(const Scenario& scenario, const TP
   at_ = at;
   if (!(stroke_.back() == at)) stroke_.push_back(at);
   pressed_ = false;
-  if (tool_ == EditTool::Polygon || tool_ == EditTool::Mover) return add_vertex(scenario);
+  if (tool_ == EditTool::Polygon || draws_way()) return add_vertex(scenario);
   return edit(scenario);
+}
+
+bool SceneEditor::draws_way() const {
+  return tool_ == EditTool::Mover || tool_ == EditTool::Person;
 }
 
 std::optional<SceneEdit> SceneEditor::add_vertex(const Scenario& scenario) {
   const bool at_first =
       !vertices_.empty() && distance_between(vertices_.front(), at_) <= tolerance_;
-  if (tool_ == EditTool::Mover && vertices_.size() >= 2 && at_first)
-    vertices_.push_back(vertices_.front());
+  if (draws_way() && vertices_.size() >= 2 && at_first) vertices_.push_back(vertices_.front());
   if (vertices_.size() >= 3 && at_first) return finish(scenario);
   if (vertices_.empty() || distance_between(vertices_.back(), at_) > tolerance_)
     vertices_.push_back(at_);
@@ -134,7 +154,7 @@ std::optional<SceneEdit> SceneEditor::add_vertex(const Scenario& scenario) {
 }
 
 bool SceneEditor::can_finish() const {
-  return vertices_.size() >= (tool_ == EditTool::Mover ? 1 : 3);
+  return vertices_.size() >= (draws_way() ? 1 : 3);
 }
 
 std::optional<SceneEdit> SceneEditor::finish(const Scenario& scenario) {
@@ -142,6 +162,10 @@ std::optional<SceneEdit> SceneEditor::finish(const Scenario& scenario) {
   if (tool_ == EditTool::Mover) {
     const Mover mover = mover_along(std::exchange(vertices_, {}), brush_, speed_);
     return SceneEdit{with_mover_added(scenario, mover), "Add moving obstacle"};
+  }
+  if (tool_ == EditTool::Person) {
+    const Person person = person_along(std::exchange(vertices_, {}), brush_, speed_);
+    return SceneEdit{with_person_added(scenario, person), "Add person"};
   }
   const Polygon polygon{std::exchange(vertices_, {})};
   return SceneEdit{with_obstacle_added(scenario, polygon), "Add polygon"};
@@ -153,6 +177,7 @@ void SceneEditor::cancel() {
   stroke_.clear();
   obstacle_.reset();
   mover_.reset();
+  station_.reset();
 }
 
 bool SceneEditor::dragged() const {
@@ -198,6 +223,7 @@ std::optional<SceneEdit> SceneEditor::edit(const Scenario& scenario) const {
     case EditTool::Look:
     case EditTool::Polygon:
     case EditTool::Mover:
+    case EditTool::Person:
       break;
   }
   return std::nullopt;
@@ -217,8 +243,22 @@ std::optional<SceneEdit> SceneEditor::edit_mover(const Scenario& scenario) const
                    waypoint_ ? "Move waypoint" : "Move moving obstacle"};
 }
 
+Person SceneEditor::dragged_person(const Scenario& scenario) const {
+  return with_station_moved(scenario.people().at(station_->person), station_->station,
+                            at_.x - from_.x, at_.y - from_.y);
+}
+
+std::optional<SceneEdit> SceneEditor::edit_person(const Scenario& scenario) const {
+  if (tool_ == EditTool::Delete)
+    return SceneEdit{with_person_removed(scenario, station_->person), "Delete person"};
+  if (!dragged()) return std::nullopt;
+  return SceneEdit{with_person_replaced(scenario, station_->person, dragged_person(scenario)),
+                   station_->station == 0 ? "Move start of a person" : "Move point of a route"};
+}
+
 std::optional<SceneEdit> SceneEditor::edit_obstacle(const Scenario& scenario) const {
   if (mover_) return edit_mover(scenario);
+  if (station_) return edit_person(scenario);
   if (!obstacle_) return std::nullopt;
   if (tool_ == EditTool::Delete)
     return SceneEdit{with_obstacle_removed(scenario, *obstacle_), "Delete obstacle"};
@@ -244,6 +284,8 @@ EditPreview SceneEditor::preview(const Scenario& scenario) const {
     preview.open_polygon.push_back(at_);
     if (tool_ == EditTool::Mover)
       preview.mover = mover_along(std::exchange(preview.open_polygon, {}), brush_, speed_);
+    if (tool_ == EditTool::Person)
+      preview.person = person_along(std::exchange(preview.open_polygon, {}), brush_, speed_);
   }
   if (!pressed_) return preview;
   if (tool_ == EditTool::Start) preview.start = start_pose(scenario);
@@ -251,6 +293,8 @@ EditPreview SceneEditor::preview(const Scenario& scenario) const {
   if (tool_ == EditTool::Disc) preview.obstacles.discs.push_back(new_disc());
   if (tool_ == EditTool::Move && mover_)
     preview.mover = dragged_mover(scenario);
+  else if (tool_ == EditTool::Move && station_)
+    preview.person = dragged_person(scenario);
   else if (tool_ == EditTool::Move && obstacle_)
     preview.obstacles =
         translated(scenario.primitives(), *obstacle_, at_.x - from_.x, at_.y - from_.y);
