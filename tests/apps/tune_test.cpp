@@ -55,6 +55,11 @@ TEST_F(Tune, FindsAPlantedOptimumAndShowsThatItIsBetter) {
   EXPECT_EQ(found.at("sealed").at("difference").at("value"), 1);
   EXPECT_EQ(found.at("sealed").at("default_counts").at("successes"), 0);
   EXPECT_LE(found.at("search_runs"), 300);
+  // Whatever is not told apart from the winner drives, too; b may have any of several values.
+  const Json& equal = found.at("not_told_apart").at("options");
+  EXPECT_GT(std::stod(equal.at("a").at("low").get<std::string>()), 0.5);
+  EXPECT_LT(std::stod(equal.at("a").at("high").get<std::string>()), 0.9);
+  EXPECT_NE(equal.at("b").at("low"), equal.at("b").at("high"));
   EXPECT_NE(result.out.find("claim: better, by 1.00 ["), std::string::npos) << result.out;
 
   // The campaign with these options, and the same answer from any number of workers.

@@ -6,6 +6,7 @@
 #include <slalom/analysis/rate_tests.h>
 #include <slalom/analysis/sealed_claim.h>
 #include <slalom/analysis/tune_effects.h>
+#include <slalom/analysis/tune_equals.h>
 #include <slalom/analysis/tune_search.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -15,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 namespace slalom {
 namespace {
@@ -220,6 +222,29 @@ Json effects_json(const ParameterSpace& space, const TuneResult& result, double 
   return effects;
 }
 
+/// The values of the options among the configurations that cannot be told from the winner.
+Json equals_json(const ParameterSpace& space, const TuneResult& result, double confidence) {
+  const TuneEquals equals = equals_of_winner(result, confidence);
+  Json options = Json::object();
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    std::set<double> values;
+    for (const std::size_t candidate : equals.candidates)
+      if (const Configuration& one = result.candidates[candidate].configuration;
+          space.active(one, i))
+        values.insert(one[i]);
+    const SpaceParameter& parameter = space.parameters()[i];
+    if (values.empty()) continue;
+    Json& option = options[parameter.name];
+    if (parameter.choices.empty()) {
+      option = {{"low", space.text(i, *values.begin())}, {"high", space.text(i, *values.rbegin())}};
+      continue;
+    }
+    for (const double value : values) option["choices"].push_back(space.text(i, value));
+  }
+  return {
+      {"compared", equals.compared}, {"equal", equals.candidates.size() - 1}, {"options", options}};
+}
+
 Json TuneQuestion::answer(const MethodCampaign& campaign, BlockRunner& runner) const {
   const TuneScenarios sets = make_tune_scenarios(
       campaign, {search_.development, search_.finals, sealed_, stratify_, runner.workers()});
@@ -244,6 +269,7 @@ Json TuneQuestion::answer(const MethodCampaign& campaign, BlockRunner& runner) c
           {"finals",
            {{"winner", to_json(counts_of(winner.finals))},
             {"default", to_json(counts_of(standard.finals))}}},
+          {"not_told_apart", equals_json(*space_, result, search_.confidence)},
           {"sealed", sealed},
           {"sealed_hash", hash_of(*sets.sealed)},
           {"effects", effects_json(*space_, result, search_.confidence)},
@@ -280,11 +306,22 @@ std::string collisions_text(const Json& counts) {
          std::to_string(counts.at("runs").get<std::size_t>());
 }
 
+/// "0.05 to 0.22", "fast, safe", or "-".
+std::string equals_text(const Json& options, const std::string& option) {
+  if (!options.contains(option)) return "-";
+  const Json& values = options.at(option);
+  if (values.contains("choices"))
+    return join(values.at("choices").get<std::vector<std::string>>(), ", ");
+  const auto low = values.at("low").get<std::string>(), high = values.at("high").get<std::string>();
+  return low == high ? low : low + " to " + high;
+}
+
 StatementTable options_table(const Json& answer) {
-  StatementTable table{"", "lrr", {"option", "default", "winner"}, {}};
+  StatementTable table{"", "lrrr", {"option", "default", "winner", "not told apart"}, {}};
   for (const auto& [option, value] : answer.at("default").items())
-    table.rows.push_back(
-        {option, value.get<std::string>(), answer.at("winner").at(option).get<std::string>()});
+    table.rows.push_back({option, value.get<std::string>(),
+                          answer.at("winner").at(option).get<std::string>(),
+                          equals_text(answer.at("not_told_apart").at("options"), option)});
   return table;
 }
 
@@ -325,6 +362,11 @@ Statement TuneQuestion::statement(const Json& answer) const {
                                            answer.at("configurations").get<std::size_t>(),
                                            answer.at("search_runs").get<std::size_t>()));
   statement.parts.emplace_back(options_table(answer));
+  const Json& equals = answer.at("not_told_apart");
+  statement.parts.emplace_back(
+      fmt::format("success is not shown to differ from the winner's in {} of {} configurations of "
+                  "the finals and the last rung",
+                  equals.at("equal").get<std::size_t>(), equals.at("compared").get<std::size_t>()));
   statement.parts.emplace_back(results_table(answer));
   const Json& sealed = answer.at("sealed");
   if (sealed.is_null()) {

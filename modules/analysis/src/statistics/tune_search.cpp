@@ -168,14 +168,8 @@ class TuneSearch {
   }
 
   bool is_worse(std::size_t index, std::size_t best) const {
-    const auto& a = result_.candidates[index].finals;
-    const auto& b = result_.candidates[best].finals;
-    std::size_t only_a = 0, only_b = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      only_a += a[i].success && !b[i].success ? 1 : 0;
-      only_b += b[i].success && !a[i].success ? 1 : 0;
-    }
-    return mcnemar_exact(only_a, only_b) <= test_level(options_.confidence);
+    return success_p(result_.candidates[index].finals, result_.candidates[best].finals) <=
+           test_level(options_.confidence);
   }
 
   /// Sums of the secondary value over the scenarios in which all of `indexes` have one.
@@ -219,6 +213,15 @@ TuneCounts counts_of(const std::vector<TuneOutcome>& outcomes) {
   }
   if (!secondary.empty()) counts.secondary = mean(secondary);
   return counts;
+}
+
+double success_p(const std::vector<TuneOutcome>& a, const std::vector<TuneOutcome>& b) {
+  std::size_t only_a = 0, only_b = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    only_a += a[i].success && !b[i].success ? 1 : 0;
+    only_b += b[i].success && !a[i].success ? 1 : 0;
+  }
+  return mcnemar_exact(only_a, only_b);
 }
 
 std::size_t TuneResult::runs(TunePhase phase) const {
