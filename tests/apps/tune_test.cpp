@@ -54,6 +54,7 @@ TEST_F(Tune, FindsAPlantedOptimumAndShowsThatItIsBetter) {
   // The default succeeds never, the winner always.
   EXPECT_EQ(found.at("sealed").at("difference").at("value"), 1);
   EXPECT_EQ(found.at("sealed").at("default_counts").at("successes"), 0);
+  EXPECT_TRUE(found.at("sealed").at("hard_end").is_null()) << "all scenarios have density 0";
   EXPECT_LE(found.at("search_runs"), 300);
   // Whatever is not told apart from the winner drives, too; b may have any of several values.
   const Json& equal = found.at("not_told_apart").at("options");
@@ -81,6 +82,35 @@ TEST_F(Tune, FindsAPlantedOptimumAndShowsThatItIsBetter) {
                                    "-o other");
   EXPECT_EQ(second.status, 0) << second.err;
   EXPECT_NE(second.out.find("sealed scenarios that 1 other search"), std::string::npos);
+}
+
+TEST_F(Tune, ShowsTheScenariosInWhichTheDefaultIsWorse) {
+  // The default stands still where it sees an obstacle; half of the scenarios have one.
+  write("planted.py",
+        "import math\n"
+        "class Planted:\n"
+        "    options = {'a': (0.1, '-', 'planted')}\n"
+        "    option_ranges = {'a': (0, 1)}\n"
+        "    def __init__(self, robot, options): self.a = options.a\n"
+        "    def reset(self, task): self.drives = None\n"
+        "    def step(self, o):\n"
+        "        steps = [abs(a - b) for a, b in zip(o.ranges, o.ranges[1:])]\n"
+        "        if self.drives is None: self.drives = self.a > 0.5 or max(steps) < 0.6\n"
+        "        if not self.drives: return 0, 0\n"
+        "        return 1, max(-1, min(1, math.atan2(o.goal_y, o.goal_x)))\n");
+  const ProgramResult result = run(std::string(kTune) +
+                                   "--method planted --set generator.random.max_obstacles=1 "
+                                   "--stratify obstacle_count -o out");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json sealed = answer("out").at("sealed");
+  const Json& hard = sealed.at("hard_end");
+  EXPECT_EQ(hard.at("condition"), "obstacle_count >= 1");
+  // 100 of 200, with a standard deviation of 7.
+  EXPECT_NEAR(hard.at("tuned_counts").at("runs").get<double>(), 100, 35);
+  // The default succeeds where there is none, and where the obstacle is out of sight.
+  EXPECT_LT(hard.at("default").at("high"), sealed.at("default").at("low"));
+  EXPECT_GT(hard.at("tuned").at("low"), hard.at("default").at("high"));
+  EXPECT_NE(result.out.find("  of these obstacle_count >= 1  "), std::string::npos) << result.out;
 }
 
 TEST_F(Tune, AFolderKeepsTheResultOfOneSearch) {

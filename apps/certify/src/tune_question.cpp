@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinds.h"
+#include "tune_hard_end.h"
 #include "tune_scenarios.h"
 #include "tune_space.h"
 
@@ -177,6 +178,26 @@ bool shows_more_collisions(const std::vector<TuneOutcome>& tuned,
   return only_tuned > only_standard && mcnemar_exact(only_tuned, only_standard) <= kLevel;
 }
 
+/// Success of the default and the winner in those of the sealed scenarios that are at the hard end
+/// of a descriptor.
+Json hard_end_json(const HardEnd& end, const std::vector<TuneOutcome>& tuned,
+                   const std::vector<TuneOutcome>& standard, const SealedOptions& options) {
+  Json json = {{"condition", end.condition}};
+  for (const auto& [side, all] : {std::pair("default", &standard), {"tuned", &tuned}}) {
+    std::vector<TuneOutcome> outcomes;
+    std::vector<double> successes;
+    for (std::size_t i = 0; i < all->size(); ++i)
+      if (end.contains[i]) {
+        outcomes.push_back((*all)[i]);
+        successes.push_back(outcomes.back().success ? 1 : 0);
+      }
+    if (successes.empty()) return {};
+    json[side] = to_json(betting_estimate(successes, 0, options.effect, options.confidence));
+    json[side + std::string("_counts")] = to_json(counts_of(outcomes));
+  }
+  return json;
+}
+
 /// The winner against the default in the sealed scenarios, in pairs.
 Json TuneQuestion::sealed_answer(const MethodCampaign& campaign, const TuneScenarios& sets,
                                  const TuneResult& result, BlockRunner& runner) const {
@@ -197,6 +218,11 @@ Json TuneQuestion::sealed_answer(const MethodCampaign& campaign, const TuneScena
     for (std::size_t i = first; i < first + more; ++i)
       claim.add(outcomes[0][i].success, outcomes[1][i].success);
   }
+  const auto values = [&](const SharedScenarios& scenarios) {
+    return descriptor_values(*scenarios, campaign, stratify_);
+  };
+  const auto end =
+      hard_end(stratify_, values(sets.sealed), values(sets.finals), result.candidates[0].finals);
   return {
       {"verdict", claim.verdict() == TuneVerdict::Better ? "better" : "not shown"},
       {"scenarios", claim.scenarios()},
@@ -204,6 +230,7 @@ Json TuneQuestion::sealed_answer(const MethodCampaign& campaign, const TuneScena
       {"default", to_json(claim.reference())},
       {"tuned_counts", to_json(counts_of(outcomes[0]))},
       {"default_counts", to_json(counts_of(outcomes[1]))},
+      {"hard_end", end ? hard_end_json(*end, outcomes[0], outcomes[1], sealed_options()) : Json()},
       {"more_collisions", shows_more_collisions(outcomes[0], outcomes[1])},
       {"difference", to_json(claim.difference())},
       {"optimism", to_json(claim.optimism(counts_of(result.candidates[result.winner].finals)))}};
@@ -334,11 +361,16 @@ StatementTable results_table(const Json& answer) {
   table.rows.push_back({"finals", counts_text(finals.at("default")),
                         counts_text(finals.at("winner")), collisions_text(finals.at("default")),
                         collisions_text(finals.at("winner"))});
-  const Json& sealed = answer.at("sealed");
-  if (!sealed.is_null())
+  const auto add = [&table](const std::string& scenarios, const Json& pair) {
     table.rows.push_back(
-        {"sealed", estimate_text(sealed.at("default")), estimate_text(sealed.at("tuned")),
-         collisions_text(sealed.at("default_counts")), collisions_text(sealed.at("tuned_counts"))});
+        {scenarios, estimate_text(pair.at("default")), estimate_text(pair.at("tuned")),
+         collisions_text(pair.at("default_counts")), collisions_text(pair.at("tuned_counts"))});
+  };
+  const Json& sealed = answer.at("sealed");
+  if (sealed.is_null()) return table;
+  add("sealed", sealed);
+  if (const Json& hard = sealed.at("hard_end"); !hard.is_null())
+    add("of these " + hard.at("condition").get<std::string>(), hard);
   return table;
 }
 

@@ -10,6 +10,7 @@
 #include <slalom/map_formats/map_import.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -53,14 +54,10 @@ SharedScenarios take(std::vector<Scenario>& from, std::size_t count, std::set<st
 /// Four quantile bins of the descriptor in turn.
 SharedScenarios stratified(const SharedScenarios& scenarios, const MethodCampaign& campaign,
                            const std::string& id) {
-  DescribeOptions options = describe_options(campaign.options);
-  options.ids = {id};
-  std::vector<double> values;
-  for (const Scenario& scenario : *scenarios) {
-    MemoryDescriptorStore store;
-    const Value value = describe_scenario(scenario, options, store).at(0).value;
-    values.push_back(value.is_na() ? -std::numeric_limits<double>::infinity() : value.number());
-  }
+  std::vector<double> values = descriptor_values(*scenarios, campaign, id);
+  std::replace_if(
+      values.begin(), values.end(), [](double value) { return std::isnan(value); },
+      -std::numeric_limits<double>::infinity());
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -113,6 +110,19 @@ TuneScenarios make_tune_scenarios(const MethodCampaign& campaign, const TuneSize
                       std::to_string(total) + " of them");
   sets.development = stratified(sets.development, campaign, sizes.stratify);
   return sets;
+}
+
+std::vector<double> descriptor_values(const std::vector<Scenario>& scenarios,
+                                      const MethodCampaign& campaign, const std::string& id) {
+  DescribeOptions options = describe_options(campaign.options);
+  options.ids = {id};
+  std::vector<double> values;
+  for (const Scenario& scenario : scenarios) {
+    MemoryDescriptorStore store;
+    const Value value = describe_scenario(scenario, options, store).at(0).value;
+    values.push_back(value.is_na() ? std::numeric_limits<double>::quiet_NaN() : value.number());
+  }
+  return values;
 }
 
 std::string hash_of(const std::vector<Scenario>& scenarios) {

@@ -28,6 +28,10 @@ struct TuneSizes {
 /// solvable scenarios are found.
 TuneScenarios make_tune_scenarios(const MethodCampaign& campaign, const TuneSizes& sizes);
 
+/// The values of a descriptor, NaN where it is not available.
+std::vector<double> descriptor_values(const std::vector<Scenario>& scenarios,
+                                      const MethodCampaign& campaign, const std::string& id);
+
 /// Hash of their contents.
 std::string hash_of(const std::vector<Scenario>& scenarios);
 

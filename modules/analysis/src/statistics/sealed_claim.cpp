@@ -21,6 +21,13 @@ void check_scenarios(std::size_t count) {
 
 }  // namespace
 
+RateEstimate betting_estimate(const std::vector<double>& values, double low, double effect,
+                              double confidence) {
+  const double value = mean(values);
+  const Interval interval = betting_interval(values, low, 1, effect, confidence);
+  return {value, {std::min(interval.low, value), std::max(interval.high, value)}};
+}
+
 SealedClaim::SealedClaim(const SealedOptions& options)
     : options_(options), test_(0, options.effect, 1) {
   require(options.effect > 0 && options.effect <= 1, "effect", options.effect, "in (0, 1]");
@@ -54,9 +61,7 @@ void SealedClaim::add(bool tuned, bool reference) {
 }
 
 RateEstimate SealedClaim::estimate(const std::vector<double>& values, double low) const {
-  const double value = mean(values);
-  const Interval interval = betting_interval(values, low, 1, options_.effect, options_.confidence);
-  return {value, {std::min(interval.low, value), std::max(interval.high, value)}};
+  return betting_estimate(values, low, options_.effect, options_.confidence);
 }
 
 std::vector<double> SealedClaim::differences() const {

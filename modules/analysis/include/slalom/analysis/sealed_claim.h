@@ -30,6 +30,10 @@ struct RateEstimate {
   Interval interval;
 };
 
+/// The mean of values in [low, 1], with its betting_interval(); requires a value.
+RateEstimate betting_estimate(const std::vector<double>& values, double low, double effect,
+                              double confidence);
+
 /// A comparison of a tuned configuration with the default, in pairs of runs in scenarios that took
 /// no part in its choice, in their order. It is Better when a BettingTest shows that its rate of
 /// success is higher. If it is not, that happens with a probability of at most 1 - confidence, also
