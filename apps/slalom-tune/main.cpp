@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/app/method_option.h>
 #include <slalom/app/output_folder.h>
 #include <slalom/app/program.h>
 #include <slalom/app/question_options.h>
@@ -51,10 +52,9 @@ void refuse_other_search(const std::string& path, AskedQuestion& asked) {
 /// The campaign with the recommended options.
 std::string tuned_ini(const Json& certificate) {
   IniFile ini = IniFile::from_text(certificate.at("campaign.ini"));
-  const std::string section =
-      "method." + certificate.at("question").at("method").get<std::string>();
+  const auto method = certificate.at("question").at("method").get<std::string>();
   for (const auto& [key, value] : certificate.at("answer").at("recommendation").items())
-    ini.set(section, key, value.get<std::string>(), "");
+    set_method_option(ini, method, key, value.get<std::string>());
   return ini.canonical_text();
 }
 

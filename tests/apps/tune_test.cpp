@@ -113,6 +113,36 @@ TEST_F(Tune, ShowsTheScenariosInWhichTheDefaultIsWorse) {
   EXPECT_NE(result.out.find("  of these obstacle_count >= 1  "), std::string::npos) << result.out;
 }
 
+TEST_F(Tune, TunesKeysOfTheConfigurationOfAnMrptClass) {
+  write("nd.ini",
+        "[campaign]\nmethods = nd\n[scenarios]\ngenerator = random\n"
+        "[generator.random]\nmin_obstacles = 0\nmax_obstacles = 0\n"
+        "[method.nd]\nadapter = mrpt_holonomic\nclass = CHolonomicND\n"
+        "[tune]\nCHolonomicND.TOO_CLOSE_OBSTACLE = 0.02, 0.4, log\n"
+        "sectors = 61, 241, integer\n");
+  const std::string tune = "slalom-tune nd.ini --method nd --quiet --runs 300 --sealed 200 ";
+  const ProgramResult result = run(tune + "-o out");
+  ASSERT_EQ(result.status, 0) << result.err;
+  // The default of the class, which has no .ini here.
+  EXPECT_EQ(answer("out").at("default").at("CHolonomicND.TOO_CLOSE_OBSTACLE"), "0.15");
+  EXPECT_NE(read("out/tuned.ini").find("config_set = CHolonomicND.TOO_CLOSE_OBSTACLE=0."),
+            std::string::npos);
+  EXPECT_EQ(run("slalom-certify verify out/tuned.json --trust --quiet").status, 0);
+  const std::string set = "--set 'method.nd.config_set=CHolonomicND.TOO_CLOSE_OBSTACLE=0.2' ";
+  ASSERT_EQ(run(tune + set + "-o other").status, 0);
+  EXPECT_EQ(answer("other").at("default").at("CHolonomicND.TOO_CLOSE_OBSTACLE"), "0.2");
+
+  write("bad.ini", read("nd.ini") + "CHolonomicND.TOO_CLOSE = 0, 1\n");
+  const std::string bad = "slalom-tune bad.ini --method nd --quiet -o bad ";
+  expect_failure(bad, 2, {"[tune] CHolonomicND.TOO_CLOSE: its default is unknown", "config_set"});
+  expect_failure(bad + "--set method.nd.config_set=CHolonomicND.TOO_CLOSE=0", 2,
+                 {"nobody reads TOO_CLOSE in [CHolonomicND]"});
+  expect_failure(
+      "slalom-tune bad.ini --method go --quiet -o bad --set method.go.adapter=library "
+      "--set method.go.plugin=libslalom_go_to_goal.so",
+      2, {"is no option of [method.go]", "mrpt_holonomic and mrpt_navigator"});
+}
+
 TEST_F(Tune, AFolderKeepsTheResultOfOneSearch) {
   const std::string tune = std::string(kTune) + "--method go -o out ";
   ASSERT_EQ(run(tune).status, 0);

@@ -46,14 +46,35 @@ CAbstractHolonomicReactiveMethod::Ptr create_by_name(const std::string& name) {
   return CAbstractHolonomicReactiveMethod::Factory(qualified ? name : "mrpt::nav::" + name);
 }
 
+/// The .ini of the class, else what the object, which may be null, writes.
+mrpt::config::CConfigFileMemory base_config(const HolonomicOptions& options,
+                                            const CAbstractHolonomicReactiveMethod* object) {
+  if (!options.config.empty()) return read_navigator_config(options.config);
+  mrpt::config::CConfigFileMemory config;
+  if (object != nullptr) object->saveConfigFile(config);
+  // Names are padded until the text is read.
+  return {config.getContent()};
+}
+
+/// The same with the overrides.
+mrpt::config::CConfigFileMemory class_config(const HolonomicOptions& options,
+                                             const CAbstractHolonomicReactiveMethod* object,
+                                             const std::string& where) {
+  mrpt::config::CConfigFileMemory config = base_config(options, object);
+  override_config(config, options.config_set, where);
+  return config;
+}
+
 /// Loads the .ini of the class once, to report a missing file or key before any run.
 void check_config(const HolonomicOptions& options, const OptionLocation& where) {
-  if (options.config.empty()) return;
+  if (options.config.empty() && options.config_set.empty()) return;
   std::optional<NotedConfig> config;
   try {
-    config.emplace(read_navigator_config(options.config));
-    create_by_name(options.class_name)->initialize(*config);
+    const auto object = create_by_name(options.class_name);
+    config.emplace(class_config(options, object.get(), where("config_set")));
+    object->initialize(*config);
   } catch (const Error& e) {
+    if (e.kind() == ErrorKind::Usage) throw;
     throw usage_error(where("config"), e.what());
   } catch (const std::exception& e) {
     const std::string at = config ? config->last_read() : "";
@@ -61,6 +82,7 @@ void check_config(const HolonomicOptions& options, const OptionLocation& where) 
                       options.class_name + " rejects it (" + at + reason_of(e) + ")",
                       "an MRPT .ini with the section of the class");
   }
+  require_overrides(*config, options.config_set, where("config_set"));
 }
 
 /// An MRPT holonomic method that is used as a complete navigator.
@@ -116,8 +138,8 @@ class HolonomicMethod : public Method {
  private:
   /// Keeps the defaults of the class if there is no .ini, as initialize() requires some keys.
   void configure() {
-    if (options_.config.empty()) return;
-    method_->initialize(read_navigator_config(options_.config));
+    if (options_.config.empty() && options_.config_set.empty()) return;
+    method_->initialize(class_config(options_, method_.get(), "config_set"));
   }
 
   /// Free distance of the enlarged disc in each sector, as a fraction of the reference distance.
@@ -227,6 +249,7 @@ void HolonomicOptions::visit(OptionVisitor& v) {
   v.option("class", class_name, "class derived from CAbstractHolonomicReactiveMethod");
   v.option("plugin", plugin, External::Library, "MRPT plug-in module to load first");
   v.option("config", config, External::File, "MRPT .ini with the section of the class");
+  v.option("config_set", config_set, "SECTION.KEY=VALUE; ... overrides of it, or of the defaults");
   v.option("sectors", sectors, "-", "sectors of the full circle", Range::between(8, 2000));
   v.option("reference_distance", reference_distance, "m", "obstacles beyond it are ignored",
            Range::positive());
@@ -254,6 +277,16 @@ MethodFactory mrpt_holonomic(const std::string& class_name) {
 MethodFactory read_holonomic_method(const IniFile& ini, const std::string& section) {
   return make_factory(read_adapter_options<HolonomicOptions>(ini, section),
                       location_in(ini, section));
+}
+
+std::optional<std::string> holonomic_config_value(const IniFile& ini, const std::string& section,
+                                                  const std::string& name) {
+  const auto options = read_adapter_options<HolonomicOptions>(ini, section);
+  // No code of a plug-in runs in this process.
+  mrpt::nav::registerAllClasses_mrpt_nav();
+  const auto object = options.plugin.empty() ? create_by_name(options.class_name) : nullptr;
+  return value_of_key(base_config(options, object.get()), options.config_set, name,
+                      ini.where(section, "config_set"));
 }
 
 }  // namespace slalom

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "navigator_config.h"
+#include "noted_config.h"
 
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
@@ -9,7 +10,9 @@
 
 #include <mrpt/config/config_parser.h>
 #include <mrpt/core/bits_math.h>
+#include <mrpt/system/string_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
@@ -81,6 +84,26 @@ TPoint2D offset_corner(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c, 
   return {b.x + scale * (n.x + m.x), b.y + scale * (n.y + m.y)};
 }
 
+struct Assignment {
+  std::string section, key, value;
+};
+
+/// The overrides of "SECTION.KEY=VALUE; ...".
+std::vector<Assignment> parse_assignments(const std::string& text, const std::string& where) {
+  std::vector<Assignment> assignments;
+  for (const std::string& assignment : split(text, ';')) {
+    if (assignment.empty()) continue;
+    const std::size_t equal = assignment.find('='), dot = assignment.rfind('.', equal);
+    if (equal == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equal)
+      throw usage_error(where, "malformed assignment '" + assignment + "'",
+                        "SECTION.KEY=VALUE; ...");
+    assignments.push_back({trim(assignment.substr(0, dot)),
+                           trim(assignment.substr(dot + 1, equal - dot - 1)),
+                           trim(assignment.substr(equal + 1))});
+  }
+  return assignments;
+}
+
 }  // namespace
 
 mrpt::config::CConfigFileMemory read_navigator_config(const std::string& path) {
@@ -89,19 +112,38 @@ mrpt::config::CConfigFileMemory read_navigator_config(const std::string& path) {
 
 void override_config(CConfigFileBase& config, const std::string& assignments,
                      const std::string& where) {
-  for (const std::string& assignment : split(assignments, ';')) {
-    if (assignment.empty()) continue;
-    const std::size_t equal = assignment.find('='), dot = assignment.rfind('.', equal);
-    if (equal == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equal)
-      throw usage_error(where, "malformed assignment '" + assignment + "'",
-                        "SECTION.KEY=VALUE; ...");
-    const std::string section = trim(assignment.substr(0, dot));
+  for (const auto& [section, key, value] : parse_assignments(assignments, where)) {
     if (!config.sectionExists(section))
-      throw usage_error(where, "the navigator's file has no section [" + section + "]",
-                        "a section of that file");
-    config.write(section, trim(assignment.substr(dot + 1, equal - dot - 1)),
-                 trim(assignment.substr(equal + 1)));
+      throw usage_error(where, "the configuration has no section [" + section + "]",
+                        "a section of config");
+    config.write(section, key, value);
   }
+}
+
+void require_overrides(const NotedConfig& config, const std::string& assignments,
+                       const std::string& where) {
+  using mrpt::system::strCmpI;  // MRPT ignores the case of names
+  for (const auto& [section, key, value] : parse_assignments(assignments, where)) {
+    std::vector<std::string> read;
+    for (const auto& [read_section, read_key] : config.read_keys())
+      if (strCmpI(read_section, section)) read.push_back(read_key);
+    if (std::none_of(read.begin(), read.end(),
+                     [&key = key](const std::string& one) { return strCmpI(one, key); }))
+      throw usage_error(where, "nobody reads " + key + " in [" + section + "]",
+                        expected_name(key, read, "a key that the class reads"));
+  }
+}
+
+std::optional<std::string> value_of_key(const CConfigFileBase& config,
+                                        const std::string& assignments, const std::string& name,
+                                        const std::string& where) {
+  const std::size_t dot = name.rfind('.');
+  const std::string section = name.substr(0, dot), key = name.substr(dot + 1);
+  std::optional<std::string> value;
+  if (config.keyExists(section, key)) value = trim(config.read_string(section, key, ""));
+  for (const Assignment& one : parse_assignments(assignments, where))
+    if (one.section == section && one.key == key) value = one.value;
+  return value;
 }
 
 std::vector<TPoint2D> enlarged_outline(const Footprint& shape, double margin) {

@@ -6,10 +6,13 @@
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/math/TPoint2D.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace slalom {
+
+class NotedConfig;
 
 /// Reads the file and expands its definitions. Throws Error (File) if it cannot be read.
 mrpt::config::CConfigFileMemory read_navigator_config(const std::string& path);
@@ -18,6 +21,15 @@ mrpt::config::CConfigFileMemory read_navigator_config(const std::string& path);
 /// assignments and unknown sections.
 void override_config(mrpt::config::CConfigFileBase& config, const std::string& assignments,
                      const std::string& where);
+
+/// Throws Error (Usage) at `where` for an override whose key was not read.
+void require_overrides(const NotedConfig& config, const std::string& assignments,
+                       const std::string& where);
+
+/// The value of "SECTION.KEY" with these overrides; none if it is in neither.
+std::optional<std::string> value_of_key(const mrpt::config::CConfigFileBase& config,
+                                        const std::string& assignments, const std::string& name,
+                                        const std::string& where);
 
 /// Returns the outline of the robot enlarged by `margin`, counter-clockwise. A disc becomes a
 /// circumscribed polygon with 16 corners, at most 2 % larger.

@@ -121,6 +121,7 @@ void NavigatorFactory::prepare(mrpt::nav::CAbstractNavigator& navigator) {
   } catch (const std::exception& e) {
     throw std::runtime_error(config.last_read() + reason_of(e));
   }
+  require_overrides(config, options_.config_set, where_("config_set"));
   const PtgCacheFolder cache(options_.ptg_cache, config_.getContent());
   // There is no .ini key for it.
   if (auto* with_generators = dynamic_cast<mrpt::nav::CAbstractPTGBasedReactive*>(&navigator))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "navigation_log.h"
+#include "navigator_config.h"
 #include "navigator_factory.h"
 #include "simulated_robot.h"
 
@@ -171,6 +172,14 @@ void NavigatorOptions::visit(OptionVisitor& v) {
 MethodFactory mrpt_navigator(const NavigatorOptions& options) {
   check_options(options, location_of("mrpt_navigator"));
   return make_factory(options, location_of("mrpt_navigator"));
+}
+
+std::optional<std::string> navigator_config_value(const IniFile& ini, const std::string& section,
+                                                  const std::string& name) {
+  const auto options = read_adapter_options<NavigatorOptions>(ini, section);
+  mrpt::config::CConfigFileMemory config;
+  if (!options.config.empty()) config = read_navigator_config(options.config);
+  return value_of_key(config, options.config_set, name, ini.where(section, "config_set"));
 }
 
 MethodFactory read_navigator_method(const IniFile& ini, const std::string& section) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/adapters.h>
 #include <slalom/app/block_runner.h>
+#include <slalom/app/method_option.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
@@ -91,7 +92,7 @@ MethodCampaign read_method_campaign(IniFile ini, const std::string& method) {
   Manifest files = hash_method_files(config);
   ConfigureMethod configure = [ini, method](const std::map<std::string, std::string>& options) {
     IniFile changed = ini;
-    for (const auto& [key, value] : options) changed.set("method." + method, key, value, "");
+    for (const auto& [key, value] : options) set_method_option(changed, method, key, value);
     return all_adapters().read(changed, method);
   };
   return {std::move(ini),   std::move(config.options), std::move(config.methods.at(0)),

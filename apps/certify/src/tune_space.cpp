@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tune_space.h"
 
+#include <slalom/app/method_option.h>
 #include <slalom/campaign/method_parameters.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -36,21 +37,23 @@ SpaceParameter parse_line(const std::string& name, const std::string& text,
 
 /// The default as the .ini has it; else that which the method declares.
 void set_default(SpaceParameter& parameter, const std::vector<TunableParameter>& declared,
-                 const IniFile& ini, const std::string& section, const std::string& where) {
-  const std::optional<std::string> text = ini.get(section, parameter.name);
+                 const IniFile& ini, const std::string& method, const std::string& where) {
+  const std::string section = "method." + method;
+  const std::optional<std::string> text = get_method_option(ini, method, parameter.name, where);
   if (!parameter.choices.empty()) {
     const auto& choices = parameter.choices;
     const auto found = std::find(choices.begin(), choices.end(), text.value_or(""));
     if (found == choices.end())
       throw usage_error(where, "no choice is the default",
-                        parameter.name + " in [" + section + "]");
+                        "what " + parameter.name + " is in [" + section + "] or its config");
     parameter.default_value = static_cast<double>(found - choices.begin());
     return;
   }
   if (text) {
     if (!parse_number(*text, parameter.default_value))
-      throw usage_error(ini.where(section, parameter.name), "'" + *text + "' is not valid",
-                        "a number, which is tuned");
+      throw usage_error(
+          ini.get(section, parameter.name) ? ini.where(section, parameter.name) : where,
+          "'" + *text + "' is not valid", "a number, which is tuned");
     return;
   }
   for (const TunableParameter& one : declared)
@@ -58,36 +61,41 @@ void set_default(SpaceParameter& parameter, const std::vector<TunableParameter>&
       parameter.default_value = one.default_value;
       return;
     }
-  throw usage_error(where, "its default is unknown", parameter.name + " in [" + section + "]");
+  throw usage_error(
+      where, "its default is unknown",
+      parameter.name + " in [" + section + "]" +
+          (parameter.name.find('.') != std::string::npos ? ", in config or config_set" : ""));
 }
 
 }  // namespace
 
 ParameterSpace read_space(const MethodCampaign& campaign) {
   const IniFile& ini = campaign.ini;
-  const std::string section = "method." + campaign.method.name;
   const std::vector<TunableParameter> declared =
       tunable_parameters(campaign.method, campaign.options);
   std::vector<SpaceParameter> parameters;
   for (const std::string& key : ini.keys(kSection)) {
     const std::string where = ini.where(kSection, key);
     SpaceParameter parameter = parse_line(key, *ini.get(kSection, key), where);
-    set_default(parameter, declared, ini, section, where);
+    set_default(parameter, declared, ini, campaign.method.name, where);
     parameters.push_back(std::move(parameter));
   }
   if (parameters.empty())
     for (const TunableParameter& one : declared) {
       SpaceParameter parameter{one.name, one.default_value, one.low, one.high,
                                one.log,  one.integer,       {},      std::nullopt};
-      set_default(parameter, declared, ini, section, campaign.method.where);
+      set_default(parameter, declared, ini, campaign.method.name, campaign.method.where);
       parameters.push_back(std::move(parameter));
     }
   if (parameters.empty())
     throw usage_error(campaign.method.where, "the method declares no ranges of its parameters",
                       "[tune] with OPTION = " + std::string(kExpected));
-  return ParameterSpace(std::move(parameters), [&](const std::string& name) {
+  ParameterSpace space(std::move(parameters), [&](const std::string& name) {
     return ini.get(kSection, name) ? ini.where(kSection, name) : campaign.method.where + " " + name;
   });
+  // An option that nobody reads is an error before the first run.
+  tunable_parameters(campaign.configure(options_of(space, space.defaults())), campaign.options);
+  return space;
 }
 
 std::map<std::string, std::string> options_of(const ParameterSpace& space,

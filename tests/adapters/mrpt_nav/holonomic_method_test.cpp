@@ -220,6 +220,18 @@ TEST(HolonomicMethod, RefusesUnknownKeysAndInvalidValues) {
   EXPECT_TRUE(refuses("behind", "walls", {}));
 }
 
+TEST(HolonomicMethod, OverridesTheDefaultsOfTheClass) {
+  const World world = room_with_discs();
+  const auto commands = [&](const std::string& options) {
+    return run(*load("class = CHolonomicND\n" + options), world, {9, 5}, 100).commands;
+  };
+  const std::string key = "config_set = CHolonomicND.RISK_EVALUATION_DISTANCE=";
+  EXPECT_EQ(commands(key + "0.4\n"), commands(""));  // the default
+  EXPECT_NE(commands(key + "1\n"), commands(""));
+  EXPECT_TRUE(refuses("config_set", "CHolonomicND.RISK_DISTANCE=1",
+                      {"nobody reads RISK_DISTANCE in [CHolonomicND]"}));
+}
+
 TEST(HolonomicMethod, RefusesMissingFiles) {
   EXPECT_TRUE(refuses("config", "/nowhere/nd.ini",
                       {"/nowhere/nd.ini: cannot be read", "expected an MRPT .ini"}));

@@ -2,6 +2,7 @@
 #include "error_text.h"
 #include "navigator_config.h"
 #include "navigator_fixture.h"
+#include "noted_config.h"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +63,31 @@ TEST(NavigatorConfig, OverridesValuesOfTheFile) {
                         [&] { override_config(config, text, "a.ini:3"); });
   };
   EXPECT_TRUE(refuses("ref_distance=4", {"'ref_distance=4'", "expected SECTION.KEY=VALUE"}));
-  EXPECT_TRUE(refuses("Nowhere.a=4", {"no section [Nowhere]", "expected a section of that file"}));
+  EXPECT_TRUE(refuses("Nowhere.a=4", {"no section [Nowhere]", "expected a section of config"}));
+}
+
+TEST(NavigatorConfig, OverridesAreOfKeysThatAreRead) {
+  const NotedConfig config(read_navigator_config(test_config("small_navigator.ini")));
+  config.read_string("CHolonomicND", "TOO_CLOSE_OBSTACLE", "");
+  require_overrides(config, "CHolonomicND.too_close_obstacle=1", "a.ini:3");
+  const auto refuses = [&](const std::string& text, std::initializer_list<std::string> words) {
+    return throws_error(ErrorKind::Usage, "a.ini:3: ", words,
+                        [&] { require_overrides(config, text, "a.ini:3"); });
+  };
+  EXPECT_TRUE(refuses(
+      "CHolonomicND.TOO_CLOSE_OBSTACL=1",
+      {"nobody reads TOO_CLOSE_OBSTACL in [CHolonomicND]", "expected 'TOO_CLOSE_OBSTACLE'"}));
+  EXPECT_TRUE(refuses("CHolonomicVFF.TOO_CLOSE_OBSTACLE=1", {"a key that the class reads"}));
+}
+
+TEST(NavigatorConfig, KnowsTheValueOfAKey) {
+  const auto config = read_navigator_config(test_config("small_navigator.ini"));
+  const auto value = [&](const std::string& overrides, const std::string& name) {
+    return value_of_key(config, overrides, name, "a.ini:3");
+  };
+  EXPECT_EQ(value("", "CHolonomicND.RISK_EVALUATION_DISTANCE"), "0.4");
+  EXPECT_EQ(value("A.b=1; A.b = 2;", "A.b"), "2");
+  EXPECT_EQ(value("", "CHolonomicND.nothing"), std::nullopt);
 }
 
 TEST(NavigatorConfig, WritesTheRobotsShapeAndLimitsToTheNavigatorsKeys) {

@@ -4,6 +4,7 @@
 #include <slalom/core/options.h>
 #include <slalom/methods/method_factory.h>
 
+#include <optional>
 #include <string>
 
 namespace slalom {
@@ -25,6 +26,7 @@ struct HolonomicOptions {
   std::string class_name = "CHolonomicND";
   std::string plugin;                      ///< an MRPT plug-in module to load first
   std::string config;                      ///< an MRPT .ini with the section of the class
+  std::string config_set;                  ///< "SECTION.KEY=VALUE; ..." overriding it
   int sectors = 121;                       ///< of the full circle
   double reference_distance = 3.0;         ///< m: obstacles beyond it are ignored
   double margin = 0.08;                    ///< m added to the robot's radius
@@ -46,5 +48,11 @@ MethodFactory mrpt_holonomic(const std::string& class_name);
 
 /// The same with options from an .ini; a MethodReader.
 MethodFactory read_holonomic_method(const IniFile& ini, const std::string& section);
+
+/// The value of "SECTION.KEY" in the configuration of a method of an .ini; none if there is no such
+/// key. The defaults of a class of a plug-in are not known. Throws Error (Usage, File) for what
+/// cannot be read.
+std::optional<std::string> holonomic_config_value(const IniFile& ini, const std::string& section,
+                                                  const std::string& name);
 
 }  // namespace slalom

@@ -4,6 +4,7 @@
 #include <slalom/core/options.h>
 #include <slalom/methods/method_factory.h>
 
+#include <optional>
 #include <string>
 
 namespace slalom {
@@ -45,5 +46,10 @@ MethodFactory mrpt_navigator(const NavigatorOptions& options);
 
 /// The same with options from an .ini; a MethodReader.
 MethodFactory read_navigator_method(const IniFile& ini, const std::string& section);
+
+/// The value of "SECTION.KEY" in the configuration of a method of an .ini, before that of the robot
+/// is written; none if there is no such key. Throws Error (Usage, File) for what cannot be read.
+std::optional<std::string> navigator_config_value(const IniFile& ini, const std::string& section,
+                                                  const std::string& name);
 
 }  // namespace slalom
